@@ -1,0 +1,30 @@
+# Needs git, make and Python 3.11 or newer; `setup` brings the rest. `make` lists the commands.
+.PHONY: help setup run test lock clean
+
+help:
+	@echo "make run    set up, run every case in every code found, print the report's path"
+	@echo "make test   set up, then lint, types and tests"
+	@echo "make setup  the virtual environment in .venv; YADE and LIGGGHTS where apt may"
+	@echo "make lock   renew requirements.lock from pyproject.toml"
+	@echo "make clean  remove .venv and everything generated"
+	@echo "Variables: PYTHON=/path/to/python   the Python that .venv is made from"
+	@echo "           VV_APT=no                leave the system's packages alone"
+	@echo "           VV_REQUIRE=yade,liggghts fail where these codes are missing"
+
+setup:
+	@./setup.sh
+
+run: setup
+	@.venv/bin/vv run --all
+
+test: setup
+	.venv/bin/ruff check .
+	.venv/bin/ruff format --check .
+	.venv/bin/mypy
+	.venv/bin/pytest
+
+lock:
+	@./setup.sh lock
+
+clean:
+	rm -rf .venv .vv .mypy_cache .ruff_cache .pytest_cache .hypothesis

@@ -1,0 +1,1 @@
+"""The codes: one file or folder each, ending in ADAPTER; a leading underscore marks a helper."""

@@ -1,0 +1,114 @@
+"""LIGGGHTS as a code of the framework: refuses, describes, exports and runs asks."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+
+from adapters.liggghts.answers import unknowns
+from adapters.liggghts.batch import solved, timed
+from adapters.liggghts.deck import deck
+from adapters.liggghts.installed import find
+from adapters.liggghts.refusals import refusal
+from adapters.liggghts.translate import (
+    HALF_STEP,
+    PLAIN,
+    has_friction,
+    moving,
+    represented,
+    spinning,
+)
+from adapters.liggghts.walls import oblique
+from vv.adapter import Found, Scheme
+from vv.ask import Ask, Method, Model, Run, Status
+from vv.scene import Term
+
+TERMS = frozenset(
+    {
+        Term.SPHERE_CONTACT,
+        Term.WALL_CONTACT,
+        Term.FRICTION,
+        Term.DRAG,
+        Term.GRAVITY,
+        Term.LOAD,
+        Term.ROTATION,
+        Term.OBLIQUE_LOCK,
+    }
+)
+SCHEMES = (
+    Scheme(
+        PLAIN,
+        "velocity Verlet with the scene's masses; drag is taken from the velocity half a step ago",
+        Method.SECOND_ORDER,
+        TERMS,
+    ),
+    Scheme(
+        HALF_STEP,
+        "velocity Verlet with masses m + eta dt/2, which makes drag that of the mean velocity",
+        Method.SECOND_ORDER,
+        TERMS,
+    ),
+)
+
+
+class Liggghts:
+    """The adapter; it holds no state."""
+
+    name = "liggghts"
+    schemes = SCHEMES
+
+    def found(self) -> Found:
+        """Look for the executable and its libraries."""
+        return find()
+
+    def refuses(self, ask: Ask, scheme: str) -> str | None:
+        """What LIGGGHTS cannot represent though it has every term."""
+        return refusal(ask, scheme)
+
+    def describe(self, ask: Ask, scheme: str) -> Model:
+        """The freedoms LIGGGHTS integrates, and how the scene is put to it."""
+        scene = represented(ask, scheme)
+        terms = ask.scene.terms() | scene.terms()
+        return Model(unknowns(scene), terms, "; ".join(_notes(ask, scheme)))
+
+    def native(self, ask: Ask, scheme: str) -> str:
+        """A deck for `liggghts -in`; it writes history.txt, and the files it reads itself."""
+        notes = "".join(f"# {note}\n" for note in _notes(ask, scheme))
+        return f"{notes}{deck(ask, scheme, 'history.txt')}"
+
+    def run(self, asks: Sequence[Ask], scheme: str, scratch: Path, repeat: float) -> Iterator[Run]:
+        """Run all asks in one LIGGGHTS process; see vv.external for what happens if it dies."""
+        if not (here := find()).installed:
+            yield from [Run(Status.NOT_INSTALLED, here.how_to_install)] * len(asks)
+            return
+        models = [self.describe(ask, scheme) for ask in asks]
+        runs = solved(asks, models, scheme, scratch, here.path)
+        yield from timed(list(runs), asks, scheme, scratch, here.path, repeat) if repeat else runs
+
+
+def _notes(ask: Ask, scheme: str) -> list[str]:
+    """How the scene is represented, one fact each."""
+    asked, scene = ask.scene, represented(ask, scheme)
+    turning, moved = spinning(scene.spheres), moving(scene.spheres)
+    said = {
+        "pair gran, hooke/stiffness: kn is the contact's stiffness, nothing is damped": True,
+        "fix nve: all three translations, no rotation": bool((moved & ~turning).any()),
+        "fix nve/sphere for spheres that turn, with the inertia 2/5 m r2": bool(turning.any()),
+        "a locked axis is a force of zero on it (fix setforce)": (
+            not scene.spheres.free[moved].all()
+        ),
+        "spheres without any freedom are not integrated": not moved.all(),
+        "shear springs of model history, without tangential damping": has_friction(scene),
+        "drag by fix viscous from the velocity half a step ago": scene.eta > 0,
+        "masses are m + eta dt/2, weight a dead load": scheme == HALF_STEP and scene.eta > 0,
+        "a mesh wall, one triangle far larger than the scene, instead of a primitive one": (
+            any(oblique(wall) for wall in scene.walls)
+        ),
+        "a dead load along the normal instead of a locked axis": (
+            Term.OBLIQUE_LOCK in asked.terms()
+        ),
+    }
+    return [note for note, holds in said.items() if holds]
+
+
+ADAPTER = Liggghts()

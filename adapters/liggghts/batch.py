@@ -1,0 +1,141 @@
+"""Runs decks: many in one LIGGGHTS process, a log each, and what every solve cost.
+
+LIGGGHTS states the elapsed time of its stepping loop and, apart, that of output within it. On one
+thread that never waits, elapsed time is CPU time as long as nothing else wants the core, so the
+least of several solves stands for both. Timed solves write nothing and are solves of their own,
+from an empty LIGGGHTS to the last step; the first of several is not counted. Set-up is what
+remains of a solve, known to the tick of the file system's clock: some ms over all the solves.
+"""
+
+from __future__ import annotations
+
+import math
+import shutil
+import time
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+
+from adapters.liggghts.answers import loops, parse
+from adapters.liggghts.deck import deck, silent_deck
+from vv import external
+from vv.ask import Ask, Cost, Model, Run, Status
+
+# One process without a network of ranks: Open MPI's search for one takes 0.3-0.5 s.
+MPI = {
+    "OMPI_MCA_ess_singleton_isolated": "1",
+    "OMPI_MCA_btl": "self",
+    "OMPI_MCA_pml": "ob1",
+}
+LEAST_REPEATS = 4  # with the first, which is not counted
+MOST_REPEATS = 300  # each costs a set-up of about a millisecond besides its solve
+
+
+def solved(
+    asks: Sequence[Ask], models: Sequence[Model], scheme: str, scratch: Path, path: str
+) -> Iterator[Run]:
+    """The answers to asks, with the cost of the one solve that gave them."""
+    first: dict[external.Program, int] = {}  # the ask that carries a program's start-up
+
+    def launch(indices: Sequence[int]) -> external.Program:
+        parts = [_framed(f"ask-{i}", deck(asks[i], scheme, f"ask-{i}.txt")) for i in indices]
+        program = _start(parts, scratch, path)
+        first[program] = indices[0]
+        return program
+
+    def collect(index: int, program: external.Program) -> Run | None:
+        part = scratch / f"ask-{index}"
+        if not part.with_suffix(".done").exists():
+            return None
+        run = parse(part.with_suffix(".txt"), asks[index], models[index])
+        startup = _startup(part, program) if first[program] == index else 0.0
+        return replace(run, cost=replace(_cost(part), startup=startup))
+
+    for index, run in enumerate(external.run_batch(len(asks), launch, collect)):
+        answered = (scratch / f"ask-{index}.done").exists()
+        yield run if answered or not first else _explained(run, [*first][-1])
+
+
+def timed(
+    runs: Sequence[Run],
+    asks: Sequence[Ask],
+    scheme: str,
+    scratch: Path,
+    path: str,
+    repeat: float,
+) -> Iterator[Run]:
+    """Runs with the cost of solves that write nothing, repeated for about `repeat` CPU seconds."""
+
+    def launch(indices: Sequence[int]) -> external.Program:
+        parts = [
+            _framed(f"time-{i}", "clear\n".join([silent_deck(asks[i], scheme)] * times(i)))
+            for i in indices
+            if runs[i].status is Status.RAN
+        ]
+        return _start(parts, scratch, path)
+
+    def times(index: int) -> int:
+        once = max(runs[index].cost.solve_cpu, 1e-6)  # may have been disturbed, hence the least
+        least = 1 if once > 10 * repeat else LEAST_REPEATS
+        return max(least, min(MOST_REPEATS, 1 + math.ceil(repeat / once)))
+
+    def collect(index: int, program: external.Program) -> Run | None:
+        part, run = scratch / f"time-{index}", runs[index]
+        if run.status is not Status.RAN:
+            return run
+        if not part.with_suffix(".done").exists():
+            return None
+        once = run.cost
+        cost = replace(_cost(part), startup=once.startup, output=once.output)
+        return replace(run, cost=cost)
+
+    yield from external.run_batch(len(runs), launch, collect)
+
+
+def _explained(run: Run, program: external.Program) -> Run:
+    """A failure with LIGGGHTS' own word on it, which Open MPI's banner may have pushed away."""
+    said = program.log.read_text(errors="replace")
+    errors = [line.strip() for line in said.splitlines() if line.startswith("ERROR")]
+    known = not errors or errors[-1] in run.reason
+    return run if known else replace(run, reason=f"{errors[-1]}; {run.reason}")
+
+
+def _framed(part: str, text: str) -> str:
+    """A part of a batch: a fresh LIGGGHTS, a log of its own, marks where it begins and is done."""
+    return (
+        f'clear\nprint "begun" file {part}.begun screen no\nlog {part}.log\n{text}'
+        f'log none\nprint "done" file {part}.done screen no\n'
+    )
+
+
+def _start(parts: Sequence[str], scratch: Path, path: str) -> external.Program:
+    """Start LIGGGHTS on the parts; by line, since it loses what it has not written when it dies."""
+    batch = scratch / f"batch-{len(list(scratch.glob('batch-*.in')))}.in"
+    batch.write_text("".join(parts))
+    by_line = ["stdbuf", "-oL"] if shutil.which("stdbuf") else []
+    command = [*by_line, path, "-in", batch.name, "-echo", "none", "-log", "none"]
+    return external.start(command, scratch, MPI)
+
+
+def _startup(part: Path, program: external.Program) -> float:
+    """From the start of a program to that of its first part [s]; file times are of the wall."""
+    started = time.time() - (time.monotonic() - program.started)
+    return max(0.0, part.with_suffix(".begun").stat().st_mtime - started)
+
+
+def _cost(part: Path) -> Cost:
+    """The cost of the solves in a part of a batch that is done."""
+    spent = loops(part.with_suffix(".log").read_text(errors="replace"))
+    begun, done = (part.with_suffix(s).stat().st_mtime for s in (".begun", ".done"))
+    counted = spent.solve[1:] if len(spent.solve) > 1 else spent.solve
+    least = float(counted.min())
+    return Cost(
+        setup=max(0.0, (done - begun - float(spent.whole.sum())) / len(spent.whole)),
+        solve_cpu=least,
+        solve_wall=least,
+        output=float((spent.whole - spent.solve)[0]),
+        repeats=len(counted),
+        spread=float(np.ptp(counted)) / least if least > 0 else 0.0,
+    )

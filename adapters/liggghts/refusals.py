@@ -1,0 +1,91 @@
+"""Says why LIGGGHTS cannot represent an ask though it has every term."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from adapters.liggghts.translate import HALF_STEP, loads, locks, represented, spinning, step
+from vv.ask import Ask
+from vv.scene import Scene
+
+GROUPS = 32 - 3  # LIGGGHTS has 32; all, shifted and turned are taken
+
+
+def refusal(ask: Ask, scheme: str) -> str | None:
+    """The first reason that holds, else None."""
+    return (
+        _unknown_body(ask)
+        or _no_steps(ask)
+        or _locked_motion(ask.scene)
+        or _nothing_free(ask.scene)
+        or _spin(ask.scene, scheme)
+        or _behind_wall(ask.scene)
+        or _too_many_groups(ask, scheme)
+    )
+
+
+def _unknown_body(ask: Ask) -> str | None:
+    try:
+        for seen in ask.observables:
+            ask.scene.sphere_index(seen.body)
+    except ValueError as error:
+        return str(error)
+    return None
+
+
+def _no_steps(ask: Ask) -> str | None:
+    if ask.knobs.dt is None:
+        return "dt is not set; LIGGGHTS needs a time step"
+    if ask.goal.steps(step(ask)) < 1:
+        return f"dt = {step(ask)!r} s leaves no step within {ask.goal.duration!r} s"
+    return None
+
+
+def _locked_motion(scene: Scene) -> str | None:
+    """A force of zero would keep a locked sphere going."""
+    spheres = scene.spheres
+    along = np.where(spheres.free, 0.0, spheres.velocity @ scene.axes.T)
+    about = np.where(spheres.free_spin, 0.0, spheres.spin @ scene.axes.T)
+    allowed = 1e-12 * np.abs(spheres.velocity).max(axis=1, keepdims=True)
+    if (np.abs(along) > allowed).any() or (np.abs(about) > 0).any():
+        return "a sphere has a velocity or spin in a locked freedom, which LIGGGHTS would maintain"
+    return None
+
+
+def _nothing_free(scene: Scene) -> str | None:
+    return None if scene.unknowns() else "no sphere is free to move"
+
+
+def _spin(scene: Scene, scheme: str) -> str | None:
+    """fix nve/sphere turns all three axes or none, with the inertia 2/5 m r2."""
+    spheres, turning = scene.spheres, spinning(scene.spheres)
+    if not turning.any():
+        return None
+    if (turning & ~spheres.free_spin.all(axis=1)).any():
+        return "a sphere may turn about some axes only; LIGGGHTS turns about all or none"
+    if (
+        np.abs(spheres.inertia / (0.4 * spheres.mass * spheres.radius**2) - 1)[turning] > 1e-12
+    ).any():
+        return "a turning sphere's inertia is not 2/5 m r2, which LIGGGHTS takes it to be"
+    if scheme == HALF_STEP and scene.eta > 0:
+        return "raised masses would raise the inertia of turning spheres too, which drag must not"
+    return None
+
+
+def _behind_wall(scene: Scene) -> str | None:
+    for number, wall in enumerate(scene.walls):
+        height = (scene.spheres.position - wall.point) @ wall.normal
+        if height.min() <= 0:
+            return (
+                f"the centre of sphere {int(height.argmin())} lies behind wall {number}; "
+                "LIGGGHTS' walls push from a surface, to both sides, not from a half-space"
+            )
+    return None
+
+
+def _too_many_groups(ask: Ask, scheme: str) -> str | None:
+    scene = represented(ask, scheme)
+    groups = len(loads(scene.spheres)) + len(locks(scene.spheres))
+    if groups > GROUPS:
+        return f"{groups} different dead loads and locks; LIGGGHTS has {GROUPS} groups for them"
+    return None

@@ -1,0 +1,130 @@
+"""Turns an ask into what LIGGGHTS can hold: masses, dead loads, groups, a box, flat walls."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from adapters.liggghts.walls import oblique, triangle
+from vv.ask import Ask, Displacement, Observable
+from vv.scene import Mask, Scene, Spheres, Term, Vector
+from vv.transform import initial_normal_forces, released
+
+PLAIN, HALF_STEP = "default", "half-step-mass"
+
+
+def step(ask: Ask) -> float:
+    """The time step [s]; raises ValueError for an ask without one."""
+    if ask.knobs.dt is None:
+        raise ValueError("Knobs.dt = None; LIGGGHTS needs a time step")
+    return ask.knobs.dt
+
+
+def represented(ask: Ask, scheme: str) -> Scene:
+    """The scene that LIGGGHTS is given: locks along the frame only, masses of the scheme.
+
+    Raises ValueError for an ask without dt, or one that `released` cannot release.
+    """
+    scene = released(ask.scene)
+    return heavier(scene, scene.eta * step(ask) / 2) if scheme == HALF_STEP else scene
+
+
+def heavier(scene: Scene, extra: float) -> Scene:
+    """The scene with `extra` [kg] on every mass, and the weight kept as a dead load.
+
+    With extra = eta dt/2 the drag of LIGGGHTS, M (v+ - v-)/dt = F - eta v-, becomes that of the
+    mean velocity, m (v+ - v-)/dt = F - eta (v+ + v-)/2, which is second order.
+    """
+    if extra == 0.0:
+        return scene
+    bodies = tuple(
+        replace(g, mass=g.mass + extra, load=g.load + g.mass[:, None] * scene.gravity)
+        if isinstance(g, Spheres)
+        else g
+        for g in scene.bodies
+    )
+    return replace(scene, bodies=bodies, gravity=np.zeros(3))
+
+
+def spinning(spheres: Spheres) -> Mask:
+    """Which spheres are integrated with their rotations, (n,)."""
+    return np.asarray(spheres.free_spin.any(axis=1))
+
+
+def moving(spheres: Spheres) -> Mask:
+    """Which spheres are integrated at all, (n,)."""
+    return np.asarray(spheres.free.any(axis=1)) | spinning(spheres)
+
+
+def has_friction(scene: Scene) -> bool:
+    """Whether contacts can carry shear."""
+    return scene.contact.ks > 0 and scene.contact.mu > 0
+
+
+def loads(spheres: Spheres) -> dict[tuple[float, ...], list[int]]:
+    """The dead loads [N] on spheres that move, each with the indices that carry it."""
+    carried: dict[tuple[float, ...], list[int]] = {}
+    for i in np.flatnonzero(moving(spheres) & spheres.load.any(axis=1)):
+        carried.setdefault(tuple(spheres.load[i].tolist()), []).append(int(i))
+    return carried
+
+
+def locks(spheres: Spheres) -> dict[tuple[bool, ...], list[int]]:
+    """The patterns of locked axes of spheres that move, each with the indices that have it."""
+    held: dict[tuple[bool, ...], list[int]] = {}
+    for i in np.flatnonzero(moving(spheres) & ~spheres.free.all(axis=1)):
+        held.setdefault(tuple((~spheres.free[i]).tolist()), []).append(int(i))
+    return held
+
+
+def watched(ask: Ask) -> list[tuple[Observable, int]]:
+    """What is written, with the index of the sphere: first what was asked, then what may drift.
+
+    The displacements of spheres whose oblique locks became dead loads are watched as well.
+    """
+    scene = ask.scene
+    asked: list[tuple[Observable, int]] = [(o, scene.sphere_index(o.body)) for o in ask.observables]
+    if Term.OBLIQUE_LOCK not in scene.terms():
+        return asked
+    held = {scene.sphere_index(body): body for body in _sphere_bodies(scene)}
+    partly = scene.spheres.free.any(axis=1) & ~scene.spheres.free.all(axis=1)
+    drifting = [(Displacement(held[int(i)]), int(i)) for i in np.flatnonzero(partly)]
+    return asked + [pair for pair in drifting if pair not in asked]
+
+
+def _sphere_bodies(scene: Scene) -> Iterator[int]:
+    first = 0
+    for group in scene.bodies:
+        if isinstance(group, Spheres):
+            yield from range(first, first + len(group))
+        first += len(group)
+
+
+@dataclass(frozen=True, eq=False)
+class Space:
+    """Where things are: low, high (3,) [m] bound what spheres may reach and walls span.
+
+    triangles: wall number -> (3, 3) corners [m] of the oblique walls; outer: low and high of
+    the simulation box, which holds the region and all corners.
+    """
+
+    low: Vector
+    high: Vector
+    triangles: dict[int, Vector]
+    outer: tuple[Vector, Vector]
+
+
+def space(ask: Ask, scene: Scene) -> Space:
+    """The space for a represented scene: ten radii and twice the longest free path on all sides."""
+    spheres, time = scene.spheres, ask.goal.duration
+    forces = initial_normal_forces(scene) / spheres.mass[:, None] + scene.gravity
+    pulls = np.linalg.norm(forces, axis=1) + np.linalg.norm(spheres.load, axis=1) / spheres.mass
+    paths = np.linalg.norm(spheres.velocity, axis=1) * time + pulls * time**2 / 2
+    reach = 10 * spheres.radius.max() + 2 * np.where(moving(spheres), paths, 0.0).max()
+    low, high = spheres.position.min(axis=0) - reach, spheres.position.max(axis=0) + reach
+    triangles = {n: triangle(w, low, high) for n, w in enumerate(scene.walls) if oblique(w)}
+    points = np.vstack([low, high, *triangles.values()])
+    margin = 0.01 * reach
+    return Space(low, high, triangles, (points.min(axis=0) - margin, points.max(axis=0) + margin))

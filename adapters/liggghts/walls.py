@@ -1,0 +1,69 @@
+"""Puts a wall to LIGGGHTS: a plane across an axis of the frame, or a mesh of one triangle."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+
+import numpy as np
+
+from vv.scene import Vector, Wall
+
+AXES = "xyz"
+
+
+def oblique(wall: Wall) -> bool:
+    """Whether a wall lies across no axis of the frame, and needs a mesh; rounding is no tilt."""
+    return int((np.abs(wall.normal) > 1e-15).sum()) > 1
+
+
+def triangle(wall: Wall, low: Vector, high: Vector) -> Vector:
+    """The (3, 3) corners [m] of a triangle in the wall's plane, larger than its cut with a box.
+
+    One triangle has no inner edges, at which a mesh may hand contacts over. The corners run
+    round the outward normal. The inscribed circle reaches beyond the farthest corner of the box.
+    """
+    centre, half = (low + high) / 2, (high - low) / 2
+    foot = centre - ((centre - wall.point) @ wall.normal) * wall.normal
+    inscribed = float(np.linalg.norm(half) + np.linalg.norm(foot - centre))
+    first = np.cross(wall.normal, np.eye(3)[np.abs(wall.normal).argmin()])
+    first /= np.linalg.norm(first)
+    turns = 2 * np.pi / 3 * np.arange(3)[:, None]
+    directions = np.cos(turns) * first + np.sin(turns) * np.cross(wall.normal, first)
+    return np.asarray(foot + 2 * inscribed * directions)
+
+
+def wall_commands(name: str, wall: Wall, corners: Vector | None, model: str) -> Iterator[str]:
+    """The commands for a wall with a contact model; corners: those of an oblique wall's triangle.
+
+    A mesh is read from a file, which the deck writes itself.
+    """
+    if corners is None:
+        axis = int(np.abs(wall.normal).argmax())
+        shape = f"primitive type 1 {AXES[axis]}plane {float(wall.point[axis])!r}"
+    else:
+        yield from _printed(f"{name}.stl", _stl(wall, corners))
+        yield f"fix {name}_mesh all mesh/surface file {name}.stl type 1"
+        shape = f"mesh n_meshes 1 meshes {name}_mesh"
+    yield f"fix {name} all wall/gran {model} {shape} tangential_damping off"
+
+
+def _printed(file: str, lines: Iterable[str]) -> Iterator[str]:
+    """Commands that write a file of these lines."""
+    for number, line in enumerate(lines):
+        yield f'print "{line}" {"append" if number else "file"} {file} screen no'
+
+
+def _stl(wall: Wall, corners: Vector) -> Iterator[str]:
+    yield "solid wall"
+    yield f"facet normal {numbers(wall.normal)}"
+    yield "outer loop"
+    for corner in corners:
+        yield f"vertex {numbers(corner)}"
+    yield "endloop"
+    yield "endfacet"
+    yield "endsolid wall"
+
+
+def numbers(values: Iterable[float]) -> str:
+    """Numbers as LIGGGHTS reads them, with all their digits."""
+    return " ".join(repr(float(value)) for value in values)

@@ -1,0 +1,165 @@
+"""YADE as a code of the framework: refuses, describes, exports and runs asks."""
+
+from __future__ import annotations
+
+import json
+import pprint
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+
+import numpy as np
+
+from adapters.yade.answers import parse
+from adapters.yade.installed import PYTHON, find
+from adapters.yade.translate import HALF_STEP, PLAIN, has_friction, initial_contacts, plan
+from vv import external
+from vv.adapter import Found, Scheme
+from vv.ask import Ask, Method, Model, Run, Status
+from vv.scene import Scene, Term
+from vv.transform import released
+
+DRIVER = Path(__file__).with_name("driver.py")
+TERMS = frozenset(
+    {
+        Term.SPHERE_CONTACT,
+        Term.WALL_CONTACT,
+        Term.FRICTION,
+        Term.DRAG,
+        Term.GRAVITY,
+        Term.LOAD,
+        Term.ROTATION,
+        Term.OBLIQUE_LOCK,
+    }
+)
+SCHEMES = (
+    Scheme(
+        PLAIN,
+        "leapfrog with the scene's masses; drag is taken from the velocity half a step ago",
+        Method.SECOND_ORDER,
+        TERMS,
+    ),
+    Scheme(
+        HALF_STEP,
+        "leapfrog with masses m + eta dt/2, which makes drag that of the mean velocity",
+        Method.SECOND_ORDER,
+        TERMS,
+    ),
+)
+
+
+class Yade:
+    """The adapter; it holds no state."""
+
+    name = "yade"
+    schemes = SCHEMES
+
+    def found(self) -> Found:
+        """Look for the package's folder."""
+        return find()
+
+    def refuses(self, ask: Ask, scheme: str) -> str | None:
+        """What YADE cannot represent though it has every term."""
+        scene = ask.scene
+        return (
+            _no_sphere_seen(ask)
+            or _locked_motion(scene)
+            or _oblique_spin_lock(scene)
+            or _behind_wall(scene)
+        )
+
+    def describe(self, ask: Ask, scheme: str) -> Model:
+        """The freedoms YADE integrates, and how the scene is put to it."""
+        scene = released(ask.scene)
+        terms = ask.scene.terms() | scene.terms()
+        return Model(scene.unknowns(), terms, "; ".join(_notes(ask, scheme)))
+
+    def native(self, ask: Ask, scheme: str) -> str:
+        """A script for `yade -n -x` or the system's python3: the driver with the ask filled in."""
+        notes = "".join(f"# {note}\n" for note in _notes(ask, scheme))
+        literal = pprint.pformat(plan(ask, scheme), width=99, sort_dicts=False)
+        empty = "ASK: dict[str, Any] | None = None\n"
+        return DRIVER.read_text().replace(empty, f"{notes}ASK: dict[str, Any] | None = {literal}\n")
+
+    def run(self, asks: Sequence[Ask], scheme: str, scratch: Path, repeat: float) -> Iterator[Run]:
+        """Run all asks in one YADE process; see vv.external for what happens if it dies."""
+        here = find()
+        if not here.installed:
+            yield from [Run(Status.NOT_INSTALLED, here.how_to_install)] * len(asks)
+            return
+        files = [scratch / f"ask-{number}.json" for number in range(len(asks))]
+        for file, ask in zip(files, asks, strict=True):
+            file.write_text(json.dumps({**plan(ask, scheme), "repeat": repeat}))
+
+        def launch(indices: Sequence[int]) -> external.Program:
+            # -E: variables meant for our own Python must not reach this one
+            command = [str(PYTHON), "-E", str(DRIVER), *(str(files[i]) for i in indices)]
+            return external.start(command, scratch, {"VV_YADE": here.path})
+
+        def collect(index: int, program: external.Program) -> Run | None:
+            ask = asks[index]
+            return parse(files[index], ask, self.describe(ask, scheme), program.started)
+
+        yield from external.run_batch(len(asks), launch, collect)
+
+
+def _no_sphere_seen(ask: Ask) -> str | None:
+    try:
+        for seen in ask.observables:
+            ask.scene.sphere_index(seen.body)
+    except ValueError as error:
+        return str(error)
+    return None
+
+
+def _locked_motion(scene: Scene) -> str | None:
+    """Why a body that moves along or about what it is locked in is refused: YADE keeps it going."""
+    spheres = scene.spheres
+    along = np.where(spheres.free, 0.0, spheres.velocity @ scene.axes.T)
+    about = np.where(spheres.free_spin, 0.0, spheres.spin @ scene.axes.T)
+    allowed = 1e-12 * np.abs(spheres.velocity).max(axis=1, keepdims=True)
+    if (np.abs(along) > allowed).any() or (np.abs(about) > 0).any():
+        return "a sphere has a velocity or spin in a locked freedom, which YADE would maintain"
+    return None
+
+
+def _oblique_spin_lock(scene: Scene) -> str | None:
+    partly = scene.spheres.free_spin.any(axis=1) & ~scene.spheres.free_spin.all(axis=1)
+    if partly.any() and not np.array_equal(scene.axes, np.eye(3)):
+        return "rotation is locked about some axes of a turned frame; YADE locks its own axes only"
+    return None
+
+
+def _behind_wall(scene: Scene) -> str | None:
+    for number, wall in enumerate(scene.walls):
+        height = (scene.spheres.position - wall.point) @ wall.normal
+        if height.min() <= 0:
+            return (
+                f"the centre of sphere {int(height.argmin())} lies behind wall {number}; "
+                "YADE's walls push from a thin surface, not from a half-space"
+            )
+    return None
+
+
+def _notes(ask: Ask, scheme: str) -> list[str]:
+    """How the scene is represented, one fact each."""
+    scene = released(ask.scene)
+    oblique = [wall for wall in scene.walls if np.abs(wall.normal).max() < 1.0]
+    said = {
+        "NewtonIntegrator without damping, velocities started at -dt/2": True,
+        "every step an O.step(); O.run costs as much and rounds wall time up to 40 ms": True,
+        "shear increments without YADE's corrections against ratcheting": has_friction(scene),
+        "touching spheres start at rest and get their velocity as an impulse in the first step": (
+            has_friction(scene) and bool(initial_contacts(scene)[1])
+        ),
+        "drag by LinearDragEngine from the velocity half a step ago": scene.eta > 0,
+        "masses are m + eta dt/2, weight a dead load": scheme == HALF_STEP and scene.eta > 0,
+        "walls across an axis are YADE walls": len(scene.walls) > len(oblique),
+        "oblique walls are facets far larger than the scene": bool(oblique),
+        "a dead load along the normal instead of a locked axis": (
+            Term.OBLIQUE_LOCK in ask.scene.terms()
+        ),
+    }
+    return [note for note, holds in said.items() if holds]
+
+
+ADAPTER = Yade()

@@ -1,0 +1,71 @@
+"""Turns the files that the driver wrote about an ask into a Run."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from adapters.yade.translate import watched
+from vv.ask import Ask, Cost, Displacement, Model, Run, Status
+from vv.scene import Vector
+
+DRIFT = 1e-9  # of the largest displacement; rounding gives 1e-12, a lost balance far more
+REST = 1e-12  # of a radius: where nothing moves, rounding does
+COSTS = ("setup", "solve_cpu", "solve_wall", "output", "repeats", "spread")
+
+
+def parse(path: Path, ask: Ask, model: Model, started: float) -> Run | None:
+    """The Run in the answer to the ask in the file `path`; None if there is no answer yet.
+
+    model: what was described; its unknowns are replaced by YADE's own count. started: when the
+    program was [s, monotonic]. An answer whose shape is not what was asked is an error.
+    """
+    said = path.with_name(path.name + ".answer")
+    if not said.exists():
+        return None
+    facts = json.loads(said.read_text())
+    cost = _cost(facts, started)
+    if facts["status"] != "ran":
+        return Run(Status(facts["status"]), facts["reason"], cost=cost)
+    values = np.load(path.with_name(path.name + ".npy"))
+    times = ask.goal.times(ask.knobs.dt)
+    due = (len(watched(ask)), len(times), 3)
+    if values.shape != due:
+        return Run(Status.ERROR, f"the answer has shape {values.shape}; {due} was asked for")
+    if fault := _drift(values, ask):
+        return Run(Status.ERROR, fault)
+    return Run(
+        Status.RAN,
+        times=times,
+        values=dict(zip(ask.observables, values, strict=False)),  # then what was watched
+        cost=cost,
+        steps=facts["steps"],
+        model=Model(facts["unknowns"], model.terms, model.note),
+    )
+
+
+def _drift(values: Vector, ask: Ask) -> str | None:
+    """Say if a sphere left the directions it is free in, where a dead load stands for the lock."""
+    scene = ask.scene
+    for observable, moved in zip(watched(ask), values, strict=True):
+        sphere = scene.sphere_index(observable.body)
+        free = scene.spheres.free[sphere]
+        if not isinstance(observable, Displacement) or not free.any():
+            continue
+        along = np.abs(moved @ scene.axes.T).max(axis=0)
+        away = float(along[~free].max(initial=0.0))
+        if away > max(DRIFT * along.max(), REST * scene.spheres.radius[sphere]):
+            return (
+                f"body {observable.body} moved {away:.3g} m along a locked direction, where a "
+                "dead load stands for the lock: the forces there did not stay what they were"
+            )
+    return None
+
+
+def _cost(facts: dict[str, Any], started: float) -> Cost:
+    """The costs stated; start-up is carried by the first ask of a program, and 0 in the others."""
+    startup = max(facts["ready"] - started, 0.0) if facts["ready"] else 0.0
+    return Cost(startup=startup, **{name: facts[name] for name in COSTS if name in facts})

@@ -1,0 +1,169 @@
+"""Turns an ask into what the driver inside YADE reads: plain data in YADE's own terms."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+
+from vv.ask import Ask, Displacement, Observable
+from vv.scene import Mask, Scene, Spheres, Term, Vector, Wall
+from vv.transform import initial_normal_forces, released
+
+PLAIN, HALF_STEP = "default", "half-step-mass"
+LEAST_GAP = 1e-12  # of a radius: less than that overlaps by rounding only
+FACET = 1e3  # a wall's triangle over the scene's size and paths; its size costs no accuracy
+
+Plan = dict[str, Any]
+
+
+def plan(ask: Ask, scheme: str) -> Plan:
+    """The driver's ask: numbers, lists and strings only, in SI units.
+
+    The scheme half-step-mass gives YADE the mass m + eta dt/2, with which drag taken from the
+    last half step, m (v+ - v-)/dt = F - eta v-, becomes drag of the mean velocity; the weight
+    stays m g. Raises ValueError for an ask without dt, or one that `released` cannot release.
+    """
+    scene, goal, dt = released(ask.scene), ask.goal, _dt(ask)
+    extra = scene.eta * dt / 2 if scheme == HALF_STEP else 0.0
+    touching, contacts = initial_contacts(scene)
+    columns = _columns(scene, dt, extra, touching)
+    return {
+        "dt": dt,
+        "steps": goal.steps(dt),
+        "stride": goal.stride(dt),
+        "kn": scene.contact.kn,
+        "ks": scene.contact.ks if has_friction(scene) else 0.0,
+        "mu": scene.contact.mu,
+        "gravity": [0.0, 0.0, 0.0] if extra else scene.gravity.tolist(),
+        "drag": scene.eta,
+        "observe": [[_quantity(seen), seen.body] for seen in watched(ask)],
+        "contacts": contacts,
+        "moves": bool(scene.spheres.velocity.any()),
+        "bodies": _bodies(scene, columns, FACET * _reach(ask)),
+    }
+
+
+def _columns(scene: Scene, dt: float, extra: float, touching: Mask) -> dict[str, Vector]:
+    """What each sphere gets, one row a sphere; `extra` is added to its mass [kg].
+
+    Leapfrog velocities belong to -dt/2: v = v0 - a0 dt/2. Where a contact meets a velocity in
+    YADE's first step, shear would run one step ahead: a touching sphere therefore starts at
+    rest, and a push gives it in that step the momentum, and the drag, that it would have had.
+    """
+    spheres, eta = scene.spheres, scene.eta
+    weight = spheres.mass[:, None] * scene.gravity
+    force = initial_normal_forces(scene) + weight + spheres.load - eta * spheres.velocity
+    early = spheres.velocity - force / spheres.mass[:, None] * (dt / 2)
+    early = np.where(spheres.free, early, 0.0)
+    mass = spheres.mass + extra
+    pushed = np.reshape(touching & has_friction(scene), (-1, 1))
+    return {
+        "position": spheres.position,
+        "initial": spheres.velocity,
+        "velocity": np.where(pushed, 0.0, early),
+        "spin": np.where(pushed, 0.0, spheres.spin),
+        "radius": spheres.radius,
+        "mass": mass,
+        "inertia": spheres.inertia,
+        "force": spheres.load + (weight if extra else 0.0),
+        "push": np.where(pushed, (mass[:, None] / dt - eta) * early, 0.0),
+        "twist": np.where(pushed, spheres.inertia[:, None] * spheres.spin / dt, 0.0),
+    }
+
+
+def _dt(ask: Ask) -> float:
+    if ask.knobs.dt is None:
+        raise ValueError("Knobs.dt = None; YADE needs a time step")
+    return ask.knobs.dt
+
+
+def watched(ask: Ask) -> tuple[Observable, ...]:
+    """The observables asked for; then displacements of spheres under a dead load for a lock."""
+    scene = ask.scene
+    if Term.OBLIQUE_LOCK not in scene.terms():
+        return ask.observables
+    kinds = [isinstance(group, Spheres) for group in scene.bodies for _ in range(len(group))]
+    numbers = np.flatnonzero(kinds)  # of body, for every sphere
+    partly = scene.spheres.free.any(axis=1) & ~scene.spheres.free.all(axis=1)
+    drifting = [Displacement(int(number)) for number in numbers[partly]]
+    return ask.observables + tuple(d for d in drifting if d not in ask.observables)
+
+
+def _quantity(observable: object) -> str:
+    return "displacement" if isinstance(observable, Displacement) else "velocity"
+
+
+def has_friction(scene: Scene) -> bool:
+    """Whether contacts can carry shear."""
+    return scene.contact.ks > 0 and scene.contact.mu > 0
+
+
+def initial_contacts(scene: Scene) -> tuple[Mask, int]:
+    """Which spheres overlap something at the start, (n,), and how many contacts that makes.
+
+    Contacts between bodies without any freedom do not count.
+    """
+    spheres = scene.spheres
+    free: Mask = np.hstack([spheres.free, spheres.free_spin])
+    moving = [bool(row.any()) for row in free]
+    pairs = [(i, j) for i, j in _overlapping(scene) if moving[i] or moving[j]]
+    touching = np.zeros(len(spheres), bool)
+    touching[[i for pair in pairs for i in pair]] = True
+    return touching, len(pairs)
+
+
+def _overlapping(scene: Scene) -> Iterator[tuple[int, int]]:
+    """Index pairs of overlapping spheres; a sphere in a wall is paired with itself."""
+    place, radius = scene.spheres.position, scene.spheres.radius
+    for wall in scene.walls:
+        gap = (place - wall.point) @ wall.normal - radius
+        yield from ((int(i), int(i)) for i in np.flatnonzero(gap < -LEAST_GAP * radius))
+    for i in range(len(radius) - 1):
+        distance = np.linalg.norm(place[i + 1 :] - place[i], axis=1)
+        near = distance < (1 - LEAST_GAP) * (radius[i + 1 :] + radius[i])
+        yield from ((i, int(j) + i + 1) for j in np.flatnonzero(near))
+
+
+def _reach(ask: Ask) -> float:
+    """A length [m] which the scene, and any path in it without collisions, does not exceed."""
+    scene, time = ask.scene, ask.goal.duration
+    spheres = scene.spheres
+    places = np.vstack([spheres.position, *(wall.point for wall in scene.walls)])
+    speed = float(np.linalg.norm(spheres.velocity, axis=1).max())
+    fall = float(np.linalg.norm(scene.gravity)) * time
+    return float(np.ptp(places, axis=0).max() + spheres.radius.max() + (speed + fall) * time)
+
+
+def _bodies(scene: Scene, columns: dict[str, Vector], size: float) -> list[Plan]:
+    """All bodies in the scene's order, which becomes the order of YADE's ids."""
+    bodies: list[Plan] = []
+    first = 0
+    for group in scene.bodies:
+        if isinstance(group, Wall):
+            bodies.append(wall_body(group, size))
+            continue
+        bodies += [_sphere(group, i, first + i, columns) for i in range(len(group))]
+        first += len(group)
+    return bodies
+
+
+def _sphere(group: Spheres, i: int, row: int, columns: dict[str, Vector]) -> Plan:
+    free = [*group.free[i], *group.free_spin[i]]
+    blocked = "".join(name for name, loose in zip("xyzXYZ", free, strict=True) if not loose)
+    numbers = {name: column[row].tolist() for name, column in columns.items()}
+    return {"kind": "sphere", **numbers, "blocked": blocked}
+
+
+def wall_body(wall: Wall, size: float) -> Plan:
+    """YADE's infinite wall across an axis of the frame, or a triangle of that size [m]."""
+    normal = wall.normal
+    common = {"point": wall.point.tolist(), "normal": normal.tolist()}
+    if np.abs(normal).max() == 1.0:
+        return {"kind": "wall", **common}
+    first = np.cross(normal, np.eye(3)[np.abs(normal).argmin()])
+    first /= np.linalg.norm(first)
+    turns = 2 * np.pi / 3 * np.arange(3)[:, None]
+    corners = size * (np.cos(turns) * first + np.sin(turns) * np.cross(normal, first))
+    return {"kind": "facet", **common, "corners": corners.tolist()}

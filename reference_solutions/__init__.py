@@ -1,0 +1,1 @@
+"""Answers that need no code under test: closed forms, event-located solutions, static lattices."""

@@ -1,0 +1,1 @@
+"""Turns what an invocation left behind into a page that people read."""

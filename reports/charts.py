@@ -1,0 +1,176 @@
+"""What the figures show, as plain arrays: one frozen Chart per figure, made from records."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+
+from reports.collect import History, Ladder, Point
+from reports.marks import Mark
+from vv.metrics import Vector, pointwise_history
+
+Mask = npt.NDArray[np.bool_]
+MARKERS = 6  # per curve over time
+SUNK = 1e-3  # an error without a step that is smaller than the others by this goes on the rim
+
+
+@dataclass(frozen=True, eq=False)
+class Curve:
+    """One code/scheme: points (k,), and which are marked, hollow, ringed, joined by a line."""
+
+    mark: Mark
+    x: Vector
+    y: Vector
+    marked: Mask
+    hollow: Mask
+    ringed: Mask
+    joined: Mask
+
+
+@dataclass(frozen=True)
+class Rim:
+    """A point that has no place inside the axes: above (no finite error) or below (too small).
+
+    x None: nothing is known of its place along the axis.
+    """
+
+    mark: Mark
+    x: float | None
+    above: bool
+
+
+@dataclass(frozen=True, eq=False)
+class Chart:
+    """A figure as data. exact: the reference (x, y) as a line. guides: slopes to compare with."""
+
+    x_label: str
+    y_label: str
+    x_log: bool
+    y_log: bool
+    curves: tuple[Curve, ...]
+    exact: tuple[Vector, Vector] | None = None
+    rims: tuple[Rim, ...] = ()
+    guides: tuple[int, ...] = ()
+
+
+def trajectory(histories: Sequence[History], label: str) -> Chart | None:
+    """Every code as markers on the reference; as lines where there is no reference."""
+    if not histories:
+        return None
+    known = next((h for h in histories if h.reference is not None), None)
+    curves = tuple(
+        _over_time(h, h.value, place, len(histories), line=h.reference is None)
+        for place, h in enumerate(histories)
+    )
+    exact = (known.t, known.reference) if known and known.reference is not None else None
+    return Chart("t [s]", label, False, False, curves, exact)
+
+
+def relative_errors(histories: Sequence[History]) -> tuple[Chart | None, dict[str, float]]:
+    """|value/reference - 1| over time, and label -> largest of those too small to be drawn."""
+    found = [(h, np.abs(error)) for h in histories if (error := _relative(h)) is not None]
+    largest = {h.mark.label: float(np.nanmax(error)) for h, error in found}
+    stepped = [largest[h.mark.label] for h, _ in found if h.dt is not None]
+    sunk = {
+        h.mark.label: largest[h.mark.label]
+        for h, _ in found
+        if h.dt is None and stepped and largest[h.mark.label] < SUNK * min(stepped)
+    }
+    drawn = [
+        (h, error) for h, error in found if h.mark.label not in sunk and largest[h.mark.label] > 0
+    ]
+    curves = tuple(
+        _over_time(h, error, place, len(drawn), line=True) for place, (h, error) in enumerate(drawn)
+    )
+    if not curves:
+        return None, {}
+    return Chart("t [s]", "|value / reference - 1|", False, True, curves), sunk
+
+
+def error_against_step(ladders: Sequence[Ladder], label: str) -> Chart | None:
+    """The judged error against dt; a scheme without dt as a level line."""
+    steps = [p.dt for ladder in ladders for p in ladder.points if p.dt is not None]
+    if not steps:
+        return None
+    low = _sinking(ladders)
+    curves = tuple(_against_step(ladders, low, (min(steps), max(steps))))
+    return Chart("dt [s]", label, True, True, curves, rims=_rims(ladders, low, "dt"), guides=(1, 2))
+
+
+def error_against_cost(ladders: Sequence[Ladder], label: str) -> Chart:
+    """The judged error against the CPU seconds of the stepping loop."""
+    low = _sinking(ladders)
+    curves = []
+    for ladder in ladders:
+        inside = [p for p in ladder.points if _inside(p, low) and p.cpu > 0]
+        if inside:
+            hollow = [not p.timed for p in inside]
+            curves.append(_curve(ladder.mark, [p.cpu for p in inside], inside, hollow))
+    rims = _rims(ladders, low, "cpu")
+    return Chart("CPU of the stepping loop [s]", label, True, True, tuple(curves), rims=rims)
+
+
+def _relative(history: History) -> Vector | None:
+    """The pointwise relative error; None where there is nothing to divide by."""
+    if history.reference is None or not np.abs(history.reference).max() > 0:
+        return None
+    return pointwise_history(history.value, history.reference)
+
+
+def _over_time(history: History, y: Vector, place: int, places: int, line: bool) -> Curve:
+    """A curve whose few markers lie between those of the others, so that none hides another."""
+    stride = max(1, len(y) // MARKERS)
+    marked = np.zeros(len(y), bool)
+    marked[place * stride // places :: stride] = True
+    none = np.zeros(len(y), bool)
+    return Curve(history.mark, history.t, y, marked, none, none, none | line)
+
+
+def _sinking(ladders: Iterable[Ladder]) -> float:
+    """Below this an error is put on the rim: zero, or far below all errors that have a step."""
+    stepped = [p.error for ladder in ladders for p in ladder.points if p.dt and p.error]
+    return SUNK * min(stepped) if stepped else 0.0
+
+
+def _inside(point: Point, low: float) -> bool:
+    if point.error is None or point.error <= 0:
+        return False
+    return point.dt is not None or point.error > low
+
+
+def _against_step(
+    ladders: Sequence[Ladder], low: float, span: tuple[float, float]
+) -> Iterator[Curve]:
+    for ladder in ladders:
+        inside = [p for p in ladder.points if _inside(p, low)]
+        stepped = [p for p in inside if p.dt is not None]
+        if stepped:
+            steps = [p.dt for p in stepped if p.dt is not None]
+            yield _curve(ladder.mark, steps, stepped, [False] * len(stepped))
+        for point in inside:
+            if point.dt is None:
+                yield _curve(ladder.mark, list(span), [point, point], [False, False])
+
+
+def _curve(mark: Mark, x: list[float], points: Sequence[Point], hollow: list[bool]) -> Curve:
+    ringed = np.array([p.troubling for p in points])
+    y = np.array([p.error for p in points], float)
+    empty = np.array(hollow)
+    joined = ~empty if (~empty).sum() > 1 else np.ones(len(y), bool)
+    return Curve(mark, np.array(x), y, np.ones(len(y), bool), empty, ringed, joined)
+
+
+def _rims(ladders: Sequence[Ladder], low: float, axis: str) -> tuple[Rim, ...]:
+    """The points outside: those that failed above, those too small for the axis below."""
+    found = []
+    for ladder in ladders:
+        for p in ladder.points:
+            x = p.dt if axis == "dt" else (p.cpu if p.cpu > 0 else None)
+            if p.error is None and p.troubling:
+                found.append(Rim(ladder.mark, x, above=True))
+            elif p.error is not None and not _inside(p, low):
+                found.append(Rim(ladder.mark, x, above=False))
+    return tuple(found)

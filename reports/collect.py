@@ -1,0 +1,99 @@
+"""Collects what figures are made of, from records and the series beside them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from reports.marks import Mark
+from reports.outcomes import Record, outcome_of
+from reports.tables import coarsest_first, error_of, label
+from vv.metrics import Vector
+
+Arrays = Callable[[str], Mapping[str, Vector]]
+
+
+@dataclass(frozen=True, eq=False)
+class History:
+    """A code's answer over time at its finest rung; reference None where there is none."""
+
+    mark: Mark
+    dt: float | None
+    t: Vector
+    value: Vector
+    reference: Vector | None
+
+
+@dataclass(frozen=True)
+class Point:
+    """A rung on the way to small errors; error None: none that is finite."""
+
+    dt: float | None
+    error: float | None
+    cpu: float
+    timed: bool
+    troubling: bool
+
+
+@dataclass(frozen=True)
+class Ladder:
+    """The points of one code/scheme with one setting of all knobs but dt, coarsest first."""
+
+    mark: Mark
+    points: tuple[Point, ...]
+
+
+def histories(
+    records: Sequence[Record], quantity: str, marks: Mapping[str, Mark], arrays: Arrays
+) -> list[History]:
+    """Each scheme's series at its finest rung that ran, where the store still has it."""
+    found = []
+    for name, pile in _by_label(records).items():
+        ran = [r for r in pile if any(e["name"] == quantity for e in r["quantities"])]
+        kept = arrays(ran[-1]["key"]) if ran else {}
+        value, t = kept.get(f"{quantity}.value"), kept.get("t")
+        if value is not None and t is not None:
+            reference = kept.get(f"{quantity}.reference")
+            found.append(History(marks[name], ran[-1]["rung"]["dt"], t, value, reference))
+    return found
+
+
+def ladders(records: Sequence[Record], quantity: str, marks: Mapping[str, Mark]) -> list[Ladder]:
+    """Each scheme's errors on its way to small steps; one ladder per contact stiffness."""
+    found = []
+    for name, pile in _by_label(records).items():
+        for kn in dict.fromkeys(record["rung"]["kn"] for record in pile):
+            rungs = [record for record in pile if record["rung"]["kn"] == kn]
+            points = tuple(_point(record, quantity) for record in rungs)
+            found.append(Ladder(marks[name], points))
+    return found
+
+
+def same_curve(one: Sequence[History], other: Sequence[History]) -> bool:
+    """Whether two variants have one reference but for its sign, so that one picture is enough."""
+    first, second = (next(iter(h), None) for h in (one, other))
+    if first is None or second is None or first.reference is None or second.reference is None:
+        return False
+    a, b = np.abs(first.reference), np.abs(second.reference)
+    return a.shape == b.shape and bool(np.allclose(a, b, rtol=1e-9, atol=1e-9 * a.max()))
+
+
+def _by_label(records: Iterable[Record]) -> dict[str, list[Record]]:
+    piles: dict[str, list[Record]] = {}
+    for record in coarsest_first(records):
+        piles.setdefault(label(record), []).append(record)
+    return dict(sorted(piles.items()))
+
+
+def _point(record: Record, quantity: str) -> Point:
+    entry = next((e for e in record["quantities"] if e["name"] == quantity), None)
+    cost = record["cost"]
+    return Point(
+        record["rung"]["dt"],
+        error_of(entry) if entry else None,
+        cost["solve_cpu"],
+        cost["kind"] == "timed",
+        outcome_of(record).troubling,
+    )

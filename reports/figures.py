@@ -1,0 +1,155 @@
+"""Draws charts as SVG with matplotlib, which is imported only if something is not yet drawn."""
+
+from __future__ import annotations
+
+import functools
+import hashlib
+import io
+import re
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from reports.axes import draw_axes
+from reports.charts import Chart, Curve, Rim
+from reports.marks import Mark
+from vv.digest import digest
+from vv.store import write
+
+SIZE = (4.7, 3.2)  # inches; a viewer scales it
+BOX = (0.145, 0.13, 0.83, 0.84)  # the axes: left, bottom, width, height of the figure
+SMALL, LARGE = 6.0, 11.0  # points across a marker
+INK, PALE, REFERENCE, ALARM = "#333333", "#e3e6e9", "#b4bac1", "#b3200c"
+STYLE: dict[Any, Any] = {
+    "svg.fonttype": "none",  # text stays text: small, sharp and searchable
+    "text.parse_math": False,
+    "font.family": ["sans-serif"],
+    "font.sans-serif": ["DejaVu Sans"],
+    "font.size": 9,
+    "axes.edgecolor": "#8a9199",
+    "axes.labelcolor": INK,
+    "xtick.color": INK,
+    "ytick.color": INK,
+    "axes.linewidth": 0.7,
+    "axes.axisbelow": True,
+    "grid.color": PALE,
+    "grid.linewidth": 0.7,
+    "lines.linewidth": 1.2,
+}
+
+
+def drawn(chart: Chart, folder: Path) -> str:
+    """The SVG of a chart, from the folder if these very data were drawn by these very sources."""
+    name = digest(chart, _sources())
+    svg = drawn_before(chart, folder) or draw(chart, salt=name[:8])
+    write(folder / f"{name}.svg", svg.encode())
+    return svg
+
+
+def drawn_before(chart: Chart, folder: Path) -> str:
+    """The SVG of a chart if the folder has it, else nothing."""
+    path = folder / f"{digest(chart, _sources())}.svg"
+    return path.read_text(encoding="utf-8") if path.is_file() else ""
+
+
+@functools.cache
+def _sources() -> str:
+    files = [Path(__file__).with_name(name) for name in ("axes.py", "figures.py", "text.py")]
+    return hashlib.sha256(b"".join(path.read_bytes() for path in files)).hexdigest()
+
+
+def draw(chart: Chart, salt: str) -> str:
+    """The chart as an <svg> element; the same chart and salt give the same bytes.
+
+    salt: goes into the names of what the drawing defines, so that two may stand in one page.
+    """
+    import matplotlib as mpl
+    from matplotlib.backends.backend_svg import FigureCanvasSVG
+    from matplotlib.figure import Figure
+
+    with mpl.rc_context({**STYLE, "svg.hashsalt": salt}):
+        figure = Figure(figsize=SIZE)
+        FigureCanvasSVG(figure)
+        axes = figure.add_axes(BOX)
+        draw_axes(axes, chart)
+        if chart.exact:
+            axes.plot(*chart.exact, color=REFERENCE, linewidth=4.5, solid_capstyle="round")
+        for curve, size in zip(chart.curves, _sizes(chart), strict=True):
+            _draw_curve(axes, curve, size)
+        for place, rim in enumerate(chart.rims):
+            _draw_rim(axes, rim, place)
+        text = io.StringIO()
+        nothing = dict.fromkeys(("Date", "Creator", "Format", "Type"))
+        figure.savefig(text, format="svg", transparent=True, metadata=nothing)
+    return _lean(text.getvalue())
+
+
+def _sizes(chart: Chart) -> list[float]:
+    """Marker sizes; points that may coincide get smaller and smaller ones, so that all show."""
+    if not chart.x_log:
+        return [SMALL] * len(chart.curves)
+    return [float(size) for size in np.linspace(LARGE, SMALL - 1, len(chart.curves))]
+
+
+def _draw_curve(axes: Any, curve: Curve, size: float) -> None:
+    mark = curve.mark
+    if curve.joined.any():
+        dash = (0, mark.dash) if mark.dash else "-"
+        line = curve.x[curve.joined], curve.y[curve.joined]
+        axes.plot(*line, color=mark.colour, linestyle=dash)
+    if curve.ringed.any():
+        spots = curve.x[curve.ringed], curve.y[curve.ringed]
+        axes.plot(
+            *spots, "o", markersize=size + 5, color="none", markeredgecolor=ALARM, clip_on=False
+        )
+    for kind, face in ((~curve.hollow, mark.colour), (curve.hollow, "white")):
+        chosen = kind & curve.marked
+        if chosen.any():
+            axes.plot(curve.x[chosen], curve.y[chosen], **_marker(mark, face, size))
+
+
+def _draw_rim(axes: Any, rim: Rim, place: int) -> None:
+    """A mark on the upper rim, crossed out, or on the lower one, with an arrow down."""
+    height = 1.0 if rim.above else 0.0
+    known = rim.x is not None
+    x = rim.x if known else 0.96 - 0.05 * (place % 18)
+    frame = axes.get_xaxis_transform() if known else axes.transAxes
+    axes.plot(x, height, transform=frame, clip_on=False, **_marker(rim.mark, "white"))
+    sign, size = ("x", 9) if rim.above else (3, 6)  # 3: matplotlib's caret pointing down
+    colour = ALARM if rim.above else rim.mark.colour
+    axes.plot(x, height, transform=frame, clip_on=False, marker=sign, markersize=size, color=colour)
+
+
+def _marker(mark: Mark, face: str, size: float = SMALL) -> dict[str, Any]:
+    extent = max(abs(part) for corner in mark.shape for part in corner)  # drawn as size
+    return {
+        "linestyle": "none",
+        "marker": [*mark.shape, mark.shape[0]],
+        "markersize": size * extent,
+        "markerfacecolor": face,
+        "markeredgecolor": mark.colour if face == "white" else "white",
+        "markeredgewidth": 1.1 if face == "white" else 0.5,
+        "zorder": 3,
+    }
+
+
+NUMBER = re.compile(r"-?\d+\.\d{3,}")
+DRAWN = re.compile(r'(?<= )(?:d|x|y|points|transform)="[^"]*"')
+UNUSED = re.compile(r' id="(?:figure|axes|patch|line2d|text|xtick|ytick|matplotlib\.axis)_?\d*"')
+
+
+def _lean(svg: str) -> str:
+    """Only the <svg> element, without fixed size, unused names and digits no one can see."""
+    body = svg[svg.index("<svg") :].strip()
+    box = re.search(r'viewBox="[^"]*"', body)
+    inner = body[body.index(">") + 1 :].replace("xlink:href=", "href=")
+    inner = UNUSED.sub("", inner)
+    inner = DRAWN.sub(lambda part: NUMBER.sub(_two_digits, part[0]), inner)
+    inner = re.sub(r"\s*\n\s*", "\n", inner)
+    opening = f'<svg xmlns="http://www.w3.org/2000/svg" {box[0] if box else ""}'
+    return f'{opening} aria-hidden="true" focusable="false">{inner}'
+
+
+def _two_digits(number: re.Match[str]) -> str:
+    return f"{float(number[0]):.2f}"

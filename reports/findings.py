@@ -1,0 +1,78 @@
+"""Gathers what is to be said of failures, known disagreements and refusals: one row a reason."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from reports.marks import Mark
+from reports.outcomes import RANKS, Outcome, Record, outcome_of
+from reports.tables import NORMS, anchor, label
+from reports.text import brief, short
+
+DECIMAL = re.compile(r"\b\d+(?:\.\d+(?:e[+-]?\d+)?|e[+-]?\d+)\b")
+
+
+@dataclass(frozen=True)
+class Finding:
+    """Records of one scheme with the same outcome for the same reason. where: links to them."""
+
+    outcome: Outcome
+    mark: Mark
+    text: str
+    where: Mapping[str, Sequence[tuple[str, str]]]
+
+
+def findings(
+    records: Iterable[Record], marks: Mapping[str, Mark], looks: Iterable[str]
+) -> list[Finding]:
+    """What is to be said of the records whose outcome has one of these looks, worst first.
+
+    where: case -> (anchor, variant with its steps).
+    """
+    wanted = frozenset(looks)
+    piles: dict[tuple[int, str, str], list[Record]] = {}
+    for record in records:
+        found = outcome_of(record)
+        if found.look in wanted:
+            key = (RANKS[found.key], label(record), DECIMAL.sub("#", said(record)))
+            piles.setdefault(key, []).append(record)
+    return [
+        Finding(outcome_of(pile[0]), marks[name], _merged([said(r) for r in pile]), _where(pile))
+        for (_, name, _), pile in sorted(piles.items())
+    ]
+
+
+def _merged(texts: Sequence[str]) -> str:
+    """Texts that differ in their decimals only as one, with the range of each decimal."""
+    columns = list(zip(*(map(float, DECIMAL.findall(text)) for text in texts), strict=True))
+    ranges = iter([dict.fromkeys((short(min(c)), short(max(c)))) for c in columns])
+    return DECIMAL.sub(lambda _: " to ".join(next(ranges)), texts[0])
+
+
+def said(record: Record) -> str:
+    """The reason of a record's outcome: its own, or what its quantities note."""
+    look = outcome_of(record)
+    entries = [e for e in record["quantities"] if e["verdict"] == look.key]
+    notes = [f"{e['name']}: {e['note'] or _exceeds(e)}" for e in entries]
+    reason = "; ".join([record["reason"], *notes] if record["reason"] else notes)
+    return reason or look.meaning
+
+
+def _exceeds(entry: Mapping[str, Any]) -> str:
+    return f"error above the tolerance in the norm {NORMS[entry['norm'] or 'max']}"
+
+
+def _where(pile: Sequence[Record]) -> dict[str, list[tuple[str, str]]]:
+    by_variant: dict[tuple[str, str], list[Record]] = {}
+    for record in pile:
+        by_variant.setdefault((record["case"], record["variant"]), []).append(record)
+    found: dict[str, list[tuple[str, str]]] = {}
+    for (case, variant), members in by_variant.items():
+        steps = [brief(r["rung"]["dt"]) for r in members if r["rung"]["dt"]]
+        some = f" at dt = {', '.join(steps)} s" if 0 < len(steps) < 3 else ""
+        many = f" ({len(steps)} steps)" if len(steps) >= 3 else ""
+        found.setdefault(case, []).append((anchor(members[0]), f"{variant}{some or many}"))
+    return found

@@ -1,0 +1,150 @@
+"""Makes the figures of a quantity, and words each: caption, and text for who cannot see it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from reports import charts
+from reports.charts import Chart
+from reports.collect import History, Ladder
+from reports.tables import NORMS
+from reports.text import brief, listed, sci
+from vv.metrics import MASK
+
+Draw = Callable[[Chart], str]
+
+
+@dataclass(frozen=True)
+class Figure:
+    """A drawing with its words. alt: what it shows, in numbers, for who cannot see it."""
+
+    svg: str
+    title: str
+    caption: str
+    alt: str
+
+
+def figures(
+    over_time: Sequence[History],
+    steps: Sequence[Ladder],
+    quantity: Mapping[str, Any],
+    norm: str,
+    draw: Draw,
+) -> list[Figure]:
+    """The four figures of a quantity, or those for which there is something to draw."""
+    symbol = (
+        f"{quantity['symbol']} [{quantity['unit']}]" if quantity["unit"] else quantity["symbol"]
+    )
+    error = f"error of {quantity['symbol']}, norm {NORMS[norm]}"
+    return [
+        *_trajectory(over_time, symbol, draw),
+        *_relative(over_time, draw),
+        *_step(steps, error, draw),
+        *_cost(steps, error, draw),
+    ]
+
+
+def _trajectory(over_time: Sequence[History], symbol: str, draw: Draw) -> list[Figure]:
+    chart = charts.trajectory(over_time, symbol)
+    if chart is None:
+        return []
+    rest = "; the grey line is the reference" if chart.exact else "; there is no reference"
+    ends = [f"{h.mark.label} {sci(float(h.value[-1]), 6)}" for h in over_time]
+    return [
+        Figure(
+            draw(chart),
+            f"{symbol} over time",
+            f"{_finest(over_time)}{rest}.",
+            f"{symbol} over time; at the final time: {', '.join(ends)}",
+        )
+    ]
+
+
+def _relative(over_time: Sequence[History], draw: Draw) -> list[Figure]:
+    chart, sunk = charts.relative_errors(over_time)
+    if chart is None:
+        return []
+    low = [f"{name} (at most {sci(error, 1)})" for name, error in sunk.items()]
+    below = f" Not drawn, far below: {listed(low)}." if low else ""
+    largest = [f"{c.mark.label} {sci(float(np.nanmax(c.y)))}" for c in chart.curves]
+    caption = (
+        f"{_finest(over_time)}; the paper's norm at each time, left out where |reference| is "
+        f"below {100 * MASK:g} % of its maximum.{below}"
+    )
+    alt = f"Relative error over time; largest: {', '.join(largest + low)}"
+    return [Figure(draw(chart), "Relative error over time", caption, alt)]
+
+
+def _step(steps: Sequence[Ladder], error: str, draw: Draw) -> list[Figure]:
+    chart = charts.error_against_step(steps, error)
+    if chart is None:
+        return []
+    caption = f"Dashed: slopes to compare with.{_rims(chart)}"
+    return [Figure(draw(chart), "Error against step", caption, f"{error}: {_ranges(steps)}")]
+
+
+def _cost(steps: Sequence[Ladder], error: str, draw: Draw) -> list[Figure]:
+    chart = charts.error_against_cost(steps, error)
+    if not chart.curves and not chart.rims:
+        return []
+    inside = [curve.hollow for curve in chart.curves]
+    hollow, filled = any(h.any() for h in inside), any((~h).any() for h in inside)
+    kinds = {
+        (
+            True,
+            True,
+        ): "Filled, joined: timed alone on one core. Hollow: indicative, beside other jobs.",
+        (True, False): "Timed alone on one core.",
+        (False, True): "All hollow: indicative costs, measured while other jobs ran beside.",
+    }
+    free = sorted({s.mark.label for s in steps for p in s.points if p.error and not p.cpu > 0})
+    lost = f" Not drawn, no cost measured at some rung: {listed(free)}." if free else ""
+    caption = f"{kinds.get((filled, hollow), '')} One solve, without start-up.{_rims(chart)}{lost}"
+    alt = f"{error} against CPU seconds: {_costs(steps)}"
+    return [Figure(draw(chart), "Error against cost", caption.strip(), alt)]
+
+
+def _rims(chart: Chart) -> str:
+    """What the marks on the rim are, in words."""
+    above = sorted({rim.mark.label for rim in chart.rims if rim.above})
+    below = sorted({rim.mark.label for rim in chart.rims if not rim.above})
+    ringed = sorted({c.mark.label for c in chart.curves if c.ringed.any()})
+    parts = [
+        f" Ringed, outside what is due: {listed(ringed)}." if ringed else "",
+        f" Crossed on the upper rim, without a result: {listed(above)}." if above else "",
+        f" On the lower rim, below the axis: {listed(below)}." if below else "",
+    ]
+    return "".join(parts)
+
+
+def _finest(over_time: Sequence[History]) -> str:
+    """The steps of what is drawn, in words."""
+    steps = {h.mark.label: h.dt for h in over_time if h.dt is not None}
+    if not steps:
+        return "No code here has a step"
+    if len(set(steps.values())) == 1:
+        return f"Finest rung, dt = {brief(next(iter(steps.values())))} s"
+    several = [f"{name} {brief(dt)} s" for name, dt in steps.items()]
+    return f"Finest rung of each, dt: {listed(several)}"
+
+
+def _ranges(steps: Sequence[Ladder]) -> str:
+    said = []
+    for ladder in steps:
+        errors = [p.error for p in ladder.points if p.error is not None]
+        if errors:
+            ends = dict.fromkeys((sci(errors[0]), sci(errors[-1])))
+            said.append(f"{ladder.mark.label} {' to '.join(ends)}")
+    return ", ".join(said)
+
+
+def _costs(steps: Sequence[Ladder]) -> str:
+    said = []
+    for ladder in steps:
+        ends = [p for p in ladder.points if p.error is not None][-1:]
+        said += [f"{ladder.mark.label} {sci(p.error)} for {sci(p.cpu)} s" for p in ends]
+    return ", ".join(said)

@@ -1,0 +1,97 @@
+"""Writes the report of an invocation: one HTML file that needs nothing but itself."""
+
+from __future__ import annotations
+
+import functools
+import hashlib
+import json
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from typing import Any
+
+from vv import digest, gate, metrics
+from vv.store import Store, write
+
+HERE = Path(__file__).parent
+HEAD = 4096  # characters within which a report names the digest of its inputs
+
+
+def build(manifest: dict[str, Any], store: Store, output: Path) -> Path:
+    """Write the report of a manifest (with its `name`) to `output`, and return that path.
+
+    Reads the manifest, and the series of its records through the store. A file that was made
+    from the same results by the same sources is left as it is: another invocation that was
+    answered by them, at another time, has the same report.
+    """
+    from reports.figures import drawn
+
+    return _built(manifest, store, output, drawn)
+
+
+def build_quickly(manifest: dict[str, Any], store: Store, output: Path) -> Path:
+    """As `build`, but with those figures only that were drawn before: drawing costs a second."""
+    from reports.figures import drawn_before
+
+    return _built(manifest, store, output, drawn_before)
+
+
+def _built(
+    manifest: dict[str, Any], store: Store, output: Path, drawing: Callable[..., str]
+) -> Path:
+    stamp = _stamp(manifest, drawing.__name__)
+    if _stamp_of(output) != stamp:
+        from reports.page import page
+
+        draw = functools.partial(drawing, folder=store.root / "figures")
+        view = page(manifest, functools.cache(store.series), draw, stamp)
+        write(output, str(_template().render(page=view)).encode())
+    return output
+
+
+@functools.cache
+def _template() -> Any:
+    """The page's template: text is escaped, and a misspelt name is an error."""
+    import jinja2
+
+    from reports import text
+
+    environment = jinja2.Environment(
+        loader=jinja2.FileSystemLoader(HERE / "templates"),
+        autoescape=True,
+        undefined=jinja2.StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+    )
+    for name in (text.sci, text.brief, text.short, text.ratio, text.slug):
+        environment.filters[name.__name__] = name
+    return environment.get_template("report.html.j2")
+
+
+def _stamp(manifest: Mapping[str, Any], drawing: str) -> str:
+    """Digest of all a report shows but the time and the name of the invocation."""
+    circumstances = {k: v for k, v in manifest["provenance"].items() if k != "utc"}
+    shown = (circumstances, manifest["cases"], manifest["records"])
+    text = json.dumps(shown, sort_keys=True)
+    return hashlib.sha256(f"{_sources()}{drawing}{text}".encode()).hexdigest()
+
+
+def _stamp_of(output: Path) -> str:
+    """The digest that a report names in its head; empty if there is none."""
+    try:
+        with output.open(encoding="utf-8") as file:
+            head = file.read(HEAD)
+    except (OSError, UnicodeDecodeError):
+        return ""
+    _, found, rest = head.partition('<meta name="vv-inputs" content="')
+    return rest[:64] if found else ""
+
+
+@functools.cache
+def _sources() -> str:
+    """Digest of the sources that decide how a report looks."""
+    modules = (Path(module.__file__ or "") for module in (digest, gate, metrics))
+    own = (p for p in HERE.rglob("*") if p.suffix in (".py", ".j2", ".css"))
+    sha = hashlib.sha256()
+    for path in sorted([*own, *modules], key=lambda p: p.name):
+        sha.update(path.name.encode() + b"\0" + path.read_bytes() + b"\0")
+    return sha.hexdigest()

@@ -1,0 +1,166 @@
+"""Arranges for the template what an invocation left: from a manifest and the stored series."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Any
+
+from reports import collect, gallery, tables
+from reports.collect import Arrays, History
+from reports.findings import findings
+from reports.gallery import Draw, Figure
+from reports.marks import Mark, marks
+from reports.outcomes import WORST_FIRST, Record, counted, outcome_of
+from reports.tables import Group
+from reports.text import slug
+from reports.views import Case, Page, Scheme, Variant
+from vv.record import NORMS
+
+
+def page(manifest: Mapping[str, Any], arrays: Arrays, draw: Draw, digest: str) -> Page:
+    """The view of a manifest. arrays: record key -> its series. draw: chart -> SVG."""
+    records = manifest["records"]
+    looks = marks(tables.label(record) for record in records)
+    return Page(
+        digest=digest,
+        name=manifest["name"],
+        provenance=manifest["provenance"],
+        marks=looks,
+        versions={r["code"]: r["code_version"] for r in records if r["code_version"]},
+        counts=counted(records),
+        cases=[
+            _case(name, facts, [r for r in records if r["case"] == name], looks, arrays, draw)
+            for name, facts in manifest["cases"].items()
+        ],
+        trouble=findings(records, looks, ("bad", "odd")),
+        known=findings(records, looks, ("known",)),
+        idle=findings(records, looks, ("idle",)),
+        legend=WORST_FIRST[::-1],
+        norms={tables.NORMS[norm.name.lower()]: norm.value for norm in NORMS},
+    )
+
+
+def _case(
+    name: str,
+    facts: Mapping[str, Any],
+    records: Sequence[Record],
+    looks: Mapping[str, Mark],
+    arrays: Arrays,
+    draw: Draw,
+) -> Case:
+    variants: list[Variant] = []
+    distinct: dict[str, list[History]] = {}
+    for variant, said in facts["variants"].items():
+        own = [r for r in records if r["variant"] == variant]
+        first = said["quantities"][0]["name"] if said["quantities"] else ""
+        curves = collect.histories(own, first, looks, arrays)
+        like = next((v for v, other in distinct.items() if collect.same_curve(other, curves)), "")
+        if not like:
+            distinct[variant] = curves
+        if any(outcome_of(record).troubling for record in own):
+            like = ""  # whoever looks for what went wrong needs its own picture
+        made = [] if like else _figures(said, own, looks, arrays, draw)
+        variants.append(_variant(name, variant, facts, own, looks, made, like, bool(curves)))
+    dt = _stated_step(facts)
+    beside = {v: _pointwise([r for r in records if r["variant"] == v], dt) for v in distinct}
+    return Case(name, slug(name), facts, _quantities(facts), variants, beside, dt)
+
+
+def _figures(
+    said: Mapping[str, Any],
+    records: Sequence[Record],
+    looks: Mapping[str, Mark],
+    arrays: Arrays,
+    draw: Draw,
+) -> list[Figure]:
+    made = []
+    for quantity in said["quantities"]:
+        name = quantity["name"]
+        entries = [e for r in records for e in r["quantities"] if e["name"] == name]
+        norm = next((e["norm"] for e in entries if e["norm"]), "max")
+        curves = collect.histories(records, name, looks, arrays)
+        steps = collect.ladders(records, name, looks)
+        made += gallery.figures(curves, steps, quantity, norm, draw) if entries else []
+    return made
+
+
+def _variant(
+    case: str,
+    name: str,
+    facts: Mapping[str, Any],
+    records: Sequence[Record],
+    looks: Mapping[str, Mark],
+    made: Sequence[Figure],
+    like: str,
+    has_series: bool,
+) -> Variant:
+    groups = tables.groups(records, looks)
+    by_label = {
+        label: [r for r in records if tables.label(r) == label]
+        for label in sorted({tables.label(record) for record in records})
+    }
+    said = facts["variants"][name]
+    usual = {parameter["name"]: parameter["value"] for parameter in facts["parameters"]}
+    given = records[0]["parameters"] if records else {}
+    return Variant(
+        name=name,
+        anchor=slug(case, name),
+        facts=said,
+        settings={key: value for key, value in given.items() if value != usual.get(key)},
+        modified=any(record["modified"] for record in records),
+        cells={label: tables.cell(own) for label, own in by_label.items()},
+        schemes=[_scheme(looks[label], own, groups) for label, own in by_label.items()],
+        groups=groups,
+        absent=tables.absent(records, looks),
+        figures=made,
+        like=like,
+        has_series=has_series,
+    )
+
+
+def _scheme(mark: Mark, records: Sequence[Record], groups: Sequence[Group]) -> Scheme:
+    ordered = tables.coarsest_first(records)
+    finest = next((r for r in reversed(ordered) if r["model"]), ordered[-1])
+    reasons = dict.fromkeys(r["reason"] for r in records if r["reason"] and not r["quantities"])
+    return Scheme(
+        mark=mark,
+        cell=tables.cell(records),
+        version=finest["code_version"],
+        method=finest["method"].replace("-", " "),
+        model=finest["model"],
+        orders=[g for g in groups if g.mark is mark and g.order],
+        ledger=finest["ledger"],
+        reason="; ".join(reasons),
+    )
+
+
+def _quantities(
+    facts: Mapping[str, Any],
+) -> list[tuple[Mapping[str, Any], Sequence[str]]]:
+    """(quantity, variants it belongs to), each distinct quantity once."""
+    found: dict[str, tuple[Mapping[str, Any], list[str]]] = {}
+    for variant, said in facts["variants"].items():
+        for quantity in said["quantities"]:
+            key = json.dumps(quantity, sort_keys=True)
+            found.setdefault(key, (quantity, []))[1].append(variant)
+    return list(found.values())
+
+
+def _stated_step(facts: Mapping[str, Any]) -> float | None:
+    """The step that the tolerances are stated for: there codes are compared with the source."""
+    for quantity, _ in _quantities(facts):
+        for tolerance in quantity.get("tolerances", {}).values():
+            if tolerance["dt"] is not None:
+                return float(tolerance["dt"])
+    return None
+
+
+def _pointwise(records: Iterable[Record], dt: float | None) -> dict[str, float | None]:
+    """Scheme -> largest pointwise relative error at that step, or at the only rung it has."""
+    return {
+        tables.label(record): entry["errors"].get("pointwise")
+        for record in records
+        if record["rung"]["dt"] in (dt, None)
+        for entry in record["quantities"][:1]
+    }

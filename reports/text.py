@@ -1,0 +1,58 @@
+"""Numbers and names as the report writes them."""
+
+from __future__ import annotations
+
+import math
+import re
+
+NONE = "\N{EN DASH}"  # what stands where there is no number
+SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+
+
+def sci(value: float | None, digits: int = 2) -> str:
+    """A number in scientific notation with `digits` after the point, 2.23e-5; – for None."""
+    if value is None or not math.isfinite(value):
+        return NONE
+    if value == 0:
+        return "0"
+    mantissa, _, exponent = f"{value:.{digits}e}".partition("e")
+    return f"{mantissa}e{int(exponent)}"
+
+
+def short(value: float | None) -> str:
+    """A number to three digits: 6.43, 0.113, 1.54e-3; – for None."""
+    if value is None or not math.isfinite(value):
+        return NONE
+    return f"{value:.3g}" if 1e-2 <= abs(value) < 1e3 else sci(value)
+
+
+def brief(value: float | None) -> str:
+    """A number with as few characters as say it to six digits: 0.4, 5.5e9, 1e-5; – for None."""
+    if value is None or not math.isfinite(value):
+        return NONE
+    if value == 0 or 1e-2 <= abs(value) < 1e5:
+        return f"{value:.6g}"
+    mantissa, _, exponent = f"{value:.5e}".partition("e")
+    return f"{mantissa.rstrip('0').rstrip('.')}e{int(exponent)}"
+
+
+def ratio(value: float | None) -> str:
+    """A ratio to two digits: 1.8, 140, 3e5; – for None."""
+    if value is None or not math.isfinite(value):
+        return NONE
+    return f"{value:.2g}" if value < 10 else f"{value:.0f}" if value < 1e4 else sci(value, 0)
+
+
+def power(exponent: int) -> str:
+    """A power of ten for an axis, as plain text: 10⁻³."""
+    return f"10{str(exponent).translate(SUPERSCRIPTS)}"
+
+
+def slug(*names: str) -> str:
+    """An identifier for links to a place in the page."""
+    return "--".join(re.sub(r"[^A-Za-z0-9_]+", "-", name) for name in names)
+
+
+def listed(words: list[str]) -> str:
+    """Words as a list in a sentence: 'a, b and c'."""
+    return " and ".join([", ".join(words[:-1]), words[-1]]) if len(words) > 1 else "".join(words)

@@ -1,0 +1,106 @@
+"""Who may import what: data flows one way, and each layer knows only the ones before it."""
+
+import ast
+import re
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[1]
+CORE = {"vv.digest", "vv.scene", "vv.ask"}
+ENGINES = {"vv.exact", "vv.dem"}
+DECLARED = CORE | {"vv.transform", "vv.study", "vv.case"}
+ASKED = CORE | {"vv.transform", "vv.adapter", "vv.timing", "vv.script", "vv.external", "vv"}
+HEAVY = {"scipy", "numba", "pandas", "matplotlib", "jinja2", "rich", "pint"}
+
+# layer: (its files, what it may import of ours, the heavy libraries it may import at the top)
+LAYERS: dict[str, tuple[str, set[str], set[str]]] = {
+    "digest": ("vv/digest.py", set(), set()),
+    "metrics": ("vv/metrics.py", set(), set()),
+    "closure": ("vv/closure.py", set(), set()),
+    "scene": ("vv/scene.py", {"vv.digest"}, set()),
+    "transform": ("vv/transform.py", {"vv.scene"}, set()),
+    "ask": ("vv/ask.py", {"vv.digest", "vv.scene"}, set()),
+    "study": ("vv/study.py", CORE, set()),
+    "case": ("vv/case.py", CORE | {"vv.study"}, set()),
+    "adapter": ("vv/adapter.py", CORE, set()),
+    "exact": ("vv/exact/*.py", CORE | {"vv.exact", "vv.transform"}, set()),
+    "dem": ("vv/dem/*.py", CORE | {"vv.dem", "vv.transform"}, {"numba"}),
+    "references": ("reference_solutions/*.py", {"reference_solutions"}, set()),
+    "second routes": ("reference_solutions/checks/*.py", set(), set()),
+    "cases": ("cases/**/*.py", DECLARED | {"reference_solutions"}, set()),
+    "adapters": ("adapters/**/*.py", ASKED | ENGINES | {"adapters"}, set()),
+    "reports": (
+        "reports/*.py",
+        {"reports", "vv.store", "vv.metrics", "vv.gate", "vv.record", "vv.digest"},
+        HEAVY,
+    ),
+}
+
+
+def imports(path: Path) -> set[str]:
+    """The modules of ours that a file imports, anywhere in it."""
+    names = set()
+    for node in ast.walk(ast.parse(path.read_text())):
+        if isinstance(node, ast.Import):
+            names |= {alias.name for alias in node.names}
+        elif isinstance(node, ast.ImportFrom) and node.module:
+            whole = node.module in ("vv", "adapters", "cases", "reports", "reference_solutions")
+            names |= {f"{node.module}.{a.name}" for a in node.names} if whole else {node.module}
+    ours = {"vv", "adapters", "cases", "reports", "reference_solutions", "tests", "bench"}
+    return {name for name in names if name.partition(".")[0] in ours}
+
+
+def heavy_at_the_top(path: Path) -> set[str]:
+    """The slow libraries that importing a file loads."""
+    found = set()
+    for node in ast.parse(path.read_text()).body:
+        if isinstance(node, ast.Import):
+            found |= {alias.name.partition(".")[0] for alias in node.names}
+        elif isinstance(node, ast.ImportFrom) and node.module:
+            found.add(node.module.partition(".")[0])
+    return found & HEAVY
+
+
+def allowed(name: str, rule: set[str]) -> bool:
+    return any(name == one or name.startswith(f"{one}.") for one in rule if one != "vv") or (
+        name in ("vv", "vv.__version__") and "vv" in rule
+    )
+
+
+@pytest.mark.parametrize("layer", LAYERS)
+def test_each_layer_imports_only_the_ones_before_it(layer: str) -> None:
+    pattern, rule, heavy = LAYERS[layer]
+    files = [path for path in ROOT.glob(pattern) if path.name != "driver.py"]
+    assert files, f"no files for {layer}"
+    for path in files:
+        wrong = {name for name in imports(path) if not allowed(name, rule)}
+        assert not wrong, f"{path.relative_to(ROOT)} must not import {sorted(wrong)}"
+        slow = heavy_at_the_top(path) - heavy
+        assert not slow, f"{path.relative_to(ROOT)} must import {sorted(slow)} where it uses them"
+
+
+def test_an_adapter_drives_one_engine_at_most() -> None:
+    for path in ROOT.glob("adapters/**/*.py"):
+        engines = {e for e in ENGINES for name in imports(path) if allowed(name, {e})}
+        assert len(engines) <= 1, f"{path.relative_to(ROOT)} imports {sorted(engines)}"
+
+
+def test_the_tool_never_imports_content_by_name() -> None:
+    for path in ROOT.glob("vv/*.py"):
+        content = {n for n in imports(path) if n.split(".")[0] in ("cases", "adapters")}
+        assert not content, f"{path.name} imports {sorted(content)}"
+
+
+def test_cases_never_name_a_code() -> None:
+    codes = {p.stem for p in (ROOT / "adapters").iterdir() if p.stem[0] not in "_."} - {"exact"}
+    for path in ROOT.glob("cases/**/*.py"):
+        words = set(re.findall(r"[a-z]+", path.read_text().lower()))
+        assert not words & codes, f"{path.name} names {sorted(words & codes)}"
+
+
+def test_every_file_starts_with_one_sentence_on_its_job() -> None:
+    for folder in ("vv", "adapters", "cases", "reports", "reference_solutions", "tests", "bench"):
+        for path in (ROOT / folder).rglob("*.py"):
+            docstring = ast.get_docstring(ast.parse(path.read_text())) or ""
+            assert docstring, f"{path.relative_to(ROOT)} has no docstring"

@@ -1,0 +1,111 @@
+"""The command line: names, units, settings and bad input."""
+
+import re
+
+import pytest
+
+from tests.conftest import Tiny
+
+BAD = {
+    "run": "name a case or say --all",
+    "run fal": "no case 'fal'; did you mean fall?",
+    "run fall:upp": "no variant 'upp'; did you mean up?",
+    "run fall --codes fke": "no code 'fke'; did you mean fake",
+    "run fall --codes fake/god": "did you mean fake/good",
+    "run fall --require nobody": "no code 'nobody'",
+    "run fall --all": "not both",
+    "run fall --set radius=-0.1": "Spheres.radius[0] = -0.1 m; radii must be positive",
+    "run fall --set speed=nan": "speed = nan m/s; it must be finite",
+    "run fall --set speed=inf": "speed = inf m/s; it must be finite",
+    "run fall --set sped=1": "fall has no parameter 'sped'; did you mean speed?",
+    "run fall --set speed=5kg": "speed = 5 'kg': not convertible to m/s",
+    "run fall --set speed=fast": "speed = 'fast': not a number",
+    "run fall --set speed": "it must read NAME=VALUE[UNIT]",
+    "run fall --rung dt=-1": "dt = -1.0 s; a knob must be positive",
+    "run fall --rung dx=1": "it must read dt=SECONDS",
+    "run fall --rung dt=1ms": "is not a plain number",
+    "run fall --level huge": "'huge' is not one of",
+    "run fall --timeout 0": "--timeout = 0.0 s; it must be positive",
+    "rnu": "No such command 'rnu'",
+    "explain nothing": "no case 'nothing'",
+    "export fall --code fake/good": "'fall' names 2 variants; export takes one",
+    "report": "no run 'at all'",
+}
+
+
+@pytest.mark.parametrize("words", BAD)
+def test_bad_input_gets_one_clear_line_and_exit_status_64(tiny: Tiny, words: str) -> None:
+    done = tiny.vv(*words.split())
+    assert done.returncode == 64
+    assert done.stderr.startswith("vv: ")
+    assert done.stderr.count("\n") == 1
+    assert BAD[words] in done.stderr
+
+
+def test_an_empty_selection_at_the_level_is_refused(tiny: Tiny) -> None:
+    done = tiny.vv("run", "fall:slow", "--level", "quick")
+    assert (done.returncode, done.stderr) == (64, "vv: the selection holds nothing at this level\n")
+
+
+def test_a_unit_is_converted(tiny: Tiny) -> None:
+    done = tiny.vv("run", "fall:up", "--codes", "fake/good", "--set", "speed=18km/h")
+    assert done.returncode == 0
+    assert "3 pass" in done.stdout
+
+
+def test_the_last_line_counts_outcomes_and_says_where_to_look(tiny: Tiny) -> None:
+    codes = "fake/good,fake/coarse,fake/refuses"
+    done = tiny.vv("run", "fall:up", "--codes", codes, "--level", "quick")
+    report = tiny.root / ".vv" / "report.html"
+    line = f"1 pass, 1 fail, 1 refused; report: {report}; why: vv explain CASE"
+    assert done.stdout.splitlines()[-1] == line
+    assert report.is_file()
+    assert done.returncode == 0  # a failure is the gate's to judge
+
+
+def test_a_dry_run_runs_nothing(tiny: Tiny) -> None:
+    done = tiny.vv("run", "fall:up", "--codes", "fake/raises", "--dry-run")
+    assert done.returncode == 0
+    assert "3 jobs, 3 would run" in done.stdout
+    assert not (tiny.root / ".vv").exists()
+
+
+def test_codes_says_what_is_missing_and_how_to_get_it(tiny: Tiny) -> None:
+    out = tiny.vv("codes").stdout
+    assert re.search(r"missing  not installed\n  to install: apt-get install missing", out)
+    assert "fake/good: a scheme that is good" in out
+
+
+def test_explain_shows_formula_parameters_tolerances_and_the_last_result(tiny: Tiny) -> None:
+    tiny.vv("run", "fall:up", "--codes", "fake/coarse")
+    out = tiny.vv("explain", "fall:up").stdout
+    for words in (
+        "y = v t - g t^2/2",
+        "Galileo (1638)",
+        "speed = 5 m/s  initial velocity",
+        "radius = 0.1 m  radius  (inert)",
+        "second order in dt: 0.001 at dt = 0.1 s, as dt^1: the tiny project says so",
+        "fake/coarse: a formula",
+        "last result: fail at dt = 0.025 s: y: error 0.01 of 0.00025",
+        "fake/weightless: fake/weightless does not support: gravity",
+    ):
+        assert words in out
+
+
+def test_export_writes_the_native_input(tiny: Tiny) -> None:
+    words = ("export", "fall:up", "--code", "fake", "--rung", "dt=0.5", "--output", "in.txt")
+    assert tiny.vv(*words).returncode == 0
+    assert (tiny.root / "in.txt").read_text() == "fall 0.5\n"
+
+
+@pytest.mark.parametrize("command", ["run", "gate", "list", "codes", "report", "explain", "export"])
+def test_every_command_has_help(tiny: Tiny, command: str) -> None:
+    done = tiny.vv(command, "--help")
+    assert (done.returncode, done.stderr) == (0, "")
+
+
+def test_help_is_grouped_and_shows_the_exit_bits(tiny: Tiny) -> None:
+    out = tiny.vv("--help").stdout
+    places = [out.index(f" {group} ") for group in ("Run", "Look", "Judge", "Extend")]
+    assert places == sorted(places)
+    assert "16 timeout" in out

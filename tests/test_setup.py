@@ -1,0 +1,133 @@
+"""Claims about setup.sh: what stands is left alone, and what cannot be had is said plainly."""
+
+import os
+import shutil
+import subprocess
+import sys
+import venv
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[1]
+TOOLS = ("bash", "cat", "cmp", "dirname", "flock", "id", "mktemp", "rm", "sleep")
+MISSING = "setup: {0} is missing and will be left out; to have it: sudo apt-get install {0}\n"
+
+
+@pytest.fixture
+def checkout(tmp_path: Path) -> Path:
+    """A folder whose set-up is done, with a space in its name; no external code is in PATH."""
+    root = tmp_path / "a checkout"
+    venv.create(root / ".venv", with_pip=False, symlinks=True)
+    for file in ("setup.sh", "requirements.lock", "pyproject.toml"):
+        shutil.copy(ROOT / file, root)
+    major, minor, *_ = sys.version_info
+    (root / ".venv/made-for").write_text(f"{major} {minor} {root / '.venv'}\n")
+    both = (root / "requirements.lock").read_text() + (root / "pyproject.toml").read_text()
+    (root / ".venv/installed").write_text(both)
+    (tmp_path / "bin").mkdir()
+    for tool in TOOLS:
+        if found := shutil.which(tool):
+            (tmp_path / "bin" / tool).symlink_to(found)
+    return root
+
+
+def setup(checkout: Path, **environment: str) -> subprocess.CompletedProcess[str]:
+    return subprocess.run(
+        ["bash", checkout / "setup.sh"],
+        env={"PATH": str(checkout.parent / "bin"), **environment},
+        capture_output=True,
+        text=True,
+        check=False,
+        timeout=30,
+    )
+
+
+def program(checkout: Path, name: str, text: str = "") -> None:
+    path = checkout.parent / "bin" / name
+    path.write_text(f"#!/bin/bash\n{text}\n")
+    path.chmod(0o755)
+
+
+def test_a_second_call_does_nothing_and_says_nothing(checkout: Path) -> None:
+    program(checkout, "yade")
+    program(checkout, "liggghts")
+    done = setup(checkout)
+    assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
+
+
+def test_without_apt_the_codes_are_left_out_and_named(checkout: Path) -> None:
+    done = setup(checkout)
+    assert done.returncode == 0
+    assert done.stdout == MISSING.format("yade") + MISSING.format("liggghts")
+
+
+@pytest.mark.parametrize("required", ["yade,liggghts", "liggghts, yade", "yade"])
+def test_a_required_code_that_cannot_be_had_fails(checkout: Path, required: str) -> None:
+    program(checkout, "liggghts")
+    done = setup(checkout, VV_REQUIRE=required)
+    assert done.returncode == 1
+    assert "setup: yade is required (VV_REQUIRE) and missing" in done.stderr
+
+
+def test_apt_is_asked_again_unless_it_knows_no_such_package(checkout: Path) -> None:
+    asked = checkout.parent / "asked"
+    program(checkout, "id", "echo 0")
+    program(checkout, "env", 'shift; "$@"')
+    program(checkout, "tail")
+    program(checkout, "apt-get", f'echo "${{@: -1}}" >>"{asked}"; false')
+    program(checkout, "apt-cache", '[ "$2" = yade ]')
+    program(checkout, "touch", ': >"$1"')
+    setup(checkout)
+    assert asked.read_text().split() == ["update", "yade", "liggghts"]
+    setup(checkout)
+    assert asked.read_text().split()[3:] == ["update", "yade"]
+    setup(checkout, VV_APT="no")
+    assert len(asked.read_text().split()) == 5
+    setup(checkout, VV_REQUIRE="liggghts")
+    assert asked.read_text().split()[5:] == ["update", "yade", "liggghts"]
+
+
+def test_an_old_python_is_refused_by_name(checkout: Path) -> None:
+    program(checkout, "python-old", "exit 1")
+    done = setup(checkout, PYTHON="python-old")
+    assert done.returncode == 1
+    assert "python-old is not Python 3.11 or newer" in done.stderr
+
+
+def test_a_python_without_venv_says_what_to_install(checkout: Path) -> None:
+    text = f'[[ $* == *ensurepip* ]] && exit 1; exec "{sys.executable}" "$@"'
+    program(checkout, "python-bare", text)
+    (checkout / ".venv/made-for").unlink()
+    done = setup(checkout, PYTHON="python-bare")
+    assert done.returncode == 1
+    assert f"sudo apt-get install python3.{sys.version_info[1]}-venv" in done.stderr
+
+
+def test_an_environment_made_elsewhere_is_made_anew(checkout: Path) -> None:
+    moved = checkout.rename(checkout.parent / "moved")
+    program(moved, "python3", 'echo "$*" >>"$HOME/calls"; exit 1')
+    done = setup(moved, PYTHON="python3", HOME=str(moved))
+    assert "setup: making .venv" in done.stdout
+    assert "3, 11" in (moved / "calls").read_text()
+
+
+def test_a_changed_lock_is_installed_without_making_the_environment_anew(checkout: Path) -> None:
+    (checkout / "requirements.lock").write_text("nothing==1\n")
+    done = setup(checkout)
+    assert done.stdout == "setup: installing the packages of requirements.lock into .venv\n"
+    assert "No module named pip" in done.stderr
+
+
+def test_ci_runs_the_tests_with_the_codes_required(tmp_path: Path) -> None:
+    (tmp_path / ".ci").mkdir()
+    shutil.copy(ROOT / ".ci/run", tmp_path / ".ci")
+    (tmp_path / "bin").mkdir()
+    make = tmp_path / "bin/make"
+    make.write_text('#!/bin/bash\necho "$PWD $* $VV_REQUIRE $CI"; cat\n')
+    make.chmod(0o755)
+    path = f"{make.parent}:{os.environ['PATH']}"
+    done = subprocess.run(
+        [tmp_path / ".ci/run"], env={"PATH": path}, capture_output=True, text=True, check=True
+    )
+    assert done.stdout == f"{tmp_path} test yade,liggghts true\n"

@@ -1,0 +1,193 @@
+"""What is kept, what is run again and why, and what survives a kill."""
+
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from tests.conftest import Tiny
+from vv.ask import Cost, Displacement, Ledger, Model, Run, Status, Velocity
+from vv.scene import Term
+from vv.store import Store, write
+
+SELECTION = ("run", "fall:up", "--codes", "fake/good")
+
+
+def runs(tiny: Tiny, *words: str) -> int:
+    """How many asks the code really answered during an invocation."""
+    log = tiny.root / "log"
+    log.write_text("")
+    done = tiny.vv(*(words or SELECTION), FAKE_LOG=str(log))
+    assert done.returncode == 0, done.stderr
+    return len(log.read_text().splitlines())
+
+
+def test_a_second_call_answers_from_the_store(tiny: Tiny) -> None:
+    assert runs(tiny) == 3
+    assert runs(tiny) == 0
+    assert runs(tiny, *SELECTION, "--fresh") == 3
+
+
+def test_editing_the_code_runs_it_again(tiny: Tiny) -> None:
+    runs(tiny)
+    tiny.edit("adapters/fake.py", "FACTOR = 1.0", "FACTOR = 1.0 + 1e-9")
+    assert runs(tiny) == 3
+
+
+@pytest.mark.parametrize(
+    ("file", "old", "new", "verdict"),
+    [
+        ("cases/fall.py", "Tolerance(1e-3", "Tolerance(1e-2", "pass"),
+        ("reference_solutions/fall.py", "g * t**2 / 2", "g * t**2 / 3", "fail"),
+    ],
+)
+def test_editing_a_tolerance_or_a_reference_judges_again_and_runs_nothing(
+    tiny: Tiny, file: str, old: str, new: str, verdict: str
+) -> None:
+    runs(tiny)
+    tiny.edit(file, old, new)
+    assert runs(tiny, *SELECTION, "--json", "out.json") == 0
+    records = json.loads((tiny.root / "out.json").read_text())["records"]
+    assert {r["quantities"][0]["verdict"] for r in records} == {verdict}
+
+
+def test_changing_a_parameter_runs_again_and_is_marked(tiny: Tiny) -> None:
+    runs(tiny)
+    assert runs(tiny, *SELECTION, "--set", "speed=5.5", "--json", "out.json") == 3
+    records = json.loads((tiny.root / "out.json").read_text())["records"]
+    assert {(r["modified"], r["parameters"]["speed"]) for r in records} == {(True, 5.5)}
+
+
+def test_a_failure_is_never_kept(tiny: Tiny) -> None:
+    log = tiny.root / "log"
+    for _ in range(2):
+        tiny.vv("run", "fall:up", "--codes", "fake/raises", "--rung", "dt=0.1", FAKE_LOG=str(log))
+    assert len(log.read_text().splitlines()) == 2
+
+
+def test_timing_repeats_its_solves_alone_and_once(tiny: Tiny) -> None:
+    log = tiny.root / "log"
+    words = ("run", "--all", "--codes", "fake/good", "--json", "out.json")
+    tiny.vv(*words, FAKE_LOG=str(log))
+    timed = [line for line in log.read_text().splitlines() if not line.endswith(" 0.0")]
+    assert len(timed) == 8  # two variants, two timed rungs, two rounds
+    records = json.loads((tiny.root / "out.json").read_text())["records"]
+    kinds = [(r["rung"]["dt"], r["cost"]["kind"]) for r in records if r["variant"] == "up"]
+    assert kinds == [(0.1, "timed"), (0.05, "timed"), (0.025, "indicative")]
+    assert len({r["cost"]["session"] for r in records if r["cost"]["kind"] == "timed"}) == 1
+    tiny.vv(*words, FAKE_LOG=str(log))
+    assert sum(1 for line in log.read_text().splitlines() if not line.endswith(" 0.0")) == 8
+
+
+def test_two_invocations_at_once_do_not_disturb_each_other(tiny: Tiny) -> None:
+    words = [sys.executable, "-m", "vv", "run", "fall", "--codes", "fake/good"]
+    both = [
+        subprocess.Popen([*words, "--json", f"{i}.json"], cwd=tiny.root, stdout=subprocess.DEVNULL)
+        for i in range(2)
+    ]
+    assert [process.wait(30) for process in both] == [0, 0]
+    first, second = (json.loads((tiny.root / f"{i}.json").read_text())["records"] for i in range(2))
+    assert [r["quantities"] for r in first] == [r["quantities"] for r in second]
+    assert len(list((tiny.root / ".vv" / "manifests").iterdir())) == 2
+
+
+def test_a_killed_invocation_leaves_its_finished_results_usable(tiny: Tiny) -> None:
+    log = tiny.root / "log"
+    tiny.edit("adapters/fake.py", 'if scheme == "hangs":', "if ask.knobs.dt == 0.025:")
+    process = subprocess.Popen(
+        [sys.executable, "-m", "vv", *SELECTION],
+        cwd=tiny.root,
+        env={**os.environ, "FAKE_LOG": str(log)},
+    )
+    _wait_until(lambda: log.exists() and len(log.read_text().splitlines()) >= 3)
+    time.sleep(0.3)  # the third ask hangs: time enough to store the first two
+    process.send_signal(signal.SIGKILL)
+    process.wait()
+    assert not list((tiny.root / ".vv").rglob(".part-*"))
+    words = ("run", "fall:up", "--codes", "fake/good", "--rung", "dt=0.1", "--rung", "dt=0.05")
+    assert runs(tiny, *words) == 0
+
+
+def test_a_worker_does_not_outlive_a_killed_invocation(tiny: Tiny) -> None:
+    marker = f"fall:up --codes fake/hangs --timeout {50 + os.getpid() % 7}.25"
+    process = subprocess.Popen([sys.executable, "-m", "vv", "run", *marker.split()], cwd=tiny.root)
+    _wait_until(lambda: len(_processes(marker)) >= 2)
+    process.send_signal(signal.SIGKILL)
+    process.wait()
+    _wait_until(lambda: not _processes(marker))
+
+
+def _wait_until(true: Callable[[], bool]) -> None:
+    """Wait for a condition, 20 s at most."""
+    until = time.monotonic() + 20
+    while not true():
+        assert time.monotonic() < until, "it did not come about"
+        time.sleep(0.01)
+
+
+def _processes(marker: str) -> list[int]:
+    """Processes whose command line ends in the marker."""
+    found = []
+    for folder in Path("/proc").glob("[0-9]*"):
+        try:
+            command = (folder / "cmdline").read_bytes().replace(b"\0", b" ").decode().strip()
+            state = (folder / "stat").read_text().rpartition(")")[2].split()[0]
+        except OSError:
+            continue
+        if command.endswith(marker) and state != "Z":
+            found.append(int(folder.name))
+    return found
+
+
+def test_a_run_comes_back_as_it_was_kept(tmp_path: Path) -> None:
+    run = Run(
+        Status.RAN,
+        times=np.array([0.0, 0.1]),
+        values={Displacement(1): np.eye(3)[:2], Velocity(0): np.ones((2, 3))},
+        cost=Cost(setup=0.5, repeats=3),
+        steps=7,
+        model=Model(1, frozenset({Term.DRAG}), "a note"),
+        ledger=Ledger({"kinetic": 2.0}, 1e-16, 3.0, None),
+    )
+    store = Store(tmp_path)
+    store.keep_run("ab12", run)
+    again = store.run("ab12")
+    assert again is not None
+    assert (again.cost, again.steps, again.model, again.ledger) == (
+        run.cost,
+        run.steps,
+        run.model,
+        run.ledger,
+    )
+    assert list(again.values) == list(run.values)
+    assert all(np.array_equal(again.values[o], run.values[o]) for o in run.values)
+
+
+def test_a_damaged_file_counts_as_absent(tmp_path: Path) -> None:
+    store = Store(tmp_path)
+    store.keep_run("ab12", Run(Status.RAN, times=np.zeros(1)))
+    path = next(tmp_path.rglob("*.npz"))
+    path.write_bytes(path.read_bytes()[:50])
+    assert store.run("ab12") is None
+
+
+def test_a_failed_write_leaves_the_old_file_and_nothing_else(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    target = tmp_path / "file"
+    write(target, b"old")
+
+    def fails(*_: object) -> None:
+        raise OSError("disk full")
+
+    monkeypatch.setattr(os, "replace", fails)
+    with pytest.raises(OSError, match="disk full"):
+        write(target, b"new")
+    assert [(p.name, p.read_bytes()) for p in tmp_path.iterdir()] == [("file", b"old")]

@@ -1,0 +1,271 @@
+"""Claims about the YADE adapter that need no YADE: input, refusals, answers, absence."""
+
+from __future__ import annotations
+
+import ast
+import dataclasses
+import json
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from adapters.yade import ADAPTER
+from adapters.yade.answers import parse
+from adapters.yade.translate import plan, wall_body
+from cases.single_contact import CASE
+from vv.ask import Ask, Displacement, History, Knobs, Model, Status, Velocity
+from vv.scene import Contact, Scene, Spheres, Term, Wall
+from vv.transform import about_z, rotated
+
+DT = 1e-3
+PLAIN, HALF_STEP = (scheme.name for scheme in ADAPTER.schemes)
+UP = Wall(np.zeros(3), np.array([0.0, 1.0, 0.0]))
+
+
+def case_ask(variant: str, dt: float = DT) -> Ask:
+    return CASE.declare(variant, CASE.defaults(variant)).study.ask(Knobs(dt=dt))
+
+
+def ball(**changes: Any) -> Spheres:
+    """One free sphere of 2 kg and 0.1 m, resting at the origin."""
+    still = Spheres(np.zeros((1, 3)), np.zeros((1, 3)), np.array([0.1]), np.array([2.0]), FREE)
+    return dataclasses.replace(still, **changes)
+
+
+FREE = np.ones((1, 3), bool)
+
+
+def ball_ask(*bodies: Spheres | Wall, body: int = 0, **scene: Any) -> Ask:
+    whole = Scene(bodies, Contact(1e6, 1e6, 0.5), **scene)
+    return Ask(whole, History(0.1, 0.01), (Displacement(body),), Knobs(dt=DT))
+
+
+def sphere_of(ask: Ask, scheme: str = PLAIN) -> dict[str, Any]:
+    """What YADE is told of the last sphere."""
+    spheres = [body for body in plan(ask, scheme)["bodies"] if body["kind"] == "sphere"]
+    return dict(spheres[-1])
+
+
+def test_velocities_start_half_a_step_early() -> None:
+    ask = case_ask("T2")
+    spheres, eta = ask.scene.spheres, ask.scene.eta
+    v0, m = spheres.velocity[1, 1], spheres.mass[1]
+    assert sphere_of(ask)["velocity"][1] == pytest.approx(v0 * (1 + eta / m * DT / 2), rel=1e-15)
+
+
+@pytest.mark.parametrize("scheme", [PLAIN, HALF_STEP])
+def test_a_push_gives_a_touching_sphere_the_speed_it_would_have_after_a_step(scheme: str) -> None:
+    ask = case_ask("T4")
+    eta, m, v0 = ask.scene.eta, ask.scene.spheres.mass[0], ask.scene.spheres.velocity[0, 1]
+    told = sphere_of(ask, scheme)
+    early = v0 + eta * v0 / m * DT / 2
+    assert told["velocity"] == [0.0, 0.0, 0.0]
+    after = early - eta * early / told["mass"] * DT
+    assert told["push"][1] / told["mass"] * DT == pytest.approx(after, rel=1e-14)
+
+
+def test_without_friction_or_overlap_nothing_is_pushed() -> None:
+    assert sphere_of(case_ask("T1"))["push"] == [0.0, 0.0, 0.0]
+    apart = ball_ask(UP, ball(position=[[0, 0.2, 0]], velocity=[[1, 0, 0]]))
+    assert sphere_of(apart)["push"] == [0.0, 0.0, 0.0]
+
+
+def test_spin_of_a_touching_sphere_becomes_a_twist() -> None:
+    spinning = ball(position=[[0, 0.09, 0]], spin=[[0, 0, 3]], free_spin=FREE)
+    told = sphere_of(ball_ask(UP, spinning))
+    assert told["spin"] == [0.0, 0.0, 0.0]
+    assert told["twist"][2] * DT / told["inertia"] == pytest.approx(3.0, rel=1e-15)
+
+
+def test_only_half_step_mass_changes_the_mass_and_then_not_the_weight() -> None:
+    ask = ball_ask(ball(), gravity=np.array([0.0, -9.81, 0.0]), eta=3.0)
+    plain, half = plan(ask, PLAIN), plan(ask, HALF_STEP)
+    assert (plain["bodies"][0]["mass"], plain["gravity"][1]) == (2.0, -9.81)
+    assert half["bodies"][0]["mass"] == 2.0 + 3.0 * DT / 2
+    assert half["gravity"] == [0.0, 0.0, 0.0]
+    assert half["bodies"][0]["force"][1] == -9.81 * 2.0
+
+
+def test_schemes_agree_on_a_scene_without_drag() -> None:
+    assert plan(case_ask("T3"), PLAIN) == plan(case_ask("T3"), HALF_STEP)
+
+
+def test_locks_become_blocked_freedoms() -> None:
+    told = sphere_of(ball_ask(ball(free=[[True, False, True]], free_spin=[[False, True, False]])))
+    assert told["blocked"] == "yXZ"
+
+
+def test_bodies_keep_the_order_of_the_scene() -> None:
+    kinds = [body["kind"] for body in plan(case_ask("T3-swapped"), PLAIN)["bodies"]]
+    assert kinds == ["sphere", "wall"]
+
+
+def test_the_frame_given_reaches_yade() -> None:
+    bodies = plan(case_ask("T3-rotated"), PLAIN)["bodies"]
+    scene = case_ask("T3-rotated").scene
+    assert bodies[0]["kind"] == "facet"
+    assert bodies[0]["normal"] == scene.walls[0].normal.tolist()
+    assert bodies[1]["initial"] == scene.spheres.velocity[0].tolist()
+    assert bodies[1]["blocked"] == "zXYZ"
+
+
+@given(st.floats(0.01, 3.1), st.floats(0.01, 3.1))
+def test_a_facet_lies_in_the_plane_of_its_wall_about_its_point(tilt: float, turn: float) -> None:
+    normal = np.array([np.sin(tilt) * np.cos(turn), np.sin(tilt) * np.sin(turn), np.cos(tilt)])
+    corners = np.array(wall_body(Wall(np.array([1.0, 2.0, 3.0]), normal), 10.0)["corners"])
+    assert np.abs(corners @ normal).max() < 1e-14
+    assert np.abs(corners.sum(axis=0)).max() < 1e-14
+    assert np.linalg.norm(corners, axis=1) == pytest.approx([10.0] * 3)
+
+
+@pytest.mark.parametrize("scheme", [PLAIN, HALF_STEP])
+def test_a_file_carries_every_number_exactly(scheme: str) -> None:
+    told = plan(case_ask("T4-rotated"), scheme)
+    assert json.loads(json.dumps(told)) == told
+
+
+def test_contacts_expected_at_the_start_are_counted() -> None:
+    assert plan(case_ask("T1"), PLAIN)["contacts"] == 0
+    assert plan(case_ask("T3"), PLAIN)["contacts"] == 1
+    assert plan(ball_ask(ball(), ball(position=[[0, 0.15, 0]])), PLAIN)["contacts"] == 1
+    held = ball(free=~FREE)
+    assert plan(ball_ask(held, ball(position=[[0, 0.15, 0]], free=~FREE)), PLAIN)["contacts"] == 0
+
+
+def test_every_variant_is_run() -> None:
+    for variant in CASE.variants:
+        ask = case_ask(variant.name)
+        assert ask.scene.terms() <= ADAPTER.schemes[0].terms
+        assert ADAPTER.refuses(ask, PLAIN) is None
+
+
+def refusal(*bodies: Spheres | Wall, **more: Any) -> str:
+    return ADAPTER.refuses(ball_ask(*bodies, **more), PLAIN) or ""
+
+
+def test_what_yade_would_get_wrong_is_refused_with_the_reason() -> None:
+    moving = ball(velocity=[[1, 0, 0]], free=[[False, True, True]])
+    assert "locked freedom" in refusal(moving)
+    assert "locked freedom" in refusal(ball(spin=[[1, 0, 0]]))
+    assert "behind wall 0" in refusal(UP, ball(position=[[0, -0.01, 0]]), body=1)
+    partly = ball(free_spin=[[True, False, False]])
+    turned = rotated(ball_ask(partly).scene, about_z(0.3))
+    reason = ADAPTER.refuses(dataclasses.replace(ball_ask(partly), scene=turned), PLAIN)
+    assert "turned frame" in (reason or "")
+    assert "body 0 is no sphere" in refusal(UP, ball(position=[[0, 1, 0]]))
+
+
+def test_a_model_states_its_unknowns_and_how_locks_are_kept() -> None:
+    straight = ADAPTER.describe(case_ask("T3"), PLAIN)
+    oblique = ADAPTER.describe(case_ask("T3-rotated"), PLAIN)
+    assert (straight.unknowns, oblique.unknowns) == (1, 2)
+    assert "a dead load along the normal instead of a locked axis" in oblique.note
+    assert oblique.terms - straight.terms == {Term.OBLIQUE_LOCK, Term.LOAD}
+
+
+def test_an_exported_script_is_the_driver_with_the_ask_filled_in() -> None:
+    ask = case_ask("T4-rotated")
+    tree = ast.parse(ADAPTER.native(ask, HALF_STEP))
+    written = next(n for n in tree.body if isinstance(n, ast.AnnAssign))
+    assert written.value is not None
+    assert ast.literal_eval(written.value) == plan(ask, HALF_STEP)
+
+
+def test_where_yade_is_absent_it_is_said_how_to_get_it(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setenv("VV_YADE", str(tmp_path))
+    found = ADAPTER.found()
+    assert not found.installed
+    assert "apt-get install yade" in found.how_to_install
+    runs = list(ADAPTER.run([case_ask("T1")] * 2, PLAIN, tmp_path, 0.0))
+    assert [run.status for run in runs] == [Status.NOT_INSTALLED] * 2
+
+
+def test_the_version_is_read_from_the_package(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    package = tmp_path / "py" / "yade"
+    package.mkdir(parents=True)
+    (package / "wrapper.so").touch()
+    (package / "config.py").write_text("prefix='/usr'\nversion='1.2b'\n")
+    monkeypatch.setenv("VV_YADE", str(package.parent))
+    monkeypatch.setattr("adapters.yade.installed.PYTHON", package / "config.py")
+    assert ADAPTER.found().version == "1.2b"
+    assert package / "wrapper.so" in ADAPTER.found().files
+
+
+FACTS = {
+    "status": "ran", "reason": "", "steps": 100, "unknowns": 3, "ready": 12.5, "setup": 0.1,
+    "solve_cpu": 0.2, "solve_wall": 0.3, "output": 0.4, "repeats": 5, "spread": 0.6,
+}  # fmt: skip
+MODEL = Model(0, frozenset(), "as described")
+
+
+def answered(folder: Path, values: Any, **changes: Any) -> Path:
+    path = folder / "ask-0.json"
+    np.save(f"{path}.npy", values)
+    Path(f"{path}.answer").write_text(json.dumps({**FACTS, **changes}))
+    return path
+
+
+def test_an_answer_becomes_a_run(tmp_path: Path) -> None:
+    ask = ball_ask(ball())
+    values = np.arange(33.0).reshape(1, 11, 3)
+    run = parse(answered(tmp_path, values), ask, MODEL, started=11.0)
+    assert run is not None
+    assert run.status is Status.RAN
+    assert (run.values[Displacement(0)] == values[0]).all()
+    assert run.times == pytest.approx(0.01 * np.arange(11))
+    assert (run.cost.startup, run.cost.solve_cpu, run.cost.repeats) == (1.5, 0.2, 5)
+    assert run.model == Model(3, frozenset(), "as described")
+
+
+def test_only_the_first_answer_of_a_program_carries_its_start(tmp_path: Path) -> None:
+    path = answered(tmp_path, np.zeros((1, 11, 3)), ready=0.0)
+    run = parse(path, ball_ask(ball()), MODEL, started=11.0)
+    assert run is not None
+    assert run.cost.startup == 0.0
+
+
+def test_a_quantity_missing_from_an_answer_is_an_error(tmp_path: Path) -> None:
+    ask = dataclasses.replace(ball_ask(ball()), observables=(Displacement(0), Velocity(0)))
+    run = parse(answered(tmp_path, np.zeros((1, 11, 3))), ask, MODEL, started=0.0)
+    assert run is not None
+    assert run.status is Status.ERROR
+    assert "(2, 11, 3) was asked for" in run.reason
+
+
+def test_a_sphere_that_drifts_where_it_was_locked_is_an_error(tmp_path: Path) -> None:
+    ask = case_ask("T3-rotated", dt=0.1)
+    along, across = ask.scene.axes[1], ask.scene.axes[0]
+    moved = np.array([[0.0, 0.0, 0.0], 0.1 * along, 0.2 * along, 0.3 * along, 0.4 * along])
+    kept = parse(answered(tmp_path, moved[None] + 1e-13 * across), ask, MODEL, started=0.0)
+    lost = parse(answered(tmp_path, moved[None] + 1e-9 * across), ask, MODEL, started=0.0)
+    assert kept is not None
+    assert lost is not None
+    assert kept.status is Status.RAN
+    assert (lost.status, "dead load stands for the lock" in lost.reason) == (Status.ERROR, True)
+
+
+def test_a_sphere_under_a_dead_load_is_watched_though_nobody_asked() -> None:
+    ask = dataclasses.replace(case_ask("T3-rotated"), observables=(Velocity(1),))
+    assert plan(ask, PLAIN)["observe"] == [["velocity", 1], ["displacement", 1]]
+    assert plan(case_ask("T3"), PLAIN)["observe"] == [["displacement", 1]]
+
+
+def test_a_failure_keeps_its_status_and_reason(tmp_path: Path) -> None:
+    path = answered(tmp_path, np.zeros(0), status="diverged", reason="not finite at t = 1 s")
+    run = parse(path, ball_ask(ball()), MODEL, started=0.0)
+    assert run is not None
+    assert (run.status, run.reason) == (Status.DIVERGED, "not finite at t = 1 s")
+
+
+def test_values_without_their_facts_are_no_answer_yet(tmp_path: Path) -> None:
+    path = answered(tmp_path, np.zeros((1, 11, 3)))
+    Path(f"{path}.answer").unlink()
+    assert parse(path, ball_ask(ball()), MODEL, started=0.0) is None

@@ -1,0 +1,3 @@
+"""vv: verification and validation of contact mechanics codes."""
+
+__version__ = "0.1.0"

@@ -1,0 +1,18 @@
+"""The entry point: holds this process and its workers to one thread each, then runs the tool."""
+
+import os
+
+LIBRARIES = ("OMP", "OPENBLAS", "MKL", "NUMBA")
+
+
+def main() -> None:
+    """Run `vv`; the limits must be set before numpy is imported."""
+    for library in LIBRARIES:
+        os.environ.setdefault(f"{library}_NUM_THREADS", "1")
+    from vv import cli
+
+    cli.main()
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,78 @@
+"""What a code must offer to be asked: schemes, refusals, a description, native input, runs."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Protocol
+
+from vv.ask import Ask, Method, Model, Run
+from vv.scene import Term
+
+
+@dataclass(frozen=True)
+class Scheme:
+    """One way in which a code solves scenes.
+
+    knobs: names of the fields of Knobs it has. terms: what it supports. method: its class;
+    `lowered` names the terms in whose presence it is declared to be of another class.
+    """
+
+    name: str
+    summary: str
+    method: Method
+    terms: frozenset[Term]
+    knobs: tuple[str, ...] = ("dt",)
+    lowered: Mapping[Term, Method] = field(default_factory=dict)
+
+    def method_for(self, terms: frozenset[Term]) -> Method:
+        """The class of the method on a scene with these terms."""
+        return next((m for term, m in self.lowered.items() if term in terms), self.method)
+
+
+@dataclass(frozen=True)
+class Found:
+    """Whether a code can run here. files: what its results depend on besides our sources."""
+
+    installed: bool
+    version: str = ""
+    path: str = ""
+    how_to_install: str = ""
+    files: tuple[Path, ...] = ()
+
+
+class Adapter(Protocol):
+    """A code as the framework sees it. A module in adapters/ ends in ADAPTER = one of these."""
+
+    @property
+    def name(self) -> str:
+        """The code's name in selections, records and labels."""
+
+    @property
+    def schemes(self) -> tuple[Scheme, ...]:
+        """Its schemes; the first is the default."""
+
+    def found(self) -> Found:
+        """Look for the code on this machine; cheap, no imports of heavy libraries."""
+
+    def refuses(self, ask: Ask, scheme: str) -> str | None:
+        """Why an ask whose terms are all supported still cannot be run honestly; else None."""
+
+    def describe(self, ask: Ask, scheme: str) -> Model:
+        """What would be built for an ask: unknowns, terms, and the mapping in words."""
+
+    def native(self, ask: Ask, scheme: str) -> str:
+        """The code's own input for an ask, which runs alone; in-house: a Python script."""
+
+    def run(self, asks: Sequence[Ask], scheme: str, scratch: Path, repeat: float) -> Iterator[Run]:
+        """Yield one Run per ask, in order, each as soon as it is there.
+
+        scratch: an empty folder of its own. repeat: 0 for one solve; else solves are repeated
+        for about that many CPU seconds and the least is reported in Cost.
+        """
+
+
+def unsupported(scheme: Scheme, terms: frozenset[Term]) -> frozenset[Term]:
+    """The terms a scene has and a scheme lacks; the framework refuses unless this is empty."""
+    return terms - scheme.terms

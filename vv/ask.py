@@ -1,0 +1,172 @@
+"""What a case asks of a code and what comes back: Ask, Run, observables and statuses."""
+
+from __future__ import annotations
+
+import enum
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from vv.digest import digest
+from vv.scene import Scene, Term, Vector
+
+
+class Status(enum.Enum):
+    """What happened to a job; the value is the phrase shown to people."""
+
+    RAN = "ran"
+    REFUSED = "refused"
+    NOT_INSTALLED = "not installed"
+    ERROR = "error"
+    TIMEOUT = "timeout"
+    DIVERGED = "diverged"
+    NOT_RUN = "not run"
+
+
+class Method(enum.Enum):
+    """The class of a method: it decides which tolerance of a quantity applies."""
+
+    EXACT = "exact to rounding"
+    SECOND_ORDER = "second order in dt"
+    FIRST_ORDER = "first order in dt"
+    PENALTY = "penalty contact"
+
+
+@dataclass(frozen=True)
+class Displacement:
+    """Observable: the displacement of a body's centre since t = 0, (3,) per time [m]."""
+
+    body: int
+
+
+@dataclass(frozen=True)
+class Velocity:
+    """Observable: the velocity of a body's centre, (3,) per time [m/s]."""
+
+    body: int
+
+
+Observable = Displacement | Velocity
+
+
+@dataclass(frozen=True)
+class History:
+    """Goal: observables over `duration` [s], about every `interval` [s].
+
+    Raises ValueError unless 0 < interval <= duration.
+    """
+
+    duration: float
+    interval: float
+
+    def __post_init__(self) -> None:
+        if not (np.isfinite(self.duration) and 0 < self.interval <= self.duration):
+            raise ValueError(
+                f"History.duration = {self.duration!r} s, interval = {self.interval!r} s; "
+                "0 < interval <= duration must hold"
+            )
+
+    def stride(self, dt: float) -> int:
+        """How many steps of dt [s] lie between two outputs."""
+        return max(1, round(self.interval / dt))
+
+    def steps(self, dt: float) -> int:
+        """How many steps are taken: the last output is the last one within the duration."""
+        stride = self.stride(dt)
+        return int((self.duration / dt) * (1 + 1e-12) + 1e-9) // stride * stride
+
+    def times(self, dt: float | None) -> Vector:
+        """Output times [s], from 0, at whole steps; dt None gives the plain grid."""
+        if dt is None:
+            outputs = int(self.duration / self.interval * (1 + 1e-12))
+            return np.asarray(self.interval * np.arange(outputs + 1), float)
+        return np.asarray(dt * np.arange(0, self.steps(dt) + 1, self.stride(dt)), float)
+
+
+@dataclass(frozen=True)
+class Knobs:
+    """Numerical settings of a run: dt [s]; kn [N/m] where the scene's contact is rigid.
+
+    None means that the scheme has no such knob. Raises ValueError unless positive.
+    """
+
+    dt: float | None = None
+    kn: float | None = None
+
+    def __post_init__(self) -> None:
+        for name, unit in (("dt", "s"), ("kn", "N/m")):
+            value = getattr(self, name)
+            if value is not None and not (np.isfinite(value) and value > 0):
+                raise ValueError(f"{name} = {value!r} {unit}; a knob must be positive and finite")
+
+
+@dataclass(frozen=True, eq=False)
+class Ask:
+    """One question to a code: this scene, with these knobs, observed so."""
+
+    scene: Scene
+    goal: History
+    observables: tuple[Observable, ...]
+    knobs: Knobs = field(default_factory=Knobs)
+
+    def digest(self) -> str:
+        """Fingerprint of everything that decides the answer."""
+        return digest(self)
+
+
+@dataclass(frozen=True)
+class Cost:
+    """Seconds spent, part by part; solve_cpu is the stepping loop alone, of one solve.
+
+    repeats: how many solves were timed; spread: (maximum - minimum)/minimum of their
+    solve_cpu, whose minimum is what solve_cpu states.
+    """
+
+    startup: float = 0.0
+    setup: float = 0.0
+    solve_cpu: float = 0.0
+    solve_wall: float = 0.0
+    output: float = 0.0
+    repeats: int = 1
+    spread: float = 0.0
+
+
+@dataclass(frozen=True)
+class Model:
+    """What a scheme really built: its unknowns, the terms it carries, and how in words."""
+
+    unknowns: int
+    terms: frozenset[Term]
+    note: str = ""
+
+
+@dataclass(frozen=True)
+class Ledger:
+    """Energy at the end of a run [J], by name, and what no term explains.
+
+    unaccounted: the largest |sum of terms - energy put in| seen; peak: the largest total held;
+    bound: what the scheme promises for unaccounted, None where it promises nothing.
+    """
+
+    terms: Mapping[str, float]
+    unaccounted: float
+    peak: float
+    bound: float | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class Run:
+    """What came of an ask: a status with its reason and, if it ran, the observables.
+
+    times: (k,) [s]; values: observable -> (k, 3), in the scene's frame.
+    """
+
+    status: Status
+    reason: str = ""
+    times: Vector = field(default_factory=lambda: np.zeros(0))
+    values: Mapping[Observable, Vector] = field(default_factory=dict)
+    cost: Cost = field(default_factory=Cost)
+    steps: int = 0
+    model: Model | None = None
+    ledger: Ledger | None = None

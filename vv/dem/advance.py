@@ -1,0 +1,76 @@
+"""The velocities of a leapfrog, and how a step carries them on; inlined into kernels."""
+
+from __future__ import annotations
+
+from vv.dem.compiled import inlined
+from vv.dem.triples import NOWHERE, Triple, at, dot, plus, put
+from vv.scene import Vector
+
+
+@inlined
+def held(a: Triple, hold: Vector | None, i: int) -> Triple:
+    """The part of a along the free directions of body i; hold: (m, 3, 3) projectors."""
+    if hold is None:
+        return a
+    return (
+        hold[i, 0, 0] * a[0] + hold[i, 0, 1] * a[1] + hold[i, 0, 2] * a[2],
+        hold[i, 1, 0] * a[0] + hold[i, 1, 1] * a[1] + hold[i, 1, 2] * a[2],
+        hold[i, 2, 0] * a[0] + hold[i, 2, 1] * a[1] + hold[i, 2, 2] * a[2],
+    )
+
+
+@inlined
+def place(
+    v: Vector,
+    velocity: Vector,
+    force: Vector,
+    mass: Vector,
+    hold: Vector | None,
+    time: float,
+    eta: float | None,
+) -> float:
+    """Set v (m + 1, 3) to the velocity at `time` [s] before t = 0; return sum m v v/2 [J] at 0."""
+    kinetic = 0.0
+    for i in range(len(mass)):
+        start = at(velocity, i)
+        rate = held(at(force, i), hold, i)
+        if eta is not None:
+            rate = plus(rate, -eta, start)
+        put(v, i, plus(start, -time / mass[i], rate))
+        kinetic += 0.5 * mass[i] * dot(start, start)
+    return kinetic
+
+
+@inlined
+def kick(
+    v: Vector,
+    before: Vector,
+    force: Vector,
+    mass: Vector,
+    hold: Vector | None,
+    dt: float,
+    eta: float | None,
+    lag: float,
+) -> Triple:
+    """Carry v (m + 1, 3) from half a step before now to half a step after; keep it in before.
+
+    mass: (m,), the moment of inertia where v is a spin. Returns sum m v- v+/2 [J] and the powers
+    [W] lost to the drag D = eta (lag v- + (1 - lag) v+) before and after now: D v-, D v+.
+    """
+    kinetic = behind = ahead = 0.0
+    for i in range(len(mass)):
+        old, push = at(v, i), held(at(force, i), hold, i)
+        if eta is not None:
+            rate = eta * dt / mass[i]
+            share = 1.0 / (1.0 + (1.0 - lag) * rate)
+            kept = plus(NOWHERE, share * (1.0 - lag * rate), old)
+            new = plus(kept, share * dt / mass[i], push)
+            drag = plus(plus(NOWHERE, eta * lag, old), eta * (1.0 - lag), new)
+            behind += dot(drag, old)
+            ahead += dot(drag, new)
+        else:
+            new = plus(old, dt / mass[i], push)
+        put(before, i, old)
+        put(v, i, new)
+        kinetic += 0.5 * mass[i] * dot(old, new)
+    return kinetic, behind, ahead

@@ -1,0 +1,77 @@
+"""Compiles the kernels, once per machine: options, and a disk cache named by their sources."""
+
+from __future__ import annotations
+
+import hashlib
+import os
+import tempfile
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any, TypeVar
+
+import numba
+
+Kernel = TypeVar("Kernel", bound=Callable[..., object])
+HERE = Path(__file__).parent
+ROUNDING: dict[str, Any] = {"error_model": "numpy", "fastmath": {"contract"}}
+
+
+def compiled(function: Kernel) -> Kernel:
+    """The function compiled for each combination of argument types it meets, and kept on disk.
+
+    An argument that is None is known to the compiler: branches it rules out are not compiled.
+    Rounding is that of the source but for `contract`, which lets a product and a sum fuse.
+    """
+    config: Any = numba.config
+    before = config.CACHE_DIR
+    config.CACHE_DIR = str(cache_folder(HERE))  # numba reads it once, as it wraps a function
+    try:
+        kernel: Kernel = numba.njit(cache=True, **ROUNDING)(function)
+    finally:
+        config.CACHE_DIR = before
+    return kernel
+
+
+def inlined(function: Kernel) -> Kernel:
+    """A function for kernels to call: it becomes part of them and has no entry from Python.
+
+    A call would pass each array as seven words, which costs more than most of these compute.
+    """
+    options: dict[str, Any] = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True}
+    part: Kernel = numba.njit(forceinline=True, **options, **ROUNDING)(function)
+    return part
+
+
+def cache_folder(sources: Path) -> Path:
+    """Where the kernels of a source folder are cached: a folder of their own per content.
+
+    numba checks only the file a kernel is in, not those of the functions it calls, and would go
+    on using what was compiled before one of these was edited.
+    """
+    sha = hashlib.sha256()
+    for path in sorted(sources.glob("*.py")):
+        sha.update(path.name.encode() + b"\0" + path.read_bytes() + b"\0")
+    return _writable_root() / "numba" / sha.hexdigest()[:16]
+
+
+def _writable_root() -> Path:
+    """The first place that can be written to; raises OSError if there is none."""
+    for root in _roots():
+        try:
+            root.mkdir(parents=True, exist_ok=True)
+        except OSError:
+            continue
+        if os.access(root, os.W_OK):
+            return root
+    raise OSError("no folder for compiled kernels can be written to; set VV_CACHE to one")
+
+
+def _roots() -> Iterator[Path]:
+    """VV_CACHE, `.vv` of the checkout we are in, the user's cache, the temporary folder."""
+    if chosen := os.environ.get("VV_CACHE"):
+        yield Path(chosen)
+    checkout = HERE.parents[1]
+    if (checkout / "pyproject.toml").is_file():
+        yield checkout / ".vv"
+    yield Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "vv"
+    yield Path(tempfile.gettempdir()) / "vv"

@@ -1,0 +1,165 @@
+"""The contact law, inlined into kernels: springs that turn with the contact, Coulomb friction."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import numpy.typing as npt
+
+from vv.dem.compiled import inlined
+from vv.dem.friction import share_closed, sheared
+from vv.dem.triples import NOWHERE, Triple, at, cross, dot, plus, put
+from vv.scene import Vector
+
+Index = npt.NDArray[np.intp]
+Pairs = tuple[Index, Vector, Vector, Vector]
+Walls = tuple[Index, Vector, Vector, Vector]
+
+
+@inlined
+def last_step(
+    d: Triple, length: float, relative: Triple, dt: float
+) -> tuple[Triple, Triple, float]:
+    """How a pair came to the offset d [m] in a step: normals before and midway, gap opened [m]."""
+    back = plus(d, -dt, relative)
+    length_back = math.sqrt(dot(back, back))
+    n_before = plus(NOWHERE, 1.0 / length_back, back)
+    both = plus(n_before, 1.0 / length, d)
+    opened = dt * dot(relative, plus(d, 1.0, back)) / (length + length_back)
+    return n_before, plus(NOWHERE, 1.0 / math.sqrt(dot(both, both)), both), opened
+
+
+@inlined
+def pair_forces(
+    push: Vector,
+    turn: Vector | None,
+    u: Vector,
+    v: Vector,
+    v_before: Vector,
+    w: Vector | None,
+    w_before: Vector | None,
+    dt: float,
+    pairs: Pairs,
+    kn: float,
+    friction: tuple[float, float] | None,
+    shear: Vector,
+) -> Triple:
+    """Add the forces of pairs of spheres; return energies [J]: normal, shear, lost by friction.
+
+    push, turn, u: (rows, 3) forces, torques, displacements; v, w: mean velocities and spins of
+    the step that ended, v_before, w_before: of the one before it. pairs: rows (p, 2); offset
+    (p, 3) from the first centre to the second and gap (p,) at t = 0; radii (p, 2). friction: ks
+    [N/m] and mu. shear: (p, 3) force on the second sphere, kept from step to step. A gap is that
+    at t = 0 and a change free of cancellation, so that it is as accurate as the displacements.
+    """
+    rows, offset, gap, radius = pairs
+    normal = sprung = lost = 0.0
+    for p in range(len(rows)):
+        i, j = rows[p, 0], rows[p, 1]
+        start = at(offset, p)
+        moved = plus(at(u, j), -1.0, at(u, i))
+        d = plus(start, 1.0, moved)
+        length = math.sqrt(dot(d, d))
+        length_start = gap[p] + radius[p, 0] + radius[p, 1]
+        overlap = -gap[p] - dot(moved, plus(start, 1.0, d)) / (length_start + length)
+        if overlap <= 0.0:
+            if friction is not None:
+                put(shear, p, NOWHERE)
+            continue
+        n = plus(NOWHERE, 1.0 / length, d)
+        force = plus(NOWHERE, kn * overlap, n)
+        normal += 0.5 * kn * overlap * overlap
+        if friction is not None:
+            ks, mu = friction
+            relative = plus(at(v, j), -1.0, at(v, i))
+            changed = plus(relative, -1.0, plus(at(v_before, j), -1.0, at(v_before, i)))
+            n_before, m, opened = last_step(d, length, relative, dt)
+            if w is not None and w_before is not None:
+                # the contact point lies in the middle of the overlap, at the middle of the step
+                inside = 0.5 * (overlap + 0.5 * opened)
+                first, second = radius[p, 0] - inside, radius[p, 1] - inside
+                rolled = plus(plus(NOWHERE, first, at(w, i)), second, at(w, j))
+                before = plus(plus(NOWHERE, first, at(w_before, i)), second, at(w_before, j))
+                relative = plus(relative, -1.0, cross(rolled, m))
+                changed = plus(changed, -1.0, cross(plus(rolled, -1.0, before), m))
+                twist = 0.5 * dt * dot(plus(at(w, i), 1.0, at(w, j)), m)
+            else:
+                twist = None
+            share = dt * share_closed(overlap, opened)
+            slide = plus(NOWHERE, share, plus(relative, -dot(m, relative), m))
+            change = plus(NOWHERE, share, plus(changed, -dot(m, changed), m))
+            caps = mu * kn * (overlap + opened), mu * kn * overlap
+            tangential, cut = sheared(at(shear, p), n, n_before, twist, slide, change, ks, caps)
+            lost += cut
+            sprung += 0.5 * dot(tangential, tangential) / ks
+            put(shear, p, tangential)
+            force = plus(force, 1.0, tangential)
+            if turn is not None:
+                torque = cross(tangential, n)
+                put(turn, i, plus(at(turn, i), radius[p, 0] - 0.5 * overlap, torque))
+                put(turn, j, plus(at(turn, j), radius[p, 1] - 0.5 * overlap, torque))
+        put(push, i, plus(at(push, i), -1.0, force))
+        put(push, j, plus(at(push, j), 1.0, force))
+    return normal, sprung, lost
+
+
+@inlined
+def wall_forces(
+    push: Vector,
+    turn: Vector | None,
+    u: Vector,
+    v: Vector,
+    v_before: Vector,
+    w: Vector | None,
+    w_before: Vector | None,
+    dt: float,
+    walls: Walls,
+    kn: float,
+    friction: tuple[float, float] | None,
+    shear: Vector,
+) -> Triple:
+    """Add the forces of walls on spheres; return energies [J]: normal, shear, lost by friction.
+
+    walls: rows (q,) of the spheres; outward normals (q, 3); gap (q,) at t = 0; radii (q,).
+    shear: (q, 3) force on the sphere. All else is as in `pair_forces`.
+    """
+    rows, facing, gap, radius = walls
+    normal = sprung = lost = 0.0
+    for q in range(len(rows)):
+        i = rows[q]
+        n = at(facing, q)
+        overlap = -gap[q] - dot(n, at(u, i))
+        if overlap <= 0.0:
+            if friction is not None:
+                put(shear, q, NOWHERE)
+            continue
+        force = plus(NOWHERE, kn * overlap, n)
+        normal += 0.5 * kn * overlap * overlap
+        if friction is not None:
+            ks, mu = friction
+            relative = at(v, i)
+            changed = plus(relative, -1.0, at(v_before, i))
+            opened = dt * dot(n, relative)
+            if w is not None and w_before is not None:
+                arm = 0.5 * (overlap + 0.5 * opened) - radius[q]
+                spun = plus(at(w, i), -1.0, at(w_before, i))
+                relative = plus(relative, arm, cross(at(w, i), n))
+                changed = plus(changed, arm, cross(spun, n))
+                twist = 0.5 * dt * dot(at(w, i), n)
+            else:
+                twist = None
+            share = dt * share_closed(overlap, opened)
+            slide = plus(NOWHERE, share, plus(relative, -dot(n, relative), n))
+            change = plus(NOWHERE, share, plus(changed, -dot(n, changed), n))
+            caps = mu * kn * (overlap + opened), mu * kn * overlap
+            tangential, cut = sheared(at(shear, q), n, n, twist, slide, change, ks, caps)
+            lost += cut
+            sprung += 0.5 * dot(tangential, tangential) / ks
+            put(shear, q, tangential)
+            force = plus(force, 1.0, tangential)
+            if turn is not None:
+                arm = radius[q] - 0.5 * overlap
+                put(turn, i, plus(at(turn, i), arm, cross(tangential, n)))
+        put(push, i, plus(at(push, i), 1.0, force))
+    return normal, sprung, lost

@@ -1,0 +1,85 @@
+"""The shear spring of a contact and its Coulomb cap, inlined into kernels."""
+
+from __future__ import annotations
+
+import math
+
+from vv.dem.compiled import inlined
+from vv.dem.triples import NOWHERE, Triple, cross, dot, plus
+
+
+@inlined
+def share_closed(overlap: float, opened: float) -> float:
+    """The share of a step in which a contact was closed that has an overlap [m] at its end.
+
+    Only then is the shear spring charged: a whole step would make the force first order in dt.
+    """
+    return 1.0 if overlap + opened >= 0.0 else -overlap / opened
+
+
+@inlined
+def sheared(
+    spring: Triple,
+    n: Triple,
+    n_before: Triple,
+    twist: float | None,
+    slide: Triple,
+    change: Triple,
+    ks: float,
+    caps: tuple[float, float],
+) -> tuple[Triple, float]:
+    """The shear force [N] after a step, and the energy [J] that friction took in it.
+
+    The old force turns with the contact plane from n_before to n and by `twist` [rad] about n,
+    both exactly. Then it grows by -ks times the slide [m] in the plane, up to the cap mu Fn [N]
+    (Li 2018, Eqs. 5-8, with the sign that Eq. 8 leaves out); caps: before and after the step.
+    change: slide less that of the step before. The energy is the slip, which is the slide
+    without its elastic part, times the mean of the old and the new force.
+    """
+    old = plus(spring, -dot(n, spring) / (1.0 + dot(n, n_before)), plus(n, 1.0, n_before))
+    if twist is not None:
+        square = 0.25 * twist * twist
+        cosine, sine = (1.0 - square) / (1.0 + square), twist / (1.0 + square)
+        old = plus(plus(NOWHERE, cosine, old), sine, cross(n, old))
+        slide = plus(slide, 0.5 * twist, cross(n, slide))  # the spring turns as it is charged
+    slide = plus(slide, -dot(n, slide), n)
+    trial = plus(old, -ks, slide)
+    if dot(trial, trial) <= caps[1] * caps[1]:
+        return trial, 0.0
+    pull = slipping(old, trial, slide, change, ks, caps)
+    new = plus(NOWHERE, caps[1] / math.sqrt(dot(pull, pull)), pull)
+    slip = plus(slide, 1.0 / ks, plus(new, -1.0, old))
+    return new, -0.5 * dot(plus(old, 1.0, new), slip)
+
+
+@inlined
+def slipping(
+    old: Triple,
+    trial: Triple,
+    slide: Triple,
+    change: Triple,
+    ks: float,
+    caps: tuple[float, float],
+) -> Triple:
+    """A vector along the force of a slipping contact after a step.
+
+    A contact that slips turns its force: with the angle t between the force and minus the rate
+    of slide s, t' = -(ks |s|/cap) sin t, so that tan(t/2) falls by E = exp(-x) in a step with
+    x = ks |s| dt/cap. The trial force obeys this to first order only. Exact for a steady
+    direction d = -s/|s| is the direction of 2 E f + (1 - E^2 + cos t (1 - E)^2) d, f = F/|F|
+    (Krieg and Krieg 1977, for plasticity). Where s turns, d is taken at the moment that has the
+    effect of the whole step: between its middle, for small x, and its end, for large x.
+    """
+    moved = dot(slide, slide)
+    if moved == 0.0 or dot(old, trial) <= 0.0:
+        return trial
+    x = 2.0 * ks * math.sqrt(moved) / (caps[0] + caps[1])
+    across = plus(change, -dot(change, slide) / moved, slide)
+    aim = plus(slide, x / (12.0 + 2.0 * x), across)
+    longer, size = math.sqrt(dot(aim, aim)), math.sqrt(dot(old, old))
+    cosine = -dot(old, aim) / (longer * size)
+    fading = math.exp(-x)
+    # a force that has not reached the cap yet counts for less than one that turns at the cap
+    kept = 2.0 * fading / (caps[0] if cosine > 0.0 else size)
+    gained = 1.0 - fading * fading + cosine * (1.0 - fading) ** 2
+    return plus(plus(NOWHERE, kept, old), -gained / longer, aim)

@@ -1,0 +1,105 @@
+"""The compiled kernel for one unknown: a sphere on a line, against a partner or along a wall."""
+
+from __future__ import annotations
+
+from vv.dem.compiled import compiled
+from vv.dem.limits import BLOW_UP, GAIN
+from vv.scene import Vector
+
+
+@compiled
+def move_on_line(  # noqa: PLR0912, PLR0915 - a branch per term, decided by the compiler
+    path: Vector,
+    energy: Vector,
+    stride: int,
+    dt: float,
+    velocity: Vector,
+    mass: float,
+    force: float | None,
+    normal: tuple[float, float] | None,
+    friction: tuple[float, float] | None,
+    eta: float | None,
+    lag: float,
+    back: float,
+) -> int:
+    """Step m q'' = force + kn max(-(gap + q), 0) + Fs - eta q' by the leapfrog; return rows filled.
+
+    velocity: (1,) [m/s] at t = 0; mass [kg]; force [N]; normal: kn [N/m] and the gap [m] at
+    t = 0; friction: ks [N/m] and cap [N] of Fs' = -ks q', |Fs| <= cap. An absent term is None.
+    The drag acts on lag v- + (1 - lag) v+: 1/2 the midpoint, 1 the previous mean velocity.
+    back: how many dt before t = 0 the velocity is first placed.
+
+    Every `stride` steps a row is written: path (k, 2): q [m], mean of v- and v+ [m/s];
+    energy (k, 6) [J]: m v- v+/2, normal spring, shear spring, lost by friction, lost by drag,
+    and a bound on what closings and openings of the contact have changed. Stops before a row
+    in which energy has been created (vv.dem.limits).
+    """
+    q = shear = slipped = dragged = ahead = kinks = overlap = load = done = 0.0
+    start = velocity[0]
+    kick, decay, slow = dt / mass, 1.0, 0.0
+    if force is not None:
+        load = force
+    if normal is not None:
+        kn, gap = normal
+        overlap = -gap
+        load += kn * max(overlap, 0.0)
+    if eta is not None:
+        slow = eta * start
+        rate = eta * dt / mass
+        kick = kick / (1.0 + (1.0 - lag) * rate)
+        decay = (1.0 - lag * rate) / (1.0 + (1.0 - lag) * rate)
+    if friction is not None:
+        ks, cap = friction
+    before = start - back * dt / mass * (load - slow)
+    after = decay * before + kick * load
+    if eta is not None:
+        ahead = eta * (lag * before + (1.0 - lag) * after) * after
+    put_in = 0.5 * mass * start * start
+    if normal is not None:
+        put_in += 0.5 * kn * max(overlap, 0.0) ** 2
+
+    for row in range(len(path)):
+        for _ in range(stride if row else 0):
+            q += dt * after
+            load = 0.0
+            if force is not None:
+                load = force
+            if normal is not None:
+                was_open = overlap <= 0.0
+                overlap = -(gap + q)
+                load += kn * max(overlap, 0.0)
+                if was_open != (overlap <= 0.0):
+                    kinks += after * after
+            if friction is not None:
+                trial = shear - ks * dt * after
+                capped = min(max(trial, -cap), cap)
+                slipped += (trial - capped) * (shear + capped)
+                shear = capped
+                load += shear
+            before = after
+            after = decay * before + kick * load
+            if eta is not None:
+                drag = eta * (lag * before + (1.0 - lag) * after)
+                dragged += ahead + drag * before
+                ahead = drag * after
+
+        path[row, 0] = q
+        path[row, 1] = 0.5 * (before + after)
+        energy[row, 0] = 0.5 * mass * before * after
+        for column in range(1, 6):
+            energy[row, column] = 0.0
+        if normal is not None:
+            energy[row, 1] = 0.5 * kn * max(overlap, 0.0) ** 2
+            energy[row, 5] = 0.125 * kn * dt * dt * kinks
+        if friction is not None:
+            energy[row, 2] = 0.5 * shear * shear / ks
+            energy[row, 3] = 0.5 * slipped / ks
+        if eta is not None:
+            energy[row, 4] = 0.5 * dt * dragged
+        if force is not None:
+            done = max(done, force * q)
+        held = energy[row, 0] + energy[row, 1] + energy[row, 2]
+        fast = 0.5 * mass * after * after
+        if not (held <= GAIN * (put_in + done) and fast <= BLOW_UP * (put_in + done)):
+            return row
+    return len(path)

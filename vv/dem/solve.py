@@ -1,0 +1,167 @@
+"""Turns an ask into a program for a compiled kernel, and what the kernel wrote into a Run."""
+
+from __future__ import annotations
+
+import functools
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from vv.ask import Ask, Ledger, Model, Run, Status
+from vv.dem.leapfrog import Leapfrog
+from vv.dem.limits import BLOW_UP, GAIN
+from vv.dem.line import Line, line
+from vv.dem.space import Space, space
+from vv.dem.stability import critical_step
+from vv.scene import Scene, Vector
+
+LEDGER = (
+    "kinetic",
+    "normal elastic",
+    "shear elastic",
+    "friction dissipation",
+    "drag dissipation",
+    "gravity potential",
+    "load potential",
+)
+EPS = float(np.finfo(float).eps)
+ROUNDINGS = 16  # of the peak energy, allowed for each step
+LOCKED = 1e-12  # part of a speed below which its component in a locked direction is rounding
+
+
+@dataclass(frozen=True, eq=False)
+class Program:
+    """An ask ready to be solved as often as wanted. system: the smallest model of its scene."""
+
+    ask: Ask
+    leapfrog: Leapfrog
+    system: Line | Space
+
+    @property
+    def model(self) -> Model:
+        """What was built; unknowns are counted in the arrays that the kernel is given."""
+        unknowns = sum(array.size for array in self.system.unknowns)
+        limit = critical_step(self.ask.scene, self.leapfrog)
+        words = f"{self.system.words}; largest stable dt {limit:.4g} s"
+        return Model(unknowns, self.system.terms, words)
+
+    @functools.cached_property
+    def arguments(self) -> tuple[Any, ...]:
+        """What the kernel is called with: outputs, stride, dt, the scene, the leapfrog."""
+        goal, dt = self.ask.goal, self.dt
+        outputs = self.system.outputs(len(goal.times(dt)), self.spheres)
+        leapfrog = (self.leapfrog.lag, self.leapfrog.back)
+        return (*outputs, goal.stride(dt), dt, *self.system.state, *leapfrog)
+
+    @functools.cached_property
+    def spheres(self) -> tuple[int, ...]:
+        """The spheres observed; raises ValueError for a body that is none."""
+        return tuple(self.ask.scene.sphere_index(what.body) for what in self.ask.observables)
+
+    @property
+    def dt(self) -> float:
+        """The step [s]; raises ValueError if the ask has none."""
+        if self.ask.knobs.dt is None:
+            raise ValueError("Knobs.dt is None; an explicit scheme needs a step")
+        return self.ask.knobs.dt
+
+    def warm(self) -> None:
+        """Load or compile the kernel for these arguments; no step is taken."""
+        path, energy, *rest = self.arguments
+        self.system.kernel()(path[:1], energy[:1], *rest)
+
+    def solve(self) -> int:
+        """Run the kernel over all steps; returns how many rows of the outputs are good."""
+        return self.system.kernel()(*self.arguments)
+
+    def run(self, rows: int) -> Run:
+        """The Run of a solve that returned `rows`; its cost is left empty."""
+        goal, dt = self.ask.goal, self.dt
+        path, energy = self.arguments[:2]
+        whole = rows == len(path)
+        values = {
+            what: self.system.observed(path[:rows], index, sphere, what)
+            for index, (what, sphere) in enumerate(
+                zip(self.ask.observables, self.spheres, strict=True)
+            )
+        }
+        return Run(
+            status=Status.RAN if whole else Status.DIVERGED,
+            reason="" if whole else self._why(energy, rows),
+            times=goal.times(dt)[:rows],
+            values=values,
+            steps=goal.stride(dt) * (rows - 1 if whole else rows),
+            model=self.model,
+            ledger=self._ledger(path, energy) if whole else None,
+        )
+
+    def _why(self, energy: Vector, row: int) -> str:
+        step = row * self.ask.goal.stride(self.dt)
+        when = f"by step {step}, t = {step * self.dt:.6g} s"
+        held, put_in = energy[row, :3].sum(), self.system.put_in(energy)
+        if not np.isfinite(held):
+            return f"{when}: the state is not finite"
+        return (
+            f"{when}: energy {held:.4g} J of motion and springs from {put_in:.4g} J at the start; "
+            f"the bounds are {GAIN:g} times all that was put in, {BLOW_UP:g} times for m v+^2/2"
+        )
+
+    def _ledger(self, path: Vector, energy: Vector) -> Ledger:
+        terms = self.system.held(path, energy)
+        put_in = self.system.put_in(energy)
+        peak = max(put_in, float(terms[:, :3].sum(axis=1).max()))
+        bound = self.system.bound(energy, self.leapfrog, self.dt)
+        if bound is not None:
+            bound += ROUNDINGS * EPS * (self.ask.goal.steps(self.dt) + 1) * peak
+        return Ledger(
+            terms=dict(zip(LEDGER, terms[-1].tolist(), strict=True)),
+            unaccounted=float(np.abs(terms.sum(axis=1) - put_in).max()),
+            peak=peak,
+            bound=bound,
+        )
+
+
+def prepare(ask: Ask, leapfrog: Leapfrog) -> Program:
+    """The program of an ask, with the smallest model its scene allows."""
+    return Program(ask, leapfrog, line(ask.scene) or space(ask.scene))
+
+
+def solve(ask: Ask, leapfrog: Leapfrog) -> Run:
+    """Solve an ask once; refused if `refuses` says why."""
+    reason = refuses(ask)
+    if reason is not None:
+        return Run(Status.REFUSED, reason)
+    program = prepare(ask, leapfrog)
+    return program.run(program.solve())
+
+
+def refuses(ask: Ask) -> str | None:
+    """Why an ask cannot be run honestly; else None."""
+    dt, goal = ask.knobs.dt, ask.goal
+    if dt is None:
+        return "Knobs.dt is None; an explicit scheme needs a step"
+    if goal.steps(dt) == 0:
+        return f"dt = {dt!r} s leaves no step in History.duration = {goal.duration!r} s"
+    return _moves_where_locked(ask.scene) or _coincident(ask.scene)
+
+
+def _moves_where_locked(scene: Scene) -> str | None:
+    spheres = scene.spheres
+    for name, free in (("velocity", spheres.free), ("spin", spheres.free_spin)):
+        parts = getattr(spheres, name) @ scene.axes.T
+        size = np.abs(parts).max(axis=1, keepdims=True)
+        for i, axis in np.argwhere(~free & (np.abs(parts) > LOCKED * size))[:1]:
+            along = f"{parts[i, axis]:.6g} along a locked axis"
+            return f"Spheres.{name}[{i}] has {along}; a locked body must be at rest there"
+    return None
+
+
+def _coincident(scene: Scene) -> str | None:
+    position = scene.spheres.position
+    i, j = np.triu_indices(len(position), 1)
+    same = np.flatnonzero(~(position[i] - position[j]).any(axis=1))
+    if len(same):
+        first, second = i[same[0]], j[same[0]]
+        return f"spheres {first} and {second} have one centre; a contact needs a normal"
+    return None

@@ -1,0 +1,166 @@
+"""Builds the general model: spheres that move and turn in space, with all their contacts."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+from vv.ask import Displacement, Observable
+from vv.dem.leapfrog import Leapfrog
+from vv.scene import Mask, Scene, Term, Vector
+
+Index = npt.NDArray[np.intp]
+Contacts = tuple[Index, Vector, Vector, Vector]
+
+
+class SpaceState(NamedTuple):
+    """What `move_in_space` receives about the scene, in its order, shapes and units."""
+
+    velocity: Vector
+    spin: Vector | None
+    mass: Vector
+    inertia: Vector
+    gravity: tuple[float, float, float] | None
+    load: Vector | None
+    hold: Vector | None
+    hold_spin: Vector | None
+    pairs: Contacts | None
+    walls: Contacts | None
+    kn: float
+    friction: tuple[float, float] | None
+    eta: float | None
+
+
+@dataclass(frozen=True, eq=False)
+class Space:
+    """The spheres that can move, in rows 0 to m - 1; row[sphere] is m for those that cannot."""
+
+    row: Index
+    state: SpaceState
+    terms: frozenset[Term]
+    words: str
+
+    @property
+    def unknowns(self) -> tuple[Vector, ...]:
+        """The arrays that hold a number per unknown; locked components are carried along."""
+        spin = self.state.spin
+        return (self.state.velocity,) if spin is None else (self.state.velocity, spin)
+
+    def outputs(self, rows: int, spheres: tuple[int, ...]) -> tuple[Vector | Index, ...]:
+        """What the kernel fills, path and energy, and the rows it watches."""
+        watched = self.row[np.array(spheres, np.intp)]
+        width = 3 + 3 * len(self.unknowns)
+        return np.empty((rows, len(watched), width)), np.empty((rows, 7)), watched
+
+    def kernel(self) -> Callable[..., int]:
+        """The compiled kernel; the first call imports numba."""
+        from vv.dem.space_kernel import move_in_space
+
+        return move_in_space
+
+    def observed(self, path: Vector, index: int, sphere: int, what: Observable) -> Vector:
+        """An observable (k, 3) of a sphere, which was the index-th one watched."""
+        first = 0 if isinstance(what, Displacement) else 3
+        return np.array(path[:, index, first : first + 3])
+
+    def held(self, path: Vector, energy: Vector) -> Vector:
+        """The ledger's terms [J], (k, 7)."""
+        signs = np.array([1.0, 1.0, 1.0, 1.0, 1.0, -1.0, -1.0])
+        return np.asarray(energy * signs + 0.0)
+
+    def put_in(self, energy: Vector) -> float:
+        """Kinetic and elastic energy [J] at t = 0."""
+        s = self.state
+        kinetic = 0.5 * float(s.mass @ (s.velocity**2).sum(axis=1))
+        if s.spin is not None:
+            kinetic += 0.5 * float(s.inertia @ (s.spin**2).sum(axis=1))
+        return kinetic + float(energy[0, 1])
+
+    def bound(self, energy: Vector, leapfrog: Leapfrog, dt: float) -> float | None:
+        """None: where contacts turn, the energy is near one conserved but no bound is known."""
+        return None
+
+
+def space(scene: Scene) -> Space:
+    """The general model, without what the scene does not have.
+
+    Rotation is left out where no friction can change it: no observable shows it.
+    """
+    spheres, contact = scene.spheres, scene.contact
+    moves: Mask = np.any([spheres.free.any(axis=1), spheres.free_spin.any(axis=1)], axis=0)
+    row = np.where(moves, np.cumsum(moves) - 1, moves.sum())
+    pairs, walls = _pairs(scene, moves, row), _walls(scene, moves, row)
+    rubs = Term.FRICTION in scene.terms() and (pairs is not None or walls is not None)
+    turns = rubs and Term.ROTATION in scene.terms()
+    load = spheres.load[moves]
+    state = SpaceState(
+        velocity=_projected(spheres.velocity[moves], scene.axes, spheres.free[moves]),
+        spin=_projected(spheres.spin[moves], scene.axes, spheres.free_spin[moves])
+        if turns
+        else None,
+        mass=spheres.mass[moves],
+        inertia=spheres.inertia[moves],
+        gravity=_triple(scene.gravity) if scene.gravity.any() else None,
+        load=load if load.any() else None,
+        hold=_projectors(scene.axes, spheres.free[moves]),
+        hold_spin=_projectors(scene.axes, spheres.free_spin[moves]) if turns else None,
+        pairs=pairs,
+        walls=walls,
+        kn=contact.kn,
+        friction=(contact.ks, contact.mu) if rubs else None,
+        eta=scene.eta if scene.eta > 0 else None,
+    )
+    left_out = {
+        Term.SPHERE_CONTACT: pairs is None,
+        Term.WALL_CONTACT: walls is None,
+        Term.FRICTION: not rubs,
+        Term.ROTATION: not turns,
+    }
+    terms = frozenset(term for term in scene.terms() if not left_out.get(term, False))
+    count = len(state.velocity)
+    words = f"{3 * count * (2 if turns else 1)} unknowns: {count} moving spheres"
+    return Space(row, state, terms, words + (" that turn" if turns else ""))
+
+
+def _triple(vector: Vector) -> tuple[float, float, float]:
+    return float(vector[0]), float(vector[1]), float(vector[2])
+
+
+def _pairs(scene: Scene, moves: Mask, row: Index) -> Contacts | None:
+    """All pairs of which one moves: rows, first offset, first gap, radii."""
+    spheres = scene.spheres
+    i, j = np.triu_indices(len(spheres), 1)
+    kept = moves[i] | moves[j]
+    i, j = i[kept], j[kept]
+    if not len(i):
+        return None
+    offset = spheres.position[j] - spheres.position[i]
+    radii = np.stack([spheres.radius[i], spheres.radius[j]], axis=1)
+    gap = np.linalg.norm(offset, axis=1) - radii.sum(axis=1)
+    return np.stack([row[i], row[j]], axis=1), offset, gap, radii
+
+
+def _walls(scene: Scene, moves: Mask, row: Index) -> Contacts | None:
+    """Every moving sphere with every wall: row, normal, first gap, radius."""
+    spheres = scene.spheres
+    if not scene.walls or not moves.any():
+        return None
+    position, radius, count = spheres.position[moves], spheres.radius[moves], len(scene.walls)
+    gaps = [(position - wall.point) @ wall.normal - radius for wall in scene.walls]
+    normals = np.repeat([wall.normal for wall in scene.walls], len(radius), axis=0)
+    return np.tile(row[moves], count), normals, np.concatenate(gaps), np.tile(radius, count)
+
+
+def _projectors(axes: Vector, free: Mask) -> Vector | None:
+    """(m, 3, 3) projectors on the free axes; None if all are free."""
+    return None if free.all() else np.einsum("ka,mk,kb->mab", axes, free.astype(float), axes)
+
+
+def _projected(vectors: Vector, axes: Vector, free: Mask) -> Vector:
+    """The parts (m, 3) of the vectors along the free axes, untouched where all are free."""
+    hold = _projectors(axes, free)
+    return np.array(vectors) if hold is None else np.einsum("mab,mb->ma", hold, vectors)

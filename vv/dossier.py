@@ -1,0 +1,53 @@
+"""What a case says of itself, as plain data for the report and for people."""
+
+from __future__ import annotations
+
+import dataclasses
+from typing import Any
+
+from vv.case import Case, Exact, Quantity, Trial, Variant
+from vv.plan import Plan
+
+
+def dossiers(plan: Plan) -> dict[str, Any]:
+    """Case name -> its prose, parameters, variants and quantities, for the variants planned."""
+    return {name: dossier(case, plan) for name, case in plan.cases.items()}
+
+
+def dossier(case: Case, plan: Plan) -> dict[str, Any]:
+    """One case as plain data."""
+    trials = {v: trial for (name, v), trial in plan.trials.items() if name == case.name}
+    return {
+        "title": case.title,
+        "source": dataclasses.asdict(case.source),
+        "published": dict(case.published),
+        "parameters": [dataclasses.asdict(parameter) for parameter in case.parameters],
+        "variants": {name: _variant(case.variant(name), trial) for name, trial in trials.items()},
+    }
+
+
+def _variant(variant: Variant, trial: Trial) -> dict[str, Any]:
+    scene = trial.study.scene
+    return {
+        "summary": variant.summary,
+        "formula": variant.formula,
+        "inert": sorted(variant.inert),
+        "terms": sorted(term.value for term in scene.terms()),
+        "unknowns": scene.unknowns(),
+        "quantities": [_quantity(quantity) for quantity in trial.quantities],
+    }
+
+
+def _quantity(quantity: Quantity) -> dict[str, Any]:
+    judge = quantity.judge
+    entry = {
+        "name": quantity.name,
+        "symbol": quantity.symbol,
+        "unit": getattr(quantity, "unit", ""),
+        "meaning": quantity.meaning,
+        "judge": type(judge).__name__.lower(),
+    }
+    if isinstance(judge, Exact):
+        tolerances = {m.value: dataclasses.asdict(t) for m, t in judge.tolerances.items()}
+        return {**entry, "norm": judge.norm.value, "tolerances": tolerances}
+    return {**entry, "reason": judge.reason}

@@ -1,0 +1,115 @@
+"""The energy of a path, each term integrated by itself, exactly for its polynomials."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import numpy.typing as npt
+
+from vv.ask import Ledger
+from vv.exact.modes import State
+from vv.exact.path import Path, taylor_sum
+from vv.exact.roots import EPS
+from vv.scene import Vector
+
+ROUNDINGS = 16  # of the largest energies, allowed for each piece
+
+
+def ledger(path: Path) -> Ledger:
+    """Energies at the end of a path; their sum is the energy at t = 0.
+
+    The potentials of gravity and of dead loads are zero at t = 0. The sum is formed at the end of
+    every piece; its bound is ROUNDINGS eps of the largest sum of moduli, for each piece.
+    """
+    system = path.system
+    q, rate = taylor_sum(path.series, path.end)
+    q, v = np.vstack((0 * q[:1], q)), np.vstack((system.velocity, rate / path.h[:, None]))
+    lengths = _lengths(path)
+    normal, shear = _springs(path, lengths)
+    terms = {
+        "kinetic": 0.5 * v**2 @ system.mass,
+        "normal elastic": normal,
+        "shear elastic": shear,
+        "friction dissipation": _running(_friction(path, lengths)),
+        "drag dissipation": _running(_drag(path)),
+        "gravity potential": -q @ system.weight,
+        "load potential": -q @ system.load,
+    }
+    held = np.array(list(terms.values()))
+    total = held.sum(axis=0)
+    pieces = len(path.start)
+    return Ledger(
+        terms={name: float(term[-1]) for name, term in terms.items()},
+        unaccounted=float(np.abs(total - total[0]).max()),
+        peak=float(held[:3].sum(axis=0).max()),
+        bound=ROUNDINGS * EPS * (pieces + 1) * float(np.abs(held).sum(axis=0).max()),
+    )
+
+
+def _lengths(path: Path) -> Vector:
+    """Gaps and spring stretches as polynomials, (p, order + 1, c + s) [m]."""
+    lengths = np.asarray(path.series @ path.system.rows.T)
+    lengths[:, 0] = path.lengths
+    return lengths
+
+
+def _springs(path: Path, lengths: Vector) -> tuple[Vector, Vector]:
+    """Elastic energies (p + 1,) [J] at t = 0 and at the end of each piece."""
+    system, count = path.system, len(path.system.gap)
+    at = np.concatenate((path.lengths[:1], taylor_sum(lengths, path.end)[0]))
+    closed = np.array([[state is not State.OPEN for state in row] for row in path.states])
+    closed, sign = _from_start(closed), _from_start(_signs(path))
+    overlap = np.where(closed, -at[:, :count], 0.0)
+    cap, own = system.ratio * overlap[:, list(system.springs)], closed[:, list(system.springs)]
+    stretch = np.where(sign == 0, np.where(own, at[:, count:], 0.0), sign * cap)
+    return 0.5 * system.kn * (overlap**2).sum(axis=1), 0.5 * system.ks * (stretch**2).sum(axis=1)
+
+
+def _from_start(rows: npt.NDArray[Any]) -> npt.NDArray[Any]:
+    """What holds in each piece, (p, ...), at t = 0 and at the end of each piece."""
+    return np.concatenate((rows[:1], rows))
+
+
+def _signs(path: Path) -> Vector:
+    """The direction of slip (p, s) of each shear spring in each piece, 0 without slip."""
+    own = path.system.springs
+    signs = [[states[c].sign for c in own] for states in path.states]
+    return np.array(signs, float).reshape(len(path.states), len(own))
+
+
+def _friction(path: Path, lengths: Vector) -> Vector:
+    """Work of slip (p,) [J]: the integral of mu kn U times the rate sigma x' - r U'."""
+    system, sign = path.system, _signs(path)
+    overlap = -lengths[:, :, list(system.springs)]
+    slip = sign[:, None] * lengths[:, :, len(system.gap) :] - system.ratio * overlap
+    work = _product_integral(path, overlap, _derivative(slip)) * (sign != 0)
+    return np.asarray(system.mu * system.kn * work.sum(axis=1))
+
+
+def _drag(path: Path) -> Vector:
+    """Work against drag (p,) [J]: the integral of eta v^2."""
+    rate = _derivative(path.series)
+    work = _product_integral(path, rate, rate) / path.h[:, None]
+    return np.asarray(path.system.eta * work.sum(axis=1))
+
+
+def _derivative(series: Vector) -> Vector:
+    """Polynomials (p, k, n) derived in their own time."""
+    derived = np.zeros_like(series)
+    derived[:, :-1] = series[:, 1:] * np.arange(1.0, series.shape[1])[:, None]
+    return derived
+
+
+def _product_integral(path: Path, a: Vector, b: Vector) -> Vector:
+    """Integrals (p, n) of a b from 0 to the end of each piece, in its own time."""
+    rank = np.arange(a.shape[1])
+    powers = path.end[:, None, None] ** rank[:, None]
+    hilbert = 1.0 / (rank[:, None] + rank + 1)
+    products = a * powers * (hilbert @ (b * powers))
+    return np.asarray(path.end[:, None] * products.sum(axis=1))
+
+
+def _running(work: Vector) -> Vector:
+    """The sum so far, (p + 1,), from zero."""
+    return np.concatenate(((0.0,), np.cumsum(work)))

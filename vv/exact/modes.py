@@ -1,0 +1,156 @@
+"""States of contacts, and what follows from them: stiffness, Taylor maps and guards."""
+
+from __future__ import annotations
+
+import enum
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from vv.exact.system import System
+from vv.scene import Vector
+
+ORDER = 28  # of the Taylor series, whose terms fall like 2^k/k!: the last is 1e-21 of the state
+
+
+class State(enum.Enum):
+    """What a contact does; STUCK is also the closed state of a contact without friction."""
+
+    OPEN = "open"
+    STUCK = "stuck"
+    SLIP_FORWARD = "slips forward"
+    SLIP_BACKWARD = "slips backward"
+
+    @property
+    def sign(self) -> int:
+        """The direction of slip along the contact's tangent, 0 without slip."""
+        return (self is State.SLIP_FORWARD) - (self is State.SLIP_BACKWARD)
+
+
+States = tuple[State, ...]
+
+
+@dataclass(frozen=True)
+class Guard:
+    """What a guard watches: the contact, and its state after; None if no state is left."""
+
+    contact: int
+    after: State | None
+
+
+@dataclass(frozen=True, eq=False)
+class Mode:
+    """The linear system that holds while all contacts keep their states.
+
+    lengths: (c + s,) gaps and spring stretches [m]. h: step [s]. The contacts push with
+    push @ lengths, (n, c + s) [N/m]. series: (ORDER n, 2n), from the first two Taylor
+    coefficients of the displacements to those of order 1 to ORDER. Guards are positive:
+    values @ lengths + offset, (g, c + s) and (g,), and rates @ (derivatives of the lengths),
+    (r, c + s); guards: what these g + r rows watch.
+    """
+
+    states: States
+    h: float
+    push: Vector
+    series: Vector
+    values: Vector
+    offset: Vector
+    rates: Vector
+    guards: tuple[Guard, ...]
+
+
+def make_mode(system: System, states: States, longest: float) -> Mode:
+    """The mode in which contacts are in these states; `longest` [s] bounds its step."""
+    push = _push(system, states)
+    h = min(_step(system, push), longest)
+    pull = h * h / system.mass[:, None] * (push @ system.rows)
+    series = _series(pull, h * system.eta / system.mass)
+    return Mode(states, h, push, series, *_guards(system, states))
+
+
+def quickest_step(system: System) -> float:
+    """The step [s] while all contacts stick, the stiffest state; infinite without contacts."""
+    return _step(system, _push(system, (State.STUCK,) * len(system.gap)))
+
+
+def _step(system: System, push: Vector) -> float:
+    """The h [s] at which |K/m| h^2/4 + (eta/m) h = 1 in the maximum norm, or infinity."""
+    stiffness = np.abs(push @ system.rows).sum(axis=1) / system.mass
+    drag = system.eta / float(system.mass.min())
+    rate = drag + math.sqrt(drag * drag + float(stiffness.max()))
+    return 2 / rate if rate > 0 else math.inf
+
+
+def _push(system: System, states: States) -> Vector:
+    """Forces on the unknowns per gap and per stretch: see Mode.
+
+    The normal force is kn U, the shear force ks s while stuck and sigma mu kn U in slip.
+    """
+    count = len(states)
+    push = np.zeros((len(system.mass), len(system.rows)))
+    for c, state in enumerate(states):
+        if state is not State.OPEN:
+            push[:, c] -= system.kn * system.normal[c]
+    for s, c in enumerate(system.springs):
+        if states[c] is State.STUCK:
+            push[:, count + s] -= system.ks * system.tangent[s]
+        else:
+            push[:, c] += states[c].sign * system.mu * system.kn * system.tangent[s]
+    return push
+
+
+def _series(pull: Vector, drag: Vector) -> Vector:
+    """Taylor maps of y'' = pull y - drag y' + constant, in the scaled time of a step.
+
+    The recurrence (k+1)(k+2) y[k+2] = pull y[k] - (k+1) drag y[k+1] holds from k = 1; the
+    constant is in y[2].
+    """
+    n = len(drag)
+    rows = np.zeros((ORDER, n, 2 * n))
+    rows[0, :, :n] = rows[1, :, n:] = np.eye(n)
+    last = ORDER - 1 if pull.any() or drag.any() else 1
+    for k in range(1, last):
+        turned = pull @ rows[k - 1] - (k + 1) * drag[:, None] * rows[k]
+        rows[k + 1] = turned / ((k + 1) * (k + 2))
+    return rows.reshape(ORDER * n, 2 * n)
+
+
+Row = tuple[Guard, dict[int, float], float]  # what it watches, its entries and its offset
+
+
+def _guards(system: System, states: States) -> tuple[Vector, Vector, Vector, tuple[Guard, ...]]:
+    """The guards of a mode, all in metres and positive while it holds: see Mode.
+
+    Open: the gap. Closed: the overlap U, and for two spheres the distance of their centres.
+    Stuck: r U - s and r U + s for a stretch s, r = mu kn/ks. Slip along sigma: the rate
+    sigma x' - r U' at which the contact slips, for a tangential travel x.
+    """
+    r = system.ratio
+    spring = {c: len(states) + s for s, c in enumerate(system.springs)}
+    values: list[Row] = []
+    rates: list[Row] = []
+    for c, state in enumerate(states):
+        if state is State.OPEN:
+            values.append((Guard(c, State.STUCK), {c: 1.0}, 0.0))
+            continue
+        values.append((Guard(c, State.OPEN), {c: -1.0}, 0.0))
+        if np.isfinite(system.depth[c]):
+            values.append((Guard(c, None), {c: 1.0}, float(system.depth[c])))
+        if c in spring and state is State.STUCK:
+            values.append((Guard(c, State.SLIP_FORWARD), {c: -r, spring[c]: -1.0}, 0.0))
+            values.append((Guard(c, State.SLIP_BACKWARD), {c: -r, spring[c]: 1.0}, 0.0))
+        elif c in spring:
+            rates.append((Guard(c, State.STUCK), {c: r, spring[c]: float(state.sign)}, 0.0))
+    width = len(states) + len(spring)
+    offset = np.array([row[2] for row in values])
+    guards = tuple(row[0] for row in (*values, *rates))
+    return _matrix(values, width), offset, _matrix(rates, width), guards
+
+
+def _matrix(rows: list[Row], width: int) -> Vector:
+    matrix = np.zeros((len(rows), width))
+    for line, (_, entries, _) in zip(matrix, rows, strict=True):
+        for column, value in entries.items():
+            line[column] = value
+    return matrix

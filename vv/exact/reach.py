@@ -1,0 +1,150 @@
+"""Finds what can move and touch in a scene, and refuses scenes whose normals turn.
+
+A body can only move in the space spanned by its velocity, the forces on it and the normals (with
+friction, the tangents) of the contacts it can make, all projected on its free directions. That
+space is usually smaller than the freedoms a scene leaves, and its dimension is what is solved.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+
+from vv.scene import Scene, Spheres, Vector
+
+EPS = float(np.finfo(float).eps)
+BLUR = 64 * EPS  # directions closer than this are the same: rounding of a rotation, with room
+LARGEST = 32  # spheres; matrices are dense and every pair is a candidate
+
+
+class RefusedError(Exception):
+    """A scene outside the engine's class; the message is the reason."""
+
+
+@dataclass(frozen=True, eq=False)
+class Touch:
+    """A contact that may be made: sphere `second` against sphere `first`, or a wall if None.
+
+    names: their body numbers. normal: (3,) unit, towards `second`. gap: at t = 0 [m], 0 when
+    within rounding of it. depth: the overlap at which the centres would meet [m]. blur: how
+    uncertain the normal is, from the rounding of the coordinates.
+    """
+
+    first: int | None
+    second: int
+    names: tuple[int, int]
+    normal: Vector
+    gap: float
+    depth: float
+    blur: float
+
+    @property
+    def spheres(self) -> tuple[int, ...]:
+        """The indices of the spheres in it."""
+        return (self.second,) if self.first is None else (self.first, self.second)
+
+
+def body_numbers(scene: Scene) -> tuple[list[int], list[int]]:
+    """The body numbers of the spheres and of the walls, in order."""
+    spheres: list[int] = []
+    walls: list[int] = []
+    for group in scene.bodies:
+        first = len(spheres) + len(walls)
+        kind = spheres if isinstance(group, Spheres) else walls
+        kind.extend(range(first, first + len(group)))
+    return spheres, walls
+
+
+def touches(scene: Scene) -> Iterator[Touch]:
+    """Every pair of bodies; gaps within rounding of zero are zero. Raises RefusedError."""
+    spheres = scene.spheres
+    sphere_names, wall_names = body_numbers(scene)
+    for j, (x, radius) in enumerate(zip(spheres.position, spheres.radius, strict=True)):
+        for wall, name in zip(scene.walls, wall_names, strict=True):
+            normal = wall.normal / math.sqrt(math.fsum(wall.normal**2))
+            gap = math.fsum((*(x * normal), *(-wall.point * normal), -radius))
+            size = np.abs(x).max() + np.abs(wall.point).max() + radius
+            names = (name, sphere_names[j])
+            yield Touch(None, j, names, normal, _snapped(gap, size), math.inf, BLUR)
+        for i in range(j):
+            offset = x - spheres.position[i]
+            distance = math.sqrt(math.fsum(offset**2))
+            reach = float(radius + spheres.radius[i])
+            names = (sphere_names[i], sphere_names[j])
+            size = np.abs(x).max() + np.abs(spheres.position[i]).max() + reach
+            if distance <= BLUR * size:
+                raise RefusedError(f"the centres of bodies {names[0]} and {names[1]} coincide")
+            blur = BLUR * (1 + float(size) / distance)
+            gap = _snapped(distance - reach, size)
+            yield Touch(i, j, names, offset / distance, gap, reach, blur)
+
+
+def _snapped(gap: float, size: float) -> float:
+    """Zero if the gap is within a few roundings of coordinates of this size [m]."""
+    return 0.0 if abs(gap) <= 8 * EPS * size else gap
+
+
+def reachable(scene: Scene, candidates: list[Touch]) -> list[Vector]:
+    """The orthonormal directions, (d, 3) for each sphere, in which it can come to move.
+
+    Where they fill all the freedoms of a sphere they are the scene's own axes.
+    """
+    spheres = scene.spheres
+    free = [scene.axes[mask] for mask in spheres.free]
+    spaces = [np.zeros((0, 3)) for _ in free]
+    weight = spheres.mass[:, None] * scene.gravity
+    for i, own in enumerate(free):
+        force = weight[i] + spheres.load[i]
+        size = np.linalg.norm(weight[i]) + np.linalg.norm(spheres.load[i])
+        spaces[i] = _grown(spaces[i], own, spheres.velocity[i], BLUR)
+        spaces[i] = _grown(spaces[i], own, force, BLUR, float(size))
+    rough = scene.contact.ks > 0 and scene.contact.mu > 0
+    grown = True
+    while grown:
+        before = sum(map(len, spaces))
+        for touch in candidates:
+            if can_close(touch, spaces):
+                for i in touch.spheres:
+                    spaces[i] = _grown(spaces[i], free[i], touch.normal, touch.blur)
+                    for tangent in tangents(touch, spaces) if rough else ():
+                        spaces[i] = _grown(spaces[i], free[i], tangent, touch.blur)
+        grown = sum(map(len, spaces)) > before
+    return [own if len(own) == len(s) else s for own, s in zip(free, spaces, strict=True)]
+
+
+def can_close(touch: Touch, spaces: list[Vector]) -> bool:
+    """Whether some motion in these spaces leaves, or brings, the bodies in contact."""
+    if touch.gap < 0:
+        return True
+    space = np.concatenate([spaces[i] for i in touch.spheres])
+    if touch.first is None:
+        return bool((np.abs(space @ touch.normal) > touch.blur).any())
+    basis = np.zeros((0, 3))
+    for direction in space:
+        basis = _grown(basis, np.eye(3), direction, touch.blur)
+    offset = (touch.depth + touch.gap) * touch.normal
+    missed = float(np.linalg.norm(offset - basis.T @ (basis @ offset)))
+    return missed < touch.depth * (1 - touch.blur)
+
+
+def tangents(touch: Touch, spaces: list[Vector]) -> Vector:
+    """The orthonormal directions, (d, 3), of the tangential motion in a contact."""
+    n = touch.normal
+    basis = np.zeros((0, 3))
+    for i in touch.spheres:
+        for direction in spaces[i]:
+            basis = _grown(basis, np.eye(3), direction - (direction @ n) * n, touch.blur, 1.0)
+    return basis
+
+
+def _grown(space: Vector, free: Vector, vector: Vector, blur: float, size: float = 0.0) -> Vector:
+    """The space with the free part of a vector added, unless that is within blur of it."""
+    size = size or math.sqrt(math.fsum(vector**2))
+    rest = free.T @ (free @ vector)
+    for _ in range(2):  # the second pass removes what rounding left of the first
+        rest = rest - space.T @ (space @ rest)
+    length = math.sqrt(math.fsum(rest**2))
+    return space if length <= blur * size else np.vstack((space, rest / length))

@@ -1,0 +1,161 @@
+"""Builds the equations of motion of a scene: the fewest unknowns, and contacts linear in them."""
+
+from __future__ import annotations
+
+import functools
+from dataclasses import dataclass
+
+import numpy as np
+import numpy.typing as npt
+
+from vv.ask import Model
+from vv.exact.reach import LARGEST, RefusedError, Touch, can_close, reachable, tangents, touches
+from vv.scene import Scene, Term, Vector
+
+
+@dataclass(frozen=True, eq=False)
+class System:
+    """M q'' = f - eta q' + contact forces, with n unknowns q, c contacts, s shear springs.
+
+    owner: (n,) sphere of each unknown; direction: (n, 3) along which it moves; mass: (n,) [kg];
+    eta [N s/m]; weight, load: (n,) [N]; velocity: (n,) at t = 0 [m/s].
+    Gaps are gap + normal @ q, (c,) + (c, n) [m]; tangential travel is tangent @ q, (s, n) [m].
+    depth: (c,) overlaps at which centres meet [m]; names: the bodies of each contact.
+    springs: the contact of each shear spring. kn, ks [N/m]; mu.
+    """
+
+    owner: npt.NDArray[np.intp]
+    direction: Vector
+    mass: Vector
+    eta: float
+    weight: Vector
+    load: Vector
+    velocity: Vector
+    gap: Vector
+    normal: Vector
+    tangent: Vector
+    depth: Vector
+    names: tuple[tuple[int, int], ...]
+    springs: tuple[int, ...]
+    kn: float
+    ks: float
+    mu: float
+
+    @functools.cached_property
+    def rows(self) -> Vector:
+        """Normal and tangential rows stacked, (c + s, n)."""
+        return np.vstack((self.normal, self.tangent))
+
+    @property
+    def ratio(self) -> float:
+        """The shear spring's greatest stretch over the overlap, mu kn/ks; 0 without springs."""
+        return self.mu * self.kn / self.ks if self.springs else 0.0
+
+
+def assemble(scene: Scene) -> System:
+    """The equations of motion of a scene; raises RefusedError if it is outside the class."""
+    _check(scene)
+    spheres, law = scene.spheres, scene.contact
+    candidates = list(touches(scene))
+    spaces = reachable(scene, candidates)
+    direction = np.concatenate(spaces)
+    if not len(direction):
+        raise RefusedError("nothing in the scene moves")
+    owner = np.repeat(np.arange(len(spheres)), [len(space) for space in spaces])
+    kept = [touch for touch in candidates if _matters(touch, spaces, law.ks * law.mu > 0)]
+    shearing = [_tangent(touch, spaces) if law.ks * law.mu > 0 else None for touch in kept]
+    springs = tuple(c for c, tangent in enumerate(shearing) if tangent is not None)
+    along = [t for t in shearing if t is not None]
+    return System(
+        owner=owner,
+        direction=direction,
+        mass=spheres.mass[owner],
+        eta=scene.eta,
+        weight=spheres.mass[owner] * (direction @ scene.gravity),
+        load=np.einsum("nk,nk->n", direction, spheres.load[owner]),
+        velocity=np.einsum("nk,nk->n", direction, spheres.velocity[owner]),
+        gap=np.array([touch.gap for touch in kept]),
+        normal=_rows(kept, [touch.normal for touch in kept], owner, direction),
+        tangent=_rows([kept[c] for c in springs], along, owner, direction),
+        depth=np.array([touch.depth for touch in kept]),
+        names=tuple(touch.names for touch in kept),
+        springs=springs,
+        kn=law.kn,
+        ks=law.ks,
+        mu=law.mu,
+    )
+
+
+def describe(scene: Scene, system: System) -> Model:
+    """What was built, read off the arrays of the system; the note names terms without effect."""
+    walls = np.isinf(system.depth)
+    acting = {
+        Term.SPHERE_CONTACT: not walls.all(),
+        Term.WALL_CONTACT: bool(walls.any()),
+        Term.FRICTION: len(system.tangent) > 0,
+        Term.GRAVITY: bool(system.weight.any()),
+        Term.LOAD: bool(system.load.any()),
+    }
+    inert = sorted(term.value for term in scene.terms() if not acting.get(term, True))
+    unknowns = len(system.direction)
+    note = (
+        f"{_counted(unknowns, 'displacement')} along fixed directions, out of "
+        f"{_counted(scene.unknowns(), 'freedom')}; {_counted(len(system.gap), 'contact')} with "
+        f"constant normals; {_counted(len(system.tangent), 'shear spring')}"
+    )
+    note += f"; without effect here: {', '.join(inert)}" if inert else ""
+    return Model(unknowns, scene.terms(), note)
+
+
+def _counted(number: int, noun: str) -> str:
+    return f"{number} {noun}{'' if number == 1 else 's'}"
+
+
+def _check(scene: Scene) -> None:
+    """Refuse what the equations do not hold: size, spin, and motion along locked directions."""
+    spheres = scene.spheres
+    if len(spheres) > LARGEST:
+        raise RefusedError(f"the scene has {len(spheres)} spheres; at most {LARGEST} are solved")
+    if spheres.free_spin.any() or spheres.spin.any():
+        raise RefusedError("spheres rotate in the scene; rotation is not modelled")
+    along = spheres.velocity @ scene.axes.T
+    speed = np.abs(spheres.velocity).max(axis=1, keepdims=True)
+    moving = (np.abs(along) > 1e-12 * speed) & ~spheres.free
+    for i in np.flatnonzero(moving.any(axis=1))[:1]:
+        raise RefusedError(f"sphere {i} has a velocity along a direction in which it is locked")
+
+
+def _matters(touch: Touch, spaces: list[Vector], rough: bool) -> bool:
+    """Whether a contact can act on the motion; raises RefusedError if its normal can turn."""
+    space = np.concatenate([spaces[i] for i in touch.spheres])
+    if not len(space) or not can_close(touch, spaces):
+        return False
+    across = tangents(touch, spaces)
+    if touch.first is None:
+        presses = (np.abs(space @ touch.normal) > touch.blur).any()
+        return bool(presses) or (rough and len(across) > 0)
+    if len(across):
+        raise RefusedError("the contact normal between bodies {} and {} turns".format(*touch.names))
+    return True
+
+
+def _tangent(touch: Touch, spaces: list[Vector]) -> Vector | None:
+    """The (3,) direction of shear in a contact, or None; raises RefusedError if it can turn."""
+    along = tangents(touch, spaces)
+    if len(along) > 1:
+        raise RefusedError("the slip between bodies {} and {} can turn".format(*touch.names))
+    return along[0] if len(along) else None
+
+
+def _rows(
+    kept: list[Touch], along: list[Vector], owner: npt.NDArray[np.intp], direction: Vector
+) -> Vector:
+    """How fast each contact opens along a given direction, per unknown: (contacts, n)."""
+    rows = np.zeros((len(kept), len(owner)))
+    for row, touch, vector in zip(rows, kept, along, strict=True):
+        part = direction @ vector
+        part[np.abs(part) <= touch.blur] = 0.0
+        row[owner == touch.second] = part[owner == touch.second]
+        if touch.first is not None:
+            row[owner == touch.first] = -part[owner == touch.first]
+    return rows

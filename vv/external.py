@@ -1,0 +1,124 @@
+"""Runs external programs: start one in a folder, say why it ended, and hold a batch together.
+
+Time limits belong to the runner, which kills the worker's process group; a program is therefore
+started in that same group.
+"""
+
+from __future__ import annotations
+
+import os
+import signal
+import subprocess
+import time
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from vv.ask import Run, Status
+
+POLL = 0.02  # s between two looks for a result; a look costs some 10 us
+FAREWELL = 2.0  # s that a program may take to end after its last answer
+
+
+@dataclass(frozen=True)
+class Program:
+    """A started program: its process, the file that takes its output, its start [s, monotonic]."""
+
+    process: subprocess.Popen[bytes]
+    log: Path
+    started: float
+
+
+def start(command: Sequence[str], folder: Path, extra: Mapping[str, str] | None = None) -> Program:
+    """Start a command in a folder, on one thread, with home and temporary folder there too.
+
+    Standard output and error go to a log file of its own in the folder, program-N.log. extra:
+    further environment variables. Raises OSError if the command cannot be started.
+    """
+    log = folder / f"program-{len(list(folder.glob('program-*.log')))}.log"
+    own = {"HOME": str(folder), "TMPDIR": str(folder), "OMP_NUM_THREADS": "1"}
+    with log.open("wb") as output:
+        started = time.monotonic()
+        process = subprocess.Popen(
+            command,
+            cwd=folder,
+            env={**os.environ, **own, **(extra or {})},
+            stdin=subprocess.DEVNULL,
+            stdout=output,
+            stderr=subprocess.STDOUT,
+        )
+    return Program(process, log, started)
+
+
+def stop(program: Program, patience: float = 0.0) -> None:
+    """Wait `patience` seconds for a program to end by itself, then end it."""
+    try:
+        program.process.wait(patience)
+    except subprocess.TimeoutExpired:
+        program.process.kill()
+        program.process.wait()
+
+
+def how_it_ended(program: Program, lines: int = 5) -> str:
+    """How an ended program ended, with the last lines of its log."""
+    code = program.process.returncode
+    ending = f"exit code {code}" if code >= 0 else f"signal {signal.Signals(-code).name}"
+    return f"{ending}; {last_lines(program.log, lines)}"
+
+
+def last_lines(log: Path, count: int) -> str:
+    """The last lines of a log that hold anything, joined, or a word that there are none."""
+    text = log.read_text(errors="replace") if log.exists() else ""
+    kept = [line.strip() for line in text.splitlines() if line.strip()][-count:]
+    return "last output: " + " | ".join(kept) if kept else "no output"
+
+
+Launch = Callable[[Sequence[int]], Program]
+Collect = Callable[[int, Program], Run | None]
+
+
+def run_batch(count: int, launch: Launch, collect: Collect) -> Iterator[Run]:
+    """Yield one Run per ask 0 .. count - 1, in order, from one program or, failing that, more.
+
+    launch(indices) starts a program that answers those asks in that order; collect(index,
+    program) is what it answered, None as long as there is no whole answer. Where a program
+    ends early its finished asks stand, the one in flight fails with the program's ending as
+    the reason, and the rest are rerun alone, one program each.
+    """
+    answered = 0
+    for run in _answers(range(count), launch, collect):
+        answered += 1
+        yield run
+    for index in range(answered, count):
+        yield from _answers([index], launch, collect)
+
+
+def _answers(indices: Sequence[int], launch: Launch, collect: Collect) -> Iterator[Run]:
+    """Yield what one program answers, and a failure for the ask during which it ended."""
+    if not indices:
+        return
+    try:
+        program = launch(indices)
+    except OSError as error:
+        yield Run(Status.ERROR, f"the program could not be started: {error}")
+        return
+    patience = 0.0
+    try:
+        for index in indices:
+            run = _awaited(index, program, collect)
+            yield run or Run(Status.ERROR, f"the program ended early: {how_it_ended(program)}")
+            if run is None:
+                return
+        patience = FAREWELL
+    finally:
+        stop(program, patience)
+
+
+def _awaited(index: int, program: Program, collect: Collect) -> Run | None:
+    """The answer to an ask as soon as it is there; None if the program ended without it."""
+    while True:
+        ended = program.process.poll() is not None  # looked at first: a last answer still counts
+        run = collect(index, program)
+        if run is not None or ended:
+            return run
+        time.sleep(POLL)

@@ -1,0 +1,55 @@
+"""The keys of stored results: a run by all a solver sees, a record by all that judges it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import vv
+from vv import imports
+from vv.closure import closure, libraries, source_digest
+from vv.digest import digest
+from vv.plan import Plan
+from vv.project import Project
+from vv.provenance import file_digests
+
+PACKAGE = Path(vv.__file__).parent
+
+
+def run_keys(project: Project, plan: Plan) -> dict[int, str]:
+    """Job number -> key of its run: ask, scheme, sources, libraries and executables."""
+    codes = {job.code for job in plan.jobs}
+    prints = {code: code_digest(project, plan, code) for code in codes}
+    asks: dict[int, str] = {}
+    found = {}
+    for number, job in enumerate(plan.jobs):
+        key = id(job.ask)
+        asks[key] = asks.get(key) or job.ask.digest()
+        found[number] = digest(asks[key], job.code, job.scheme, prints[job.code])
+    return found
+
+
+def record_keys(project: Project, plan: Plan, runs: dict[int, str]) -> dict[int, str]:
+    """Job number -> key of its record: the run, the parameters, and the sources that judge."""
+    prints = {name: case_digest(project, name) for name in plan.cases}
+    return {
+        number: digest(runs[number], prints[job.case], job.parameters, job.method)
+        for number, job in enumerate(plan.jobs)
+    }
+
+
+def code_digest(project: Project, plan: Plan, code: str) -> str:
+    """Fingerprint of a code: import closure, library versions, executable files."""
+    sources = closure(project.adapter_files(code), roots(project))
+    external = file_digests(plan.found[code].files, project.data() / "digests.json")
+    return digest(source_digest(sources), libraries(sources), sorted(external.values()))
+
+
+def case_digest(project: Project, case: str) -> str:
+    """Fingerprint of what judges a case: its import closure and that of the measuring."""
+    files = closure([project.case_file(case), PACKAGE / "record.py"], roots(project))
+    return digest(source_digest(files), libraries(files))
+
+
+def roots(project: Project) -> tuple[Path, ...]:
+    """The folders below which a source is ours: the project's content, the tool's, the tool."""
+    return project.root, imports.OWN, PACKAGE.parent

@@ -1,0 +1,203 @@
+"""From a selection of cases, codes and settings to the jobs to run."""
+
+from __future__ import annotations
+
+import dataclasses
+import fnmatch
+import functools
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass
+
+from vv.adapter import Adapter, Found, Scheme, unsupported
+from vv.ask import Ask, Knobs, Method, Run, Status
+from vv.case import Case, Trial
+from vv.project import Project
+from vv.settings import UsageError, near, with_settings
+from vv.study import Level
+
+
+@dataclass(frozen=True)
+class Options:
+    """What a user may ask of a run besides the selection.
+
+    codes: patterns CODE or CODE/SCHEME. settings: NAME=VALUE[UNIT] texts. rungs: knobs that
+    replace the case's own.
+    """
+
+    level: Level = Level.DEFAULT
+    codes: tuple[str, ...] = ("*",)
+    settings: tuple[str, ...] = ()
+    rungs: tuple[Knobs, ...] = ()
+
+
+@dataclass(frozen=True, eq=False)
+class Job:
+    """One ask put to one scheme, with where it comes from.
+
+    settled: the outcome if it is known without running: refused or not installed.
+    """
+
+    case: str
+    variant: str
+    parameters: Mapping[str, float]
+    modified: bool
+    code: str
+    scheme: str
+    method: Method
+    ask: Ask
+    timed: bool
+    settled: Run | None = None
+
+    @property
+    def label(self) -> str:
+        """The job in one word, as people read it."""
+        knobs = ",".join(f"{k}={v:g}" for k, v in dataclasses.asdict(self.ask.knobs).items() if v)
+        return f"{self.case}:{self.variant} {self.code}/{self.scheme} {knobs}".rstrip()
+
+
+@dataclass(frozen=True, eq=False)
+class Plan:
+    """The jobs of an invocation, with the cases, trials and codes they belong to."""
+
+    jobs: tuple[Job, ...]
+    cases: Mapping[str, Case]
+    trials: Mapping[tuple[str, str], Trial]
+    adapters: Mapping[str, Adapter]
+    found: Mapping[str, Found]
+
+
+def make_plan(project: Project, selection: Sequence[str], options: Options) -> Plan:
+    """Expand a selection; raises UsageError for names, units and values that make no sense."""
+    chosen = select(project, selection)
+    adapters = {name: project.load_adapter(name) for name in project.adapter_names()}
+    found = {name: adapter.found() for name, adapter in adapters.items()}
+    schemes = choose_schemes(adapters, options.codes)
+    posed = [
+        _pose(case, variant, options)
+        for case, variant in chosen
+        if options.level is not Level.QUICK or case.variant(variant).quick
+    ]
+    jobs = [
+        job
+        for one in posed
+        for adapter, scheme in schemes
+        for job in _jobs(one, adapter, scheme, found[adapter.name])
+    ]
+    if not jobs:
+        raise UsageError("the selection holds nothing at this level")
+    cases = {one.case.name: one.case for one in posed}
+    trials = {(one.case.name, one.variant): one.trial for one in posed}
+    return Plan(tuple(jobs), cases, trials, adapters, found)
+
+
+@dataclass(frozen=True, eq=False)
+class _Posed:
+    """A variant with its parameters put in, and the asks of its rungs."""
+
+    case: Case
+    variant: str
+    parameters: Mapping[str, float]
+    trial: Trial
+    rungs: tuple[Knobs, ...]
+    ask: Callable[[Knobs], Ask]
+
+
+def _pose(case: Case, variant: str, options: Options) -> _Posed:
+    parameters = with_settings(case, variant, options.settings)
+    trial = declare(case, variant, parameters)
+    rungs = options.rungs or trial.study.rungs[options.level]
+    return _Posed(case, variant, parameters, trial, rungs, functools.cache(trial.study.ask))
+
+
+def declare(case: Case, variant: str, parameters: Mapping[str, float]) -> Trial:
+    """The trial; bad parameters are the user's, so their errors are usage errors."""
+    try:
+        return case.declare(variant, parameters)
+    except ValueError as error:
+        raise UsageError(f"{case.name}:{variant}: {error}") from error
+
+
+def _jobs(posed: _Posed, adapter: Adapter, scheme: Scheme, found: Found) -> list[Job]:
+    """One job per rung, as projected on the knobs the scheme has."""
+    terms = posed.trial.study.scene.terms()
+    timed = {project_knobs(knobs, scheme) for knobs in posed.trial.study.timed}
+    return [
+        Job(
+            case=posed.case.name,
+            variant=posed.variant,
+            parameters=posed.parameters,
+            modified=dict(posed.parameters) != posed.case.defaults(posed.variant),
+            code=adapter.name,
+            scheme=scheme.name,
+            method=scheme.method_for(terms),
+            ask=posed.ask(knobs),
+            timed=knobs in timed,
+            settled=settled(adapter, scheme, posed.ask(knobs), found),
+        )
+        for knobs in dict.fromkeys(project_knobs(knobs, scheme) for knobs in posed.rungs)
+    ]
+
+
+def project_knobs(knobs: Knobs, scheme: Scheme) -> Knobs:
+    """The knobs without those the scheme lacks."""
+    return Knobs(**{name: getattr(knobs, name) for name in scheme.knobs})
+
+
+def settled(adapter: Adapter, scheme: Scheme, ask: Ask, found: Found) -> Run | None:
+    """Refused or not installed, if that is known beforehand; refusals come first."""
+    missing = unsupported(scheme, ask.scene.terms())
+    if missing:
+        terms = ", ".join(sorted(term.value for term in missing))
+        return Run(Status.REFUSED, f"{adapter.name}/{scheme.name} does not support: {terms}")
+    reason = adapter.refuses(ask, scheme.name)
+    if reason is not None:
+        return Run(Status.REFUSED, reason)
+    return None if found.installed else Run(Status.NOT_INSTALLED, found.how_to_install)
+
+
+def select(project: Project, selection: Sequence[str]) -> list[tuple[Case, str]]:
+    """(case, variant name) pairs for patterns FAMILY, CASE or CASE:VARIANT, in file order."""
+    names = project.case_names()
+    wanted: dict[str, set[str]] = {}
+    for pattern in selection:
+        case_pattern, _, variant_pattern = pattern.partition(":")
+        hits = [
+            name
+            for name in names
+            if fnmatch.fnmatchcase(name, case_pattern)
+            or fnmatch.fnmatchcase(project.family(name), case_pattern)
+        ]
+        if not hits:
+            near_names = {*names, *map(project.family, names)}
+            raise UsageError(f"no case '{case_pattern}'{near(case_pattern, near_names)}")
+        found = 0
+        for name in hits:
+            variants = [v.name for v in project.load_case(name).variants]
+            matching = fnmatch.filter(variants, variant_pattern or "*")
+            wanted.setdefault(name, set()).update(matching)
+            found += len(matching)
+        if not found:
+            known = [v.name for name in hits for v in project.load_case(name).variants]
+            raise UsageError(f"no variant '{variant_pattern}'{near(variant_pattern, known)}")
+    return [
+        (case, variant.name)
+        for case in map(project.load_case, (name for name in names if name in wanted))
+        for variant in case.variants
+        if variant.name in wanted[case.name]
+    ]
+
+
+def choose_schemes(
+    adapters: Mapping[str, Adapter], patterns: Iterable[str]
+) -> list[tuple[Adapter, Scheme]]:
+    """The pairs that patterns CODE or CODE/SCHEME name; CODE alone means all its schemes."""
+    labels = {f"{a.name}/{s.name}": (a, s) for a in adapters.values() for s in a.schemes}
+    chosen: dict[str, tuple[Adapter, Scheme]] = {}
+    for pattern in patterns:
+        full = pattern if "/" in pattern else f"{pattern}/*"
+        hits = [label for label in labels if fnmatch.fnmatchcase(label, full)]
+        if not hits:
+            known = [*labels, *adapters]
+            raise UsageError(f"no code '{pattern}'{near(pattern, known)}")
+        chosen.update((label, labels[label]) for label in hits)
+    return [pair for label, pair in labels.items() if label in chosen]

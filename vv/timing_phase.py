@@ -1,0 +1,71 @@
+"""The timing phase: solves measured one at a time, on one core, in rounds across the codes."""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from vv.ask import Cost, Status
+from vv.digest import digest
+from vv.plan import Plan
+from vv.provenance import machine
+from vv.runner import Batch, run_batches
+from vv.store import Store
+
+REPEAT = 0.2  # CPU seconds spent on each point, over all rounds
+ROUNDS = 2  # every code is visited that often, so that drift of the machine hits all alike
+
+
+def timed_costs(
+    plan: Plan,
+    records: Sequence[Mapping[str, Any]],
+    run_keys: Mapping[int, str],
+    store: Store,
+    timeout: float,
+    fresh: bool,
+) -> dict[int, dict[str, Any]]:
+    """Job number -> cost, for the jobs to be timed that ran; all from one session.
+
+    A stored session answers if it timed the very same runs on this machine.
+    """
+    numbers = [n for n, job in enumerate(plan.jobs) if job.timed and _ran(records[n])]
+    keys = {run_keys[n]: n for n in numbers}
+    session = digest(sorted(keys), machine()["fingerprint"], REPEAT, ROUNDS)
+    stored = None if fresh else store.timings(session)
+    if stored is None and numbers:
+        stored = _measure(plan, numbers, run_keys, store, timeout)
+        store.keep_timings(session, stored)
+    costs = stored or {}
+    return {n: {**costs[run_keys[n]], "session": session} for n in numbers if run_keys[n] in costs}
+
+
+def _ran(record: Mapping[str, Any]) -> bool:
+    return bool(record["status"] == Status.RAN.name.lower())
+
+
+def _measure(
+    plan: Plan, numbers: Sequence[int], run_keys: Mapping[int, str], store: Store, timeout: float
+) -> dict[str, Any]:
+    groups: dict[tuple[str, str], list[int]] = {}
+    for number in numbers:
+        job = plan.jobs[number]
+        groups.setdefault((job.code, job.scheme), []).append(number)
+    seen: dict[int, list[Cost]] = {}
+    for _ in range(ROUNDS):
+        for (code, scheme), members in groups.items():
+            asks = tuple(plan.jobs[n].ask for n in members)
+            batch = Batch(plan.adapters[code], scheme, tuple(members), asks, REPEAT / ROUNDS)
+            for number, run in run_batches([batch], 1, timeout, store.scratch):
+                if run.status is Status.RAN:
+                    seen.setdefault(number, []).append(run.cost)
+    return {run_keys[n]: dataclasses.asdict(_best(costs)) for n, costs in seen.items()}
+
+
+def _best(costs: Sequence[Cost]) -> Cost:
+    """The cheapest round, with the repeats of all and the spread over all of them."""
+    best = min(costs, key=lambda cost: cost.solve_cpu)
+    most = max(cost.solve_cpu * (1 + cost.spread) for cost in costs)
+    spread = (most - best.solve_cpu) / best.solve_cpu if best.solve_cpu > 0 else 0.0
+    repeats = sum(cost.repeats for cost in costs)
+    return dataclasses.replace(best, repeats=repeats, spread=spread)

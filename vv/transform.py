@@ -1,0 +1,97 @@
+"""Scenes made from scenes: the same physics, turned, renumbered or held differently."""
+
+import dataclasses
+
+import numpy as np
+
+from vv.scene import Scene, Spheres, Vector, Wall
+
+
+def about_z(angle: float) -> Vector:
+    """The (3, 3) rotation by an angle [rad] about z."""
+    c, s = np.cos(angle), np.sin(angle)
+    return np.array([[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]])
+
+
+def rotated(scene: Scene, rotation: Vector) -> Scene:
+    """The scene turned as a whole, about the origin, by a (3, 3) rotation matrix."""
+    bodies = tuple(_rotated_group(group, rotation) for group in scene.bodies)
+    return dataclasses.replace(
+        scene, bodies=bodies, gravity=rotation @ scene.gravity, axes=scene.axes @ rotation.T
+    )
+
+
+def _rotated_group(group: Spheres | Wall, rotation: Vector) -> Spheres | Wall:
+    if isinstance(group, Wall):
+        normal = rotation @ group.normal
+        return Wall(rotation @ group.point, normal / np.linalg.norm(normal))
+    names = ("position", "velocity", "spin", "load")
+    turned = {name: getattr(group, name) @ rotation.T for name in names}
+    return dataclasses.replace(group, **turned)
+
+
+def swapped(scene: Scene) -> Scene:
+    """The scene with its bodies in the opposite order: body i becomes body n - 1 - i."""
+    names = [field.name for field in dataclasses.fields(Spheres)]
+    bodies = tuple(
+        Spheres(**{name: getattr(group, name)[::-1] for name in names})
+        if isinstance(group, Spheres)
+        else group
+        for group in reversed(scene.bodies)
+    )
+    return dataclasses.replace(scene, bodies=bodies)
+
+
+def initial_normal_forces(scene: Scene) -> Vector:
+    """The (n, 3) normal contact forces [N] on the spheres in the starting configuration."""
+    spheres, kn = scene.spheres, scene.contact.kn
+    force = np.zeros((len(spheres), 3))
+    for wall in scene.walls:
+        gap = (spheres.position - wall.point) @ wall.normal - spheres.radius
+        force += kn * np.maximum(-gap, 0.0)[:, None] * wall.normal
+    for i in range(len(spheres)):
+        offset = spheres.position - spheres.position[i]
+        distance = np.linalg.norm(offset, axis=1)
+        overlap = np.maximum(spheres.radius + spheres.radius[i] - distance, 0.0)
+        overlap[i], distance[i] = 0.0, 1.0
+        force += kn * (overlap / distance)[:, None] * offset
+    return force
+
+
+def released(scene: Scene) -> Scene:
+    """The scene with its oblique locks replaced by dead loads, for codes that lock frame axes.
+
+    A body held along a direction oblique to the frame is let go there and carries instead the
+    constant reaction that balances the forces of the starting configuration. It stays at rest
+    along that direction as long as those forces do not change, as in contacts of constant
+    overlap. Raises ValueError if a body already moves along a direction it is locked in.
+    """
+    spheres = scene.spheres
+    applied = initial_normal_forces(scene) + spheres.mass[:, None] * scene.gravity + spheres.load
+    load, free = spheres.load.copy(), np.array(spheres.free)
+    partly = spheres.free.any(axis=1) & ~spheres.free.all(axis=1)
+    for i in np.flatnonzero(partly):
+        locked = scene.axes[~spheres.free[i]]
+        speed = np.abs(spheres.velocity[i]).max()
+        if np.abs(locked @ spheres.velocity[i]).max() > 1e-12 * speed:
+            raise ValueError(f"Spheres.velocity[{i}] has a part along a locked direction")
+        held = np.linalg.norm(locked, axis=0) > 1 - 1e-12
+        free[i] = ~held
+        load[i] -= np.where(held, 0.0, locked.T @ (locked @ applied[i]))
+    loose = dataclasses.replace(spheres, free=free, load=load)
+    return dataclasses.replace(scene, bodies=_regrouped(scene, loose), axes=np.eye(3))
+
+
+def _regrouped(scene: Scene, spheres: Spheres) -> tuple[Spheres | Wall, ...]:
+    """The scene's groups again, with the spheres' data taken from one joined group."""
+    names = [field.name for field in dataclasses.fields(Spheres)]
+    bodies: list[Spheres | Wall] = []
+    first = 0
+    for group in scene.bodies:
+        if isinstance(group, Spheres):
+            part = slice(first, first + len(group))
+            bodies.append(Spheres(**{name: getattr(spheres, name)[part] for name in names}))
+            first += len(group)
+        else:
+            bodies.append(group)
+    return tuple(bodies)
