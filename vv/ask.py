@@ -131,6 +131,11 @@ class Cost:
     repeats: int = 1
     spread: float = 0.0
 
+    def __post_init__(self) -> None:
+        for name, value in vars(self).items():
+            if not value >= 0:
+                raise ValueError(f"Cost.{name} = {value!r}; a cost cannot be negative")
+
 
 @dataclass(frozen=True)
 class Model:
@@ -146,13 +151,15 @@ class Ledger:
     """Energy at the end of a run [J], by name, and what no term explains.
 
     unaccounted: the largest |sum of terms - energy put in| seen; peak: the largest total held;
-    bound: what the scheme promises for unaccounted, None where it promises nothing.
+    bound: what the scheme promises for unaccounted, None where it promises nothing. audits: name
+    of a law, such as momentum, Coulomb or penetration -> (largest breach seen, breach allowed).
     """
 
     terms: Mapping[str, float]
     unaccounted: float
     peak: float
     bound: float | None = None
+    audits: Mapping[str, tuple[float, float]] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, eq=False)

@@ -13,7 +13,7 @@ from vv.provenance import machine
 from vv.runner import Batch, run_batches
 from vv.store import Store
 
-REPEAT = 0.2  # CPU seconds spent on each point, over all rounds
+REPEAT = 0.1  # CPU seconds spent on each point, over all rounds; a family has some eighty
 ROUNDS = 2  # every code is visited that often, so that drift of the machine hits all alike
 
 

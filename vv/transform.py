@@ -4,7 +4,9 @@ import dataclasses
 
 import numpy as np
 
-from vv.scene import Scene, Spheres, Vector, Wall
+from vv.scene import Block, Harmonic, Scene, Spheres, Vector, Wall
+
+Group = Spheres | Wall | Block
 
 
 def about_z(angle: float) -> Vector:
@@ -17,17 +19,30 @@ def rotated(scene: Scene, rotation: Vector) -> Scene:
     """The scene turned as a whole, about the origin, by a (3, 3) rotation matrix."""
     bodies = tuple(_rotated_group(group, rotation) for group in scene.bodies)
     return dataclasses.replace(
-        scene, bodies=bodies, gravity=rotation @ scene.gravity, axes=scene.axes @ rotation.T
+        scene,
+        bodies=bodies,
+        gravity=rotation @ scene.gravity,
+        axes=scene.axes @ rotation.T,
+        shaking=_rotated_motion(scene.shaking, rotation),
     )
 
 
-def _rotated_group(group: Spheres | Wall, rotation: Vector) -> Spheres | Wall:
+def _rotated_group(group: Group, rotation: Vector) -> Group:
     if isinstance(group, Wall):
         normal = rotation @ group.normal
-        return Wall(rotation @ group.point, normal / np.linalg.norm(normal))
-    names = ("position", "velocity", "spin", "load")
+        motion = _rotated_motion(group.motion, rotation)
+        return Wall(rotation @ group.point, normal / np.linalg.norm(normal), motion)
+    place = "vertices" if isinstance(group, Block) else "position"
+    names = (place, "velocity", "spin", "load")
     turned = {name: getattr(group, name) @ rotation.T for name in names}
+    if isinstance(group, Block):
+        inertia = rotation @ group.inertia @ rotation.T
+        turned["inertia"] = (inertia + inertia.T) / 2
     return dataclasses.replace(group, **turned)
+
+
+def _rotated_motion(motion: Harmonic | None, rotation: Vector) -> Harmonic | None:
+    return motion and dataclasses.replace(motion, axes=motion.axes @ rotation.T)
 
 
 def swapped(scene: Scene) -> Scene:
@@ -82,10 +97,10 @@ def released(scene: Scene) -> Scene:
     return dataclasses.replace(scene, bodies=_regrouped(scene, loose), axes=np.eye(3))
 
 
-def _regrouped(scene: Scene, spheres: Spheres) -> tuple[Spheres | Wall, ...]:
+def _regrouped(scene: Scene, spheres: Spheres) -> tuple[Group, ...]:
     """The scene's groups again, with the spheres' data taken from one joined group."""
     names = [field.name for field in dataclasses.fields(Spheres)]
-    bodies: list[Spheres | Wall] = []
+    bodies: list[Group] = []
     first = 0
     for group in scene.bodies:
         if isinstance(group, Spheres):

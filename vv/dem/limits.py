@@ -3,8 +3,8 @@
 GAIN = 4.0
 """The springs and m v- v+/2 may hold this many times the energy put in: twice its speed.
 
-A stable leapfrog conserves that sum; only a contact that closes or opens within a coarse step
-adds to it, by (w dt)^2/4 of the energy each time.
+A stable leapfrog conserves that sum; only a contact that closes or opens within a step adds to
+it, by at most kn (v dt)^2/8 each time (vv.dem.leapfrog).
 """
 
 BLOW_UP = 1e6

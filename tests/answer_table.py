@@ -1,0 +1,28 @@
+"""The committed table of what every scheme answers to every variant; run it to write it anew."""
+
+import json
+from pathlib import Path
+
+from vv.plan import Options, make_plan
+from vv.project import find
+from vv.study import Level
+
+TABLE = Path(__file__).with_name("answers.json")
+
+
+def answers() -> dict[str, dict[str, int | str]]:
+    """Scheme -> variant -> unknowns of the model it builds, or why it refuses."""
+    project = find(Path(__file__))
+    plan = make_plan(project, ["*"], Options(Level.PAPER))
+    table: dict[str, dict[str, int | str]] = {}
+    for job in plan.jobs:
+        row = table.setdefault(f"{job.code}/{job.scheme}", {})
+        refused = job.settled is not None and plan.found[job.code].installed
+        model = plan.adapters[job.code].describe
+        answer = job.settled.reason if job.settled and refused else None
+        row[f"{job.case}:{job.variant}"] = answer or model(job.ask, job.scheme).unknowns
+    return table
+
+
+if __name__ == "__main__":
+    TABLE.write_text(json.dumps(answers(), indent=1, sort_keys=True) + "\n")

@@ -1,0 +1,74 @@
+"""Nothing is left out: every case, quantity, tolerance, scheme and answer is there."""
+
+import json
+from pathlib import Path
+
+import pytest
+
+from tests.answer_table import TABLE, answers
+from vv.adapter import Adapter
+from vv.ask import Method
+from vv.case import Case, Exact
+from vv.project import find
+from vv.scene import Term
+from vv.study import Level
+
+PROJECT = find(Path(__file__))
+CASES = [PROJECT.load_case(name) for name in PROJECT.case_names()]
+ADAPTERS = [PROJECT.load_adapter(name) for name in PROJECT.adapter_names()]
+
+
+def test_every_file_in_cases_is_a_case() -> None:
+    files = [p for p in (PROJECT.root / "cases").rglob("*.py") if p.name != "__init__.py"]
+    assert len(files) == len(CASES) > 0
+
+
+def test_every_scheme_answers_every_variant_as_the_committed_table_says() -> None:
+    """After a change that is meant: python -m tests.answer_table."""
+    assert answers() == json.loads(TABLE.read_text())
+
+
+@pytest.mark.parametrize("case", CASES, ids=lambda case: case.name)
+def test_every_quantity_has_a_tolerance_with_its_reason(case: Case) -> None:
+    for variant in case.variants:
+        trial = case.declare(variant.name, case.defaults(variant.name))
+        assert trial.quantities
+        for quantity in trial.quantities:
+            judge = quantity.judge
+            if isinstance(judge, Exact):
+                terms = trial.study.scene.terms()
+                schemes = [s for a in ADAPTERS for s in a.schemes if terms <= s.terms]
+                needed = {scheme.method_for(terms) for scheme in schemes}
+                assert needed <= set(judge.tolerances)
+                assert all(len(t.reason) > 20 for t in judge.tolerances.values())
+            else:
+                assert len(judge.reason) > 20
+
+
+@pytest.mark.parametrize("case", CASES, ids=lambda case: case.name)
+def test_every_case_tells_its_source_its_parameters_and_its_formulas(case: Case) -> None:
+    assert case.source.citation
+    assert case.source.doi.startswith("10.")
+    assert all(p.meaning for p in case.parameters)
+    assert all(v.summary and v.formula for v in case.variants)
+    names = {p.name for p in case.parameters}
+    assert all(v.inert | set(v.defaults) <= names for v in case.variants)
+
+
+@pytest.mark.parametrize("case", CASES, ids=lambda case: case.name)
+def test_a_level_adds_rungs_and_never_changes_the_scene(case: Case) -> None:
+    for variant in case.variants:
+        study = case.declare(variant.name, case.defaults(variant.name)).study
+        quick, default, paper = (set(study.rungs[level]) for level in Level)
+        assert quick <= default <= paper
+        assert len({study.ask(knobs).scene.digest() for knobs in paper}) == 1
+        assert set(study.timed) <= default
+
+
+@pytest.mark.parametrize("adapter", ADAPTERS, ids=lambda adapter: adapter.name)
+def test_every_scheme_says_what_it_is(adapter: Adapter) -> None:
+    assert len({scheme.name for scheme in adapter.schemes}) == len(adapter.schemes) > 0
+    for scheme in adapter.schemes:
+        assert scheme.summary
+        assert scheme.terms <= set(Term)
+        assert isinstance(scheme.method, Method)

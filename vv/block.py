@@ -1,0 +1,118 @@
+"""Convex rigid blocks: polyhedra that check themselves, and builders of common shapes."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from vv.frozen import Mask, Vector, freeze
+
+FLAT = 1e-9  # of a block's size: how far a vertex may lie off its face, or beyond another
+
+
+@dataclass(frozen=True, eq=False)
+class Block:
+    """One convex polyhedron, rigid unless a scheme gives it strains.
+
+    vertices: (k, 3) [m] in the scene's frame; faces: vertex numbers, counter-clockwise seen from
+    outside; mass [kg]; inertia: (3, 3) about the centroid [kg m2]; velocity, spin: (3,)
+    [m/s, 1/s]; load: (3,) dead force at the centroid [N]. free, free_spin: (3,) booleans along
+    the scene's axes. A plane scene's block is a prism whose masks leave motion in the plane.
+    Raises ValueError naming block and face.
+    """
+
+    name: str
+    vertices: Vector
+    faces: tuple[tuple[int, ...], ...]
+    mass: float
+    inertia: Vector
+    velocity: Vector
+    free: Mask
+    free_spin: Mask
+    spin: Vector = (0.0, 0.0, 0.0)  # type: ignore[assignment]  # frozen to an array at birth
+    load: Vector = (0.0, 0.0, 0.0)  # type: ignore[assignment]  # frozen to an array at birth
+
+    def __post_init__(self) -> None:
+        freeze(self, "vertices", (len(self.vertices), 3), "m")
+        freeze(self, "inertia", (3, 3), "kg m2")
+        for name, unit in (("velocity", "m/s"), ("spin", "1/s"), ("load", "N")):
+            freeze(self, name, (3,), unit)
+        for name in ("free", "free_spin"):
+            freeze(self, name, (3,), "", bool)
+        if not (np.isfinite(self.mass) and self.mass > 0):
+            raise ValueError(f"block '{self.name}': mass = {self.mass!r} kg; it must be positive")
+        if np.linalg.eigvalsh(self.inertia).min() <= 0 or not np.allclose(
+            self.inertia, self.inertia.T, rtol=1e-12, atol=0
+        ):
+            raise ValueError(f"block '{self.name}': inertia must be symmetric and positive")
+        self._check_faces()
+
+    def __len__(self) -> int:
+        return 1
+
+    def centroid(self) -> Vector:
+        """The centre of volume (3,) [m]."""
+        return volume_and_centroid(self.vertices, self.faces)[1]
+
+    def _check_faces(self) -> None:
+        size = float(np.ptp(self.vertices, axis=0).max())
+        edges = [e for face in self.faces for e in zip(face, (*face[1:], face[0]), strict=True)]
+        if sorted(edges) != sorted((b, a) for a, b in edges):
+            raise ValueError(f"block '{self.name}': its faces do not close")
+        for number, face in enumerate(self.faces):
+            normal = face_normal(self.vertices, face)
+            height = (self.vertices - self.vertices[face[0]]) @ normal
+            where = f"block '{self.name}', face {number}"
+            if np.abs(height[list(face)]).max() > FLAT * size:
+                raise ValueError(f"{where}: its vertices lie in no plane")
+            if height.min() >= -FLAT * size:
+                raise ValueError(f"{where}: it is turned inwards; list it counter-clockwise")
+            if height.max() > FLAT * size:
+                raise ValueError(f"{where}: vertex {int(height.argmax())} lies beyond; not convex")
+
+
+def face_normal(vertices: Vector, face: Sequence[int]) -> Vector:
+    """The outward unit normal (3,) of a face, by Newell's sum over its edges."""
+    corners = vertices[list(face)]
+    area = 0.5 * np.cross(corners, np.roll(corners, -1, axis=0)).sum(axis=0)
+    return np.asarray(area / np.linalg.norm(area))
+
+
+def volume_and_centroid(vertices: Vector, faces: Sequence[Sequence[int]]) -> tuple[float, Vector]:
+    """Volume [m3] and centroid (3,) [m] of a closed polyhedron, from tetrahedra to its mean."""
+    apex = vertices.mean(axis=0)
+    volume, moment = 0.0, np.zeros(3)
+    for face in faces:
+        for i in range(1, len(face) - 1):
+            a, b, c = vertices[[face[0], face[i], face[i + 1]]] - apex
+            part = float(a @ np.cross(b, c)) / 6
+            volume += part
+            moment += part * (a + b + c) / 4
+    return volume, apex + moment / volume
+
+
+def polyhedron_inertia(
+    vertices: Vector, faces: Sequence[Sequence[int]], density: float
+) -> tuple[float, Vector]:
+    """Mass [kg] and inertia (3, 3) about the centroid [kg m2] of a uniform polyhedron."""
+    volume, centre = volume_and_centroid(vertices, faces)
+    second = np.zeros((3, 3))
+    for face in faces:
+        for i in range(1, len(face) - 1):
+            corners = vertices[[face[0], face[i], face[i + 1]]] - centre
+            part = float(corners[0] @ np.cross(corners[1], corners[2])) / 6
+            total = corners.sum(axis=0)
+            second += part / 20 * (corners.T @ corners + np.outer(total, total))
+    inertia = density * (np.trace(second) * np.eye(3) - second)
+    return density * volume, inertia
+
+
+def box_geometry(
+    centre: Vector, half: Vector, axes: Vector
+) -> tuple[Vector, tuple[tuple[int, ...], ...]]:
+    """Vertices (8, 3) and faces of a box: half sides (3,) [m] along the rows of axes (3, 3)."""
+    signs = np.array([[x, y, z] for z in (-1, 1) for y in (-1, 1) for x in (-1, 1)], float)
+    faces = ((0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5))
+    return np.asarray(centre) + (signs * np.asarray(half)) @ np.asarray(axes), faces
