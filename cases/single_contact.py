@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import functools
 from collections.abc import Callable, Mapping
 
@@ -12,7 +13,7 @@ from vv.ask import Displacement, History, Knobs, Method, Run
 from vv.case import Case, Exact, Parameter, Parameters, Series, Source, Tolerance, Trial, Variant
 from vv.scene import Contact, Scene, Spheres, Vector, Wall
 from vv.study import Ladder, Level
-from vv.transform import about_z, rotated, swapped
+from vv.transform import about_z, initial_normal_forces, rotated, swapped
 
 ANGLE = 0.9  # rad; arbitrary, far from every axis and diagonal
 # what decides the overlap of the shear tests
@@ -63,9 +64,19 @@ def _scene(variant: str, p: Parameters) -> tuple[Scene, int, Vector]:
     scene = _normal_scene(p, eta) if test in ("T1", "T2") else _shear_scene(p, eta)
     if change == "swapped":
         return swapped(scene), 0, scene.axes[1]
+    if change == "free":
+        scene = _let_go(scene)
     if change == "rotated":
         scene = rotated(scene, about_z(ANGLE))
     return scene, 1, scene.axes[1]
+
+
+def _let_go(scene: Scene) -> Scene:
+    """The scene free to move in every direction: a dead load holds the contact, not a lock."""
+    free = np.array([body.any() for body in scene.spheres.free])[:, None] & np.ones(3, bool)
+    load = np.where(free, -initial_normal_forces(scene), 0.0)
+    let_go = dataclasses.replace(scene.spheres, free=free, load=load)
+    return dataclasses.replace(scene, bodies=(*scene.walls, let_go))
 
 
 def _declare(variant: str, p: Parameters) -> Trial:
@@ -159,6 +170,7 @@ INERT = {
 CHANGES: tuple[tuple[str, str, Parameters], ...] = (
     ("mirrored", "thrown the other way", {"v_b": -1.0}),
     ("swapped", "bodies in the opposite order", {}),
+    ("free", "no direction locked: a dead load holds the contact", {}),
     ("rotated", f"the whole scene turned by {ANGLE} rad", {}),
 )
 CASE = Case(

@@ -67,7 +67,7 @@ AT_A_MILLISECOND = {
 
 
 @pytest.mark.parametrize("label", AT_A_MILLISECOND)
-@pytest.mark.parametrize("change", ["", "-mirrored", "-swapped", "-rotated"])
+@pytest.mark.parametrize("change", ["", "-mirrored", "-swapped", "-free", "-rotated"])
 def test_errors_at_a_millisecond_stay_below_what_was_measured_before(
     records: list[Record], label: str, change: str
 ) -> None:
