@@ -12,7 +12,6 @@ import vv
 from vv import exact
 from vv.adapter import Found, Scheme
 from vv.ask import Ask, Cost, Method, Model, Run, Status
-from vv.scene import Term
 from vv.script import python_script
 from vv.timing import timed
 
@@ -21,7 +20,7 @@ SCHEMES = (
         "default",
         "from event to located event by Taylor series, in scenes whose contact normals stay",
         Method.EXACT,
-        frozenset(Term) - {Term.ROTATION},
+        exact.TERMS,
         knobs=(),
     ),
 )

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from functools import partial
 
 import numpy as np
 from scipy.integrate import DOP853
@@ -58,11 +59,11 @@ class Plane:
         offset: Vector = self.x0[j] - self.x0[i] + (y[2 * j : 2 * j + 2] - y[2 * i : 2 * i + 2])
         return offset
 
-    def derivative(self, _: float, y: Vector) -> Vector:
+    def derivative(self, time: float, y: Vector) -> Vector:
         """dy/dt while the modes stay."""
         law, n = self.scene.contact, self.n
         v = y[2 * n : 4 * n].reshape(-1, 2)
-        force = self.weight - self.scene.eta * v
+        force: Vector = self.weight - self.scene.eta * v
         rates = np.zeros(len(self.walls))
         for k, (i, normal, tangent, _) in enumerate(self.walls):
             if (mode := self.modes[k]) == OPEN:
@@ -87,21 +88,24 @@ class Plane:
         found: list[Guard] = []
         for k, mode in enumerate(self.modes):
             if mode == OPEN:
-                found.append((k, STICK, lambda y, k=k: self.gap(k, y)))
+                found.append((k, STICK, partial(self.gap, k)))
                 continue
-            found.append((k, OPEN, lambda y, k=k: -self.gap(k, y)))
+            found.append((k, OPEN, partial(self.overlap, k)))
             if k < len(self.walls) and self.rough and mode == STICK:
-                found.append((k, FORWARD, lambda y, k=k: self.reserve(k, y, 1)))
-                found.append((k, BACKWARD, lambda y, k=k: self.reserve(k, y, -1)))
+                found += [(k, after, partial(self.reserve, k, SIGN[after])) for after in SIGN]
             elif k < len(self.walls) and self.rough:
-                found.append((k, STICK, lambda y, k=k: self.slip(k, y, SIGN[self.modes[k]])))
+                found.append((k, STICK, partial(self.slip, k, SIGN[mode])))
         return found
 
-    def reserve(self, k: int, y: Vector, sign: int) -> float:
+    def overlap(self, k: int, y: Vector) -> float:
+        """The overlap of contact k."""
+        return -self.gap(k, y)
+
+    def reserve(self, k: int, sign: int, y: Vector) -> float:
         """How much further the shear spring of contact k can stretch in a direction."""
         return -self.ratio * self.gap(k, y) - sign * float(y[4 * self.n + k])
 
-    def slip(self, k: int, y: Vector, sign: int) -> float:
+    def slip(self, k: int, sign: int, y: Vector) -> float:
         """How fast contact k slips in a direction, less what the change of the cap takes up."""
         i, normal, tangent, _ = self.walls[k]
         v = y[2 * self.n + 2 * i : 2 * self.n + 2 * i + 2]
@@ -115,7 +119,7 @@ class Plane:
         cap = -self.ratio * self.gap(k, y)
         y[4 * self.n + k] = SIGN.get(before, 0) * cap
         if before == OPEN:
-            slipping = [mode for mode, sign in SIGN.items() if self.slip(k, y, sign) > 0]
+            slipping = [mode for mode, sign in SIGN.items() if self.slip(k, sign, y) > 0]
             self.modes[k] = slipping[0] if slipping else STICK
 
 
@@ -152,7 +156,7 @@ def _until_event(
 
 
 def _solver(plane: Plane, t: float, y: Vector, end: float, step: float) -> DOP853:
-    return DOP853(plane.derivative, t, y, end, max_step=step, rtol=1e-12, atol=1e-14)
+    return DOP853(plane.derivative, t, y, end, max_step=step, rtol=1e-12, atol=1e-14)  # type: ignore[arg-type]  # real
 
 
 def _falls(
@@ -167,13 +171,18 @@ def _falls(
         def at(time: float, value: Callable[[Vector], float] = value) -> float:
             return value(y(time)) + SLACK
 
-        seen = np.array([value(state) + SLACK for state in states])
+        seen = [value(state) + SLACK for state in states]
         for m in range(1, SAMPLES):
-            later = t[m]
-            if seen[m] > 0 and m + 1 < SAMPLES and seen[m] < min(seen[m - 1], seen[m + 1]):
-                bend = seen[m + 1] - 2 * seen[m] + seen[m - 1]
-                later += (t[1] - t[0]) * (seen[m - 1] - seen[m + 1]) / (2 * bend)
-            if at(later) < 0:
-                found.append((float(brentq(at, t[m - 1], later, xtol=1e-17, rtol=1e-15)), which))
+            low = t[m] if seen[m] < 0 else _minimum(seen[m - 1 : m + 2], t[m], t[1] - t[0])
+            if low is not None and at(low) < 0:
+                found.append((float(brentq(at, t[m - 1], low, xtol=1e-17, rtol=1e-15)), which))
                 break
     return found
+
+
+def _minimum(seen: list[float], t: float, apart: float) -> float | None:
+    """Where a parabola through three values around t is least, None if the middle one is not."""
+    if len(seen) < 3 or seen[1] >= min(seen[0], seen[2]):
+        return None
+    bend = seen[2] - 2 * seen[1] + seen[0]
+    return t + apart * (seen[0] - seen[2]) / (2 * bend)

@@ -1,4 +1,4 @@
-"""Random small scenes whose contact normals do not turn, in the x-y plane."""
+"""Small scenes whose contact normals do not turn: random ones in the x-y plane, and a few more."""
 
 from __future__ import annotations
 
@@ -95,3 +95,27 @@ KINDS: tuple[Callable[[Random], Scene], ...] = (chain, thrown, squeezed, cornere
 def small_scene(seed: int) -> Scene:
     """A scene of the kinds above, in turn."""
     return KINDS[seed % len(KINDS)](np.random.default_rng(seed))
+
+
+def crowded(ratio: float) -> Scene:
+    """A light ball at rest before a wall, and a heavy one that comes for it."""
+    spheres = Spheres(
+        position=np.array([[0.7, 0.0, 0.0], [2.0, 0.0, 0.0]]),
+        velocity=np.array([[0.0, 0.0, 0.0], [-1.0, 0.0, 0.0]]),
+        radius=np.full(2, 0.5),
+        mass=np.array([1.0, ratio]),
+        free=np.ones((2, 3), bool),
+    )
+    return Scene((Wall(np.zeros(3), np.array([1.0, 0.0, 0.0])), spheres), Contact(1e10 * ratio))
+
+
+FLOOR = Wall(np.zeros(3), np.array([0.0, 0.0, 1.0]))
+DOWN = np.array([0.0, 0.0, -9.81])
+
+
+def ball(position: Vector, velocity: Vector, **changed: object) -> Spheres:
+    """One sphere of 1 m and 1 kg, free unless changed."""
+    one = np.ones(1)
+    place = {"position": [position], "velocity": [velocity]}
+    data = {**place, "radius": one, "mass": one, "free": np.ones((1, 3)), **changed}
+    return Spheres(**data)  # type: ignore[arg-type]

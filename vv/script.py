@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import math
 from collections.abc import Iterator
 from typing import Any
 
@@ -60,6 +61,8 @@ def source(value: Any, indent: int = 0) -> str:
         parts = [source(part, indent + 4) for part in value]
         closing = ",)" if len(parts) == 1 else ")"
         return _bracketed("(", parts, closing, indent)
+    if isinstance(value, float) and not math.isfinite(value):
+        return f'float("{value}")'
     return repr(value)
 
 
@@ -69,12 +72,8 @@ def _bracketed(opening: str, parts: list[str], closing: str, indent: int) -> str
     if indent + len(line) <= WIDTH and "\n" not in line:
         return line
     margin = " " * (indent + 4)
-    return (
-        opening
-        + "".join(f"\n{margin}{part}," for part in parts)
-        + f"\n{' ' * indent}"
-        + closing[-1]
-    )
+    body = "".join(f"\n{margin}{part}," for part in parts)
+    return f"{opening}{body}\n{' ' * indent}{closing[-1]}"
 
 
 def _stated(value: Any) -> Iterator[tuple[str, Any]]:

@@ -7,9 +7,10 @@ from vv.exact.flow import StoppedError, follow
 from vv.exact.ledger import ledger
 from vv.exact.path import Path
 from vv.exact.reach import RefusedError
-from vv.exact.system import System, assemble, describe
+from vv.exact.system import TERMS, System, assemble, describe
 
 __all__ = [
+    "TERMS",
     "Path",
     "RefusedError",
     "StoppedError",
@@ -27,12 +28,13 @@ __all__ = [
 
 def prepare(ask: Ask) -> System:
     """The equations to solve for an ask; raises RefusedError."""
+    system = assemble(ask.scene)
     for observable in ask.observables:
         try:
             ask.scene.sphere_index(observable.body)
         except ValueError as reason:
             raise RefusedError(str(reason)) from None
-    return assemble(ask.scene)
+    return system
 
 
 def refusal(ask: Ask) -> str | None:

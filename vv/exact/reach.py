@@ -90,29 +90,29 @@ def _snapped(gap: float, size: float) -> float:
 def reachable(scene: Scene, candidates: list[Touch]) -> list[Vector]:
     """The orthonormal directions, (d, 3) for each sphere, in which it can come to move.
 
-    Where they fill all the freedoms of a sphere they are the scene's own axes.
+    Where some of the scene's axes span them, it is these. Tangents add nothing: the tangential
+    part of a free direction is that direction less a part of the normal.
     """
     spheres = scene.spheres
     free = [scene.axes[mask] for mask in spheres.free]
-    spaces = [np.zeros((0, 3)) for _ in free]
     weight = spheres.mass[:, None] * scene.gravity
-    for i, own in enumerate(free):
-        force = weight[i] + spheres.load[i]
-        size = np.linalg.norm(weight[i]) + np.linalg.norm(spheres.load[i])
-        spaces[i] = _grown(spaces[i], own, spheres.velocity[i], BLUR)
-        spaces[i] = _grown(spaces[i], own, force, BLUR, float(size))
-    rough = scene.contact.ks > 0 and scene.contact.mu > 0
-    grown = True
-    while grown:
-        before = sum(map(len, spaces))
-        for touch in candidates:
-            if can_close(touch, spaces):
-                for i in touch.spheres:
-                    spaces[i] = _grown(spaces[i], free[i], touch.normal, touch.blur)
-                    for tangent in tangents(touch, spaces) if rough else ():
-                        spaces[i] = _grown(spaces[i], free[i], tangent, touch.blur)
-        grown = sum(map(len, spaces)) > before
-    return [own if len(own) == len(s) else s for own, s in zip(free, spaces, strict=True)]
+    sizes = np.linalg.norm(weight, axis=1) + np.linalg.norm(spheres.load, axis=1)
+    causes = [
+        [_scaled(velocity), _scaled(force, size)]
+        for velocity, force, size in zip(
+            spheres.velocity, weight + spheres.load, sizes, strict=True
+        )
+    ]
+    spaces = [_moved(own, some, BLUR) for own, some in zip(free, causes, strict=True)]
+    closing: list[Touch] = []
+    while new := [t for t in candidates if t not in closing and can_close(t, spaces)]:
+        closing += new
+        blur = max(touch.blur for touch in closing)
+        for touch in new:
+            for i in touch.spheres:
+                causes[i].append(touch.normal)
+        spaces = [_moved(own, some, blur) for own, some in zip(free, causes, strict=True)]
+    return spaces
 
 
 def can_close(touch: Touch, spaces: list[Vector]) -> bool:
@@ -122,9 +122,7 @@ def can_close(touch: Touch, spaces: list[Vector]) -> bool:
     space = np.concatenate([spaces[i] for i in touch.spheres])
     if touch.first is None:
         return bool((np.abs(space @ touch.normal) > touch.blur).any())
-    basis = np.zeros((0, 3))
-    for direction in space:
-        basis = _grown(basis, np.eye(3), direction, touch.blur)
+    basis = _span(space, touch.blur)
     offset = (touch.depth + touch.gap) * touch.normal
     missed = float(np.linalg.norm(offset - basis.T @ (basis @ offset)))
     return missed < touch.depth * (1 - touch.blur)
@@ -132,19 +130,30 @@ def can_close(touch: Touch, spaces: list[Vector]) -> bool:
 
 def tangents(touch: Touch, spaces: list[Vector]) -> Vector:
     """The orthonormal directions, (d, 3), of the tangential motion in a contact."""
-    n = touch.normal
-    basis = np.zeros((0, 3))
-    for i in touch.spheres:
-        for direction in spaces[i]:
-            basis = _grown(basis, np.eye(3), direction - (direction @ n) * n, touch.blur, 1.0)
-    return basis
+    space = np.concatenate([spaces[i] for i in touch.spheres])
+    return _span(space - np.outer(space @ touch.normal, touch.normal), touch.blur)
 
 
-def _grown(space: Vector, free: Vector, vector: Vector, blur: float, size: float = 0.0) -> Vector:
-    """The space with the free part of a vector added, unless that is within blur of it."""
-    size = size or math.sqrt(math.fsum(vector**2))
-    rest = free.T @ (free @ vector)
-    for _ in range(2):  # the second pass removes what rounding left of the first
-        rest = rest - space.T @ (space @ rest)
-    length = math.sqrt(math.fsum(rest**2))
-    return space if length <= blur * size else np.vstack((space, rest / length))
+def _scaled(vector: Vector, size: float = 0.0) -> Vector:
+    """A vector over its length, or over a given size; zero stays zero."""
+    size = size or float(np.linalg.norm(vector))
+    return vector / size if size > 0 else vector
+
+
+def _moved(free: Vector, causes: list[Vector], blur: float) -> Vector:
+    """The directions in which unit causes move a sphere: free axes, if those span them."""
+    space = _span(np.array(causes) @ free.T @ free, blur)
+    inside = np.linalg.norm(free - free @ space.T @ space, axis=1) <= blur
+    return free[inside] if inside.sum() == len(space) else space
+
+
+def _span(vectors: Vector, blur: float) -> Vector:
+    """An orthonormal basis, (d, 3), of the span of (k, 3) vectors no longer than about 1.
+
+    Singular values within blur of zero are rounding; so even nearly parallel vectors of a plane
+    span that plane and no more.
+    """
+    if not len(vectors):
+        return vectors
+    _, size, basis = np.linalg.svd(vectors)
+    return np.asarray(basis[: int((size > blur).sum())])

@@ -14,33 +14,38 @@ def first_fall(c: Sequence[float], band: float, end: float) -> float | None:
     It is 0 if the polynomial leaves at once. band > 0 must exceed the rounding of the values: a
     minimum that is negative by less is a grazing contact, and no event.
 
-    The search marches: with |p''| <= M everywhere, p + band stays positive for the step s that
-    solves p + band + p' s - M s^2/2 = 0. No root is skipped, however close to the next.
+    The search marches. Where |p'''| <= J, p'' >= p''(x) - J r as far as x + r; so p + band stays
+    positive for a step s <= r with p + band + p' s - M s^2/2 = 0, M = J r - p''(x). No zero is
+    skipped, however close to the next. Each r is a few times the step before.
     """
-    bend = sum(k * (k - 1) * abs(ck) * end ** (k - 2) for k, ck in enumerate(c) if k > 1)
-    x, positive = 0.0, 0.0
+    jolt = sum(k * (k - 1) * (k - 2) * abs(ck) * end ** (k - 3) for k, ck in enumerate(c) if k > 2)
+    x, positive, reach = 0.0, 0.0, end
     while True:
-        p, slope = _value(c, x)
+        p, slope, curve = _value(c, x)
         if p > 0:
             positive = x
         elif p <= -band / 2:
             return _zero(c, positive, x)
-        left = p + band
-        root = math.sqrt(slope * slope + 2 * bend * left)
-        if slope > 0:
-            step = (slope + root) / bend if bend > 0 else math.inf
-        else:
-            step = 2 * left / (root - slope) if root - slope > 0 else math.inf
+        step = min(_safe_step(p + band, slope, max(jolt * reach - curve, 0.0)), reach)
         if x + step >= end:
             return None
         x += max(step, EPS * x)
+        reach = 4 * step
+
+
+def _safe_step(height: float, slope: float, bend: float) -> float:
+    """The s > 0 at which height + slope s - bend s^2/2 = 0, or infinity."""
+    root = math.sqrt(slope * slope + 2 * bend * height)
+    if slope > 0:
+        return (slope + root) / bend if bend > 0 else math.inf
+    return 2 * height / (root - slope) if root > slope else math.inf
 
 
 def _zero(c: Sequence[float], low: float, high: float) -> float:
     """The zero on the falling branch that ends at `high`, where p < 0; `low` if there is none."""
     x = high
     for _ in range(60):
-        p, slope = _value(c, x)
+        p, slope, _ = _value(c, x)
         if p < 0:
             high = x
         else:
@@ -55,10 +60,11 @@ def _zero(c: Sequence[float], low: float, high: float) -> float:
     return x
 
 
-def _value(c: Sequence[float], x: float) -> tuple[float, float]:
-    """A polynomial and its derivative at x, by Horner's rule."""
-    p = slope = 0.0
+def _value(c: Sequence[float], x: float) -> tuple[float, float, float]:
+    """A polynomial and its first two derivatives at x, by Horner's rule."""
+    p = slope = half = 0.0
     for ck in reversed(c):
+        half = half * x + slope
         slope = slope * x + p
         p = p * x + ck
-    return p, slope
+    return p, slope, 2 * half

@@ -12,6 +12,18 @@ from vv.ask import Model
 from vv.exact.reach import LARGEST, RefusedError, Touch, can_close, reachable, tangents, touches
 from vv.scene import Scene, Term, Vector
 
+TERMS = frozenset(
+    {
+        Term.SPHERE_CONTACT,
+        Term.WALL_CONTACT,
+        Term.FRICTION,
+        Term.DRAG,
+        Term.GRAVITY,
+        Term.LOAD,
+        Term.OBLIQUE_LOCK,
+    }
+)
+
 
 @dataclass(frozen=True, eq=False)
 class System:
@@ -112,12 +124,14 @@ def _counted(number: int, noun: str) -> str:
 
 
 def _check(scene: Scene) -> None:
-    """Refuse what the equations do not hold: size, spin, and motion along locked directions."""
+    """Refuse what the equations do not hold: terms, size, spin, motion along locked directions."""
     spheres = scene.spheres
+    for lacking in sorted(term.value for term in scene.terms() - TERMS):
+        raise RefusedError(f"{lacking} is not modelled")
     if len(spheres) > LARGEST:
         raise RefusedError(f"the scene has {len(spheres)} spheres; at most {LARGEST} are solved")
-    if spheres.free_spin.any() or spheres.spin.any():
-        raise RefusedError("spheres rotate in the scene; rotation is not modelled")
+    for i in np.flatnonzero(spheres.spin.any(axis=1))[:1]:
+        raise RefusedError(f"sphere {i} spins; spin is not modelled")
     along = spheres.velocity @ scene.axes.T
     speed = np.abs(spheres.velocity).max(axis=1, keepdims=True)
     moving = (np.abs(along) > 1e-12 * speed) & ~spheres.free
@@ -140,11 +154,17 @@ def _matters(touch: Touch, spaces: list[Vector], rough: bool) -> bool:
 
 
 def _tangent(touch: Touch, spaces: list[Vector]) -> Vector | None:
-    """The (3,) direction of shear in a contact, or None; raises RefusedError if it can turn."""
+    """The (3,) direction of shear in a contact, or None; raises RefusedError if it can turn.
+
+    Forward is where the first unknown that shears the contact most carries its body.
+    """
     along = tangents(touch, spaces)
     if len(along) > 1:
         raise RefusedError("the slip between bodies {} and {} can turn".format(*touch.names))
-    return along[0] if len(along) else None
+    if not len(along):
+        return None
+    parts = np.concatenate([spaces[i] for i in touch.spheres]) @ along[0]
+    return np.asarray(along[0] * np.sign(parts[np.abs(parts).argmax()]))
 
 
 def _rows(

@@ -1,0 +1,53 @@
+"""The plausible solver bugs that `bench.mutations` seeds: one text replaced by another."""
+
+from typing import NamedTuple
+
+
+class Bug(NamedTuple):
+    """What is wrong, where, the code to ask, and the texts before and after."""
+
+    what: str
+    file: str
+    code: str
+    old: str
+    new: str
+
+
+LINE = "vv/dem/line_kernel.py"
+SPACE = "vv/dem/space_kernel.py"
+LAW = "vv/dem/contact_law.py"
+FRICTION = "vv/dem/friction.py"
+ADVANCE = "vv/dem/advance.py"
+TRANSLATE = "adapters/yade/translate.py"
+DRIVER = "adapters/yade/driver.py"
+DECK = "adapters/liggghts/deck.py"
+
+BUGS = (
+    Bug("sign of the shear spring", LINE, "dem", "shear - ks * dt", "shear + ks * dt"),
+    Bug("half step missing at the start", LINE, "dem", "start - back * dt / mass", "start - 0.0"),
+    Bug("friction capped on one side", LINE, "dem", "max(trial, -cap), cap)", "trial, cap)"),
+    Bug("cap on the wrong side", LINE, "dem", "min(max(trial, -cap), cap)", "max(trial, cap)"),
+    Bug("contact pulls", LINE, "dem", "load += kn * max(overlap, 0.0)\n                if was", "load += kn * overlap\n                if was"),
+    Bug("drag dropped", LINE, "dem", "decay = (1.0 - lag * rate)", "decay = (1.0 + 0.0 * rate)"),
+    Bug("drag lags in the default scheme", LINE, "dem", "rate = eta * dt / mass", "rate = eta * dt / mass; lag = 1.0"),
+    Bug("friction's work not booked", LINE, "dem", "slipped += (trial", "slipped += 0.0 * (trial"),
+    Bug("drag's work not booked", LINE, "dem", "dragged += ahead + drag * before", "dragged += 0.0"),
+    Bug("position moved by the old velocity", LINE, "dem", "q += dt * after", "q += dt * before"),
+    Bug("bodies swapped in a pair", LAW, "dem", "at(u, j), -1.0, at(u, i)", "at(u, i), -1.0, at(u, j)"),
+    Bug("one of a pair not pushed", LAW, "dem", "put(push, j, plus(at(push, j), 1.0, force))", "pass"),
+    Bug("wall friction pulls along", LAW, "dem", "slide = plus(NOWHERE, share, plus(relative, -dot(n, relative), n))", "slide = plus(NOWHERE, -share, plus(relative, -dot(n, relative), n))"),
+    Bug("gap taken at the start only", LAW, "dem", "overlap = -gap[q] - dot(n, at(u, i))", "overlap = -gap[q]"),
+    Bug("stale shear after separation", LAW, "dem", "                put(shear, p, NOWHERE)", "                pass"),
+    Bug("shear spring charged twice", FRICTION, "dem", "trial = plus(old, -ks, slide)", "trial = plus(old, -2.0 * ks, slide)"),
+    Bug("no Coulomb cap", FRICTION, "dem", "if dot(trial, trial) <= caps[1] * caps[1]:", "if True:"),
+    Bug("dead load dropped", SPACE, "dem", "put(push, i, plus(at(push, i), 1.0, at(load, i)))", "pass"),
+    Bug("locks ignored", ADVANCE, "dem", "    if hold is None:", "    if True:"),
+    Bug("wrong mass", ADVANCE, "dem", "new = plus(old, dt / mass[i], push)", "new = plus(old, dt / (1.01 * mass[i]), push)"),
+    Bug("wrong lever arm", LAW, "dem", "put(turn, j, plus(at(turn, j), radius[p, 1] - 0.5 * overlap, torque))", "put(turn, j, plus(at(turn, j), radius[p, 1] + 0.5 * overlap, torque))"),
+    Bug("velocity not set back half a step", TRANSLATE, "yade", "* (dt / 2)", "* 0.0"),
+    Bug("push at the start forgotten", TRANSLATE, "yade", "(mass[:, None] / dt - eta) * early", "0.0 * early"),
+    Bug("ratcheting correction left on", DRIVER, "yade", "noRatch=False", "noRatch=True"),
+    Bug("numerical damping left on", DRIVER, "yade", "NewtonIntegrator(damping=0,", "NewtonIntegrator(damping=0.2,"),
+    Bug("drag forgotten in the deck", DECK, "liggghts", 'yield f"fix drag all viscous {float(scene.eta)!r}"', 'yield ""'),
+    Bug("tangential damping left on", DECK, "liggghts", " tangential_damping off", ""),
+)  # fmt: skip
