@@ -1,9 +1,10 @@
 # Needs git, make and Python 3.11 or newer; `setup` brings the rest. `make` lists the commands.
-.PHONY: help setup run test lock clean
+.PHONY: help setup run test gate lock clean
 
 help:
 	@echo "make run    set up, run every case in every code found, print the report's path"
 	@echo "make test   set up, then lint, types and tests"
+	@echo "make gate   set up, judge every case quickly; .vv/gate.md, .vv/gate.xml say what is wrong"
 	@echo "make setup  the virtual environment in .venv; YADE and LIGGGHTS where apt may"
 	@echo "make lock   renew requirements.lock from pyproject.toml"
 	@echo "make clean  remove .venv and everything generated"
@@ -22,6 +23,10 @@ test: setup
 	.venv/bin/ruff format --check .
 	.venv/bin/mypy
 	.venv/bin/pytest
+
+gate: setup
+	@.venv/bin/vv gate --against cases/baselines $(if $(VV_REQUIRE),--require $(VV_REQUIRE)) \
+	    --markdown .vv/gate.md --junit .vv/gate.xml
 
 lock:
 	@./setup.sh lock

@@ -26,14 +26,21 @@ TERMS = frozenset(
         Term.LOAD,
         Term.ROTATION,
         Term.OBLIQUE_LOCK,
+        Term.BLOCK,
+        Term.RIGID_CONTACT,
+        Term.SHAKING,
+        Term.BASE_MOTION,
     }
 )
+KNOBS = ("dt", "kn")
 SCHEMES = (
     Scheme(
         "default",
         "leapfrog from a centred start, drag at the mean of the velocities around it",
         Method.SECOND_ORDER,
         TERMS,
+        KNOBS,
+        lowered={Term.RIGID_CONTACT: Method.PENALTY},
     ),
     Scheme(
         "published",
@@ -41,10 +48,14 @@ SCHEMES = (
         "the initial one at first; a start under force is half a step late for the same reason",
         Method.SECOND_ORDER,
         TERMS,
+        KNOBS,
         lowered={
+            Term.RIGID_CONTACT: Method.PENALTY,
             Term.DRAG: Method.FIRST_ORDER,
             Term.GRAVITY: Method.FIRST_ORDER,
             Term.LOAD: Method.FIRST_ORDER,
+            Term.SHAKING: Method.FIRST_ORDER,
+            Term.BASE_MOTION: Method.FIRST_ORDER,
         },
     ),
 )

@@ -18,7 +18,8 @@ from vv.timing import timed
 SCHEMES = (
     Scheme(
         "default",
-        "from event to located event by Taylor series, in scenes whose contact normals stay",
+        "from event to located event by Taylor series, in scenes whose contact normals stay; "
+        "in rigid contact one body that slips along a line",
         Method.EXACT,
         exact.TERMS,
         knobs=(),
@@ -42,7 +43,7 @@ class Exact:
 
     def describe(self, ask: Ask, scheme: str) -> Model:
         """The smallest model of the scene; raises RefusedError if it has none."""
-        return exact.describe(ask.scene, exact.prepare(ask))
+        return exact.model(ask.scene, exact.prepare(ask))
 
     def native(self, ask: Ask, scheme: str) -> str:
         """A Python script that calls the engine."""
@@ -64,12 +65,12 @@ class Exact:
 def _run(ask: Ask, repeat: float) -> Run:
     """One ask, part by part on the clock."""
     started = time.process_time()
-    system = exact.prepare(ask)
+    problem = exact.prepare(ask)
     setup = time.process_time() - started
     try:
-        path, cost = timed(functools.partial(exact.follow, system, exact.duration(ask)), repeat)
+        path, cost = timed(functools.partial(exact.move, problem, exact.duration(ask)), repeat)
     except exact.StoppedError as reason:
-        model = exact.describe(ask.scene, system)
+        model = exact.model(ask.scene, problem)
         return Run(Status.DIVERGED, str(reason), cost=Cost(setup=setup), model=model)
     solved = time.process_time()
     run = exact.answer(ask, path)

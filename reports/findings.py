@@ -12,7 +12,7 @@ from reports.outcomes import RANKS, Outcome, Record, outcome_of
 from reports.tables import NORMS, anchor, label
 from reports.text import brief, short
 
-DECIMAL = re.compile(r"\b\d+(?:\.\d+(?:e[+-]?\d+)?|e[+-]?\d+)\b")
+DECIMAL = re.compile(r"(?<![\w.])-?\d+(?:\.\d+(?:e[+-]?\d+)?|e[+-]?\d+)\b")
 
 
 @dataclass(frozen=True)

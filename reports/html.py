@@ -5,14 +5,17 @@ from __future__ import annotations
 import functools
 import hashlib
 import json
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from vv import digest, gate, metrics
-from vv.store import Store, write
+from vv import digest, finding, gate, metrics
+from vv import history as histories
+from vv.history import Point, history
+from vv.store import Store, deliver
 
 HERE = Path(__file__).parent
+JUDGING = (digest, finding, gate, histories, metrics)  # modules that a report leans on
 HEAD = 4096  # characters within which a report names the digest of its inputs
 
 
@@ -38,13 +41,14 @@ def build_quickly(manifest: dict[str, Any], store: Store, output: Path) -> Path:
 def _built(
     manifest: dict[str, Any], store: Store, output: Path, drawing: Callable[..., str]
 ) -> Path:
-    stamp = _stamp(manifest, drawing.__name__)
+    past = {case: history(store, case) for case in manifest["cases"]}
+    stamp = _stamp(manifest, past, drawing.__name__)
     if _stamp_of(output) != stamp:
         from reports.page import page
 
         draw = functools.partial(drawing, folder=store.root / "figures")
-        view = page(manifest, functools.cache(store.series), draw, stamp)
-        write(output, str(_template().render(page=view)).encode())
+        view = page(manifest, functools.cache(store.series), draw, past, stamp)
+        deliver(output, str(_template().render(page=view)).encode())
     return output
 
 
@@ -67,11 +71,16 @@ def _template() -> Any:
     return environment.get_template("report.html.j2")
 
 
-def _stamp(manifest: Mapping[str, Any], drawing: str) -> str:
+def _stamp(manifest: Mapping[str, Any], past: Mapping[str, Sequence[Point]], drawing: str) -> str:
     """Digest of all a report shows but the time and the name of the invocation."""
     circumstances = {k: v for k, v in manifest["provenance"].items() if k != "utc"}
-    shown = (circumstances, manifest["cases"], manifest["records"])
-    text = json.dumps(shown, sort_keys=True)
+    parts = [manifest[part] for part in ("cases", "records", "findings", "baselines", "recorded")]
+    before = [
+        (case, point.name, point.closeness, point.cost, point.outcomes)
+        for case, points in past.items()
+        for point in points
+    ]
+    text = json.dumps((circumstances, parts, before), sort_keys=True)
     return hashlib.sha256(f"{_sources()}{drawing}{text}".encode()).hexdigest()
 
 
@@ -89,7 +98,7 @@ def _stamp_of(output: Path) -> str:
 @functools.cache
 def _sources() -> str:
     """Digest of the sources that decide how a report looks."""
-    modules = (Path(module.__file__ or "") for module in (digest, gate, metrics))
+    modules = (Path(module.__file__ or "") for module in JUDGING)
     own = (p for p in HERE.rglob("*") if p.suffix in (".py", ".j2", ".css"))
     sha = hashlib.sha256()
     for path in sorted([*own, *modules], key=lambda p: p.name):

@@ -7,7 +7,8 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from vv.gate import Bit, exit_bits, outcome
+from vv.finding import Bit
+from vv.gate import exit_bits, outcome
 
 Record = Mapping[str, Any]
 

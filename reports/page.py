@@ -14,12 +14,23 @@ from reports.marks import Mark, marks
 from reports.outcomes import WORST_FIRST, Record, counted, outcome_of
 from reports.tables import Group
 from reports.text import slug
-from reports.views import Case, Page, Scheme, Variant
+from reports.views import Case, Page, Recorded, Scheme, Variant
+from vv.finding import from_data, worst_first
+from vv.history import Point
 from vv.record import NORMS
 
 
-def page(manifest: Mapping[str, Any], arrays: Arrays, draw: Draw, digest: str) -> Page:
-    """The view of a manifest. arrays: record key -> its series. draw: chart -> SVG."""
+def page(
+    manifest: Mapping[str, Any],
+    arrays: Arrays,
+    draw: Draw,
+    past: Mapping[str, Sequence[Point]],
+    digest: str,
+) -> Page:
+    """The view of a manifest.
+
+    arrays: record key -> its series. draw: chart -> SVG. past: case -> its points over commits.
+    """
     records = manifest["records"]
     looks = marks(tables.label(record) for record in records)
     return Page(
@@ -30,9 +41,9 @@ def page(manifest: Mapping[str, Any], arrays: Arrays, draw: Draw, digest: str) -
         versions={r["code"]: r["code_version"] for r in records if r["code_version"]},
         counts=counted(records),
         cases=[
-            _case(name, facts, [r for r in records if r["case"] == name], looks, arrays, draw)
-            for name, facts in manifest["cases"].items()
+            _case(name, manifest, looks, arrays, draw, past[name]) for name in manifest["cases"]
         ],
+        since=worst_first(map(from_data, manifest["findings"])),
         trouble=findings(records, looks, ("bad", "odd")),
         known=findings(records, looks, ("known",)),
         idle=findings(records, looks, ("idle",)),
@@ -43,12 +54,15 @@ def page(manifest: Mapping[str, Any], arrays: Arrays, draw: Draw, digest: str) -
 
 def _case(
     name: str,
-    facts: Mapping[str, Any],
-    records: Sequence[Record],
+    manifest: Mapping[str, Any],
     looks: Mapping[str, Mark],
     arrays: Arrays,
     draw: Draw,
+    past: Sequence[Point],
 ) -> Case:
+    facts = manifest["cases"][name]
+    records = [r for r in manifest["records"] if r["case"] == name]
+    recorded = [r for r in manifest["recorded"] if r["case"] == name]
     variants: list[Variant] = []
     distinct: dict[str, list[History]] = {}
     for variant, said in facts["variants"].items():
@@ -61,10 +75,33 @@ def _case(
         if any(outcome_of(record).troubling for record in own):
             like = ""  # whoever looks for what went wrong needs its own picture
         made = [] if like else _figures(said, own, looks, arrays, draw)
-        variants.append(_variant(name, variant, facts, own, looks, made, like, bool(curves)))
+        kept = _recorded([r for r in recorded if r["variant"] == variant], said)
+        variants.append(_variant(name, variant, facts, own, kept, looks, made, like, bool(curves)))
     dt = _stated_step(facts)
     beside = {v: _pointwise([r for r in records if r["variant"] == v], dt) for v in distinct}
-    return Case(name, slug(name), facts, _quantities(facts), variants, beside, dt)
+    return Case(
+        name=name,
+        anchor=slug(name),
+        facts=facts,
+        quantities=_quantities(facts),
+        variants=variants,
+        beside=beside,
+        beside_dt=dt,
+        baseline=manifest["baselines"].get(name),
+        past=past,
+    )
+
+
+def _recorded(records: Sequence[Record], said: Mapping[str, Any]) -> dict[str, Recorded]:
+    """Scheme -> its recorded result at the finest rung, by the first quantity."""
+    found = {}
+    first = said["quantities"][0] if said["quantities"] else {"name": "", "judge": ""}
+    for record in tables.coarsest_first(records):
+        told = record["quantities"].get(first["name"], {})
+        error = told.get("max error")
+        date = record["utc"].partition("T")[0]
+        found[tables.label(record)] = Recorded(record["version"], date, record["days"], error)
+    return found
 
 
 def _figures(
@@ -90,6 +127,7 @@ def _variant(
     name: str,
     facts: Mapping[str, Any],
     records: Sequence[Record],
+    recorded: Mapping[str, Recorded],
     looks: Mapping[str, Mark],
     made: Sequence[Figure],
     like: str,
@@ -110,6 +148,7 @@ def _variant(
         settings={key: value for key, value in given.items() if value != usual.get(key)},
         modified=any(record["modified"] for record in records),
         cells={label: tables.cell(own) for label, own in by_label.items()},
+        recorded=recorded,
         schemes=[_scheme(looks[label], own, groups) for label, own in by_label.items()],
         groups=groups,
         absent=tables.absent(records, looks),

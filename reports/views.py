@@ -11,6 +11,18 @@ from reports.gallery import Figure
 from reports.marks import Mark
 from reports.outcomes import Outcome
 from reports.tables import Absent, Cell, Group
+from vv.finding import Finding as Change
+from vv.history import Point
+
+
+@dataclass(frozen=True)
+class Recorded:
+    """A recorded result of a code that is not installed: never a live one. days: its age."""
+
+    version: str
+    date: str
+    days: int
+    error: float | None
 
 
 @dataclass(frozen=True)
@@ -37,6 +49,7 @@ class Variant:
     settings: Mapping[str, float]
     modified: bool
     cells: Mapping[str, Cell]
+    recorded: Mapping[str, Recorded]
     schemes: Sequence[Scheme]
     groups: Sequence[Group]
     absent: Sequence[Absent]
@@ -47,7 +60,11 @@ class Variant:
 
 @dataclass(frozen=True)
 class Case:
-    """A case: its prose and its variants. beside: our errors at the step of the tolerances."""
+    """A case: its prose and its variants.
+
+    beside: our errors at the step of the tolerances. baseline: what was accepted, why and where;
+    None if nothing was. past: the case over commits, oldest first.
+    """
 
     name: str
     anchor: str
@@ -56,6 +73,8 @@ class Case:
     variants: Sequence[Variant]
     beside: Mapping[str, Mapping[str, float | None]]
     beside_dt: float | None
+    baseline: Mapping[str, Any] | None
+    past: Sequence[Point]
 
 
 @dataclass(frozen=True)
@@ -69,6 +88,7 @@ class Page:
     versions: Mapping[str, str]
     counts: Sequence[tuple[Outcome, int]]
     cases: Sequence[Case]
+    since: Sequence[Change]
     trouble: Sequence[Finding]
     known: Sequence[Finding]
     idle: Sequence[Finding]

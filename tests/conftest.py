@@ -10,6 +10,11 @@ import pytest
 TINY = Path(__file__).parent / "tiny"
 
 
+def _without_vv() -> dict[str, str]:
+    """The environment without what steers vv, so that a test sees only its own project."""
+    return {name: value for name, value in os.environ.items() if not name.startswith("VV_")}
+
+
 class Tiny:
     """A project with one case and a code that misbehaves as its schemes' names say."""
 
@@ -21,7 +26,7 @@ class Tiny:
         return subprocess.run(
             [sys.executable, "-m", "vv", *words],
             cwd=self.root,
-            env={**os.environ, **environment},
+            env={**_without_vv(), **environment},
             capture_output=True,
             text=True,
             check=False,
@@ -36,13 +41,18 @@ class Tiny:
         path.write_text(text.replace(old, new))
 
 
-@pytest.fixture
-def tiny(tmp_path: Path) -> Tiny:
-    """A fresh tiny project."""
+def tiny_project(root: Path) -> Tiny:
+    """Write a tiny project into an empty folder."""
     for source in TINY.glob("*/*.txt"):
-        target = tmp_path / source.parent.name / source.stem
+        target = root / source.parent.name / source.stem
         target.parent.mkdir(exist_ok=True)
         target.write_text(source.read_text())
         (target.parent / "__init__.py").write_text('"""Part of the tiny project."""\n')
-    (tmp_path / "vv.toml").write_text("")
-    return Tiny(tmp_path)
+    (root / "vv.toml").write_text("")
+    return Tiny(root)
+
+
+@pytest.fixture
+def tiny(tmp_path: Path) -> Tiny:
+    """A fresh tiny project."""
+    return tiny_project(tmp_path)

@@ -156,7 +156,7 @@ def _until_event(
 
 
 def _solver(plane: Plane, t: float, y: Vector, end: float, step: float) -> DOP853:
-    return DOP853(plane.derivative, t, y, end, max_step=step, rtol=1e-12, atol=1e-14)  # type: ignore[arg-type]  # real
+    return DOP853(plane.derivative, t, y, end, max_step=step, rtol=1e-12, atol=1e-14)
 
 
 def _falls(

@@ -52,6 +52,8 @@ def entry(verdict: str, errors: Json, **changes: Any) -> Json:
         "value": None,
         "reference": None,
         "errors": errors,
+        "scale": 1.0,
+        "figures": {},
         "judge": "exact",
         "norm": "max",
         "tolerance": 1e-3,
@@ -101,6 +103,7 @@ def case() -> Json:
     return {
         "title": "Bounces",
         "source": {"citation": "Someone (2001)", "doi": "10.1/(x)", "note": "misprint"},
+        "enforced": ["accuracy", "regression", "speed"],
         "published": {"Fig. 4": "grows with time"},
         "parameters": [{"name": "m", "value": 1.0, "unit": "kg", "meaning": "mass"}],
         "variants": {"T1": variant, "T2": variant},
@@ -126,7 +129,7 @@ def manifest_of_all(store: Store) -> Json:
     runs.append(record("fate/g", "T1", 1e-3))
     runs.append(ran(store, "fate/h", "T1", 1e-3, "xpass"))
     runs.append(ran(store, "fate/i", "T1", 1e-3, "no-reference"))
-    energy = {"terms": {}, "unaccounted": 2.0, "peak": 9.0, "bound": 1.0}
+    energy = {"terms": {}, "unaccounted": 2.0, "peak": 9.0, "bound": 1.0, "audits": {}}
     runs.append({**ran(store, "fate/j", "T1", 1e-3, "pass"), "ledger": energy})
     machine = {"processor": "P", "cores": 2, "system": "S", "fingerprint": "f00"}
     told = {"utc": "2025-01-01T00:00:00+00:00", "commit": "c0ffee" * 7, "dirty": True}
@@ -134,6 +137,10 @@ def manifest_of_all(store: Store) -> Json:
     return {
         "name": "20250101",
         "provenance": {**told, "machine": machine},
+        "codes": {},
         "cases": {"bounce": case()},
+        "findings": [],
+        "baselines": {},
+        "recorded": [],
         "records": runs,
     }

@@ -3,8 +3,10 @@
 import re
 
 import pytest
+from typer.testing import CliRunner
 
 from tests.conftest import Tiny
+from vv.cli import GROUPS, app
 
 BAD = {
     "run": "name a case or say --all",
@@ -14,6 +16,12 @@ BAD = {
     "run fall --codes fake/god": "did you mean fake/good",
     "run fall --require nobody": "no code 'nobody'",
     "run fall --all": "not both",
+    "run fall --budget soon": "it must read like 60s, 5min or 1h",
+    "gate --against nowhere": "there is no such folder",
+    "gate fall --timeout -1": "it must be positive",
+    "accept fall": "--reason is missing",
+    "diff x": "there are no runs to compare",
+    "history nothing": "no case 'nothing'",
     "run fall --set radius=-0.1": "Spheres.radius[0] = -0.1 m; radii must be positive",
     "run fall --set speed=nan": "speed = nan m/s; it must be finite",
     "run fall --set speed=inf": "speed = inf m/s; it must be finite",
@@ -24,6 +32,8 @@ BAD = {
     "run fall --rung dt=-1": "dt = -1.0 s; a knob must be positive",
     "run fall --rung dx=1": "it must read dt=SECONDS",
     "run fall --rung dt=1ms": "is not a plain number",
+    "run fall --rung dt=1,dt=2": "dt is given twice",
+    "run fall --rung dt=0.1,kn=2": "fall:up has a contact stiffness of its own; leave out kn",
     "run fall --level huge": "'huge' is not one of",
     "run fall --timeout 0": "--timeout = 0.0 s; it must be positive",
     "rnu": "No such command 'rnu'",
@@ -98,14 +108,39 @@ def test_export_writes_the_native_input(tiny: Tiny) -> None:
     assert (tiny.root / "in.txt").read_text() == "fall 0.5\n"
 
 
-@pytest.mark.parametrize("command", ["run", "gate", "list", "codes", "report", "explain", "export"])
-def test_every_command_has_help(tiny: Tiny, command: str) -> None:
-    done = tiny.vv(command, "--help")
-    assert (done.returncode, done.stderr) == (0, "")
+@pytest.mark.parametrize("command", [name for group in GROUPS.values() for name in group])
+def test_every_command_has_help(command: str) -> None:
+    done = CliRunner().invoke(app, [command, "--help"])
+    assert (done.exit_code, done.stderr) == (0, "")
+    assert done.stdout.strip()
 
 
 def test_help_is_grouped_and_shows_the_exit_bits(tiny: Tiny) -> None:
     out = tiny.vv("--help").stdout
-    places = [out.index(f" {group} ") for group in ("Run", "Look", "Judge", "Extend")]
+    rows = [row for group, names in GROUPS.items() for row in (f"─ {group} ─", *names)]
+    places = [out.index(row if row[0] == "─" else f"│ {row} ") for row in rows]
     assert places == sorted(places)
     assert "16 timeout" in out
+
+
+def test_a_result_goes_where_the_user_says_and_nowhere_else(tiny: Tiny) -> None:
+    words = ("run", "fall:up", "--codes", "fake/good", "--level", "quick", "--json")
+    (tiny.root / "real.json").write_text("")
+    (tiny.root / "link.json").symlink_to("real.json")
+    assert tiny.vv(*words, "link.json").returncode == 0
+    assert (tiny.root / "link.json").is_symlink()
+    assert (tiny.root / "real.json").read_text().startswith('{"records"')
+    assert tiny.vv(*words, "/dev/stdout").stdout.startswith('{"records"')
+    assert tiny.vv(*words, "-").stdout.startswith('{"records"')
+    for bad in (".", "no/such/folder.json"):
+        done = tiny.vv(*words, bad)
+        assert (done.returncode, done.stderr.count("\n")) == (64, 1)
+    assert not (tiny.root / "no").exists()
+
+
+def test_a_result_folder_that_cannot_be_used_is_named(tiny: Tiny) -> None:
+    done = tiny.vv("run", "fall:up", "--codes", "fake/good", VV_DATA="/dev/null")
+    assert (done.returncode, done.stderr) == (
+        64,
+        "vv: cannot use /dev/null/scratch: Not a directory\n",
+    )

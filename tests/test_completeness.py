@@ -48,7 +48,7 @@ def test_every_quantity_has_a_tolerance_with_its_reason(case: Case) -> None:
 @pytest.mark.parametrize("case", CASES, ids=lambda case: case.name)
 def test_every_case_tells_its_source_its_parameters_and_its_formulas(case: Case) -> None:
     assert case.source.citation
-    assert case.source.doi.startswith("10.")
+    assert not case.source.doi or case.source.doi.startswith("10.")
     assert all(p.meaning for p in case.parameters)
     assert all(v.summary and v.formula for v in case.variants)
     names = {p.name for p in case.parameters}

@@ -9,6 +9,7 @@ import shutil
 import subprocess
 import sys
 import time
+from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
@@ -20,12 +21,13 @@ from vv import dem
 from vv.adapter import Scheme, unsupported
 from vv.ask import Ask, Displacement, History, Knobs, Method, Run, Status, Velocity
 from vv.case import Series
-from vv.dem.compiled import HERE, cache_folder
+from vv.compiled import cache_folder
 from vv.dem.solve import Program, solve
 from vv.dem.space import space
-from vv.scene import Contact, Scene, Spheres, Term, Vector, Wall
+from vv.scene import Contact, Harmonic, Scene, Spheres, Term, Vector, Wall
 
 ROOT = Path(__file__).parents[1]
+HERE = ROOT / "vv" / "dem"
 ANSWERS = json.loads(Path(__file__).with_name("answers.json").read_text())
 VARIANTS = [variant.name for variant in CASE.variants]
 PLAIN = ["T1", "T2", "T3", "T4"]
@@ -132,12 +134,14 @@ def forced(ask: Ask) -> Ask:
     spheres = ask.scene.spheres
     moves = spheres.free.any(axis=1, keepdims=True) & np.ones(3, bool)
     load = np.full((len(spheres), 3), 1e-100)
+    weak = Harmonic(np.full(3, 1e-100), np.ones(3))
     bodies = (
         dataclasses.replace(spheres, free=moves, free_spin=moves, load=load),
-        Wall(np.array([0.0, -1e9, 0.0]), np.array([0.0, 1.0, 0.0])),
+        Wall(np.array([0.0, -1e9, 0.0]), np.array([0.0, 1.0, 0.0]), weak),
     )
     contact = Contact(ask.scene.contact.kn, ks=1e9, mu=0.5)
-    scene = Scene(bodies, contact, eta=1e-100, gravity=np.full(3, 1e-100))
+    gravity = np.full(3, 1e-100)
+    scene = Scene(bodies, contact, eta=1e-100, gravity=gravity, shaking=weak)
     return dataclasses.replace(ask, scene=scene)
 
 
@@ -145,7 +149,8 @@ def test_t1_with_all_freedoms_and_terms_is_the_same_to_rounding() -> None:
     ask = asked("T1", 1e-3)
     least, full = dem.prepare(ask, dem.CENTRED), dem.prepare(forced(ask), dem.CENTRED)
     assert (least.model.unknowns, full.model.unknowns) == (1, 6)
-    assert full.model.terms == ADAPTER.schemes[0].terms - {Term.OBLIQUE_LOCK}
+    others = {Term.OBLIQUE_LOCK, Term.BLOCK, Term.RIGID_CONTACT}
+    assert full.model.terms == ADAPTER.schemes[0].terms - others
     one, six = (displacement("T1", program.run(program.solve())) for program in (least, full))
     assert np.abs(one - six).max() <= 1e-13 * np.abs(one).max()
 
@@ -170,7 +175,8 @@ def _clocked(program: Program) -> float:
 @pytest.mark.parametrize("variant", ["T4", "T4-rotated"])
 def test_the_general_model_holds_oblique_locks_to_rounding(variant: str, scheme: str) -> None:
     ask = asked(variant, 1e-3)
-    general = Program(ask, LEAPFROGS[scheme], space(ask.scene))
+    least_model = dem.prepare(ask, LEAPFROGS[scheme])
+    general = dataclasses.replace(least_model, system=space(ask.scene))
     y = displacement(variant, solve(ask, LEAPFROGS[scheme]))
     run = general.run(general.solve())
     # the overlap is the difference of lengths 450 times its size
@@ -343,3 +349,25 @@ def test_the_cache_goes_where_it_is_told_and_else_where_it_can(
     (tmp_path / "file").write_text("")
     monkeypatch.setenv("VV_CACHE", str(tmp_path / "file" / "under"))
     assert not cache_folder(HERE).is_relative_to(tmp_path)
+
+
+@pytest.mark.parametrize("height", [0.0, 0.1])
+@pytest.mark.parametrize("free", [[False, True, False], [True, True, True]])
+@pytest.mark.parametrize("solve", [dem.solve_default, dem.solve_published])
+def test_a_ball_let_go_from_rest_falls(
+    solve: Callable[[Ask], Run], free: list[bool], height: float
+) -> None:
+    ball = Spheres(
+        position=np.array([[0.0, 0.1 + height, 0.0]]),
+        velocity=np.zeros((1, 3)),
+        radius=np.array([0.1]),
+        mass=np.array([1.0]),
+        free=np.array([free]),
+    )
+    floor = Wall(np.zeros(3), np.array([0.0, 1.0, 0.0]))
+    gravity = np.array([0.0, -9.81, 0.0])
+    scene = Scene((floor, ball), Contact(1e5), gravity=gravity)
+    seen = (Displacement(1),)
+    run = solve(Ask(scene, History(0.05, 1e-3), seen, Knobs(dt=1e-4)))
+    assert run.status is Status.RAN
+    assert run.values[seen[0]][-1, 1] < 0.0

@@ -12,7 +12,7 @@ from tests.event_located import event_located
 from tests.small_scenes import DOWN, FLOOR, KINDS, ball, crowded, small_scene
 from vv.ask import Ask, Displacement, History, Run, Status, Velocity
 from vv.exact import Path as Motion
-from vv.exact import follow, prepare, solve
+from vv.exact import assemble, follow, solve
 from vv.exact.modes import State
 from vv.scene import Contact, Scene, Spheres, Vector, Wall
 from vv.transform import rotated
@@ -54,7 +54,7 @@ def turned(seed: int) -> Vector:
 
 
 def motion(scene: Scene, duration: float) -> Motion:
-    return follow(prepare(Ask(scene, History(duration, duration), ())), duration)
+    return follow(assemble(scene), duration)
 
 
 def apart(found: Vector, expected: Vector) -> float:
@@ -91,7 +91,7 @@ def test_coordinates_that_dwarf_the_motion_cost_no_accuracy(test: str) -> None:
 def test_a_single_contact_has_one_unknown_and_no_arrays_it_does_not_need(variant: str) -> None:
     """A second one where the contact could move normally: T3 and T4 held by a load, not a lock."""
     ask = asked(variant)
-    run, system = solve(ask), prepare(ask)
+    run, system = solve(ask), assemble(ask.scene)
     path = follow(system, 0.4)
     unknowns = 2 if variant in ("T3-free", "T4-free") else 1
     springs = int(variant[:2] in ("T3", "T4"))

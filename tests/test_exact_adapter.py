@@ -16,7 +16,7 @@ from tests.small_scenes import DOWN, FLOOR, ball, crowded
 from vv.adapter import unsupported
 from vv.ask import Ask, Displacement, History, Knobs, Status
 from vv.exact import solve
-from vv.scene import Contact, Scene, Term
+from vv.scene import Contact, Harmonic, Scene, Term
 
 PLAIN = ["T1", "T2", "T3", "T4"]
 
@@ -80,7 +80,17 @@ REFUSED = {
     "sphere 0 spins; spin is not modelled": Scene(
         (FLOOR, ball(np.zeros(3), np.ones(3), spin=np.ones((1, 3)))), Contact(1e3)
     ),
-    "contact without elasticity is not modelled": Scene((FLOOR, RESTING), Contact(np.inf)),
+    "bodies 0 and 1 overlap by 0.1 m at t = 0; rigid ones cannot": Scene(
+        (FLOOR, RESTING), Contact(np.inf)
+    ),
+    "contact between spheres is not modelled on rigid contact": Scene(
+        (FLOOR, RESTING, RESTING), Contact(np.inf)
+    ),
+    "a body acceleration that varies in time is not modelled on springs": Scene(
+        (FLOOR, RESTING),
+        Contact(1e3),
+        shaking=Harmonic(np.ones(3), np.ones(3)),
+    ),
     "the centres of bodies 0 and 1 coincide": Scene((RESTING, RESTING), Contact(1e3)),
     "the scene has 33 spheres; at most 32 are solved": Scene((RESTING,) * 33, Contact(1e3)),
     "body 0 is no sphere of this scene, which has 2 bodies": Scene(

@@ -6,7 +6,7 @@ from typing import Any
 import pytest
 
 from tests.conftest import Tiny
-from vv.gate import Bit
+from vv.finding import Bit
 
 
 def records(tiny: Tiny, *words: str) -> tuple[int, list[dict[str, Any]]]:
@@ -32,7 +32,7 @@ OUTCOMES = {
     "killed": ("error", Bit.CRASH | Bit.INCOMPLETE, "SIGKILL"),
     "diverges": ("diverged", Bit.CRASH | Bit.INCOMPLETE, "blew up"),
     "nan": ("diverged", Bit.CRASH | Bit.INCOMPLETE, "not finite from t = 0.6 s"),
-    "silent": ("error", Bit.CRASH | Bit.INCOMPLETE, "was asked and not reported"),
+    "silent": ("error", Bit.CRASH | Bit.INCOMPLETE, "and not reported"),
     "truncated": ("error", Bit.CRASH | Bit.INCOMPLETE, "reported 9 of 11 output times"),
     "ignores": ("error", Bit.CRASH | Bit.INCOMPLETE, "does not say that it modelled: gravity"),
     "refuses": ("refused", Bit.INCOMPLETE, "does not feel like it"),
@@ -55,7 +55,7 @@ def test_zeros_are_called_unmoving(tiny: Tiny) -> None:
 
 def test_a_hanging_code_times_out(tiny: Tiny) -> None:
     done = tiny.vv(
-        "run", "fall:up", "--codes", "fake/hangs", "--level", "quick", "--timeout", "0.1"
+        "gate", "fall:up", "--codes", "fake/hangs", "--level", "quick", "--timeout", "0.1"
     )
     assert done.returncode == int(Bit.TIMEOUT | Bit.INCOMPLETE)
     assert "no answer in time" in done.stderr
@@ -133,3 +133,30 @@ def test_a_known_disagreement_outside_its_bands_is_red(tiny: Tiny, change: dict[
 def test_an_unexpected_pass_is_red(tiny: Tiny) -> None:
     tiny.edit("adapters/fake.py", "(1 + 0.1 * ask.knobs.dt)", "(1 + 1e-4 * ask.knobs.dt)")
     assert known(tiny) == (Bit.ACCURACY, {"xpass"})
+
+
+def test_two_variants_of_one_scene_are_judged_each_by_its_own_reference(tiny: Tiny) -> None:
+    tiny.edit("cases/fall.py", "variants=(", 'variants=(Variant("wrong", "it falls up", "y"),')
+    tiny.edit(
+        "cases/fall.py", "fall.height(t,", "(2 if variant == 'wrong' else 1) * fall.height(t,"
+    )
+    words = ("--codes", "fake/good", "--level", "quick")
+    assert records(tiny, "fall:up", *words)[0] == 0
+    assert records(tiny, "fall:wrong", *words)[0] == Bit.ACCURACY
+    assert records(tiny, "fall:up", *words)[0] == 0
+
+
+def test_a_reference_of_zeros_fails_unless_the_case_states_a_scale(tiny: Tiny) -> None:
+    words = ("fall:up", "--codes", "fake/good", "--level", "quick")
+    tiny.edit("cases/fall.py", "fall.height(t, p", "0 * fall.height(t, p")
+    code, (record,) = records(tiny, *words)
+    assert (code, record["quantities"][0]["verdict"]) == (Bit.ACCURACY, "fail")
+    assert "states no scale" in record["quantities"][0]["note"]
+    tiny.edit("cases/fall.py", "judge=Exact({method: TOL", "scale=1e4, judge=Exact({method: TOL")
+    assert records(tiny, *words)[0] == 0
+
+
+def test_a_step_longer_than_the_run_is_refused_for_every_code(tiny: Tiny) -> None:
+    done = tiny.vv("run", "fall:up", "--codes", "fake/good", "--rung", "dt=2")
+    assert done.returncode == Bit.INCOMPLETE
+    assert "dt = 2 s is longer than the 1 s to be run" in done.stderr

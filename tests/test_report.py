@@ -17,6 +17,7 @@ from reports.outcomes import OUTCOMES, WORST_FIRST, outcome_of
 from tests.fabricated import STEPS, Json, case, entry, manifest_of_all, ran
 from tests.html_tags import Tags
 from vv.ask import Status
+from vv.finding import Bit, Finding
 from vv.record import Verdict
 from vv.store import Store
 
@@ -180,6 +181,30 @@ def test_reasons_and_circumstances_are_told(manifest: Json, store: Store) -> Non
     for words in (*told, "terms: gravity, drag", "● 9", "indicative", "one freedom"):
         assert words in page
     assert page.count("drag is late") == 3  # in the list, and over the rungs of both variants
+
+
+@pytest.mark.usefixtures("sketched")
+def test_what_was_accepted_moved_or_recorded_is_told(manifest: Json, store: Store) -> None:
+    taken: Json = {"reason": "looked <at>", "utc": "2025-01-01T00:00:00", "commit": "c0ffee" * 7}
+    taken |= {"dirty": True, "machine": {"processor": "P9", "system": "S9"}}
+    taken |= {"versions": {"numpy": "9.9"}, "results": 3}
+    manifest["baselines"] = {"bounce": {"results": 4, "acceptances": [taken]}}
+    moved = Finding("regression", "worse", "it moved", "bounce", "T1", bit=Bit.ACCURACY)
+    manifest["findings"] = [moved.as_data()]
+    absent = next(r for r in manifest["records"] if r["status"] == "not-installed")
+    kept: Json = {"version": "2.3", "utc": "2024-02-29T01:02:03", "days": 307}
+    kept |= {"quantities": {"y": {"max error": 4.2e-7}}}
+    names = ("case", "variant", "code", "scheme", "rung")
+    manifest["recorded"] = [{**{name: absent[name] for name in names}, **kept}]
+    page = built(manifest, store)
+    assert "3 of 4 results" in page
+    assert "Reason: looked &lt;at&gt;" in page
+    assert "P9, S9, numpy 9.9" in page
+    assert "it moved" in page
+    cell = Tags(page).cells[tables.anchor(absent)]
+    assert "recorded 2024-02-29 with 2.3, 307 days ago: 4.2e-7" in cell
+    assert "not installed" in cell
+    assert "pass" not in cell
 
 
 def test_importing_the_report_costs_no_plotting_library() -> None:

@@ -65,6 +65,11 @@ def test_changing_a_parameter_runs_again_and_is_marked(tiny: Tiny) -> None:
     assert {(r["modified"], r["parameters"]["speed"]) for r in records} == {(True, 5.5)}
 
 
+def test_each_scheme_has_runs_of_its_own(tiny: Tiny) -> None:
+    runs(tiny)
+    assert runs(tiny, "run", "fall:up", "--codes", "fake/coarse") == 3
+
+
 def test_a_failure_is_never_kept(tiny: Tiny) -> None:
     log = tiny.root / "log"
     for _ in range(2):

@@ -73,6 +73,14 @@ class Adapter(Protocol):
         """
 
 
+def no_steps(ask: Ask) -> str | None:
+    """Why a stepping scheme cannot answer an ask: a step that does not fit in its duration."""
+    dt = ask.knobs.dt
+    if dt is None or ask.goal.steps(dt) > 0:
+        return None
+    return f"dt = {dt:g} s is longer than the {ask.goal.duration:g} s to be run"
+
+
 def unsupported(scheme: Scheme, terms: frozenset[Term]) -> frozenset[Term]:
     """The terms a scene has and a scheme lacks; the framework refuses unless this is empty."""
     return terms - scheme.terms

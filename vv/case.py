@@ -18,7 +18,10 @@ NO_DEFAULTS: Parameters = MappingProxyType({})
 
 @dataclass(frozen=True)
 class Source:
-    """Where a benchmark comes from; note: what the paper misprints or leaves out."""
+    """Where a benchmark comes from; note: what the paper misprints or leaves out.
+
+    doi: without a prefix, empty if there is none.
+    """
 
     citation: str
     doi: str
@@ -44,9 +47,14 @@ class Norm(enum.Enum):
     L2 = "||e||_2 / ||ref||_2"
 
 
+LOOSEST = 0.1  # relative error that no tolerance exceeds, however coarse the step
+
+
 @dataclass(frozen=True)
 class Tolerance:
     """A bound on an error and why: value at the step dt [s], growing as dt**order above floor.
+
+    It grows to LOOSEST at most: an answer farther off than that is wrong at any step.
 
     slack: why the bound is more than a hundred times what codes reach, where it is.
     """
@@ -62,7 +70,7 @@ class Tolerance:
         """The bound for a run with these knobs."""
         if self.dt is None or knobs.dt is None:
             return self.value
-        return max(self.floor, self.value * (knobs.dt / self.dt) ** self.order)
+        return min(LOOSEST, max(self.floor, self.value * (knobs.dt / self.dt) ** self.order))
 
 
 @dataclass(frozen=True)
@@ -100,9 +108,18 @@ class Shown:
 Judge = Exact | Interval | Invariant | Shown
 
 
+def _require_answer(name: str, reference: object, judge: Judge) -> None:
+    """A quantity that is judged by its error must have something to be compared with."""
+    if reference is None and isinstance(judge, Exact | Invariant):
+        raise ValueError(f"quantity '{name}' is judged by its error and has no reference")
+
+
 @dataclass(frozen=True)
 class Series:
-    """A quantity over time: observe(run) -> (k,) values at run.times; reference(t) -> (k,)."""
+    """A quantity over time: observe(run) -> (k,) values at run.times; reference(t) -> (k,).
+
+    scale: what errors are relative to where the reference itself may be zero throughout.
+    """
 
     name: str
     symbol: str
@@ -111,6 +128,14 @@ class Series:
     observe: Callable[[Run], Vector]
     reference: Callable[[Vector], Vector] | None
     judge: Judge
+    scale: float | None = None
+
+    def __post_init__(self) -> None:
+        _require_answer(self.name, self.reference, self.judge)
+        if isinstance(self.judge, Interval):
+            raise ValueError(f"quantity '{self.name}': a series has no single value to bound")
+        if self.scale is not None and not self.scale > 0:
+            raise ValueError(f"Series.scale = {self.scale!r} {self.unit}; it must be positive")
 
 
 @dataclass(frozen=True)
@@ -127,6 +152,7 @@ class Scalar:
     judge: Judge
 
     def __post_init__(self) -> None:
+        _require_answer(self.name, self.reference, self.judge)
         if not (math.isfinite(self.scale) and self.scale > 0):
             raise ValueError(f"Scalar.scale = {self.scale!r} {self.unit}; it must be positive")
 
@@ -141,6 +167,9 @@ class Count:
     observe: Callable[[Run], int]
     reference: int | None
     judge: Judge
+
+    def __post_init__(self) -> None:
+        _require_answer(self.name, self.reference, self.judge)
 
 
 Quantity = Series | Scalar | Count
@@ -170,11 +199,20 @@ class Trial:
     quantities: tuple[Quantity, ...]
 
 
+class Check(enum.Enum):
+    """What the gate judges a case by; the value is the word shown to people."""
+
+    ACCURACY = "accuracy"
+    REGRESSION = "regression"
+    SPEED = "speed"
+
+
 @dataclass(frozen=True, eq=False)
 class Case:
     """A benchmark, declared once. declare(variant name, parameters) -> Trial.
 
-    published: what the source itself reports, as text, to stand beside our results.
+    published: what the source itself reports, as text, to stand beside our results. enforced:
+    the checks that turn the gate red; what the others find is reported only.
     """
 
     name: str
@@ -184,6 +222,7 @@ class Case:
     variants: tuple[Variant, ...]
     declare: Callable[[str, Parameters], Trial]
     published: Mapping[str, str] = field(default_factory=dict)
+    enforced: frozenset[Check] = frozenset(Check)
 
     def variant(self, name: str) -> Variant:
         """The variant of that name; raises KeyError."""

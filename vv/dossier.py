@@ -21,6 +21,7 @@ def dossier(case: Case, plan: Plan) -> dict[str, Any]:
         "title": case.title,
         "source": dataclasses.asdict(case.source),
         "published": dict(case.published),
+        "enforced": sorted(check.value for check in case.enforced),
         "parameters": [dataclasses.asdict(parameter) for parameter in case.parameters],
         "variants": {name: _variant(case.variant(name), trial) for name, trial in trials.items()},
     }

@@ -1,33 +1,15 @@
-"""The judgement: records against the ledger of known disagreements, and the exit bits."""
+"""The judgement: what is wrong with records, one finding each, and the exit bits of all."""
 
 from __future__ import annotations
 
-import datetime
-import enum
 import fnmatch
-import math
-import tomllib
-from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
-from pathlib import Path
+from collections.abc import Container, Iterable, Iterator, Mapping, Sequence
 from typing import Any
 
 from vv.ask import Status
-from vv.metrics import Order, observed_order
+from vv.case import Check
+from vv.finding import Bit, Finding, bits, from_data, label, rung
 from vv.record import Verdict
-
-
-class Bit(enum.IntFlag):
-    """Exit bits of `vv`; each means one kind of trouble."""
-
-    ACCURACY = 1
-    CONSERVATION = 2
-    SPEED = 4
-    CRASH = 8
-    TIMEOUT = 16
-    INCOMPLETE = 32
-    USAGE = 64
-
 
 RUN_BITS = Bit.CRASH | Bit.TIMEOUT | Bit.INCOMPLETE | Bit.USAGE
 STATUS_BITS: Mapping[Status, tuple[Bit, Bit]] = {  # of an optional code, of a required one
@@ -39,171 +21,135 @@ STATUS_BITS: Mapping[Status, tuple[Bit, Bit]] = {  # of an optional code, of a r
     Status.DIVERGED: (Bit.CRASH, Bit.CRASH),
     Status.TIMEOUT: (Bit.TIMEOUT, Bit.TIMEOUT),
 }
-
-
 WORST_FIRST = (Verdict.FAIL, Verdict.XPASS, Verdict.XFAIL, Verdict.PASS, Verdict.NO_REFERENCE)
+DISSIPATION = " dissipation"  # how the names of energy terms end that can only grow
 
 
-@dataclass(frozen=True)
-class Disagreement:
-    """What a code is known to do otherwise, as two-sided bands on error and observed order.
-
-    Patterns are globs; versions names those it was seen in. error: (low, high) at the step
-    dt [s], moved to other steps with the middle of the order band. expires: ISO date.
-    """
-
-    code: str
-    schemes: str
-    versions: str
-    case: str
-    variants: tuple[str, ...]
-    quantity: str
-    dt: float
-    error: tuple[float, float]
-    order: tuple[float, float]
-    reason: str
-    expires: str
-
-    def covers(self, record: Mapping[str, Any], quantity: str) -> bool:
-        """Whether this entry speaks of a quantity of a record."""
-        pairs = (
-            (record["code"], self.code),
-            (record["scheme"], self.schemes),
-            (record["code_version"], self.versions),
-            (record["case"], self.case),
-            (quantity, self.quantity),
-        )
-        if not any(fnmatch.fnmatchcase(record["variant"], glob) for glob in self.variants):
-            return False
-        return all(fnmatch.fnmatchcase(name, glob) for name, glob in pairs)
-
-    def holds(self, error: float, dt: float) -> bool:
-        """Whether an error at a step lies within the band."""
-        scale = float((dt / self.dt) ** (sum(self.order) / 2))
-        return self.error[0] * scale <= error <= self.error[1] * scale
-
-
-def read_disagreements(path: Path) -> tuple[Disagreement, ...]:
-    """The ledger's entries; none if there is no file. Raises ValueError naming a bad entry."""
-    if not path.is_file():
-        return ()
-    entries = tomllib.loads(path.read_text(encoding="utf-8")).get("disagreement", [])
-    try:
-        return tuple(Disagreement(**{k: _frozen(v) for k, v in entry.items()}) for entry in entries)
-    except TypeError as error:
-        raise ValueError(f"{path}: {error}") from error
-
-
-def _frozen(value: Any) -> Any:
-    """A list as a tuple, a date as its ISO text, anything else as it is."""
-    if isinstance(value, list):
-        return tuple(value)
-    return value.isoformat() if isinstance(value, datetime.date) else value
-
-
-def orders(records: Iterable[Mapping[str, Any]]) -> dict[tuple[str, ...], Order]:
-    """Observed order in dt per (case, variant, code, scheme, quantity), where rungs allow it."""
-    points: dict[tuple[str, ...], list[tuple[float, float]]] = {}
-    for record in records:
-        dt = record["rung"]["dt"]
-        for entry in record["quantities"]:
-            error = entry["errors"].get(entry["norm"] or "max")
-            if dt and error:
-                points.setdefault(ladder(record, entry["name"]), []).append((dt, error))
-    fitted = {
-        key: observed_order(*map(list, zip(*pairs, strict=True))) for key, pairs in points.items()
-    }
-    return {key: order for key, order in fitted.items() if order is not None}
-
-
-def ladder(record: Mapping[str, Any], quantity: str) -> tuple[str, ...]:
-    """What the rungs of one quantity have in common."""
-    return (*(record[name] for name in ("case", "variant", "code", "scheme")), quantity)
-
-
-def judge(
-    records: Iterable[dict[str, Any]], disagreements: Iterable[Disagreement], today: str
-) -> list[dict[str, Any]]:
-    """The records with the verdicts that the ledger of known disagreements turns.
-
-    A failure inside its bands is known (xfail); outside them, and a pass, are news (fail, xpass).
-    An entry that has expired by today (ISO date) excuses nothing.
-    """
-    given = list(records)
-    entries = tuple(entry for entry in disagreements if entry.expires >= today)
-    fitted = orders(given)
-    judged = []
-    for record in given:
-        quantities = []
-        for entry in record["quantities"]:
-            known = next((d for d in entries if d.covers(record, entry["name"])), None)
-            order = fitted.get(ladder(record, entry["name"]))
-            quantities.append(_turned(record, entry, known, order) if known else entry)
-        judged.append({**record, "quantities": quantities})
-    return judged
-
-
-def _turned(
-    record: Mapping[str, Any], entry: dict[str, Any], known: Disagreement, order: Order | None
-) -> dict[str, Any]:
-    verdict = Verdict(entry["verdict"])
-    if verdict is Verdict.PASS:
-        return {**entry, "verdict": Verdict.XPASS.value, "note": f"passes, though {known.reason}"}
-    error = entry["errors"].get(entry["norm"] or "max")
-    in_band = error is not None and known.holds(error, record["rung"]["dt"] or known.dt)
-    slope = order.order if order else math.nan
-    in_order = order is None or known.order[0] <= slope <= known.order[1]
-    if verdict is Verdict.FAIL and in_band and in_order:
-        return {**entry, "verdict": Verdict.XFAIL.value, "note": known.reason}
-    what = f"order {slope:.3f}" if in_band else f"error {error}"
-    return {**entry, "note": f"{what} lies outside the band of the known disagreement"}
+def judgement(manifest: Mapping[str, Any], required: Iterable[str] = ()) -> list[Finding]:
+    """All that is to be said of an invocation: of its records, and what it found besides."""
+    cases = manifest["cases"]
+    lenient = {name for name in cases if Check.ACCURACY.value not in cases[name]["enforced"]}
+    own = record_findings(manifest["records"], required, lenient)
+    return [*own, *map(from_data, manifest["findings"])]
 
 
 def exit_bits(records: Iterable[Mapping[str, Any]], required: Iterable[str] = ()) -> Bit:
-    """What is wrong with a set of records, as exit bits; nothing that ran is incomplete.
+    """What is wrong with a set of records, as exit bits."""
+    return bits(record_findings(list(records), required))
+
+
+def record_findings(
+    records: Sequence[Mapping[str, Any]],
+    required: Iterable[str] = (),
+    lenient: Container[str] = frozenset(),
+) -> list[Finding]:
+    """What is wrong with a set of records; nothing that ran is incomplete.
 
     required: patterns CODE or CODE/SCHEME of which at least one record each must have run.
+    lenient: cases whose accuracy is reported only.
     """
-    given, bits = list(records), Bit(0)
     patterns = tuple(p if "/" in p else f"{p}/*" for p in required)
-    for record in given:
-        needed = any(fnmatch.fnmatchcase(_label(record), pattern) for pattern in patterns)
-        bits |= STATUS_BITS[_status(record)][needed] | _verdict_bits(record) | _ledger_bits(record)
-    ran = {_label(record) for record in given if _status(record) is Status.RAN}
-    if not ran or any(not fnmatch.filter(ran, pattern) for pattern in patterns):
-        bits |= Bit.INCOMPLETE
-    return bits
+    ran = {label(record) for record in records if status_of(record) is Status.RAN}
+    found = []
+    if not ran:
+        found.append(Finding("run", "nothing ran", "nothing ran", bit=Bit.INCOMPLETE))
+    for pattern in patterns:
+        if not fnmatch.filter(ran, pattern):
+            text = f"{pattern} is required, and nothing of it ran"
+            found.append(Finding("run", "missing", text, label=pattern, bit=Bit.INCOMPLETE))
+    for record in records:
+        needed = any(fnmatch.fnmatchcase(label(record), pattern) for pattern in patterns)
+        found += [
+            *_of_status(record, needed),
+            *_of_quantities(record, record["case"] not in lenient),
+            *_of_ledger(record),
+        ]
+    return found
 
 
-def _verdict_bits(record: Mapping[str, Any]) -> Bit:
-    if _status(record) is Status.RAN and not record["quantities"]:
-        return Bit.INCOMPLETE
-    bits = Bit(0)
+def _about(record: Mapping[str, Any]) -> dict[str, Any]:
+    place = {"case": record["case"], "variant": record["variant"]}
+    return {**place, "label": label(record), "rung": rung(record)}
+
+
+def _of_status(record: Mapping[str, Any], needed: bool) -> Iterator[Finding]:
+    status = status_of(record)
+    if bit := STATUS_BITS[status][needed]:
+        text = f"{status.value}: {record['reason']}"
+        yield Finding("run", status.value, text, **_about(record), bit=bit)
+    if status is Status.RAN and not record["quantities"]:
+        text = "it ran, but reported nothing to judge"
+        yield Finding("run", "not reported", text, **_about(record), bit=Bit.INCOMPLETE)
+
+
+def _of_quantities(record: Mapping[str, Any], enforced: bool) -> Iterator[Finding]:
     for entry in record["quantities"]:
-        bad = Verdict(entry["verdict"]) in (Verdict.FAIL, Verdict.XPASS)
-        conserved = entry["judge"] == "invariant"
-        bits |= (Bit.CONSERVATION if conserved else Bit.ACCURACY) if bad else Bit(0)
-    return bits
+        verdict = Verdict(entry["verdict"])
+        if verdict in (Verdict.FAIL, Verdict.XPASS):
+            conserved = entry["judge"] == "invariant"
+            error, bound = entry["errors"].get(entry["norm"] or "max"), entry["tolerance"]
+            yield Finding(
+                check="conservation" if conserved else Check.ACCURACY.value,
+                kind=verdict.value,
+                text=_in_words(entry, error),
+                **_about(record),
+                quantity=entry["name"],
+                bit=Bit.CONSERVATION if conserved else Bit.ACCURACY,
+                enforced=conserved or enforced,
+                size=error / bound if error and bound else 0.0,
+            )
 
 
-def _ledger_bits(record: Mapping[str, Any]) -> Bit:
-    """Energy that no term explains, beyond what the scheme itself promises."""
+def _in_words(entry: Mapping[str, Any], error: float | None) -> str:
+    parts = []
+    if error is not None and entry["tolerance"] is not None:
+        parts.append(f"error {error:.3g}, tolerance {entry['tolerance']:.3g}")
+    elif entry["value"] is not None:
+        parts.append(f"value {entry['value']:.6g}: {entry['why']}")
+    else:
+        parts.append("not finite")
+    return "; ".join([*parts, entry["note"]] if entry["note"] else parts)
+
+
+def _of_ledger(record: Mapping[str, Any]) -> Iterator[Finding]:
+    """Laws that a run breaks by its own ledger, beyond what its scheme promises."""
     ledger = record["ledger"]
-    broken = ledger and ledger["bound"] is not None and ledger["unaccounted"] > ledger["bound"]
-    return Bit.CONSERVATION if broken else Bit(0)
+    for law, seen, allowed in _breaches(ledger) if ledger else ():
+        yield Finding(
+            check="conservation",
+            kind=law,
+            text=f"{law}: {seen:.3g} where at most {allowed:.3g} is allowed",
+            **_about(record),
+            bit=Bit.CONSERVATION,
+            size=seen / allowed if allowed > 0 else 0.0,
+        )
 
 
-def _label(record: Mapping[str, Any]) -> str:
-    return f"{record['code']}/{record['scheme']}"
+def _breaches(ledger: Mapping[str, Any]) -> Iterator[tuple[str, float, float]]:
+    """(law, breach, allowed): energy without a term, dissipation below zero, what was audited.
+
+    Where a scheme promises no energy, dissipation is not judged either: it is off by as much.
+    """
+    if ledger["bound"] is not None:
+        bound = ledger["bound"]
+        laws = {"energy that no term explains [J]": ledger["unaccounted"]}
+        for name, value in ledger["terms"].items():
+            if name.endswith(DISSIPATION):
+                laws[f"negative {name} [J]"] = -value
+        yield from ((law, seen, bound) for law, seen in laws.items() if not seen <= bound)
+    for law, (seen, allowed) in ledger["audits"].items():
+        if not seen <= allowed:
+            yield law, seen, allowed
 
 
-def _status(record: Mapping[str, Any]) -> Status:
+def status_of(record: Mapping[str, Any]) -> Status:
+    """The status that a record names."""
     return Status[record["status"].upper().replace("-", "_")]
 
 
 def outcome(record: Mapping[str, Any]) -> str:
     """A record in a word: its status unless it ran, else its worst verdict."""
-    if _status(record) is not Status.RAN:
-        return _status(record).value
+    if status_of(record) is not Status.RAN:
+        return status_of(record).value
     verdicts = {Verdict(entry["verdict"]) for entry in record["quantities"]}
     return next((v.value for v in WORST_FIRST if v in verdicts), "not reported")

@@ -32,7 +32,9 @@ def record_keys(project: Project, plan: Plan, runs: dict[int, str]) -> dict[int,
     """Job number -> key of its record: the run, the parameters, and the sources that judge."""
     prints = {name: case_digest(project, name) for name in plan.cases}
     return {
-        number: digest(runs[number], prints[job.case], job.parameters, job.method)
+        number: digest(
+            runs[number], job.case, job.variant, prints[job.case], job.parameters, job.method
+        )
         for number, job in enumerate(plan.jobs)
     }
 
@@ -40,8 +42,13 @@ def record_keys(project: Project, plan: Plan, runs: dict[int, str]) -> dict[int,
 def code_digest(project: Project, plan: Plan, code: str) -> str:
     """Fingerprint of a code: import closure, library versions, executable files."""
     sources = closure(project.adapter_files(code), roots(project))
-    external = file_digests(plan.found[code].files, project.data() / "digests.json")
+    external = executables(project, plan, code)
     return digest(source_digest(sources), libraries(sources), sorted(external.values()))
+
+
+def executables(project: Project, plan: Plan, code: str) -> dict[str, str]:
+    """Path -> digest of the files that a code's results depend on besides our sources."""
+    return file_digests(plan.found[code].files, project.data() / "digests.json")
 
 
 def case_digest(project: Project, case: str) -> str:

@@ -12,7 +12,12 @@ MASK = 0.01  # the pointwise error is taken where |ref| is at least this part of
 
 def max_error(value: Vector, reference: Vector) -> float:
     """max|value - reference| / max|reference|; arrays (k,) of one shape, reference not all zero."""
-    return float(np.abs(value - reference).max() / _scale(reference))
+    return scaled_error(value, reference, _scale(reference))
+
+
+def scaled_error(value: Vector, reference: Vector, scale: float) -> float:
+    """max|value - reference| / scale, for a reference that may be zero throughout."""
+    return float(np.abs(value - reference).max() / scale)
 
 
 def l2_error(value: Vector, reference: Vector) -> float:

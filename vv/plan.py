@@ -8,9 +8,11 @@ import functools
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
-from vv.adapter import Adapter, Found, Scheme, unsupported
+import numpy as np
+
+from vv.adapter import Adapter, Found, Scheme, no_steps, unsupported
 from vv.ask import Ask, Knobs, Method, Run, Status
-from vv.case import Case, Trial
+from vv.case import Case, Series, Trial
 from vv.project import Project
 from vv.settings import UsageError, near, with_settings
 from vv.study import Level
@@ -90,6 +92,34 @@ def make_plan(project: Project, selection: Sequence[str], options: Options) -> P
     return Plan(tuple(jobs), cases, trials, adapters, found)
 
 
+def restricted(plan: Plan, keep: Callable[[Job], bool]) -> Plan:
+    """The plan with only the jobs to keep, and only their cases and trials."""
+    return _with_jobs(plan, tuple(job for job in plan.jobs if keep(job)))
+
+
+def joined(one: Plan, other: Plan) -> Plan:
+    """Both plans as one, each job once; they must be of one project and the same settings."""
+    jobs = {_identity(job): job for plan in (other, one) for job in plan.jobs}
+    whole = dataclasses.replace(
+        one, cases={**other.cases, **one.cases}, trials={**other.trials, **one.trials}
+    )
+    return _with_jobs(whole, tuple(jobs.values()))
+
+
+def _identity(job: Job) -> tuple[object, ...]:
+    return job.case, job.variant, job.code, job.scheme, job.ask.knobs
+
+
+def _with_jobs(plan: Plan, jobs: tuple[Job, ...]) -> Plan:
+    cases, trials = {job.case for job in jobs}, {(job.case, job.variant) for job in jobs}
+    return dataclasses.replace(
+        plan,
+        jobs=jobs,
+        cases={name: case for name, case in plan.cases.items() if name in cases},
+        trials={key: trial for key, trial in plan.trials.items() if key in trials},
+    )
+
+
 @dataclass(frozen=True, eq=False)
 class _Posed:
     """A variant with its parameters put in, and the asks of its rungs."""
@@ -105,6 +135,8 @@ class _Posed:
 def _pose(case: Case, variant: str, options: Options) -> _Posed:
     parameters = with_settings(case, variant, options.settings)
     trial = declare(case, variant, parameters)
+    if np.isfinite(trial.study.scene.contact.kn) and any(rung.kn for rung in options.rungs):
+        raise UsageError(f"{case.name}:{variant} has a contact stiffness of its own; leave out kn")
     rungs = options.rungs or trial.study.rungs[options.level]
     return _Posed(case, variant, parameters, trial, rungs, functools.cache(trial.study.ask))
 
@@ -112,7 +144,11 @@ def _pose(case: Case, variant: str, options: Options) -> _Posed:
 def declare(case: Case, variant: str, parameters: Mapping[str, float]) -> Trial:
     """The trial; bad parameters are the user's, so their errors are usage errors."""
     try:
-        return case.declare(variant, parameters)
+        trial = case.declare(variant, parameters)
+        for quantity in trial.quantities:
+            if isinstance(quantity, Series) and quantity.reference is not None:
+                quantity.reference(np.zeros(1))
+        return trial
     except ValueError as error:
         raise UsageError(f"{case.name}:{variant}: {error}") from error
 
@@ -149,7 +185,7 @@ def settled(adapter: Adapter, scheme: Scheme, ask: Ask, found: Found) -> Run | N
     if missing:
         terms = ", ".join(sorted(term.value for term in missing))
         return Run(Status.REFUSED, f"{adapter.name}/{scheme.name} does not support: {terms}")
-    reason = adapter.refuses(ask, scheme.name)
+    reason = no_steps(ask) or adapter.refuses(ask, scheme.name)
     if reason is not None:
         return Run(Status.REFUSED, reason)
     return None if found.installed else Run(Status.NOT_INSTALLED, found.how_to_install)

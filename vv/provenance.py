@@ -82,7 +82,10 @@ def _git(root: Path, *words: str) -> str:
 
 
 def file_digests(files: Iterable[Path], memory: Path) -> dict[str, str]:
-    """SHA-256 of large files, remembered in `memory` by path, size and time of change."""
+    """SHA-256 of large files, remembered in `memory` by path, size and time of change.
+
+    The time is that of the inode: unlike that of the content it cannot be set back.
+    """
     try:
         known: dict[str, str] = json.loads(memory.read_text())
     except (OSError, ValueError):
@@ -90,7 +93,7 @@ def file_digests(files: Iterable[Path], memory: Path) -> dict[str, str]:
     found = {}
     for path in files:
         state = path.stat()
-        label = f"{path} {state.st_size} {state.st_mtime_ns}"
+        label = f"{path} {state.st_size} {state.st_ctime_ns}"
         if label not in known:
             known[label] = hashlib.sha256(path.read_bytes()).hexdigest()
             write(memory, json.dumps(known, indent=0, sort_keys=True).encode())

@@ -5,12 +5,13 @@ from __future__ import annotations
 import dataclasses
 import enum
 import math
+from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
 
 from vv import metrics
-from vv.ask import Ask, Knobs, Method, Run, Status
+from vv.ask import Ask, Knobs, Ledger, Method, Run, Status
 from vv.case import Count, Exact, Interval, Invariant, Norm, Quantity, Scalar, Series, Shown
 from vv.scene import Vector
 
@@ -36,21 +37,37 @@ def checked(run: Run, ask: Ask) -> Run:
     """The run, or the failure it really is: terms left out, outputs missing, numbers not finite."""
     if run.status is not Status.RAN:
         return run
+    if run.ledger and not all(map(math.isfinite, _energies(run.ledger))):
+        return Run(Status.ERROR, "the energy ledger is not finite")
+    return _observed(run, ask)
+
+
+def _observed(run: Run, ask: Ask) -> Run:
+    """The run, or the failure that it is for want of a term, an output or a finite number."""
     if run.model is None or ask.scene.terms() - run.model.terms:
         terms = ask.scene.terms() - (run.model.terms if run.model else frozenset())
         left_out = ", ".join(sorted(term.value for term in terms)) or "everything"
         return Run(Status.ERROR, f"the run does not say that it modelled: {left_out}")
     expected = ask.goal.times(ask.knobs.dt)
-    if run.times.shape != expected.shape or not np.allclose(run.times, expected, rtol=1e-9):
+    same = run.times.shape == expected.shape
+    if not same or not np.allclose(run.times, expected, rtol=1e-9, atol=0.0):
         return Run(Status.ERROR, f"reported {len(run.times)} of {len(expected)} output times")
     for observable in ask.observables:
         values = run.values.get(observable)
         if values is None or values.shape != (len(expected), 3):
-            return Run(Status.ERROR, f"{observable} was asked and not reported")
+            what = "not reported" if values is None else f"reported with shape {values.shape}"
+            due = f"({len(expected)}, 3)"
+            return Run(Status.ERROR, f"{observable} was asked in shape {due} and {what}")
         if not np.isfinite(values).all():
             first = expected[int(np.argmin(np.isfinite(values).all(axis=1)))]
             return Run(Status.DIVERGED, f"{observable} is not finite from t = {first:.6g} s")
     return run
+
+
+def _energies(ledger: Ledger) -> Iterator[float]:
+    """Every number of a ledger."""
+    yield from (*ledger.terms.values(), ledger.unaccounted, ledger.peak, ledger.bound or 0.0)
+    yield from (number for pair in ledger.audits.values() for number in pair)
 
 
 def measured(
@@ -64,11 +81,15 @@ def measured(
         "value": None,
         "reference": None,
         "errors": {},
+        "scale": None,
+        "figures": {},
         "judge": type(quantity.judge).__name__.lower(),
         **_stated(quantity, method, knobs),
     }
     if isinstance(quantity, Series):
         arrays = _measure_series(run, quantity, entry)
+        if method is not Method.EXACT and _copied(arrays, quantity.name):
+            entry["note"] = "bit by bit the reference itself, which no approximate method can be"
     else:
         arrays = {}
         _measure_number(run, quantity, entry)
@@ -93,21 +114,44 @@ def _stated(quantity: Quantity, method: Method, knobs: Knobs) -> dict[str, Any]:
 def _measure_series(run: Run, quantity: Series, entry: dict[str, Any]) -> dict[str, Vector]:
     value = np.asarray(quantity.observe(run), float)
     arrays = {"t": run.times, f"{quantity.name}.value": value}
+    entry["figures"] = {"final": _finite(value[-1]), "mean": _finite(value.mean())}
+    entry["scale"] = _finite(np.abs(value).max()) or 1.0
     if quantity.reference is None:
         return arrays
     reference = np.asarray(quantity.reference(run.times), float)
-    entry["errors"] = {n.name.lower(): _finite(f(value, reference)) for n, f in NORMS.items()}
+    entry["scale"] = _finite(quantity.scale or np.abs(reference).max()) or 1.0
+    entry["errors"] = _errors(value, reference, quantity.scale)
+    if not entry["errors"]:
+        entry["note"] = "the reference is zero throughout, and the quantity states no scale"
     if np.ptp(value) == 0 and np.ptp(reference) > 0:
         entry["note"] = "nothing moves, though the reference does"
     return {**arrays, f"{quantity.name}.reference": reference}
+
+
+def _copied(arrays: dict[str, Vector], name: str) -> bool:
+    """Whether a series that moves equals its reference to the last bit."""
+    value, reference = arrays[f"{name}.value"], arrays.get(f"{name}.reference")
+    same = reference is not None and np.array_equal(value, reference)
+    return bool(same and np.ptp(value) > 0)
+
+
+def _errors(value: Vector, reference: Vector, scale: float | None) -> dict[str, float | None]:
+    """The errors by norm; against a reference of zeros only those that the scale gives."""
+    if scale is not None:
+        return {Norm.MAX.name.lower(): _finite(metrics.scaled_error(value, reference, scale))}
+    if not np.abs(reference).max() > 0:
+        return {}
+    return {norm.name.lower(): _finite(f(value, reference)) for norm, f in NORMS.items()}
 
 
 def _measure_number(run: Run, quantity: Scalar | Count, entry: dict[str, Any]) -> None:
     value = quantity.observe(run)
     entry["value"] = _finite(value)
     entry["reference"] = quantity.reference
+    entry["figures"] = {"value": entry["value"]}
+    scale = quantity.scale if isinstance(quantity, Scalar) else max(1, abs(quantity.reference or 0))
+    entry["scale"] = float(scale)
     if quantity.reference is not None:
-        scale = quantity.scale if isinstance(quantity, Scalar) else max(1, abs(quantity.reference))
         error = _finite(abs(value - quantity.reference) / scale)
         entry["errors"] = {norm.name.lower(): error for norm in (Norm.MAX, Norm.FINAL)}
 
@@ -152,5 +196,6 @@ def described(run: Run) -> dict[str, Any]:
             "unaccounted": ledger.unaccounted,
             "peak": ledger.peak,
             "bound": ledger.bound,
+            "audits": {name: list(pair) for name, pair in ledger.audits.items()},
         },
     }

@@ -94,6 +94,8 @@ def _work(batch: Batch, pipe: Connection, scratch: Path) -> None:
     with contextlib.suppress(OSError):
         os.setpgid(0, 0)
     _die_with_parent()
+    if batch.repeat > 0:  # timed: one core, whatever the program would take
+        os.sched_setaffinity(0, {max(os.sched_getaffinity(0))})
     with open(scratch / "worker.log", "wb", buffering=0) as log:
         os.dup2(log.fileno(), 1)
         os.dup2(log.fileno(), 2)
@@ -102,7 +104,9 @@ def _work(batch: Batch, pipe: Connection, scratch: Path) -> None:
             pipe.send(run)
     except Exception as error:
         traceback.print_exc()
-        pipe.send(Run(Status.ERROR, f"{type(error).__name__}: {error}"))
+        last = traceback.extract_tb(error.__traceback__)[-1]
+        where = f"{Path(last.filename).name}:{last.lineno}"
+        pipe.send(Run(Status.ERROR, f"{type(error).__name__}: {error} ({where})"))
 
 
 def _die_with_parent() -> None:
@@ -138,7 +142,7 @@ def _finish(worker: _Worker, waiting: deque[Batch]) -> Iterator[tuple[int, Run]]
     refused_to_go_on = worker.hung_up and worker.process.exitcode == 0 and worker.answered > 0
     if left.asks and not refused_to_go_on:
         status = Status.ERROR if worker.hung_up else Status.TIMEOUT
-        how = _how_it_died(worker.process.exitcode) if worker.hung_up else "no answer in time"
+        how = _how_it_died(worker) if worker.hung_up else "no answer in time"
         yield left.numbers[0], Run(status, f"{how}; see {worker.scratch}")
         worker.failed = True
         left = left.rest(1)
@@ -148,10 +152,13 @@ def _finish(worker: _Worker, waiting: deque[Batch]) -> Iterator[tuple[int, Run]]
         shutil.rmtree(worker.scratch, ignore_errors=True)
 
 
-def _how_it_died(exitcode: int | None) -> str:
-    if exitcode is not None and exitcode < 0:
-        return f"the worker was killed by {signal.Signals(-exitcode).name}"
-    return f"the worker ended early with exit code {exitcode}"
+def _how_it_died(worker: _Worker) -> str:
+    code, asks = worker.process.exitcode, len(worker.batch.asks)
+    if code is not None and code < 0:
+        return f"the worker was killed by {signal.Signals(-code).name}"
+    if code == 0:
+        return f"the adapter answered {worker.answered} of {asks} asks and stopped"
+    return f"the worker ended early with exit code {code}"
 
 
 def _kill(worker: _Worker) -> None:

@@ -9,17 +9,23 @@ import time
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from vv.adapter import Adapter
-from vv.ask import Run, Status
+from vv.ask import Status
 from vv.case import Case, Exact, Quantity
-from vv.gate import Bit, outcome
-from vv.plan import Job, Plan
+from vv.finding import Bit, Finding, from_data, label, rung, worst_first
+from vv.gate import outcome, status_of
+from vv.plan import Plan
+
+if TYPE_CHECKING:
+    from vv.compare import Change
+    from vv.history import Point
 
 WORDS = {"xfail": "known disagreement", "xpass": "unexpected pass", "no-reference": "shown only"}
 PLURAL = {"known disagreement": "known disagreements", "unexpected pass": "unexpected passes"}
 ORDER = ("pass", "fail", "xpass", "xfail", "no-reference")
+SHOWN = 12  # findings of a gate; the report and the files have all
 EVERY = 2.0  # s between two plain progress lines
 
 
@@ -34,48 +40,63 @@ def complain(text: str) -> int:
     return int(Bit.USAGE)
 
 
+Shown = Callable[[Mapping[str, Any]], None]
+
+
 @contextlib.contextmanager
-def progress(total: int) -> Iterator[Callable[[Job, Run], None]]:
-    """A function to call with each finished job: a bar on a terminal, plain lines elsewhere."""
-    with _bar() if sys.stderr.isatty() else _lines() as shown:
+def progress(total: int) -> Iterator[Shown]:
+    """A function to call with each record: a bar on a terminal, plain lines elsewhere."""
+    with _bar(total) if sys.stderr.isatty() else _lines(total) as shown:
         yield shown
 
 
 @contextlib.contextmanager
-def _bar() -> Iterator[Callable[[Job, Run], None]]:
-    from rich.progress import Progress, SpinnerColumn, TextColumn, TimeElapsedColumn
+def _bar(total: int) -> Iterator[Shown]:
+    from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
 
-    columns = (SpinnerColumn(), TextColumn("{task.description}"), TimeElapsedColumn())
+    columns = (BarColumn(), TextColumn("{task.description}"), TimeElapsedColumn())
     counts: Counter[str] = Counter()
     with Progress(*columns, auto_refresh=False, transient=True) as bars:
-        task = bars.add_task("running")
+        task = bars.add_task("running", total=total)
 
-        def shown(job: Job, run: Run) -> None:
-            counts[run.status.value] += 1
-            bars.update(task, description=f"{_counted(counts)}  {job.label}", refresh=True)
+        def shown(record: Mapping[str, Any]) -> None:
+            counts[status_of(record).value] += 1
+            bars.update(task, advance=1, description=_counted(counts, total), refresh=True)
 
         yield shown
 
 
 @contextlib.contextmanager
-def _lines() -> Iterator[Callable[[Job, Run], None]]:
+def _lines(total: int) -> Iterator[Shown]:
     counts: Counter[str] = Counter()
     last = time.monotonic()
 
-    def shown(job: Job, run: Run) -> None:
+    def shown(record: Mapping[str, Any]) -> None:
         nonlocal last
-        counts[run.status.value] += 1
-        if run.status is not Status.RAN:
-            print(f"{job.label}: {run.status.value}: {run.reason}", file=sys.stderr)
+        counts[status_of(record).value] += 1
+        if status_of(record) in (Status.ERROR, Status.TIMEOUT, Status.DIVERGED):
+            job = f"{record['case']}:{record['variant']} {label(record)} {rung(record)}".rstrip()
+            print(f"{job}: {outcome(record)}: {record['reason']}", file=sys.stderr)
         if time.monotonic() - last > EVERY:
             last = time.monotonic()
-            print(f"{_counted(counts)} so far", file=sys.stderr, flush=True)
+            print(_counted(counts, total), file=sys.stderr, flush=True)
 
     yield shown
 
 
-def _counted(counts: Mapping[str, int]) -> str:
-    return ", ".join(f"{n} {word}" for word, n in counts.items())
+def _counted(counts: Counter[str], total: int) -> str:
+    return f"{counts.total()} of {total}: " + ", ".join(f"{n} {w}" for w, n in counts.items())
+
+
+def print_refusals(records: Iterable[Mapping[str, Any]]) -> None:
+    """Each reason why something was refused or is not installed, once, with how often."""
+    reasons = Counter(
+        f"{record['code']}/{record['scheme']}: {outcome(record)}: {record['reason']}"
+        for record in records
+        if status_of(record) in (Status.REFUSED, Status.NOT_INSTALLED)
+    )
+    for reason, times in reasons.items():
+        print(f"{reason} ({times} times)" if times > 1 else reason, file=sys.stderr)
 
 
 def print_counts(records: Iterable[Mapping[str, Any]], report: Path) -> None:
@@ -89,6 +110,70 @@ def print_counts(records: Iterable[Mapping[str, Any]], report: Path) -> None:
     say(f"{', '.join(named)}; report: {report}; why: vv explain CASE")
 
 
+def print_findings(findings: Sequence[Finding]) -> None:
+    """The verdict of a gate: its colour, then what is red, worst first, and what is new."""
+    from vv.markdown import headline
+
+    ranked = worst_first(findings)
+    for finding in ranked[:SHOWN]:
+        mark = "red" if finding.red else "reported only" if finding.bit else "note"
+        say(f"{mark}: {finding.check} {finding.kind}: {finding.where}: {finding.text}")
+    if len(ranked) > SHOWN:
+        say(f"and {len(ranked) - SHOWN} more")
+    say(f"gate: {headline(findings)}")
+
+
+def print_difference(manifest: Mapping[str, Any], case: str) -> None:
+    """What moved since the baseline of a case, worst first."""
+    moved = [from_data(data) for data in manifest["findings"]]
+    moved = [f for f in moved if f.check in ("regression", "speed")]
+    for finding in worst_first(moved):
+        say(f"{finding.kind}: {finding.where}: {finding.text}")
+    if not moved:
+        say(f"{case}: nothing moved since its baseline")
+
+
+def print_unacceptable(records: Iterable[Mapping[str, Any]]) -> None:
+    """Which results do not enter a baseline, counted by scheme and outcome."""
+    counts = Counter((label(record), outcome(record)) for record in records)
+    for (scheme, word), number in counts.items():
+        say(f"not accepted: {number} of {scheme}: {WORDS.get(word, word)}")
+
+
+def print_changes(
+    changes: Sequence[Change], one: Mapping[str, Any], other: Mapping[str, Any], rows: int
+) -> None:
+    """What moved between two invocations, the largest of each kind first."""
+    for name, manifest in (("A", one), ("B", other)):
+        told = manifest["provenance"]
+        dirty = " with uncommitted changes" if told["dirty"] else ""
+        commit = f"commit {told['commit'][:9]}{dirty}" if told["commit"] else "no commit"
+        say(f"{name}: {told['utc']}, {commit}, {len(manifest['records'])} results")
+    for kind in dict.fromkeys(change.kind for change in changes):
+        own = [change for change in changes if change.kind == kind]
+        for change in own[:rows]:
+            say(f"{kind}: {change.where}: {change.text}")
+        if len(own) > rows:
+            say(f"{kind}: and {len(own) - rows} more")
+    if not changes:
+        say("nothing moved")
+
+
+def print_history(case: str, points: Sequence[Point]) -> None:
+    """A case over commits: for each scheme its error over tolerance and its relative cost."""
+    if not points:
+        say(f"{case}: no run is stored")
+    for point in points:
+        say(f"{case} at {point.name}, {point.utc}")
+        for scheme, counts in sorted(point.outcomes.items()):
+            near = point.closeness.get(scheme)
+            cost = point.cost.get(scheme)
+            told = [f"{n} {WORDS.get(word, word)}" for word, n in counts.items()]
+            told += [f"error {near:.3g} of the tolerance"] if near is not None else []
+            told += [f"cost {cost:.3g} calibration kernels"] if cost is not None else []
+            say(f"  {scheme}: {', '.join(told)}")
+
+
 def print_jobs(plan: Plan) -> None:
     """Each job in a line, with why it would not run."""
     for job in plan.jobs:
@@ -100,7 +185,7 @@ def print_jobs(plan: Plan) -> None:
 def print_cases(cases: Sequence[Case]) -> None:
     """Cases with their variants."""
     for case in cases:
-        say(f"{case.name}  {case.title} [{case.source.doi}]")
+        say(f"{case.name}  {case.title} [{case.source.doi or case.source.citation}]")
         for variant in case.variants:
             say(f"  {case.name}:{variant.name:<14}{variant.summary}")
 
@@ -115,7 +200,8 @@ def print_codes(adapters: Sequence[Adapter]) -> None:
             say(f"  to install: {found.how_to_install}")
         for scheme in adapter.schemes:
             knobs = ", ".join(scheme.knobs) or "none"
-            how = f"[{scheme.method.value}; knobs: {knobs}]"
+            lowered = [f"; {m.value} with {t.value}" for t, m in scheme.lowered.items()]
+            how = f"[{scheme.method.value}{''.join(lowered)}; knobs: {knobs}]"
             say(f"  {adapter.name}/{scheme.name}: {scheme.summary} {how}")
 
 
@@ -123,7 +209,8 @@ def explain(plan: Plan, manifests: Iterable[Mapping[str, Any]]) -> None:
     """All there is to know of the planned variants, and their last results."""
     results = _last_results(manifests)
     for name, case in plan.cases.items():
-        say(f"{case.title}\n  source: {case.source.citation}, doi:{case.source.doi}")
+        doi = f", doi:{case.source.doi}" if case.source.doi else ""
+        say(f"{case.title}\n  source: {case.source.citation}{doi}")
         say(f"  note: {case.source.note}")
         for source, text in case.published.items():
             say(f"  published, {source}: {text}")

@@ -4,59 +4,111 @@ from __future__ import annotations
 
 import dataclasses
 import datetime
+import enum
 import os
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from pathlib import Path
 from typing import Any
 
 from vv import keys
 from vv.ask import Run, Status
 from vv.dossier import dossiers
-from vv.gate import judge, read_disagreements
+from vv.judging import Terms, judged
 from vv.plan import Job, Plan
 from vv.project import Project
 from vv.provenance import provenance
 from vv.record import checked, described, measured
 from vv.runner import Batch, run_batches
 from vv.store import Store
-from vv.timing_phase import timed_costs
+from vv.timing_phase import last_costs, timed_costs
 
-Progress = Callable[[Job, Run], None]
 Record = dict[str, Any]
+Progress = Callable[[Record], None]
+
+
+class Timing(enum.Enum):
+    """Where timed costs come from: nowhere, the last session, one that is stored, or a new one."""
+
+    NONE = enum.auto()
+    LAST = enum.auto()
+    STORED = enum.auto()
+    NEW = enum.auto()
 
 
 @dataclass(frozen=True)
 class Limits:
-    """How an invocation may use the machine: processes, seconds per job, the store or not."""
+    """How an invocation may use the machine: processes, seconds per job, the store or not.
+
+    against: the folder of baselines that every result must have one in; None: the project's
+    own, where a result without one is only noted.
+    """
 
     workers: int
     timeout: float
     fresh: bool = False
-    timing: bool = False
+    timing: Timing = Timing.NONE
+    against: Path | None = None
+
+
+def now_utc() -> datetime.datetime:
+    """The time, as everything that is written down states it."""
+    return datetime.datetime.now(datetime.UTC)
 
 
 def carry_out(
-    project: Project, plan: Plan, limits: Limits, progress: Progress, command: Sequence[str]
+    project: Project,
+    plan: Plan,
+    limits: Limits,
+    progress: Progress,
+    command: Sequence[str],
+    clock: Callable[[], datetime.datetime] = now_utc,
 ) -> Record:
     """Run what is not stored, judge all, keep the manifest; returns it with its name."""
     store = Store(project.data())
     run_keys = keys.run_keys(project, plan)
     record_keys = keys.record_keys(project, plan, run_keys)
-    records = dict(_records(plan, limits, store, run_keys, record_keys, progress))
+    records: dict[int, Record] = {}
+    for number, record in _records(plan, limits, store, run_keys, record_keys):
+        records[number] = record
+        progress(record)
     ordered = [records[number] for number in range(len(plan.jobs))]
-    if limits.timing:
-        costs = timed_costs(plan, ordered, run_keys, store, limits.timeout, limits.fresh)
-        ordered = [_with_cost(record, costs.get(i)) for i, record in enumerate(ordered)]
-    now = datetime.datetime.now(datetime.UTC)
-    known = read_disagreements(project.root / "cases" / "disagreements.toml")
+    costs = _costs(plan, ordered, run_keys, store, limits)
+    ordered = [_with_cost(record, costs.get(i)) for i, record in enumerate(ordered)]
+    now = clock()
+    terms = Terms(now.date(), limits.against, limits.timing is Timing.NEW)
     manifest = {
         "provenance": provenance(project.root, command, now),
+        "codes": {code: _code(project, plan, code) for code in plan.found},
         "cases": dossiers(plan),
-        "records": judge(ordered, known, now.date().isoformat()),
+        **judged(project, plan, ordered, terms),
     }
     name = f"{now:%Y%m%dT%H%M%S.%f}Z-{os.getpid()}"
     store.keep_manifest(name, manifest)
     return {**manifest, "name": name}
+
+
+def _costs(
+    plan: Plan,
+    records: Sequence[Record],
+    run_keys: Mapping[int, str],
+    store: Store,
+    limits: Limits,
+) -> dict[int, dict[str, Any]]:
+    """Job number -> timed cost, from the session that the limits ask for."""
+    if limits.timing is Timing.NONE:
+        return {}
+    if limits.timing is Timing.LAST:
+        return last_costs(plan, run_keys, store)
+    new = limits.fresh or limits.timing is Timing.NEW
+    return timed_costs(plan, records, run_keys, store, limits.timeout, new)
+
+
+def _code(project: Project, plan: Plan, code: str) -> Record:
+    """What was found of a code. files: names and digests, none for what is only source."""
+    found = plan.found[code]
+    digests = keys.executables(project, plan, code)
+    return {"version": found.version, "installed": found.installed, "files": digests}
 
 
 def _records(
@@ -65,7 +117,6 @@ def _records(
     store: Store,
     run_keys: Mapping[int, str],
     record_keys: Mapping[int, str],
-    progress: Progress,
 ) -> Iterator[tuple[int, Record]]:
     """Yield (job number, record): first those that need no running, then as runs come in."""
     waiting = {}
@@ -84,7 +135,6 @@ def _records(
         job = plan.jobs[number]
         whole = checked(run, job.ask)
         store.keep_run(run_keys[number], whole)
-        progress(job, whole)
         yield number, _kept(plan, job, whole, record_keys[number], store)
 
 

@@ -83,6 +83,8 @@ def knobs_from(text: str) -> Knobs:
             raise UsageError(f"--rung {text}: it must read dt=SECONDS or dt=SECONDS,kn=N/M")
         if match is None or match[2]:
             raise UsageError(f"--rung {text}: {name} = '{value}' is not a plain number")
+        if name.strip() in values:
+            raise UsageError(f"--rung {text}: {name} is given twice; repeat --rung instead")
         values[name.strip()] = float(match[1])
     try:
         return Knobs(**values)

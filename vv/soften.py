@@ -9,6 +9,7 @@ import numpy as np
 from vv.scene import Block, Contact, Harmonic, Scene, Spheres, Vector
 
 TOUCHING = 1e-9  # of a block's size: a gap below that is a contact
+STILL = 1e-12  # of the speeds of a body and its wall: a slip below that is rounding
 
 
 def why_no_point(scene: Scene) -> str | None:
@@ -16,6 +17,8 @@ def why_no_point(scene: Scene) -> str | None:
     for block in scene.blocks:
         if block.free_spin.any():
             return f"block '{block.name}' may turn; a sphere would roll"
+        if block.spin.any():
+            return f"block '{block.name}' spins and may not; a sphere in its place would not spin"
         if len(scene.walls) != 1:
             return f"block '{block.name}' stands between {len(scene.walls)} walls; a sphere has one"
     if len(scene.blocks) + len(scene.spheres) > 1 and scene.blocks:
@@ -82,6 +85,39 @@ def _pressed(spheres: Spheres, scene: Scene, kn: float) -> Spheres:
     return dataclasses.replace(spheres, position=position)
 
 
+def friction_at_start(scene: Scene) -> Vector:
+    """The friction (n, 3) [N] by which its wall acts on each sphere in rigid contact at t = 0.
+
+    Where it slips, mu N against the slip; where it rests, what keeps it with the wall, up to mu N.
+    A rigid scene does not say how the springs that stand in for contact are charged when it
+    starts. From zero, a block on a slope would first speed up until the spring holds it: it then
+    swings about its place, or slides on too fast by an error of order kn^-1/2. Charged with
+    this force, springs are in the state that they tend to as they become rigid, with an error of
+    order 1/kn. Raises ValueError unless there is one wall.
+    """
+    (wall,) = scene.walls
+    s, n = scene.spheres, wall.normal
+    field = scene.gravity + acceleration_of(scene.shaking) - base_acceleration(wall.motion)
+    needed = -(s.mass[:, None] * field + s.load)
+    touching = np.abs((s.position - wall.point) @ n - s.radius) <= TOUCHING * s.radius
+    cap = scene.contact.mu * np.where(touching, np.maximum(needed @ n, 0.0), 0.0)[:, None]
+    ground = base_velocity(wall.motion)
+    slip = _in_plane(s.velocity - ground, n, scene)
+    speed = np.linalg.norm(slip, axis=1, keepdims=True)
+    speeds = np.linalg.norm(s.velocity, axis=1, keepdims=True) + fastest(wall.motion)
+    needed = _in_plane(needed, n, scene)
+    size = np.linalg.norm(needed, axis=1, keepdims=True)
+    resting = needed * np.minimum(1.0, cap / np.where(size > 0, size, 1.0))
+    slipping = -cap * slip / np.where(speed > 0, speed, 1.0)
+    return np.asarray(np.where(speed > STILL * speeds, slipping, resting))
+
+
+def _in_plane(vectors: Vector, normal: Vector, scene: Scene) -> Vector:
+    """The parts (n, 3) of vectors along the wall and along the free directions of the spheres."""
+    along = vectors - np.outer(vectors @ normal, normal)
+    return np.asarray((along @ scene.axes.T * scene.spheres.free) @ scene.axes)
+
+
 def acceleration_of(shaking: Harmonic | None, t: float = 0.0) -> Vector:
     """The body acceleration (3,) [m/s2] at a time."""
     if shaking is None:
@@ -98,3 +134,18 @@ def base_acceleration(motion: Harmonic | None, t: float = 0.0) -> Vector:
     return np.asarray(
         (-(rate**2) * motion.amplitude * np.sin(rate * t + motion.phase)) @ motion.axes
     )
+
+
+def base_velocity(motion: Harmonic | None, t: float = 0.0) -> Vector:
+    """The velocity (3,) [m/s] of a wall that moves as prescribed."""
+    if motion is None:
+        return np.zeros(3)
+    rate = 2 * np.pi * motion.frequency
+    return np.asarray((rate * motion.amplitude * np.cos(rate * t + motion.phase)) @ motion.axes)
+
+
+def fastest(motion: Harmonic | None) -> float:
+    """A speed [m/s] that a wall does not exceed."""
+    if motion is None:
+        return 0.0
+    return float(2 * np.pi * np.abs(motion.frequency * motion.amplitude).sum())

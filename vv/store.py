@@ -1,15 +1,18 @@
 """Keeps results on disk: runs by what a solver sees, records by what judges them, manifests.
 
 Every file is written beside its place and renamed, so that a killed process leaves whole files
-or none, and two processes at once at worst write the same file twice.
+or none, and two processes at once at worst write the same file twice. A run and a record name
+the key they belong to, so that a file that got into the wrong place answers nothing.
 """
 
 from __future__ import annotations
 
 import dataclasses
+import errno
 import io
 import json
 import os
+import sys
 import tempfile
 import zipfile
 from collections.abc import Mapping
@@ -22,6 +25,8 @@ import numpy as np
 from vv.ask import Cost, Displacement, Ledger, Model, Observable, Run, Status, Velocity
 from vv.scene import Term, Vector
 
+FIRST = '{"provenance": '  # how a manifest begins
+HEAD = 4096  # characters of a manifest that hold its provenance, as a rule
 UNREADABLE = (OSError, ValueError, KeyError, EOFError, zipfile.BadZipFile)
 OBSERVABLES: Mapping[str, type[Displacement] | type[Velocity]] = {
     kind.__name__: kind for kind in (Displacement, Velocity)
@@ -38,7 +43,8 @@ class Store:
         """The stored run of that key; None if there is none or it cannot be read."""
         try:
             arrays = self._arrays("runs", key)
-            return _run_from(json.loads(str(arrays["meta"])), arrays)
+            meta = json.loads(str(arrays["meta"]))
+            return _run_from(meta, arrays) if meta["key"] == key else None
         except UNREADABLE:
             return None
 
@@ -46,18 +52,21 @@ class Store:
         """Store a run that ran; failures are never kept."""
         if run.status is Status.RAN:
             arrays = {f"value{i}": value for i, value in enumerate(run.values.values())}
-            self._keep_arrays("runs", key, {"meta": np.array(_meta(run)), "t": run.times, **arrays})
+            meta = np.array(_meta(run, key))
+            self._keep_arrays("runs", key, {"meta": meta, "t": run.times, **arrays})
 
     def record(self, key: str) -> dict[str, Any] | None:
         """The stored record of that key, without its series; None if there is none."""
-        return self._json("records", key)
+        found = self._json("records", key)
+        return found if found and found.pop("key", None) == key else None
 
     def keep_record(
         self, key: str, record: Mapping[str, Any], series: Mapping[str, Vector]
     ) -> None:
         """Store a record, and beside it the arrays of its series."""
         self._keep_arrays("records", key, series)
-        write(self._path("records", key, "json"), json.dumps(record, allow_nan=False).encode())
+        text = json.dumps({**record, "key": key}, allow_nan=False)
+        write(self._path("records", key, "json"), text.encode())
 
     def series(self, key: str) -> dict[str, Vector]:
         """The arrays kept beside a record; empty if there are none."""
@@ -82,6 +91,17 @@ class Store:
             raise FileNotFoundError(f"no run '{name}' in {path.parent}")
         return dict(json.loads(path.read_text()))
 
+    def provenance(self, name: str) -> dict[str, Any]:
+        """The provenance of a past invocation, without reading the rest where it comes first."""
+        with (self.root / "manifests" / f"{name}.json").open(encoding="utf-8") as file:
+            head = file.read(HEAD)
+        if head.startswith(FIRST):
+            try:
+                return dict(json.JSONDecoder().raw_decode(head, len(FIRST))[0])
+            except ValueError:
+                pass  # a long command: it does not end within the head
+        return dict(self.manifest(name)["provenance"])
+
     def timings(self, session: str) -> dict[str, Any] | None:
         """A timing session, by the digest of what it timed and where."""
         return self._json("timings", session)
@@ -89,6 +109,12 @@ class Store:
     def keep_timings(self, session: str, timings: Mapping[str, Any]) -> None:
         """Store a timing session."""
         write(self._path("timings", session, "json"), json.dumps(timings).encode())
+
+    def last_timings(self) -> tuple[str, dict[str, Any]] | None:
+        """The newest timing session and its name; None if there is none."""
+        files = sorted((self.root / "timings").glob("*/*.json"), key=lambda p: p.stat().st_mtime_ns)
+        stored = self.timings(files[-1].stem) if files else None
+        return (files[-1].stem, stored) if stored else None
 
     def scratch(self) -> Path:
         """A new, empty folder for one worker."""
@@ -125,22 +151,41 @@ def write(path: Path, content: bytes) -> None:
         os.chmod(temporary, 0o644)
         os.replace(temporary, path)
     except BaseException:
-        os.unlink(temporary)
+        Path(temporary).unlink(missing_ok=True)
         raise
 
 
-def _meta(run: Run) -> str:
-    """All of a run but its arrays, as JSON."""
+def deliver(path: Path, content: bytes) -> None:
+    """Write what a user asked for where they said: `-` is standard output, links are followed.
+
+    A regular file is replaced in one step; a device or pipe is written into. Raises OSError,
+    also where the folder is missing: a mistyped path must not make one.
+    """
+    if str(path) == "-":
+        sys.stdout.buffer.write(content)
+        return
+    if path.exists() and not path.is_file():
+        with path.open("wb") as file:
+            file.write(content)
+        return
+    target = path.resolve()
+    if not target.parent.is_dir():
+        raise FileNotFoundError(errno.ENOENT, "no such folder", str(target.parent))
+    write(target, content)
+
+
+def _meta(run: Run, key: str) -> str:
+    """All of a run but its arrays, as JSON, and the key it belongs to."""
     model = run.model and {
         "unknowns": run.model.unknowns,
         "terms": sorted(term.name for term in run.model.terms),
         "note": run.model.note,
     }
-    ledger = run.ledger and {**dataclasses.asdict(run.ledger), "terms": dict(run.ledger.terms)}
+    ledger = run.ledger and dataclasses.asdict(run.ledger)
     observables = [[type(o).__name__, o.body] for o in run.values]
     cost = dataclasses.asdict(run.cost)
     parts = {"observables": observables, "cost": cost, "model": model, "ledger": ledger}
-    return json.dumps({**parts, "steps": run.steps})
+    return json.dumps({**parts, "steps": run.steps, "key": key})
 
 
 def _run_from(meta: dict[str, Any], arrays: dict[str, Vector]) -> Run:

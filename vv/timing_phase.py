@@ -11,6 +11,7 @@ from vv.digest import digest
 from vv.plan import Plan
 from vv.provenance import machine
 from vv.runner import Batch, run_batches
+from vv.speed import calibration
 from vv.store import Store
 
 REPEAT = 0.1  # CPU seconds spent on each point, over all rounds; a family has some eighty
@@ -27,7 +28,8 @@ def timed_costs(
 ) -> dict[int, dict[str, Any]]:
     """Job number -> cost, for the jobs to be timed that ran; all from one session.
 
-    A stored session answers if it timed the very same runs on this machine.
+    A stored session answers if it timed the very same runs on this machine. `relative` is
+    solve_cpu over that of the calibration kernel, the least and the largest of the rounds.
     """
     numbers = [n for n, job in enumerate(plan.jobs) if job.timed and _ran(records[n])]
     keys = {run_keys[n]: n for n in numbers}
@@ -35,9 +37,17 @@ def timed_costs(
     stored = None if fresh else store.timings(session)
     if stored is None and numbers:
         stored = _measure(plan, numbers, run_keys, store, timeout)
-        store.keep_timings(session, stored)
+        if set(stored) == set(keys):  # a session with gaps is no session to compare within
+            store.keep_timings(session, stored)
     costs = stored or {}
     return {n: {**costs[run_keys[n]], "session": session} for n in numbers if run_keys[n] in costs}
+
+
+def last_costs(plan: Plan, run_keys: Mapping[int, str], store: Store) -> dict[int, dict[str, Any]]:
+    """Job number -> cost as the last session found it, for the very same runs."""
+    session, costs = store.last_timings() or ("", {})
+    jobs = range(len(plan.jobs))
+    return {n: {**costs[run_keys[n]], "session": session} for n in jobs if run_keys[n] in costs}
 
 
 def _ran(record: Mapping[str, Any]) -> bool:
@@ -52,14 +62,25 @@ def _measure(
         job = plan.jobs[number]
         groups.setdefault((job.code, job.scheme), []).append(number)
     seen: dict[int, list[Cost]] = {}
+    ratios: dict[int, list[float]] = {}
     for _ in range(ROUNDS):
         for (code, scheme), members in groups.items():
             asks = tuple(plan.jobs[n].ask for n in members)
             batch = Batch(plan.adapters[code], scheme, tuple(members), asks, REPEAT / ROUNDS)
-            for number, run in run_batches([batch], 1, timeout, store.scratch):
-                if run.status is Status.RAN:
+            before = calibration()
+            answers = list(run_batches([batch], 1, timeout, store.scratch))
+            unit = min(before, calibration())
+            for number, run in answers:
+                if run.status is Status.RAN and run.cost.solve_cpu > 0:
                     seen.setdefault(number, []).append(run.cost)
-    return {run_keys[n]: dataclasses.asdict(_best(costs)) for n, costs in seen.items()}
+                    ratios.setdefault(number, []).append(run.cost.solve_cpu / unit)
+    return {
+        run_keys[n]: {
+            **dataclasses.asdict(_best(costs)),
+            "relative": [min(ratios[n]), max(ratios[n])],
+        }
+        for n, costs in seen.items()
+    }
 
 
 def _best(costs: Sequence[Cost]) -> Cost:

@@ -143,9 +143,9 @@ def _bodies(scene: Scene, columns: dict[str, Vector], size: float) -> list[Plan]
     for group in scene.bodies:
         if isinstance(group, Wall):
             bodies.append(wall_body(group, size))
-            continue
-        bodies += [_sphere(group, i, first + i, columns) for i in range(len(group))]
-        first += len(group)
+        elif isinstance(group, Spheres):
+            bodies += [_sphere(group, i, first + i, columns) for i in range(len(group))]
+            first += len(group)
     return bodies
 
 

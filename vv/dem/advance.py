@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from vv.dem.compiled import inlined
-from vv.dem.triples import NOWHERE, Triple, at, dot, plus, put
+from vv.compiled import inlined
 from vv.scene import Vector
+from vv.triples import NOWHERE, Triple, at, dot, plus, put
 
 
 @inlined

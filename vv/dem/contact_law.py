@@ -7,10 +7,10 @@ import math
 import numpy as np
 import numpy.typing as npt
 
-from vv.dem.compiled import inlined
+from vv.compiled import inlined
 from vv.dem.friction import share_closed, sheared
-from vv.dem.triples import NOWHERE, Triple, at, cross, dot, plus, put
 from vv.scene import Vector
+from vv.triples import NOWHERE, Triple, at, cross, dot, plus, put
 
 Index = npt.NDArray[np.intp]
 Pairs = tuple[Index, Vector, Vector, Vector]
@@ -105,7 +105,7 @@ def pair_forces(
 
 
 @inlined
-def wall_forces(
+def wall_forces(  # noqa: PLR0915 - one algorithm, a branch per term
     push: Vector,
     turn: Vector | None,
     u: Vector,
@@ -118,18 +118,27 @@ def wall_forces(
     kn: float,
     friction: tuple[float, float] | None,
     shear: Vector,
-) -> Triple:
-    """Add the forces of walls on spheres; return energies [J]: normal, shear, lost by friction.
+    moving: tuple[Index, Vector] | None,
+) -> tuple[float, float, float, float]:
+    """Add the forces of walls on spheres; return energies [J].
 
     walls: rows (q,) of the spheres; outward normals (q, 3); gap (q,) at t = 0; radii (q,).
-    shear: (q, 3) force on the sphere. All else is as in `pair_forces`.
+    shear: (q, 3) force on the sphere. moving: where walls move, the rows (q,) of u and v that
+    hold their motion, and the forces (q, 3) on the spheres, kept from step to step. All else is
+    as in `pair_forces`. Energies: normal, shear, lost by friction, work of the walls.
     """
     rows, facing, gap, radius = walls
-    normal = sprung = lost = 0.0
+    normal = sprung = lost = work = 0.0
     for q in range(len(rows)):
         i = rows[q]
         n = at(facing, q)
         overlap = -gap[q] - dot(n, at(u, i))
+        if moving is not None:
+            ground, acting = moving
+            overlap += dot(n, at(u, ground[q]))
+            travel = plus(NOWHERE, 0.5 * dt, at(v, ground[q]))
+            work += dot(at(acting, q), travel)
+            put(acting, q, NOWHERE)
         if overlap <= 0.0:
             if friction is not None:
                 put(shear, q, NOWHERE)
@@ -140,6 +149,10 @@ def wall_forces(
             ks, mu = friction
             relative = at(v, i)
             changed = plus(relative, -1.0, at(v_before, i))
+            if moving is not None:
+                relative = plus(relative, -1.0, at(v, ground[q]))
+                changed = plus(changed, -1.0, at(v, ground[q]))
+                changed = plus(changed, 1.0, at(v_before, ground[q]))
             opened = dt * dot(n, relative)
             if w is not None and w_before is not None:
                 arm = 0.5 * (overlap + 0.5 * opened) - radius[q]
@@ -161,5 +174,8 @@ def wall_forces(
             if turn is not None:
                 arm = radius[q] - 0.5 * overlap
                 put(turn, i, plus(at(turn, i), arm, cross(tangential, n)))
+        if moving is not None:
+            put(acting, q, force)
+            work += dot(force, travel)
         put(push, i, plus(at(push, i), 1.0, force))
-    return normal, sprung, lost
+    return normal, sprung, lost, work

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 import math
 
-from vv.dem.compiled import inlined
-from vv.dem.triples import NOWHERE, Triple, cross, dot, plus
+from vv.compiled import inlined
+from vv.triples import NOWHERE, Triple, cross, dot, plus
+
+SMALL = 0.01  # an exponent below which 1/x - 1/x' would cancel
 
 
 @inlined
@@ -68,17 +70,18 @@ def slipping(
     x = ks |s| dt/cap. The trial force obeys this to first order only. Exact for a steady
     direction d = -s/|s| is the direction of 2 E f + (1 - E^2 + cos t (1 - E)^2) d, f = F/|F|
     (Krieg and Krieg 1977, for plasticity). Where s turns, d is taken at the moment that has the
-    effect of the whole step: between its middle, for small x, and its end, for large x.
+    effect of the whole step: coth(x/2)/2 - 1/x steps after its middle.
     """
     moved = dot(slide, slide)
     if moved == 0.0 or dot(old, trial) <= 0.0:
         return trial
     x = 2.0 * ks * math.sqrt(moved) / (caps[0] + caps[1])
+    fading = math.exp(-x)
+    late = 0.5 * (1.0 + fading) / (1.0 - fading) - 1.0 / x if x > SMALL else x / 12.0
     across = plus(change, -dot(change, slide) / moved, slide)
-    aim = plus(slide, x / (12.0 + 2.0 * x), across)
+    aim = plus(slide, late, across)
     longer, size = math.sqrt(dot(aim, aim)), math.sqrt(dot(old, old))
     cosine = -dot(old, aim) / (longer * size)
-    fading = math.exp(-x)
     # a force that has not reached the cap yet counts for less than one that turns at the cap
     kept = 2.0 * fading / (caps[0] if cosine > 0.0 else size)
     gained = 1.0 - fading * fading + cosine * (1.0 - fading) ** 2

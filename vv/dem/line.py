@@ -95,6 +95,8 @@ def line(scene: Scene) -> Line | None:
     moving = np.flatnonzero(spheres.free.any(axis=1))
     if spheres.free.sum() != 1 or spheres.free_spin.any() or len(spheres) + len(scene.walls) > 2:
         return None
+    if scene.terms() & {Term.SHAKING, Term.BASE_MOTION}:
+        return None
     i = int(moving[0])
     along = scene.axes[spheres.free[i]][0]
     normal, gap = _partner(scene, i)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from vv.dem.compiled import compiled
+from vv.compiled import compiled
 from vv.dem.limits import BLOW_UP, GAIN
 from vv.scene import Vector
 
@@ -31,8 +31,8 @@ def move_on_line(  # noqa: PLR0912, PLR0915 - a branch per term, decided by the 
 
     Every `stride` steps a row is written: path (k, 2): q [m], mean of v- and v+ [m/s];
     energy (k, 6) [J]: m v- v+/2, normal spring, shear spring, lost by friction, lost by drag,
-    and a bound on what closings and openings of the contact have changed. Stops before a row
-    in which energy has been created (vv.dem.limits).
+    and a bound on what closings and openings of the contact have changed. Stops before a later
+    row in which energy has been created (vv.dem.limits).
     """
     q = shear = slipped = dragged = ahead = kinks = overlap = load = done = 0.0
     start = velocity[0]
@@ -100,6 +100,6 @@ def move_on_line(  # noqa: PLR0912, PLR0915 - a branch per term, decided by the 
             done = max(done, force * q)
         held = energy[row, 0] + energy[row, 1] + energy[row, 2]
         fast = 0.5 * mass * after * after
-        if not (held <= GAIN * (put_in + done) and fast <= BLOW_UP * (put_in + done)):
+        if row and not (held <= GAIN * (put_in + done) and fast <= BLOW_UP * (put_in + done)):
             return row
     return len(path)

@@ -12,6 +12,9 @@ from vv.ask import Ask, Ledger, Model, Run, Status
 from vv.dem.leapfrog import Leapfrog
 from vv.dem.limits import BLOW_UP, GAIN
 from vv.dem.line import Line, line
+from vv.dem.pressed import Pressed, pressed
+from vv.dem.rigid import Stood, sprung
+from vv.dem.rigid import why_not as why_not_rigid
 from vv.dem.space import Space, space
 from vv.dem.stability import critical_step
 from vv.scene import Scene, Vector
@@ -24,6 +27,8 @@ LEDGER = (
     "drag dissipation",
     "gravity potential",
     "load potential",
+    "less work of shaking",
+    "less work of moving walls",
 )
 EPS = float(np.finfo(float).eps)
 ROUNDINGS = 16  # of the peak energy, allowed for each step
@@ -32,19 +37,24 @@ LOCKED = 1e-12  # part of a speed below which its component in a locked directio
 
 @dataclass(frozen=True, eq=False)
 class Program:
-    """An ask ready to be solved as often as wanted. system: the smallest model of its scene."""
+    """An ask ready to be solved as often as wanted.
+
+    system: the smallest model of its scene; stood: that scene, with what stands in for what
+    springs cannot do.
+    """
 
     ask: Ask
     leapfrog: Leapfrog
-    system: Line | Space
+    system: Line | Pressed | Space
+    stood: Stood
 
     @property
     def model(self) -> Model:
         """What was built; unknowns are counted in the arrays that the kernel is given."""
         unknowns = sum(array.size for array in self.system.unknowns)
-        limit = critical_step(self.ask.scene, self.leapfrog)
-        words = f"{self.system.words}; largest stable dt {limit:.4g} s"
-        return Model(unknowns, self.system.terms, words)
+        limit = critical_step(self.stood.scene, self.leapfrog)
+        words = f"{self.system.words}{self.stood.words}; largest stable dt {limit:.4g} s"
+        return Model(unknowns, self.system.terms | self.stood.terms, words)
 
     @functools.cached_property
     def arguments(self) -> tuple[Any, ...]:
@@ -57,7 +67,7 @@ class Program:
     @functools.cached_property
     def spheres(self) -> tuple[int, ...]:
         """The spheres observed; raises ValueError for a body that is none."""
-        return tuple(self.ask.scene.sphere_index(what.body) for what in self.ask.observables)
+        return tuple(self.stood.scene.sphere_index(what.body) for what in self.ask.observables)
 
     @property
     def dt(self) -> float:
@@ -115,7 +125,7 @@ class Program:
         if bound is not None:
             bound += ROUNDINGS * EPS * (self.ask.goal.steps(self.dt) + 1) * peak
         return Ledger(
-            terms=dict(zip(LEDGER, terms[-1].tolist(), strict=True)),
+            terms=dict(zip(LEDGER[: terms.shape[1]], terms[-1].tolist(), strict=True)),
             unaccounted=float(np.abs(terms.sum(axis=1) - put_in).max()),
             peak=peak,
             bound=bound,
@@ -124,7 +134,9 @@ class Program:
 
 def prepare(ask: Ask, leapfrog: Leapfrog) -> Program:
     """The program of an ask, with the smallest model its scene allows."""
-    return Program(ask, leapfrog, line(ask.scene) or space(ask.scene))
+    stood = sprung(ask)
+    given = stood.scene, stood.charged
+    return Program(ask, leapfrog, line(stood.scene) or pressed(*given) or space(*given), stood)
 
 
 def solve(ask: Ask, leapfrog: Leapfrog) -> Run:
@@ -143,7 +155,11 @@ def refuses(ask: Ask) -> str | None:
         return "Knobs.dt is None; an explicit scheme needs a step"
     if goal.steps(dt) == 0:
         return f"dt = {dt!r} s leaves no step in History.duration = {goal.duration!r} s"
-    return _moves_where_locked(ask.scene) or _coincident(ask.scene)
+    reason = why_not_rigid(ask)
+    if reason is not None:
+        return reason
+    scene = sprung(ask).scene
+    return _moves_where_locked(scene) or _coincident(scene)
 
 
 def _moves_where_locked(scene: Scene) -> str | None:

@@ -10,6 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from vv.ask import Displacement, Observable
+from vv.dem.drive import Drive, drive
 from vv.dem.leapfrog import Leapfrog
 from vv.scene import Mask, Scene, Term, Vector
 
@@ -33,6 +34,10 @@ class SpaceState(NamedTuple):
     kn: float
     friction: tuple[float, float] | None
     eta: float | None
+    charged: Vector | None
+    shaking: Drive | None
+    base: Drive | None
+    grounds: Index | None
 
 
 @dataclass(frozen=True, eq=False)
@@ -54,7 +59,9 @@ class Space:
         """What the kernel fills, path and energy, and the rows it watches."""
         watched = self.row[np.array(spheres, np.intp)]
         width = 3 + 3 * len(self.unknowns)
-        return np.empty((rows, len(watched), width)), np.empty((rows, 7)), watched
+        driven = self.state.shaking is not None or self.state.base is not None
+        energy = np.empty((rows, 9 if driven else 7))
+        return np.empty((rows, len(watched), width)), energy, watched
 
     def kernel(self) -> Callable[..., int]:
         """The compiled kernel; the first call imports numba."""
@@ -68,9 +75,9 @@ class Space:
         return np.array(path[:, index, first : first + 3])
 
     def held(self, path: Vector, energy: Vector) -> Vector:
-        """The ledger's terms [J], (k, 7)."""
-        signs = np.array([1.0, 1.0, 1.0, 1.0, 1.0, -1.0, -1.0])
-        return np.asarray(energy * signs + 0.0)
+        """The ledger's terms [J], (k, 7), or (k, 9) where something is driven."""
+        signs = np.array([1.0, 1.0, 1.0, 1.0, 1.0, -1.0, -1.0, -1.0, -1.0])
+        return np.asarray(energy * signs[: energy.shape[1]] + 0.0)
 
     def put_in(self, energy: Vector) -> float:
         """Kinetic and elastic energy [J] at t = 0."""
@@ -78,16 +85,17 @@ class Space:
         kinetic = 0.5 * float(s.mass @ (s.velocity**2).sum(axis=1))
         if s.spin is not None:
             kinetic += 0.5 * float(s.inertia @ (s.spin**2).sum(axis=1))
-        return kinetic + float(energy[0, 1])
+        return kinetic + float(energy[0, 1]) + float(energy[0, 2])
 
     def bound(self, energy: Vector, leapfrog: Leapfrog, dt: float) -> float | None:
         """None: where contacts turn, the energy is near one conserved but no bound is known."""
         return None
 
 
-def space(scene: Scene) -> Space:
+def space(scene: Scene, charged: Vector | None = None) -> Space:
     """The general model, without what the scene does not have.
 
+    charged: friction (n, 3) [N] of each sphere with its wall, of which there is one, at t = 0.
     Rotation is left out where no friction can change it: no observable shows it.
     """
     spheres, contact = scene.spheres, scene.contact
@@ -97,6 +105,9 @@ def space(scene: Scene) -> Space:
     rubs = Term.FRICTION in scene.terms() and (pairs is not None or walls is not None)
     turns = rubs and Term.ROTATION in scene.terms()
     load = spheres.load[moves]
+    base = None
+    if walls is not None:
+        base = drive(tuple(wall.motion for wall in scene.walls), np.eye(3))
     state = SpaceState(
         velocity=_projected(spheres.velocity[moves], scene.axes, spheres.free[moves]),
         spin=_projected(spheres.spin[moves], scene.axes, spheres.free_spin[moves])
@@ -113,12 +124,17 @@ def space(scene: Scene) -> Space:
         kn=contact.kn,
         friction=(contact.ks, contact.mu) if rubs else None,
         eta=scene.eta if scene.eta > 0 else None,
+        charged=charged[moves] if charged is not None and charged.any() and rubs else None,
+        shaking=drive((scene.shaking,), np.eye(3)),
+        base=base,
+        grounds=None if base is None else _grounds(scene, moves),
     )
     left_out = {
         Term.SPHERE_CONTACT: pairs is None,
         Term.WALL_CONTACT: walls is None,
         Term.FRICTION: not rubs,
         Term.ROTATION: not turns,
+        Term.BASE_MOTION: base is None,
     }
     terms = frozenset(term for term in scene.terms() if not left_out.get(term, False))
     count = len(state.velocity)
@@ -153,6 +169,12 @@ def _walls(scene: Scene, moves: Mask, row: Index) -> Contacts | None:
     gaps = [(position - wall.point) @ wall.normal - radius for wall in scene.walls]
     normals = np.repeat([wall.normal for wall in scene.walls], len(radius), axis=0)
     return np.tile(row[moves], count), normals, np.concatenate(gaps), np.tile(radius, count)
+
+
+def _grounds(scene: Scene, moves: Mask) -> Index:
+    """The rows that hold how the walls of all contacts move: those after the spheres' own."""
+    m = int(moves.sum())
+    return np.repeat(m + 1 + np.arange(len(scene.walls)), m)
 
 
 def _projectors(axes: Vector, free: Mask) -> Vector | None:

@@ -2,39 +2,48 @@
 
 from __future__ import annotations
 
-from vv.ask import Ask, Displacement, Run, Status
+from vv.ask import Ask, Displacement, Model, Run, Status
 from vv.exact.flow import StoppedError, follow
 from vv.exact.ledger import ledger
+from vv.exact.modelled import TERMS, is_rigid
 from vv.exact.path import Path
 from vv.exact.reach import RefusedError
-from vv.exact.system import TERMS, System, assemble, describe
+from vv.exact.slide import follow_slider, lift_off
+from vv.exact.slide_ledger import slide_ledger
+from vv.exact.slide_path import Slide
+from vv.exact.slider import Slider, assemble_slider, describe_slider
+from vv.exact.system import System, assemble, describe
+from vv.scene import Scene
+from vv.soften import as_spheres
 
 __all__ = [
     "TERMS",
     "Path",
     "RefusedError",
+    "Slide",
+    "Slider",
     "StoppedError",
     "System",
     "answer",
     "assemble",
-    "describe",
+    "assemble_slider",
     "duration",
     "follow",
+    "follow_slider",
+    "model",
+    "move",
     "prepare",
     "refusal",
     "solve",
 ]
 
 
-def prepare(ask: Ask) -> System:
-    """The equations to solve for an ask; raises RefusedError."""
-    system = assemble(ask.scene)
+def prepare(ask: Ask) -> System | Slider:
+    """The equations to solve for an ask, of springs or of rigid contact; raises RefusedError."""
+    problem = _pressed(ask) if is_rigid(ask.scene) else assemble(ask.scene)
     for observable in ask.observables:
-        try:
-            ask.scene.sphere_index(observable.body)
-        except ValueError as reason:
-            raise RefusedError(str(reason)) from None
-    return system
+        _index(ask.scene, observable.body)
+    return problem
 
 
 def refusal(ask: Ask) -> str | None:
@@ -46,16 +55,30 @@ def refusal(ask: Ask) -> str | None:
     return None
 
 
+def move(problem: System | Slider, duration: float) -> Path | Slide:
+    """The motion over a duration [s]; raises StoppedError if it cannot be followed."""
+    if isinstance(problem, Slider):
+        return follow_slider(problem, duration)
+    return follow(problem, duration)
+
+
+def model(scene: Scene, problem: System | Slider) -> Model:
+    """What was built for a scene."""
+    if isinstance(problem, Slider):
+        return describe_slider(scene, problem)
+    return describe(scene, problem)
+
+
 def solve(ask: Ask) -> Run:
     """The run of an ask, without cost: refused, diverged, or exact to rounding."""
     try:
-        system = prepare(ask)
+        problem = prepare(ask)
     except RefusedError as reason:
         return Run(Status.REFUSED, str(reason))
     try:
-        path = follow(system, duration(ask))
+        path = move(problem, duration(ask))
     except StoppedError as reason:
-        return Run(Status.DIVERGED, str(reason), model=describe(ask.scene, system))
+        return Run(Status.DIVERGED, str(reason), model=model(ask.scene, problem))
     return answer(ask, path)
 
 
@@ -64,20 +87,40 @@ def duration(ask: Ask) -> float:
     return float(ask.goal.times(ask.knobs.dt)[-1])
 
 
-def answer(ask: Ask, path: Path) -> Run:
+def answer(ask: Ask, path: Path | Slide) -> Run:
     """What an ask wants to know of a path."""
-    system, times = path.system, ask.goal.times(ask.knobs.dt)
-    q, v = path.at(times)
+    times = ask.goal.times(ask.knobs.dt)
     values = {}
     for observable in ask.observables:
-        own = system.owner == ask.scene.sphere_index(observable.body)
-        along = q if isinstance(observable, Displacement) else v
-        values[observable] = along[:, own] @ system.direction[own]
+        moved, moving = path.of(_index(ask.scene, observable.body), times)
+        values[observable] = moved if isinstance(observable, Displacement) else moving
     return Run(
         Status.RAN,
         times=times,
         values=values,
-        steps=len(path.start),
-        model=describe(ask.scene, system),
-        ledger=ledger(path),
+        steps=len(path),
+        model=model(ask.scene, path.slider if isinstance(path, Slide) else path.system),
+        ledger=slide_ledger(path) if isinstance(path, Slide) else ledger(path),
     )
+
+
+def _pressed(ask: Ask) -> Slider:
+    """The slider of a scene whose body stays on its wall as long as the ask lasts."""
+    slider = assemble_slider(ask.scene)
+    end = lift_off(slider, duration(ask))
+    wall, body = slider.names
+    if end is not None:
+        raise RefusedError(
+            f"body {body} lifts off body {wall} at t = {end:.6g} s; flight is not followed"
+            if end > 0
+            else f"body {body} is not pressed on body {wall} at t = 0"
+        )
+    return slider
+
+
+def _index(scene: Scene, body: int) -> int:
+    """The index of a body that moves; raises RefusedError for any other."""
+    try:
+        return (as_spheres(scene) if is_rigid(scene) else scene).sphere_index(body)
+    except ValueError as reason:
+        raise RefusedError(str(reason)) from None

@@ -31,8 +31,8 @@ def ledger(path: Path) -> Ledger:
         "kinetic": 0.5 * v**2 @ system.mass,
         "normal elastic": normal,
         "shear elastic": shear,
-        "friction dissipation": _running(_friction(path, lengths)),
-        "drag dissipation": _running(_drag(path)),
+        "friction dissipation": running(_friction(path, lengths)),
+        "drag dissipation": running(_drag(path)),
         "gravity potential": -q @ system.weight,
         "load potential": -q @ system.load,
     }
@@ -83,33 +83,33 @@ def _friction(path: Path, lengths: Vector) -> Vector:
     system, sign = path.system, _signs(path)
     overlap = -lengths[:, :, list(system.springs)]
     slip = sign[:, None] * lengths[:, :, len(system.gap) :] - system.ratio * overlap
-    work = _product_integral(path, overlap, _derivative(slip)) * (sign != 0)
+    work = product_integral(path.end, overlap, derivative(slip)) * (sign != 0)
     return np.asarray(system.mu * system.kn * work.sum(axis=1))
 
 
 def _drag(path: Path) -> Vector:
     """Work against drag (p,) [J]: the integral of eta v^2."""
-    rate = _derivative(path.series)
-    work = _product_integral(path, rate, rate) / path.h[:, None]
+    rate = derivative(path.series)
+    work = product_integral(path.end, rate, rate) / path.h[:, None]
     return np.asarray(path.system.eta * work.sum(axis=1))
 
 
-def _derivative(series: Vector) -> Vector:
+def derivative(series: Vector) -> Vector:
     """Polynomials (p, k, n) derived in their own time."""
     derived = np.zeros_like(series)
     derived[:, :-1] = series[:, 1:] * np.arange(1.0, series.shape[1])[:, None]
     return derived
 
 
-def _product_integral(path: Path, a: Vector, b: Vector) -> Vector:
-    """Integrals (p, n) of a b from 0 to the end of each piece, in its own time."""
+def product_integral(end: Vector, a: Vector, b: Vector) -> Vector:
+    """Integrals (p, n) of products of polynomials a, b (p, k, n), each from 0 to its end (p,)."""
     rank = np.arange(a.shape[1])
-    powers = path.end[:, None, None] ** rank[:, None]
+    powers = end[:, None, None] ** rank[:, None]
     hilbert = 1.0 / (rank[:, None] + rank + 1)
     products = a * powers * (hilbert @ (b * powers))
-    return np.asarray(path.end[:, None] * products.sum(axis=1))
+    return np.asarray(end[:, None] * products.sum(axis=1))
 
 
-def _running(work: Vector) -> Vector:
+def running(work: Vector) -> Vector:
     """The sum so far, (p + 1,), from zero."""
     return np.concatenate(((0.0,), np.cumsum(work)))

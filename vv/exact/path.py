@@ -64,6 +64,9 @@ class Path:
             lengths=np.array([piece.lengths for piece in pieces]),
         )
 
+    def __len__(self) -> int:
+        return len(self.states)
+
     @functools.cached_property
     def events(self) -> tuple[Event, ...]:
         """Every change of a contact's state, in order of time."""
@@ -80,6 +83,13 @@ class Path:
         x = (times - self.start[piece]) / self.h[piece]
         q, rate = taylor_sum(self.series[piece], x)
         return q, rate / self.h[piece, None]
+
+    def of(self, sphere: int, times: Vector) -> tuple[Vector, Vector]:
+        """Displacement and velocity (k, 3) [m, m/s] of a sphere at times (k,) [s]."""
+        q, v = self.at(times)
+        own = self.system.owner == sphere
+        direction = self.system.direction[own]
+        return q[:, own] @ direction, v[:, own] @ direction
 
 
 def taylor_sum(series: Vector, x: Vector) -> tuple[Vector, Vector]:

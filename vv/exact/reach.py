@@ -98,7 +98,7 @@ def reachable(scene: Scene, candidates: list[Touch]) -> list[Vector]:
     weight = spheres.mass[:, None] * scene.gravity
     sizes = np.linalg.norm(weight, axis=1) + np.linalg.norm(spheres.load, axis=1)
     causes = [
-        [_scaled(velocity), _scaled(force, size)]
+        [scaled(velocity), scaled(force, size)]
         for velocity, force, size in zip(
             spheres.velocity, weight + spheres.load, sizes, strict=True
         )
@@ -122,7 +122,7 @@ def can_close(touch: Touch, spaces: list[Vector]) -> bool:
     space = np.concatenate([spaces[i] for i in touch.spheres])
     if touch.first is None:
         return bool((np.abs(space @ touch.normal) > touch.blur).any())
-    basis = _span(space, touch.blur)
+    basis = span(space, touch.blur)
     offset = (touch.depth + touch.gap) * touch.normal
     missed = float(np.linalg.norm(offset - basis.T @ (basis @ offset)))
     return missed < touch.depth * (1 - touch.blur)
@@ -131,10 +131,10 @@ def can_close(touch: Touch, spaces: list[Vector]) -> bool:
 def tangents(touch: Touch, spaces: list[Vector]) -> Vector:
     """The orthonormal directions, (d, 3), of the tangential motion in a contact."""
     space = np.concatenate([spaces[i] for i in touch.spheres])
-    return _span(space - np.outer(space @ touch.normal, touch.normal), touch.blur)
+    return span(space - np.outer(space @ touch.normal, touch.normal), touch.blur)
 
 
-def _scaled(vector: Vector, size: float = 0.0) -> Vector:
+def scaled(vector: Vector, size: float = 0.0) -> Vector:
     """A vector over its length, or over a given size; zero stays zero."""
     size = size or float(np.linalg.norm(vector))
     return vector / size if size > 0 else vector
@@ -142,12 +142,12 @@ def _scaled(vector: Vector, size: float = 0.0) -> Vector:
 
 def _moved(free: Vector, causes: list[Vector], blur: float) -> Vector:
     """The directions in which unit causes move a sphere: free axes, if those span them."""
-    space = _span(np.array(causes) @ free.T @ free, blur)
+    space = span(np.array(causes) @ free.T @ free, blur)
     inside = np.linalg.norm(free - free @ space.T @ space, axis=1) <= blur
     return free[inside] if inside.sum() == len(space) else space
 
 
-def _span(vectors: Vector, blur: float) -> Vector:
+def span(vectors: Vector, blur: float) -> Vector:
     """An orthonormal basis, (d, 3), of the span of (k, 3) vectors no longer than about 1.
 
     Singular values within blur of zero are rounding; so even nearly parallel vectors of a plane

@@ -9,20 +9,9 @@ import numpy as np
 import numpy.typing as npt
 
 from vv.ask import Model
-from vv.exact.reach import LARGEST, RefusedError, Touch, can_close, reachable, tangents, touches
+from vv.exact.modelled import check_spheres, check_terms, counted
+from vv.exact.reach import RefusedError, Touch, can_close, reachable, tangents, touches
 from vv.scene import Scene, Term, Vector
-
-TERMS = frozenset(
-    {
-        Term.SPHERE_CONTACT,
-        Term.WALL_CONTACT,
-        Term.FRICTION,
-        Term.DRAG,
-        Term.GRAVITY,
-        Term.LOAD,
-        Term.OBLIQUE_LOCK,
-    }
-)
 
 
 @dataclass(frozen=True, eq=False)
@@ -66,7 +55,8 @@ class System:
 
 def assemble(scene: Scene) -> System:
     """The equations of motion of a scene; raises RefusedError if it is outside the class."""
-    _check(scene)
+    check_terms(scene)
+    check_spheres(scene)
     spheres, law = scene.spheres, scene.contact
     candidates = list(touches(scene))
     spaces = reachable(scene, candidates)
@@ -111,32 +101,12 @@ def describe(scene: Scene, system: System) -> Model:
     inert = sorted(term.value for term in scene.terms() if not acting.get(term, True))
     unknowns = len(system.direction)
     note = (
-        f"{_counted(unknowns, 'displacement')} along fixed directions, out of "
-        f"{_counted(scene.unknowns(), 'freedom')}; {_counted(len(system.gap), 'contact')} with "
-        f"constant normals; {_counted(len(system.tangent), 'shear spring')}"
+        f"{counted(unknowns, 'displacement')} along fixed directions, out of "
+        f"{counted(scene.unknowns(), 'freedom')}; {counted(len(system.gap), 'contact')} with "
+        f"constant normals; {counted(len(system.tangent), 'shear spring')}"
     )
     note += f"; without effect here: {', '.join(inert)}" if inert else ""
     return Model(unknowns, scene.terms(), note)
-
-
-def _counted(number: int, noun: str) -> str:
-    return f"{number} {noun}{'' if number == 1 else 's'}"
-
-
-def _check(scene: Scene) -> None:
-    """Refuse what the equations do not hold: terms, size, spin, motion along locked directions."""
-    spheres = scene.spheres
-    for lacking in sorted(term.value for term in scene.terms() - TERMS):
-        raise RefusedError(f"{lacking} is not modelled")
-    if len(spheres) > LARGEST:
-        raise RefusedError(f"the scene has {len(spheres)} spheres; at most {LARGEST} are solved")
-    for i in np.flatnonzero(spheres.spin.any(axis=1))[:1]:
-        raise RefusedError(f"sphere {i} spins; spin is not modelled")
-    along = spheres.velocity @ scene.axes.T
-    speed = np.abs(spheres.velocity).max(axis=1, keepdims=True)
-    moving = (np.abs(along) > 1e-12 * speed) & ~spheres.free
-    for i in np.flatnonzero(moving.any(axis=1))[:1]:
-        raise RefusedError(f"sphere {i} has a velocity along a direction in which it is locked")
 
 
 def _matters(touch: Touch, spaces: list[Vector], rough: bool) -> bool:

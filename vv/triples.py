@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from vv.dem.compiled import inlined
+from vv.compiled import inlined
 from vv.scene import Vector
 
 Triple = tuple[float, float, float]

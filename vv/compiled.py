@@ -1,4 +1,4 @@
-"""Compiles the kernels, once per machine: options, and a disk cache named by their sources."""
+"""Compiles kernels, once per machine: options, and a disk cache named by their sources."""
 
 from __future__ import annotations
 
@@ -13,7 +13,9 @@ import numba
 
 Kernel = TypeVar("Kernel", bound=Callable[..., object])
 HERE = Path(__file__).parent
+SHARED = (HERE / "compiled.py", HERE / "triples.py")  # what the kernels of every engine use
 ROUNDING: dict[str, Any] = {"error_model": "numpy", "fastmath": {"contract"}}
+HIDDEN: dict[str, Any] = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True}
 
 
 def compiled(function: Kernel) -> Kernel:
@@ -24,7 +26,8 @@ def compiled(function: Kernel) -> Kernel:
     """
     config: Any = numba.config
     before = config.CACHE_DIR
-    config.CACHE_DIR = str(cache_folder(HERE))  # numba reads it once, as it wraps a function
+    sources = Path(function.__code__.co_filename).parent
+    config.CACHE_DIR = str(cache_folder(sources))  # numba reads it once, as it wraps a function
     try:
         kernel: Kernel = numba.njit(cache=True, **ROUNDING)(function)
     finally:
@@ -37,8 +40,13 @@ def inlined(function: Kernel) -> Kernel:
 
     A call would pass each array as seven words, which costs more than most of these compute.
     """
-    options: dict[str, Any] = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True}
-    part: Kernel = numba.njit(forceinline=True, **options, **ROUNDING)(function)
+    part: Kernel = numba.njit(forceinline=True, **HIDDEN, **ROUNDING)(function)
+    return part
+
+
+def called(function: Kernel) -> Kernel:
+    """A function for kernels to call that is too long to become part of each of them."""
+    part: Kernel = numba.njit(**HIDDEN, **ROUNDING)(function)
     return part
 
 
@@ -49,8 +57,9 @@ def cache_folder(sources: Path) -> Path:
     on using what was compiled before one of these was edited.
     """
     sha = hashlib.sha256()
-    for path in sorted(sources.glob("*.py")):
-        sha.update(path.name.encode() + b"\0" + path.read_bytes() + b"\0")
+    for path in (*SHARED, *sorted(sources.glob("*.py"))):
+        if path.is_file():
+            sha.update(path.name.encode() + b"\0" + path.read_bytes() + b"\0")
     return _writable_root() / "numba" / sha.hexdigest()[:16]
 
 
@@ -70,7 +79,7 @@ def _roots() -> Iterator[Path]:
     """VV_CACHE, `.vv` of the checkout we are in, the user's cache, the temporary folder."""
     if chosen := os.environ.get("VV_CACHE"):
         yield Path(chosen)
-    checkout = HERE.parents[1]
+    checkout = HERE.parent
     if (checkout / "pyproject.toml").is_file():
         yield checkout / ".vv"
     yield Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "vv"

@@ -1,0 +1,39 @@
+"""The command that hands input to others: `vv export`."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from vv.cli import options
+from vv.plan import Options, choose_schemes, make_plan, select
+from vv.project import find
+from vv.settings import UsageError
+from vv.store import deliver
+
+
+def export(
+    selection: Annotated[str, typer.Argument(metavar="CASE:VARIANT")],
+    code: Annotated[str, typer.Option("--code", metavar="CODE[/SCHEME]")],
+    rungs: options.Rungs = None,
+    settings: options.Sets = None,
+    output: Annotated[
+        Path | None, typer.Option("--output", help="The file; else standard output.")
+    ] = None,
+) -> None:
+    """Write the native script or deck of one variant for one code; it runs alone."""
+    project = find()
+    chosen = select(project, [selection])
+    if len(rungs or ()) > 1:
+        raise UsageError(f"export takes one --rung, not {len(rungs or ())}")
+    if len(chosen) != 1:
+        raise UsageError(f"'{selection}' names {len(chosen)} variants; export takes one")
+    asked = Options(codes=(code,), settings=tuple(settings or ()), rungs=options.knobs(rungs))
+    job = make_plan(project, [selection], asked).jobs[-1 if not rungs else 0]
+    adapter, scheme = choose_schemes(
+        {a: project.load_adapter(a) for a in project.adapter_names()}, [code]
+    )[0]
+    text = adapter.native(job.ask, scheme.name)
+    deliver(output or Path("-"), text.encode())

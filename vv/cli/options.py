@@ -1,0 +1,75 @@
+"""Options that several commands share, and what they mean as a plan."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from vv.ask import Knobs
+from vv.plan import Options, Plan, choose_schemes, make_plan
+from vv.project import Project
+from vv.settings import UsageError, knobs_from
+from vv.study import Level
+
+TIMEOUT = 120.0  # s for one job, unless said otherwise
+Selection = Annotated[
+    list[str] | None, typer.Argument(help="FAMILY, CASE or CASE:VARIANT; globs allowed.")
+]
+Codes = Annotated[
+    str,
+    typer.Option("--codes", metavar="CODES", help="CODE[/SCHEME],... to ask; all if not given."),
+]
+Required = Annotated[
+    str, typer.Option("--require", metavar="CODES", help="Codes whose absence is an error.")
+]
+Sets = Annotated[
+    list[str] | None,
+    typer.Option("--set", metavar="NAME=VALUE[UNIT]", help="Change a parameter; repeatable."),
+]
+Rungs = Annotated[
+    list[str] | None,
+    typer.Option("--rung", metavar="dt=..[,kn=..]", help="Use these knobs; repeatable."),
+]
+Levels = Annotated[Level, typer.Option("--level", help="How much of each case to run.")]
+Jobs = Annotated[int, typer.Option("--jobs", min=0, help="Processes; 0: one a core.")]
+Fresh = Annotated[bool, typer.Option("--fresh", help="Use nothing stored.")]
+Timeout = Annotated[float, typer.Option("--timeout", help="Seconds for a job.")]
+JsonFile = Annotated[
+    Path | None, typer.Option("--json", metavar="FILE", help="Write all records, with series.")
+]
+
+
+def plan_of(project: Project, selection: list[str], options: Options) -> Plan:
+    """The plan of a selection; nothing selected means every case."""
+    return make_plan(project, selection or ["*"], options)
+
+
+def patterns(plan: Plan, required: str) -> tuple[str, ...]:
+    """The codes of --require; raises UsageError for one that does not exist."""
+    choose_schemes(plan.adapters, split(required))
+    return split(required)
+
+
+def split(text: str) -> tuple[str, ...]:
+    """The parts of a text between commas."""
+    return tuple(part.strip() for part in text.split(",") if part.strip())
+
+
+def knobs(texts: list[str] | None) -> tuple[Knobs, ...]:
+    """What --rung says."""
+    return tuple(knobs_from(text) for text in texts or ())
+
+
+def workers(jobs: int) -> int:
+    """How many processes --jobs asks for."""
+    return jobs or len(os.sched_getaffinity(0))
+
+
+def positive(timeout: float) -> float:
+    """What --timeout says, which must be positive."""
+    if not timeout > 0:
+        raise UsageError(f"--timeout = {timeout!r} s; it must be positive")
+    return timeout

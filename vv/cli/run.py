@@ -1,0 +1,119 @@
+"""The command that runs cases: `vv run`."""
+
+from __future__ import annotations
+
+from typing import Annotated, Any
+
+import typer
+
+from vv import screen
+from vv.ask import Knobs
+from vv.cli import options
+from vv.cli.invocation import carried_out
+from vv.gate import RUN_BITS, exit_bits
+from vv.plan import Options, Plan, restricted
+from vv.project import Project, find
+from vv.settings import UsageError
+from vv.store import Store
+from vv.study import Level
+
+PAST = 10  # manifests that a budget looks at
+
+
+def run(
+    selection: options.Selection = None,
+    everything: Annotated[bool, typer.Option("--all", help="Every case, with timing.")] = False,
+    failed: Annotated[
+        bool, typer.Option("--failed", help="Only what did not do well in the last run.")
+    ] = False,
+    since: Annotated[
+        str, typer.Option(metavar="REV", help="Only what changes since a commit can affect.")
+    ] = "",
+    budget: Annotated[
+        str, typer.Option(metavar="60s", help="Only the most telling jobs that fit this time.")
+    ] = "",
+    codes: options.Codes = "*",
+    require: options.Required = "",
+    settings: options.Sets = None,
+    level: options.Levels = Level.DEFAULT,
+    rungs: options.Rungs = None,
+    jobs: options.Jobs = 0,
+    fresh: options.Fresh = False,
+    timeout: options.Timeout = options.TIMEOUT,
+    dry_run: Annotated[bool, typer.Option("--dry-run", help="Say what would run.")] = False,
+    json_file: options.JsonFile = None,
+) -> None:
+    """Run cases in codes and write the report; exits non-zero if something could not run."""
+    narrowed = bool(failed or since or budget)
+    if selection and everything:
+        raise UsageError("name cases or say --all, not both")
+    if not (selection or everything or narrowed):
+        raise UsageError("name a case or say --all; `vv list` shows the cases")
+    project = find()
+    store = Store(project.data())
+    last = _last(store) if failed else None
+    knobs = options.knobs(rungs) or (_rungs_that_failed(last) if last else ())
+    chosen = Options(level, options.split(codes), tuple(settings or ()), knobs)
+    plan = options.plan_of(project, selection or [], chosen)
+    required = options.patterns(plan, require)
+    plan = _narrowed(project, store, plan, last, since, budget)
+    if dry_run:
+        screen.print_jobs(plan)
+        return
+    if not plan.jobs:
+        screen.say(_nothing(failed, since, budget))
+        return
+    from vv.session import Limits, Timing
+
+    timing = everything and level is not Level.QUICK and not narrowed
+    limits = Limits(
+        options.workers(jobs),
+        options.positive(timeout),
+        fresh,
+        Timing.STORED if timing else Timing.NONE,
+    )
+    manifest = carried_out(project, plan, limits, json_file)
+    raise typer.Exit(exit_bits(manifest["records"], required) & RUN_BITS)
+
+
+def _last(store: Store) -> dict[str, Any]:
+    names = store.manifests()
+    if not names:
+        raise UsageError("--failed: there is no last run")
+    return store.manifest(names[-1])
+
+
+def _rungs_that_failed(last: dict[str, Any]) -> tuple[Knobs, ...]:
+    """The knobs of what did not do well: they need not be of the level asked for."""
+    from vv.scope import troubled_records
+
+    return tuple(dict.fromkeys(Knobs(**record["rung"]) for record in troubled_records(last)))
+
+
+def _narrowed(
+    project: Project,
+    store: Store,
+    plan: Plan,
+    last: dict[str, Any] | None,
+    since: str,
+    budget: str,
+) -> Plan:
+    from vv import scope
+
+    if last is not None:
+        wanted = scope.troubled(last)
+        plan = restricted(plan, lambda job: scope.key(job) in wanted)
+    if since:
+        plan = scope.affected(project, plan, scope.changed_since(project.root, since))
+    if budget:
+        past = [store.manifest(name) for name in reversed(store.manifests()[-PAST:])]
+        plan = scope.within(plan, scope.seconds(budget), past)
+    return plan
+
+
+def _nothing(failed: bool, since: str, budget: str) -> str:
+    if failed:
+        return "nothing to run: all did well in the last run"
+    if since:
+        return f"nothing to run: no change since {since} can affect a result"
+    return f"nothing to run: no job fits {budget}"

@@ -1,0 +1,96 @@
+"""Rigid scenes as the springs and spheres that stand in for them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from vv.ask import Ask
+from vv.scene import Scene, Term, Vector
+from vv.soften import (
+    TOUCHING,
+    as_spheres,
+    base_velocity,
+    fastest,
+    friction_at_start,
+    softened,
+    why_no_point,
+)
+
+SHEAR = 25.0
+"""ks over kn of springs that stand in for rigid contact, which says nothing of ks.
+
+The normal spring leaves an error of order 1/kn. The shear spring lags each time slip turns back,
+by a time sqrt(mu N/(ks a)), and leaves one of order ks^-1/2: the larger one, so it is made stiffer.
+"""
+STANDS_IN = frozenset({Term.BLOCK, Term.RIGID_CONTACT})
+
+
+@dataclass(frozen=True, eq=False)
+class Stood:
+    """A scene of spheres and springs, and how it came about.
+
+    charged: friction (n, 3) [N] that the shear springs hold at t = 0; None: none. terms: those
+    of the original scene that it stands for; words: how, from a semicolon on.
+    """
+
+    scene: Scene
+    charged: Vector | None
+    terms: frozenset[Term]
+    words: str
+
+
+def sprung(ask: Ask) -> Stood:
+    """What a leapfrog solves for an ask; `why_not` must not object.
+
+    Springs kn, ks = SHEAR kn stand in for rigid contact. They start as they are in the
+    limit of rigid contact: pressed in by what presses the bodies on their wall at t = 0, and
+    charged with its friction. Springs that belong to a scene start without shear.
+    """
+    scene, kn = ask.scene, ask.knobs.kn
+    terms = scene.terms() & STANDS_IN
+    words = ""
+    charged = None
+    if Term.BLOCK in terms:
+        scene = as_spheres(scene)
+        words = "; it stands for a block that cannot turn"
+    if Term.RIGID_CONTACT in terms and kn is not None:
+        if scene.walls:
+            charged = friction_at_start(scene)
+        scene = softened(scene, kn, SHEAR)
+        words += (
+            f"; springs kn = {kn:g}, ks = {SHEAR * kn:g} N/m, charged as rigid contact is at t = 0"
+        )
+    return Stood(scene, charged, terms, words)
+
+
+def why_not(ask: Ask) -> str | None:
+    """Why neither springs nor spheres can stand in for what an ask has; else None."""
+    reason = why_no_point(ask.scene) if ask.scene.blocks else None
+    if reason is not None or Term.RIGID_CONTACT not in ask.scene.terms():
+        return reason
+    if ask.knobs.kn is None:
+        return "Knobs.kn is None; rigid contact needs a stiffness to stand in for it"
+    return _bounces(as_spheres(ask.scene) if ask.scene.blocks else ask.scene)
+
+
+def _bounces(scene: Scene) -> str | None:
+    """Why springs would not do as rigid contact does: at an impact, or pressed by a lock."""
+    s = scene.spheres
+    if len(s) > 1 or len(scene.walls) > 1:
+        return "springs stand in for rigid contact between one body and one wall only"
+    for wall in scene.walls:
+        gap = float((s.position[0] - wall.point) @ wall.normal - s.radius[0])
+        if abs(gap) > TOUCHING * s.radius[0]:
+            return (
+                f"the body is {gap:.3g} m off its wall at t = 0; rigid contact says nothing of a "
+                "rebound, springs would give back all energy"
+            )
+        closing = float((s.velocity[0] - base_velocity(wall.motion)) @ wall.normal)
+        if abs(closing) > TOUCHING * (np.linalg.norm(s.velocity[0]) + fastest(wall.motion)):
+            return f"the body leaves its wall at {closing:.3g} m/s at t = 0; springs would swing"
+        locked = scene.axes[~s.free[0]]
+        if np.abs(locked @ wall.normal).max(initial=0.0) > TOUCHING:
+            return "the body is locked along the normal of its wall; what presses it is not known"
+    return None

@@ -1,0 +1,189 @@
+"""The ledger of known disagreements: what a code is known to do otherwise, within what bands."""
+
+from __future__ import annotations
+
+import datetime
+import fnmatch
+import math
+import tomllib
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from vv.finding import Bit, Finding
+from vv.metrics import Order, observed_order
+from vv.record import Verdict
+from vv.settings import UsageError
+
+WARNING = 30  # days before an entry expires in which the gate says so
+
+
+@dataclass(frozen=True)
+class Disagreement:
+    """What a code is known to do otherwise, as two-sided bands on error and observed order.
+
+    Patterns are globs; versions names those it was seen in. error: (low, high) at the step
+    dt [s], moved to other steps with the middle of the order band. expires: ISO date.
+    """
+
+    code: str
+    schemes: str
+    versions: str
+    case: str
+    variants: tuple[str, ...]
+    quantity: str
+    dt: float
+    error: tuple[float, float]
+    order: tuple[float, float]
+    reason: str
+    expires: str
+
+    def __post_init__(self) -> None:
+        for name, (low, high) in (("error", self.error), ("order", self.order)):
+            if not low <= high:
+                raise ValueError(f"{name} = [{low:g}, {high:g}]; a band must not be empty")
+        if not (self.dt > 0 and self.error[0] > 0):
+            raise ValueError(f"dt = {self.dt:g} s, error from {self.error[0]:g}; both must be > 0")
+        if not self.reason.strip():
+            raise ValueError("reason is empty; say what the code does otherwise")
+        datetime.date.fromisoformat(self.expires)
+
+    def covers(self, record: Mapping[str, Any], quantity: str) -> bool:
+        """Whether this entry speaks of a quantity of a record."""
+        pairs = (
+            (record["code"], self.code),
+            (record["scheme"], self.schemes),
+            (record["code_version"], self.versions),
+            (record["case"], self.case),
+            (quantity, self.quantity),
+        )
+        if not any(fnmatch.fnmatchcase(record["variant"], glob) for glob in self.variants):
+            return False
+        return all(fnmatch.fnmatchcase(name, glob) for name, glob in pairs)
+
+    def holds(self, error: float, dt: float) -> bool:
+        """Whether an error at a step lies within the band."""
+        scale = float((dt / self.dt) ** (sum(self.order) / 2))
+        return self.error[0] * scale <= error <= self.error[1] * scale
+
+
+def read_disagreements(path: Path) -> tuple[Disagreement, ...]:
+    """The ledger's entries; none if there is no file. Raises UsageError naming a bad entry."""
+    if not path.is_file():
+        return ()
+    found = []
+    try:
+        entries = tomllib.loads(path.read_text(encoding="utf-8")).get("disagreement", [])
+    except (OSError, ValueError) as error:
+        raise UsageError(f"{path}: {error}") from error
+    for number, entry in enumerate(entries, 1):
+        try:
+            found.append(Disagreement(**{name: _frozen(value) for name, value in entry.items()}))
+        except (TypeError, ValueError) as error:
+            raise UsageError(f"{path}: entry {number}: {error}") from error
+    return tuple(found)
+
+
+def _frozen(value: Any) -> Any:
+    """A list as a tuple, a date as its ISO text, anything else as it is."""
+    if isinstance(value, list):
+        return tuple(value)
+    return value.isoformat() if isinstance(value, datetime.date) else value
+
+
+Ladder = tuple[str | float | None, ...]
+
+
+def orders(records: Iterable[Mapping[str, Any]]) -> dict[Ladder, Order]:
+    """Observed order in dt on each ladder, where its rungs allow a fit."""
+    points: dict[Ladder, list[tuple[float, float]]] = {}
+    for record in records:
+        dt = record["rung"]["dt"]
+        for entry in record["quantities"]:
+            error = entry["errors"].get(entry["norm"] or "max")
+            if dt and error:
+                points.setdefault(ladder(record, entry["name"]), []).append((dt, error))
+    fitted = {
+        key: observed_order(*map(list, zip(*pairs, strict=True))) for key, pairs in points.items()
+    }
+    return {key: order for key, order in fitted.items() if order is not None}
+
+
+def ladder(record: Mapping[str, Any], quantity: str) -> Ladder:
+    """What the rungs that differ in dt alone have in common: all but dt, for one quantity."""
+    names = ("case", "variant", "code", "scheme")
+    return (*(record[name] for name in names), quantity, record["rung"]["kn"])
+
+
+def judge(
+    records: Iterable[dict[str, Any]], disagreements: Iterable[Disagreement], today: datetime.date
+) -> list[dict[str, Any]]:
+    """The records with the verdicts that the ledger of known disagreements turns.
+
+    A failure inside its bands is known (xfail); outside them, and a pass, are news (fail, xpass).
+    An entry that has expired by today excuses nothing.
+    """
+    given = list(records)
+    entries = tuple(entry for entry in disagreements if entry.expires >= today.isoformat())
+    fitted = orders(given)
+    judged = []
+    for record in given:
+        quantities = []
+        for entry in record["quantities"]:
+            known = next((d for d in entries if d.covers(record, entry["name"])), None)
+            order = fitted.get(ladder(record, entry["name"]))
+            quantities.append(_turned(record, entry, known, order) if known else entry)
+        judged.append({**record, "quantities": quantities})
+    return judged
+
+
+def _turned(
+    record: Mapping[str, Any], entry: dict[str, Any], known: Disagreement, order: Order | None
+) -> dict[str, Any]:
+    verdict = Verdict(entry["verdict"])
+    if verdict is Verdict.PASS:
+        return {**entry, "verdict": Verdict.XPASS.value, "note": f"passes, though {known.reason}"}
+    if entry["note"]:
+        return entry  # nothing moves, or the like: worse than any disagreement
+    error = entry["errors"].get(entry["norm"] or "max")
+    in_band = record["modified"] or (  # bands were measured at the case's own parameters
+        error is not None and known.holds(error, record["rung"]["dt"] or known.dt)
+    )
+    slope = order.order if order else math.nan
+    in_order = order is None or known.order[0] <= slope <= known.order[1]
+    if verdict is Verdict.FAIL and in_band and in_order:
+        return {**entry, "verdict": Verdict.XFAIL.value, "note": known.reason}
+    what = f"order {slope:.3f}" if in_band else f"error {error}"
+    return {**entry, "note": f"{what} lies outside the band of the known disagreement"}
+
+
+def dated(
+    records: Sequence[Mapping[str, Any]],
+    disagreements: Iterable[Disagreement],
+    today: datetime.date,
+) -> list[Finding]:
+    """What there is to say of entries that speak of these records and expire or have expired."""
+    found = []
+    for known in disagreements:
+        left = (datetime.date.fromisoformat(known.expires) - today).days
+        if left <= WARNING and _is_used(known, records):
+            over = left < 0
+            when = f"expired {-left} days ago" if over else f"expires in {left} days"
+            found.append(
+                Finding(
+                    check="accuracy",
+                    kind="expired" if over else "expiring",
+                    text=f"the known disagreement '{known.reason}' {when}: renew or remove it",
+                    case=known.case,
+                    variant=", ".join(known.variants),
+                    label=f"{known.code}/{known.schemes}",
+                    quantity=known.quantity,
+                    bit=Bit.ACCURACY if over else Bit(0),
+                )
+            )
+    return found
+
+
+def _is_used(known: Disagreement, records: Iterable[Mapping[str, Any]]) -> bool:
+    return any(known.covers(r, entry["name"]) for r in records for entry in r["quantities"])

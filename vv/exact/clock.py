@@ -1,0 +1,84 @@
+"""Keeps the time of a scene driven by sines in quarter periods, so that no phase grows blurred."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from fractions import Fraction
+
+import numpy as np
+import numpy.typing as npt
+
+from vv.scene import Vector
+
+CELLS = 4  # to a period of the quickest sine: angles of at most pi/2, where series are short
+ORDER = 24  # of the Taylor series of a sine over a cell; the last term is (pi/2)^24/24! = 1e-19
+Instant = tuple[int, float]  # whole cells passed, and the part of the one under way
+
+
+@dataclass(frozen=True, eq=False)
+class Clock:
+    """Cells of 1/rate [s], and what k sines of given phase (k,) [rad] do in them.
+
+    rate [1/s]; turns: for each sine a/b, the turns it makes in a cell, as integers (a, b). An
+    instant is as sharp after a million periods as at t = 0.
+    """
+
+    rate: float
+    turns: tuple[tuple[int, int], ...]
+    frequency: Vector
+    phase: Vector
+
+    @classmethod
+    def of(cls, frequency: Vector, phase: Vector, duration: float) -> Clock:
+        """The clock for sines of given frequencies (k,) [Hz]; without any, one cell [s]."""
+        quickest = float(frequency.max(initial=0.0))
+        if quickest == 0:
+            return cls(1 / duration, ((0, 1),) * len(phase), frequency, phase)
+        parts = [Fraction(f) / Fraction(CELLS * quickest) for f in frequency.tolist()]
+        turns = tuple((part.numerator, part.denominator) for part in parts)
+        return cls(CELLS * quickest, turns, frequency, phase)
+
+    def instant(self, time: float) -> Instant:
+        """The instant of a time [s]."""
+        cell, part = self.instants(np.array([time]))
+        return int(cell[0]), float(part[0])
+
+    def instants(self, times: Vector) -> tuple[npt.NDArray[np.int64], Vector]:
+        """The instants of times (t,) [s], as (t,) cells and (t,) parts."""
+        exact = times.astype(np.longdouble) * self.rate
+        cells = np.floor(exact)
+        return cells.astype(np.int64), (exact - cells).astype(float)
+
+    def time(self, instant: Instant) -> float:
+        """The time of an instant [s]."""
+        return (instant[0] + instant[1]) / self.rate
+
+    def waves(self, instant: Instant) -> Vector:
+        """1, the k sines and the k cosines at an instant: (1 + 2k,)."""
+        cell, part = instant
+        angles = [
+            2 * math.pi * ((a * cell) % b / b + a / b * part) + phase
+            for (a, b), phase in zip(self.turns, self.phase.tolist(), strict=True)
+        ]
+        return np.array([1.0, *map(math.sin, angles), *map(math.cos, angles)])
+
+    def waves_at(self, times: Vector) -> Vector:
+        """The same at times (t,) [s]: (t, 1 + 2k)."""
+        turns = times.astype(np.longdouble)[:, None] * self.frequency
+        angles = 2 * np.pi * (turns - np.floor(turns)).astype(float) + self.phase
+        return np.hstack((np.ones((len(times), 1)), np.sin(angles), np.cos(angles)))
+
+    def taylor(self, row: Vector) -> Vector:
+        """Taylor maps (ORDER + 1, 1 + 2k) of row[0] + row[1:] @ sines, from waves.
+
+        The variable counts cells: sin(b + c x) = sin b cos c x + cos b sin c x.
+        """
+        k, rank = len(self.phase), np.arange(ORDER + 1)
+        quick = 2 * np.pi * np.array([a / b for a, b in self.turns]).reshape(k)
+        size = quick ** rank[:, None] / np.array([float(math.factorial(n)) for n in rank])[:, None]
+        size *= np.where(rank // 2 % 2, -1.0, 1.0)[:, None]
+        even = (rank % 2 == 0)[:, None]
+        maps = np.hstack((np.zeros((ORDER + 1, 1)), row[1:] * size * even, row[1:] * size * ~even))
+        maps[0, 0] = row[0]
+        return np.asarray(maps)

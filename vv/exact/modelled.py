@@ -1,0 +1,45 @@
+"""States which terms are modelled on which contact, and refuses scenes that have others."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from vv.exact.reach import LARGEST, RefusedError
+from vv.scene import Scene, Term
+
+EITHER = {Term.WALL_CONTACT, Term.FRICTION, Term.GRAVITY, Term.LOAD, Term.OBLIQUE_LOCK}
+SPRINGS = frozenset(EITHER | {Term.SPHERE_CONTACT, Term.DRAG})
+RIGID = frozenset(EITHER | {Term.RIGID_CONTACT, Term.BLOCK, Term.SHAKING, Term.BASE_MOTION})
+TERMS = SPRINGS | RIGID
+
+
+def is_rigid(scene: Scene) -> bool:
+    """Whether contact has no elasticity."""
+    return not np.isfinite(scene.contact.kn)
+
+
+def check_terms(scene: Scene) -> None:
+    """Refuse a scene with a term that is not modelled on its kind of contact."""
+    modelled, contact = (RIGID, "rigid contact") if is_rigid(scene) else (SPRINGS, "springs")
+    for lacking in sorted(scene.terms() - modelled, key=lambda term: term.value):
+        where = f" on {contact}" if lacking in TERMS else ""
+        raise RefusedError(f"{lacking.value} is not modelled{where}")
+
+
+def check_spheres(scene: Scene) -> None:
+    """Refuse too many spheres, spin, and motion along locked directions."""
+    spheres = scene.spheres
+    if len(spheres) > LARGEST:
+        raise RefusedError(f"the scene has {len(spheres)} spheres; at most {LARGEST} are solved")
+    for i in np.flatnonzero(spheres.spin.any(axis=1))[:1]:
+        raise RefusedError(f"sphere {i} spins; spin is not modelled")
+    along = spheres.velocity @ scene.axes.T
+    speed = np.abs(spheres.velocity).max(axis=1, keepdims=True)
+    moving = (np.abs(along) > 1e-12 * speed) & ~spheres.free
+    for i in np.flatnonzero(moving.any(axis=1))[:1]:
+        raise RefusedError(f"sphere {i} has a velocity along a direction in which it is locked")
+
+
+def counted(number: int, noun: str) -> str:
+    """A number of things in words."""
+    return f"{number} {noun}{'' if number == 1 else 's'}"

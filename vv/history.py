@@ -1,0 +1,122 @@
+"""What became of a case over commits, read from the manifests of past runs."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from vv.finding import label, rung
+from vv.gate import outcome
+from vv.store import Store
+
+COMMITS = 8  # shown
+LOOKS = 4  # manifests read for a commit before it is taken not to hold the case
+Record = Mapping[str, Any]
+Place = tuple[str, str, str]
+
+
+@dataclass(frozen=True)
+class Point:
+    """A case at one commit.
+
+    closeness: scheme -> largest error over tolerance. cost: scheme -> geometric mean of its timed
+    solves in calibration kernels. Both are over those places only that all points of the scheme
+    have. outcomes: scheme -> outcomes counted.
+    """
+
+    utc: str
+    commit: str
+    dirty: bool
+    closeness: Mapping[str, float]
+    cost: Mapping[str, float]
+    outcomes: Mapping[str, Mapping[str, int]]
+
+    @property
+    def name(self) -> str:
+        """The commit as people say it; + for uncommitted changes."""
+        return (self.commit[:9] or "no commit") + ("+" if self.dirty else "")
+
+
+def history(store: Store, case: str) -> list[Point]:
+    """The newest run of a case at each of the last commits, oldest first."""
+    found = list(reversed(_newest(store, case)))
+    closeness = _over_common([_measured(records, _closeness) for _, records in found], max)
+    cost = _over_common([_measured(records, _relative) for _, records in found], _geometric_mean)
+    return [
+        Point(told["utc"], told["commit"], told["dirty"], near, dear, _counted(records))
+        for (told, records), near, dear in zip(found, closeness, cost, strict=True)
+    ]
+
+
+def _newest(store: Store, case: str) -> list[tuple[Mapping[str, Any], list[Record]]]:
+    """(provenance, records of the case) of the newest run at each commit, newest first."""
+    found: dict[tuple[str, bool], tuple[Mapping[str, Any], list[Record]]] = {}
+    looks: dict[tuple[str, bool], int] = {}
+    for name in reversed(store.manifests()):
+        told = store.provenance(name)
+        at = told["commit"], told["dirty"]
+        looks[at] = looks.get(at, 0) + 1
+        if at in found or looks[at] > LOOKS:
+            continue
+        records = store.manifest(name)["records"]
+        own = [r for r in records if r["case"] == case and not r["modified"]]
+        if own:
+            found[at] = told, own
+        if len(found) == COMMITS:
+            break
+    return list(found.values())
+
+
+def _measured(records: Iterable[Record], measure: Any) -> dict[str, dict[Place, float]]:
+    """Scheme -> place -> what is measured there."""
+    found: dict[str, dict[Place, float]] = {}
+    for record in records:
+        for name, value in measure(record).items():
+            place = record["variant"], rung(record), name
+            found.setdefault(label(record), {})[place] = value
+    return found
+
+
+def _closeness(record: Record) -> dict[str, float]:
+    pairs = {
+        e["name"]: (e["errors"].get(e["norm"] or "max"), e["tolerance"])
+        for e in record["quantities"]
+    }
+    return {name: error / bound for name, (error, bound) in pairs.items() if error and bound}
+
+
+def _relative(record: Record) -> dict[str, float]:
+    relative = record["cost"].get("relative")
+    return {"cost": math.sqrt(relative[0] * relative[1])} if relative else {}
+
+
+def _over_common(
+    points: list[dict[str, dict[Place, float]]], reduce: Any
+) -> list[dict[str, float]]:
+    """Each scheme's values at the places that all points of it have, reduced to one number."""
+    common: dict[str, set[Place]] = {}
+    for point in points:
+        for scheme, values in point.items():
+            common[scheme] = common.get(scheme, values.keys()) & values.keys()
+    return [
+        {
+            scheme: reduce([values[place] for place in common[scheme]])
+            for scheme, values in point.items()
+            if common[scheme]
+        }
+        for point in points
+    ]
+
+
+def _geometric_mean(values: list[float]) -> float:
+    return math.exp(sum(map(math.log, values)) / len(values))
+
+
+def _counted(records: Iterable[Record]) -> dict[str, dict[str, int]]:
+    found: dict[str, dict[str, int]] = {}
+    for record in records:
+        counts = found.setdefault(label(record), {})
+        counts[outcome(record)] = counts.get(outcome(record), 0) + 1
+    return found

@@ -1,0 +1,86 @@
+"""Speed, as a ratio to a calibration kernel timed in the same session, against what was accepted.
+
+No absolute time is ever judged. The kernel is a chain of dependent additions in numpy's compiled
+loop: like the stepping loop of a small scene, it waits for one floating-point unit.
+"""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+
+from vv.baseline import name_of
+from vv.finding import Bit, Finding, label, rung
+
+TERMS = np.full(200_000, 1.0)
+REPEATS = 5
+# two sessions on a busy machine differed by 1.05 at most in 52 ratios, the two rounds of one by
+# 1.04 but in two of 76: 1.5 between intervals is no noise, and no absolute claim either
+FACTOR = 1.5
+ELSEWHERE = 3.0  # another processor's memory and units differ too; a guess, not measured
+
+
+def calibration() -> float:
+    """CPU seconds of the calibration kernel: the least of a few, about a millisecond each."""
+    seen = []
+    for _ in range(REPEATS):
+        begun = time.process_time()
+        np.cumsum(TERMS)
+        seen.append(time.process_time() - begun)
+    return min(seen)
+
+
+def compare(
+    case: str,
+    records: Sequence[Mapping[str, Any]],
+    baseline: Mapping[str, Any] | None,
+    processor: str,
+    enforced: bool,
+) -> list[Finding]:
+    """Which results of a case became slower or faster than accepted, beyond what noise explains.
+
+    A ratio is an interval over rounds; only intervals apart by more than the factor count.
+    enforced: the ratios are of a new session, and the case does not take speed lightly.
+    """
+    found = []
+    for record in records:
+        then = baseline["results"].get(name_of(record), {}) if baseline else {}
+        now = record["cost"].get("relative")
+        if record["case"] != case or record["modified"] or not now or "cost" not in then:
+            continue
+        assert baseline is not None
+        taken_on = baseline["acceptances"][then["by"]]["machine"]["processor"]
+        factor = FACTOR if taken_on == processor else ELSEWHERE
+        kind, size = _change(then["cost"], now, factor)
+        if kind:
+            text = (
+                f"solve takes {now[0]:.3g} to {now[1]:.3g} calibration kernels, accepted "
+                f"{then['cost'][0]:.3g} to {then['cost'][1]:.3g}; factor {factor:g} allowed "
+                f"on {'the same' if factor == FACTOR else 'another'} processor"
+            )
+            found.append(
+                Finding(
+                    check="speed",
+                    kind=kind,
+                    text=text,
+                    case=case,
+                    variant=record["variant"],
+                    label=label(record),
+                    rung=rung(record),
+                    bit=Bit.SPEED if kind == "slower" else Bit(0),
+                    enforced=enforced,
+                    size=size,
+                )
+            )
+    return found
+
+
+def _change(then: Sequence[float], now: Sequence[float], factor: float) -> tuple[str, float]:
+    if now[0] > factor * then[1]:
+        return "slower", now[0] / then[1]
+    if now[1] * factor < then[0]:
+        return "faster", then[0] / now[1]
+    return "", 0.0
