@@ -34,7 +34,13 @@ LAYERS: dict[str, tuple[str, set[str], set[str]]] = {
     "record": ("vv/record.py", DECLARED | {"vv.metrics"}, set()),
     "gate": ("vv/gate.py", DECLARED | JUDGED, set()),
     "disagreement": ("vv/disagreement.py", JUDGED | {"vv.metrics", "vv.settings"}, set()),
-    "baseline": ("vv/baseline.py", CORE | JUDGED | {"vv.settings"}, set()),
+    "baseline": ("vv/baseline.py", JUDGED | {"vv.settings"}, set()),
+    "regression": ("vv/regression.py", CORE | JUDGED | {"vv.baseline"}, set()),
+    "acceptance": (
+        "vv/acceptance.py",
+        CORE | JUDGED | {"vv.baseline", "vv.regression"},
+        set(),
+    ),
     "recorded": (
         "vv/recorded.py",
         CORE | JUDGED | {"vv.baseline", "vv.settings", "vv.store"},

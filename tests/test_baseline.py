@@ -9,9 +9,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from tests.fabricated import entry, record
-from vv import baseline, speed
-from vv.baseline import EXTERNAL, IN_HOUSE
+from vv import acceptance, baseline, regression, speed
 from vv.finding import Bit, Finding
+from vv.regression import EXTERNAL, IN_HOUSE
 
 ACCEPTANCE = {"reason": "r", "utc": "u", "machine": {"processor": "P", "system": "S"}}
 FIGURES = {"final": 3.0, "mean": 1.0}
@@ -24,13 +24,13 @@ def ran(error: float | None = 1e-4, final: float = 3.0, **changes: Any) -> dict[
 
 
 def accepted(*records: dict[str, Any], old: Any = None) -> dict[str, Any]:
-    return baseline.accepted("bounce", old, records or (ran(),), ACCEPTANCE, ())
+    return acceptance.accepted("bounce", old, records or (ran(),), ACCEPTANCE, ())
 
 
 def compared(
     now: dict[str, Any], external: tuple[str, ...] = (), then: Any = None, demanded: bool = False
 ) -> list[Finding]:
-    return baseline.compare("bounce", [now], then or accepted(), external, True, demanded)
+    return regression.compare("bounce", [now], then or accepted(), external, True, demanded)
 
 
 def test_the_same_result_is_no_finding() -> None:
@@ -71,15 +71,15 @@ def test_a_quantity_no_longer_reported_is_red_and_a_new_one_is_noted() -> None:
 
 def test_a_modified_run_is_neither_compared_nor_accepted() -> None:
     assert compared(ran(1.0, modified=True)) == []
-    assert not baseline.acceptable(ran(modified=True))
+    assert not acceptance.acceptable(ran(modified=True))
 
 
 def test_a_failure_is_not_acceptable() -> None:
     bad = ran()
     bad["quantities"][0]["verdict"] = "fail"
-    assert not baseline.acceptable(bad)
-    assert not baseline.acceptable(ran(status="error"))
-    assert not baseline.acceptable(ran(quantities=[]))
+    assert not acceptance.acceptable(bad)
+    assert not acceptance.acceptable(ran(status="error"))
+    assert not acceptance.acceptable(ran(quantities=[]))
 
 
 def test_small_changes_cannot_add_up_unseen() -> None:

@@ -1,42 +1,22 @@
-"""Accepted results: how they are kept, and how a run compares with them.
+"""Accepted results: how they are kept and read.
 
 One file per case, `CASE.json`: sorted, one result a line, so that a change reads well in review.
 A result is named by variant, code/scheme and knobs; of each quantity it holds a few figures of
-the value, their scale, and the error. Bands apply to figures over scale and to errors, which are
-relative already.
+the value, their scale, and the error.
 """
 
 from __future__ import annotations
 
 import json
-from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-from vv.ask import Status
-from vv.finding import Bit, Finding, label, rung
-from vv.gate import status_of
-from vv.record import Verdict
+from vv.finding import label, rung
 from vv.settings import UsageError
 
 Json = dict[str, Any]
-LARGE = 1e99  # stands for an infinite change
 DIGITS = 12  # significant digits kept of a figure: a thousandth of the narrowest band
-
-
-@dataclass(frozen=True)
-class Band:
-    """How far a value over its scale, and an error, may move; and why that far."""
-
-    width: float
-    reason: str
-
-
-IN_HOUSE = Band(1e-9, "our own arithmetic: only the last bits may differ between platforms")
-EXTERNAL = Band(
-    1e-6, "an external program: another build of it may round otherwise in each of many steps"
-)
 
 
 def read(folder: Path, case: str) -> Json | None:
@@ -80,7 +60,7 @@ def result_of(record: Mapping[str, Any]) -> Json:
     """What a baseline keeps of a record: figures, scale and error of each quantity."""
     kept: Json = {
         entry["name"]: {
-            "error": _rounded(_error(entry)),
+            "error": _rounded(error_of(entry)),
             "scale": _rounded(entry["scale"]),
             **{name: _rounded(value) for name, value in entry["figures"].items()},
         }
@@ -95,207 +75,7 @@ def _rounded(value: float | None, digits: int = DIGITS) -> float | None:
     return None if value is None else float(f"{value:.{digits}g}")
 
 
-def _error(entry: Mapping[str, Any]) -> float | None:
+def error_of(entry: Mapping[str, Any]) -> float | None:
+    """The error of a record's quantity in the norm that judges."""
     error: float | None = entry["errors"].get(entry["norm"] or "max")
     return error
-
-
-def compare(
-    case: str,
-    records: Sequence[Mapping[str, Any]],
-    baseline: Json | None,
-    external: Collection[str],
-    enforced: bool,
-    demanded: bool,
-) -> list[Finding]:
-    """What moved between the baseline of a case and its records, quantity by quantity.
-
-    external: codes that are programs of others. enforced: whether a change is red. demanded:
-    whether a result without a baseline is red too.
-    """
-    given = [r for r in records if r["case"] == case and not r["modified"]]
-    if baseline is None:
-        bit = Bit.INCOMPLETE if demanded else Bit(0)
-        text = f"no baseline; to accept one: vv accept {case} --reason ..."
-        ran = any(status_of(r) is Status.RAN for r in given)
-        return [Finding("regression", "no baseline", text, case, bit=bit)] if ran else []
-    others = _other_parameters(given, baseline)
-    found = [_moved_parameters(case, variant, text) for variant, text in others.items()]
-    for record in given:
-        if record["variant"] not in others:
-            found += _compared(record, baseline, external, enforced, demanded)
-    return found
-
-
-def _other_parameters(
-    records: Iterable[Mapping[str, Any]], baseline: Mapping[str, Any]
-) -> dict[str, str]:
-    """Variant -> how its parameters differ from those its baseline was taken with."""
-    found = {}
-    for record in records:
-        now, then = record["parameters"], baseline["parameters"].get(record["variant"])
-        if then is not None and then != now:
-            names = sorted(n for n in now.keys() | then.keys() if now.get(n) != then.get(n))
-            found[record["variant"]] = ", ".join(
-                f"{n} = {then.get(n)}, now {now.get(n)}" for n in names
-            )
-    return found
-
-
-def _moved_parameters(case: str, variant: str, text: str) -> Finding:
-    said = f"the baseline was taken with {text}"
-    return Finding("regression", "other parameters", said, case, variant, bit=Bit.INCOMPLETE)
-
-
-def _compared(
-    record: Mapping[str, Any],
-    baseline: Json,
-    external: Collection[str],
-    enforced: bool,
-    demanded: bool,
-) -> Iterator[Finding]:
-    about = {"case": record["case"], "variant": record["variant"], "label": label(record)}
-    then = baseline["results"].get(name_of(record))
-    status = status_of(record)
-    if then is None:
-        if status is Status.RAN:
-            bit = Bit.INCOMPLETE if demanded else Bit(0)
-            text = "has no baseline yet"
-            yield Finding("regression", "new", text, **about, rung=rung(record), bit=bit)
-        return
-    if status in (Status.REFUSED, Status.NOT_RUN):
-        text = f"has a baseline, but now: {status.value}: {record['reason']}"
-        yield Finding(
-            "regression", "gone", text, **about, rung=rung(record), bit=Bit.ACCURACY,
-            enforced=enforced,
-        )  # fmt: skip
-    if status is not Status.RAN:
-        return
-    band = EXTERNAL if record["code"] in external else IN_HOUSE
-    now = {entry["name"]: entry for entry in record["quantities"]}
-    for name in sorted((then.keys() | now.keys()) - {"by", "cost"}):
-        kind, text, size = _change(then.get(name), now.get(name), band)
-        if kind:
-            red = kind in ("worse", "moved", "gone")
-            yield Finding(
-                "regression", kind, text, **about, rung=rung(record), quantity=name,
-                bit=Bit.ACCURACY if red else Bit(0), enforced=enforced, size=size,
-            )  # fmt: skip
-
-
-def _change(
-    then: Mapping[str, Any] | None, now: Mapping[str, Any] | None, band: Band
-) -> tuple[str, str, float]:
-    """(kind, text, size in bands) of a quantity's change; kind is empty within the band."""
-    if then is None:
-        return "new", "has no baseline yet", 0.0
-    if now is None:
-        return "gone", "has a baseline, but is no longer reported", 0.0
-    before, error = then["error"], _error(now)
-    if (before is None) != (error is None):
-        kind = "worse" if error is None else "better"
-        return kind, f"error {_said(before)}, now {_said(error)}", 0.0
-    drift = (error or 0.0) - (before or 0.0)
-    shift = _shift(then, now)
-    size = min(max(abs(drift), shift) / band.width, LARGE)
-    if abs(drift) > band.width:
-        text = f"error {_said(before)}, now {_said(error)}; band {band.width:g}: {band.reason}"
-        return ("worse" if drift > 0 else "better"), text, size
-    if not shift <= band.width:
-        text = f"value moved by {shift:.3g} of its scale; band {band.width:g}: {band.reason}"
-        return "moved", text, size
-    return "", "", size
-
-
-def _shift(then: Mapping[str, Any], now: Mapping[str, Any]) -> float:
-    """The largest change of a figure over the scale that was accepted."""
-    names = (then.keys() | now["figures"].keys()) - {"error", "scale"}
-    pairs = [(then.get(name), now["figures"].get(name)) for name in names]
-    if any((a is None) != (b is None) for a, b in pairs):
-        return float("inf")
-    return max((abs(a - b) / then["scale"] for a, b in pairs if a is not None), default=0.0)
-
-
-def _said(error: float | None) -> str:
-    return "none" if error is None else f"{error:.3g}"
-
-
-def gone(
-    case: str,
-    baseline: Json | None,
-    variants: Collection[str],
-    labels: Collection[str],
-    codes: Collection[str],
-    enforced: bool,
-) -> list[Finding]:
-    """Results in a baseline whose variant or scheme is no more.
-
-    variants: those of the case. labels: the schemes of the codes there are. codes: those looked at.
-    """
-    found = {}
-    for name in baseline["results"] if baseline else ():
-        variant, scheme = name.split(" ")[:2]
-        lost = variant not in variants or scheme not in labels
-        if lost and scheme.partition("/")[0] in codes:
-            text = "has a baseline, but is no longer there"
-            found[variant, scheme] = Finding(
-                "regression", "gone", text, case, variant, scheme, bit=Bit.ACCURACY,
-                enforced=enforced,
-            )  # fmt: skip
-    return list(found.values())
-
-
-def _holds(then: Json, record: Mapping[str, Any], external: Collection[str]) -> bool:
-    """Whether no quantity of a record has left its band."""
-    band = EXTERNAL if record["code"] in external else IN_HOUSE
-    now = {entry["name"]: entry for entry in record["quantities"]}
-    names = (then.keys() | now.keys()) - {"by", "cost"}
-    return not any(_change(then.get(name), now.get(name), band)[0] for name in names)
-
-
-GOOD = (Verdict.PASS, Verdict.XFAIL, Verdict.NO_REFERENCE)
-
-
-def acceptable(record: Mapping[str, Any]) -> bool:
-    """Whether a record may enter a baseline: it ran, unmodified, and nothing in it fails."""
-    whole = status_of(record) is Status.RAN and not record["modified"] and record["quantities"]
-    return bool(whole) and all(Verdict(e["verdict"]) in GOOD for e in record["quantities"])
-
-
-def accepted(
-    case: str,
-    baseline: Json | None,
-    records: Iterable[Mapping[str, Any]],
-    acceptance: Mapping[str, Any],
-    external: Collection[str],
-) -> Json:
-    """The baseline with these records put in, and with the acceptance they came by.
-
-    Results of codes that are not installed here stay; those of schemes that now refuse, or are
-    no more, go. A result that did not leave its band stays as it was, so that small changes
-    cannot add up unseen.
-    """
-    given = [r for r in records if r["case"] == case]
-    old: Json = baseline or {"acceptances": {}, "results": {}, "parameters": {}}
-    number = str(1 + max(map(int, old["acceptances"]), default=0))
-    absent = {label(r) for r in given if status_of(r) is Status.NOT_INSTALLED}
-    results = {n: v for n, v in old["results"].items() if n.split(" ")[1] in absent}
-    for record in filter(acceptable, given):
-        name, new = name_of(record), result_of(record)
-        before = old["results"].get(name)
-        fixed = before is not None and _holds(before, record, external)
-        if before and "cost" in before:
-            new.setdefault("cost", before["cost"])
-        same = fixed and before is not None and before.get("cost") == new.get("cost")
-        results[name] = before if same else {**new, "by": number}
-    used = {result["by"] for result in results.values()}
-    given_by = {**old["acceptances"], number: dict(acceptance)}
-    variants = {name.split(" ")[0] for name in results}
-    taken = {r["variant"]: dict(r["parameters"]) for r in given if not r["modified"]}
-    parameters = {**old["parameters"], **taken}
-    return {
-        "case": case,
-        "acceptances": {n: a for n, a in given_by.items() if n in used},
-        "parameters": {name: parameters[name] for name in sorted(variants)},
-        "results": results,
-    }

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from vv import baseline, disagreement, independence, recorded, speed
+from vv import baseline, disagreement, independence, recorded, regression, speed
 from vv.case import Check
 from vv.finding import Bit, Finding
 from vv.plan import Plan
@@ -76,9 +76,9 @@ def _since(
     for name, case in plan.cases.items():
         was, enforced = accepted[name], Check.REGRESSION in case.enforced
         demanded = terms.against is not None
-        found += baseline.compare(name, records, was, external, enforced, demanded)
+        found += regression.compare(name, records, was, external, enforced, demanded)
         variants = {variant.name for variant in case.variants}
-        found += baseline.gone(name, was, variants, labels, asked, enforced)
+        found += regression.gone(name, was, variants, labels, asked, enforced)
         strict = terms.timing and Check.SPEED in case.enforced
         found += speed.compare(name, records, was, machine()["processor"], strict)
     return found

@@ -101,7 +101,7 @@ def accept(
     dry_run: Annotated[bool, typer.Option("--dry-run", help="Only show the difference.")] = False,
 ) -> None:
     """Show what moved since a case's baseline, and make the present results the new one."""
-    from vv import baseline
+    from vv import acceptance, baseline
     from vv.judging import baselines_of
     from vv.session import Limits, Timing
 
@@ -113,13 +113,13 @@ def accept(
     when = Timing.NEW if timing else Timing.NONE
     manifest = carried_out(project, plan, Limits(options.workers(0), options.TIMEOUT, timing=when))
     screen.print_difference(manifest, case)
-    refused = [r for r in manifest["records"] if not baseline.acceptable(r)]
+    refused = [r for r in manifest["records"] if not acceptance.acceptable(r)]
     screen.print_unacceptable(refused)
     if dry_run:
         return
     folder = baselines_of(project)
     external = {code for code, told in manifest["codes"].items() if told["files"]}
-    document = baseline.accepted(
+    document = acceptance.accepted(
         case,
         baseline.read(folder, case),
         manifest["records"],
