@@ -18,6 +18,7 @@ from vv.timing import timed
 
 TERMS = frozenset(
     {
+        Term.SPHERE,
         Term.SPHERE_CONTACT,
         Term.WALL_CONTACT,
         Term.FRICTION,

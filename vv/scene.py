@@ -20,6 +20,7 @@ __all__ = ["Block", "Contact", "Harmonic", "Mask", "Scene", "Spheres", "Term", "
 class Term(enum.Enum):
     """A physical effect that a scene contains; a scheme runs a scene only if it declares all."""
 
+    SPHERE = "spheres"
     SPHERE_CONTACT = "contact between spheres"
     WALL_CONTACT = "contact with a plane wall"
     FRICTION = "shear spring capped by Coulomb friction"
@@ -117,6 +118,7 @@ class Scene:
         """The effects present, derived from the data."""
         spheres, blocks = self.spheres, self.blocks
         present = {
+            Term.SPHERE: len(spheres) > 0,
             Term.SPHERE_CONTACT: len(spheres) > 1,
             Term.WALL_CONTACT: bool(self.walls),
             Term.FRICTION: self.contact.mu > 0

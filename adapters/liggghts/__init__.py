@@ -25,6 +25,7 @@ from vv.scene import Term
 
 TERMS = frozenset(
     {
+        Term.SPHERE,
         Term.SPHERE_CONTACT,
         Term.WALL_CONTACT,
         Term.FRICTION,

@@ -21,6 +21,7 @@ from vv.transform import released
 DRIVER = Path(__file__).with_name("driver.py")
 TERMS = frozenset(
     {
+        Term.SPHERE,
         Term.SPHERE_CONTACT,
         Term.WALL_CONTACT,
         Term.FRICTION,

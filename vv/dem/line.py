@@ -147,6 +147,7 @@ def _built(
     }
     contact = Term.WALL_CONTACT if scene.walls else Term.SPHERE_CONTACT
     there = {
+        Term.SPHERE: True,
         contact: normal is not None or friction is not None,
         Term.FRICTION: friction is not None,
         Term.DRAG: scene.eta > 0,

@@ -7,7 +7,14 @@ import numpy as np
 from vv.exact.reach import LARGEST, RefusedError
 from vv.scene import Scene, Term
 
-EITHER = {Term.WALL_CONTACT, Term.FRICTION, Term.GRAVITY, Term.LOAD, Term.OBLIQUE_LOCK}
+EITHER = {
+    Term.SPHERE,
+    Term.WALL_CONTACT,
+    Term.FRICTION,
+    Term.GRAVITY,
+    Term.LOAD,
+    Term.OBLIQUE_LOCK,
+}
 SPRINGS = frozenset(EITHER | {Term.SPHERE_CONTACT, Term.DRAG})
 RIGID = frozenset(EITHER | {Term.RIGID_CONTACT, Term.BLOCK, Term.SHAKING, Term.BASE_MOTION})
 TERMS = SPRINGS | RIGID
