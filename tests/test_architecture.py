@@ -12,7 +12,7 @@ CORE = DATA | {"vv.ask"}
 ENGINES = {"vv.exact", "vv.dem", "vv.blocks"}
 JUDGED = {"vv.finding", "vv.gate", "vv.record"}
 KERNELS = {"vv.compiled", "vv.triples", "vv.soften", "vv.transform"}  # what engines share
-DECLARED = CORE | {"vv.transform", "vv.study", "vv.case"}
+DECLARED = CORE | {"vv.transform", "vv.study", "vv.case", "vv.quantities"}
 ASKED = CORE | {"vv.transform", "vv.adapter", "vv.timing", "vv.script", "vv.external", "vv"}
 HEAVY = {"scipy", "numba", "pandas", "matplotlib", "jinja2", "junitparser", "rich", "pint"}
 
@@ -29,6 +29,7 @@ LAYERS: dict[str, tuple[str, set[str], set[str]]] = {
     "ask": ("vv/ask.py", DATA, set()),
     "study": ("vv/study.py", CORE, set()),
     "case": ("vv/case.py", CORE | {"vv.study"}, set()),
+    "quantities": ("vv/quantities.py", CORE | {"vv.case"}, set()),
     "adapter": ("vv/adapter.py", CORE, set()),
     "finding": ("vv/finding.py", set(), set()),
     "record": ("vv/record.py", DECLARED | {"vv.metrics"}, set()),
