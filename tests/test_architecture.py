@@ -65,7 +65,7 @@ LAYERS: dict[str, tuple[str, set[str], set[str]]] = {
     "adapters": ("adapters/**/*.py", ASKED | ENGINES | {"adapters"}, set()),
     "reports": (
         "reports/*.py",
-        {"reports", "vv.store", "vv.metrics", "vv.digest", *JUDGED, "vv.history"},
+        {"reports", "vv.store", "vv.metrics", "vv.digest", *JUDGED, "vv.history", "vv.effort"},
         HEAVY,
     ),
 }
