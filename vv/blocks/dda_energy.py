@@ -1,0 +1,82 @@
+"""The energy ledger of a DDA step, as kernels: every term by itself, none as a remainder."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from vv.blocks.dda_bodies import Bodies, Motion, applied
+from vv.blocks.dda_contact import Touch
+from vv.blocks.dda_law import OPEN, SLIDE, STICK
+from vv.blocks.geometry import Index
+from vv.compiled import called
+from vv.scene import Vector
+from vv.triples import NOWHERE, at, dot, plus, put
+
+KINETIC, NORMAL, SHEAR, STRAIN, FRICTION, NUMERICAL, DAMPED = range(7)
+GRAVITY, LOAD, BASE, SHAKING, FOUND, CREATED = range(7, 13)
+TERMS = 13
+RESIDUAL, ITERATIONS, DEEPEST, CUT, FAILED, SOLVED, EXCESS = range(7)
+REPORTS = 7
+
+
+@called
+def held(
+    ledger: Vector, touch: Touch, bodies: Bodies, motion: Motion, mass: Vector,
+    kn: float, ks: float, elastic: Vector,
+) -> None:  # fmt: skip
+    """Set what motion, springs and strains hold now [J]."""
+    flow = np.empty(len(motion.velocity))
+    ledger[KINETIC] = 0.5 * applied(flow, mass, bodies, motion.velocity)
+    ledger[STRAIN] = 0.5 * applied(flow, elastic, bodies, motion.strain)
+    ledger[NORMAL] = ledger[SHEAR] = 0.0
+    for k in range(len(touch.key)):
+        over = max(-touch.gap[k], 0.0)
+        ledger[NORMAL] += 0.5 * kn * over * over
+        ledger[SHEAR] += 0.5 * ks * dot(at(touch.spring, k), at(touch.spring, k))
+
+
+@called
+def close_step(
+    ledger: Vector, worst: Vector, touch: Touch, used: Index, rub: Vector, relative: Vector,
+    moved: Vector, kn: float, ks: float, mu: float,
+) -> None:  # fmt: skip
+    """Add what contacts did in a step; leave springs and gaps (c,) as they are at its end.
+
+    With the end force F over a displacement d, as this scheme has it, kinetic energy changes by
+    F d exactly; a spring k gives less than that to motion by k d^2/2, which is numerical loss.
+    """
+    for k in range(len(touch.key)):
+        n = at(touch.normal, k)
+        opened = dot(at(relative, k), n)
+        slip = plus(at(relative, k), -opened, n)
+        before, after = touch.gap[k], touch.gap[k] + opened
+        sprung = 0.5 * kn * (max(-before, 0.0) ** 2 - max(-after, 0.0) ** 2)
+        push = -kn * after if used[k] != OPEN else 0.0
+        left = sprung - push * opened
+        ledger[NUMERICAL] += left
+        ledger[CREATED] += max(0.0, -left)
+        force, spring = plus(NOWHERE, push, n), at(touch.spring, k)
+        stretch = 0.5 * ks * dot(spring, spring)
+        if used[k] == STICK:
+            spring = plus(spring, 1.0, slip)
+            stretch += ks * dot(spring, slip) - 0.5 * ks * dot(spring, spring)
+            force = plus(force, -ks, spring)
+        else:
+            spring = NOWHERE
+        put(touch.spring, k, spring)
+        ledger[NUMERICAL] += stretch
+        if used[k] == SLIDE:
+            taken = at(rub, k)
+            gained = -dot(taken, slip)
+            ledger[FRICTION] -= gained
+            ledger[CREATED] += max(0.0, gained)
+            force = plus(force, -1.0, taken)
+            if touch.state[k] == SLIDE:
+                off = plus(plus(NOWHERE, mu * touch.push[k], at(touch.way, k)), -1.0, taken)
+                worst[RESIDUAL] = max(worst[RESIDUAL], np.sqrt(dot(off, off)))
+                over = np.sqrt(dot(taken, taken)) - mu * touch.push[k]
+                worst[EXCESS] = max(worst[EXCESS], over)
+        if touch.wall[k] >= 0:
+            ledger[BASE] += dot(force, at(moved, touch.wall[k]))
+        touch.gap[k] = after
+        worst[DEEPEST] = max(worst[DEEPEST], -after)
