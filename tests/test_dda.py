@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import math
+import re
 from pathlib import Path
 
 import numpy as np
@@ -18,6 +19,7 @@ from tests.dda_scenes import (
     G,
     asked,
     box,
+    general,
     moved,
     rates,
     run,
@@ -25,7 +27,7 @@ from tests.dda_scenes import (
     slope,
 )
 from vv.ask import Ask, History, Knobs, Status
-from vv.blocks.dda import DEFAULT, PUBLISHED, Elastic, Formulation, solve
+from vv.blocks.dda import DEFAULT, LAGGED, PUBLISHED, Elastic, Formulation, solve
 from vv.scene import Contact, Scene, Vector
 
 
@@ -74,10 +76,28 @@ def test_energy_is_accounted_for_and_never_created(scheme: str, kn: float) -> No
     assert ledger is not None
     assert ledger.bound is not None
     assert ledger.unaccounted <= ledger.bound < 1e-6 * ledger.peak
-    created, allowed = ledger.audits["energy created [J]"]
-    assert created <= allowed
+    assert "energy created [J]" in ledger.audits
+    assert all(seen <= allowed for seen, allowed in ledger.audits.values())
     assert ledger.terms["friction dissipation"] > 0
     assert ledger.terms["numerical dissipation"] > 0
+
+
+def test_friction_within_mu_n_is_audited_where_it_is_promised() -> None:
+    """Friction that lags exceeds it by about a hundredth of the largest force, and says so."""
+    ask = asked(shaken((0.1, 0.1, 0.1), (2, 4, 1), 0.6), 1e-3, 1e9, 1.0)
+    law = "Coulomb: friction beyond mu N [N]"
+    for system in (run, general):
+        sure, late = system(ask, DEFAULT), system(ask, LAGGED)
+        assert sure.ledger is not None
+        assert late.ledger is not None
+        seen, allowed = sure.ledger.audits[law]
+        assert seen <= allowed < 1e-3
+        assert law not in late.ledger.audits
+        for done in (sure.ledger, late.ledger):
+            assert set(done.audits) >= {"momentum beside the forces [N]", "penetration [m]"}
+    beyond = re.search(r"([0-9.]+) N beyond mu N", late.model.note if late.model else "")
+    assert beyond is not None
+    assert float(beyond[1]) > 10.0
 
 
 def test_every_run_says_how_its_steps_went_and_what_stood_for_rigid_contact() -> None:

@@ -47,7 +47,7 @@ class General:
 
     def outputs(self, rows: int, watched: tuple[int, ...]) -> tuple[Any, ...]:
         """What the kernel fills first, and the blocks it watches."""
-        energy, report = np.empty((rows, 13)), np.empty((rows, 7))
+        energy, report = np.empty((rows, 13)), np.empty((rows, 9))
         return np.empty((rows, len(watched), 6)), energy, report, np.array(watched, np.int64)
 
     def arguments(self, step: tuple[Any, ...], law: Springs) -> tuple[Any, ...]:

@@ -35,6 +35,7 @@ from vv.blocks.dda_energy import (
     SOLVED,
     STRAIN,
     TERMS,
+    audit,
     close_step,
     held,
 )  # fmt: skip
@@ -102,11 +103,12 @@ def move_blocks(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
     elastic: (q, 12) stiffness of strains [N m], laid out as `masses` are.
 
     Every `stride` steps a row is written: path (k, b, 6): displacement and velocity of the
-    watched blocks (b,); energy (k, 13) and report (k, 7): see `dda_energy`.
+    watched blocks (b,); energy (k, 13) and report (k, 9): see `dda_energy`.
     """
     walls, q = len(planes.point), len(begun.velocity)
     shift, ahead, moved = np.zeros((walls, 3)), np.zeros((walls, 3)), np.zeros((walls, 3))
-    mass, outer, flow, d = np.zeros((q, 12)), np.zeros(q), np.zeros(q), np.zeros(q)
+    mass, outer, flow = np.zeros((q, 12)), np.zeros(q), np.zeros(q)
+    d, pull = np.zeros(q), np.zeros(q)
     ledger, worst, done = np.zeros(TERMS), np.zeros(REPORTS), -settling
     put_in = ever = 0.0
     copied(motion, begun)
@@ -138,7 +140,8 @@ def move_blocks(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
                     worst[CUT] += 1
                     continue
                 worst[FAILED] += 0 if ended else 1
-                close_step(ledger, worst, touch, used, rub, relative, moved, kn, ks, mu)
+                close_step(ledger, worst, pull, touch, used, rub, relative, moved, kn, ks, mu)
+                audit(worst, pull, outer, d, part, bodies, motion, mass, elastic)
                 for i in range(len(bodies.mass)):
                     line = travelled(bodies, i, d)
                     ledger[GRAVITY] += dot(line, at(bodies.weight, i))

@@ -24,6 +24,12 @@ FLOAT = 1e3
 MOST = 40
 """Open-close iterations of a formulation that does not stop at the published six."""
 
+COULOMB = 1e-9
+"""Of the largest force: friction beyond mu N where friction is iterated to convergence."""
+
+MOMENTUM = 1e-8
+"""Of the largest force: what a solution may leave of a block's equations of motion."""
+
 GRIP = 1e30
 """Coefficient of friction while contacts are pressed at the start: none of them slides."""
 

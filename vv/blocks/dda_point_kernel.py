@@ -45,7 +45,7 @@ def slide_point(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
     are taken with drives at rest. tolerance: see Formulation.
 
     d'' = (2/D^2)(d - D v0), v = (2/D) d - v0 (Yagoda-Biran 2016, Eq. 5 corrected). Rows are
-    those of `move_blocks`: path (k, 6), energy (k, 13), report (k, 7).
+    those of `move_blocks`: path (k, 6), energy (k, 13), report (k, 9).
     """
     x, v, shift, spring, way = NOWHERE, velocity, NOWHERE, NOWHERE, NOWHERE
     state, push, done = OPEN, 0.0, -settling
@@ -55,7 +55,7 @@ def slide_point(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
             x, state = plus(NOWHERE, -gap - push / kn, normal), STICK if ks is not None else SLIDE
     origin = x
     rubbed = lost = damped = fallen = worked = carried = shaken = created = 0.0
-    residual = deepest = excess = 0.0
+    residual = deepest = excess = adrift = peak = 0.0
     most = cuts = failed = solved = 0
     put_in = ever = 0.0
 
@@ -71,7 +71,8 @@ def slide_point(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
                 moved = plus(wall, -1.0, shift)
                 space = gap + dot(normal, plus(x, -1.0, shift))
                 c = 2.0 * mass / (part * part)
-                f = plus(plus(plus(load, mass, gravity), mass, shake), c * part, v)
+                outer = plus(plus(load, mass, gravity), mass, shake)
+                f = plus(outer, c * part, v)
                 f_n = dot(f, normal)
                 f_t = plus(f, -f_n, normal)
                 moved_n = dot(moved, normal)
@@ -115,6 +116,7 @@ def slide_point(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
                 lost += points * left
                 created += max(0.0, -points * left)
                 carried += points * held_n * moved_n
+                pull = plus(NOWHERE, points * held_n, normal)
                 if ks is not None and mu is not None:
                     old = 0.5 * points * ks * dot(spring, spring)
                     if used == STICK:
@@ -132,7 +134,13 @@ def slide_point(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
                         carried -= points * dot(rub, moved_t)
                         if now == SLIDE:
                             residual = max(residual, wrong)
-                            excess = max(excess, np.sqrt(dot(rub, rub)) - mu * force)
+                    rubs = plus(NOWHERE, -ks, spring) if used == STICK else plus(NOWHERE, -1.0, rub)
+                    pull = plus(pull, points, rubs)
+                    excess = max(excess, np.sqrt(dot(rubs, rubs)) - mu * max(held_n, 0.0))
+                gain = plus(plus(NOWHERE, c, d), -c * part, v)
+                off = plus(plus(gain, -1.0, outer), -1.0, pull)
+                adrift = max(adrift, np.sqrt(dot(off, off)))
+                peak = max(peak, held_n, np.sqrt(dot(gain, gain)), np.sqrt(dot(outer, outer)))
                 deepest = max(deepest, -after)
                 fallen += mass * dot(gravity, d)
                 worked += dot(load, d)
@@ -162,7 +170,7 @@ def slide_point(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
         energy[row, 12] = created
         report[row, 0], report[row, 1], report[row, 2] = residual, most, deepest
         report[row, 3], report[row, 4], report[row, 5] = cuts, failed, solved
-        report[row, 6] = excess
+        report[row, 6], report[row, 7], report[row, 8] = excess, adrift, peak
         held_now = energy[row, 0] + energy[row, 1] + energy[row, 2]
         if row == 0:
             put_in = held_now

@@ -44,7 +44,7 @@ class Sliding:
 
     def outputs(self, rows: int, watched: tuple[int, ...]) -> tuple[Vector, ...]:
         """What the kernel fills first."""
-        return np.empty((rows, 6)), np.empty((rows, 13)), np.empty((rows, 7))
+        return np.empty((rows, 6)), np.empty((rows, 13)), np.empty((rows, 9))
 
     def arguments(self, step: tuple[Any, ...], law: Springs) -> tuple[Any, ...]:
         """What the kernel is told; step: stride, dt, settling, tolerance, iterations."""

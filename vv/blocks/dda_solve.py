@@ -3,16 +3,17 @@
 from __future__ import annotations
 
 import functools
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
 from vv.ask import Ask, Displacement, Ledger, Model, Run, Status
-from vv.blocks.checks import block_index
+from vv.blocks.checks import block_index, size
 from vv.blocks.dda_formulation import Formulation
 from vv.blocks.dda_general import General
-from vv.blocks.dda_limits import GAIN
+from vv.blocks.dda_limits import COULOMB, GAIN, MOMENTUM, REACH
 from vv.blocks.dda_refusals import refuses
 from vv.blocks.dda_sliding import Sliding, sliding
 from vv.blocks.dda_springs import springs
@@ -111,7 +112,7 @@ class Program:
             values=values,
             steps=steps + self.settling,
             model=Model(model.unknowns, model.terms, note),
-            ledger=self._ledger(energy) if whole else None,
+            ledger=self._ledger(energy, report[-1]) if whole else None,
         )
 
     def _start(self) -> str:
@@ -120,7 +121,7 @@ class Program:
         return f"contacts start {pressed}{settled}"
 
     def _worst(self, report: Vector) -> str:
-        residual, most, deepest, cuts, failed, solved, excess = report
+        residual, most, deepest, cuts, failed, solved, excess, _, _ = report
         return (
             f"worst step: friction off by {residual:.3g} N, {most:.0f} iterations, penetration "
             f"{deepest:.3g} m, {excess:.3g} N beyond mu N; {solved:.0f} solutions, {cuts:.0f} "
@@ -135,7 +136,7 @@ class Program:
             return f"{when}: the state is not finite"
         return f"{when}: {held:.4g} J of motion and springs, over {GAIN:g} times all put in"
 
-    def _ledger(self, energy: Vector) -> Ledger:
+    def _ledger(self, energy: Vector, report: Vector) -> Ledger:
         terms = energy[:, :12].copy()
         terms[:, WORKS] *= -1.0
         terms += 0.0
@@ -144,14 +145,30 @@ class Program:
         steps = self.ask.goal.steps(self.dt) + 1
         created = float(energy[-1, CREATED])
         rounding = ROUNDINGS * EPS * steps * float(largest)
-        fixed = isinstance(self.system, Sliding)
         return Ledger(
             terms=dict(zip(LEDGER, terms[-1].tolist(), strict=True)),
             unaccounted=float(np.abs(terms.sum(axis=1) - put_in).max()),
             peak=max(put_in, float(terms[:, HELD].sum(axis=1).max())),
             bound=rounding,
-            audits={"energy created [J]": (created, rounding)} if fixed else {},
+            audits=dict(self._audits(report, created, rounding)),
         )
+
+    def _audits(
+        self, report: Vector, created: float, rounding: float
+    ) -> Iterator[tuple[str, tuple[float, float]]]:
+        """The laws that the scheme promises to keep: its worst step, and what is allowed.
+
+        Only contacts that are found anew create energy; friction that lags exceeds mu N.
+        """
+        *_, excess, adrift, peak = (float(number) for number in report)
+        deepest = float(report[2])
+        if isinstance(self.system, Sliding):
+            yield "energy created [J]", (created, rounding)
+        if np.isfinite(self.formulation.tolerance):
+            yield "Coulomb: friction beyond mu N [N]", (excess, COULOMB * peak)
+        yield "momentum beside the forces [N]", (adrift, MOMENTUM * peak)
+        smallest = min(size(block) for block in self.ask.scene.blocks)
+        yield "penetration [m]", (deepest, REACH * smallest)
 
 
 def prepare(ask: Ask, formulation: Formulation) -> Program:
