@@ -126,7 +126,7 @@ def _front(ladders: Sequence[Ladder], low: float) -> tuple[Vector, Vector] | Non
     return (np.array(x), np.array(y)) if x else None
 
 
-def shares(rows: Sequence[tuple[Mark, Sequence[float]]]) -> Chart | None:
+def shares(rows: Sequence[tuple[Mark, Sequence[float]]], label: str) -> Chart | None:
     """Performance profiles: the share of entries up to a factor, as stairs; inf never counts."""
     finite = [ratio for _, row in rows for ratio in row if np.isfinite(ratio)]
     if not finite:
@@ -134,7 +134,7 @@ def shares(rows: Sequence[tuple[Mark, Sequence[float]]]) -> Chart | None:
     end = 2.0 * max(finite)
     curves = tuple(_stairs(mark, row, end) for mark, row in rows if np.isfinite(row).any())
     name = "cost, in that of the cheapest"
-    return Chart(name, "share of variants", True, False, curves)
+    return Chart(name, label, True, False, curves)
 
 
 def _stairs(mark: Mark, row: Sequence[float], end: float) -> Curve:

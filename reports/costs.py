@@ -78,7 +78,8 @@ def _profile(
     every: Sequence[Effort], target: float, marks: Mapping[str, Mark], draw: Draw
 ) -> Profile:
     ratios = profile(every, target)
-    chart = shares_chart([(marks[name], row) for name, row in ratios.items() if row])
+    named = [(marks[name], row) for name, row in ratios.items() if row]
+    chart = shares_chart(named, f"share solved to {brief(target)}")
     shares = [
         (marks[name], [sum(r <= factor for r in row) / len(row) for factor in FACTORS])
         for name, row in ratios.items()
