@@ -16,7 +16,8 @@ from vv import external
 from vv.adapter import Found, Scheme
 from vv.ask import Ask, Method, Model, Run, Status
 from vv.scene import Scene, Term
-from vv.transform import released
+from vv.stand_in import STANDS_IN, sprung, why_not
+from vv.transform import released, why_not_released
 
 DRIVER = Path(__file__).with_name("driver.py")
 TERMS = frozenset(
@@ -30,14 +31,19 @@ TERMS = frozenset(
         Term.LOAD,
         Term.ROTATION,
         Term.OBLIQUE_LOCK,
+        Term.SHAKING,
+        Term.BASE_MOTION,
     }
 )
+KNOBS = ("dt", "kn")
 SCHEMES = (
     Scheme(
         PLAIN,
         "leapfrog with the scene's masses; drag is taken from the velocity half a step ago",
         Method.SECOND_ORDER,
-        TERMS,
+        TERMS | STANDS_IN,
+        KNOBS,
+        lowered={Term.RIGID_CONTACT: Method.PENALTY},
     ),
     Scheme(
         HALF_STEP,
@@ -60,17 +66,21 @@ class Yade:
 
     def refuses(self, ask: Ask, scheme: str) -> str | None:
         """What YADE cannot represent though it has every term."""
-        scene = ask.scene
+        reason = why_not(ask)
+        if reason is not None:
+            return reason
+        scene = sprung(ask).scene
         return (
-            _no_sphere_seen(ask)
+            _no_sphere_seen(ask, scene)
             or _locked_motion(scene)
+            or why_not_released(scene)
             or _oblique_spin_lock(scene)
             or _behind_wall(scene)
         )
 
     def describe(self, ask: Ask, scheme: str) -> Model:
         """The freedoms YADE integrates, and how the scene is put to it."""
-        scene = released(ask.scene)
+        scene = released(sprung(ask).scene)
         terms = ask.scene.terms() | scene.terms()
         return Model(scene.unknowns(), terms, "; ".join(_notes(ask, scheme)))
 
@@ -103,10 +113,10 @@ class Yade:
         yield from external.run_batch(len(asks), launch, collect)
 
 
-def _no_sphere_seen(ask: Ask) -> str | None:
+def _no_sphere_seen(ask: Ask, scene: Scene) -> str | None:
     try:
         for seen in ask.observables:
-            ask.scene.sphere_index(seen.body)
+            scene.sphere_index(seen.body)
     except ValueError as error:
         return str(error)
     return None
@@ -143,7 +153,9 @@ def _behind_wall(scene: Scene) -> str | None:
 
 def _notes(ask: Ask, scheme: str) -> list[str]:
     """How the scene is represented, one fact each."""
-    scene = released(ask.scene)
+    stood = sprung(ask)
+    scene = released(stood.scene)
+    loaded = not np.array_equal(scene.spheres.load, stood.scene.spheres.load)
     oblique = [wall for wall in scene.walls if np.abs(wall.normal).max() < 1.0]
     said = {
         "NewtonIntegrator without damping, velocities started at -dt/2": True,
@@ -156,11 +168,18 @@ def _notes(ask: Ask, scheme: str) -> list[str]:
         "masses are m + eta dt/2, weight a dead load": scheme == HALF_STEP and scene.eta > 0,
         "walls across an axis are YADE walls": len(scene.walls) > len(oblique),
         "oblique walls are facets far larger than the scene": bool(oblique),
-        "a dead load along the normal instead of a locked axis": (
-            Term.OBLIQUE_LOCK in ask.scene.terms()
+        "a dead load along the normal instead of a locked axis": loaded,
+        "the friction at t = 0 put into the shear spring of a contact made before the first step": (
+            stood.charged is not None and bool(stood.charged.any())
+        ),
+        "body accelerations by HarmonicForceEngine at the time of the positions": (
+            scene.shaking is not None
+        ),
+        "walls driven by HarmonicMotionEngine, its velocity that which meets u after each step": (
+            any(wall.motion for wall in scene.walls)
         ),
     }
-    return [note for note, holds in said.items() if holds]
+    return [*stood.notes, *(note for note, holds in said.items() if holds)]
 
 
 ADAPTER = Yade()

@@ -7,8 +7,11 @@ which ASK is filled in.
 An ask says, in SI units: dt; steps, and stride: how many of them lie between two outputs; kn, ks,
 mu of every contact; gravity; drag, the coefficient of -drag v; observe, pairs of quantity and body;
 contacts, how many overlap at the start; moves, whether something must move; bodies, in the order
-of YADE's ids. A sphere has position, velocity (half a step before t = 0), spin, mass, inertia,
-blocked freedoms, a dead force, and push and twist: a force and a torque during the first step.
+of YADE's ids; shaking, the sines A sin(2 pi f t + fi) of a body acceleration; charged, the
+friction with which a wall holds a sphere at the start. A sphere has position, velocity (half a
+step before t = 0), spin, mass, inertia, the mass that is shaken, blocked freedoms, a dead force,
+and push and twist: a force and a torque during the first step. A wall's motion holds sines as
+YADE's HarmonicMotionEngine takes them.
 """
 
 import contextlib
@@ -55,6 +58,8 @@ def build(ask: dict[str, Any]) -> None:
             O.forces.setPermT(number, body["twist"])
     O.engines = engines(ask, {body["kind"] for body in ask["bodies"]})
     O.dt = ask["dt"]
+    for held in ask["charged"]:
+        charge(**held)
 
 
 def sphere(body: dict[str, Any]) -> Any:
@@ -82,6 +87,12 @@ def facet(body: dict[str, Any]) -> Any:
     return made
 
 
+def charge(wall: int, sphere: int, force: list[float]) -> None:
+    """Make a contact before the first step, its shear spring charged to push the sphere so."""
+    contact = utils.createInteraction(wall, sphere)
+    contact.phys.shearForce = force if contact.id2 == sphere else [-part for part in force]
+
+
 SHAPES = {"sphere": sphere, "wall": wall, "facet": facet}
 
 
@@ -106,20 +117,52 @@ def engines(ask: dict[str, Any], kinds: set[str]) -> list[Any]:
             [yd.Law2_ScGeom_FrictPhys_CundallStrack()],
         ),
         *drag(ask),
+        *shaking(ask),
+        *motion(ask),
         yd.NewtonIntegrator(damping=0, gravity=ask["gravity"]),
     ]
 
 
 def drag(ask: dict[str, Any]) -> list[Any]:
     """Stokes' drag 6 pi nu R v = drag v: an engine for each radius among the moving spheres."""
-    alike: dict[float, list[int]] = {}
-    for number, body in enumerate(ask["bodies"]):
-        if ask["drag"] and body["kind"] == "sphere" and not set("xyz") <= set(body["blocked"]):
-            alike.setdefault(body["radius"], []).append(number)
     return [
         yd.LinearDragEngine(nu=ask["drag"] / (6 * math.pi * radius), ids=ids)
-        for radius, ids in alike.items()
+        for radius, ids in moving(ask, "radius").items()
+        if ask["drag"]
     ]
+
+
+def shaking(ask: dict[str, Any]) -> list[Any]:
+    """A force m A sin(2 pi f t + fi) at the time of the positions: an engine for each sine."""
+    return [
+        yd.HarmonicForceEngine(
+            A=[mass * part for part in sine["A"]], f=[sine["f"]] * 3, fi=[sine["fi"]] * 3, ids=ids
+        )
+        for sine in ask["shaking"]
+        for mass, ids in moving(ask, "shaken").items()
+    ]
+
+
+def moving(ask: dict[str, Any], name: str) -> dict[float, list[int]]:
+    """The numbers of the spheres that may move, by a property of theirs."""
+    alike: dict[float, list[int]] = {}
+    for number, body in enumerate(ask["bodies"]):
+        if body["kind"] == "sphere" and not set("xyz") <= set(body["blocked"]):
+            alike.setdefault(body[name], []).append(number)
+    return alike
+
+
+def motion(ask: dict[str, Any]) -> list[Any]:
+    """What sets the velocities of moving walls for the step to come, after contacts used them."""
+    engines = []
+    for number, body in enumerate(ask["bodies"]):
+        sines = [
+            yd.HarmonicMotionEngine(A=sine["A"], f=[sine["f"]] * 3, fi=[sine["fi"]] * 3)
+            for sine in body.get("motion", ())
+        ]
+        if sines:
+            engines.append(yd.CombinedKinematicEngine(comb=sines, ids=[number]))
+    return engines
 
 
 def first_step(ask: dict[str, Any]) -> None:
@@ -209,9 +252,9 @@ def check_end(ask: dict[str, Any]) -> None:
         raise RunError("diverged", f"a position is not finite after {O.iter} steps")
     if ask["moves"] and (place == [ask["bodies"][i]["position"] for i in spheres]).all():
         raise RunError("error", f"nothing moved in {O.iter} steps, yet velocities were given")
-    for body in ask["bodies"]:
+    for number, body in enumerate(ask["bodies"]):
         if body["kind"] != "sphere":
-            height = (place - body["point"]) @ np.array(body["normal"])
+            height = (place - O.bodies[number].state.pos) @ np.array(body["normal"])
             if height.min() <= 0:
                 through = spheres[int(height.argmin())]
                 raise RunError("diverged", f"the centre of body {through} went through a wall")

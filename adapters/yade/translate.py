@@ -8,7 +8,9 @@ from typing import Any
 import numpy as np
 
 from vv.ask import Ask, Displacement, Observable
-from vv.scene import Mask, Scene, Spheres, Term, Vector, Wall
+from vv.scene import Harmonic, Mask, Scene, Spheres, Term, Vector, Wall
+from vv.soften import acceleration_of, fastest
+from vv.stand_in import Stood, sprung
 from vv.transform import initial_normal_forces, released
 
 PLAIN, HALF_STEP = "default", "half-step-mass"
@@ -25,10 +27,11 @@ def plan(ask: Ask, scheme: str) -> Plan:
     last half step, m (v+ - v-)/dt = F - eta v-, becomes drag of the mean velocity; the weight
     stays m g. Raises ValueError for an ask without dt, or one that `released` cannot release.
     """
-    scene, goal, dt = released(ask.scene), ask.goal, _dt(ask)
+    stood, goal, dt = sprung(ask), ask.goal, _dt(ask)
+    scene = released(stood.scene)
     extra = scene.eta * dt / 2 if scheme == HALF_STEP else 0.0
     touching, contacts = initial_contacts(scene)
-    columns = _columns(scene, dt, extra, touching)
+    columns = _columns(scene, dt, extra, touching, stood.charged)
     return {
         "dt": dt,
         "steps": goal.steps(dt),
@@ -38,14 +41,18 @@ def plan(ask: Ask, scheme: str) -> Plan:
         "mu": scene.contact.mu,
         "gravity": [0.0, 0.0, 0.0] if extra else scene.gravity.tolist(),
         "drag": scene.eta,
+        "shaking": _sines(scene.shaking),
+        "charged": _charges(stood),
         "observe": [[_quantity(seen), seen.body] for seen in watched(ask)],
         "contacts": contacts,
         "moves": bool(scene.spheres.velocity.any()),
-        "bodies": _bodies(scene, columns, FACET * _reach(ask)),
+        "bodies": _bodies(scene, columns, FACET * _reach(ask), dt),
     }
 
 
-def _columns(scene: Scene, dt: float, extra: float, touching: Mask) -> dict[str, Vector]:
+def _columns(
+    scene: Scene, dt: float, extra: float, touching: Mask, charged: Vector | None
+) -> dict[str, Vector]:
     """What each sphere gets, one row a sphere; `extra` is added to its mass [kg].
 
     Leapfrog velocities belong to -dt/2: v = v0 - a0 dt/2. Where a contact meets a velocity in
@@ -55,6 +62,8 @@ def _columns(scene: Scene, dt: float, extra: float, touching: Mask) -> dict[str,
     spheres, eta = scene.spheres, scene.eta
     weight = spheres.mass[:, None] * scene.gravity
     force = initial_normal_forces(scene) + weight + spheres.load - eta * spheres.velocity
+    force = force + spheres.mass[:, None] * acceleration_of(scene.shaking)
+    force = force if charged is None else force + charged
     early = spheres.velocity - force / spheres.mass[:, None] * (dt / 2)
     early = np.where(spheres.free, early, 0.0)
     mass = spheres.mass + extra
@@ -67,10 +76,29 @@ def _columns(scene: Scene, dt: float, extra: float, touching: Mask) -> dict[str,
         "radius": spheres.radius,
         "mass": mass,
         "inertia": spheres.inertia,
+        "shaken": spheres.mass,
         "force": spheres.load + (weight if extra else 0.0),
         "push": np.where(pushed, (mass[:, None] / dt - eta) * early, 0.0),
         "twist": np.where(pushed, spheres.inertia[:, None] * spheres.spin / dt, 0.0),
     }
+
+
+def _charges(stood: Stood) -> list[Plan]:
+    """The friction [N] of each wall on a sphere that its shear spring holds at the start."""
+    if stood.charged is None:
+        return []
+    walls, spheres = (_numbers(stood.scene, kind) for kind in (Wall, Spheres))
+    return [
+        {"wall": walls[0], "sphere": sphere, "force": force.tolist()}
+        for sphere, force in zip(spheres, stood.charged, strict=True)
+        if force.any()
+    ]
+
+
+def _numbers(scene: Scene, kind: type[Wall] | type[Spheres]) -> list[int]:
+    """The numbers of the bodies of a kind."""
+    kinds = [isinstance(group, kind) for group in scene.bodies for _ in range(len(group))]
+    return [number for number, fits in enumerate(kinds) if fits]
 
 
 def _dt(ask: Ask) -> float:
@@ -81,12 +109,11 @@ def _dt(ask: Ask) -> float:
 
 def watched(ask: Ask) -> tuple[Observable, ...]:
     """The observables asked for; then displacements of spheres under a dead load for a lock."""
-    scene = ask.scene
+    scene = sprung(ask).scene
     if Term.OBLIQUE_LOCK not in scene.terms():
         return ask.observables
-    kinds = [isinstance(group, Spheres) for group in scene.bodies for _ in range(len(group))]
-    numbers = np.flatnonzero(kinds)  # of body, for every sphere
     partly = scene.spheres.free.any(axis=1) & ~scene.spheres.free.all(axis=1)
+    numbers = np.array(_numbers(scene, Spheres))
     drifting = [Displacement(int(number)) for number in numbers[partly]]
     return ask.observables + tuple(d for d in drifting if d not in ask.observables)
 
@@ -128,21 +155,23 @@ def _overlapping(scene: Scene) -> Iterator[tuple[int, int]]:
 
 def _reach(ask: Ask) -> float:
     """A length [m] which the scene, and any path in it without collisions, does not exceed."""
-    scene, time = ask.scene, ask.goal.duration
+    scene, time = sprung(ask).scene, ask.goal.duration
     spheres = scene.spheres
     places = np.vstack([spheres.position, *(wall.point for wall in scene.walls)])
     speed = float(np.linalg.norm(spheres.velocity, axis=1).max())
-    fall = float(np.linalg.norm(scene.gravity)) * time
+    speed += sum(fastest(wall.motion) for wall in scene.walls)
+    shaken = np.abs(scene.shaking.amplitude).sum() if scene.shaking else 0.0
+    fall = float(np.linalg.norm(scene.gravity) + shaken) * time
     return float(np.ptp(places, axis=0).max() + spheres.radius.max() + (speed + fall) * time)
 
 
-def _bodies(scene: Scene, columns: dict[str, Vector], size: float) -> list[Plan]:
+def _bodies(scene: Scene, columns: dict[str, Vector], size: float, dt: float) -> list[Plan]:
     """All bodies in the scene's order, which becomes the order of YADE's ids."""
     bodies: list[Plan] = []
     first = 0
     for group in scene.bodies:
         if isinstance(group, Wall):
-            bodies.append(wall_body(group, size))
+            bodies.append(wall_body(group, size) | {"motion": _motion(group.motion, dt)})
         elif isinstance(group, Spheres):
             bodies += [_sphere(group, i, first + i, columns) for i in range(len(group))]
             first += len(group)
@@ -154,6 +183,30 @@ def _sphere(group: Spheres, i: int, row: int, columns: dict[str, Vector]) -> Pla
     blocked = "".join(name for name, loose in zip("xyzXYZ", free, strict=True) if not loose)
     numbers = {name: column[row].tolist() for name, column in columns.items()}
     return {"kind": "sphere", **numbers, "blocked": blocked}
+
+
+def _sines(motion: Harmonic | None) -> list[Plan]:
+    """The sines of a drive: amplitude (3,), frequency [Hz], phase [rad]."""
+    names = ("A", "f", "fi")
+    parts = [] if motion is None else motion.sines()
+    return [dict(zip(names, (along.tolist(), f, phase), strict=True)) for along, f, phase in parts]
+
+
+def _motion(motion: Harmonic | None, dt: float) -> list[Plan]:
+    """The sines of a wall as YADE's HarmonicMotionEngine takes them, for u = A cos(wt + fi).
+
+    The engine sets a velocity for a whole step from the time at its start. Half a step is added
+    to the phase, and A reduced by sin(w dt/2)/(w dt/2): then the wall is where it must be after
+    every step, to rounding.
+    """
+    return [
+        {
+            "A": (np.array(sine["A"]) * float(np.sinc(sine["f"] * dt))).tolist(),
+            "f": sine["f"],
+            "fi": sine["fi"] - np.pi / 2 + np.pi * sine["f"] * dt,
+        }
+        for sine in _sines(motion)
+    ]
 
 
 def wall_body(wall: Wall, size: float) -> Plan:
