@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
+import numpy as np
+
 from adapters.liggghts.answers import unknowns
 from adapters.liggghts.batch import solved, timed
 from adapters.liggghts.deck import deck
@@ -13,15 +15,17 @@ from adapters.liggghts.refusals import refusal
 from adapters.liggghts.translate import (
     HALF_STEP,
     PLAIN,
+    charges,
     has_friction,
     moving,
     represented,
     spinning,
 )
-from adapters.liggghts.walls import oblique
+from adapters.liggghts.walls import is_mesh
 from vv.adapter import Found, Scheme
 from vv.ask import Ask, Method, Model, Run, Status
 from vv.scene import Term
+from vv.stand_in import STANDS_IN, sprung
 
 TERMS = frozenset(
     {
@@ -34,14 +38,19 @@ TERMS = frozenset(
         Term.LOAD,
         Term.ROTATION,
         Term.OBLIQUE_LOCK,
+        Term.SHAKING,
+        Term.BASE_MOTION,
     }
 )
+KNOBS = ("dt", "kn")
 SCHEMES = (
     Scheme(
         PLAIN,
         "velocity Verlet with the scene's masses; drag is taken from the velocity half a step ago",
         Method.SECOND_ORDER,
-        TERMS,
+        TERMS | STANDS_IN,
+        KNOBS,
+        lowered={Term.RIGID_CONTACT: Method.PENALTY},
     ),
     Scheme(
         HALF_STEP,
@@ -89,7 +98,7 @@ class Liggghts:
 
 def _notes(ask: Ask, scheme: str) -> list[str]:
     """How the scene is represented, one fact each."""
-    asked, scene = ask.scene, represented(ask, scheme)
+    stood, scene = sprung(ask), represented(ask, PLAIN)
     turning, moved = spinning(scene.spheres), moving(scene.spheres)
     said = {
         "pair gran, hooke/stiffness: kn is the contact's stiffness, nothing is damped": True,
@@ -103,13 +112,22 @@ def _notes(ask: Ask, scheme: str) -> list[str]:
         "drag by fix viscous from the velocity half a step ago": scene.eta > 0,
         "masses are m + eta dt/2, weight a dead load": scheme == HALF_STEP and scene.eta > 0,
         "a mesh wall, one triangle far larger than the scene, instead of a primitive one": (
-            any(oblique(wall) for wall in scene.walls)
+            any(is_mesh(wall) for wall in scene.walls)
         ),
         "a dead load along the normal instead of a locked axis": (
-            Term.OBLIQUE_LOCK in asked.terms()
+            not np.array_equal(scene.spheres.load, stood.scene.spheres.load)
+        ),
+        "shear springs charged by a step, before t = 0, that slides the sphere to its start": (
+            bool(charges(ask))
+        ),
+        "body accelerations by fix addforce at the time of the positions": (
+            scene.shaking is not None
+        ),
+        "meshes moved by fix move/mesh, with each step's mean velocity": (
+            any(wall.motion for wall in scene.walls)
         ),
     }
-    return [note for note, holds in said.items() if holds]
+    return [*stood.notes, *(note for note, holds in said.items() if holds)]
 
 
 ADAPTER = Liggghts()

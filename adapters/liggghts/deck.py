@@ -2,23 +2,27 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 
 import numpy as np
 
+from adapters.liggghts.drives import move_commands, shake_commands
 from adapters.liggghts.translate import (
+    PLAIN,
     Space,
+    charges,
     has_friction,
     loads,
     locks,
     moving,
     represented,
+    shaken,
     space,
     spinning,
     step,
     watched,
 )
-from adapters.liggghts.walls import AXES, numbers, wall_commands
+from adapters.liggghts.walls import AXES, numbers, travel, wall_commands
 from vv.ask import Ask, Displacement
 from vv.scene import Scene, Vector
 
@@ -57,19 +61,46 @@ def _run(ask: Ask) -> str:
 def _prepared(ask: Ask, scheme: str) -> Iterator[str]:
     """Everything up to the first step."""
     scene = represented(ask, scheme)
-    room = space(ask, scene)
+    room, charged = space(ask, scene), charges(ask)
     yield from _domain(scene, room)
     yield ""
-    yield from _spheres(scene)
+    yield from _spheres(scene, charged)
     yield ""
     yield from _contact(scene)
     for number, wall in enumerate(scene.walls):
         yield from wall_commands(f"wall{number}", wall, room.triangles.get(number), _model(scene))
-    yield ""
-    yield from _motion(scene)
     yield f"timestep        {step(ask)!r}"
     yield "thermo_style    custom step atoms"
     yield "thermo          0"
+    if charged:
+        yield ""
+        yield from _charging(ask, scene, charged)
+    yield ""
+    for number, wall in enumerate(scene.walls):
+        if wall.motion is not None:
+            yield from move_commands(f"wall{number}", wall.motion, step(ask))
+    yield from _motion(ask, scene)
+
+
+UNCOUNTED, COUNTED = "charging shear springs", "shear springs are charged"
+
+
+def _charging(ask: Ask, scene: Scene, charged: Mapping[int, Vector]) -> Iterator[str]:
+    """A step in which spheres are slid to where they start, their walls at rest.
+
+    It puts into shear springs what they hold at t = 0, which no command can; then time starts.
+    """
+    yield f'print "{UNCOUNTED}"'
+    for i, way in charged.items():
+        yield _group(f"slid{i}", [i])
+        yield f"fix slid{i} slid{i} move linear {numbers(way / step(ask))} units box"
+    yield "run             1"
+    for i in charged:
+        yield f"unfix slid{i}"
+        yield f"group slid{i} delete"
+        yield f"set             atom {i + 1} {_parts('v', scene.spheres.velocity[i])}"
+    yield "reset_timestep  0"
+    yield f'print "{COUNTED}"'
 
 
 def _domain(scene: Scene, room: Space) -> Iterator[str]:
@@ -88,21 +119,23 @@ def _bounds(low: Vector, high: Vector) -> str:
     return numbers(np.column_stack([low, high]).ravel())
 
 
-def _spheres(scene: Scene) -> Iterator[str]:
+def _spheres(scene: Scene, charged: Mapping[int, Vector]) -> Iterator[str]:
     """Atoms in body order, so that ids are sphere numbers from 1; masses override densities."""
     spheres = scene.spheres
-    for position in spheres.position:
-        yield f"create_atoms    1 single {numbers(position)} units box"
+    for i, position in enumerate(spheres.position):
+        yield f"create_atoms    1 single {numbers(position - charged.get(i, 0.0))} units box"
     yield "set             group all density 1"
     for i in range(len(spheres)):
         size, mass = 2 * float(spheres.radius[i]), float(spheres.mass[i])
         yield f"set             atom {i + 1} diameter {size!r} mass {mass!r}"
     for name, rows in (("v", spheres.velocity), ("omega", spheres.spin)):
         for row in np.flatnonzero(rows.any(axis=1)):
-            parts = " ".join(
-                f"{name}{a} {x!r}" for a, x in zip(AXES, rows[row].tolist(), strict=True)
-            )
-            yield f"set             atom {row + 1} {parts}"
+            yield f"set             atom {row + 1} {_parts(name, rows[row])}"
+
+
+def _parts(name: str, vector: Vector) -> str:
+    """A vector as `set` takes it."""
+    return " ".join(f"{name}{a} {x!r}" for a, x in zip(AXES, vector.tolist(), strict=True))
 
 
 def _contact(scene: Scene) -> Iterator[str]:
@@ -119,7 +152,7 @@ def _model(scene: Scene) -> str:
     return f"model hooke/stiffness tangential {'history' if has_friction(scene) else 'off'}"
 
 
-def _motion(scene: Scene) -> Iterator[str]:
+def _motion(ask: Ask, scene: Scene) -> Iterator[str]:
     """Forces in the order in which LIGGGHTS must add them: locks last, to cancel all others."""
     spheres, turning = scene.spheres, spinning(scene.spheres)
     for name, style, members in (
@@ -137,6 +170,10 @@ def _motion(scene: Scene) -> Iterator[str]:
     for number, (load, carriers) in enumerate(loads(spheres).items()):
         yield _group(f"load{number}", carriers)
         yield f"fix load{number} load{number} addforce {numbers(load)}"
+    if scene.shaking is not None:
+        for number, (mass, those) in enumerate(shaken(ask).items()):
+            yield _group(f"shake{number}", those)
+            yield from shake_commands(f"shake{number}", scene.shaking, mass, step(ask))
     for pattern, held in locks(spheres).items():
         name = "lock_" + "".join(a for a, locked in zip(AXES, pattern, strict=True) if locked)
         yield _group(name, held)
@@ -159,7 +196,8 @@ def _allowed(ask: Ask, scheme: str) -> Iterator[str]:
     yield f"region          reach block {_bounds(room.low, room.high)} units box"
     fronts = [f"front{number}" for number in range(len(scene.walls))]
     for name, wall in zip(fronts, scene.walls, strict=True):
-        yield f"region          {name} plane {numbers([*wall.point, *wall.normal])} units box"
+        rearmost = wall.point - travel(wall) * wall.normal
+        yield f"region          {name} plane {numbers([*rearmost, *wall.normal])} units box"
     if fronts:
         yield f"region          allowed intersect {len(fronts) + 1} reach {' '.join(fronts)}"
     yield f"variable        count equal count(all,{'allowed' if fronts else 'reach'})"
@@ -167,11 +205,12 @@ def _allowed(ask: Ask, scheme: str) -> Iterator[str]:
 
 def _observed(ask: Ask, history: str) -> Iterator[str]:
     """Displacements are differences formed by LIGGGHTS: its 15 digits all count."""
+    start = represented(ask, PLAIN).spheres.position
     yield "variable        step equal step"
     names = ["step", "count"]
     for number, (seen, i) in enumerate(watched(ask)):
-        for a, start in zip(AXES, ask.scene.spheres.position[i].tolist(), strict=True):
-            shift = f"{a}[{i + 1}]-({start!r})"
+        for a, from_ in zip(AXES, start[i].tolist(), strict=True):
+            shift = f"{a}[{i + 1}]-({from_!r})"
             formula = shift if isinstance(seen, Displacement) else f"v{a}[{i + 1}]"
             names.append(f"o{number}{a}")
             yield f"variable        {names[-1]} equal {formula}"

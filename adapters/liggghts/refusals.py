@@ -4,30 +4,45 @@ from __future__ import annotations
 
 import numpy as np
 
-from adapters.liggghts.translate import HALF_STEP, loads, locks, represented, spinning, step
+from adapters.liggghts.translate import (
+    HALF_STEP,
+    loads,
+    locks,
+    represented,
+    shaken,
+    spinning,
+    step,
+)
 from vv.ask import Ask
 from vv.scene import Scene
+from vv.stand_in import sprung, why_not
+from vv.transform import why_not_released
 
 GROUPS = 32 - 3  # LIGGGHTS has 32; all, shifted and turned are taken
 
 
 def refusal(ask: Ask, scheme: str) -> str | None:
     """The first reason that holds, else None."""
+    reason = why_not(ask)
+    if reason is not None:
+        return reason
+    scene = sprung(ask).scene
     return (
-        _unknown_body(ask)
+        _unknown_body(ask, scene)
         or _no_steps(ask)
-        or _locked_motion(ask.scene)
-        or _nothing_free(ask.scene)
-        or _spin(ask.scene, scheme)
-        or _behind_wall(ask.scene)
+        or _locked_motion(scene)
+        or why_not_released(scene)
+        or _nothing_free(scene)
+        or _spin(scene, scheme)
+        or _behind_wall(scene)
         or _too_many_groups(ask, scheme)
     )
 
 
-def _unknown_body(ask: Ask) -> str | None:
+def _unknown_body(ask: Ask, scene: Scene) -> str | None:
     try:
         for seen in ask.observables:
-            ask.scene.sphere_index(seen.body)
+            scene.sphere_index(seen.body)
     except ValueError as error:
         return str(error)
     return None
@@ -85,7 +100,10 @@ def _behind_wall(scene: Scene) -> str | None:
 
 def _too_many_groups(ask: Ask, scheme: str) -> str | None:
     scene = represented(ask, scheme)
-    groups = len(loads(scene.spheres)) + len(locks(scene.spheres))
+    groups = len(loads(scene.spheres)) + len(locks(scene.spheres)) + len(shaken(ask))
     if groups > GROUPS:
-        return f"{groups} different dead loads and locks; LIGGGHTS has {GROUPS} groups for them"
+        return (
+            f"{groups} different dead loads, locks and shaken masses; LIGGGHTS has {GROUPS} "
+            "groups for them"
+        )
     return None

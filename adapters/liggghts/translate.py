@@ -7,9 +7,11 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from adapters.liggghts.walls import oblique, triangle
+from adapters.liggghts.walls import is_mesh, travel, triangle
 from vv.ask import Ask, Displacement, Observable
 from vv.scene import Mask, Scene, Spheres, Term, Vector
+from vv.soften import fastest
+from vv.stand_in import sprung
 from vv.transform import initial_normal_forces, released
 
 PLAIN, HALF_STEP = "default", "half-step-mass"
@@ -27,7 +29,7 @@ def represented(ask: Ask, scheme: str) -> Scene:
 
     Raises ValueError for an ask without dt, or one that `released` cannot release.
     """
-    scene = released(ask.scene)
+    scene = released(sprung(ask).scene)
     return heavier(scene, scene.eta * step(ask) / 2) if scheme == HALF_STEP else scene
 
 
@@ -79,12 +81,33 @@ def locks(spheres: Spheres) -> dict[tuple[bool, ...], list[int]]:
     return held
 
 
+def shaken(ask: Ask) -> dict[float, list[int]]:
+    """The masses [kg] that a body acceleration acts on, each with the spheres that have it.
+
+    They are those of the scene, whichever masses a scheme integrates.
+    """
+    scene = sprung(ask).scene
+    carried: dict[float, list[int]] = {}
+    for i in np.flatnonzero(moving(scene.spheres)) if scene.shaking else ():
+        carried.setdefault(float(scene.spheres.mass[i]), []).append(int(i))
+    return carried
+
+
+def charges(ask: Ask) -> dict[int, Vector]:
+    """How far (3,) [m] each sphere must slide to charge its shear spring as it starts."""
+    stood = sprung(ask)
+    if stood.charged is None:
+        return {}
+    stretch = -stood.charged / stood.scene.contact.ks if stood.charged.any() else stood.charged
+    return {i: row for i, row in enumerate(stretch) if row.any()}
+
+
 def watched(ask: Ask) -> list[tuple[Observable, int]]:
     """What is written, with the index of the sphere: first what was asked, then what may drift.
 
     The displacements of spheres whose oblique locks became dead loads are watched as well.
     """
-    scene = ask.scene
+    scene = sprung(ask).scene
     asked: list[tuple[Observable, int]] = [(o, scene.sphere_index(o.body)) for o in ask.observables]
     if Term.OBLIQUE_LOCK not in scene.terms():
         return asked
@@ -106,8 +129,8 @@ def _sphere_bodies(scene: Scene) -> Iterator[int]:
 class Space:
     """Where things are: low, high (3,) [m] bound what spheres may reach and walls span.
 
-    triangles: wall number -> (3, 3) corners [m] of the oblique walls; outer: low and high of
-    the simulation box, which holds the region and all corners.
+    triangles: wall number -> (3, 3) corners [m] of the walls that are meshes; outer: low and high
+    of the simulation box, which holds the region and all corners, wherever walls move to.
     """
 
     low: Vector
@@ -117,14 +140,20 @@ class Space:
 
 
 def space(ask: Ask, scene: Scene) -> Space:
-    """The space for a represented scene: ten radii and twice the longest free path on all sides."""
+    """The space for a represented scene: ten radii and twice the longest free path on all sides.
+
+    A wall that moves may carry what lies on it for as long at its highest speed.
+    """
     spheres, time = scene.spheres, ask.goal.duration
     forces = initial_normal_forces(scene) / spheres.mass[:, None] + scene.gravity
     pulls = np.linalg.norm(forces, axis=1) + np.linalg.norm(spheres.load, axis=1) / spheres.mass
-    paths = np.linalg.norm(spheres.velocity, axis=1) * time + pulls * time**2 / 2
+    pulls += np.abs(scene.shaking.amplitude).sum() if scene.shaking else 0.0
+    speeds = np.linalg.norm(spheres.velocity, axis=1)
+    speeds += sum(fastest(wall.motion) for wall in scene.walls)
+    paths = speeds * time + pulls * time**2 / 2
     reach = 10 * spheres.radius.max() + 2 * np.where(moving(spheres), paths, 0.0).max()
     low, high = spheres.position.min(axis=0) - reach, spheres.position.max(axis=0) + reach
-    triangles = {n: triangle(w, low, high) for n, w in enumerate(scene.walls) if oblique(w)}
+    triangles = {n: triangle(w, low, high) for n, w in enumerate(scene.walls) if is_mesh(w)}
     points = np.vstack([low, high, *triangles.values()])
-    margin = 0.01 * reach
+    margin = 0.01 * reach + max((travel(wall) for wall in scene.walls), default=0.0)
     return Space(low, high, triangles, (points.min(axis=0) - margin, points.max(axis=0) + margin))
