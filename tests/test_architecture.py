@@ -13,7 +13,7 @@ ENGINES = {"vv.exact", "vv.dem", "vv.blocks"}
 JUDGED = {"vv.finding", "vv.gate", "vv.record"}
 STAND_INS = {"vv.soften", "vv.stand_in", "vv.transform"}  # scenes made from scenes
 KERNELS = {"vv.compiled", "vv.triples"} | STAND_INS  # what engines share
-DECLARED = CORE | {"vv.transform", "vv.study", "vv.case"}
+DECLARED = CORE | {"vv.transform", "vv.study", "vv.case", "vv.quantities"}
 ASKED = CORE | STAND_INS | {"vv.adapter", "vv.timing", "vv.script", "vv.external", "vv"}
 HEAVY = {"scipy", "numba", "pandas", "matplotlib", "jinja2", "junitparser", "rich", "pint"}
 
@@ -32,6 +32,7 @@ LAYERS: dict[str, tuple[str, set[str], set[str]]] = {
     "stand-ins": ("vv/stand_in.py", CORE | {"vv.soften"}, set()),
     "study": ("vv/study.py", CORE, set()),
     "case": ("vv/case.py", CORE | {"vv.study"}, set()),
+    "quantities": ("vv/quantities.py", CORE | {"vv.case"}, set()),
     "adapter": ("vv/adapter.py", CORE, set()),
     "finding": ("vv/finding.py", set(), set()),
     "record": ("vv/record.py", DECLARED | {"vv.metrics"}, set()),

@@ -3,14 +3,15 @@
 import json
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from tests.answer_table import TABLE, answers
 from vv.adapter import Adapter
 from vv.ask import Method
-from vv.case import Case, Exact
+from vv.case import Case, Exact, Parameters, Series
 from vv.project import find
-from vv.scene import Term
+from vv.scene import Term, Vector
 from vv.study import Level
 
 PROJECT = find(Path(__file__))
@@ -63,6 +64,32 @@ def test_a_level_adds_rungs_and_never_changes_the_scene(case: Case) -> None:
         assert quick <= default <= paper
         assert len({study.ask(knobs).scene.digest() for knobs in paper}) == 1
         assert set(study.timed) <= default
+
+
+@pytest.mark.parametrize("case", CASES, ids=lambda case: case.name)
+def test_each_parameter_enters_the_answer_or_is_declared_inert(case: Case) -> None:
+    for variant in case.variants:
+        defaults = case.defaults(variant.name)
+        now = answer(case, variant.name, defaults)
+        inert = {
+            name
+            for name in set(defaults) - {"duration"}
+            if np.allclose(answer(case, variant.name, moved(defaults, name)), now, 1e-11, 0)
+        }
+        assert inert == variant.inert | {n for n, value in defaults.items() if value == 0}, variant
+
+
+def moved(parameters: Parameters, name: str) -> Parameters:
+    """With one parameter a millionth off: enough to see, too little to lift a block off."""
+    return {**parameters, name: parameters[name] * (1 + 1e-6)}
+
+
+def answer(case: Case, variant: str, parameters: Parameters) -> Vector:
+    """All that the references of a variant say at ten times."""
+    trial = case.declare(variant, parameters)
+    t = trial.study.goal.duration * np.arange(1, 11) / 10
+    series = [q for q in trial.quantities if isinstance(q, Series)]
+    return np.concatenate([q.reference(t) for q in series if q.reference is not None])
 
 
 @pytest.mark.parametrize("adapter", ADAPTERS, ids=lambda adapter: adapter.name)

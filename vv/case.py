@@ -54,7 +54,9 @@ LOOSEST = 0.1  # relative error that no tolerance exceeds, however coarse the st
 class Tolerance:
     """A bound on an error and why: value at the step dt [s], growing as dt**order above floor.
 
-    It grows to LOOSEST at most: an answer farther off than that is wrong at any step.
+    With kn [N/m], it is the value at that stiffness of springs that stand in for rigid contact,
+    and falls as kn**-softness. It grows to LOOSEST at most: an answer farther off than that is
+    wrong at any step.
 
     slack: why the bound is more than a hundred times what codes reach, where it is.
     """
@@ -65,12 +67,17 @@ class Tolerance:
     order: int = 0
     floor: float = 0.0
     slack: str = ""
+    kn: float | None = None
+    softness: float = 0.0
 
     def at(self, knobs: Knobs) -> float:
         """The bound for a run with these knobs."""
-        if self.dt is None or knobs.dt is None:
-            return self.value
-        return min(LOOSEST, max(self.floor, self.value * (knobs.dt / self.dt) ** self.order))
+        bound = self.value
+        if self.dt is not None and knobs.dt is not None:
+            bound *= (knobs.dt / self.dt) ** self.order
+        if self.kn is not None and knobs.kn is not None:
+            bound *= (self.kn / knobs.kn) ** self.softness
+        return min(max(LOOSEST, self.value), max(self.floor, bound))
 
 
 @dataclass(frozen=True)

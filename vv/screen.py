@@ -256,6 +256,8 @@ def _explain_quantity(quantity: Quantity) -> None:
     say(f"    norm: {judge.norm.value}")
     for method, tolerance in judge.tolerances.items():
         step = f" at dt = {tolerance.dt:g} s, as dt^{tolerance.order}" if tolerance.dt else ""
+        if tolerance.kn:
+            step += f" at kn = {tolerance.kn:g} N/m, as kn^-{tolerance.softness:g}"
         say(f"    {method.value}: {tolerance.value:g}{step}: {tolerance.reason}")
 
 

@@ -1,0 +1,56 @@
+"""The quantities of a body that moves in several directions, against an exact path."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from vv.ask import Observable, Run
+from vv.case import Judge, Scalar, Series
+from vv.scene import Vector
+
+
+@dataclass(frozen=True, eq=False)
+class Motion:
+    """An observable [unit] along axes (d, 3), and its exact path: times (k,) [s] -> (k, d).
+
+    size: what every error is relative to, since a part that hardly moves has no scale of its own.
+    """
+
+    observable: Observable
+    axes: Vector
+    path: Callable[[Vector], Vector]
+    size: float
+    unit: str
+
+    def part(self, i: int, name: str, meaning: str, judge: Judge) -> Series:
+        """The motion along the i-th axis."""
+        return Series(
+            name=name,
+            symbol=name,
+            unit=self.unit,
+            meaning=meaning,
+            observe=lambda run: np.asarray(run.values[self.observable] @ self.axes[i]),
+            reference=lambda t: self.path(t)[:, i],
+            judge=judge,
+            scale=self.size,
+        )
+
+    def distance(self, judge: Judge) -> Scalar:
+        """How far the whole is off, at most over time: max|e| of vectors."""
+        return Scalar(
+            name="distance",
+            symbol="max|e|",
+            unit=self.unit,
+            meaning="largest distance from the exact path",
+            observe=self._farthest,
+            reference=0.0,
+            scale=self.size,
+            judge=judge,
+        )
+
+    def _farthest(self, run: Run) -> float:
+        gap = run.values[self.observable] @ self.axes.T - self.path(run.times)
+        return float(np.linalg.norm(gap, axis=1).max())
