@@ -213,6 +213,12 @@ def test_a_body_acceleration_is_told_in_the_frame() -> None:
     assert told["bodies"][1]["shaken"] == told["bodies"][1]["mass"]
 
 
+def test_a_shaken_sphere_starts_half_a_step_of_its_acceleration_early() -> None:
+    shaking = Harmonic(np.array([4.0, 0.0, 0.0]), np.full(3, 2.0), np.full(3, 0.5))
+    told = sphere_of(ball_ask(ball(), shaking=shaking))
+    assert told["velocity"] == pytest.approx([-4.0 * np.sin(0.5) * DT / 2, 0.0, 0.0])
+
+
 def refusal(*bodies: Spheres | Wall, **more: Any) -> str:
     return ADAPTER.refuses(ball_ask(*bodies, **more), PLAIN) or ""
 
