@@ -55,12 +55,15 @@ def _newest(store: Store, case: str) -> list[tuple[Mapping[str, Any], list[Recor
     found: dict[tuple[str, bool], tuple[Mapping[str, Any], list[Record]]] = {}
     looks: dict[tuple[str, bool], int] = {}
     for name in reversed(store.manifests()):
-        told = store.provenance(name)
-        at = told["commit"], told["dirty"]
-        looks[at] = looks.get(at, 0) + 1
-        if at in found or looks[at] > LOOKS:
-            continue
-        records = store.manifest(name)["records"]
+        try:
+            told = store.provenance(name)
+            at = told["commit"], told["dirty"]
+            looks[at] = looks.get(at, 0) + 1
+            if at in found or looks[at] > LOOKS:
+                continue
+            records = store.manifest(name)["records"]
+        except OSError:
+            continue  # damaged from outside: the others still tell
         own = [r for r in records if r["case"] == case and not r["modified"]]
         if own:
             found[at] = told, own

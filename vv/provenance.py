@@ -23,10 +23,10 @@ LIBRARIES = ("numpy", "scipy", "numba")
 
 def provenance(root: Path, command: Sequence[str], now: datetime.datetime) -> dict[str, Any]:
     """What a reader needs to know about the circumstances of a result."""
-    commit, dirty = _commit(root)
+    revision, dirty = commit(root)
     return {
         "utc": now.isoformat(timespec="seconds"),
-        "commit": commit,
+        "commit": revision,
         "dirty": dirty,
         "command": " ".join(command),
         "machine": machine(),
@@ -65,7 +65,7 @@ def _versions() -> dict[str, str]:
     return found
 
 
-def _commit(root: Path) -> tuple[str, bool]:
+def commit(root: Path) -> tuple[str, bool]:
     """The commit of a checkout and whether files differ from it; ('', False) outside one."""
     head = _git(root, "rev-parse", "HEAD")
     return (head, bool(_git(root, "status", "--porcelain"))) if head else ("", False)

@@ -85,11 +85,14 @@ class Store:
         return sorted(path.stem for path in (self.root / "manifests").glob("*.json"))
 
     def manifest(self, name: str) -> dict[str, Any]:
-        """A past invocation; raises FileNotFoundError with the name."""
+        """A past invocation; raises FileNotFoundError with the name, OSError if it is damaged."""
         path = self.root / "manifests" / f"{name}.json"
         if not path.is_file():
             raise FileNotFoundError(f"no run '{name}' in {path.parent}")
-        return dict(json.loads(path.read_text()))
+        try:
+            return dict(json.loads(path.read_text()))
+        except ValueError as error:
+            raise OSError(errno.EIO, f"no whole manifest: {error}", str(path)) from error
 
     def provenance(self, name: str) -> dict[str, Any]:
         """The provenance of a past invocation, without reading the rest where it comes first."""
@@ -115,6 +118,14 @@ class Store:
         files = sorted((self.root / "timings").glob("*/*.json"), key=lambda p: p.stat().st_mtime_ns)
         stored = self.timings(files[-1].stem) if files else None
         return (files[-1].stem, stored) if stored else None
+
+    def answer(self, key: str) -> dict[str, Any] | None:
+        """What is noted of an invocation, by the digest of all it depends on."""
+        return self._json("answers", key)
+
+    def keep_answer(self, key: str, answer: Mapping[str, Any]) -> None:
+        """Note what an invocation came to."""
+        write(self._path("answers", key, "json"), json.dumps(answer).encode())
 
     def scratch(self) -> Path:
         """A new, empty folder for one worker."""

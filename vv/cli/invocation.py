@@ -17,6 +17,27 @@ if TYPE_CHECKING:
     from vv.session import Limits
 
 
+def answered(
+    project: Project, make_plan: Callable[[], Plan], limits: Limits, json_file: Path | None
+) -> dict[str, Any]:
+    """As `carried_out`, but an invocation that stands unchanged is answered with its manifest."""
+    from vv import standing
+    from vv.session import Timing, now_utc
+
+    store, report = Store(project.data()), _report(project)
+    if limits.fresh or limits.timing is Timing.NEW:
+        return carried_out(project, make_plan(), limits, json_file)
+    identity = standing.identity(project, sys.argv[1:], now_utc().date())
+    manifest = standing.recall(store, identity, report)
+    if manifest is not None:
+        screen.say(f"nothing has changed since {manifest['name']}")
+        _tell(project, manifest, json_file)
+        return manifest
+    manifest = carried_out(project, make_plan(), limits, json_file)
+    standing.remember(store, identity, manifest, report)
+    return manifest
+
+
 def carried_out(
     project: Project, plan: Plan, limits: Limits, json_file: Path | None = None
 ) -> dict[str, Any]:
@@ -25,16 +46,21 @@ def carried_out(
 
     with screen.progress(len(plan.jobs)) as shown:
         manifest = carry_out(project, plan, limits, shown, ["vv", *sys.argv[1:]])
+    drawing = limits.timing in (Timing.STORED, Timing.NEW)
+    builder(project, drawing)(manifest, Store(project.data()), _report(project))
+    _tell(project, manifest, json_file)
+    return manifest
+
+
+def _tell(project: Project, manifest: dict[str, Any], json_file: Path | None) -> None:
+    """Write the records if asked to, and say how it went."""
     if json_file:
         from vv.export import full_records
 
         records = full_records(manifest, Store(project.data()))
         deliver(json_file, json.dumps({"records": records}, allow_nan=False).encode())
-    drawing = limits.timing in (Timing.STORED, Timing.NEW)
-    path = builder(project, drawing)(manifest, Store(project.data()), _report(project))
     screen.print_refusals(manifest["records"])
-    screen.print_counts(manifest["records"], path)
-    return manifest
+    screen.print_counts(manifest["records"], _report(project))
 
 
 def _report(project: Project) -> Path:

@@ -10,7 +10,7 @@ import typer
 
 from vv import screen
 from vv.cli import options
-from vv.cli.invocation import carried_out
+from vv.cli.invocation import answered, carried_out
 from vv.finding import Finding, bits
 from vv.gate import judgement
 from vv.plan import Options, Plan, joined, restricted
@@ -55,11 +55,16 @@ def gate(
     project = find()
     if against is not None and not against.is_dir():
         raise UsageError(f"--against {against}: there is no such folder")
-    plan = options.plan_of(project, selection or [], Options(level, options.split(codes)))
-    required = options.patterns(plan, require)
+    required = options.split(require)
+
+    def plan() -> Plan:
+        found = options.plan_of(project, selection or [], Options(level, options.split(codes)))
+        options.known(found, required)
+        return found
+
     when = Timing.NEW if timing else Timing.LAST
     limits = Limits(options.workers(jobs), options.positive(timeout), fresh, when, against)
-    manifest = carried_out(project, plan, limits, json_file)
+    manifest = answered(project, plan, limits, json_file)
     findings = judgement(manifest, required)
     _write_outputs(project, manifest, findings, junit, markdown)
     screen.print_findings(findings)

@@ -47,10 +47,9 @@ def plan_of(project: Project, selection: list[str], options: Options) -> Plan:
     return make_plan(project, selection or ["*"], options)
 
 
-def patterns(plan: Plan, required: str) -> tuple[str, ...]:
-    """The codes of --require; raises UsageError for one that does not exist."""
-    choose_schemes(plan.adapters, split(required))
-    return split(required)
+def known(plan: Plan, required: tuple[str, ...]) -> None:
+    """Check the codes of --require; raises UsageError for one that does not exist."""
+    choose_schemes(plan.adapters, required)
 
 
 def split(text: str) -> tuple[str, ...]:

@@ -9,7 +9,7 @@ import typer
 from vv import screen
 from vv.ask import Knobs
 from vv.cli import options
-from vv.cli.invocation import carried_out
+from vv.cli.invocation import answered, carried_out
 from vv.gate import RUN_BITS, exit_bits
 from vv.plan import Options, Plan, restricted
 from vv.project import Project, find
@@ -54,14 +54,15 @@ def run(
     last = _last(store) if failed else None
     knobs = options.knobs(rungs) or (_rungs_that_failed(last) if last else ())
     chosen = Options(level, options.split(codes), tuple(settings or ()), knobs)
-    plan = options.plan_of(project, selection or [], chosen)
-    required = options.patterns(plan, require)
-    plan = _narrowed(project, store, plan, last, since, budget)
+    required = options.split(require)
+
+    def make_plan() -> Plan:
+        plan = options.plan_of(project, selection or [], chosen)
+        options.known(plan, required)
+        return _narrowed(project, store, plan, last, since, budget)
+
     if dry_run:
-        screen.print_jobs(plan)
-        return
-    if not plan.jobs:
-        screen.say(_nothing(failed, since, budget))
+        screen.print_jobs(make_plan())
         return
     from vv.session import Limits, Timing
 
@@ -72,7 +73,14 @@ def run(
         fresh,
         Timing.STORED if timing else Timing.NONE,
     )
-    manifest = carried_out(project, plan, limits, json_file)
+    if narrowed:  # depends on past runs, which change with each
+        plan = make_plan()
+        if not plan.jobs:
+            screen.say(_nothing(failed, since, budget))
+            return
+        manifest = carried_out(project, plan, limits, json_file)
+    else:
+        manifest = answered(project, make_plan, limits, json_file)
     raise typer.Exit(exit_bits(manifest["records"], required) & RUN_BITS)
 
 

@@ -1,0 +1,89 @@
+"""An invocation is answered whole only while nothing that goes into it has changed."""
+
+import json
+from pathlib import Path
+
+import pytest
+
+from tests.conftest import Tiny
+
+SELECTION = ("run", "fall:up", "--codes", "fake/good")
+SAYS = "nothing has changed since"
+
+
+def stands(tiny: Tiny, *words: str, **environment: str) -> bool:
+    done = tiny.vv(*(words or SELECTION), **environment)
+    assert done.returncode == 0, done.stderr
+    return SAYS in done.stdout
+
+
+def test_the_same_again_stands_and_says_so_and_counts_alike(tiny: Tiny) -> None:
+    first, again = tiny.vv(*SELECTION), tiny.vv(*SELECTION)
+    assert SAYS not in first.stdout
+    assert SAYS in again.stdout
+    assert first.stdout.splitlines()[-1] == again.stdout.splitlines()[-1]
+    assert len(list((tiny.root / ".vv" / "manifests").iterdir())) == 1
+
+
+@pytest.mark.parametrize(
+    ("file", "old", "new"),
+    [
+        ("adapters/fake.py", "FACTOR = 1.0", "FACTOR = 1.0 + 1e-9"),
+        ("cases/fall.py", "Tolerance(1e-3", "Tolerance(1e-2"),
+        ("reference_solutions/fall.py", "g * t**2 / 2", "t**2 * g / 2"),
+    ],
+)
+def test_a_change_of_a_source_ends_it(tiny: Tiny, file: str, old: str, new: str) -> None:
+    stands(tiny)
+    tiny.edit(file, old, new)
+    assert not stands(tiny)
+    assert stands(tiny)
+
+
+def test_other_words_a_fresh_run_and_another_environment_are_other_invocations(tiny: Tiny) -> None:
+    stands(tiny)
+    assert not stands(tiny, *SELECTION, "--fresh")
+    assert not stands(tiny, *SELECTION, "--level", "quick")
+    assert not stands(tiny, *SELECTION, PATH="/usr/bin:/bin:/nowhere")
+
+
+def test_a_report_that_was_touched_or_removed_is_written_again(tiny: Tiny) -> None:
+    stands(tiny)
+    report = tiny.root / ".vv" / "report.html"
+    whole = report.read_bytes()
+    report.write_bytes(b"cut off")
+    assert not stands(tiny)
+    assert report.read_bytes()[:15] == whole[:15]
+    report.unlink()
+    assert not stands(tiny)
+    assert report.is_file()
+
+
+def test_a_manifest_that_is_damaged_answers_nothing(tiny: Tiny) -> None:
+    stands(tiny)
+    (manifest,) = (tiny.root / ".vv" / "manifests").glob("*.json")
+    manifest.write_text(manifest.read_text()[:100])
+    assert not stands(tiny)
+
+
+def test_a_failure_does_not_stand(tiny: Tiny) -> None:
+    words = ("run", "fall:up", "--codes", "fake/raises")
+    assert tiny.vv(*words).returncode == tiny.vv(*words).returncode != 0
+    assert SAYS not in tiny.vv(*words).stdout
+
+
+def test_files_asked_for_are_written_though_nothing_runs(tiny: Tiny, tmp_path: Path) -> None:
+    target = tmp_path / "records.json"
+    words = (*SELECTION, "--json", str(target))
+    stands(tiny, *words)
+    first = target.read_text()
+    target.unlink()
+    assert stands(tiny, *words)
+    assert json.loads(target.read_text()) == json.loads(first)
+
+
+def test_the_gate_judges_what_stands_as_it_did(tiny: Tiny) -> None:
+    words = ("gate", "fall:up", "--codes", "fake/coarse,fake/leaks")
+    first, again = tiny.vv(*words), tiny.vv(*words)
+    assert SAYS in again.stdout
+    assert first.returncode == again.returncode != 0
