@@ -11,7 +11,7 @@ DATA = {"vv.digest", "vv.frozen", "vv.bodies", "vv.block", "vv.scene"}
 CORE = DATA | {"vv.ask"}
 ENGINES = {"vv.exact", "vv.dem", "vv.blocks"}
 JUDGED = {"vv.finding", "vv.gate", "vv.record"}
-STAND_INS = {"vv.soften", "vv.stand_in", "vv.transform"}  # scenes made from scenes
+STAND_INS = {"vv.soften", "vv.stand_in", "vv.clump", "vv.transform"}  # scenes made from scenes
 KERNELS = {"vv.compiled", "vv.triples"} | STAND_INS  # what engines share
 DECLARED = CORE | {"vv.transform", "vv.study", "vv.case", "vv.quantities"}
 ASKED = CORE | STAND_INS | {"vv.adapter", "vv.timing", "vv.script", "vv.external", "vv"}
@@ -30,6 +30,7 @@ LAYERS: dict[str, tuple[str, set[str], set[str]]] = {
     "ask": ("vv/ask.py", DATA, set()),
     "soften": ("vv/soften.py", DATA, set()),
     "stand-ins": ("vv/stand_in.py", CORE | {"vv.soften"}, set()),
+    "clumps": ("vv/clump.py", CORE | {"vv.soften", "vv.stand_in", "vv.transform"}, set()),
     "study": ("vv/study.py", CORE, set()),
     "case": ("vv/case.py", CORE | {"vv.study"}, set()),
     "quantities": ("vv/quantities.py", CORE | {"vv.case"}, set()),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import functools
 import os
 from collections.abc import Callable, Mapping
@@ -17,7 +18,8 @@ from tests.test_dem_rigid import THREE, UP, G, carried, off, sines, slope
 from vv import dem
 from vv.adapter import Adapter
 from vv.ask import Ask, Displacement, History, Knobs, Run, Status
-from vv.scene import Contact, Harmonic, Scene, Spheres, Vector, Wall
+from vv.block import box_geometry, polyhedron_inertia
+from vv.scene import Block, Contact, Harmonic, Scene, Spheres, Vector, Wall
 from vv.transform import about_z, rotated
 
 CODES: dict[str, Adapter] = {"yade": adapters.yade.ADAPTER, "liggghts": adapters.liggghts.ADAPTER}
@@ -112,6 +114,26 @@ def bounced() -> Scene:
 BOUNCED = Ask(bounced(), History(0.3, 0.01), (Displacement(1), Displacement(2)), Knobs(2e-5))
 STILL = Ask(slope(28.0, 40.0), History(1.0, 0.02), (BLOCK,), Knobs(5e-5, 1e10))
 ASKS = {**{name: known.ask() for name, known in SCENES.items()}, "bounced": BOUNCED, "held": STILL}
+
+
+def loose() -> Ask:
+    """Newmark's block, flat and free to turn, which the shaking makes rock on its springs."""
+    scene = slope(20.0, 30.0, sines((5.0, 1.0)))
+    half, axes = np.array([0.5, 0.5, 0.25]), scene.axes
+    vertices, faces = box_geometry(half[2] * axes[2], half, axes)
+    mass, inertia = polyhedron_inertia(vertices, faces, 2500.0)
+    free = np.ones(3, bool)
+    block = Block("flat", vertices, faces, mass, inertia, np.zeros(3), free, free)
+    scene = dataclasses.replace(scene, bodies=(*scene.walls, block))
+    return Ask(scene, History(5.0, 0.02), (BLOCK,), Knobs(5e-5, 1e10))
+
+
+CLUMPED = {
+    **{name: SCENES[name].ask(1e-4, 1e9) for name in ("thrown", "newmark, turned", "dragged")},
+    "lifted": lifted(turned=True).ask(1e-4, 1e9),
+    "loose": loose(),
+}
+SAME = [name for name in CLUMPED if name != "loose"]
 Answers = Callable[[str], Mapping[str, Run]]
 
 
@@ -124,8 +146,14 @@ def answers(tmp_path_factory: pytest.TempPathFactory) -> Answers:
         here, needed = CODES[code].found(), os.environ.get("VV_REQUIRE", "").split(",")
         if not here.installed and code not in needed:
             pytest.skip(f"{code} is not installed: {here.how_to_install}")
-        asks, folder = list(ASKS.values()), tmp_path_factory.mktemp("sliding")
-        runs = dict(zip(ASKS, CODES[code].run(asks, "default", folder, 0.0), strict=True))
+        spheres = {**ASKS, **{f"{name}, soft": CLUMPED[name] for name in SAME}}
+        runs: dict[str, Run] = {}
+        for scheme, asks in (("default", spheres), ("clump", CLUMPED)):
+            answered = CODES[code].run(
+                list(asks.values()), scheme, tmp_path_factory.mktemp(scheme), 0.0
+            )
+            of = "" if scheme == "default" else "clump: "
+            runs |= {f"{of}{name}": run for name, run in zip(asks, answered, strict=True)}
         assert [(run.status, run.reason) for run in runs.values()] == [(Status.RAN, "")] * len(runs)
         return runs
 
@@ -159,3 +187,25 @@ def test_shaken_spheres_bounce_off_a_swinging_wall_as_in_the_engine(
     ours = dem.solve_default(BOUNCED)
     for seen in BOUNCED.observables:
         assert off(answers(code)["bounced"].values[seen], ours.values[seen]) < 3e-4  # events
+
+
+@pytest.mark.parametrize("name", SAME)
+@pytest.mark.parametrize("code", CODES)
+def test_a_clump_that_cannot_turn_slides_as_the_sphere(
+    code: str, name: str, answers: Answers
+) -> None:
+    one, two = (answers(code)[key].values[BLOCK] for key in (f"{name}, soft", f"clump: {name}"))
+    assert off(two, one) < 1e-8
+
+
+@pytest.mark.parametrize("code", CODES)
+def test_a_clump_that_may_turn_rocks_on_its_springs_and_stays_on_the_slope(
+    code: str, answers: Answers
+) -> None:
+    run, known = answers(code)["clump: loose"], SCENES["newmark"]
+    assert known.error(run) < 1e-4
+    assert np.abs(run.values[BLOCK] @ known.scene.axes[1]).max() < 1e-10
+    assert 1e-8 < np.abs(run.values[BLOCK] @ known.scene.axes[2]).max() < 1e-6
+    assert run.model == CODES[code].describe(CLUMPED["loose"], "clump")
+    assert run.model is not None
+    assert run.model.unknowns == 6

@@ -27,7 +27,7 @@ from vv.stand_in import sprung
 from vv.transform import about_z, rotated
 
 DT = 1e-3
-PLAIN, HALF_STEP = (scheme.name for scheme in ADAPTER.schemes)
+PLAIN, HALF_STEP, CLUMP = (scheme.name for scheme in ADAPTER.schemes)
 UP = Wall(np.zeros(3), np.array([0.0, 1.0, 0.0]))
 
 
@@ -162,8 +162,28 @@ def test_every_variant_with_a_block_is_run_as_a_sphere_and_no_freedom_more(case:
         model = ADAPTER.describe(ask, PLAIN)
         assert model.unknowns == ask.scene.unknowns()
         assert ask.scene.terms() <= model.terms
+        assert ADAPTER.refuses(ask, CLUMP) is None
+        assert "4 spheres of 0.01" in ADAPTER.describe(ask, CLUMP).note
         assert "a sphere of its mass stands for a block" in model.note
         assert "kn = 1e+09, ks = 2.5e+10 N/m" in model.note
+
+
+def test_a_clump_has_the_sphere_s_springs_and_the_rotations_of_the_block() -> None:
+    scene = incline(Frame(28.0), 15.0)
+    turning = dataclasses.replace(scene.blocks[0], free_spin=np.array([False, True, False]))
+    for block, blocked in ((scene.blocks[0], "XYZ"), (turning, "XZ")):
+        ask = block_ask(dataclasses.replace(scene, bodies=(*scene.walls, block)))
+        assert ADAPTER.refuses(ask, CLUMP) is None
+        told, alone = plan(ask, CLUMP), plan(block_ask(scene), PLAIN)
+        assert (4 * told["kn"], 4 * told["ks"]) == (alone["kn"], alone["ks"])
+        forces = np.array(told["charged"][0]["forces"])
+        assert forces.sum(axis=0) == pytest.approx(alone["charged"][0]["forces"][0])
+        clump, sphere = told["bodies"][1], alone["bodies"][1]
+        assert clump["blocked"] == blocked
+        assert [clump[name] for name in ("mass", "push", "force")] == [
+            sphere[name] for name in ("mass", "push", "force")
+        ]
+        assert ADAPTER.describe(ask, CLUMP).unknowns == 6 - len(blocked)
 
 
 def test_drag_is_all_that_half_step_masses_are_about() -> None:
@@ -176,7 +196,7 @@ def test_a_contact_starts_with_the_friction_of_rigid_contact() -> None:
     ask = block_ask(incline(Frame(28.0, turn=0.4), 15.0))
     told, stood = plan(ask, PLAIN), sprung(ask)
     assert stood.charged is not None
-    assert told["charged"] == [{"wall": 0, "sphere": 1, "force": stood.charged[0].tolist()}]
+    assert told["charged"] == [{"wall": 0, "body": 1, "forces": stood.charged.tolist()}]
     assert (told["kn"], told["ks"]) == (1e9, stood.scene.contact.ks)
     sphere = told["bodies"][1]
     pull = np.array(ask.scene.gravity) + stood.charged[0] / sphere["mass"]

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import dataclasses
 from dataclasses import dataclass
 
 import numpy as np
 
 from vv.ask import Ask
-from vv.scene import Scene, Term, Vector
+from vv.scene import Block, Scene, Term, Vector
 from vv.soften import (
     TOUCHING,
     as_spheres,
@@ -63,6 +64,17 @@ def sprung(ask: Ask) -> Stood:
             f"springs kn = {kn:g}, ks = {SHEAR * kn:g} N/m, charged as rigid contact is at t = 0"
         )
     return Stood(scene, charged, terms, tuple(notes))
+
+
+def held(ask: Ask) -> Ask:
+    """The ask with its blocks locked against rotation, as spheres in their place would be."""
+    bodies = tuple(
+        dataclasses.replace(group, free_spin=np.zeros(3, bool))
+        if isinstance(group, Block)
+        else group
+        for group in ask.scene.bodies
+    )
+    return dataclasses.replace(ask, scene=dataclasses.replace(ask.scene, bodies=bodies))
 
 
 def why_not(ask: Ask) -> str | None:

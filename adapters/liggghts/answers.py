@@ -10,10 +10,9 @@ from pathlib import Path
 import numpy as np
 
 from adapters.liggghts.deck import COUNTED, UNCOUNTED
-from adapters.liggghts.translate import moving, spinning, step, watched
+from adapters.liggghts.translate import moving, spinning, step, stood_for, watched
 from vv.ask import Ask, Displacement, Model, Run, Status
 from vv.scene import Scene, Vector
-from vv.stand_in import sprung
 
 DRIFT = 1e-9  # of the largest displacement; rounding gives 1e-11, a lost balance far more
 REST = 1e-12  # of a radius; a sphere at rest under a dead load trembles by rounding
@@ -79,7 +78,7 @@ def parse(history: Path, ask: Ask, model: Model) -> Run:
 
 def _with_start(told: Vector, ask: Ask) -> Vector:
     """What is watched at all times, (k, watched, 3), from rows that begin after t = 0."""
-    seen, spheres = watched(ask), sprung(ask).scene.spheres
+    seen, spheres = watched(ask), stood_for(ask).scene.spheres
     first = [np.zeros(3) if isinstance(o, Displacement) else spheres.velocity[i] for o, i in seen]
     later = told[:, 2:].reshape(len(told), len(seen), 3)
     return np.concatenate([np.reshape(first, (1, len(seen), 3)), later])
@@ -87,7 +86,7 @@ def _with_start(told: Vector, ask: Ask) -> Vector:
 
 def _lost(told: Vector, ask: Ask, times: Vector) -> str | None:
     """LIGGGHTS drops what leaves its box without a word, and states zeros for it."""
-    count = len(sprung(ask).scene.spheres)
+    count = len(stood_for(ask).scene.spheres)
     gone = np.flatnonzero(told[:, 1] != count)
     if not gone.size:
         return None
@@ -105,7 +104,7 @@ def _not_finite(values: Vector, times: Vector) -> str | None:
 
 def _drift(values: Vector, ask: Ask) -> str | None:
     """How far a sphere left the directions it is free in: a lock that became a dead load."""
-    scene = sprung(ask).scene
+    scene = stood_for(ask).scene
     for k, (observable, i) in enumerate(watched(ask)):
         if not isinstance(observable, Displacement) or not scene.spheres.free[i].any():
             continue

@@ -6,9 +6,10 @@ from collections.abc import Iterable, Iterator, Mapping
 
 import numpy as np
 
+from adapters.liggghts.clumps import rigid_commands
 from adapters.liggghts.drives import move_commands, shake_commands
 from adapters.liggghts.translate import (
-    PLAIN,
+    CLUMP,
     Space,
     charges,
     has_friction,
@@ -20,11 +21,12 @@ from adapters.liggghts.translate import (
     space,
     spinning,
     step,
+    stood_for,
     watched,
 )
 from adapters.liggghts.walls import AXES, numbers, travel, wall_commands
 from vv.ask import Ask, Displacement
-from vv.scene import Scene, Vector
+from vv.scene import Scene, Spheres, Vector
 
 DOMAIN = """\
 units           si
@@ -41,7 +43,7 @@ def deck(ask: Ask, scheme: str, history: str) -> str:
     A row holds the step, the number of spheres that are where they may be, and three numbers
     for each of `watched(ask)`: the displacement [m] or the velocity [m/s].
     """
-    observed = ["", "modify_timing   on", *_allowed(ask, scheme), *_observed(ask, history)]
+    observed = ["", "modify_timing   on", *_allowed(ask, scheme), *_observed(ask, scheme, history)]
     return _text([*_prepared(ask, scheme), *observed, _run(ask), "unfix history"])
 
 
@@ -61,8 +63,8 @@ def _run(ask: Ask) -> str:
 def _prepared(ask: Ask, scheme: str) -> Iterator[str]:
     """Everything up to the first step."""
     scene = represented(ask, scheme)
-    room, charged = space(ask, scene), charges(ask)
-    yield from _domain(scene, room)
+    room, charged = space(ask, scheme), charges(ask, scheme)
+    yield from _domain(scene, room, scheme)
     yield ""
     yield from _spheres(scene, charged)
     yield ""
@@ -79,7 +81,7 @@ def _prepared(ask: Ask, scheme: str) -> Iterator[str]:
     for number, wall in enumerate(scene.walls):
         if wall.motion is not None:
             yield from move_commands(f"wall{number}", wall.motion, step(ask))
-    yield from _motion(ask, scene)
+    yield from _motion(ask, scheme, scene)
 
 
 UNCOUNTED, COUNTED = "charging shear springs", "shear springs are charged"
@@ -103,7 +105,7 @@ def _charging(ask: Ask, scene: Scene, charged: Mapping[int, Vector]) -> Iterator
     yield f'print "{COUNTED}"'
 
 
-def _domain(scene: Scene, room: Space) -> Iterator[str]:
+def _domain(scene: Scene, room: Space, scheme: str) -> Iterator[str]:
     """A box far larger than the scene; neighbours are sought anew when half the skin is used up."""
     radius = float(scene.spheres.radius.max())
     longest = float((room.outer[1] - room.outer[0]).max())
@@ -113,6 +115,8 @@ def _domain(scene: Scene, room: Space) -> Iterator[str]:
     yield f"neighbor        {0.2 * radius!r} bin"
     # few bins for so large a box
     yield f"neigh_modify    delay 0 binsize {max(2 * radius, longest / 20)!r}"
+    if scheme == CLUMP:
+        yield "neigh_modify    exclude group all all"
 
 
 def _bounds(low: Vector, high: Vector) -> str:
@@ -152,16 +156,10 @@ def _model(scene: Scene) -> str:
     return f"model hooke/stiffness tangential {'history' if has_friction(scene) else 'off'}"
 
 
-def _motion(ask: Ask, scene: Scene) -> Iterator[str]:
+def _motion(ask: Ask, scheme: str, scene: Scene) -> Iterator[str]:
     """Forces in the order in which LIGGGHTS must add them: locks last, to cancel all others."""
-    spheres, turning = scene.spheres, spinning(scene.spheres)
-    for name, style, members in (
-        ("shifted", "nve", moving(spheres) & ~turning),
-        ("turned", "nve/sphere", turning),
-    ):
-        if members.any():
-            yield _group(name, np.flatnonzero(members))
-            yield f"fix {name} {name} {style}"
+    spheres, rigid = scene.spheres, scheme == CLUMP
+    yield from () if rigid else _integrated(spheres)
     if scene.eta > 0:
         yield f"fix drag all viscous {float(scene.eta)!r}"
     if scene.gravity.any():
@@ -171,14 +169,28 @@ def _motion(ask: Ask, scene: Scene) -> Iterator[str]:
         yield _group(f"load{number}", carriers)
         yield f"fix load{number} load{number} addforce {numbers(load)}"
     if scene.shaking is not None:
-        for number, (mass, those) in enumerate(shaken(ask).items()):
+        for number, (mass, those) in enumerate(shaken(ask, scheme).items()):
             yield _group(f"shake{number}", those)
             yield from shake_commands(f"shake{number}", scene.shaking, mass, step(ask))
-    for pattern, held in locks(spheres).items():
+    for pattern, held in ({} if rigid else locks(spheres)).items():
         name = "lock_" + "".join(a for a, locked in zip(AXES, pattern, strict=True) if locked)
         yield _group(name, held)
         parts = " ".join("0" if locked else "NULL" for locked in pattern)
         yield f"fix {name} {name} setforce {parts}"
+    if rigid:  # last, too: its first half step sees the forces of fixes before it only
+        yield from rigid_commands(scene, ask.scene.blocks[0])
+
+
+def _integrated(spheres: Spheres) -> Iterator[str]:
+    """What moves the spheres that move."""
+    turning = spinning(spheres)
+    for name, style, members in (
+        ("shifted", "nve", moving(spheres) & ~turning),
+        ("turned", "nve/sphere", turning),
+    ):
+        if members.any():
+            yield _group(name, np.flatnonzero(members))
+            yield f"fix {name} {name} {style}"
 
 
 def _group(name: str, indices: Iterable[int]) -> str:
@@ -192,20 +204,22 @@ def _allowed(ask: Ask, scheme: str) -> Iterator[str]:
     box or went through a wall would pass unnoticed.
     """
     scene = represented(ask, scheme)
-    room = space(ask, scene)
+    room = space(ask, scheme)
     yield f"region          reach block {_bounds(room.low, room.high)} units box"
+    count = len(stood_for(ask).scene.spheres)  # the first atoms; the rest of a body goes along
+    yield _group("watched", range(count))
     fronts = [f"front{number}" for number in range(len(scene.walls))]
     for name, wall in zip(fronts, scene.walls, strict=True):
         rearmost = wall.point - travel(wall) * wall.normal
         yield f"region          {name} plane {numbers([*rearmost, *wall.normal])} units box"
     if fronts:
         yield f"region          allowed intersect {len(fronts) + 1} reach {' '.join(fronts)}"
-    yield f"variable        count equal count(all,{'allowed' if fronts else 'reach'})"
+    yield f"variable        count equal count(watched,{'allowed' if fronts else 'reach'})"
 
 
-def _observed(ask: Ask, history: str) -> Iterator[str]:
+def _observed(ask: Ask, scheme: str, history: str) -> Iterator[str]:
     """Displacements are differences formed by LIGGGHTS: its 15 digits all count."""
-    start = represented(ask, PLAIN).spheres.position
+    start = represented(ask, scheme).spheres.position
     yield "variable        step equal step"
     names = ["step", "count"]
     for number, (seen, i) in enumerate(watched(ask)):

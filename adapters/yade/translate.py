@@ -7,13 +7,16 @@ from typing import Any
 
 import numpy as np
 
+from adapters.yade.clumps import clumped
+from adapters.yade.drives import driven, sines
 from vv.ask import Ask, Displacement, Observable
-from vv.scene import Harmonic, Mask, Scene, Spheres, Term, Vector, Wall
+from vv.clump import clump
+from vv.scene import Mask, Scene, Spheres, Term, Vector, Wall
 from vv.soften import acceleration_of, fastest
-from vv.stand_in import Stood, sprung
+from vv.stand_in import Stood, held, sprung
 from vv.transform import initial_normal_forces, released
 
-PLAIN, HALF_STEP = "default", "half-step-mass"
+PLAIN, HALF_STEP, CLUMP = "default", "half-step-mass", "clump"
 LEAST_GAP = 1e-12  # of a radius: less than that overlaps by rounding only
 FACET = 1e3  # a wall's triangle over the scene's size and paths; its size costs no accuracy
 
@@ -27,12 +30,12 @@ def plan(ask: Ask, scheme: str) -> Plan:
     last half step, m (v+ - v-)/dt = F - eta v-, becomes drag of the mean velocity; the weight
     stays m g. Raises ValueError for an ask without dt, or one that `released` cannot release.
     """
-    stood, goal, dt = sprung(ask), ask.goal, _dt(ask)
+    stood, goal, dt = stood_for(ask), ask.goal, _dt(ask)
     scene = released(stood.scene)
     extra = scene.eta * dt / 2 if scheme == HALF_STEP else 0.0
     touching, contacts = initial_contacts(scene)
     columns = _columns(scene, dt, extra, touching, stood.charged)
-    return {
+    plan = {
         "dt": dt,
         "steps": goal.steps(dt),
         "stride": goal.stride(dt),
@@ -41,13 +44,22 @@ def plan(ask: Ask, scheme: str) -> Plan:
         "mu": scene.contact.mu,
         "gravity": [0.0, 0.0, 0.0] if extra else scene.gravity.tolist(),
         "drag": scene.eta,
-        "shaking": _sines(scene.shaking),
+        "shaking": sines(scene.shaking),
         "charged": _charges(stood),
         "observe": [[_quantity(seen), seen.body] for seen in watched(ask)],
         "contacts": contacts,
         "moves": bool(scene.spheres.velocity.any()),
         "bodies": _bodies(scene, columns, FACET * _reach(ask), dt),
     }
+    return clumped(plan, clump(ask)) if scheme == CLUMP else plan
+
+
+def stood_for(ask: Ask) -> Stood:
+    """The scene with spheres and springs in place of blocks and rigid contact.
+
+    A block that may turn is one that may not here; its clump adds the rotations.
+    """
+    return sprung(held(ask))
 
 
 def _columns(
@@ -89,7 +101,7 @@ def _charges(stood: Stood) -> list[Plan]:
         return []
     walls, spheres = (_numbers(stood.scene, kind) for kind in (Wall, Spheres))
     return [
-        {"wall": walls[0], "sphere": sphere, "force": force.tolist()}
+        {"wall": walls[0], "body": sphere, "forces": [force.tolist()]}
         for sphere, force in zip(spheres, stood.charged, strict=True)
         if force.any()
     ]
@@ -109,7 +121,7 @@ def _dt(ask: Ask) -> float:
 
 def watched(ask: Ask) -> tuple[Observable, ...]:
     """The observables asked for; then displacements of spheres under a dead load for a lock."""
-    scene = sprung(ask).scene
+    scene = stood_for(ask).scene
     if Term.OBLIQUE_LOCK not in scene.terms():
         return ask.observables
     partly = scene.spheres.free.any(axis=1) & ~scene.spheres.free.all(axis=1)
@@ -155,7 +167,7 @@ def _overlapping(scene: Scene) -> Iterator[tuple[int, int]]:
 
 def _reach(ask: Ask) -> float:
     """A length [m] which the scene, and any path in it without collisions, does not exceed."""
-    scene, time = sprung(ask).scene, ask.goal.duration
+    scene, time = stood_for(ask).scene, ask.goal.duration
     spheres = scene.spheres
     places = np.vstack([spheres.position, *(wall.point for wall in scene.walls)])
     speed = float(np.linalg.norm(spheres.velocity, axis=1).max())
@@ -171,7 +183,7 @@ def _bodies(scene: Scene, columns: dict[str, Vector], size: float, dt: float) ->
     first = 0
     for group in scene.bodies:
         if isinstance(group, Wall):
-            bodies.append(wall_body(group, size) | {"motion": _motion(group.motion, dt)})
+            bodies.append(wall_body(group, size) | {"motion": driven(group.motion, dt)})
         elif isinstance(group, Spheres):
             bodies += [_sphere(group, i, first + i, columns) for i in range(len(group))]
             first += len(group)
@@ -183,30 +195,6 @@ def _sphere(group: Spheres, i: int, row: int, columns: dict[str, Vector]) -> Pla
     blocked = "".join(name for name, loose in zip("xyzXYZ", free, strict=True) if not loose)
     numbers = {name: column[row].tolist() for name, column in columns.items()}
     return {"kind": "sphere", **numbers, "blocked": blocked}
-
-
-def _sines(motion: Harmonic | None) -> list[Plan]:
-    """The sines of a drive: amplitude (3,), frequency [Hz], phase [rad]."""
-    names = ("A", "f", "fi")
-    parts = [] if motion is None else motion.sines()
-    return [dict(zip(names, (along.tolist(), f, phase), strict=True)) for along, f, phase in parts]
-
-
-def _motion(motion: Harmonic | None, dt: float) -> list[Plan]:
-    """The sines of a wall as YADE's HarmonicMotionEngine takes them, for u = A cos(wt + fi).
-
-    The engine sets a velocity for a whole step from the time at its start. Half a step is added
-    to the phase, and A reduced by sin(w dt/2)/(w dt/2): then the wall is where it must be after
-    every step, to rounding.
-    """
-    return [
-        {
-            "A": (np.array(sine["A"]) * float(np.sinc(sine["f"] * dt))).tolist(),
-            "f": sine["f"],
-            "fi": sine["fi"] - np.pi / 2 + np.pi * sine["f"] * dt,
-        }
-        for sine in _sines(motion)
-    ]
 
 
 def wall_body(wall: Wall, size: float) -> Plan:
