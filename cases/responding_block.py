@@ -80,7 +80,8 @@ def _declare(variant: str, p: Parameters) -> Trial:
         for i, axis in enumerate("xyz"[:directions])
     )
     whole = (motion.distance(judge),) if directions > 1 else ()
-    return Trial(Ladder(_scene(p), goal, (BLOCK,), LEVELS), (*parts, *whole))
+    timed = TIMED if variant in ("1d", "2d", "3d") else ()
+    return Trial(Ladder(_scene(p), goal, (BLOCK,), LEVELS, timed), (*parts, *whole))
 
 
 RUNGS = tuple(
@@ -92,6 +93,7 @@ RUNGS = tuple(
     )
     for dt in steps
 )
+TIMED = (RUNGS[0], RUNGS[3], RUNGS[6], RUNGS[8])  # the coarsest of each stiffness, the finest
 LEVELS = {
     Level.QUICK: (RUNGS[0], RUNGS[2]),
     Level.DEFAULT: RUNGS,

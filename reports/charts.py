@@ -109,8 +109,21 @@ def error_against_cost(ladders: Sequence[Ladder], label: str) -> Chart:
         if inside:
             hollow = [not p.timed for p in inside]
             curves.append(_curve(ladder.mark, [p.cpu for p in inside], inside, hollow))
-    rims = _rims(ladders, low, "cpu")
-    return Chart("CPU of the stepping loop [s]", label, True, True, tuple(curves), rims=rims)
+    rims, steps = _rims(ladders, low, "cpu"), _front(ladders, low)
+    name = "CPU of the stepping loop [s]"
+    return Chart(name, label, True, True, tuple(curves), exact=steps, rims=rims)
+
+
+def _front(ladders: Sequence[Ladder], low: float) -> tuple[Vector, Vector] | None:
+    """The stairs below which nobody's timed rung lies; None where nothing inside is timed."""
+    inside = [p for ladder in ladders for p in ladder.points if _inside(p, low) and p.timed]
+    x: list[float] = []
+    y: list[float] = []
+    for cpu, error in sorted((p.cpu, p.error or 0.0) for p in inside if p.cpu > 0):
+        if not y or error < y[-1]:
+            x += [cpu, cpu] if y else [cpu]
+            y += [y[-1], error] if y else [error]
+    return (np.array(x), np.array(y)) if x else None
 
 
 def _relative(history: History) -> Vector | None:

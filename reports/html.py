@@ -9,13 +9,13 @@ from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from vv import digest, finding, gate, metrics
+from vv import digest, effort, finding, gate, metrics
 from vv import history as histories
 from vv.history import Point, history
 from vv.store import Store, deliver
 
 HERE = Path(__file__).parent
-JUDGING = (digest, finding, gate, histories, metrics)  # modules that a report leans on
+JUDGING = (digest, effort, finding, gate, histories, metrics)  # modules that a report leans on
 HEAD = 4096  # characters within which a report names the digest of its inputs
 
 

@@ -309,3 +309,13 @@ def test_a_shaken_sphere_without_contact_follows_its_closed_form() -> None:
     assert errors[1] < 1e-5
     assert errors[0] / errors[1] == pytest.approx(4, rel=0.02)
     assert Term.SHAKING in program.model.terms
+
+
+@pytest.mark.parametrize("scene", [SHAKEN, DRAGGED, TURNING], ids=["shaken", "dragged", "turning"])
+def test_friction_and_overlap_are_audited_in_a_run_with_one_contact(scene: Scene) -> None:
+    ledger = solved(scene).ledger
+    assert ledger is not None
+    for law in ("Coulomb: friction beyond mu N [N]", "penetration [m]"):
+        seen, allowed = ledger.audits[law]
+        assert seen <= allowed
+    assert 0 < ledger.audits["penetration [m]"][0] < 1e-2

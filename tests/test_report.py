@@ -211,3 +211,11 @@ def test_importing_the_report_costs_no_plotting_library() -> None:
     code = "import reports.html, sys; assert not {'matplotlib', 'jinja2'} & set(sys.modules)"
     root = Path(html.__file__).parents[1]
     subprocess.run([sys.executable, "-c", code], check=True, cwd=root)
+
+
+def test_what_an_error_costs_stands_with_each_timed_variant(manifest: Json, store: Store) -> None:
+    page = built(manifest, store)
+    timed = {r["variant"] for r in manifest["records"] if r["cost"]["kind"] == "timed"}
+    assert timed
+    assert page.count("What an error costs") == len(timed)
+    assert "What accuracy costs" in page

@@ -66,6 +66,7 @@ def carry_out(
 ) -> Record:
     """Run what is not stored, judge all, keep the manifest; returns it with its name."""
     store = Store(project.data())
+    store.clear_scratch()
     run_keys = keys.run_keys(project, plan)
     record_keys = keys.record_keys(project, plan, run_keys)
     records: dict[int, Record] = {}

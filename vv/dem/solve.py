@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import functools
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
 
@@ -32,6 +33,8 @@ LEDGER = (
 )
 EPS = float(np.finfo(float).eps)
 ROUNDINGS = 16  # of the peak energy, allowed for each step
+COULOMB = 1e-9  # of the largest force: friction is cut to mu N as it is found
+SOFT = 0.1  # of the smallest radius: a deeper overlap is no contact of spheres any more
 LOCKED = 1e-12  # part of a speed below which its component in a locked direction is rounding
 
 
@@ -129,6 +132,7 @@ class Program:
             unaccounted=float(np.abs(terms.sum(axis=1) - put_in).max()),
             peak=peak,
             bound=bound,
+            audits={} if isinstance(self.system, Line) else dict(_audits(self.stood.scene, terms)),
         )
 
 
@@ -160,6 +164,24 @@ def refuses(ask: Ask) -> str | None:
         return reason
     scene = sprung(ask).scene
     return _moves_where_locked(scene) or _coincident(scene)
+
+
+def _audits(scene: Scene, terms: Vector) -> Iterator[tuple[str, tuple[float, float]]]:
+    """What the springs' energies (k, 2) [J] at the outputs say of friction and overlap.
+
+    The overlap is the largest there can be: that of one contact which holds all the energy. Of
+    several contacts none can be told from another, and their friction is not audited. A model
+    of one unknown holds no normal spring beside its shear spring and has nothing to tell.
+    """
+    law, normal, shear = scene.contact, terms[:, 1], terms[:, 2]
+    if not law.kn > 0 or not len(scene.spheres):
+        return
+    radius = float(scene.spheres.radius.min())
+    yield "penetration [m]", (float(np.sqrt(2 * normal.max() / law.kn)), SOFT * radius)
+    if len(scene.spheres) == len(scene.walls) == 1:
+        push, drag = np.sqrt(2 * law.kn * normal), np.sqrt(2 * law.ks * shear)
+        beyond = float((drag - law.mu * push).max())
+        yield "Coulomb: friction beyond mu N [N]", (max(beyond, 0.0), COULOMB * float(push.max()))
 
 
 def _moves_where_locked(scene: Scene) -> str | None:
