@@ -68,6 +68,8 @@ def sprung(ask: Ask) -> Stood:
 
 def held(ask: Ask) -> Ask:
     """The ask with its blocks locked against rotation, as spheres in their place would be."""
+    if not any(block.free_spin.any() for block in ask.scene.blocks):
+        return ask
     bodies = tuple(
         dataclasses.replace(group, free_spin=np.zeros(3, bool))
         if isinstance(group, Block)
