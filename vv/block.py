@@ -102,7 +102,9 @@ def polyhedron_inertia(
     volume, centre = volume_and_centroid(vertices, faces)
     a, b, c = (vertices[corner] - centre for corner in _triangles(faces).T)
     parts = np.einsum("ti,ti->t", a, _cross(b, c)) / 120
-    second = sum(np.einsum("t,ti,tj->ij", parts, x, x) for x in (a, b, c, a + b + c))
+    corners = np.array([a, b, c, a + b + c])
+    second = np.einsum("t,kti,ktj->ij", parts, corners, corners)
+    second = 0.5 * (second + second.T)  # rounding is not symmetric
     inertia = density * (np.trace(second) * np.eye(3) - second)
     return density * volume, inertia
 
