@@ -149,11 +149,13 @@ def _arrow(old: ast.AST, new: ast.AST) -> str:
 
 def survivors(mutants: list[tuple[Bug, str]]) -> list[str]:
     """What the gate does not see, of a list of mutants, two at a time."""
+    left = []
     with concurrent.futures.ThreadPoolExecutor(len(os.sched_getaffinity(0))) as pool:
-        answers = list(pool.map(lambda mutant: caught(*mutant), mutants))
-    for (bug, _), answer in zip(mutants, answers, strict=True):
-        print(f"{answer or 'SURVIVES':<9} {bug.code:<9} {bug.what}", flush=True)
-    return [bug.what for (bug, _), answer in zip(mutants, answers, strict=True) if not answer]
+        answers = pool.map(lambda mutant: caught(*mutant), mutants)
+        for (bug, _), answer in zip(mutants, answers, strict=True):
+            print(f"{answer or 'SURVIVES':<9} {bug.code:<9} {bug.what}", flush=True)
+            left += [] if answer else [bug.what]
+    return left
 
 
 def main() -> None:

@@ -1,6 +1,8 @@
 """The command line: names, units, settings and bad input."""
 
+import json
 import re
+from pathlib import Path
 
 import pytest
 from typer.testing import CliRunner
@@ -96,7 +98,7 @@ def test_explain_shows_formula_parameters_tolerances_and_the_last_result(tiny: T
         "radius = 0.1 m  radius  (inert)",
         "second order in dt: 0.001 at dt = 0.1 s, as dt^1: the tiny project says so",
         "fake/coarse: a formula",
-        "last result: fail at dt = 0.025 s: y: error 0.01 of 0.00025",
+        "dt 0.025: fail: y: error 0.01 of 0.00025",
         "fake/weightless: fake/weightless does not support: gravity",
     ):
         assert words in out
@@ -144,3 +146,20 @@ def test_a_result_folder_that_cannot_be_used_is_named(tiny: Tiny) -> None:
         64,
         "vv: cannot use /dev/null/scratch: Not a directory\n",
     )
+
+
+def test_speed_prints_what_an_error_costs_and_writes_it(tiny: Tiny, tmp_path: Path) -> None:
+    target = tmp_path / "speed.json"
+    done = tiny.vv("speed", "--codes", "fake/good", "--json", str(target))
+    assert done.returncode == 0, done.stderr
+    assert "CPU seconds of the stepping loop to reach an error of" in done.stdout
+    found = json.loads(target.read_text())["efforts"]
+    assert {one["label"] for one in found} == {"fake/good"}
+    timed = {p["dt"] for one in found for p in one["points"] if p["cpu"]}
+    assert timed == {0.1, 0.05}
+
+
+def test_speed_says_so_where_nothing_is_timed(tiny: Tiny) -> None:
+    tiny.edit("cases/fall.py", "timed=RUNGS[:2]", "timed=()")
+    done = tiny.vv("speed")
+    assert (done.returncode, done.stderr.count("\n")) == (64, 1)

@@ -17,9 +17,9 @@ from vv.adapter import Scheme, unsupported
 from vv.ask import Ask, Displacement, History, Knobs, Method, Run, Status
 from vv.block import box_geometry, polyhedron_inertia
 from vv.dem.pressed import Pressed, pressed
-from vv.dem.rigid import SHEAR
 from vv.dem.space import Space, space
 from vv.scene import Block, Contact, Harmonic, Scene, Term, Vector, Wall
+from vv.stand_in import SHEAR
 from vv.transform import about_z, rotated
 
 G = 9.81
@@ -246,7 +246,7 @@ def test_rigid_contact_makes_either_scheme_a_penalty_method_with_two_unknowns(
         program = dem.prepare(asked(scene), LEAPFROGS[scheme.name])
         passed = [a for a in program.arguments for u in program.system.unknowns if a is u]
         assert sum(array.size for array in passed) == program.model.unknowns == unknowns
-        assert terms == program.model.terms
+        assert program.model.terms == terms | {Term.SPHERE}  # which stands for the block
         assert f"ks = {SHEAR * KN:g} N/m" in program.model.note
     (run,) = ADAPTER.run([asked(SHAKEN)], scheme.name, tmp_path, 0.0)
     assert run.status is Status.RAN
@@ -309,3 +309,13 @@ def test_a_shaken_sphere_without_contact_follows_its_closed_form() -> None:
     assert errors[1] < 1e-5
     assert errors[0] / errors[1] == pytest.approx(4, rel=0.02)
     assert Term.SHAKING in program.model.terms
+
+
+@pytest.mark.parametrize("scene", [SHAKEN, DRAGGED, TURNING], ids=["shaken", "dragged", "turning"])
+def test_friction_and_overlap_are_audited_in_a_run_with_one_contact(scene: Scene) -> None:
+    ledger = solved(scene).ledger
+    assert ledger is not None
+    for law in ("Coulomb: friction beyond mu N [N]", "penetration [m]"):
+        seen, allowed = ledger.audits[law]
+        assert seen <= allowed
+    assert 0 < ledger.audits["penetration [m]"][0] < 1e-2

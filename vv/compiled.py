@@ -13,7 +13,7 @@ import numba
 
 Kernel = TypeVar("Kernel", bound=Callable[..., object])
 HERE = Path(__file__).parent
-SHARED = (HERE / "compiled.py", HERE / "triples.py")  # what the kernels of every engine use
+USED = ("compiled.py", "drive.py", "triples.py")  # by the kernels of every engine
 ROUNDING: dict[str, Any] = {"error_model": "numpy", "fastmath": {"contract"}}
 HIDDEN: dict[str, Any] = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True}
 
@@ -57,7 +57,7 @@ def cache_folder(sources: Path) -> Path:
     on using what was compiled before one of these was edited.
     """
     sha = hashlib.sha256()
-    for path in (*SHARED, *sorted(sources.glob("*.py"))):
+    for path in (*(HERE / name for name in USED), *sorted(sources.glob("*.py"))):
         if path.is_file():
             sha.update(path.name.encode() + b"\0" + path.read_bytes() + b"\0")
     return _writable_root() / "numba" / sha.hexdigest()[:16]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import platform
 from pathlib import Path
 
 import vv
@@ -43,7 +44,8 @@ def code_digest(project: Project, plan: Plan, code: str) -> str:
     """Fingerprint of a code: import closure, library versions, executable files."""
     sources = closure(project.adapter_files(code), roots(project))
     external = executables(project, plan, code)
-    return digest(source_digest(sources), libraries(sources), sorted(external.values()))
+    python = platform.python_version()
+    return digest(source_digest(sources), libraries(sources), python, sorted(external.values()))
 
 
 def executables(project: Project, plan: Plan, code: str) -> dict[str, str]:

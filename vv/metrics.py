@@ -77,3 +77,55 @@ def observed_order(steps: list[float], errors: list[float]) -> Order | None:
     freedom = len(x) - 2
     spread = math.sqrt(float(residual @ residual) / freedom / float(x @ x)) if freedom else 0.0
     return Order(slope, spread, len(x))
+
+
+SAFETY = 1.25  # the factor of Celik et al. (2008) for three grids
+
+
+@dataclass(frozen=True)
+class Convergence:
+    """What three resolutions say without an exact answer (Celik et al. 2008, J. Fluids Eng. 130).
+
+    order: apparent; limit: extrapolated to zero size; fine, coarse: grid convergence indices of
+    the finer and the coarser pair, relative.
+    """
+
+    order: float
+    limit: float
+    fine: float
+    coarse: float
+
+
+def convergence(
+    sizes: tuple[float, float, float], values: tuple[float, float, float]
+) -> Convergence | None:
+    """Richardson's limit and the grid convergence index; sizes and values finest first.
+
+    None where the values do not converge monotonically or hardly differ: then there is no limit to
+    speak of. Solved for the order by iteration (Celik et al. 2008, Eqs. 3-7).
+    """
+    (h1, h2, h3), (f1, f2, f3) = sizes, values
+    r21, r32, e21, e32 = h2 / h1, h3 / h2, f2 - f1, f3 - f2
+    if not (r21 > 1 and r32 > 1 and e21 * e32 > 0 and f1 and f2):
+        return None
+    order = _apparent_order(r21, r32, e32 / e21)
+    if order is None:
+        return None
+    near, far = r21**order - 1, r32**order - 1
+    limit = f1 - e21 / near
+    return Convergence(order, limit, SAFETY * abs(e21 / f1) / near, SAFETY * abs(e32 / f2) / far)
+
+
+def _apparent_order(r21: float, r32: float, ratio: float) -> float | None:
+    """p of ratio = r21^p (r32^p - 1)/(r21^p - 1); None where no positive p solves it."""
+    low, high = 1e-3, 20.0
+
+    def short(p: float) -> float:
+        return math.log(ratio) - p * math.log(r21) - math.log((r32**p - 1) / (r21**p - 1))
+
+    if short(low) * short(high) > 0:
+        return None
+    for _ in range(100):
+        middle = 0.5 * (low + high)
+        low, high = (middle, high) if short(low) * short(middle) > 0 else (low, middle)
+    return 0.5 * (low + high)

@@ -3,20 +3,19 @@
 from __future__ import annotations
 
 import contextlib
-import math
 import sys
 import time
 from collections import Counter
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Container, Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from vv.adapter import Adapter
 from vv.ask import Status
-from vv.case import Case, Exact, Quantity
+from vv.case import Case
 from vv.finding import Bit, Finding, from_data, label, rung, worst_first
 from vv.gate import outcome, status_of
-from vv.plan import Plan
+from vv.plan import Job, Plan
 
 if TYPE_CHECKING:
     from vv.compare import Change
@@ -25,6 +24,7 @@ if TYPE_CHECKING:
 WORDS = {"xfail": "known disagreement", "xpass": "unexpected pass", "no-reference": "shown only"}
 PLURAL = {"known disagreement": "known disagreements", "unexpected pass": "unexpected passes"}
 ORDER = ("pass", "fail", "xpass", "xfail", "no-reference")
+STORED = "stored"
 SHOWN = 12  # findings of a gate; the report and the files have all
 EVERY = 2.0  # s between two plain progress lines
 
@@ -174,12 +174,19 @@ def print_history(case: str, points: Sequence[Point]) -> None:
             say(f"  {scheme}: {', '.join(told)}")
 
 
-def print_jobs(plan: Plan) -> None:
-    """Each job in a line, with why it would not run."""
-    for job in plan.jobs:
-        fate = f"  ({job.settled.status.value}: {job.settled.reason})" if job.settled else ""
-        say(f"{job.label}{fate}")
-    say(f"{len(plan.jobs)} jobs, {sum(job.settled is None for job in plan.jobs)} would run")
+def print_jobs(plan: Plan, stored: Container[int]) -> None:
+    """Each job in a line, with why it would not run; stored: the numbers of those answered."""
+    told = {number: _fate(job, number in stored) for number, job in enumerate(plan.jobs)}
+    for number, job in enumerate(plan.jobs):
+        say(f"{job.label}{f'  ({told[number]})' if told[number] else ''}")
+    run, kept = (sum(fate == which for fate in told.values()) for which in ("", STORED))
+    say(f"{len(plan.jobs)} jobs, {run} would run, {kept} are stored")
+
+
+def _fate(job: Job, stored: bool) -> str:
+    if job.settled:
+        return f"{job.settled.status.value}: {job.settled.reason}"
+    return STORED if stored else ""
 
 
 def print_cases(cases: Sequence[Case]) -> None:
@@ -203,84 +210,3 @@ def print_codes(adapters: Sequence[Adapter]) -> None:
             lowered = [f"; {m.value} with {t.value}" for t, m in scheme.lowered.items()]
             how = f"[{scheme.method.value}{''.join(lowered)}; knobs: {knobs}]"
             say(f"  {adapter.name}/{scheme.name}: {scheme.summary} {how}")
-
-
-def explain(plan: Plan, manifests: Iterable[Mapping[str, Any]]) -> None:
-    """All there is to know of the planned variants, and their last results."""
-    results = _last_results(manifests)
-    for name, case in plan.cases.items():
-        doi = f", doi:{case.source.doi}" if case.source.doi else ""
-        say(f"{case.title}\n  source: {case.source.citation}{doi}")
-        say(f"  note: {case.source.note}")
-        for source, text in case.published.items():
-            say(f"  published, {source}: {text}")
-        for variant in case.variants:
-            if (name, variant.name) in plan.trials:
-                _explain_variant(plan, case, variant.name, results)
-
-
-def _explain_variant(
-    plan: Plan, case: Case, name: str, results: Mapping[tuple[str, ...], str]
-) -> None:
-    variant, trial = case.variant(name), plan.trials[case.name, name]
-    scene, values = trial.study.scene, case.defaults(name)
-    say(f"\n{case.name}:{name}: {variant.summary}\n  formula: {variant.formula}")
-    for p in case.parameters:
-        inert = "  (inert)" if p.name in variant.inert else ""
-        say(f"  {p.name} = {values[p.name]:g} {p.unit}  {p.meaning}{inert}")
-    terms = ", ".join(sorted(term.value for term in scene.terms()))
-    say(f"  terms: {terms}\n  unknowns: {scene.unknowns()}")
-    for quantity in trial.quantities:
-        _explain_quantity(quantity)
-    last = {
-        (job.code, job.scheme): job
-        for job in plan.jobs
-        if (job.case, job.variant) == (case.name, name)
-    }
-    for (code, scheme), job in last.items():
-        how = (
-            job.settled.reason
-            if job.settled
-            else plan.adapters[code].describe(job.ask, scheme).note
-        )
-        say(f"  {code}/{scheme}: {how}")
-        say(f"    last result: {results.get((case.name, name, code, scheme), 'none yet')}")
-
-
-def _explain_quantity(quantity: Quantity) -> None:
-    judge = quantity.judge
-    say(f"  quantity {quantity.name} [{getattr(quantity, 'unit', '')}]: {quantity.meaning}")
-    if not isinstance(judge, Exact):
-        say(f"    {type(judge).__name__.lower()}: {judge.reason}")
-        return
-    say(f"    norm: {judge.norm.value}")
-    for method, tolerance in judge.tolerances.items():
-        step = f" at dt = {tolerance.dt:g} s, as dt^{tolerance.order}" if tolerance.dt else ""
-        if tolerance.kn:
-            step += f" at kn = {tolerance.kn:g} N/m, as kn^-{tolerance.softness:g}"
-        say(f"    {method.value}: {tolerance.value:g}{step}: {tolerance.reason}")
-
-
-def _last_results(manifests: Iterable[Mapping[str, Any]]) -> dict[tuple[str, ...], str]:
-    """The newest result of each (case, variant, code, scheme): its finest rung in words."""
-    found: dict[tuple[str, ...], str] = {}
-    for manifest in manifests:
-        newest: dict[tuple[str, ...], str] = {}
-        for record in manifest["records"]:
-            key = tuple(record[part] for part in ("case", "variant", "code", "scheme"))
-            errors = "; ".join(_entry_in_words(entry) for entry in record["quantities"])
-            dt = f" at dt = {record['rung']['dt']:g} s" if record["rung"]["dt"] else ""
-            changed = ", modified parameters" if record["modified"] else ""
-            said = f"{outcome(record)}{dt}{changed}: {errors or record['reason']}"
-            newest[key] = f"{said} ({manifest['provenance']['utc']})"
-        found = {**newest, **found}
-    return found
-
-
-def _entry_in_words(entry: Mapping[str, Any]) -> str:
-    error, bound = entry["errors"].get(entry["norm"] or "max"), entry["tolerance"]
-    if bound is None:
-        said = f"{entry['name']}: {entry['value']}, {entry['why']}"
-    else:
-        said = f"{entry['name']}: error {math.nan if error is None else error:.3g} of {bound:.3g}"
-    return f"{said}, {entry['note']}" if entry["note"] else said

@@ -14,7 +14,10 @@ from vv.digest import digest
 
 WIDTH = 88  # columns, beyond which a call or a list is broken into lines
 
-SCRIPT = '''"""Solves one scene with {module} and prints time and observables, in SI units."""
+SCRIPT = '''"""Solves one scene with {module} and prints time and observables, in SI units.
+
+It runs alone, with the Python in which vv is installed: .venv/bin/python FILE
+"""
 
 import sys
 

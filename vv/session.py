@@ -66,6 +66,7 @@ def carry_out(
 ) -> Record:
     """Run what is not stored, judge all, keep the manifest; returns it with its name."""
     store = Store(project.data())
+    store.clear_scratch()
     run_keys = keys.run_keys(project, plan)
     record_keys = keys.record_keys(project, plan, run_keys)
     records: dict[int, Record] = {}
@@ -79,7 +80,9 @@ def carry_out(
     terms = Terms(now.date(), limits.against, limits.timing is Timing.NEW)
     manifest = {
         "provenance": provenance(project.root, command, now),
-        "codes": {code: _code(project, plan, code) for code in plan.found},
+        "codes": {
+            code: _code(project, plan, code) for code in sorted({job.code for job in plan.jobs})
+        },
         "cases": dossiers(plan),
         **judged(project, plan, ordered, terms),
     }

@@ -7,13 +7,16 @@ the key they belong to, so that a file that got into the wrong place answers not
 
 from __future__ import annotations
 
+import contextlib
 import dataclasses
 import errno
 import io
 import json
 import os
+import shutil
 import sys
 import tempfile
+import time
 import zipfile
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -27,6 +30,7 @@ from vv.scene import Term, Vector
 
 FIRST = '{"provenance": '  # how a manifest begins
 HEAD = 4096  # characters of a manifest that hold its provenance, as a rule
+STALE = 7 * 86400.0  # s that the logs of a failure are kept
 UNREADABLE = (OSError, ValueError, KeyError, EOFError, zipfile.BadZipFile)
 OBSERVABLES: Mapping[str, type[Displacement] | type[Velocity]] = {
     kind.__name__: kind for kind in (Displacement, Velocity)
@@ -47,6 +51,10 @@ class Store:
             return _run_from(meta, arrays) if meta["key"] == key else None
         except UNREADABLE:
             return None
+
+    def has_run(self, key: str) -> bool:
+        """Whether something is stored as the run of that key."""
+        return self._path("runs", key, "npz").is_file()
 
     def keep_run(self, key: str, run: Run) -> None:
         """Store a run that ran; failures are never kept."""
@@ -131,6 +139,19 @@ class Store:
         """A new, empty folder for one worker."""
         (self.root / "scratch").mkdir(parents=True, exist_ok=True)
         return Path(tempfile.mkdtemp(dir=self.root / "scratch"))
+
+    def templates(self) -> Path:
+        """Where the report's templates are kept compiled."""
+        folder = self.root / "templates"
+        folder.mkdir(parents=True, exist_ok=True)
+        return folder
+
+    def clear_scratch(self) -> None:
+        """Remove what workers that failed, or were killed, left behind long ago."""
+        for folder in (self.root / "scratch").glob("*"):
+            with contextlib.suppress(OSError):
+                if time.time() - folder.stat().st_mtime > STALE:
+                    shutil.rmtree(folder, ignore_errors=True)
 
     def _json(self, layer: str, key: str) -> dict[str, Any] | None:
         try:

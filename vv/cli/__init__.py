@@ -9,7 +9,7 @@ from collections.abc import Callable
 import typer
 
 from vv import screen
-from vv.cli import extend, judge, look, run
+from vv.cli import extend, judge, look, run, speed
 from vv.settings import UsageError
 
 BITS = (
@@ -28,7 +28,7 @@ app = typer.Typer(
 )
 INTERRUPTED = 130  # what shells use for a program ended by Ctrl-C
 GROUPS: dict[str, dict[str, Callable[..., None]]] = {
-    "Run": {"run": run.run},
+    "Run": {"run": run.run, "speed": speed.speed},
     "Look": {
         "list": look.list_cases,
         "codes": look.list_codes,

@@ -8,6 +8,7 @@ from typing import Annotated
 import typer
 
 from vv import screen
+from vv.explain import tell
 from vv.plan import Options, make_plan, select
 from vv.project import find
 from vv.settings import UsageError, near
@@ -54,7 +55,7 @@ def explain(selection: Annotated[list[str], typer.Argument(help="CASE or CASE:VA
     project = find()
     store = Store(project.data())
     plan = make_plan(project, selection, Options())
-    screen.explain(plan, [store.manifest(name) for name in reversed(store.manifests()[-20:])])
+    tell(plan, [store.manifest(name) for name in reversed(store.manifests()[-20:])])
 
 
 def diff(

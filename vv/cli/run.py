@@ -62,7 +62,11 @@ def run(
         return _narrowed(project, store, plan, last, since, budget)
 
     if dry_run:
-        screen.print_jobs(make_plan())
+        from vv import keys
+
+        plan = make_plan()
+        found = {} if fresh else keys.run_keys(project, plan)
+        screen.print_jobs(plan, {n for n, key in found.items() if store.has_run(key)})
         return
     from vv.session import Limits, Timing
 

@@ -4,15 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
 from vv.ask import Displacement, Observable
-from vv.dem.drive import Drive, drive
 from vv.dem.leapfrog import Leapfrog
 from vv.dem.line import ALIGNED
-from vv.scene import Scene, Term, Vector
+from vv.scene import Harmonic, Scene, Term, Vector
+
+if TYPE_CHECKING:
+    from vv.drive import Drive
 
 
 class PressedState(NamedTuple):
@@ -108,7 +110,7 @@ def pressed(scene: Scene, charged: Vector | None = None) -> Pressed | None:
     slide = np.cross(locked, n)
     slide *= np.copysign(1.0 / np.linalg.norm(slide), slide @ most)
     axes = np.stack([n, slide, locked])
-    base = drive((scene.walls[0].motion,), axes)
+    base = _along(scene.walls[0].motion, axes)
     if (
         base is not None
         and (np.abs(base.direction[:, 2]) > ALIGNED * np.abs(base.direction).max()).any()
@@ -127,8 +129,18 @@ def pressed(scene: Scene, charged: Vector | None = None) -> Pressed | None:
         gap=float((s.position[0] - scene.walls[0].point) @ n - s.radius[0]),
         friction=(scene.contact.ks, scene.contact.mu, start) if rubs else None,
         eta=scene.eta if scene.eta > 0 else None,
-        shaking=drive((scene.shaking,), axes),
+        shaking=_along(scene.shaking, axes),
         base=base,
     )
     words = "2 unknowns: a sphere along the normal of its wall and along the wall"
     return Pressed(0, axes, weight, load, state, scene.terms(), words)
+
+
+def _along(motion: Harmonic | None, axes: Vector) -> Drive | None:
+    """The sines of a motion along the unit rows of axes (3, 3)."""
+    if motion is None:
+        return None
+    from vv.drive import drive
+
+    sines = drive(motion)
+    return sines._replace(direction=sines.direction @ axes.T)

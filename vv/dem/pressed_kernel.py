@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 from vv.compiled import compiled
-from vv.dem.drive import Drive
-from vv.dem.driven import travel, value
 from vv.dem.friction import share_closed
 from vv.dem.limits import BLOW_UP, GAIN
+from vv.drive import Drive, travel, value
 from vv.scene import Vector
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import functools
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
 
@@ -13,11 +14,11 @@ from vv.dem.leapfrog import Leapfrog
 from vv.dem.limits import BLOW_UP, GAIN
 from vv.dem.line import Line, line
 from vv.dem.pressed import Pressed, pressed
-from vv.dem.rigid import Stood, sprung
-from vv.dem.rigid import why_not as why_not_rigid
 from vv.dem.space import Space, space
 from vv.dem.stability import critical_step
 from vv.scene import Scene, Vector
+from vv.stand_in import Stood, sprung
+from vv.stand_in import why_not as why_not_rigid
 
 LEDGER = (
     "kinetic",
@@ -32,6 +33,8 @@ LEDGER = (
 )
 EPS = float(np.finfo(float).eps)
 ROUNDINGS = 16  # of the peak energy, allowed for each step
+COULOMB = 1e-9  # of the largest force: friction is cut to mu N as it is found
+SOFT = 0.1  # of the smallest radius: a deeper overlap is no contact of spheres any more
 LOCKED = 1e-12  # part of a speed below which its component in a locked direction is rounding
 
 
@@ -53,8 +56,8 @@ class Program:
         """What was built; unknowns are counted in the arrays that the kernel is given."""
         unknowns = sum(array.size for array in self.system.unknowns)
         limit = critical_step(self.stood.scene, self.leapfrog)
-        words = f"{self.system.words}{self.stood.words}; largest stable dt {limit:.4g} s"
-        return Model(unknowns, self.system.terms | self.stood.terms, words)
+        words = (self.system.words, *self.stood.notes, f"largest stable dt {limit:.4g} s")
+        return Model(unknowns, self.system.terms | self.stood.terms, "; ".join(words))
 
     @functools.cached_property
     def arguments(self) -> tuple[Any, ...]:
@@ -129,6 +132,7 @@ class Program:
             unaccounted=float(np.abs(terms.sum(axis=1) - put_in).max()),
             peak=peak,
             bound=bound,
+            audits={} if isinstance(self.system, Line) else dict(_audits(self.stood.scene, terms)),
         )
 
 
@@ -160,6 +164,24 @@ def refuses(ask: Ask) -> str | None:
         return reason
     scene = sprung(ask).scene
     return _moves_where_locked(scene) or _coincident(scene)
+
+
+def _audits(scene: Scene, terms: Vector) -> Iterator[tuple[str, tuple[float, float]]]:
+    """What the springs' energies (k, 2) [J] at the outputs say of friction and overlap.
+
+    The overlap is the largest there can be: that of one contact which holds all the energy. Of
+    several contacts none can be told from another, and their friction is not audited. A model
+    of one unknown holds no normal spring beside its shear spring and has nothing to tell.
+    """
+    law, normal, shear = scene.contact, terms[:, 1], terms[:, 2]
+    if not law.kn > 0 or not len(scene.spheres):
+        return
+    radius = float(scene.spheres.radius.min())
+    yield "penetration [m]", (float(np.sqrt(2 * normal.max() / law.kn)), SOFT * radius)
+    if len(scene.spheres) == len(scene.walls) == 1:
+        push, drag = np.sqrt(2 * law.kn * normal), np.sqrt(2 * law.ks * shear)
+        beyond = float((drag - law.mu * push).max())
+        yield "Coulomb: friction beyond mu N [N]", (max(beyond, 0.0), COULOMB * float(push.max()))
 
 
 def _moves_where_locked(scene: Scene) -> str | None:

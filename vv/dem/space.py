@@ -4,15 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
 
 from vv.ask import Displacement, Observable
-from vv.dem.drive import Drive, drive
 from vv.dem.leapfrog import Leapfrog
-from vv.scene import Mask, Scene, Term, Vector
+from vv.scene import Harmonic, Mask, Scene, Term, Vector
+
+if TYPE_CHECKING:
+    from vv.drive import Drive, Starts
 
 Index = npt.NDArray[np.intp]
 Contacts = tuple[Index, Vector, Vector, Vector]
@@ -36,7 +38,7 @@ class SpaceState(NamedTuple):
     eta: float | None
     charged: Vector | None
     shaking: Drive | None
-    base: Drive | None
+    base: tuple[Drive, Starts] | None
     grounds: Index | None
 
 
@@ -105,9 +107,7 @@ def space(scene: Scene, charged: Vector | None = None) -> Space:
     rubs = Term.FRICTION in scene.terms() and (pairs is not None or walls is not None)
     turns = rubs and Term.ROTATION in scene.terms()
     load = spheres.load[moves]
-    base = None
-    if walls is not None:
-        base = drive(tuple(wall.motion for wall in scene.walls), np.eye(3))
+    base = None if walls is None else _base(scene)
     state = SpaceState(
         velocity=_projected(spheres.velocity[moves], scene.axes, spheres.free[moves]),
         spin=_projected(spheres.spin[moves], scene.axes, spheres.free_spin[moves])
@@ -125,7 +125,7 @@ def space(scene: Scene, charged: Vector | None = None) -> Space:
         friction=(contact.ks, contact.mu) if rubs else None,
         eta=scene.eta if scene.eta > 0 else None,
         charged=charged[moves] if charged is not None and charged.any() and rubs else None,
-        shaking=drive((scene.shaking,), np.eye(3)),
+        shaking=_shaking(scene.shaking),
         base=base,
         grounds=None if base is None else _grounds(scene, moves),
     )
@@ -140,6 +140,24 @@ def space(scene: Scene, charged: Vector | None = None) -> Space:
     count = len(state.velocity)
     words = f"{3 * count * (2 if turns else 1)} unknowns: {count} moving spheres"
     return Space(row, state, terms, words + (" that turn" if turns else ""))
+
+
+def _shaking(motion: Harmonic | None) -> Drive | None:
+    if motion is None:
+        return None
+    from vv.drive import drive
+
+    return drive(motion)
+
+
+def _base(scene: Scene) -> tuple[Drive, Starts] | None:
+    """How all walls move, or None if none does."""
+    motions = tuple(wall.motion for wall in scene.walls)
+    if not any(motions):
+        return None
+    from vv.drive import drives
+
+    return drives(motions)
 
 
 def _triple(vector: Vector) -> tuple[float, float, float]:

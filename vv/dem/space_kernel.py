@@ -9,9 +9,9 @@ import numpy as np
 from vv.compiled import compiled, inlined
 from vv.dem.advance import kick, place
 from vv.dem.contact_law import Index, Pairs, Walls, pair_forces, wall_forces
-from vv.dem.drive import Drive
-from vv.dem.driven import carry, value
+from vv.dem.driven import Base, carry
 from vv.dem.limits import BLOW_UP, GAIN
+from vv.drive import Drive, value
 from vv.scene import Vector
 from vv.triples import NOWHERE, Triple, at, dot, plus, put
 
@@ -96,7 +96,7 @@ def move_in_space(  # noqa: PLR0912, PLR0915 - a branch per term, decided by the
     eta: float | None,
     charged: Vector | None,
     shaking: Drive | None,
-    base: Drive | None,
+    base: Base | None,
     grounds: Index | None,
     lag: float,
     back: float,

@@ -1,0 +1,117 @@
+"""The in-house DDA as a code of the framework."""
+
+from __future__ import annotations
+
+import dataclasses
+import importlib.util
+import time
+from collections.abc import Iterator, Mapping, Sequence
+from pathlib import Path
+
+import vv
+from vv.adapter import Found, Scheme
+from vv.ask import Ask, Method, Model, Run
+from vv.blocks import dda
+from vv.scene import Term
+from vv.script import python_script
+from vv.timing import timed
+
+TERMS = frozenset(
+    {
+        Term.WALL_CONTACT,
+        Term.FRICTION,
+        Term.GRAVITY,
+        Term.LOAD,
+        Term.ROTATION,
+        Term.OBLIQUE_LOCK,
+        Term.BLOCK,
+        Term.RIGID_CONTACT,
+        Term.SHAKING,
+        Term.BASE_MOTION,
+    }
+)
+KNOBS = ("dt", "kn")
+SCHEMES = (
+    Scheme(
+        "default",
+        "implicit step of DDA, open-close iteration in which friction is iterated to "
+        "convergence too; springs ks = 25 kn start with the loads and bear friction in slip too",
+        Method.PENALTY,
+        TERMS,
+        KNOBS,
+    ),
+    Scheme(
+        "published",
+        "as Yagoda-Biran & Hatzor (2016) ran it: friction of the iteration before, six "
+        "iterations at most before a step is cut, 2 s of gravity before a drive sets in, springs "
+        "ks = 0.4 kn that start unloaded and are let go by every slip, "
+        "rotations to first order; dynamic parameter 1",
+        Method.PENALTY,
+        TERMS,
+        KNOBS,
+    ),
+    Scheme(
+        "lagged",
+        "default but for friction, whose normal force and direction are those of the iteration "
+        "before: what the lag alone does",
+        Method.PENALTY,
+        TERMS,
+        KNOBS,
+    ),
+)
+FORMULATIONS: Mapping[str, dda.Formulation] = {
+    "default": dda.DEFAULT,
+    "published": dda.PUBLISHED,
+    "lagged": dda.LAGGED,
+}
+
+
+class Dda:
+    """The adapter; it holds no state."""
+
+    name = "dda"
+    schemes = SCHEMES
+
+    def found(self) -> Found:
+        """Part of vv, if numba is there to compile it."""
+        if importlib.util.find_spec("numba") is None:
+            return Found(False, how_to_install="pip install numba")
+        return Found(True, vv.__version__)
+
+    def refuses(self, ask: Ask, scheme: str) -> str | None:
+        """Why no formulation can run an ask though it has every term."""
+        return dda.refuses(ask)
+
+    def describe(self, ask: Ask, scheme: str) -> Model:
+        """The smallest model of the scene, its springs and how it starts."""
+        return dda.prepare(ask, FORMULATIONS[scheme]).model
+
+    def native(self, ask: Ask, scheme: str) -> str:
+        """A Python script that calls the engine."""
+        return python_script(ask, "vv.blocks.dda", f"solve_{scheme}")
+
+    def run(self, asks: Sequence[Ask], scheme: str, scratch: Path, repeat: float) -> Iterator[Run]:
+        """Solve the asks in this process.
+
+        Cost: startup is loading the kernel, or compiling it once per machine; setup is building
+        the model; output is collecting the results. Steps of settling count as steps.
+        """
+        for ask in asks:
+            clock = [time.process_time()]
+            program = dda.prepare(ask, FORMULATIONS[scheme])
+            clock.append(time.process_time())
+            program.warm()
+            clock.append(time.process_time())
+            rows, cost = timed(program.solve, repeat)
+            solved = time.process_time()
+            run = program.run(rows)
+            cost = dataclasses.replace(
+                cost,
+                setup=clock[1] - clock[0],
+                startup=clock[2] - clock[1],
+                output=time.process_time() - solved,
+            )
+            yield dataclasses.replace(run, cost=cost)
+
+
+ADAPTER = Dda()

@@ -1,0 +1,1 @@
+"""Convex blocks with friction: one geometry and contact detection, and the modes that use it."""

@@ -1,0 +1,190 @@
+"""The compiled kernel of DDA for any number of blocks and walls."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from vv.blocks.dda_assemble import pushed
+from vv.blocks.dda_bodies import (
+    Bodies,
+    Motion,
+    applied,
+    copied,
+    copy_rows,
+    displace,
+    masses,
+    travelled,
+)
+from vv.blocks.dda_contact import Touch, closed, found, touch_room
+from vv.blocks.dda_energy import (
+    BASE,
+    CREATED,
+    CUT,
+    DAMPED,
+    FAILED,
+    FOUND,
+    GRAVITY,
+    ITERATIONS,
+    KINETIC,
+    LOAD,
+    NORMAL,
+    NUMERICAL,
+    REPORTS,
+    SHAKING,
+    SHEAR,
+    SOLVED,
+    STRAIN,
+    TERMS,
+    audit,
+    close_step,
+    held,
+)  # fmt: skip
+from vv.blocks.dda_iterate import iterate
+from vv.blocks.dda_limits import CUTS, GAIN
+from vv.blocks.geometry import Index, Planes, Shapes
+from vv.compiled import called, compiled
+from vv.drive import Drive, Starts, one_of, travel, value
+from vv.scene import Mask, Vector
+from vv.triples import NOWHERE, at, dot, plus, put
+
+
+@called
+def shifted(
+    ahead: Vector, moved: Vector, shift: Vector, base: Drive, starts: Starts, time: float
+) -> None:
+    """Fill ahead (w, 3): how far walls have gone by a time [s], and moved: from shift to there."""
+    for wall in range(len(shift)):
+        put(ahead, wall, travel(one_of(base, starts, wall), time))
+        put(moved, wall, plus(at(ahead, wall), -1.0, at(shift, wall)))
+
+
+@called
+def forget(touch: Touch, state: Index, push: Vector, way: Vector) -> None:
+    """Undo what an iteration that did not end has made of the contacts."""
+    for k in range(len(touch.key)):
+        touch.state[k], touch.push[k] = state[k], push[k]
+        put(touch.way, k, at(way, k))
+
+
+@compiled
+def move_blocks(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its variables
+    path: Vector,
+    energy: Vector,
+    report: Vector,
+    watched: Index,
+    stride: int,
+    dt: float,
+    settling: int,
+    tolerance: float,
+    iterations: int,
+    terms: int,
+    dd: float,
+    hold: float,
+    bodies: Bodies,
+    begun: Motion,
+    motion: Motion,
+    shapes: Shapes,
+    moves: Mask,
+    planes: Planes,
+    base: Drive,
+    starts: Starts,
+    shaking: Drive,
+    depth: Vector,
+    reach: float,
+    kn: float,
+    ks: float,
+    mu: float,
+    elastic: Vector,
+) -> int:
+    """Step all blocks by DDA; return rows filled.
+
+    settling: steps before t = 0 with drives at rest; tolerance, iterations, terms, dd: see
+    Formulation; hold: 1 where it is charged, else 0; begun: the start; motion: becomes the end;
+    base, starts: see `drives`; shaking: a body acceleration; kn, ks [N/m] and mu of every point
+    of contact; reach [m]: see `found`; elastic: (q, 12) stiffness of strains [N m], laid out as
+    `masses` are.
+
+    Every `stride` steps a row is written: path (k, b, 6): displacement and velocity of the
+    watched blocks (b,); energy (k, 13) and report (k, 9): see `dda_energy`.
+    """
+    walls, q = len(planes.point), len(begun.velocity)
+    shift, ahead, moved = np.zeros((walls, 3)), np.zeros((walls, 3)), np.zeros((walls, 3))
+    mass, outer, flow = np.zeros((q, 12)), np.zeros(q), np.zeros(q)
+    d, pull = np.zeros(q), np.zeros(q)
+    ledger, worst, done = np.zeros(TERMS), np.zeros(REPORTS), -settling
+    put_in = ever = 0.0
+    copied(motion, begun)
+    touch = found(touch_room(0 * walls), bodies, motion, shapes, moves, planes, shift, depth, reach)
+    closed(touch, motion.strain, kn, ks, mu, hold)
+    masses(mass, bodies, motion)
+    held(ledger, touch, bodies, motion, mass, kn, ks, elastic)
+    origin = motion.centre.copy()
+
+    for row in range(len(path)):
+        for _ in range((stride if row else 0) + (settling if row == 0 else 0)):
+            begin, part = 0.0, dt
+            while begin < dt:
+                shake = NOWHERE
+                if done >= 0:
+                    shifted(ahead, moved, shift, base, starts, done * dt + begin + part)
+                    shake = value(shaking, done * dt + begin + part)
+                state, push, way = touch.state.copy(), touch.push.copy(), touch.way.copy()
+                pushed(outer, bodies, shake)
+                ended, solved, used, rub, relative = iterate(
+                    d, touch, bodies, motion, mass, outer, moved, part, kn, ks, mu,
+                    hold, tolerance, iterations, elastic,
+                )  # fmt: skip
+                worst[SOLVED] += solved
+                worst[ITERATIONS] = max(worst[ITERATIONS], solved)
+                if not ended and part > dt / CUTS:
+                    forget(touch, state, push, way)
+                    part *= 0.5
+                    worst[CUT] += 1
+                    continue
+                worst[FAILED] += 0 if ended else 1
+                close_step(ledger, worst, pull, touch, used, rub, relative, moved, kn, ks, mu, hold)
+                audit(worst, pull, outer, d, part, bodies, motion, mass, elastic)
+                for i in range(len(bodies.mass)):
+                    line = travelled(bodies, i, d)
+                    ledger[GRAVITY] += dot(line, at(bodies.weight, i))
+                    ledger[LOAD] += dot(line, at(bodies.load, i))
+                    ledger[SHAKING] += bodies.mass[i] * dot(line, shake)
+                ledger[NUMERICAL] += 0.5 * applied(flow, elastic, bodies, d)
+                for a in range(q):
+                    motion.velocity[a] = 2.0 / part * d[a] - motion.velocity[a]
+                displace(motion, bodies, shapes, d, terms)
+                held(ledger, touch, bodies, motion, mass, kn, ks, elastic)
+                ledger[DAMPED] += (1.0 - dd * dd) * ledger[KINETIC]
+                for a in range(q):
+                    motion.velocity[a] *= dd
+                kept = dd * dd * ledger[KINETIC] + ledger[NORMAL] + ledger[SHEAR]
+                copy_rows(shift, ahead)
+                touch = found(touch, bodies, motion, shapes, moves, planes, shift, depth, reach)
+                masses(mass, bodies, motion)
+                held(ledger, touch, bodies, motion, mass, kn, ks, elastic)
+                anew = ledger[KINETIC] + ledger[NORMAL] + ledger[SHEAR] - kept
+                ledger[FOUND] += anew
+                ledger[CREATED] += max(0.0, anew)
+                begin += part
+                if begin + part > dt * (1.0 + 1e-12):
+                    begin = dt
+            done += 1
+        if row == 0:
+            copy_rows(origin, motion.centre)
+            for term in range(STRAIN + 1, TERMS):
+                ledger[term] = 0.0
+            put_in = ledger[KINETIC] + ledger[NORMAL] + ledger[SHEAR] + ledger[STRAIN]
+        for b in range(len(watched)):
+            rate = travelled(bodies, watched[b], motion.velocity)
+            for c in range(3):
+                path[row, b, c] = motion.centre[watched[b], c] - origin[watched[b], c]
+                path[row, b, 3 + c] = rate[c]
+        for term in range(TERMS):
+            energy[row, term] = ledger[term]
+        for term in range(REPORTS):
+            report[row, term] = worst[term]
+        ever = max(ever, ledger[GRAVITY] + ledger[LOAD] + ledger[BASE] + ledger[SHAKING])
+        held_now = ledger[KINETIC] + ledger[NORMAL] + ledger[SHEAR] + ledger[STRAIN]
+        if not held_now <= GAIN * (put_in + ever):
+            return row
+    return len(path)

@@ -1,0 +1,37 @@
+"""Numbers that bound what the DDA solver does, with their reasons."""
+
+CUTS = 32
+"""Parts a step is cut into at most; what does not converge even then is kept, and counted."""
+
+GAIN = 4.0
+"""Motion and springs may hold this many times the energy ever put in: more is divergence.
+
+On fixed normals the scheme only loses energy; only contacts found anew can add to it.
+"""
+
+REACH = 0.01
+"""Part of the smallest block's size within which a contact is sought before it closes."""
+
+STATIC = 1e6
+"""kn over the inertial stiffness in the step that finds the penetration under the loads."""
+
+STATIC_STEPS = 4
+"""Such steps taken: each leaves a part 1/STATIC of the error of the one before."""
+
+FLOAT = 1e3
+"""Times load/kn: a block that moves farther under static loads rests on nothing."""
+
+MOST = 40
+"""Open-close iterations of a formulation that does not stop at the published six."""
+
+COULOMB = 1e-9
+"""Of the largest force: friction beyond mu N where friction is iterated to convergence."""
+
+MOMENTUM = 1e-8
+"""Of the largest force: what a solution may leave of a block's equations of motion."""
+
+GRIP = 1e30
+"""Coefficient of friction while contacts are pressed at the start: none of them slides."""
+
+SERIES = 12
+"""Terms of an exponential series: rounding, for up to 0.1 rad a step."""
