@@ -109,8 +109,43 @@ def error_against_cost(ladders: Sequence[Ladder], label: str) -> Chart:
         if inside:
             hollow = [not p.timed for p in inside]
             curves.append(_curve(ladder.mark, [p.cpu for p in inside], inside, hollow))
-    rims = _rims(ladders, low, "cpu")
-    return Chart("CPU of the stepping loop [s]", label, True, True, tuple(curves), rims=rims)
+    rims, steps = _rims(ladders, low, "cpu"), _front(ladders, low)
+    name = "CPU of the stepping loop [s]"
+    return Chart(name, label, True, True, tuple(curves), exact=steps, rims=rims)
+
+
+def _front(ladders: Sequence[Ladder], low: float) -> tuple[Vector, Vector] | None:
+    """The stairs below which nobody's timed rung lies; None where nothing inside is timed."""
+    inside = [p for ladder in ladders for p in ladder.points if _inside(p, low) and p.timed]
+    x: list[float] = []
+    y: list[float] = []
+    for cpu, error in sorted((p.cpu, p.error or 0.0) for p in inside if p.cpu > 0):
+        if not y or error < y[-1]:
+            x += [cpu, cpu] if y else [cpu]
+            y += [y[-1], error] if y else [error]
+    return (np.array(x), np.array(y)) if x else None
+
+
+def shares(rows: Sequence[tuple[Mark, Sequence[float]]], label: str) -> Chart | None:
+    """Performance profiles: the share of entries up to a factor, as stairs; inf never counts."""
+    finite = [ratio for _, row in rows for ratio in row if np.isfinite(ratio)]
+    if not finite:
+        return None
+    end = 2.0 * max(finite)
+    curves = tuple(_stairs(mark, row, end) for mark, row in rows if np.isfinite(row).any())
+    name = "cost, in that of the cheapest"
+    return Chart(name, label, True, False, curves)
+
+
+def _stairs(mark: Mark, row: Sequence[float], end: float) -> Curve:
+    ratios = sorted(ratio for ratio in row if np.isfinite(ratio))
+    levels = np.arange(1, len(ratios) + 1) / len(row)
+    x = np.array([*np.repeat(ratios, 2)[1:], end])
+    y = np.repeat(levels, 2)
+    marked = np.zeros(len(x), bool)
+    marked[0::2] = True
+    none = np.zeros(len(x), bool)
+    return Curve(mark, x, y, marked, none, none, ~none)
 
 
 def _relative(history: History) -> Vector | None:

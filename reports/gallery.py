@@ -115,8 +115,8 @@ def _cost(steps: Sequence[Ladder], error: str, draw: Draw) -> list[Figure]:
         (
             True,
             True,
-        ): "Filled, joined: timed alone on one core. Hollow: indicative, beside other jobs.",
-        (True, False): "Timed alone on one core.",
+        ): "Filled, joined: timed alone on one core; grey: the front. Hollow: indicative.",
+        (True, False): "Timed alone on one core; grey: the front, which nobody beats.",
         (False, True): "All hollow: indicative costs, measured while other jobs ran beside.",
     }
     free = sorted({s.mark.label for s in steps for p in s.points if p.error and not p.cpu > 0})

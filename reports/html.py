@@ -9,13 +9,13 @@ from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from vv import digest, finding, gate, metrics
+from vv import digest, effort, finding, gate, metrics
 from vv import history as histories
 from vv.history import Point, history
 from vv.store import Store, deliver
 
 HERE = Path(__file__).parent
-JUDGING = (digest, finding, gate, histories, metrics)  # modules that a report leans on
+JUDGING = (digest, effort, finding, gate, histories, metrics)  # modules that a report leans on
 HEAD = 4096  # characters within which a report names the digest of its inputs
 
 
@@ -48,19 +48,20 @@ def _built(
 
         draw = functools.partial(drawing, folder=store.root / "figures")
         view = page(manifest, functools.cache(store.series), draw, past, stamp)
-        deliver(output, str(_template().render(page=view)).encode())
+        deliver(output, str(_template(store.templates()).render(page=view)).encode())
     return output
 
 
 @functools.cache
-def _template() -> Any:
-    """The page's template: text is escaped, and a misspelt name is an error."""
+def _template(folder: Path) -> Any:
+    """The page's template, compiled in a folder: text is escaped, a misspelt name is an error."""
     import jinja2
 
     from reports import text
 
     environment = jinja2.Environment(
         loader=jinja2.FileSystemLoader(HERE / "templates"),
+        bytecode_cache=jinja2.FileSystemBytecodeCache(str(folder)),
         autoescape=True,
         undefined=jinja2.StrictUndefined,
         trim_blocks=True,

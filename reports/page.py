@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import dataclasses
 import json
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
-from reports import collect, gallery, tables
+from reports import collect, costs, gallery, tables
 from reports.collect import Arrays, History
+from reports.costs import Costs
 from reports.findings import findings
 from reports.gallery import Draw, Figure
 from reports.marks import Mark, marks
@@ -33,6 +35,7 @@ def page(
     """
     records = manifest["records"]
     looks = marks(tables.label(record) for record in records)
+    dear, profiles = costs.costs(manifest, looks, draw)
     return Page(
         digest=digest,
         name=manifest["name"],
@@ -41,7 +44,8 @@ def page(
         versions={r["code"]: r["code_version"] for r in records if r["code_version"]},
         counts=counted(records),
         cases=[
-            _case(name, manifest, looks, arrays, draw, past[name]) for name in manifest["cases"]
+            _case(name, manifest, looks, arrays, draw, past[name], dear)
+            for name in manifest["cases"]
         ],
         since=worst_first(map(from_data, manifest["findings"])),
         trouble=findings(records, looks, ("bad", "odd")),
@@ -49,6 +53,8 @@ def page(
         idle=findings(records, looks, ("idle",)),
         legend=WORST_FIRST[::-1],
         norms={tables.NORMS[norm.name.lower()]: norm.value for norm in NORMS},
+        profiles=profiles,
+        factors=costs.FACTORS,
     )
 
 
@@ -59,6 +65,7 @@ def _case(
     arrays: Arrays,
     draw: Draw,
     past: Sequence[Point],
+    dear: Mapping[tuple[str, str], Costs],
 ) -> Case:
     facts = manifest["cases"][name]
     records = [r for r in manifest["records"] if r["case"] == name]
@@ -76,7 +83,8 @@ def _case(
             like = ""  # whoever looks for what went wrong needs its own picture
         made = [] if like else _figures(said, own, looks, arrays, draw)
         kept = _recorded([r for r in recorded if r["variant"] == variant], said)
-        variants.append(_variant(name, variant, facts, own, kept, looks, made, like, bool(curves)))
+        view = _variant(name, variant, facts, own, kept, looks, made, like, bool(curves))
+        variants.append(dataclasses.replace(view, costs=dear.get((name, variant))))
     dt = _stated_step(facts)
     beside = {v: _pointwise([r for r in records if r["variant"] == v], dt) for v in distinct}
     return Case(
@@ -155,6 +163,7 @@ def _variant(
         figures=made,
         like=like,
         has_series=has_series,
+        costs=None,
     )
 
 

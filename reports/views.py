@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from reports.costs import Costs, Profile
 from reports.findings import Finding
 from reports.gallery import Figure
 from reports.marks import Mark
@@ -41,7 +42,10 @@ class Scheme:
 
 @dataclass(frozen=True)
 class Variant:
-    """A variant: what was asked, and all that came of it. like: the variant whose figures fit."""
+    """A variant: what was asked, and all that came of it. like: the variant whose figures fit.
+
+    costs: None where nothing was timed.
+    """
 
     name: str
     anchor: str
@@ -56,6 +60,7 @@ class Variant:
     figures: Sequence[Figure]
     like: str
     has_series: bool
+    costs: Costs | None
 
 
 @dataclass(frozen=True)
@@ -94,3 +99,5 @@ class Page:
     idle: Sequence[Finding]
     legend: Sequence[Outcome]
     norms: Mapping[str, str]
+    profiles: Sequence[Profile]
+    factors: Sequence[float]

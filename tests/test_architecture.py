@@ -11,10 +11,10 @@ DATA = {"vv.digest", "vv.frozen", "vv.bodies", "vv.block", "vv.scene"}
 CORE = DATA | {"vv.ask"}
 ENGINES = {"vv.exact", "vv.dem", "vv.blocks"}
 JUDGED = {"vv.finding", "vv.gate", "vv.record"}
-# what engines share
-KERNELS = {"vv.compiled", "vv.drive", "vv.triples", "vv.soften", "vv.transform"}
+STAND_INS = {"vv.soften", "vv.stand_in", "vv.clump", "vv.transform"}  # scenes made from scenes
+KERNELS = {"vv.compiled", "vv.drive", "vv.triples"} | STAND_INS  # what engines share
 DECLARED = CORE | {"vv.transform", "vv.study", "vv.case", "vv.quantities"}
-ASKED = CORE | {"vv.transform", "vv.adapter", "vv.timing", "vv.script", "vv.external", "vv"}
+ASKED = CORE | STAND_INS | {"vv.adapter", "vv.timing", "vv.script", "vv.external", "vv"}
 HEAVY = {"scipy", "numba", "pandas", "matplotlib", "jinja2", "junitparser", "rich", "pint"}
 
 # layer: (its files, what it may import of ours, the heavy libraries it may import at the top)
@@ -28,6 +28,9 @@ LAYERS: dict[str, tuple[str, set[str], set[str]]] = {
     "scene": ("vv/scene.py", DATA, set()),
     "transform": ("vv/transform.py", DATA, set()),
     "ask": ("vv/ask.py", DATA, set()),
+    "soften": ("vv/soften.py", DATA, set()),
+    "stand-ins": ("vv/stand_in.py", CORE | {"vv.soften"}, set()),
+    "clumps": ("vv/clump.py", CORE | {"vv.soften", "vv.stand_in", "vv.transform"}, set()),
     "study": ("vv/study.py", CORE, set()),
     "case": ("vv/case.py", CORE | {"vv.study"}, set()),
     "quantities": ("vv/quantities.py", CORE | {"vv.case"}, set()),
@@ -66,7 +69,7 @@ LAYERS: dict[str, tuple[str, set[str], set[str]]] = {
     "adapters": ("adapters/**/*.py", ASKED | ENGINES | {"adapters"}, set()),
     "reports": (
         "reports/*.py",
-        {"reports", "vv.store", "vv.metrics", "vv.digest", *JUDGED, "vv.history"},
+        {"reports", "vv.store", "vv.metrics", "vv.digest", *JUDGED, "vv.history", "vv.effort"},
         HEAVY,
     ),
 }

@@ -17,9 +17,9 @@ from vv.adapter import Scheme, unsupported
 from vv.ask import Ask, Displacement, History, Knobs, Method, Run, Status
 from vv.block import box_geometry, polyhedron_inertia
 from vv.dem.pressed import Pressed, pressed
-from vv.dem.rigid import SHEAR
 from vv.dem.space import Space, space
 from vv.scene import Block, Contact, Harmonic, Scene, Term, Vector, Wall
+from vv.stand_in import SHEAR
 from vv.transform import about_z, rotated
 
 G = 9.81

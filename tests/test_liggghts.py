@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from adapters.liggghts import ADAPTER
@@ -17,13 +17,19 @@ from adapters.liggghts.answers import loops, parse
 from adapters.liggghts.deck import deck, silent_deck
 from adapters.liggghts.translate import space, watched
 from adapters.liggghts.walls import triangle
+from cases.incline import CASE as INCLINE
+from cases.responding_block import CASE as RESPONDING
 from cases.single_contact import CASE
+from tests.sliding_blocks import Frame, incline
 from vv.ask import Ask, Displacement, History, Knobs, Model, Run, Status, Velocity
-from vv.scene import Contact, Scene, Spheres, Term, Vector, Wall
+from vv.case import Case
+from vv.scene import Contact, Harmonic, Scene, Spheres, Term, Vector, Wall
+from vv.soften import acceleration_of
+from vv.stand_in import sprung
 from vv.transform import about_z, rotated
 
 DT = 1e-3
-PLAIN, HALF_STEP = (scheme.name for scheme in ADAPTER.schemes)
+PLAIN, HALF_STEP, CLUMP = (scheme.name for scheme in ADAPTER.schemes)
 UP = Wall(np.zeros(3), np.array([0.0, 1.0, 0.0]))
 FREE = np.ones((1, 3), bool)
 NUMBER = st.floats(-1e3, 1e3)
@@ -130,6 +136,10 @@ def test_a_triangle_is_larger_than_its_plane_s_cut_with_a_box(
     assert np.abs((np.array([a, b, c]) - point) @ wall.normal).max() < 1e-9
 
 
+def block_ask(scene: Scene, kn: float | None = 1e9) -> Ask:
+    return Ask(scene, History(0.1, 0.01), (Displacement(1),), Knobs(DT, kn))
+
+
 REFUSED = {
     "body 1 is no sphere": ball_ask(ball(), UP, body=1),
     "dt is not set": ball_ask(ball(), dt=None),
@@ -140,6 +150,7 @@ REFUSED = {
     "inertia is not 2/5": ball_ask(ball(free_spin=FREE, inertia=[1.0])),
     "raise the inertia": ball_ask(ball(free_spin=FREE), eta=1.0),
     "lies behind wall 0": ball_ask(UP, ball(position=[[0, -0.01, 0]]), body=1),
+    "Knobs.kn is None": block_ask(incline(Frame(20.0), 30.0), None),
     "has 29 groups": ball_ask(*(ball(position=[[i, 0, 0]], load=[[i, 0, 0]]) for i in range(32))),
 }
 
@@ -152,7 +163,7 @@ def test_what_liggghts_cannot_hold_is_refused(reason: str) -> None:
 def test_every_variant_is_run_and_says_all_its_terms() -> None:
     for variant in CASE.variants:
         ask = case_ask(variant.name)
-        for scheme in ADAPTER.schemes:
+        for scheme in ADAPTER.schemes[:2]:
             assert ADAPTER.refuses(ask, scheme.name) is None
             assert ask.scene.terms() <= ADAPTER.describe(ask, scheme.name).terms <= scheme.terms
     turned = ADAPTER.describe(case_ask("T4-rotated"), HALF_STEP)
@@ -164,6 +175,84 @@ def test_every_variant_is_run_and_says_all_its_terms() -> None:
         "eta dt/2",
     ):
         assert said in turned.note
+
+
+@pytest.mark.parametrize("case", [INCLINE, RESPONDING], ids=lambda case: case.name)
+def test_every_variant_with_a_block_is_run_as_a_sphere(case: Case) -> None:
+    for variant in case.variants:
+        study = case.declare(variant.name, case.defaults(variant.name)).study
+        ask = study.ask(Knobs(dt=1e-4, kn=1e9))
+        assert ask.scene.terms() <= ADAPTER.schemes[0].terms
+        assert ADAPTER.refuses(ask, PLAIN) is None
+        model = ADAPTER.describe(ask, PLAIN)
+        assert ask.scene.terms() <= model.terms
+        assert ADAPTER.refuses(ask, CLUMP) is None
+        assert "4 spheres of 0.01" in ADAPTER.describe(ask, CLUMP).note
+        assert "a sphere of its mass stands for a block" in model.note
+        assert "kn = 1e+09, ks = 2.5e+10 N/m" in model.note
+
+
+def test_a_charge_is_a_step_before_time_starts_that_ends_where_the_sphere_begins() -> None:
+    ask = block_ask(incline(Frame(28.0, turn=0.4), 15.0, v0=0.2))
+    text, stood = deck(ask, PLAIN, "rows.txt"), sprung(ask)
+    assert stood.charged is not None
+    (created,) = words(text, "create_atoms")
+    (slid,) = (line for line in words(text, "fix", "slid0") if "move" in line)
+    way = DT * np.array(slid[3:6], float)
+    start = np.array(created[2:5], float)
+    assert start + way == pytest.approx(stood.scene.spheres.position[0], abs=1e-15)
+    assert -stood.scene.contact.ks * way == pytest.approx(stood.charged[0], rel=1e-12)
+    after = text[text.index("unfix slid0") :]
+    (speeds,) = words(after, "set", "atom")
+    assert np.array(speeds[2::2], float) == pytest.approx(0.2 * Frame(28.0, turn=0.4).dip)
+    assert after.index("reset_timestep") < after.index("nve") < after.index("run  ")
+    assert "slid" not in deck(case_ask("T3"), PLAIN, "rows.txt")
+
+
+def test_a_rigid_body_has_the_sphere_s_springs_and_the_rotations_of_the_block() -> None:
+    scene = incline(Frame(28.0), 15.0, A=2.0)
+    turning = dataclasses.replace(scene.blocks[0], free_spin=np.array([False, True, False]))
+    ask = block_ask(dataclasses.replace(scene, bodies=(*scene.walls, turning)))
+    text, alone = deck(ask, CLUMP, "rows.txt"), deck(block_ask(scene), PLAIN, "rows.txt")
+    for name in ("kn", "kt"):
+        springs = [float(words(deck, "fix", name)[0][-1]) for deck in (text, alone)]
+        assert springs[0] * 4 == springs[1]
+    masses = [float(line[4]) for line in words(text, "set", "atom") if line[1] == "diameter"]
+    assert len(masses) == 1 + 4 + 8
+    assert sum(masses) == pytest.approx(scene.blocks[0].mass, rel=1e-15)
+    fixes = [line[0] for line in words(text, "fix")]
+    assert fixes.index("body") > max(fixes.index("weight"), fixes.index("shake0"))
+    (freedoms,) = (" ".join(line) for line in words(text, "fix", "body"))
+    assert freedoms == "all rigid single force 1 on on on torque 1 off on off"
+    assert not [line for line in words(text, "fix") if line[2].startswith("nve")]
+
+
+def valued(text: str, name: str, step: int) -> float:
+    """A variable of a deck at a step."""
+    (formula,) = (line[2] for line in words(text, "variable") if line[0] == name)
+    known = {"PI": np.pi, "step": step, "sin": np.sin, "cos": np.cos}
+    return float(eval(formula, {"__builtins__": {}}, known))
+
+
+@given(st.floats(0.1, 50.0), st.floats(-3.0, 3.0), st.floats(-3.0, 3.0))
+@settings(max_examples=30)
+def test_a_mesh_is_where_it_must_be_after_every_step(f: float, phase: float, turn: float) -> None:
+    motion = Harmonic(np.array([0.2, 0.0, 0.1]), np.full(3, f), np.full(3, phase), about_z(turn))
+    wall = Wall(np.zeros(3), np.array([0.0, 1.0, 0.0]), motion)
+    text = deck(ball_ask(wall, ball(), body=1), PLAIN, "rows.txt")
+    speeds = [[valued(text, f"wall0_v_{a}", n) for a in "xyz"] for n in range(1, 51)]
+    moved = np.sin(2 * np.pi * f * DT * 50 + phase) - np.sin(phase)
+    place = DT * np.sum(speeds, axis=0)
+    assert place == pytest.approx(moved * (motion.amplitude @ motion.axes), abs=1e-12)
+
+
+def test_a_body_acceleration_is_a_force_on_the_scene_s_masses() -> None:
+    shaking = Harmonic(np.array([5.0, 0.0, 2.0]), np.full(3, 3.0), np.full(3, 0.4), about_z(0.7))
+    ask = ball_ask(ball(), shaking=shaking, eta=40.0)
+    for scheme in (PLAIN, HALF_STEP):
+        text = deck(ask, scheme, "rows.txt")
+        force = [valued(text, f"shake0_{a}", 70) for a in "xyz"]
+        assert force == pytest.approx(2.0 * acceleration_of(shaking, 70 * DT), rel=1e-12)
 
 
 MODEL = Model(3, frozenset())
@@ -229,6 +318,10 @@ def test_rows_that_are_missing_short_or_no_numbers_are_errors(tmp_path: Path) ->
 
 
 LOG = """
+charging shear springs
+Loop time of 7e-06 on 1 procs for 1 steps with 1 atoms, finish time today
+Outpt time (%) = 3e-06 (48.0)
+shear springs are charged
 Loop time of 0.005 on 1 procs for 400 steps with 1 atoms, finish time today
 Outpt time (%) = 0.0004 (8.0)
 Fix history print time (%) = 0.0026 (5.0)
@@ -245,7 +338,7 @@ def test_output_is_no_part_of_a_loop_s_time() -> None:
 
 def test_the_box_holds_the_longest_free_path() -> None:
     ask = ball_ask(ball(velocity=[[0, 300, 0]]), gravity=np.array([0, 0, -1e3]))
-    room = space(ask, ask.scene)
+    room = space(ask, PLAIN)
     assert room.high[1] > 0.1 + 30.0
     assert (room.outer[0] < room.low).all()
     assert (room.high < room.outer[1]).all()

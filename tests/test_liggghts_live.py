@@ -16,9 +16,10 @@ from adapters.liggghts import ADAPTER
 from adapters.liggghts.batch import MPI
 from adapters.liggghts.deck import deck
 from cases.single_contact import CASE
+from tests.sliding_blocks import Frame, incline, responding
 from vv import external
 from vv.ask import Ask, Displacement, History, Knobs, Run, Status, Velocity
-from vv.scene import Contact, Scene, Spheres, Vector, Wall
+from vv.scene import Contact, Harmonic, Scene, Spheres, Vector, Wall
 from vv.transform import about_z, rotated
 
 REQUIRED = "liggghts" in os.environ.get("VV_REQUIRE", "").split(",")
@@ -227,3 +228,25 @@ def test_an_exported_deck_runs_alone_to_the_same_digits(tmp_path: Path, half_ste
     rows = np.loadtxt(tmp_path / "history.txt")
     run = half_step["T4-rotated", COARSE]
     assert (rows[:, 2:] == run.values[Displacement(1)][1:]).all()
+
+
+def test_an_exported_deck_slides_a_block_alone_to_the_same_digits(tmp_path: Path) -> None:
+    scene = responding(0.2, 2.0, 0.6)
+    shaking = Harmonic(np.array([1.0, 0.0, 0.5]), np.full(3, 3.0))
+    scene = dataclasses.replace(scene, shaking=shaking)
+    ask = Ask(scene, History(0.2, 0.02), (Displacement(1),), Knobs(1e-4, 1e9))
+    (run,) = ran([ask], "default", tmp_path, repeat=0.01)
+    assert run.cost.repeats >= 3
+    (tmp_path / "deck.in").write_text(ADAPTER.native(ask, "default"))
+    command = [HERE.path, "-in", "deck.in"]
+    subprocess.run(command, cwd=tmp_path, env={**os.environ, **MPI}, check=True, stdout=-3)
+    rows = np.loadtxt(tmp_path / "history.txt")
+    assert (rows[:, 2:] == run.values[Displacement(1)][1:]).all()
+    assert np.abs(rows[-1, 2:]).max() > 0.01
+
+
+def test_the_step_that_charges_springs_is_no_part_of_the_loop_s_time(tmp_path: Path) -> None:
+    scene = incline(Frame(20.0), 30.0)
+    ask = Ask(scene, History(2.0, 0.02), (Displacement(1),), Knobs(1e-4, 1e9))
+    (run,) = ran([ask], "default", tmp_path, repeat=0.01)
+    assert run.cost.solve_cpu > 2e-3  # 20 000 steps; the charge takes one

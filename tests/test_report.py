@@ -40,6 +40,9 @@ def sketched(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(figures, "draw", lambda chart, salt: "<svg></svg>")
 
 
+PROFILES = 3  # figures over all variants: one for each error that somebody gets below
+
+
 def built(manifest: Json, store: Store) -> str:
     output = store.root / "report.html"
     assert html.build(manifest, store, output) == output
@@ -130,7 +133,7 @@ def test_figures_are_drawn_once(
     built(manifest, store)
     monkeypatch.setattr(figures, "draw", lambda chart, salt: pytest.fail("drawn again"))
     manifest["provenance"]["dirty"] = False
-    assert built(manifest, store).count('role="img"') == 8
+    assert built(manifest, store).count('role="img"') == 8 + PROFILES
 
 
 def test_same_results_give_the_same_bytes(manifest: Json, store: Store) -> None:
@@ -158,9 +161,9 @@ def test_a_variant_with_the_same_reference_is_drawn_only_in_trouble(
     manifest["records"] += mirrored
     page = built(manifest, store)
     assert 'href="#bounce--T1">T1</a>: the figures there serve' in page
-    assert page.count('role="img"') == 8
+    assert page.count('role="img"') == 8 + PROFILES
     mirrored[0]["quantities"][0]["verdict"] = "fail"
-    assert built(manifest, store).count('role="img"') == 12
+    assert built(manifest, store).count('role="img"') == 12 + PROFILES
 
 
 @pytest.mark.usefixtures("sketched")
@@ -211,3 +214,11 @@ def test_importing_the_report_costs_no_plotting_library() -> None:
     code = "import reports.html, sys; assert not {'matplotlib', 'jinja2'} & set(sys.modules)"
     root = Path(html.__file__).parents[1]
     subprocess.run([sys.executable, "-c", code], check=True, cwd=root)
+
+
+def test_what_an_error_costs_stands_with_each_timed_variant(manifest: Json, store: Store) -> None:
+    page = built(manifest, store)
+    timed = {r["variant"] for r in manifest["records"] if r["cost"]["kind"] == "timed"}
+    assert timed
+    assert page.count("What an error costs") == len(timed)
+    assert "What accuracy costs" in page

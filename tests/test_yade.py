@@ -16,13 +16,18 @@ from hypothesis import strategies as st
 from adapters.yade import ADAPTER
 from adapters.yade.answers import parse
 from adapters.yade.translate import plan, wall_body
+from cases.incline import CASE as INCLINE
+from cases.responding_block import CASE as RESPONDING
 from cases.single_contact import CASE
+from tests.sliding_blocks import Frame, incline, responding
 from vv.ask import Ask, Displacement, History, Knobs, Model, Status, Velocity
-from vv.scene import Contact, Scene, Spheres, Term, Wall
+from vv.case import Case
+from vv.scene import Contact, Harmonic, Scene, Spheres, Term, Wall
+from vv.stand_in import sprung
 from vv.transform import about_z, rotated
 
 DT = 1e-3
-PLAIN, HALF_STEP = (scheme.name for scheme in ADAPTER.schemes)
+PLAIN, HALF_STEP, CLUMP = (scheme.name for scheme in ADAPTER.schemes)
 UP = Wall(np.zeros(3), np.array([0.0, 1.0, 0.0]))
 
 
@@ -143,6 +148,97 @@ def test_every_variant_is_run() -> None:
         assert ADAPTER.refuses(ask, PLAIN) is None
 
 
+def block_ask(scene: Scene, kn: float | None = 1e9) -> Ask:
+    return Ask(scene, History(0.1, 0.01), (Displacement(1),), Knobs(DT, kn))
+
+
+@pytest.mark.parametrize("case", [INCLINE, RESPONDING], ids=lambda case: case.name)
+def test_every_variant_with_a_block_is_run_as_a_sphere_and_no_freedom_more(case: Case) -> None:
+    for variant in case.variants:
+        study = case.declare(variant.name, case.defaults(variant.name)).study
+        ask = study.ask(Knobs(dt=1e-4, kn=1e9))
+        assert ask.scene.terms() <= ADAPTER.schemes[0].terms
+        assert ADAPTER.refuses(ask, PLAIN) is None
+        model = ADAPTER.describe(ask, PLAIN)
+        assert model.unknowns == ask.scene.unknowns()
+        assert ask.scene.terms() <= model.terms
+        assert ADAPTER.refuses(ask, CLUMP) is None
+        assert "4 spheres of 0.01" in ADAPTER.describe(ask, CLUMP).note
+        assert "a sphere of its mass stands for a block" in model.note
+        assert "kn = 1e+09, ks = 2.5e+10 N/m" in model.note
+
+
+def test_a_clump_has_the_sphere_s_springs_and_the_rotations_of_the_block() -> None:
+    scene = incline(Frame(28.0), 15.0)
+    turning = dataclasses.replace(scene.blocks[0], free_spin=np.array([False, True, False]))
+    for block, blocked in ((scene.blocks[0], "XYZ"), (turning, "XZ")):
+        ask = block_ask(dataclasses.replace(scene, bodies=(*scene.walls, block)))
+        assert ADAPTER.refuses(ask, CLUMP) is None
+        told, alone = plan(ask, CLUMP), plan(block_ask(scene), PLAIN)
+        assert (4 * told["kn"], 4 * told["ks"]) == (alone["kn"], alone["ks"])
+        forces = np.array(told["charged"][0]["forces"])
+        assert forces.sum(axis=0) == pytest.approx(alone["charged"][0]["forces"][0])
+        clump, sphere = told["bodies"][1], alone["bodies"][1]
+        assert clump["blocked"] == blocked
+        assert [clump[name] for name in ("mass", "push", "force")] == [
+            sphere[name] for name in ("mass", "push", "force")
+        ]
+        assert ADAPTER.describe(ask, CLUMP).unknowns == 6 - len(blocked)
+
+
+def test_drag_is_all_that_half_step_masses_are_about() -> None:
+    terms = ADAPTER.schemes[1].terms
+    assert {Term.SHAKING, Term.BASE_MOTION} <= terms
+    assert not {Term.BLOCK, Term.RIGID_CONTACT} & terms
+
+
+def test_a_contact_starts_with_the_friction_of_rigid_contact() -> None:
+    ask = block_ask(incline(Frame(28.0, turn=0.4), 15.0))
+    told, stood = plan(ask, PLAIN), sprung(ask)
+    assert stood.charged is not None
+    assert told["charged"] == [{"wall": 0, "body": 1, "forces": stood.charged.tolist()}]
+    assert (told["kn"], told["ks"]) == (1e9, stood.scene.contact.ks)
+    sphere = told["bodies"][1]
+    pull = np.array(ask.scene.gravity) + stood.charged[0] / sphere["mass"]
+    down = Frame(28.0, turn=0.4).dip
+    early = np.array(sphere["push"]) @ down / sphere["mass"] * DT
+    assert early == pytest.approx(-(pull @ down) * DT / 2, rel=1e-12)
+    assert plan(case_ask("T3"), PLAIN)["charged"] == []
+
+
+@given(st.floats(0.1, 50.0), st.floats(-3.0, 3.0), st.floats(-3.0, 3.0))
+def test_a_driven_wall_is_where_it_must_be_after_every_step(
+    f: float, phase: float, turn: float
+) -> None:
+    motion = Harmonic(np.array([0.2, 0.0, 0.1]), np.full(3, f), np.full(3, phase), about_z(turn))
+    wall = Wall(np.zeros(3), np.array([0.0, 0.0, 1.0]), motion)
+    above = ball(position=[[0, 0, 0.5]])
+    told = plan(ball_ask(wall, above, body=1), PLAIN)["bodies"][0]["motion"]
+    steps, place = np.arange(50), np.zeros(3)
+    for sine in told:  # YADE: v = -A w sin(wt + fi) for a whole step
+        rate = 2 * np.pi * sine["f"]
+        place = (
+            place - np.array(sine["A"]) * rate * DT * np.sin(rate * DT * steps + sine["fi"]).sum()
+        )
+    rate = 2 * np.pi * f
+    moved = np.sin(rate * DT * 50 + phase) - np.sin(phase)
+    assert place == pytest.approx(moved * (motion.amplitude @ motion.axes), abs=1e-12)
+
+
+def test_a_body_acceleration_is_told_in_the_frame() -> None:
+    told = plan(block_ask(incline(Frame(20.0, turn=0.4), 30.0, A=5.0)), PLAIN)
+    (sine,) = told["shaking"]
+    assert sine["A"] == pytest.approx(5.0 * Frame(0.0, turn=0.4).level)
+    assert (sine["f"], sine["fi"]) == (1.0, 0.0)
+    assert told["bodies"][1]["shaken"] == told["bodies"][1]["mass"]
+
+
+def test_a_shaken_sphere_starts_half_a_step_of_its_acceleration_early() -> None:
+    shaking = Harmonic(np.array([4.0, 0.0, 0.0]), np.full(3, 2.0), np.full(3, 0.5))
+    told = sphere_of(ball_ask(ball(), shaking=shaking))
+    assert told["velocity"] == pytest.approx([-4.0 * np.sin(0.5) * DT / 2, 0.0, 0.0])
+
+
 def refusal(*bodies: Spheres | Wall, **more: Any) -> str:
     return ADAPTER.refuses(ball_ask(*bodies, **more), PLAIN) or ""
 
@@ -157,6 +253,24 @@ def test_what_yade_would_get_wrong_is_refused_with_the_reason() -> None:
     reason = ADAPTER.refuses(dataclasses.replace(ball_ask(partly), scene=turned), PLAIN)
     assert "turned frame" in (reason or "")
     assert "body 0 is no sphere" in refusal(UP, ball(position=[[0, 1, 0]]))
+
+
+def test_blocks_that_no_sphere_stands_for_are_refused_with_the_reason() -> None:
+    scene = responding(0.2, 2.0, 0.6, turn=0.3)
+    assert "Knobs.kn is None" in (ADAPTER.refuses(block_ask(scene, None), PLAIN) or "")
+    turning = dataclasses.replace(scene.blocks[0], free_spin=np.ones(3, bool))
+    loose = dataclasses.replace(scene, bodies=(*scene.walls, turning))
+    assert "may turn" in (ADAPTER.refuses(block_ask(loose), PLAIN) or "")
+
+
+def test_a_lock_across_the_frame_along_which_the_base_shakes_is_refused() -> None:
+    scene = responding(0.2, 2.0, 0.6, turn=0.3)  # the base swings along 0.3 rad
+    held = dataclasses.replace(scene.blocks[0], free=np.array([True, False, True]))
+    for turn, refused in ((0.3, False), (0.7, True)):
+        axes = Frame(0.0, turn).axes
+        locked = dataclasses.replace(scene, bodies=(*scene.walls, held), axes=axes)
+        reason = ADAPTER.refuses(block_ask(locked), PLAIN)
+        assert ("a dead load" in (reason or "")) is refused
 
 
 def test_a_model_states_its_unknowns_and_how_locks_are_kept() -> None:

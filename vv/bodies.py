@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
 
@@ -71,6 +72,12 @@ class Harmonic:
         freeze(self, "axes", (3, 3), "")
         if (self.frequency < 0).any():
             raise ValueError(f"Harmonic.frequency = {self.frequency} Hz; it must not be negative")
+
+    def sines(self) -> Iterator[tuple[Vector, float, float]]:
+        """Each sine that is not nil: amplitude (3,) in the frame, frequency [Hz], phase [rad]."""
+        for k in np.flatnonzero(self.amplitude):
+            along = self.amplitude[k] * self.axes[k]
+            yield along, float(self.frequency[k]), float(self.phase[k])
 
 
 @dataclass(frozen=True, eq=False)

@@ -137,11 +137,12 @@ def _copied(arrays: dict[str, Vector], name: str) -> bool:
 
 def _errors(value: Vector, reference: Vector, scale: float | None) -> dict[str, float | None]:
     """The errors by norm; against a reference of zeros only those that the scale gives."""
+    errors: dict[str, float | None] = {}
+    if np.abs(reference).max() > 0:
+        errors = {norm.name.lower(): _finite(f(value, reference)) for norm, f in NORMS.items()}
     if scale is not None:
-        return {Norm.MAX.name.lower(): _finite(metrics.scaled_error(value, reference, scale))}
-    if not np.abs(reference).max() > 0:
-        return {}
-    return {norm.name.lower(): _finite(f(value, reference)) for norm, f in NORMS.items()}
+        errors[Norm.MAX.name.lower()] = _finite(metrics.scaled_error(value, reference, scale))
+    return errors
 
 
 def _measure_number(run: Run, quantity: Scalar | Count, entry: dict[str, Any]) -> None:

@@ -97,6 +97,26 @@ def released(scene: Scene) -> Scene:
     return dataclasses.replace(scene, bodies=_regrouped(scene, loose), axes=np.eye(3))
 
 
+def why_not_released(scene: Scene) -> str | None:
+    """Why dead loads cannot stand for a scene's oblique locks; None if they can.
+
+    What varies in time along such a lock, a body acceleration or a wall that slides, calls for a
+    reaction that varies too.
+    """
+    free = scene.spheres.free
+    partly = free.any(axis=1) & ~free.all(axis=1)
+    locked = scene.axes[(~free[partly]).any(axis=0)]
+    oblique = locked[np.abs(locked).max(axis=1) < 1 - 1e-15]
+    drives = (scene.shaking, *(wall.motion for wall in scene.walls))
+    for amplitude, _, _ in (sine for drive in drives if drive for sine in drive.sines()):
+        if np.abs(oblique @ amplitude).max(initial=0.0) > 1e-12 * np.linalg.norm(amplitude):
+            return (
+                "a body is locked along a direction oblique to the frame, and driven along it; a "
+                "dead load, which would stand for the lock, does not vary"
+            )
+    return None
+
+
 def _regrouped(scene: Scene, spheres: Spheres) -> tuple[Group, ...]:
     """The scene's groups again, with the spheres' data taken from one joined group."""
     names = [field.name for field in dataclasses.fields(Spheres)]

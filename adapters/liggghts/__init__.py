@@ -5,23 +5,30 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
+import numpy as np
+
 from adapters.liggghts.answers import unknowns
 from adapters.liggghts.batch import solved, timed
 from adapters.liggghts.deck import deck
 from adapters.liggghts.installed import find
 from adapters.liggghts.refusals import refusal
 from adapters.liggghts.translate import (
+    CLUMP,
     HALF_STEP,
     PLAIN,
+    charges,
     has_friction,
     moving,
     represented,
     spinning,
+    stood_for,
 )
-from adapters.liggghts.walls import oblique
+from adapters.liggghts.walls import is_mesh
 from vv.adapter import Found, Scheme
 from vv.ask import Ask, Method, Model, Run, Status
+from vv.clump import clump
 from vv.scene import Term
+from vv.stand_in import STANDS_IN
 
 TERMS = frozenset(
     {
@@ -34,20 +41,33 @@ TERMS = frozenset(
         Term.LOAD,
         Term.ROTATION,
         Term.OBLIQUE_LOCK,
+        Term.SHAKING,
+        Term.BASE_MOTION,
     }
 )
+ON_CORNERS = (TERMS | STANDS_IN) - {Term.SPHERE, Term.SPHERE_CONTACT, Term.DRAG}
+KNOBS = ("dt", "kn")
 SCHEMES = (
     Scheme(
         PLAIN,
         "velocity Verlet with the scene's masses; drag is taken from the velocity half a step ago",
         Method.SECOND_ORDER,
-        TERMS,
+        TERMS | STANDS_IN,
+        KNOBS,
+        lowered={Term.RIGID_CONTACT: Method.PENALTY},
     ),
     Scheme(
         HALF_STEP,
         "velocity Verlet with masses m + eta dt/2, which makes drag that of the mean velocity",
         Method.SECOND_ORDER,
         TERMS,
+    ),
+    Scheme(
+        CLUMP,
+        "a block as a rigid body of atoms, which stands on a sphere at each corner of its face",
+        Method.PENALTY,
+        ON_CORNERS,
+        KNOBS,
     ),
 )
 
@@ -68,9 +88,11 @@ class Liggghts:
 
     def describe(self, ask: Ask, scheme: str) -> Model:
         """The freedoms LIGGGHTS integrates, and how the scene is put to it."""
-        scene = represented(ask, scheme)
+        scene = represented(ask, PLAIN)
         terms = ask.scene.terms() | scene.terms()
-        return Model(unknowns(scene), terms, "; ".join(_notes(ask, scheme)))
+        return Model(
+            6 if scheme == CLUMP else unknowns(scene), terms, "; ".join(_notes(ask, scheme))
+        )
 
     def native(self, ask: Ask, scheme: str) -> str:
         """A deck for `liggghts -in`; it writes history.txt, and the files it reads itself."""
@@ -89,27 +111,48 @@ class Liggghts:
 
 def _notes(ask: Ask, scheme: str) -> list[str]:
     """How the scene is represented, one fact each."""
-    asked, scene = ask.scene, represented(ask, scheme)
+    stood, scene, rigid = stood_for(ask), represented(ask, PLAIN), scheme == CLUMP
     turning, moved = spinning(scene.spheres), moving(scene.spheres)
     said = {
         "pair gran, hooke/stiffness: kn is the contact's stiffness, nothing is damped": True,
-        "fix nve: all three translations, no rotation": bool((moved & ~turning).any()),
+        "fix rigid: one body in six freedoms, those locked without force or torque": rigid,
+        "fix nve: all three translations, no rotation": (
+            bool((moved & ~turning).any()) and not rigid
+        ),
         "fix nve/sphere for spheres that turn, with the inertia 2/5 m r2": bool(turning.any()),
         "a locked axis is a force of zero on it (fix setforce)": (
-            not scene.spheres.free[moved].all()
+            not scene.spheres.free[moved].all() and not rigid
         ),
         "spheres without any freedom are not integrated": not moved.all(),
         "shear springs of model history, without tangential damping": has_friction(scene),
         "drag by fix viscous from the velocity half a step ago": scene.eta > 0,
         "masses are m + eta dt/2, weight a dead load": scheme == HALF_STEP and scene.eta > 0,
         "a mesh wall, one triangle far larger than the scene, instead of a primitive one": (
-            any(oblique(wall) for wall in scene.walls)
+            any(is_mesh(wall) for wall in scene.walls)
         ),
         "a dead load along the normal instead of a locked axis": (
-            Term.OBLIQUE_LOCK in asked.terms()
+            not np.array_equal(scene.spheres.load, stood.scene.spheres.load)
+        ),
+        "shear springs charged by a step, before t = 0, that slides the sphere to its start": (
+            bool(charges(ask, scheme))
+        ),
+        "body accelerations by fix addforce at the time of the positions": (
+            scene.shaking is not None
+        ),
+        "meshes moved by fix move/mesh, with each step's mean velocity": (
+            any(wall.motion for wall in scene.walls)
         ),
     }
-    return [note for note, holds in said.items() if holds]
+    how = [*_clump_notes(ask), *stood.notes[1:]] if rigid else stood.notes
+    return [*how, *(note for note, holds in said.items() if holds)]
+
+
+def _clump_notes(ask: Ask) -> list[str]:
+    made = clump(ask)
+    return [
+        f"a rigid body stands for the block: {len(made.corners)} spheres of {made.radius:g} m on "
+        "its corners, which share the springs below, and eight points with its mass and inertia"
+    ]
 
 
 ADAPTER = Liggghts()

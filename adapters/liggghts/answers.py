@@ -9,13 +9,15 @@ from pathlib import Path
 
 import numpy as np
 
-from adapters.liggghts.translate import moving, spinning, step, watched
+from adapters.liggghts.deck import COUNTED, UNCOUNTED
+from adapters.liggghts.translate import moving, spinning, step, stood_for, watched
 from vv.ask import Ask, Displacement, Model, Run, Status
 from vv.scene import Scene, Vector
 
 DRIFT = 1e-9  # of the largest displacement; rounding gives 1e-11, a lost balance far more
 REST = 1e-12  # of a radius; a sphere at rest under a dead load trembles by rounding
 LOOP = re.compile(r"^Loop time of (\S+)", re.MULTILINE)
+CHARGING = re.compile(f"^{UNCOUNTED}.*?^{COUNTED}", re.MULTILINE | re.DOTALL)
 OUTPUT = re.compile(r"^(?:Outpt|Fix history print) *time \(%\) = (\S+)", re.MULTILINE)
 
 
@@ -29,9 +31,10 @@ class Loops:
 
 def loops(log: str) -> Loops:
     """The times a log states. LIGGGHTS counts elapsed time, from before the first to after the
-    last step of a run; writing rows and thermo lines is part of it and is stated too.
+    last step of a run; writing rows and thermo lines is part of it and is stated too. The step
+    that charges springs is set-up.
     """
-    runs = LOOP.split(log)[1:]  # the time, then the text up to the next
+    runs = LOOP.split(CHARGING.sub("", log))[1:]  # the time, then the text up to the next
     whole = np.array([float(time) for time in runs[::2]])
     output = np.array([sum(map(float, OUTPUT.findall(text))) for text in runs[1::2]])
     return Loops(np.maximum(whole - output, 0.0), whole)
@@ -75,7 +78,7 @@ def parse(history: Path, ask: Ask, model: Model) -> Run:
 
 def _with_start(told: Vector, ask: Ask) -> Vector:
     """What is watched at all times, (k, watched, 3), from rows that begin after t = 0."""
-    seen, spheres = watched(ask), ask.scene.spheres
+    seen, spheres = watched(ask), stood_for(ask).scene.spheres
     first = [np.zeros(3) if isinstance(o, Displacement) else spheres.velocity[i] for o, i in seen]
     later = told[:, 2:].reshape(len(told), len(seen), 3)
     return np.concatenate([np.reshape(first, (1, len(seen), 3)), later])
@@ -83,7 +86,7 @@ def _with_start(told: Vector, ask: Ask) -> Vector:
 
 def _lost(told: Vector, ask: Ask, times: Vector) -> str | None:
     """LIGGGHTS drops what leaves its box without a word, and states zeros for it."""
-    count = len(ask.scene.spheres)
+    count = len(stood_for(ask).scene.spheres)
     gone = np.flatnonzero(told[:, 1] != count)
     if not gone.size:
         return None
@@ -101,7 +104,7 @@ def _not_finite(values: Vector, times: Vector) -> str | None:
 
 def _drift(values: Vector, ask: Ask) -> str | None:
     """How far a sphere left the directions it is free in: a lock that became a dead load."""
-    scene = ask.scene
+    scene = stood_for(ask).scene
     for k, (observable, i) in enumerate(watched(ask)):
         if not isinstance(observable, Displacement) or not scene.spheres.free[i].any():
             continue

@@ -2,25 +2,31 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 
 import numpy as np
 
+from adapters.liggghts.clumps import rigid_commands
+from adapters.liggghts.drives import move_commands, shake_commands
 from adapters.liggghts.translate import (
+    CLUMP,
     Space,
+    charges,
     has_friction,
     loads,
     locks,
     moving,
     represented,
+    shaken,
     space,
     spinning,
     step,
+    stood_for,
     watched,
 )
-from adapters.liggghts.walls import AXES, numbers, wall_commands
+from adapters.liggghts.walls import AXES, numbers, travel, wall_commands
 from vv.ask import Ask, Displacement
-from vv.scene import Scene, Vector
+from vv.scene import Scene, Spheres, Vector
 
 DOMAIN = """\
 units           si
@@ -37,7 +43,7 @@ def deck(ask: Ask, scheme: str, history: str) -> str:
     A row holds the step, the number of spheres that are where they may be, and three numbers
     for each of `watched(ask)`: the displacement [m] or the velocity [m/s].
     """
-    observed = ["", "modify_timing   on", *_allowed(ask, scheme), *_observed(ask, history)]
+    observed = ["", "modify_timing   on", *_allowed(ask, scheme), *_observed(ask, scheme, history)]
     return _text([*_prepared(ask, scheme), *observed, _run(ask), "unfix history"])
 
 
@@ -57,22 +63,49 @@ def _run(ask: Ask) -> str:
 def _prepared(ask: Ask, scheme: str) -> Iterator[str]:
     """Everything up to the first step."""
     scene = represented(ask, scheme)
-    room = space(ask, scene)
-    yield from _domain(scene, room)
+    room, charged = space(ask, scheme), charges(ask, scheme)
+    yield from _domain(scene, room, scheme)
     yield ""
-    yield from _spheres(scene)
+    yield from _spheres(scene, charged)
     yield ""
     yield from _contact(scene)
     for number, wall in enumerate(scene.walls):
         yield from wall_commands(f"wall{number}", wall, room.triangles.get(number), _model(scene))
-    yield ""
-    yield from _motion(scene)
     yield f"timestep        {step(ask)!r}"
     yield "thermo_style    custom step atoms"
     yield "thermo          0"
+    if charged:
+        yield ""
+        yield from _charging(ask, scene, charged)
+    yield ""
+    for number, wall in enumerate(scene.walls):
+        if wall.motion is not None:
+            yield from move_commands(f"wall{number}", wall.motion, step(ask))
+    yield from _motion(ask, scheme, scene)
 
 
-def _domain(scene: Scene, room: Space) -> Iterator[str]:
+UNCOUNTED, COUNTED = "charging shear springs", "shear springs are charged"
+
+
+def _charging(ask: Ask, scene: Scene, charged: Mapping[int, Vector]) -> Iterator[str]:
+    """A step in which spheres are slid to where they start, their walls at rest.
+
+    It puts into shear springs what they hold at t = 0, which no command can; then time starts.
+    """
+    yield f'print "{UNCOUNTED}"'
+    for i, way in charged.items():
+        yield _group(f"slid{i}", [i])
+        yield f"fix slid{i} slid{i} move linear {numbers(way / step(ask))} units box"
+    yield "run             1"
+    for i in charged:
+        yield f"unfix slid{i}"
+        yield f"group slid{i} delete"
+        yield f"set             atom {i + 1} {_parts('v', scene.spheres.velocity[i])}"
+    yield "reset_timestep  0"
+    yield f'print "{COUNTED}"'
+
+
+def _domain(scene: Scene, room: Space, scheme: str) -> Iterator[str]:
     """A box far larger than the scene; neighbours are sought anew when half the skin is used up."""
     radius = float(scene.spheres.radius.max())
     longest = float((room.outer[1] - room.outer[0]).max())
@@ -82,27 +115,31 @@ def _domain(scene: Scene, room: Space) -> Iterator[str]:
     yield f"neighbor        {0.2 * radius!r} bin"
     # few bins for so large a box
     yield f"neigh_modify    delay 0 binsize {max(2 * radius, longest / 20)!r}"
+    if scheme == CLUMP:
+        yield "neigh_modify    exclude group all all"
 
 
 def _bounds(low: Vector, high: Vector) -> str:
     return numbers(np.column_stack([low, high]).ravel())
 
 
-def _spheres(scene: Scene) -> Iterator[str]:
+def _spheres(scene: Scene, charged: Mapping[int, Vector]) -> Iterator[str]:
     """Atoms in body order, so that ids are sphere numbers from 1; masses override densities."""
     spheres = scene.spheres
-    for position in spheres.position:
-        yield f"create_atoms    1 single {numbers(position)} units box"
+    for i, position in enumerate(spheres.position):
+        yield f"create_atoms    1 single {numbers(position - charged.get(i, 0.0))} units box"
     yield "set             group all density 1"
     for i in range(len(spheres)):
         size, mass = 2 * float(spheres.radius[i]), float(spheres.mass[i])
         yield f"set             atom {i + 1} diameter {size!r} mass {mass!r}"
     for name, rows in (("v", spheres.velocity), ("omega", spheres.spin)):
         for row in np.flatnonzero(rows.any(axis=1)):
-            parts = " ".join(
-                f"{name}{a} {x!r}" for a, x in zip(AXES, rows[row].tolist(), strict=True)
-            )
-            yield f"set             atom {row + 1} {parts}"
+            yield f"set             atom {row + 1} {_parts(name, rows[row])}"
+
+
+def _parts(name: str, vector: Vector) -> str:
+    """A vector as `set` takes it."""
+    return " ".join(f"{name}{a} {x!r}" for a, x in zip(AXES, vector.tolist(), strict=True))
 
 
 def _contact(scene: Scene) -> Iterator[str]:
@@ -119,16 +156,10 @@ def _model(scene: Scene) -> str:
     return f"model hooke/stiffness tangential {'history' if has_friction(scene) else 'off'}"
 
 
-def _motion(scene: Scene) -> Iterator[str]:
+def _motion(ask: Ask, scheme: str, scene: Scene) -> Iterator[str]:
     """Forces in the order in which LIGGGHTS must add them: locks last, to cancel all others."""
-    spheres, turning = scene.spheres, spinning(scene.spheres)
-    for name, style, members in (
-        ("shifted", "nve", moving(spheres) & ~turning),
-        ("turned", "nve/sphere", turning),
-    ):
-        if members.any():
-            yield _group(name, np.flatnonzero(members))
-            yield f"fix {name} {name} {style}"
+    spheres, rigid = scene.spheres, scheme == CLUMP
+    yield from () if rigid else _integrated(spheres)
     if scene.eta > 0:
         yield f"fix drag all viscous {float(scene.eta)!r}"
     if scene.gravity.any():
@@ -137,11 +168,29 @@ def _motion(scene: Scene) -> Iterator[str]:
     for number, (load, carriers) in enumerate(loads(spheres).items()):
         yield _group(f"load{number}", carriers)
         yield f"fix load{number} load{number} addforce {numbers(load)}"
-    for pattern, held in locks(spheres).items():
+    if scene.shaking is not None:
+        for number, (mass, those) in enumerate(shaken(ask, scheme).items()):
+            yield _group(f"shake{number}", those)
+            yield from shake_commands(f"shake{number}", scene.shaking, mass, step(ask))
+    for pattern, held in ({} if rigid else locks(spheres)).items():
         name = "lock_" + "".join(a for a, locked in zip(AXES, pattern, strict=True) if locked)
         yield _group(name, held)
         parts = " ".join("0" if locked else "NULL" for locked in pattern)
         yield f"fix {name} {name} setforce {parts}"
+    if rigid:  # last, too: its first half step sees the forces of fixes before it only
+        yield from rigid_commands(scene, ask.scene.blocks[0])
+
+
+def _integrated(spheres: Spheres) -> Iterator[str]:
+    """What moves the spheres that move."""
+    turning = spinning(spheres)
+    for name, style, members in (
+        ("shifted", "nve", moving(spheres) & ~turning),
+        ("turned", "nve/sphere", turning),
+    ):
+        if members.any():
+            yield _group(name, np.flatnonzero(members))
+            yield f"fix {name} {name} {style}"
 
 
 def _group(name: str, indices: Iterable[int]) -> str:
@@ -155,23 +204,27 @@ def _allowed(ask: Ask, scheme: str) -> Iterator[str]:
     box or went through a wall would pass unnoticed.
     """
     scene = represented(ask, scheme)
-    room = space(ask, scene)
+    room = space(ask, scheme)
     yield f"region          reach block {_bounds(room.low, room.high)} units box"
+    count = len(stood_for(ask).scene.spheres)  # the first atoms; the rest of a body goes along
+    yield _group("watched", range(count))
     fronts = [f"front{number}" for number in range(len(scene.walls))]
     for name, wall in zip(fronts, scene.walls, strict=True):
-        yield f"region          {name} plane {numbers([*wall.point, *wall.normal])} units box"
+        rearmost = wall.point - travel(wall) * wall.normal
+        yield f"region          {name} plane {numbers([*rearmost, *wall.normal])} units box"
     if fronts:
         yield f"region          allowed intersect {len(fronts) + 1} reach {' '.join(fronts)}"
-    yield f"variable        count equal count(all,{'allowed' if fronts else 'reach'})"
+    yield f"variable        count equal count(watched,{'allowed' if fronts else 'reach'})"
 
 
-def _observed(ask: Ask, history: str) -> Iterator[str]:
+def _observed(ask: Ask, scheme: str, history: str) -> Iterator[str]:
     """Displacements are differences formed by LIGGGHTS: its 15 digits all count."""
+    start = represented(ask, scheme).spheres.position
     yield "variable        step equal step"
     names = ["step", "count"]
     for number, (seen, i) in enumerate(watched(ask)):
-        for a, start in zip(AXES, ask.scene.spheres.position[i].tolist(), strict=True):
-            shift = f"{a}[{i + 1}]-({start!r})"
+        for a, from_ in zip(AXES, start[i].tolist(), strict=True):
+            shift = f"{a}[{i + 1}]-({from_!r})"
             formula = shift if isinstance(seen, Displacement) else f"v{a}[{i + 1}]"
             names.append(f"o{number}{a}")
             yield f"variable        {names[-1]} equal {formula}"

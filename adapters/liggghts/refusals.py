@@ -4,30 +4,49 @@ from __future__ import annotations
 
 import numpy as np
 
-from adapters.liggghts.translate import HALF_STEP, loads, locks, represented, spinning, step
+from adapters.liggghts.translate import (
+    CLUMP,
+    HALF_STEP,
+    loads,
+    locks,
+    represented,
+    shaken,
+    spinning,
+    step,
+    stood_for,
+)
 from vv.ask import Ask
+from vv.clump import why_no_clump
 from vv.scene import Scene
+from vv.stand_in import why_not
+from vv.transform import why_not_released
 
 GROUPS = 32 - 3  # LIGGGHTS has 32; all, shifted and turned are taken
 
 
 def refusal(ask: Ask, scheme: str) -> str | None:
     """The first reason that holds, else None."""
+    reason = why_no_clump(ask) if scheme == CLUMP else why_not(ask)
+    if reason is not None:
+        return reason
+    scene = stood_for(ask).scene
     return (
-        _unknown_body(ask)
+        _unknown_body(ask, scene)
         or _no_steps(ask)
-        or _locked_motion(ask.scene)
-        or _nothing_free(ask.scene)
-        or _spin(ask.scene, scheme)
-        or _behind_wall(ask.scene)
+        or _locked_motion(scene)
+        or why_not_released(scene)
+        or _nothing_free(scene)
+        or _spin(scene, scheme)
+        or _oblique_spin_lock(ask.scene)
+        or _behind_wall(scene)
         or _too_many_groups(ask, scheme)
     )
 
 
-def _unknown_body(ask: Ask) -> str | None:
+def _unknown_body(ask: Ask, scene: Scene) -> str | None:
     try:
         for seen in ask.observables:
-            ask.scene.sphere_index(seen.body)
+            scene.sphere_index(seen.body)
     except ValueError as error:
         return str(error)
     return None
@@ -72,6 +91,13 @@ def _spin(scene: Scene, scheme: str) -> str | None:
     return None
 
 
+def _oblique_spin_lock(scene: Scene) -> str | None:
+    partly = any(b.free_spin.any() and not b.free_spin.all() for b in scene.blocks)
+    if partly and not np.array_equal(scene.axes, np.eye(3)):
+        return "rotation is locked about some axes of a turned frame; fix rigid locks its own only"
+    return None
+
+
 def _behind_wall(scene: Scene) -> str | None:
     for number, wall in enumerate(scene.walls):
         height = (scene.spheres.position - wall.point) @ wall.normal
@@ -85,7 +111,10 @@ def _behind_wall(scene: Scene) -> str | None:
 
 def _too_many_groups(ask: Ask, scheme: str) -> str | None:
     scene = represented(ask, scheme)
-    groups = len(loads(scene.spheres)) + len(locks(scene.spheres))
+    groups = len(loads(scene.spheres)) + len(locks(scene.spheres)) + len(shaken(ask, scheme))
     if groups > GROUPS:
-        return f"{groups} different dead loads and locks; LIGGGHTS has {GROUPS} groups for them"
+        return (
+            f"{groups} different dead loads, locks and shaken masses; LIGGGHTS has {GROUPS} "
+            "groups for them"
+        )
     return None

@@ -7,12 +7,16 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from adapters.liggghts.walls import oblique, triangle
+from adapters.liggghts.clumps import as_atoms
+from adapters.liggghts.walls import is_mesh, travel, triangle
 from vv.ask import Ask, Displacement, Observable
+from vv.clump import clump
 from vv.scene import Mask, Scene, Spheres, Term, Vector
+from vv.soften import fastest
+from vv.stand_in import Stood, held, sprung
 from vv.transform import initial_normal_forces, released
 
-PLAIN, HALF_STEP = "default", "half-step-mass"
+PLAIN, HALF_STEP, CLUMP = "default", "half-step-mass", "clump"
 
 
 def step(ask: Ask) -> float:
@@ -27,8 +31,18 @@ def represented(ask: Ask, scheme: str) -> Scene:
 
     Raises ValueError for an ask without dt, or one that `released` cannot release.
     """
-    scene = released(ask.scene)
+    scene = released(stood_for(ask).scene)
+    if scheme == CLUMP:
+        return as_atoms(scene, clump(ask))
     return heavier(scene, scene.eta * step(ask) / 2) if scheme == HALF_STEP else scene
+
+
+def stood_for(ask: Ask) -> Stood:
+    """The scene with spheres and springs in place of blocks and rigid contact.
+
+    A block that may turn is one that may not here; its clump adds the rotations.
+    """
+    return sprung(held(ask))
 
 
 def heavier(scene: Scene, extra: float) -> Scene:
@@ -73,10 +87,34 @@ def loads(spheres: Spheres) -> dict[tuple[float, ...], list[int]]:
 
 def locks(spheres: Spheres) -> dict[tuple[bool, ...], list[int]]:
     """The patterns of locked axes of spheres that move, each with the indices that have it."""
-    held: dict[tuple[bool, ...], list[int]] = {}
+    locked: dict[tuple[bool, ...], list[int]] = {}
     for i in np.flatnonzero(moving(spheres) & ~spheres.free.all(axis=1)):
-        held.setdefault(tuple((~spheres.free[i]).tolist()), []).append(int(i))
-    return held
+        locked.setdefault(tuple((~spheres.free[i]).tolist()), []).append(int(i))
+    return locked
+
+
+def shaken(ask: Ask, scheme: str) -> dict[float, list[int]]:
+    """The masses [kg] that a body acceleration acts on, each with the spheres that have it.
+
+    They are those of the scene, where a scheme integrates raised ones.
+    """
+    scene = represented(ask, PLAIN if scheme == HALF_STEP else scheme)
+    carried: dict[float, list[int]] = {}
+    for i in np.flatnonzero(moving(scene.spheres)) if scene.shaking else ():
+        carried.setdefault(float(scene.spheres.mass[i]), []).append(int(i))
+    return carried
+
+
+def charges(ask: Ask, scheme: str) -> dict[int, Vector]:
+    """How far (3,) [m] each sphere must slide to charge its shear spring as it starts."""
+    stood = stood_for(ask)
+    if stood.charged is None or not stood.charged.any():
+        return {}
+    ks = stood.scene.contact.ks
+    if scheme != CLUMP:
+        return {i: -row / ks for i, row in enumerate(stood.charged) if row.any()}
+    friction = clump(ask).friction
+    return {1 + i: -row * len(friction) / ks for i, row in enumerate(friction)}
 
 
 def watched(ask: Ask) -> list[tuple[Observable, int]]:
@@ -84,13 +122,13 @@ def watched(ask: Ask) -> list[tuple[Observable, int]]:
 
     The displacements of spheres whose oblique locks became dead loads are watched as well.
     """
-    scene = ask.scene
+    scene = stood_for(ask).scene
     asked: list[tuple[Observable, int]] = [(o, scene.sphere_index(o.body)) for o in ask.observables]
     if Term.OBLIQUE_LOCK not in scene.terms():
         return asked
-    held = {scene.sphere_index(body): body for body in _sphere_bodies(scene)}
+    body_of = {scene.sphere_index(body): body for body in _sphere_bodies(scene)}
     partly = scene.spheres.free.any(axis=1) & ~scene.spheres.free.all(axis=1)
-    drifting = [(Displacement(held[int(i)]), int(i)) for i in np.flatnonzero(partly)]
+    drifting = [(Displacement(body_of[int(i)]), int(i)) for i in np.flatnonzero(partly)]
     return asked + [pair for pair in drifting if pair not in asked]
 
 
@@ -106,8 +144,8 @@ def _sphere_bodies(scene: Scene) -> Iterator[int]:
 class Space:
     """Where things are: low, high (3,) [m] bound what spheres may reach and walls span.
 
-    triangles: wall number -> (3, 3) corners [m] of the oblique walls; outer: low and high of
-    the simulation box, which holds the region and all corners.
+    triangles: wall number -> (3, 3) corners [m] of the walls that are meshes; outer: low and high
+    of the simulation box, which holds the region and all corners, wherever walls move to.
     """
 
     low: Vector
@@ -116,15 +154,23 @@ class Space:
     outer: tuple[Vector, Vector]
 
 
-def space(ask: Ask, scene: Scene) -> Space:
-    """The space for a represented scene: ten radii and twice the longest free path on all sides."""
+def space(ask: Ask, scheme: str) -> Space:
+    """The space for an ask: ten radii and twice the longest free path on all sides.
+
+    A wall that moves may carry what lies on it for as long at its highest speed. A rigid body
+    needs as much as the sphere in its place.
+    """
+    scene = represented(ask, PLAIN if scheme == CLUMP else scheme)
     spheres, time = scene.spheres, ask.goal.duration
     forces = initial_normal_forces(scene) / spheres.mass[:, None] + scene.gravity
     pulls = np.linalg.norm(forces, axis=1) + np.linalg.norm(spheres.load, axis=1) / spheres.mass
-    paths = np.linalg.norm(spheres.velocity, axis=1) * time + pulls * time**2 / 2
+    pulls += np.abs(scene.shaking.amplitude).sum() if scene.shaking else 0.0
+    speeds = np.linalg.norm(spheres.velocity, axis=1)
+    speeds += sum(fastest(wall.motion) for wall in scene.walls)
+    paths = speeds * time + pulls * time**2 / 2
     reach = 10 * spheres.radius.max() + 2 * np.where(moving(spheres), paths, 0.0).max()
     low, high = spheres.position.min(axis=0) - reach, spheres.position.max(axis=0) + reach
-    triangles = {n: triangle(w, low, high) for n, w in enumerate(scene.walls) if oblique(w)}
+    triangles = {n: triangle(w, low, high) for n, w in enumerate(scene.walls) if is_mesh(w)}
     points = np.vstack([low, high, *triangles.values()])
-    margin = 0.01 * reach
+    margin = 0.01 * reach + max((travel(wall) for wall in scene.walls), default=0.0)
     return Space(low, high, triangles, (points.min(axis=0) - margin, points.max(axis=0) + margin))

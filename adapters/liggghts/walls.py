@@ -16,6 +16,16 @@ def oblique(wall: Wall) -> bool:
     return int((np.abs(wall.normal) > 1e-15).sum()) > 1
 
 
+def is_mesh(wall: Wall) -> bool:
+    """Whether a wall is put as a mesh: LIGGGHTS has planes across axes, which do not move."""
+    return oblique(wall) or wall.motion is not None
+
+
+def travel(wall: Wall) -> float:
+    """A distance [m] from its place at t = 0 that a wall does not exceed."""
+    return 0.0 if wall.motion is None else 2 * float(np.abs(wall.motion.amplitude).sum())
+
+
 def triangle(wall: Wall, low: Vector, high: Vector) -> Vector:
     """The (3, 3) corners [m] of a triangle in the wall's plane, larger than its cut with a box.
 

@@ -11,12 +11,22 @@ import numpy as np
 
 from adapters.yade.answers import parse
 from adapters.yade.installed import PYTHON, find
-from adapters.yade.translate import HALF_STEP, PLAIN, has_friction, initial_contacts, plan
+from adapters.yade.translate import (
+    CLUMP,
+    HALF_STEP,
+    PLAIN,
+    has_friction,
+    initial_contacts,
+    plan,
+    stood_for,
+)
 from vv import external
 from vv.adapter import Found, Scheme
 from vv.ask import Ask, Method, Model, Run, Status
+from vv.clump import clump, why_no_clump
 from vv.scene import Scene, Term
-from vv.transform import released
+from vv.stand_in import STANDS_IN, why_not
+from vv.transform import released, why_not_released
 
 DRIVER = Path(__file__).with_name("driver.py")
 TERMS = frozenset(
@@ -30,20 +40,33 @@ TERMS = frozenset(
         Term.LOAD,
         Term.ROTATION,
         Term.OBLIQUE_LOCK,
+        Term.SHAKING,
+        Term.BASE_MOTION,
     }
 )
+ON_CORNERS = (TERMS | STANDS_IN) - {Term.SPHERE, Term.SPHERE_CONTACT, Term.DRAG}
+KNOBS = ("dt", "kn")
 SCHEMES = (
     Scheme(
         PLAIN,
         "leapfrog with the scene's masses; drag is taken from the velocity half a step ago",
         Method.SECOND_ORDER,
-        TERMS,
+        TERMS | STANDS_IN,
+        KNOBS,
+        lowered={Term.RIGID_CONTACT: Method.PENALTY},
     ),
     Scheme(
         HALF_STEP,
         "leapfrog with masses m + eta dt/2, which makes drag that of the mean velocity",
         Method.SECOND_ORDER,
         TERMS,
+    ),
+    Scheme(
+        CLUMP,
+        "a block as a clump, which stands on a sphere at each corner of its face",
+        Method.PENALTY,
+        ON_CORNERS,
+        KNOBS,
     ),
 )
 
@@ -60,19 +83,24 @@ class Yade:
 
     def refuses(self, ask: Ask, scheme: str) -> str | None:
         """What YADE cannot represent though it has every term."""
-        scene = ask.scene
+        reason = why_no_clump(ask) if scheme == CLUMP else why_not(ask)
+        if reason is not None:
+            return reason
+        scene = stood_for(ask).scene
         return (
-            _no_sphere_seen(ask)
+            _no_sphere_seen(ask, scene)
             or _locked_motion(scene)
-            or _oblique_spin_lock(scene)
+            or why_not_released(scene)
+            or _oblique_spin_lock(ask.scene)
             or _behind_wall(scene)
         )
 
     def describe(self, ask: Ask, scheme: str) -> Model:
         """The freedoms YADE integrates, and how the scene is put to it."""
-        scene = released(ask.scene)
+        scene = released(stood_for(ask).scene)
+        turning = sum(int(block.free_spin.sum()) for block in ask.scene.blocks)
         terms = ask.scene.terms() | scene.terms()
-        return Model(scene.unknowns(), terms, "; ".join(_notes(ask, scheme)))
+        return Model(scene.unknowns() + turning, terms, "; ".join(_notes(ask, scheme)))
 
     def native(self, ask: Ask, scheme: str) -> str:
         """A script for `yade -n -x` or the system's python3: the driver with the ask filled in."""
@@ -103,10 +131,10 @@ class Yade:
         yield from external.run_batch(len(asks), launch, collect)
 
 
-def _no_sphere_seen(ask: Ask) -> str | None:
+def _no_sphere_seen(ask: Ask, scene: Scene) -> str | None:
     try:
         for seen in ask.observables:
-            ask.scene.sphere_index(seen.body)
+            scene.sphere_index(seen.body)
     except ValueError as error:
         return str(error)
     return None
@@ -124,8 +152,9 @@ def _locked_motion(scene: Scene) -> str | None:
 
 
 def _oblique_spin_lock(scene: Scene) -> str | None:
-    partly = scene.spheres.free_spin.any(axis=1) & ~scene.spheres.free_spin.all(axis=1)
-    if partly.any() and not np.array_equal(scene.axes, np.eye(3)):
+    masks = [*scene.spheres.free_spin, *(block.free_spin for block in scene.blocks)]
+    partly = any(free.any() and not free.all() for free in masks)
+    if partly and not np.array_equal(scene.axes, np.eye(3)):
         return "rotation is locked about some axes of a turned frame; YADE locks its own axes only"
     return None
 
@@ -143,7 +172,9 @@ def _behind_wall(scene: Scene) -> str | None:
 
 def _notes(ask: Ask, scheme: str) -> list[str]:
     """How the scene is represented, one fact each."""
-    scene = released(ask.scene)
+    stood = stood_for(ask)
+    scene = released(stood.scene)
+    loaded = not np.array_equal(scene.spheres.load, stood.scene.spheres.load)
     oblique = [wall for wall in scene.walls if np.abs(wall.normal).max() < 1.0]
     said = {
         "NewtonIntegrator without damping, velocities started at -dt/2": True,
@@ -156,11 +187,27 @@ def _notes(ask: Ask, scheme: str) -> list[str]:
         "masses are m + eta dt/2, weight a dead load": scheme == HALF_STEP and scene.eta > 0,
         "walls across an axis are YADE walls": len(scene.walls) > len(oblique),
         "oblique walls are facets far larger than the scene": bool(oblique),
-        "a dead load along the normal instead of a locked axis": (
-            Term.OBLIQUE_LOCK in ask.scene.terms()
+        "a dead load along the normal instead of a locked axis": loaded,
+        "the friction at t = 0 put into the shear spring of a contact made before the first step": (
+            stood.charged is not None and bool(stood.charged.any())
+        ),
+        "body accelerations by HarmonicForceEngine at the time of the positions": (
+            scene.shaking is not None
+        ),
+        "walls driven by HarmonicMotionEngine, its velocity that which meets u after each step": (
+            any(wall.motion for wall in scene.walls)
         ),
     }
-    return [note for note, holds in said.items() if holds]
+    how = [*_clump_notes(ask), *stood.notes[1:]] if scheme == CLUMP else stood.notes
+    return [*how, *(note for note, holds in said.items() if holds)]
+
+
+def _clump_notes(ask: Ask) -> list[str]:
+    made = clump(ask)
+    return [
+        f"a clump stands for the block: {len(made.corners)} spheres of {made.radius:g} m on its "
+        "corners, which share the springs below, and eight points with its mass and inertia"
+    ]
 
 
 ADAPTER = Yade()

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from adapters.yade.translate import watched
+from adapters.yade.translate import stood_for, watched
 from vv.ask import Ask, Cost, Displacement, Model, Run, Status
 from vv.scene import Vector
 
@@ -49,7 +49,7 @@ def parse(path: Path, ask: Ask, model: Model, started: float) -> Run | None:
 
 def _drift(values: Vector, ask: Ask) -> str | None:
     """Say if a sphere left the directions it is free in, where a dead load stands for the lock."""
-    scene = ask.scene
+    scene = stood_for(ask).scene
     for observable, moved in zip(watched(ask), values, strict=True):
         sphere = scene.sphere_index(observable.body)
         free = scene.spheres.free[sphere]

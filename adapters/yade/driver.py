@@ -7,8 +7,11 @@ which ASK is filled in.
 An ask says, in SI units: dt; steps, and stride: how many of them lie between two outputs; kn, ks,
 mu of every contact; gravity; drag, the coefficient of -drag v; observe, pairs of quantity and body;
 contacts, how many overlap at the start; moves, whether something must move; bodies, in the order
-of YADE's ids. A sphere has position, velocity (half a step before t = 0), spin, mass, inertia,
-blocked freedoms, a dead force, and push and twist: a force and a torque during the first step.
+of YADE's ids; shaking, the sines A sin(2 pi f t + fi) of a body acceleration; charged, the
+friction with which a wall holds a sphere at the start. A sphere has position, velocity (half a
+step before t = 0), spin, mass, inertia, the mass that is shaken, blocked freedoms, a dead force,
+and push and twist: a force and a torque during the first step. A wall's motion holds sines as
+YADE's HarmonicMotionEngine takes them.
 """
 
 import contextlib
@@ -49,40 +52,70 @@ def build(ask: dict[str, Any]) -> None:
     O.reset()
     O.materials.append(yd.FrictMat(frictionAngle=math.atan(ask["mu"])))
     for body in ask["bodies"]:
-        number = O.bodies.append(SHAPES[body["kind"]](body))
-        if body["kind"] == "sphere":
-            O.forces.setPermF(number, np.add(body["force"], body["push"]))
-            O.forces.setPermT(number, body["twist"])
-    O.engines = engines(ask, {body["kind"] for body in ask["bodies"]})
+        body["id"] = SHAPES[body["kind"]](body)
+        if "mass" in body:
+            O.forces.setPermF(body["id"], np.add(body["force"], body["push"]))
+            O.forces.setPermT(body["id"], body["twist"])
+    O.engines = engines(ask, {TOUCHED.get(body["kind"], body["kind"]) for body in ask["bodies"]})
     O.dt = ask["dt"]
+    for held in ask["charged"]:
+        body = ask["bodies"][held["body"]]
+        for number, force in zip(body.get("feet", [body["id"]]), held["forces"], strict=True):
+            charge(ask["bodies"][held["wall"]]["id"], number, force)
 
 
-def sphere(body: dict[str, Any]) -> Any:
-    """A sphere with the given mass and inertia in place of those of its volume."""
+def sphere(body: dict[str, Any]) -> int:
+    """Append a sphere with the given mass and inertia in place of those of its volume."""
     made = utils.sphere(body["position"], body["radius"])
-    made.state.mass, made.state.inertia = body["mass"], [body["inertia"]] * 3
-    made.state.vel, made.state.angVel = body["velocity"], body["spin"]
-    made.state.blockedDOFs = body["blocked"]
-    return made
+    start(made.state, body, [body["inertia"]] * 3)
+    return int(O.bodies.append(made))
 
 
-def wall(body: dict[str, Any]) -> Any:
-    """An infinite wall across an axis, acting on its normal's side."""
+def clump(body: dict[str, Any]) -> int:
+    """Append a rigid body of spheres: those that touch walls, and points that touch nothing."""
+    parts = [(part, 1) for part in body["touching"]] + [(part, 0) for part in body["points"]]
+    members = []
+    for part, mask in parts:
+        stuff = yd.FrictMat(density=part["density"], frictionAngle=O.materials[0].frictionAngle)
+        members.append(utils.sphere(part["position"], part["radius"], material=stuff, mask=mask))
+    number, numbers = O.bodies.appendClumped(members)
+    body["feet"] = numbers[: len(body["touching"])]
+    start(O.bodies[number].state, body, body["inertia"])
+    return int(number)
+
+
+def start(state: Any, body: dict[str, Any], inertia: list[float]) -> None:
+    """Give a body its mass, its motion and its locks."""
+    state.mass, state.inertia = body["mass"], inertia
+    state.vel, state.angVel = body["velocity"], body["spin"]
+    state.blockedDOFs = body["blocked"]
+
+
+def wall(body: dict[str, Any]) -> int:
+    """Append an infinite wall across an axis, acting on its normal's side."""
     axis = int(np.argmax(np.abs(body["normal"])))
-    return utils.wall(body["point"], axis, sense=1 if body["normal"][axis] > 0 else -1)
+    sense = 1 if body["normal"][axis] > 0 else -1
+    return int(O.bodies.append(utils.wall(body["point"], axis, sense=sense)))
 
 
-def facet(body: dict[str, Any]) -> Any:
-    """A triangle about a point of an oblique wall, far larger than the scene.
+def facet(body: dict[str, Any]) -> int:
+    """Append a triangle about a point of an oblique wall, far larger than the scene.
 
     It is put in place after it was made, which keeps the point free of the corners' rounding.
     """
     made = utils.facet(body["corners"])
     made.state.pos = made.state.refPos = body["point"]
-    return made
+    return int(O.bodies.append(made))
 
 
-SHAPES = {"sphere": sphere, "wall": wall, "facet": facet}
+TOUCHED = {"clump": "sphere"}  # the shape that collides, where it is another
+SHAPES = {"sphere": sphere, "clump": clump, "wall": wall, "facet": facet}
+
+
+def charge(wall: int, sphere: int, force: list[float]) -> None:
+    """Make a contact before the first step, its shear spring charged to push the sphere so."""
+    contact = utils.createInteraction(wall, sphere)
+    contact.phys.shearForce = force if contact.id2 == sphere else [-part for part in force]
 
 
 def engines(ask: dict[str, Any], kinds: set[str]) -> list[Any]:
@@ -106,29 +139,61 @@ def engines(ask: dict[str, Any], kinds: set[str]) -> list[Any]:
             [yd.Law2_ScGeom_FrictPhys_CundallStrack()],
         ),
         *drag(ask),
+        *shaking(ask),
+        *motion(ask),
         yd.NewtonIntegrator(damping=0, gravity=ask["gravity"]),
     ]
 
 
 def drag(ask: dict[str, Any]) -> list[Any]:
     """Stokes' drag 6 pi nu R v = drag v: an engine for each radius among the moving spheres."""
-    alike: dict[float, list[int]] = {}
-    for number, body in enumerate(ask["bodies"]):
-        if ask["drag"] and body["kind"] == "sphere" and not set("xyz") <= set(body["blocked"]):
-            alike.setdefault(body["radius"], []).append(number)
     return [
         yd.LinearDragEngine(nu=ask["drag"] / (6 * math.pi * radius), ids=ids)
-        for radius, ids in alike.items()
+        for radius, ids in moving(ask, "radius").items()
+        if ask["drag"]
     ]
+
+
+def shaking(ask: dict[str, Any]) -> list[Any]:
+    """A force m A sin(2 pi f t + fi) at the time of the positions: an engine for each sine."""
+    return [
+        yd.HarmonicForceEngine(
+            A=[mass * part for part in sine["A"]], f=[sine["f"]] * 3, fi=[sine["fi"]] * 3, ids=ids
+        )
+        for sine in ask["shaking"]
+        for mass, ids in moving(ask, "shaken").items()
+    ]
+
+
+def moving(ask: dict[str, Any], name: str) -> dict[float, list[int]]:
+    """The numbers of the spheres that may move, by a property of theirs."""
+    alike: dict[float, list[int]] = {}
+    for body in ask["bodies"]:
+        if "mass" in body and not set("xyz") <= set(body["blocked"]):
+            alike.setdefault(body[name], []).append(body["id"])
+    return alike
+
+
+def motion(ask: dict[str, Any]) -> list[Any]:
+    """What sets the velocities of moving walls for the step to come, after contacts used them."""
+    engines = []
+    for body in ask["bodies"]:
+        sines = [
+            yd.HarmonicMotionEngine(A=sine["A"], f=[sine["f"]] * 3, fi=[sine["fi"]] * 3)
+            for sine in body.get("motion", ())
+        ]
+        if sines:
+            engines.append(yd.CombinedKinematicEngine(comb=sines, ids=[body["id"]]))
+    return engines
 
 
 def first_step(ask: dict[str, Any]) -> None:
     """Take one step and end the forces that act during the first step alone."""
     O.step()
-    for number, body in enumerate(ask["bodies"]):
+    for body in ask["bodies"]:
         if any(body.get("push", ())) or any(body.get("twist", ())):
-            O.forces.setPermF(number, body["force"])
-            O.forces.setPermT(number, (0, 0, 0))
+            O.forces.setPermF(body["id"], body["force"])
+            O.forces.setPermT(body["id"], (0, 0, 0))
 
 
 def bare(ask: dict[str, Any]) -> tuple[float, float]:
@@ -148,7 +213,7 @@ def watched(ask: dict[str, Any]) -> tuple[np.ndarray, float, float, float]:
     the mean of this one and the next, for which one step more is taken.
     """
     kinds = [kind for kind, _ in ask["observe"]]
-    states = [O.bodies[number].state for _, number in ask["observe"]]
+    states = [O.bodies[ask["bodies"][number]["id"]].state for _, number in ask["observe"]]
     values = np.zeros((len(states), ask["steps"] // ask["stride"] + 1, 3))
     origin = [tuple(state.pos) for state in states]
     for k, (kind, number) in enumerate(ask["observe"]):
@@ -203,15 +268,16 @@ def check_contacts(ask: dict[str, Any]) -> None:
 
 def check_end(ask: dict[str, Any]) -> None:
     """Refuse a run that is not finite, where nothing moved, or a sphere went through a wall."""
-    spheres = [i for i, body in enumerate(ask["bodies"]) if body["kind"] == "sphere"]
-    place = np.array([tuple(O.bodies[i].state.pos) for i in spheres])
+    states = [O.bodies[body["id"]].state for body in ask["bodies"]]
+    spheres = [i for i, body in enumerate(ask["bodies"]) if "mass" in body]
+    place = np.array([tuple(states[i].pos) for i in spheres])
     if not np.isfinite(place).all():
         raise RunError("diverged", f"a position is not finite after {O.iter} steps")
     if ask["moves"] and (place == [ask["bodies"][i]["position"] for i in spheres]).all():
         raise RunError("error", f"nothing moved in {O.iter} steps, yet velocities were given")
-    for body in ask["bodies"]:
-        if body["kind"] != "sphere":
-            height = (place - body["point"]) @ np.array(body["normal"])
+    for number, body in enumerate(ask["bodies"]):
+        if "mass" not in body:
+            height = (place - states[number].pos) @ np.array(body["normal"])
             if height.min() <= 0:
                 through = spheres[int(height.argmin())]
                 raise RunError("diverged", f"the centre of body {through} went through a wall")
@@ -219,7 +285,7 @@ def check_end(ask: dict[str, Any]) -> None:
 
 def unknowns() -> int:
     """How many freedoms YADE integrates."""
-    return sum(6 - len(body.state.blockedDOFs) for body in O.bodies)
+    return sum(6 - len(body.state.blockedDOFs) for body in O.bodies if not body.isClumpMember)
 
 
 def solve(ask: dict[str, Any], repeat: float = 0.0) -> tuple[np.ndarray, dict[str, Any]]:

@@ -7,11 +7,16 @@ from typing import Any
 
 import numpy as np
 
+from adapters.yade.clumps import clumped
+from adapters.yade.drives import driven, sines
 from vv.ask import Ask, Displacement, Observable
+from vv.clump import clump
 from vv.scene import Mask, Scene, Spheres, Term, Vector, Wall
+from vv.soften import acceleration_of, fastest
+from vv.stand_in import Stood, held, sprung
 from vv.transform import initial_normal_forces, released
 
-PLAIN, HALF_STEP = "default", "half-step-mass"
+PLAIN, HALF_STEP, CLUMP = "default", "half-step-mass", "clump"
 LEAST_GAP = 1e-12  # of a radius: less than that overlaps by rounding only
 FACET = 1e3  # a wall's triangle over the scene's size and paths; its size costs no accuracy
 
@@ -25,11 +30,12 @@ def plan(ask: Ask, scheme: str) -> Plan:
     last half step, m (v+ - v-)/dt = F - eta v-, becomes drag of the mean velocity; the weight
     stays m g. Raises ValueError for an ask without dt, or one that `released` cannot release.
     """
-    scene, goal, dt = released(ask.scene), ask.goal, _dt(ask)
+    stood, goal, dt = stood_for(ask), ask.goal, _dt(ask)
+    scene = released(stood.scene)
     extra = scene.eta * dt / 2 if scheme == HALF_STEP else 0.0
     touching, contacts = initial_contacts(scene)
-    columns = _columns(scene, dt, extra, touching)
-    return {
+    columns = _columns(scene, dt, extra, touching, stood.charged)
+    plan = {
         "dt": dt,
         "steps": goal.steps(dt),
         "stride": goal.stride(dt),
@@ -38,14 +44,27 @@ def plan(ask: Ask, scheme: str) -> Plan:
         "mu": scene.contact.mu,
         "gravity": [0.0, 0.0, 0.0] if extra else scene.gravity.tolist(),
         "drag": scene.eta,
+        "shaking": sines(scene.shaking),
+        "charged": _charges(stood),
         "observe": [[_quantity(seen), seen.body] for seen in watched(ask)],
         "contacts": contacts,
         "moves": bool(scene.spheres.velocity.any()),
-        "bodies": _bodies(scene, columns, FACET * _reach(ask)),
+        "bodies": _bodies(scene, columns, FACET * _reach(ask), dt),
     }
+    return clumped(plan, clump(ask)) if scheme == CLUMP else plan
 
 
-def _columns(scene: Scene, dt: float, extra: float, touching: Mask) -> dict[str, Vector]:
+def stood_for(ask: Ask) -> Stood:
+    """The scene with spheres and springs in place of blocks and rigid contact.
+
+    A block that may turn is one that may not here; its clump adds the rotations.
+    """
+    return sprung(held(ask))
+
+
+def _columns(
+    scene: Scene, dt: float, extra: float, touching: Mask, charged: Vector | None
+) -> dict[str, Vector]:
     """What each sphere gets, one row a sphere; `extra` is added to its mass [kg].
 
     Leapfrog velocities belong to -dt/2: v = v0 - a0 dt/2. Where a contact meets a velocity in
@@ -55,6 +74,8 @@ def _columns(scene: Scene, dt: float, extra: float, touching: Mask) -> dict[str,
     spheres, eta = scene.spheres, scene.eta
     weight = spheres.mass[:, None] * scene.gravity
     force = initial_normal_forces(scene) + weight + spheres.load - eta * spheres.velocity
+    force = force + spheres.mass[:, None] * acceleration_of(scene.shaking)
+    force = force if charged is None else force + charged
     early = spheres.velocity - force / spheres.mass[:, None] * (dt / 2)
     early = np.where(spheres.free, early, 0.0)
     mass = spheres.mass + extra
@@ -67,10 +88,29 @@ def _columns(scene: Scene, dt: float, extra: float, touching: Mask) -> dict[str,
         "radius": spheres.radius,
         "mass": mass,
         "inertia": spheres.inertia,
+        "shaken": spheres.mass,
         "force": spheres.load + (weight if extra else 0.0),
         "push": np.where(pushed, (mass[:, None] / dt - eta) * early, 0.0),
         "twist": np.where(pushed, spheres.inertia[:, None] * spheres.spin / dt, 0.0),
     }
+
+
+def _charges(stood: Stood) -> list[Plan]:
+    """The friction [N] of each wall on a sphere that its shear spring holds at the start."""
+    if stood.charged is None:
+        return []
+    walls, spheres = (_numbers(stood.scene, kind) for kind in (Wall, Spheres))
+    return [
+        {"wall": walls[0], "body": sphere, "forces": [force.tolist()]}
+        for sphere, force in zip(spheres, stood.charged, strict=True)
+        if force.any()
+    ]
+
+
+def _numbers(scene: Scene, kind: type[Wall] | type[Spheres]) -> list[int]:
+    """The numbers of the bodies of a kind."""
+    kinds = [isinstance(group, kind) for group in scene.bodies for _ in range(len(group))]
+    return [number for number, fits in enumerate(kinds) if fits]
 
 
 def _dt(ask: Ask) -> float:
@@ -81,12 +121,11 @@ def _dt(ask: Ask) -> float:
 
 def watched(ask: Ask) -> tuple[Observable, ...]:
     """The observables asked for; then displacements of spheres under a dead load for a lock."""
-    scene = ask.scene
+    scene = stood_for(ask).scene
     if Term.OBLIQUE_LOCK not in scene.terms():
         return ask.observables
-    kinds = [isinstance(group, Spheres) for group in scene.bodies for _ in range(len(group))]
-    numbers = np.flatnonzero(kinds)  # of body, for every sphere
     partly = scene.spheres.free.any(axis=1) & ~scene.spheres.free.all(axis=1)
+    numbers = np.array(_numbers(scene, Spheres))
     drifting = [Displacement(int(number)) for number in numbers[partly]]
     return ask.observables + tuple(d for d in drifting if d not in ask.observables)
 
@@ -128,21 +167,23 @@ def _overlapping(scene: Scene) -> Iterator[tuple[int, int]]:
 
 def _reach(ask: Ask) -> float:
     """A length [m] which the scene, and any path in it without collisions, does not exceed."""
-    scene, time = ask.scene, ask.goal.duration
+    scene, time = stood_for(ask).scene, ask.goal.duration
     spheres = scene.spheres
     places = np.vstack([spheres.position, *(wall.point for wall in scene.walls)])
     speed = float(np.linalg.norm(spheres.velocity, axis=1).max())
-    fall = float(np.linalg.norm(scene.gravity)) * time
+    speed += sum(fastest(wall.motion) for wall in scene.walls)
+    shaken = np.abs(scene.shaking.amplitude).sum() if scene.shaking else 0.0
+    fall = float(np.linalg.norm(scene.gravity) + shaken) * time
     return float(np.ptp(places, axis=0).max() + spheres.radius.max() + (speed + fall) * time)
 
 
-def _bodies(scene: Scene, columns: dict[str, Vector], size: float) -> list[Plan]:
+def _bodies(scene: Scene, columns: dict[str, Vector], size: float, dt: float) -> list[Plan]:
     """All bodies in the scene's order, which becomes the order of YADE's ids."""
     bodies: list[Plan] = []
     first = 0
     for group in scene.bodies:
         if isinstance(group, Wall):
-            bodies.append(wall_body(group, size))
+            bodies.append(wall_body(group, size) | {"motion": driven(group.motion, dt)})
         elif isinstance(group, Spheres):
             bodies += [_sphere(group, i, first + i, columns) for i in range(len(group))]
             first += len(group)

@@ -14,11 +14,11 @@ from vv.dem.leapfrog import Leapfrog
 from vv.dem.limits import BLOW_UP, GAIN
 from vv.dem.line import Line, line
 from vv.dem.pressed import Pressed, pressed
-from vv.dem.rigid import Stood, sprung
-from vv.dem.rigid import why_not as why_not_rigid
 from vv.dem.space import Space, space
 from vv.dem.stability import critical_step
 from vv.scene import Scene, Vector
+from vv.stand_in import Stood, sprung
+from vv.stand_in import why_not as why_not_rigid
 
 LEDGER = (
     "kinetic",
@@ -56,8 +56,8 @@ class Program:
         """What was built; unknowns are counted in the arrays that the kernel is given."""
         unknowns = sum(array.size for array in self.system.unknowns)
         limit = critical_step(self.stood.scene, self.leapfrog)
-        words = f"{self.system.words}{self.stood.words}; largest stable dt {limit:.4g} s"
-        return Model(unknowns, self.system.terms | self.stood.terms, words)
+        words = (self.system.words, *self.stood.notes, f"largest stable dt {limit:.4g} s")
+        return Model(unknowns, self.system.terms | self.stood.terms, "; ".join(words))
 
     @functools.cached_property
     def arguments(self) -> tuple[Any, ...]:

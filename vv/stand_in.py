@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import dataclasses
 from dataclasses import dataclass
 
 import numpy as np
 
 from vv.ask import Ask
-from vv.scene import Scene, Term, Vector
+from vv.scene import Block, Scene, Term, Vector
 from vv.soften import (
     TOUCHING,
     as_spheres,
@@ -32,17 +33,17 @@ class Stood:
     """A scene of spheres and springs, and how it came about.
 
     charged: friction (n, 3) [N] that the shear springs hold at t = 0; None: none. terms: those
-    of the original scene that it stands for; words: how, from a semicolon on.
+    of the original scene that it stands for; notes: how, one fact each.
     """
 
     scene: Scene
     charged: Vector | None
     terms: frozenset[Term]
-    words: str
+    notes: tuple[str, ...]
 
 
 def sprung(ask: Ask) -> Stood:
-    """What a leapfrog solves for an ask; `why_not` must not object.
+    """What a code with springs and spheres solves for an ask; `why_not` must not object.
 
     Springs kn, ks = SHEAR kn stand in for rigid contact. They start as they are in the
     limit of rigid contact: pressed in by what presses the bodies on their wall at t = 0, and
@@ -50,19 +51,30 @@ def sprung(ask: Ask) -> Stood:
     """
     scene, kn = ask.scene, ask.knobs.kn
     terms = scene.terms() & STANDS_IN
-    words = ""
+    notes = []
     charged = None
     if Term.BLOCK in terms:
         scene = as_spheres(scene)
-        words = "; it stands for a block that cannot turn"
+        notes.append("a sphere of its mass stands for a block that cannot turn")
     if Term.RIGID_CONTACT in terms and kn is not None:
         if scene.walls:
             charged = friction_at_start(scene)
         scene = softened(scene, kn, SHEAR)
-        words += (
-            f"; springs kn = {kn:g}, ks = {SHEAR * kn:g} N/m, charged as rigid contact is at t = 0"
+        notes.append(
+            f"springs kn = {kn:g}, ks = {SHEAR * kn:g} N/m, charged as rigid contact is at t = 0"
         )
-    return Stood(scene, charged, terms, words)
+    return Stood(scene, charged, terms, tuple(notes))
+
+
+def held(ask: Ask) -> Ask:
+    """The ask with its blocks locked against rotation, as spheres in their place would be."""
+    bodies = tuple(
+        dataclasses.replace(group, free_spin=np.zeros(3, bool))
+        if isinstance(group, Block)
+        else group
+        for group in ask.scene.bodies
+    )
+    return dataclasses.replace(ask, scene=dataclasses.replace(ask.scene, bodies=bodies))
 
 
 def why_not(ask: Ask) -> str | None:

@@ -1,0 +1,44 @@
+"""Puts sines to LIGGGHTS: bodies shaken by forces, walls moved as meshes."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from adapters.liggghts.walls import AXES
+from vv.scene import Harmonic
+
+
+def shake_commands(name: str, shaking: Harmonic, mass: float, dt: float) -> Iterator[str]:
+    """The commands for the force mass a(t) [N] on the group `name`, at the time of positions."""
+    yield from _variables(name, shaking, mass, "sin", f"step*{dt!r}")
+    forces = " ".join(f"v_{name}_{axis}" for axis in AXES)
+    yield f"fix {name} {name} addforce {forces}"
+
+
+def move_commands(name: str, motion: Harmonic, dt: float) -> Iterator[str]:
+    """The commands that move a wall's mesh, for steps from 0 on.
+
+    LIGGGHTS moves a mesh by v dt in a step, and takes v from the variables at the step's end.
+    They are given the mean velocity of the step that ends then, (u(t) - u(t - dt))/dt, so that
+    the mesh is where it must be after each step, to rounding.
+    """
+    # A (sin b - sin a) = 2 A sin((b - a)/2) cos((a + b)/2)
+    yield from _variables(f"{name}_v", motion, 1.0, "cos", f"(step-0.5)*{dt!r}", dt)
+    speeds = " ".join(f"v_{name}_v_{axis}" for axis in AXES)
+    yield f"fix {name}_move all move/mesh mesh {name}_mesh linear/variable {speeds}"
+
+
+def _variables(
+    name: str, motion: Harmonic, factor: float, function: str, time: str, dt: float | None = None
+) -> Iterator[str]:
+    """Variables name_x, name_y, name_z: factor times a sum of sines, or of their means over dt."""
+    parts: dict[str, list[str]] = {axis: [] for axis in AXES}
+    for along, f, phase in motion.sines():
+        scale = factor if dt is None else 2 * float(np.sin(np.pi * f * dt)) / dt
+        for axis, size in zip(AXES, (scale * along).tolist(), strict=True):
+            if size:
+                parts[axis].append(f"({size!r})*{function}(2*PI*{f!r}*{time}+({phase!r}))")
+    for axis, sines in parts.items():
+        yield f"variable {name}_{axis} equal {'+'.join(sines) or '0'}"

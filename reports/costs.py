@@ -1,0 +1,96 @@
+"""What accuracy costs, as the page shows it: time to reach an error, advice, and profiles."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from reports.charts import shares as shares_chart
+from reports.gallery import Draw, Figure
+from reports.marks import Mark
+from reports.text import brief, short
+from vv.effort import TARGETS, Effort, Floor, Reach, efforts, profile, reach
+
+FACTORS = (1.0, 2.0, 10.0, 100.0, 1e4)
+
+
+@dataclass(frozen=True)
+class CostRow:
+    """A scheme: what each error costs it, its smallest error, and its floor if it has one."""
+
+    mark: Mark
+    reached: Sequence[Reach]
+    best: float | None
+    floor: Floor | None
+
+
+@dataclass(frozen=True)
+class Costs:
+    """A timed variant. advice: for each error, the setting of each code that gets there."""
+
+    rows: Sequence[CostRow]
+    advice: Sequence[tuple[float, str]]
+
+
+@dataclass(frozen=True)
+class Profile:
+    """At one error: scheme -> the share of variants it solves within each of FACTORS."""
+
+    target: float
+    shares: Sequence[tuple[Mark, Sequence[float]]]
+    figures: Sequence[Figure]
+
+
+def costs(
+    manifest: Mapping[str, Any], marks: Mapping[str, Mark], draw: Draw
+) -> tuple[dict[tuple[str, str], Costs], list[Profile]]:
+    """(case, variant) -> its costs, and the profiles over all of them."""
+    every = efforts(manifest)
+    places = dict.fromkeys((e.case, e.variant) for e in every)
+    found = {
+        place: _costs([e for e in every if (e.case, e.variant) == place], marks) for place in places
+    }
+    return found, [_profile(every, target, marks, draw) for target in TARGETS if every]
+
+
+def _costs(here: Sequence[Effort], marks: Mapping[str, Mark]) -> Costs:
+    rows = [
+        CostRow(marks[e.label], [reach(e, target) for target in TARGETS], e.best, e.floor)
+        for e in here
+    ]
+    return Costs(rows, [(target, _advice(here, target)) for target in TARGETS])
+
+
+def _advice(here: Sequence[Effort], target: float) -> str:
+    """The cheapest timed setting of each code that is as accurate, cheapest code first."""
+    found = [(e.label, reach(e, target).point) for e in here]
+    able = sorted((p.cpu, name, p.dt, p.kn) for name, p in found if p is not None and p.cpu)
+    first: dict[str, str] = {}
+    for cpu, name, dt, kn in able:
+        knobs = [f"{knob} = {brief(v)}" for knob, v in (("dt", dt), ("kn", kn)) if v]
+        said = f"{', '.join([name, *knobs])} ({short(1e3 * cpu)} ms)"
+        first.setdefault(name.partition("/")[0], said)
+    return "; ".join(first.values()) or "nobody"
+
+
+def _profile(
+    every: Sequence[Effort], target: float, marks: Mapping[str, Mark], draw: Draw
+) -> Profile:
+    ratios = profile(every, target)
+    named = [(marks[name], row) for name, row in ratios.items() if row]
+    chart = shares_chart(named, f"share solved to {brief(target)}")
+    shares = [
+        (marks[name], [sum(r <= factor for r in row) / len(row) for factor in FACTORS])
+        for name, row in ratios.items()
+        if row
+    ]
+    said = ", ".join(f"{mark.label} {100 * row[-1]:.0f} %" for mark, row in shares)
+    title = f"Profile at an error of {brief(target)}"
+    caption = "Share of the timed variants solved within a factor of the cheapest scheme's cost."
+    drawn = (
+        [Figure(draw(chart), title, caption, f"{title}; solved at all: {said}")] if chart else []
+    )
+    return Profile(
+        target, sorted(shares, key=lambda pair: tuple(pair[1][::-1]), reverse=True), drawn
+    )
