@@ -40,7 +40,7 @@ class Known:
     along: Vector
     path: Path
     within: float
-    duration: float = 5.0
+    duration: float = 2.0
     turned: bool = False
 
     def ask(self, dt: float = 5e-5, kn: float = 1e10) -> Ask:
@@ -125,7 +125,7 @@ def loose() -> Ask:
     free = np.ones(3, bool)
     block = Block("flat", vertices, faces, mass, inertia, np.zeros(3), free, free)
     scene = dataclasses.replace(scene, bodies=(*scene.walls, block))
-    return Ask(scene, History(5.0, 0.02), (BLOCK,), Knobs(5e-5, 1e10))
+    return Ask(scene, History(2.0, 0.02), (BLOCK,), Knobs(5e-5, 1e10))
 
 
 CLUMPED = {

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 from dataclasses import replace
 from typing import Any
 
@@ -70,6 +71,7 @@ def turn_of(scene: Scene) -> Vector:
     return np.array([first, np.cross(normal, first), normal])
 
 
+@functools.lru_cache(maxsize=32)  # it is wanted several times for each of a ladder's rungs
 def laid(ask: Ask) -> Ask:
     """The ask in the frame of `turn_of`, where the wall's normal is z to the last bit."""
     scene = rotated(ask.scene, turn_of(ask.scene))
