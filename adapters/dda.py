@@ -46,7 +46,7 @@ SCHEMES = (
         "iterations at most before a step is cut, 2 s of gravity before a drive sets in, springs "
         "ks = 0.4 kn that start unloaded and are let go by every slip, "
         "rotations to first order; dynamic parameter 1",
-        Method.PENALTY,
+        Method.LAGGING,
         TERMS,
         KNOBS,
     ),
@@ -54,7 +54,7 @@ SCHEMES = (
         "lagged",
         "default but for friction, whose normal force and direction are those of the iteration "
         "before: what the lag alone does",
-        Method.PENALTY,
+        Method.LAGGING,
         TERMS,
         KNOBS,
     ),

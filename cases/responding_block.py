@@ -139,6 +139,13 @@ def _tolerances(p: Parameters) -> dict[Method, Tolerance]:
             kn=1e10,
             softness=0.5,
         ),
+        Method.LAGGING: Tolerance(
+            1e-2,
+            "as with other springs, and friction that is an iteration late may choose the wrong "
+            "side at a turn: twice as much was seen at 5 Hz",
+            kn=1e10,
+            softness=0.5,
+        ),
     }
 
 

@@ -2,15 +2,15 @@
 
 Spheres of one density, radii r1 and r2, I = 2/5 m r^2, a gap apart along x, move in a plane and
 spin about its normal, without gravity. The first is at rest and spins at w1; the second comes with
-v_n towards it and v_t across, and spins at w2; a dead load presses each towards the other, along x.
+v_n towards it and v_t across, and spins at w2; a dead load presses each to the other, along x.
 An overlap U pushes them apart by kn U along the line n of centres; across, along e = z x n, a shear
-spring acts: F' = -ks s, s = (v2 - v1).e - (r1 w1 + r2 w2), up to mu kn U (Li et al. 2018, Eqs.
-4-8), with arms r1 and r2. It turns with n and is uncharged when the contact closes.
+spring acts at arms a = r - U/2, in the middle of the overlap, so that no angular momentum is lost:
+F' = -ks s, s = (v2 - v1).e - (a1 w1 + a2 w2), up to mu kn U (Li et al. 2018, Eqs. 4-8). It turns
+with n and is uncharged when the contact closes.
 
 Apart, both fly along parabolas, and the moment they meet is a root. In contact the equations of the
 bodies are integrated to rounding, and each end of a stage is located on what ends it: the overlap,
-the margin of the cap over |F| while they stick, that of the spring's rate over the cap's while
-they slip.
+the margin of the cap over |F| in stick, that of the spring's rate over the cap's in slip.
 
 Raises ValueError for parameters outside their ranges.
 """
@@ -65,7 +65,12 @@ class Pair(NamedTuple):
         _, d, rate = self.offset(z)
         n = d / np.hypot(*d)
         across = -n[1] * rate[0] + n[0] * rate[1]
-        return float(-n @ rate), float(across - self.r[0] * z[8] - self.r[1] * z[9])
+        a1, a2 = self.arms(z)
+        return float(-n @ rate), float(across - a1 * z[8] - a2 * z[9])
+
+    def arms(self, z: Array) -> list[float]:
+        """From the centres to the middle of the overlap [m]."""
+        return [r - float(self.overlap(z)) / 2.0 for r in self.r]
 
     def rates(self, z: Array, way: float) -> list[float]:
         """z' in contact; way: 0 while they stick, else the sign of F."""
@@ -75,8 +80,8 @@ class Pair(NamedTuple):
         pressed = self.kn * float(self.overlap(z))
         f = way * self.mu * pressed if way else z[10]
         px, py = pressed * nx - f * ny - self.load, pressed * ny + f * nx
-        m1, m2 = self.m
-        spun = [-2.5 * f / (m * r) for m, r in zip(self.m, self.r, strict=True)]
+        (m1, m2), (r1, r2), (a1, a2) = self.m, self.r, self.arms(z)
+        spun = -2.5 * f * a1 / (m1 * r1**2), -2.5 * f * a2 / (m2 * r2**2)
         charged = way * self.mu * self.kn * closing if way else -self.ks * s
         return [*z[4:8], -px / m1, -py / m1, px / m2, py / m2, *spun, charged]
 
@@ -96,10 +101,7 @@ class Pair(NamedTuple):
 
 
 class Stage(NamedTuple):
-    """What holds from `begin` [s] on: its name, the state z, and `states`: times -> (11, k).
-
-    z is the state at the beginning of a flight and at the end of a stage of contact.
-    """
+    """From `begin` [s] on: z where a flight begins or another ends; states: times -> (11, k)."""
 
     begin: float
     name: str
@@ -159,8 +161,8 @@ def pair_stages(
     require_positive("in SI units", rho=rho, r1=r1, r2=r2, kn=kn, ks=ks, mu=mu, gap=gap)
     require_at_least_0("N", load=load)
     require_finite("in SI units", v_n=v_n, v_t=v_t, w1=w1, w2=w2)
-    m1, m2 = (rho * 4.0 / 3.0 * pi * r**3 for r in (r1, r2))
-    two = Pair((r1, r2), (m1, m2), kn, ks, mu, gap, load)
+    m = rho * 4.0 / 3.0 * pi
+    two = Pair((r1, r2), (m * r1**3, m * r2**3), kn, ks, mu, gap, load)
     z = np.array([0.0, 0.0, 0.0, 0.0, 0.0, 0.0, -v_n, v_t, w1, w2, 0.0])
     stages = [_flight(two, 0.0, z)]
     for _ in range(MOST):
@@ -191,8 +193,8 @@ def _after_flight(two: Pair, flight: Stage, end: float) -> Stage | None:
     since = brentq(lambda x: float(apart(np.asarray(x))[0]), low, high, xtol=1e-20, rtol=1e-15)
     z = two.flown(flight.z, np.array([since]))[:, 0]
     closing, s = two.slip(z)
-    slips = two.ks * abs(s) > two.mu * two.kn * closing
-    return _contact(two, flight.begin + since, z, -copysign(1.0, s) if slips else 0.0)
+    way = -copysign(1.0, s) if two.ks * abs(s) > two.mu * two.kn * closing else 0.0
+    return _contact(two, flight.begin + since, z, way)
 
 
 def _contact(two: Pair, begin: float, z: Array, way: float) -> Stage:
@@ -209,16 +211,13 @@ def _contact(two: Pair, begin: float, z: Array, way: float) -> Stage:
 
     for event in (opens, ends):
         event.terminal, event.direction = True, -1.0  # type: ignore[attr-defined]
-    reduced = 1.0 / sum(1.0 / m for m in two.m)
-    k = sqrt(two.kn / reduced)
-    speed = max(abs(two.slip(z)[0]), 1e-3 * float(np.abs(z[4:8]).max()))
-    scale = np.array([speed / k] * 4 + [speed] * 4 + [speed / r for r in two.r])
-    atol = RTOL * np.array([*scale, speed * k * reduced])
+    k = sqrt(two.kn * sum(1.0 / m for m in two.m))
+    v = max(abs(two.slip(z)[0]), 1e-3 * float(np.abs(z[4:8]).max()))
+    scale = [v / k] * 4 + [v] * 4 + [v / r for r in two.r] + [v * two.kn / k]
     run = solve_ivp(
         lambda _, z: two.rates(z, way),
-        (0.0, 20.0 * pi / k), z, method="DOP853",
-        dense_output=True, events=(opens, ends),
-        rtol=RTOL, atol=atol, max_step=STEP / k,
+        (0.0, 20.0 * pi / k), z, method="DOP853", dense_output=True, events=(opens, ends),
+        rtol=RTOL, atol=RTOL * np.array(scale), max_step=STEP / k,
     )  # fmt: skip
     if run.status != 1:
         raise RuntimeError(f"a contact from t = {begin} s; {run.message}")
@@ -227,7 +226,7 @@ def _contact(two: Pair, begin: float, z: Array, way: float) -> Stage:
 
 
 class _Dense(NamedTuple):
-    """States (11, k) at times [s] within a stage of contact; opens: whether they part after it."""
+    """States (11, k) at times [s] within a stage of contact; opens: they part after it."""
 
     begin: float
     lasts: float

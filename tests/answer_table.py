@@ -11,7 +11,7 @@ TABLE = Path(__file__).with_name("answers.json")
 
 
 def answers() -> dict[str, dict[str, int | str]]:
-    """Scheme -> variant -> unknowns of the model it builds, or why it refuses."""
+    """Scheme -> variant -> unknowns of the model it builds, or why it refuses every rung."""
     project = find(Path(__file__))
     plan = make_plan(project, ["*"], Options(Level.PAPER))
     table: dict[str, dict[str, int | str]] = {}
@@ -20,7 +20,9 @@ def answers() -> dict[str, dict[str, int | str]]:
         refused = job.settled is not None and plan.found[job.code].installed
         model = plan.adapters[job.code].describe
         answer = job.settled.reason if job.settled and refused else None
-        row[f"{job.case}:{job.variant}"] = answer or model(job.ask, job.scheme).unknowns
+        key = f"{job.case}:{job.variant}"
+        if not isinstance(row.get(key), int):
+            row[key] = answer or model(job.ask, job.scheme).unknowns
     return table
 
 

@@ -30,10 +30,10 @@ BACK = {"ks": 1.6e10, "mu": 0.2, "v_t": 0.04, "w": -1.0}
 THROWN = {"v_n": 0.02, "gap": 2e-4, "v_t": -0.03}
 THROWS: list[Parameters] = [{}, ROLLS, BACK, THROWN]
 PAIR: Parameters = {
-    "rho": 2500.0, "r1": 0.1, "r2": 0.07, "kn": 5e9, "ks": 4e9, "mu": 0.3, "gap": 1e-4,
+    "rho": 2500.0, "r1": 0.1, "r2": 0.07, "kn": 5e6, "ks": 4e6, "mu": 0.3, "gap": 1e-4,
     "v_n": 0.04, "v_t": 0.03, "w1": 0.2, "w2": -0.4, "load": 26.0,
 }  # fmt: skip
-PAIRS: list[Parameters] = [{}, {"load": 0.0}, {"ks": 7.5e9, "mu": 0.5}, {"v_t": -0.05, "w1": -0.3}]
+PAIRS: list[Parameters] = [{}, {"load": 0.0}, {"ks": 7.5e6, "mu": 0.5}, {"v_t": -0.05, "w1": -0.3}]
 # signs that decide how far a search goes, or when it gives up
 EFFORT = ("-1", "end - flight.begin", "1.0 + 1e-12")
 
@@ -122,13 +122,13 @@ def test_friction_keeps_the_angular_momentum_about_the_point_of_contact() -> Non
 
 
 def test_a_heavy_second_sphere_is_a_floor_to_the_first_few() -> None:
-    """As the other sphere grows, its surface becomes the floor; to first order in r2/r1."""
+    """As the other sphere grows, its surface becomes the floor; the arms differ by U/2r = 1e-5."""
     big = {"r1": 1e4, "r2": 0.1, "w1": 0.0, "w2": 0.5, "kn": 2e10, "ks": 3e10, "mu": 0.5}
     m = 2500.0 * 4.0 / 3.0 * pi * 0.1**3
     two = pair(bouncing_pair, SHORT, **big, v_n=0.0, v_t=0.02, load=9.81 * m)
     one = floor(bounce, SHORT)
-    assert two[:, 2] == pytest.approx(one[:, 1], abs=1e-9)
-    assert two[:, 3] == pytest.approx(one[:, 0], abs=1e-9)
+    assert two[:, 2] == pytest.approx(one[:, 1], abs=1e-8)
+    assert two[:, 3] == pytest.approx(one[:, 0], abs=1e-8)
 
 
 @functools.cache

@@ -40,7 +40,7 @@ class Known:
     along: Vector
     path: Path
     within: float
-    duration: float = 5.0
+    duration: float = 2.0
     turned: bool = False
 
     def ask(self, dt: float = 5e-5, kn: float = 1e10) -> Ask:
@@ -125,7 +125,7 @@ def loose() -> Ask:
     free = np.ones(3, bool)
     block = Block("flat", vertices, faces, mass, inertia, np.zeros(3), free, free)
     scene = dataclasses.replace(scene, bodies=(*scene.walls, block))
-    return Ask(scene, History(5.0, 0.02), (BLOCK,), Knobs(5e-5, 1e10))
+    return Ask(scene, History(2.0, 0.02), (BLOCK,), Knobs(5e-5, 1e10))
 
 
 CLUMPED = {
@@ -134,6 +134,7 @@ CLUMPED = {
     "loose": loose(),
 }
 SAME = [name for name in CLUMPED if name != "loose"]
+COARSE = {name: SCENES[name].ask(1e-3, 1e8) for name in ("thrown", "newmark, turned", "dragged")}
 Answers = Callable[[str], Mapping[str, Run]]
 
 
@@ -148,11 +149,15 @@ def answers(tmp_path_factory: pytest.TempPathFactory) -> Answers:
             pytest.skip(f"{code} is not installed: {here.how_to_install}")
         spheres = {**ASKS, **{f"{name}, soft": CLUMPED[name] for name in SAME}}
         runs: dict[str, Run] = {}
-        for scheme, asks in (("default", spheres), ("clump", CLUMPED)):
+        schemes = {"default": spheres, "clump": CLUMPED}
+        if code == "yade":
+            schemes["polyhedra"] = COARSE
+            spheres |= {f"{name}, coarse": ask for name, ask in COARSE.items()}
+        for scheme, asks in schemes.items():
             answered = CODES[code].run(
                 list(asks.values()), scheme, tmp_path_factory.mktemp(scheme), 0.0
             )
-            of = "" if scheme == "default" else "clump: "
+            of = "" if scheme == "default" else f"{scheme}: "
             runs |= {f"{of}{name}": run for name, run in zip(asks, answered, strict=True)}
         assert [(run.status, run.reason) for run in runs.values()] == [(Status.RAN, "")] * len(runs)
         return runs
@@ -209,3 +214,11 @@ def test_a_clump_that_may_turn_rocks_on_its_springs_and_stays_on_the_slope(
     assert run.model == CODES[code].describe(CLUMPED["loose"], "clump")
     assert run.model is not None
     assert run.model.unknowns == 6
+
+
+@pytest.mark.parametrize("name", COARSE)
+def test_a_polyhedron_slides_as_the_sphere(name: str, answers: Answers) -> None:
+    runs = answers("yade")
+    one, two = runs[f"{name}, coarse"], runs[f"polyhedra: {name}"]
+    assert off(two.values[BLOCK], one.values[BLOCK]) < 1e-8
+    assert two.model == CODES["yade"].describe(COARSE[name], "polyhedra")

@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 
 from adapters.yade import ADAPTER
 from adapters.yade.answers import parse
-from adapters.yade.translate import plan, wall_body
+from adapters.yade.translate import plan, put, wall_body
 from cases.incline import CASE as INCLINE
 from cases.responding_block import CASE as RESPONDING
 from cases.single_contact import CASE
@@ -27,7 +27,7 @@ from vv.stand_in import sprung
 from vv.transform import about_z, rotated
 
 DT = 1e-3
-PLAIN, HALF_STEP, CLUMP = (scheme.name for scheme in ADAPTER.schemes)
+PLAIN, HALF_STEP, CLUMP, POLYHEDRA = (scheme.name for scheme in ADAPTER.schemes)
 UP = Wall(np.zeros(3), np.array([0.0, 1.0, 0.0]))
 
 
@@ -186,6 +186,46 @@ def test_a_clump_has_the_sphere_s_springs_and_the_rotations_of_the_block() -> No
         assert ADAPTER.describe(ask, CLUMP).unknowns == 6 - len(blocked)
 
 
+@given(st.floats(0.0, 40.0), st.floats(0.0, 6.3), st.floats(10.0, 40.0))
+def test_a_polyhedron_lies_level_and_is_charged_by_its_first_step(
+    alpha: float, turn: float, phi: float
+) -> None:
+    ask = block_ask(incline(Frame(alpha, turn), phi, A=2.0, v0=0.1))
+    flat, frame = put(ask, POLYHEDRA)
+    told, alone = plan(flat, POLYHEDRA), plan(flat, PLAIN)
+    (wall, made), (_, sphere) = told["bodies"], alone["bodies"]
+    assert (wall["kind"], wall["normal"]) == ("wall", [0.0, 0.0, 1.0])
+    assert frame @ frame.T == pytest.approx(np.eye(3), abs=1e-12)
+    assert flat.scene.gravity @ frame == pytest.approx(ask.scene.gravity, abs=1e-12)
+    slid = np.array(made["velocity"]) * DT
+    assert -told["ks"] * slid == pytest.approx(alone["charged"][0]["forces"][0], abs=1e-9)
+    after = np.array(made["velocity"]) + np.array(made["push"]) / made["mass"] * DT
+    assert after == pytest.approx(np.array(sphere["push"]) / sphere["mass"] * DT, abs=1e-12)
+    assert told["kn"] * 1.0 * 0.6 == pytest.approx(alone["kn"], rel=1e-9)  # its face: 1 m by 0.6 m
+    corners = np.array(made["vertices"]) + made["position"]
+    assert corners[:, 2].min() * told["kn"] * 0.6 == pytest.approx(
+        -2500.0 * 0.48 * 9.81 * np.cos(np.radians(alpha)), rel=1e-5
+    )
+
+
+def test_the_limits_of_polyhedra_are_refusals() -> None:
+    scene = incline(Frame(20.0), 30.0)
+    block = scene.blocks[0]
+    long = dataclasses.replace(block_ask(scene), goal=History(100.0, 1.0))
+    assert "steps of polyhedra" in (ADAPTER.refuses(long, POLYHEDRA) or "")
+    turning = dataclasses.replace(block, free_spin=np.ones(3, bool))
+    low = scene.walls[0].normal
+    flat = block.vertices - np.outer(0.95 * (block.vertices @ low), low)
+    changes = {
+        "would start to rock": turning,
+        "thinner than 0.1": dataclasses.replace(block, vertices=flat),
+    }
+    for words, changed in changes.items():
+        ask = block_ask(dataclasses.replace(scene, bodies=(*scene.walls, changed)))
+        assert words in (ADAPTER.refuses(ask, POLYHEDRA) or ""), words
+    assert ADAPTER.refuses(block_ask(scene), POLYHEDRA) is None
+
+
 def test_drag_is_all_that_half_step_masses_are_about() -> None:
     terms = ADAPTER.schemes[1].terms
     assert {Term.SHAKING, Term.BASE_MOTION} <= terms
@@ -318,6 +358,7 @@ FACTS = {
     "solve_cpu": 0.2, "solve_wall": 0.3, "output": 0.4, "repeats": 5, "spread": 0.6,
 }  # fmt: skip
 MODEL = Model(0, frozenset(), "as described")
+FRAME = np.eye(3)
 
 
 def answered(folder: Path, values: Any, **changes: Any) -> Path:
@@ -330,7 +371,7 @@ def answered(folder: Path, values: Any, **changes: Any) -> Path:
 def test_an_answer_becomes_a_run(tmp_path: Path) -> None:
     ask = ball_ask(ball())
     values = np.arange(33.0).reshape(1, 11, 3)
-    run = parse(answered(tmp_path, values), ask, MODEL, started=11.0)
+    run = parse(answered(tmp_path, values), ask, FRAME, MODEL, started=11.0)
     assert run is not None
     assert run.status is Status.RAN
     assert (run.values[Displacement(0)] == values[0]).all()
@@ -341,14 +382,14 @@ def test_an_answer_becomes_a_run(tmp_path: Path) -> None:
 
 def test_only_the_first_answer_of_a_program_carries_its_start(tmp_path: Path) -> None:
     path = answered(tmp_path, np.zeros((1, 11, 3)), ready=0.0)
-    run = parse(path, ball_ask(ball()), MODEL, started=11.0)
+    run = parse(path, ball_ask(ball()), FRAME, MODEL, started=11.0)
     assert run is not None
     assert run.cost.startup == 0.0
 
 
 def test_a_quantity_missing_from_an_answer_is_an_error(tmp_path: Path) -> None:
     ask = dataclasses.replace(ball_ask(ball()), observables=(Displacement(0), Velocity(0)))
-    run = parse(answered(tmp_path, np.zeros((1, 11, 3))), ask, MODEL, started=0.0)
+    run = parse(answered(tmp_path, np.zeros((1, 11, 3))), ask, FRAME, MODEL, started=0.0)
     assert run is not None
     assert run.status is Status.ERROR
     assert "(2, 11, 3) was asked for" in run.reason
@@ -358,8 +399,8 @@ def test_a_sphere_that_drifts_where_it_was_locked_is_an_error(tmp_path: Path) ->
     ask = case_ask("T3-rotated", dt=0.1)
     along, across = ask.scene.axes[1], ask.scene.axes[0]
     moved = np.array([[0.0, 0.0, 0.0], 0.1 * along, 0.2 * along, 0.3 * along, 0.4 * along])
-    kept = parse(answered(tmp_path, moved[None] + 1e-13 * across), ask, MODEL, started=0.0)
-    lost = parse(answered(tmp_path, moved[None] + 1e-9 * across), ask, MODEL, started=0.0)
+    kept = parse(answered(tmp_path, moved[None] + 1e-13 * across), ask, FRAME, MODEL, started=0.0)
+    lost = parse(answered(tmp_path, moved[None] + 1e-9 * across), ask, FRAME, MODEL, started=0.0)
     assert kept is not None
     assert lost is not None
     assert kept.status is Status.RAN
@@ -374,7 +415,7 @@ def test_a_sphere_under_a_dead_load_is_watched_though_nobody_asked() -> None:
 
 def test_a_failure_keeps_its_status_and_reason(tmp_path: Path) -> None:
     path = answered(tmp_path, np.zeros(0), status="diverged", reason="not finite at t = 1 s")
-    run = parse(path, ball_ask(ball()), MODEL, started=0.0)
+    run = parse(path, ball_ask(ball()), FRAME, MODEL, started=0.0)
     assert run is not None
     assert (run.status, run.reason) == (Status.DIVERGED, "not finite at t = 1 s")
 
@@ -382,4 +423,4 @@ def test_a_failure_keeps_its_status_and_reason(tmp_path: Path) -> None:
 def test_values_without_their_facts_are_no_answer_yet(tmp_path: Path) -> None:
     path = answered(tmp_path, np.zeros((1, 11, 3)))
     Path(f"{path}.answer").unlink()
-    assert parse(path, ball_ask(ball()), MODEL, started=0.0) is None
+    assert parse(path, ball_ask(ball()), FRAME, MODEL, started=0.0) is None

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 from dataclasses import dataclass
 
 import numpy as np
@@ -40,6 +41,7 @@ class Clump:
         return np.outer(self.shares, self.stood.charged[0])
 
 
+@functools.lru_cache(maxsize=32)  # it is wanted several times for each of a ladder's rungs
 def clump(ask: Ask) -> Clump:
     """The clump for an ask about one block on a wall; `why_no_clump` must not object.
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import functools
 from dataclasses import dataclass
 
 import numpy as np
@@ -42,6 +43,7 @@ class Stood:
     notes: tuple[str, ...]
 
 
+@functools.lru_cache(maxsize=32)  # it is wanted several times for each of a ladder's rungs
 def sprung(ask: Ask) -> Stood:
     """What a code with springs and spheres solves for an ask; `why_not` must not object.
 
@@ -54,7 +56,7 @@ def sprung(ask: Ask) -> Stood:
     notes = []
     charged = None
     if Term.BLOCK in terms:
-        scene = as_spheres(scene)
+        scene = _spheres(scene)
         notes.append("a sphere of its mass stands for a block that cannot turn")
     if Term.RIGID_CONTACT in terms and kn is not None:
         if scene.walls:
@@ -68,11 +70,16 @@ def sprung(ask: Ask) -> Stood:
 
 def held(ask: Ask) -> Ask:
     """The ask with its blocks locked against rotation, as spheres in their place would be."""
+    turning = any(block.free_spin.any() for block in ask.scene.blocks)
+    return _held(ask) if turning else ask
+
+
+@functools.lru_cache(maxsize=32)
+def _held(ask: Ask) -> Ask:
+    still = np.zeros(3, bool)
     bodies = tuple(
-        dataclasses.replace(group, free_spin=np.zeros(3, bool))
-        if isinstance(group, Block)
-        else group
-        for group in ask.scene.bodies
+        dataclasses.replace(g, free_spin=still) if isinstance(g, Block) else g
+        for g in ask.scene.bodies
     )
     return dataclasses.replace(ask, scene=dataclasses.replace(ask.scene, bodies=bodies))
 
@@ -84,7 +91,12 @@ def why_not(ask: Ask) -> str | None:
         return reason
     if ask.knobs.kn is None:
         return "Knobs.kn is None; rigid contact needs a stiffness to stand in for it"
-    return _bounces(as_spheres(ask.scene) if ask.scene.blocks else ask.scene)
+    return _bounces(_spheres(ask.scene) if ask.scene.blocks else ask.scene)
+
+
+@functools.lru_cache(maxsize=32)  # a scene is that of all rungs
+def _spheres(scene: Scene) -> Scene:
+    return as_spheres(scene)
 
 
 def _bounces(scene: Scene) -> str | None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
@@ -26,6 +27,7 @@ def step(ask: Ask) -> float:
     return ask.knobs.dt
 
 
+@functools.lru_cache(maxsize=32)  # it is wanted several times for each of a ladder's rungs
 def represented(ask: Ask, scheme: str) -> Scene:
     """The scene that LIGGGHTS is given: locks along the frame only, masses of the scheme.
 

@@ -11,13 +11,16 @@ import numpy as np
 
 from adapters.yade.answers import parse
 from adapters.yade.installed import PYTHON, find
+from adapters.yade.polyhedra import why_no_polyhedron
 from adapters.yade.translate import (
     CLUMP,
     HALF_STEP,
     PLAIN,
+    POLYHEDRA,
     has_friction,
     initial_contacts,
     plan,
+    put,
     stood_for,
 )
 from vv import external
@@ -44,7 +47,7 @@ TERMS = frozenset(
         Term.BASE_MOTION,
     }
 )
-ON_CORNERS = (TERMS | STANDS_IN) - {Term.SPHERE, Term.SPHERE_CONTACT, Term.DRAG}
+ONE_BLOCK = (TERMS | STANDS_IN) - {Term.SPHERE, Term.SPHERE_CONTACT, Term.DRAG}
 KNOBS = ("dt", "kn")
 SCHEMES = (
     Scheme(
@@ -65,7 +68,14 @@ SCHEMES = (
         CLUMP,
         "a block as a clump, which stands on a sphere at each corner of its face",
         Method.PENALTY,
-        ON_CORNERS,
+        ONE_BLOCK,
+        KNOBS,
+    ),
+    Scheme(
+        POLYHEDRA,
+        "a block as a polyhedron, which the volume of its overlap presses; slow, for short runs",
+        Method.PENALTY,
+        ONE_BLOCK,
         KNOBS,
     ),
 )
@@ -83,10 +93,10 @@ class Yade:
 
     def refuses(self, ask: Ask, scheme: str) -> str | None:
         """What YADE cannot represent though it has every term."""
-        reason = why_no_clump(ask) if scheme == CLUMP else why_not(ask)
+        reason = REASONS.get(scheme, why_not)(ask)
         if reason is not None:
             return reason
-        scene = stood_for(ask).scene
+        scene = stood_for(put(ask, scheme)[0]).scene
         return (
             _no_sphere_seen(ask, scene)
             or _locked_motion(scene)
@@ -97,7 +107,7 @@ class Yade:
 
     def describe(self, ask: Ask, scheme: str) -> Model:
         """The freedoms YADE integrates, and how the scene is put to it."""
-        scene = released(stood_for(ask).scene)
+        scene = released(stood_for(put(ask, scheme)[0]).scene)
         turning = sum(int(block.free_spin.sum()) for block in ask.scene.blocks)
         terms = ask.scene.terms() | scene.terms()
         return Model(scene.unknowns() + turning, terms, "; ".join(_notes(ask, scheme)))
@@ -105,7 +115,7 @@ class Yade:
     def native(self, ask: Ask, scheme: str) -> str:
         """A script for `yade -n -x` or the system's python3: the driver with the ask filled in."""
         notes = "".join(f"# {note}\n" for note in _notes(ask, scheme))
-        literal = pprint.pformat(plan(ask, scheme), width=99, sort_dicts=False)
+        literal = pprint.pformat(plan(put(ask, scheme)[0], scheme), width=99, sort_dicts=False)
         empty = "ASK: dict[str, Any] | None = None\n"
         return DRIVER.read_text().replace(empty, f"{notes}ASK: dict[str, Any] | None = {literal}\n")
 
@@ -116,7 +126,8 @@ class Yade:
             yield from [Run(Status.NOT_INSTALLED, here.how_to_install)] * len(asks)
             return
         files = [scratch / f"ask-{number}.json" for number in range(len(asks))]
-        for file, ask in zip(files, asks, strict=True):
+        framed = [put(ask, scheme) for ask in asks]
+        for file, (ask, _) in zip(files, framed, strict=True):
             file.write_text(json.dumps({**plan(ask, scheme), "repeat": repeat}))
 
         def launch(indices: Sequence[int]) -> external.Program:
@@ -125,8 +136,8 @@ class Yade:
             return external.start(command, scratch, {"VV_YADE": here.path})
 
         def collect(index: int, program: external.Program) -> Run | None:
-            ask = asks[index]
-            return parse(files[index], ask, self.describe(ask, scheme), program.started)
+            model = self.describe(asks[index], scheme)
+            return parse(files[index], *framed[index], model, program.started)
 
         yield from external.run_batch(len(asks), launch, collect)
 
@@ -172,9 +183,10 @@ def _behind_wall(scene: Scene) -> str | None:
 
 def _notes(ask: Ask, scheme: str) -> list[str]:
     """How the scene is represented, one fact each."""
-    stood = stood_for(ask)
+    stood = stood_for(put(ask, scheme)[0])
     scene = released(stood.scene)
     loaded = not np.array_equal(scene.spheres.load, stood.scene.spheres.load)
+    charged = stood.charged is not None and bool(stood.charged.any())
     oblique = [wall for wall in scene.walls if np.abs(wall.normal).max() < 1.0]
     said = {
         "NewtonIntegrator without damping, velocities started at -dt/2": True,
@@ -189,7 +201,10 @@ def _notes(ask: Ask, scheme: str) -> list[str]:
         "oblique walls are facets far larger than the scene": bool(oblique),
         "a dead load along the normal instead of a locked axis": loaded,
         "the friction at t = 0 put into the shear spring of a contact made before the first step": (
-            stood.charged is not None and bool(stood.charged.any())
+            charged and scheme != POLYHEDRA
+        ),
+        "the shear spring charged by the velocity of the first step": (
+            charged and scheme == POLYHEDRA
         ),
         "body accelerations by HarmonicForceEngine at the time of the positions": (
             scene.shaking is not None
@@ -198,16 +213,25 @@ def _notes(ask: Ask, scheme: str) -> list[str]:
             any(wall.motion for wall in scene.walls)
         ),
     }
-    how = [*_clump_notes(ask), *stood.notes[1:]] if scheme == CLUMP else stood.notes
+    block = {CLUMP: _clump_note, POLYHEDRA: _polyhedron_note}.get(scheme)
+    how = [block(ask), *stood.notes[1:]] if block else stood.notes
     return [*how, *(note for note, holds in said.items() if holds)]
 
 
-def _clump_notes(ask: Ask) -> list[str]:
+def _clump_note(ask: Ask) -> str:
     made = clump(ask)
-    return [
+    return (
         f"a clump stands for the block: {len(made.corners)} spheres of {made.radius:g} m on its "
         "corners, which share the springs below, and eight points with its mass and inertia"
-    ]
+    )
 
 
+def _polyhedron_note(ask: Ask) -> str:
+    return (
+        "the block is a polyhedron, in a frame whose z is the wall's normal; the volume of its "
+        "overlap presses by kn over the area of its face"
+    )
+
+
+REASONS = {CLUMP: why_no_clump, POLYHEDRA: why_no_polyhedron}
 ADAPTER = Yade()

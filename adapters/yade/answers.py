@@ -17,9 +17,10 @@ REST = 1e-12  # of a radius: where nothing moves, rounding does
 COSTS = ("setup", "solve_cpu", "solve_wall", "output", "repeats", "spread")
 
 
-def parse(path: Path, ask: Ask, model: Model, started: float) -> Run | None:
+def parse(path: Path, ask: Ask, frame: Vector, model: Model, started: float) -> Run | None:
     """The Run in the answer to the ask in the file `path`; None if there is no answer yet.
 
+    ask: as it was put to YADE, in a frame (3, 3) whose rows are its axes in the scene's.
     model: what was described; its unknowns are replaced by YADE's own count. started: when the
     program was [s, monotonic]. An answer whose shape is not what was asked is an error.
     """
@@ -40,7 +41,7 @@ def parse(path: Path, ask: Ask, model: Model, started: float) -> Run | None:
     return Run(
         Status.RAN,
         times=times,
-        values=dict(zip(ask.observables, values, strict=False)),  # then what was watched
+        values=dict(zip(ask.observables, values @ frame, strict=False)),  # then what was watched
         cost=cost,
         steps=facts["steps"],
         model=Model(facts["unknowns"], model.terms, model.note),

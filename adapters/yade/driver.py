@@ -8,7 +8,8 @@ An ask says, in SI units: dt; steps, and stride: how many of them lie between tw
 mu of every contact; gravity; drag, the coefficient of -drag v; observe, pairs of quantity and body;
 contacts, how many overlap at the start; moves, whether something must move; bodies, in the order
 of YADE's ids; shaking, the sines A sin(2 pi f t + fi) of a body acceleration; charged, the
-friction with which a wall holds a sphere at the start. A sphere has position, velocity (half a
+friction with which a wall holds a sphere at the start; volumes: whether polyhedra overlap by
+volumes, for which kn is a stiffness per area. A sphere has position, velocity (half a
 step before t = 0), spin, mass, inertia, the mass that is shaken, blocked freedoms, a dead force,
 and push and twist: a force and a torque during the first step. A wall's motion holds sines as
 YADE's HarmonicMotionEngine takes them.
@@ -50,7 +51,7 @@ class RunError(Exception):
 def build(ask: dict[str, Any]) -> None:
     """Set up the scene: bodies, contact law, engines, time step."""
     O.reset()
-    O.materials.append(yd.FrictMat(frictionAngle=math.atan(ask["mu"])))
+    O.materials.append(material(ask))
     for body in ask["bodies"]:
         body["id"] = SHAPES[body["kind"]](body)
         if "mass" in body:
@@ -62,6 +63,16 @@ def build(ask: dict[str, Any]) -> None:
         body = ask["bodies"][held["body"]]
         for number, force in zip(body.get("feet", [body["id"]]), held["forces"], strict=True):
             charge(ask["bodies"][held["wall"]]["id"], number, force)
+
+
+def material(ask: dict[str, Any]) -> Any:
+    """The stuff of all bodies; polyhedra take two like stiffnesses in series, young and poisson."""
+    angle = math.atan(ask["mu"])
+    if not ask["volumes"]:
+        return yd.FrictMat(frictionAngle=angle)
+    made = yd.PolyhedraMat(frictionAngle=angle)
+    made.young, made.poisson = 2 * ask["kn"], ask["ks"] / ask["kn"]
+    return made
 
 
 def sphere(body: dict[str, Any]) -> int:
@@ -82,6 +93,16 @@ def clump(body: dict[str, Any]) -> int:
     body["feet"] = numbers[: len(body["touching"])]
     start(O.bodies[number].state, body, body["inertia"])
     return int(number)
+
+
+def polyhedron(body: dict[str, Any]) -> int:
+    """Append a convex polyhedron with its corners about its centroid."""
+    from yade import polyhedra_utils  # slow, and rarely needed
+
+    made = polyhedra_utils.polyhedra(O.materials[0], v=body["vertices"])
+    made.state.pos = made.state.refPos = body["position"]
+    start(made.state, body, made.state.inertia)
+    return int(O.bodies.append(made))
 
 
 def start(state: Any, body: dict[str, Any], inertia: list[float]) -> None:
@@ -109,7 +130,7 @@ def facet(body: dict[str, Any]) -> int:
 
 
 TOUCHED = {"clump": "sphere"}  # the shape that collides, where it is another
-SHAPES = {"sphere": sphere, "clump": clump, "wall": wall, "facet": facet}
+SHAPES = {"sphere": sphere, "clump": clump, "polyhedron": polyhedron, "wall": wall, "facet": facet}
 
 
 def charge(wall: int, sphere: int, force: list[float]) -> None:
@@ -120,6 +141,18 @@ def charge(wall: int, sphere: int, force: list[float]) -> None:
 
 def engines(ask: dict[str, Any], kinds: set[str]) -> list[Any]:
     """What YADE does in a step: contacts, drag and motion, and nothing the scene lacks."""
+    return [
+        yd.ForceResetter(),
+        *(overlaps() if ask["volumes"] else contacts(ask, sorted(kinds))),
+        *drag(ask),
+        *shaking(ask),
+        *motion(ask),
+        yd.NewtonIntegrator(damping=0, gravity=ask["gravity"]),
+    ]
+
+
+def contacts(ask: dict[str, Any], kinds: list[str]) -> list[Any]:
+    """Finds contacts of spheres and presses and shears them by linear springs."""
     bounds = {"sphere": yd.Bo1_Sphere_Aabb, "wall": yd.Bo1_Wall_Aabb, "facet": yd.Bo1_Facet_Aabb}
     geometry = {
         "sphere": lambda: yd.Ig2_Sphere_Sphere_ScGeom(avoidGranularRatcheting=False),
@@ -129,19 +162,22 @@ def engines(ask: dict[str, Any], kinds: set[str]) -> list[Any]:
     stiffness = yd.Ip2_FrictMat_FrictMat_FrictPhys(
         kn=yd.MatchMaker(algo="val", val=ask["kn"]), ks=yd.MatchMaker(algo="val", val=ask["ks"])
     )
-    kinds_in_order = sorted(kinds)
+    law = yd.Law2_ScGeom_FrictPhys_CundallStrack()
     return [
-        yd.ForceResetter(),
-        yd.InsertionSortCollider([bounds[kind]() for kind in kinds_in_order]),
+        yd.InsertionSortCollider([bounds[kind]() for kind in kinds]),
+        yd.InteractionLoop([geometry[kind]() for kind in kinds], [stiffness], [law]),
+    ]
+
+
+def overlaps() -> list[Any]:
+    """Finds polyhedra that overlap walls and presses them by the volume of the overlap."""
+    return [
+        yd.InsertionSortCollider([yd.Bo1_Polyhedra_Aabb(), yd.Bo1_Wall_Aabb()], verletDist=0.05),
         yd.InteractionLoop(
-            [geometry[kind]() for kind in kinds_in_order],
-            [stiffness],
-            [yd.Law2_ScGeom_FrictPhys_CundallStrack()],
+            [yd.Ig2_Wall_Polyhedra_PolyhedraGeom()],
+            [yd.Ip2_PolyhedraMat_PolyhedraMat_PolyhedraPhys()],
+            [yd.Law2_PolyhedraGeom_PolyhedraPhys_Volumetric()],
         ),
-        *drag(ask),
-        *shaking(ask),
-        *motion(ask),
-        yd.NewtonIntegrator(damping=0, gravity=ask["gravity"]),
     ]
 
 

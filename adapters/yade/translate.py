@@ -9,6 +9,7 @@ import numpy as np
 
 from adapters.yade.clumps import clumped
 from adapters.yade.drives import driven, sines
+from adapters.yade.polyhedra import laid, polyhedral, turn_of
 from vv.ask import Ask, Displacement, Observable
 from vv.clump import clump
 from vv.scene import Mask, Scene, Spheres, Term, Vector, Wall
@@ -16,7 +17,7 @@ from vv.soften import acceleration_of, fastest
 from vv.stand_in import Stood, held, sprung
 from vv.transform import initial_normal_forces, released
 
-PLAIN, HALF_STEP, CLUMP = "default", "half-step-mass", "clump"
+PLAIN, HALF_STEP, CLUMP, POLYHEDRA = "default", "half-step-mass", "clump", "polyhedra"
 LEAST_GAP = 1e-12  # of a radius: less than that overlaps by rounding only
 FACET = 1e3  # a wall's triangle over the scene's size and paths; its size costs no accuracy
 
@@ -24,7 +25,7 @@ Plan = dict[str, Any]
 
 
 def plan(ask: Ask, scheme: str) -> Plan:
-    """The driver's ask: numbers, lists and strings only, in SI units.
+    """The driver's ask: numbers, lists and strings only, in SI units; `ask` in its frame, by `put`.
 
     The scheme half-step-mass gives YADE the mass m + eta dt/2, with which drag taken from the
     last half step, m (v+ - v-)/dt = F - eta v-, becomes drag of the mean velocity; the weight
@@ -49,9 +50,19 @@ def plan(ask: Ask, scheme: str) -> Plan:
         "observe": [[_quantity(seen), seen.body] for seen in watched(ask)],
         "contacts": contacts,
         "moves": bool(scene.spheres.velocity.any()),
+        "volumes": False,
         "bodies": _bodies(scene, columns, FACET * _reach(ask), dt),
     }
-    return clumped(plan, clump(ask)) if scheme == CLUMP else plan
+    if scheme == CLUMP:
+        return clumped(plan, clump(ask))
+    return polyhedral(plan, ask) if scheme == POLYHEDRA else plan
+
+
+def put(ask: Ask, scheme: str) -> tuple[Ask, Vector]:
+    """The ask in the frame in which YADE is given it, and the rows of that frame (3, 3)."""
+    if scheme == POLYHEDRA:
+        return laid(ask), turn_of(ask.scene)
+    return ask, np.eye(3)
 
 
 def stood_for(ask: Ask) -> Stood:

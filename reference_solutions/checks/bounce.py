@@ -3,7 +3,8 @@
 Nothing is assumed about the sequence of stages: what a body does next follows from the state at the
 end of a stage, and each end is located on a guard. The floor is taken with the spin as an unknown.
 The pair is taken in polar coordinates about the common centre of mass, with the reduced mass; its
-spins follow from J, the integral of the shear force F, and its centre of mass moves steadily.
+spins follow from the integrals J of the shear force F and K of U F/2, as it acts in the middle of
+the overlap U; its centre of mass moves steadily.
 Parameters are those of `reference_solutions.bounce` and `bouncing_pair`, whose code is not used.
 """
 
@@ -93,7 +94,7 @@ def pair(
     w2: float,
     load: float,
 ) -> Array:
-    """Displacements (..., 4) [m]; state: distance less the first, angle, their rates, J, F."""
+    """Displacements (..., 4) [m]; state: distance less the first, angle, their rates, J, K, F."""
     m1, m2 = (rho * pi * (2.0 * r) ** 3 / 6.0 for r in (r1, r2))
     m, start = m1 * m2 / (m1 + m2), gap + r1 + r2
     pull = load / m
@@ -102,17 +103,23 @@ def pair(
         far = start + z[0]
         outward = far * z[3] ** 2 + press / m - pull * np.cos(z[1])
         around = (f / m + pull * np.sin(z[1]) - 2.0 * z[2] * z[3]) / far
-        return [z[2], z[3], outward, around, f]
+        return [z[2], z[3], outward, around, f, -(gap + z[0]) / 2.0 * f]
+
+    def slip(z: Array) -> float:
+        u, around = -gap - z[0], (start + z[0]) * z[3]
+        for r, m_i, w in ((r1, m1, w1), (r2, m2, w2)):
+            around -= (r - u / 2.0) * (w - 2.5 * (r * z[4] - z[5]) / (m_i * r * r))
+        return float(around)
 
     touch = Touch(
         overlap=lambda z: float(-gap - z[0]),
         closing=lambda z: float(-z[2]),
-        slip=lambda z: float((start + z[0]) * z[3] - (r1 * w1 + r2 * w2) + 2.5 * z[4] / m),
+        slip=slip,
         rates=rates,
         kn=kn, ks=ks, mu=mu, k=(kn / m) ** 0.5,
-        scale=[gap, gap / start, v_n, v_n / start, m * v_n],
+        scale=[gap, gap / start, v_n, v_n / start, m * v_n, gap * m * v_n],
     )  # fmt: skip
-    z = _march(t, np.array([0.0, 0.0, -v_n, v_t / start, 0.0, 0.0]), touch)
+    z = _march(t, np.array([0.0, 0.0, -v_n, v_t / start, 0.0, 0.0, 0.0]), touch)
     far, angle = z[..., 0], z[..., 1]
     x = far * np.cos(angle) - 2.0 * start * np.sin(angle / 2.0) ** 2
     y = (far + start) * np.sin(angle)

@@ -1,0 +1,105 @@
+"""Puts a block to YADE as a polyhedron, which meets an infinite wall across an axis."""
+
+from __future__ import annotations
+
+import functools
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from vv.ask import Ask
+from vv.block import Block
+from vv.scene import Scene, Vector, Wall
+from vv.soften import TOUCHING
+from vv.stand_in import sprung, why_not
+from vv.transform import rotated
+
+MOST_STEPS = 20_000  # of some 0.1 ms each, thirty times those of a sphere
+THINNEST = 0.1  # thickness over size below which YADE's polyhedra may pass each other unnoticed
+
+
+def why_no_polyhedron(ask: Ask) -> str | None:
+    """Why YADE's polyhedra cannot stand for what an ask has; None if they can."""
+    scene = ask.scene
+    if len(scene.blocks) != 1 or len(scene.walls) != 1 or len(scene.spheres):
+        return "one block on one wall is what was verified of YADE's polyhedra"
+    (block,) = scene.blocks
+    if block.free_spin.any():
+        return (
+            f"block '{block.name}' may turn; the force on its overlap acts in one point, and no "
+            "spring can be charged to carry the moment of friction: it would start to rock"
+        )
+    return why_not(ask) or _no_face(block, scene.walls[0]) or _too_long(ask)
+
+
+def _no_face(block: Block, wall: Wall) -> str | None:
+    height = (block.vertices - wall.point) @ wall.normal
+    size = float(np.ptp(block.vertices, axis=0).max())
+    if float(np.ptp(height)) < THINNEST * size:
+        return f"block '{block.name}' is thinner than {THINNEST:g} of its size; YADE may miss it"
+    if _area(block, wall) == 0:
+        return f"block '{block.name}' stands on no face; an edge has no area to press on"
+    return None
+
+
+def _too_long(ask: Ask) -> str | None:
+    steps = 0 if ask.knobs.dt is None else ask.goal.steps(ask.knobs.dt)
+    if steps > MOST_STEPS:
+        return f"{steps} steps of polyhedra, some 0.1 ms each; {MOST_STEPS} are run at most"
+    return None
+
+
+def _area(block: Block, wall: Wall) -> float:
+    """The area [m2] of the face on the wall; 0 if there is none."""
+    size = float(np.ptp(block.vertices, axis=0).max())
+    on = np.abs((block.vertices - wall.point) @ wall.normal) < TOUCHING * size
+    for face in block.faces:
+        if on[list(face)].all():
+            corners = block.vertices[list(face)]
+            across = 0.5 * np.cross(corners, np.roll(corners, -1, axis=0)).sum(axis=0)
+            return float(np.linalg.norm(across))
+    return 0.0
+
+
+def turn_of(scene: Scene) -> Vector:
+    """The rotation (3, 3) that lays the one wall across z, its rows the new frame in the old."""
+    normal = scene.walls[0].normal
+    along = scene.axes[np.abs(scene.axes @ normal).argmin()]
+    first = along - (along @ normal) * normal
+    first /= np.linalg.norm(first)
+    return np.array([first, np.cross(normal, first), normal])
+
+
+@functools.lru_cache(maxsize=32)  # it is wanted several times for each of a ladder's rungs
+def laid(ask: Ask) -> Ask:
+    """The ask in the frame of `turn_of`, where the wall's normal is z to the last bit."""
+    scene = rotated(ask.scene, turn_of(ask.scene))
+    up = np.array([0.0, 0.0, 1.0])
+    bodies = tuple(replace(g, normal=up) if isinstance(g, Wall) else g for g in scene.bodies)
+    return replace(ask, scene=replace(scene, bodies=bodies))
+
+
+def polyhedral(plan: dict[str, Any], ask: Ask) -> dict[str, Any]:
+    """The driver's ask with the one sphere as a polyhedron; `ask` is `laid` already.
+
+    YADE presses with kn/area times the overlap's volume. It drops the shear of a contact as it
+    makes it, and then lets it take the whole of the first step: in that step the block moves as
+    fast as charges the spring, and its push gives it the right momentum after it.
+    """
+    (block,), (wall,) = ask.scene.blocks, ask.scene.walls
+    charged = sprung(ask).charged
+    ks, dt = plan["ks"], plan["dt"]
+    sliding = np.zeros(3) if charged is None or ks == 0 else -charged[0] / ks / dt
+    (sphere,) = (body for body in plan["bodies"] if body["kind"] == "sphere")
+    push = np.array(sphere["push"]) + sphere["mass"] / dt * (np.array(sphere["velocity"]) - sliding)
+    made = {
+        **sphere,
+        "kind": "polyhedron",
+        "vertices": (block.vertices - block.centroid()).tolist(),
+        "velocity": sliding.tolist(),
+        "push": push.tolist(),
+    }
+    area = _area(block, wall)
+    bodies = [made if body is sphere else body for body in plan["bodies"]]
+    return {**plan, "kn": plan["kn"] / area, "charged": [], "bodies": bodies, "volumes": True}
