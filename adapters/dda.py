@@ -35,7 +35,7 @@ SCHEMES = (
     Scheme(
         "default",
         "implicit step of DDA, open-close iteration in which friction is iterated to "
-        "convergence too; springs ks = 0.4 kn, contacts start pressed by their loads",
+        "convergence too; springs ks = 25 kn start with the loads and bear friction in slip too",
         Method.PENALTY,
         TERMS,
         KNOBS,
@@ -43,9 +43,10 @@ SCHEMES = (
     Scheme(
         "published",
         "as Yagoda-Biran & Hatzor (2016) ran it: friction of the iteration before, six "
-        "iterations at most before a step is cut, 2 s of gravity before a drive sets in, "
+        "iterations at most before a step is cut, 2 s of gravity before a drive sets in, springs "
+        "ks = 0.4 kn that start unloaded and are let go by every slip, "
         "rotations to first order; dynamic parameter 1",
-        Method.PENALTY,
+        Method.LAGGING,
         TERMS,
         KNOBS,
     ),
@@ -53,7 +54,7 @@ SCHEMES = (
         "lagged",
         "default but for friction, whose normal force and direction are those of the iteration "
         "before: what the lag alone does",
-        Method.PENALTY,
+        Method.LAGGING,
         TERMS,
         KNOBS,
     ),

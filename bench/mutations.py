@@ -39,6 +39,7 @@ QUICKEST = (
     "incline:two-directions",
     "responding-block:1d",
     "responding-block:3d",
+    "bounce:again",
 )
 # First the short cases, where kernels need no compiling; then, for what survives that, all.
 STAGES: tuple[tuple[tuple[str, ...], dict[str, str]], ...] = (

@@ -108,10 +108,10 @@ RUNGS = tuple(
     )
     for dt in steps
 )
-TIMED = (RUNGS[0], RUNGS[3], RUNGS[6], RUNGS[8])  # the coarsest of each stiffness, the finest
+TIMED = (RUNGS[0], RUNGS[3], RUNGS[6])  # the coarsest step of each stiffness
 LEVELS = {
     Level.QUICK: (RUNGS[0], RUNGS[2]),
-    Level.DEFAULT: RUNGS,
+    Level.DEFAULT: (*RUNGS[:4], RUNGS[6]),
     Level.PAPER: RUNGS,
 }
 TOLERANCES = {
@@ -130,9 +130,17 @@ TOLERANCES = {
     ),
     Method.PENALTY: Tolerance(
         1e-3,
-        "a block that starts on a spring without shear gains mu g cos(alpha) sqrt(m/ks) before it "
-        "slides as it should",
-        slack="what starts with its shear springs charged errs by m g/kn only",
+        "the shear spring lags each time slip begins and ends; gravity alone, whose springs start "
+        "charged, has no such time",
+        slack="one bound serves all: two slips a second err by 1e-4 of their way, none by rounding",
+        kn=1e10,
+        softness=0.5,
+    ),
+    Method.LAGGING: Tolerance(
+        1e-2,
+        "on springs without shear at the start a block at phi = 25 gains mu g cos(alpha) "
+        "sqrt(m/ks), 7 % of its way at 1e8 N/m; less where it slides faster",
+        slack="at phi = 5 the same gain is 0.07 %",
         kn=1e10,
         softness=0.5,
     ),

@@ -126,6 +126,28 @@ def _front(ladders: Sequence[Ladder], low: float) -> tuple[Vector, Vector] | Non
     return (np.array(x), np.array(y)) if x else None
 
 
+def shares(rows: Sequence[tuple[Mark, Sequence[float]]], label: str) -> Chart | None:
+    """Performance profiles: the share of entries up to a factor, as stairs; inf never counts."""
+    finite = [ratio for _, row in rows for ratio in row if np.isfinite(ratio)]
+    if not finite:
+        return None
+    end = 2.0 * max(finite)
+    curves = tuple(_stairs(mark, row, end) for mark, row in rows if np.isfinite(row).any())
+    name = "cost, in that of the cheapest"
+    return Chart(name, label, True, False, curves)
+
+
+def _stairs(mark: Mark, row: Sequence[float], end: float) -> Curve:
+    ratios = sorted(ratio for ratio in row if np.isfinite(ratio))
+    levels = np.arange(1, len(ratios) + 1) / len(row)
+    x = np.array([*np.repeat(ratios, 2)[1:], end])
+    y = np.repeat(levels, 2)
+    marked = np.zeros(len(x), bool)
+    marked[0::2] = True
+    none = np.zeros(len(x), bool)
+    return Curve(mark, x, y, marked, none, none, ~none)
+
+
 def _relative(history: History) -> Vector | None:
     """The pointwise relative error; None where there is nothing to divide by."""
     if history.reference is None or not np.abs(history.reference).max() > 0:

@@ -42,6 +42,7 @@ class Ladder:
     """The points of one code/scheme with one setting of all knobs but dt, coarsest first."""
 
     mark: Mark
+    kn: float | None
     points: tuple[Point, ...]
 
 
@@ -67,7 +68,7 @@ def ladders(records: Sequence[Record], quantity: str, marks: Mapping[str, Mark])
         for kn in dict.fromkeys(record["rung"]["kn"] for record in pile):
             rungs = [record for record in pile if record["rung"]["kn"] == kn]
             points = tuple(_point(record, quantity) for record in rungs)
-            found.append(Ladder(marks[name], points))
+            found.append(Ladder(marks[name], kn, points))
     return found
 
 

@@ -6,6 +6,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from reports.charts import shares as shares_chart
+from reports.gallery import Draw, Figure
 from reports.marks import Mark
 from reports.text import brief, short
 from vv.effort import TARGETS, Effort, Floor, Reach, efforts, profile, reach
@@ -37,10 +39,11 @@ class Profile:
 
     target: float
     shares: Sequence[tuple[Mark, Sequence[float]]]
+    figures: Sequence[Figure]
 
 
 def costs(
-    manifest: Mapping[str, Any], marks: Mapping[str, Mark]
+    manifest: Mapping[str, Any], marks: Mapping[str, Mark], draw: Draw
 ) -> tuple[dict[tuple[str, str], Costs], list[Profile]]:
     """(case, variant) -> its costs, and the profiles over all of them."""
     every = efforts(manifest)
@@ -48,7 +51,7 @@ def costs(
     found = {
         place: _costs([e for e in every if (e.case, e.variant) == place], marks) for place in places
     }
-    return found, [_profile(every, target, marks) for target in TARGETS if every]
+    return found, [_profile(every, target, marks, draw) for target in TARGETS if every]
 
 
 def _costs(here: Sequence[Effort], marks: Mapping[str, Mark]) -> Costs:
@@ -71,11 +74,23 @@ def _advice(here: Sequence[Effort], target: float) -> str:
     return "; ".join(first.values()) or "nobody"
 
 
-def _profile(every: Sequence[Effort], target: float, marks: Mapping[str, Mark]) -> Profile:
+def _profile(
+    every: Sequence[Effort], target: float, marks: Mapping[str, Mark], draw: Draw
+) -> Profile:
     ratios = profile(every, target)
+    named = [(marks[name], row) for name, row in ratios.items() if row]
+    chart = shares_chart(named, f"share solved to {brief(target)}")
     shares = [
         (marks[name], [sum(r <= factor for r in row) / len(row) for factor in FACTORS])
         for name, row in ratios.items()
         if row
     ]
-    return Profile(target, sorted(shares, key=lambda pair: tuple(pair[1][::-1]), reverse=True))
+    said = ", ".join(f"{mark.label} {100 * row[-1]:.0f} %" for mark, row in shares)
+    title = f"Profile at an error of {brief(target)}"
+    caption = "Share of the timed variants solved within a factor of the cheapest scheme's cost."
+    drawn = (
+        [Figure(draw(chart), title, caption, f"{title}; solved at all: {said}")] if chart else []
+    )
+    return Profile(
+        target, sorted(shares, key=lambda pair: tuple(pair[1][::-1]), reverse=True), drawn
+    )

@@ -13,6 +13,7 @@ import numpy as np
 
 from reports.axes import draw_axes
 from reports.charts import Chart, Curve, Rim
+from reports.maps import HeatMap, draw_map
 from reports.marks import Mark
 from vv.digest import digest
 from vv.store import write
@@ -39,7 +40,7 @@ STYLE: dict[Any, Any] = {
 }
 
 
-def drawn(chart: Chart, folder: Path) -> str:
+def drawn(chart: Chart | HeatMap, folder: Path) -> str:
     """The SVG of a chart, from the folder if these very data were drawn by these very sources."""
     name = digest(chart, _sources())
     svg = drawn_before(chart, folder) or draw(chart, salt=name[:8])
@@ -47,7 +48,7 @@ def drawn(chart: Chart, folder: Path) -> str:
     return svg
 
 
-def drawn_before(chart: Chart, folder: Path) -> str:
+def drawn_before(chart: Chart | HeatMap, folder: Path) -> str:
     """The SVG of a chart if the folder has it, else nothing."""
     path = folder / f"{digest(chart, _sources())}.svg"
     return path.read_text(encoding="utf-8") if path.is_file() else ""
@@ -55,11 +56,13 @@ def drawn_before(chart: Chart, folder: Path) -> str:
 
 @functools.cache
 def _sources() -> str:
-    files = [Path(__file__).with_name(name) for name in ("axes.py", "figures.py", "text.py")]
+    files = [
+        Path(__file__).with_name(name) for name in ("axes.py", "figures.py", "maps.py", "text.py")
+    ]
     return hashlib.sha256(b"".join(path.read_bytes() for path in files)).hexdigest()
 
 
-def draw(chart: Chart, salt: str) -> str:
+def draw(chart: Chart | HeatMap, salt: str) -> str:
     """The chart as an <svg> element; the same chart and salt give the same bytes.
 
     salt: goes into the names of what the drawing defines, so that two may stand in one page.
@@ -71,18 +74,24 @@ def draw(chart: Chart, salt: str) -> str:
     with mpl.rc_context({**STYLE, "svg.hashsalt": salt}):
         figure = Figure(figsize=SIZE)
         FigureCanvasSVG(figure)
-        axes = figure.add_axes(BOX)
-        draw_axes(axes, chart)
-        if chart.exact:
-            axes.plot(*chart.exact, color=REFERENCE, linewidth=4.5, solid_capstyle="round")
-        for curve, size in zip(chart.curves, _sizes(chart), strict=True):
-            _draw_curve(axes, curve, size)
-        for place, rim in enumerate(chart.rims):
-            _draw_rim(axes, rim, place)
+        if isinstance(chart, HeatMap):
+            draw_map(figure, chart)
+        else:
+            _draw_chart(figure.add_axes(BOX), chart)
         text = io.StringIO()
         nothing = dict.fromkeys(("Date", "Creator", "Format", "Type"))
         figure.savefig(text, format="svg", transparent=True, metadata=nothing)
     return _lean(text.getvalue())
+
+
+def _draw_chart(axes: Any, chart: Chart) -> None:
+    draw_axes(axes, chart)
+    if chart.exact:
+        axes.plot(*chart.exact, color=REFERENCE, linewidth=4.5, solid_capstyle="round")
+    for curve, size in zip(chart.curves, _sizes(chart), strict=True):
+        _draw_curve(axes, curve, size)
+    for place, rim in enumerate(chart.rims):
+        _draw_rim(axes, rim, place)
 
 
 def _sizes(chart: Chart) -> list[float]:

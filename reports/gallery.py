@@ -11,11 +11,12 @@ import numpy as np
 from reports import charts
 from reports.charts import Chart
 from reports.collect import History, Ladder
+from reports.maps import HeatMap, error_map
 from reports.tables import NORMS
 from reports.text import brief, listed, sci
 from vv.metrics import MASK
 
-Draw = Callable[[Chart], str]
+Draw = Callable[[Chart | HeatMap], str]
 
 
 @dataclass(frozen=True)
@@ -35,17 +36,34 @@ def figures(
     norm: str,
     draw: Draw,
 ) -> list[Figure]:
-    """The four figures of a quantity, or those for which there is something to draw."""
+    """The four figures of a quantity, or those for which there is something to draw.
+
+    Errors at every stiffness and every step of a few make a map instead of curves.
+    """
     symbol = (
         f"{quantity['symbol']} [{quantity['unit']}]" if quantity["unit"] else quantity["symbol"]
     )
     error = f"error of {quantity['symbol']}, norm {NORMS[norm]}"
-    return [
-        *_trajectory(over_time, symbol, draw),
-        *_relative(over_time, draw),
-        *_step(steps, error, draw),
-        *_cost(steps, error, draw),
+    both = [*_trajectory(over_time, symbol, draw), *_relative(over_time, draw)]
+    heat = error_map(steps)
+    if heat is not None:
+        return [*both, _map(heat, error, draw)]
+    return [*both, *_step(steps, error, draw), *_cost(steps, error, draw)]
+
+
+def _map(heat: HeatMap, error: str, draw: Draw) -> Figure:
+    """The map, with the stiffness that serves each code best at its finest step."""
+    best = [f"{panel.mark.label} {brief(panel.best())} N/m" for panel in heat.panels]
+    missing = any(not np.isfinite(panel.error).all() for panel in heat.panels)
+    crossed = " Crossed: no result." if missing else ""
+    caption = f"Smallest error at the finest step: {listed(best)}.{crossed}"
+    ends = [
+        f"{panel.mark.label} {sci(float(np.nanmin(panel.error)))} "
+        f"to {sci(float(np.nanmax(panel.error)))}"
+        for panel in heat.panels
     ]
+    alt = f"{error} over step and stiffness: {', '.join(ends)}"
+    return Figure(draw(heat), "Error over step and contact stiffness", caption, alt)
 
 
 def _trajectory(over_time: Sequence[History], symbol: str, draw: Draw) -> list[Figure]:

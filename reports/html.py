@@ -48,19 +48,20 @@ def _built(
 
         draw = functools.partial(drawing, folder=store.root / "figures")
         view = page(manifest, functools.cache(store.series), draw, past, stamp)
-        deliver(output, str(_template().render(page=view)).encode())
+        deliver(output, str(_template(store.templates()).render(page=view)).encode())
     return output
 
 
 @functools.cache
-def _template() -> Any:
-    """The page's template: text is escaped, and a misspelt name is an error."""
+def _template(folder: Path) -> Any:
+    """The page's template, compiled in a folder: text is escaped, a misspelt name is an error."""
     import jinja2
 
     from reports import text
 
     environment = jinja2.Environment(
         loader=jinja2.FileSystemLoader(HERE / "templates"),
+        bytecode_cache=jinja2.FileSystemBytecodeCache(str(folder)),
         autoescape=True,
         undefined=jinja2.StrictUndefined,
         trim_blocks=True,

@@ -35,7 +35,7 @@ def page(
     """
     records = manifest["records"]
     looks = marks(tables.label(record) for record in records)
-    dear, profiles = costs.costs(manifest, looks)
+    dear, profiles = costs.costs(manifest, looks, draw)
     return Page(
         digest=digest,
         name=manifest["name"],

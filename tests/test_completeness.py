@@ -71,6 +71,8 @@ def test_each_parameter_enters_the_answer_or_is_declared_inert(case: Case) -> No
     for variant in case.variants:
         defaults = case.defaults(variant.name)
         now = answer(case, variant.name, defaults)
+        if not len(now):  # a map shows a number of each run, whose reference is no error at all
+            continue
         inert = {
             name
             for name in set(defaults) - {"duration"}
@@ -89,7 +91,8 @@ def answer(case: Case, variant: str, parameters: Parameters) -> Vector:
     trial = case.declare(variant, parameters)
     t = trial.study.goal.duration * np.arange(1, 11) / 10
     series = [q for q in trial.quantities if isinstance(q, Series)]
-    return np.concatenate([q.reference(t) for q in series if q.reference is not None])
+    told = [q.reference(t) for q in series if q.reference is not None]
+    return np.concatenate([np.zeros(0), *told])
 
 
 @pytest.mark.parametrize("adapter", ADAPTERS, ids=lambda adapter: adapter.name)

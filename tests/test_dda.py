@@ -61,7 +61,7 @@ def test_stiff_contacts_have_two_real_roots_that_go_back_to_one(O: float) -> Non
 
 
 def test_the_step_is_first_order_at_a_fixed_stiffness() -> None:
-    """Through the first slip; a shear spring that sticks anew starts unloaded, and rings."""
+    """Through the first slip; no kink of friction lies in it."""
     scene, kn, steps = slope(20, 22, A=5.0), 1e7, (4e-3, 2e-3, 1e-3, 5e-4, 2.5e-4)
     paths = [moved(run(asked(scene, dt, kn, 0.4, 0.02), DEFAULT)) for dt in (*steps, 1e-5)]
     errors = [np.abs(path - paths[-1]).max() for path in paths[:-1]]

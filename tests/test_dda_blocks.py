@@ -56,6 +56,7 @@ def test_the_reduced_kernel_agrees_with_the_general_route_to_rounding(
     assert many.ledger is not None
     assert many.ledger.terms == pytest.approx(dict(few.ledger.terms), abs=1e-9 * few.ledger.peak)
     assert few.steps == many.steps
+    assert all(seen <= allowed for seen, allowed in many.ledger.audits.values())
 
 
 def test_the_smallest_model_is_built() -> None:
@@ -116,6 +117,7 @@ def test_blocks_pass_momentum_on_and_lose_none() -> None:
     assert done.ledger is not None
     assert done.ledger.bound is not None
     assert done.ledger.unaccounted <= done.ledger.bound
+    assert all(seen <= allowed for seen, allowed in done.ledger.audits.values())
 
 
 def test_a_stack_at_rest_stays_at_rest() -> None:

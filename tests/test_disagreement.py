@@ -30,6 +30,14 @@ def ladder(slope: float = 1.0, verdict: str = "fail", kn: float | None = None) -
     return made
 
 
+def passing(tolerance: float) -> list[Any]:
+    """The same two rungs where that is the tolerance."""
+    made = ladder(verdict="pass")
+    for one in made:
+        one["quantities"][0]["tolerance"] = tolerance
+    return made
+
+
 def verdicts(records: list[Any], **changes: Any) -> set[str]:
     known = Disagreement(**{**KNOWN, **changes})
     return {r["quantities"][0]["verdict"] for r in judge(records, [known], TODAY)}
@@ -39,6 +47,16 @@ def test_a_failure_inside_its_bands_is_known() -> None:
     assert verdicts(ladder()) == {"xfail"}
 
 
+def test_a_pass_inside_a_band_that_reaches_below_the_tolerance_is_a_pass() -> None:
+    assert verdicts(passing(1.9e-2)) == {"pass"}
+
+
+def test_a_band_moves_with_the_stiffness() -> None:
+    change = {"kn": 1e9, "softness": 0.5, "error": (1.8e-2, 2.8e-2)}
+    assert verdicts(ladder(kn=4e9), **change) == {"xfail"}
+    assert verdicts(ladder(kn=1e9), **change) == {"fail"}
+
+
 @pytest.mark.parametrize(
     ("records", "change", "verdict"),
     [
@@ -46,7 +64,8 @@ def test_a_failure_inside_its_bands_is_known() -> None:
         (ladder(), {"error": (1.1e-2, 2e-2)}, "fail"),  # better than known
         (ladder(1.3), {}, "fail"),  # of a higher order
         (ladder(0.7), {}, "fail"),  # of a lower one
-        (ladder(verdict="pass"), {}, "xpass"),
+        (passing(5e-2), {}, "xpass"),  # the whole band passes
+        (passing(3e-2), {"error": (1.1e-2, 1.9e-2)}, "xpass"),  # better than known
         (ladder(), {"expires": "2026-12-31"}, "fail"),
         (ladder(), {"versions": "2.*"}, "fail"),
         (ladder(), {"quantity": "z"}, "fail"),

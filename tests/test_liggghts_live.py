@@ -253,3 +253,12 @@ def test_the_step_that_charges_springs_is_no_part_of_the_loop_s_time(tmp_path: P
     ask = Ask(scene, History(2.0, 0.02), (Displacement(1),), Knobs(1e-4, 1e9))
     (run,) = ran([ask], "default", tmp_path, repeat=0.01)
     assert run.cost.solve_cpu > 2e-3  # 20 000 steps; the charge takes one
+
+
+def test_a_long_solve_states_less_than_its_elapsed_time_and_most_of_it(tmp_path: Path) -> None:
+    """On a core of its own it is what LIGGGHTS' own timer says; on a shared one it is its share."""
+    ask = CASE.declare("T1", CASE.defaults("T1")).study.ask(Knobs(dt=1e-6))
+    (run,) = ADAPTER.run([ask], "default", tmp_path, 0.05)
+    assert 0.05 * run.cost.solve_wall < run.cost.solve_cpu <= 1.01 * run.cost.solve_wall
+    told = np.loadtxt(next(tmp_path.glob("time-*.cpu")), usecols=0)
+    assert (np.diff(told) > 0).all()

@@ -31,6 +31,7 @@ class Method(enum.Enum):
     SECOND_ORDER = "second order in dt"
     FIRST_ORDER = "first order in dt"
     PENALTY = "penalty contact"
+    LAGGING = "penalty contact whose friction lags behind the load"
 
 
 @dataclass(frozen=True)

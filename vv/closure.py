@@ -54,14 +54,18 @@ def _imports(path: Path) -> tuple[str, ...]:
 
 
 def _names(tree: ast.AST) -> Iterator[str]:
-    for node in ast.walk(tree):
+    """What the statements below a node import; expressions, which cannot, are not looked at."""
+    for node in ast.iter_child_nodes(tree):
         if isinstance(node, ast.Import):
             yield from (alias.name for alias in node.names)
         elif isinstance(node, ast.ImportFrom) and node.module:
             yield node.module
             yield from (f"{node.module}.{alias.name}" for alias in node.names)
+        elif isinstance(node, ast.stmt | ast.excepthandler | ast.match_case):
+            yield from _names(node)
 
 
+@functools.cache
 def _locate(name: str, roots: tuple[Path, ...]) -> list[Path]:
     """The files of a dotted module of ours: the module and its packages' __init__."""
     parts = name.split(".")

@@ -22,7 +22,7 @@ def shared(project: Project, plan: Plan) -> dict[tuple[str, str], Path]:
     places = roots(project)
     codes = {
         code: {f for f in closure(project.adapter_files(code), places) if f.parent != PACKAGE}
-        for code in plan.adapters
+        for code in {job.code for job in plan.jobs}
     }
     found = {}
     for case in plan.cases:

@@ -80,7 +80,9 @@ def carry_out(
     terms = Terms(now.date(), limits.against, limits.timing is Timing.NEW)
     manifest = {
         "provenance": provenance(project.root, command, now),
-        "codes": {code: _code(project, plan, code) for code in plan.found},
+        "codes": {
+            code: _code(project, plan, code) for code in sorted({job.code for job in plan.jobs})
+        },
         "cases": dossiers(plan),
         **judged(project, plan, ordered, terms),
     }

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import functools
 
 import numpy as np
 
@@ -26,6 +27,7 @@ def why_no_point(scene: Scene) -> str | None:
     return None
 
 
+@functools.lru_cache(maxsize=64)  # asked once a rung for one scene
 def as_spheres(scene: Scene) -> Scene:
     """The scene with each block as a sphere at its centroid, with the block's gap to the wall.
 

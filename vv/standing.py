@@ -16,7 +16,7 @@ from vv.closure import CONTENT, source_digest
 from vv.content import written
 from vv.digest import digest
 from vv.project import Project
-from vv.provenance import commit, file_digests, machine
+from vv.provenance import commit, machine
 from vv.store import Store
 
 LASTING = {status.name.lower().replace("_", "-") for status in (Status.RAN, Status.REFUSED)}
@@ -36,7 +36,7 @@ def identity(project: Project, words: Sequence[str], today: datetime.date) -> st
         str(Path.cwd()),
         {name: value for name, value in os.environ.items() if name in SEEN or name[:3] == "VV_"},
         [[name, one.installed, one.version] for name, one in sorted(found.items())],
-        sorted(file_digests(files, project.data() / "digests.json").items()),
+        [[str(file), *_state(file)] for file in files],
         source_digest(_sources(project)),
         _libraries(),
         list(commit(project.root)),
@@ -88,9 +88,9 @@ def _libraries() -> list[str]:
 
 
 def _state(path: Path) -> list[int]:
-    """Size and time of change of a file; empty where there is none."""
+    """Size and times of change of a file, which cannot be set back; empty where there is none."""
     try:
         state = path.stat()
     except OSError:
         return []
-    return [state.st_size, state.st_mtime_ns]
+    return [state.st_size, state.st_mtime_ns, state.st_ctime_ns]

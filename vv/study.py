@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import enum
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from vv.ask import Ask, History, Knobs, Observable
@@ -16,6 +16,11 @@ class Level(enum.Enum):
     QUICK = "quick"
     DEFAULT = "default"
     PAPER = "paper"
+
+
+def grid(dt: Sequence[float], kn: Sequence[float]) -> tuple[Knobs, ...]:
+    """Rungs at every stiffness [N/m] and every step [s]: an error over both makes a map."""
+    return tuple(Knobs(step, stiffness) for stiffness in kn for step in dt)
 
 
 @dataclass(frozen=True, eq=False)

@@ -2,7 +2,8 @@
 
 LIGGGHTS states the elapsed time of its stepping loop and, apart, that of output within it. On one
 thread that never waits, elapsed time is CPU time as long as nothing else wants the core, so the
-least of several solves stands for both. Timed solves write nothing and are solves of their own,
+least of several solves stands for both; of a long one, which others interrupt on any busy machine,
+the system says how long it was on a core. Timed solves write nothing and are solves of their own,
 from an empty LIGGGHTS to the last step; the first of several is not counted. Set-up is what
 remains of a solve, known to the tick of the file system's clock: some ms over all the solves.
 """
@@ -22,14 +23,17 @@ from adapters.liggghts.answers import loops, parse
 from adapters.liggghts.deck import deck, silent_deck
 from vv import external
 from vv.ask import Ask, Cost, Model, Run, Status
+from vv.scene import Vector
 
 # One process without a network of ranks: Open MPI's search for one takes 0.3-0.5 s.
+ON_CPU = "on-cpu.sh"  # adds to a file how long the program has been on a core
 MPI = {
     "OMPI_MCA_ess_singleton_isolated": "1",
     "OMPI_MCA_btl": "self",
     "OMPI_MCA_pml": "ob1",
 }
 LEAST_REPEATS = 4  # with the first, which is not counted
+LONG = 5e-3  # s of a solve beside which asking the system, a millisecond, is no cost
 MOST_REPEATS = 300  # each costs a set-up of about a millisecond besides its solve
 
 
@@ -69,12 +73,13 @@ def timed(
     """Runs with the cost of solves that write nothing, repeated for about `repeat` CPU seconds."""
 
     def launch(indices: Sequence[int]) -> external.Program:
-        parts = [
-            _framed(f"time-{i}", "clear\n".join([silent_deck(asks[i], scheme)] * times(i)))
-            for i in indices
-            if runs[i].status is Status.RAN
-        ]
+        parts = [_framed(f"time-{i}", text(i)) for i in indices if runs[i].status is Status.RAN]
         return _start(parts, scratch, path)
+
+    def text(index: int) -> str:
+        long = runs[index].cost.solve_cpu > LONG
+        around = [f"shell sh {ON_CPU} time-{index}.cpu"] if long else []
+        return "clear\n".join([silent_deck(asks[index], scheme, around)] * times(index))
 
     def times(index: int) -> int:
         once = max(runs[index].cost.solve_cpu, 1e-6)  # may have been disturbed, hence the least
@@ -114,8 +119,10 @@ def _start(parts: Sequence[str], scratch: Path, path: str) -> external.Program:
     """Start LIGGGHTS on the parts; by line, since it loses what it has not written when it dies."""
     batch = scratch / f"batch-{len(list(scratch.glob('batch-*.in')))}.in"
     batch.write_text("".join(parts))
+    (scratch / ON_CPU).write_text('cat /proc/"$(cat program.pid)"/schedstat >>"$1"\n')
     by_line = ["stdbuf", "-oL"] if shutil.which("stdbuf") else []
-    command = [*by_line, path, "-in", batch.name, "-echo", "none", "-log", "none"]
+    named = ["sh", "-c", 'echo $$ >program.pid; exec "$@"', "sh"]
+    command = [*named, *by_line, path, "-in", batch.name, "-echo", "none", "-log", "none"]
     return external.start(command, scratch, MPI)
 
 
@@ -129,13 +136,22 @@ def _cost(part: Path) -> Cost:
     """The cost of the solves in a part of a batch that is done."""
     spent = loops(part.with_suffix(".log").read_text(errors="replace"))
     begun, done = (part.with_suffix(s).stat().st_mtime for s in (".begun", ".done"))
-    counted = spent.solve[1:] if len(spent.solve) > 1 else spent.solve
+    solve = np.minimum(spent.solve, _on_cpu(part.with_suffix(".cpu"), len(spent.solve)))
+    counted = solve[1:] if len(solve) > 1 else solve
     least = float(counted.min())
     return Cost(
         setup=max(0.0, (done - begun - float(spent.whole.sum())) / len(spent.whole)),
         solve_cpu=least,
-        solve_wall=least,
+        solve_wall=float(spent.solve.min()),
         output=float((spent.whole - spent.solve)[0]),
         repeats=len(counted),
         spread=float(np.ptp(counted)) / least if least > 0 else 0.0,
     )
+
+
+def _on_cpu(told: Path, solves: int) -> Vector:
+    """Seconds that each solve was on a core, (k,); infinite where the system was not asked."""
+    if not told.exists():
+        return np.full(solves, np.inf)
+    before, after = np.loadtxt(told, usecols=0, ndmin=1).reshape(-1, 2).T
+    return np.asarray((after - before) * 1e-9)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 import numpy as np
 
@@ -47,9 +47,9 @@ def deck(ask: Ask, scheme: str, history: str) -> str:
     return _text([*_prepared(ask, scheme), *observed, _run(ask), "unfix history"])
 
 
-def silent_deck(ask: Ask, scheme: str) -> str:
-    """The same solve without any output, for timing."""
-    return _text([*_prepared(ask, scheme), _run(ask)])
+def silent_deck(ask: Ask, scheme: str, around: Sequence[str] = ()) -> str:
+    """The same solve without any output, for timing; around: commands before and after its run."""
+    return _text([*_prepared(ask, scheme), *around, _run(ask), *around])
 
 
 def _text(lines: Iterable[str]) -> str:

@@ -54,11 +54,22 @@ def touch_room(count: int) -> Touch:
 
 
 @called
-def closed(touch: Touch, kn: float) -> None:
-    """Let the points that overlap at the start stick, pressed by their springs."""
+def closed(touch: Touch, went: Vector, kn: float, ks: float, mu: float, hold: float) -> None:
+    """Let the points that overlap at the start stick, pressed by their springs.
+
+    went: unknowns (q,) by which blocks came here from where they were placed; with hold 1 shear
+    springs are stretched by that as far as friction bears it.
+    """
     for k in range(len(touch.key)):
         if touch.gap[k] < 0.0:
             touch.state[k], touch.push[k] = STICK, -kn * touch.gap[k]
+            spring, n = NOWHERE, at(touch.normal, k)
+            for m in range(touch.columns[k]):
+                spring = plus(spring, went[touch.column[k, m]], at(touch.field[k], m))
+            spring = plus(spring, -dot(spring, n), n)
+            force, limit = ks * np.sqrt(dot(spring, spring)), mu * touch.push[k]
+            part = 1.0 if force <= limit else limit / force
+            put(touch.spring, k, plus(NOWHERE, hold * part, spring))
 
 
 @called

@@ -38,7 +38,7 @@ def held(
 @called
 def close_step(
     ledger: Vector, worst: Vector, pull: Vector, touch: Touch, used: Index, rub: Vector,
-    relative: Vector, moved: Vector, kn: float, ks: float, mu: float,
+    relative: Vector, moved: Vector, kn: float, ks: float, mu: float, hold: float,
 ) -> None:  # fmt: skip
     """Add what contacts did in a step; leave springs and gaps (c,) as they are at its end.
 
@@ -64,6 +64,12 @@ def close_step(
             spring = plus(spring, 1.0, slip)
             stretch += ks * dot(spring, slip) - 0.5 * ks * dot(spring, spring)
             rubs = plus(NOWHERE, -ks, spring)
+        elif used[k] == SLIDE:
+            taken, was = at(rub, k), spring
+            spring = plus(NOWHERE, hold / ks if ks > 0.0 else 0.0, taken)
+            jump = plus(spring, -1.0, was)
+            stretch += hold * dot(taken, jump) - 0.5 * ks * dot(spring, spring)
+            slip = plus(slip, -hold, jump)
         else:
             spring = NOWHERE
         put(touch.spring, k, spring)

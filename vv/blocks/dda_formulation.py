@@ -7,8 +7,12 @@ from dataclasses import dataclass
 
 from vv.blocks.dda_limits import MOST, SERIES
 
-SHEAR = 0.4
-"""ks/kn of the springs that stand in for rigid contact, at each point of contact."""
+PUBLISHED_SHEAR = 0.4
+"""ks/kn at each point of contact, as is usual in DDA."""
+
+SHEAR = 25.0
+"""The same where contact is meant to be rigid: shear springs lag each time slip turns back, and
+leave an error of order ks^-1/2, normal springs one of 1/kn (vv.dem.rigid)."""
 
 
 @dataclass(frozen=True)
@@ -36,8 +40,9 @@ class Formulation:
     one is T d (Yagoda-Biran 2016, Eqs. 3, 4), which lets turning blocks grow. settling: seconds
     of gravity before a drive sets in. dd: the part of its velocity that a step hands on. shear:
     ks/kn where the scene says rigid contact. pressed: contacts start with the penetration that
-    carries the loads, their shear springs unloaded; else as placed. elastic: strains, None for
-    none. Raises ValueError for a number out of range.
+    carries the loads; else as placed. charged: shear springs bear friction, of the loads at the
+    start and while a contact slides; else they start unloaded and are let go by every slip.
+    elastic: strains, None for none. Raises ValueError for a number out of range.
     """
 
     tolerance: float
@@ -47,6 +52,7 @@ class Formulation:
     dd: float = 1.0
     shear: float = SHEAR
     pressed: bool = True
+    charged: bool = True
     elastic: Elastic | None = None
 
     def __post_init__(self) -> None:
@@ -66,7 +72,9 @@ class Formulation:
 DEFAULT = Formulation(tolerance=1e-12, iterations=MOST, terms=SERIES)
 """Friction iterated to convergence within the open-close iteration."""
 
-PUBLISHED = Formulation(tolerance=math.inf, iterations=6, terms=1, settling=2.0)
+PUBLISHED = Formulation(
+    tolerance=math.inf, iterations=6, terms=1, settling=2.0, shear=PUBLISHED_SHEAR, charged=False
+)
 """As in the codes that Yagoda-Biran and Hatzor (2016) ran, with their settling phase."""
 
 LAGGED = Formulation(tolerance=math.inf, iterations=MOST, terms=SERIES)

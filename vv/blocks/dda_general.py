@@ -15,7 +15,7 @@ from vv.blocks.dda_unknowns import columns, rates
 from vv.blocks.geometry import depth_axis, planes, shapes
 from vv.scene import Scene, Term, Vector
 
-BODIES, ENDS = 2, 4  # where these stand in what the kernel is told
+BODIES, ENDS = 3, 5  # where these stand in what the kernel is told
 
 
 @dataclass(frozen=True, eq=False)
@@ -84,6 +84,7 @@ class General:
         return (
             way.terms,
             dd,
+            float(self.formulation.charged),
             self.bodies(),
             begun,
             self.motion(),

@@ -39,7 +39,7 @@ def lightness(touch: Touch, state: Index, bodies: Bodies, step: float) -> Vector
 def iterate(  # noqa: PLR0912 - a branch per contact state
     d: Vector, touch: Touch, bodies: Bodies, motion: Motion, mass: Vector, outer: Vector,
     moved: Vector, step: float, kn: float, ks: float, mu: float,
-    tolerance: float, iterations: int, elastic: Vector,
+    hold: float, tolerance: float, iterations: int, elastic: Vector,
 ) -> tuple[bool, int, Index, Vector, Vector]:  # fmt: skip
     """Solve for the unknowns d (q,) of a step [s] and the states of all contacts.
 
@@ -93,7 +93,7 @@ def iterate(  # noqa: PLR0912 - a branch per contact state
             put(rub, k, taken)
             now, push, way = respond(
                 used[k], touch.gap[k] + opened, slip, at(touch.spring, k), at(touch.way, k),
-                kn, ks, mu, ease[k],
+                kn, ks, mu, hold, ease[k],
             )  # fmt: skip
             touch.state[k], touch.push[k] = now, push
             put(touch.way, k, way)

@@ -79,6 +79,7 @@ def move_blocks(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
     iterations: int,
     terms: int,
     dd: float,
+    hold: float,
     bodies: Bodies,
     begun: Motion,
     motion: Motion,
@@ -98,9 +99,10 @@ def move_blocks(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
     """Step all blocks by DDA; return rows filled.
 
     settling: steps before t = 0 with drives at rest; tolerance, iterations, terms, dd: see
-    Formulation; begun: the start; motion: becomes the end; base, starts: see `drives`; shaking:
-    a body acceleration; kn, ks [N/m] and mu of every point of contact; reach [m]: see `found`;
-    elastic: (q, 12) stiffness of strains [N m], laid out as `masses` are.
+    Formulation; hold: 1 where it is charged, else 0; begun: the start; motion: becomes the end;
+    base, starts: see `drives`; shaking: a body acceleration; kn, ks [N/m] and mu of every point
+    of contact; reach [m]: see `found`; elastic: (q, 12) stiffness of strains [N m], laid out as
+    `masses` are.
 
     Every `stride` steps a row is written: path (k, b, 6): displacement and velocity of the
     watched blocks (b,); energy (k, 13) and report (k, 9): see `dda_energy`.
@@ -113,7 +115,7 @@ def move_blocks(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
     put_in = ever = 0.0
     copied(motion, begun)
     touch = found(touch_room(0 * walls), bodies, motion, shapes, moves, planes, shift, depth, reach)
-    closed(touch, kn)
+    closed(touch, motion.strain, kn, ks, mu, hold)
     masses(mass, bodies, motion)
     held(ledger, touch, bodies, motion, mass, kn, ks, elastic)
     origin = motion.centre.copy()
@@ -130,7 +132,7 @@ def move_blocks(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
                 pushed(outer, bodies, shake)
                 ended, solved, used, rub, relative = iterate(
                     d, touch, bodies, motion, mass, outer, moved, part, kn, ks, mu,
-                    tolerance, iterations, elastic,
+                    hold, tolerance, iterations, elastic,
                 )  # fmt: skip
                 worst[SOLVED] += solved
                 worst[ITERATIONS] = max(worst[ITERATIONS], solved)
@@ -140,7 +142,7 @@ def move_blocks(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
                     worst[CUT] += 1
                     continue
                 worst[FAILED] += 0 if ended else 1
-                close_step(ledger, worst, pull, touch, used, rub, relative, moved, kn, ks, mu)
+                close_step(ledger, worst, pull, touch, used, rub, relative, moved, kn, ks, mu, hold)
                 audit(worst, pull, outer, d, part, bodies, motion, mass, elastic)
                 for i in range(len(bodies.mass)):
                     line = travelled(bodies, i, d)

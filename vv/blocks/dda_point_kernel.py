@@ -24,6 +24,7 @@ def slide_point(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
     iterations: int,
     dd: float,
     pressed: bool,
+    hold: float,
     mass: float,
     points: int,
     kn: float,
@@ -42,7 +43,7 @@ def slide_point(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
     points: how many points of contact share the load, each with springs kn, ks [N/m]; ks, mu
     None without friction; gravity, load, shaking: their parts along the free directions, which
     hold the normal and all motion of the base; gap [m] at t = 0, before which `settling` steps
-    are taken with drives at rest. tolerance: see Formulation.
+    are taken with drives at rest. tolerance, hold: see `move_blocks`.
 
     d'' = (2/D^2)(d - D v0), v = (2/D) d - v0 (Yagoda-Biran 2016, Eq. 5 corrected). Rows are
     those of `move_blocks`: path (k, 6), energy (k, 13), report (k, 9).
@@ -53,6 +54,12 @@ def slide_point(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
         push = max(0.0, -dot(plus(load, mass, gravity), normal)) / points
         if push > 0.0:
             x, state = plus(NOWHERE, -gap - push / kn, normal), STICK if ks is not None else SLIDE
+            if ks is not None and mu is not None:
+                pull = plus(load, mass, gravity)
+                pull = plus(pull, -dot(pull, normal), normal)
+                size = np.sqrt(dot(pull, pull)) / points
+                part = 1.0 if size <= mu * push else mu * push / size
+                spring = plus(NOWHERE, hold * part / (points * ks), pull)
     origin = x
     rubbed = lost = damped = fallen = worked = carried = shaken = created = 0.0
     residual = deepest = excess = adrift = peak = 0.0
@@ -94,7 +101,7 @@ def slide_point(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
                     after = space + d_n - moved_n
                     slip = plus(d_t, -1.0, moved_t)
                     now, force, along = respond(
-                        used, after, slip, spring, along, kn, ks, mu, c / points
+                        used, after, slip, spring, along, kn, ks, mu, hold, c / points
                     )
                     ended = now == used
                     if mu is not None and used == SLIDE and now == SLIDE:
@@ -124,6 +131,12 @@ def slide_point(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
                         lost += points * ks * dot(spring, slip)
                         lost += old - 0.5 * points * ks * dot(spring, spring)
                         carried -= points * ks * dot(spring, moved_t)
+                    elif used == SLIDE:
+                        was, spring = spring, plus(NOWHERE, hold / ks, rub)
+                        jump = plus(spring, -1.0, was)
+                        lost += points * hold * dot(rub, jump)
+                        lost += old - 0.5 * points * ks * dot(spring, spring)
+                        slip = plus(slip, -hold, jump)
                     else:
                         spring = NOWHERE
                         lost += old

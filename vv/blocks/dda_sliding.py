@@ -51,7 +51,8 @@ class Sliding:
         from vv.drive import NO_MOTION, drive
 
         block, wall, hold = self.lone.block, self.lone.wall, self.lone.hold
-        start = self.formulation.dd, self.formulation.pressed
+        way = self.formulation
+        start = way.dd, way.pressed, float(way.charged)
         vectors = (block.velocity, self.scene.gravity, block.load)
         shaking = drive(self.scene.shaking or NO_MOTION)
         felt = shaking._replace(direction=shaking.direction @ hold)

@@ -117,6 +117,7 @@ class Program:
 
     def _start(self) -> str:
         pressed = "pressed by their loads" if self.formulation.pressed else "as placed"
+        pressed += ", shear springs charged" if self.formulation.charged else ""
         settled = f", after {self.settling} steps of gravity alone" if self.settling else ""
         return f"contacts start {pressed}{settled}"
 

@@ -164,7 +164,7 @@ def record(
                 Path(path).name: digest for path, digest in manifest["codes"][code]["files"].items()
             },
         }
-        for code in external
+        for code in external & set(manifest["codes"])
     }
     series = Store(project.data()).series
     for path in recorded.keep(recorded_of(project), manifest["records"], series, circumstances):

@@ -1,0 +1,122 @@
+"""The map of an error over step and contact stiffness: a panel for each code, as data and drawn."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from reports.collect import Ladder
+from reports.marks import Mark
+from reports.text import brief, power
+from vv.metrics import Vector
+
+LEAST = 3  # stiffnesses and steps without which there is no map
+ACROSS = 3  # panels side by side
+COLOURS = "viridis_r"  # dark is wrong
+BOX = (0.125, 0.115, 0.745, 0.81)  # the panels: left, bottom, width, height of the figure
+BAR = (0.895, 0.115, 0.025, 0.81)
+GAP = (0.03, 0.1)
+
+
+@dataclass(frozen=True, eq=False)
+class Panel:
+    """One code/scheme: steps (n,) [s] and stiffnesses (m,) [N/m] ascending, errors (m, n).
+
+    An error that is not finite is nan.
+    """
+
+    mark: Mark
+    dt: Vector
+    kn: Vector
+    error: Vector
+
+    def best(self) -> float:
+        """The stiffness [N/m] of the smallest error at the finest step that has any."""
+        columns = np.isfinite(self.error).any(axis=0)
+        return float(self.kn[np.nanargmin(self.error[:, int(np.argmax(columns))])])
+
+
+@dataclass(frozen=True, eq=False)
+class HeatMap:
+    """All panels, on one scale of colours."""
+
+    panels: tuple[Panel, ...]
+
+
+def error_map(ladders: Sequence[Ladder]) -> HeatMap | None:
+    """The map, if every stiffness of some code was run at one and the same few steps."""
+    piles: dict[str, list[Ladder]] = {}
+    for ladder in ladders:
+        if ladder.kn is not None:
+            piles.setdefault(ladder.mark.label, []).append(ladder)
+    panels = [panel for pile in piles.values() if (panel := _panel(pile)) is not None]
+    return HeatMap(tuple(panels)) if panels else None
+
+
+def _panel(pile: Sequence[Ladder]) -> Panel | None:
+    stiffnesses = sorted(ladder.kn for ladder in pile if ladder.kn is not None)
+    steps = [sorted(p.dt for p in ladder.points if p.dt is not None) for ladder in pile]
+    if min(len(pile), len(steps[0])) < LEAST - 1 or any(row != steps[0] for row in steps):
+        return None
+    if max(len(pile), len(steps[0])) < LEAST:
+        return None
+    error = np.full((len(stiffnesses), len(steps[0])), np.nan)
+    for ladder in pile:
+        for p in ladder.points:
+            if ladder.kn is not None and p.dt is not None and p.error is not None:
+                error[stiffnesses.index(ladder.kn), steps[0].index(p.dt)] = p.error
+    if not (error > 0).any():
+        return None
+    return Panel(pile[0].mark, np.array(steps[0]), np.array(stiffnesses), error)
+
+
+def draw_map(figure: Any, heat: HeatMap) -> None:
+    """Draw the panels in rows, and the scale beside them; a cell without a result is crossed."""
+    from matplotlib.colors import LogNorm
+
+    known = np.concatenate([panel.error.ravel() for panel in heat.panels])
+    known = known[np.isfinite(known) & (known > 0)]
+    ends = math.floor(np.log10(known.min())), math.ceil(np.log10(known.max()))
+    scale = LogNorm(10.0 ** ends[0], 10.0 ** ends[1])
+    columns = min(ACROSS, len(heat.panels))
+    rows = math.ceil(len(heat.panels) / columns)
+    width = (BOX[2] - GAP[0] * (columns - 1)) / columns
+    height = (BOX[3] - GAP[1] * (rows - 1)) / rows
+    for place, panel in enumerate(heat.panels):
+        row, column = divmod(place, columns)
+        left = BOX[0] + column * (width + GAP[0])
+        bottom = BOX[1] + (rows - 1 - row) * (height + GAP[1])
+        lowest = place + columns >= len(heat.panels)
+        axes = figure.add_axes((left, bottom, width, height))
+        mesh = _draw_panel(axes, panel, scale)
+        _label(axes, panel, column == 0, lowest)
+    bar = figure.colorbar(mesh, cax=figure.add_axes(BAR))
+    ticks = range(ends[0], ends[1] + 1)
+    bar.set_ticks([10.0**n for n in ticks], labels=[power(n) for n in ticks], fontsize=7)
+    bar.set_ticks([], minor=True)
+    bar.outline.set_visible(False)
+
+
+def _draw_panel(axes: Any, panel: Panel, scale: Any) -> Any:
+    shown = np.ma.masked_invalid(np.where(panel.error > 0, panel.error, np.nan))
+    axes.set_facecolor("#e3e6e9")
+    for i, j in np.argwhere(~np.isfinite(panel.error)):
+        axes.plot(j + 0.5, i + 0.5, "x", color="#b3200c", markersize=4)
+    return axes.pcolormesh(shown, cmap=COLOURS, norm=scale, edgecolors="white", linewidth=0.4)
+
+
+def _label(axes: Any, panel: Panel, left: bool, lowest: bool) -> None:
+    """Name the panel; write steps below the lowest row and stiffnesses beside the first column."""
+    axes.set_title(panel.mark.label, fontsize=7, pad=2)
+    axes.tick_params(length=0, pad=2, labelsize=6)
+    steps, stiffnesses = np.arange(len(panel.dt)), np.arange(len(panel.kn))
+    axes.set_xticks(steps + 0.5, [brief(dt) for dt in panel.dt] if lowest else [], rotation=45)
+    axes.set_yticks(stiffnesses + 0.5, [brief(kn) for kn in panel.kn] if left else [])
+    if lowest:
+        axes.set_xlabel("dt [s]", fontsize=7, labelpad=1)
+    if left:
+        axes.set_ylabel("kn [N/m]", fontsize=7, labelpad=1)

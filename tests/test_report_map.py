@@ -1,0 +1,83 @@
+"""Claims about the map of an error over step and contact stiffness."""
+
+from __future__ import annotations
+
+import dataclasses
+
+import numpy as np
+
+from cases.responding_block import CASE
+from reports.charts import Chart
+from reports.collect import Ladder, Point
+from reports.figures import draw
+from reports.gallery import figures
+from reports.maps import HeatMap, error_map
+from reports.marks import marks
+from vv.study import Level
+
+LOOKS = marks(["one", "two"])
+QUANTITY = {"name": "d", "symbol": "d", "unit": "m"}
+
+
+def ladder(name: str, kn: float, errors: dict[float, float | None]) -> Ladder:
+    points = tuple(Point(dt, error, 0.1, False, error is None) for dt, error in errors.items())
+    return Ladder(LOOKS[name], kn, points)
+
+
+FULL = [
+    ladder("one", 1e9, {1e-3: 0.03, 1e-4: 0.002}),
+    ladder("one", 1e7, {1e-3: 0.04, 1e-4: 0.05}),
+    ladder("one", 1e10, {1e-3: None, 1e-4: 0.004}),
+]
+
+
+def test_a_cell_is_where_its_stiffness_and_step_are() -> None:
+    heat = error_map(FULL)
+    assert heat is not None
+    (panel,) = heat.panels
+    assert list(panel.kn) == [1e7, 1e9, 1e10]
+    assert list(panel.dt) == [1e-4, 1e-3]
+    assert np.array_equal(panel.error, [[0.05, 0.04], [0.002, 0.03], [0.004, np.nan]], True)
+    assert panel.best() == 1e9
+
+
+def test_there_is_no_map_where_steps_follow_the_stiffness() -> None:
+    assert error_map([*FULL[:2], ladder("one", 1e10, {1e-4: 0.1, 1e-5: 0.1})]) is None
+    assert error_map(FULL[:1]) is None
+    assert error_map([]) is None
+
+
+def test_a_map_stands_instead_of_curves_and_names_the_best_stiffness_of_each_code() -> None:
+    drawn: list[Chart | HeatMap] = []
+
+    def note(chart: Chart | HeatMap) -> str:
+        drawn.append(chart)
+        return ""
+
+    two = [dataclasses.replace(one, mark=LOOKS["two"]) for one in FULL]
+    (figure,) = figures([], [*FULL, *two], QUANTITY, "max", note)
+    assert [type(chart) for chart in drawn] == [HeatMap]
+    assert "one 1e9 N/m and two 1e9 N/m" in figure.caption
+    assert "Crossed: no result" in figure.caption
+    assert "one 2.00e-3 to 5.00e-2" in figure.alt
+
+
+def test_a_map_is_drawn_with_its_numbers_on_the_axes_and_the_same_each_time() -> None:
+    heat = error_map(FULL)
+    assert heat is not None
+    svg = draw(heat, "salt")
+    assert svg == draw(heat, "salt")
+    for text in ("one", "1e-4", "1e-3", "1e7", "1e9", "1e10", "kn [N/m]", "dt [s]"):
+        assert f">{text}<" in svg
+
+
+def test_the_responding_block_is_mapped_over_nine_stiffnesses_and_six_steps() -> None:
+    trial = CASE.declare("map", CASE.defaults("map"))
+    counts = []
+    for level in (Level.DEFAULT, Level.PAPER):
+        rungs = trial.study.rungs[level]
+        dt, kn = {k.dt for k in rungs}, {k.kn for k in rungs}
+        assert len(rungs) == len(set(rungs)) == len(dt) * len(kn)
+        counts.append((len(kn), len(dt)))
+    assert counts == [(3, 2), (9, 6)]
+    assert (min(k.kn or 0 for k in rungs), max(k.kn or 0 for k in rungs)) == (1e7, 1e10)
