@@ -365,3 +365,10 @@ def test_an_executable_of_one_s_own_is_found_with_its_library(
     found = ADAPTER.found()
     assert (found.installed, found.version, found.path) == (True, "3.7.1", str(program))
     assert found.files == (program.resolve(), library.resolve())
+
+
+def test_numpy_scalars_are_written_as_numbers() -> None:
+    knobs = Knobs(np.float64(DT), np.float64(1e9))
+    ask = dataclasses.replace(block_ask(incline(Frame(28.0), 15.0, A=2.0)), knobs=knobs)
+    for scheme in (PLAIN, CLUMP):
+        assert "float64" not in ADAPTER.native(ask, scheme)

@@ -230,14 +230,17 @@ def test_an_exported_deck_runs_alone_to_the_same_digits(tmp_path: Path, half_ste
     assert (rows[:, 2:] == run.values[Displacement(1)][1:]).all()
 
 
-def test_an_exported_deck_slides_a_block_alone_to_the_same_digits(tmp_path: Path) -> None:
+@pytest.mark.parametrize("scheme", ["default", "clump"])
+def test_an_exported_deck_slides_a_block_alone_to_the_same_digits(
+    scheme: str, tmp_path: Path
+) -> None:
     scene = responding(0.2, 2.0, 0.6)
     shaking = Harmonic(np.array([1.0, 0.0, 0.5]), np.full(3, 3.0))
     scene = dataclasses.replace(scene, shaking=shaking)
     ask = Ask(scene, History(0.2, 0.02), (Displacement(1),), Knobs(1e-4, 1e9))
-    (run,) = ran([ask], "default", tmp_path, repeat=0.01)
+    (run,) = ran([ask], scheme, tmp_path, repeat=0.1)
     assert run.cost.repeats >= 3
-    (tmp_path / "deck.in").write_text(ADAPTER.native(ask, "default"))
+    (tmp_path / "deck.in").write_text(ADAPTER.native(ask, scheme))
     command = [HERE.path, "-in", "deck.in"]
     subprocess.run(command, cwd=tmp_path, env={**os.environ, **MPI}, check=True, stdout=-3)
     rows = np.loadtxt(tmp_path / "history.txt")

@@ -128,9 +128,24 @@ def loose() -> Ask:
     return Ask(scene, History(2.0, 0.02), (BLOCK,), Knobs(5e-5, 1e10))
 
 
+def loaded() -> Ask:
+    """Newmark's block, turned, under a dead load that pushes it on and lifts it."""
+    ask = newmark(30.0, 5.0, turned=True).ask(1e-4, 1e9)
+    load = TURN @ np.array([3000.0, 0.0, 2000.0])
+    block = dataclasses.replace(ask.scene.blocks[0], load=load)
+    scene = dataclasses.replace(ask.scene, bodies=(*ask.scene.walls, block))
+    return dataclasses.replace(ask, scene=scene)
+
+
+LADDER = [1e-4, 2.5e-5, 1e-5]
+FADING = {
+    name: [Ask(known.scene, History(0.7, 0.02), (BLOCK,), Knobs(dt, 1e9)) for dt in (*LADDER, 2e-6)]
+    for name, known in (("dragged", dragged()), ("lifted", lifted()))
+}
 CLUMPED = {
     **{name: SCENES[name].ask(1e-4, 1e9) for name in ("thrown", "newmark, turned", "dragged")},
     "lifted": lifted(turned=True).ask(1e-4, 1e9),
+    "loaded": loaded(),
     "loose": loose(),
 }
 SAME = [name for name in CLUMPED if name != "loose"]
@@ -149,6 +164,8 @@ def answers(tmp_path_factory: pytest.TempPathFactory) -> Answers:
             pytest.skip(f"{code} is not installed: {here.how_to_install}")
         spheres = {**ASKS, **{f"{name}, soft": CLUMPED[name] for name in SAME}}
         runs: dict[str, Run] = {}
+        fading = [(f"{name}, {ask.knobs.dt}", ask) for name in FADING for ask in FADING[name][:-1]]
+        spheres |= dict(fading)
         schemes = {"default": spheres, "clump": CLUMPED}
         if code == "yade":
             schemes["polyhedra"] = COARSE
@@ -178,10 +195,10 @@ def test_a_block_that_holds_stands_still(code: str, answers: Answers) -> None:
     assert np.abs(answers(code)["held"].values[BLOCK]).max() < 1e-12
 
 
-@pytest.mark.parametrize("name", ["newmark", "uphill too", "dragged"])
+@pytest.mark.parametrize("name", ["newmark", "uphill too", "dragged", "loaded, soft"])
 @pytest.mark.parametrize("code", CODES)
 def test_all_leapfrogs_of_one_direction_are_one(code: str, name: str, answers: Answers) -> None:
-    ours = dem.solve_default(ASKS[name]).values[BLOCK]
+    ours = dem.solve_default(ASKS[name] if name in ASKS else loaded()).values[BLOCK]
     assert off(answers(code)[name].values[BLOCK], ours) < 1e-9
 
 
@@ -222,3 +239,13 @@ def test_a_polyhedron_slides_as_the_sphere(name: str, answers: Answers) -> None:
     one, two = runs[f"{name}, coarse"], runs[f"polyhedra: {name}"]
     assert off(two.values[BLOCK], one.values[BLOCK]) < 1e-8
     assert two.model == CODES["yade"].describe(COARSE[name], "polyhedra")
+
+
+@pytest.mark.parametrize(("name", "order"), [("dragged", 2), ("lifted", 1)])
+@pytest.mark.parametrize("code", CODES)
+def test_both_codes_lose_an_order_where_slip_turns(
+    code: str, name: str, order: int, answers: Answers
+) -> None:
+    fine = dem.solve_default(FADING[name][-1]).values[BLOCK]
+    errors = [off(answers(code)[f"{name}, {dt}"].values[BLOCK], fine) for dt in LADDER]
+    assert np.polyfit(np.log(LADDER), np.log(errors), 1)[0] == pytest.approx(order, abs=0.4)

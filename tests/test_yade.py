@@ -424,3 +424,10 @@ def test_values_without_their_facts_are_no_answer_yet(tmp_path: Path) -> None:
     path = answered(tmp_path, np.zeros((1, 11, 3)))
     Path(f"{path}.answer").unlink()
     assert parse(path, ball_ask(ball()), FRAME, MODEL, started=0.0) is None
+
+
+def test_numpy_scalars_are_written_as_numbers() -> None:
+    knobs = Knobs(np.float64(DT), np.float64(1e9))
+    ask = dataclasses.replace(block_ask(incline(Frame(28.0), 15.0, A=2.0)), knobs=knobs)
+    for scheme in (PLAIN, CLUMP, POLYHEDRA):
+        assert "float64" not in ADAPTER.native(ask, scheme)

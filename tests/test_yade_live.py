@@ -224,14 +224,17 @@ def test_an_exported_script_runs_alone_to_the_same_bits(
     assert (printed[:, 1:] == run.values[Displacement(1)]).all()
 
 
-def test_an_exported_script_slides_a_block_alone_to_the_same_bits(tmp_path: Path) -> None:
-    ask = Ask(responding(0.2, 2.0, 0.6), History(0.2, 0.02), (Displacement(1),), Knobs(1e-4, 1e9))
-    (run,) = ran([ask], "default", tmp_path)
+@pytest.mark.parametrize("scheme", ["default", "clump", "polyhedra"])
+def test_an_exported_script_slides_a_block_alone_to_the_same_bits(
+    scheme: str, tmp_path: Path
+) -> None:
+    ask = Ask(responding(0.2, 2.0, 0.6), History(0.2, 0.02), (Displacement(1),), Knobs(2e-4, 1e9))
+    (run,) = ran([ask], scheme, tmp_path)
     script = tmp_path / "script.py"
-    script.write_text(ADAPTER.native(ask, "default"))
+    script.write_text(ADAPTER.native(ask, scheme))
     home = {**os.environ, "HOME": str(tmp_path), "TMPDIR": str(tmp_path)}
     command = [str(PYTHON), "-E", str(script)]
     said = subprocess.run(command, env=home, capture_output=True, text=True, check=True).stdout
     printed = np.array([line.split() for line in said.splitlines() if line[:1].isdigit()], float)
-    assert (printed[:, 1:] == run.values[Displacement(1)]).all()
+    assert (printed[:, 1:] == run.values[Displacement(1)]).all()  # its frame is that of the scene
     assert np.abs(printed[-1, 1:]).max() > 0.01

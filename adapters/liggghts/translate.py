@@ -24,7 +24,7 @@ def step(ask: Ask) -> float:
     """The time step [s]; raises ValueError for an ask without one."""
     if ask.knobs.dt is None:
         raise ValueError("Knobs.dt = None; LIGGGHTS needs a time step")
-    return ask.knobs.dt
+    return float(ask.knobs.dt)  # a numpy scalar would be written with its type
 
 
 @functools.lru_cache(maxsize=32)  # it is wanted several times for each of a ladder's rungs

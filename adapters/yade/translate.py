@@ -40,11 +40,11 @@ def plan(ask: Ask, scheme: str) -> Plan:
         "dt": dt,
         "steps": goal.steps(dt),
         "stride": goal.stride(dt),
-        "kn": scene.contact.kn,
-        "ks": scene.contact.ks if has_friction(scene) else 0.0,
-        "mu": scene.contact.mu,
+        "kn": float(scene.contact.kn),
+        "ks": float(scene.contact.ks) if has_friction(scene) else 0.0,
+        "mu": float(scene.contact.mu),
         "gravity": [0.0, 0.0, 0.0] if extra else scene.gravity.tolist(),
-        "drag": scene.eta,
+        "drag": float(scene.eta),
         "shaking": sines(scene.shaking),
         "charged": _charges(stood),
         "observe": [[_quantity(seen), seen.body] for seen in watched(ask)],
@@ -127,7 +127,7 @@ def _numbers(scene: Scene, kind: type[Wall] | type[Spheres]) -> list[int]:
 def _dt(ask: Ask) -> float:
     if ask.knobs.dt is None:
         raise ValueError("Knobs.dt = None; YADE needs a time step")
-    return ask.knobs.dt
+    return float(ask.knobs.dt)  # a numpy scalar would be written with its type
 
 
 def watched(ask: Ask) -> tuple[Observable, ...]:
