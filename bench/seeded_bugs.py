@@ -49,5 +49,5 @@ BUGS = (
     Bug("ratcheting correction left on", DRIVER, "yade", "noRatch=False", "noRatch=True"),
     Bug("numerical damping left on", DRIVER, "yade", "NewtonIntegrator(damping=0,", "NewtonIntegrator(damping=0.2,"),
     Bug("drag forgotten in the deck", DECK, "liggghts", 'yield f"fix drag all viscous {float(scene.eta)!r}"', 'yield ""'),
-    Bug("tangential damping left on", DECK, "liggghts", " tangential_damping off", ""),
+    Bug("shear spring as stiff as the normal one", DECK, "liggghts", '"kt": ks', '"kt": scene.contact.kn'),
 )  # fmt: skip

@@ -19,7 +19,7 @@ ACROSS = 3  # panels side by side
 COLOURS = "viridis_r"  # dark is wrong
 BOX = (0.125, 0.115, 0.745, 0.81)  # the panels: left, bottom, width, height of the figure
 BAR = (0.895, 0.115, 0.025, 0.81)
-GAP = (0.03, 0.1)
+GAP = (0.03, 0.065)
 
 
 @dataclass(frozen=True, eq=False)
@@ -92,6 +92,7 @@ def draw_map(figure: Any, heat: HeatMap) -> None:
         bottom = BOX[1] + (rows - 1 - row) * (height + GAP[1])
         lowest = place + columns >= len(heat.panels)
         axes = figure.add_axes((left, bottom, width, height))
+        axes.tick_params(length=0, pad=2, labelsize=6 if rows < ACROSS else 5)
         mesh = _draw_panel(axes, panel, scale)
         _label(axes, panel, column == 0, lowest)
     bar = figure.colorbar(mesh, cax=figure.add_axes(BAR))
@@ -112,7 +113,6 @@ def _draw_panel(axes: Any, panel: Panel, scale: Any) -> Any:
 def _label(axes: Any, panel: Panel, left: bool, lowest: bool) -> None:
     """Name the panel; write steps below the lowest row and stiffnesses beside the first column."""
     axes.set_title(panel.mark.label, fontsize=7, pad=2)
-    axes.tick_params(length=0, pad=2, labelsize=6)
     steps, stiffnesses = np.arange(len(panel.dt)), np.arange(len(panel.kn))
     axes.set_xticks(steps + 0.5, [brief(dt) for dt in panel.dt] if lowest else [], rotation=45)
     axes.set_yticks(stiffnesses + 0.5, [brief(kn) for kn in panel.kn] if left else [])

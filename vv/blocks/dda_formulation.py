@@ -6,13 +6,10 @@ import math
 from dataclasses import dataclass
 
 from vv.blocks.dda_limits import MOST, SERIES
+from vv.stand_in import SHEAR
 
 PUBLISHED_SHEAR = 0.4
 """ks/kn at each point of contact, as is usual in DDA."""
-
-SHEAR = 25.0
-"""The same where contact is meant to be rigid: shear springs lag each time slip turns back, and
-leave an error of order ks^-1/2, normal springs one of 1/kn (vv.dem.rigid)."""
 
 
 @dataclass(frozen=True)
