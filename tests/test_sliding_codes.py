@@ -19,7 +19,7 @@ from vv import dem
 from vv.adapter import Adapter
 from vv.ask import Ask, Displacement, History, Knobs, Run, Status
 from vv.block import box_geometry, polyhedron_inertia
-from vv.scene import Block, Contact, Harmonic, Scene, Spheres, Vector, Wall
+from vv.scene import Block, Contact, Harmonic, Scene, Spheres, Term, Vector, Wall
 from vv.transform import about_z, rotated
 
 CODES: dict[str, Adapter] = {"yade": adapters.yade.ADAPTER, "liggghts": adapters.liggghts.ADAPTER}
@@ -150,6 +150,26 @@ CLUMPED = {
 }
 SAME = [name for name in CLUMPED if name != "loose"]
 COARSE = {name: SCENES[name].ask(1e-3, 1e8) for name in ("thrown", "newmark, turned", "dragged")}
+
+
+def odd() -> dict[str, Ask]:
+    """Blocks without friction, thrown uphill, and pulled off their slope."""
+    slick, thrown = slope(28.0, 0.0, sines((5.0, 1.0))), slope(28.0, 15.0, v0=-1.0)
+    load = 40e3 * thrown.walls[0].normal
+    pulled = dataclasses.replace(slope(28.0, 15.0).blocks[0], load=load)
+    scenes = {
+        "slick": slick,
+        "thrown uphill": thrown,
+        "pulled off": dataclasses.replace(thrown, bodies=(*thrown.walls, pulled)),
+    }
+    return {
+        name: Ask(scene, History(0.2, 0.02), (BLOCK,), Knobs(1e-4, 1e8))
+        for name, scene in scenes.items()
+    }
+
+
+ODD = odd()
+SCHEMES = [(code, s.name) for code in CODES for s in CODES[code].schemes if Term.BLOCK in s.terms]
 Answers = Callable[[str], Mapping[str, Run]]
 
 
@@ -170,7 +190,8 @@ def answers(tmp_path_factory: pytest.TempPathFactory) -> Answers:
         if code == "yade":
             schemes["polyhedra"] = COARSE
             spheres |= {f"{name}, coarse": ask for name, ask in COARSE.items()}
-        for scheme, asks in schemes.items():
+        for scheme, own in schemes.items():
+            asks = {**own, **ODD}
             answered = CODES[code].run(
                 list(asks.values()), scheme, tmp_path_factory.mktemp(scheme), 0.0
             )
@@ -249,3 +270,13 @@ def test_both_codes_lose_an_order_where_slip_turns(
     fine = dem.solve_default(FADING[name][-1]).values[BLOCK]
     errors = [off(answers(code)[f"{name}, {dt}"].values[BLOCK], fine) for dt in LADDER]
     assert np.polyfit(np.log(LADDER), np.log(errors), 1)[0] == pytest.approx(order, abs=0.4)
+
+
+@pytest.mark.parametrize("name", ODD)
+@pytest.mark.parametrize(("code", "scheme"), SCHEMES)
+def test_odd_starts_are_as_in_the_engine(
+    code: str, scheme: str, name: str, answers: Answers
+) -> None:
+    run = answers(code)[name if scheme == "default" else f"{scheme}: {name}"]
+    ours = dem.solve_default(ODD[name])
+    assert off(run.values[BLOCK], ours.values[BLOCK]) < 1e-11

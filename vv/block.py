@@ -64,9 +64,15 @@ class Block:
 
     def _check_faces(self) -> None:
         size = float(np.ptp(self.vertices, axis=0).max())
-        edges = [e for face in self.faces for e in zip(face, (*face[1:], face[0]), strict=True)]
-        if sorted(edges) != sorted((b, a) for a, b in edges):
-            raise ValueError(f"block '{self.name}': its faces do not close")
+        rounds = [list(zip(face, (*face[1:], face[0]), strict=True)) for face in self.faces]
+        edges = [edge for edges in rounds for edge in edges]
+        open_edges = [sum(edges.count((b, a)) != 1 for a, b in edges_of) for edges_of in rounds]
+        if any(open_edges):
+            number = open_edges.index(max(open_edges))
+            raise ValueError(
+                f"block '{self.name}', face {number}: the faces do not close round it; one may be "
+                "missing, or this one turned inwards"
+            )
         for number, face in enumerate(self.faces):
             normal = face_normal(self.vertices, face)
             height = (self.vertices - self.vertices[face[0]]) @ normal

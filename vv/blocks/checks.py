@@ -55,6 +55,20 @@ def undetermined(scene: Scene) -> str | None:
     return None
 
 
+def unsupported(scene: Scene) -> str | None:
+    """Which block gravity or a load would drive away for ever: nothing in the scene holds still."""
+    held = any(not block.free.any() for block in scene.blocks)
+    if scene.walls or held:
+        return None
+    for block in scene.blocks:
+        if scene.gravity.any() or block.load.any():
+            return (
+                f"block '{block.name}' has no support: gravity or a load drives it, and the scene "
+                "holds neither a wall nor a block that is held"
+            )
+    return None
+
+
 def overlaps(scene: Scene) -> str | None:
     """Which block lies in a wall or in another block at the start, by more than rounding."""
     for block in scene.blocks:

@@ -1,0 +1,91 @@
+"""The in-house rigid blocks as a code of the framework."""
+
+from __future__ import annotations
+
+import dataclasses
+import importlib.util
+import time
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+
+import vv
+from vv.adapter import Found, Scheme
+from vv.ask import Ask, Method, Model, Run
+from vv.blocks import rigid
+from vv.scene import Term
+from vv.script import python_script
+from vv.timing import timed
+
+SCHEMES = (
+    Scheme(
+        "default",
+        "trapezoidal positions, contact laws at the end of the step, exact Coulomb cone "
+        "converged to a residual; steps cut where slip ends",
+        Method.SECOND_ORDER,
+        frozenset(
+            {
+                Term.WALL_CONTACT,
+                Term.FRICTION,
+                Term.GRAVITY,
+                Term.LOAD,
+                Term.ROTATION,
+                Term.OBLIQUE_LOCK,
+                Term.BLOCK,
+                Term.RIGID_CONTACT,
+                Term.SHAKING,
+                Term.BASE_MOTION,
+            }
+        ),
+    ),
+)
+
+
+class Rigid:
+    """The adapter; it holds no state."""
+
+    name = "rigid"
+    schemes = SCHEMES
+
+    def found(self) -> Found:
+        """Part of vv, if numba is there to compile it."""
+        if importlib.util.find_spec("numba") is None:
+            return Found(False, how_to_install="pip install numba")
+        return Found(True, vv.__version__)
+
+    def refuses(self, ask: Ask, scheme: str) -> str | None:
+        """Why the blocks cannot run an ask though they have every term."""
+        return rigid.refuses(ask)
+
+    def describe(self, ask: Ask, scheme: str) -> Model:
+        """The smallest model of the scene."""
+        return rigid.prepare(ask).model
+
+    def native(self, ask: Ask, scheme: str) -> str:
+        """A Python script that calls the engine."""
+        return python_script(ask, "vv.blocks.rigid", "solve")
+
+    def run(self, asks: Sequence[Ask], scheme: str, scratch: Path, repeat: float) -> Iterator[Run]:
+        """Solve the asks in this process.
+
+        Cost: startup is loading the kernel, or compiling it once per machine; setup is building
+        the model; output is collecting the results.
+        """
+        for ask in asks:
+            clock = [time.process_time()]
+            program = rigid.prepare(ask)
+            clock.append(time.process_time())
+            program.warm()
+            clock.append(time.process_time())
+            rows, cost = timed(program.solve, repeat)
+            solved = time.process_time()
+            run = program.run(rows)
+            cost = dataclasses.replace(
+                cost,
+                setup=clock[1] - clock[0],
+                startup=clock[2] - clock[1],
+                output=time.process_time() - solved,
+            )
+            yield dataclasses.replace(run, cost=cost)
+
+
+ADAPTER = Rigid()

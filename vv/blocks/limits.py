@@ -1,0 +1,63 @@
+"""Numbers that bound what the rigid solver does, with their reasons."""
+
+SMALL = 8
+"""Blocks up to which steps are cut where slip ends: beyond, some contact always ends its slip."""
+
+FINE, COARSE = 1e-12, 5e-6
+"""m/s: residuals asked of small scenes, where more would flatten the order, and of others."""
+
+CONVERGED = 1e-5
+"""m/s: a residual above which friction creeps and a run is not to be believed."""
+
+FEWEST, MOST, SMALL_MOST = 20, 3000, 1000
+"""Sweeps made at least, and at most; in small scenes there is no least.
+
+The least lets a wall at rest converge from step to step beyond the residual asked of one step.
+A step is taken as it is after the most; its residual says so.
+"""
+
+PUSHES = 30
+"""Sweeps that move blocks out of one another; what is left is moved in the next step."""
+
+TOUCHING, LOOSELY = 1e-11, 1e-6
+"""Of the smallest block's size: gaps and penetrations that are none, in small scenes and others.
+
+A face on a face has corners enough for their gaps to contradict one another. Such rounding, or
+what a residual leaves behind in a step, would shift the load from corner to corner for ever.
+"""
+
+OVERLAP = 1e-6
+"""Of the smaller block's size: an overlap at the start that is no rounding."""
+
+
+SPLITS = 16
+"""Parts a step is cut into at most; slip that stops more often than that within a step chatters."""
+
+BEGINS, ENDS = 6, 28
+"""Trials by which the begin or the end of a slip is enclosed.
+
+A slip begins with no acceleration: missed by 1/64 of a step, its velocity is off by the square
+of that. Where it turns about, friction changes sign at once: 1/65536 of a step would show.
+"""
+
+NEARLY = 1e-4
+"""m/s2: a slip slower than this acceleration makes it in a step has not begun, or has ended where
+a cut was made."""
+
+GRIP = 0.5
+"""Of what friction can hold: a contact that holds less does not slip before the step's end."""
+
+GLIMPSE = 0.02
+"""Part of a step that shows whether slip begins at once: its mean force is the one of now."""
+
+CLOSE = 4e-9
+"""Part of a step within which the general model encloses the end of a slip."""
+
+CUTS = 1e-9
+"""Part of a step that is no step: slip that ends as it begins is taken to have ended."""
+
+STILL = 1e-8
+"""m/s2: a slip slower than this acceleration makes it in a step has no direction."""
+
+BENDS = 6
+"""Rounds by which, in small scenes, the mean direction of friction follows the slip it decides."""

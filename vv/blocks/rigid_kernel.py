@@ -1,0 +1,189 @@
+"""The compiled kernel for rigid blocks that move and turn: steps, cut where slip ends."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from vv.blocks.assembly import relative
+from vv.blocks.cone import keep, push_out
+from vv.blocks.contacts import empty_contacts
+from vv.blocks.geometry import Index
+from vv.blocks.limits import NEARLY, PUSHES, SMALL, SPLITS
+from vv.blocks.rigid_events import ends_after, move, remembered, rests_for, strained
+from vv.blocks.rigid_setting import Past, Setting, State, shift_at, wall_rates
+from vv.blocks.rigid_step import Trial, attempt
+from vv.blocks.slip import slow
+from vv.blocks.turning import turn_by, turned_inertia
+from vv.compiled import called, compiled
+from vv.drive import mean
+from vv.scene import Vector
+from vv.triples import at, dot, plus, put
+
+NIL = (0.0, 0.0, 0.0)
+RUBBED, HIT, BASE, SHAKEN, DRIVEN, SHOVED = range(6)
+
+
+@called
+def book(
+    account: Vector, setting: Setting, state: State, trial: Trial, now: float, span: float
+) -> None:
+    """Add to account (6,) [J] what contacts, walls, shaking and forces did in a step."""
+    n, b = len(setting.mass), len(trial.v)
+    v_mid, w_mid = np.zeros((b, 3)), np.zeros((b, 3))
+    wall_rates(setting, now, v_mid)
+    for i in range(b):
+        had = at(state.v, i) if i < n else at(v_mid, i)
+        put(v_mid, i, plus(plus(NIL, 0.5, had), 0.5, at(trial.v, i)))
+        if i < n:
+            put(w_mid, i, plus(plus(NIL, 0.5, at(state.w, i)), 0.5, at(trial.w, i)))
+    for c in range(len(trial.p)):
+        m, p = at(trial.joints.normal, c), at(trial.p, c)
+        u = relative(trial.joints, c, v_mid, w_mid)
+        normal = dot(p, m)
+        account[HIT] -= normal * dot(u, m)
+        account[RUBBED] -= dot(p, u) - normal * dot(u, m)
+        account[BASE] += (
+            dot(p, at(v_mid, trial.joints.first[c])) if (trial.joints.first[c] >= n) else 0.0
+        )
+    shake = mean(setting.shaking, now, span)
+    for i in range(n):
+        account[SHAKEN] += span * setting.mass[i] * dot(shake, at(v_mid, i))
+        account[DRIVEN] += span * dot(at(setting.force, i), at(v_mid, i))
+
+
+@called
+def separate(
+    account: Vector, setting: Setting, state: State, trial: Trial, before: State,
+    now: float, span: float,
+) -> float:  # fmt: skip
+    """Push blocks out of what they penetrate; return the deepest penetration [m]."""
+    n, b = len(setting.mass), len(trial.v)
+    x, turn = np.zeros((b, 3)), np.zeros((b, 3))
+    start, end = shift_at(setting, now), shift_at(setting, now + span)
+    for i in range(b):
+        if i < n:
+            put(x, i, plus(at(state.centre, i), -1.0, at(before.centre, i)))
+            put(turn, i, plus(plus(NIL, 0.5 * span, at(before.w, i)), 0.5 * span, at(trial.w, i)))
+        else:
+            put(x, i, plus(at(end, i - n), -1.0, at(start, i - n)))
+    gap, deepest = np.empty(len(trial.gap)), 0.0
+    for c in range(len(gap)):
+        moved = relative(trial.joints, c, x, turn)
+        gap[c] = trial.gap[c] + dot(at(trial.joints.normal, c), moved)
+        if trial.joints.across[c] > 0.0:
+            deepest = max(deepest, -gap[c])
+    if deepest > setting.slack:
+        push_out(trial.joints, trial.bodies, gap, x, turn, PUSHES)
+        for i in range(n):
+            put(state.centre, i, plus(at(state.centre, i), 1.0, at(x, i)))
+            if dot(at(turn, i), at(turn, i)) > 0.0:
+                turn_by(at(turn, i), state.rotation[i].copy(), state.rotation[i])
+            account[DRIVEN] += dot(at(setting.force, i), at(x, i))
+            account[SHOVED] += dot(at(setting.force, i), at(x, i))
+    return deepest
+
+
+@called
+def kinetic(setting: Setting, state: State) -> float:
+    """The kinetic energy [J]."""
+    total, world = 0.0, np.empty((3, 3))
+    for i in range(len(setting.mass)):
+        total += 0.5 * setting.mass[i] * dot(at(state.v, i), at(state.v, i))
+        turned_inertia(setting.inertia[i], state.rotation[i], world)
+        for j in range(3):
+            for k in range(3):
+                total += 0.5 * state.w[i, j] * world[j, k] * state.w[i, k]
+    return total
+
+
+@called
+def press(reaction: Vector, trial: Trial, span: float, blocks: int) -> None:
+    """Sum the forces (w, 3) [N] of the walls on the blocks."""
+    reaction[:] = 0.0
+    for c in range(len(trial.p)):
+        wall = trial.joints.first[c] - blocks
+        if wall >= 0:
+            put(reaction, wall, plus(at(reaction, wall), 1.0 / span, at(trial.p, c)))
+
+
+@called
+def watch(path: Vector, watched: Index, state: State, centre: Vector) -> None:
+    """Fill path (b, 9) with displacement, velocity and spin of the watched; centre: at t = 0."""
+    for k in range(len(watched)):
+        i = watched[k]
+        for c in range(3):
+            path[k, c] = state.centre[i, c] - centre[i, c]
+            path[k, 3 + c] = state.v[i, c]
+            path[k, 6 + c] = state.w[i, c]
+
+
+@compiled
+def move_rigid(
+    path: Vector, energy: Vector, report: Vector, reaction: Vector, watched: Index,
+    stride: int, dt: float, setting: Setting,
+    centre: Vector, v: Vector, w: Vector,
+) -> int:  # fmt: skip
+    """Step the blocks; return rows filled.
+
+    centre, v, w: (n, 3) at t = 0. v+ = v + M^-1 (h f + J^T p), positions by the trapezoidal rule,
+    contacts as in `vv.blocks.cone` with need = -gap/h, or 0 for a gap that is none; penetration is
+    taken out of positions alone, by the least displacement. In scenes of at most SMALL blocks a
+    step is cut where a slip ends and, once, where one begins.
+
+    Every `stride` steps a row is written: path (k, b, 9): displacement, velocity and spin of
+    the watched; energy (k, 7) [J]: kinetic, lost by friction, lost by impact, work of walls, of
+    shaking, of gravity and loads, of push-out; report (k, 4): residual [m/s], sweeps, deepest
+    penetration [m] and cuts, the largest since the row before, cuts in all; reaction (k, w, 3):
+    forces [N] of the walls on the blocks as the row is reached.
+    """
+    n = len(setting.mass)
+    rotation = np.zeros((n, 3, 3))
+    for i in range(n):
+        rotation[i, 0, 0] = rotation[i, 1, 1] = rotation[i, 2, 2] = 1.0
+    state = State(centre.copy(), rotation, v.copy(), w.copy())
+    account, contacts = np.zeros(6), empty_contacts(64)
+    past = Past(np.empty(0, np.int64), np.empty((0, 3)), np.empty(0, np.bool_))
+    parts = SPLITS if n <= SMALL else 1
+    pressed, done = np.zeros_like(reaction[0]), 0
+    for row in range(len(path)):
+        report[row] = 0.0
+        for _ in range(stride if row else 0):
+            begin, looked = 0.0, False
+            for part in range(parts):
+                now, whole = done * dt + begin, dt - begin
+                span, least = whole, slow(whole, setting.tolerance)
+                trial = attempt(setting, state, now, whole, contacts, past)
+                if part + 1 < parts and trial.ended.any():
+                    span = ends_after(setting, state, past, now, whole, dt, contacts, trial)
+                    least = max(least, NEARLY * whole)
+                    if span == 0.0:
+                        continue
+                elif (part + 1 < parts and not looked) and (
+                    trial.begun.any() or strained(setting, trial)
+                ):
+                    looked = True
+                    span = rests_for(setting, state, past, now, whole, dt, contacts, trial)
+                if span < whole:
+                    trial = attempt(setting, state, now, span, contacts, past)
+                before = State(state.centre.copy(), state.rotation, state.v, state.w.copy())
+                book(account, setting, state, trial, now, span)
+                move(setting, state, trial, span)
+                deepest = separate(account, setting, state, trial, before, now, span)
+                past = remembered(trial, span, least)
+                press(pressed, trial, span, n)
+                report[row, 0] = max(report[row, 0], trial.residual)
+                report[row, 1] = max(report[row, 1], trial.sweeps)
+                report[row, 2] = max(report[row, 2], deepest)
+                begin += span
+                if span == whole:
+                    break
+                report[row, 3] += 1.0
+            done += 1
+        keep(reaction[row], pressed)
+        watch(path[row], watched, state, centre)
+        energy[row, 0] = kinetic(setting, state)
+        for c in range(len(account)):
+            energy[row, 1 + c] = account[c]
+        if not np.isfinite(energy[row].sum()):
+            return row
+    return len(path)

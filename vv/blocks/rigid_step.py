@@ -1,0 +1,196 @@
+"""Kernels for one trial step of rigid blocks: contacts where they will be, solved to a residual."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from vv.blocks.assembly import Bodies, Joints, apply, assemble, relative
+from vv.blocks.cone import Friction, solve_contacts
+from vv.blocks.contacts import Contacts, detect, empty_contacts, matched
+from vv.blocks.geometry import Index
+from vv.blocks.limits import NEARLY
+from vv.blocks.placement import place_rigid
+from vv.blocks.rigid_setting import (
+    Past,
+    Setting,
+    State,
+    forecast,
+    free_velocities,
+    reach,
+    shift_at,
+    wall_rates,
+)
+from vv.blocks.slip import bend, slow
+from vv.compiled import called
+from vv.drive import mean, one_of, rate
+from vv.scene import Mask, Vector
+from vv.triples import Triple, at, dot, plus, put
+
+NIL = (0.0, 0.0, 0.0)
+
+
+class Trial(NamedTuple):
+    """What a step of a given length came to.
+
+    v, w: (b, 3) at its end; p: (c, 3) [N s]; gap: (c,) at its begin [m]; begun, ended: (c,)
+    whether slip began where there was none, and ended or turned about; friction carries the
+    directions of slip at the begin.
+    """
+
+    joints: Joints
+    bodies: Bodies
+    friction: Friction
+    key: Index
+    p: Vector
+    gap: Vector
+    v: Vector
+    w: Vector
+    begun: Mask
+    ended: Mask
+    sweeps: int
+    residual: float
+
+
+@called
+def detected(
+    contacts: Contacts, setting: Setting, vertex: Vector, normal: Vector, shift: Vector,
+    margin: float,
+) -> tuple[Contacts, int]:  # fmt: skip
+    """All contacts, in arrays that have room for them."""
+    found, s = contacts, setting
+    count = detect(found, s.shapes, vertex, normal, s.moves, s.planes, shift, s.depth, margin)
+    while count > len(found.gap):
+        found = empty_contacts(2 * count)
+        count = detect(found, s.shapes, vertex, normal, s.moves, s.planes, shift, s.depth, margin)
+    return found, count
+
+
+@called
+def attempt(
+    setting: Setting, state: State, now: float, span: float, contacts: Contacts, past: Past,
+) -> Trial:  # fmt: skip
+    """Step from state at `now` by span [s]; the state is left as it is."""
+    n, b = len(setting.mass), len(setting.inverse)
+    rotation, turned = np.empty((n, 3, 3)), np.zeros((b, 3, 3))
+    centre, w, w_old = np.zeros((b, 3)), np.zeros((b, 3)), np.zeros((b, 3))
+    v, v_old, v_mean = np.zeros((b, 3)), np.zeros((b, 3)), np.zeros((b, 3))
+    forecast(setting, state, span, rotation, w, turned)
+    free_velocities(setting, state, now, span, v)
+    shift, here = shift_at(setting, now + span), shift_at(setting, now)
+    wall_rates(setting, now, v_old)
+    for i in range(n):
+        put(centre, i, plus(at(state.centre, i), span, at(state.v, i)))
+        put(v_old, i, at(state.v, i))
+        put(v_mean, i, at(state.v, i))
+        put(w_old, i, plus(plus(NIL, 0.5, at(state.w, i)), 0.5, at(w, i)))
+    for k in range(b - n):
+        put(v_mean, n + k, plus(plus(NIL, 1.0 / span, at(shift, k)), -1.0 / span, at(here, k)))
+    vertex, normal = np.empty_like(setting.shapes.vertex), np.empty_like(setting.shapes.normal)
+    place_rigid(vertex, normal, setting.shapes, centre[:n], rotation)
+    margin = reach(setting, state, now, span)
+    found, count = detected(contacts, setting, vertex, normal, shift, margin)
+    bodies = Bodies(setting.inverse, turned, centre)
+    joints = assemble(found, count, bodies)
+    before = matched(found.key, count, past.key)
+    friction = Friction(setting.mu, np.empty(count), np.zeros((count, 3)), np.zeros((count, 3)))
+    p, gap = np.zeros((count, 3)), np.empty(count)
+    known = np.zeros(count, np.bool_)
+    for c in range(count):
+        m = at(joints.normal, c)
+        gap[c] = found.gap[c] - span * dot(m, relative(joints, c, v_mean, w_old))
+        friction.need[c] = -gap[c] / span if gap[c] > setting.slack else 0.0
+        u = relative(joints, c, v_old, w_old)
+        slip = plus(u, -dot(u, m), m)
+        speed = np.sqrt(dot(slip, slip))
+        if before[c] >= 0:
+            put(p, c, plus(NIL, span, at(past.force, before[c])))
+            known[c] = dot(at(p, c), m) > 0.0
+        if speed > slow(span, setting.tolerance) and not (before[c] >= 0 and past.still[before[c]]):
+            put(friction.d, c, plus(NIL, 1.0 / speed, slip))
+    return solved(
+        setting, now, span, joints, bodies, friction, found.key[:count].copy(),
+        p, gap, v_old, w_old, v, w, known,
+    )  # fmt: skip
+
+
+@called
+def solved(
+    setting: Setting, now: float, span: float, joints: Joints, bodies: Bodies,
+    friction: Friction, key: Index, p: Vector, gap: Vector,
+    v_old: Vector, w_old: Vector, v: Vector, w: Vector, known: Mask,
+) -> Trial:  # fmt: skip
+    """Solve the contacts of a step, friction following the slip that it decides."""
+    count = len(p)
+    for c in range(count):
+        load_on(joints, c, bodies, v, w, at(p, c))
+    sweeps, left = solve_contacts(
+        p, joints, bodies, friction, v, w, setting.tolerance, setting.fewest, setting.most
+    )
+    begun, ended = np.zeros(count, np.bool_), np.zeros(count, np.bool_)
+    any_ended, least = False, slow(span, setting.tolerance)
+    most = max(least, NEARLY * span)
+    for c in range(count):
+        n, d = at(joints.normal, c), at(friction.d, c)
+        if known[c] and dot(at(p, c), n) > 0.0:
+            u = relative(joints, c, v, w)
+            slip = plus(u, -dot(u, n), n)
+            slips = dot(d, d) > 0.0
+            begun[c] = not slips and dot(slip, slip) > most * most
+            ended[c] = slips and dot(u, d) <= least
+            any_ended = any_ended or ended[c]
+    for _ in range(0 if any_ended else setting.bends):
+        if not bent(setting, now, span, joints, friction, p, v_old, w_old, v, w):
+            break
+        few = 0 * sweeps  # a literal 0 would make numba compile the solver twice
+        more, left = solve_contacts(
+            p, joints, bodies, friction, v, w, setting.tolerance, few, setting.most
+        )
+        sweeps += more
+        if more == 0:
+            break
+    return Trial(joints, bodies, friction, key, p, gap, v, w, begun, ended, sweeps, left)
+
+
+@called
+def load_on(joints: Joints, c: int, bodies: Bodies, v: Vector, w: Vector, p: Triple) -> None:
+    """`apply`, unless there is nothing to apply."""
+    if dot(p, p) > 0.0:
+        apply(joints, c, bodies, v, w, p)
+
+
+@called
+def bent(
+    setting: Setting, now: float, span: float, joints: Joints, friction: Friction, p: Vector,
+    v_old: Vector, w_old: Vector, v: Vector, w: Vector,
+) -> bool:  # fmt: skip
+    """Set the turn of all slips for their present ends; tell whether there is any."""
+    there = False
+    for c in range(len(p)):
+        n, d = at(joints.normal, c), at(friction.d, c)
+        normal = dot(at(p, c), n)
+        if dot(d, d) == 0.0 or normal <= 0.0:
+            continue
+        before, after = relative(joints, c, v_old, w_old), relative(joints, c, v, w)
+        sag = sagging(setting, now, span, joints.first[c], n)
+        pull = friction.mu * normal * joints.along[c]
+        before, after = plus(before, -dot(before, n), n), plus(after, -dot(after, n), n)
+        turn = bend(before, sag, after, pull)
+        put(friction.turn, c, turn)
+        there = there or dot(turn, turn) > 0.0
+    return there
+
+
+@called
+def sagging(setting: Setting, now: float, span: float, body: int, normal: Triple) -> Triple:
+    """How far drives take slip on a wall halfway from the mean of its first and last [m/s]."""
+    sag, wall = NIL, body - len(setting.mass)
+    if wall < 0:
+        return sag
+    sag = plus(sag, 0.5 * span, mean(setting.shaking, now, 0.5 * span))
+    sag = plus(sag, -0.5 * span, mean(setting.shaking, now, span))
+    base = one_of(setting.drives, setting.drive_start, wall)
+    sag = plus(sag, -1.0, rate(base, now + 0.5 * span))
+    sag = plus(plus(sag, 0.5, rate(base, now)), 0.5, rate(base, now + span))
+    return plus(sag, -dot(sag, normal), normal)
