@@ -21,18 +21,19 @@ from bench.seeded_bugs import BUGS, Bug
 
 ROOT = Path(__file__).parents[1]
 CONTENT = ("vv", "adapters", "cases", "reference_solutions", "reports", "pyproject.toml")
-KERNELS = {
+KERNELS = {  # code: folder, files
     "dem": (
-        "line_kernel",
-        "space_kernel",
-        "pressed_kernel",
-        "driven",
-        "contact_law",
-        "friction",
-        "advance",
+        "vv/dem",
+        ("line_kernel", "space_kernel", "pressed_kernel", "driven", "contact_law", "friction",
+         "advance"),
     ),
-    "exact": ("flow", "modes", "roots", "path", "clock", "slide", "slide_path", "slider"),
-}
+    "exact": (
+        "vv/exact",
+        ("flow", "modes", "roots", "path", "clock", "slide", "slide_path", "slider"),
+    ),
+    "dda": ("vv/blocks", ("dda_point_kernel", "dda_law")),
+    "rigid": ("vv/blocks", ("point_kernel", "point_trial", "slip")),
+}  # fmt: skip
 QUICKEST = (
     "single-contact",
     "incline:newmark-35",
@@ -103,9 +104,9 @@ def seeded() -> Iterator[tuple[Bug, str]]:
 
 def mechanical(each: int) -> Iterator[tuple[Bug, str]]:
     """Operators turned and constants moved, a fixed random choice of `each` in every kernel."""
-    for code, names in KERNELS.items():
+    for code, (folder, names) in KERNELS.items():
         for name in names:
-            file = f"vv/{code}/{name}.py"
+            file = f"{folder}/{name}.py"
             tree = ast.parse((ROOT / file).read_text())
             sites = [node for node in ast.walk(tree) if _turnable(node)]
             for node in random.Random(file).sample(sites, min(each, len(sites))):

@@ -238,3 +238,26 @@ def test_an_exported_script_slides_a_block_alone_to_the_same_bits(
     printed = np.array([line.split() for line in said.splitlines() if line[:1].isdigit()], float)
     assert (printed[:, 1:] == run.values[Displacement(1)]).all()  # its frame is that of the scene
     assert np.abs(printed[-1, 1:]).max() > 0.01
+
+
+TIMED = """
+    O.timingEnabled = True
+    build(ASK)
+    cpu, wall = bare(ASK)
+    print("timers", cpu, wall, 1e-9 * sum(engine.execTime for engine in O.engines))
+"""
+
+
+def test_the_solve_time_is_that_of_the_engines_by_yades_own_timers(tmp_path: Path) -> None:
+    """Elapsed time of the engines, over elapsed time of the loop that is stated; the rest is
+    YADE's own between engines. A shared core stretches both alike."""
+    script = ADAPTER.native(TRIALS["T3"].study.ask(FINE), "default")
+    assert script.endswith("    main()\n")
+    file = tmp_path / "timed.py"
+    file.write_text(script.removesuffix("    main()\n") + TIMED)
+    done = subprocess.run(
+        [PYTHON, str(file)], cwd=tmp_path, capture_output=True, text=True, check=True
+    )
+    cpu, wall, engines = map(float, done.stdout.partition("timers")[2].split()[:3])
+    assert 0.4 * wall < engines < wall
+    assert 0.0 < cpu < 1.1 * wall
