@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from typing import Any
 
 import numpy as np
@@ -54,3 +55,21 @@ def responding(amplitude: Any, frequency: Any, mu: float, **given: Any) -> Scene
     base = Wall(np.zeros(3), np.array([0.0, 0.0, 1.0]), motion)
     block = box("block", [0.0, 0.0, 0.5], [0.5, 0.5, 0.5], **given)
     return Scene((base, block), Contact(np.inf, mu=mu), gravity=DOWN)
+
+
+def running_bond(
+    columns: int, courses: int, amplitude: float = 0.0, frequency: float = 1.0
+) -> Scene:
+    """A dry wall, every second course shifted by half a block, on a base that may shake it along.
+
+    Blocks of 0.4 x 0.3 x 0.2 m, friction 0.6; the base moves by amplitude (1 - cos 2 pi f t).
+    """
+    half = np.array([0.2, 0.15, 0.1])
+    blocks = [
+        box(f"{course}-{i}", [0.4 * i + 0.2 * (course % 2), 0.0, 0.2 * course + 0.1], half)
+        for course, i in itertools.product(range(courses), range(columns))
+    ]
+    along = np.array([1.0, 0.0, 0.0])
+    motion = Harmonic(amplitude * along, frequency * along, np.full(3, -np.pi / 2))
+    base = Wall(FLOOR.point, FLOOR.normal, motion if amplitude else None)
+    return Scene((base, *blocks), Contact(np.inf, mu=0.6), gravity=DOWN)
