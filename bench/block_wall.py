@@ -1,8 +1,8 @@
-"""A dry wall of 200 blocks in `rigid`: at rest, shaken so that it holds, and so that it slides.
+"""A dry wall of 205 blocks in `rigid`: at rest, shaken so that it holds, and so that it slides.
 
-Running bond, 20 blocks by 10 courses, in its plane on a base that moves as D (1 - cos 2 pi f t),
-no damping, dt = 1e-3 s. At 0.36 g the wall holds and is judged; at 0.72 g it slides on its base
-and its courses part, and its figures are shown.
+Running bond, ten courses of 20 blocks or of 19 and two halves, on a base that moves along the
+wall as D (1 - cos 2 pi f t), no damping, dt = 1e-3 s. At 0.36 g the wall holds and is judged; at
+0.72 g it slides and its courses part, and its figures are shown.
 """
 
 import time

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import itertools
 from typing import Any
 
 import numpy as np
@@ -60,15 +59,19 @@ def responding(amplitude: Any, frequency: Any, mu: float, **given: Any) -> Scene
 def running_bond(
     columns: int, courses: int, amplitude: float = 0.0, frequency: float = 1.0
 ) -> Scene:
-    """A dry wall, every second course shifted by half a block, on a base that may shake it along.
+    """A dry wall on a base that may shake it along; half blocks end every second course.
 
     Blocks of 0.4 x 0.3 x 0.2 m, friction 0.6; the base moves by amplitude (1 - cos 2 pi f t).
     """
-    half = np.array([0.2, 0.15, 0.1])
-    blocks = [
-        box(f"{course}-{i}", [0.4 * i + 0.2 * (course % 2), 0.0, 0.2 * course + 0.1], half)
-        for course, i in itertools.product(range(courses), range(columns))
-    ]
+    blocks = []
+    for course in range(courses):
+        lengths = np.full(columns, 0.4) if course % 2 == 0 else np.full(columns + 1, 0.4)
+        if course % 2:
+            lengths[[0, -1]] = 0.2
+        middles = np.cumsum(lengths) - lengths / 2
+        for i, (length, x) in enumerate(zip(lengths, middles, strict=True)):
+            centre = [x, 0.0, 0.2 * course + 0.1]
+            blocks.append(box(f"{course}-{i}", centre, [length / 2, 0.15, 0.1]))
     along = np.array([1.0, 0.0, 0.0])
     motion = Harmonic(amplitude * along, frequency * along, np.full(3, -np.pi / 2))
     base = Wall(FLOOR.point, FLOOR.normal, motion if amplitude else None)
