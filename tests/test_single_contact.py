@@ -44,7 +44,7 @@ def ask(tmp_path_factory: pytest.TempPathFactory) -> Ask:
 
 @pytest.fixture(scope="module")
 def records(ask: Ask) -> list[Record]:
-    """All variants and rungs of the default level, of the schemes that are here and do not refuse."""
+    """All variants and rungs of the default level, of the schemes here that do not refuse."""
     asked = ask("single-contact")
     return [r for r in asked if r["status"] not in ("not-installed", "refused")]
 
