@@ -98,7 +98,7 @@ RUNGS = tuple(
 )
 TIMED = (RUNGS[0], RUNGS[3], RUNGS[6])  # the coarsest step of each stiffness
 LEVELS = {
-    Level.QUICK: (RUNGS[0], RUNGS[2]),
+    Level.QUICK: RUNGS[:2],
     Level.DEFAULT: (*RUNGS[:4], RUNGS[6]),
     Level.PAPER: RUNGS,
 }

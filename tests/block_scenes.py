@@ -54,3 +54,25 @@ def responding(amplitude: Any, frequency: Any, mu: float, **given: Any) -> Scene
     base = Wall(np.zeros(3), np.array([0.0, 0.0, 1.0]), motion)
     block = box("block", [0.0, 0.0, 0.5], [0.5, 0.5, 0.5], **given)
     return Scene((base, block), Contact(np.inf, mu=mu), gravity=DOWN)
+
+
+def running_bond(
+    columns: int, courses: int, amplitude: float = 0.0, frequency: float = 1.0
+) -> Scene:
+    """A dry wall on a base that may shake it along; half blocks end every second course.
+
+    Blocks of 0.4 x 0.3 x 0.2 m, friction 0.6; the base moves by amplitude (1 - cos 2 pi f t).
+    """
+    blocks = []
+    for course in range(courses):
+        lengths = np.full(columns, 0.4) if course % 2 == 0 else np.full(columns + 1, 0.4)
+        if course % 2:
+            lengths[[0, -1]] = 0.2
+        middles = np.cumsum(lengths) - lengths / 2
+        for i, (length, x) in enumerate(zip(lengths, middles, strict=True)):
+            centre = [x, 0.0, 0.2 * course + 0.1]
+            blocks.append(box(f"{course}-{i}", centre, [length / 2, 0.15, 0.1]))
+    along = np.array([1.0, 0.0, 0.0])
+    motion = Harmonic(amplitude * along, frequency * along, np.full(3, -np.pi / 2))
+    base = Wall(FLOOR.point, FLOOR.normal, motion if amplitude else None)
+    return Scene((base, *blocks), Contact(np.inf, mu=0.6), gravity=DOWN)

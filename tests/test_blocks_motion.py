@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from tests.block_scenes import DOWN, FLOOR, FREE, HELD, G, box, incline, slope
+from tests.block_scenes import DOWN, FLOOR, FREE, HELD, G, box, incline, running_bond, slope
 from tests.failure_modes import charted, points, seen
 from vv.ask import Ask, Displacement, History, Knobs, Status, Velocity
 from vv.blocks import rigid
@@ -59,6 +59,19 @@ def test_a_stack_at_rest_stays_and_presses_with_its_weight() -> None:
     assert np.abs(ends(program)).max() <= 1e-10
     assert abs(program.reactions[-1, 0, 2] / weight - 1) <= 1e-8
     assert program.report[:, 0].max() <= 1e-12
+
+
+def test_a_wall_holds_at_rest_and_under_a_shake_that_friction_bears() -> None:
+    for amplitude in (0.0, 0.005):
+        program = solved(running_bond(4, 3, amplitude, 3.0), 0.5)
+        terms = program.energies
+        assert program.report[:, 0].max() <= 1e-5  # m/s
+        assert program.report[:, 2].max() <= 1e-5  # m
+        assert np.abs(terms.sum(axis=1)).max() <= 1e-9 * np.abs(terms).max()
+    rest = solved(running_bond(4, 3), 0.5)
+    weight = sum(block.mass for block in rest.ask.scene.blocks) * G
+    assert abs(rest.reactions[-1, 0, 2] / weight - 1) <= 1e-8
+    assert np.abs(ends(rest)).max() <= 1e-6
 
 
 @pytest.mark.parametrize("angle", [0.0, 0.4, 1.9, np.pi])

@@ -15,7 +15,7 @@ from vv.soften import TOUCHING
 from vv.stand_in import sprung, why_not
 from vv.transform import rotated
 
-MOST_STEPS = 20_000  # of some 0.1 ms each, thirty times those of a sphere
+MOST_STEPS = 10_000  # of some 0.1 ms each, thirty times those of a sphere
 THINNEST = 0.1  # thickness over size below which YADE's polyhedra may pass each other unnoticed
 
 

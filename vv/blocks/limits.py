@@ -19,7 +19,7 @@ A step is taken as it is after the most; its residual says so.
 PUSHES = 30
 """Sweeps that move blocks out of one another; what is left is moved in the next step."""
 
-TOUCHING, LOOSELY = 1e-11, 1e-6
+TOUCHING, LOOSELY = 1e-11, 1e-5
 """Of the smallest block's size: gaps and penetrations that are none, in small scenes and others.
 
 A face on a face has corners enough for their gaps to contradict one another. Such rounding, or

@@ -126,7 +126,7 @@ def move_rigid(
     """Step the blocks; return rows filled.
 
     centre, v, w: (n, 3) at t = 0. v+ = v + M^-1 (h f + J^T p), positions by the trapezoidal rule,
-    contacts as in `vv.blocks.cone` with need = -gap/h, or 0 for a gap that is none; penetration is
+    contacts as in `vv.blocks.cone` with need = -max(gap - slack, 0)/h; penetration is
     taken out of positions alone, by the least displacement. In scenes of at most SMALL blocks a
     step is cut where a slip ends and, once, where one begins.
 

@@ -23,7 +23,7 @@ class Setting(NamedTuple):
 
     mass: (n,) [kg]; inertia: (n, 3, 3) in the starting pose [kg m2]; inverse: (b, 3, 3) [1/kg];
     hold_spin: (n, 3, 3) projectors; force: (n, 3) gravity and loads [N]; depth: (3,);
-    moves: (n,); mu; slack [m]: gaps no larger count as none; tolerance [m/s]; sweeps to make,
+    moves: (n,); mu; slack [m]: gaps count from there on; tolerance [m/s]; sweeps to make,
     fewest and most; bends: rounds in which friction follows slip that turns; drives of the walls
     and where each begins (w + 1,); shaking.
     """

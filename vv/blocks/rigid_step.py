@@ -100,7 +100,7 @@ def attempt(
     for c in range(count):
         m = at(joints.normal, c)
         gap[c] = found.gap[c] - span * dot(m, relative(joints, c, v_mean, w_old))
-        friction.need[c] = -gap[c] / span if gap[c] > setting.slack else 0.0
+        friction.need[c] = -max(gap[c] - setting.slack, 0.0) / span
         u = relative(joints, c, v_old, w_old)
         slip = plus(u, -dot(u, m), m)
         speed = np.sqrt(dot(slip, slip))
