@@ -121,6 +121,18 @@ def equilibrium(
     return _bonded(turn, kn, ks, d, spring)
 
 
+def loaded(fz: float, *, kn: float, ks: float, d: float, spring: Spring = incremental) -> State:
+    """The unit in balance under a force Fz [N] that grew from zero; no bond breaks.
+
+    Raises ValueError unless Fz is not 0 and Eq. 2a says a strain of at most 0.01.
+    """
+    strain = small_strain(fz, kn, ks).dz / (d * cos(A0))
+    if not 0.0 < abs(strain) <= LARGEST / 2.0:
+        raise ValueError(f"fz = {fz} N; it must not be 0 nor strain the unit by more than 0.01")
+    turn = _root(lambda a: _bonded(a, kn, ks, d, spring).fz / fz - 1.0, -strain)
+    return _bonded(turn, kn, ks, d, spring)
+
+
 def tension_failure(element: Element, d: float) -> State:
     """The state at which the inclined bonds open, X_n1 = xb: its stress is Tu, against Eq. 7."""
     kn, ks, xb, *_ = element

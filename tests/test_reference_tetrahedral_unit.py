@@ -64,6 +64,13 @@ def test_the_path_of_the_other_spring_is_a_balance_in_space(strain: float, gamma
     assert apart(state, in_space.equilibrium_total(strain, gamma)) < AGREEMENT
 
 
+@pytest.mark.parametrize("strain", STRAINS)
+def test_the_state_under_a_force_is_that_at_its_strain(strain: float) -> None:
+    at_strain = tetrahedral_unit.equilibrium(strain, kn=KN, ks=KS, d=D)
+    under = tetrahedral_unit.loaded(at_strain.fz, kn=KN, ks=KS, d=D)
+    assert under.strain == pytest.approx(strain, rel=1e-13)
+
+
 @pytest.mark.parametrize("kind", FAILURES)
 def test_strengths_are_those_of_rates_in_space(kind: str) -> None:
     assert apart(failure(tetrahedral_unit, kind), failure_in_space(kind)) < AGREEMENT
@@ -211,6 +218,7 @@ def test_no_other_bond_fails_first() -> None:
     ("wrong", "message"),
     [
         (lambda: tetrahedral_unit.equilibrium(0.03, kn=1.0, ks=0.1, d=1.0), "strain = 0.03"),
+        (lambda: tetrahedral_unit.loaded(0.0, kn=1.0, ks=0.1, d=1.0), "fz = 0.0 N"),
         (lambda: tetrahedral_unit.small_strain(1.0, -2.0, 0.0), "kn = -2.0 N/m"),
         (lambda: lattice_material.element(QUARTZITE._replace(nu=0.3), D), "nu = 0.3"),
         (lambda: lattice_material.element(QUARTZITE._replace(mu_i=0.3), D), "mu_i = 0.3"),
