@@ -129,6 +129,23 @@ def test_a_rigid_turn_charges_the_shear_springs() -> None:
     assert run.ledger.terms["shear elastic"] == pytest.approx(2 * KS * (D * angle) ** 2, rel=1e-6)
 
 
+def test_a_bond_that_turns_far_gathers_length_times_angle() -> None:
+    """Of two heavy spheres that pass each other in a straight line, at a distance d."""
+    tilt, time = 1.0, 1e-6
+    past = np.array([[0, 0, 0], [0, D * np.tan(tilt) / time, 0]])
+    pair = elements(np.array([[0, 0, 0], [D, 0, 0]]), velocity=past)
+    pair = dataclasses.replace(pair, mass=np.full(2, 1e12 * M))
+    scene = Scene((pair,), Contact(KN), bonds=tied(pairs=EDGES[:1]))
+    energy = 0.5 * KS * (D * np.arcsinh(np.tan(tilt))) ** 2
+    off = []
+    for steps in (50, 100):
+        run = dem.solve_default(Ask(scene, History(time, time), SEEN[:2], Knobs(dt=time / steps)))
+        assert run.ledger is not None
+        off.append(run.ledger.terms["shear elastic"] / energy - 1)
+    assert abs(off[0]) < 5e-4
+    assert off[0] / off[1] == pytest.approx(4, rel=0.05)
+
+
 def test_two_spheres_on_a_bond_swing_at_their_rate() -> None:
     pair = elements(CORNERS[:2], velocity=0.1 * np.array([CORNERS[0] - CORNERS[1], [0, 0, 0]]) / D)
     bond = tied(pairs=EDGES[:1], ks=0.0, length=0.999 * D)

@@ -26,15 +26,16 @@ def pull(
     springs: Springs,
     ks: Vector | None,
     slip: Vector,
-    normals: Vector,
 ) -> tuple[float, float]:
     """Add the forces of all bonds to push (m + 1, 3) [N]; return normal and shear energies [J].
 
     springs: rows (b, 2), first offset (b, 3) and its length (b,), stretch at t = 0 (b,), kn (b,).
     A stretch is its first value plus what the displacements add, so that small strains keep
-    their digits. slip: (b, 3) displacement across each bond, brought from normals (b, 3), where
-    the bonds pointed before, to where they point now. It turns with the bond, exactly; it grows
-    by the motion across the direction halfway, which makes it the integral of L times the angle.
+    their digits. slip: (b, 3) displacement across each bond, brought from where it pointed before
+    to where it points now: mirrored in the plane across the direction c halfway, which turns it
+    with the bond and keeps its length, and grown by the motion m in that plane, which makes it
+    the integral of L times the angle. Together that is s + m - (c.(2s + m)/c.c) c. What little
+    of m is left along the bond changes sign with the next mirror and does not gather.
     """
     rows, offset, first, strained, kn = springs
     normal = sheared = 0.0
@@ -48,14 +49,11 @@ def pull(
         force = plus(NOWHERE, kn[p] * stretch, n)
         normal += 0.5 * kn[p] * stretch * stretch
         if ks is not None:
-            before, s = at(normals, p), at(slip, p)
-            both = plus(n, 1.0, before)
-            s = plus(s, -dot(n, s) / (1.0 + dot(n, before)), both)
-            moved = plus(NOWHERE, dt, plus(at(v, j), -1.0, at(v, i)))
-            moved = plus(moved, -dot(both, moved) / dot(both, both), both)
-            s = plus(plus(s, 1.0, moved), -dot(n, moved), n)
+            s, m = at(slip, p), plus(NOWHERE, dt, plus(at(v, j), -1.0, at(v, i)))
+            half = plus(now, -0.5, m)
+            share = dot(half, plus(m, 2.0, s)) / dot(half, half)
+            s = plus(plus(s, 1.0, m), -share, half)
             put(slip, p, s)
-            put(normals, p, n)
             force = plus(force, ks[p], s)
             sheared += 0.5 * ks[p] * dot(s, s)
         put(push, i, plus(at(push, i), 1.0, force))
@@ -101,12 +99,11 @@ def move_bonded(
     m = len(mass)
     u, v, before = np.zeros((m + 1, 3)), np.zeros((m + 1, 3)), np.zeros((m + 1, 3))
     push = np.zeros((m + 1, 3))
-    slip = normals = np.zeros((0, 3))
+    slip = np.zeros((0, 3))
     if ks is not None:
         slip = np.zeros((len(ks), 3))
-        normals = springs[1] / springs[2].reshape(-1, 1)
     outer(push, mass, gravity, load)
-    normal, sheared = pull(push, u, v, dt, springs, ks, slip, normals)
+    normal, sheared = pull(push, u, v, dt, springs, ks, slip)
     put_in = normal + sheared + place(v, velocity, push, mass, hold, back * dt, eta)
     kinetic, _, ahead = kick(v, before, push, mass, hold, dt, eta, lag)
     dragged = done = 0.0
@@ -115,7 +112,7 @@ def move_bonded(
             for i in range(m):
                 put(u, i, plus(at(u, i), dt, at(v, i)))
             outer(push, mass, gravity, load)
-            normal, sheared = pull(push, u, v, dt, springs, ks, slip, normals)
+            normal, sheared = pull(push, u, v, dt, springs, ks, slip)
             dragged += ahead
             kinetic, behind, ahead = kick(v, before, push, mass, hold, dt, eta, lag)
             dragged += behind
