@@ -7,10 +7,11 @@ import dataclasses
 import numpy as np
 import pytest
 
-from reference_solutions import lattice_material, tetrahedral_unit
+from reference_solutions import close_packed_lattice, lattice_material, tetrahedral_unit
 from tests.bonded_scenes import CORNERS, EDGES, KN, KS, D, M, elements, tied, unit
 from vv import dem
 from vv.ask import Ask, Displacement, History, Knobs, Run, Status, Velocity
+from vv.dem.bonded import bonded
 from vv.scene import Contact, Scene, Term, Vector, Wall
 from vv.transform import rotated, swapped
 
@@ -195,3 +196,39 @@ def test_the_largest_stable_step_is_the_largest() -> None:
 def test_what_is_not_modelled_beside_bonds_is_refused(scene: Scene, reason: str) -> None:
     ask = Ask(scene, History(1e-6, 1e-6), (), Knobs(dt=DT))
     assert reason in (dem.refuses(ask) or "")
+
+
+@pytest.mark.parametrize("n", [82, 255])
+def test_blocks_come_to_rest_as_the_static_lattice_does(n: int) -> None:
+    """Under the forces of its platens, which the linear system states, at a strain of 1e-6."""
+    block = close_packed_lattice.lattice(*close_packed_lattice.SIZES[n], D)
+    answer = close_packed_lattice.static(block, KN, KS)
+    u = 1e-6 * answer.u
+    load = np.zeros_like(u)
+    top, base = block.at(2, 1), block.at(2, 0)
+    load[top, 2] = _pulled(block, u)[top, 2]
+    free = np.ones_like(u, bool)
+    free[base, 2] = False
+    bonds = tied(pairs=block.bonds)
+    scene = Scene((elements(block.position, free=free, load=load),), Contact(KN), 6.0, bonds=bonds)
+    system = bonded(scene)
+    assert system is not None
+    path, energy, watched = system.outputs(2, tuple(range(n)))
+    rows = system.kernel()(path, energy, watched, 4000, 5e-8, *system.state, 0.5, 0.5)
+    assert rows == 2
+    rest = path[1, :, :3] - path[1, :, :3].mean(axis=0) + u.mean(axis=0)
+    assert np.abs(rest - u)[:, :2].max() < 2e-6 * np.abs(u).max()
+    assert path[1, top, 2].mean() == pytest.approx(1e-6 * block.height, rel=2e-6)
+
+
+def _pulled(block: close_packed_lattice.Lattice, u: Vector) -> Vector:
+    """The forces (n, 3) that hold a block at small displacements."""
+    i, j = block.bonds.T
+    normal = (block.position[j] - block.position[i]) / D
+    moved = u[j] - u[i]
+    along = np.einsum("bk,bk->b", normal, moved)[:, None] * normal
+    force = KN * along + KS * (moved - along)
+    held = np.zeros_like(u)
+    np.add.at(held, i, -force)
+    np.add.at(held, j, force)
+    return held
