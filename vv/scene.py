@@ -143,6 +143,10 @@ class Scene:
 
     def digest(self) -> str:
         """Fingerprint of everything a solver can see."""
+        return self._digest
+
+    @functools.cached_property
+    def _digest(self) -> str:
         return digest(self)
 
     def _locks_obliquely(self) -> bool:
