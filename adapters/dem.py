@@ -31,6 +31,8 @@ TERMS = frozenset(
         Term.RIGID_CONTACT,
         Term.SHAKING,
         Term.BASE_MOTION,
+        Term.BOND,
+        Term.BOND_SHEAR,
     }
 )
 KNOBS = ("dt", "kn")

@@ -11,10 +11,22 @@ import numpy as np
 
 from vv.block import Block
 from vv.bodies import NO_SPHERES, Harmonic, Spheres, Wall
+from vv.bonds import Bonds, Pairs
 from vv.digest import digest
 from vv.frozen import Mask, Vector, freeze
 
-__all__ = ["Block", "Contact", "Harmonic", "Mask", "Scene", "Spheres", "Term", "Vector", "Wall"]
+__all__ = [
+    "Block",
+    "Bonds",
+    "Contact",
+    "Harmonic",
+    "Mask",
+    "Scene",
+    "Spheres",
+    "Term",
+    "Vector",
+    "Wall",
+]
 
 
 class Term(enum.Enum):
@@ -33,6 +45,9 @@ class Term(enum.Enum):
     RIGID_CONTACT = "contact without elasticity"
     SHAKING = "a body acceleration that varies in time"
     BASE_MOTION = "walls that move as prescribed"
+    BOND = "bonds between spheres"
+    BOND_SHEAR = "bonds that resist shear"
+    BREAKAGE = "bonds that break"
 
 
 @dataclass(frozen=True)
@@ -66,7 +81,10 @@ class Scene:
     bodies: groups in order; body numbers run through them, a wall counting one. eta: drag
     [N s/m] on every sphere. gravity: (3,) [m/s2]. shaking: a further acceleration of every free
     body [m/s2], None for none. axes: (3, 3) rows are the orthonormal
-    directions along which `free` and `free_spin` are stated. Raises ValueError.
+    directions along which `free` and `free_spin` are stated. bonds: None for none; a bonded pair
+    feels its bond and no contact. A bond that can break must have the contact's kn and ks and a
+    length that is the sum of the radii, so that its pair goes over into contact without a jump.
+    Raises ValueError.
     """
 
     bodies: tuple[Spheres | Wall | Block, ...]
@@ -75,6 +93,7 @@ class Scene:
     gravity: Vector = dataclasses.field(default_factory=lambda: np.zeros(3))
     axes: Vector = dataclasses.field(default_factory=lambda: np.eye(3))
     shaking: Harmonic | None = None
+    bonds: Bonds | None = None
 
     def __post_init__(self) -> None:
         if not (np.isfinite(self.eta) and self.eta >= 0):
@@ -85,6 +104,8 @@ class Scene:
             raise ValueError("Scene.axes is not orthonormal; rows must be unit and perpendicular")
         if not any(isinstance(group, Spheres | Block) for group in self.bodies):
             raise ValueError("Scene.bodies holds walls only; a body must be there to move")
+        if self.bonds is not None:
+            _check_bonds(self, self.bonds)
 
     @functools.cached_property
     def spheres(self) -> Spheres:
@@ -104,6 +125,18 @@ class Scene:
         """All blocks, in body order."""
         return tuple(group for group in self.bodies if isinstance(group, Block))
 
+    @functools.cached_property
+    def bonded(self) -> Pairs:
+        """(b, 2) the indices within `spheres` of the bonded pairs."""
+        empty = np.zeros((0, 2), np.int64)
+        return empty if self.bonds is None else self._indices()[self.bonds.pairs]
+
+    def _indices(self) -> Pairs:
+        """The index within `spheres` of every body, -1 for those that are no sphere."""
+        kinds = [np.full(len(group), isinstance(group, Spheres)) for group in self.bodies]
+        sphere = np.concatenate(kinds)
+        return np.where(sphere, np.cumsum(sphere) - 1, -1)
+
     def sphere_index(self, body: int) -> int:
         """The index within `spheres` of a body number; raises ValueError if it is no sphere."""
         first = sphere = 0
@@ -116,10 +149,10 @@ class Scene:
 
     def terms(self) -> frozenset[Term]:
         """The effects present, derived from the data."""
-        spheres, blocks = self.spheres, self.blocks
+        spheres, blocks, bonds = self.spheres, self.blocks, self.bonds
         present = {
             Term.SPHERE: len(spheres) > 0,
-            Term.SPHERE_CONTACT: len(spheres) > 1,
+            Term.SPHERE_CONTACT: self._may_touch(),
             Term.WALL_CONTACT: bool(self.walls),
             Term.FRICTION: self.contact.mu > 0
             and (self.contact.ks > 0 or not np.isfinite(self.contact.kn)),
@@ -132,6 +165,9 @@ class Scene:
             Term.RIGID_CONTACT: not np.isfinite(self.contact.kn),
             Term.SHAKING: self.shaking is not None,
             Term.BASE_MOTION: any(wall.motion is not None for wall in self.walls),
+            Term.BOND: bonds is not None,
+            Term.BOND_SHEAR: bonds is not None and bool(bonds.ks.any()),
+            Term.BREAKAGE: bonds is not None and bool(bonds.breakable.any()),
         }
         return frozenset(term for term, there in present.items() if there)
 
@@ -149,7 +185,39 @@ class Scene:
     def _digest(self) -> str:
         return digest(self)
 
+    def _may_touch(self) -> bool:
+        """Whether some pair of spheres is not bonded for good."""
+        n = len(self.spheres)
+        held = 0 if self.bonds is None else int((~self.bonds.breakable).sum())
+        return held < n * (n - 1) // 2
+
     def _locks_obliquely(self) -> bool:
         aligned = np.abs(self.axes).max(axis=1).min() > 1 - 1e-15
         masks = [*self.spheres.free, *(block.free for block in self.blocks)]
         return not aligned and any(mask.any() and not mask.all() for mask in masks)
+
+
+SEAMLESS = 1e-9  # of kn, ks and the length of a bond: how well contact takes over from it
+
+
+def _check_bonds(scene: Scene, bonds: Bonds) -> None:
+    """Raises ValueError for a bond between what are no spheres, without a direction, or a jump."""
+    index = scene._indices()
+    known = index[np.minimum(bonds.pairs, len(index) - 1)] >= 0
+    for k in np.flatnonzero((~known | (bonds.pairs >= len(index))).any(axis=1))[:1]:
+        pair = bonds.pairs[k].tolist()
+        raise ValueError(f"Bonds.pairs[{k}] = {pair}; bonds join spheres among the bodies")
+    spheres, (i, j) = scene.spheres, index[bonds.pairs].T
+    for k in np.flatnonzero(~(spheres.position[j] - spheres.position[i]).any(axis=1))[:1]:
+        pair = bonds.pairs[k].tolist()
+        raise ValueError(f"Bonds.pairs[{k}] = {pair} have one centre; a bond needs a direction")
+    law, reach = scene.contact, spheres.radius[i] + spheres.radius[j]
+    wanted = {"kn": np.full(len(i), law.kn), "ks": np.full(len(i), law.ks), "length": reach}
+    for name, unit in (("kn", "N/m"), ("ks", "N/m"), ("length", "m")):
+        values, contact = getattr(bonds, name), wanted[name]
+        jumps = bonds.breakable & ~(np.abs(values - contact) <= SEAMLESS * values)
+        for k in np.flatnonzero(jumps)[:1]:
+            raise ValueError(
+                f"Bonds.{name}[{k}] = {float(values[k])!r} {unit}, and {float(contact[k])!r} "
+                f"{unit} once it is broken; where a bond can break they must be the same"
+            )

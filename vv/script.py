@@ -58,7 +58,7 @@ def source(value: Any, indent: int = 0) -> str:
         inner = [f"{name}={source(part, indent + 4)}" for name, part in _stated(value)]
         return _bracketed(f"{type(value).__name__}(", inner, ")", indent)
     if isinstance(value, np.ndarray):
-        rows = [repr(row) for row in value.tolist()]
+        rows = [repr(row).replace("inf", "np.inf") for row in value.tolist()]
         return "np.array(" + _bracketed("[", rows, "]", indent) + ")"
     if isinstance(value, tuple):
         parts = [source(part, indent + 4) for part in value]

@@ -4,7 +4,7 @@ import dataclasses
 
 import numpy as np
 
-from vv.scene import Block, Harmonic, Scene, Spheres, Vector, Wall
+from vv.scene import Block, Harmonic, Scene, Spheres, Term, Vector, Wall
 
 Group = Spheres | Wall | Block
 
@@ -54,7 +54,9 @@ def swapped(scene: Scene) -> Scene:
         else group
         for group in reversed(scene.bodies)
     )
-    return dataclasses.replace(scene, bodies=bodies)
+    last = sum(len(group) for group in bodies) - 1
+    bonds = scene.bonds and dataclasses.replace(scene.bonds, pairs=last - scene.bonds.pairs)
+    return dataclasses.replace(scene, bodies=bodies, bonds=bonds)
 
 
 def initial_normal_forces(scene: Scene) -> Vector:
@@ -101,8 +103,10 @@ def why_not_released(scene: Scene) -> str | None:
     """Why dead loads cannot stand for a scene's oblique locks; None if they can.
 
     What varies in time along such a lock, a body acceleration or a wall that slides, calls for a
-    reaction that varies too.
+    reaction that varies too; so does a bond, whose pull is not that of the start.
     """
+    if scene.bonds is not None and Term.OBLIQUE_LOCK in scene.terms():
+        return "a bonded body is locked along a direction oblique to the frame; its pull varies"
     free = scene.spheres.free
     partly = free.any(axis=1) & ~free.all(axis=1)
     locked = scene.axes[(~free[partly]).any(axis=0)]

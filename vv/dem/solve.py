@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from vv.ask import Ask, Ledger, Model, Run, Status
+from vv.dem.bonded import Bonded, bonded, why_not_bonded
 from vv.dem.leapfrog import Leapfrog
 from vv.dem.limits import BLOW_UP, GAIN
 from vv.dem.line import Line, line
@@ -48,7 +49,7 @@ class Program:
 
     ask: Ask
     leapfrog: Leapfrog
-    system: Line | Pressed | Space
+    system: Line | Pressed | Space | Bonded
     stood: Stood
 
     @property
@@ -139,8 +140,9 @@ class Program:
 def prepare(ask: Ask, leapfrog: Leapfrog) -> Program:
     """The program of an ask, with the smallest model its scene allows."""
     stood = sprung(ask)
-    given = stood.scene, stood.charged
-    return Program(ask, leapfrog, line(stood.scene) or pressed(*given) or space(*given), stood)
+    scene, charged = stood.scene, stood.charged
+    system = bonded(scene) or line(scene) or pressed(scene, charged) or space(scene, charged)
+    return Program(ask, leapfrog, system, stood)
 
 
 def solve(ask: Ask, leapfrog: Leapfrog) -> Run:
@@ -159,7 +161,7 @@ def refuses(ask: Ask) -> str | None:
         return "Knobs.dt is None; an explicit scheme needs a step"
     if goal.steps(dt) == 0:
         return f"dt = {dt!r} s leaves no step in History.duration = {goal.duration!r} s"
-    reason = why_not_rigid(ask)
+    reason = why_not_rigid(ask) or why_not_bonded(ask.scene)
     if reason is not None:
         return reason
     scene = sprung(ask).scene
@@ -191,7 +193,7 @@ def _audits(scene: Scene, terms: Vector) -> Iterator[tuple[str, tuple[float, flo
     of one unknown holds no normal spring beside its shear spring and has nothing to tell.
     """
     law, normal, shear = scene.contact, terms[:, 1], terms[:, 2]
-    if not law.kn > 0 or not len(scene.spheres):
+    if not law.kn > 0 or not len(scene.spheres) or scene.bonds is not None:
         return
     radius = float(scene.spheres.radius.min())
     yield "penetration [m]", (float(np.sqrt(2 * normal.max() / law.kn)), SOFT * radius)

@@ -11,6 +11,7 @@ import numpy.typing as npt
 
 from vv.ask import Displacement, Observable
 from vv.dem.leapfrog import Leapfrog
+from vv.dem.rows import projected, projectors, triple
 from vv.scene import Harmonic, Mask, Scene, Term, Vector
 
 if TYPE_CHECKING:
@@ -109,16 +110,16 @@ def space(scene: Scene, charged: Vector | None = None) -> Space:
     load = spheres.load[moves]
     base = None if walls is None else _base(scene)
     state = SpaceState(
-        velocity=_projected(spheres.velocity[moves], scene.axes, spheres.free[moves]),
-        spin=_projected(spheres.spin[moves], scene.axes, spheres.free_spin[moves])
+        velocity=projected(spheres.velocity[moves], scene.axes, spheres.free[moves]),
+        spin=projected(spheres.spin[moves], scene.axes, spheres.free_spin[moves])
         if turns
         else None,
         mass=spheres.mass[moves],
         inertia=spheres.inertia[moves],
-        gravity=_triple(scene.gravity) if scene.gravity.any() else None,
+        gravity=triple(scene.gravity) if scene.gravity.any() else None,
         load=load if load.any() else None,
-        hold=_projectors(scene.axes, spheres.free[moves]),
-        hold_spin=_projectors(scene.axes, spheres.free_spin[moves]) if turns else None,
+        hold=projectors(scene.axes, spheres.free[moves]),
+        hold_spin=projectors(scene.axes, spheres.free_spin[moves]) if turns else None,
         pairs=pairs,
         walls=walls,
         kn=contact.kn,
@@ -160,10 +161,6 @@ def _base(scene: Scene) -> tuple[Drive, Starts] | None:
     return drives(motions)
 
 
-def _triple(vector: Vector) -> tuple[float, float, float]:
-    return float(vector[0]), float(vector[1]), float(vector[2])
-
-
 def _pairs(scene: Scene, moves: Mask, row: Index) -> Contacts | None:
     """All pairs of which one moves: rows, first offset, first gap, radii."""
     spheres = scene.spheres
@@ -193,14 +190,3 @@ def _grounds(scene: Scene, moves: Mask) -> Index:
     """The rows that hold how the walls of all contacts move: those after the spheres' own."""
     m = int(moves.sum())
     return np.repeat(m + 1 + np.arange(len(scene.walls)), m)
-
-
-def _projectors(axes: Vector, free: Mask) -> Vector | None:
-    """(m, 3, 3) projectors on the free axes; None if all are free."""
-    return None if free.all() else np.einsum("ka,mk,kb->mab", axes, free.astype(float), axes)
-
-
-def _projected(vectors: Vector, axes: Vector, free: Mask) -> Vector:
-    """The parts (m, 3) of the vectors along the free axes, untouched where all are free."""
-    hold = _projectors(axes, free)
-    return np.array(vectors) if hold is None else np.einsum("mab,mb->ma", hold, vectors)

@@ -1,4 +1,4 @@
-"""The largest stable step of a scene: 2/w_max of its contacts, less where drag lags."""
+"""The largest stable step of a scene: 2/w_max of its contacts or bonds, less where drag lags."""
 
 from __future__ import annotations
 
@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from vv.dem.bonded import bonded, highest_square
 from vv.dem.leapfrog import Leapfrog
 from vv.dem.line import line
 from vv.dem.space import Contacts, SpaceState, space
@@ -20,10 +21,13 @@ def critical_step(scene: Scene, leapfrog: Leapfrog) -> float:
 
     Without drag, or with drag at the midpoint, 2/w; with lagged drag 2 (sqrt(n^2 + w^2) - n)/w^2,
     n = eta/2m. w is the highest frequency of the contacts closed at t = 0 taken together, or of
-    any one contact that may close, if that is higher; m the least mass.
+    any one contact that may close, if that is higher, or that of all bonds; m the least mass.
     """
-    one = line(scene)
-    if one is not None:
+    hung = bonded(scene)
+    one = None if hung is not None else line(scene)
+    if hung is not None:
+        mass, square = float(hung.state.mass.min(initial=math.inf)), highest_square(hung.state)
+    elif one is not None:
         stiffness = one.state.normal or one.state.friction
         mass = one.state.mass
         square = 0.0 if stiffness is None else stiffness[0] / mass

@@ -1,0 +1,23 @@
+"""Vectors of the spheres that move, with what their locks leave of them."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from vv.scene import Mask, Vector
+
+
+def triple(vector: Vector) -> tuple[float, float, float]:
+    """A (3,) array as the tuple that kernels take."""
+    return float(vector[0]), float(vector[1]), float(vector[2])
+
+
+def projectors(axes: Vector, free: Mask) -> Vector | None:
+    """(m, 3, 3) projectors on the free axes; None if all are free."""
+    return None if free.all() else np.einsum("ka,mk,kb->mab", axes, free.astype(float), axes)
+
+
+def projected(vectors: Vector, axes: Vector, free: Mask) -> Vector:
+    """The parts (m, 3) of the vectors along the free axes, untouched where all are free."""
+    hold = projectors(axes, free)
+    return np.array(vectors) if hold is None else np.einsum("mab,mb->ma", hold, vectors)
