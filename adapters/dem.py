@@ -78,8 +78,8 @@ class Dem:
         return Found(True, vv.__version__)
 
     def refuses(self, ask: Ask, scheme: str) -> str | None:
-        """Why no leapfrog can run an ask though it has every term."""
-        return dem.refuses(ask)
+        """Why no leapfrog can run an ask though it has every term, or none with its step."""
+        return dem.refuses(ask) or dem.unstable(ask, LEAPFROGS[scheme])
 
     def describe(self, ask: Ask, scheme: str) -> Model:
         """The smallest model of the scene, and its largest stable step."""

@@ -8,7 +8,8 @@ of its acceleration and the next, bracketed there and found to rounding.
 With s = x - sin x, c = 1 - cos x, e = x^2/2 - c, from the angle b with acceleration a:
 w = v + (a x + q (cos b c - sin b s))/omega, displacement d + (v x + (a x^2/2 +
 q (cos b s - sin b e))/omega)/omega. Unlike p x - q cos(b + x) they lose no digits in a short slip.
-Angles are kept within one turn: an event at t = 100 s is as sharp as one at t = 0.
+Angles are kept within one turn: an event at t = 100 s is as sharp as one at t = 0. Where a slip
+turns at once, the velocity that the drive does not make itself is carried over to the last digit.
 """
 
 from collections.abc import Callable, Iterator
@@ -63,8 +64,23 @@ class Phase(NamedTuple):
     a: float
 
 
-def phases(drive: Drive, v0: float, end: float) -> tuple[Phase, ...]:
+class _Slip(NamedTuple):
+    """The slip that just ended: its q, and `steady` = w + q/omega cos(omega t + lag) [m/s].
+
+    That does not jump as a slip turns, where w = 0 but for the rounding of the angle. A quick drive
+    makes q/omega so much larger that what is left of w must be kept.
+    """
+
+    q: float
+    steady: float
+
+
+def phases(
+    drive: Drive, v0: float, end: float, *, steady: float | None = None
+) -> tuple[Phase, ...]:
     """What happens from t = 0, w = v0 [m/s], d = 0, until `end` [s]; the last is cut there.
+
+    steady: v0 + q/omega cos(lag) [m/s] if it is known more sharply than lag is rounded.
 
     A slip whose velocity touches zero ends there, and the next begins. Raises RuntimeError if there
     are more phases than a harmonic drive can make.
@@ -72,16 +88,18 @@ def phases(drive: Drive, v0: float, end: float) -> tuple[Phase, ...]:
     found: list[Phase] = []
     start = angle = drive.lag % _TURN
     now, turns, d, v = 0.0, 0.0, 0.0, v0
+    last = None if steady is None else _Slip(drive.forward.q, steady)
     for _ in range(16 + int(8.0 * drive.omega * end / _TURN)):
-        direction, a, x = _mode(drive, angle, v, drive.omega * (end - now))
+        direction, a, x, v = _mode(drive, angle, v, last, drive.omega * (end - now))
         more, after = divmod(angle + x, _TURN) if x < inf else (inf, 0.0)
         turns += more
         then = min((turns * _TURN + after - start) / drive.omega, end)
         found.append(Phase(now, then, direction, angle, d, v, a))
         if then >= end:
             return tuple(found)
-        q = drive.law(direction).q
+        p, q = drive.law(direction)
         d = float(_moved(np.array(x), drive.omega, q, *found[-1][3:]))
+        last = _Slip(q, v + (q * cos(angle) + p * x) / drive.omega) if direction else None
         now, angle, v = then, after, 0.0
     raise RuntimeError(f"{drive}; {len(found)} phases did not reach t = {end} s")
 
@@ -107,8 +125,10 @@ def _moved(
     return moved
 
 
-def _mode(drive: Drive, angle: float, v: float, last: float) -> tuple[int, float, float]:
-    """Direction, first acceleration and angle until the end of what begins with velocity v."""
+def _mode(
+    drive: Drive, angle: float, v: float, last: _Slip | None, left: float
+) -> tuple[int, float, float, float]:
+    """Direction, first acceleration, angle until the end, and velocity of what begins with v."""
     if v != 0.0:
         direction = int(copysign(1.0, v))
         law = drive.law(direction)
@@ -116,8 +136,11 @@ def _mode(drive: Drive, angle: float, v: float, last: float) -> tuple[int, float
     else:
         wait, direction, a = min(_begin(drive.law(way), way, angle) for way in (1, -1))
         if wait > 0.0:
-            return 0, 0.0, wait
-    return direction, a, _stop(drive, direction, angle, v, a, last)
+            return 0, 0.0, wait, 0.0
+        q = drive.law(direction).q
+        if last is not None and last.q == q:
+            v = last.steady - q * cos(angle) / drive.omega
+    return direction, a, _stop(drive, direction, angle, v, a, left), v
 
 
 def _begin(law: Law, direction: int, angle: float) -> tuple[float, int, float]:

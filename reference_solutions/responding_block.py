@@ -32,11 +32,28 @@ def base(t: ArrayLike, *, D: float, f: float) -> Array:
 
 
 def one_direction(t: ArrayLike, *, D: float, f: float, mu: float, g: float) -> Array:
-    """d2 [m] at times t >= 0 [s] of any shape; see `harmonic_slip`."""
+    """d2 [m] at times t >= 0 [s] of any shape; see `harmonic_slip`.
+
+    Added up over the ground: beside a quick base the block hardly moves, so that the difference of
+    base and lag would lose digits.
+    """
     t = require_times(t)
     drive = _drive(D, f, mu, g)
-    history = harmonic_slip.phases(drive, 0.0, float(t.max(initial=0.0)))
-    return base(t, D=D, f=f) + harmonic_slip.displacement(t, drive, history)
+    found = harmonic_slip.phases(drive, 0.0, float(t.max(initial=0.0)), steady=0.0)
+    which = np.searchsorted([phase.begin for phase in found], t, side="right") - 1
+    moved, d2 = np.empty(t.shape), 0.0
+    for i, phase in enumerate(found):
+        times = np.append(t[which == i], phase.end)
+        if phase.direction:
+            since = times - phase.begin
+            pull = drive.law(phase.direction).p
+            v = phase.v + 2.0 * pi * f * D * np.cos(phase.angle)
+            way = v * since + pull * since**2 / 2.0
+        else:
+            way = base(times, D=D, f=f) - base(phase.begin, D=D, f=f)
+        moved[which == i] = d2 + way[:-1]
+        d2 += float(way[-1])
+    return moved
 
 
 def one_direction_phases(
@@ -45,7 +62,8 @@ def one_direction_phases(
     """Slips and rests of `one_direction` relative to the base, as are d, v and a in them, until
     `duration` [s].
     """
-    return harmonic_slip.phases(_drive(D, f, mu, g), 0.0, float(require_times(duration)))
+    end = float(require_times(duration))
+    return harmonic_slip.phases(_drive(D, f, mu, g), 0.0, end, steady=0.0)
 
 
 def two_directions(

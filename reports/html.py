@@ -11,7 +11,7 @@ from typing import Any
 
 from vv import digest, effort, finding, gate, metrics
 from vv import history as histories
-from vv.history import Point, history
+from vv.history import Point
 from vv.store import Store, deliver
 
 HERE = Path(__file__).parent
@@ -41,7 +41,7 @@ def build_quickly(manifest: dict[str, Any], store: Store, output: Path) -> Path:
 def _built(
     manifest: dict[str, Any], store: Store, output: Path, drawing: Callable[..., str]
 ) -> Path:
-    past = {case: history(store, case) for case in manifest["cases"]}
+    past = histories.histories(store, manifest["cases"])
     stamp = _stamp(manifest, past, drawing.__name__)
     if _stamp_of(output) != stamp:
         from reports.page import page

@@ -66,7 +66,7 @@ LAYERS: dict[str, tuple[str, set[str], set[str]]] = {
     "blocks": ("vv/blocks/*.py", CORE | {"vv.blocks"} | KERNELS, {"numba"}),
     "references": ("reference_solutions/*.py", {"reference_solutions"}, set()),
     "second routes": ("reference_solutions/checks/*.py", set(), set()),
-    "cases": ("cases/**/*.py", DECLARED | {"reference_solutions"}, set()),
+    "cases": ("cases/**/*.py", DECLARED | {"reference_solutions", "cases"}, set()),
     "adapters": ("adapters/**/*.py", ASKED | ENGINES | {"adapters"}, set()),
     "reports": (
         "reports/*.py",

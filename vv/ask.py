@@ -113,7 +113,7 @@ class Ask:
 
     def digest(self) -> str:
         """Fingerprint of everything that decides the answer."""
-        return digest(self)
+        return digest(self.scene.digest(), self.goal, self.observables, self.knobs)
 
 
 @dataclass(frozen=True)

@@ -82,10 +82,14 @@ class Tolerance:
 
 @dataclass(frozen=True)
 class Exact:
-    """Judge: the error against a reference, in a norm, within the tolerance of the method."""
+    """Judge: the error against a reference, in a norm, within the tolerance of the method.
+
+    shown: why methods that promise no answer here are not judged; their result is shown.
+    """
 
     tolerances: Mapping[Method, Tolerance]
     norm: Norm = Norm.MAX
+    shown: Mapping[Method, str] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -113,6 +117,13 @@ class Shown:
 
 
 Judge = Exact | Interval | Invariant | Shown
+
+
+def judge_of(judge: Judge, method: Method) -> Judge:
+    """How a quantity with that judge is judged in a method."""
+    if isinstance(judge, Exact) and method in judge.shown:
+        return Shown(judge.shown[method])
+    return judge
 
 
 def _require_answer(name: str, reference: object, judge: Judge) -> None:

@@ -50,5 +50,7 @@ def _quantity(quantity: Quantity) -> dict[str, Any]:
     }
     if isinstance(judge, Exact):
         tolerances = {m.value: dataclasses.asdict(t) for m, t in judge.tolerances.items()}
-        return {**entry, "norm": judge.norm.value, "tolerances": tolerances}
+        shown = {m.value: reason for m, reason in judge.shown.items()}
+        unjudged = {"shown": shown} if shown else {}
+        return {**entry, "norm": judge.norm.value, "tolerances": tolerances, **unjudged}
     return {**entry, "reason": judge.reason}

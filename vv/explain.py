@@ -69,6 +69,8 @@ def _explain_quantity(quantity: Quantity) -> None:
         if tolerance.kn:
             step += f" at kn = {tolerance.kn:g} N/m, as kn^-{tolerance.softness:g}"
         say(f"    {method.value}: {tolerance.value:g}{step}: {tolerance.reason}")
+    for method, reason in judge.shown.items():
+        say(f"    {method.value}: shown: {reason}")
 
 
 def _last_results(manifests: Iterable[Mapping[str, Any]]) -> dict[tuple[str, ...], list[str]]:

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import functools
 import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -41,7 +42,16 @@ class Point:
 
 def history(store: Store, case: str) -> list[Point]:
     """The newest run of a case at each of the last commits, oldest first."""
-    found = list(reversed(_newest(store, case)))
+    return histories(store, [case])[case]
+
+
+def histories(store: Store, cases: Iterable[str]) -> dict[str, list[Point]]:
+    """The history of each case; every manifest is read once at most."""
+    read = functools.cache(store.manifest)
+    return {case: _points(list(reversed(_newest(store, case, read)))) for case in cases}
+
+
+def _points(found: Sequence[tuple[Mapping[str, Any], list[Record]]]) -> list[Point]:
     closeness = _over_common([_measured(records, _closeness) for _, records in found], max)
     cost = _over_common([_measured(records, _relative) for _, records in found], _geometric_mean)
     return [
@@ -50,7 +60,9 @@ def history(store: Store, case: str) -> list[Point]:
     ]
 
 
-def _newest(store: Store, case: str) -> list[tuple[Mapping[str, Any], list[Record]]]:
+def _newest(
+    store: Store, case: str, read: Callable[[str], Mapping[str, Any]]
+) -> list[tuple[Mapping[str, Any], list[Record]]]:
     """(provenance, records of the case) of the newest run at each commit, newest first."""
     found: dict[tuple[str, bool], tuple[Mapping[str, Any], list[Record]]] = {}
     looks: dict[tuple[str, bool], int] = {}
@@ -61,7 +73,7 @@ def _newest(store: Store, case: str) -> list[tuple[Mapping[str, Any], list[Recor
             looks[at] = looks.get(at, 0) + 1
             if at in found or looks[at] > LOOKS:
                 continue
-            records = store.manifest(name)["records"]
+            records = read(name)["records"]
         except OSError:
             continue  # damaged from outside: the others still tell
         own = [r for r in records if r["case"] == case and not r["modified"]]

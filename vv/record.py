@@ -12,7 +12,19 @@ import numpy as np
 
 from vv import metrics
 from vv.ask import Ask, Knobs, Ledger, Method, Run, Status
-from vv.case import Count, Exact, Interval, Invariant, Norm, Quantity, Scalar, Series, Shown
+from vv.case import (
+    Count,
+    Exact,
+    Interval,
+    Invariant,
+    Judge,
+    Norm,
+    Quantity,
+    Scalar,
+    Series,
+    Shown,
+    judge_of,
+)
 from vv.scene import Vector
 
 NORMS = {
@@ -74,6 +86,7 @@ def measured(
     run: Run, quantity: Quantity, method: Method, knobs: Knobs
 ) -> tuple[dict[str, Any], dict[str, Vector]]:
     """A quantity of a run as a record entry, and the arrays of its series."""
+    judge = judge_of(quantity.judge, method)
     entry: dict[str, Any] = {
         "name": quantity.name,
         "kind": type(quantity).__name__.lower(),
@@ -83,8 +96,8 @@ def measured(
         "errors": {},
         "scale": None,
         "figures": {},
-        "judge": type(quantity.judge).__name__.lower(),
-        **_stated(quantity, method, knobs),
+        "judge": type(judge).__name__.lower(),
+        **_stated(quantity.name, judge, method, knobs),
     }
     if isinstance(quantity, Series):
         arrays = _measure_series(run, quantity, entry)
@@ -92,18 +105,17 @@ def measured(
             entry["note"] = "bit by bit the reference itself, which no approximate method can be"
     else:
         arrays = {}
-        _measure_number(run, quantity, entry)
-    entry["verdict"] = _verdict(quantity, entry).value
+        _measure_number(run, quantity, judge, entry)
+    entry["verdict"] = _verdict(quantity, judge, entry).value
     return entry, arrays
 
 
-def _stated(quantity: Quantity, method: Method, knobs: Knobs) -> dict[str, Any]:
+def _stated(name: str, judge: Judge, method: Method, knobs: Knobs) -> dict[str, Any]:
     """How the quantity is judged: norm, bound and the reason for it."""
-    judge = quantity.judge
     if isinstance(judge, Exact):
         tolerance = judge.tolerances.get(method)
         if tolerance is None:
-            raise ValueError(f"quantity '{quantity.name}' has no tolerance for {method.value}")
+            raise ValueError(f"quantity '{name}' has no tolerance for {method.value}")
         bound = tolerance.at(knobs)
         norm = judge.norm.name.lower()
         return {"norm": norm, "tolerance": bound, "why": tolerance.reason, "note": ""}
@@ -145,20 +157,23 @@ def _errors(value: Vector, reference: Vector, scale: float | None) -> dict[str, 
     return errors
 
 
-def _measure_number(run: Run, quantity: Scalar | Count, entry: dict[str, Any]) -> None:
+def _measure_number(
+    run: Run, quantity: Scalar | Count, judge: Judge, entry: dict[str, Any]
+) -> None:
+    """Value, scale and errors; a count that is only shown has none, and so no order in dt."""
     value = quantity.observe(run)
     entry["value"] = _finite(value)
     entry["reference"] = quantity.reference
     entry["figures"] = {"value": entry["value"]}
     scale = quantity.scale if isinstance(quantity, Scalar) else max(1, abs(quantity.reference or 0))
     entry["scale"] = float(scale)
-    if quantity.reference is not None:
+    only_shown = isinstance(quantity, Count) and isinstance(judge, Shown)
+    if quantity.reference is not None and not only_shown:
         error = _finite(abs(value - quantity.reference) / scale)
         entry["errors"] = {norm.name.lower(): error for norm in (Norm.MAX, Norm.FINAL)}
 
 
-def _verdict(quantity: Quantity, entry: dict[str, Any]) -> Verdict:
-    judge = quantity.judge
+def _verdict(quantity: Quantity, judge: Judge, entry: dict[str, Any]) -> Verdict:
     if isinstance(judge, Shown):
         return Verdict.NO_REFERENCE
     if isinstance(judge, Interval):

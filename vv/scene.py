@@ -179,6 +179,10 @@ class Scene:
 
     def digest(self) -> str:
         """Fingerprint of everything a solver can see."""
+        return self._digest
+
+    @functools.cached_property
+    def _digest(self) -> str:
         return digest(self)
 
     def _may_touch(self) -> bool:

@@ -25,6 +25,7 @@ WORDS = {"xfail": "known disagreement", "xpass": "unexpected pass", "no-referenc
 PLURAL = {"known disagreement": "known disagreements", "unexpected pass": "unexpected passes"}
 ORDER = ("pass", "fail", "xpass", "xfail", "no-reference")
 STORED = "stored"
+REASONS = 6  # why codes refused: the most frequent ones
 SHOWN = 12  # findings of a gate; the report and the files have all
 EVERY = 2.0  # s between two plain progress lines
 
@@ -95,8 +96,11 @@ def print_refusals(records: Iterable[Mapping[str, Any]]) -> None:
         for record in records
         if status_of(record) in (Status.REFUSED, Status.NOT_INSTALLED)
     )
-    for reason, times in reasons.items():
+    for reason, times in reasons.most_common(REASONS):
         print(f"{reason} ({times} times)" if times > 1 else reason, file=sys.stderr)
+    if len(reasons) > REASONS:
+        rest = len(reasons) - REASONS
+        print(f"and {rest} more reasons to refuse; the report has them all", file=sys.stderr)
 
 
 def print_counts(records: Iterable[Mapping[str, Any]], report: Path) -> None:

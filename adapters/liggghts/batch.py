@@ -83,7 +83,7 @@ def timed(
 
     def times(index: int) -> int:
         once = max(runs[index].cost.solve_cpu, 1e-6)  # may have been disturbed, hence the least
-        least = 1 if once > 10 * repeat else LEAST_REPEATS
+        least = 1 if once > 2 * repeat else LEAST_REPEATS
         return max(least, min(MOST_REPEATS, 1 + math.ceil(repeat / once)))
 
     def collect(index: int, program: external.Program) -> Run | None:

@@ -19,7 +19,7 @@ from numpy.typing import ArrayLike, NDArray
 Array = NDArray[np.float64]
 
 _GRID = 257
-_MOST = 2000
+_MOST = 20_000
 _Routine = tuple[Literal["Radau", "LSODA"], float, float]  # relative and absolute tolerance
 _ROUTINES: tuple[_Routine, ...] = (("Radau", 1e-9, 1e-14), ("LSODA", 1e-12, 1e-14))
 _STARTED = 1e-12  # of the base's greatest speed: the relative speed at which a slip begins
@@ -42,13 +42,15 @@ def one_direction(t: ArrayLike, *, D: float, f: float, mu: float, g: float) -> A
             here = (now <= past) & (past <= then)
             d2[here] = x + base(past[here]) - base(now)
             x += float(base(then) - base(now))
-            v = D * rate * sin(rate * then)
+            # where friction turns at once, the block keeps its velocity to the last digit
+            v = v if then == now else D * rate * sin(rate * then)
         else:
             a = way * mu * g
             then = _caught(now, v, a, D * rate, rate)
             here = (now <= past) & (past <= then)
             d2[here] = x + (past[here] - now) * (v + a * (past[here] - now) / 2.0)
             x, way = x + (then - now) * (v + a * (then - now) / 2.0), 0.0
+            v += a * (then - now)
         if then > past.max():
             return d2
         whole = int(then * f)

@@ -2,7 +2,7 @@
 
 from vv.ask import Ask, Run
 from vv.dem.leapfrog import CENTRED, LAGGED, Leapfrog
-from vv.dem.solve import Program, prepare, refuses, solve
+from vv.dem.solve import Program, prepare, refuses, solve, unstable
 from vv.dem.stability import critical_step
 
 __all__ = [
@@ -15,6 +15,7 @@ __all__ = [
     "refuses",
     "solve_default",
     "solve_published",
+    "unstable",
 ]
 
 

@@ -168,6 +168,23 @@ def refuses(ask: Ask) -> str | None:
     return _moves_where_locked(scene) or _coincident(scene)
 
 
+def unstable(ask: Ask, leapfrog: Leapfrog) -> str | None:
+    """Why the step of an ask is too large, with the largest stable one and its rule; else None.
+
+    Such a step may be solved all the same, to see what comes of it.
+    """
+    dt = ask.knobs.dt
+    limit = critical_step(sprung(ask).scene, leapfrog)
+    if dt is None or dt <= limit:
+        return None
+    late = ask.scene.eta > 0 and leapfrog.lag > 0.5
+    rule = "2 (sqrt(n^2 + w^2) - n)/w^2, n = eta/2m" if late else "2/w"
+    return (
+        f"dt = {dt:.6g} s is beyond the largest stable step {limit:.6g} s = {rule}, w the highest "
+        "frequency of its contacts"
+    )
+
+
 def _audits(scene: Scene, terms: Vector) -> Iterator[tuple[str, tuple[float, float]]]:
     """What the springs' energies (k, 2) [J] at the outputs say of friction and overlap.
 

@@ -1,0 +1,141 @@
+"""A heavy ball drives a light one against a wall: the number of collisions spells pi."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from reference_solutions import galperin
+from vv.ask import History, Knobs, Method, Run, Velocity
+from vv.case import (
+    Case,
+    Count,
+    Exact,
+    Parameter,
+    Parameters,
+    Source,
+    Tolerance,
+    Trial,
+    Variant,
+)
+from vv.scene import Contact, Scene, Spheres, Vector, Wall
+from vv.study import Ladder, Level
+
+RADIUS = 0.1  # m; does not enter the answer
+LIGHT, HEAVY = Velocity(1), Velocity(2)
+X = np.array([1.0, 0.0, 0.0])
+BEYOND = 1.1  # of the time of the last collision between hard bodies: springs delay it
+SAMPLES = 4  # outputs in the shortest time between two collisions
+
+
+def _masses(p: Parameters) -> dict[str, float]:
+    return {"m": p["m"], "M": p["ratio"] * p["m"]}
+
+
+def _scene(p: Parameters) -> Scene:
+    """Wall, light ball at rest, heavy ball on its way to it; both keep to the line."""
+    away = np.array([RADIUS + p["x"], 3 * RADIUS + p["X"]])
+    balls = Spheres(
+        position=away[:, None] * X,
+        velocity=np.array([np.zeros(3), -p["v"] * X]),
+        radius=np.full(2, RADIUS),
+        mass=np.array(list(_masses(p).values())),
+        free=np.array([[True, False, False]] * 2),
+    )
+    return Scene((Wall(np.zeros(3), X), balls), Contact(p["kn"]))
+
+
+def _declare(variant: str, p: Parameters) -> Trial:
+    masses, way = _masses(p), {name: p[name] for name in ("x", "X", "v")}
+    due, end = galperin.collisions(**masses), BEYOND * galperin.last(**masses, **way)
+    shortest = galperin.opening(**masses) ** 2 * p["x"] / p["v"]
+    touch = math.pi * math.sqrt(p["m"] / p["kn"])
+    if not touch < shortest:
+        raise ValueError(
+            f"kn = {p['kn']!r} N/m; a contact would last {touch:.3g} s, and must be shorter than "
+            f"the {shortest:.3g} s between two collisions"
+        )
+    goal = History(end, shortest / SAMPLES)
+    levels = {
+        level: tuple(Knobs(dt=touch / steps) for steps in rungs)
+        for level, rungs in RUNGS[variant].items()
+    }
+    study = Ladder(_scene(p), goal, (LIGHT, HEAVY), levels)
+    return Trial(study, (_number(due, _turned(due, p) / due, touch / COARSEST),))
+
+
+def _turned(due: int, p: Parameters) -> float:
+    """How many collisions more or less the coarsest step makes.
+
+    A spring that closes or opens within a step gains or loses up to kn (v dt)^2/8 of energy, as it
+    falls: that turns the direction in the wedge by up to (w dt)^2/8 sin cos of its angle to the
+    side, at random; over n contacts the root of the sum of squares is that times sqrt(n/8).
+    """
+    turn = (math.pi / COARSEST) ** 2 / 8 * math.sqrt(due / 8)
+    return turn / galperin.opening(**_masses(p))
+
+
+def _number(due: int, spread: float, coarsest: float) -> Count:
+    return Count(
+        name="collisions",
+        symbol="n",
+        meaning="collisions of the balls with each other and of the light one with the wall",
+        observe=_seen,
+        reference=due,
+        judge=Exact({
+            Method.EXACT: Tolerance(1e-6, "a number of collisions is right or wrong"),
+            Method.SECOND_ORDER: Tolerance(spread, BLURRED, dt=coarsest, order=2),
+        }),
+    )  # fmt: skip
+
+
+def _seen(run: Run) -> int:
+    """How often what approaches turns to part: the balls, and the light one and the wall."""
+    light, heavy = run.values[LIGHT] @ X, run.values[HEAVY] @ X
+    return _turns(heavy - light) + _turns(light)
+
+
+def _turns(rate: Vector) -> int:
+    """How often a distance stops shrinking, from its rate at the outputs."""
+    return int(np.count_nonzero((rate[:-1] < 0) & (rate[1:] >= 0)))
+
+
+COARSEST = 10  # steps in a contact
+SHORT, LONG = (20, 40, 80, 160), (10, 20)
+RUNGS = {
+    "31": {Level.QUICK: SHORT[:3:2], Level.DEFAULT: SHORT, Level.PAPER: SHORT},
+    "314": {Level.QUICK: LONG[:1], Level.DEFAULT: LONG[:1], Level.PAPER: LONG},
+}
+BLURRED = (
+    "a contact that begins and ends within a step errs by up to (w dt)^2/8 in speed, at random: "
+    "that turns the path by sqrt(n/8) times as much; where this is less than one collision, the "
+    "number must be right"
+)
+INERT = frozenset({"m", "x", "X", "v", "kn"})
+UNFOLDED = "n = ceil(pi/theta) - 1, theta = atan(sqrt(m/M))"
+CASE = Case(
+    name="galperin",
+    title="Collisions that count pi",
+    source=Source(
+        "Galperin (2003), Playing pool with pi (the number pi from a billiard point of view), "
+        "Regular and Chaotic Dynamics 8(4), 375-394",
+        "10.1070/RD2003v008n04ABEH000252",
+        "Bodies are hard there; here they are springs, which mirror the motion as hard bodies do "
+        "while only one acts at a time. A collision is seen in the velocities at the outputs: an "
+        "approach that turns to parting.",
+    ),
+    parameters=(
+        Parameter("m", 1.0, "kg", "mass of the light ball"),
+        Parameter("ratio", 100.0, "", "mass of the heavy ball over it"),
+        Parameter("x", 1.0, "m", "gap between the light ball and the wall at the start"),
+        Parameter("X", 1.1, "m", "gap between the heavy ball and the wall, less the light one"),
+        Parameter("v", 1.0, "m/s", "speed of the heavy ball towards the light one"),
+        Parameter("kn", 1.6e6, "N/m", "contact stiffness"),
+    ),
+    variants=(
+        Variant("31", "mass ratio 100", UNFOLDED, inert=INERT),
+        Variant("314", "mass ratio 10 000", UNFOLDED, {"ratio": 1e4, "kn": 1.6e10}, INERT, False),
+    ),
+    declare=_declare,
+)

@@ -1,0 +1,106 @@
+"""T3 for 20 s: a spring that swings up to the limit of friction and never beyond it."""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Iterator
+
+import numpy as np
+
+from cases.single_contact import CASE as SINGLE_CONTACT
+from reference_solutions import single_contact as closed
+from vv.ask import Displacement, History, Knobs, Method, Run
+from vv.case import (
+    Case,
+    Count,
+    Exact,
+    Parameters,
+    Scalar,
+    Shown,
+    Source,
+    Tolerance,
+    Trial,
+    Variant,
+)
+from vv.scene import Vector
+from vv.study import Ladder, Level
+
+SHEAR = SINGLE_CONTACT.variant("T3")
+OWN = ("rho", "r", "kn", "ks", "mu", "eta", "v_b")
+SPHERE = Displacement(1)
+GOAL = History(20.0, 1e-3)
+SEEN = 1e-8  # of the overlap's limit: a slip that moves the middle of a swing by less is rounding
+NEAR = 2  # outputs beside a turn that a slip there may have bent
+
+
+def _declare(variant: str, p: Parameters) -> Trial:
+    own = {name: p[name] for name in OWN}
+    scene = SINGLE_CONTACT.declare("T3", {**SINGLE_CONTACT.defaults("T3"), **own}).study.scene
+    limit = p["mu"] * p["kn"] * closed.overlap(**own) / p["ks"]
+
+    def steps(run: Run) -> Vector:
+        """By how much each swing's middle lies off the one before, over the limit."""
+        middles = list(_middles(run.values[SPHERE] @ scene.axes[1]))
+        return np.asarray(np.abs(np.diff([0.0, *middles])) / limit)
+
+    slips = Count(
+        name="slips",
+        symbol="n",
+        meaning="times it slips: the middle of a swing differs from that of the one before",
+        observe=lambda run: int(np.count_nonzero(steps(run) > SEEN)),
+        reference=1,
+        judge=Exact(
+            {Method.EXACT: Tolerance(1e-6, "it slips once, as it is thrown; a count is whole")},
+            shown={Method.SECOND_ORDER: GRAZES},
+        ),
+    )
+    crept = Scalar(
+        name="crept",
+        symbol="sum |c|",
+        unit="",
+        meaning="what the middles moved in all after the first slip, over the largest stretch",
+        observe=lambda run: float(steps(run)[1:].sum()),
+        reference=None,
+        scale=1.0,
+        judge=Shown("how far the slips that should not be carry it; none in the exact motion"),
+    )
+    return Trial(Ladder(scene, GOAL, (SPHERE,), LEVELS), (slips, crept))
+
+
+def _middles(y: Vector) -> Iterator[float]:
+    """The middle of every swing between two turns, from the outputs (k,) [m] within it.
+
+    What swings about c obeys y_(n+1) + y_(n-1) - 2c = q (y_n - c) at equal intervals, whatever its
+    frequency and, in a leapfrog, its step: a straight line in y_n, fitted.
+    """
+    turns = np.flatnonzero(np.diff(y[:-1]) * np.diff(y[1:]) < 0) + 1
+    for begin, end in itertools.pairwise(turns):
+        swing = y[begin + NEAR : end - NEAR + 1]
+        inner, around = swing[1:-1], swing[2:] + swing[:-2]
+        mean = inner.mean()
+        off = inner - mean
+        q = float(off @ around / (off @ off))
+        yield float((around.mean() - q * mean) / (2 - q))
+
+
+RUNGS = tuple(Knobs(dt=dt) for dt in (4e-3, 2e-3, 1e-3, 5e-4, 1e-4))
+LEVELS = {Level.QUICK: RUNGS[:3:2], Level.DEFAULT: RUNGS, Level.PAPER: RUNGS}
+GRAZES = (
+    "the swing ends where friction would give way, to the last digit: an error of either sign "
+    "decides whether it slips, so that a number of slips has no order in the step"
+)
+CASE = Case(
+    name="grazing",
+    title="Grazing the limit of friction",
+    source=Source(
+        SINGLE_CONTACT.source.citation,
+        SINGLE_CONTACT.source.doi,
+        "T3, which ends there at 0.4 s, goes on for 20 s. Its third stage swings about b with the "
+        "amplitude y1 = mu kn dx/ks, at which the shear force is mu Fn and the velocity zero.",
+    ),
+    parameters=tuple(one for one in SINGLE_CONTACT.parameters if one.name in OWN),
+    variants=(
+        Variant("T3", SHEAR.summary, SHEAR.formula, inert=SHEAR.inert - {"v_a"}, quick=True),
+    ),
+    declare=_declare,
+)

@@ -1,0 +1,125 @@
+"""A sphere bounces on a floor until drag has brought it to rest."""
+
+from __future__ import annotations
+
+import functools
+
+import numpy as np
+
+from reference_solutions import settling
+from vv.ask import Displacement, History, Knobs, Method, Run
+from vv.case import (
+    Case,
+    Count,
+    Exact,
+    Parameter,
+    Parameters,
+    Series,
+    Source,
+    Tolerance,
+    Trial,
+    Variant,
+)
+from vv.scene import Contact, Scene, Spheres, Vector, Wall
+from vv.study import Ladder, Level
+
+RADIUS = 0.1  # m; does not enter the answer
+SPHERE = Displacement(1)
+GOAL = History(0.8, 1e-4)  # twice the time to the last bounce; six outputs in the shortest flight
+Z = np.array([0.0, 0.0, 1.0])
+LAW = ("m", "kn", "eta", "g", "height")
+
+
+def _scene(p: Parameters) -> Scene:
+    sphere = Spheres(
+        position=(RADIUS + p["height"]) * Z[None],
+        velocity=np.zeros((1, 3)),
+        radius=np.array([RADIUS]),
+        mass=np.array([p["m"]]),
+        free=np.array([[False, False, True]]),
+    )
+    floor = Wall(np.zeros(3), Z)
+    return Scene((floor, sphere), Contact(p["kn"]), p["eta"], gravity=-p["g"] * Z)
+
+
+def _declare(variant: str, p: Parameters) -> Trial:
+    law = {name: p[name] for name in LAW}
+    moved = Series(
+        name="z",
+        symbol="z",
+        unit="m",
+        meaning="displacement upwards",
+        observe=_height,
+        reference=functools.partial(settling.settling, **law),
+        judge=Exact(PATH),
+    )
+    bounces = Count(
+        name="bounces",
+        symbol="n",
+        meaning="times it leaves the floor",
+        observe=lambda run: _leaves(_height(run) + p["height"]),
+        reference=sum(stage.flies for stage in settling.stages(**law)) - 1,
+        judge=Exact(dict.fromkeys(PATH, WHOLE)),
+    )
+    return Trial(Ladder(_scene(p), GOAL, (SPHERE,), LEVELS), (moved, bounces))
+
+
+def _height(run: Run) -> Vector:
+    return np.asarray(run.values[SPHERE] @ Z)
+
+
+def _leaves(z: Vector) -> int:
+    return int(np.count_nonzero((z[:-1] <= 0) & (z[1:] > 0)))
+
+
+RUNGS = tuple(Knobs(dt=dt) for dt in (1e-4, 5e-5, 2.5e-5, 1.25e-5))
+LEVELS = {Level.QUICK: RUNGS[:3:2], Level.DEFAULT: RUNGS, Level.PAPER: RUNGS}
+PATH = {
+    Method.EXACT: Tolerance(1e-11, "rounding of sixty events, each of which moves the next"),
+    Method.SECOND_ORDER: Tolerance(
+        4e-3,
+        "a contact lasts 30 steps of 1e-4 s: (k dt)^2/24 = 4e-4 for its swing, as much for each of "
+        "its ends, at random, and the speed it leaves with decides all that follows",
+        dt=1e-4,
+        order=2,
+    ),
+    Method.FIRST_ORDER: Tolerance(
+        1e-2,
+        "drag half a step late changes its coefficient by n dt = 0.1 % at 1e-4 s, and gravity half "
+        "a step late the first speed by g dt/2v = 0.25 %; thirty bounces add up the former",
+        dt=1e-4,
+        order=1,
+    ),
+}
+WHOLE = Tolerance(
+    1e-6,
+    "a number of bounces is right or wrong; the last but one rises above the floor by 2 % of its "
+    "depth, and the next stays as much below it",
+)
+CASE = Case(
+    name="settling",
+    title="Bounces to rest",
+    source=Source(
+        "Li, Yin, Jia, Zhang, Wang and Xu (2018), Validation Tests for Discrete Element Codes "
+        "Using Single-Contact Systems, International Journal of Geomechanics",
+        "10.1061/(ASCE)GM.1943-5622.0001133",
+        "The law is that of T2, under gravity and again and again. The spring makes the number of "
+        "bounces finite; with a coefficient of restitution it would not be, but neither that nor a "
+        "dashpot between bodies is a term of a scene.",
+    ),
+    parameters=(
+        Parameter("m", 1.0, "kg", "mass"),
+        Parameter("kn", 1e6, "N/m", "contact stiffness"),
+        Parameter("eta", 20.0, "N s/m", "artificial viscosity"),
+        Parameter("g", 9.81, "m/s2", "gravity"),
+        Parameter("height", 2e-3, "m", "height over the floor at the start"),
+    ),
+    variants=(
+        Variant(
+            "drop",
+            "dropped from 2 mm: it leaves the floor 30 times",
+            "m z'' = -m g - eta z' - kn z while z < 0, without kn in flight",
+        ),
+    ),
+    declare=_declare,
+)
