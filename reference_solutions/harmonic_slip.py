@@ -65,12 +65,13 @@ class Phase(NamedTuple):
 
 
 class _Slip(NamedTuple):
-    """The slip that just ended: its q, and `steady` = w + q/omega cos(omega t + lag) [m/s].
+    """The slip that just ended: direction, q, and `steady` = w + q/omega cos(omega t + lag) [m/s].
 
-    That does not jump as a slip turns, where w = 0 but for the rounding of the angle. A quick drive
-    makes q/omega so much larger that what is left of w must be kept.
+    That does not jump as a slip turns round, where w = 0 but for the rounding of the angle. A quick
+    drive makes q/omega so much larger that what is left of w must be kept.
     """
 
+    direction: int
     q: float
     steady: float
 
@@ -88,7 +89,7 @@ def phases(
     found: list[Phase] = []
     start = angle = drive.lag % _TURN
     now, turns, d, v = 0.0, 0.0, 0.0, v0
-    last = None if steady is None else _Slip(drive.forward.q, steady)
+    last = None if steady is None else _Slip(0, drive.forward.q, steady)
     for _ in range(16 + int(8.0 * drive.omega * end / _TURN)):
         direction, a, x, v = _mode(drive, angle, v, last, drive.omega * (end - now))
         more, after = divmod(angle + x, _TURN) if x < inf else (inf, 0.0)
@@ -99,7 +100,9 @@ def phases(
             return tuple(found)
         p, q = drive.law(direction)
         d = float(_moved(np.array(x), drive.omega, q, *found[-1][3:]))
-        last = _Slip(q, v + (q * cos(angle) + p * x) / drive.omega) if direction else None
+        last = (
+            _Slip(direction, q, v + (q * cos(angle) + p * x) / drive.omega) if direction else None
+        )
         now, angle, v = then, after, 0.0
     raise RuntimeError(f"{drive}; {len(found)} phases did not reach t = {end} s")
 
@@ -138,7 +141,7 @@ def _mode(
         if wait > 0.0:
             return 0, 0.0, wait, 0.0
         q = drive.law(direction).q
-        if last is not None and last.q == q:
+        if last is not None and last.q == q and last.direction != direction:
             v = last.steady - q * cos(angle) / drive.omega
     return direction, a, _stop(drive, direction, angle, v, a, left), v
 
@@ -152,7 +155,7 @@ def _begin(law: Law, direction: int, angle: float) -> tuple[float, int, float]:
     if not abs(p) < abs(q):
         return inf, direction, 0.0
     wait = (_rise(p, q) - angle) % _TURN
-    return (0.0 if min(wait, _TURN - wait) < _SNAP else wait), direction, 0.0
+    return (0.0 if min(wait, _TURN - wait) < _SNAP else wait), direction, direction * push
 
 
 def _rise(p: float, q: float) -> float:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import math
 
 import numpy as np
@@ -11,7 +12,6 @@ from vv.ask import Displacement, History, Knobs
 from vv.case import (
     Case,
     Interval,
-    Judge,
     Parameter,
     Parameters,
     Scalar,
@@ -54,10 +54,10 @@ def _declare(variant: str, p: Parameters) -> Trial:
     rungs = tuple(Knobs(one) for one in dt)
     goal = History(steps * free, late / 4)
     study = Ladder(_scene(p), goal, (SPHERE,), dict.fromkeys(Level, rungs))
-    return Trial(study, (_reach(p["v"] / w, SHOWN if variant.endswith("beyond") else BOUNDED),))
+    return Trial(study, ((_decades if variant.endswith("beyond") else _reach)(p["v"] / w),))
 
 
-def _reach(swing: float, judge: Judge) -> Scalar:
+def _reach(swing: float) -> Scalar:
     """How far it swings, over what it would without steps and drag [m]."""
     return Scalar(
         name="reach",
@@ -67,7 +67,20 @@ def _reach(swing: float, judge: Judge) -> Scalar:
         observe=lambda run: float(np.abs(run.values[SPHERE] @ Y).max() / swing),
         reference=None,
         scale=1.0,
-        judge=judge,
+        judge=BOUNDED,
+    )
+
+
+def _decades(swing: float) -> Scalar:
+    """The same in powers of ten: what an instability makes of it, from rounding on."""
+    reach = _reach(swing)
+    return dataclasses.replace(
+        reach,
+        name="decades",
+        symbol="lg(max|y| w/v)",
+        meaning=f"logarithm to base ten of the {reach.meaning}",
+        observe=lambda run: math.log10(reach.observe(run)),
+        judge=SHOWN,
     )
 
 

@@ -127,7 +127,9 @@ class Program:
         peak = max(put_in, float(terms[:, :3].sum(axis=1).max()))
         bound = self.system.bound(energy, self.leapfrog, self.dt)
         if bound is not None:
-            bound += ROUNDINGS * EPS * (self.ask.goal.steps(self.dt) + 1) * peak
+            # each step rounds what is held, and every sum of work that it adds to
+            rounded = ROUNDINGS * peak + float(np.abs(terms).max())
+            bound += rounded * EPS * (self.ask.goal.steps(self.dt) + 1)
         return Ledger(
             terms=dict(zip(LEDGER[: terms.shape[1]], terms[-1].tolist(), strict=True)),
             unaccounted=float(np.abs(terms.sum(axis=1) - put_in).max()),
