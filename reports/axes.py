@@ -60,15 +60,16 @@ def _ticks(low: float, high: float) -> dict[float, str]:
 
 
 def _draw_guides(axes: Any, chart: Chart) -> None:
-    """Faint lines of slope 1, 2, ... from the upper right, with their slope written on."""
+    """Faint lines with their slope written on: rising ones from the upper right, others left."""
     if not chart.guides or not chart.curves:
         return
     (left, right), (bottom, _) = axes.get_xlim(), axes.get_ylim()
-    x = max(float(curve.x.max()) for curve in chart.curves)
     y = max(float(curve.y.max()) for curve in chart.curves)
     for slope in chart.guides:
-        end = max(left, x * (bottom / y) ** (1 / slope))
-        axes.plot([right, end], [y * (p / x) ** slope for p in (right, end)], "--", color="#9aa1a9")
+        ends = [float(curve.x.max() if slope > 0 else curve.x.min()) for curve in chart.curves]
+        x, start = (max(ends), right) if slope > 0 else (min(ends), left)
+        end = min(right, max(left, x * (bottom / y) ** (1 / slope)))
+        axes.plot([start, end], [y * (p / x) ** slope for p in (start, end)], "--", color="#9aa1a9")
         spot = x * (end / x) ** 0.8
         axes.annotate(
             f"slope {slope}",

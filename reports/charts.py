@@ -111,7 +111,7 @@ def error_against_cost(ladders: Sequence[Ladder], label: str) -> Chart:
             curves.append(_curve(ladder.mark, [p.cpu for p in inside], inside, hollow))
     rims, steps = _rims(ladders, low, "cpu"), _front(ladders, low)
     name = "CPU of the stepping loop [s]"
-    return Chart(name, label, True, True, tuple(curves), exact=steps, rims=rims)
+    return Chart(name, label, True, True, tuple(curves), exact=steps, rims=rims, guides=(-1, -2))
 
 
 def _front(ladders: Sequence[Ladder], low: float) -> tuple[Vector, Vector] | None:
