@@ -1,7 +1,8 @@
 """A sphere that drag brings to rest on a floor, by numerical integration: the second route.
 
 An explicit Runge-Kutta method of order 8 from event to event; parameters are those of
-`reference_solutions.settling`, whose code is not used here.
+`reference_solutions.settling`, whose code is not used here. A flight shorter than a step, a fifth
+of sqrt(m/kn), can be missed.
 """
 
 import numpy as np
@@ -34,6 +35,7 @@ def settling(
         found = solve_ivp(
             rate, (now, end), z, "DOP853", dense_output=True, events=crossed,
             args=(0.0 if flies else kn,), rtol=1e-13, atol=1e-13 * size,
+            max_step=0.2 * (m / kn) ** 0.5,
         )  # fmt: skip
         here = (now <= t) & (t <= found.t[-1])
         if here.any():
