@@ -144,7 +144,8 @@ def _records(
 def batches(waiting: Mapping[int, Job], plan: Plan, workers: int) -> list[Batch]:
     """One batch per scheme, or pieces of one where there are fewer schemes than workers.
 
-    External programs come first: they take longest.
+    First a batch of each engine that compiles its kernels, which its other schemes then find;
+    then external programs, which take longest.
     """
     groups: dict[tuple[str, str], list[int]] = {}
     for number, job in waiting.items():
@@ -157,7 +158,14 @@ def batches(waiting: Mapping[int, Job], plan: Plan, workers: int) -> list[Batch]
             asks = tuple(waiting[number].ask for number in share)
             if share:
                 made.append(Batch(plan.adapters[code], scheme, share, asks))
-    return sorted(made, key=lambda batch: not plan.found[batch.adapter.name].files)
+    first = {batch.adapter.name: batch for batch in reversed(made)}
+
+    def turn(batch: Batch) -> int:
+        if plan.found[batch.adapter.name].files:
+            return 1
+        return 0 if first[batch.adapter.name] is batch else 2
+
+    return sorted(made, key=turn)
 
 
 def _kept(plan: Plan, job: Job, run: Run, key: str, store: Store) -> Record:

@@ -14,7 +14,7 @@ from vv.runner import Batch, run_batches
 from vv.speed import calibration
 from vv.store import Store
 
-REPEAT = 0.1  # CPU seconds spent on each point, over all rounds; a family has some eighty
+REPEAT = 0.08  # CPU seconds spent on each point, over all rounds; a family has some eighty
 ROUNDS = 2  # every code is visited that often, so that drift of the machine hits all alike
 
 
