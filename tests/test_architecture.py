@@ -39,7 +39,11 @@ LAYERS: dict[str, tuple[str, set[str], set[str]]] = {
     "finding": ("vv/finding.py", set(), set()),
     "record": ("vv/record.py", DECLARED | {"vv.metrics"}, set()),
     "gate": ("vv/gate.py", DECLARED | JUDGED, set()),
-    "disagreement": ("vv/disagreement.py", JUDGED | {"vv.metrics", "vv.settings"}, set()),
+    "disagreement": (
+        "vv/disagreement.py",
+        DECLARED | JUDGED | {"vv.metrics", "vv.settings"},
+        set(),
+    ),
     "baseline": ("vv/baseline.py", JUDGED | {"vv.settings"}, set()),
     "regression": ("vv/regression.py", CORE | JUDGED | {"vv.baseline"}, set()),
     "acceptance": (

@@ -132,7 +132,7 @@ def test_a_duel_is_between_the_best_of_both_sides_and_tells_steppers_apart() -> 
     assert stepping.ratio == pytest.approx(1e-2)
     lost = effort.duels(every, (1e-9,))[0]
     assert lost.ratio is None
-    assert lost.floor == pytest.approx(1e-6)
+    assert lost.least == pytest.approx(1e-6)
 
 
 def test_a_profile_counts_failures_as_infinitely_dear() -> None:

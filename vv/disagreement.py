@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from vv.case import LOOSEST
 from vv.finding import Bit, Finding
 from vv.metrics import Order, observed_order
 from vv.record import Verdict
@@ -137,7 +138,8 @@ def judge(
     for record in given:
         quantities = []
         for entry in record["quantities"]:
-            known = next((d for d in entries if d.covers(record, entry["name"])), None)
+            speaks = entries if entry["judge"] == "exact" else ()
+            known = next((d for d in speaks if d.covers(record, entry["name"])), None)
             order = fitted.get(ladder(record, entry["name"]))
             quantities.append(_turned(record, entry, known, order) if known else entry)
         judged.append({**record, "quantities": quantities})
@@ -157,7 +159,8 @@ def _turned(
         return {**entry, "verdict": Verdict.XPASS.value, "note": f"passes, though {known.reason}"}
     if entry["note"]:
         return entry  # nothing moves, or the like: worse than any disagreement
-    in_band |= record["modified"]  # bands were measured at the case's own parameters
+    if record["modified"]:  # bands were measured at the case's own parameters
+        in_band = error is not None and error <= LOOSEST
     slope = order.order if order else math.nan
     in_order = order is None or known.order[0] <= slope <= known.order[1]
     if verdict is Verdict.FAIL and in_band and in_order:

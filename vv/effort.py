@@ -197,8 +197,9 @@ def front(every: Iterable[Effort]) -> list[tuple[str, Point]]:
 class Duel:
     """The best of our own engines against the best external code at an error, on a variant.
 
-    ratio: our cost over theirs; None where one of them does not get there. ours, theirs: labels,
-    '' for nobody; floor: where the external codes stay, if they do not get there.
+    ratio: our cost over theirs; None where one of them does not get there; loose: theirs may be
+    cheaper, as their coarsest timed rung is more accurate already. ours, theirs: labels, '' for
+    nobody; least: the smallest error of the external codes, if they do not get there.
     """
 
     case: str
@@ -208,7 +209,8 @@ class Duel:
     ours: str
     theirs: str
     ratio: float | None
-    floor: float | None
+    loose: bool
+    least: float | None
 
 
 def duels(every: Sequence[Effort], targets: Sequence[float]) -> list[Duel]:
@@ -238,13 +240,13 @@ def _duel(
     least = min((e.best for e in theirs if e.best is not None), default=None)
     return Duel(
         case, variant, target, stepping, mine[1] if mine else "", other[1] if other else "",
-        ratio, None if other else least,
+        ratio, bool(other and other[2]), None if other else least,
     )  # fmt: skip
 
 
-def _cheapest(every: Sequence[Effort], target: float) -> tuple[float, str] | None:
-    costs = [(found.cpu, e.label) for e in every if (found := reach(e, target)).cpu is not None]
-    return min(((cpu, name) for cpu, name in costs if cpu is not None), default=None)
+def _cheapest(every: Sequence[Effort], target: float) -> tuple[float, str, bool] | None:
+    found = [(reach(effort, target), effort.label) for effort in every]
+    return min(((r.cpu, name, r.bound) for r, name in found if r.cpu is not None), default=None)
 
 
 def profile(every: Sequence[Effort], target: float) -> dict[str, list[float]]:

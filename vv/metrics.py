@@ -79,6 +79,7 @@ def observed_order(steps: list[float], errors: list[float]) -> Order | None:
     return Order(slope, spread, len(x))
 
 
+NOISE = 1e-12  # relative: differences below that are rounding, of which no order is told
 SAFETY = 1.25  # the factor of Celik et al. (2008) for three grids
 
 
@@ -106,7 +107,8 @@ def convergence(
     """
     (h1, h2, h3), (f1, f2, f3) = sizes, values
     r21, r32, e21, e32 = h2 / h1, h3 / h2, f2 - f1, f3 - f2
-    if not (r21 > 1 and r32 > 1 and e21 * e32 > 0 and f1 and f2):
+    apart = min(abs(e21), abs(e32)) > NOISE * max(abs(f1), abs(f2), abs(f3))
+    if not (r21 > 1 and r32 > 1 and e21 * e32 > 0 and f1 and f2 and apart):
         return None
     order = _apparent_order(r21, r32, e32 / e21)
     if order is None:

@@ -20,13 +20,25 @@ from vv.provenance import commit, machine
 from vv.store import Store
 
 LASTING = {status.name.lower().replace("_", "-") for status in (Status.RAN, Status.REFUSED)}
-SEEN = ("PATH", "PYTHONPATH")  # what of the environment decides which programs are found
+SEEN = (
+    "PATH",
+    "PYTHON",
+    "VV_",
+    "LD_",
+    "NUMBA_",
+    "OMP",
+    "MKL_",
+    "OPENBLAS_",
+)  # what decides results
 
 
-def identity(project: Project, words: Sequence[str], today: datetime.date) -> str:
+def identity(
+    project: Project, words: Sequence[str], today: datetime.date, against: Path | None = None
+) -> str:
     """The digest of all that goes into an invocation; coarser than the keys of single results.
 
     So a repeated invocation costs the reading of its sources, whatever the number of its jobs.
+    against: a folder of baselines that it is judged by.
     """
     adapters = [project.load_adapter(name) for name in project.adapter_names()]
     found = {adapter.name: adapter.found() for adapter in adapters}
@@ -34,10 +46,11 @@ def identity(project: Project, words: Sequence[str], today: datetime.date) -> st
     return digest(
         list(words),
         str(Path.cwd()),
-        {name: value for name, value in os.environ.items() if name in SEEN or name[:3] == "VV_"},
+        {name: value for name, value in os.environ.items() if name.startswith(SEEN)},
         [[name, one.installed, one.version] for name, one in sorted(found.items())],
         [[str(file), *_state(file)] for file in files],
         source_digest(_sources(project)),
+        source_digest(sorted(against.glob("*.json"))) if against else "",
         _libraries(),
         list(commit(project.root)),
         machine(),

@@ -27,14 +27,19 @@ def answered(
     store, report = Store(project.data()), _report(project)
     if limits.fresh or limits.timing is Timing.NEW:
         return carried_out(project, make_plan(), limits, json_file)
-    identity = standing.identity(project, sys.argv[1:], now_utc().date())
-    manifest = standing.recall(store, identity, report)
+
+    def identity() -> str:
+        return standing.identity(project, sys.argv[1:], now_utc().date(), limits.against)
+
+    before = identity()
+    manifest = standing.recall(store, before, report)
     if manifest is not None:
         screen.say(f"nothing has changed since {manifest['name']}")
         _tell(project, manifest, json_file)
         return manifest
     manifest = carried_out(project, make_plan(), limits, json_file)
-    standing.remember(store, identity, manifest, report)
+    if identity() == before:  # nobody edited anything meanwhile
+        standing.remember(store, before, manifest, report)
     return manifest
 
 

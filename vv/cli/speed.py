@@ -130,10 +130,11 @@ def _fought(fights: Sequence[Duel]) -> Iterator[str]:
         which = "stepping in time" if one.stepping else "any engine"
         place = f"  {one.case}:{one.variant} at {one.target:g}, {which}"
         if one.ratio is not None:
-            yield f"{place}: {one.ours} / {one.theirs} = {one.ratio:.2g}"
+            loose = ", or more: their coarsest timed rung is better than asked" if one.loose else ""
+            yield f"{place}: {one.ours} / {one.theirs} = {one.ratio:.2g}{loose}"
         elif one.ours:
-            least = f"their least error is {one.floor:.1e}" if one.floor else "they have no error"
-            yield f"{place}: {one.ours}; no external code gets there, {least}"
+            least = f"their least error is {one.least:.1e}" if one.least else "they have no error"
+            yield f"{place}: {one.ours}; no external code gets there at these rungs, {least}"
         else:
             yield f"{place}: none of ours gets there{f'; {one.theirs} does' if one.theirs else ''}"
 
