@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-import dataclasses
+import functools
 import importlib.util
-import time
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 
@@ -14,7 +13,7 @@ from vv.ask import Ask, Method, Model, Run
 from vv.blocks import dda
 from vv.scene import Term
 from vv.script import python_script
-from vv.timing import timed
+from vv.timing import run_timed
 
 TERMS = frozenset(
     {
@@ -91,27 +90,9 @@ class Dda:
         return python_script(ask, "vv.blocks.dda", f"solve_{scheme}")
 
     def run(self, asks: Sequence[Ask], scheme: str, scratch: Path, repeat: float) -> Iterator[Run]:
-        """Solve the asks in this process.
-
-        Cost: startup is loading the kernel, or compiling it once per machine; setup is building
-        the model; output is collecting the results. Steps of settling count as steps.
-        """
+        """Solve the asks in this process; steps of settling count. Cost: see `run_timed`."""
         for ask in asks:
-            clock = [time.process_time()]
-            program = dda.prepare(ask, FORMULATIONS[scheme])
-            clock.append(time.process_time())
-            program.warm()
-            clock.append(time.process_time())
-            rows, cost = timed(program.solve, repeat)
-            solved = time.process_time()
-            run = program.run(rows)
-            cost = dataclasses.replace(
-                cost,
-                setup=clock[1] - clock[0],
-                startup=clock[2] - clock[1],
-                output=time.process_time() - solved,
-            )
-            yield dataclasses.replace(run, cost=cost)
+            yield run_timed(functools.partial(dda.prepare, ask, FORMULATIONS[scheme]), repeat)
 
 
 ADAPTER = Dda()

@@ -1,10 +1,11 @@
 """Times a solve: once, or over again until a share of CPU time is spent."""
 
+import dataclasses
 import time
 from collections.abc import Callable
-from typing import TypeVar
+from typing import Protocol, TypeVar
 
-from vv.ask import Cost
+from vv.ask import Cost, Run
 
 T = TypeVar("T")
 
@@ -35,6 +36,40 @@ def timed(solve: Callable[[], T], repeat: float) -> tuple[T, Cost]:
         solve_wall=min(wall for _, wall in shares),
         repeats=calls * len(shares),
         spread=(most - least) / least if least > 0 else 0.0,
+    )
+
+
+class Program(Protocol[T]):
+    """An ask that an engine of ours is ready to solve."""
+
+    def warm(self) -> None:
+        """Load the kernel, or compile it."""
+
+    def solve(self) -> T:
+        """Do what is timed."""
+
+    def run(self, rows: T, /) -> Run:
+        """Collect the results of a solve."""
+
+
+def run_timed(prepare: Callable[[], Program[T]], repeat: float) -> Run:
+    """The answer of an engine of ours, part by part on the clock.
+
+    Cost: setup is building the model; startup is loading the kernel, or compiling it once per
+    machine; output is collecting the results.
+    """
+    clock = [time.process_time()]
+    program = prepare()
+    clock.append(time.process_time())
+    program.warm()
+    clock.append(time.process_time())
+    rows, cost = timed(program.solve, repeat)
+    clock.append(time.process_time())
+    run = program.run(rows)
+    output = time.process_time() - clock[3]
+    setup, startup = clock[1] - clock[0], clock[2] - clock[1]
+    return dataclasses.replace(
+        run, cost=dataclasses.replace(cost, setup=setup, startup=startup, output=output)
     )
 
 
