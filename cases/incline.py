@@ -55,6 +55,8 @@ def _scene(p: Parameters) -> Scene:
 
 
 def _declare(variant: str, p: Parameters) -> Trial:
+    if p["Ay"] < 0:
+        raise ValueError(f"Ay = {p['Ay']!r} m/s2; an amplitude must be zero or more")
     scene, goal = _scene(p), History(p["duration"], p["duration"] / 400)
     quantities = (_both if p["Ay"] > 0 else _down)(p, scene, goal)
     timed = TIMED if variant in ("newmark-30", "two-directions") else ()

@@ -52,6 +52,9 @@ def _scene(p: Parameters) -> Scene:
 
 def _directions(p: Parameters) -> int:
     """How many axes the block moves along: those behind the last that shakes are not there."""
+    for name in ("Dy", "Dz"):
+        if p[name] < 0:
+            raise ValueError(f"{name} = {p[name]!r} m; an amplitude must be zero or more")
     return 3 if p["Dz"] > 0 else 2 if p["Dy"] > 0 else 1
 
 

@@ -14,6 +14,7 @@ BAD = {
     "run": "name a case or say --all",
     "run fal": "no case 'fal'; did you mean fall?",
     "run fall:upp": "no variant 'upp'; did you mean up?",
+    "run fall --codes ,": "--codes ',' names no code",
     "run fall --codes fke": "no code 'fke'; did you mean fake",
     "run fall --codes fake/god": "did you mean fake/good",
     "run fall --require nobody": "no code 'nobody'",

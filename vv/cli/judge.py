@@ -58,7 +58,7 @@ def gate(
     required = options.split(require)
 
     def plan() -> Plan:
-        found = options.plan_of(project, selection or [], Options(level, options.split(codes)))
+        found = options.plan_of(project, selection or [], Options(level, options.codes(codes)))
         options.known(found, required)
         return found
 
@@ -178,7 +178,7 @@ def _both_levels(project: Project, selection: list[str] | str | None, codes: str
     if isinstance(selection, str) and selection not in project.case_names():
         raise UsageError(f"accept takes the name of one case, not '{selection}'")
     quick, default = (
-        options.plan_of(project, names, Options(level, options.split(codes))) for level in levels
+        options.plan_of(project, names, Options(level, options.codes(codes))) for level in levels
     )
     return joined(quick, default)
 

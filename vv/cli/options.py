@@ -57,6 +57,14 @@ def split(text: str) -> tuple[str, ...]:
     return tuple(part.strip() for part in text.split(",") if part.strip())
 
 
+def codes(text: str) -> tuple[str, ...]:
+    """What --codes names; raises UsageError for nothing."""
+    named = split(text)
+    if not named:
+        raise UsageError(f"--codes '{text}' names no code; leave it out to ask all")
+    return named
+
+
 def knobs(texts: list[str] | None) -> tuple[Knobs, ...]:
     """What --rung says."""
     return tuple(knobs_from(text) for text in texts or ())

@@ -53,7 +53,7 @@ def run(
     store = Store(project.data())
     last = _last(store) if failed else None
     knobs = options.knobs(rungs) or (_rungs_that_failed(last) if last else ())
-    chosen = Options(level, options.split(codes), tuple(settings or ()), knobs)
+    chosen = Options(level, options.codes(codes), tuple(settings or ()), knobs)
     required = options.split(require)
 
     def make_plan() -> Plan:

@@ -41,7 +41,7 @@ def speed(
     project = find()
 
     def make_plan() -> Plan:
-        whole = options.plan_of(project, selection or [], Options(codes=options.split(codes)))
+        whole = options.plan_of(project, selection or [], Options(codes=options.codes(codes)))
         timed = {(job.case, job.variant) for job in whole.jobs if job.timed}
         plan = restricted(whole, lambda job: (job.case, job.variant) in timed)
         if not plan.jobs:
