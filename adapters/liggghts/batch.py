@@ -137,12 +137,13 @@ def _cost(part: Path) -> Cost:
     spent = loops(part.with_suffix(".log").read_text(errors="replace"))
     begun, done = (part.with_suffix(s).stat().st_mtime for s in (".begun", ".done"))
     solve = np.minimum(spent.solve, _on_cpu(part.with_suffix(".cpu"), len(spent.solve)))
-    counted = solve[1:] if len(solve) > 1 else solve
+    warm = 1 if len(solve) > 1 else 0  # the first solve fills caches
+    counted = solve[warm:]
     least = float(counted.min())
     return Cost(
         setup=max(0.0, (done - begun - float(spent.whole.sum())) / len(spent.whole)),
         solve_cpu=least,
-        solve_wall=float(spent.solve.min()),
+        solve_wall=float(spent.solve[warm:].min()),
         output=float((spent.whole - spent.solve)[0]),
         repeats=len(counted),
         spread=float(np.ptp(counted)) / least if least > 0 else 0.0,
