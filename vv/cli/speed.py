@@ -52,7 +52,8 @@ def speed(
     manifest = answered(project, make_plan, limits, None)
     every = effort.efforts(manifest)
     fights = effort.duels(every, TARGETS)
-    for line in (*_tables(every), *_fought(fights), *_profiles(every)):
+    failed = [f"not timed, it failed: {name}" for name in manifest["untimed"]]
+    for line in (*_tables(every), *failed, *_fought(fights), *_profiles(every)):
         say(line)
     if json_file:
         deliver(json_file, json.dumps(_document(every, fights), allow_nan=False).encode())
