@@ -237,7 +237,9 @@ def test_an_external_code_that_cannot_get_there_is_told_from_one_that_was_not_le
     going = [{**record("theirs", row), "scheme": "other"} for row in SECOND[:2]]
     for theirs, floored, least in ((stuck, True, 1e-3), (stuck + going, False, 1e-4)):
         found = duels(efforts(manifest(*ours, *theirs)), (1e-5,))
-        assert [(duel.floored, duel.least) for duel in found] == [(floored, pytest.approx(least))] * 2
+        assert [(duel.floored, duel.least) for duel in found] == [
+            (floored, pytest.approx(least))
+        ] * 2
 
 
 def test_a_profile_counts_failures_as_infinitely_dear() -> None:

@@ -94,6 +94,12 @@ def before_floor(errors: Sequence[float]) -> int:
     return len(errors) if stalls < 2 else len(gains) - stalls
 
 
+def order_before_floor(steps: list[float], errors: list[float]) -> Order | None:
+    """The observed order over the rungs, coarsest first, that lie before their floor."""
+    free = before_floor(errors)
+    return observed_order(steps[:free], errors[:free])
+
+
 NOISE = 1e-12  # relative: differences below that are rounding, of which no order is told
 SAFETY = 1.25  # the factor of Celik et al. (2008) for three grids
 ODD = 8.0  # no method here is of such an order: three values that show it have no law

@@ -13,7 +13,7 @@ from vv.metrics import (
     Unsettled,
     before_floor,
     convergence,
-    observed_order,
+    order_before_floor,
 )
 
 Record = Mapping[str, Any]
@@ -83,10 +83,9 @@ def row_of(kn: float | None, pile: Sequence[Record]) -> Row:
     points = tuple(map(_point, pile))
     known = [(p.dt, p.error) for p in points if p.dt and p.error]
     errors = [error for _, error in known]
-    free = before_floor(errors)
-    order = observed_order([dt for dt, _ in known[:free]], errors[:free])
+    order = order_before_floor([dt for dt, _ in known], errors)
     why = f"two refinements of dt improved less than {STALLED:g} times"
-    floor = Floor(min(errors), why) if free < len(errors) else None
+    floor = Floor(min(errors), why) if before_floor(errors) < len(errors) else None
     return Row(kn, points, order, floor, _limit(pile))
 
 
