@@ -89,7 +89,7 @@ def test_rungs_at_a_floor_have_no_say_in_the_order() -> None:
     rows: list[Row] = [(2.0**-i, None, error, 1.0) for i, error in enumerate(errors)]
     (row,) = one(rows).rows
     assert row.order
-    assert (row.order.order, row.order.points) == (pytest.approx(2.0), 3)
+    assert (round(row.order.order, 9), row.order.points) == (2.0, 3)
 
 
 def test_a_ladder_that_is_at_its_floor_from_the_start_has_no_order() -> None:
@@ -170,7 +170,8 @@ def test_the_floor_of_dt_at_a_stiffness_is_the_model_s_and_told_from_the_step_s(
     (row,) = one(rows).rows
     assert row.floor
     assert row.limit
-    assert (row.limit.model, row.limit.step) == (pytest.approx(1e-3), pytest.approx(1e-6))
+    assert row.limit.model == pytest.approx(1e-3)
+    assert row.limit.step == pytest.approx(1e-6)
     assert "floor 1.0e-03" in told(row)
     assert "limit of small steps 1.0e-03 off the exact" in told(row)
     assert "the step's part 1.0e-06 at dt = 0.001, of order 2.00" in told(row)
@@ -235,11 +236,9 @@ def test_an_external_code_that_cannot_get_there_is_told_from_one_that_was_not_le
     ours = [record("ours", row) for row in SECOND]
     stuck = [record("theirs", (2.0**-i, None, 1e-3, 1.0)) for i in range(3)]
     going = [{**record("theirs", row), "scheme": "other"} for row in SECOND[:2]]
-    for theirs, floored, least in ((stuck, True, 1e-3), (stuck + going, False, 1e-4)):
+    for theirs, floored in ((stuck, True), (stuck + going, False)):
         found = duels(efforts(manifest(*ours, *theirs)), (1e-5,))
-        assert [(duel.floored, duel.least) for duel in found] == [
-            (floored, pytest.approx(least))
-        ] * 2
+        assert [(duel.ratio, duel.floored) for duel in found] == [(None, floored)] * 2
 
 
 def test_a_profile_counts_failures_as_infinitely_dear() -> None:
