@@ -13,13 +13,22 @@ from reports.charts import Chart
 from reports.gallery import Draw
 from reports.maps import HeatMap
 from reports.views import Page
-from vv import digest, effort, finding, gate, metrics
+from vv import digest, effort, finding, gate, metrics, reach, rungs
 from vv import history as histories
 from vv.history import Point
 from vv.store import Store, deliver
 
 HERE = Path(__file__).parent
-JUDGING = (digest, effort, finding, gate, histories, metrics)  # modules that a report leans on
+JUDGING = (
+    digest,
+    effort,
+    finding,
+    gate,
+    histories,
+    metrics,
+    reach,
+    rungs,
+)  # modules that a report leans on
 HEAD = 4096  # characters within which a report names the digest of its inputs
 
 

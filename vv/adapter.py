@@ -69,7 +69,8 @@ class Adapter(Protocol):
         """Yield one Run per ask, in order, each as soon as it is there.
 
         scratch: an empty folder of its own. repeat: 0 for one solve; else solves are repeated
-        for about that many CPU seconds and the least is reported in Cost.
+        for about that many CPU seconds and the least is reported in Cost. Nothing but the cost of
+        such a run is used: a code whose solves write nothing while they are timed gives no values.
         """
 
 

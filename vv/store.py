@@ -82,6 +82,10 @@ class Store:
         except UNREADABLE:
             return {}
 
+    def has_series(self, key: str) -> bool:
+        """Whether there is a file of the arrays kept beside a record."""
+        return self._path("records", key, "npz").is_file()
+
     def keep_manifest(self, name: str, manifest: Mapping[str, Any]) -> None:
         """Store what one invocation did under a name that sorts by time."""
         held = sorted({record["case"] for record in manifest["records"]})
