@@ -36,6 +36,7 @@ LAYERS: dict[str, tuple[str, set[str], set[str]]] = {
     "case": ("vv/case.py", CORE | {"vv.study"}, set()),
     "quantities": ("vv/quantities.py", CORE | {"vv.case"}, set()),
     "adapter": ("vv/adapter.py", CORE, set()),
+    "search": ("vv/search.py", CORE | {"vv.adapter"}, set()),
     "finding": ("vv/finding.py", set(), set()),
     "record": ("vv/record.py", DECLARED | {"vv.metrics"}, set()),
     "gate": ("vv/gate.py", DECLARED | JUDGED, set()),
