@@ -114,7 +114,7 @@ class Bracket:
 
     span: float
     bound: float
-    tries: int = 16
+    tries: int = 10
     rounds: int = 3
 
     def __post_init__(self) -> None:

@@ -112,8 +112,8 @@ FAR, NEAR = 1e3, 3.0  # swings; drag keeps a stable swing within one
 SLOWER = 10.0  # the base heaves that much more slowly than the block swings on its spring
 TWO = "2/w"
 SHARP = Tolerance(
-    2e-3,
-    "the search ends 4e-4 apart; just beyond the limit an undamped swing grows by exp(2 sqrt(2 d)) "
+    3e-3,
+    "the search ends 1.5e-3 apart; just beyond the limit an undamped swing grows by exp(2 sqrt(2 d)) "
     "a step, d the excess, one with drag by exp(5 d), which takes d = 5e-4 to be seen",
 )
 EVERY = Exact(dict.fromkeys((Method.EXACT, Method.SECOND_ORDER, Method.FIRST_ORDER), SHARP))
@@ -170,7 +170,7 @@ CASE = Case(
                 {**MASSES, "ratio": ratio},
                 quick=ratio == 1e6,
             )
-            for ratio in (1.0, 1e3, 1e6)
+            for ratio in (1e3, 1e6)
         ),
         Variant(
             "block",
