@@ -120,13 +120,14 @@ def _figures(
     draw: Draw,
 ) -> list[Figure]:
     made = []
+    critical = dict(said.get("critical", ()))
     for quantity in said["quantities"]:
         name = quantity["name"]
         entries = [e for r in records for e in r["quantities"] if e["name"] == name]
         norm = next((e["norm"] for e in entries if e["norm"]), "max")
         curves = collect.histories(records, name, looks, arrays)
         steps = collect.ladders(records, name, looks)
-        made += gallery.figures(curves, steps, quantity, norm, draw) if entries else []
+        made += gallery.figures(curves, steps, quantity, norm, draw, critical) if entries else []
     return made
 
 

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import enum
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
 
 from vv.ask import Ask, Bracket, History, Knobs, Observable
 from vv.scene import Scene
@@ -85,4 +85,42 @@ class Search:
 
 OUTPUTS = 20  # of a run of a search, over which what it reaches is taken
 
-Study = Ladder | Search
+
+@dataclass(frozen=True, eq=False)
+class Grid:
+    """One scene at steps in units of its critical step, and at several stiffnesses: a map.
+
+    What diverges is data here. steps: level -> dt over `critical` of the stiffness [s]; kn: level
+    -> stiffnesses [N/m] that stand in for rigid contact, None for a scene that has its own.
+    """
+
+    scene: Scene
+    goal: History
+    observables: tuple[Observable, ...]
+    steps: Mapping[Level, tuple[float, ...]]
+    critical: Callable[[float | None], float]
+    kn: Mapping[Level, tuple[float | None, ...]] = field(default_factory=lambda: OWN_STIFFNESS)
+    timed: tuple[Knobs, ...] = ()
+
+    def __post_init__(self) -> None:
+        missing = [level.value for level in Level if not (self.steps[level] and self.kn[level])]
+        if missing:
+            raise ValueError(f"Grid has no steps or no kn at level {missing[0]}; each needs some")
+
+    @property
+    def rungs(self) -> Mapping[Level, tuple[Knobs, ...]]:
+        """Every step at every stiffness, softest and longest first."""
+        return {
+            level: tuple(
+                Knobs(step * self.critical(kn), kn) for kn in self.kn[level] for step in steps
+            )
+            for level, steps in self.steps.items()
+        }
+
+    def ask(self, knobs: Knobs) -> Ask:
+        """The question put at one point of the map."""
+        return Ask(self.scene, self.goal, self.observables, knobs)
+
+
+OWN_STIFFNESS: Mapping[Level, tuple[float | None, ...]] = dict.fromkeys(Level, (None,))
+Study = Ladder | Search | Grid

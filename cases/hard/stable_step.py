@@ -113,7 +113,7 @@ SLOWER = 10.0  # the base heaves that much more slowly than the block swings on 
 TWO = "2/w"
 SHARP = Tolerance(
     3e-3,
-    "the search ends 1.5e-3 apart; just beyond the limit an undamped swing grows by exp(2 sqrt(2 d)) "
+    "the search ends 1.5e-3 apart; beyond the limit an undamped swing grows by exp(2 sqrt(2 d)) "
     "a step, d the excess, one with drag by exp(5 d), which takes d = 5e-4 to be seen",
 )
 EVERY = Exact(dict.fromkeys((Method.EXACT, Method.SECOND_ORDER, Method.FIRST_ORDER), SHARP))
