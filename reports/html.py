@@ -9,13 +9,21 @@ from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from vv import digest, effort, finding, gate, metrics
+from vv import digest, effort, finding, gate, metrics, stability
 from vv import history as histories
 from vv.history import Point
 from vv.store import Store, deliver
 
 HERE = Path(__file__).parent
-JUDGING = (digest, effort, finding, gate, histories, metrics)  # modules that a report leans on
+JUDGING = (
+    digest,
+    effort,
+    finding,
+    gate,
+    histories,
+    metrics,
+    stability,
+)  # modules that a report leans on
 HEAD = 4096  # characters within which a report names the digest of its inputs
 
 

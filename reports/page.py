@@ -7,7 +7,7 @@ import json
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
-from reports import collect, costs, gallery, tables
+from reports import collect, costs, gallery, steadiness, tables
 from reports.collect import Arrays, History
 from reports.costs import Costs
 from reports.findings import findings
@@ -54,6 +54,7 @@ def page(
         legend=WORST_FIRST[::-1],
         norms={tables.NORMS[norm.name.lower()]: norm.value for norm in NORMS},
         profiles=profiles,
+        stability=steadiness.sections(manifest, looks),
         factors=costs.FACTORS,
     )
 

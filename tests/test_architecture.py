@@ -64,6 +64,7 @@ LAYERS: dict[str, tuple[str, set[str], set[str]]] = {
         JUDGED | {"vv.disagreement", "vv.settings", "vv.store"},
         set(),
     ),
+    "stability": ("vv/stability.py", JUDGED, set()),
     "junit": ("vv/junit.py", CORE | JUDGED | {"vv.store"}, set()),
     "markdown": ("vv/markdown.py", JUDGED | {"vv.store"}, set()),
     "exact": ("vv/exact/*.py", CORE | {"vv.exact", "vv.soften", "vv.transform"}, set()),
@@ -75,7 +76,16 @@ LAYERS: dict[str, tuple[str, set[str], set[str]]] = {
     "adapters": ("adapters/**/*.py", ASKED | ENGINES | {"adapters"}, set()),
     "reports": (
         "reports/*.py",
-        {"reports", "vv.store", "vv.metrics", "vv.digest", *JUDGED, "vv.history", "vv.effort"},
+        {
+            "reports",
+            "vv.store",
+            "vv.metrics",
+            "vv.digest",
+            *JUDGED,
+            "vv.history",
+            "vv.effort",
+            "vv.stability",
+        },
         HEAVY,
     ),
 }

@@ -98,15 +98,21 @@ def test_where_nothing_is_unstable_the_longest_step_is_the_answer() -> None:
     code, bracket = Limited(1e9), Bracket(8.0, BOUND, 5)
     (run,) = found(code, bracket)
     assert last_stable(run, bracket) == pytest.approx(8.0)
-    assert run.reason == ""
+    assert run.reason == "every step tried is stable"
 
 
 def test_what_is_lost_beyond_the_limit_is_data_and_its_reason_is_told() -> None:
     bracket = Bracket(8.0, BOUND, 5)
     (run,) = found(Limited(3.0, Status.DIVERGED), bracket)
     assert run.status is Status.RAN
-    assert run.reason.startswith("beyond: lost at 3.")
+    assert run.reason.startswith("at dt = 3.0")
+    assert "lost at 3.0" in run.reason
     assert np.isinf(run.tried[-1, 1])
+
+
+def test_what_grows_beyond_the_bound_is_told_by_how_much() -> None:
+    (run,) = found(Limited(3.0), Bracket(8.0, BOUND, 5))
+    assert run.reason.endswith("reaches 20 of at most 10")
 
 
 def test_a_code_that_cannot_take_the_first_step_has_failed() -> None:

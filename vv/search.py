@@ -68,16 +68,27 @@ class _Search:
         if reach == LOST:
             return first
         tried = np.array([(dt, self.runs[dt][1]) for dt in steps])
-        lost = self.limits()[1]
-        said = self.runs[lost][0].reason if lost is not None else ""
         return dataclasses.replace(
             first,
-            reason=f"beyond: {said}" if said else "",
+            reason=self._beyond(),
             cost=_sum([run.cost for run, _ in self.runs.values()]),
             steps=sum(run.steps for run, _ in self.runs.values()),
             ledger=None,
             tried=tried,
         )
+
+    def _beyond(self) -> str:
+        """What comes of the least step that is unstable."""
+        lost = self.limits()[1]
+        if lost is None:
+            return "every step tried is stable"
+        run, reach = self.runs[lost]
+        how = (
+            run.reason
+            if reach == LOST
+            else f"reaches {reach:.3g} of at most {self.bracket.bound:.3g}"
+        )
+        return f"at dt = {lost:.6g} s: {how}"
 
 
 def _found(adapter: Adapter, asks: Sequence[Ask], scheme: str, scratch: Path) -> Iterator[Run]:

@@ -109,10 +109,12 @@ class Grid:
 
     @property
     def rungs(self) -> Mapping[Level, tuple[Knobs, ...]]:
-        """Every step at every stiffness, softest and longest first."""
+        """Every step at every stiffness; equal steps of several stiffnesses are equal to a bit."""
         return {
             level: tuple(
-                Knobs(step * self.critical(kn), kn) for kn in self.kn[level] for step in steps
+                Knobs(float(f"{step * self.critical(kn):.12g}"), kn)
+                for kn in self.kn[level]
+                for step in steps
             )
             for level, steps in self.steps.items()
         }

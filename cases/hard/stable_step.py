@@ -164,13 +164,13 @@ CASE = Case(
         ),
         *(
             Variant(
-                f"masses-{ratio:g}",
-                f"two spheres pressed on each other, mass ratio {ratio:g}",
+                f"masses-{name}",
+                f"two spheres pressed on each other, mass ratio {name}",
                 LIMIT.replace("k/m", "k (1/m + 1/M)"),
                 {**MASSES, "ratio": ratio},
                 quick=ratio == 1e6,
             )
-            for ratio in (1e3, 1e6)
+            for name, ratio in (("1e3", 1e3), ("1e6", 1e6))
         ),
         Variant(
             "block",
