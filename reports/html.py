@@ -13,7 +13,7 @@ from reports.charts import Chart
 from reports.gallery import Draw
 from reports.maps import HeatMap
 from reports.views import Page
-from vv import digest, effort, finding, gate, metrics, reach, rungs
+from vv import digest, effort, finding, gate, metrics, reach, rungs, stability
 from vv import history as histories
 from vv.history import Point
 from vv.store import Store, deliver
@@ -28,6 +28,7 @@ JUDGING = (
     metrics,
     reach,
     rungs,
+    stability,
 )  # modules that a report leans on
 HEAD = 4096  # characters within which a report names the digest of its inputs
 

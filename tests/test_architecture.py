@@ -37,6 +37,7 @@ LAYERS: dict[str, tuple[str, set[str], set[str]]] = {
     "case": ("vv/case.py", CORE | {"vv.study"}, set()),
     "quantities": ("vv/quantities.py", CORE | {"vv.case"}, set()),
     "adapter": ("vv/adapter.py", CORE, set()),
+    "search": ("vv/search.py", CORE | {"vv.adapter"}, set()),
     "finding": ("vv/finding.py", set(), set()),
     "record": ("vv/record.py", DECLARED | {"vv.metrics"}, set()),
     "gate": ("vv/gate.py", DECLARED | JUDGED, set()),
@@ -67,6 +68,7 @@ LAYERS: dict[str, tuple[str, set[str], set[str]]] = {
         JUDGED | {"vv.disagreement", "vv.settings", "vv.store"},
         set(),
     ),
+    "stability": ("vv/stability.py", JUDGED, set()),
     "junit": ("vv/junit.py", CORE | JUDGED | {"vv.store"}, set()),
     "markdown": ("vv/markdown.py", JUDGED | {"vv.store"}, set()),
     "exact": ("vv/exact/*.py", CORE | {"vv.exact", "vv.soften", "vv.transform"}, set()),
@@ -78,7 +80,16 @@ LAYERS: dict[str, tuple[str, set[str], set[str]]] = {
     "adapters": ("adapters/**/*.py", ASKED | ENGINES | {"adapters"}, set()),
     "reports": (
         "reports/*.py",
-        {"reports", "vv.store", "vv.metrics", "vv.digest", *JUDGED, "vv.history", *COSTS},
+        {
+            "reports",
+            "vv.store",
+            "vv.metrics",
+            "vv.digest",
+            *JUDGED,
+            "vv.history",
+            *COSTS,
+            "vv.stability",
+        },
         HEAVY,
     ),
 }

@@ -10,7 +10,7 @@ from types import MappingProxyType
 
 from vv.ask import Knobs, Method, Run
 from vv.scene import Vector
-from vv.study import Ladder
+from vv.study import Study
 
 Parameters = Mapping[str, float]
 NO_DEFAULTS: Parameters = MappingProxyType({})
@@ -232,7 +232,7 @@ class Variant:
 class Trial:
     """A variant with its parameters put in: what to run and what to judge."""
 
-    study: Ladder
+    study: Study
     quantities: tuple[Quantity, ...]
 
 

@@ -73,6 +73,8 @@ def _observed(run: Run, ask: Ask) -> Run:
         if not np.isfinite(values).all():
             first = expected[int(np.argmin(np.isfinite(values).all(axis=1)))]
             return Run(Status.DIVERGED, f"{observable} is not finite from t = {first:.6g} s")
+    if ask.search is not None and not len(run.tried):
+        return Run(Status.ERROR, "the run does not say which steps were tried")
     return run
 
 

@@ -60,7 +60,9 @@ class Store:
         if run.status is Status.RAN:
             arrays = {f"value{i}": value for i, value in enumerate(run.values.values())}
             meta = np.array(_meta(run, key))
-            self._keep_arrays("runs", key, {"meta": meta, "t": run.times, **arrays})
+            self._keep_arrays(
+                "runs", key, {"meta": meta, "t": run.times, "tried": run.tried, **arrays}
+            )
 
     def record(self, key: str) -> dict[str, Any] | None:
         """The stored record of that key, without its series; None if there is none."""
@@ -234,7 +236,7 @@ def _meta(run: Run, key: str) -> str:
     observables = [[type(o).__name__, o.body] for o in run.values]
     cost = dataclasses.asdict(run.cost)
     parts = {"observables": observables, "cost": cost, "model": model, "ledger": ledger}
-    return json.dumps({**parts, "steps": run.steps, "key": key})
+    return json.dumps({**parts, "steps": run.steps, "reason": run.reason, "key": key})
 
 
 def _run_from(meta: dict[str, Any], arrays: dict[str, Vector]) -> Run:
@@ -247,10 +249,12 @@ def _run_from(meta: dict[str, Any], arrays: dict[str, Vector]) -> Run:
     }
     return Run(
         Status.RAN,
+        meta["reason"],
         times=arrays["t"],
         values=values,
         cost=Cost(**meta["cost"]),
         steps=meta["steps"],
         model=model,
         ledger=Ledger(**ledger) if ledger else None,
+        tried=arrays["tried"],
     )

@@ -27,7 +27,7 @@ RADIUS = 0.1  # m; does not enter the answer
 LIGHT, HEAVY = Velocity(1), Velocity(2)
 X = np.array([1.0, 0.0, 0.0])
 BEYOND = 1.1  # of the time of the last collision between hard bodies: springs delay it
-SAMPLES = 4  # outputs in the shortest time between two collisions
+SAMPLES = 2  # outputs in the shortest time between two collisions; those of a pair lie twice as far
 
 
 def _masses(p: Parameters) -> dict[str, float]:
@@ -136,7 +136,7 @@ CASE = Case(
     ),
     variants=(
         Variant("31", "mass ratio 100", UNFOLDED, inert=INERT),
-        Variant("314", "mass ratio 10 000", UNFOLDED, {"ratio": 1e4, "kn": 1.6e10}, INERT, False),
+        Variant("314", "mass ratio 10 000", UNFOLDED, {"ratio": 1e4, "kn": 4e9}, INERT, False),
     ),
     declare=_declare,
 )
