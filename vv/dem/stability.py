@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import math
 from collections.abc import Iterator
 
@@ -16,6 +17,7 @@ from vv.scene import Scene, Vector
 TOUCHING = 1e-9  # gap over radius up to which a contact counts as closed at t = 0
 
 
+@functools.lru_cache(maxsize=64)  # asked several times a rung for one scene
 def critical_step(scene: Scene, leapfrog: Leapfrog) -> float:
     """The step [s] beyond which a closed contact makes the leapfrog unstable; inf if none can.
 
