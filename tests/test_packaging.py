@@ -91,7 +91,7 @@ def test_the_wheel_holds_the_tool_and_all_content_below_it(shipped: set[str]) ->
     "file",
     [
         "vv/py.typed",
-        "vv/_project/adapters/yade/driver.py",
+        "vv/_project/adapters/yade/inside/driver.py",
         "vv/_project/cases/single_contact.py",
         "vv/_project/cases/disagreements.toml",
     ],

@@ -60,9 +60,9 @@ def swapped(scene: Scene) -> Scene:
 
 
 def initial_normal_forces(scene: Scene) -> Vector:
-    """The (n, 3) normal contact forces [N] on the spheres in the starting configuration."""
+    """The (n, 3) normal forces [N] of contacts and bonds on the spheres as they start."""
     spheres, kn = scene.spheres, scene.contact.kn
-    force = np.zeros((len(spheres), 3))
+    force = _pull(scene)
     for wall in scene.walls:
         gap = (spheres.position - wall.point) @ wall.normal - spheres.radius
         force += kn * np.maximum(-gap, 0.0)[:, None] * wall.normal
@@ -71,7 +71,21 @@ def initial_normal_forces(scene: Scene) -> Vector:
         distance = np.linalg.norm(offset, axis=1)
         overlap = np.maximum(spheres.radius + spheres.radius[i] - distance, 0.0)
         overlap[i], distance[i] = 0.0, 1.0
+        overlap[scene.bonded[(scene.bonded == i).any(axis=1)]] = 0.0
         force += kn * (overlap / distance)[:, None] * offset
+    return force
+
+
+def _pull(scene: Scene) -> Vector:
+    """The (n, 3) forces [N] of bonds on the spheres as they start."""
+    force = np.zeros((len(scene.spheres), 3))
+    if scene.bonds is not None:
+        i, j = scene.bonded.T
+        offset = scene.spheres.position[j] - scene.spheres.position[i]
+        distance = np.linalg.norm(offset, axis=1)
+        pull = scene.bonds.kn * (distance - scene.bonds.length) / distance
+        np.add.at(force, i, pull[:, None] * offset)
+        np.add.at(force, j, -pull[:, None] * offset)
     return force
 
 

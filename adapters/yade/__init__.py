@@ -10,6 +10,8 @@ from pathlib import Path
 import numpy as np
 
 from adapters.yade.answers import parse
+from adapters.yade.bonds import sheared, why_no_bonds
+from adapters.yade.inside import script
 from adapters.yade.installed import PYTHON, find
 from adapters.yade.polyhedra import why_no_polyhedron
 from adapters.yade.translate import (
@@ -31,7 +33,6 @@ from vv.scene import Scene, Term
 from vv.stand_in import STANDS_IN, why_not
 from vv.transform import released, why_not_released
 
-DRIVER = Path(__file__).with_name("driver.py")
 TERMS = frozenset(
     {
         Term.SPHERE,
@@ -45,9 +46,12 @@ TERMS = frozenset(
         Term.OBLIQUE_LOCK,
         Term.SHAKING,
         Term.BASE_MOTION,
+        Term.BOND,
+        Term.BOND_SHEAR,
     }
 )
-ONE_BLOCK = (TERMS | STANDS_IN) - {Term.SPHERE, Term.SPHERE_CONTACT, Term.DRAG}
+ONLY_SPHERES = {Term.SPHERE, Term.SPHERE_CONTACT, Term.DRAG, Term.BOND, Term.BOND_SHEAR}
+ONE_BLOCK = (TERMS | STANDS_IN) - ONLY_SPHERES
 KNOBS = ("dt", "kn")
 SCHEMES = (
     Scheme(
@@ -103,6 +107,7 @@ class Yade:
             or why_not_released(scene)
             or _oblique_spin_lock(ask.scene)
             or _behind_wall(scene)
+            or why_no_bonds(scene)
         )
 
     def describe(self, ask: Ask, scheme: str) -> Model:
@@ -113,11 +118,10 @@ class Yade:
         return Model(scene.unknowns() + turning, terms, "; ".join(_notes(ask, scheme)))
 
     def native(self, ask: Ask, scheme: str) -> str:
-        """A script for `yade -n -x` or the system's python3: the driver with the ask filled in."""
+        """A script for `yade -n -x` or the system's python3: the program with the ask filled in."""
         notes = "".join(f"# {note}\n" for note in _notes(ask, scheme))
         literal = pprint.pformat(plan(put(ask, scheme)[0], scheme), width=99, sort_dicts=False)
-        empty = "ASK: dict[str, Any] | None = None\n"
-        return DRIVER.read_text().replace(empty, f"{notes}ASK: dict[str, Any] | None = {literal}\n")
+        return script(f"{notes}ASK: dict[str, Any] | None = {literal}\n")
 
     def run(self, asks: Sequence[Ask], scheme: str, scratch: Path, repeat: float) -> Iterator[Run]:
         """Run all asks in one YADE process; see vv.external for what happens if it dies."""
@@ -126,13 +130,15 @@ class Yade:
             yield from [Run(Status.NOT_INSTALLED, here.how_to_install)] * len(asks)
             return
         files = [scratch / f"ask-{number}.json" for number in range(len(asks))]
+        source = scratch / "in-yade.py"
+        source.write_text(script())
         framed = [put(ask, scheme) for ask in asks]
         for file, (ask, _) in zip(files, framed, strict=True):
             file.write_text(json.dumps({**plan(ask, scheme), "repeat": repeat}))
 
         def launch(indices: Sequence[int]) -> external.Program:
             # -E: variables meant for our own Python must not reach this one
-            command = [str(PYTHON), "-E", str(DRIVER), *(str(files[i]) for i in indices)]
+            command = [str(PYTHON), "-E", str(source), *(str(files[i]) for i in indices)]
             return external.start(command, scratch, {"VV_YADE": here.path})
 
         def collect(index: int, program: external.Program) -> Run | None:
@@ -194,6 +200,12 @@ def _notes(ask: Ask, scheme: str) -> list[str]:
         "shear increments without YADE's corrections against ratcheting": has_friction(scene),
         "touching spheres start at rest and get their velocity as an impulse in the first step": (
             has_friction(scene) and bool(initial_contacts(scene)[1])
+        ),
+        "bonds are contacts of CohFrictMat, made before the first step, which never yield": (
+            scene.bonds is not None
+        ),
+        "spheres on a bond that resists shear likewise start by an impulse": (
+            bool(sheared(scene).any()) and bool(scene.spheres.velocity.any())
         ),
         "drag by LinearDragEngine from the velocity half a step ago": scene.eta > 0,
         "masses are m + eta dt/2, weight a dead load": scheme == HALF_STEP and scene.eta > 0,

@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from adapters.yade.bonds import bonds, sheared
 from adapters.yade.clumps import clumped
 from adapters.yade.drives import driven, sines
 from adapters.yade.polyhedra import laid, polyhedral, turn_of
@@ -47,8 +48,9 @@ def plan(ask: Ask, scheme: str) -> Plan:
         "drag": float(scene.eta),
         "shaking": sines(scene.shaking),
         "charged": _charges(stood),
+        "bonds": bonds(scene),
         "observe": [[_quantity(seen), seen.body] for seen in watched(ask)],
-        "contacts": contacts,
+        "contacts": contacts + len(scene.bonded),
         "moves": bool(scene.spheres.velocity.any()),
         "volumes": False,
         "bodies": _bodies(scene, columns, FACET * _reach(ask), dt),
@@ -90,7 +92,7 @@ def _columns(
     early = spheres.velocity - force / spheres.mass[:, None] * (dt / 2)
     early = np.where(spheres.free, early, 0.0)
     mass = spheres.mass + extra
-    pushed = np.reshape(touching & has_friction(scene), (-1, 1))
+    pushed = np.reshape((touching & has_friction(scene)) | sheared(scene), (-1, 1))
     return {
         "position": spheres.position,
         "initial": spheres.velocity,
@@ -153,12 +155,14 @@ def has_friction(scene: Scene) -> bool:
 def initial_contacts(scene: Scene) -> tuple[Mask, int]:
     """Which spheres overlap something at the start, (n,), and how many contacts that makes.
 
-    Contacts between bodies without any freedom do not count.
+    Contacts between bodies without any freedom do not count; bonds are none.
     """
     spheres = scene.spheres
     free: Mask = np.hstack([spheres.free, spheres.free_spin])
     moving = [bool(row.any()) for row in free]
+    bonded = {(min(pair), max(pair)) for pair in scene.bonded.tolist()}
     pairs = [(i, j) for i, j in _overlapping(scene) if moving[i] or moving[j]]
+    pairs = [pair for pair in pairs if pair not in bonded]
     touching = np.zeros(len(spheres), bool)
     touching[[i for pair in pairs for i in pair]] = True
     return touching, len(pairs)
