@@ -28,6 +28,7 @@ class Method(enum.Enum):
     """The class of a method: it decides which tolerance of a quantity applies."""
 
     EXACT = "exact to rounding"
+    LINEARISED = "exact to first order in the displacements"
     SECOND_ORDER = "second order in dt"
     FIRST_ORDER = "first order in dt"
     PENALTY = "penalty contact"
