@@ -14,7 +14,7 @@ class Bug(NamedTuple):
 
 
 LINE = "vv/dem/line_kernel.py"
-SPACE = "vv/dem/space_kernel.py"
+SPACE = "vv/dem/space_forces.py"
 LAW = "vv/dem/contact_law.py"
 FRICTION = "vv/dem/friction.py"
 ADVANCE = "vv/dem/advance.py"

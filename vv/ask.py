@@ -49,7 +49,14 @@ class Velocity:
     body: int
 
 
-Observable = Displacement | Velocity
+@dataclass(frozen=True)
+class Reaction:
+    """Observable: the force on a body by what locks its translation, (3,) per time [N]."""
+
+    body: int
+
+
+Observable = Displacement | Velocity | Reaction
 
 
 @dataclass(frozen=True)
