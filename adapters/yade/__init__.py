@@ -27,7 +27,7 @@ from adapters.yade.translate import (
 )
 from vv import external
 from vv.adapter import Found, Scheme
-from vv.ask import Ask, Method, Model, Run, Status
+from vv.ask import Ask, Displacement, Method, Model, Reaction, Run, Status, Velocity
 from vv.clump import clump, why_no_clump
 from vv.scene import Scene, Term
 from vv.stand_in import STANDS_IN, why_not
@@ -48,11 +48,15 @@ TERMS = frozenset(
         Term.BASE_MOTION,
         Term.BOND,
         Term.BOND_SHEAR,
+        Term.BREAKAGE,
+        Term.CARRIED,
     }
 )
-ONLY_SPHERES = {Term.SPHERE, Term.SPHERE_CONTACT, Term.DRAG, Term.BOND, Term.BOND_SHEAR}
+BONDED = {Term.BOND, Term.BOND_SHEAR, Term.BREAKAGE}
+ONLY_SPHERES = {Term.SPHERE, Term.SPHERE_CONTACT, Term.DRAG, Term.CARRIED} | BONDED
 ONE_BLOCK = (TERMS | STANDS_IN) - ONLY_SPHERES
 KNOBS = ("dt", "kn")
+OBSERVABLES = frozenset({Displacement, Velocity, Reaction})
 SCHEMES = (
     Scheme(
         PLAIN,
@@ -61,12 +65,14 @@ SCHEMES = (
         TERMS | STANDS_IN,
         KNOBS,
         lowered={Term.RIGID_CONTACT: Method.PENALTY},
+        observables=OBSERVABLES,
     ),
     Scheme(
         HALF_STEP,
         "leapfrog with masses m + eta dt/2, which makes drag that of the mean velocity",
         Method.SECOND_ORDER,
         TERMS,
+        observables=OBSERVABLES,
     ),
     Scheme(
         CLUMP,
@@ -103,11 +109,12 @@ class Yade:
         scene = stood_for(put(ask, scheme)[0]).scene
         return (
             _no_sphere_seen(ask, scene)
-            or _locked_motion(scene)
+            or _locked_spin(scene)
             or why_not_released(scene)
             or _oblique_spin_lock(ask.scene)
             or _behind_wall(scene)
             or why_no_bonds(scene)
+            or _oblique_reaction(ask)
         )
 
     def describe(self, ask: Ask, scheme: str) -> Model:
@@ -157,14 +164,11 @@ def _no_sphere_seen(ask: Ask, scene: Scene) -> str | None:
     return None
 
 
-def _locked_motion(scene: Scene) -> str | None:
-    """Why a body that moves along or about what it is locked in is refused: YADE keeps it going."""
-    spheres = scene.spheres
-    along = np.where(spheres.free, 0.0, spheres.velocity @ scene.axes.T)
-    about = np.where(spheres.free_spin, 0.0, spheres.spin @ scene.axes.T)
-    allowed = 1e-12 * np.abs(spheres.velocity).max(axis=1, keepdims=True)
-    if (np.abs(along) > allowed).any() or (np.abs(about) > 0).any():
-        return "a sphere has a velocity or spin in a locked freedom, which YADE would maintain"
+def _locked_spin(scene: Scene) -> str | None:
+    """Why a body that turns about what it is locked in is refused: YADE keeps it going."""
+    about = np.where(scene.spheres.free_spin, 0.0, scene.spheres.spin @ scene.axes.T)
+    if about.any():
+        return "a sphere has a spin in a locked freedom, which YADE would maintain"
     return None
 
 
@@ -173,6 +177,14 @@ def _oblique_spin_lock(scene: Scene) -> str | None:
     partly = any(free.any() and not free.all() for free in masks)
     if partly and not np.array_equal(scene.axes, np.eye(3)):
         return "rotation is locked about some axes of a turned frame; YADE locks its own axes only"
+    return None
+
+
+def _oblique_reaction(ask: Ask) -> str | None:
+    if Term.OBLIQUE_LOCK in ask.scene.terms() and any(
+        isinstance(seen, Reaction) for seen in ask.observables
+    ):
+        return "a reaction to oblique locks, for which dead loads stand, is not known"
     return None
 
 
@@ -201,8 +213,14 @@ def _notes(ask: Ask, scheme: str) -> list[str]:
         "touching spheres start at rest and get their velocity as an impulse in the first step": (
             has_friction(scene) and bool(initial_contacts(scene)[1])
         ),
-        "bonds are contacts of CohFrictMat, made before the first step, which never yield": (
+        "bonds are contacts of CohFrictMat, made before the first step, brittle where they break": (
             scene.bonds is not None
+        ),
+        "locked bodies that move do so by YADE's own keeping, from the end of the first step": (
+            Term.CARRIED in scene.terms()
+        ),
+        "reactions from the forces of one step more": (
+            any(isinstance(what, Reaction) for what in ask.observables)
         ),
         "spheres on a bond that resists shear likewise start by an impulse": (
             bool(sheared(scene).any()) and bool(scene.spheres.velocity.any())

@@ -8,18 +8,28 @@ import numpy as np
 
 from vv.scene import Mask, Scene
 
+STRONG = 1e300  # N
+
 
 def bonds(scene: Scene) -> list[dict[str, Any]]:
     """The bonds of a scene as the program in YADE takes them: see its `driver`.
 
-    A bond of another length than the sum of the radii pulls from another overlap than none.
+    A bond of another length than the sum of the radii pulls from another overlap than none. An
+    infinite strength is told as one that no force comes near.
     """
     if scene.bonds is None:
         return []
     reach = scene.spheres.radius[scene.bonded].sum(axis=1)
-    columns = (scene.bonds.pairs, scene.bonds.kn, scene.bonds.ks, reach - scene.bonds.length)
-    rows = zip(*(column.tolist() for column in columns), strict=True)
-    return [dict(zip(("pair", "kn", "ks", "overlap"), row, strict=True)) for row in rows]
+    columns = {
+        "pair": scene.bonds.pairs,
+        "kn": scene.bonds.kn,
+        "ks": scene.bonds.ks,
+        "overlap": reach - scene.bonds.length,
+        "tension": np.minimum(scene.bonds.tension, STRONG),
+        "shear": np.minimum(scene.bonds.shear, STRONG),
+    }
+    rows = zip(*(column.tolist() for column in columns.values()), strict=True)
+    return [dict(zip(columns, row, strict=True)) for row in rows]
 
 
 def sheared(scene: Scene) -> Mask:

@@ -91,12 +91,13 @@ def _columns(
     force = force if charged is None else force + charged
     early = spheres.velocity - force / spheres.mass[:, None] * (dt / 2)
     early = np.where(spheres.free, early, 0.0)
+    carried = scene.carried
     mass = spheres.mass + extra
     pushed = np.reshape((touching & has_friction(scene)) | sheared(scene), (-1, 1))
     return {
         "position": spheres.position,
         "initial": spheres.velocity,
-        "velocity": np.where(pushed, 0.0, early),
+        "velocity": np.where(pushed, 0.0, early + carried),
         "spin": np.where(pushed, 0.0, spheres.spin),
         "radius": spheres.radius,
         "mass": mass,
@@ -104,6 +105,8 @@ def _columns(
         "shaken": spheres.mass,
         "force": spheres.load + (weight if extra else 0.0),
         "push": np.where(pushed, (mass[:, None] / dt - eta) * early, 0.0),
+        "carried": carried,
+        "held": np.where(pushed, 0.0, carried),
         "twist": np.where(pushed, spheres.inertia[:, None] * spheres.spin / dt, 0.0),
     }
 
@@ -144,7 +147,7 @@ def watched(ask: Ask) -> tuple[Observable, ...]:
 
 
 def _quantity(observable: object) -> str:
-    return "displacement" if isinstance(observable, Displacement) else "velocity"
+    return type(observable).__name__.lower()
 
 
 def has_friction(scene: Scene) -> bool:

@@ -4,8 +4,6 @@ from typing import Any
 
 from adapters.yade.inside.session import O, utils, yd
 
-STRONG = 1e300  # N; no force of a bond comes near
-
 
 def bonded_contacts() -> list[Any]:
     """Finds contacts of spheres, and presses, pulls and shears them by linear springs.
@@ -34,7 +32,8 @@ def tie(ask: dict[str, Any]) -> None:
         first, second = (ask["bodies"][number]["id"] for number in bond["pair"])
         phys = utils.createInteraction(first, second).phys
         phys.kn, phys.ks, phys.unp = bond["kn"], bond["ks"], bond["overlap"]
-        phys.fragile, phys.normalAdhesion, phys.shearAdhesion = True, STRONG, STRONG
+        phys.fragile, phys.cohesionBroken = True, False
+        phys.normalAdhesion, phys.shearAdhesion = bond["tension"], bond["shear"]
 
 
 def cohesive(ask: dict[str, Any], radius: float) -> Any:

@@ -9,11 +9,12 @@ mu of every contact; gravity; drag, the coefficient of -drag v; observe, pairs o
 contacts, how many overlap at the start; moves, whether something must move; bodies, in the order
 of YADE's ids; shaking, the sines A sin(2 pi f t + fi) of a body acceleration; charged, the
 friction with which a wall holds a sphere at the start; volumes: whether polyhedra overlap by
-volumes, for which kn is a stiffness per area. A sphere has position, velocity (half a
+volumes, for which kn is a stiffness per area; bonds. A sphere has position, velocity (half a
 step before t = 0), spin, mass, inertia, the mass that is shaken, blocked freedoms, a dead force,
-and push and twist: a force and a torque during the first step. A wall's motion holds sines as
-YADE's HarmonicMotionEngine takes them. A bond has its pair of bodies, kn, ks, and the overlap of
-its spheres at which it does not pull.
+push and twist: a force and a torque during the first step, carried: the velocity that it keeps
+where it is blocked, and held: what it has of that in the first step. A wall's motion holds sines
+as YADE's HarmonicMotionEngine takes them. A bond has its pair of bodies, kn, ks, the overlap of
+its spheres at which it does not pull, and its strengths in tension and shear [N].
 """
 
 import contextlib

@@ -77,10 +77,11 @@ def shaking(ask: dict[str, Any]) -> list[Any]:
 
 
 def moving(ask: dict[str, Any], name: str) -> dict[float, list[int]]:
-    """The numbers of the spheres that may move, by a property of theirs."""
+    """The numbers of the spheres that may move or are carried, by a property of theirs."""
     alike: dict[float, list[int]] = {}
     for body in ask["bodies"]:
-        if "mass" in body and not set("xyz") <= set(body["blocked"]):
+        held = set("xyz") <= set(body.get("blocked", "xyz")) and not any(body.get("carried", ()))
+        if "mass" in body and not held:
             alike.setdefault(body[name], []).append(body["id"])
     return alike
 

@@ -8,14 +8,23 @@ import numpy as np
 
 from adapters.yade.inside.session import O, RunError, timed
 
+LATER = {"velocity", "reaction"}  # what only the step after tells
+
 
 def first_step(ask: dict[str, Any]) -> None:
-    """Take one step and end the forces that act during the first step alone."""
+    """Take one step, end what acts during it alone, and start what is carried and was held.
+
+    What was at rest in that step, to keep shear in time, takes the way that it should have gone.
+    """
     O.step()
     for body in ask["bodies"]:
         if any(body.get("push", ())) or any(body.get("twist", ())):
             O.forces.setPermF(body["id"], body["force"])
             O.forces.setPermT(body["id"], (0, 0, 0))
+        missing = np.subtract(body.get("carried", 0.0), body.get("held", 0.0))
+        if missing.any():
+            state = O.bodies[body["id"]].state
+            state.vel, state.pos = state.vel + missing, state.pos + missing * ask["dt"]
 
 
 def bare(ask: dict[str, Any]) -> tuple[float, float]:
@@ -31,47 +40,71 @@ def bare(ask: dict[str, Any]) -> tuple[float, float]:
 def watched(ask: dict[str, Any]) -> tuple[np.ndarray, float, float, float]:
     """Take all steps and read the observables; also CPU and wall seconds of steps, and reading.
 
-    After n steps YADE holds positions at n dt and velocities half a step earlier: a velocity is
-    the mean of this one and the next, for which one step more is taken.
+    After n steps YADE holds positions at n dt, velocities half a step and forces a step earlier:
+    a velocity is the mean of this one and the next, and for both one step more is taken.
     """
-    kinds = [kind for kind, _ in ask["observe"]]
-    states = [O.bodies[ask["bodies"][number]["id"]].state for _, number in ask["observe"]]
-    values = np.zeros((len(states), ask["steps"] // ask["stride"] + 1, 3))
-    origin = [tuple(state.pos) for state in states]
-    for k, (kind, number) in enumerate(ask["observe"]):
-        values[k, 0] = ask["bodies"][number]["initial"] if kind == "velocity" else 0.0
+    seen = [(kind, ask["bodies"][number]) for kind, number in ask["observe"]]
+    for _, body in seen:
+        body["origin"] = tuple(O.bodies[body["id"]].state.pos)
+    more = any(kind in LATER for kind, _ in seen)
+    values = np.zeros((len(seen), ask["steps"] // ask["stride"] + 1, 3))
     step, clock, reading = O.step, time.process_time, 0.0
     wall_start, cpu_start = time.perf_counter(), clock()
     first_step(ask)
     done, reading = 1, reading + timed(clock, check_contacts, ask)
+    reading += timed(clock, read_first, ask, seen, values[:, 0])
     for row in range(1, values.shape[1]):
         for _ in range(row * ask["stride"] - done):
             step()
         done = row * ask["stride"]
-        reading += timed(clock, read, kinds, states, origin, values[:, row])
-        if "velocity" in kinds:
+        reading += timed(clock, read, seen, values[:, row])
+        if more:
             step()
             done += 1
-            reading += timed(clock, centre, kinds, states, values[:, row])
+            reading += timed(clock, read_later, ask, seen, values[:, row])
     cpu, whole = clock() - cpu_start, time.perf_counter() - wall_start
     return values, cpu - reading, whole - reading, reading
 
 
-def read(kinds: list[str], states: list[Any], origin: list[Any], row: np.ndarray) -> None:
+Seen = list[tuple[str, dict[str, Any]]]  # quantities, each with the body it is one of
+
+
+def read_first(ask: dict[str, Any], seen: Seen, row: np.ndarray) -> None:
+    """State the observables at t = 0, with what the first step was special in taken off."""
+    for k, (kind, body) in enumerate(seen):
+        row[k] = body["initial"] if kind == "velocity" else 0.0
+        if kind == "reaction":
+            late = np.subtract(body["carried"], body["held"]) * ask["drag"]
+            row[k] = locked(body, reaction(ask, body) + body["push"] + late)
+
+
+def read(seen: Seen, row: np.ndarray) -> None:
     """Read displacements, and velocities half a step early; refuse what is not finite."""
-    for k, state in enumerate(states):
-        vector = state.vel if kinds[k] == "velocity" else state.pos
-        start = (0.0, 0.0, 0.0) if kinds[k] == "velocity" else origin[k]
-        row[k] = vector[0] - start[0], vector[1] - start[1], vector[2] - start[2]
+    for k, (kind, body) in enumerate(seen):
+        state = O.bodies[body["id"]].state
+        row[k] = state.vel if kind == "velocity" else np.subtract(state.pos, body["origin"])
         if not math.isfinite(row[k, 0] + row[k, 1] + row[k, 2]):
-            raise RunError("diverged", f"{kinds[k]} not finite at t = {O.iter * O.dt:.6g} s")
+            raise RunError("diverged", f"{kind} not finite at t = {O.iter * O.dt:.6g} s")
 
 
-def centre(kinds: list[str], states: list[Any], row: np.ndarray) -> None:
-    """Make velocities read half a step early the mean of these and the present ones."""
-    for k, state in enumerate(states):
-        if kinds[k] == "velocity":
-            row[k] = (row[k] + np.array(state.vel)) / 2
+def read_later(ask: dict[str, Any], seen: Seen, row: np.ndarray) -> None:
+    """Make velocities the mean of half a step early and late, and read reactions."""
+    for k, (kind, body) in enumerate(seen):
+        if kind == "velocity":
+            row[k] = (row[k] + np.array(O.bodies[body["id"]].state.vel)) / 2
+        elif kind == "reaction":
+            row[k] = locked(body, reaction(ask, body))
+
+
+def reaction(ask: dict[str, Any], body: dict[str, Any]) -> np.ndarray:
+    """The force [N] that would keep a body's velocity: against all forces of the last step."""
+    weight = body["mass"] * np.array(ask["gravity"])
+    return np.asarray(-np.array(O.forces.f(body["id"])) - weight)
+
+
+def locked(body: dict[str, Any], force: np.ndarray) -> np.ndarray:
+    """The part of a force along the axes in which a body is blocked."""
+    return np.asarray(np.array([axis in body["blocked"] for axis in "xyz"]) * force)
 
 
 def check_contacts(ask: dict[str, Any]) -> None:
