@@ -177,7 +177,11 @@ class Series:
 
 @dataclass(frozen=True)
 class Scalar:
-    """A number from a run; scale (never zero) turns its error into a relative one."""
+    """A number from a run; scale (never zero) turns its error into a relative one.
+
+    told(run): whether a code tells what it is taken from, such as a ledger; where it does not, the
+    quantity is not judged.
+    """
 
     name: str
     symbol: str
@@ -187,6 +191,7 @@ class Scalar:
     reference: float | None
     scale: float
     judge: Judge
+    told: Callable[[Run], bool] = lambda run: True
 
     def __post_init__(self) -> None:
         _require_answer(self.name, self.reference, self.judge)

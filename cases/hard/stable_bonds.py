@@ -65,7 +65,7 @@ FOUND = Exact({
         "the search ends 1.5e-3 apart, and beyond the limit the fastest mode grows by "
         "exp(2 sqrt(2 d)) a step, d the excess",
     )
-    for method in (Method.EXACT, Method.SECOND_ORDER)
+    for method in (Method.EXACT, Method.LINEARISED, Method.SECOND_ORDER)
 })  # fmt: skip
 MORE = Interval(
     1.0,
