@@ -11,6 +11,7 @@ DATA = {"vv.digest", "vv.frozen", "vv.bodies", "vv.block", "vv.bonds", "vv.scene
 CORE = DATA | {"vv.ask"}
 ENGINES = {"vv.exact", "vv.dem", "vv.blocks"}
 JUDGED = {"vv.finding", "vv.gate", "vv.record"}
+COSTS = {"vv.rungs", "vv.effort", "vv.reach"}
 STAND_INS = {"vv.soften", "vv.stand_in", "vv.clump", "vv.transform"}  # scenes made from scenes
 KERNELS = {"vv.compiled", "vv.drive", "vv.triples"} | STAND_INS  # what engines share
 DECLARED = CORE | {"vv.transform", "vv.study", "vv.case", "vv.quantities"}
@@ -57,6 +58,9 @@ LAYERS: dict[str, tuple[str, set[str], set[str]]] = {
         CORE | JUDGED | {"vv.baseline", "vv.settings", "vv.store"},
         set(),
     ),
+    "rungs": ("vv/rungs.py", {"vv.metrics"}, set()),
+    "effort": ("vv/effort.py", CORE | JUDGED | {"vv.metrics", "vv.rungs"}, set()),
+    "reach": ("vv/reach.py", {"vv.effort", "vv.rungs"}, set()),
     "speed": ("vv/speed.py", JUDGED | {"vv.baseline"}, set()),
     "history": ("vv/history.py", JUDGED | {"vv.store"}, set()),
     "compare": (
@@ -83,7 +87,7 @@ LAYERS: dict[str, tuple[str, set[str], set[str]]] = {
             "vv.digest",
             *JUDGED,
             "vv.history",
-            "vv.effort",
+            *COSTS,
             "vv.stability",
         },
         HEAVY,

@@ -21,7 +21,7 @@ def manifest(*records: Json, critical: Json | None = None) -> Json:
     return {"cases": {"bounce": told}, "records": list(records)}
 
 
-def only(*records: Json, critical: Json | None = None) -> Told:
+def only(*records: Json, critical: dict[float, float] | None = None) -> Told:
     (told,) = stability(manifest(*records, critical=critical))
     return told
 

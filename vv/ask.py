@@ -28,6 +28,7 @@ class Method(enum.Enum):
     """The class of a method: it decides which tolerance of a quantity applies."""
 
     EXACT = "exact to rounding"
+    LINEARISED = "exact to first order in the displacements"
     SECOND_ORDER = "second order in dt"
     FIRST_ORDER = "first order in dt"
     PENALTY = "penalty contact"
@@ -48,7 +49,14 @@ class Velocity:
     body: int
 
 
-Observable = Displacement | Velocity
+@dataclass(frozen=True)
+class Reaction:
+    """Observable: the force on a body by what locks its translation, (3,) per time [N]."""
+
+    body: int
+
+
+Observable = Displacement | Velocity | Reaction
 
 
 @dataclass(frozen=True)

@@ -70,6 +70,25 @@ class Tolerance:
     kn: float | None = None
     softness: float = 0.0
 
+    def __post_init__(self) -> None:
+        if not 0 < self.value <= LOOSEST:
+            raise ValueError(
+                f"Tolerance.value = {self.value!r}; it must be positive and {LOOSEST:g} at most"
+            )
+        for name, unit in (("dt", "s"), ("kn", "N/m")):
+            at = getattr(self, name)
+            if at is not None and not 0 < at < math.inf:
+                raise ValueError(f"Tolerance.{name} = {at!r} {unit}; it must be positive")
+        for power, knob in (("order", "dt"), ("softness", "kn")):
+            exponent, given = getattr(self, power), getattr(self, knob) is not None
+            if not (exponent == 0 or (exponent > 0 and given)):
+                rule = f"it must not be negative, and needs the {knob} it grows from"
+                raise ValueError(f"Tolerance.{power} = {exponent!r}; {rule}")
+        if not 0 <= self.floor <= self.value:
+            raise ValueError(
+                f"Tolerance.floor = {self.floor!r}; it must lie in [0, {self.value!r}]"
+            )
+
     def at(self, knobs: Knobs) -> float:
         """The bound for a run with these knobs."""
         bound = self.value
@@ -77,7 +96,7 @@ class Tolerance:
             bound *= (knobs.dt / self.dt) ** self.order
         if self.kn is not None and knobs.kn is not None:
             bound *= (self.kn / knobs.kn) ** self.softness
-        return min(max(LOOSEST, self.value), max(self.floor, bound))
+        return min(LOOSEST, max(self.floor, bound))
 
 
 @dataclass(frozen=True)

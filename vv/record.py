@@ -95,6 +95,7 @@ def measured(
         "unit": getattr(quantity, "unit", ""),
         "value": None,
         "reference": None,
+        "end": None,
         "errors": {},
         "scale": None,
         "figures": {},
@@ -134,6 +135,7 @@ def _measure_series(run: Run, quantity: Series, entry: dict[str, Any]) -> dict[s
         return arrays
     reference = np.asarray(quantity.reference(run.times), float)
     entry["scale"] = _finite(quantity.scale or np.abs(reference).max()) or 1.0
+    entry["end"] = _finite(reference[-1])
     entry["errors"] = _errors(value, reference, quantity.scale)
     if not entry["errors"]:
         entry["note"] = "the reference is zero throughout, and the quantity states no scale"

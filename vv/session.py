@@ -22,7 +22,7 @@ from vv.record import checked, described, measured
 from vv.runner import Batch, run_batches
 from vv.store import Store
 from vv.study import Grid
-from vv.timing_phase import last_costs, timed_costs
+from vv.timing_phase import gaps, last_costs, timed_costs
 
 Record = dict[str, Any]
 Progress = Callable[[Record], None]
@@ -35,6 +35,9 @@ class Timing(enum.Enum):
     LAST = enum.auto()
     STORED = enum.auto()
     NEW = enum.auto()
+
+
+MEASURED = (Timing.STORED, Timing.NEW)  # where all that is to be timed should be
 
 
 @dataclass(frozen=True)
@@ -85,6 +88,7 @@ def carry_out(
             code: _code(project, plan, code) for code in sorted({job.code for job in plan.jobs})
         },
         "cases": dossiers(plan),
+        "untimed": gaps(plan, ordered, costs) if limits.timing in MEASURED else [],
         **judged(project, plan, ordered, terms),
     }
     name = f"{now:%Y%m%dT%H%M%S.%f}Z-{os.getpid()}"

@@ -9,8 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from vv.ask import Ask, Ledger, Model, Run, Status
-from vv.dem.bonded import Bonded, bonded, why_not_bonded
+from vv.ask import Ask, Ledger, Model, Reaction, Run, Status
 from vv.dem.leapfrog import Leapfrog
 from vv.dem.limits import BLOW_UP, GAIN
 from vv.dem.line import Line, line
@@ -18,7 +17,7 @@ from vv.dem.pressed import Pressed, pressed
 from vv.dem.safe import PACKED
 from vv.dem.space import Space, space
 from vv.dem.stability import critical_step
-from vv.scene import Scene, Vector
+from vv.scene import LOCKED, Scene, Vector
 from vv.stand_in import Stood, sprung
 from vv.stand_in import why_not as why_not_rigid
 
@@ -32,12 +31,14 @@ LEDGER = (
     "load potential",
     "less work of shaking",
     "less work of moving walls",
+    "less work of carried bodies",
+    "breaking dissipation, normal",
+    "breaking dissipation, shear",
 )
 EPS = float(np.finfo(float).eps)
 ROUNDINGS = 16  # of the peak energy, allowed for each step
 COULOMB = 1e-9  # of the largest force: friction is cut to mu N as it is found
 SOFT = 0.1  # of the smallest radius: a deeper overlap is no contact of spheres any more
-LOCKED = 1e-12  # part of a speed below which its component in a locked direction is rounding
 
 
 @dataclass(frozen=True, eq=False)
@@ -50,7 +51,7 @@ class Program:
 
     ask: Ask
     leapfrog: Leapfrog
-    system: Line | Pressed | Space | Bonded
+    system: Line | Pressed | Space
     stood: Stood
 
     @property
@@ -144,7 +145,9 @@ def prepare(ask: Ask, leapfrog: Leapfrog) -> Program:
     """The program of an ask, with the smallest model its scene allows."""
     stood = sprung(ask)
     scene, charged = stood.scene, stood.charged
-    system = bonded(scene) or line(scene) or pressed(scene, charged) or space(scene, charged)
+    if any(isinstance(what, Reaction) for what in ask.observables):
+        return Program(ask, leapfrog, space(scene, charged), stood)
+    system = line(scene) or pressed(scene, charged) or space(scene, charged)
     return Program(ask, leapfrog, system, stood)
 
 
@@ -164,11 +167,11 @@ def refuses(ask: Ask) -> str | None:
         return "Knobs.dt is None; an explicit scheme needs a step"
     if goal.steps(dt) == 0:
         return f"dt = {dt!r} s leaves no step in History.duration = {goal.duration!r} s"
-    reason = why_not_rigid(ask) or why_not_bonded(ask.scene)
+    reason = why_not_rigid(ask)
     if reason is not None:
         return reason
     scene = sprung(ask).scene
-    return _moves_where_locked(scene) or _coincident(scene)
+    return _spins_where_locked(scene) or _coincident(scene) or _unknown_reaction(ask, scene)
 
 
 def unstable(ask: Ask, leapfrog: Leapfrog) -> str | None:
@@ -206,22 +209,32 @@ def _audits(scene: Scene, terms: Vector) -> Iterator[tuple[str, tuple[float, flo
         yield "Coulomb: friction beyond mu N [N]", (max(beyond, 0.0), COULOMB * float(push.max()))
 
 
-def _moves_where_locked(scene: Scene) -> str | None:
+def _spins_where_locked(scene: Scene) -> str | None:
     spheres = scene.spheres
-    for name, free in (("velocity", spheres.free), ("spin", spheres.free_spin)):
-        parts = getattr(spheres, name) @ scene.axes.T
-        size = np.abs(parts).max(axis=1, keepdims=True)
-        for i, axis in np.argwhere(~free & (np.abs(parts) > LOCKED * size))[:1]:
-            along = f"{parts[i, axis]:.6g} along a locked axis"
-            return f"Spheres.{name}[{i}] has {along}; a locked body must be at rest there"
+    parts = spheres.spin @ scene.axes.T
+    size = np.abs(parts).max(axis=1, keepdims=True, initial=0.0)
+    for i, axis in np.argwhere(~spheres.free_spin & (np.abs(parts) > LOCKED * size))[:1]:
+        along = f"{parts[i, axis]:.6g} 1/s along a locked axis"
+        return f"Spheres.spin[{i}] has {along}; a locked body must not turn there"
     return None
 
 
 def _coincident(scene: Scene) -> str | None:
     position = scene.spheres.position
-    i, j = np.triu_indices(len(position), 1)
-    same = np.flatnonzero(~(position[i] - position[j]).any(axis=1))
+    order = np.lexsort(position.T)
+    same = np.flatnonzero(~np.diff(position[order], axis=0).any(axis=1))
     if len(same):
-        first, second = i[same[0]], j[same[0]]
+        first, second = np.sort(order[same[0] : same[0] + 2])
         return f"spheres {first} and {second} have one centre; a contact needs a normal"
+    return None
+
+
+def _unknown_reaction(ask: Ask, scene: Scene) -> str | None:
+    """The forces on all bodies that stay in place are summed up in one row."""
+    for what in ask.observables:
+        if isinstance(what, Reaction):
+            i = scene.sphere_index(what.body)
+            moving = scene.spheres.free[i].any() or scene.spheres.free_spin[i].any()
+            if not (moving or scene.carried[i].any()):
+                return f"the reaction on body {what.body}, which cannot move, is not modelled"
     return None
