@@ -12,7 +12,7 @@ from vv.stability import Told, as_data, stability
 from vv.store import Store
 
 
-def manifest(*records: Json, critical: Json | None = None) -> Json:
+def manifest(*records: Json, critical: dict[float, float] | None = None) -> Json:
     """What stability looks at of a manifest: records of the fabricated case."""
     told = case()
     for variant in told["variants"].values():
