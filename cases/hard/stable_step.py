@@ -121,7 +121,7 @@ SHARP = Tolerance(
     "the search ends 1.5e-3 apart; beyond the limit an undamped swing grows by exp(2 sqrt(2 d)) "
     "a step, d the excess, one with drag by exp(5 d), which takes d = 5e-4 to be seen",
 )
-EVERY = Exact(dict.fromkeys((Method.EXACT, Method.SECOND_ORDER, Method.FIRST_ORDER), SHARP))
+EVERY = Exact(dict.fromkeys(Method, SHARP))
 EITHER = Interval(
     0.654,
     1 + SHARP.value,
