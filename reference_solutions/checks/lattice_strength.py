@@ -1,11 +1,14 @@
-"""Second route to the first bond that opens: the block cut from the crystal, by least squares."""
+"""Second route to the first bond that opens: repeated right-angled cells, by least squares."""
 
 import numpy as np
 from numpy.typing import NDArray
 
-from reference_solutions.checks.close_packed_lattice import centres
-
 Array = NDArray[np.float64]
+
+SIDES = np.array([1.0, np.sqrt(3.0), np.sqrt(8.0 / 3.0)])  # of a cell, in diameters
+CELL = np.array(
+    [[0, 0, 0], [1 / 2, 1 / 2, 0], [1 / 2, 1 / 6, 1 / 2], [0, 2 / 3, 1 / 2]]
+)  # in sides
 
 
 def first_opening(n: int, p: int, q: int, gamma: float) -> float:
@@ -14,7 +17,7 @@ def first_opening(n: int, p: int, q: int, gamma: float) -> float:
     Unknowns are the coordinates that no platen holds; what is least is the sum of squares of
     elongations and of slips along two directions across each bond.
     """
-    x = centres(n, p, q)
+    x = _centres(np.array([n - 1, p, q]))
     apart = np.linalg.norm(x[:, None] - x[None], axis=2)
     i, j = np.argwhere(np.triu(np.abs(apart - 1.0) < 1e-6)).T
     frames = (
@@ -33,6 +36,14 @@ def first_opening(n: int, p: int, q: int, gamma: float) -> float:
     moved = (rows @ u).reshape(-1, 3)
     modulus = (moved**2).sum() / ((n - 1) * p * np.sqrt(3.0) * height)
     return float(modulus / moved[:, 0].max())
+
+
+def _centres(sides: Array) -> Array:
+    """(N, 3) the elements of the cells in a box of so many sides, its faces included."""
+    cells = np.stack(np.meshgrid(*(np.arange(k + 1) for k in sides)), axis=-1).reshape(-1, 1, 3)
+    places = (cells + CELL).reshape(-1, 3)
+    inside: Array = places[(places < sides + 1e-9).all(axis=1)] * SIDES
+    return inside
 
 
 def _frame(line: Array) -> Array:
