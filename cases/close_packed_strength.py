@@ -38,8 +38,8 @@ def _block(size: int, d: float) -> Lattice:
     return lattice(*SIZES[size], d)
 
 
-def _scene(p: Parameters, block: Lattice) -> Scene:
-    """Two blocks between smooth platens that carry their ends apart, at two steady rates.
+def specimen(p: Parameters, block: Lattice, rates: tuple[float, ...] = RATES) -> Scene:
+    """Blocks side by side between smooth platens that carry their ends apart, at steady rates.
 
     All elements start as they would go on in the infinite lattice.
     """
@@ -49,10 +49,10 @@ def _scene(p: Parameters, block: Lattice) -> Scene:
     nu = lattice_material.poissons_ratio(p["kn"], p["ks"])
     velocity = p["rate"] * (x - [0.0, 0.0, x[:, 2].min()]) * [-nu, -nu, 1.0]
     aside = np.array([APART * np.ptp(x[:, 0]), 0.0, 0.0])
-    many = len(RATES)
+    many = len(rates)
     spheres = Spheres(
         np.concatenate([block.position + k * aside for k in range(many)]),
-        np.concatenate([times * velocity for times in RATES]),
+        np.concatenate([times * velocity for times in rates]),
         np.full(many * n, p["d"] / 2),
         np.full(many * n, p["m"]),
         np.tile(free, (many, 1)),
@@ -107,7 +107,7 @@ def _declare(variant: str, p: Parameters) -> Trial:
     duration = 1.1 * abs(far / p["rate"])
     goal = History(duration, duration / OUTPUTS)
     watched: tuple[Observable, ...] = tuple(what for k in (0, 1) for what in _top(block, k))
-    return Trial(Ladder(_scene(p, block), goal, watched, LEVELS), quantities)
+    return Trial(Ladder(specimen(p, block), goal, watched, LEVELS), quantities)
 
 
 def _over(whole: Callable[[Run], float], printed: float, run: Run) -> float:
