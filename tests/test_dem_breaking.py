@@ -7,9 +7,12 @@ import dataclasses
 import numpy as np
 import pytest
 
+from cases.tetrahedral_strength import CASE
 from tests.bonded_scenes import CORNERS, EDGES, KN, KS, D, M, elements, tied, unit
 from vv import dem
 from vv.ask import Ask, Displacement, History, Knobs, Observable, Reaction, Run, Status, Velocity
+from vv.case import Scalar
+from vv.dem.solve import GAINED
 from vv.scene import Bonds, Contact, Scene, Term, Vector
 from vv.transform import rotated, swapped
 
@@ -26,6 +29,8 @@ def solved(scene: Scene, goal: History, *seen: Observable, dt: float = 1e-8) -> 
     run = dem.solve_default(Ask(scene, goal, seen, Knobs(dt=dt)))
     assert run.status is Status.RAN, run.reason
     assert run.ledger is not None
+    assert all(seen <= allowed for seen, allowed in run.ledger.audits.values())
+    assert (GAINED in run.ledger.audits) == (scene.bonds is not None)
     return run
 
 
@@ -225,3 +230,25 @@ def test_spheres_far_and_many_are_gathered_as_if_all_pairs_were_listed(
     for what in seen:
         a, b = near.values[what], listed.values[what]
         assert np.abs(a - b).max() < 1e-8 * np.abs(b).max()
+
+
+@pytest.mark.parametrize("variant", ["pulled", "pressed"])
+def test_the_unit_fails_where_its_balance_at_finite_displacement_does(variant: str) -> None:
+    """Within 2e-5 for T_u, 2e-4 for C_open, 1e-3 for C_u; not where Eqs. 7, 8 and 14 put it."""
+    bars = {"T_u": 2e-5, "C_open": 2e-4, "C_u": 1e-3}
+    trial = CASE.declare(variant, CASE.defaults(variant))
+    run = dem.solve_default(trial.study.ask(Knobs(dt=4e-8)))
+    told = [q for q in trial.quantities if isinstance(q, Scalar) and q.name in bars]
+    assert told
+    for q in told:
+        assert q.observe(run) == pytest.approx(q.reference, rel=bars[q.name])
+
+
+def test_rate_and_viscosity_of_loading_do_not_enter_the_strengths() -> None:
+    told = []
+    for rate, eta in ((-7.5, 6.0), (-3.75, 12.0)):
+        p = {**CASE.defaults("pressed"), "rate": rate, "eta": eta}
+        trial = CASE.declare("pressed", p)
+        run = dem.solve_default(trial.study.ask(Knobs(dt=4e-8)))
+        told.append([q.observe(run) for q in trial.quantities if q.name in ("C_open", "C_u")])
+    assert told[0] == pytest.approx(told[1], rel=5e-7)
