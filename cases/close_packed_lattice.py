@@ -144,17 +144,19 @@ RUNGS = {
     Level.PAPER: (Knobs(dt=1e-7), Knobs(dt=5e-8), Knobs(dt=2.5e-8)),
 }
 BALANCE = "sum over bonds (kn n n + ks (1 - n n)) (u_j - u_i) = 0 between the platens"
+RUN_AT = {Level.QUICK: (82,), Level.DEFAULT: (255, 580, 1105), Level.PAPER: (2166, 5461)}
 VARIANTS = (
     *(
         Variant(
             f"{n}", f"{n} elements of quartzite, which do not turn", BALANCE,
-            inert=frozenset({"m"}), quick=n == 82, paper=n > 1105,
+            inert=frozenset({"m"}), level=level,
         )
-        for n in (82, 255, 580, 1105, 2166, 5461)
+        for level, sizes in RUN_AT.items()
+        for n in sizes
     ),
     Variant(
         "82-turning", "82 elements, free to turn, which the paper's are not",
-        f"{BALANCE}, u less (d/2) (w_i + w_j) x n", inert=frozenset({"m"}), quick=False,
+        f"{BALANCE}, u less (d/2) (w_i + w_j) x n", inert=frozenset({"m"}), level=Level.DEFAULT,
     ),
 )  # fmt: skip
 CASE = Case(

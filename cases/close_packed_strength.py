@@ -156,10 +156,10 @@ CASE = Case(
     ),
     variants=(
         Variant("pulled-82", "82 elements, pulled in two", OPENING, inert=IN_BALANCE),
-        Variant("pulled-255", "255 elements", OPENING, inert=IN_BALANCE, quick=False),
+        Variant("pulled-255", "255 elements", OPENING, inert=IN_BALANCE, level=Level.DEFAULT),
         Variant(
             "pressed-82", "82 elements, pressed until they slide", "none", {"rate": -4.0},
-            inert=IN_BALANCE, quick=False,
+            inert=IN_BALANCE, level=Level.DEFAULT,
         ),
     ),
     declare=_declare,

@@ -171,7 +171,8 @@ def _variants() -> tuple[Variant, ...]:
         Variant("3d", "along x, y and z: 0.1 m at 2, 4 and 1 Hz", MORE,
                 {"D": 0.1, "f": 2.0, "Dy": 0.1, "fy": 4.0, "Dz": 0.1, "fz": 1.0}),
         Variant("map", "3d over contact stiffness and step, as in Fig. 23", MORE,
-                {"D": 0.1, "f": 2.0, "Dy": 0.1, "fy": 4.0, "Dz": 0.1, "fz": 1.0}, quick=False),
+                {"D": 0.1, "f": 2.0, "Dy": 0.1, "fy": 4.0, "Dz": 0.1, "fz": 1.0},
+                level=Level.DEFAULT),
     )  # fmt: skip
 
 

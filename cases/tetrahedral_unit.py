@@ -228,7 +228,7 @@ VARIANTS = (
     *(
         Variant(
             f"gamma-{gamma:g}", f"ks = {gamma:g} kn, pulled", PATH, {"gamma": gamma},
-            inert=IN_BALANCE, quick=False,
+            inert=IN_BALANCE, level=Level.DEFAULT,
         )
         for gamma in (0.0, 0.25, 0.5, 1.0)
     ),

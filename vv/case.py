@@ -222,8 +222,7 @@ class Variant:
     """A named change of a case's scene; the functions receive its name.
 
     defaults: parameters that differ from the case's. inert: parameters that, by the physics,
-    do not enter the answer. At level quick only variants marked quick run, and at level paper
-    alone those marked paper, which cost too much to be run otherwise.
+    do not enter the answer. level: the least at which it runs.
     """
 
     name: str
@@ -231,14 +230,11 @@ class Variant:
     formula: str
     defaults: Parameters = field(default_factory=lambda: NO_DEFAULTS)
     inert: frozenset[str] = frozenset()
-    quick: bool = True
-    paper: bool = False
+    level: Level = Level.QUICK
 
     def runs_at(self, level: Level) -> bool:
         """Whether it is among the variants of a level."""
-        if self.paper:
-            return level is Level.PAPER
-        return self.quick or level is not Level.QUICK
+        return self.level.rank <= level.rank
 
 
 @dataclass(frozen=True, eq=False)

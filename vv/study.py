@@ -17,6 +17,11 @@ class Level(enum.Enum):
     DEFAULT = "default"
     PAPER = "paper"
 
+    @property
+    def rank(self) -> int:
+        """0 for the least; a level runs what those below it run, and more."""
+        return list(Level).index(self)
+
 
 def grid(dt: Sequence[float], kn: Sequence[float]) -> tuple[Knobs, ...]:
     """Rungs at every stiffness [N/m] and every step [s]: an error over both makes a map."""

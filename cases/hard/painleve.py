@@ -127,13 +127,13 @@ CASE = Case(
         Variant(
             f"mu-{mu:g}", f"mu = {mu:g}, {where}",
             "N = m g/(1 + 3 cos^2 - 3 mu sin cos) while it slides without turning, theta its slope",
-            {"mu": mu}, frozenset({"m"}) | inert, quick,
+            {"mu": mu}, frozenset({"m"}) | inert, level,
         )
-        for mu, where, inert, quick in (
-            (0.8, "slides", frozenset(), True),
-            (1.3, "slides and soon stops, at 25 times its weight", frozenset(), False),
-            (1.34, "just in the paradox: it jams", frozenset({"mu"}), False),
-            (2.0, "deep in the paradox: it jams", frozenset({"mu"}), True),
+        for mu, where, inert, level in (
+            (0.8, "slides", frozenset(), Level.QUICK),
+            (1.3, "slides and soon stops, at 25 times its weight", frozenset(), Level.DEFAULT),
+            (1.34, "just in the paradox: it jams", frozenset({"mu"}), Level.DEFAULT),
+            (2.0, "deep in the paradox: it jams", frozenset({"mu"}), Level.QUICK),
         )
     ),
     declare=_declare,

@@ -14,7 +14,7 @@ from vv.bonds import Pairs
 from vv.case import Case, Exact, Interval, Parameters, Source, Tolerance, Trial, Variant
 from vv.quantities import largest_step
 from vv.scene import Bonds, Contact, Scene, Spheres, Vector
-from vv.study import Search
+from vv.study import Level, Search
 
 SPEED = 1e-9  # m/s: the start, which does not enter the answer
 
@@ -89,7 +89,11 @@ CASE = Case(
     variants=(
         Variant("unit", "four elements, six bonds", FORMULA, inert=frozenset({"d"})),
         Variant(
-            "lattice-82", "82 elements, close-packed", FORMULA, inert=frozenset({"d"}), quick=False
+            "lattice-82",
+            "82 elements, close-packed",
+            FORMULA,
+            inert=frozenset({"d"}),
+            level=Level.DEFAULT,
         ),
     ),
     declare=_declare,

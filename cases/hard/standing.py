@@ -113,7 +113,9 @@ CASE = Case(
     ),
     variants=(
         Variant("stack-10", "ten cubes for 10 s", "u = 0", {}, ON_STACKS),
-        Variant("stack-20", "twenty cubes for 10 s", "u = 0", {"n": 20.0}, ON_STACKS, quick=False),
+        Variant(
+            "stack-20", "twenty cubes for 10 s", "u = 0", {"n": 20.0}, ON_STACKS, Level.DEFAULT
+        ),
         Variant(
             "arch", "ten voussoirs, t/R 1 % above the least, for 1 s", "u = 0 for t > t_min",
             {"mu": 1.0}, frozenset({"n"}),
