@@ -133,8 +133,8 @@ FIRST: Judge = Exact({
     Method.SECOND_ORDER: Tolerance(2e-3, OPENS),
     Method.FIRST_ORDER: Tolerance(2e-3, OPENS),
 })  # fmt: skip
-RUNGS = tuple(Knobs(dt=4e-8 / 2**i) for i in range(3))
-LEVELS = {Level.QUICK: RUNGS[:1], Level.DEFAULT: RUNGS[:1], Level.PAPER: RUNGS}
+RUNGS = tuple(Knobs(dt) for dt in (1e-7, 8e-8, 4e-8, 2e-8, 1e-8))
+LEVELS = {Level.QUICK: RUNGS[:2], Level.DEFAULT: RUNGS[:2], Level.PAPER: RUNGS}
 
 OPENING = "the most stretched bond of the linear lattice has the stretch xb"
 IN_BALANCE = frozenset({"m", "rate"})
