@@ -9,12 +9,14 @@ import numpy as np
 
 from adapters.liggghts.answers import unknowns
 from adapters.liggghts.batch import solved, timed
+from adapters.liggghts.bonds import OVERLAP
 from adapters.liggghts.deck import deck
 from adapters.liggghts.installed import find
 from adapters.liggghts.refusals import refusal
 from adapters.liggghts.translate import (
     CLUMP,
     HALF_STEP,
+    OVERLAPPED,
     PLAIN,
     charges,
     has_friction,
@@ -46,6 +48,7 @@ TERMS = frozenset(
     }
 )
 ON_CORNERS = (TERMS | STANDS_IN) - {Term.SPHERE, Term.SPHERE_CONTACT, Term.DRAG}
+ON_BONDS = frozenset({Term.SPHERE, Term.DRAG, Term.GRAVITY, Term.LOAD, Term.BOND, Term.BOND_SHEAR})
 KNOBS = ("dt", "kn")
 SCHEMES = (
     Scheme(
@@ -69,6 +72,13 @@ SCHEMES = (
         ON_CORNERS,
         KNOBS,
     ),
+    Scheme(
+        OVERLAPPED,
+        f"bonds as contacts of spheres that overlap by {OVERLAP:g} of their distance from the "
+        "start, in unyielding friction, what they push with cancelled by dead loads: a surrogate",
+        Method.PENALTY,
+        ON_BONDS,
+    ),
 )
 
 
@@ -88,7 +98,7 @@ class Liggghts:
 
     def describe(self, ask: Ask, scheme: str) -> Model:
         """The freedoms LIGGGHTS integrates, and how the scene is put to it."""
-        scene = represented(ask, PLAIN)
+        scene = represented(ask, OVERLAPPED if scheme == OVERLAPPED else PLAIN)
         terms = ask.scene.terms() | scene.terms()
         return Model(
             6 if scheme == CLUMP else unknowns(scene), terms, "; ".join(_notes(ask, scheme))
@@ -113,7 +123,8 @@ class Liggghts:
 
 def _notes(ask: Ask, scheme: str) -> list[str]:
     """How the scene is represented, one fact each."""
-    stood, scene, rigid = stood_for(ask), represented(ask, PLAIN), scheme == CLUMP
+    stood, rigid, leaning = stood_for(ask), scheme == CLUMP, scheme == OVERLAPPED
+    scene = represented(ask, scheme if leaning else PLAIN)
     turning, moved = spinning(scene.spheres), moving(scene.spheres)
     said = {
         "pair gran, hooke/stiffness: kn is the contact's stiffness, nothing is damped": True,
@@ -133,8 +144,10 @@ def _notes(ask: Ask, scheme: str) -> list[str]:
             any(is_mesh(wall) for wall in scene.walls)
         ),
         "a dead load along the normal instead of a locked axis": (
-            not np.array_equal(scene.spheres.load, stood.scene.spheres.load)
+            not np.array_equal(scene.spheres.load, stood.scene.spheres.load) and not leaning
         ),
+        f"bonds as contacts that overlap by {OVERLAP:g} of their length at t = 0, when dead loads "
+        "cancel their push: a surrogate, right to about that part in E": leaning,
         "shear springs charged by a step, before t = 0, that slides the sphere to its start": (
             bool(charges(ask, scheme))
         ),

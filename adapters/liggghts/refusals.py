@@ -4,9 +4,11 @@ from __future__ import annotations
 
 import numpy as np
 
+from adapters.liggghts.bonds import why_not_overlapped
 from adapters.liggghts.translate import (
     CLUMP,
     HALF_STEP,
+    OVERLAPPED,
     loads,
     locks,
     represented,
@@ -30,6 +32,8 @@ def refusal(ask: Ask, scheme: str) -> str | None:
     if reason is not None:
         return reason
     scene = stood_for(ask).scene
+    if scheme == OVERLAPPED and (reason := why_not_overlapped(scene)) is not None:
+        return reason
     return (
         _unknown_body(ask, scene)
         or _no_steps(ask)
