@@ -174,7 +174,7 @@ def test_speed_shows_what_is_not_timed_against_indicative_costs_and_times_it_whe
     words = ("speed", "fall", "--codes", "fake/good")
     out = tiny.vv(*words).stdout
     assert "fall:up: CPU seconds" in out
-    assert "fall:slow: not timed; errors, and indicative CPU seconds" in out
+    assert "fall:slow: not timed; errors, and indicative seconds" in out
     out = tiny.vv(*words, "--level", "paper").stdout
     assert "fall:slow: CPU seconds" in out
     assert "not timed" not in out

@@ -12,6 +12,7 @@ from tests.bonded_scenes import CORNERS, EDGES, KN, KS, D, M, elements, tied, un
 from vv import dem
 from vv.ask import Ask, Displacement, History, Knobs, Observable, Reaction, Run, Status, Velocity
 from vv.case import Scalar
+from vv.dem.solve import GAINED
 from vv.scene import Bonds, Contact, Scene, Term, Vector
 from vv.transform import rotated, swapped
 
@@ -28,6 +29,8 @@ def solved(scene: Scene, goal: History, *seen: Observable, dt: float = 1e-8) -> 
     run = dem.solve_default(Ask(scene, goal, seen, Knobs(dt=dt)))
     assert run.status is Status.RAN, run.reason
     assert run.ledger is not None
+    assert all(seen <= allowed for seen, allowed in run.ledger.audits.values())
+    assert (GAINED in run.ledger.audits) == (scene.bonds is not None)
     return run
 
 

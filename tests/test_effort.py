@@ -177,6 +177,13 @@ def test_the_floor_of_dt_at_a_stiffness_is_the_model_s_and_told_from_the_step_s(
     assert "the step's part 1.0e-06 at dt = 0.001, of order 2.00" in told(row)
 
 
+def test_the_step_s_part_is_not_made_small_by_an_order_that_no_scheme_has() -> None:
+    rows: list[Row] = [(h, 1e8, 1e-3 + 1e12 * h**7, 1.0) for h in (4e-3, 2e-3, 1e-3)]
+    (row,) = one(rows).rows
+    assert row.limit
+    assert row.limit.step == pytest.approx(1e12 * (2e-3**7 - 1e-3**7) / 3)
+
+
 def test_no_model_error_is_claimed_below_what_the_limit_is_known_to() -> None:
     rows: list[Row] = [(h, 1e8, h * h, 1.0) for h in (4e-3, 2e-3, 1e-3)]
     assert "the model's part below 1.2e-06" in told(one(rows).rows[0])

@@ -10,7 +10,7 @@ from types import MappingProxyType
 
 from vv.ask import Knobs, Method, Run
 from vv.scene import Vector
-from vv.study import Study
+from vv.study import Level, Study
 
 Parameters = Mapping[str, float]
 NO_DEFAULTS: Parameters = MappingProxyType({})
@@ -177,7 +177,11 @@ class Series:
 
 @dataclass(frozen=True)
 class Scalar:
-    """A number from a run; scale (never zero) turns its error into a relative one."""
+    """A number from a run; scale (never zero) turns its error into a relative one.
+
+    told(run): whether a code tells what it is taken from, such as a ledger; where it does not, the
+    quantity is not judged.
+    """
 
     name: str
     symbol: str
@@ -187,6 +191,7 @@ class Scalar:
     reference: float | None
     scale: float
     judge: Judge
+    told: Callable[[Run], bool] = lambda run: True
 
     def __post_init__(self) -> None:
         _require_answer(self.name, self.reference, self.judge)
@@ -217,7 +222,8 @@ class Variant:
     """A named change of a case's scene; the functions receive its name.
 
     defaults: parameters that differ from the case's. inert: parameters that, by the physics,
-    do not enter the answer. At level quick only variants marked quick run.
+    do not enter the answer. At level quick only variants marked quick run, and at level paper
+    alone those marked paper, which cost too much to be run otherwise.
     """
 
     name: str
@@ -226,6 +232,13 @@ class Variant:
     defaults: Parameters = field(default_factory=lambda: NO_DEFAULTS)
     inert: frozenset[str] = frozenset()
     quick: bool = True
+    paper: bool = False
+
+    def runs_at(self, level: Level) -> bool:
+        """Whether it is among the variants of a level."""
+        if self.paper:
+            return level is Level.PAPER
+        return self.quick or level is not Level.QUICK
 
 
 @dataclass(frozen=True, eq=False)

@@ -27,6 +27,7 @@ from vv.case import (
 )
 from vv.scene import Vector
 
+UNTOLD = Shown("this code tells nothing to take it from")
 NORMS = {
     Norm.MAX: metrics.max_error,
     Norm.FINAL: metrics.final_error,
@@ -89,6 +90,8 @@ def measured(
 ) -> tuple[dict[str, Any], dict[str, Vector]]:
     """A quantity of a run as a record entry, and the arrays of its series."""
     judge = judge_of(quantity.judge, method)
+    if isinstance(quantity, Scalar) and not quantity.told(run):
+        judge = UNTOLD
     entry: dict[str, Any] = {
         "name": quantity.name,
         "kind": type(quantity).__name__.lower(),
@@ -108,7 +111,8 @@ def measured(
             entry["note"] = "bit by bit the reference itself, which no approximate method can be"
     else:
         arrays = {}
-        _measure_number(run, quantity, judge, entry)
+        if judge is not UNTOLD:
+            _measure_number(run, quantity, judge, entry)
     entry["verdict"] = _verdict(quantity, judge, entry).value
     return entry, arrays
 

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from vv.metrics import (
+    SAFETY,
     STALLED,
     Convergence,
     Order,
@@ -17,6 +18,7 @@ from vv.metrics import (
 )
 
 Record = Mapping[str, Any]
+FORMAL = 2.0  # no stepping scheme here is of higher order: what more was seen promises is chance
 
 
 @dataclass(frozen=True)
@@ -48,8 +50,9 @@ class Limit:
     """Where the final value of the first quantity goes as dt -> 0, from three steps or more.
 
     dt: the finest. model: how far the limit is off the exact value, None without a limit or an
-    exact value; step: how far the finest is off the limit; known: how well the limit is known, by
-    the grid convergence index. All over the quantity's scale.
+    exact value; step: how far the finest is off the limit, not less than at order FORMAL; known:
+    how well the limit is known, that times the factor of the grid convergence index. All over the
+    quantity's scale.
     """
 
     dt: float
@@ -125,8 +128,9 @@ def _limit(pile: Sequence[Record]) -> Limit | None:
     if isinstance(found, Unsettled) or not scale:
         return Limit(steps[0], found)
     model = None if end is None else abs(found.limit - end) / scale
-    known = found.fine * abs(finals[0]) / scale
-    return Limit(steps[0], found, model, abs(finals[0] - found.limit) / scale, known)
+    ratio = (steps[1] / steps[0]) ** min(found.order, FORMAL)
+    step = abs(finals[1] - finals[0]) / (ratio - 1) / scale
+    return Limit(steps[0], found, model, step, SAFETY * step)
 
 
 def told(row: Row) -> str:

@@ -63,6 +63,10 @@ def initial_normal_forces(scene: Scene) -> Vector:
     """The (n, 3) normal forces [N] of contacts and bonds on the spheres as they start."""
     spheres, kn = scene.spheres, scene.contact.kn
     force = _pull(scene)
+    partners: list[list[int]] = [[] for _ in range(len(spheres))]
+    for i, j in scene.bonded.tolist():
+        partners[i].append(j)
+        partners[j].append(i)
     for wall in scene.walls:
         gap = (spheres.position - wall.point) @ wall.normal - spheres.radius
         force += kn * np.maximum(-gap, 0.0)[:, None] * wall.normal
@@ -71,7 +75,7 @@ def initial_normal_forces(scene: Scene) -> Vector:
         distance = np.linalg.norm(offset, axis=1)
         overlap = np.maximum(spheres.radius + spheres.radius[i] - distance, 0.0)
         overlap[i], distance[i] = 0.0, 1.0
-        overlap[scene.bonded[(scene.bonded == i).any(axis=1)]] = 0.0
+        overlap[partners[i]] = 0.0
         force += kn * (overlap / distance)[:, None] * offset
     return force
 
@@ -98,7 +102,9 @@ def released(scene: Scene) -> Scene:
     overlap. Raises ValueError if a body moves along such a direction.
     """
     spheres = scene.spheres
-    applied = initial_normal_forces(scene) + spheres.mass[:, None] * scene.gravity + spheres.load
+    applied = spheres.mass[:, None] * scene.gravity + spheres.load
+    if Term.OBLIQUE_LOCK in scene.terms():  # or else nothing below wants them
+        applied = applied + initial_normal_forces(scene)
     load, free = spheres.load.copy(), np.array(spheres.free)
     partly = spheres.free.any(axis=1) & ~spheres.free.all(axis=1)
     for i in np.flatnonzero(partly):

@@ -140,6 +140,7 @@ class Yade:
         source = scratch / "in-yade.py"
         source.write_text(script())
         framed = [put(ask, scheme) for ask in asks]
+        models = [self.describe(ask, scheme) for ask in asks]
         for file, (ask, _) in zip(files, framed, strict=True):
             file.write_text(json.dumps({**plan(ask, scheme), "repeat": repeat}))
 
@@ -149,8 +150,7 @@ class Yade:
             return external.start(command, scratch, {"VV_YADE": here.path})
 
         def collect(index: int, program: external.Program) -> Run | None:
-            model = self.describe(asks[index], scheme)
-            return parse(files[index], *framed[index], model, program.started)
+            return parse(files[index], *framed[index], models[index], program.started)
 
         yield from external.run_batch(len(asks), launch, collect)
 

@@ -107,8 +107,8 @@ def indicative(every: Sequence[Effort]) -> Iterator[str]:
         here = [e for e in every if (e.case, e.variant) == place]
         wide = max(len(e.label) for e in here)
         yield (
-            f"\n{place[0]}:{place[1]}: not timed; errors, and indicative CPU seconds of runs "
-            "beside others, no ground for ratios"
+            f"\n{place[0]}:{place[1]}: not timed; errors, and indicative seconds of runs "
+            "beside others, elapsed where a code states no more: no ground for ratios"
         )
         for one in here:
             rungs = "; ".join(map(_indicative, one.points))
