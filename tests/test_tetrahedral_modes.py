@@ -1,4 +1,4 @@
-"""Claims about how the tetrahedral unit may move: no mechanism, breathing, and a turn that costs."""
+"""Claims about how the tetrahedral unit may move: no mechanism, breathing, a turn that costs."""
 
 import numpy as np
 import pytest
