@@ -10,7 +10,7 @@ from pathlib import Path
 import vv
 from vv import dem
 from vv.adapter import Found, Scheme
-from vv.ask import Ask, Method, Model, Run
+from vv.ask import Ask, Displacement, Method, Model, Reaction, Run, Velocity
 from vv.scene import Term
 from vv.script import python_script
 from vv.timing import run_timed
@@ -32,8 +32,11 @@ TERMS = frozenset(
         Term.BASE_MOTION,
         Term.BOND,
         Term.BOND_SHEAR,
+        Term.BREAKAGE,
+        Term.CARRIED,
     }
 )
+OBSERVABLES = frozenset({Displacement, Velocity, Reaction})
 KNOBS = ("dt", "kn")
 SCHEMES = (
     Scheme(
@@ -43,6 +46,7 @@ SCHEMES = (
         TERMS,
         KNOBS,
         lowered={Term.RIGID_CONTACT: Method.PENALTY},
+        observables=OBSERVABLES,
     ),
     Scheme(
         "published",
@@ -59,6 +63,7 @@ SCHEMES = (
             Term.SHAKING: Method.FIRST_ORDER,
             Term.BASE_MOTION: Method.FIRST_ORDER,
         },
+        observables=OBSERVABLES,
     ),
 )
 LEAPFROGS: Mapping[str, dem.Leapfrog] = {"default": dem.CENTRED, "published": dem.LAGGED}

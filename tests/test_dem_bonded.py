@@ -11,7 +11,7 @@ from reference_solutions import close_packed_lattice, lattice_material, tetrahed
 from tests.bonded_scenes import CORNERS, EDGES, KN, KS, D, M, elements, tied, unit
 from vv import dem
 from vv.ask import Ask, Displacement, History, Knobs, Run, Status, Velocity
-from vv.dem.bonded import bonded
+from vv.dem.space import space
 from vv.scene import Contact, Scene, Term, Vector, Wall
 from vv.transform import rotated, swapped
 
@@ -166,7 +166,7 @@ def test_the_model_holds_what_the_scene_has() -> None:
     without = dem.prepare(bare, dem.CENTRED)
     assert with_shear.model.terms == {Term.SPHERE, Term.BOND, Term.BOND_SHEAR}
     assert without.model.terms == {Term.SPHERE, Term.BOND}
-    assert without.system.state.ks is None  # type: ignore[union-attr]
+    assert without.system.state.bond_ks is None  # type: ignore[union-attr]
 
 
 def test_the_largest_stable_step_is_the_largest() -> None:
@@ -177,25 +177,13 @@ def test_the_largest_stable_step_is_the_largest() -> None:
     assert dem.solve_default(ask).status is Status.DIVERGED
 
 
-@pytest.mark.parametrize(
-    ("scene", "reason"),
-    [
-        (unit(bonds=tied(pairs=EDGES[:5])), "contact between spheres"),
-        (unit(bonds=tied(tension=8.0)), "bonds that break"),
-        (unit(elements(free_spin=np.ones((4, 3), bool))), "free rotation"),
-        (
-            Scene(
-                (Wall(-D * np.eye(3)[2], np.eye(3)[2]), elements()),
-                Contact(KN),
-                bonds=tied(pairs=EDGES + 1),
-            ),
-            "contact with a plane wall",
-        ),
-    ],
-)
-def test_what_is_not_modelled_beside_bonds_is_refused(scene: Scene, reason: str) -> None:
-    ask = Ask(scene, History(1e-6, 1e-6), (), Knobs(dt=DT))
-    assert reason in (dem.refuses(ask) or "")
+def test_a_bonded_unit_stands_on_a_wall() -> None:
+    """By its weight, shared by three elements."""
+    floor = Wall(np.array([0, 0, -D / 2]), np.array([0.0, 0.0, 1.0]))
+    bonds, weight = tied(pairs=EDGES + 1), 4 * M * 1e5
+    scene = Scene((floor, elements()), Contact(KN, KS, 0.3), 6.0, [0, 0, -1e5], bonds=bonds)  # type: ignore[arg-type]
+    run = dem.solve_default(Ask(scene, History(1e-4, 1e-4), (Displacement(2),), Knobs(dt=DT)))
+    assert run.values[Displacement(2)][-1, 2] == pytest.approx(-weight / 3 / KN, rel=1e-6)
 
 
 @pytest.mark.parametrize("n", [82, 255])
@@ -211,8 +199,7 @@ def test_blocks_come_to_rest_as_the_static_lattice_does(n: int) -> None:
     free[base, 2] = False
     bonds = tied(pairs=block.bonds)
     scene = Scene((elements(block.position, free=free, load=load),), Contact(KN), 6.0, bonds=bonds)
-    system = bonded(scene)
-    assert system is not None
+    system = space(scene)
     path, energy, watched = system.outputs(2, tuple(range(n)))
     rows = system.kernel()(path, energy, watched, 4000, 5e-8, *system.state, 0.5, 0.5)
     assert rows == 2

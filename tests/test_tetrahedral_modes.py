@@ -46,7 +46,7 @@ def test_a_turn_by_a_small_angle_costs_two_ks_d2_of_its_square() -> None:
 
 def test_the_case_throws_the_unit_so_that_it_turns_as_a_whole() -> None:
     """All distances stay, to second order in the angle."""
-    study = CASE.declare("turning", CASE.defaults("turning")).study
+    study = CASE.declare("turned", CASE.defaults("turned")).study
     v = study.scene.spheres.velocity
     i, j = EDGES.T
     rates = np.einsum("bk,bk->b", CORNERS[j] - CORNERS[i], v[j] - v[i])

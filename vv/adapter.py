@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Protocol
 
-from vv.ask import Ask, Method, Model, Run
+from vv.ask import Ask, Displacement, Method, Model, Run, Velocity
 from vv.scene import Term
 
 
@@ -17,6 +17,7 @@ class Scheme:
 
     knobs: names of the fields of Knobs it has. terms: what it supports. method: its class;
     `lowered` names the terms in whose presence it is declared to be of another class.
+    observables: the kinds it can report.
     """
 
     name: str
@@ -25,6 +26,7 @@ class Scheme:
     terms: frozenset[Term]
     knobs: tuple[str, ...] = ("dt",)
     lowered: Mapping[Term, Method] = field(default_factory=dict)
+    observables: frozenset[type] = frozenset({Displacement, Velocity})
 
     def method_for(self, terms: frozenset[Term]) -> Method:
         """The class of the method on a scene with these terms."""
@@ -69,13 +71,16 @@ class Adapter(Protocol):
         """Yield one Run per ask, in order, each as soon as it is there.
 
         scratch: an empty folder of its own. repeat: 0 for one solve; else solves are repeated
-        for about that many CPU seconds and the least is reported in Cost.
+        for about that many CPU seconds and the least is reported in Cost. Nothing but the cost of
+        such a run is used: a code whose solves write nothing while they are timed gives no values.
         """
 
 
 def no_steps(ask: Ask) -> str | None:
-    """Why a stepping scheme cannot answer an ask: a step that does not fit in its duration."""
+    """Why steps do not fit an ask: one too long for its duration, or none to search among."""
     dt = ask.knobs.dt
+    if dt is None and ask.search is not None:
+        return "it has no step, of which the largest stable one is searched"
     if dt is None or ask.goal.steps(dt) > 0:
         return None
     return f"dt = {dt:g} s is longer than the {ask.goal.duration:g} s to be run"
@@ -84,3 +89,9 @@ def no_steps(ask: Ask) -> str | None:
 def unsupported(scheme: Scheme, terms: frozenset[Term]) -> frozenset[Term]:
     """The terms a scene has and a scheme lacks; the framework refuses unless this is empty."""
     return terms - scheme.terms
+
+
+def unseen(scheme: Scheme, ask: Ask) -> str | None:
+    """What an ask wants to see and a scheme does not report; None if there is nothing."""
+    kinds = {type(what) for what in ask.observables} - scheme.observables
+    return ", ".join(sorted(kind.__name__ for kind in kinds)) or None

@@ -17,7 +17,8 @@ class Spheres:
 
     position, velocity, spin: (n, 3) [m, m/s, 1/s]; radius, mass, inertia: (n,)
     [m, kg, kg m2]; load: (n, 3) dead forces [N]. free, free_spin: (n, 3) booleans: the
-    translations and rotations left free, along the scene's axes. Mass and inertia are data,
+    translations and rotations left free, along the scene's axes; a locked translation keeps the
+    velocity that it has. Mass and inertia are data,
     never derived from the radius. Raises ValueError for data no sphere can have.
     """
 

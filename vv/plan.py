@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from vv.adapter import Adapter, Found, Scheme, no_steps, unsupported
+from vv.adapter import Adapter, Found, Scheme, no_steps, unseen, unsupported
 from vv.ask import Ask, Knobs, Method, Run, Status
 from vv.case import Case, Series, Trial
 from vv.project import Project
@@ -77,7 +77,7 @@ def make_plan(project: Project, selection: Sequence[str], options: Options) -> P
     posed = [
         _pose(case, variant, options)
         for case, variant in chosen
-        if options.level is not Level.QUICK or case.variant(variant).quick
+        if case.variant(variant).runs_at(options.level)
     ]
     jobs = [
         job
@@ -185,6 +185,8 @@ def settled(adapter: Adapter, scheme: Scheme, ask: Ask, found: Found) -> Run | N
     if missing:
         terms = ", ".join(sorted(term.value for term in missing))
         return Run(Status.REFUSED, f"{adapter.name}/{scheme.name} does not support: {terms}")
+    if hidden := unseen(scheme, ask):
+        return Run(Status.REFUSED, f"{adapter.name}/{scheme.name} does not report: {hidden}")
     reason = no_steps(ask) or adapter.refuses(ask, scheme.name)
     if reason is not None:
         return Run(Status.REFUSED, reason)

@@ -48,6 +48,7 @@ class Term(enum.Enum):
     BOND = "bonds between spheres"
     BOND_SHEAR = "bonds that resist shear"
     BREAKAGE = "bonds that break"
+    CARRIED = "locked bodies that move steadily"
 
 
 @dataclass(frozen=True)
@@ -116,6 +117,13 @@ class Scene:
         return Spheres(**joined)
 
     @functools.cached_property
+    def carried(self) -> Vector:
+        """(n, 3) the velocity [m/s] of spheres along their locked directions, which they keep."""
+        parts = np.where(self.spheres.free, 0.0, self.spheres.velocity @ self.axes.T)
+        size = np.abs(self.spheres.velocity).max(axis=1, keepdims=True, initial=0.0)
+        return np.asarray(np.where(np.abs(parts) > LOCKED * size, parts, 0.0) @ self.axes)
+
+    @functools.cached_property
     def walls(self) -> tuple[Wall, ...]:
         """All walls, in body order."""
         return tuple(group for group in self.bodies if isinstance(group, Wall))
@@ -168,6 +176,7 @@ class Scene:
             Term.BOND: bonds is not None,
             Term.BOND_SHEAR: bonds is not None and bool(bonds.ks.any()),
             Term.BREAKAGE: bonds is not None and bool(bonds.breakable.any()),
+            Term.CARRIED: bool(self.carried.any()),
         }
         return frozenset(term for term, there in present.items() if there)
 
@@ -197,6 +206,7 @@ class Scene:
         return not aligned and any(mask.any() and not mask.all() for mask in masks)
 
 
+LOCKED = 1e-12  # part of a speed below which its component in a locked direction is rounding
 SEAMLESS = 1e-9  # of kn, ks and the length of a bond: how well contact takes over from it
 
 

@@ -105,8 +105,10 @@ class Liggghts:
             yield from [Run(Status.NOT_INSTALLED, here.how_to_install)] * len(asks)
             return
         models = [self.describe(ask, scheme) for ask in asks]
-        runs = solved(asks, models, scheme, scratch, here.path)
-        yield from timed(list(runs), asks, scheme, scratch, here.path, repeat) if repeat else runs
+        if repeat:
+            yield from timed(asks, models, scheme, scratch, here.path, repeat)
+        else:
+            yield from solved(asks, models, scheme, scratch, here.path)
 
 
 def _notes(ask: Ask, scheme: str) -> list[str]:

@@ -131,6 +131,7 @@ def _second(reason: str) -> Exact:
     bound = Tolerance(1.02 * known, reason, dt=ANGLES[0] / w, order=2)
     return Exact({
         Method.EXACT: Tolerance(1e-11, "rounding of three thousand pieces"),
+        Method.LINEARISED: Tolerance(1e-11, "a bond that does not turn is linear, to rounding"),
         Method.SECOND_ORDER: bound,
         Method.FIRST_ORDER: dataclasses.replace(bound, reason=BALANCED + reason),
     })  # fmt: skip
@@ -147,7 +148,7 @@ KEPT = Invariant(1e-11, "rounding of up to a million steps; nothing else takes e
 THEORY = Tolerance(1e-12, "a leapfrog's phase is known; rounding moves it by 1e-14")
 TURNS = Exact(
     {Method.SECOND_ORDER: THEORY, Method.FIRST_ORDER: THEORY},
-    shown={Method.EXACT: "it takes no steps whose phase would be known"},
+    shown=dict.fromkeys((Method.EXACT, Method.LINEARISED), "it takes no steps of known phase"),
 )
 FAST = {"v_a": -1.0}  # m/s: a tenth of it leaves codes that keep places only a digit less
 LAW = "x = (v_a/w) sin wt, w^2 = kn/m; a leapfrog: x_n = (v_a dt/sin a) sin na, a = 2 asin(w dt/2)"

@@ -28,14 +28,20 @@ def place(
     hold: Vector | None,
     time: float,
     eta: float | None,
+    carried: Vector | None,
 ) -> float:
-    """Set v (m + 1, 3) to the velocity at `time` [s] before t = 0; return sum m v v/2 [J] at 0."""
+    """Set v (m + 1, 3) to the velocity at `time` [s] before t = 0; return sum m v v/2 [J] at 0.
+
+    carried: (m, 3) the part of each velocity that does not change.
+    """
     kinetic = 0.0
     for i in range(len(mass)):
         start = at(velocity, i)
         rate = held(at(force, i), hold, i)
         if eta is not None:
             rate = plus(rate, -eta, start)
+            if carried is not None:
+                rate = plus(rate, eta, at(carried, i))
         put(v, i, plus(start, -time / mass[i], rate))
         kinetic += 0.5 * mass[i] * dot(start, start)
     return kinetic
@@ -51,11 +57,13 @@ def kick(
     dt: float,
     eta: float | None,
     lag: float,
+    carried: Vector | None,
 ) -> Triple:
     """Carry v (m + 1, 3) from half a step before now to half a step after; keep it in before.
 
-    mass: (m,), the moment of inertia where v is a spin. Returns sum m v- v+/2 [J] and the powers
-    [W] lost to the drag D = eta (lag v- + (1 - lag) v+) before and after now: D v-, D v+.
+    mass: (m,), the moment of inertia where v is a spin; carried: see `place`.
+    Returns sum m v- v+/2 [J] and the powers [W] lost to the drag D = eta (lag v- + (1 - lag) v+)
+    before and after now: D v-, D v+.
     """
     kinetic = behind = ahead = 0.0
     for i in range(len(mass)):
@@ -64,6 +72,8 @@ def kick(
             rate = eta * dt / mass[i]
             share = 1.0 / (1.0 + (1.0 - lag) * rate)
             kept = plus(NOWHERE, share * (1.0 - lag * rate), old)
+            if carried is not None:
+                kept = plus(kept, share * rate, at(carried, i))
             new = plus(kept, share * dt / mass[i], push)
             drag = plus(plus(NOWHERE, eta * lag, old), eta * (1.0 - lag), new)
             behind += dot(drag, old)
@@ -74,3 +84,15 @@ def kick(
         put(v, i, new)
         kinetic += 0.5 * mass[i] * dot(old, new)
     return kinetic, behind, ahead
+
+
+@inlined
+def upheld(push: Vector, carried: Vector, eta: float | None) -> float:
+    """The power [W] of what carries bodies at their steady velocities (m, 3) against push."""
+    power = 0.0
+    for i in range(len(carried)):
+        c = at(carried, i)
+        power -= dot(c, at(push, i))
+        if eta is not None:
+            power += eta * dot(c, c)
+    return power

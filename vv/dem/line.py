@@ -95,7 +95,7 @@ def line(scene: Scene) -> Line | None:
     moving = np.flatnonzero(spheres.free.any(axis=1))
     if spheres.free.sum() != 1 or spheres.free_spin.any() or len(spheres) + len(scene.walls) > 2:
         return None
-    if scene.terms() & {Term.SHAKING, Term.BASE_MOTION}:
+    if scene.terms() & {Term.SHAKING, Term.BASE_MOTION, Term.BOND, Term.CARRIED}:
         return None
     i = int(moving[0])
     along = scene.axes[spheres.free[i]][0]

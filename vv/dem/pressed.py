@@ -99,6 +99,8 @@ def pressed(scene: Scene, charged: Vector | None = None) -> Pressed | None:
     (1, 3) [N] at t = 0.
     """
     s = scene.spheres
+    if scene.carried.any():
+        return None
     if len(s) != 1 or len(scene.walls) != 1 or s.free.sum() != 2 or s.free_spin.any():
         return None
     n, locked = scene.walls[0].normal, scene.axes[~s.free[0]][0]

@@ -9,15 +9,15 @@ from typing import Any
 
 import numpy as np
 
-from vv.ask import Ask, Ledger, Model, Run, Status
-from vv.dem.bonded import Bonded, bonded, why_not_bonded
-from vv.dem.leapfrog import Leapfrog
+from vv.ask import Ask, Ledger, Model, Reaction, Run, Status
+from vv.dem.leapfrog import CENTRED, Leapfrog
 from vv.dem.limits import BLOW_UP, GAIN
 from vv.dem.line import Line, line
 from vv.dem.pressed import Pressed, pressed
+from vv.dem.safe import PACKED
 from vv.dem.space import Space, space
 from vv.dem.stability import critical_step
-from vv.scene import Scene, Vector
+from vv.scene import LOCKED, Scene, Vector
 from vv.stand_in import Stood, sprung
 from vv.stand_in import why_not as why_not_rigid
 
@@ -31,12 +31,19 @@ LEDGER = (
     "load potential",
     "less work of shaking",
     "less work of moving walls",
+    "less work of carried bodies",
+    "breaking dissipation, normal",
+    "breaking dissipation, shear",
 )
 EPS = float(np.finfo(float).eps)
 ROUNDINGS = 16  # of the peak energy, allowed for each step
+GAINED = "energy that comes from nowhere [J]"
+"""In a scene with bonds: (w dt)^2/4 of what is held at most, w dt/2 from a start half a step late.
+
+A contact that closes within a step brings kn (v dt)^2/8, which is as much if all is in its motion.
+"""
 COULOMB = 1e-9  # of the largest force: friction is cut to mu N as it is found
 SOFT = 0.1  # of the smallest radius: a deeper overlap is no contact of spheres any more
-LOCKED = 1e-12  # part of a speed below which its component in a locked direction is rounding
 
 
 @dataclass(frozen=True, eq=False)
@@ -49,16 +56,20 @@ class Program:
 
     ask: Ask
     leapfrog: Leapfrog
-    system: Line | Pressed | Space | Bonded
+    system: Line | Pressed | Space
     stood: Stood
 
     @property
     def model(self) -> Model:
         """What was built; unknowns are counted in the arrays that the kernel is given."""
         unknowns = sum(array.size for array in self.system.unknowns)
-        limit = critical_step(self.stood.scene, self.leapfrog)
-        words = (self.system.words, *self.stood.notes, f"largest stable dt {limit:.4g} s")
+        words = (self.system.words, *self.stood.notes, f"largest stable dt {self.limit:.4g} s")
         return Model(unknowns, self.system.terms | self.stood.terms, "; ".join(words))
+
+    @functools.cached_property
+    def limit(self) -> float:
+        """The largest stable step [s]."""
+        return critical_step(self.stood.scene, self.leapfrog)
 
     @functools.cached_property
     def arguments(self) -> tuple[Any, ...]:
@@ -130,12 +141,17 @@ class Program:
             # each step rounds what is held, and every sum of work that it adds to
             rounded = ROUNDINGS * peak + float(np.abs(terms).max())
             bound += rounded * EPS * (self.ask.goal.steps(self.dt) + 1)
+        gap = terms.sum(axis=1) - put_in
+        audits = {} if isinstance(self.system, Line) else dict(_audits(self.stood.scene, terms))
+        if self.stood.scene.bonds is not None:
+            order = 2 if self.leapfrog == CENTRED else 1
+            audits[GAINED] = float(gap.max(initial=0.0)), peak * (self.dt / self.limit) ** order
         return Ledger(
             terms=dict(zip(LEDGER[: terms.shape[1]], terms[-1].tolist(), strict=True)),
-            unaccounted=float(np.abs(terms.sum(axis=1) - put_in).max()),
+            unaccounted=float(np.abs(gap).max()),
             peak=peak,
             bound=bound,
-            audits={} if isinstance(self.system, Line) else dict(_audits(self.stood.scene, terms)),
+            audits=audits,
         )
 
 
@@ -143,7 +159,9 @@ def prepare(ask: Ask, leapfrog: Leapfrog) -> Program:
     """The program of an ask, with the smallest model its scene allows."""
     stood = sprung(ask)
     scene, charged = stood.scene, stood.charged
-    system = bonded(scene) or line(scene) or pressed(scene, charged) or space(scene, charged)
+    if any(isinstance(what, Reaction) for what in ask.observables):
+        return Program(ask, leapfrog, space(scene, charged), stood)
+    system = line(scene) or pressed(scene, charged) or space(scene, charged)
     return Program(ask, leapfrog, system, stood)
 
 
@@ -163,11 +181,11 @@ def refuses(ask: Ask) -> str | None:
         return "Knobs.dt is None; an explicit scheme needs a step"
     if goal.steps(dt) == 0:
         return f"dt = {dt!r} s leaves no step in History.duration = {goal.duration!r} s"
-    reason = why_not_rigid(ask) or why_not_bonded(ask.scene)
+    reason = why_not_rigid(ask)
     if reason is not None:
         return reason
     scene = sprung(ask).scene
-    return _moves_where_locked(scene) or _coincident(scene)
+    return _spins_where_locked(scene) or _coincident(scene) or _unknown_reaction(ask, scene)
 
 
 def unstable(ask: Ask, leapfrog: Leapfrog) -> str | None:
@@ -183,7 +201,7 @@ def unstable(ask: Ask, leapfrog: Leapfrog) -> str | None:
     rule = "2 (sqrt(n^2 + w^2) - n)/w^2, n = eta/2m" if late else "2/w"
     return (
         f"dt = {dt:.6g} s is beyond the largest stable step {limit:.6g} s = {rule}, w the highest "
-        "frequency of its contacts"
+        f"frequency of its contacts; {PACKED * limit:.3g} s is safe however like spheres touch"
     )
 
 
@@ -205,22 +223,32 @@ def _audits(scene: Scene, terms: Vector) -> Iterator[tuple[str, tuple[float, flo
         yield "Coulomb: friction beyond mu N [N]", (max(beyond, 0.0), COULOMB * float(push.max()))
 
 
-def _moves_where_locked(scene: Scene) -> str | None:
+def _spins_where_locked(scene: Scene) -> str | None:
     spheres = scene.spheres
-    for name, free in (("velocity", spheres.free), ("spin", spheres.free_spin)):
-        parts = getattr(spheres, name) @ scene.axes.T
-        size = np.abs(parts).max(axis=1, keepdims=True)
-        for i, axis in np.argwhere(~free & (np.abs(parts) > LOCKED * size))[:1]:
-            along = f"{parts[i, axis]:.6g} along a locked axis"
-            return f"Spheres.{name}[{i}] has {along}; a locked body must be at rest there"
+    parts = spheres.spin @ scene.axes.T
+    size = np.abs(parts).max(axis=1, keepdims=True, initial=0.0)
+    for i, axis in np.argwhere(~spheres.free_spin & (np.abs(parts) > LOCKED * size))[:1]:
+        along = f"{parts[i, axis]:.6g} 1/s along a locked axis"
+        return f"Spheres.spin[{i}] has {along}; a locked body must not turn there"
     return None
 
 
 def _coincident(scene: Scene) -> str | None:
     position = scene.spheres.position
-    i, j = np.triu_indices(len(position), 1)
-    same = np.flatnonzero(~(position[i] - position[j]).any(axis=1))
+    order = np.lexsort(position.T)
+    same = np.flatnonzero(~np.diff(position[order], axis=0).any(axis=1))
     if len(same):
-        first, second = i[same[0]], j[same[0]]
+        first, second = np.sort(order[same[0] : same[0] + 2])
         return f"spheres {first} and {second} have one centre; a contact needs a normal"
+    return None
+
+
+def _unknown_reaction(ask: Ask, scene: Scene) -> str | None:
+    """The forces on all bodies that stay in place are summed up in one row."""
+    for what in ask.observables:
+        if isinstance(what, Reaction):
+            i = scene.sphere_index(what.body)
+            moving = scene.spheres.free[i].any() or scene.spheres.free_spin[i].any()
+            if not (moving or scene.carried[i].any()):
+                return f"the reaction on body {what.body}, which cannot move, is not modelled"
     return None

@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from vv.ask import Displacement, Observable
+from vv.ask import Displacement, Observable, Reaction
+from vv.dem.bonded import Near, bonded, near
 from vv.dem.leapfrog import Leapfrog
 from vv.dem.rows import projected, projectors, triple
 from vv.scene import Harmonic, Mask, Scene, Term, Vector
@@ -41,6 +42,11 @@ class SpaceState(NamedTuple):
     shaking: Drive | None
     base: tuple[Drive, Starts] | None
     grounds: Index | None
+    carried: Vector | None
+    springs: tuple[Index, Vector, Vector, Vector, Vector, Vector] | None
+    bond_ks: Vector | None
+    frail: tuple[Vector, Vector, float, Index] | None
+    near: Near | None
 
 
 @dataclass(frozen=True, eq=False)
@@ -61,10 +67,11 @@ class Space:
     def outputs(self, rows: int, spheres: tuple[int, ...]) -> tuple[Vector | Index, ...]:
         """What the kernel fills, path and energy, and the rows it watches."""
         watched = self.row[np.array(spheres, np.intp)]
-        width = 3 + 3 * len(self.unknowns)
-        driven = self.state.shaking is not None or self.state.base is not None
-        energy = np.empty((rows, 9 if driven else 7))
-        return np.empty((rows, len(watched), width)), energy, watched
+        s = self.state
+        width = 3 + 3 * len(self.unknowns) + (0 if s.hold is None else 3)
+        books = 9 if s.shaking is not None or s.base is not None else 7
+        books = 12 if s.carried is not None or s.frail is not None else books
+        return np.empty((rows, len(watched), width)), np.zeros((rows, books)), watched
 
     def kernel(self) -> Callable[..., int]:
         """The compiled kernel; the first call imports numba."""
@@ -74,21 +81,24 @@ class Space:
 
     def observed(self, path: Vector, index: int, sphere: int, what: Observable) -> Vector:
         """An observable (k, 3) of a sphere, which was the index-th one watched."""
+        if isinstance(what, Reaction):
+            held = self.state.hold is not None
+            return np.array(path[:, index, -3:]) if held else np.zeros((len(path), 3))
         first = 0 if isinstance(what, Displacement) else 3
         return np.array(path[:, index, first : first + 3])
 
     def held(self, path: Vector, energy: Vector) -> Vector:
-        """The ledger's terms [J], (k, 7), or (k, 9) where something is driven."""
-        signs = np.array([1.0, 1.0, 1.0, 1.0, 1.0, -1.0, -1.0, -1.0, -1.0])
+        """The ledger's terms [J], (k, 7), (k, 9) or (k, 12) as the kernel wrote them."""
+        signs = np.array([1.0] * 5 + [-1.0] * 5 + [1.0] * 2)
         return np.asarray(energy * signs[: energy.shape[1]] + 0.0)
 
     def put_in(self, energy: Vector) -> float:
-        """Kinetic and elastic energy [J] at t = 0."""
+        """Kinetic and elastic energy [J] at t = 0, of bonds that break at once too."""
         s = self.state
         kinetic = 0.5 * float(s.mass @ (s.velocity**2).sum(axis=1))
         if s.spin is not None:
             kinetic += 0.5 * float(s.inertia @ (s.spin**2).sum(axis=1))
-        return kinetic + float(energy[0, 1]) + float(energy[0, 2])
+        return kinetic + float(energy[0, 1] + energy[0, 2] + energy[0, 10:].sum())
 
     def bound(self, energy: Vector, leapfrog: Leapfrog, dt: float) -> float | None:
         """None: where contacts turn, the energy is near one conserved but no bound is known."""
@@ -99,18 +109,22 @@ def space(scene: Scene, charged: Vector | None = None) -> Space:
     """The general model, without what the scene does not have.
 
     charged: friction (n, 3) [N] of each sphere with its wall, of which there is one, at t = 0.
-    Rotation is left out where no friction can change it: no observable shows it.
+    Rotation is left out where no friction or bond can change it: no observable shows it.
     """
-    spheres, contact = scene.spheres, scene.contact
-    moves: Mask = np.any([spheres.free.any(axis=1), spheres.free_spin.any(axis=1)], axis=0)
+    spheres, contact, carried = scene.spheres, scene.contact, scene.carried
+    moves: Mask = np.any([spheres.free, spheres.free_spin, carried != 0.0], axis=(0, 2))
     row = np.where(moves, np.cumsum(moves) - 1, moves.sum())
-    pairs, walls = _pairs(scene, moves, row), _walls(scene, moves, row)
-    rubs = Term.FRICTION in scene.terms() and (pairs is not None or walls is not None)
-    turns = rubs and Term.ROTATION in scene.terms()
+    close, bonds = near(scene, moves, row), bonded(scene, moves, row)
+    pairs = _pairs(scene, moves, row) if scene.bonds is None and close is None else None
+    walls = _walls(scene, moves, row)
+    touches = pairs is not None or close is not None
+    rubs = Term.FRICTION in scene.terms() and (touches or walls is not None)
+    turns = Term.ROTATION in scene.terms() and (rubs or bonds.ks is not None)
     load = spheres.load[moves]
     base = None if walls is None else _base(scene)
     state = SpaceState(
-        velocity=projected(spheres.velocity[moves], scene.axes, spheres.free[moves]),
+        velocity=projected(spheres.velocity[moves], scene.axes, spheres.free[moves])
+        + carried[moves],
         spin=projected(spheres.spin[moves], scene.axes, spheres.free_spin[moves])
         if turns
         else None,
@@ -129,9 +143,14 @@ def space(scene: Scene, charged: Vector | None = None) -> Space:
         shaking=_shaking(scene.shaking),
         base=base,
         grounds=None if base is None else _grounds(scene, moves),
+        carried=carried[moves] if carried.any() else None,
+        springs=bonds.springs,
+        bond_ks=bonds.ks,
+        frail=bonds.frail,
+        near=close,
     )
     left_out = {
-        Term.SPHERE_CONTACT: pairs is None,
+        Term.SPHERE_CONTACT: not touches,
         Term.WALL_CONTACT: walls is None,
         Term.FRICTION: not rubs,
         Term.ROTATION: not turns,
@@ -140,7 +159,9 @@ def space(scene: Scene, charged: Vector | None = None) -> Space:
     terms = frozenset(term for term in scene.terms() if not left_out.get(term, False))
     count = len(state.velocity)
     words = f"{3 * count * (2 if turns else 1)} unknowns: {count} moving spheres"
-    return Space(row, state, terms, words + (" that turn" if turns else ""))
+    words += " that turn" if turns else ""
+    words += "" if bonds.springs is None else f", {len(bonds.springs[0])} bonds"
+    return Space(row, state, terms, words)
 
 
 def _shaking(motion: Harmonic | None) -> Drive | None:
