@@ -1,4 +1,4 @@
-"""Four bonded elements: at rest under an axial force, and breathing at finite amplitude."""
+"""Four bonded elements: at rest under an axial force, breathing, and turned as a whole."""
 
 from __future__ import annotations
 
@@ -36,6 +36,7 @@ CORNERS = np.array(
     ]
 )  # of the top and of the base, in diameters
 OUT = CORNERS - CORNERS.mean(axis=0)
+ROUND = np.cross([0.0, 0.0, 1.0], OUT)
 EDGES = np.array([[0, 1], [0, 2], [0, 3], [1, 2], [2, 3], [3, 1]])
 BASE = np.array([[True, True, True], *[[True, True, False]] * 3])
 SEEN = tuple(Displacement(i) for i in range(4))
@@ -154,22 +155,26 @@ def _told(name: str, fz: float, d: float, dz: float, stretch: Vector, across: Ve
     return float(told[name])
 
 
-def _breathing(p: Parameters) -> Trial:
-    w = 2 * np.sqrt(p["kn"] / p["m"])
-    scene = _scene(p, 0.0, velocity=p["d"] * p["strain"] * w * OUT)
-    parts = tuple(_part(p, w, body, np.argmax(np.abs(OUT[body])).item()) for body in range(4))
+def _swinging(p: Parameters, shape: Vector, stiffness: float) -> Trial:
+    """Thrown in a shape (4, 3) in which it swings at 2 sqrt(stiffness/m), strain its size."""
+    w = 2 * np.sqrt(stiffness / p["m"])
+    scene = _scene(p, 0.0, velocity=p["d"] * p["strain"] * w * shape)
+    sizes = p["d"] * p["strain"] * shape
+    largest = np.abs(shape).argmax(axis=1)
+    parts = tuple(
+        _part(w, sizes, body, axis.item()) for body, axis in enumerate(largest) if sizes[body].any()
+    )
     return Trial(Ladder(scene, SWING, SEEN, _levels(1e-8)), parts)
 
 
-def _part(p: Parameters, w: float, body: int, axis: int) -> Series:
-    size = p["d"] * p["strain"] * OUT[body, axis]
+def _part(w: float, sizes: Vector, body: int, axis: int) -> Series:
     return Series(
         f"u{body}{'xyz'[axis]}",
         f"u_{body}{'xyz'[axis]}",
         "m",
         f"displacement of element {body} along {'xyz'[axis]}",
         _along(SEEN[body], axis),
-        lambda t: size * np.sin(w * t),
+        lambda t: sizes[body, axis] * np.sin(w * t),
         SWUNG,
     )
 
@@ -179,7 +184,11 @@ def _along(what: Displacement, axis: int) -> Callable[[Run], Vector]:
 
 
 def _declare(variant: str, p: Parameters) -> Trial:
-    return _breathing(p) if variant == "breathing" else _at_rest(p, variant == "turning")
+    if variant == "breathing":
+        return _swinging(p, OUT, p["kn"])
+    if variant == "turned":
+        return _swinging(p, ROUND, p["gamma"] * p["kn"])
+    return _at_rest(p, variant == "turning")
 
 
 def _levels(coarsest: float) -> dict[Level, tuple[Knobs, ...]]:
@@ -248,6 +257,11 @@ VARIANTS = (
         "breathing", "free in space, all bonds swing as one; no bond turns, at any amplitude",
         "L = d (1 + A sin 2 sqrt(kn/m) t)", {"strain": 0.01, "eta": 0.0},
         inert=frozenset({"gamma"}),
+    ),
+    Variant(
+        "turned", "turned as a whole: elements that do not turn resist it, an artefact",
+        "2 ks d^2 a^2 of energy at an angle a, which swings at 2 sqrt(ks/m)",
+        {"eta": 0.0},
     ),
 )  # fmt: skip
 CASE = Case(
