@@ -125,7 +125,7 @@ CASE = Case(
     ),
     variants=tuple(
         Variant(f"xi-{xi:g}", f"sides that open by {xi:g} rad", FORMULA, {"xi": xi},
-                frozenset({"xi"}), xi != 0.1)
+                frozenset({"xi"}), Level.DEFAULT if xi == 0.1 else Level.QUICK)
         for xi in (1.0, 0.1, 0.01)
     ),
     declare=_declare,
