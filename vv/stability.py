@@ -137,7 +137,7 @@ def _maps(manifest: Json) -> Iterator[Told]:
 
 def _error(record: Json) -> float:
     """The largest error of a point of a map; inf where it has none."""
-    errors = [entry["errors"].get("max") for entry in record["quantities"]]
+    errors = [entry["errors"].get("max") for entry in record["quantities"] if entry["errors"]]
     return max((math.inf if e is None else e for e in errors), default=math.inf)
 
 
