@@ -155,7 +155,7 @@ def balance(bound: float, slack: str = "") -> Scalar:
     orders = {Method.SECOND_ORDER: 2, Method.FIRST_ORDER: 1}
     within = {m: Tolerance(bound, BOOKED, dt=1e-8, order=n, slack=slack) for m, n in orders.items()}
     what = "energy that no term explains, over the largest held"
-    return Scalar("balance", "|E - W|/W", "", what, open_by, 0.0, 1.0, Exact(within))
+    return Scalar("balance", "|E - W|/W", "", what, open_by, 0.0, 1.0, Exact(within), booked=True)
 
 
 def _declare(variant: str, p: Parameters) -> Trial:

@@ -9,10 +9,11 @@ import pytest
 
 from cases.close_packed_lattice import CASE
 from vv import dem
-from vv.ask import Ask, Knobs, Method, Run, Status
-from vv.case import Exact, Scalar, Trial
+from vv.ask import Ask, Knobs, Ledger, Method, Run, Status
+from vv.case import Exact, Scalar, Tolerance, Trial
 from vv.plan import Options, make_plan
 from vv.project import find
+from vv.record import measured
 from vv.study import Level
 
 TRIAL = CASE.declare("82", CASE.defaults("82"))
@@ -63,3 +64,17 @@ def test_the_costly_blocks_wait_for_the_level_paper() -> None:
     assert shown[Level.QUICK] == {"82"}
     assert shown[Level.DEFAULT] == {"82", "255", "580", "1105", "82-turning"}
     assert all(v.runs_at(Level.PAPER) for v in CASE.variants)
+
+
+def test_a_balance_is_judged_only_where_energies_are_stated() -> None:
+    def loss(run: Run) -> float:
+        return run.ledger.unaccounted if run.ledger else float("nan")
+
+    judge = Exact({Method.SECOND_ORDER: Tolerance(1e-12, "no energy is lost")})
+    balance = Scalar("balance", "", "J", "", loss, 0.0, 1.0, judge, booked=True)
+    ledger = Ledger({"kinetic": 1.0}, unaccounted=0.5, peak=1.0)
+    for run, verdict in (
+        (Run(Status.RAN, ledger=ledger), "fail"),
+        (Run(Status.RAN), "no-reference"),
+    ):
+        assert measured(run, balance, Method.SECOND_ORDER, Knobs())[0]["verdict"] == verdict

@@ -158,7 +158,10 @@ class Series:
 
 @dataclass(frozen=True)
 class Scalar:
-    """A number from a run; scale (never zero) turns its error into a relative one."""
+    """A number from a run; scale (never zero) turns its error into a relative one.
+
+    booked: it is read from the ledger, which not every code keeps; without one it is shown only.
+    """
 
     name: str
     symbol: str
@@ -168,6 +171,7 @@ class Scalar:
     reference: float | None
     scale: float
     judge: Judge
+    booked: bool = False
 
     def __post_init__(self) -> None:
         _require_answer(self.name, self.reference, self.judge)

@@ -35,6 +35,9 @@ NORMS = {
 }
 
 
+UNBOOKED = Shown("the code keeps no account of energies that could be closed")
+
+
 class Verdict(enum.Enum):
     """What a quantity of a run is worth; the value is the word in records."""
 
@@ -87,6 +90,8 @@ def measured(
 ) -> tuple[dict[str, Any], dict[str, Vector]]:
     """A quantity of a run as a record entry, and the arrays of its series."""
     judge = judge_of(quantity.judge, method)
+    if isinstance(quantity, Scalar) and quantity.booked and run.ledger is None:
+        judge = UNBOOKED
     entry: dict[str, Any] = {
         "name": quantity.name,
         "kind": type(quantity).__name__.lower(),
