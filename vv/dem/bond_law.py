@@ -1,4 +1,4 @@
-"""The springs of bonds, and how a bond that breaks goes over into contact; inlined into kernels."""
+"""The springs of bonds, and how a bond that breaks goes over into contact; parts of kernels."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ import math
 import numpy as np
 import numpy.typing as npt
 
-from vv.compiled import inlined
+from vv.compiled import called, inlined
 from vv.dem.neighbours import Slots, State
 from vv.scene import Vector
 from vv.triples import NOWHERE, Triple, at, cross, dot, plus, put
@@ -45,7 +45,7 @@ def charged(s: Triple, m: Triple, half: Triple) -> Triple:
     return plus(plus(s, 1.0, m), -share, half)
 
 
-@inlined
+@called
 def parted(
     p: int,
     along: float,
@@ -143,7 +143,8 @@ def pull(
             across = plus(NOWHERE, ks[p], s)
         if frail is not None:
             shear = frail[1][p] - frail[2] * along
-            if along > frail[0][p] or shear < 0.0 or dot(across, across) > shear * shear:
+            beyond = (shear < 0.0) | (dot(across, across) > shear * shear)
+            if (along > frail[0][p]) | beyond:  # of three tests that rarely hold, one branch
                 broken[p] = 1
                 along, kept = parted(
                     p, along, stretch, dot(step, n), across, s, m, springs, frail, slots, many, lost
