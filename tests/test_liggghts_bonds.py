@@ -81,3 +81,28 @@ def test_it_moves_as_bonds_do_but_for_the_overlap_s_part(tmp_path: Path) -> None
     for what, values in run.values.items():
         size = np.abs(truth.values[what]).max()
         assert np.abs(values - truth.values[what]).max() < 5e-4 * size, what
+
+
+@live
+def test_bonds_without_shear_springs_are_harmonic_bonds(tmp_path: Path) -> None:
+    """Of unlike springs and lengths, far from small motions."""
+    bonds = tied(ks=0.0, kn=KN * np.linspace(0.5, 1.5, 6), length=D * np.linspace(0.99, 1.01, 6))
+    thrown = elements(velocity=np.random.default_rng(1).normal(size=(4, 3)) * 20.0)
+    one, other = ask(unit(thrown, bonds)), ask(pulled(bonds=tied(ks=0.0)))
+    assert ADAPTER.refuses(one, "default") is None
+    runs = ADAPTER.run([one, other, one], "default", tmp_path, 0.0)
+    for asked, run in zip((one, other, one), runs, strict=True):
+        assert run.status is Status.RAN, run.reason
+        truth = dem.solve_default(asked)
+        for what, values in run.values.items():
+            size = np.abs(truth.values[what]).max()
+            allowed = 1e-9 if asked is one else 2e-2  # drag is half a step late
+            assert np.abs(values - truth.values[what]).max() < allowed * size, what
+
+
+def test_harmonic_bonds_take_no_contacts_beside() -> None:
+    beside = ask(unit(bonds=tied(pairs=EDGES[:5], ks=0.0)))
+    assert "contacts beside bonds" in (ADAPTER.refuses(beside, "default") or "")
+    sheared = ADAPTER.schemes[0].terms
+    assert Term.BOND in sheared
+    assert Term.BOND_SHEAR not in sheared

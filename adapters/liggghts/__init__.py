@@ -45,9 +45,10 @@ TERMS = frozenset(
         Term.OBLIQUE_LOCK,
         Term.SHAKING,
         Term.BASE_MOTION,
+        Term.BOND,
     }
 )
-ON_CORNERS = (TERMS | STANDS_IN) - {Term.SPHERE, Term.SPHERE_CONTACT, Term.DRAG}
+ON_CORNERS = (TERMS | STANDS_IN) - {Term.SPHERE, Term.SPHERE_CONTACT, Term.DRAG, Term.BOND}
 ON_BONDS = frozenset({Term.SPHERE, Term.DRAG, Term.GRAVITY, Term.LOAD, Term.BOND, Term.BOND_SHEAR})
 KNOBS = ("dt", "kn")
 SCHEMES = (
@@ -127,7 +128,12 @@ def _notes(ask: Ask, scheme: str) -> list[str]:
     scene = represented(ask, scheme if leaning else PLAIN)
     turning, moved = spinning(scene.spheres), moving(scene.spheres)
     said = {
-        "pair gran, hooke/stiffness: kn is the contact's stiffness, nothing is damped": True,
+        "pair gran, hooke/stiffness: kn is the contact's stiffness, nothing is damped": (
+            scene.bonds is None
+        ),
+        "bond_style harmonic, which has no shear spring, of the coefficient kn/2; no pair_style": (
+            scene.bonds is not None
+        ),
         "fix rigid: one body in six freedoms, those locked without force or torque": rigid,
         "fix nve: all three translations, no rotation": (
             bool((moved & ~turning).any()) and not rigid
