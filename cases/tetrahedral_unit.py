@@ -245,7 +245,7 @@ VARIANTS = (
     *(
         Variant(
             f"gamma-{gamma:g}", f"ks = {gamma:g} kn, pulled", PATH, {"gamma": gamma},
-            inert=IN_BALANCE, level=Level.DEFAULT,
+            inert=IN_BALANCE, level=Level.DEFAULT if gamma else Level.QUICK,
         )
         for gamma in (0.0, 0.25, 0.5, 1.0)
     ),
