@@ -5,7 +5,7 @@ from __future__ import annotations
 import dataclasses
 import functools
 import time
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 
 import vv
@@ -18,13 +18,25 @@ from vv.timing import timed
 SCHEMES = (
     Scheme(
         "default",
-        "from event to located event by Taylor series, in scenes whose contact normals stay; "
-        "in rigid contact one body that slips along a line",
+        "from event to located event by Taylor series, in scenes whose contact normals and bonds "
+        "stay; in rigid contact one body that slips along a line",
         Method.EXACT,
         exact.TERMS,
         knobs=(),
     ),
+    Scheme(
+        "linearised",
+        "bonds to first order in the displacements, as if they did not turn, by Taylor series",
+        Method.LINEARISED,
+        exact.BONDS,
+        knobs=(),
+    ),
 )
+PREPARE: Mapping[str, exact.Prepare] = {
+    "default": exact.prepare,
+    "linearised": exact.prepare_linearised,
+}
+SOLVE = {"default": "solve", "linearised": "solve_linearised"}
 
 
 class Exact:
@@ -39,15 +51,15 @@ class Exact:
 
     def refuses(self, ask: Ask, scheme: str) -> str | None:
         """Why a scene is outside the engine's class."""
-        return exact.refusal(ask)
+        return exact.refusal(ask, PREPARE[scheme])
 
     def describe(self, ask: Ask, scheme: str) -> Model:
         """The smallest model of the scene; raises RefusedError if it has none."""
-        return exact.model(ask.scene, exact.prepare(ask))
+        return exact.model(ask.scene, PREPARE[scheme](ask))
 
     def native(self, ask: Ask, scheme: str) -> str:
         """A Python script that calls the engine."""
-        return python_script(ask, "vv.exact", "solve")
+        return python_script(ask, "vv.exact", SOLVE[scheme])
 
     def run(self, asks: Sequence[Ask], scheme: str, scratch: Path, repeat: float) -> Iterator[Run]:
         """Solve the asks in this process.
@@ -57,15 +69,15 @@ class Exact:
         """
         for ask in asks:
             try:
-                yield _run(ask, repeat)
+                yield _run(ask, PREPARE[scheme], repeat)
             except exact.RefusedError as reason:
                 yield Run(Status.REFUSED, str(reason))
 
 
-def _run(ask: Ask, repeat: float) -> Run:
+def _run(ask: Ask, prepare: exact.Prepare, repeat: float) -> Run:
     """One ask, part by part on the clock."""
     started = time.process_time()
-    problem = exact.prepare(ask)
+    problem = prepare(ask)
     setup = time.process_time() - started
     try:
         path, cost = timed(functools.partial(exact.move, problem, exact.duration(ask)), repeat)

@@ -1,7 +1,9 @@
 """Seeds bugs one at a time and counts which the gate catches: plausible ones, then mechanical ones.
 
 `python -m bench.mutations` runs all; `--seeded` the plausible bugs only; `--each N` sets how many
-mechanical mutants a kernel gets. The bar is that the gate catches every seeded bug.
+mechanical mutants a kernel gets; `--files PATTERN` which kernels. A bug is caught if the gate is
+red for an answer that is wrong, gains energy, crashes or hangs; hangs are counted apart. The bar
+is that the gate catches every seeded bug, and is green for every code without one.
 """
 
 import argparse
@@ -14,10 +16,12 @@ import subprocess
 import sys
 import tempfile
 from collections.abc import Iterator
+from fnmatch import fnmatch
 from pathlib import Path
 
 from bench.evidence import conclude
 from bench.seeded_bugs import BUGS, Bug
+from vv.finding import Bit
 
 ROOT = Path(__file__).parents[1]
 CONTENT = ("vv", "adapters", "cases", "reference_solutions", "reports", "pyproject.toml")
@@ -31,8 +35,8 @@ KERNELS = {  # code: folder, files
         "vv/exact",
         ("flow", "modes", "roots", "path", "clock", "slide", "slide_path", "slider"),
     ),
-    "dda": ("vv/blocks", ("dda_point_kernel", "dda_law")),
-    "rigid": ("vv/blocks", ("point_kernel", "point_trial", "slip")),
+    "dda": ("vv/blocks", ("dda_point_kernel", "dda_kernel", "dda_law")),
+    "rigid": ("vv/blocks", ("point_kernel", "rigid_kernel", "point_trial", "slip")),
 }  # fmt: skip
 QUICKEST = (
     "single-contact",
@@ -43,6 +47,7 @@ QUICKEST = (
     "bounce:again",
 )
 # First the short cases, where kernels need no compiling; then, for what survives that, all.
+HANGS = "hangs"
 STAGES: tuple[tuple[tuple[str, ...], dict[str, str]], ...] = (
     (QUICKEST, {"NUMBA_DISABLE_JIT": "1"}),
     ((), {}),
@@ -77,20 +82,27 @@ def caught(bug: Bug, text: str) -> str:
             else:
                 shutil.copy(source, copy / name)
         (copy / bug.file).write_text(text)
-        return next((seen for stage in STAGES if (seen := _gate(copy, bug.code, *stage))), "")
+        seen = (_gate(copy, bug.code, number, *stage) for number, stage in enumerate(STAGES))
+        return next(filter(None, seen), "")
 
 
-def _gate(copy: Path, code: str, selection: tuple[str, ...], settings: dict[str, str]) -> str:
+def _gate(
+    copy: Path, code: str, number: int, selection: tuple[str, ...], settings: dict[str, str]
+) -> str:
+    """What the gate says of the copy at a stage; a stage does not see what one before it kept."""
     words = ["gate", *selection, "--codes", code, "--level", "quick", "--require", code]
-    env = {**os.environ, "PYTHONPATH": str(copy), "VV_DATA": str(copy / "data"), **settings}
+    data = str(copy / f"data-{number}")
+    env = {**os.environ, "PYTHONPATH": str(copy), "VV_DATA": data, **settings}
     try:
         done = subprocess.run(
             [sys.executable, "-m", "vv", *words, "--timeout", "60"],
             cwd=copy, env=env, capture_output=True, check=False, timeout=300,
         )  # fmt: skip
     except subprocess.TimeoutExpired:
-        return "hangs"
-    return f"exit {done.returncode}" if done.returncode else ""
+        return HANGS
+    if done.returncode & (Bit.ACCURACY | Bit.CONSERVATION | Bit.CRASH):
+        return f"exit {done.returncode}"
+    return HANGS if done.returncode & Bit.TIMEOUT else ""
 
 
 def seeded() -> Iterator[tuple[Bug, str]]:
@@ -123,7 +135,7 @@ def _turnable(node: ast.AST) -> bool:
 
 def _turned(tree: ast.Module, node: ast.AST, file: str, code: str) -> tuple[Bug, str]:
     """The file's text with one node changed; the tree is left as it was."""
-    where = f"{file}:{getattr(node, 'lineno', 0)}"
+    where = f"{file}:{getattr(node, 'lineno', 0)}:{getattr(node, 'col_offset', 0)}"
     if isinstance(node, ast.Constant):
         value = node.value
         assert isinstance(value, float)
@@ -148,15 +160,24 @@ def _arrow(old: ast.AST, new: ast.AST) -> str:
     return f"{SYMBOLS[type(old)]} -> {SYMBOLS[type(new)]}"
 
 
-def survivors(mutants: list[tuple[Bug, str]]) -> list[str]:
-    """What the gate does not see, of a list of mutants, two at a time."""
-    left = []
+def answers(mutants: list[tuple[Bug, str]]) -> dict[str, str]:
+    """What the gate says of each mutant, two at a time."""
+    told = {}
     with concurrent.futures.ThreadPoolExecutor(len(os.sched_getaffinity(0))) as pool:
-        answers = pool.map(lambda mutant: caught(*mutant), mutants)
-        for (bug, _), answer in zip(mutants, answers, strict=True):
+        every = pool.map(lambda mutant: caught(*mutant), mutants)
+        for (bug, _), answer in zip(mutants, every, strict=True):
             print(f"{answer or 'SURVIVES':<9} {bug.code:<9} {bug.what}", flush=True)
-            left += [] if answer else [bug.what]
-    return left
+            told[bug.what] = answer
+    return told
+
+
+def unharmed() -> list[tuple[Bug, str]]:
+    """For every code a kernel as it is: what the gate must not see."""
+    first = {bug.code: bug for bug in (*BUGS, *(bug for bug, _ in mechanical(1)))}
+    return [
+        (Bug(f"nothing, {code}", bug.file, code, "", ""), (ROOT / bug.file).read_text())
+        for code, bug in first.items()
+    ]
 
 
 def main() -> None:
@@ -164,21 +185,24 @@ def main() -> None:
     parser = argparse.ArgumentParser()
     parser.add_argument("--seeded", action="store_true", help="the plausible bugs only")
     parser.add_argument("--each", type=int, default=10, help="mechanical mutants a kernel")
+    parser.add_argument("--files", default="*", help="kernels to mutate, such as 'vv/dem/*'")
     options = parser.parse_args()
-    plausible = list(seeded())
-    plain = caught(
-        Bug("nothing", "vv/dem/line_kernel.py", "dem", "", ""),
-        (ROOT / "vv/dem/line_kernel.py").read_text(),
-    )
-    escaped = survivors(plausible)
-    figures = {"seeded": len(plausible), "seeded, not caught": escaped, "without a bug": plain}
+    figures: dict[str, object] = {}
+    control, plausible = answers(unharmed()), answers(list(seeded()))
+    escaped = [what for what, answer in plausible.items() if not answer]
+    red = [what for what, answer in control.items() if answer]
+    figures |= {"seeded": len(plausible), "seeded, not caught": escaped, "red without a bug": red}
     if not options.seeded:
-        mutants = list(mechanical(options.each))
-        left = survivors(mutants)
-        figures["mechanical"] = len(mutants)
-        figures["mechanical, not caught"] = left
-        figures["survival rate"] = len(left) / len(mutants)
-    bars = {"the gate catches every seeded bug": not escaped, "and is green without": not plain}
+        wanted = [m for m in mechanical(options.each) if fnmatch(m[0].file, options.files)]
+        told = answers(wanted)
+        left = [what for what, answer in told.items() if not answer]
+        figures |= {
+            "mechanical": len(told),
+            "mechanical, not caught": left,
+            "mechanical, hang": [what for what, answer in told.items() if answer == HANGS],
+            "survival rate": len(left) / len(told),
+        }
+    bars = {"the gate catches every seeded bug": not escaped, "and is green without": not red}
     conclude("mutations", figures, bars)
 
 

@@ -19,7 +19,7 @@ LAW = "vv/dem/contact_law.py"
 FRICTION = "vv/dem/friction.py"
 ADVANCE = "vv/dem/advance.py"
 TRANSLATE = "adapters/yade/translate.py"
-DRIVER = "adapters/yade/driver.py"
+ENGINES = "adapters/yade/inside/engines.py"
 DECK = "adapters/liggghts/deck.py"
 
 BUGS = (
@@ -46,8 +46,8 @@ BUGS = (
     Bug("wrong lever arm", LAW, "dem", "put(turn, j, plus(at(turn, j), radius[p, 1] - 0.5 * overlap, torque))", "put(turn, j, plus(at(turn, j), radius[p, 1] + 0.5 * overlap, torque))"),
     Bug("velocity not set back half a step", TRANSLATE, "yade", "* (dt / 2)", "* 0.0"),
     Bug("push at the start forgotten", TRANSLATE, "yade", "(mass[:, None] / dt - eta) * early", "0.0 * early"),
-    Bug("ratcheting correction left on", DRIVER, "yade", "noRatch=False", "noRatch=True"),
-    Bug("numerical damping left on", DRIVER, "yade", "NewtonIntegrator(damping=0,", "NewtonIntegrator(damping=0.2,"),
+    Bug("ratcheting correction left on", ENGINES, "yade", "noRatch=False", "noRatch=True"),
+    Bug("numerical damping left on", ENGINES, "yade", "NewtonIntegrator(damping=0,", "NewtonIntegrator(damping=0.2,"),
     Bug("drag forgotten in the deck", DECK, "liggghts", 'yield f"fix drag all viscous {float(scene.eta)!r}"', 'yield ""'),
     Bug("shear spring as stiff as the normal one", DECK, "liggghts", '"kt": ks', '"kt": scene.contact.kn'),
 )  # fmt: skip

@@ -6,8 +6,9 @@ import functools
 
 import numpy as np
 
+from cases._penalty import COARSEST, LEVELS
 from reference_solutions import incline
-from vv.ask import Displacement, History, Knobs, Method
+from vv.ask import Displacement, History, Method
 from vv.block import box_geometry, polyhedron_inertia
 from vv.case import (
     Case,
@@ -23,7 +24,7 @@ from vv.case import (
 )
 from vv.quantities import Motion
 from vv.scene import Block, Contact, Harmonic, Scene, Vector, Wall
-from vv.study import Ladder, Level
+from vv.study import Ladder
 
 SIDE, DENSITY = 1.0, 2500.0  # m, kg/m3: a cube; neither enters the answer
 BLOCK = Displacement(1)
@@ -59,7 +60,7 @@ def _declare(variant: str, p: Parameters) -> Trial:
         raise ValueError(f"Ay = {p['Ay']!r} m/s2; an amplitude must be zero or more")
     scene, goal = _scene(p), History(p["duration"], p["duration"] / 400)
     quantities = (_both if p["Ay"] > 0 else _down)(p, scene, goal)
-    timed = TIMED if variant in ("newmark-30", "two-directions") else ()
+    timed = COARSEST if variant in ("newmark-30", "two-directions") else ()
     return Trial(Ladder(scene, goal, (BLOCK,), LEVELS, timed), quantities)
 
 
@@ -101,21 +102,6 @@ def _both(p: Parameters, scene: Scene, goal: History) -> tuple[Quantity, ...]:
     )
 
 
-RUNGS = tuple(
-    Knobs(dt, kn)
-    for kn, steps in (
-        (1e8, (1e-3, 5e-4, 2.5e-4)),
-        (1e9, (1e-4, 5e-5, 2.5e-5)),
-        (1e10, (5e-5, 2.5e-5, 1.25e-5)),
-    )
-    for dt in steps
-)
-TIMED = (RUNGS[0], RUNGS[3], RUNGS[6])  # the coarsest step of each stiffness
-LEVELS = {
-    Level.QUICK: RUNGS[:2],
-    Level.DEFAULT: (*RUNGS[:4], RUNGS[6]),
-    Level.PAPER: RUNGS,
-}
 TOLERANCES = {
     Method.EXACT: Tolerance(
         1e-12,
@@ -142,7 +128,7 @@ TOLERANCES = {
         1e-2,
         "on springs without shear at the start a block at phi = 25 gains mu g cos(alpha) "
         "sqrt(m/ks), 7 % of its way at 1e8 N/m; less where it slides faster",
-        slack="at phi = 5 the same gain is 0.07 %",
+        slack="at phi = 5 the same gain is 0.2 %",
         kn=1e10,
         softness=0.5,
     ),

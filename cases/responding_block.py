@@ -7,8 +7,9 @@ from collections.abc import Callable
 
 import numpy as np
 
+from cases._penalty import COARSEST, LEVELS
 from reference_solutions import responding_block
-from vv.ask import Displacement, History, Knobs, Method
+from vv.ask import Displacement, History, Method
 from vv.block import box_geometry, polyhedron_inertia
 from vv.case import (
     Case,
@@ -86,25 +87,10 @@ def _declare(variant: str, p: Parameters) -> Trial:
         for i, axis in enumerate("xyz"[:directions])
     )
     whole = (motion.distance(judge),) if directions > 1 else ()
-    timed = TIMED if variant in ("1d", "2d", "3d") else ()
+    timed = COARSEST if variant in ("1d", "2d", "3d") else ()
     return Trial(Ladder(_scene(p), goal, (BLOCK,), LEVELS, timed), (*parts, *whole))
 
 
-RUNGS = tuple(
-    Knobs(dt, kn)
-    for kn, steps in (
-        (1e8, (1e-3, 5e-4, 2.5e-4)),
-        (1e9, (1e-4, 5e-5, 2.5e-5)),
-        (1e10, (5e-5, 2.5e-5, 1.25e-5)),
-    )
-    for dt in steps
-)
-TIMED = (RUNGS[0], RUNGS[3], RUNGS[6])  # the coarsest step of each stiffness
-LEVELS = {
-    Level.QUICK: RUNGS[:2],
-    Level.DEFAULT: (*RUNGS[:4], RUNGS[6]),
-    Level.PAPER: RUNGS,
-}
 STIFFNESSES = (1e7, 2.4e7, 5.6e7, 1.3e8, 3.2e8, 7.5e8, 1.8e9, 4.2e9, 1e10)
 STEPS = (5e-4, 2e-4, 1e-4, 5e-5, 2e-5, 1e-5)  # at 1e-3 explicit codes diverge on the stiffest
 THIN = grid((5e-4, 2e-4), (1e7, 1.3e8, 7.5e8))  # stable in explicit codes too
@@ -185,7 +171,8 @@ def _variants() -> tuple[Variant, ...]:
         Variant("3d", "along x, y and z: 0.1 m at 2, 4 and 1 Hz", MORE,
                 {"D": 0.1, "f": 2.0, "Dy": 0.1, "fy": 4.0, "Dz": 0.1, "fz": 1.0}),
         Variant("map", "3d over contact stiffness and step, as in Fig. 23", MORE,
-                {"D": 0.1, "f": 2.0, "Dy": 0.1, "fy": 4.0, "Dz": 0.1, "fz": 1.0}, quick=False),
+                {"D": 0.1, "f": 2.0, "Dy": 0.1, "fy": 4.0, "Dz": 0.1, "fz": 1.0},
+                level=Level.DEFAULT),
     )  # fmt: skip
 
 

@@ -97,9 +97,9 @@ def static(block: Lattice, kn: float, ks: float) -> Static:
     free = np.ones_like(block.position, bool)
     free[:, 2] = ~(block.at(2, 0) | block.at(2, 1))
     start = block.position * np.array([-poissons_ratio(kn, ks)] * 2 + [1.0])
-    u = _relaxed(matrix, start, free)
+    u = relaxed(matrix, start, free)
     force = (matrix @ u.ravel()).reshape(-1, 3)[block.at(2, 1), 2].sum()
-    nu_x, nu_y = (_narrowing(block, u, axis) for axis in (0, 1))
+    nu_x, nu_y = (narrowing(block, u, axis) for axis in (0, 1))
     return Static(float(force / block.area), (nu_x + nu_y) / 2.0, nu_x, nu_y, u)
 
 
@@ -142,7 +142,7 @@ def _stiffness(block: Lattice, kn: float, ks: float):  # type: ignore[no-untyped
     return matrix
 
 
-def _relaxed(matrix, start: Array, free: NDArray[np.bool_]) -> Array:  # type: ignore[no-untyped-def]
+def relaxed(matrix, start: Array, free: NDArray[np.bool_]) -> Array:  # type: ignore[no-untyped-def]
     """Displacements in balance on the free coordinates, `start` on the others."""
     from scipy.sparse import diags_array
     from scipy.sparse.linalg import cg
@@ -161,7 +161,7 @@ def _relaxed(matrix, start: Array, free: NDArray[np.bool_]) -> Array:  # type: i
     return relaxed
 
 
-def _narrowing(block: Lattice, u: Array, axis: int) -> float:
+def narrowing(block: Lattice, u: Array, axis: int) -> float:
     low, high = block.at(axis, 0), block.at(axis, 1)
     width = np.ptp(block.position[:, axis])
     return float((u[low, axis].mean() - u[high, axis].mean()) / width)

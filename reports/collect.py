@@ -28,13 +28,14 @@ class History:
 
 @dataclass(frozen=True)
 class Point:
-    """A rung on the way to small errors; error None: none that is finite."""
+    """A rung on the way to small errors; error None: none that is finite. key: of its outcome."""
 
     dt: float | None
     error: float | None
     cpu: float
     timed: bool
     troubling: bool
+    key: str = ""
 
 
 @dataclass(frozen=True)
@@ -90,11 +91,12 @@ def _by_label(records: Iterable[Record]) -> dict[str, list[Record]]:
 
 def _point(record: Record, quantity: str) -> Point:
     entry = next((e for e in record["quantities"] if e["name"] == quantity), None)
-    cost = record["cost"]
+    cost, found = record["cost"], outcome_of(record)
     return Point(
         record["rung"]["dt"],
         error_of(entry) if entry else None,
         cost["solve_cpu"],
         cost["kind"] == "timed",
-        outcome_of(record).troubling,
+        found.troubling,
+        found.key,
     )

@@ -2,27 +2,29 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 from reports.charts import shares as shares_chart
 from reports.gallery import Draw, Figure
 from reports.marks import Mark
-from reports.text import brief, short
-from vv.effort import TARGETS, Effort, Floor, Reach, efforts, profile, reach
+from reports.text import brief, sci, short
+from vv.effort import Effort, efforts
+from vv.reach import TARGETS, Reach, profile, reach
+from vv.rungs import told
 
 FACTORS = (1.0, 2.0, 10.0, 100.0, 1e4)
 
 
 @dataclass(frozen=True)
 class CostRow:
-    """A scheme: what each error costs it, its smallest error, and its floor if it has one."""
+    """A scheme: what each error costs it, its smallest error, floors and limits in words."""
 
     mark: Mark
     reached: Sequence[Reach]
     best: float | None
-    floor: Floor | None
+    notes: Sequence[str]
 
 
 @dataclass(frozen=True)
@@ -56,10 +58,19 @@ def costs(
 
 def _costs(here: Sequence[Effort], marks: Mapping[str, Mark]) -> Costs:
     rows = [
-        CostRow(marks[e.label], [reach(e, target) for target in TARGETS], e.best, e.floor)
+        CostRow(marks[e.label], [reach(e, target) for target in TARGETS], e.best, list(_notes(e)))
         for e in here
     ]
     return Costs(rows, [(target, _advice(here, target)) for target in TARGETS])
+
+
+def _notes(one: Effort) -> Iterator[str]:
+    """Its floor, and at each stiffness what of the error is the model's and what the step's."""
+    if one.floor:
+        yield f"{sci(one.floor.error, 1)}: {one.floor.why}"
+    for row in one.rows:
+        if row.kn and (said := told(row)):
+            yield f"kn = {brief(row.kn)}: {said}"
 
 
 def _advice(here: Sequence[Effort], target: float) -> str:

@@ -5,7 +5,10 @@ from __future__ import annotations
 import functools
 import hashlib
 import io
+import multiprocessing
 import re
+from collections.abc import Iterable
+from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
 from typing import Any
 
@@ -20,6 +23,7 @@ from vv.store import write
 
 SIZE = (4.7, 3.2)  # inches; a viewer scales it
 BOX = (0.145, 0.13, 0.83, 0.84)  # the axes: left, bottom, width, height of the figure
+FEW, CHUNK = 8, 4  # drawings not worth a second process; handed to one at a time
 SMALL, LARGE = 6.0, 11.0  # points across a marker
 INK, PALE, REFERENCE, ALARM = "#333333", "#e3e6e9", "#b4bac1", "#b3200c"
 STYLE: dict[Any, Any] = {
@@ -40,12 +44,20 @@ STYLE: dict[Any, Any] = {
 }
 
 
-def drawn(chart: Chart | HeatMap, folder: Path) -> str:
-    """The SVG of a chart, from the folder if these very data were drawn by these very sources."""
-    name = digest(chart, _sources())
-    svg = drawn_before(chart, folder) or draw(chart, salt=name[:8])
-    write(folder / f"{name}.svg", svg.encode())
-    return svg
+def draw_missing(charts: Iterable[Chart | HeatMap], folder: Path) -> None:
+    """Put the SVG of each chart into the folder, on all cores, but for those that are there."""
+    wanted = {f"{digest(chart, _sources())}.svg": chart for chart in charts}
+    missing = [(chart, folder / n) for n, chart in wanted.items() if not (folder / n).is_file()]
+    if len(missing) < FEW:
+        for chart, path in missing:
+            _keep(chart, path)
+    else:
+        with ProcessPoolExecutor(mp_context=multiprocessing.get_context("fork")) as pool:
+            list(pool.map(_keep, *zip(*missing, strict=True), chunksize=CHUNK))
+
+
+def _keep(chart: Chart | HeatMap, path: Path) -> None:
+    write(path, draw(chart, salt=path.stem[:8]).encode())
 
 
 def drawn_before(chart: Chart | HeatMap, folder: Path) -> str:

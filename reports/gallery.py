@@ -11,7 +11,7 @@ import numpy as np
 from reports import charts
 from reports.charts import Chart
 from reports.collect import History, Ladder
-from reports.maps import HeatMap, error_map
+from reports.maps import NO_CRITICAL, Critical, HeatMap, error_map
 from reports.tables import NORMS
 from reports.text import brief, listed, sci
 from vv.metrics import MASK
@@ -35,17 +35,19 @@ def figures(
     quantity: Mapping[str, Any],
     norm: str,
     draw: Draw,
+    critical: Critical = NO_CRITICAL,
 ) -> list[Figure]:
     """The four figures of a quantity, or those for which there is something to draw.
 
-    Errors at every stiffness and every step of a few make a map instead of curves.
+    Errors at every stiffness and every step of a few make a map instead of curves; critical:
+    stiffness -> what the steps of such a map are multiples of.
     """
     symbol = (
         f"{quantity['symbol']} [{quantity['unit']}]" if quantity["unit"] else quantity["symbol"]
     )
     error = f"error of {quantity['symbol']}, norm {NORMS[norm]}"
     both = [*_trajectory(over_time, symbol, draw), *_relative(over_time, draw)]
-    heat = error_map(steps)
+    heat = error_map(steps, critical)
     if heat is not None:
         return [*both, _map(heat, error, draw)]
     return [*both, *_step(steps, error, draw), *_cost(steps, error, draw)]
@@ -54,9 +56,12 @@ def figures(
 def _map(heat: HeatMap, error: str, draw: Draw) -> Figure:
     """The map, with the stiffness that serves each code best at its finest step."""
     best = [f"{panel.mark.label} {brief(panel.best())} N/m" for panel in heat.panels]
-    missing = any(not np.isfinite(panel.error).all() for panel in heat.panels)
-    crossed = " Crossed: no result." if missing else ""
-    caption = f"Smallest error at the finest step: {listed(best)}.{crossed}"
+    lost, refused = (any(cells.any() for cells in parts) for parts in (
+        [panel.lost() for panel in heat.panels], [panel.refused for panel in heat.panels]
+    ))  # fmt: skip
+    crossed = " Crossed: no result, or one off by more than the answer." if lost else ""
+    dashed = " Dash: refused." if refused else ""
+    caption = f"Smallest error at the finest step: {listed(best)}.{crossed}{dashed}"
     ends = [
         f"{panel.mark.label} {sci(float(np.nanmin(panel.error)))} "
         f"to {sci(float(np.nanmax(panel.error)))}"

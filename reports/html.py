@@ -9,13 +9,27 @@ from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from vv import digest, effort, finding, gate, metrics
+from reports.charts import Chart
+from reports.gallery import Draw
+from reports.maps import HeatMap
+from reports.views import Page
+from vv import digest, effort, finding, gate, metrics, reach, rungs, stability
 from vv import history as histories
 from vv.history import Point
 from vv.store import Store, deliver
 
 HERE = Path(__file__).parent
-JUDGING = (digest, effort, finding, gate, histories, metrics)  # modules that a report leans on
+JUDGING = (
+    digest,
+    effort,
+    finding,
+    gate,
+    histories,
+    metrics,
+    reach,
+    rungs,
+    stability,
+)  # modules that a report leans on
 HEAD = 4096  # characters within which a report names the digest of its inputs
 
 
@@ -26,28 +40,47 @@ def build(manifest: dict[str, Any], store: Store, output: Path) -> Path:
     from the same results by the same sources is left as it is: another invocation that was
     answered by them, at another time, has the same report.
     """
-    from reports.figures import drawn
-
-    return _built(manifest, store, output, drawn)
+    return _built(manifest, store, output, drawing=_all_drawn)
 
 
 def build_quickly(manifest: dict[str, Any], store: Store, output: Path) -> Path:
-    """As `build`, but with those figures only that were drawn before: drawing costs a second."""
-    from reports.figures import drawn_before
+    """As `build`, but with those figures only that were drawn before: drawing costs seconds."""
+    return _built(manifest, store, output, drawing=_none_drawn)
 
-    return _built(manifest, store, output, drawn_before)
+
+def _all_drawn(view: Callable[[Draw], Page], folder: Path) -> None:
+    """Draw what the view shows and the folder lacks."""
+    from reports.figures import draw_missing
+
+    shown: list[Chart | HeatMap] = []
+
+    def note(chart: Chart | HeatMap) -> str:
+        shown.append(chart)
+        return ""
+
+    view(note)
+    draw_missing(shown, folder)
+
+
+def _none_drawn(view: Callable[[Draw], Page], folder: Path) -> None:
+    """Draw nothing."""
 
 
 def _built(
-    manifest: dict[str, Any], store: Store, output: Path, drawing: Callable[..., str]
+    manifest: dict[str, Any],
+    store: Store,
+    output: Path,
+    drawing: Callable[[Callable[[Draw], Page], Path], None],
 ) -> Path:
     past = histories.histories(store, manifest["cases"])
     stamp = _stamp(manifest, past, drawing.__name__)
     if _stamp_of(output) != stamp:
+        from reports.figures import drawn_before
         from reports.page import page
 
-        draw = functools.partial(drawing, folder=store.root / "figures")
-        view = page(manifest, functools.cache(store.series), draw, past, stamp)
+        folder, series = store.root / "figures", functools.cache(store.series)
+        drawing(lambda draw: page(manifest, series, draw, past, stamp), folder)
+        view = page(manifest, series, functools.partial(drawn_before, folder=folder), past, stamp)
         deliver(output, str(_template(store.templates()).render(page=view)).encode())
     return output
 

@@ -41,6 +41,7 @@ WORST_FIRST = (
     Outcome("xfail", "≈", "known disagreement", "known", "fails inside the band on record"),
     Outcome("refused", "⊘", "refused", "idle", "the code cannot do this honestly, and says so"),
     Outcome("not installed", "○", "not installed", "idle", "the code was not found"),
+    Outcome("blow-up", "✸", "blow-up", "shown", "diverged in a map, which shows where codes do"),
     Outcome("no-reference", "◇", "no reference", "shown", "shown, with nothing to judge it by"),
     Outcome("pass", "✓", "pass", "good", "within the tolerance of its class of method"),
 )

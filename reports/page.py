@@ -7,7 +7,7 @@ import json
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
-from reports import collect, costs, gallery, tables
+from reports import collect, costs, gallery, steadiness, tables
 from reports.collect import Arrays, History
 from reports.costs import Costs
 from reports.findings import findings
@@ -54,6 +54,7 @@ def page(
         legend=WORST_FIRST[::-1],
         norms={tables.NORMS[norm.name.lower()]: norm.value for norm in NORMS},
         profiles=profiles,
+        stability=steadiness.sections(manifest, looks),
         factors=costs.FACTORS,
     )
 
@@ -120,13 +121,14 @@ def _figures(
     draw: Draw,
 ) -> list[Figure]:
     made = []
+    critical = dict(said.get("critical", ()))
     for quantity in said["quantities"]:
         name = quantity["name"]
         entries = [e for r in records for e in r["quantities"] if e["name"] == name]
         norm = next((e["norm"] for e in entries if e["norm"]), "max")
         curves = collect.histories(records, name, looks, arrays)
         steps = collect.ladders(records, name, looks)
-        made += gallery.figures(curves, steps, quantity, norm, draw) if entries else []
+        made += gallery.figures(curves, steps, quantity, norm, draw, critical) if entries else []
     return made
 
 

@@ -10,7 +10,7 @@ from typing import Any
 from reports.marks import Mark
 from reports.outcomes import Outcome, Record, counted, outcome_of
 from reports.text import slug
-from vv.metrics import Order, observed_order
+from vv.metrics import Order, order_before_floor
 
 NORMS = {"max": "max", "final": "final", "pointwise": "pointwise", "l2": "L2"}
 
@@ -90,7 +90,7 @@ class Rung:
 class Group:
     """The rungs of one scheme and quantity at one contact stiffness.
 
-    order: fitted over all of them. notes: what all rows share, said once.
+    order: fitted over those before a floor. notes: what all rows share, said once.
     """
 
     anchor: str
@@ -151,9 +151,9 @@ def _group(mark: Mark, kn: float | None, rows: Sequence[tuple[Record, Mapping[st
 
 
 def _order(points: Sequence[tuple[float | None, float | None]]) -> Order | None:
-    """The observed order in dt over points (dt, error), as far as there are any."""
+    """The observed order in dt over points (dt, error), coarsest first, before their floor."""
     usable = [(dt, error) for dt, error in points if dt and error]
-    return observed_order([dt for dt, _ in usable], [error for _, error in usable])
+    return order_before_floor([dt for dt, _ in usable], [error for _, error in usable])
 
 
 def absent(records: Sequence[Record], marks: Mapping[str, Mark]) -> list[Absent]:

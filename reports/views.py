@@ -83,6 +83,15 @@ class Case:
 
 
 @dataclass(frozen=True)
+class Stable:
+    """One kind of finding on stability, and its lines: schemes that say the same share one."""
+
+    title: str
+    caption: str
+    lines: Sequence[tuple[str, str, Sequence[tuple[Sequence[Mark], str]]]]
+
+
+@dataclass(frozen=True)
 class Page:
     """The whole report."""
 
@@ -100,4 +109,5 @@ class Page:
     legend: Sequence[Outcome]
     norms: Mapping[str, str]
     profiles: Sequence[Profile]
+    stability: Sequence[Stable]
     factors: Sequence[float]

@@ -25,6 +25,7 @@ def record(label: str, variant: str, dt: float | None, **changes: Any) -> Json:
     return {
         "case": "bounce",
         "variant": variant,
+        "study": "ladder",
         "parameters": {"m": 1.0},
         "modified": False,
         "code": code,
@@ -127,6 +128,8 @@ def manifest_of_all(store: Store) -> Json:
             for dt in STEPS
         ]
     runs.append(record("fate/g", "T1", 1e-3))
+    blown = {**nothing, "study": "grid", "status": "diverged", "reason": "it blew up"}
+    runs.append(record("fate/k", "T1", 1e-3, **blown))
     runs.append(ran(store, "fate/h", "T1", 1e-3, "xpass"))
     runs.append(ran(store, "fate/i", "T1", 1e-3, "no-reference"))
     energy = {"terms": {}, "unaccounted": 2.0, "peak": 9.0, "bound": 1.0, "audits": {}}

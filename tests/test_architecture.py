@@ -11,6 +11,7 @@ DATA = {"vv.digest", "vv.frozen", "vv.bodies", "vv.block", "vv.bonds", "vv.scene
 CORE = DATA | {"vv.ask"}
 ENGINES = {"vv.exact", "vv.dem", "vv.blocks"}
 JUDGED = {"vv.finding", "vv.gate", "vv.record"}
+COSTS = {"vv.rungs", "vv.effort", "vv.reach"}
 STAND_INS = {"vv.soften", "vv.stand_in", "vv.clump", "vv.transform"}  # scenes made from scenes
 KERNELS = {"vv.compiled", "vv.drive", "vv.triples"} | STAND_INS  # what engines share
 DECLARED = CORE | {"vv.transform", "vv.study", "vv.case", "vv.quantities"}
@@ -36,6 +37,7 @@ LAYERS: dict[str, tuple[str, set[str], set[str]]] = {
     "case": ("vv/case.py", CORE | {"vv.study"}, set()),
     "quantities": ("vv/quantities.py", CORE | {"vv.case"}, set()),
     "adapter": ("vv/adapter.py", CORE, set()),
+    "search": ("vv/search.py", CORE | {"vv.adapter"}, set()),
     "finding": ("vv/finding.py", set(), set()),
     "record": ("vv/record.py", DECLARED | {"vv.metrics"}, set()),
     "gate": ("vv/gate.py", DECLARED | JUDGED, set()),
@@ -56,6 +58,9 @@ LAYERS: dict[str, tuple[str, set[str], set[str]]] = {
         CORE | JUDGED | {"vv.baseline", "vv.settings", "vv.store"},
         set(),
     ),
+    "rungs": ("vv/rungs.py", {"vv.metrics"}, set()),
+    "effort": ("vv/effort.py", CORE | JUDGED | {"vv.metrics", "vv.rungs"}, set()),
+    "reach": ("vv/reach.py", {"vv.effort", "vv.rungs"}, set()),
     "speed": ("vv/speed.py", JUDGED | {"vv.baseline"}, set()),
     "history": ("vv/history.py", JUDGED | {"vv.store"}, set()),
     "compare": (
@@ -63,6 +68,7 @@ LAYERS: dict[str, tuple[str, set[str], set[str]]] = {
         JUDGED | {"vv.disagreement", "vv.settings", "vv.store"},
         set(),
     ),
+    "stability": ("vv/stability.py", JUDGED, set()),
     "junit": ("vv/junit.py", CORE | JUDGED | {"vv.store"}, set()),
     "markdown": ("vv/markdown.py", JUDGED | {"vv.store"}, set()),
     "exact": ("vv/exact/*.py", CORE | {"vv.exact", "vv.soften", "vv.transform"}, set()),
@@ -74,7 +80,16 @@ LAYERS: dict[str, tuple[str, set[str], set[str]]] = {
     "adapters": ("adapters/**/*.py", ASKED | ENGINES | {"adapters"}, set()),
     "reports": (
         "reports/*.py",
-        {"reports", "vv.store", "vv.metrics", "vv.digest", *JUDGED, "vv.history", "vv.effort"},
+        {
+            "reports",
+            "vv.store",
+            "vv.metrics",
+            "vv.digest",
+            *JUDGED,
+            "vv.history",
+            *COSTS,
+            "vv.stability",
+        },
         HEAVY,
     ),
 }

@@ -156,7 +156,8 @@ def test_speed_prints_what_an_error_costs_and_writes_it(tiny: Tiny, tmp_path: Pa
     assert "CPU seconds of the stepping loop to reach an error of" in done.stdout
     found = json.loads(target.read_text())["efforts"]
     assert {one["label"] for one in found} == {"fake/good"}
-    timed = {p["dt"] for one in found for p in one["points"] if p["cpu"]}
+    rows = [row for one in found for row in one["rows"]]
+    timed = {p["dt"] for row in rows for p in row["points"] if p["cpu"]}
     assert timed == {0.1, 0.05}
 
 
@@ -164,3 +165,22 @@ def test_speed_says_so_where_nothing_is_timed(tiny: Tiny) -> None:
     tiny.edit("cases/fall.py", "timed=RUNGS[:2]", "timed=()")
     done = tiny.vv("speed")
     assert (done.returncode, done.stderr.count("\n")) == (64, 1)
+
+
+def test_speed_shows_what_is_not_timed_against_indicative_costs_and_times_it_when_asked(
+    tiny: Tiny,
+) -> None:
+    tiny.edit("cases/fall.py", "timed=RUNGS[:2]", "timed=RUNGS[:2] if variant == 'up' else ()")
+    words = ("speed", "fall", "--codes", "fake/good")
+    out = tiny.vv(*words).stdout
+    assert "fall:up: CPU seconds" in out
+    assert "fall:slow: not timed; errors, and indicative seconds" in out
+    out = tiny.vv(*words, "--level", "paper").stdout
+    assert "fall:slow: CPU seconds" in out
+    assert "not timed" not in out
+
+
+def test_speed_names_the_cases_that_it_left_out(tiny: Tiny) -> None:
+    text = (tiny.root / "cases" / "fall.py").read_text().replace("timed=RUNGS[:2]", "timed=()")
+    (tiny.root / "cases" / "drop.py").write_text(text.replace('name="fall"', 'name="drop"'))
+    assert "not timed: drop, and" in tiny.vv("speed", "--codes", "fake/good").stdout

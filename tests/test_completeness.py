@@ -19,8 +19,8 @@ CASES = [PROJECT.load_case(name) for name in PROJECT.case_names()]
 ADAPTERS = [PROJECT.load_adapter(name) for name in PROJECT.adapter_names()]
 
 
-def test_every_file_in_cases_is_a_case() -> None:
-    files = [p for p in (PROJECT.root / "cases").rglob("*.py") if p.name != "__init__.py"]
+def test_every_file_in_cases_but_helpers_is_a_case() -> None:
+    files = [p for p in (PROJECT.root / "cases").rglob("*.py") if not p.name.startswith("_")]
     assert len(files) == len(CASES) > 0
 
 

@@ -109,9 +109,9 @@ def test_scenes_outside_the_class_are_refused_with_the_reason(reason: str, tmp_p
 
 
 def test_it_has_no_knobs_and_lacks_rotation() -> None:
-    (scheme,) = ADAPTER.schemes
-    assert scheme.knobs == ()
-    assert Term.ROTATION in unsupported(scheme, frozenset(Term))
+    assert all(scheme.knobs == () for scheme in ADAPTER.schemes)
+    assert all(Term.ROTATION in unsupported(s, frozenset(Term)) for s in ADAPTER.schemes)
+    scheme = ADAPTER.schemes[0]
     assert not unsupported(scheme, asked("T4-rotated").scene.terms())
 
 

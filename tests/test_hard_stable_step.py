@@ -2,6 +2,7 @@
 
 import dataclasses
 from math import sqrt
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -13,14 +14,17 @@ from reference_solutions.checks import stability as bisected
 from tests.turned_signs import caught, signs, turned
 from vv import dem
 from vv.ask import Ask, Displacement, History, Knobs, Status
+from vv.case import Scalar
 from vv.project import find
 from vv.scene import Contact, Scene, Spheres
+from vv.search import answers
 from vv.study import Level
 
 PROJECT = find()
 CASE = PROJECT.load_case("stable-step")
 DEM = PROJECT.load_adapter("dem")
 K, N = 15.9384478053, 6.9282032303
+SLIDING = ("undamped", "viscous")
 
 
 def test_the_published_scheme_on_t2_has_the_known_limit() -> None:
@@ -109,34 +113,54 @@ def test_it_does_for_two_unequal_masses_too(ratio: float) -> None:
     assert largest(scene, dem.CENTRED, 0, limit) == pytest.approx(limit, rel=2e-3)
 
 
+BEYOND = 0.126
+
+
 def test_a_step_beyond_the_limit_is_refused_with_the_number_and_the_rule() -> None:
-    undamped = CASE.declare("undamped-beyond", CASE.defaults("undamped-beyond")).study
-    viscous = CASE.declare("viscous-beyond", CASE.defaults("viscous-beyond")).study
-    ask, late = (s.ask(s.rungs[Level.DEFAULT][0]) for s in (undamped, viscous))
+    undamped, viscous = (CASE.declare(name, CASE.defaults(name)).study for name in SLIDING)
+    ask, late = (study.ask(Knobs(BEYOND)).at(BEYOND) for study in (undamped, viscous))
     for scheme in ("default", "published"):
         reason = DEM.refuses(ask, scheme) or ""
-        assert "dt = 0.12675 s is beyond the largest stable step 0.125483 s = 2/w" in reason
-    assert DEM.refuses(late, "default") is None
+        assert "dt = 0.126 s is beyond the largest stable step 0.125483 s = 2/w" in reason
+    assert "0.125483 s = 2/w" in (DEM.refuses(late, "default") or "")
     reason = DEM.refuses(late, "published") or ""
     assert "largest stable step 0.0822797 s = 2 (sqrt(n^2 + w^2) - n)/w^2" in reason
 
 
-def test_just_within_the_limit_it_is_not() -> None:
+@pytest.mark.parametrize(("scheme", "limit"), [("default", 0.125483), ("published", 0.0822797)])
+def test_just_within_the_limit_it_is_not(scheme: str, limit: float) -> None:
     study = CASE.declare("viscous", CASE.defaults("viscous")).study
-    for scheme in ("default", "published"):
-        assert DEM.refuses(study.ask(study.rungs[Level.DEFAULT][-1]), scheme) is None
+    assert DEM.refuses(study.ask(Knobs(0.9999 * limit)), scheme) is None
+    assert DEM.refuses(study.ask(Knobs(1.0001 * limit)), scheme) is not None
 
 
 def test_divergence_is_seen_within_an_output_interval() -> None:
-    study = CASE.declare("undamped-beyond", CASE.defaults("undamped-beyond")).study
-    knobs = study.rungs[Level.DEFAULT][0]
-    dt = knobs.dt
-    assert dt is not None
+    study = CASE.declare("undamped", CASE.defaults("undamped")).study
+    knobs = Knobs(BEYOND)
     every, ends = [], []
-    for interval in (dt, 5 * dt):
-        ask = dataclasses.replace(study.ask(knobs), goal=History(100 * dt, interval))
+    for interval in (BEYOND, 5 * BEYOND):
+        ask = dataclasses.replace(study.ask(knobs).at(BEYOND), goal=History(400 * BEYOND, interval))
         run = dem.solve_default(ask)
         assert run.status is Status.DIVERGED
-        every.append(interval / dt)
+        every.append(interval / BEYOND)
         ends.append(run.steps)
     assert 0 <= ends[1] - ends[0] < every[1]
+
+
+def sought(name: str, variant: str, scheme: str, folder: Path) -> dict[str, float]:
+    """What a search in dem comes to, whatever dem refuses beforehand."""
+    case = PROJECT.load_case(name)
+    trial = case.declare(variant, case.defaults(variant))
+    ask = trial.study.ask(trial.study.rungs[Level.QUICK][0])
+    (run,) = answers(DEM, [ask], scheme, folder, 0.0)
+    numbers = (q for q in trial.quantities if isinstance(q, Scalar))
+    return {quantity.name: quantity.observe(run) for quantity in numbers}
+
+
+@pytest.mark.parametrize("scheme", ["default", "published"])
+def test_a_lattice_has_the_limit_of_its_fastest_mode_above_that_of_the_infinite_one(
+    scheme: str, tmp_path: Path
+) -> None:
+    found = sought("stable-bonds", "lattice-82", scheme, tmp_path)
+    assert found["limit"] == pytest.approx(1.0, rel=3e-3)
+    assert found["lattice"] == pytest.approx(1.41599e-7 / 1.33548e-7, rel=3e-3)

@@ -29,7 +29,7 @@ from vv.stand_in import sprung
 from vv.transform import about_z, rotated
 
 DT = 1e-3
-PLAIN, HALF_STEP, CLUMP = (scheme.name for scheme in ADAPTER.schemes)
+PLAIN, HALF_STEP, CLUMP, _ = (scheme.name for scheme in ADAPTER.schemes)
 UP = Wall(np.zeros(3), np.array([0.0, 1.0, 0.0]))
 FREE = np.ones((1, 3), bool)
 NUMBER = st.floats(-1e3, 1e3)

@@ -14,7 +14,7 @@ import pytest
 
 from adapters.liggghts import ADAPTER
 from adapters.liggghts.batch import MPI
-from adapters.liggghts.deck import deck
+from adapters.liggghts.deck import deck, silent_deck
 from cases.single_contact import CASE
 from tests.sliding_blocks import Frame, incline, responding
 from vv import external
@@ -150,20 +150,31 @@ def test_a_thrown_sphere_slides_and_then_rolls(tmp_path: Path) -> None:
         assert run.model.unknowns == 6
 
 
-def test_a_timed_run_is_the_same_run_with_the_cost_of_the_loop_alone(
-    tmp_path: Path, half_step: Runs
+def test_a_timed_run_is_the_cost_of_the_loop_alone_and_of_long_ones_taken_once(
+    tmp_path: Path,
 ) -> None:
-    blown = history(flight(1e4), 1e-2, 50.0)
-    asks = [TRIALS["T3"].study.ask(COARSE), blown, TRIALS["T3"].study.ask(Knobs(dt=1e-4))]
-    short, lost, long = ADAPTER.run(asks, "default", tmp_path, 0.01)
-    assert lost.status is Status.DIVERGED
-    again = half_step["T3", COARSE].values[Displacement(1)]
-    assert (short.values[Displacement(1)] == again).all()
-    assert (short.cost.startup > 0, long.cost.startup) == (True, 0.0)
-    for run in (short, long):
-        assert run.cost.repeats >= 3
-        assert min(run.cost.setup, run.cost.solve_cpu, run.cost.output) > 0
-    assert long.cost.solve_cpu > 3 * short.cost.solve_cpu  # ten times the steps
+    asks = [TRIALS["T3"].study.ask(Knobs(dt=dt)) for dt in (1e-3, 1e-4, 1e-5)]
+    short, longer, longest = ran(asks, "default", tmp_path, 1e-3)
+    assert (short.cost.startup > 0, longer.cost.startup, longest.cost.startup) == (True, 0.0, 0.0)
+    assert (short.cost.repeats >= 3, longest.cost.repeats) == (True, 1)
+    for run in (short, longer, longest):
+        assert min(run.cost.setup, run.cost.solve_cpu) > 0
+        assert (run.model, dict(run.values)) == (ADAPTER.describe(asks[0], "default"), {})
+    assert longer.cost.solve_cpu > 3 * short.cost.solve_cpu  # ten times the steps
+    assert longest.cost.solve_cpu > 3 * longer.cost.solve_cpu
+
+
+def test_a_death_in_timing_costs_the_ask_in_flight(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def poisoned(ask: Ask, scheme: str, around: Sequence[str] = ()) -> str:
+        text = silent_deck(ask, scheme, around)
+        return text.replace(" mass ", " mass -") if ask is STEPS[1] else text
+
+    monkeypatch.setattr("adapters.liggghts.batch.silent_deck", poisoned)
+    runs = list(ADAPTER.run(STEPS, "default", tmp_path, 1e-3))
+    assert [run.status for run in runs] == [Status.RAN, Status.ERROR, Status.RAN]
+    assert [run.cost.repeats >= 3 for run in runs] == [True, False, True]
 
 
 def test_what_failed_is_no_result_and_the_next_ask_still_runs(tmp_path: Path) -> None:
@@ -238,8 +249,7 @@ def test_an_exported_deck_slides_a_block_alone_to_the_same_digits(
     shaking = Harmonic(np.array([1.0, 0.0, 0.5]), np.full(3, 3.0))
     scene = dataclasses.replace(scene, shaking=shaking)
     ask = Ask(scene, History(0.2, 0.02), (Displacement(1),), Knobs(1e-4, 1e9))
-    (run,) = ran([ask], scheme, tmp_path, repeat=0.1)
-    assert run.cost.repeats >= 3
+    (run,) = ran([ask], scheme, tmp_path)
     (tmp_path / "deck.in").write_text(ADAPTER.native(ask, scheme))
     command = [HERE.path, "-in", "deck.in"]
     subprocess.run(command, cwd=tmp_path, env={**os.environ, **MPI}, check=True, stdout=-3)

@@ -1,12 +1,17 @@
 """Every status and verdict, seen through the command line on a tiny project."""
 
+import dataclasses
 import json
 from typing import Any
 
+import numpy as np
 import pytest
 
 from tests.conftest import Tiny
+from vv.ask import Knobs, Ledger, Method, Run, Status
+from vv.case import Exact, Scalar, Tolerance
 from vv.finding import Bit
+from vv.record import measured
 
 
 def records(tiny: Tiny, *words: str) -> tuple[int, list[dict[str, Any]]]:
@@ -160,3 +165,18 @@ def test_a_step_longer_than_the_run_is_refused_for_every_code(tiny: Tiny) -> Non
     done = tiny.vv("run", "fall:up", "--codes", "fake/good", "--rung", "dt=2")
     assert done.returncode == Bit.INCOMPLETE
     assert "dt = 2 s is longer than the 1 s to be run" in done.stderr
+
+
+def test_what_a_code_does_not_tell_is_not_judged_in_it_and_in_others_is() -> None:
+    def left_over(run: Run) -> float:
+        assert run.ledger
+        return run.ledger.unaccounted
+
+    bound = Exact({Method.SECOND_ORDER: Tolerance(1e-9, "rounding")})
+    kept = Scalar("balance", "E", "J", "left over", left_over, 0.0, 1.0, bound,
+                  told=lambda run: run.ledger is not None)  # fmt: skip
+    silent = Run(Status.RAN, times=np.array([0.0, 1.0]))
+    booked = dataclasses.replace(silent, ledger=Ledger({}, 1.0, 1.0, 0.0))
+    for run, verdict in ((silent, "no-reference"), (booked, "fail")):
+        entry, _ = measured(run, kept, Method.SECOND_ORDER, Knobs(1e-3))
+        assert entry["verdict"] == verdict

@@ -91,7 +91,7 @@ def test_the_wheel_holds_the_tool_and_all_content_below_it(shipped: set[str]) ->
     "file",
     [
         "vv/py.typed",
-        "vv/_project/adapters/yade/driver.py",
+        "vv/_project/adapters/yade/inside/driver.py",
         "vv/_project/cases/single_contact.py",
         "vv/_project/cases/disagreements.toml",
     ],
@@ -131,7 +131,9 @@ def test_the_wheel_lists_its_cases_in_an_empty_folder(elsewhere: Path, tmp_path:
 def test_the_wheel_runs_an_in_house_case_in_an_empty_folder(
     elsewhere: Path, tmp_path: Path
 ) -> None:
-    printed = call(elsewhere / "vv", "run", "single-contact:T1", "--codes", "exact", cwd=tmp_path)
+    printed = call(
+        elsewhere / "vv", "run", "single-contact:T1", "--codes", "exact/default", cwd=tmp_path
+    )
     last = printed.splitlines()[-1]
     assert re.match(r"[1-9]\d* pass; report: ", last)
     (report,) = re.findall("report: ([^;]*)", last)

@@ -55,12 +55,13 @@ def write(root: Path, files: dict[str, str]) -> Path:
 
 @pytest.fixture
 def root(tmp_path: Path) -> Path:
-    """A project with a case, a family of one, and two codes; a helper is no code."""
+    """A project with a case, a family of one, and two codes; a helper is neither."""
     return write(
         tmp_path / "project",
         {
             "vv.toml": "",
             "cases/__init__.py": "",
+            "cases/_helper.py": "",
             "cases/free_fall.py": CASE.format("free-fall"),
             "cases/hard_ones/zeno.py": CASE.format("zeno"),
             "cases/baselines/exact.json": "{}",
@@ -159,7 +160,6 @@ def test_an_adapter_s_files_are_what_was_written(root: Path) -> None:
         ("cases/zeno.py", "a case's name must be unique"),
         ("cases/hard_ones.py", "a family must not have the name of a case"),
         ("cases/my-case.py", "a name must be lower-case letters"),
-        ("cases/_private.py", "a name must be lower-case letters"),
     ],
 )
 def test_ambiguous_and_unusable_case_names_are_errors(root: Path, file: str, rule: str) -> None:

@@ -3,11 +3,16 @@
 from collections import defaultdict
 from pathlib import Path
 
-from vv.plan import Options, make_plan
+from vv.plan import Job, Options, make_plan
 from vv.project import Project
 from vv.study import Level
 
 PROJECT = Project(Path(__file__).parents[1])
+
+
+def steps(job: Job) -> int:
+    """How many steps a job runs at: a search tries several."""
+    return job.ask.search.tries if job.ask.search and job.ask.knobs.dt else 1
 
 
 def test_every_case_and_scheme_that_does_not_refuse_has_two_rungs_at_the_quick_level() -> None:
@@ -17,7 +22,7 @@ def test_every_case_and_scheme_that_does_not_refuse_has_two_rungs_at_the_quick_l
     rungs: dict[tuple[str, str, str], int] = defaultdict(int)
     for job in plan.jobs:
         if not (job.settled and job.settled.status.value == "refused"):
-            rungs[job.case, f"{job.code}/{job.scheme}", job.variant] += 1
+            rungs[job.case, f"{job.code}/{job.scheme}", job.variant] += steps(job)
     due = {
         (job.case, f"{job.code}/{job.scheme}")
         for job in whole.jobs

@@ -143,6 +143,17 @@ def test_same_results_give_the_same_bytes(manifest: Json, store: Store) -> None:
     assert built(manifest, store) == first
 
 
+def test_one_process_draws_as_many_do(
+    manifest: Json, store: Store, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    by_many = built(manifest, store)
+    shutil.rmtree(store.root / "figures")
+    (store.root / "report.html").unlink()
+    monkeypatch.setattr(figures, "FEW", by_many.count('role="img"') + 1)
+    monkeypatch.setattr(figures, "ProcessPoolExecutor", lambda **_: pytest.fail("a second one"))
+    assert built(manifest, store) == by_many
+
+
 @pytest.mark.usefixtures("sketched")
 def test_missing_series_leave_tables_and_ladders(manifest: Json, store: Store) -> None:
     shutil.rmtree(store.root / "records")

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import dataclasses
+from typing import Any
 
 import numpy as np
 
+from cases.hard.stability_map import CASE as STABILITY
 from cases.responding_block import CASE
 from reports.charts import Chart
 from reports.collect import Ladder, Point
@@ -13,14 +15,20 @@ from reports.figures import draw
 from reports.gallery import figures
 from reports.maps import HeatMap, error_map
 from reports.marks import marks
-from vv.study import Level
+from reports.outcomes import outcome_of
+from vv.finding import Bit
+from vv.gate import exit_bits
+from vv.study import Grid, Level
 
 LOOKS = marks(["one", "two"])
 QUANTITY = {"name": "d", "symbol": "d", "unit": "m"}
 
 
 def ladder(name: str, kn: float, errors: dict[float, float | None]) -> Ladder:
-    points = tuple(Point(dt, error, 0.1, False, error is None) for dt, error in errors.items())
+    points = tuple(
+        Point(dt, error, 0.1, False, error is None, "blow-up" if error is None else "")
+        for dt, error in errors.items()
+    )
     return Ladder(LOOKS[name], kn, points)
 
 
@@ -59,6 +67,7 @@ def test_a_map_stands_instead_of_curves_and_names_the_best_stiffness_of_each_cod
     assert [type(chart) for chart in drawn] == [HeatMap]
     assert "one 1e9 N/m and two 1e9 N/m" in figure.caption
     assert "Crossed: no result" in figure.caption
+    assert "refused" not in figure.caption
     assert "one 2.00e-3 to 5.00e-2" in figure.alt
 
 
@@ -81,3 +90,65 @@ def test_the_responding_block_is_mapped_over_nine_stiffnesses_and_six_steps() ->
         counts.append((len(kn), len(dt)))
     assert counts == [(3, 2), (9, 6)]
     assert (min(k.kn or 0 for k in rungs), max(k.kn or 0 for k in rungs)) == (1e7, 1e10)
+
+
+def related(kn: float, errors: dict[float, float | None], key: str = "") -> Ladder:
+    """Errors at multiples of a critical step that falls as kn^-1/2."""
+    points = tuple(
+        Point(ratio * kn**-0.5, error, 0.1, False, False, key if error is None else "")
+        for ratio, error in errors.items()
+    )
+    return Ladder(LOOKS["one"], kn, points)
+
+
+CRITICAL: dict[float | None, float] = {kn: kn**-0.5 for kn in (1e4, 1e7, 1e12)}
+
+
+def test_steps_that_follow_the_stiffness_make_a_map_over_the_critical_step() -> None:
+    rows = [
+        related(1e4, {2.0: None, 0.1: 0.2}, "refused"),
+        related(1e7, {2.0: None, 0.1: 0.02}, "blow-up"),
+        related(1e12, {2.0: 30.0, 0.1: 0.001}),
+    ]
+    assert error_map(rows) is None
+    heat = error_map(rows, CRITICAL)
+    assert heat is not None
+    (panel,) = heat.panels
+    assert list(panel.dt) == [0.1, 2.0]
+    assert panel.refused.tolist() == [[False, True], [False, False], [False, False]]
+    assert panel.lost().tolist() == [[False, False], [False, True], [False, True]]
+    svg = draw(heat, "salt")
+    assert ">dt / critical step<" in svg
+    (figure,) = figures([], rows, QUANTITY, "max", lambda chart: "", CRITICAL)
+    assert "off by more than the answer. Dash: refused." in figure.caption
+    assert "one 1e12 N/m" in figure.caption
+
+
+def test_the_stability_maps_span_what_the_issue_asks_for() -> None:
+    for variant in ("incline", "responding-block", "unit"):
+        study = STABILITY.declare(variant, {}).study
+        assert isinstance(study, Grid)
+        ratios = {round((k.dt or 0) / study.critical(k.kn), 9) for k in study.rungs[Level.PAPER]}
+        assert (min(ratios), max(ratios)) == (1e-3, 10.0)
+        assert len(ratios) >= 6
+        if variant != "unit":
+            stiffnesses = {k.kn or 0.0 for k in study.rungs[Level.PAPER]}
+            assert len(stiffnesses) == 9
+            assert (min(stiffnesses), max(stiffnesses)) == (1e4, 1e12)
+
+
+def test_what_diverges_in_a_map_is_shown_and_turns_nothing_red() -> None:
+    told: dict[str, Any] = {
+        "case": "m",
+        "variant": "v",
+        "code": "one",
+        "scheme": "s",
+        "reason": "it blew up",
+    }
+    told |= {"rung": {"dt": 1.0, "kn": None}, "ledger": None}
+    lost = {**told, "status": "diverged", "quantities": []}
+    good = {**lost, "status": "ran", "quantities": [{"verdict": "pass", "name": "y"}]}
+    for study, bit, key in (("grid", Bit(0), "blow-up"), ("ladder", Bit.CRASH, "diverged")):
+        record = {**lost, "study": study}
+        assert exit_bits([record, {**good, "study": study}]) == bit
+        assert outcome_of(record).key == key

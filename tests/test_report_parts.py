@@ -71,3 +71,14 @@ def test_written_numbers_read_back(value: float) -> None:
     assert float(text.sci(value)) == pytest.approx(value, rel=6e-3)
     assert float(text.short(value)) == pytest.approx(value, rel=6e-3)
     assert float(text.brief(value)) == pytest.approx(value, rel=6e-6)
+
+
+def test_the_order_of_a_table_leaves_out_rungs_at_a_floor() -> None:
+    errors = (1e-2, 2.5e-3, 1e-4, 1e-4, 1.1e-4)
+    rungs = [
+        record("a/a", "T1", 4e-3 / 2**i, quantities=[entry("pass", {"max": error})])
+        for i, error in enumerate(errors)
+    ]
+    (group,) = tables.groups(rungs, marks(["a/a"]))
+    assert group.order
+    assert (round(group.order.order, 6), group.order.points) == (2.0, 2)

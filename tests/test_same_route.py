@@ -78,4 +78,5 @@ def test_no_ask_knows_the_case_it_comes_from() -> None:
         "goal",
         "observables",
         "knobs",
+        "search",
     }

@@ -1,6 +1,7 @@
 """An invocation is answered whole only while nothing that goes into it has changed."""
 
 import json
+import os
 from pathlib import Path
 
 import pytest
@@ -98,3 +99,52 @@ def test_baselines_of_another_folder_are_part_of_what_was_judged(
     assert SAYS in tiny.vv(*words).stdout
     (folder / "another.json").write_text("{}")
     assert SAYS not in tiny.vv(*words).stdout
+
+
+def test_a_source_that_moved_to_another_folder_ends_it(tiny: Tiny) -> None:
+    stands(tiny)
+    (tiny.root / "cases" / "family").mkdir()
+    (tiny.root / "cases" / "fall.py").rename(tiny.root / "cases" / "family" / "fall.py")
+    assert not stands(tiny)
+
+
+def test_a_change_behind_a_link_to_a_folder_ends_it(tiny: Tiny) -> None:
+    """An adapter in a folder of its own elsewhere, with a link back in it that leads nowhere."""
+    elsewhere = tiny.root / "elsewhere"
+    elsewhere.mkdir()
+    (tiny.root / "adapters" / "fake.py").rename(elsewhere / "__init__.py")
+    (tiny.root / "adapters" / "fake").symlink_to(elsewhere)
+    (elsewhere / "round").symlink_to(elsewhere)
+    stands(tiny)
+    assert stands(tiny)
+    tiny.edit("elsewhere/__init__.py", "FACTOR = 1.0", "FACTOR = 1.0 + 1e-9")
+    assert not stands(tiny)
+
+
+def test_another_version_of_anything_installed_ends_it(tiny: Tiny) -> None:
+    metadata = tiny.root / "lib" / "some.dist-info" / "METADATA"
+    metadata.parent.mkdir(parents=True)
+    path = os.pathsep.join([str(tiny.root / "lib"), os.environ.get("PYTHONPATH", "")])
+    metadata.write_text("Metadata-Version: 2.1\nName: some\nVersion: 1.0\n")
+    stands(tiny, PYTHONPATH=path)
+    assert stands(tiny, PYTHONPATH=path)
+    metadata.write_text("Metadata-Version: 2.1\nName: some\nVersion: 1.1\n")
+    assert not stands(tiny, PYTHONPATH=path)
+
+
+def test_without_the_series_of_a_record_nothing_stands(tiny: Tiny) -> None:
+    stands(tiny)
+    next((tiny.root / ".vv" / "records").rglob("*.npz")).unlink()
+    assert not stands(tiny)
+
+
+def test_a_timing_session_with_gaps_does_not_stand_and_names_them(tiny: Tiny) -> None:
+    words = ("run", "--all", "--codes", "fake/good")
+    whole = 'if scheme == "raises":'
+    tiny.edit("adapters/fake.py", whole, "if repeat and ask.knobs.dt == 0.05:")
+    assert not stands(tiny, *words)
+    assert not stands(tiny, *words)
+    assert "not timed, it failed: fall:up fake/good dt=0.05" in tiny.vv("speed", *words[2:]).stdout
+    tiny.edit("adapters/fake.py", "if repeat and ask.knobs.dt == 0.05:", whole)
+    stands(tiny, *words)
+    assert stands(tiny, *words)

@@ -284,8 +284,10 @@ def refusal(*bodies: Spheres | Wall, **more: Any) -> str:
 
 
 def test_what_yade_would_get_wrong_is_refused_with_the_reason() -> None:
-    moving = ball(velocity=[[1, 0, 0]], free=[[False, True, True]])
-    assert "locked freedom" in refusal(moving)
+    carried = ball(velocity=[[1, 0, 0]], free=[[False, True, True]])
+    turned = rotated(ball_ask(carried).scene, about_z(0.3))
+    reason = ADAPTER.refuses(dataclasses.replace(ball_ask(carried), scene=turned), PLAIN)
+    assert "locks are oblique" in (reason or "")
     assert "locked freedom" in refusal(ball(spin=[[1, 0, 0]]))
     assert "behind wall 0" in refusal(UP, ball(position=[[0, -0.01, 0]]), body=1)
     partly = ball(free_spin=[[True, False, False]])

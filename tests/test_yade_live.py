@@ -14,6 +14,7 @@ import pytest
 
 import adapters.yade
 from adapters.yade import ADAPTER
+from adapters.yade.inside import script
 from adapters.yade.installed import PYTHON
 from cases.single_contact import CASE
 from tests.sliding_blocks import responding
@@ -191,10 +192,9 @@ def test_silent_failures_are_errors_and_a_death_costs_one_ask(
         "    if O.dt == 3e-3:\n        O.engines[-1].dead = True\n"
         "    if O.dt == 2e-3:\n        os._exit(7)\n"
     )
-    text = adapters.yade.DRIVER.read_text()
+    text = script()
     assert text.count(last) == 1
-    (tmp_path / "sabotaged.py").write_text(text.replace(last, last + sabotage))
-    monkeypatch.setattr(adapters.yade, "DRIVER", tmp_path / "sabotaged.py")
+    monkeypatch.setattr(adapters.yade, "script", lambda: text.replace(last, last + sabotage))
     kinds = (("T3", 4e-3), ("T1", 3e-3), ("T1", 1e-3), ("T1", 2e-3), ("T1", 5e-4))
     asks = [TRIALS[name].study.ask(Knobs(dt=dt)) for name, dt in kinds]
     blind, frozen, well, dead, alone = ADAPTER.run(asks, "default", tmp_path, 0.0)

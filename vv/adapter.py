@@ -71,13 +71,16 @@ class Adapter(Protocol):
         """Yield one Run per ask, in order, each as soon as it is there.
 
         scratch: an empty folder of its own. repeat: 0 for one solve; else solves are repeated
-        for about that many CPU seconds and the least is reported in Cost.
+        for about that many CPU seconds and the least is reported in Cost. Nothing but the cost of
+        such a run is used: a code whose solves write nothing while they are timed gives no values.
         """
 
 
 def no_steps(ask: Ask) -> str | None:
-    """Why a stepping scheme cannot answer an ask: a step that does not fit in its duration."""
+    """Why steps do not fit an ask: one too long for its duration, or none to search among."""
     dt = ask.knobs.dt
+    if dt is None and ask.search is not None:
+        return "it has no step, of which the largest stable one is searched"
     if dt is None or ask.goal.steps(dt) > 0:
         return None
     return f"dt = {dt:g} s is longer than the {ask.goal.duration:g} s to be run"

@@ -28,6 +28,7 @@ class Method(enum.Enum):
     """The class of a method: it decides which tolerance of a quantity applies."""
 
     EXACT = "exact to rounding"
+    LINEARISED = "exact to first order in the displacements"
     SECOND_ORDER = "second order in dt"
     FIRST_ORDER = "first order in dt"
     PENALTY = "penalty contact"
@@ -109,18 +110,62 @@ class Knobs:
                 raise ValueError(f"{name} = {value!r} {unit}; a knob must be positive and finite")
 
 
+@dataclass(frozen=True)
+class Bracket:
+    """Where to search for the largest stable step: from Knobs.dt to `span` times as much.
+
+    A step is stable if the run comes to its end and no component of an observable exceeds
+    `bound`, in the observable's unit. `tries` steps at once are spread over the bracket, and then
+    over the gap between the last stable and the first unstable one, `rounds` times in all.
+    Raises ValueError.
+    """
+
+    span: float
+    bound: float
+    tries: int = 10
+    rounds: int = 3
+
+    def __post_init__(self) -> None:
+        if not (np.isfinite(self.span) and self.span > 1):
+            raise ValueError(f"Bracket.span = {self.span!r}; a bracket must span more than 1")
+        if not (np.isfinite(self.bound) and self.bound > 0):
+            raise ValueError(f"Bracket.bound = {self.bound!r}; a bound must be positive and finite")
+        if self.tries < 2 or self.rounds < 1:
+            raise ValueError(
+                f"Bracket.tries = {self.tries}, rounds = {self.rounds}; at least 2 and 1 are needed"
+            )
+
+    @property
+    def sharpness(self) -> float:
+        """How far apart, relatively, the last stable and the first unstable step are."""
+        gaps = (self.tries - 1) * (self.tries + 1) ** (self.rounds - 1)
+        return float(self.span ** (1.0 / gaps)) - 1.0
+
+
 @dataclass(frozen=True, eq=False)
 class Ask:
-    """One question to a code: this scene, with these knobs, observed so."""
+    """One question to a code: this scene, with these knobs, observed so.
+
+    search: None, or where to look for the largest stable step; the ask is then that of the first
+    step tried, and the goal of any other is as many steps long.
+    """
 
     scene: Scene
     goal: History
     observables: tuple[Observable, ...]
     knobs: Knobs = field(default_factory=Knobs)
+    search: Bracket | None = None
 
     def digest(self) -> str:
         """Fingerprint of everything that decides the answer."""
-        return digest(self.scene.digest(), self.goal, self.observables, self.knobs)
+        return digest(self.scene.digest(), self.goal, self.observables, self.knobs, self.search)
+
+    def at(self, dt: float) -> Ask:
+        """The same question at another step [s], over as many steps; no search."""
+        ratio = dt / (self.knobs.dt or dt)
+        goal = History(self.goal.duration * ratio, self.goal.interval * ratio)
+        knobs = Knobs(dt, self.knobs.kn)
+        return Ask(self.scene, goal, self.observables, knobs)
 
 
 @dataclass(frozen=True)
@@ -174,7 +219,9 @@ class Ledger:
 class Run:
     """What came of an ask: a status with its reason and, if it ran, the observables.
 
-    times: (k,) [s]; values: observable -> (k, 3), in the scene's frame.
+    times: (k,) [s]; values: observable -> (k, 3), in the scene's frame. tried: of a search, (n, 2)
+    the steps tried, ascending [s], and the largest component of an observable in each run, inf
+    where it did not come to its end; the times and values are then those of the first step.
     """
 
     status: Status
@@ -185,3 +232,4 @@ class Run:
     steps: int = 0
     model: Model | None = None
     ledger: Ledger | None = None
+    tried: Vector = field(default_factory=lambda: np.zeros((0, 2)))

@@ -87,7 +87,7 @@ class Block:
 
 def face_normal(vertices: Vector, face: Sequence[int]) -> Vector:
     """The outward unit normal (3,) of a face, by Newell's sum over its edges."""
-    corners = vertices[list(face)]
+    corners = vertices[list(face)] - vertices[face[0]]  # far from the origin products lose digits
     area = _cross(corners, np.roll(corners, -1, axis=0)).sum(axis=0)
     return np.asarray(area / np.linalg.norm(area))
 

@@ -10,7 +10,7 @@ from types import MappingProxyType
 
 from vv.ask import Knobs, Method, Run
 from vv.scene import Vector
-from vv.study import Ladder
+from vv.study import Level, Study
 
 Parameters = Mapping[str, float]
 NO_DEFAULTS: Parameters = MappingProxyType({})
@@ -70,6 +70,25 @@ class Tolerance:
     kn: float | None = None
     softness: float = 0.0
 
+    def __post_init__(self) -> None:
+        if not 0 < self.value <= LOOSEST:
+            raise ValueError(
+                f"Tolerance.value = {self.value!r}; it must be positive and {LOOSEST:g} at most"
+            )
+        for name, unit in (("dt", "s"), ("kn", "N/m")):
+            at = getattr(self, name)
+            if at is not None and not 0 < at < math.inf:
+                raise ValueError(f"Tolerance.{name} = {at!r} {unit}; it must be positive")
+        for power, knob in (("order", "dt"), ("softness", "kn")):
+            exponent, given = getattr(self, power), getattr(self, knob) is not None
+            if not (exponent == 0 or (exponent > 0 and given)):
+                rule = f"it must not be negative, and needs the {knob} it grows from"
+                raise ValueError(f"Tolerance.{power} = {exponent!r}; {rule}")
+        if not 0 <= self.floor <= self.value:
+            raise ValueError(
+                f"Tolerance.floor = {self.floor!r}; it must lie in [0, {self.value!r}]"
+            )
+
     def at(self, knobs: Knobs) -> float:
         """The bound for a run with these knobs."""
         bound = self.value
@@ -77,7 +96,7 @@ class Tolerance:
             bound *= (knobs.dt / self.dt) ** self.order
         if self.kn is not None and knobs.kn is not None:
             bound *= (self.kn / knobs.kn) ** self.softness
-        return min(max(LOOSEST, self.value), max(self.floor, bound))
+        return min(LOOSEST, max(self.floor, bound))
 
 
 @dataclass(frozen=True)
@@ -158,7 +177,11 @@ class Series:
 
 @dataclass(frozen=True)
 class Scalar:
-    """A number from a run; scale (never zero) turns its error into a relative one."""
+    """A number from a run; scale (never zero) turns its error into a relative one.
+
+    told(run): whether a code tells what it is taken from, such as a ledger; where it does not, the
+    quantity is not judged.
+    """
 
     name: str
     symbol: str
@@ -168,6 +191,7 @@ class Scalar:
     reference: float | None
     scale: float
     judge: Judge
+    told: Callable[[Run], bool] = lambda run: True
 
     def __post_init__(self) -> None:
         _require_answer(self.name, self.reference, self.judge)
@@ -198,7 +222,7 @@ class Variant:
     """A named change of a case's scene; the functions receive its name.
 
     defaults: parameters that differ from the case's. inert: parameters that, by the physics,
-    do not enter the answer. At level quick only variants marked quick run.
+    do not enter the answer. level: the least at which it runs.
     """
 
     name: str
@@ -206,14 +230,18 @@ class Variant:
     formula: str
     defaults: Parameters = field(default_factory=lambda: NO_DEFAULTS)
     inert: frozenset[str] = frozenset()
-    quick: bool = True
+    level: Level = Level.QUICK
+
+    def runs_at(self, level: Level) -> bool:
+        """Whether it is among the variants of a level."""
+        return self.level.rank <= level.rank
 
 
 @dataclass(frozen=True, eq=False)
 class Trial:
     """A variant with its parameters put in: what to run and what to judge."""
 
-    study: Ladder
+    study: Study
     quantities: tuple[Quantity, ...]
 
 

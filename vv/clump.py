@@ -71,7 +71,7 @@ def why_no_clump(ask: Ask) -> str | None:
         return "a block whose contact has a stiffness of its own does not say how corners share it"
     if scene.blocks[0].spin.any():
         return f"block '{scene.blocks[0].name}' spins as it starts: corners slip their own ways"
-    return why_not(held(ask)) or _tips(ask)
+    return why_not(held(ask)) or _tips(ask) or _sinks(ask)
 
 
 def _tips(ask: Ask) -> str | None:
@@ -84,6 +84,18 @@ def _tips(ask: Ask) -> str | None:
     if (clump(ask).shares < 0).any():
         return f"block '{block.name}' begins to tip: not all corners of its face are pressed"
     return None
+
+
+def _sinks(ask: Ask) -> str | None:
+    """Why springs would be too soft for spheres so small: their centres must stay off the wall."""
+    made, (wall,) = clump(ask), ask.scene.walls
+    lowest = float(((made.corners - wall.point) @ wall.normal).min())
+    if lowest > 0:
+        return None
+    return (
+        f"kn = {ask.knobs.kn:g} N/m lets a corner sink by {made.radius - lowest:.3g} m at t = 0, "
+        f"through its sphere of {made.radius:g} m"
+    )
 
 
 def _feet(block: Block, wall: Wall, size: float) -> Vector:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import math
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
@@ -36,8 +37,9 @@ def manifest_of(store: Store, name: str) -> dict[str, Any]:
         return store.manifest(name)
     if len(name) >= 4:
         for run in reversed(names):
-            if store.provenance(run)["commit"].startswith(name):
-                return store.manifest(run)
+            with contextlib.suppress(OSError):  # damaged from outside: it has no commit
+                if store.head(run)[1]["commit"].startswith(name):
+                    return store.manifest(run)
     raise UsageError(f"no run and no commit '{name}' in the store{near(name, names[-5:])}")
 
 

@@ -15,11 +15,11 @@ class ProjectError(UsageError):
 
 
 def cases(root: Path) -> dict[str, Path]:
-    """Every case's file by name; no file is passed over, so none is silently left out."""
+    """Every case's file by name; a leading underscore marks a helper, no other is passed over."""
     folder = root / "cases"
     found: dict[str, Path] = {}
     for file in sorted(folder.rglob("*.py")):
-        if file.name == "__init__.py" or not written(file, folder):
+        if file.name.startswith("_") or not written(file, folder):
             continue
         name = name_of(file)
         if name in found:

@@ -18,6 +18,8 @@ from vv.record import Verdict
 from vv.settings import UsageError
 
 WARNING = 30  # days before an entry expires in which the gate says so
+WIDEST = 10.0  # largest over smallest error of a band: more than a decade says nothing
+BROADEST = 2.5  # width of a band of orders: codes are of order 0, 1 or 2, and one must be excluded
 
 
 @dataclass(frozen=True)
@@ -27,7 +29,9 @@ class Disagreement:
     Patterns are globs; versions names those it was seen in. error: (low, high) at the step
     dt [s], moved to other steps with the middle of the order band, and from the stiffness kn
     [N/m] of springs that stand in for rigid contact to others as kn**-softness. A band that
-    reaches below the tolerance expects passes too. expires: ISO date.
+    reaches below the tolerance expects passes too. Refused is a band so wide that it excludes
+    nothing, or that is moved with the step though its errors are such that no tolerance allows; a
+    figure that stays where it is may be as far off as it likes. expires: ISO date.
     """
 
     code: str
@@ -50,6 +54,21 @@ class Disagreement:
                 raise ValueError(f"{name} = [{low:g}, {high:g}]; a band must not be empty")
         if not (self.dt > 0 and self.error[0] > 0):
             raise ValueError(f"dt = {self.dt:g} s, error from {self.error[0]:g}; both must be > 0")
+        low, high = self.error
+        if high > WIDEST * low:
+            raise ValueError(
+                f"error = [{low:g}, {high:g}]; a band must end within a factor of {WIDEST:g}"
+            )
+        if high > LOOSEST and any(self.order):
+            raise ValueError(
+                f"error = [{low:g}, {high:g}] at dt = {self.dt:g} s; a band that is moved with the "
+                f"step must end at {LOOSEST:g}"
+            )
+        if self.order[1] - self.order[0] > BROADEST:
+            raise ValueError(
+                f"order = [{self.order[0]:g}, {self.order[1]:g}]; a band wider than {BROADEST:g} "
+                "excludes nothing"
+            )
         if not self.reason.strip():
             raise ValueError("reason is empty; say what the code does otherwise")
         datetime.date.fromisoformat(self.expires)

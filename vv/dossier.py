@@ -7,6 +7,7 @@ from typing import Any
 
 from vv.case import Case, Exact, Quantity, Trial, Variant
 from vv.plan import Plan
+from vv.study import Grid, Study
 
 
 def dossiers(plan: Plan) -> dict[str, Any]:
@@ -36,7 +37,16 @@ def _variant(variant: Variant, trial: Trial) -> dict[str, Any]:
         "terms": sorted(term.value for term in scene.terms()),
         "unknowns": scene.unknowns(),
         "quantities": [_quantity(quantity) for quantity in trial.quantities],
+        **_critical(trial.study),
     }
+
+
+def _critical(study: Study) -> dict[str, Any]:
+    """What the steps of a map are multiples of: [kn or none, step] at every stiffness."""
+    if not isinstance(study, Grid):
+        return {}
+    stiffnesses = dict.fromkeys(kn for level in study.kn.values() for kn in level)
+    return {"critical": [[kn, study.critical(kn)] for kn in stiffnesses]}
 
 
 def _quantity(quantity: Quantity) -> dict[str, Any]:

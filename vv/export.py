@@ -7,12 +7,17 @@ from typing import Any
 
 import numpy as np
 
+from vv.stability import as_data
 from vv.store import Store
 
 
-def full_records(manifest: Mapping[str, Any], store: Store) -> list[dict[str, Any]]:
-    """Records as vv/record.schema.json states them: provenance in each, series written out."""
-    return [_full(record, manifest["provenance"], store) for record in manifest["records"]]
+def document(manifest: Mapping[str, Any], store: Store) -> dict[str, Any]:
+    """Records as vv/record.schema.json states them, and what they say of stability.
+
+    Provenance stands in each record, and series are written out.
+    """
+    records = [_full(record, manifest["provenance"], store) for record in manifest["records"]]
+    return {"records": records, "stability": as_data(manifest)}
 
 
 def _full(record: Mapping[str, Any], provenance: Mapping[str, Any], store: Store) -> dict[str, Any]:

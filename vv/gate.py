@@ -22,6 +22,7 @@ STATUS_BITS: Mapping[Status, tuple[Bit, Bit]] = {  # of an optional code, of a r
     Status.TIMEOUT: (Bit.TIMEOUT, Bit.TIMEOUT),
 }
 WORST_FIRST = (Verdict.FAIL, Verdict.XPASS, Verdict.XFAIL, Verdict.PASS, Verdict.NO_REFERENCE)
+BLOW_UP = "blow-up"  # the outcome of what diverged in a map
 DISSIPATION = " dissipation"  # how the names of energy terms end that can only grow
 
 
@@ -74,7 +75,8 @@ def _about(record: Mapping[str, Any]) -> dict[str, Any]:
 
 def _of_status(record: Mapping[str, Any], needed: bool) -> Iterator[Finding]:
     status = status_of(record)
-    if bit := STATUS_BITS[status][needed]:
+    bit = Bit(0) if blew_up(record) else STATUS_BITS[status][needed]
+    if bit:
         text = f"{status.value}: {record['reason']}"
         yield Finding("run", status.value, text, **_about(record), bit=bit)
     if status is Status.RAN and not record["quantities"]:
@@ -147,8 +149,15 @@ def status_of(record: Mapping[str, Any]) -> Status:
     return Status[record["status"].upper().replace("-", "_")]
 
 
+def blew_up(record: Mapping[str, Any]) -> bool:
+    """Whether a run diverged in a map, which is there to show that it does."""
+    return status_of(record) is Status.DIVERGED and record.get("study") == "grid"
+
+
 def outcome(record: Mapping[str, Any]) -> str:
     """A record in a word: its status unless it ran, else its worst verdict."""
+    if blew_up(record):
+        return BLOW_UP
     if status_of(record) is not Status.RAN:
         return status_of(record).value
     verdicts = {Verdict(entry["verdict"]) for entry in record["quantities"]}

@@ -13,7 +13,6 @@ from vv.gate import outcome
 from vv.store import Store
 
 COMMITS = 8  # shown
-LOOKS = 4  # manifests read for a commit before it is taken not to hold the case
 Record = Mapping[str, Any]
 Place = tuple[str, str, str]
 
@@ -65,13 +64,11 @@ def _newest(
 ) -> list[tuple[Mapping[str, Any], list[Record]]]:
     """(provenance, records of the case) of the newest run at each commit, newest first."""
     found: dict[tuple[str, bool], tuple[Mapping[str, Any], list[Record]]] = {}
-    looks: dict[tuple[str, bool], int] = {}
     for name in reversed(store.manifests()):
         try:
-            told = store.provenance(name)
+            held, told = store.head(name)
             at = told["commit"], told["dirty"]
-            looks[at] = looks.get(at, 0) + 1
-            if at in found or looks[at] > LOOKS:
+            if at in found or case not in held:
                 continue
             records = read(name)["records"]
         except OSError:

@@ -27,7 +27,7 @@ def write_junit(path: Path, manifest: Mapping[str, Any], findings: Iterable[Find
     at: dict[Place, list[Finding]] = {}
     for finding in findings:
         at.setdefault(_place(finding), []).append(finding)
-    suites: dict[str, Any] = {}
+    tests: dict[str, list[Any]] = {}
     for record in manifest["records"]:
         names = [entry["name"] for entry in record["quantities"]] or [""]
         for name in names:
@@ -38,11 +38,13 @@ def write_junit(path: Path, manifest: Mapping[str, Any], findings: Iterable[Find
             if status_of(record) in IDLE and not case.result:
                 case.result = [junitparser.Skipped(f"{record['status']}: {record['reason']}")]
             case.time = record["cost"]["solve_wall"]
-            _suite(suites, record["case"]).add_testcase(case)
+            tests.setdefault(record["case"], []).append(case)
     for place, told in at.items():  # what belongs to no record: a missing code, a lost result
-        _suite(suites, place[0]).add_testcase(_test(place, told, {}))
+        tests.setdefault(place[0], []).append(_test(place, told, {}))
     document: Any = junitparser.JUnitXml("vv")
-    for suite in suites.values():
+    for name, cases in tests.items():
+        suite: Any = junitparser.TestSuite(name or "vv")
+        suite.add_testcases(cases)
         suite.timestamp = manifest["provenance"]["utc"]
         document.add_testsuite(suite)
     document.update_statistics()
@@ -51,13 +53,6 @@ def write_junit(path: Path, manifest: Mapping[str, Any], findings: Iterable[Find
 
 def _place(finding: Finding) -> Place:
     return finding.case, finding.variant, finding.label, finding.rung, finding.quantity
-
-
-def _suite(suites: dict[str, Any], case: str) -> Any:
-    import junitparser
-
-    name = case or "vv"
-    return suites.setdefault(name, junitparser.TestSuite(name))
 
 
 def _test(place: Place, findings: Iterable[Finding], figures: Mapping[str, Any]) -> Any:

@@ -17,15 +17,20 @@ PACKAGE = Path(vv.__file__).parent
 
 
 def run_keys(project: Project, plan: Plan) -> dict[int, str]:
-    """Job number -> key of its run: ask, scheme, sources, libraries and executables."""
+    """Job number -> key of its run: ask, scheme, sources, libraries and executables.
+
+    What a search comes to depends on how it is done, too.
+    """
     codes = {job.code for job in plan.jobs}
     prints = {code: code_digest(project, plan, code) for code in codes}
+    searching = source_digest([PACKAGE / "search.py"])
     asks: dict[int, str] = {}
     found = {}
     for number, job in enumerate(plan.jobs):
         key = id(job.ask)
         asks[key] = asks.get(key) or job.ask.digest()
-        found[number] = digest(asks[key], job.code, job.scheme, prints[job.code])
+        how = "" if job.ask.search is None else searching
+        found[number] = digest(asks[key], job.code, job.scheme, prints[job.code], how)
     return found
 
 

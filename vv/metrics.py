@@ -1,6 +1,8 @@
 """How results are compared with references: norms, relative errors, observed order."""
 
+import itertools
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -79,8 +81,28 @@ def observed_order(steps: list[float], errors: list[float]) -> Order | None:
     return Order(slope, spread, len(x))
 
 
+STALLED = 1.5  # refinements that improve by less, twice in a row, have met a floor
+
+
+def before_floor(errors: Sequence[float]) -> int:
+    """How many errors of a ladder, coarsest first, lie before its floor; all if it has none.
+
+    A floor is where the last two refinements, or more, each improved less than STALLED times.
+    """
+    gains = [before >= STALLED * after for before, after in itertools.pairwise(errors)]
+    stalls = len(list(itertools.takewhile(lambda gain: not gain, reversed(gains))))
+    return len(errors) if stalls < 2 else len(gains) - stalls
+
+
+def order_before_floor(steps: list[float], errors: list[float]) -> Order | None:
+    """The observed order over the rungs, coarsest first, that lie before their floor."""
+    free = before_floor(errors)
+    return observed_order(steps[:free], errors[:free])
+
+
 NOISE = 1e-12  # relative: differences below that are rounding, of which no order is told
 SAFETY = 1.25  # the factor of Celik et al. (2008) for three grids
+ODD = 8.0  # no method here is of such an order: three values that show it have no law
 
 
 @dataclass(frozen=True)
@@ -97,37 +119,54 @@ class Convergence:
     coarse: float
 
 
+@dataclass(frozen=True)
+class Unsettled:
+    """Why three resolutions have no limit to speak of."""
+
+    why: str
+
+
 def convergence(
     sizes: tuple[float, float, float], values: tuple[float, float, float]
-) -> Convergence | None:
+) -> Convergence | Unsettled:
     """Richardson's limit and the grid convergence index; sizes and values finest first.
 
-    None where the values do not converge monotonically or hardly differ: then there is no limit to
-    speak of. Solved for the order by iteration (Celik et al. 2008, Eqs. 3-7).
+    Unsettled where the values swing, hardly differ, do not close in, or do so at an odd order.
+    Solved for the order by iteration (Celik et al. 2008, Eqs. 3-7).
     """
     (h1, h2, h3), (f1, f2, f3) = sizes, values
     r21, r32, e21, e32 = h2 / h1, h3 / h2, f2 - f1, f3 - f2
-    apart = min(abs(e21), abs(e32)) > NOISE * max(abs(f1), abs(f2), abs(f3))
-    if not (r21 > 1 and r32 > 1 and e21 * e32 > 0 and f1 and f2 and apart):
-        return None
+    if why := _lawless(sizes, values):
+        return Unsettled(why)
     order = _apparent_order(r21, r32, e32 / e21)
-    if order is None:
-        return None
+    if order > ODD:
+        return Unsettled(f"an order above {ODD:g} is none that a method has")
     near, far = r21**order - 1, r32**order - 1
     limit = f1 - e21 / near
     return Convergence(order, limit, SAFETY * abs(e21 / f1) / near, SAFETY * abs(e32 / f2) / far)
 
 
-def _apparent_order(r21: float, r32: float, ratio: float) -> float | None:
-    """p of ratio = r21^p (r32^p - 1)/(r21^p - 1); None where no positive p solves it."""
-    low, high = 1e-3, 20.0
+def _lawless(sizes: tuple[float, float, float], values: tuple[float, float, float]) -> str:
+    """Why no power of the size with a positive exponent goes through three values; else ''."""
+    (h1, h2, h3), (f1, f2, f3) = sizes, values
+    e21, e32 = f2 - f1, f3 - f2
+    if not h1 < h2 < h3:
+        return f"sizes {h1:g}, {h2:g}, {h3:g} do not grow"
+    if not (f1 and f2):
+        return "a value is zero, and an index relative to it is none"
+    if not min(abs(e21), abs(e32)) > NOISE * max(abs(f1), abs(f2), abs(f3)):
+        return "the values differ by rounding alone"
+    if e21 * e32 < 0:
+        return "the values swing"
+    closing = e32 / e21 > math.log(h3 / h2) / math.log(h2 / h1)
+    return "" if closing else "the values do not close in"
 
-    def short(p: float) -> float:
-        return math.log(ratio) - p * math.log(r21) - math.log((r32**p - 1) / (r21**p - 1))
 
-    if short(low) * short(high) > 0:
-        return None
-    for _ in range(100):
-        middle = 0.5 * (low + high)
-        low, high = (middle, high) if short(low) * short(middle) > 0 else (low, middle)
+def _apparent_order(r21: float, r32: float, ratio: float) -> float:
+    """p > 0 of ratio = r21^p (r32^p - 1)/(r21^p - 1), or a little more than ODD if beyond it."""
+    low, high = 0.0, 1.01 * ODD
+    for _ in range(60):
+        p = 0.5 * (low + high)
+        made = p * math.log(r21) + math.log((r32**p - 1) / (r21**p - 1))
+        low, high = (p, high) if made < math.log(ratio) else (low, p)
     return 0.5 * (low + high)

@@ -77,7 +77,7 @@ def make_plan(project: Project, selection: Sequence[str], options: Options) -> P
     posed = [
         _pose(case, variant, options)
         for case, variant in chosen
-        if options.level is not Level.QUICK or case.variant(variant).quick
+        if case.variant(variant).runs_at(options.level)
     ]
     jobs = [
         job

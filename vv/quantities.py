@@ -1,4 +1,4 @@
-"""The quantities of a body that moves in several directions, against an exact path."""
+"""Quantities that several cases measure: a motion in several directions, a largest step."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from vv.ask import Observable, Run
+from vv.ask import Bracket, Observable, Run
 from vv.case import Judge, Scalar, Series
 from vv.scene import Vector
 
@@ -54,3 +54,24 @@ class Motion:
     def _farthest(self, run: Run) -> float:
         gap = run.values[self.observable] @ self.axes.T - self.path(run.times)
         return float(np.linalg.norm(gap, axis=1).max())
+
+
+def largest_step(name: str, theory: float, what: str, bracket: Bracket, judge: Judge) -> Scalar:
+    """The largest step of a search that was stable, as all below it were, over `theory` [s]."""
+    return Scalar(
+        name=name,
+        symbol=f"dt_max/({what})",
+        unit="",
+        meaning=f"largest stable step over {what}",
+        observe=lambda run: last_stable(run, bracket) / theory,
+        reference=1.0,
+        scale=1.0,
+        judge=judge,
+    )
+
+
+def last_stable(run: Run, bracket: Bracket) -> float:
+    """The last step [s] before the least that was not stable; 0 if that was the first."""
+    lost = np.flatnonzero(~(run.tried[:, 1] <= bracket.bound))
+    kept = run.tried[: lost[0] if len(lost) else len(run.tried), 0]
+    return float(kept[-1]) if len(kept) else 0.0

@@ -27,6 +27,7 @@ from vv.case import (
 )
 from vv.scene import Vector
 
+UNTOLD = Shown("this code tells nothing to take it from")
 NORMS = {
     Norm.MAX: metrics.max_error,
     Norm.FINAL: metrics.final_error,
@@ -73,6 +74,8 @@ def _observed(run: Run, ask: Ask) -> Run:
         if not np.isfinite(values).all():
             first = expected[int(np.argmin(np.isfinite(values).all(axis=1)))]
             return Run(Status.DIVERGED, f"{observable} is not finite from t = {first:.6g} s")
+    if ask.search is not None and not len(run.tried):
+        return Run(Status.ERROR, "the run does not say which steps were tried")
     return run
 
 
@@ -87,12 +90,15 @@ def measured(
 ) -> tuple[dict[str, Any], dict[str, Vector]]:
     """A quantity of a run as a record entry, and the arrays of its series."""
     judge = judge_of(quantity.judge, method)
+    if isinstance(quantity, Scalar) and not quantity.told(run):
+        judge = UNTOLD
     entry: dict[str, Any] = {
         "name": quantity.name,
         "kind": type(quantity).__name__.lower(),
         "unit": getattr(quantity, "unit", ""),
         "value": None,
         "reference": None,
+        "end": None,
         "errors": {},
         "scale": None,
         "figures": {},
@@ -105,7 +111,8 @@ def measured(
             entry["note"] = "bit by bit the reference itself, which no approximate method can be"
     else:
         arrays = {}
-        _measure_number(run, quantity, judge, entry)
+        if judge is not UNTOLD:
+            _measure_number(run, quantity, judge, entry)
     entry["verdict"] = _verdict(quantity, judge, entry).value
     return entry, arrays
 
@@ -132,6 +139,7 @@ def _measure_series(run: Run, quantity: Series, entry: dict[str, Any]) -> dict[s
         return arrays
     reference = np.asarray(quantity.reference(run.times), float)
     entry["scale"] = _finite(quantity.scale or np.abs(reference).max()) or 1.0
+    entry["end"] = _finite(reference[-1])
     entry["errors"] = _errors(value, reference, quantity.scale)
     if not entry["errors"]:
         entry["note"] = "the reference is zero throughout, and the quantity states no scale"

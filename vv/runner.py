@@ -19,6 +19,7 @@ from pathlib import Path
 
 from vv.adapter import Adapter
 from vv.ask import Ask, Run, Status
+from vv.search import answers
 
 GRACE = 5.0  # s a batch gets besides, for the start of its program
 
@@ -100,7 +101,7 @@ def _work(batch: Batch, pipe: Connection, scratch: Path) -> None:
         os.dup2(log.fileno(), 1)
         os.dup2(log.fileno(), 2)
     try:
-        for run in batch.adapter.run(batch.asks, batch.scheme, scratch, batch.repeat):
+        for run in answers(batch.adapter, batch.asks, batch.scheme, scratch, batch.repeat):
             pipe.send(run)
     except Exception as error:
         traceback.print_exc()

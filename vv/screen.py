@@ -14,15 +14,24 @@ from vv.adapter import Adapter
 from vv.ask import Status
 from vv.case import Case
 from vv.finding import Bit, Finding, from_data, label, rung, worst_first
-from vv.gate import outcome, status_of
+from vv.gate import blew_up, outcome, status_of
 from vv.plan import Job, Plan
 
 if TYPE_CHECKING:
     from vv.compare import Change
     from vv.history import Point
 
-WORDS = {"xfail": "known disagreement", "xpass": "unexpected pass", "no-reference": "shown only"}
-PLURAL = {"known disagreement": "known disagreements", "unexpected pass": "unexpected passes"}
+WORDS = {
+    "blow-up": "blow-up to show",
+    "xfail": "known disagreement",
+    "xpass": "unexpected pass",
+    "no-reference": "shown only",
+}
+PLURAL = {
+    "blow-up to show": "blow-ups to show",
+    "known disagreement": "known disagreements",
+    "unexpected pass": "unexpected passes",
+}
 ORDER = ("pass", "fail", "xpass", "xfail", "no-reference")
 STORED = "stored"
 REASONS = 6  # why codes refused: the most frequent ones
@@ -75,7 +84,8 @@ def _lines(total: int) -> Iterator[Shown]:
     def shown(record: Mapping[str, Any]) -> None:
         nonlocal last
         counts[status_of(record).value] += 1
-        if status_of(record) in (Status.ERROR, Status.TIMEOUT, Status.DIVERGED):
+        lost = status_of(record) in (Status.ERROR, Status.TIMEOUT, Status.DIVERGED)
+        if lost and not blew_up(record):
             job = f"{record['case']}:{record['variant']} {label(record)} {rung(record)}".rstrip()
             print(f"{job}: {outcome(record)}: {record['reason']}", file=sys.stderr)
         if time.monotonic() - last > EVERY:

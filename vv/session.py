@@ -21,7 +21,8 @@ from vv.provenance import provenance
 from vv.record import checked, described, measured
 from vv.runner import Batch, run_batches
 from vv.store import Store
-from vv.timing_phase import last_costs, timed_costs
+from vv.study import Grid
+from vv.timing_phase import gaps, last_costs, timed_costs
 
 Record = dict[str, Any]
 Progress = Callable[[Record], None]
@@ -34,6 +35,9 @@ class Timing(enum.Enum):
     LAST = enum.auto()
     STORED = enum.auto()
     NEW = enum.auto()
+
+
+MEASURED = (Timing.STORED, Timing.NEW)  # where all that is to be timed should be
 
 
 @dataclass(frozen=True)
@@ -84,6 +88,7 @@ def carry_out(
             code: _code(project, plan, code) for code in sorted({job.code for job in plan.jobs})
         },
         "cases": dossiers(plan),
+        "untimed": gaps(plan, ordered, costs) if limits.timing in MEASURED else [],
         **judged(project, plan, ordered, terms),
     }
     name = f"{now:%Y%m%dT%H%M%S.%f}Z-{os.getpid()}"
@@ -169,15 +174,17 @@ def batches(waiting: Mapping[int, Job], plan: Plan, workers: int) -> list[Batch]
 
 
 def _kept(plan: Plan, job: Job, run: Run, key: str, store: Store) -> Record:
-    """Measure a run, keep the record if it ran, and return it with its identity."""
+    """Measure a run, keep the record if it says something, and return it with its identity."""
     entries, arrays = [], {}
+    trial = plan.trials[job.case, job.variant]
     if run.status is Status.RAN:
-        for quantity in plan.trials[job.case, job.variant].quantities:
+        for quantity in trial.quantities:
             entry, series = measured(run, quantity, job.method, job.ask.knobs)
             entries.append(entry)
             arrays.update(series)
     record = {**described(run), "quantities": entries}
-    if run.status is Status.RAN:
+    says = (Status.RAN, Status.DIVERGED) if isinstance(trial.study, Grid) else (Status.RAN,)
+    if run.status in says:
         store.keep_record(key, record, arrays)
     return {**_identity(plan, job, key), **record}
 
@@ -187,6 +194,7 @@ def _identity(plan: Plan, job: Job, key: str) -> Record:
     return {
         "case": job.case,
         "variant": job.variant,
+        "study": type(plan.trials[job.case, job.variant].study).__name__.lower(),
         "parameters": dict(job.parameters),
         "modified": job.modified,
         "code": job.code,

@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 import datetime
+import functools
+import hashlib
 import os
 import platform
 import sys
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from importlib import metadata
 from pathlib import Path
 from typing import Any
 
@@ -49,7 +52,7 @@ def identity(
         {name: value for name, value in os.environ.items() if name.startswith(SEEN)},
         [[name, one.installed, one.version] for name, one in sorted(found.items())],
         [[str(file), *_state(file)] for file in files],
-        source_digest(_sources(project)),
+        _sources(project),
         source_digest(sorted(against.glob("*.json"))) if against else "",
         _libraries(),
         list(commit(project.root)),
@@ -59,8 +62,12 @@ def identity(
 
 
 def remember(store: Store, identity: str, manifest: dict[str, Any], report: Path) -> None:
-    """Note what an invocation came to, unless something in it may go better another time."""
-    if {record["status"] for record in manifest["records"]} <= LASTING:
+    """Note what an invocation came to, unless something in it may go better another time.
+
+    A timing session with gaps may: what it failed to time is timed again.
+    """
+    statuses = {record["status"] for record in manifest["records"]}
+    if statuses <= LASTING and not manifest["untimed"]:
         store.keep_answer(
             _key(store, identity), {"manifest": manifest["name"], "report": _state(report)}
         )
@@ -72,9 +79,12 @@ def recall(store: Store, identity: str, report: Path) -> dict[str, Any] | None:
     if answer is None or answer["report"] != _state(report):
         return None
     try:
-        return {**store.manifest(answer["manifest"]), "name": answer["manifest"]}
+        manifest = store.manifest(answer["manifest"])
     except OSError:
         return None
+    measured = [record["key"] for record in manifest["records"] if record["quantities"]]
+    whole = all(map(store.has_series, measured))  # which `--json` writes out
+    return {**manifest, "name": answer["manifest"]} if whole else None
 
 
 def _key(store: Store, identity: str) -> str:
@@ -82,22 +92,36 @@ def _key(store: Store, identity: str) -> str:
     return digest(identity, (store.last_timings() or ("", {}))[0])
 
 
-def _sources(project: Project) -> list[Path]:
-    folders = [Path(imports.__file__).parent]
-    folders += [root / name for root in {project.root, imports.OWN} for name in CONTENT]
-    return [
-        path
-        for folder in dict.fromkeys(folders)
-        for path in folder.rglob("*")
-        if path.is_file() and written(path, folder)
-    ]
+def _sources(project: Project) -> dict[str, str]:
+    """Every file of the tool and of the project's content, by its place there, and its digest."""
+    tool = Path(imports.__file__).parent
+    roots = dict.fromkeys((project.root, imports.OWN))
+    folders = [("vv", tool), *((f"{i}/{c}", r / c) for i, r in enumerate(roots) for c in CONTENT)]
+    return {
+        f"{name}/{path.relative_to(folder)}": hashlib.sha256(path.read_bytes()).hexdigest()
+        for name, folder in folders
+        for path in _files(folder)
+        if written(path, folder)
+    }
 
 
+def _files(folder: Path) -> Iterator[Path]:
+    """All files below a folder, also those of folders it links to, each folder once."""
+    seen = set()
+    for place, below, names in os.walk(folder, followlinks=True):
+        real = os.path.realpath(place)
+        if real in seen:
+            below.clear()  # a link back to where it lies would never end
+            continue
+        seen.add(real)
+        yield from (Path(place, name) for name in names if os.path.isfile(Path(place, name)))
+
+
+@functools.cache
 def _libraries() -> list[str]:
-    """Python, and what is installed beside it: the names of the folders say the versions."""
-    places = {Path(place) for place in sys.path if place.endswith("site-packages")}
-    names = {path.name for place in places for path in place.glob("*.dist-info")}
-    return [platform.python_version(), sys.prefix, *sorted(names)]
+    """Python, and what it can import of what is installed, wherever it lies."""
+    installed = {f"{one.name} {one.version}" for one in metadata.distributions()}
+    return [platform.python_version(), sys.prefix, *sorted(installed)]
 
 
 def _state(path: Path) -> list[int]:

@@ -28,8 +28,7 @@ import numpy as np
 from vv.ask import Cost, Displacement, Ledger, Model, Observable, Reaction, Run, Status, Velocity
 from vv.scene import Term, Vector
 
-FIRST = '{"provenance": '  # how a manifest begins
-HEAD = 4096  # characters of a manifest that hold its provenance, as a rule
+HEAD = 4096  # characters of a manifest that hold its cases and its provenance, as a rule
 STALE = 7 * 86400.0  # s that the logs of a failure are kept
 UNREADABLE = (OSError, ValueError, KeyError, EOFError, zipfile.BadZipFile)
 OBSERVABLES: Mapping[str, type[Displacement] | type[Velocity] | type[Reaction]] = {
@@ -61,7 +60,9 @@ class Store:
         if run.status is Status.RAN:
             arrays = {f"value{i}": value for i, value in enumerate(run.values.values())}
             meta = np.array(_meta(run, key))
-            self._keep_arrays("runs", key, {"meta": meta, "t": run.times, **arrays})
+            self._keep_arrays(
+                "runs", key, {"meta": meta, "t": run.times, "tried": run.tried, **arrays}
+            )
 
     def record(self, key: str) -> dict[str, Any] | None:
         """The stored record of that key, without its series; None if there is none."""
@@ -83,9 +84,14 @@ class Store:
         except UNREADABLE:
             return {}
 
+    def has_series(self, key: str) -> bool:
+        """Whether there is a file of the arrays kept beside a record."""
+        return self._path("records", key, "npz").is_file()
+
     def keep_manifest(self, name: str, manifest: Mapping[str, Any]) -> None:
         """Store what one invocation did under a name that sorts by time."""
-        text = json.dumps(manifest, allow_nan=False)
+        held = sorted({record["case"] for record in manifest["records"]})
+        text = json.dumps({"holds": held, **manifest}, allow_nan=False)
         write(self.root / "manifests" / f"{name}.json", text.encode())
 
     def manifests(self) -> list[str]:
@@ -102,16 +108,22 @@ class Store:
         except ValueError as error:
             raise OSError(errno.EIO, f"no whole manifest: {error}", str(path)) from error
 
-    def provenance(self, name: str) -> dict[str, Any]:
-        """The provenance of a past invocation, without reading the rest where it comes first."""
-        with (self.root / "manifests" / f"{name}.json").open(encoding="utf-8") as file:
+    def head(self, name: str) -> tuple[list[str], dict[str, Any]]:
+        """The cases a past invocation holds, and its provenance, without reading its records.
+
+        Raises OSError if it is damaged.
+        """
+        path = self.root / "manifests" / f"{name}.json"
+        with path.open(encoding="utf-8") as file:
             head = file.read(HEAD)
-        if head.startswith(FIRST):
-            try:
-                return dict(json.JSONDecoder().raw_decode(head, len(FIRST))[0])
-            except ValueError:
-                pass  # a long command: it does not end within the head
-        return dict(self.manifest(name)["provenance"])
+        try:
+            held, end = _after(head, 0, '{"holds": ')
+        except ValueError as error:
+            raise OSError(errno.EIO, f"no manifest: {error}", str(path)) from error
+        try:
+            return list(held), dict(_after(head, end, ', "provenance": ')[0])
+        except ValueError:  # a long command: it does not end within the head
+            return list(held), dict(self.manifest(name)["provenance"])
 
     def timings(self, session: str) -> dict[str, Any] | None:
         """A timing session, by the digest of what it timed and where."""
@@ -173,6 +185,13 @@ class Store:
         return self.root / layer / key[:2] / f"{key}.{suffix}"
 
 
+def _after(text: str, place: int, word: str) -> tuple[Any, int]:
+    """The JSON value that follows a word at that place, and where it ends; raises ValueError."""
+    if not text.startswith(word, place):
+        raise ValueError(f"no {word!r} at {place}")
+    return json.JSONDecoder().raw_decode(text, place + len(word))
+
+
 def write(path: Path, content: bytes) -> None:
     """Put a whole file in its place in one step."""
     path.parent.mkdir(parents=True, exist_ok=True)
@@ -217,7 +236,7 @@ def _meta(run: Run, key: str) -> str:
     observables = [[type(o).__name__, o.body] for o in run.values]
     cost = dataclasses.asdict(run.cost)
     parts = {"observables": observables, "cost": cost, "model": model, "ledger": ledger}
-    return json.dumps({**parts, "steps": run.steps, "key": key})
+    return json.dumps({**parts, "steps": run.steps, "reason": run.reason, "key": key})
 
 
 def _run_from(meta: dict[str, Any], arrays: dict[str, Vector]) -> Run:
@@ -230,10 +249,12 @@ def _run_from(meta: dict[str, Any], arrays: dict[str, Vector]) -> Run:
     }
     return Run(
         Status.RAN,
+        meta["reason"],
         times=arrays["t"],
         values=values,
         cost=Cost(**meta["cost"]),
         steps=meta["steps"],
         model=model,
         ledger=Ledger(**ledger) if ledger else None,
+        tried=arrays["tried"],
     )

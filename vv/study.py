@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import enum
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
 
-from vv.ask import Ask, History, Knobs, Observable
+from vv.ask import Ask, Bracket, History, Knobs, Observable
 from vv.scene import Scene
 
 
@@ -16,6 +16,11 @@ class Level(enum.Enum):
     QUICK = "quick"
     DEFAULT = "default"
     PAPER = "paper"
+
+    @property
+    def rank(self) -> int:
+        """0 for the least; a level runs what those below it run, and more."""
+        return list(Level).index(self)
 
 
 def grid(dt: Sequence[float], kn: Sequence[float]) -> tuple[Knobs, ...]:
@@ -44,3 +49,85 @@ class Ladder:
     def ask(self, knobs: Knobs) -> Ask:
         """The question put at one rung."""
         return Ask(self.scene, self.goal, self.observables, knobs)
+
+
+@dataclass(frozen=True, eq=False)
+class Search:
+    """One scene at steps from dt [s] on, for the largest that keeps it within a bound.
+
+    What diverges is data here: it is what the search is for. Each run takes `steps` steps;
+    kn [N/m]: what stands in for rigid contact, if anything must.
+    """
+
+    scene: Scene
+    observables: tuple[Observable, ...]
+    dt: float
+    steps: int
+    bracket: Bracket
+    kn: float | None = None
+    timed: tuple[Knobs, ...] = ()
+
+    def __post_init__(self) -> None:
+        if self.steps < OUTPUTS:
+            raise ValueError(f"Search.steps = {self.steps}; there must be at least {OUTPUTS}")
+
+    @property
+    def rungs(self) -> Mapping[Level, tuple[Knobs, ...]]:
+        """Where the search begins, the same at all levels."""
+        return dict.fromkeys(Level, (Knobs(self.dt, self.kn),))
+
+    @property
+    def goal(self) -> History:
+        """What the first step is run over."""
+        return History(self.steps * self.dt, self.steps * self.dt / OUTPUTS)
+
+    def ask(self, knobs: Knobs) -> Ask:
+        """The question put to a scheme that has these knobs; it begins at their dt."""
+        first = Ask(self.scene, self.goal, self.observables, Knobs(self.dt, knobs.kn))
+        goal = first.at(knobs.dt or self.dt).goal
+        return Ask(self.scene, goal, self.observables, knobs, self.bracket)
+
+
+OUTPUTS = 20  # of a run of a search, over which what it reaches is taken
+
+
+@dataclass(frozen=True, eq=False)
+class Grid:
+    """One scene at steps in units of its critical step, and at several stiffnesses: a map.
+
+    What diverges is data here. steps: level -> dt over `critical` of the stiffness [s]; kn: level
+    -> stiffnesses [N/m] that stand in for rigid contact, None for a scene that has its own.
+    """
+
+    scene: Scene
+    goal: History
+    observables: tuple[Observable, ...]
+    steps: Mapping[Level, tuple[float, ...]]
+    critical: Callable[[float | None], float]
+    kn: Mapping[Level, tuple[float | None, ...]] = field(default_factory=lambda: OWN_STIFFNESS)
+    timed: tuple[Knobs, ...] = ()
+
+    def __post_init__(self) -> None:
+        missing = [level.value for level in Level if not (self.steps[level] and self.kn[level])]
+        if missing:
+            raise ValueError(f"Grid has no steps or no kn at level {missing[0]}; each needs some")
+
+    @property
+    def rungs(self) -> Mapping[Level, tuple[Knobs, ...]]:
+        """Every step at every stiffness; equal steps of several stiffnesses are equal to a bit."""
+        return {
+            level: tuple(
+                Knobs(float(f"{step * self.critical(kn):.12g}"), kn)
+                for kn in self.kn[level]
+                for step in steps
+            )
+            for level, steps in self.steps.items()
+        }
+
+    def ask(self, knobs: Knobs) -> Ask:
+        """The question put at one point of the map."""
+        return Ask(self.scene, self.goal, self.observables, knobs)
+
+
+OWN_STIFFNESS: Mapping[Level, tuple[float | None, ...]] = dict.fromkeys(Level, (None,))
+Study = Ladder | Search | Grid

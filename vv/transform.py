@@ -1,4 +1,4 @@
-"""Scenes made from scenes: the same physics, turned, renumbered or held differently."""
+"""Scenes made from scenes: the same physics, moved, turned, renumbered or held differently."""
 
 import dataclasses
 
@@ -60,9 +60,13 @@ def swapped(scene: Scene) -> Scene:
 
 
 def initial_normal_forces(scene: Scene) -> Vector:
-    """The (n, 3) normal contact forces [N] on the spheres in the starting configuration."""
+    """The (n, 3) normal forces [N] of contacts and bonds on the spheres as they start."""
     spheres, kn = scene.spheres, scene.contact.kn
-    force = np.zeros((len(spheres), 3))
+    force = _pull(scene)
+    partners: list[list[int]] = [[] for _ in range(len(spheres))]
+    for i, j in scene.bonded.tolist():
+        partners[i].append(j)
+        partners[j].append(i)
     for wall in scene.walls:
         gap = (spheres.position - wall.point) @ wall.normal - spheres.radius
         force += kn * np.maximum(-gap, 0.0)[:, None] * wall.normal
@@ -71,7 +75,21 @@ def initial_normal_forces(scene: Scene) -> Vector:
         distance = np.linalg.norm(offset, axis=1)
         overlap = np.maximum(spheres.radius + spheres.radius[i] - distance, 0.0)
         overlap[i], distance[i] = 0.0, 1.0
+        overlap[partners[i]] = 0.0
         force += kn * (overlap / distance)[:, None] * offset
+    return force
+
+
+def _pull(scene: Scene) -> Vector:
+    """The (n, 3) forces [N] of bonds on the spheres as they start."""
+    force = np.zeros((len(scene.spheres), 3))
+    if scene.bonds is not None:
+        i, j = scene.bonded.T
+        offset = scene.spheres.position[j] - scene.spheres.position[i]
+        distance = np.linalg.norm(offset, axis=1)
+        pull = scene.bonds.kn * (distance - scene.bonds.length) / distance
+        np.add.at(force, i, pull[:, None] * offset)
+        np.add.at(force, j, -pull[:, None] * offset)
     return force
 
 
@@ -81,18 +99,19 @@ def released(scene: Scene) -> Scene:
     A body held along a direction oblique to the frame is let go there and carries instead the
     constant reaction that balances the forces of the starting configuration. It stays at rest
     along that direction as long as those forces do not change, as in contacts of constant
-    overlap. Raises ValueError if a body already moves along a direction it is locked in.
+    overlap. Raises ValueError if a body moves along such a direction.
     """
     spheres = scene.spheres
-    applied = initial_normal_forces(scene) + spheres.mass[:, None] * scene.gravity + spheres.load
+    applied = spheres.mass[:, None] * scene.gravity + spheres.load
+    if Term.OBLIQUE_LOCK in scene.terms():  # or else nothing below wants them
+        applied = applied + initial_normal_forces(scene)
     load, free = spheres.load.copy(), np.array(spheres.free)
     partly = spheres.free.any(axis=1) & ~spheres.free.all(axis=1)
     for i in np.flatnonzero(partly):
         locked = scene.axes[~spheres.free[i]]
-        speed = np.abs(spheres.velocity[i]).max()
-        if np.abs(locked @ spheres.velocity[i]).max() > 1e-12 * speed:
-            raise ValueError(f"Spheres.velocity[{i}] has a part along a locked direction")
         held = np.linalg.norm(locked, axis=0) > 1 - 1e-12
+        if scene.carried[i][~held].any():
+            raise ValueError(f"Spheres.velocity[{i}] has a part along an oblique locked direction")
         free[i] = ~held
         load[i] -= np.where(held, 0.0, locked.T @ (locked @ applied[i]))
     loose = dataclasses.replace(spheres, free=free, load=load)
@@ -107,6 +126,8 @@ def why_not_released(scene: Scene) -> str | None:
     """
     if scene.bonds is not None and Term.OBLIQUE_LOCK in scene.terms():
         return "a bonded body is locked along a direction oblique to the frame; its pull varies"
+    if Term.CARRIED in scene.terms() and Term.OBLIQUE_LOCK in scene.terms():
+        return "a body moves along directions it is locked in, and locks are oblique to the frame"
     free = scene.spheres.free
     partly = free.any(axis=1) & ~free.all(axis=1)
     locked = scene.axes[(~free[partly]).any(axis=0)]
@@ -134,3 +155,15 @@ def _regrouped(scene: Scene, spheres: Spheres) -> tuple[Group, ...]:
         else:
             bodies.append(group)
     return tuple(bodies)
+
+
+def shifted(scene: Scene, by: Vector) -> Scene:
+    """The scene moved as a whole by a vector (3,) [m]."""
+    return dataclasses.replace(scene, bodies=tuple(_shifted(group, by) for group in scene.bodies))
+
+
+def _shifted(group: Group, by: Vector) -> Group:
+    if isinstance(group, Wall):
+        return dataclasses.replace(group, point=group.point + by)
+    place = "vertices" if isinstance(group, Block) else "position"
+    return dataclasses.replace(group, **{place: getattr(group, place) + by})

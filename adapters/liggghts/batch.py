@@ -21,6 +21,7 @@ import numpy as np
 
 from adapters.liggghts.answers import loops, parse
 from adapters.liggghts.deck import deck, silent_deck
+from adapters.liggghts.translate import step
 from vv import external
 from vv.ask import Ask, Cost, Model, Run, Status
 from vv.scene import Vector
@@ -33,7 +34,7 @@ MPI = {
     "OMPI_MCA_pml": "ob1",
 }
 LEAST_REPEATS = 4  # with the first, which is not counted
-LONG = 5e-3  # s of a solve beside which asking the system, a millisecond, is no cost
+FEW = 20  # solves of which the system is asked: with more, a millisecond each would tell
 MOST_REPEATS = 300  # each costs a set-up of about a millisecond besides its solve
 
 
@@ -63,40 +64,65 @@ def solved(
 
 
 def timed(
-    runs: Sequence[Run],
     asks: Sequence[Ask],
+    models: Sequence[Model],
     scheme: str,
     scratch: Path,
     path: str,
     repeat: float,
 ) -> Iterator[Run]:
-    """Runs with the cost of solves that write nothing, repeated for about `repeat` CPU seconds."""
+    """Costs of solves that write nothing, and so give no values: one each, then more of the short.
+
+    A solve of more than twice `repeat` [CPU s] has no caches to fill that would show: one is
+    enough. Others are repeated for about `repeat` CPU seconds.
+    """
+    once = list(_silent(asks, models, scheme, scratch, path, [1] * len(asks)))
+    short = [i for i, run in enumerate(once) if 0 < run.cost.solve_cpu <= 2 * repeat]
+    times = [_times(once[i].cost.solve_cpu, repeat) for i in short]
+    few = [asks[i] for i in short], [models[i] for i in short]
+    again = dict(zip(short, _silent(*few, scheme, scratch, path, times), strict=True))
+    for index, run in enumerate(once):
+        startup = run.cost.startup
+        more = again.get(index, run)
+        yield replace(more, cost=replace(more.cost, startup=startup))
+
+
+def _times(once: float, repeat: float) -> int:
+    """How many solves of that many CPU seconds are repeated."""
+    return max(LEAST_REPEATS, min(MOST_REPEATS, 1 + math.ceil(repeat / once)))
+
+
+def _silent(
+    asks: Sequence[Ask],
+    models: Sequence[Model],
+    scheme: str,
+    scratch: Path,
+    path: str,
+    times: Sequence[int],
+) -> Iterator[Run]:
+    """Each ask solved so many times in a row without any output: no values, but what it cost."""
+    name = f"time-{len(list(scratch.glob('batch-*.in')))}"
+    first: dict[external.Program, int] = {}
 
     def launch(indices: Sequence[int]) -> external.Program:
-        parts = [_framed(f"time-{i}", text(i)) for i in indices if runs[i].status is Status.RAN]
-        return _start(parts, scratch, path)
+        program = _start([_framed(f"{name}-{i}", text(i)) for i in indices], scratch, path)
+        first[program] = indices[0]
+        return program
 
     def text(index: int) -> str:
-        long = runs[index].cost.solve_cpu > LONG
-        around = [f"shell sh {ON_CPU} time-{index}.cpu"] if long else []
-        return "clear\n".join([silent_deck(asks[index], scheme, around)] * times(index))
-
-    def times(index: int) -> int:
-        once = max(runs[index].cost.solve_cpu, 1e-6)  # may have been disturbed, hence the least
-        least = 1 if once > 2 * repeat else LEAST_REPEATS
-        return max(least, min(MOST_REPEATS, 1 + math.ceil(repeat / once)))
+        around = [f"shell sh {ON_CPU} {name}-{index}.cpu"] if times[index] <= FEW else []
+        return "clear\n".join([silent_deck(asks[index], scheme, around)] * times[index])
 
     def collect(index: int, program: external.Program) -> Run | None:
-        part, run = scratch / f"time-{index}", runs[index]
-        if run.status is not Status.RAN:
-            return run
+        part = scratch / f"{name}-{index}"
         if not part.with_suffix(".done").exists():
             return None
-        once = run.cost
-        cost = replace(_cost(part), startup=once.startup, output=once.output)
-        return replace(run, cost=cost)
+        startup = _startup(part, program) if first[program] == index else 0.0
+        steps = asks[index].goal.steps(step(asks[index]))
+        cost = replace(_cost(part), startup=startup)
+        return Run(Status.RAN, cost=cost, steps=steps, model=models[index])
 
-    yield from external.run_batch(len(runs), launch, collect)
+    yield from external.run_batch(len(asks), launch, collect)
 
 
 def _explained(run: Run, program: external.Program) -> Run:

@@ -8,6 +8,7 @@ import numpy as np
 
 from adapters.liggghts.clumps import rigid_commands
 from adapters.liggghts.drives import move_commands, shake_commands
+from adapters.liggghts.harmonic import BONDED_STYLE, bond_commands, bonded_atoms
 from adapters.liggghts.translate import (
     CLUMP,
     Space,
@@ -30,7 +31,7 @@ from vv.scene import Scene, Spheres, Vector
 
 DOMAIN = """\
 units           si
-atom_style      granular
+atom_style      {style}
 atom_modify     map array sort 0 0
 boundary        f f f
 newton          off
@@ -109,9 +110,13 @@ def _domain(scene: Scene, room: Space, scheme: str) -> Iterator[str]:
     """A box far larger than the scene; neighbours are sought anew when half the skin is used up."""
     radius = float(scene.spheres.radius.max())
     longest = float((room.outer[1] - room.outer[0]).max())
-    yield DOMAIN
-    yield f"region          box block {_bounds(*room.outer)} units box"
-    yield "create_box      1 box"
+    bonded = scene.bonds is not None
+    yield DOMAIN.format(style=BONDED_STYLE if bonded else "granular")
+    if bonded:
+        yield from bonded_atoms(scene, room.outer)
+    else:
+        yield f"region          box block {_bounds(*room.outer)} units box"
+        yield "create_box      1 box"
     yield f"neighbor        {0.2 * radius!r} bin"
     # few bins for so large a box
     yield f"neigh_modify    delay 0 binsize {max(2 * radius, longest / 20)!r}"
@@ -126,7 +131,7 @@ def _bounds(low: Vector, high: Vector) -> str:
 def _spheres(scene: Scene, charged: Mapping[int, Vector]) -> Iterator[str]:
     """Atoms in body order, so that ids are sphere numbers from 1; masses override densities."""
     spheres = scene.spheres
-    for i, position in enumerate(spheres.position):
+    for i, position in enumerate(spheres.position if scene.bonds is None else ()):
         yield f"create_atoms    1 single {numbers(position - charged.get(i, 0.0))} units box"
     yield "set             group all density 1"
     for i in range(len(spheres)):
@@ -144,6 +149,9 @@ def _parts(name: str, vector: Vector) -> str:
 
 def _contact(scene: Scene) -> Iterator[str]:
     """kn and ks are the springs themselves [N/m]; neither of them is damped."""
+    if scene.bonds is not None:
+        yield from bond_commands(scene)
+        return
     ks, mu = (scene.contact.ks, scene.contact.mu) if has_friction(scene) else (0.0, 0.0)
     values = {"kn": scene.contact.kn, "kt": ks, "gamman": 0.0, "gammat": 0.0}
     for name, value in {**values, "coefficientFriction": mu}.items():

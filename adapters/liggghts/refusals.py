@@ -4,9 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 
+from adapters.liggghts.bonds import why_not_overlapped
+from adapters.liggghts.harmonic import why_not_harmonic
 from adapters.liggghts.translate import (
     CLUMP,
     HALF_STEP,
+    OVERLAPPED,
     loads,
     locks,
     represented,
@@ -30,6 +33,9 @@ def refusal(ask: Ask, scheme: str) -> str | None:
     if reason is not None:
         return reason
     scene = stood_for(ask).scene
+    why = why_not_overlapped if scheme == OVERLAPPED else why_not_harmonic
+    if (reason := why(scene)) is not None:
+        return reason
     return (
         _unknown_body(ask, scene)
         or _no_steps(ask)

@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from adapters.liggghts.bonds import overlapped
 from adapters.liggghts.clumps import as_atoms
 from adapters.liggghts.walls import is_mesh, travel, triangle
 from vv.ask import Ask, Displacement, Observable
@@ -17,7 +18,7 @@ from vv.soften import fastest
 from vv.stand_in import Stood, held, sprung
 from vv.transform import initial_normal_forces, released
 
-PLAIN, HALF_STEP, CLUMP = "default", "half-step-mass", "clump"
+PLAIN, HALF_STEP, CLUMP, OVERLAPPED = "default", "half-step-mass", "clump", "pre-overlapped"
 
 
 def step(ask: Ask) -> float:
@@ -34,6 +35,8 @@ def represented(ask: Ask, scheme: str) -> Scene:
     Raises ValueError for an ask without dt, or one that `released` cannot release.
     """
     scene = released(stood_for(ask).scene)
+    if scheme == OVERLAPPED:
+        return overlapped(scene)
     if scheme == CLUMP:
         return as_atoms(scene, clump(ask))
     return heavier(scene, scene.eta * step(ask) / 2) if scheme == HALF_STEP else scene

@@ -10,6 +10,8 @@ from pathlib import Path
 import numpy as np
 
 from adapters.yade.answers import parse
+from adapters.yade.bonds import sheared, why_no_bonds
+from adapters.yade.inside import script
 from adapters.yade.installed import PYTHON, find
 from adapters.yade.polyhedra import why_no_polyhedron
 from adapters.yade.translate import (
@@ -25,13 +27,12 @@ from adapters.yade.translate import (
 )
 from vv import external
 from vv.adapter import Found, Scheme
-from vv.ask import Ask, Method, Model, Run, Status
+from vv.ask import Ask, Displacement, Method, Model, Reaction, Run, Status, Velocity
 from vv.clump import clump, why_no_clump
 from vv.scene import Scene, Term
 from vv.stand_in import STANDS_IN, why_not
 from vv.transform import released, why_not_released
 
-DRIVER = Path(__file__).with_name("driver.py")
 TERMS = frozenset(
     {
         Term.SPHERE,
@@ -45,10 +46,17 @@ TERMS = frozenset(
         Term.OBLIQUE_LOCK,
         Term.SHAKING,
         Term.BASE_MOTION,
+        Term.BOND,
+        Term.BOND_SHEAR,
+        Term.BREAKAGE,
+        Term.CARRIED,
     }
 )
-ONE_BLOCK = (TERMS | STANDS_IN) - {Term.SPHERE, Term.SPHERE_CONTACT, Term.DRAG}
+BONDED = {Term.BOND, Term.BOND_SHEAR, Term.BREAKAGE}
+ONLY_SPHERES = {Term.SPHERE, Term.SPHERE_CONTACT, Term.DRAG, Term.CARRIED} | BONDED
+ONE_BLOCK = (TERMS | STANDS_IN) - ONLY_SPHERES
 KNOBS = ("dt", "kn")
+OBSERVABLES = frozenset({Displacement, Velocity, Reaction})
 SCHEMES = (
     Scheme(
         PLAIN,
@@ -57,12 +65,14 @@ SCHEMES = (
         TERMS | STANDS_IN,
         KNOBS,
         lowered={Term.RIGID_CONTACT: Method.PENALTY},
+        observables=OBSERVABLES,
     ),
     Scheme(
         HALF_STEP,
         "leapfrog with masses m + eta dt/2, which makes drag that of the mean velocity",
         Method.SECOND_ORDER,
         TERMS,
+        observables=OBSERVABLES,
     ),
     Scheme(
         CLUMP,
@@ -99,10 +109,12 @@ class Yade:
         scene = stood_for(put(ask, scheme)[0]).scene
         return (
             _no_sphere_seen(ask, scene)
-            or _locked_motion(scene)
+            or _locked_spin(scene)
             or why_not_released(scene)
             or _oblique_spin_lock(ask.scene)
             or _behind_wall(scene)
+            or why_no_bonds(scene)
+            or _oblique_reaction(ask)
         )
 
     def describe(self, ask: Ask, scheme: str) -> Model:
@@ -113,11 +125,10 @@ class Yade:
         return Model(scene.unknowns() + turning, terms, "; ".join(_notes(ask, scheme)))
 
     def native(self, ask: Ask, scheme: str) -> str:
-        """A script for `yade -n -x` or the system's python3: the driver with the ask filled in."""
+        """A script for `yade -n -x` or the system's python3: the program with the ask filled in."""
         notes = "".join(f"# {note}\n" for note in _notes(ask, scheme))
         literal = pprint.pformat(plan(put(ask, scheme)[0], scheme), width=99, sort_dicts=False)
-        empty = "ASK: dict[str, Any] | None = None\n"
-        return DRIVER.read_text().replace(empty, f"{notes}ASK: dict[str, Any] | None = {literal}\n")
+        return script(f"{notes}ASK: dict[str, Any] | None = {literal}\n")
 
     def run(self, asks: Sequence[Ask], scheme: str, scratch: Path, repeat: float) -> Iterator[Run]:
         """Run all asks in one YADE process; see vv.external for what happens if it dies."""
@@ -126,18 +137,20 @@ class Yade:
             yield from [Run(Status.NOT_INSTALLED, here.how_to_install)] * len(asks)
             return
         files = [scratch / f"ask-{number}.json" for number in range(len(asks))]
+        source = scratch / "in-yade.py"
+        source.write_text(script())
         framed = [put(ask, scheme) for ask in asks]
+        models = [self.describe(ask, scheme) for ask in asks]
         for file, (ask, _) in zip(files, framed, strict=True):
             file.write_text(json.dumps({**plan(ask, scheme), "repeat": repeat}))
 
         def launch(indices: Sequence[int]) -> external.Program:
             # -E: variables meant for our own Python must not reach this one
-            command = [str(PYTHON), "-E", str(DRIVER), *(str(files[i]) for i in indices)]
+            command = [str(PYTHON), "-E", str(source), *(str(files[i]) for i in indices)]
             return external.start(command, scratch, {"VV_YADE": here.path})
 
         def collect(index: int, program: external.Program) -> Run | None:
-            model = self.describe(asks[index], scheme)
-            return parse(files[index], *framed[index], model, program.started)
+            return parse(files[index], *framed[index], models[index], program.started)
 
         yield from external.run_batch(len(asks), launch, collect)
 
@@ -151,14 +164,11 @@ def _no_sphere_seen(ask: Ask, scene: Scene) -> str | None:
     return None
 
 
-def _locked_motion(scene: Scene) -> str | None:
-    """Why a body that moves along or about what it is locked in is refused: YADE keeps it going."""
-    spheres = scene.spheres
-    along = np.where(spheres.free, 0.0, spheres.velocity @ scene.axes.T)
-    about = np.where(spheres.free_spin, 0.0, spheres.spin @ scene.axes.T)
-    allowed = 1e-12 * np.abs(spheres.velocity).max(axis=1, keepdims=True)
-    if (np.abs(along) > allowed).any() or (np.abs(about) > 0).any():
-        return "a sphere has a velocity or spin in a locked freedom, which YADE would maintain"
+def _locked_spin(scene: Scene) -> str | None:
+    """Why a body that turns about what it is locked in is refused: YADE keeps it going."""
+    about = np.where(scene.spheres.free_spin, 0.0, scene.spheres.spin @ scene.axes.T)
+    if about.any():
+        return "a sphere has a spin in a locked freedom, which YADE would maintain"
     return None
 
 
@@ -167,6 +177,14 @@ def _oblique_spin_lock(scene: Scene) -> str | None:
     partly = any(free.any() and not free.all() for free in masks)
     if partly and not np.array_equal(scene.axes, np.eye(3)):
         return "rotation is locked about some axes of a turned frame; YADE locks its own axes only"
+    return None
+
+
+def _oblique_reaction(ask: Ask) -> str | None:
+    if Term.OBLIQUE_LOCK in ask.scene.terms() and any(
+        isinstance(seen, Reaction) for seen in ask.observables
+    ):
+        return "a reaction to oblique locks, for which dead loads stand, is not known"
     return None
 
 
@@ -194,6 +212,18 @@ def _notes(ask: Ask, scheme: str) -> list[str]:
         "shear increments without YADE's corrections against ratcheting": has_friction(scene),
         "touching spheres start at rest and get their velocity as an impulse in the first step": (
             has_friction(scene) and bool(initial_contacts(scene)[1])
+        ),
+        "bonds are contacts of CohFrictMat, made before the first step, brittle where they break": (
+            scene.bonds is not None
+        ),
+        "locked bodies that move do so by YADE's own keeping, from the end of the first step": (
+            Term.CARRIED in scene.terms()
+        ),
+        "reactions from the forces of one step more": (
+            any(isinstance(what, Reaction) for what in ask.observables)
+        ),
+        "spheres on a bond that resists shear likewise start by an impulse": (
+            bool(sheared(scene).any()) and bool(scene.spheres.velocity.any())
         ),
         "drag by LinearDragEngine from the velocity half a step ago": scene.eta > 0,
         "masses are m + eta dt/2, weight a dead load": scheme == HALF_STEP and scene.eta > 0,

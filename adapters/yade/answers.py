@@ -10,7 +10,7 @@ import numpy as np
 
 from adapters.yade.translate import stood_for, watched
 from vv.ask import Ask, Cost, Displacement, Model, Run, Status
-from vv.scene import Vector
+from vv.scene import Term, Vector
 
 DRIFT = 1e-9  # of the largest displacement; rounding gives 1e-12, a lost balance far more
 REST = 1e-12  # of a radius: where nothing moves, rounding does
@@ -51,6 +51,8 @@ def parse(path: Path, ask: Ask, frame: Vector, model: Model, started: float) -> 
 def _drift(values: Vector, ask: Ask) -> str | None:
     """Say if a sphere left the directions it is free in, where a dead load stands for the lock."""
     scene = stood_for(ask).scene
+    if Term.OBLIQUE_LOCK not in scene.terms():
+        return None
     for observable, moved in zip(watched(ask), values, strict=True):
         sphere = scene.sphere_index(observable.body)
         free = scene.spheres.free[sphere]

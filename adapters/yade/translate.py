@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from adapters.yade.bonds import bonds, sheared
 from adapters.yade.clumps import clumped
 from adapters.yade.drives import driven, sines
 from adapters.yade.polyhedra import laid, polyhedral, turn_of
@@ -47,8 +48,9 @@ def plan(ask: Ask, scheme: str) -> Plan:
         "drag": float(scene.eta),
         "shaking": sines(scene.shaking),
         "charged": _charges(stood),
+        "bonds": bonds(scene),
         "observe": [[_quantity(seen), seen.body] for seen in watched(ask)],
-        "contacts": contacts,
+        "contacts": contacts + len(scene.bonded),
         "moves": bool(scene.spheres.velocity.any()),
         "volumes": False,
         "bodies": _bodies(scene, columns, FACET * _reach(ask), dt),
@@ -89,12 +91,13 @@ def _columns(
     force = force if charged is None else force + charged
     early = spheres.velocity - force / spheres.mass[:, None] * (dt / 2)
     early = np.where(spheres.free, early, 0.0)
+    carried = scene.carried
     mass = spheres.mass + extra
-    pushed = np.reshape(touching & has_friction(scene), (-1, 1))
+    pushed = np.reshape((touching & has_friction(scene)) | sheared(scene), (-1, 1))
     return {
         "position": spheres.position,
         "initial": spheres.velocity,
-        "velocity": np.where(pushed, 0.0, early),
+        "velocity": np.where(pushed, 0.0, early + carried),
         "spin": np.where(pushed, 0.0, spheres.spin),
         "radius": spheres.radius,
         "mass": mass,
@@ -102,6 +105,8 @@ def _columns(
         "shaken": spheres.mass,
         "force": spheres.load + (weight if extra else 0.0),
         "push": np.where(pushed, (mass[:, None] / dt - eta) * early, 0.0),
+        "carried": carried,
+        "held": np.where(pushed, 0.0, carried),
         "twist": np.where(pushed, spheres.inertia[:, None] * spheres.spin / dt, 0.0),
     }
 
@@ -142,7 +147,7 @@ def watched(ask: Ask) -> tuple[Observable, ...]:
 
 
 def _quantity(observable: object) -> str:
-    return "displacement" if isinstance(observable, Displacement) else "velocity"
+    return type(observable).__name__.lower()
 
 
 def has_friction(scene: Scene) -> bool:
@@ -153,12 +158,14 @@ def has_friction(scene: Scene) -> bool:
 def initial_contacts(scene: Scene) -> tuple[Mask, int]:
     """Which spheres overlap something at the start, (n,), and how many contacts that makes.
 
-    Contacts between bodies without any freedom do not count.
+    Contacts between bodies without any freedom do not count; bonds are none.
     """
     spheres = scene.spheres
     free: Mask = np.hstack([spheres.free, spheres.free_spin])
     moving = [bool(row.any()) for row in free]
+    bonded = {(min(pair), max(pair)) for pair in scene.bonded.tolist()}
     pairs = [(i, j) for i, j in _overlapping(scene) if moving[i] or moving[j]]
+    pairs = [pair for pair in pairs if pair not in bonded]
     touching = np.zeros(len(spheres), bool)
     touching[[i for pair in pairs for i in pair]] = True
     return touching, len(pairs)

@@ -9,6 +9,7 @@ import numpy as np
 from reference_solutions import galperin
 from vv.ask import History, Knobs, Method, Run, Velocity
 from vv.case import (
+    LOOSEST,
     Case,
     Count,
     Exact,
@@ -26,7 +27,7 @@ RADIUS = 0.1  # m; does not enter the answer
 LIGHT, HEAVY = Velocity(1), Velocity(2)
 X = np.array([1.0, 0.0, 0.0])
 BEYOND = 1.1  # of the time of the last collision between hard bodies: springs delay it
-SAMPLES = 4  # outputs in the shortest time between two collisions
+SAMPLES = 2  # outputs in the shortest time between two collisions; those of a pair lie twice as far
 
 
 def _masses(p: Parameters) -> dict[str, float]:
@@ -85,7 +86,7 @@ def _number(due: int, spread: float, coarsest: float) -> Count:
         reference=due,
         judge=Exact({
             Method.EXACT: Tolerance(1e-6, "a number of collisions is right or wrong"),
-            Method.SECOND_ORDER: Tolerance(spread, BLURRED, dt=coarsest, order=2),
+            Method.SECOND_ORDER: Tolerance(min(spread, LOOSEST), BLURRED, dt=coarsest, order=2),
         }),
     )  # fmt: skip
 
@@ -135,7 +136,9 @@ CASE = Case(
     ),
     variants=(
         Variant("31", "mass ratio 100", UNFOLDED, inert=INERT),
-        Variant("314", "mass ratio 10 000", UNFOLDED, {"ratio": 1e4, "kn": 1.6e10}, INERT, False),
+        Variant(
+            "314", "mass ratio 10 000", UNFOLDED, {"ratio": 1e4, "kn": 4e9}, INERT, Level.DEFAULT
+        ),
     ),
     declare=_declare,
 )

@@ -99,8 +99,6 @@ CASE = Case(
         "amplitude y1 = mu kn dx/ks, at which the shear force is mu Fn and the velocity zero.",
     ),
     parameters=tuple(one for one in SINGLE_CONTACT.parameters if one.name in OWN),
-    variants=(
-        Variant("T3", SHEAR.summary, SHEAR.formula, inert=SHEAR.inert - {"v_a"}, quick=True),
-    ),
+    variants=(Variant("T3", SHEAR.summary, SHEAR.formula, inert=SHEAR.inert - {"v_a"}),),
     declare=_declare,
 )

@@ -103,11 +103,11 @@ def tangents(n: Triple) -> tuple[Triple, Triple]:
 
 @called
 def assemble(contacts: Contacts, count: int, bodies: Bodies) -> Joints:
-    """The first `count` contacts as joints."""
+    """The first `count` contacts as joints, which outlive them."""
     joints = Joints(
-        contacts.first[:count],
-        contacts.second[:count],
-        contacts.normal[:count],
+        contacts.first[:count].copy(),
+        contacts.second[:count].copy(),
+        contacts.normal[:count].copy(),
         np.empty((count, 3)),
         np.empty((count, 3)),
         np.empty((count, 3)),

@@ -70,7 +70,7 @@ class General:
         self.kernel()(*self.outputs(1, ()), 1, slow, STATIC_STEPS, *rule, *told)
         end, bodies = told[ENDS], told[BODIES]
         end.velocity[:] = start.velocity[:] = moving
-        most = np.linalg.norm(bodies.weight + bodies.load, axis=1).max() / law.kn
+        most = np.linalg.norm(bodies.weight + bodies.load, axis=1).sum() / law.kn
         far = np.linalg.norm(end.centre - start.centre, axis=1).max()
         return end if far <= FLOAT * most else start
 

@@ -19,7 +19,7 @@ STATIC_STEPS = 4
 """Such steps taken: each leaves a part 1/STATIC of the error of the one before."""
 
 FLOAT = 1e3
-"""Times load/kn: a block that moves farther under static loads rests on nothing."""
+"""Times all loads over kn: a block that moves farther under static loads rests on nothing."""
 
 MOST = 40
 """Open-close iterations of a formulation that does not stop at the published six."""

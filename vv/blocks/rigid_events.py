@@ -137,4 +137,4 @@ def remembered(trial: Trial, span: float, least: float) -> Past:
         u = relative(trial.joints, c, trial.v, trial.w)
         slip = plus(u, -dot(u, n), n)
         still[c] = dot(slip, slip) <= least * least and dot(at(trial.p, c), n) > 0.0
-    return Past(trial.key, trial.p / span, still)
+    return Past(trial.key, trial.p / span, still, trial.joints)

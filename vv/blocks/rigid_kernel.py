@@ -9,46 +9,17 @@ from vv.blocks.cone import keep, push_out
 from vv.blocks.contacts import empty_contacts
 from vv.blocks.geometry import Index
 from vv.blocks.limits import NEARLY, PUSHES, SMALL, SPLITS
+from vv.blocks.rigid_energy import DRIVEN, SHOVED, book, kinetic
 from vv.blocks.rigid_events import ends_after, move, remembered, rests_for, strained
-from vv.blocks.rigid_setting import Past, Setting, State, shift_at, wall_rates
-from vv.blocks.rigid_step import Trial, attempt
+from vv.blocks.rigid_setting import Setting, State, shift_at
+from vv.blocks.rigid_step import Trial, attempt, nothing
 from vv.blocks.slip import slow
-from vv.blocks.turning import turn_by, turned_inertia
+from vv.blocks.turning import turn_by
 from vv.compiled import called, compiled
-from vv.drive import mean
 from vv.scene import Vector
 from vv.triples import at, dot, plus, put
 
 NIL = (0.0, 0.0, 0.0)
-RUBBED, HIT, BASE, SHAKEN, DRIVEN, SHOVED = range(6)
-
-
-@called
-def book(
-    account: Vector, setting: Setting, state: State, trial: Trial, now: float, span: float
-) -> None:
-    """Add to account (6,) [J] what contacts, walls, shaking and forces did in a step."""
-    n, b = len(setting.mass), len(trial.v)
-    v_mid, w_mid = np.zeros((b, 3)), np.zeros((b, 3))
-    wall_rates(setting, now, v_mid)
-    for i in range(b):
-        had = at(state.v, i) if i < n else at(v_mid, i)
-        put(v_mid, i, plus(plus(NIL, 0.5, had), 0.5, at(trial.v, i)))
-        if i < n:
-            put(w_mid, i, plus(plus(NIL, 0.5, at(state.w, i)), 0.5, at(trial.w, i)))
-    for c in range(len(trial.p)):
-        m, p = at(trial.joints.normal, c), at(trial.p, c)
-        u = relative(trial.joints, c, v_mid, w_mid)
-        normal = dot(p, m)
-        account[HIT] -= normal * dot(u, m)
-        account[RUBBED] -= dot(p, u) - normal * dot(u, m)
-        account[BASE] += (
-            dot(p, at(v_mid, trial.joints.first[c])) if (trial.joints.first[c] >= n) else 0.0
-        )
-    shake = mean(setting.shaking, now, span)
-    for i in range(n):
-        account[SHAKEN] += span * setting.mass[i] * dot(shake, at(v_mid, i))
-        account[DRIVEN] += span * dot(at(setting.force, i), at(v_mid, i))
 
 
 @called
@@ -81,19 +52,6 @@ def separate(
             account[DRIVEN] += dot(at(setting.force, i), at(x, i))
             account[SHOVED] += dot(at(setting.force, i), at(x, i))
     return deepest
-
-
-@called
-def kinetic(setting: Setting, state: State) -> float:
-    """The kinetic energy [J]."""
-    total, world = 0.0, np.empty((3, 3))
-    for i in range(len(setting.mass)):
-        total += 0.5 * setting.mass[i] * dot(at(state.v, i), at(state.v, i))
-        turned_inertia(setting.inertia[i], state.rotation[i], world)
-        for j in range(3):
-            for k in range(3):
-                total += 0.5 * state.w[i, j] * world[j, k] * state.w[i, k]
-    return total
 
 
 @called
@@ -142,7 +100,7 @@ def move_rigid(
         rotation[i, 0, 0] = rotation[i, 1, 1] = rotation[i, 2, 2] = 1.0
     state = State(centre.copy(), rotation, v.copy(), w.copy())
     account, contacts = np.zeros(6), empty_contacts(64)
-    past = Past(np.empty(0, np.int64), np.empty((0, 3)), np.empty(0, np.bool_))
+    past = nothing(contacts, setting)
     parts = SPLITS if n <= SMALL else 1
     pressed, done = np.zeros_like(reaction[0]), 0
     for row in range(len(path)):

@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vv.blocks.assembly import times
+from vv.blocks.assembly import Joints, times
 from vv.blocks.geometry import Index, Planes, Shapes
 from vv.blocks.turning import held_inverse, turn_by, turned_inertia
 from vv.compiled import called
@@ -58,7 +58,7 @@ class State(NamedTuple):
 
 
 class Past(NamedTuple):
-    """Contacts of the step before: key, force (k, 3) [N], and whether they did not slip at its end.
+    """Contacts of the step before: key, force (k, 3) [N], and at its end joints and what stuck.
 
     What stuck has no direction of slip, though its arms have turned since.
     """
@@ -66,6 +66,7 @@ class Past(NamedTuple):
     key: Index
     force: Vector
     still: Mask
+    joints: Joints
 
 
 @called

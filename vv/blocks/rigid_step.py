@@ -10,8 +10,10 @@ from vv.blocks.assembly import Bodies, Joints, apply, assemble, relative
 from vv.blocks.cone import Friction, solve_contacts
 from vv.blocks.contacts import Contacts, detect, empty_contacts, matched
 from vv.blocks.geometry import Index
+from vv.blocks.levers import halfway, relever
 from vv.blocks.limits import NEARLY
 from vv.blocks.placement import place_rigid
+from vv.blocks.rigid_bends import bent
 from vv.blocks.rigid_setting import (
     Past,
     Setting,
@@ -22,9 +24,8 @@ from vv.blocks.rigid_setting import (
     shift_at,
     wall_rates,
 )
-from vv.blocks.slip import bend, slow
+from vv.blocks.slip import slow
 from vv.compiled import called
-from vv.drive import mean, one_of, rate
 from vv.scene import Mask, Vector
 from vv.triples import Triple, at, dot, plus, put
 
@@ -34,16 +35,20 @@ NIL = (0.0, 0.0, 0.0)
 class Trial(NamedTuple):
     """What a step of a given length came to.
 
-    v, w: (b, 3) at its end; p: (c, 3) [N s]; gap: (c,) at its begin [m]; begun, ended: (c,)
-    whether slip began where there was none, and ended or turned about; friction carries the
-    directions of slip at the begin.
+    joints: at its end; middle, turn: see `halfway`; v, w: (b, 3) at its end; p: (c, 3) [N s], of
+    which `acted` did so halfway and the rest, next to nothing, at the end; gap: (c,) at its begin
+    [m]; begun, ended: (c,) whether slip began where there was none, and ended or turned about;
+    friction carries the directions of slip at the begin.
     """
 
     joints: Joints
+    middle: Joints
+    turn: Vector
     bodies: Bodies
     friction: Friction
     key: Index
     p: Vector
+    acted: Vector
     gap: Vector
     v: Vector
     w: Vector
@@ -65,6 +70,14 @@ def detected(
         found = empty_contacts(2 * count)
         count = detect(found, s.shapes, vertex, normal, s.moves, s.planes, shift, s.depth, margin)
     return found, count
+
+
+@called
+def nothing(contacts: Contacts, setting: Setting) -> Past:
+    """No contacts, as before the first step."""
+    none = np.empty((0, 3, 3))
+    joints = assemble(contacts, 0 * len(setting.mass), Bodies(none, none, none[:, 0]))
+    return Past(np.empty(0, np.int64), np.empty((0, 3)), np.empty(0, np.bool_), joints)
 
 
 @called
@@ -109,22 +122,24 @@ def attempt(
             known[c] = dot(at(p, c), m) > 0.0
         if speed > slow(span, setting.tolerance) and not (before[c] >= 0 and past.still[before[c]]):
             put(friction.d, c, plus(NIL, 1.0 / speed, slip))
+    middle, turn = halfway(joints, before, past.joints)
     return solved(
-        setting, now, span, joints, bodies, friction, found.key[:count].copy(),
+        setting, now, span, joints, middle, turn, bodies, friction, found.key[:count].copy(),
         p, gap, v_old, w_old, v, w, known,
     )  # fmt: skip
 
 
 @called
 def solved(
-    setting: Setting, now: float, span: float, joints: Joints, bodies: Bodies,
-    friction: Friction, key: Index, p: Vector, gap: Vector,
+    setting: Setting, now: float, span: float, joints: Joints, middle: Joints, turn: Vector,
+    bodies: Bodies, friction: Friction, key: Index, p: Vector, gap: Vector,
     v_old: Vector, w_old: Vector, v: Vector, w: Vector, known: Mask,
 ) -> Trial:  # fmt: skip
     """Solve the contacts of a step, friction following the slip that it decides."""
-    count = len(p)
+    count, acted = len(p), np.zeros_like(p)
     for c in range(count):
         load_on(joints, c, bodies, v, w, at(p, c))
+    relever(p, acted, joints, middle, turn, bodies, v, w)
     sweeps, left = solve_contacts(
         p, joints, bodies, friction, v, w, setting.tolerance, setting.fewest, setting.most
     )
@@ -141,7 +156,9 @@ def solved(
             ended[c] = slips and dot(u, d) <= least
             any_ended = any_ended or ended[c]
     for _ in range(0 if any_ended else setting.bends):
-        if not bent(setting, now, span, joints, friction, p, v_old, w_old, v, w):
+        turns = bent(setting, now, span, joints, friction, p, v_old, w_old, v, w)
+        moved = relever(p, acted, joints, middle, turn, bodies, v, w)
+        if not turns and moved <= setting.tolerance:
             break
         few = 0 * sweeps  # a literal 0 would make numba compile the solver twice
         more, left = solve_contacts(
@@ -150,7 +167,9 @@ def solved(
         sweeps += more
         if more == 0:
             break
-    return Trial(joints, bodies, friction, key, p, gap, v, w, begun, ended, sweeps, left)
+    return Trial(
+        joints, middle, turn, bodies, friction, key, p, acted, gap, v, w, begun, ended, sweeps, left
+    )
 
 
 @called
@@ -158,39 +177,3 @@ def load_on(joints: Joints, c: int, bodies: Bodies, v: Vector, w: Vector, p: Tri
     """`apply`, unless there is nothing to apply."""
     if dot(p, p) > 0.0:
         apply(joints, c, bodies, v, w, p)
-
-
-@called
-def bent(
-    setting: Setting, now: float, span: float, joints: Joints, friction: Friction, p: Vector,
-    v_old: Vector, w_old: Vector, v: Vector, w: Vector,
-) -> bool:  # fmt: skip
-    """Set the turn of all slips for their present ends; tell whether there is any."""
-    there = False
-    for c in range(len(p)):
-        n, d = at(joints.normal, c), at(friction.d, c)
-        normal = dot(at(p, c), n)
-        if dot(d, d) == 0.0 or normal <= 0.0:
-            continue
-        before, after = relative(joints, c, v_old, w_old), relative(joints, c, v, w)
-        sag = sagging(setting, now, span, joints.first[c], n)
-        pull = friction.mu * normal * joints.along[c]
-        before, after = plus(before, -dot(before, n), n), plus(after, -dot(after, n), n)
-        turn = bend(before, sag, after, pull)
-        put(friction.turn, c, turn)
-        there = there or dot(turn, turn) > 0.0
-    return there
-
-
-@called
-def sagging(setting: Setting, now: float, span: float, body: int, normal: Triple) -> Triple:
-    """How far drives take slip on a wall halfway from the mean of its first and last [m/s]."""
-    sag, wall = NIL, body - len(setting.mass)
-    if wall < 0:
-        return sag
-    sag = plus(sag, 0.5 * span, mean(setting.shaking, now, 0.5 * span))
-    sag = plus(sag, -0.5 * span, mean(setting.shaking, now, span))
-    base = one_of(setting.drives, setting.drive_start, wall)
-    sag = plus(sag, -1.0, rate(base, now + 0.5 * span))
-    sag = plus(plus(sag, 0.5, rate(base, now)), 0.5, rate(base, now + span))
-    return plus(sag, -dot(sag, normal), normal)

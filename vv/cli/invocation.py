@@ -60,10 +60,10 @@ def carried_out(
 def _tell(project: Project, manifest: dict[str, Any], json_file: Path | None) -> None:
     """Write the records if asked to, and say how it went."""
     if json_file:
-        from vv.export import full_records
+        from vv.export import document
 
-        records = full_records(manifest, Store(project.data()))
-        deliver(json_file, json.dumps({"records": records}, allow_nan=False).encode())
+        told = document(manifest, Store(project.data()))
+        deliver(json_file, json.dumps(told, allow_nan=False).encode())
     screen.print_refusals(manifest["records"])
     screen.print_counts(manifest["records"], _report(project))
 

@@ -2,6 +2,7 @@
 
 from vv.ask import Ask, Run
 from vv.dem.leapfrog import CENTRED, LAGGED, Leapfrog
+from vv.dem.safe import safe_step
 from vv.dem.solve import Program, prepare, refuses, solve, unstable
 from vv.dem.stability import critical_step
 
@@ -13,6 +14,7 @@ __all__ = [
     "critical_step",
     "prepare",
     "refuses",
+    "safe_step",
     "solve_default",
     "solve_published",
     "unstable",

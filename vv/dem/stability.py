@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import math
 from typing import NamedTuple
 
@@ -16,7 +17,7 @@ from vv.scene import Scene, Vector
 
 TOUCHING = 1e-9  # gap over radius up to which a contact counts as closed at t = 0
 DENSE = 300  # unknowns up to which a matrix is filled
-CLOSE = 1e-10  # of an eigenvalue, how well it is found in a larger one
+CLOSE = 1e-4  # of an eigenvalue, how well it is found in a larger one, from below
 
 
 class Springs(NamedTuple):
@@ -29,6 +30,7 @@ class Springs(NamedTuple):
     arms: Vector
 
 
+@functools.lru_cache(maxsize=64)  # asked several times a rung for one scene
 def critical_step(scene: Scene, leapfrog: Leapfrog) -> float:
     """The step [s] beyond which a closed contact makes the leapfrog unstable; inf if none can.
 
@@ -36,19 +38,23 @@ def critical_step(scene: Scene, leapfrog: Leapfrog) -> float:
     n = eta/2m. w is the highest frequency of the bonds and of the contacts closed at t = 0 taken
     together, or of any one contact that may close, if that is higher; m the least mass.
     """
-    one = line(scene)
-    if one is not None:
-        stiffness = one.state.normal or one.state.friction
-        mass = one.state.mass
-        square = 0.0 if stiffness is None else stiffness[0] / mass
-    else:
-        state = space(scene).state
-        mass, square = float(state.mass.min(initial=math.inf)), highest_square(state)
+    mass, square = _stiffest(scene)
     n = scene.eta / (2.0 * mass) * (2.0 * leapfrog.lag - 1.0)
     if square > 0.0:
         # the same as 2 (sqrt(n^2 + w^2) - n)/w^2, free of cancellation
         return 2.0 / (math.sqrt(n * n + square) + n)
     return 1.0 / n if n > 0.0 else math.inf
+
+
+@functools.lru_cache(maxsize=32)  # it is wanted for every rung and scheme
+def _stiffest(scene: Scene) -> tuple[float, float]:
+    """The least mass [kg], and w_max^2 [1/s2] of the model that a scene is given."""
+    one = line(scene)
+    if one is not None:
+        stiffness = one.state.normal or one.state.friction
+        return one.state.mass, 0.0 if stiffness is None else stiffness[0] / one.state.mass
+    state = space(scene).state
+    return float(state.mass.min(initial=math.inf)), highest_square(state)
 
 
 def highest_square(state: SpaceState) -> float:

@@ -1,11 +1,14 @@
-"""Exact engine: small scenes of constant contact normals, solved from event to event."""
+"""Exact engine: small scenes whose normals and bonds do not turn, solved from event to event."""
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from vv.ask import Ask, Displacement, Model, Run, Status
+from vv.exact.bonds import assemble_bonded, assemble_linearised
 from vv.exact.flow import StoppedError, follow
 from vv.exact.ledger import ledger
-from vv.exact.modelled import TERMS, is_rigid
+from vv.exact.modelled import BONDS, TERMS, is_rigid
 from vv.exact.path import Path
 from vv.exact.reach import RefusedError
 from vv.exact.slide import follow_slider, lift_off
@@ -17,8 +20,10 @@ from vv.scene import Scene
 from vv.soften import as_spheres
 
 __all__ = [
+    "BONDS",
     "TERMS",
     "Path",
+    "Prepare",
     "RefusedError",
     "Slide",
     "Slider",
@@ -26,6 +31,7 @@ __all__ = [
     "System",
     "answer",
     "assemble",
+    "assemble_bonded",
     "assemble_slider",
     "duration",
     "follow",
@@ -33,20 +39,34 @@ __all__ = [
     "model",
     "move",
     "prepare",
+    "prepare_linearised",
     "refusal",
     "solve",
+    "solve_linearised",
 ]
+
+Prepare = Callable[[Ask], System | Slider]
 
 
 def prepare(ask: Ask) -> System | Slider:
     """The equations to solve for an ask, of springs or of rigid contact; raises RefusedError."""
-    problem = _pressed(ask) if is_rigid(ask.scene) else assemble(ask.scene)
-    for observable in ask.observables:
-        _index(ask.scene, observable.body)
+    problem: System | Slider
+    if ask.scene.bonds is not None:
+        problem = assemble_bonded(ask.scene)
+    else:
+        problem = _pressed(ask) if is_rigid(ask.scene) else assemble(ask.scene)
+    _check_observed(ask)
     return problem
 
 
-def refusal(ask: Ask) -> str | None:
+def prepare_linearised(ask: Ask) -> System | Slider:
+    """The equations of bonds to first order in the displacements; raises RefusedError."""
+    problem = assemble_linearised(ask.scene)
+    _check_observed(ask)
+    return problem
+
+
+def refusal(ask: Ask, prepare: Prepare = prepare) -> str | None:
     """Why an ask is outside the engine's class, or None."""
     try:
         prepare(ask)
@@ -69,7 +89,7 @@ def model(scene: Scene, problem: System | Slider) -> Model:
     return describe(scene, problem)
 
 
-def solve(ask: Ask) -> Run:
+def solve(ask: Ask, prepare: Prepare = prepare) -> Run:
     """The run of an ask, without cost: refused, diverged, or exact to rounding."""
     try:
         problem = prepare(ask)
@@ -80,6 +100,11 @@ def solve(ask: Ask) -> Run:
     except StoppedError as reason:
         return Run(Status.DIVERGED, str(reason), model=model(ask.scene, problem))
     return answer(ask, path)
+
+
+def solve_linearised(ask: Ask) -> Run:
+    """The run of an ask about bonds, exact to first order in the displacements."""
+    return solve(ask, prepare_linearised)
 
 
 def duration(ask: Ask) -> float:
@@ -116,6 +141,11 @@ def _pressed(ask: Ask) -> Slider:
             else f"body {body} is not pressed on body {wall} at t = 0"
         )
     return slider
+
+
+def _check_observed(ask: Ask) -> None:
+    for observable in ask.observables:
+        _index(ask.scene, observable.body)
 
 
 def _index(scene: Scene, body: int) -> int:

@@ -27,9 +27,9 @@ class StoppedError(Exception):
 class Now:
     """The state between two pieces of a motion.
 
-    time [s]; q, v: (n,) [m, m/s]; states of the contacts; lengths: (c + s,) gaps and spring
-    stretches [m], carried on their own so that small overlaps do not drown in large
-    displacements; scale: the largest deflection met or to be expected [m].
+    time [s]; q, v: (n,) [m, m/s]; states of the contacts; lengths: (c + s + h,) gaps and
+    stretches of springs and ties [m], carried on their own so that small overlaps do not drown
+    in large displacements; scale: the largest deflection met or to be expected [m].
     """
 
     time: float
@@ -65,9 +65,9 @@ def follow(system: System, duration: float) -> Path:
 
 
 def _start(system: System) -> Now:
-    """The state at t = 0, with slack springs."""
+    """The state at t = 0, with slack shear springs."""
     states = tuple(State.STUCK if gap < 0 else State.OPEN for gap in system.gap)
-    lengths = np.concatenate((system.gap, np.zeros(len(system.springs))))
+    lengths = np.concatenate((system.gap, np.zeros(len(system.springs)), system.ties.stretch))
     return Now(0.0, np.zeros(len(system.mass)), system.velocity, states, lengths, 0.0)
 
 
@@ -102,10 +102,11 @@ def _changed(system: System, now: Now, guard: Guard) -> Now:
     That is a gap of zero in a contact that closes or opens, and a stretch of zero or of the cap
     mu kn U/ks in a spring that begins to stick.
     """
-    c, before, after = guard.contact, now.states[guard.contact], guard.after
+    c, after = guard.contact, guard.after
     if after is None:
-        bodies = "bodies {} and {}".format(*system.names[c])
+        bodies = "bodies {} and {}".format(*(system.names + system.ties.names)[c])
         raise StoppedError(f"the centres of {bodies} meet at t = {now.time:.6g} s")
+    before = now.states[c]
     lengths = now.lengths.copy()
     if State.OPEN in (before, after):
         lengths[c] = 0.0

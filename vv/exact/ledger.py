@@ -48,7 +48,7 @@ def ledger(path: Path) -> Ledger:
 
 
 def _lengths(path: Path) -> Vector:
-    """Gaps and spring stretches as polynomials, (p, order + 1, c + s) [m]."""
+    """Gaps and stretches as polynomials, (p, order + 1, c + s + h) [m]."""
     lengths = np.asarray(path.series @ path.system.rows.T)
     lengths[:, 0] = path.lengths
     return lengths
@@ -62,8 +62,11 @@ def _springs(path: Path, lengths: Vector) -> tuple[Vector, Vector]:
     closed, sign = _from_start(closed), _from_start(_signs(path))
     overlap = np.where(closed, -at[:, :count], 0.0)
     cap, own = system.ratio * overlap[:, list(system.springs)], closed[:, list(system.springs)]
-    stretch = np.where(sign == 0, np.where(own, at[:, count:], 0.0), sign * cap)
-    return 0.5 * system.kn * (overlap**2).sum(axis=1), 0.5 * system.ks * (stretch**2).sum(axis=1)
+    first, bonds = count + len(system.springs), len(system.ties.names)
+    stretch = np.where(sign == 0, np.where(own, at[:, count:first], 0.0), sign * cap)
+    tied = 0.5 * system.ties.stiffness * at[:, first:] ** 2
+    normal = 0.5 * system.kn * (overlap**2).sum(axis=1) + tied[:, :bonds].sum(axis=1)
+    return normal, 0.5 * system.ks * (stretch**2).sum(axis=1) + tied[:, bonds:].sum(axis=1)
 
 
 def _from_start(rows: npt.NDArray[Any]) -> npt.NDArray[Any]:
@@ -82,7 +85,9 @@ def _friction(path: Path, lengths: Vector) -> Vector:
     """Work of slip (p,) [J]: the integral of mu kn U times the rate sigma x' - r U'."""
     system, sign = path.system, _signs(path)
     overlap = -lengths[:, :, list(system.springs)]
-    slip = sign[:, None] * lengths[:, :, len(system.gap) :] - system.ratio * overlap
+    first = len(system.gap)
+    travel = lengths[:, :, first : first + len(system.springs)]
+    slip = sign[:, None] * travel - system.ratio * overlap
     work = product_integral(path.end, overlap, derivative(slip)) * (sign != 0)
     return np.asarray(system.mu * system.kn * work.sum(axis=1))
 

@@ -16,8 +16,9 @@ EITHER = {
     Term.OBLIQUE_LOCK,
 }
 SPRINGS = frozenset(EITHER | {Term.SPHERE_CONTACT, Term.DRAG})
+BONDS = (SPRINGS | {Term.BOND, Term.BOND_SHEAR}) - {Term.SPHERE_CONTACT, Term.WALL_CONTACT}
 RIGID = frozenset(EITHER | {Term.RIGID_CONTACT, Term.BLOCK, Term.SHAKING, Term.BASE_MOTION})
-TERMS = SPRINGS | RIGID
+TERMS = SPRINGS | BONDS | RIGID
 
 
 def is_rigid(scene: Scene) -> bool:
@@ -26,8 +27,10 @@ def is_rigid(scene: Scene) -> bool:
 
 
 def check_terms(scene: Scene) -> None:
-    """Refuse a scene with a term that is not modelled on its kind of contact."""
+    """Refuse a scene with a term that is not modelled on its kind of contact, or on bonds."""
     modelled, contact = (RIGID, "rigid contact") if is_rigid(scene) else (SPRINGS, "springs")
+    if scene.bonds is not None:
+        modelled, contact = BONDS, "bonds"
     for lacking in sorted(scene.terms() - modelled, key=lambda term: term.value):
         where = f" on {contact}" if lacking in TERMS else ""
         raise RefusedError(f"{lacking.value} is not modelled{where}")

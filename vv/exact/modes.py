@@ -33,7 +33,10 @@ States = tuple[State, ...]
 
 @dataclass(frozen=True)
 class Guard:
-    """What a guard watches: the contact, and its state after; None if no state is left."""
+    """What a guard watches: the contact, and its state after; None if no state is left.
+
+    A bond, of which no state is left when its centres meet, is numbered after the contacts.
+    """
 
     contact: int
     after: State | None
@@ -43,11 +46,11 @@ class Guard:
 class Mode:
     """The linear system that holds while all contacts keep their states.
 
-    lengths: (c + s,) gaps and spring stretches [m]. h: step [s]. The contacts push with
-    push @ lengths, (n, c + s) [N/m]. series: (ORDER n, 2n), from the first two Taylor
+    lengths: (c + s + h,) gaps, and stretches of springs and ties [m]. h: step [s]. All push with
+    push @ lengths, (n, c + s + h) [N/m]. series: (ORDER n, 2n), from the first two Taylor
     coefficients of the displacements to those of order 1 to ORDER. Guards are positive:
-    values @ lengths + offset, (g, c + s) and (g,), and rates @ (derivatives of the lengths),
-    (r, c + s); guards: what these g + r rows watch.
+    values @ lengths + offset, (g, c + s + h) and (g,), and rates @ (derivatives of the lengths),
+    (r, c + s + h); guards: what these g + r rows watch.
     """
 
     states: States
@@ -70,7 +73,7 @@ def make_mode(system: System, states: States, longest: float) -> Mode:
 
 
 def quickest_step(system: System) -> float:
-    """The step [s] while all contacts stick, the stiffest state; infinite without contacts."""
+    """The step [s] while all contacts stick, the stiffest state; infinite without springs."""
     return _step(system, _push(system, (State.STUCK,) * len(system.gap)))
 
 
@@ -97,6 +100,7 @@ def _push(system: System, states: States) -> Vector:
             push[:, count + s] -= system.ks * system.tangent[s]
         else:
             push[:, c] += states[c].sign * system.mu * system.kn * system.tangent[s]
+    push[:, count + len(system.springs) :] = -system.ties.stiffness * system.ties.rows.T
     return push
 
 
@@ -122,7 +126,8 @@ Row = tuple[Guard, dict[int, float], float]  # what it watches, its entries and 
 def _guards(system: System, states: States) -> tuple[Vector, Vector, Vector, tuple[Guard, ...]]:
     """The guards of a mode, all in metres and positive while it holds: see Mode.
 
-    Open: the gap. Closed: the overlap U, and for two spheres the distance of their centres.
+    Open: the gap. Closed: the overlap U, and for two spheres the distance of their centres, as
+    for a bond.
     Stuck: r U - s and r U + s for a stretch s, r = mu kn/ks. Slip along sigma: the rate
     sigma x' - r U' at which the contact slips, for a tangential travel x.
     """
@@ -142,7 +147,10 @@ def _guards(system: System, states: States) -> tuple[Vector, Vector, Vector, tup
             values.append((Guard(c, State.SLIP_BACKWARD), {c: -r, spring[c]: 1.0}, 0.0))
         elif c in spring:
             rates.append((Guard(c, State.STUCK), {c: r, spring[c]: float(state.sign)}, 0.0))
-    width = len(states) + len(spring)
+    first = len(states) + len(spring)
+    for b, length in enumerate(system.ties.length.tolist()):
+        values.append((Guard(len(states) + b, None), {first + b: 1.0}, length))
+    width = len(system.rows)
     offset = np.array([row[2] for row in values])
     guards = tuple(row[0] for row in (*values, *rates))
     return _matrix(values, width), offset, _matrix(rates, width), guards

@@ -17,8 +17,8 @@ from vv.scene import Vector
 class Piece:
     """One step: q = sum over k of series[k] x^k, x = (t - start)/h in [0, end].
 
-    start, h [s]; series: (order + 1, n) [m]; states of the contacts; lengths: (c + s,) gaps and
-    spring stretches at its start [m].
+    start, h [s]; series: (order + 1, n) [m]; states of the contacts; lengths: (c + s + h,) gaps
+    and stretches of springs and ties at its start [m].
     """
 
     start: float

@@ -103,7 +103,7 @@ def reachable(scene: Scene, candidates: list[Touch]) -> list[Vector]:
             spheres.velocity, weight + spheres.load, sizes, strict=True
         )
     ]
-    spaces = [_moved(own, some, BLUR) for own, some in zip(free, causes, strict=True)]
+    spaces = [moved(own, some, BLUR) for own, some in zip(free, causes, strict=True)]
     closing: list[Touch] = []
     while new := [t for t in candidates if t not in closing and can_close(t, spaces)]:
         closing += new
@@ -111,7 +111,7 @@ def reachable(scene: Scene, candidates: list[Touch]) -> list[Vector]:
         for touch in new:
             for i in touch.spheres:
                 causes[i].append(touch.normal)
-        spaces = [_moved(own, some, blur) for own, some in zip(free, causes, strict=True)]
+        spaces = [moved(own, some, blur) for own, some in zip(free, causes, strict=True)]
     return spaces
 
 
@@ -140,7 +140,7 @@ def scaled(vector: Vector, size: float = 0.0) -> Vector:
     return vector / size if size > 0 else vector
 
 
-def _moved(free: Vector, causes: list[Vector], blur: float) -> Vector:
+def moved(free: Vector, causes: list[Vector], blur: float) -> Vector:
     """The directions in which unit causes move a sphere: free axes, if those span them."""
     space = span(np.array(causes) @ free.T @ free, blur)
     inside = np.linalg.norm(free - free @ space.T @ space, axis=1) <= blur

@@ -3,29 +3,30 @@
 from __future__ import annotations
 
 import functools
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
-import numpy.typing as npt
 
 from vv.ask import Model
 from vv.exact.modelled import check_spheres, check_terms, counted
 from vv.exact.reach import RefusedError, Touch, can_close, reachable, tangents, touches
+from vv.exact.ties import Owners, Ties, untied
 from vv.scene import Scene, Term, Vector
 
 
 @dataclass(frozen=True, eq=False)
 class System:
-    """M q'' = f - eta q' + contact forces, with n unknowns q, c contacts, s shear springs.
+    """M q'' = f - eta q' + spring forces, with n unknowns q, c contacts, s shear springs, h ties.
 
     owner: (n,) sphere of each unknown; direction: (n, 3) along which it moves; mass: (n,) [kg];
     eta [N s/m]; weight, load: (n,) [N]; velocity: (n,) at t = 0 [m/s].
     Gaps are gap + normal @ q, (c,) + (c, n) [m]; tangential travel is tangent @ q, (s, n) [m].
     depth: (c,) overlaps at which centres meet [m]; names: the bodies of each contact.
-    springs: the contact of each shear spring. kn, ks [N/m]; mu.
+    springs: the contact of each shear spring. kn, ks [N/m]; mu. ties: the springs of bonds.
     """
 
-    owner: npt.NDArray[np.intp]
+    owner: Owners
     direction: Vector
     mass: Vector
     eta: float
@@ -41,11 +42,12 @@ class System:
     kn: float
     ks: float
     mu: float
+    ties: Ties
 
     @functools.cached_property
     def rows(self) -> Vector:
-        """Normal and tangential rows stacked, (c + s, n)."""
-        return np.vstack((self.normal, self.tangent))
+        """Normal and tangential rows of contacts, and those of ties, stacked: (c + s + h, n)."""
+        return np.vstack((self.normal, self.tangent, self.ties.rows))
 
     @property
     def ratio(self) -> float:
@@ -57,17 +59,33 @@ def assemble(scene: Scene) -> System:
     """The equations of motion of a scene; raises RefusedError if it is outside the class."""
     check_terms(scene)
     check_spheres(scene)
-    spheres, law = scene.spheres, scene.contact
+    law = scene.contact
     candidates = list(touches(scene))
     spaces = reachable(scene, candidates)
+    kept = [touch for touch in candidates if _matters(touch, spaces, law.ks * law.mu > 0)]
+    shearing = [_tangent(touch, spaces) if law.ks * law.mu > 0 else None for touch in kept]
+    springs = tuple(c for c, tangent in enumerate(shearing) if tangent is not None)
+    return equations(scene, spaces, kept, springs, [t for t in shearing if t is not None], untied)
+
+
+def equations(
+    scene: Scene,
+    spaces: list[Vector],
+    kept: list[Touch],
+    springs: tuple[int, ...],
+    along: list[Vector],
+    tied: Callable[[Owners, Vector], Ties],
+) -> System:
+    """The system of spheres that move in given spaces, (d, 3) each, and of what acts on them.
+
+    kept: the contacts; springs, along: see System, and the direction (3,) of each spring; tied:
+    what makes the ties for given owner and direction. Raises RefusedError if nothing moves.
+    """
+    spheres, law = scene.spheres, scene.contact
     direction = np.concatenate(spaces)
     if not len(direction):
         raise RefusedError("nothing in the scene moves")
     owner = np.repeat(np.arange(len(spheres)), [len(space) for space in spaces])
-    kept = [touch for touch in candidates if _matters(touch, spaces, law.ks * law.mu > 0)]
-    shearing = [_tangent(touch, spaces) if law.ks * law.mu > 0 else None for touch in kept]
-    springs = tuple(c for c, tangent in enumerate(shearing) if tangent is not None)
-    along = [t for t in shearing if t is not None]
     return System(
         owner=owner,
         direction=direction,
@@ -77,14 +95,15 @@ def assemble(scene: Scene) -> System:
         load=np.einsum("nk,nk->n", direction, spheres.load[owner]),
         velocity=np.einsum("nk,nk->n", direction, spheres.velocity[owner]),
         gap=np.array([touch.gap for touch in kept]),
-        normal=_rows(kept, [touch.normal for touch in kept], owner, direction),
-        tangent=_rows([kept[c] for c in springs], along, owner, direction),
+        normal=rows_of(kept, [touch.normal for touch in kept], owner, direction),
+        tangent=rows_of([kept[c] for c in springs], along, owner, direction),
         depth=np.array([touch.depth for touch in kept]),
         names=tuple(touch.names for touch in kept),
         springs=springs,
         kn=law.kn,
         ks=law.ks,
         mu=law.mu,
+        ties=tied(owner, direction),
     )
 
 
@@ -97,6 +116,7 @@ def describe(scene: Scene, system: System) -> Model:
         Term.FRICTION: len(system.tangent) > 0,
         Term.GRAVITY: bool(system.weight.any()),
         Term.LOAD: bool(system.load.any()),
+        Term.BOND_SHEAR: len(system.ties.rows) > len(system.ties.names),
     }
     inert = sorted(term.value for term in scene.terms() if not acting.get(term, True))
     unknowns = len(system.direction)
@@ -105,6 +125,8 @@ def describe(scene: Scene, system: System) -> Model:
         f"{counted(scene.unknowns(), 'freedom')}; {counted(len(system.gap), 'contact')} with "
         f"constant normals; {counted(len(system.tangent), 'shear spring')}"
     )
+    if ties := system.ties.names:
+        note += f"; {counted(len(ties), 'bond')} in {counted(len(system.ties.rows), 'spring')}"
     note += f"; without effect here: {', '.join(inert)}" if inert else ""
     return Model(unknowns, scene.terms(), note)
 
@@ -137,9 +159,7 @@ def _tangent(touch: Touch, spaces: list[Vector]) -> Vector | None:
     return np.asarray(along[0] * np.sign(parts[np.abs(parts).argmax()]))
 
 
-def _rows(
-    kept: list[Touch], along: list[Vector], owner: npt.NDArray[np.intp], direction: Vector
-) -> Vector:
+def rows_of(kept: list[Touch], along: list[Vector], owner: Owners, direction: Vector) -> Vector:
     """How fast each contact opens along a given direction, per unknown: (contacts, n)."""
     rows = np.zeros((len(kept), len(owner)))
     for row, touch, vector in zip(rows, kept, along, strict=True):

@@ -1,0 +1,72 @@
+"""Stands in for bonds by contacts: spheres that overlap from the start and are held apart by loads.
+
+This build of LIGGGHTS has no bond with a normal and a shear spring. Two spheres that overlap by a
+small part of their distance, in friction that never yields, have both springs as long as they stay
+in contact; dead loads cancel what they push with at t = 0. As a bond turns, that push turns with
+it and the loads do not, which costs about the pre-overlap in E and 1.4 times that in nu.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from vv.scene import Bonds, Contact, Scene
+from vv.transform import initial_normal_forces
+
+OVERLAP = 1e-4  # of the length of a bond
+STICKING = 1e9  # friction coefficient that no force reaches
+ALIKE = 1e-9  # relative difference up to which bonds count as alike
+USED = 0.5  # of the overlap that a stretch may take away
+APART = 1.01  # lengths that spheres without a bond must keep
+
+
+def overlapped(scene: Scene) -> Scene:
+    """The scene, spheres alone, with bonds as contacts; `why_not_overlapped` must not object."""
+    assert scene.bonds is not None
+    radius = float(scene.bonds.length[0]) * (1 + OVERLAP) / 2
+    law = Contact(float(scene.bonds.kn[0]), float(scene.bonds.ks[0]), STICKING)
+    spheres = replace(scene.spheres, radius=np.full(len(scene.spheres), radius))
+    touching = replace(scene, bodies=(spheres,), contact=law, bonds=None)
+    held = replace(spheres, load=spheres.load - initial_normal_forces(touching))
+    return replace(touching, bodies=(held,))
+
+
+def why_not_overlapped(scene: Scene) -> str | None:
+    """Why contacts cannot stand in for the bonds of a scene; None if they can."""
+    bonds, place = scene.bonds, scene.spheres.position
+    if bonds is None:
+        return "the scene has no bonds, for which overlaps would stand in"
+    i, j = scene.bonded.T
+    distance = np.linalg.norm(place[j] - place[i], axis=1)
+    for name, values in (("kn", bonds.kn), ("ks", bonds.ks), ("length", bonds.length)):
+        if np.ptp(values) > ALIKE * values[0]:
+            return f"bonds differ in {name}; contacts of all spheres have the same"
+    if np.abs(distance / bonds.length - 1).max() > ALIKE:
+        return "a bond pulls at t = 0, and contacts that stand in for bonds must all overlap alike"
+    return _crowded(scene, bonds) or _stretched(scene, bonds)
+
+
+def _crowded(scene: Scene, bonds: Bonds) -> str | None:
+    place = scene.spheres.position
+    apart = np.linalg.norm(place[:, None] - place[None], axis=2)
+    near = int(np.triu(apart < APART * bonds.length[0], 1).sum())
+    if near > len(bonds):
+        return "spheres without a bond are as near as those on one; they would hold together too"
+    return None
+
+
+def _stretched(scene: Scene, bonds: Bonds) -> str | None:
+    """A bound on how far bonds stretch: by all loads at once, suddenly, and by all motion."""
+    spheres, kn = scene.spheres, float(bonds.kn[0])
+    weight = spheres.mass[:, None] * scene.gravity + spheres.load
+    energy = float(spheres.mass @ (spheres.velocity**2).sum(axis=1)) / 2
+    most = 2 * float(np.linalg.norm(weight, axis=1).sum()) / kn + np.sqrt(2 * energy / kn)
+    allowed = USED * OVERLAP * float(bonds.length[0])
+    if most > allowed:
+        return (
+            f"bonds may stretch by {most:.3g} m, and contacts that overlap by {OVERLAP:g} of "
+            f"their length stand in for bonds up to {allowed:.3g} m"
+        )
+    return None

@@ -1,0 +1,47 @@
+"""Puts bonds to YADE, each as a contact that holds, and says what bonds it cannot be given."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from vv.scene import Mask, Scene
+
+STRONG = 1e300  # N
+
+
+def bonds(scene: Scene) -> list[dict[str, Any]]:
+    """The bonds of a scene as the program in YADE takes them: see its `driver`.
+
+    A bond of another length than the sum of the radii pulls from another overlap than none. An
+    infinite strength is told as one that no force comes near.
+    """
+    if scene.bonds is None:
+        return []
+    reach = scene.spheres.radius[scene.bonded].sum(axis=1)
+    columns = {
+        "pair": scene.bonds.pairs,
+        "kn": scene.bonds.kn,
+        "ks": scene.bonds.ks,
+        "overlap": reach - scene.bonds.length,
+        "tension": np.minimum(scene.bonds.tension, STRONG),
+        "shear": np.minimum(scene.bonds.shear, STRONG),
+    }
+    rows = zip(*(column.tolist() for column in columns.values()), strict=True)
+    return [dict(zip(columns, row, strict=True)) for row in rows]
+
+
+def sheared(scene: Scene) -> Mask:
+    """Which spheres, (n,), are on a bond that resists shear."""
+    on = np.zeros(len(scene.spheres), bool)
+    if scene.bonds is not None:
+        on[scene.bonded[scene.bonds.ks > 0]] = True
+    return on
+
+
+def why_no_bonds(scene: Scene) -> str | None:
+    """Why YADE cannot be given the bonds of a scene; None if it can, or there are none."""
+    if scene.bonds is not None and scene.walls:
+        return "walls beside bonds; YADE's law of bonds acts between spheres only"
+    return None

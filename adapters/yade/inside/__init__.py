@@ -1,0 +1,27 @@
+"""The program that runs inside YADE: one script, put together from the files in this folder."""
+
+import ast
+from pathlib import Path
+
+PARTS = ("session", "bodies", "bonds", "engines", "stepping", "driver")  # as they build on another
+EMPTY = "ASK: dict[str, Any] | None = None\n"
+
+
+def script(ask: str | None = None) -> str:
+    """The text of the program, which needs no other file; ask: what is filled in, as it says.
+
+    What one file imports from another here stands before it in the script instead.
+    """
+    texts = [_alone((Path(__file__).parent / f"{part}.py").read_text()) for part in PARTS]
+    whole = "\n\n".join(texts)
+    return whole if ask is None else whole.replace(EMPTY, ask)
+
+
+def _alone(text: str) -> str:
+    """A part without its imports from other parts."""
+    lines = text.splitlines(keepends=True)
+    for node in ast.parse(text).body:
+        if isinstance(node, ast.ImportFrom) and str(node.module).startswith(__name__):
+            last = node.end_lineno or node.lineno
+            lines[node.lineno - 1 : last] = [""] * (last - node.lineno + 1)
+    return "".join(lines)

@@ -1,0 +1,132 @@
+"""Solves asks with YADE: build the scene, step it, read it; nothing here knows the project.
+
+It runs in the system's own python3, for which YADE is built, as one script made of the files in
+this folder: as `python3 script.py ask.json ...`, where answers go to ask.json.npy and, as the last
+act, ask.json.answer; or alone, as a script in which ASK is filled in.
+
+An ask says, in SI units: dt; steps, and stride: how many of them lie between two outputs; kn, ks,
+mu of every contact; gravity; drag, the coefficient of -drag v; observe, pairs of quantity and body;
+contacts, how many overlap at the start; moves, whether something must move; bodies, in the order
+of YADE's ids; shaking, the sines A sin(2 pi f t + fi) of a body acceleration; charged, the
+friction with which a wall holds a sphere at the start; volumes: whether polyhedra overlap by
+volumes, for which kn is a stiffness per area; bonds. A sphere has position, velocity (half a
+step before t = 0), spin, mass, inertia, the mass that is shaken, blocked freedoms, a dead force,
+push and twist: a force and a torque during the first step, carried: the velocity that it keeps
+where it is blocked, and held: what it has of that in the first step. A wall's motion holds sines
+as YADE's HarmonicMotionEngine takes them. A bond has its pair of bodies, kn, ks, the overlap of
+its spheres at which it does not pull, and its strengths in tension and shear [N].
+"""
+
+import contextlib
+import json
+import math
+import os
+import sys
+import time
+from typing import Any
+
+import numpy as np
+
+from adapters.yade.inside.bodies import SHAPES, TOUCHED, charge
+from adapters.yade.inside.bonds import tie
+from adapters.yade.inside.engines import engines
+from adapters.yade.inside.session import WITHIN_YADE, O, RunError, timed, yade, yd
+from adapters.yade.inside.stepping import bare, check_end, unknowns, watched
+
+ASK: dict[str, Any] | None = None
+
+
+def build(ask: dict[str, Any]) -> None:
+    """Set up the scene: bodies, contact law, engines, time step."""
+    O.reset()
+    O.materials.append(material(ask))
+    for body in ask["bodies"]:
+        body["id"] = SHAPES[body["kind"]](body)
+        if "mass" in body:
+            O.forces.setPermF(body["id"], np.add(body["force"], body["push"]))
+            O.forces.setPermT(body["id"], body["twist"])
+    O.engines = engines(ask, {TOUCHED.get(body["kind"], body["kind"]) for body in ask["bodies"]})
+    O.dt = ask["dt"]
+    for held in ask["charged"]:
+        body = ask["bodies"][held["body"]]
+        for number, force in zip(body.get("feet", [body["id"]]), held["forces"], strict=True):
+            charge(ask["bodies"][held["wall"]]["id"], number, force)
+    if ask["bonds"]:
+        tie(ask)
+
+
+def material(ask: dict[str, Any]) -> Any:
+    """The stuff of all bodies; polyhedra take two like stiffnesses in series, young and poisson."""
+    angle = math.atan(ask["mu"])
+    if not ask["volumes"]:
+        return yd.FrictMat(frictionAngle=angle)
+    made = yd.PolyhedraMat(frictionAngle=angle)
+    made.young, made.poisson = 2 * ask["kn"], ask["ks"] / ask["kn"]
+    return made
+
+
+def solve(ask: dict[str, Any], repeat: float = 0.0) -> tuple[np.ndarray, dict[str, Any]]:
+    """Observables (quantity, time, 3) of one ask, and what it cost and was made of.
+
+    repeat: set-up and bare steps are done again until the steps alone took that many CPU
+    seconds, at least three times, and the least is reported; steps that took twice that while they
+    were watched, whose readings are not counted, are not done again.
+    """
+    setups = [timed(time.process_time, build, ask)]
+    values, cpu, whole, reading = watched(ask)
+    check_end(ask)
+    made = {"steps": O.iter, "unknowns": unknowns(), "output": reading}
+    solves = [(cpu, whole)] if cpu > 2 * repeat else []
+    fewest = 1 if solves else 3
+    while len(solves) < fewest or sum(cpu for cpu, _ in solves) < repeat:
+        setups.append(timed(time.process_time, build, ask))
+        solves.append(bare(ask))
+    least, most = min(solves), max(solves)
+    cost = {"setup": min(setups), "solve_cpu": least[0], "solve_wall": least[1]}
+    more = {"repeats": len(solves), "spread": most[0] / least[0] - 1}
+    return values, {"status": "ran", "reason": "", **made, **cost, **more}
+
+
+def answer(path: str, ready: float) -> None:
+    """Solve the ask in a file and put the answer beside it, whole or not at all."""
+    with open(path) as file:
+        ask = json.load(file)
+    try:
+        values, facts = solve(ask, ask["repeat"])
+    except RunError as trouble:
+        values, facts = np.zeros(0), {"status": trouble.status, "reason": str(trouble)}
+    except Exception as error:
+        values = np.zeros(0)
+        facts = {"status": "error", "reason": f"{type(error).__name__}: {error}"}
+    values_file, facts_file = path + ".npy", path + ".answer"
+    facts["output"] = facts.get("output", 0.0) + timed(
+        time.perf_counter, np.save, values_file, values
+    )
+    facts.update(ready=ready, version=yade.config.version)
+    with open(facts_file + ".half", "w") as file:
+        json.dump(facts, file)
+    os.replace(facts_file + ".half", facts_file)
+
+
+def main() -> None:
+    """Solve the ask written in, and print it as a table; or else those in the files named."""
+    if not WITHIN_YADE:
+        with contextlib.suppress(OSError):  # YADE makes this folder in /tmp, and leaves it there
+            os.rmdir(os.path.dirname(O.tmpFilename()))
+    if ASK is None:
+        ready = time.monotonic()
+        for path in sys.argv[1:]:
+            answer(path, ready)
+            ready = 0.0
+        return
+    values, facts = solve(ASK)
+    print(facts)
+    for number, (kind, body) in enumerate(ASK["observe"]):
+        print(f"# t [s], {kind} of body {body}: x, y, z [SI]")
+        for row, vector in enumerate(values[number]):
+            moment = row * ASK["stride"] * ASK["dt"]
+            print(" ".join(f"{number:.17g}" for number in (moment, *vector)))
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,99 @@
+"""Puts together what YADE does in a step: contacts, drag and motion, and nothing a scene lacks."""
+
+import math
+from typing import Any
+
+from adapters.yade.inside.bonds import bonded_contacts
+from adapters.yade.inside.session import yd
+
+
+def engines(ask: dict[str, Any], kinds: set[str]) -> list[Any]:
+    """What YADE does in a step: contacts, drag and motion, and nothing the scene lacks."""
+    return [
+        yd.ForceResetter(),
+        *touching(ask, sorted(kinds)),
+        *drag(ask),
+        *shaking(ask),
+        *motion(ask),
+        yd.NewtonIntegrator(damping=0, gravity=ask["gravity"]),
+    ]
+
+
+def touching(ask: dict[str, Any], kinds: list[str]) -> list[Any]:
+    """Finds what touches or is bonded, and lets it push and pull."""
+    if ask["bonds"]:
+        return bonded_contacts()
+    return overlaps() if ask["volumes"] else contacts(ask, kinds)
+
+
+def contacts(ask: dict[str, Any], kinds: list[str]) -> list[Any]:
+    """Finds contacts of spheres and presses and shears them by linear springs."""
+    bounds = {"sphere": yd.Bo1_Sphere_Aabb, "wall": yd.Bo1_Wall_Aabb, "facet": yd.Bo1_Facet_Aabb}
+    geometry = {
+        "sphere": lambda: yd.Ig2_Sphere_Sphere_ScGeom(avoidGranularRatcheting=False),
+        "wall": lambda: yd.Ig2_Wall_Sphere_ScGeom(noRatch=False),
+        "facet": yd.Ig2_Facet_Sphere_ScGeom,
+    }
+    stiffness = yd.Ip2_FrictMat_FrictMat_FrictPhys(
+        kn=yd.MatchMaker(algo="val", val=ask["kn"]), ks=yd.MatchMaker(algo="val", val=ask["ks"])
+    )
+    law = yd.Law2_ScGeom_FrictPhys_CundallStrack()
+    return [
+        yd.InsertionSortCollider([bounds[kind]() for kind in kinds]),
+        yd.InteractionLoop([geometry[kind]() for kind in kinds], [stiffness], [law]),
+    ]
+
+
+def overlaps() -> list[Any]:
+    """Finds polyhedra that overlap walls and presses them by the volume of the overlap."""
+    return [
+        yd.InsertionSortCollider([yd.Bo1_Polyhedra_Aabb(), yd.Bo1_Wall_Aabb()], verletDist=0.05),
+        yd.InteractionLoop(
+            [yd.Ig2_Wall_Polyhedra_PolyhedraGeom()],
+            [yd.Ip2_PolyhedraMat_PolyhedraMat_PolyhedraPhys()],
+            [yd.Law2_PolyhedraGeom_PolyhedraPhys_Volumetric()],
+        ),
+    ]
+
+
+def drag(ask: dict[str, Any]) -> list[Any]:
+    """Stokes' drag 6 pi nu R v = drag v: an engine for each radius among the moving spheres."""
+    return [
+        yd.LinearDragEngine(nu=ask["drag"] / (6 * math.pi * radius), ids=ids)
+        for radius, ids in moving(ask, "radius").items()
+        if ask["drag"]
+    ]
+
+
+def shaking(ask: dict[str, Any]) -> list[Any]:
+    """A force m A sin(2 pi f t + fi) at the time of the positions: an engine for each sine."""
+    return [
+        yd.HarmonicForceEngine(
+            A=[mass * part for part in sine["A"]], f=[sine["f"]] * 3, fi=[sine["fi"]] * 3, ids=ids
+        )
+        for sine in ask["shaking"]
+        for mass, ids in moving(ask, "shaken").items()
+    ]
+
+
+def moving(ask: dict[str, Any], name: str) -> dict[float, list[int]]:
+    """The numbers of the spheres that may move or are carried, by a property of theirs."""
+    alike: dict[float, list[int]] = {}
+    for body in ask["bodies"]:
+        held = set("xyz") <= set(body.get("blocked", "xyz")) and not any(body.get("carried", ()))
+        if "mass" in body and not held:
+            alike.setdefault(body[name], []).append(body["id"])
+    return alike
+
+
+def motion(ask: dict[str, Any]) -> list[Any]:
+    """What sets the velocities of moving walls for the step to come, after contacts used them."""
+    engines = []
+    for body in ask["bodies"]:
+        sines = [
+            yd.HarmonicMotionEngine(A=sine["A"], f=[sine["f"]] * 3, fi=[sine["fi"]] * 3)
+            for sine in body.get("motion", ())
+        ]
+        if sines:
+            engines.append(yd.CombinedKinematicEngine(comb=sines, ids=[body["id"]]))
+    return engines

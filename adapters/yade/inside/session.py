@@ -1,0 +1,33 @@
+"""Brings YADE into its own Python, and says how a run that must not count is given up."""
+
+import glob
+import os
+import sys
+from typing import Any
+
+os.environ.setdefault("OMP_NUM_THREADS", "1")  # read when YADE is imported
+FOLDER = os.environ.get("VV_YADE") or next(iter(glob.glob("/usr/lib/*/yade-double/py")), "")
+WITHIN_YADE = "yade" in sys.modules  # started by `yade script.py`
+if FOLDER and not WITHIN_YADE:
+    sys.path.insert(0, FOLDER)
+import yade  # noqa: E402
+from yade import utils  # noqa: E402
+from yade import wrapper as yd  # noqa: E402
+
+__all__ = ["FOLDER", "WITHIN_YADE", "O", "RunError", "timed", "utils", "yade", "yd"]
+O = yade.O  # noqa: E741  # the name every YADE script uses
+
+
+class RunError(Exception):
+    """A run that must not count: its status and why."""
+
+    def __init__(self, status: str, reason: str) -> None:
+        super().__init__(reason)
+        self.status = status
+
+
+def timed(clock: Any, work: Any, *given: Any) -> float:
+    """Seconds of a clock that a piece of work took, such as CPU seconds."""
+    start = clock()
+    work(*given)
+    return float(clock() - start)

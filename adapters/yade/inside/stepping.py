@@ -1,0 +1,136 @@
+"""Takes the steps of a run, reads what is observed, and refuses a run that must not count."""
+
+import math
+import time
+from typing import Any
+
+import numpy as np
+
+from adapters.yade.inside.session import O, RunError, timed
+
+LATER = {"velocity", "reaction"}  # what only the step after tells
+
+
+def first_step(ask: dict[str, Any]) -> None:
+    """Take one step, end what acts during it alone, and start what is carried and was held.
+
+    What was at rest in that step, to keep shear in time, takes the way that it should have gone.
+    """
+    O.step()
+    for body in ask["bodies"]:
+        if any(body.get("push", ())) or any(body.get("twist", ())):
+            O.forces.setPermF(body["id"], body["force"])
+            O.forces.setPermT(body["id"], (0, 0, 0))
+        missing = np.subtract(body.get("carried", 0.0), body.get("held", 0.0))
+        if missing.any():
+            state = O.bodies[body["id"]].state
+            state.vel, state.pos = state.vel + missing, state.pos + missing * ask["dt"]
+
+
+def bare(ask: dict[str, Any]) -> tuple[float, float]:
+    """Take all steps and look at nothing; CPU and wall seconds of the stepping."""
+    wall_start, cpu_start = time.perf_counter(), time.process_time()
+    first_step(ask)
+    step = O.step
+    for _ in range(ask["steps"] - 1):
+        step()
+    return time.process_time() - cpu_start, time.perf_counter() - wall_start
+
+
+def watched(ask: dict[str, Any]) -> tuple[np.ndarray, float, float, float]:
+    """Take all steps and read the observables; also CPU and wall seconds of steps, and reading.
+
+    After n steps YADE holds positions at n dt, velocities half a step and forces a step earlier:
+    a velocity is the mean of this one and the next, and for both one step more is taken.
+    """
+    seen = [(kind, ask["bodies"][number]) for kind, number in ask["observe"]]
+    for _, body in seen:
+        body["origin"] = tuple(O.bodies[body["id"]].state.pos)
+    more = any(kind in LATER for kind, _ in seen)
+    values = np.zeros((len(seen), ask["steps"] // ask["stride"] + 1, 3))
+    step, clock, reading = O.step, time.process_time, 0.0
+    wall_start, cpu_start = time.perf_counter(), clock()
+    first_step(ask)
+    done, reading = 1, reading + timed(clock, check_contacts, ask)
+    reading += timed(clock, read_first, ask, seen, values[:, 0])
+    for row in range(1, values.shape[1]):
+        for _ in range(row * ask["stride"] - done):
+            step()
+        done = row * ask["stride"]
+        reading += timed(clock, read, seen, values[:, row])
+        if more:
+            step()
+            done += 1
+            reading += timed(clock, read_later, ask, seen, values[:, row])
+    cpu, whole = clock() - cpu_start, time.perf_counter() - wall_start
+    return values, cpu - reading, whole - reading, reading
+
+
+Seen = list[tuple[str, dict[str, Any]]]  # quantities, each with the body it is one of
+
+
+def read_first(ask: dict[str, Any], seen: Seen, row: np.ndarray) -> None:
+    """State the observables at t = 0, with what the first step was special in taken off."""
+    for k, (kind, body) in enumerate(seen):
+        row[k] = body["initial"] if kind == "velocity" else 0.0
+        if kind == "reaction":
+            late = np.subtract(body["carried"], body["held"]) * ask["drag"]
+            row[k] = locked(body, reaction(ask, body) + body["push"] + late)
+
+
+def read(seen: Seen, row: np.ndarray) -> None:
+    """Read displacements, and velocities half a step early; refuse what is not finite."""
+    for k, (kind, body) in enumerate(seen):
+        state = O.bodies[body["id"]].state
+        row[k] = state.vel if kind == "velocity" else np.subtract(state.pos, body["origin"])
+        if not math.isfinite(row[k, 0] + row[k, 1] + row[k, 2]):
+            raise RunError("diverged", f"{kind} not finite at t = {O.iter * O.dt:.6g} s")
+
+
+def read_later(ask: dict[str, Any], seen: Seen, row: np.ndarray) -> None:
+    """Make velocities the mean of half a step early and late, and read reactions."""
+    for k, (kind, body) in enumerate(seen):
+        if kind == "velocity":
+            row[k] = (row[k] + np.array(O.bodies[body["id"]].state.vel)) / 2
+        elif kind == "reaction":
+            row[k] = locked(body, reaction(ask, body))
+
+
+def reaction(ask: dict[str, Any], body: dict[str, Any]) -> np.ndarray:
+    """The force [N] that would keep a body's velocity: against all forces of the last step."""
+    weight = body["mass"] * np.array(ask["gravity"])
+    return np.asarray(-np.array(O.forces.f(body["id"])) - weight)
+
+
+def locked(body: dict[str, Any], force: np.ndarray) -> np.ndarray:
+    """The part of a force along the axes in which a body is blocked."""
+    return np.asarray(np.array([axis in body["blocked"] for axis in "xyz"]) * force)
+
+
+def check_contacts(ask: dict[str, Any]) -> None:
+    """Refuse a run in which YADE missed a contact that overlaps at the start."""
+    seen = O.interactions.countReal()
+    if seen < ask["contacts"]:
+        raise RunError("error", f"YADE found {seen} of {ask['contacts']} contacts at the start")
+
+
+def check_end(ask: dict[str, Any]) -> None:
+    """Refuse a run that is not finite, where nothing moved, or a sphere went through a wall."""
+    states = [O.bodies[body["id"]].state for body in ask["bodies"]]
+    spheres = [i for i, body in enumerate(ask["bodies"]) if "mass" in body]
+    place = np.array([tuple(states[i].pos) for i in spheres])
+    if not np.isfinite(place).all():
+        raise RunError("diverged", f"a position is not finite after {O.iter} steps")
+    if ask["moves"] and (place == [ask["bodies"][i]["position"] for i in spheres]).all():
+        raise RunError("error", f"nothing moved in {O.iter} steps, yet velocities were given")
+    for number, body in enumerate(ask["bodies"]):
+        if "mass" not in body:
+            height = (place - states[number].pos) @ np.array(body["normal"])
+            if height.min() <= 0:
+                through = spheres[int(height.argmin())]
+                raise RunError("diverged", f"the centre of body {through} went through a wall")
+
+
+def unknowns() -> int:
+    """How many freedoms YADE integrates."""
+    return sum(6 - len(body.state.blockedDOFs) for body in O.bodies if not body.isClumpMember)

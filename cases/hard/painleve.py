@@ -1,0 +1,140 @@
+"""A rod slides on its end into a wall of friction: Painleve's paradox, below and beyond it."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from reference_solutions import painleve_rod
+from vv.ask import Displacement, History, Knobs, Method
+from vv.case import (
+    Case,
+    Exact,
+    Parameter,
+    Parameters,
+    Source,
+    Tolerance,
+    Trial,
+    Variant,
+)
+from vv.quantities import Motion
+from vv.scene import Block, Contact, Scene, Vector, Wall
+from vv.study import Ladder, Level
+
+ROD = Displacement(1)
+FAT, DEEP = 0.02, 0.05  # of the half length: half width of the rod and its half depth
+ALONG = np.eye(3)[[0, 2]]
+OUTLINE = ((0, 1, 2, 3), (7, 6, 5, 4), (0, 4, 5, 1), (1, 5, 6, 2), (2, 6, 7, 3), (3, 7, 4, 0))
+GOAL = History(0.04, 0.002)
+LAW = ("mu", "slope", "half", "V", "g")
+
+
+def _scene(p: Parameters) -> Scene:
+    """A rhombus as long as the rod, which has the rod's inertia and stands on one corner."""
+    theta, half = math.atan(p["slope"]), p["half"]
+    along = np.array([math.cos(theta), 0.0, math.sin(theta)])
+    across = np.array([-along[2], 0.0, along[0]])
+    corners = half * np.array([-along, -FAT * across, along, FAT * across]) + half * along
+    depth = DEEP * half * np.array([0.0, 1.0, 0.0])
+    rod = Block(
+        "rod", np.concatenate([corners - depth, corners + depth]), OUTLINE,
+        p["m"], p["m"] * half**2 / 3 * np.eye(3),
+        velocity=np.array([-p["V"], 0.0, 0.0]),
+        free=np.array([True, False, True]),
+        free_spin=np.array([False, True, False]),
+    )  # fmt: skip
+    up = np.array([0.0, 0.0, 1.0])
+    return Scene((Wall(np.zeros(3), up), rod), Contact(np.inf, mu=p["mu"]), gravity=-p["g"] * up)
+
+
+def _declare(variant: str, p: Parameters) -> Trial:
+    law = {name: p[name] for name in LAW}
+
+    def path(t: Vector) -> Vector:
+        return painleve_rod.middle(t, **law)
+
+    size = float(np.linalg.norm(path(GOAL.times(None)), axis=1).max())
+    motion = Motion(ROD, ALONG, path, size, "m")
+    jams, near = p["mu"] >= painleve_rod.critical(p["slope"]), p["mu"] > 0.75 * CRITICAL
+    judge = JAMS if jams else STOPS if near else SLIDES
+    parts = (
+        motion.part(0, "x", "displacement of the middle along the floor", judge),
+        motion.part(1, "z", "displacement of the middle upwards", judge),
+    )
+    return Trial(Ladder(_scene(p), GOAL, (ROD,), LEVELS), (*parts, motion.distance(judge)))
+
+
+RUNGS = (Knobs(1e-3, 1e8), Knobs(5e-4, 1e8), Knobs(2.5e-4, 1e8))
+LEVELS = {
+    Level.QUICK: RUNGS[:2],
+    Level.DEFAULT: RUNGS,
+    Level.PAPER: (*RUNGS, Knobs(1e-4, 1e10), Knobs(5e-5, 1e10)),
+}
+CRITICAL = 4 / 3  # friction at which a rod of slope 2 jams
+SPRUNG = (
+    "springs let the end sink and throw it up again, the more the nearer to the paradox and beyond "
+    "it: what they do is their own, and does not tend to rigid contact"
+)
+SHOWN = dict.fromkeys((Method.PENALTY, Method.LAGGING), SPRUNG)
+SLIDING = Tolerance(
+    4e-4,
+    "friction turns the rod by a force that is constant in a step: its change a step, dt V/l, is "
+    "2e-3 at 1e-3 s; a stop within a step costs as much again",
+    dt=1e-3,
+    order=1,
+)
+JAMMED = Tolerance(
+    2e-2,
+    "the impulse at the start is seen at the end of the first step: half of V dt is 1e-3 m, of "
+    "which half is seen in the middle of the rod, over 0.05 m",
+    dt=1e-3,
+    order=1,
+)
+SLIDES = Exact({
+    Method.SECOND_ORDER: SLIDING,
+    Method.PENALTY: Tolerance(
+        2e-3, "the end sinks into its spring by 1e-5 m and swings on it, over 0.07 m", kn=1e8,
+        softness=0.5,
+    ),
+    Method.LAGGING: Tolerance(
+        3e-2, "friction of the iteration before, as the load on the end grows with every step",
+        dt=1e-3, order=1, floor=1e-2,
+    ),
+})  # fmt: skip
+STOPS = Exact({Method.SECOND_ORDER: SLIDING}, shown=SHOWN)
+JAMS = Exact({Method.SECOND_ORDER: JAMMED}, shown=SHOWN)
+CASE = Case(
+    name="painleve",
+    title="Painleve's paradox",
+    source=Source(
+        "Genot and Brogliato (1999), New results on Painleve paradoxes, European Journal of "
+        "Mechanics A/Solids 18(4), 653-677",
+        "10.1016/S0997-7538(99)00144-8",
+        "tan(theta) = 2, V and l are chosen. Beyond mu = 4/3 no finite force keeps the end on the "
+        "floor; an impulse stops it, and the rod goes on turning about it. A code whose unknowns "
+        "are forces has no solution there; one whose unknowns are impulses has this one.",
+    ),
+    parameters=(
+        Parameter("mu", 1.0, "", "friction coefficient"),
+        Parameter("slope", 2.0, "", "tan(theta), the rod's slope at the start"),
+        Parameter("half", 1.0, "m", "half the rod's length"),
+        Parameter("V", 2.0, "m/s", "speed at the start"),
+        Parameter("g", 9.81, "m/s2", "gravity"),
+        Parameter("m", 100.0, "kg", "mass"),
+    ),
+    variants=tuple(
+        Variant(
+            f"mu-{mu:g}", f"mu = {mu:g}, {where}",
+            "N = m g/(1 + 3 cos^2 - 3 mu sin cos) while it slides without turning, theta its slope",
+            {"mu": mu}, frozenset({"m"}) | inert, level,
+        )
+        for mu, where, inert, level in (
+            (0.8, "slides", frozenset(), Level.QUICK),
+            (1.3, "slides and soon stops, at 25 times its weight", frozenset(), Level.DEFAULT),
+            (1.34, "just in the paradox: it jams", frozenset({"mu"}), Level.DEFAULT),
+            (2.0, "deep in the paradox: it jams", frozenset({"mu"}), Level.QUICK),
+        )
+    ),
+    declare=_declare,
+)  # fmt: skip

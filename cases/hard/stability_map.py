@@ -1,0 +1,96 @@
+"""Where codes are right, wrong, or blow up: maps over contact stiffness and step."""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+
+from cases.incline import CASE as INCLINE
+from cases.responding_block import CASE as RESPONDING_BLOCK
+from cases.tetrahedral_unit import CASE as UNIT
+from vv.ask import History
+from vv.case import Case, Check, Parameters, Series, Shown, Source, Trial, Variant
+from vv.study import Grid, Level
+
+
+def _declare(variant: str, p: Parameters) -> Trial:
+    case, name, own = BEHIND[variant]
+    trial = case.declare(name, {**case.defaults(name), **own})
+    moved = trial.quantities[0]
+    assert isinstance(moved, Series)
+    study = _swung(trial) if variant == "unit" else _pressed(trial)
+    return Trial(study, (dataclasses.replace(moved, judge=EXPLORED),))
+
+
+def _pressed(trial: Trial) -> Grid:
+    """A block on springs kn; its critical step is that of the normal spring, 2 sqrt(m/kn)."""
+    scene = trial.study.scene
+    (block,) = scene.blocks
+
+    def critical(kn: float | None) -> float:
+        return 2 * math.sqrt(block.mass / (kn or math.inf))
+
+    goal = History(SECONDS, SECONDS / SAMPLES)
+    return Grid(scene, goal, trial.study.observables, STEPS, critical, STIFFNESSES)
+
+
+def _swung(trial: Trial) -> Grid:
+    """The unit on its bonds; its critical step is 2/w of its breathing, the fastest mode."""
+    scene = trial.study.scene
+    assert scene.bonds is not None
+    step = math.sqrt(float(scene.spheres.mass[0] / scene.bonds.kn[0]))
+    goal = History(PERIODS * math.pi * step, PERIODS * math.pi * step / SAMPLES)
+    return Grid(scene, goal, trial.study.observables, ALL_STEPS, lambda _: step)
+
+
+BEHIND = {
+    "incline": (INCLINE, "newmark-30", {"f": 2.0}),
+    "responding-block": (RESPONDING_BLOCK, "1d", {}),
+    "unit": (UNIT, "breathing", {}),
+}
+SECONDS, PERIODS, SAMPLES = 0.5, 20, 200  # s: one shake; swings; outputs
+FEW, MANY = (2.0, 0.1), (10.0, 2.0, 0.9, 0.19, 0.1, 1e-2, 1e-3)
+STEPS = {Level.QUICK: FEW, Level.DEFAULT: FEW, Level.PAPER: MANY}
+ALL_STEPS = {
+    Level.QUICK: FEW,
+    Level.DEFAULT: (10.0, 2.0, 1.01, 0.99, 0.1, 1e-2),
+    Level.PAPER: (10.0, 2.0, 1.01, 0.99, 0.1, 1e-2, 1e-3),
+}
+STIFFNESSES = {
+    Level.QUICK: (1e6, 1e9),
+    Level.DEFAULT: (1e6, 1e9, 1e12),
+    Level.PAPER: tuple(10.0**n for n in range(4, 13)),
+}
+EXPLORED = Shown(
+    "a map: soft springs let a block sink and lag, stiff ones call for small steps, and beyond a "
+    "step that each code has, it blows up; shear springs that a code chooses 25 times as stiff "
+    "lower its limit to a fifth of that of the normal spring"
+)
+CASE = Case(
+    name="stability-map",
+    title="Stiffness against step",
+    source=Source(
+        INCLINE.source.citation,
+        "",
+        "The scenes are those of the cases of these names, and of the tetrahedral unit of Liu et "
+        "al. (2017), over one shake of 2 Hz and over 20 swings. Stiffness runs from 1e4 to 1e12 "
+        "N/m, the step from 1e-3 to 10 times 2 sqrt(m/kn), or 2/w of the unit; a step longer than "
+        "the run is refused.",
+    ),
+    parameters=(),
+    variants=(
+        Variant(
+            "incline",
+            "the incline, phi = 30, shaken at 2 Hz",
+            INCLINE.variant("newmark-30").formula,
+        ),
+        Variant(
+            "responding-block",
+            "the block on a base that shakes at 2 Hz",
+            RESPONDING_BLOCK.variant("1d").formula,
+        ),
+        Variant("unit", "four bonded elements that breathe", UNIT.variant("breathing").formula),
+    ),
+    declare=_declare,
+    enforced=frozenset({Check.ACCURACY, Check.SPEED}),  # the last bits decide how chaos blows up
+)

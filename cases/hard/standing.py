@@ -1,0 +1,126 @@
+"""What must stand still: stacks of blocks, and an arch a hundredth thicker than it must be."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from reference_solutions import arch
+from vv.ask import Displacement, History, Knobs, Method, Run
+from vv.block import polyhedron_inertia
+from vv.case import (
+    Case,
+    Check,
+    Exact,
+    Parameter,
+    Parameters,
+    Scalar,
+    Source,
+    Tolerance,
+    Trial,
+    Variant,
+)
+from vv.scene import Block, Contact, Scene, Vector, Wall
+from vv.study import Ladder, Level
+
+VOUSSOIRS, DEEP, DENSITY = 10, 0.25, 2500.0  # number, half depth [m], kg/m3
+OUTLINE = ((0, 1, 2, 3), (7, 6, 5, 4), (0, 4, 5, 1), (1, 5, 6, 2), (2, 6, 7, 3), (3, 7, 4, 0))
+Y, Z = np.eye(3)[1:]
+
+
+def _prism(name: str, corners: Vector) -> Block:
+    """Corners (4, 2) in the plane, counter-clockwise seen against y; it moves in that plane."""
+    flat = np.insert(corners, 1, 0.0, axis=1)
+    vertices = np.concatenate([flat - DEEP * Y, flat + DEEP * Y])
+    mass, inertia = polyhedron_inertia(vertices, OUTLINE, DENSITY)
+    return Block(name, vertices, OUTLINE, mass, inertia, np.zeros(3), free=Y == 0, free_spin=Y != 0)
+
+
+def _stack(p: Parameters) -> list[Block]:
+    square = np.array([[-0.5, 0.0], [0.5, 0.0], [0.5, 1.0], [-0.5, 1.0]])
+    up = np.array([0.0, 1.0])
+    return [_prism(f"{k + 1}", p["size"] * (square + k * up)) for k in range(int(p["n"]))]
+
+
+def _arch(p: Parameters) -> list[Block]:
+    t = p["part"] * arch.thinnest_of_chords(VOUSSOIRS)
+    angle = np.linspace(0.0, np.pi, VOUSSOIRS + 1)
+    edge = p["size"] * np.stack([np.cos(angle), np.sin(angle)], axis=1)
+    inner, outer = (1 - t / 2) * edge, (1 + t / 2) * edge
+    return [
+        _prism(f"{k + 1}", np.array([inner[k], outer[k], outer[k + 1], inner[k + 1]]))
+        for k in range(VOUSSOIRS)
+    ]
+
+
+def _declare(variant: str, p: Parameters) -> Trial:
+    blocks = _arch(p) if variant == "arch" else _stack(p)
+    contact = Contact(np.inf, mu=p["mu"])
+    scene = Scene((Wall(np.zeros(3), Z), *blocks), contact, gravity=-p["g"] * Z)
+    seen = tuple(Displacement(body) for body in range(1, len(blocks) + 1))
+    moved = Scalar(
+        "moved", "max|u|", "m", "largest displacement of a block's centre",
+        lambda run: _farthest(run, seen), 0.0, p["size"], JUDGES[variant == "arch"],
+    )  # fmt: skip
+    goal = History(1.0, 0.1) if variant == "arch" else History(10.0, 1.0)
+    return Trial(Ladder(scene, goal, seen, LEVELS[variant == "arch"]), (moved,))
+
+
+def _farthest(run: Run, seen: tuple[Displacement, ...]) -> float:
+    return max(float(np.linalg.norm(run.values[what], axis=1).max()) for what in seen)
+
+
+SHORT, LONG = (Knobs(1e-2, 1e9), Knobs(5e-3, 1e9)), (Knobs(5e-2, 1e9), Knobs(2e-2, 1e9))
+LEVELS = (dict.fromkeys(Level, LONG), dict.fromkeys(Level, SHORT))
+PRESSED = "springs start pressed by the loads, and neither swing nor let go"
+SETTLES = (
+    "springs start pressed by the weights; where contact at one edge of a joint ends, the others "
+    "sink by W/kn, 1e-6 m"
+)
+JUDGES = (
+    Exact({
+        Method.SECOND_ORDER: Tolerance(
+            5e-3,
+            "contacts are solved to 5e-6 m/s each: for 10 s, on up to twenty blocks whose tilts "
+            "add up, a stack may creep by millimetres",
+        ),
+        Method.PENALTY: Tolerance(1e-10, PRESSED),
+        Method.LAGGING: Tolerance(1e-10, PRESSED),
+    }),
+    Exact({
+        Method.SECOND_ORDER: Tolerance(1e-5, "contacts are solved to 5e-6 m/s each, for a second"),
+        Method.PENALTY: Tolerance(1e-5, SETTLES),
+        Method.LAGGING: Tolerance(1e-5, SETTLES),
+    }),
+)  # fmt: skip
+ON_STACKS = frozenset({"part"})
+CASE = Case(
+    name="standing",
+    title="Stacks and an arch that stand",
+    source=Source(
+        "Heyman (1969), The safety of masonry arches, International Journal of Mechanical Sciences "
+        "11(4), 363-385",
+        "10.1016/0020-7403(69)90070-8",
+        "The thinnest arch of ten voussoirs over a half circle is t/R = 0.1074601; with straight "
+        "edges, as here, 0.1070114. Stacks are chosen: a contact solver that passes loads on from "
+        "block to block needs the more sweeps the taller they are.",
+    ),
+    parameters=(
+        Parameter("size", 1.0, "m", "side of a block, mean radius of the arch"),
+        Parameter("n", 10.0, "", "blocks of a stack"),
+        Parameter("part", 1.01, "", "thickness of the arch over the least that stands"),
+        Parameter("mu", 0.6, "", "friction coefficient"),
+        Parameter("g", 9.81, "m/s2", "gravity"),
+    ),
+    variants=(
+        Variant("stack-10", "ten cubes for 10 s", "u = 0", {}, ON_STACKS),
+        Variant(
+            "stack-20", "twenty cubes for 10 s", "u = 0", {"n": 20.0}, ON_STACKS, Level.DEFAULT
+        ),
+        Variant(
+            "arch", "ten voussoirs, t/R 1 % above the least, for 1 s", "u = 0 for t > t_min",
+            {"mu": 1.0}, frozenset({"n"}),
+        ),
+    ),
+    declare=_declare,
+    enforced=frozenset(Check) - {Check.REGRESSION},  # how far a stack creeps hangs on rounding
+)  # fmt: skip

@@ -1,0 +1,55 @@
+"""The thinnest semicircular arch of n equal voussoirs that stands under its weight without slip.
+
+The line of thrust of half an arch passes the outer edge of the crown and of the springing; its
+horizontal thrust H follows from moments about the latter. It stands if at every joint between the
+line passes above the inner edge: H (y_c - y_j) >= the moment of the weights above about that edge.
+Where that is an equality the arch is a mechanism of five hinges (Heyman 1969, International
+Journal of Mechanical Sciences 11, 363-385). Thickness is in mean radii.
+Every function raises ValueError for parameters outside their ranges.
+"""
+
+from collections.abc import Callable
+from math import cos, pi, sin
+
+
+def thinnest_of_chords(n: int) -> float:
+    """Of blocks with straight edges, whose corners lie on the circles R - t/2 and R + t/2."""
+    return _thinnest(n, _of_chord)
+
+
+def thinnest_of_arcs(n: int) -> float:
+    """Of voussoirs with circular edges; 0.10748 for many."""
+    return _thinnest(n, _of_arc)
+
+
+def _of_chord(t: float, opening: float) -> float:
+    """How far out the centroid of a voussoir lies."""
+    inner, outer = 1.0 - t / 2.0, 1.0 + t / 2.0
+    return (inner + t / 3.0 * (inner + 2.0 * outer) / (inner + outer)) * cos(opening / 2.0)
+
+
+def _of_arc(t: float, opening: float) -> float:
+    inner, outer = 1.0 - t / 2.0, 1.0 + t / 2.0
+    ring = (2.0 / 3.0) * (outer**3 - inner**3) / (outer**2 - inner**2)
+    return ring * sin(opening / 2.0) / (opening / 2.0)
+
+
+def _thinnest(n: int, out: Callable[[float, float], float]) -> float:
+    from scipy.optimize import brentq
+
+    if n < 6 or n % 2:
+        raise ValueError(f"n = {n}; an even number of at least 6 voussoirs is covered")
+    return float(brentq(lambda t: _least(t, n, out), 0.02, 0.5, xtol=1e-15))
+
+
+def _least(t: float, n: int, out: Callable[[float, float], float]) -> float:
+    """The least moment by which the line of thrust keeps clear of an inner edge, by a weight R."""
+    opening = pi / n
+    far = [out(t, opening) * sin(opening * (k + 0.5)) for k in range(n // 2)]
+    outer, inner = 1.0 + t / 2.0, 1.0 - t / 2.0
+    thrust = sum(outer - x for x in far) / outer
+    clear = []
+    for j in range(1, n // 2):
+        x, y = inner * sin(opening * j), inner * cos(opening * j)
+        clear.append(thrust * (outer - y) - sum(x - one for one in far[:j]))
+    return min(clear)

@@ -1,0 +1,80 @@
+"""A chain of N equal springs K on a base, its masses free to move along it, in closed form.
+
+m_i u_i'' = K (u_{i-1} - 2 u_i + u_{i+1}), u_0 = 0 the base, the last end free. With one mass m the
+j-th frequency is 2 sqrt(K/m) sin(q_j/2) in the shape sin(i q_j), q_j = (2j - 1) pi/(2N + 1) (e.g.
+Brillouin 1946, Wave propagation in periodic structures, ch. 3). A wave of the phase q a mass goes
+at sqrt(K/m) cos(q/2) masses a second. Where the masses change from m to M, one part of it is sent
+back: |sin((q - Q)/2)/sin((q + Q)/2)|, from u = e^{iqn} + R e^{-iqn} up to the jump and T e^{iQn}
+beyond, which for long waves is |sqrt m - sqrt M|/(sqrt m + sqrt M).
+Every function raises ValueError for parameters outside their ranges.
+"""
+
+from math import asin, cos, pi, sin, sqrt
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from reference_solutions.parameters import require_positive, require_times
+
+Array = NDArray[np.float64]
+
+
+def frequency(j: int, N: int, m: float, K: float) -> float:
+    """The j-th angular frequency [1/s], from 1 to N."""
+    require_positive("kg, N/m", m=m, K=K)
+    return 2.0 * sqrt(K / m) * sin(_phase(j, N) / 2.0)
+
+
+def shape(j: int, N: int) -> Array:
+    """The j-th mode (N,), from the base on; the largest number is near 1."""
+    return np.sin(_phase(j, N) * np.arange(1.0, N + 1.0))
+
+
+def group_velocity(q: float, m: float, K: float) -> float:
+    """How many masses a second a wave of the phase q [rad] a mass goes."""
+    require_positive("kg, N/m", m=m, K=K)
+    return sqrt(K / m) * cos(q / 2.0)
+
+
+def reflected(q: float, m: float, M: float, K: float) -> float:
+    """The part of its energy that a wave of the phase q a mass leaves behind where m becomes M."""
+    require_positive("kg, N/m", m=m, M=M, K=K)
+    if not 0.0 < q < pi:
+        raise ValueError(f"q = {q} rad; a wave has a phase between 0 and pi a mass")
+    beyond = sqrt(M / m) * sin(q / 2.0)
+    if beyond >= 1.0:
+        return 1.0
+    Q = 2.0 * asin(beyond)
+    return (sin((q - Q) / 2.0) / sin((q + Q) / 2.0)) ** 2
+
+
+def motion(t: ArrayLike, thrown: ArrayLike, masses: ArrayLike, K: float) -> tuple[Array, Array]:
+    """Displacements and velocities (k, N) [m, m/s] at times (k,) [s], thrown from rest.
+
+    thrown: (N,) [m/s]; masses: (N,) [kg], which may differ. All modes of the chain, superposed.
+    """
+    times, v = require_times(t), np.asarray(thrown, float)
+    m = np.asarray(masses, float)
+    if m.shape != v.shape or not (m > 0.0).all():
+        raise ValueError(f"masses has shape {m.shape}; one positive mass for each velocity")
+    squares, shapes = np.linalg.eigh(_stiffness(len(m), K) / np.sqrt(np.outer(m, m)))
+    w = np.sqrt(squares)
+    parts, back = shapes.T @ (np.sqrt(m) * v), shapes.T / np.sqrt(m)
+    turned = np.outer(times, w)
+    return np.asarray((np.sin(turned) * parts / w) @ back), np.asarray(
+        (np.cos(turned) * parts) @ back
+    )
+
+
+def _stiffness(N: int, K: float) -> Array:
+    require_positive("N/m", K=K)
+    next_to = np.eye(N, k=1)
+    matrix = 2.0 * np.eye(N) - (next_to + next_to.T)
+    matrix[-1, -1] = 1.0
+    return np.asarray(K * matrix)
+
+
+def _phase(j: int, N: int) -> float:
+    if not 1 <= j <= N:
+        raise ValueError(f"j = {j}; a chain of {N} has modes 1 to {N}")
+    return (2 * j - 1) * pi / (2 * N + 1)

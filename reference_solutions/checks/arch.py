@@ -1,0 +1,62 @@
+"""Whether an arch of straight or round voussoirs stands, by a linear programme: the second route.
+
+Every joint of the whole arch bears a force at each of its two edges, pressing and with friction
+that any size of it is allowed; each voussoir is in balance. No symmetry, no hinge is assumed.
+"""
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+
+
+def outlines(n: int, t: float) -> list[Array]:
+    """The corners (4, 2) of each voussoir: inner, outer, outer, inner, from the springing on."""
+    angles = np.linspace(0.0, np.pi, n + 1)
+    edges = np.array([[np.cos(angles), np.sin(angles)]]).T[:, :, 0]
+    inner, outer = (1.0 - t / 2.0) * edges, (1.0 + t / 2.0) * edges
+    return [np.array([inner[k], outer[k], outer[k + 1], inner[k + 1]]) for k in range(n)]
+
+
+def centroid(corners: Array) -> Array:
+    """Of a polygon (k, 2), by triangles to its first corner."""
+    fan = [(corners[0], corners[i], corners[i + 1]) for i in range(1, len(corners) - 1)]
+    areas = [np.linalg.det(np.array([b - a, c - a])) for a, b, c in fan]  # signed: it may bend in
+    middles = [(a + b + c) / 3.0 for a, b, c in fan]
+    return np.asarray(np.average(middles, axis=0, weights=areas))
+
+
+def thinnest(n: int, fine: int = 1) -> float:
+    """The thickness in mean radii from which on it stands; fine: chords that make up an arc."""
+    low, high = 0.02, 0.5
+    for _ in range(45):
+        t = (low + high) / 2.0
+        low, high = (low, t) if _stands(n, t, fine) else (t, high)
+    return high
+
+
+def _stands(n: int, t: float, fine: int) -> bool:
+    from scipy.optimize import linprog
+
+    blocks, parts = outlines(n, t), outlines(n * fine, t)
+    middles = [
+        centroid(np.concatenate([[p[0] for p in some], [some[-1][3], some[-1][2]],
+                                 [p[1] for p in some[::-1]]]))
+        for some in (parts[k * fine : (k + 1) * fine] for k in range(n))
+    ]  # fmt: skip
+    balance = np.zeros((n, 3, n + 1, 2, 3))  # of blocks, by joints, edges, and ways to push
+    for k, corners in enumerate(blocks):
+        for joint, edges, sign in ((k, corners[:2], 1.0), (k + 1, corners[[3, 2]], -1.0)):
+            angle = np.pi * joint / n
+            through = np.array([-np.sin(angle), np.cos(angle)])
+            along = np.array([np.cos(angle), np.sin(angle)])
+            for e, point in enumerate(edges):
+                arm = point - middles[k]
+                for d, way in enumerate((through, along, -along)):
+                    push = sign * way
+                    turn = arm[0] * push[1] - arm[1] * push[0]
+                    balance[k, :, joint, e, d] = *push, turn
+    weight = np.tile([0.0, 1.0, 0.0], n)
+    rows = balance.reshape(3 * n, -1)
+    found = linprog(np.zeros(rows.shape[1]), A_eq=rows, b_eq=weight, bounds=(0.0, None))
+    return bool(found.status == 0)

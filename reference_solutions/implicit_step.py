@@ -1,0 +1,55 @@
+"""What the implicit step of DDA makes of a swing, and of a block that a constant force drives.
+
+d'' = (2/D^2)(d - D v0), v = (2/D) d - v0 for a step D (Yagoda-Biran and Hatzor 2016, Eq. 5,
+corrected), the spring taken at the step's end. For m x'' = -K x a step of the angle a = w D,
+w^2 = K/m, maps (x, v) with the trace (4 - a^2)/(2 + a^2) and the determinant 2/(2 + a^2): two
+conjugate roots below a = 4, of size (1 + a^2/2)^-1/2, and two real ones from there on, of which the
+larger goes back to 1.
+Every function raises ValueError for parameters outside their ranges.
+"""
+
+from math import acos, expm1, hypot, log, log1p, sqrt
+
+from reference_solutions.parameters import require_finite, require_positive
+
+SPLIT = 4.0
+"""angle from which on the roots are real: the swing no longer turns, but jumps."""
+
+
+def spectral_radius(angle: float) -> float:
+    """The size of the larger root, by which a step multiplies a swing."""
+    require_positive("rad", angle=angle)
+    if angle <= SPLIT:
+        return 1.0 / sqrt(1.0 + angle * angle / 2.0)
+    s = angle * angle
+    return (s - 4.0 + angle * sqrt(s - 16.0)) / (2.0 * (2.0 + s))
+
+
+def damping_ratio(angle: float) -> float:
+    """The part of critical damping of a swing that decays as fast: a quarter of a small angle."""
+    require_positive("rad", angle=angle)
+    if angle >= SPLIT:
+        raise ValueError(
+            f"angle = {angle} rad; from 4 on nothing turns, and no damping ratio is defined"
+        )
+    decay = 0.5 * log1p(angle * angle / 2.0)
+    turn = acos((4.0 - angle * angle) / (2.0 * sqrt(2.0 * (2.0 + angle * angle))))
+    return decay / hypot(decay, turn)
+
+
+def damped_drive(a: float, dt: float, steps: int, kept: float) -> float:
+    """How far [m] a constant acceleration a [m/s2] drives a block at rest in `steps` steps dt [s].
+
+    kept: the part r of its velocity that a step hands on. N steps come to
+    a dt^2 (N/2 + r/(1-r) (N - (1-r^N)/(1-r))), which tends to a t dt (1+r)/(2(1-r)): it vanishes
+    with the step, where a t^2/2 is right.
+    """
+    require_finite("m/s2", a=a)
+    require_positive("s", dt=dt)
+    if not 0.0 <= kept <= 1.0:
+        raise ValueError(f"kept = {kept}; a step hands on a part between 0 and 1")
+    if kept == 1.0:
+        return 0.5 * a * (steps * dt) ** 2
+    lost = 1.0 - kept
+    handed = -expm1(steps * log(kept)) / lost if kept > 0.0 else 1.0
+    return a * dt * dt * (steps / 2.0 + kept / lost * (steps - handed))
