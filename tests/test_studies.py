@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 from tests.conftest import Tiny
-from vv import keys
+from vv import closure, keys
 from vv.plan import Options, make_plan
 from vv.project import find
 
@@ -77,7 +77,7 @@ def test_how_a_search_is_done_is_in_the_key_of_its_run_and_of_no_other(
     options = Options(codes=("dem/default",))
     plan = make_plan(project, ["stable-step:undamped", "single-contact:T1"], options)
     before = keys.run_keys(project, plan)
-    digest = keys.source_digest
+    digest = closure.source_digest
     monkeypatch.setattr(
         keys, "source_digest", lambda files: digest(files) + str([p.name for p in files])[:14]
         if [p.name for p in files] == ["search.py"] else digest(files)
