@@ -37,17 +37,12 @@ def check_terms(scene: Scene) -> None:
 
 
 def check_spheres(scene: Scene) -> None:
-    """Refuse too many spheres, spin, and motion along locked directions."""
+    """Refuse too many spheres, and spin."""
     spheres = scene.spheres
     if len(spheres) > LARGEST:
         raise RefusedError(f"the scene has {len(spheres)} spheres; at most {LARGEST} are solved")
     for i in np.flatnonzero(spheres.spin.any(axis=1))[:1]:
         raise RefusedError(f"sphere {i} spins; spin is not modelled")
-    along = spheres.velocity @ scene.axes.T
-    speed = np.abs(spheres.velocity).max(axis=1, keepdims=True)
-    moving = (np.abs(along) > 1e-12 * speed) & ~spheres.free
-    for i in np.flatnonzero(moving.any(axis=1))[:1]:
-        raise RefusedError(f"sphere {i} has a velocity along a direction in which it is locked")
 
 
 def counted(number: int, noun: str) -> str:
