@@ -11,7 +11,8 @@ from vv.blocks.cone import Friction, solve_contacts
 from vv.blocks.contacts import Contacts, detect, empty_contacts, matched
 from vv.blocks.geometry import Index
 from vv.blocks.levers import halfway, relever
-from vv.blocks.limits import NEARLY
+from vv.blocks.limits import NEARLY, SMALL, STALLED
+from vv.blocks.newton import polish
 from vv.blocks.placement import place_rigid
 from vv.blocks.rigid_bends import bent
 from vv.blocks.rigid_setting import (
@@ -130,6 +131,26 @@ def attempt(
 
 
 @called
+def converged(
+    setting: Setting, joints: Joints, bodies: Bodies, friction: Friction,
+    p: Vector, v: Vector, w: Vector, fewest: int,
+) -> tuple[int, float]:  # fmt: skip
+    """Sweep until the residual is met, in small scenes with Newton steps where sweeps stall."""
+    small, sweeps, left = len(setting.mass) <= SMALL, 0 * fewest, np.inf
+    while sweeps < setting.most and left > setting.tolerance:
+        few = min(STALLED, setting.most - sweeps) if small else setting.most
+        more, left = solve_contacts(
+            p, joints, bodies, friction, v, w, setting.tolerance, fewest, few
+        )
+        sweeps += more
+        if small and left > setting.tolerance:
+            left = polish(p, joints, bodies, friction, v, w, setting.tolerance, left)
+        if more == 0:
+            break
+    return sweeps, left
+
+
+@called
 def solved(
     setting: Setting, now: float, span: float, joints: Joints, middle: Joints, turn: Vector,
     bodies: Bodies, friction: Friction, key: Index, p: Vector, gap: Vector,
@@ -140,9 +161,7 @@ def solved(
     for c in range(count):
         load_on(joints, c, bodies, v, w, at(p, c))
     relever(p, acted, joints, middle, turn, bodies, v, w)
-    sweeps, left = solve_contacts(
-        p, joints, bodies, friction, v, w, setting.tolerance, setting.fewest, setting.most
-    )
+    sweeps, left = converged(setting, joints, bodies, friction, p, v, w, setting.fewest)
     begun, ended = np.zeros(count, np.bool_), np.zeros(count, np.bool_)
     any_ended, least = False, slow(span, setting.tolerance)
     most = max(least, NEARLY * span)
@@ -161,9 +180,7 @@ def solved(
         if not turns and moved <= setting.tolerance:
             break
         few = 0 * sweeps  # a literal 0 would make numba compile the solver twice
-        more, left = solve_contacts(
-            p, joints, bodies, friction, v, w, setting.tolerance, few, setting.most
-        )
+        more, left = converged(setting, joints, bodies, friction, p, v, w, few)
         sweeps += more
         if more == 0:
             break
