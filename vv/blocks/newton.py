@@ -1,4 +1,4 @@
-"""The contact solver of small scenes where sweeps stall: an augmented Lagrangian, by Newton steps.
+"""A round of an augmented Lagrangian for contacts with friction, solved by Newton steps.
 
 With impulses q, velocities z solve z = z(q) + W J^T (P(q - D (J z - need)) - q), P the projection
 on what contact and friction allow (see `vv.blocks.cone`) and D stiff; then P becomes q. Forces
@@ -10,9 +10,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from vv.blocks.assembly import Bodies, Joints, apply, relative, times
-from vv.blocks.cone import Friction, keep, limit, residual
-from vv.blocks.limits import INNER, OUTER, STIFF
+from vv.blocks.assembly import Bodies, Joints, load_on, relative, times
+from vv.blocks.cone import Friction, keep, limit
+from vv.blocks.limits import INNER
 from vv.compiled import called
 from vv.scene import Vector
 from vv.triples import Triple, at, cross, dot, plus, put
@@ -133,7 +133,7 @@ def balanced(
                 u = relative(joints, c, x, y)
                 put(p, c, allowed(joints, c, friction, stiffness, at(q, c), u, slope))
                 spread(matrix, joints, c, bodies, blocks, slope)
-                apply(joints, c, bodies, z, o, plus(at(p, c), -1.0, at(q, c)))
+                load_on(joints, c, bodies, z, o, plus(at(p, c), -1.0, at(q, c)))
         most = 0.0
         for i in range(blocks):
             for r in range(3):
@@ -149,34 +149,3 @@ def balanced(
         if most <= 0.1 * tolerance:
             return True
     return False
-
-
-@called
-def polish(
-    p: Vector, joints: Joints, bodies: Bodies, friction: Friction, v: Vector, w: Vector,
-    tolerance: float, left: float,
-) -> float:  # fmt: skip
-    """Improve p (c, 3), whose effect is in v and w and whose residual is `left`; return what is.
-
-    A round that makes the residual [m/s] no smaller is undone, and the next less stiff.
-    """
-    before, before_v, before_w = p.copy(), v.copy(), w.copy()
-    stiffness = STIFF
-    for _ in range(OUTER):
-        if left <= tolerance or stiffness < 1.0:
-            break
-        keep(before, p)
-        keep(before_v, v)
-        keep(before_w, w)
-        met = balanced(p, before, joints, bodies, friction, v, w, tolerance, stiffness)
-        for c in range(len(p)):
-            apply(joints, c, bodies, v, w, plus(at(p, c), -1.0, at(before, c)))
-        now = residual(p, joints, friction, v, w)
-        if met and now < left:
-            left, stiffness = now, 10.0 * stiffness
-        else:
-            keep(p, before)
-            keep(v, before_v)
-            keep(w, before_w)
-            stiffness *= 0.01
-    return left

@@ -6,13 +6,13 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vv.blocks.assembly import Bodies, Joints, apply, assemble, relative
-from vv.blocks.cone import Friction, solve_contacts
+from vv.blocks.assembly import Bodies, Joints, assemble, load_on, relative
+from vv.blocks.cone import Friction
 from vv.blocks.contacts import Contacts, detect, empty_contacts, matched
+from vv.blocks.converge import converged
 from vv.blocks.geometry import Index
 from vv.blocks.levers import halfway, relever
-from vv.blocks.limits import NEARLY, SMALL, STALLED
-from vv.blocks.newton import polish
+from vv.blocks.limits import NEARLY
 from vv.blocks.placement import place_rigid
 from vv.blocks.rigid_bends import bent
 from vv.blocks.rigid_setting import (
@@ -28,7 +28,7 @@ from vv.blocks.rigid_setting import (
 from vv.blocks.slip import slow
 from vv.compiled import called
 from vv.scene import Mask, Vector
-from vv.triples import Triple, at, dot, plus, put
+from vv.triples import at, dot, plus, put
 
 NIL = (0.0, 0.0, 0.0)
 
@@ -131,26 +131,6 @@ def attempt(
 
 
 @called
-def converged(
-    setting: Setting, joints: Joints, bodies: Bodies, friction: Friction,
-    p: Vector, v: Vector, w: Vector, fewest: int,
-) -> tuple[int, float]:  # fmt: skip
-    """Sweep until the residual is met, in small scenes with Newton steps where sweeps stall."""
-    small, sweeps, left = len(setting.mass) <= SMALL, 0 * fewest, np.inf
-    while sweeps < setting.most and left > setting.tolerance:
-        few = min(STALLED, setting.most - sweeps) if small else setting.most
-        more, left = solve_contacts(
-            p, joints, bodies, friction, v, w, setting.tolerance, fewest, few
-        )
-        sweeps += more
-        if small and left > setting.tolerance:
-            left = polish(p, joints, bodies, friction, v, w, setting.tolerance, left)
-        if more == 0:
-            break
-    return sweeps, left
-
-
-@called
 def solved(
     setting: Setting, now: float, span: float, joints: Joints, middle: Joints, turn: Vector,
     bodies: Bodies, friction: Friction, key: Index, p: Vector, gap: Vector,
@@ -187,10 +167,3 @@ def solved(
     return Trial(
         joints, middle, turn, bodies, friction, key, p, acted, gap, v, w, begun, ended, sweeps, left
     )
-
-
-@called
-def load_on(joints: Joints, c: int, bodies: Bodies, v: Vector, w: Vector, p: Triple) -> None:
-    """`apply`, unless there is nothing to apply."""
-    if dot(p, p) > 0.0:
-        apply(joints, c, bodies, v, w, p)
