@@ -80,6 +80,13 @@ def apply(joints: Joints, c: int, bodies: Bodies, v: Vector, w: Vector, p: Tripl
     put(w, a, plus(at(w, a), -1.0, times(bodies.inverse_spin, a, moment)))
 
 
+@called
+def load_on(joints: Joints, c: int, bodies: Bodies, v: Vector, w: Vector, p: Triple) -> None:
+    """`apply`, unless there is nothing to apply; compiled once for all who are in no hurry."""
+    if dot(p, p) > 0.0:
+        apply(joints, c, bodies, v, w, p)
+
+
 @inlined
 def answer(joints: Joints, c: int, bodies: Bodies, p: Triple) -> Triple:
     """J W J^T p for one contact: the relative velocity that an impulse there makes there."""

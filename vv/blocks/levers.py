@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from vv.blocks.assembly import Bodies, Joints, apply
+from vv.blocks.assembly import Bodies, Joints, load_on
 from vv.blocks.geometry import Index
 from vv.compiled import called, inlined
 from vv.scene import Vector
@@ -65,8 +65,8 @@ def relever(
         if dot(change, change) > 0.0:
             a, b = joints.first[c], joints.second[c]
             before = (at(v, a), at(w, a), at(v, b), at(w, b))
-            apply(middle, c, bodies, v, w, turned_back(turn, c, change))
-            apply(joints, c, bodies, v, w, plus(NIL, -1.0, change))
+            load_on(middle, c, bodies, v, w, turned_back(turn, c, change))
+            load_on(joints, c, bodies, v, w, plus(NIL, -1.0, change))
             one, two = at(joints.arm_first, c), at(joints.arm_second, c)
             worst = max(worst, apart(before[0], at(v, a), before[1], at(w, a), one))
             worst = max(worst, apart(before[2], at(v, b), before[3], at(w, b), two))

@@ -16,6 +16,15 @@ The least lets a wall at rest converge from step to step beyond the residual ask
 A step is taken as it is after the most; its residual says so.
 """
 
+STALLED = 60
+"""Sweeps of a small scene after which Newton steps are tried, and again as often."""
+
+OUTER, INNER = 20, 12
+"""Newton's rounds: of impulses that follow, and of velocities within each."""
+
+STIFF = 1e3
+"""How much stiffer than inertia contacts are in the first round; ten times as much in the next."""
+
 PUSHES = 30
 """Sweeps that move blocks out of one another; what is left is moved in the next step."""
 

@@ -6,9 +6,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vv.blocks.assembly import Bodies, Joints, apply, assemble, relative
-from vv.blocks.cone import Friction, solve_contacts
+from vv.blocks.assembly import Bodies, Joints, assemble, load_on, relative
+from vv.blocks.cone import Friction
 from vv.blocks.contacts import Contacts, detect, empty_contacts, matched
+from vv.blocks.converge import converged
 from vv.blocks.geometry import Index
 from vv.blocks.levers import halfway, relever
 from vv.blocks.limits import NEARLY
@@ -27,7 +28,7 @@ from vv.blocks.rigid_setting import (
 from vv.blocks.slip import slow
 from vv.compiled import called
 from vv.scene import Mask, Vector
-from vv.triples import Triple, at, dot, plus, put
+from vv.triples import at, dot, plus, put
 
 NIL = (0.0, 0.0, 0.0)
 
@@ -140,9 +141,7 @@ def solved(
     for c in range(count):
         load_on(joints, c, bodies, v, w, at(p, c))
     relever(p, acted, joints, middle, turn, bodies, v, w)
-    sweeps, left = solve_contacts(
-        p, joints, bodies, friction, v, w, setting.tolerance, setting.fewest, setting.most
-    )
+    sweeps, left = converged(setting, joints, bodies, friction, p, v, w, setting.fewest)
     begun, ended = np.zeros(count, np.bool_), np.zeros(count, np.bool_)
     any_ended, least = False, slow(span, setting.tolerance)
     most = max(least, NEARLY * span)
@@ -161,19 +160,10 @@ def solved(
         if not turns and moved <= setting.tolerance:
             break
         few = 0 * sweeps  # a literal 0 would make numba compile the solver twice
-        more, left = solve_contacts(
-            p, joints, bodies, friction, v, w, setting.tolerance, few, setting.most
-        )
+        more, left = converged(setting, joints, bodies, friction, p, v, w, few)
         sweeps += more
         if more == 0:
             break
     return Trial(
         joints, middle, turn, bodies, friction, key, p, acted, gap, v, w, begun, ended, sweeps, left
     )
-
-
-@called
-def load_on(joints: Joints, c: int, bodies: Bodies, v: Vector, w: Vector, p: Triple) -> None:
-    """`apply`, unless there is nothing to apply."""
-    if dot(p, p) > 0.0:
-        apply(joints, c, bodies, v, w, p)

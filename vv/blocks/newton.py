@@ -1,0 +1,151 @@
+"""A round of an augmented Lagrangian for contacts with friction, solved by Newton steps.
+
+With impulses q, velocities z solve z = z(q) + W J^T (P(q - D (J z - need)) - q), P the projection
+on what contact and friction allow (see `vv.blocks.cone`) and D stiff; then P becomes q. Forces
+that many contacts share, heavy blocks on light ones and contacts that hold whatever the friction
+need no more rounds than others do (Alart and Curnier 1991; Simo and Laursen 1992).
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from vv.blocks.assembly import Bodies, Joints, load_on, relative, times
+from vv.blocks.cone import Friction, keep, limit
+from vv.blocks.limits import INNER
+from vv.compiled import called
+from vv.scene import Vector
+from vv.triples import Triple, at, cross, dot, plus, put
+
+NIL = (0.0, 0.0, 0.0)
+
+
+@called
+def allowed(
+    joints: Joints, c: int, friction: Friction, stiffness: float,
+    q: Triple, u: Triple, slope: Vector,
+) -> Triple:  # fmt: skip
+    """P(q - D (u - need n)); fills slope (3, 3) with -dP/du, the slope of P times D."""
+    n, cap = at(joints.normal, c), friction.mu
+    stiff = stiffness / joints.across[c]
+    along = stiffness / joints.along[c] if joints.along[c] > 0.0 else 0.0
+    slope[:] = 0.0
+    un = dot(u, n)
+    normal = dot(q, n) - stiff * (un - friction.need[c])
+    if normal <= 0.0:
+        return NIL
+    d, turn = at(friction.d, c), at(friction.turn, c)
+    flat = plus(plus(q, -dot(q, n), n), -along, plus(u, -un, n))
+    centre, radius = limit(cap * normal, d, turn)
+    left = plus(flat, -1.0, centre)
+    size = np.sqrt(dot(left, left))
+    slips = size > radius
+    share = radius / size if slips else 1.0
+    e = plus(NIL, 1.0 / size, left) if slips else NIL
+    drift = NIL  # how the tangential impulse grows with the normal one
+    if slips:
+        drift = plus(plus(NIL, (1.0 - share) / normal, centre), radius / normal, e)
+        drift = plus(drift, share * dot(e, centre) / normal, e)
+    for i in range(3):
+        for j in range(3):
+            flatly = (1.0 if i == j else 0.0) - n[i] * n[j] - e[i] * e[j]
+            slope[i, j] = stiff * (n[i] + drift[i]) * n[j] + share * along * flatly
+    return plus(plus(centre, share, left), normal, n)
+
+
+@called
+def column(joints: Joints, c: int, side: int, k: int) -> Triple:
+    """How the relative velocity at contact c changes with unknown k of six of one of its bodies."""
+    axis = (1.0 * (k % 3 == 0), 1.0 * (k % 3 == 1), 1.0 * (k % 3 == 2))
+    if k >= 3:
+        axis = cross(axis, at(joints.arm_second if side else joints.arm_first, c))
+    return axis if side else plus(NIL, -1.0, axis)
+
+
+@called
+def spread(
+    matrix: Vector, joints: Joints, c: int, bodies: Bodies, blocks: int, slope: Vector
+) -> None:
+    """Add W J^T slope J of contact c to matrix (6 n, 6 n)."""
+    for side in range(2):
+        j = joints.second[c] if side else joints.first[c]
+        for k in range(6 if j < blocks else 0):
+            u = column(joints, c, side, k)
+            p = (dot(at(slope, 0), u), dot(at(slope, 1), u), dot(at(slope, 2), u))
+            for other in range(2):
+                i = joints.second[c] if other else joints.first[c]
+                if i < blocks:
+                    pull = p if other else plus(NIL, -1.0, p)
+                    arm = at(joints.arm_second if other else joints.arm_first, c)
+                    v = times(bodies.inverse, i, pull)
+                    w = times(bodies.inverse_spin, i, cross(arm, pull))
+                    for r in range(3):
+                        matrix[6 * i + r, 6 * j + k] += v[r]
+                        matrix[6 * i + 3 + r, 6 * j + k] += w[r]
+
+
+@called
+def eliminate(matrix: Vector, right: Vector) -> None:
+    """Replace right (m,) by the solution of matrix (m, m), which is spoilt: Gauss with pivots."""
+    m = len(right)
+    for k in range(m):
+        best = k
+        for i in range(k + 1, m):
+            if abs(matrix[i, k]) > abs(matrix[best, k]):
+                best = i
+        if best != k:
+            for j in range(k, m):
+                matrix[k, j], matrix[best, j] = matrix[best, j], matrix[k, j]
+            right[k], right[best] = right[best], right[k]
+        for i in range(k + 1, m):
+            part = matrix[i, k] / matrix[k, k]
+            if part != 0.0:
+                for j in range(k + 1, m):
+                    matrix[i, j] -= part * matrix[k, j]
+                right[i] -= part * right[k]
+    for k in range(m - 1, -1, -1):
+        for j in range(k + 1, m):
+            right[k] -= matrix[k, j] * right[j]
+        right[k] /= matrix[k, k]
+
+
+@called
+def balanced(
+    p: Vector, q: Vector, joints: Joints, bodies: Bodies, friction: Friction,
+    v: Vector, w: Vector, tolerance: float, stiffness: float,
+) -> bool:  # fmt: skip
+    """Fill p (c, 3) with what q (c, 3), whose effect is in v and w (b, 3), becomes.
+
+    Tells whether in the end no velocity changed by more than a tenth of the tolerance [m/s].
+    """
+    blocks = 0 * len(p)
+    for c in range(len(p)):
+        blocks = max(blocks, joints.second[c] + 1)
+    m = 6 * blocks
+    x, y, z, o = v.copy(), w.copy(), np.empty_like(v), np.empty_like(w)
+    slope, right, matrix = np.zeros((3, 3)), np.empty(m), np.empty((m, m))
+    for _ in range(INNER):
+        matrix[:] = 0.0
+        keep(z, v)
+        keep(o, w)
+        for c in range(len(p)):
+            if joints.across[c] > 0.0:
+                u = relative(joints, c, x, y)
+                put(p, c, allowed(joints, c, friction, stiffness, at(q, c), u, slope))
+                spread(matrix, joints, c, bodies, blocks, slope)
+                load_on(joints, c, bodies, z, o, plus(at(p, c), -1.0, at(q, c)))
+        most = 0.0
+        for i in range(blocks):
+            for r in range(3):
+                right[6 * i + r], right[6 * i + 3 + r] = z[i, r] - x[i, r], o[i, r] - y[i, r]
+        for k in range(m):
+            matrix[k, k] += 1.0
+        eliminate(matrix, right)
+        for i in range(blocks):
+            for r in range(3):
+                x[i, r] += right[6 * i + r]
+                y[i, r] += right[6 * i + 3 + r]
+                most = max(most, abs(right[6 * i + r]))
+        if most <= 0.1 * tolerance:
+            return True
+    return False
