@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import tempfile
 from collections.abc import Iterator, Sequence
 from pathlib import Path
@@ -51,6 +52,7 @@ class Limited:
     def run(self, asks: Sequence[Ask], scheme: str, scratch: Path, repeat: float) -> Iterator[Run]:
         self.calls += 1
         assert not list(scratch.iterdir())
+        (scratch / "ask-0.done").touch()
         for ask in asks:
             assert ask.search is None
             dt = ask.knobs.dt or 0.0
@@ -180,3 +182,10 @@ def test_all_steps_of_a_search_are_as_many() -> None:
 def test_a_bracket_that_makes_no_sense_is_refused(changed: dict[str, float], said: str) -> None:
     with pytest.raises(ValueError, match=said):
         Bracket(**{"span": 8.0, "bound": BOUND, **changed})  # type: ignore[arg-type]
+
+
+def test_asks_before_and_after_a_search_do_not_find_each_other_s_files(tmp_path: Path) -> None:
+    sought = study(Bracket(BOUND)).ask(Knobs(1.0))
+    plain = dataclasses.replace(sought, search=None)
+    runs = answers(Limited(1.5), [plain, sought, plain, plain], "default", tmp_path, 0.0)
+    assert [run.status for run in runs] == [Status.RAN] * 4

@@ -22,6 +22,8 @@ def answers(
 ) -> Iterator[Run]:
     """Yield one Run per ask, in order, as `Adapter.run` does; searches next to each other as one.
 
+    Each call of the adapter has a folder of its own: what it names by an ask's number must not be
+    taken for the answer to another.
     A step that a code refuses is run all the same where the first one is not refused: a search
     asks what comes of it.
     """
@@ -29,7 +31,8 @@ def answers(
         if sought:
             yield from _found(adapter, list(group), scheme, scratch)
         else:
-            yield from adapter.run(list(group), scheme, scratch, repeat)
+            folder = Path(tempfile.mkdtemp(prefix="asks-", dir=scratch))
+            yield from adapter.run(list(group), scheme, folder, repeat)
 
 
 @dataclass(eq=False)
