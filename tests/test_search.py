@@ -185,7 +185,7 @@ def test_a_bracket_that_makes_no_sense_is_refused(changed: dict[str, float], sai
 
 
 def test_asks_before_and_after_a_search_do_not_find_each_other_s_files(tmp_path: Path) -> None:
-    sought = study(Bracket(BOUND)).ask(Knobs(1.0))
+    sought = study(Bracket(8.0, BOUND, 5)).ask(Knobs(1.0))
     plain = dataclasses.replace(sought, search=None)
     runs = answers(Limited(1.5), [plain, sought, plain, plain], "default", tmp_path, 0.0)
     assert [run.status for run in runs] == [Status.RAN] * 4
