@@ -17,3 +17,5 @@ LEVELS = {
     Level.DEFAULT: (*RUNGS[:3], *COARSEST[1:]),  # three steps where they are cheapest
     Level.PAPER: RUNGS,
 }
+# of variants that are not timed, which differ little in what the stiffest springs cost and gain
+FEWER = {**LEVELS, Level.DEFAULT: RUNGS[:4]}

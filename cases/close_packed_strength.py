@@ -159,7 +159,7 @@ CASE = Case(
         Variant("pulled-255", "255 elements", OPENING, inert=IN_BALANCE, level=Level.PAPER),
         Variant(
             "pressed-82", "82 elements, pressed until they slide", "none", {"rate": -8.0},
-            inert=IN_BALANCE, level=Level.DEFAULT,
+            inert=IN_BALANCE, level=Level.PAPER,
         ),
     ),
     declare=_declare,

@@ -6,7 +6,7 @@ import functools
 
 import numpy as np
 
-from cases._penalty import COARSEST, LEVELS
+from cases._penalty import COARSEST, FEWER, LEVELS
 from reference_solutions import incline
 from vv.ask import Displacement, History, Method
 from vv.block import box_geometry, polyhedron_inertia
@@ -61,7 +61,8 @@ def _declare(variant: str, p: Parameters) -> Trial:
     scene, goal = _scene(p), History(p["duration"], p["duration"] / 400)
     quantities = (_both if p["Ay"] > 0 else _down)(p, scene, goal)
     timed = COARSEST if variant in ("newmark-30", "two-directions") else ()
-    return Trial(Ladder(scene, goal, (BLOCK,), LEVELS, timed), quantities)
+    levels = LEVELS if timed else FEWER
+    return Trial(Ladder(scene, goal, (BLOCK,), levels, timed), quantities)
 
 
 def _down(p: Parameters, scene: Scene, goal: History) -> tuple[Quantity, ...]:

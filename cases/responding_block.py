@@ -7,7 +7,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from cases._penalty import COARSEST, LEVELS
+from cases._penalty import COARSEST, FEWER, LEVELS
 from reference_solutions import responding_block
 from vv.ask import Displacement, History, Method
 from vv.block import box_geometry, polyhedron_inertia
@@ -88,7 +88,8 @@ def _declare(variant: str, p: Parameters) -> Trial:
     )
     whole = (motion.distance(judge),) if directions > 1 else ()
     timed = COARSEST if variant in ("1d", "2d", "3d") else ()
-    return Trial(Ladder(_scene(p), goal, (BLOCK,), LEVELS, timed), (*parts, *whole))
+    levels = LEVELS if timed else FEWER
+    return Trial(Ladder(_scene(p), goal, (BLOCK,), levels, timed), (*parts, *whole))
 
 
 STIFFNESSES = (1e7, 2.4e7, 5.6e7, 1.3e8, 3.2e8, 7.5e8, 1.8e9, 4.2e9, 1e10)
