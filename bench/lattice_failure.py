@@ -1,8 +1,9 @@
 """What happens to the energy of a block of 2166 elements that is pulled in two (Liu et al. 2017).
 
 `python -m bench.lattice_failure` carries the platens apart at Eq. 28's viscosity and the paper's
-step, 1e-8 s, but at some 20 times its rate of loading, 1.7e-10 m in 100 steps. It prints what the paper's Fig. 6b and text
-report beside what is found, and keeps the curves in .vv/bench-lattice-failure.csv.
+step, 1e-8 s, but at some 20 times its rate of loading, 1.7e-10 m in 100 steps. It prints what the
+paper's Fig. 6b and text report beside what is found, and keeps the curves in
+.vv/bench-lattice-failure.csv.
 """
 
 import sys
