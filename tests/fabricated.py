@@ -104,7 +104,7 @@ def case() -> Json:
     return {
         "title": "Bounces",
         "source": {"citation": "Someone (2001)", "doi": "10.1/(x)", "note": "misprint"},
-        "enforced": ["accuracy", "regression", "speed"],
+        "enforced": ["accuracy", "conservation", "regression", "speed"],
         "published": {"Fig. 4": "grows with time"},
         "parameters": [{"name": "m", "value": 1.0, "unit": "kg", "meaning": "mass"}],
         "variants": {"T1": variant, "T2": variant},

@@ -10,7 +10,9 @@ from typing import Any
 import pytest
 
 from tests.conftest import Tiny, tiny_project
+from tests.fabricated import entry, record
 from vv.finding import Bit
+from vv.gate import exit_bits, record_findings
 
 GOOD = ("fall:up", "--codes", "fake/good")
 BASELINE = "cases/baselines/fall.json"
@@ -192,6 +194,16 @@ def test_checks_that_a_case_does_not_enforce_are_reported_only(accepted: Tiny) -
     assert code == 0
     assert "reported only: accuracy fail: fall:up fake/good" in said
     assert "reported only: regression worse: fall:up fake/good" in said
+
+
+def test_a_law_that_a_case_does_not_enforce_is_reported_only() -> None:
+    gained = {"terms": {}, "unaccounted": 1.0, "peak": 1.0, "bound": 1e-9, "audits": {}}
+    broken = record("fake/good", "up", 0.1, ledger=gained, quantities=[entry("pass", {})])
+    for checks, red in ((["accuracy", "conservation"], True), (["accuracy"], False)):
+        (found,) = record_findings([broken], enforced={"bounce": checks})
+        assert found.check == "conservation"
+        assert found.red is red
+    assert exit_bits([broken]) == Bit.CONSERVATION
 
 
 def test_a_slower_solve_is_red_only_in_a_new_timing_session(tiny: Tiny) -> None:

@@ -251,6 +251,7 @@ class Check(enum.Enum):
     ACCURACY = "accuracy"
     REGRESSION = "regression"
     SPEED = "speed"
+    CONSERVATION = "conservation"
 
 
 @dataclass(frozen=True, eq=False)

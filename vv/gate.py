@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import fnmatch
 from collections.abc import Container, Iterable, Iterator, Mapping, Sequence
+from types import MappingProxyType
 from typing import Any
 
 from vv.ask import Status
@@ -22,15 +23,15 @@ STATUS_BITS: Mapping[Status, tuple[Bit, Bit]] = {  # of an optional code, of a r
     Status.TIMEOUT: (Bit.TIMEOUT, Bit.TIMEOUT),
 }
 WORST_FIRST = (Verdict.FAIL, Verdict.XPASS, Verdict.XFAIL, Verdict.PASS, Verdict.NO_REFERENCE)
+ALL = frozenset(check.value for check in Check)
 BLOW_UP = "blow-up"  # the outcome of what diverged in a map
 DISSIPATION = " dissipation"  # how the names of energy terms end that can only grow
 
 
 def judgement(manifest: Mapping[str, Any], required: Iterable[str] = ()) -> list[Finding]:
     """All that is to be said of an invocation: of its records, and what it found besides."""
-    cases = manifest["cases"]
-    lenient = {name for name in cases if Check.ACCURACY.value not in cases[name]["enforced"]}
-    own = record_findings(manifest["records"], required, lenient)
+    enforced = {name: case["enforced"] for name, case in manifest["cases"].items()}
+    own = record_findings(manifest["records"], required, enforced)
     return [*own, *map(from_data, manifest["findings"])]
 
 
@@ -42,12 +43,12 @@ def exit_bits(records: Iterable[Mapping[str, Any]], required: Iterable[str] = ()
 def record_findings(
     records: Sequence[Mapping[str, Any]],
     required: Iterable[str] = (),
-    lenient: Container[str] = frozenset(),
+    enforced: Mapping[str, Container[str]] = MappingProxyType({}),
 ) -> list[Finding]:
     """What is wrong with a set of records; nothing that ran is incomplete.
 
     required: patterns CODE or CODE/SCHEME of which at least one record each must have run.
-    lenient: cases whose accuracy is reported only.
+    enforced: case -> names of the checks that are not reported only, if not all.
     """
     patterns = tuple(p if "/" in p else f"{p}/*" for p in required)
     ran = {label(record) for record in records if status_of(record) is Status.RAN}
@@ -62,8 +63,8 @@ def record_findings(
         needed = any(fnmatch.fnmatchcase(label(record), pattern) for pattern in patterns)
         found += [
             *_of_status(record, needed),
-            *_of_quantities(record, record["case"] not in lenient),
-            *_of_ledger(record),
+            *_of_quantities(record, enforced.get(record["case"], ALL)),
+            *_of_ledger(record, enforced.get(record["case"], ALL)),
         ]
     return found
 
@@ -84,20 +85,21 @@ def _of_status(record: Mapping[str, Any], needed: bool) -> Iterator[Finding]:
         yield Finding("run", "not reported", text, **_about(record), bit=Bit.INCOMPLETE)
 
 
-def _of_quantities(record: Mapping[str, Any], enforced: bool) -> Iterator[Finding]:
+def _of_quantities(record: Mapping[str, Any], enforced: Container[str]) -> Iterator[Finding]:
     for entry in record["quantities"]:
         verdict = Verdict(entry["verdict"])
         if verdict in (Verdict.FAIL, Verdict.XPASS):
             conserved = entry["judge"] == "invariant"
+            check = (Check.CONSERVATION if conserved else Check.ACCURACY).value
             error, bound = entry["errors"].get(entry["norm"] or "max"), entry["tolerance"]
             yield Finding(
-                check="conservation" if conserved else Check.ACCURACY.value,
+                check=check,
                 kind=verdict.value,
                 text=_in_words(entry, error),
                 **_about(record),
                 quantity=entry["name"],
                 bit=Bit.CONSERVATION if conserved else Bit.ACCURACY,
-                enforced=conserved or enforced,
+                enforced=check in enforced,
                 size=error / bound if error and bound else 0.0,
             )
 
@@ -113,16 +115,17 @@ def _in_words(entry: Mapping[str, Any], error: float | None) -> str:
     return "; ".join([*parts, entry["note"]] if entry["note"] else parts)
 
 
-def _of_ledger(record: Mapping[str, Any]) -> Iterator[Finding]:
+def _of_ledger(record: Mapping[str, Any], enforced: Container[str]) -> Iterator[Finding]:
     """Laws that a run breaks by its own ledger, beyond what its scheme promises."""
     ledger = record["ledger"]
     for law, seen, allowed in _breaches(ledger) if ledger else ():
         yield Finding(
-            check="conservation",
+            check=Check.CONSERVATION.value,
             kind=law,
             text=f"{law}: {seen:.3g} where at most {allowed:.3g} is allowed",
             **_about(record),
             bit=Bit.CONSERVATION,
+            enforced=Check.CONSERVATION.value in enforced,
             size=seen / allowed if allowed > 0 else 0.0,
         )
 
