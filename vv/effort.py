@@ -50,13 +50,15 @@ class Effort:
 def efforts(manifest: Mapping[str, Any]) -> list[Effort]:
     """Every scheme that ran on a variant of which something was timed, in the order of records."""
     every = _efforts(manifest)
-    return [effort for effort in every if (effort.case, effort.variant) in _timed(every)]
+    timed = _timed(every)
+    return [effort for effort in every if (effort.case, effort.variant) in timed]
 
 
 def untimed(manifest: Mapping[str, Any]) -> list[Effort]:
     """Every scheme with an error on a variant of which nothing was timed."""
     every = _efforts(manifest)
-    rest = [effort for effort in every if (effort.case, effort.variant) not in _timed(every)]
+    timed = _timed(every)
+    rest = [effort for effort in every if (effort.case, effort.variant) not in timed]
     return [effort for effort in rest if effort.best is not None]
 
 
