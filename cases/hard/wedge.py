@@ -125,8 +125,8 @@ CASE = Case(
     ),
     variants=tuple(
         Variant(f"xi-{xi:g}", f"sides that open by {xi:g} rad", FORMULA, {"xi": xi},
-                frozenset({"xi"}), Level.DEFAULT if xi == 0.1 else Level.QUICK)
-        for xi in (1.0, 0.1, 0.01)
+                frozenset({"xi"}), Level.QUICK if xi in (1.0, 1e-6) else Level.DEFAULT)
+        for xi in (1.0, 0.1, 0.01, 1e-6)
     ),
     declare=_declare,
 )  # fmt: skip
