@@ -7,6 +7,7 @@ from collections.abc import Callable
 
 import numpy as np
 
+from cases._papers import LI_2018
 from reference_solutions import bounce, bouncing_pair
 from vv.ask import Displacement, History, Knobs, Method
 from vv.case import (
@@ -189,9 +190,7 @@ CASE = Case(
     name="bounce",
     title="Spheres that spin and bounce",
     source=Source(
-        "Li, Yin, Jia, Zhang, Wang and Xu (2018), Validation Tests for Discrete Element Codes "
-        "Using Single-Contact Systems, International Journal of Geomechanics",
-        "10.1061/(ASCE)GM.1943-5622.0001133",
+        *LI_2018,
         "The contact law is that of Eqs. 4-8; bounces and spin are not in the paper. On the "
         "floor the shear force acts at the radius, between two in the middle of the overlap. "
         "The spring starts uncharged at every contact.",

@@ -6,6 +6,8 @@ import functools
 
 import numpy as np
 
+from cases._papers import LIU_2017
+from cases._quartzite import ELASTIC
 from reference_solutions import close_packed_lattice, lattice_material, turning_lattice
 from reference_solutions.close_packed_lattice import SIZES, Lattice, Static
 from vv.ask import Displacement, History, Knobs, Method, Reaction, Run
@@ -163,9 +165,7 @@ CASE = Case(
     name="close-packed-lattice",
     title="Blocks of close-packed elements",
     source=Source(
-        "Liu, Xu, Shi, Deng and Zhu (2017), Mechanical properties and energy conversion of 3D "
-        "close-packed lattice model for brittle rocks, Computers and Geosciences 103",
-        "10.1016/j.cageo.2017.03.003",
+        *LIU_2017,
         "The paper gives neither the area on which it takes the stress nor how it takes the strain "
         "across: here the hull of the centres, (n - 1) d x p sqrt3 d, and the extreme rows. E "
         "depends on the area by some per cent. Judged by the static answer of the same block, to "
@@ -175,10 +175,7 @@ CASE = Case(
         "lowest frequency, about 1.4 times the speed of waves over the size; it is chosen.",
     ),
     parameters=(
-        Parameter("kn", 46793831.1079, "N/m", "normal stiffness of a bond (Table 1)"),
-        Parameter("gamma", 5 / 29, "", "ks/kn of a bond (Table 1)"),
-        Parameter("d", 1e-3, "m", "diameter of an element, length of a bond"),
-        Parameter("m", 1.87383297e-6, "kg", "mass of an element (Eq. 27)"),
+        *ELASTIC,
         Parameter("strain", 1e-6, "", "axial strain at the end"),
     ),
     variants=VARIANTS,

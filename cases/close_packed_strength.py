@@ -7,7 +7,9 @@ from collections.abc import Callable
 
 import numpy as np
 
-from cases.tetrahedral_strength import QUARTZITE, RATES, balance, unhurried
+from cases._papers import LIU_2017
+from cases._quartzite import BRITTLE
+from cases.tetrahedral_strength import RATES, balance, unhurried
 from reference_solutions import lattice_material
 from reference_solutions.close_packed_lattice import SIZES, Lattice, lattice, static
 from reference_solutions.lattice_strength import first_opening
@@ -142,16 +144,14 @@ CASE = Case(
     name="close-packed-strength",
     title="Close-packed blocks to failure",
     source=Source(
-        "Liu, Xu, Shi, Deng and Zhu (2017), Mechanical properties and energy conversion of 3D "
-        "close-packed lattice model for brittle rocks, Computers and Geosciences 103",
-        "10.1016/j.cageo.2017.03.003",
+        *LIU_2017,
         "T_u is judged by where the first bond opens in the linear lattice, at a face, and not by "
         "Eq. 7: with it the block fails. Stress is on the area of the hull of the centres. The "
         "paper moves the platen in steps; here it is carried steadily, at two rates, from which "
         "that of zero is told. Eq. 28 gives the viscosity.",
     ),
     parameters=(
-        *QUARTZITE,
+        *BRITTLE,
         Parameter("rate", 0.6, "1/s", "strain rate of the slower block, tension positive"),
     ),
     variants=(

@@ -6,6 +6,7 @@ import functools
 
 import numpy as np
 
+from cases._papers import YAGODA_BIRAN_2016
 from cases._penalty import COARSEST, FEWER, LEVELS
 from reference_solutions import incline
 from vv.ask import Displacement, History, Method
@@ -199,9 +200,7 @@ CASE = Case(
     name="incline",
     title="Block on an incline",
     source=Source(
-        "Yagoda-Biran and Hatzor (2016), Benchmarking the numerical Discontinuous Deformation "
-        "Analysis method, Computers and Geotechnics 71, 30-46",
-        "",
+        *YAGODA_BIRAN_2016,
         "A and f of Fig. 3 are not given: A = 5 m/s2 and 1 Hz are chosen. Eq. 8 lacks "
         "(A/w)(cos alpha + sin alpha tan phi) t. The horizontal launch of Sec. 4.1.2 would leave "
         "the plane: the velocity is taken down the dip, with phi = 20 chosen. The motion of Fig. "

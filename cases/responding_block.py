@@ -7,6 +7,7 @@ from collections.abc import Callable
 
 import numpy as np
 
+from cases._papers import YAGODA_BIRAN_2016
 from cases._penalty import COARSEST, FEWER, LEVELS
 from reference_solutions import responding_block
 from vv.ask import Displacement, History, Method
@@ -181,9 +182,7 @@ CASE = Case(
     name="responding-block",
     title="Block on a shaking foundation",
     source=Source(
-        "Yagoda-Biran and Hatzor (2016), Benchmarking the numerical Discontinuous Deformation "
-        "Analysis method, Computers and Geotechnics 71, 30-46",
-        "",
+        *YAGODA_BIRAN_2016,
         "Secs. 3.4 and 4.5, Eqs. 11-13 and 16-18. The second line of Eq. 17 takes the direction "
         "of the base's acceleration, where a slip begins; mu = 0.6 is chosen in 2D and 3D. "
         "g = 9.81 m/s2.",

@@ -8,6 +8,7 @@ from collections.abc import Callable, Mapping
 
 import numpy as np
 
+from cases._papers import LI_2018
 from reference_solutions import single_contact as closed
 from vv.ask import Displacement, History, Knobs, Method, Run
 from vv.case import Case, Exact, Parameter, Parameters, Series, Source, Tolerance, Trial, Variant
@@ -179,9 +180,7 @@ CASE = Case(
     name="single-contact",
     title="Single contacts T1-T4",
     source=Source(
-        "Li, Yin, Jia, Zhang, Wang and Xu (2018), Validation Tests for Discrete Element Codes "
-        "Using Single-Contact Systems, International Journal of Geomechanics",
-        "10.1061/(ASCE)GM.1943-5622.0001133",
+        *LI_2018,
         "v_a is -0.1 m/s: the -0.01 of Eq. 27 contradicts Eqs. 29 and 31. Eq. 3 is the root of "
         "a sum of squares. Eq. 8 must cap |F_s| and keep its sign. Eqs. 9 and 11 use the "
         "previous mean velocity.",

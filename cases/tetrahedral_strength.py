@@ -8,6 +8,8 @@ from typing import NamedTuple
 
 import numpy as np
 
+from cases._papers import LIU_2017
+from cases._quartzite import BRITTLE
 from cases.tetrahedral_unit import CORNERS, EDGES
 from reference_solutions import lattice_material, tetrahedral_unit
 from reference_solutions.lattice_material import Element
@@ -210,29 +212,17 @@ def _within(bound: float) -> Judge:
 RUNGS = tuple(Knobs(dt=4e-8 / 2**i) for i in range(3))
 LEVELS = {Level.QUICK: RUNGS[:2], Level.DEFAULT: RUNGS[:2], Level.PAPER: RUNGS}
 
-QUARTZITE = (
-    Parameter("kn", 46793831.1079, "N/m", "normal stiffness of a bond (Table 1)"),
-    Parameter("ks", 8067901.91516, "N/m", "shear stiffness of a bond (Table 1)"),
-    Parameter("xb", 1.70370370e-7, "m", "stretch that opens a bond (Table 1)"),
-    Parameter("fs0", 18.4522728, "N", "shear strength under no normal force (Table 1)"),
-    Parameter("mu_p", 0.396446609, "", "friction between elements (Table 1)"),
-    Parameter("d", 1e-3, "m", "diameter of an element, length of a bond"),
-    Parameter("m", 1.87383297e-6, "kg", "mass of an element (Eq. 27)"),
-)
-
 CASE = Case(
     name="tetrahedral-strength",
     title="Four bonded elements to failure",
     source=Source(
-        "Liu, Xu, Shi, Deng and Zhu (2017), Mechanical properties and energy conversion of 3D "
-        "close-packed lattice model for brittle rocks, Computers and Geosciences 103",
-        "10.1016/j.cageo.2017.03.003",
+        *LIU_2017,
         "Judged by the balances at finite displacement where a bond fails (Eq. 1), not by Eqs. 7, "
         "8 and 14 for small strains, which are shown. The paper moves the top in steps; here it is "
         "carried steadily, at two rates. Viscosity and rates are chosen.",
     ),
     parameters=(
-        *QUARTZITE,
+        *BRITTLE,
         Parameter("eta", 6.0, "N s/m", "viscosity on every element"),
         Parameter("rate", 1.6, "1/s", "strain rate of the slower unit, tension positive"),
     ),

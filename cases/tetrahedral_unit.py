@@ -7,6 +7,8 @@ from collections.abc import Callable
 
 import numpy as np
 
+from cases._papers import LIU_2017
+from cases._quartzite import ELASTIC
 from reference_solutions import lattice_material, tetrahedral_unit
 from reference_solutions.tetrahedral_unit import Displacements, State
 from vv.ask import Displacement, History, Knobs, Method, Run
@@ -268,19 +270,14 @@ CASE = Case(
     name="tetrahedral-unit",
     title="Four bonded elements",
     source=Source(
-        "Liu, Xu, Shi, Deng and Zhu (2017), Mechanical properties and energy conversion of 3D "
-        "close-packed lattice model for brittle rocks, Computers and Geosciences 103",
-        "10.1016/j.cageo.2017.03.003",
+        *LIU_2017,
         "E and nu are judged by the equilibrium path of the incremental shear spring, not by the "
         "small-strain Eqs. 2 to 6, from which it differs by 5e-7 here and which stand beside. The "
         "paper moves the top in steps; here it bears a dead load. The viscosity "
         "that brings the unit to rest is chosen.",
     ),
     parameters=(
-        Parameter("kn", 46793831.1079, "N/m", "normal stiffness of a bond (Table 1)"),
-        Parameter("gamma", 5 / 29, "", "ks/kn of a bond (Table 1)"),
-        Parameter("d", 1e-3, "m", "diameter of an element, length of a bond"),
-        Parameter("m", 1.87383297e-6, "kg", "mass of an element (Eq. 27)"),
+        *ELASTIC,
         Parameter("strain", 1e-6, "", "axial strain by Eqs. 5, 6; amplitude A of breathing"),
         Parameter("eta", 6.0, "N s/m", "viscosity on every element"),
     ),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from cases._papers import YAGODA_BIRAN_2016
 from cases.incline import CASE as INCLINE
 from vv.case import Case, Parameters, Source, Trial, Variant
 
@@ -19,8 +20,7 @@ CASE = Case(
     name="at-yield",
     title="On the brink of rest",
     source=Source(
-        INCLINE.source.citation,
-        INCLINE.source.doi,
+        *YAGODA_BIRAN_2016,
         "phi = alpha is not in the paper. The velocity (A/(w cos alpha))(1 - cos wt) touches zero "
         "once a cycle there, which the incline shows; a trillionth more of friction stops the "
         "block for a moment, and a trillionth less never does.",

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from cases._papers import LI_2018
 from cases.single_contact import CASE as SINGLE_CONTACT
 from reference_solutions import single_contact as closed
 from vv.ask import Displacement, History, Knobs, Method, Run
@@ -93,8 +94,7 @@ CASE = Case(
     name="grazing",
     title="Grazing the limit of friction",
     source=Source(
-        SINGLE_CONTACT.source.citation,
-        SINGLE_CONTACT.source.doi,
+        *LI_2018,
         "T3, which ends there at 0.4 s, goes on for 20 s. Its third stage swings about b with the "
         "amplitude y1 = mu kn dx/ks, at which the shear force is mu Fn and the velocity zero.",
     ),

@@ -8,6 +8,7 @@ from collections.abc import Callable
 
 import numpy as np
 
+from cases._papers import YAGODA_BIRAN_2016
 from reference_solutions import implicit_step as theory
 from vv.ask import Displacement, History, Knobs, Method, Run, Velocity
 from vv.block import polyhedron_inertia
@@ -141,9 +142,7 @@ CASE = Case(
     name="implicit-swing",
     title="Numerical damping of implicit steps",
     source=Source(
-        "Yagoda-Biran and Hatzor (2016), Benchmarking the numerical Discontinuous Deformation "
-        "Analysis method, Computers and Geotechnics 71, 30-46",
-        "10.1016/j.compgeo.2015.08.003",
+        *YAGODA_BIRAN_2016,
         "The step is Eq. 5, corrected: d'' = (2/D^2)(d - D v0). Its roots are not in the paper. "
         "They say why contacts that the step does not resolve neither blow up nor come to rest. "
         "Contact is rigid; the penalty spring that stands in for it swings.",

@@ -8,6 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from cases._papers import LI_2018
 from cases.single_contact import CASE as SINGLE_CONTACT
 from reference_solutions import leapfrog
 from reference_solutions import single_contact as closed
@@ -159,8 +160,7 @@ CASE = Case(
     name="long-swing",
     title="Thousands of swings",
     source=Source(
-        SINGLE_CONTACT.source.citation,
-        SINGLE_CONTACT.source.doi,
+        *LI_2018,
         "The spring of T1 is bound both ways here, by a load that keeps the contact closed or by a "
         "bond, and swings on. What a leapfrog makes of it is in Hairer, Lubich and Wanner (2003), "
         "Acta Numerica 12, 399-450.",

@@ -6,6 +6,7 @@ import functools
 
 import numpy as np
 
+from cases._papers import LI_2018
 from reference_solutions import settling
 from vv.ask import Displacement, History, Knobs, Method, Run
 from vv.case import (
@@ -100,9 +101,7 @@ CASE = Case(
     name="settling",
     title="Bounces to rest",
     source=Source(
-        "Li, Yin, Jia, Zhang, Wang and Xu (2018), Validation Tests for Discrete Element Codes "
-        "Using Single-Contact Systems, International Journal of Geomechanics",
-        "10.1061/(ASCE)GM.1943-5622.0001133",
+        *LI_2018,
         "The law is that of T2, under gravity and again and again. The spring makes the number of "
         "bounces finite; with a coefficient of restitution it would not be, but neither that nor a "
         "dashpot between bodies is a term of a scene.",

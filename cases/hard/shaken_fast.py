@@ -7,6 +7,7 @@ import math
 
 import numpy as np
 
+from cases._papers import YAGODA_BIRAN_2016
 from cases.responding_block import CASE as RESPONDING_BLOCK
 from vv.ask import Displacement, History, Knobs, Method, Run
 from vv.case import (
@@ -99,8 +100,7 @@ CASE = Case(
     name="shaken-fast",
     title="Shaken fast",
     source=Source(
-        RESPONDING_BLOCK.source.citation,
-        RESPONDING_BLOCK.source.doi,
+        *YAGODA_BIRAN_2016,
         "High frequencies are not in the paper. D = 0.2 m and mu = 0.6 are chosen. The block's "
         "velocity decays with the time constant pi D w/(2 mu g), 1.7 s at 5 Hz and 6.7 s at 20 Hz, "
         "of which ten are run; 33.5 s at 100 Hz, where the start alone is.",

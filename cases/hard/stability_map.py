@@ -5,6 +5,7 @@ from __future__ import annotations
 import dataclasses
 import math
 
+from cases._papers import YAGODA_BIRAN_2016
 from cases.incline import CASE as INCLINE
 from cases.responding_block import CASE as RESPONDING_BLOCK
 from cases.tetrahedral_unit import CASE as UNIT
@@ -70,8 +71,7 @@ CASE = Case(
     name="stability-map",
     title="Stiffness against step",
     source=Source(
-        INCLINE.source.citation,
-        "",
+        *YAGODA_BIRAN_2016,
         "The scenes are those of the cases of these names, and of the tetrahedral unit of Liu et "
         "al. (2017), over one shake of 2 Hz and over 20 swings. Stiffness runs from 1e4 to 1e12 "
         "N/m, the step from 1e-3 to 10 times 2 sqrt(m/kn), or 2/w of the unit; a step longer than "

@@ -6,6 +6,7 @@ import math
 
 import numpy as np
 
+from cases._papers import LIU_2017
 from cases.tetrahedral_unit import CASE as UNIT
 from cases.tetrahedral_unit import CORNERS, EDGES
 from reference_solutions import bonded_modes, close_packed_lattice, stability
@@ -80,8 +81,7 @@ CASE = Case(
     name="stable-bonds",
     title="Largest stable step on bonds",
     source=Source(
-        UNIT.source.citation,
-        UNIT.source.doi,
+        *LIU_2017,
         "The paper takes 1e-8 s and states no limit. Elements do not turn. A step is unstable if "
         "within 400 steps something moves by 1000 swings v/w, or the code gives up.",
     ),

@@ -7,6 +7,7 @@ import math
 
 import numpy as np
 
+from cases._papers import LI_2018
 from reference_solutions import stability
 from vv.ask import Bracket, Displacement, Method, Run
 from vv.block import box_geometry, polyhedron_inertia
@@ -142,9 +143,7 @@ CASE = Case(
     name="stable-step",
     title="Largest stable step",
     source=Source(
-        "Li, Yin, Jia, Zhang, Wang and Xu (2018), Validation Tests for Discrete Element Codes "
-        "Using Single-Contact Systems, International Journal of Geomechanics",
-        "10.1061/(ASCE)GM.1943-5622.0001133",
+        *LI_2018,
         "The limits are not in the paper: 2/w, and 2 (sqrt(n^2 + w^2) - n)/w^2 for the drag of its "
         "Eqs. 9-12, 0.0822797 s with the numbers of T2. A step is unstable if within 200 steps, "
         "1000 with drag, the swing exceeds 1000 times that of the exact motion, 3 times with "

@@ -7,6 +7,7 @@ import math
 
 import numpy as np
 
+from cases._papers import YAGODA_BIRAN_2016
 from reference_solutions import wedge
 from vv.ask import Displacement, History, Knobs, Method
 from vv.block import polyhedron_inertia
@@ -111,9 +112,7 @@ CASE = Case(
     name="wedge",
     title="A wedge in a narrow groove",
     source=Source(
-        "Yagoda-Biran and Hatzor (2016), Benchmarking the numerical Discontinuous Deformation "
-        "Analysis method, Computers and Geotechnics 71, 30-46",
-        "10.1016/j.compgeo.2015.08.003",
+        *YAGODA_BIRAN_2016,
         "Gravity alone; the opening is chosen, and friction such that half of what pulls the wedge "
         "down is left. It cannot turn.",
     ),

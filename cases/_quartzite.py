@@ -1,0 +1,17 @@
+"""The elements that stand for quartzite in Liu et al. (2017): Table 1, and Eq. 27 for the mass."""
+
+from vv.case import Parameter
+
+KN = Parameter("kn", 46793831.1079, "N/m", "normal stiffness of a bond (Table 1)")
+D = Parameter("d", 1e-3, "m", "diameter of an element, length of a bond")
+M = Parameter("m", 1.87383297e-6, "kg", "mass of an element (Eq. 27)")
+ELASTIC = (KN, Parameter("gamma", 5 / 29, "", "ks/kn of a bond (Table 1)"), D, M)
+BRITTLE = (
+    KN,
+    Parameter("ks", 8067901.91516, "N/m", "shear stiffness of a bond (Table 1)"),
+    Parameter("xb", 1.70370370e-7, "m", "stretch that opens a bond (Table 1)"),
+    Parameter("fs0", 18.4522728, "N", "shear strength under no normal force (Table 1)"),
+    Parameter("mu_p", 0.396446609, "", "friction between elements (Table 1)"),
+    D,
+    M,
+)
