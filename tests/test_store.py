@@ -129,6 +129,28 @@ def test_a_worker_does_not_outlive_a_killed_invocation(tiny: Tiny) -> None:
     _wait_until(lambda: not _processes(marker))
 
 
+BORN_AN_ORPHAN = """
+import multiprocessing, os, time
+from vv import runner
+
+def child(parent):
+    os.setpgid(0, 0)
+    while os.getppid() == parent:
+        time.sleep(0.001)
+    runner._die_with_parent()
+    print("alive", flush=True)
+
+multiprocessing.get_context("fork").Process(target=child, args=(os.getpid(),)).start()
+os._exit(0)
+"""
+
+
+def test_a_worker_whose_parent_is_gone_before_it_could_ask_dies_too() -> None:
+    words = [sys.executable, "-c", BORN_AN_ORPHAN]
+    done = subprocess.run(words, stdout=subprocess.PIPE, timeout=20, check=True)
+    assert done.stdout == b""
+
+
 def _wait_until(true: Callable[[], bool]) -> None:
     """Wait for a condition, 20 s at most."""
     until = time.monotonic() + 20

@@ -115,6 +115,9 @@ def _die_with_parent() -> None:
     signal.signal(signal.SIGTERM, lambda *_: os.killpg(0, signal.SIGKILL))
     with contextlib.suppress(OSError, AttributeError):  # only Linux has prctl
         ctypes.CDLL(None).prctl(1, signal.SIGTERM)
+    parent = multiprocessing.parent_process()
+    if parent is not None and os.getppid() != parent.pid:  # gone before the kernel was told
+        os.killpg(0, signal.SIGKILL)
 
 
 def _answers(worker: _Worker, timeout: float) -> Iterator[tuple[int, Run]]:
