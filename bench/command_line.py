@@ -1,6 +1,5 @@
 """How long the command line takes: quick looks, and invocations that find nothing or all stored."""
 
-import os
 import resource
 import shutil
 import subprocess
@@ -9,7 +8,7 @@ import tempfile
 import time
 from pathlib import Path
 
-from bench.evidence import conclude
+from bench.evidence import conclude, usual
 
 ROOT = Path(__file__).parents[1]
 LOOKS = ("list", "--help")
@@ -18,7 +17,7 @@ LOOKS = ("list", "--help")
 def spent(words: str, folder: Path = ROOT, **environment: str) -> tuple[float, float]:
     """(CPU seconds, wall seconds) of `vv` with its children, in a folder."""
     before, begun = resource.getrusage(resource.RUSAGE_CHILDREN), time.perf_counter()
-    env = {**os.environ, "PYTHONPATH": str(ROOT), **environment}
+    env = usual(PYTHONPATH=str(ROOT), **environment)
     command = [sys.executable, "-m", "vv", *words.split()]
     subprocess.run(command, cwd=folder, env=env, check=True, capture_output=True)
     wall, after = time.perf_counter() - begun, resource.getrusage(resource.RUSAGE_CHILDREN)

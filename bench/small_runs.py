@@ -1,6 +1,5 @@
 """What a whole run of one small case costs from start to exit, and what of it is imports."""
 
-import os
 import re
 import resource
 import subprocess
@@ -8,7 +7,7 @@ import sys
 import tempfile
 from pathlib import Path
 
-from bench.evidence import conclude
+from bench.evidence import conclude, usual
 
 HEAVY = ("numba", "scipy", "matplotlib")
 LOAD = """
@@ -29,8 +28,7 @@ print(planned - began, time.process_time() - planned)
 def cpu(*command: str, **environment: str) -> float:
     """CPU seconds of a command with its children."""
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
-    env = {**os.environ, **environment}
-    subprocess.run([sys.executable, *command], env=env, check=True, capture_output=True)
+    subprocess.run([sys.executable, *command], env=usual(**environment), check=True, capture_output=True)
     after = resource.getrusage(resource.RUSAGE_CHILDREN)
     return after.ru_utime - before.ru_utime + after.ru_stime - before.ru_stime
 
@@ -38,14 +36,15 @@ def cpu(*command: str, **environment: str) -> float:
 def imported() -> list[str]:
     """The heavy libraries that `vv list` imports."""
     command = [sys.executable, "-X", "importtime", "-m", "vv", "list"]
-    told = subprocess.run(command, check=True, capture_output=True, text=True).stderr
+    env = usual()
+    told = subprocess.run(command, env=env, check=True, capture_output=True, text=True).stderr
     names = {line.rpartition("|")[2].strip().partition(".")[0] for line in told.splitlines()}
     return sorted(names & set(HEAVY))
 
 
 def kernel(cache: str) -> float:
     """CPU seconds of the first answer of the dem engine: import of numba, kernel, solve."""
-    env = {**os.environ, "VV_CACHE": cache}
+    env = usual(VV_CACHE=cache)
     command = [sys.executable, "-c", LOAD]
     told = subprocess.run(command, env=env, check=True, capture_output=True, text=True).stdout
     return float(re.findall(r"\S+", told)[1])

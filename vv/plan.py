@@ -71,7 +71,7 @@ class Plan:
 def make_plan(project: Project, selection: Sequence[str], options: Options) -> Plan:
     """Expand a selection; raises UsageError for names, units and values that make no sense."""
     chosen = select(project, selection)
-    adapters = {name: project.load_adapter(name) for name in project.adapter_names()}
+    adapters = named_adapters(project, options.codes)
     found = {name: adapter.found() for name, adapter in adapters.items()}
     schemes = choose_schemes(adapters, options.codes)
     posed = [
@@ -223,6 +223,14 @@ def select(project: Project, selection: Sequence[str]) -> list[tuple[Case, str]]
         for variant in case.variants
         if variant.name in wanted[case.name]
     ]
+
+
+def named_adapters(project: Project, patterns: Iterable[str]) -> dict[str, Adapter]:
+    """The codes that patterns CODE or CODE/SCHEME name; all, where one of them names none."""
+    names = project.adapter_names()
+    hits = [fnmatch.filter(names, pattern.partition("/")[0]) for pattern in patterns]
+    wanted = {name for hit in hits for name in hit} if hits and all(hits) else set(names)
+    return {name: project.load_adapter(name) for name in names if name in wanted}
 
 
 def choose_schemes(

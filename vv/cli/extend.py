@@ -8,7 +8,7 @@ from typing import Annotated
 import typer
 
 from vv.cli import options
-from vv.plan import Options, choose_schemes, make_plan, select
+from vv.plan import Options, choose_schemes, make_plan, named_adapters, select
 from vv.project import find
 from vv.settings import UsageError
 from vv.store import deliver
@@ -32,8 +32,6 @@ def export(
         raise UsageError(f"'{selection}' names {len(chosen)} variants; export takes one")
     asked = Options(codes=(code,), settings=tuple(settings or ()), rungs=options.knobs(rungs))
     job = make_plan(project, [selection], asked).jobs[-1 if not rungs else 0]
-    adapter, scheme = choose_schemes(
-        {a: project.load_adapter(a) for a in project.adapter_names()}, [code]
-    )[0]
+    adapter, scheme = choose_schemes(named_adapters(project, [code]), [code])[0]
     text = adapter.native(job.ask, scheme.name)
     deliver(output or Path("-"), text.encode())

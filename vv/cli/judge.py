@@ -59,7 +59,7 @@ def gate(
 
     def plan() -> Plan:
         found = options.plan_of(project, selection or [], Options(level, options.codes(codes)))
-        options.known(found, required)
+        options.known(project, required)
         return found
 
     when = Timing.NEW if timing else Timing.LAST

@@ -9,7 +9,7 @@ from typing import Annotated
 import typer
 
 from vv.ask import Knobs
-from vv.plan import Options, Plan, choose_schemes, make_plan
+from vv.plan import Options, Plan, choose_schemes, make_plan, named_adapters
 from vv.project import Project
 from vv.settings import UsageError, knobs_from
 from vv.study import Level
@@ -47,9 +47,10 @@ def plan_of(project: Project, selection: list[str], options: Options) -> Plan:
     return make_plan(project, selection or ["*"], options)
 
 
-def known(plan: Plan, required: tuple[str, ...]) -> None:
+def known(project: Project, required: tuple[str, ...]) -> None:
     """Check the codes of --require; raises UsageError for one that does not exist."""
-    choose_schemes(plan.adapters, required)
+    if required:
+        choose_schemes(named_adapters(project, required), required)
 
 
 def split(text: str) -> tuple[str, ...]:

@@ -58,7 +58,7 @@ def run(
 
     def make_plan() -> Plan:
         plan = options.plan_of(project, selection or [], chosen)
-        options.known(plan, required)
+        options.known(project, required)
         return _narrowed(project, store, plan, last, since, budget)
 
     if dry_run:
