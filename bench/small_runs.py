@@ -28,7 +28,9 @@ print(planned - began, time.process_time() - planned)
 def cpu(*command: str, **environment: str) -> float:
     """CPU seconds of a command with its children."""
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
-    subprocess.run([sys.executable, *command], env=usual(**environment), check=True, capture_output=True)
+    subprocess.run(
+        [sys.executable, *command], env=usual(**environment), check=True, capture_output=True
+    )
     after = resource.getrusage(resource.RUSAGE_CHILDREN)
     return after.ru_utime - before.ru_utime + after.ru_stime - before.ru_stime
 
