@@ -112,7 +112,8 @@ def test_a_killed_invocation_leaves_its_finished_results_usable(tiny: Tiny) -> N
         env={**os.environ, "FAKE_LOG": str(log)},
     )
     _wait_until(lambda: log.exists() and len(log.read_text().splitlines()) >= 3)
-    time.sleep(0.3)  # the third ask hangs: time enough to store the first two
+    kept = tiny.root / ".vv" / "runs"
+    _wait_until(lambda: len(list(kept.rglob("*.npz"))) >= 2)  # the third ask hangs
     process.send_signal(signal.SIGKILL)
     process.wait()
     assert not list((tiny.root / ".vv").rglob(".part-*"))
