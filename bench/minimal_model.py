@@ -6,7 +6,7 @@ import numpy as np
 
 from bench.evidence import conclude
 from cases.single_contact import CASE
-from tests.test_dem import forced
+from tests.dem_contacts import forced
 from vv import dem
 from vv.ask import Ask, Displacement, Knobs
 
