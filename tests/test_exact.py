@@ -9,6 +9,7 @@ import pytest
 
 from cases.single_contact import CASE
 from tests.event_located import event_located
+from tests.exact_slides import apart
 from tests.small_scenes import DOWN, FLOOR, KINDS, ball, crowded, small_scene
 from vv.ask import Ask, Displacement, History, Run, Status, Velocity
 from vv.exact import Path as Motion
@@ -55,10 +56,6 @@ def turned(seed: int) -> Vector:
 
 def motion(scene: Scene, duration: float) -> Motion:
     return follow(assemble(scene), duration)
-
-
-def apart(found: Vector, expected: Vector) -> float:
-    return float(np.abs(found - expected).max() / np.abs(expected).max())
 
 
 @pytest.mark.parametrize("variant", VARIANTS)
