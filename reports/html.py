@@ -13,7 +13,7 @@ from reports.charts import Chart
 from reports.gallery import Draw
 from reports.maps import HeatMap
 from reports.views import Page
-from vv import digest, effort, finding, gate, metrics, reach, rungs, stability
+from vv import digest, effort, finding, gate, metrics, reach, reading, rungs, stability
 from vv import history as histories
 from vv.history import Point
 from vv.store import Store, deliver
@@ -27,6 +27,7 @@ JUDGING = (
     histories,
     metrics,
     reach,
+    reading,
     rungs,
     stability,
 )  # modules that a report leans on

@@ -18,7 +18,7 @@ KINDS = {
     ),
     "map": (
         "Maps over stiffness and step",
-        "Lost: diverged, or off by more than the answer. Steps are multiples of the critical one "
+        "Lost: diverged, or off by as much as the answer. Steps are multiples of the critical one "
         "that the case states. The figures stand with the variants.",
     ),
     "drift": (

@@ -10,7 +10,7 @@ ROOT = Path(__file__).parents[1]
 DATA = {"vv.digest", "vv.frozen", "vv.bodies", "vv.block", "vv.bonds", "vv.scene"}
 CORE = DATA | {"vv.ask"}
 ENGINES = {"vv.exact", "vv.dem", "vv.blocks"}
-JUDGED = {"vv.finding", "vv.gate", "vv.record"}
+JUDGED = {"vv.finding", "vv.gate", "vv.reading", "vv.record"}
 COSTS = {"vv.rungs", "vv.effort", "vv.reach"}
 STAND_INS = {"vv.soften", "vv.stand_in", "vv.clump", "vv.transform"}  # scenes made from scenes
 KERNELS = {"vv.compiled", "vv.drive", "vv.triples"} | STAND_INS  # what engines share
@@ -39,7 +39,8 @@ LAYERS: dict[str, tuple[str, set[str], set[str]]] = {
     "adapter": ("vv/adapter.py", CORE, set()),
     "search": ("vv/search.py", CORE | {"vv.adapter"}, set()),
     "finding": ("vv/finding.py", set(), set()),
-    "record": ("vv/record.py", DECLARED | {"vv.metrics"}, set()),
+    "reading": ("vv/reading.py", CORE, set()),
+    "record": ("vv/record.py", DECLARED | {"vv.metrics", "vv.reading"}, set()),
     "gate": ("vv/gate.py", DECLARED | JUDGED, set()),
     "disagreement": (
         "vv/disagreement.py",
@@ -58,7 +59,7 @@ LAYERS: dict[str, tuple[str, set[str], set[str]]] = {
         CORE | JUDGED | {"vv.baseline", "vv.settings", "vv.store"},
         set(),
     ),
-    "rungs": ("vv/rungs.py", {"vv.metrics"}, set()),
+    "rungs": ("vv/rungs.py", {"vv.metrics", "vv.reading"}, set()),
     "effort": ("vv/effort.py", CORE | JUDGED | {"vv.metrics", "vv.rungs"}, set()),
     "reach": ("vv/reach.py", {"vv.effort", "vv.rungs"}, set()),
     "speed": ("vv/speed.py", JUDGED | {"vv.baseline"}, set()),

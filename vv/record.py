@@ -25,6 +25,7 @@ from vv.case import (
     Shown,
     judge_of,
 )
+from vv.reading import error_of
 from vv.scene import Vector
 
 UNTOLD = Shown("this code tells nothing to take it from")
@@ -190,7 +191,7 @@ def _verdict(quantity: Quantity, judge: Judge, entry: dict[str, Any]) -> Verdict
         return Verdict.PASS if good else Verdict.FAIL
     if quantity.reference is None:
         return Verdict.NO_REFERENCE
-    error = entry["errors"].get(entry["norm"] or "max")
+    error = error_of(entry)
     bound = judge.bound if isinstance(judge, Invariant) else entry["tolerance"]
     good = error is not None and error <= bound and not entry["note"]
     return Verdict.PASS if good else Verdict.FAIL

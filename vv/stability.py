@@ -7,8 +7,8 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import asdict, dataclass
 from typing import Any
 
-from vv.finding import label
-from vv.gate import blew_up, outcome
+from vv.gate import blew_up
+from vv.reading import fineness, label, tried
 
 WRONG = 1.0  # relative error as large as the answer: no answer any more
 Json = Mapping[str, Any]
@@ -55,7 +55,7 @@ def _others(manifest: Json) -> Iterator[Told]:
                 piles.setdefault((kind, *place), []).append((record, entry))
     for (kind, case, variant, scheme, name), pile in piles.items():
         meaning = _meaning(manifest, case, variant, name)
-        value, due, text = SAYS[kind](sorted(pile, key=_longest_first), meaning)
+        value, due, text = SAYS[kind](sorted(pile, key=lambda rung: fineness(rung[0])), meaning)
         yield Told(kind, case, variant, scheme, name, value, due, text)
 
 
@@ -66,11 +66,6 @@ def _kind(record: Json, entry: Json) -> str:
     if record["study"] == "grid":
         return ""
     return {"invariant": "drift"}.get(entry["judge"], "count" if entry["kind"] == "count" else "")
-
-
-def _longest_first(rung: Rung) -> tuple[float, float]:
-    knobs = rung[0]["rung"]
-    return knobs["kn"] or 0.0, -(knobs["dt"] or 0.0)
 
 
 def _meaning(manifest: Json, case: str, variant: str, name: str) -> str:
@@ -127,12 +122,12 @@ def _maps(manifest: Json) -> Iterator[Told]:
             place = (record["case"], record["variant"], label(record))
             piles.setdefault(place, []).append(record)
     for (case, variant, scheme), pile in piles.items():
-        tried = [r for r in pile if outcome(r) not in ("refused", "not installed")]
-        if any(r["rung"]["dt"] for r in tried):
+        taken = list(filter(tried, pile))
+        if any(r["rung"]["dt"] for r in taken):
             critical = dict(manifest["cases"][case]["variants"][variant].get("critical", ()))
-            lost = [r for r in tried if not _error(r) < WRONG]
-            text = _in_words(pile, tried, lost, critical)
-            yield Told("map", case, variant, scheme, "", len(lost) / len(tried), None, text)
+            lost = [r for r in taken if not _error(r) < WRONG]
+            text = _in_words(pile, taken, lost, critical)
+            yield Told("map", case, variant, scheme, "", len(lost) / len(taken), None, text)
 
 
 def _error(record: Json) -> float:
@@ -143,12 +138,12 @@ def _error(record: Json) -> float:
 
 def _in_words(
     pile: Sequence[Json],
-    tried: Sequence[Json],
+    taken: Sequence[Json],
     lost: Sequence[Json],
     critical: Mapping[float | None, float],
 ) -> str:
-    best = min(tried, key=_error)
-    blown, refused = sum(map(blew_up, lost)), len(pile) - len(tried)
+    best = min(taken, key=_error)
+    blown, refused = sum(map(blew_up, lost)), len(pile) - len(taken)
     parts = [f"of {len(pile)} points {refused} refused" if refused else f"of {len(pile)} points"]
     ratios = list(_ratios(lost, critical))
     least = f", from {min(ratios):.3g} critical steps on" if ratios else ""
