@@ -36,7 +36,7 @@ LAYERS: dict[str, tuple[str, set[str], set[str]]] = {
     "study": ("vv/study.py", CORE, set()),
     "case": ("vv/case.py", CORE | {"vv.study"}, set()),
     "quantities": ("vv/quantities.py", CORE | {"vv.case"}, set()),
-    "adapter": ("vv/adapter.py", CORE, set()),
+    "adapter": ("vv/adapter.py", CORE | {"vv"}, set()),
     "search": ("vv/search.py", CORE | {"vv.adapter"}, set()),
     "finding": ("vv/finding.py", set(), set()),
     "reading": ("vv/reading.py", CORE, set()),

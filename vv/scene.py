@@ -74,6 +74,11 @@ class Contact:
             if not (np.isfinite(value) and value >= 0):
                 raise ValueError(f"Contact.{name} = {value!r}{unit}; it must be zero or more")
 
+    @property
+    def rubs(self) -> bool:
+        """Whether it can carry shear."""
+        return self.mu > 0 and (self.ks > 0 or not np.isfinite(self.kn))
+
 
 @dataclass(frozen=True, eq=False)
 class Scene:
@@ -162,8 +167,7 @@ class Scene:
             Term.SPHERE: len(spheres) > 0,
             Term.SPHERE_CONTACT: self._may_touch(),
             Term.WALL_CONTACT: bool(self.walls),
-            Term.FRICTION: self.contact.mu > 0
-            and (self.contact.ks > 0 or not np.isfinite(self.contact.kn)),
+            Term.FRICTION: self.contact.rubs,
             Term.DRAG: self.eta > 0,
             Term.GRAVITY: bool(self.gravity.any()),
             Term.LOAD: bool(spheres.load.any() or any(b.load.any() for b in blocks)),
