@@ -20,7 +20,7 @@ from reports.maps import HeatMap, draw_map
 from reports.marks import Mark
 from vv import stability
 from vv.digest import digest
-from vv.store import write
+from vv.files import write
 
 SIZE = (4.7, 3.2)  # inches; a viewer scales it
 BOX = (0.145, 0.13, 0.83, 0.84)  # the axes: left, bottom, width, height of the figure

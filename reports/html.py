@@ -15,8 +15,9 @@ from reports.maps import HeatMap
 from reports.views import Page
 from vv import digest, effort, finding, gate, metrics, reach, reading, rungs, stability
 from vv import history as histories
+from vv.files import deliver
 from vv.history import Point
-from vv.store import Store, deliver
+from vv.store import Store
 
 HERE = Path(__file__).parent
 JUDGING = (

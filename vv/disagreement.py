@@ -11,8 +11,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from vv.case import LOOSEST
 from vv.finding import Bit, Finding
+from vv.judges import LOOSEST
 from vv.metrics import Order, observed_order
 from vv.reading import error_of
 from vv.record import Verdict

@@ -6,9 +6,9 @@ from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Any
 
+from vv.files import write
 from vv.finding import Bit, Finding
 from vv.reading import label, rung, tried
-from vv.store import write
 
 CRASHES = Bit.CRASH | Bit.TIMEOUT
 Place = tuple[str, str, str, str, str]  # case, variant, scheme, knobs, quantity

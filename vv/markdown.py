@@ -7,9 +7,9 @@ from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
+from vv.files import write
 from vv.finding import Bit, Finding, bits, worst_first
 from vv.gate import outcome
-from vv.store import write
 
 ROWS = 15  # of each table; the report has the rest
 WORDS = {

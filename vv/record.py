@@ -12,19 +12,8 @@ import numpy as np
 
 from vv import metrics
 from vv.ask import Ask, Knobs, Ledger, Method, Run, Status
-from vv.case import (
-    Count,
-    Exact,
-    Interval,
-    Invariant,
-    Judge,
-    Norm,
-    Quantity,
-    Scalar,
-    Series,
-    Shown,
-    judge_of,
-)
+from vv.case import Count, Quantity, Scalar, Series
+from vv.judges import Exact, Interval, Invariant, Judge, Norm, Shown, judge_of
 from vv.reading import error_of
 from vv.scene import Vector
 

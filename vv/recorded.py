@@ -16,9 +16,9 @@ import numpy as np
 
 from vv.ask import Status
 from vv.baseline import name_of, render
+from vv.files import write
 from vv.reading import fineness, label, ran, rung, status_of
 from vv.settings import UsageError
-from vv.store import write
 
 Json = dict[str, Any]
 POINTS = 41  # kept of a series
