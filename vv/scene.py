@@ -150,6 +150,11 @@ class Scene:
         sphere = np.concatenate(kinds)
         return np.where(sphere, np.cumsum(sphere) - 1, -1)
 
+    def numbers(self, kind: type[Spheres] | type[Wall] | type[Block]) -> list[int]:
+        """The numbers of the bodies of a kind, in order."""
+        kinds = [isinstance(group, kind) for group in self.bodies for _ in range(len(group))]
+        return [number for number, fits in enumerate(kinds) if fits]
+
     def sphere_index(self, body: int) -> int:
         """The index within `spheres` of a body number; raises ValueError if it is no sphere."""
         first = sphere = 0

@@ -123,8 +123,8 @@ def drifting(scene: Scene) -> list[int]:
     """The numbers of the spheres on which dead loads stand for oblique locks: to be watched."""
     if Term.OBLIQUE_LOCK not in scene.terms():
         return []
-    kinds = [isinstance(group, Spheres) for group in scene.bodies for _ in range(len(group))]
-    return [int(number) for number in np.flatnonzero(kinds)[_partly_locked(scene.spheres)]]
+    partly = _partly_locked(scene.spheres)
+    return [body for body, one in zip(scene.numbers(Spheres), partly, strict=True) if one]
 
 
 def strayed(scene: Scene, sphere: int, moved: Vector) -> str | None:

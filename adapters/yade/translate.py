@@ -107,18 +107,12 @@ def _charges(stood: Stood) -> list[Plan]:
     """The friction [N] of each wall on a sphere that its shear spring holds at the start."""
     if stood.charged is None:
         return []
-    walls, spheres = (_numbers(stood.scene, kind) for kind in (Wall, Spheres))
+    wall, spheres = stood.scene.numbers(Wall)[0], stood.scene.numbers(Spheres)
     return [
-        {"wall": walls[0], "body": sphere, "forces": [force.tolist()]}
+        {"wall": wall, "body": sphere, "forces": [force.tolist()]}
         for sphere, force in zip(spheres, stood.charged, strict=True)
         if force.any()
     ]
-
-
-def _numbers(scene: Scene, kind: type[Wall] | type[Spheres]) -> list[int]:
-    """The numbers of the bodies of a kind."""
-    kinds = [isinstance(group, kind) for group in scene.bodies for _ in range(len(group))]
-    return [number for number, fits in enumerate(kinds) if fits]
 
 
 def watched(ask: Ask) -> tuple[Observable, ...]:
