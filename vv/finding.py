@@ -51,6 +51,11 @@ class Finding:
         return bool(self.bit) and self.enforced
 
     @property
+    def compares(self) -> bool:
+        """Whether it says what changed since a baseline."""
+        return self.check in ("regression", "speed")
+
+    @property
     def where(self) -> str:
         """What it is about, in words as people type them."""
         variant = f":{self.variant}" if self.variant else ""

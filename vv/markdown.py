@@ -47,7 +47,7 @@ def summary(manifest: Mapping[str, Any], findings: Sequence[Finding]) -> str:
         f"{commit if told['commit'] else ''}{told['utc']}.",
     ]
     ranked = worst_first(findings)
-    moved = [f for f in ranked if f.check in ("regression", "speed")]
+    moved = [f for f in ranked if f.compares]
     since = [f for f in moved if f.red or f.size]
     others = [f for f in ranked if f not in moved and f.bit]
     lines += _table("Changed since the baseline", since)

@@ -140,8 +140,7 @@ def print_findings(findings: Sequence[Finding]) -> None:
 
 def print_difference(manifest: Mapping[str, Any], case: str) -> None:
     """What moved since the baseline of a case, worst first."""
-    moved = [from_data(data) for data in manifest["findings"]]
-    moved = [f for f in moved if f.check in ("regression", "speed")]
+    moved = [f for f in map(from_data, manifest["findings"]) if f.compares]
     for finding in worst_first(moved):
         say(f"{finding.kind}: {finding.where}: {finding.text}")
     if not moved:

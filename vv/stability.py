@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import enum
 import math
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import asdict, dataclass
@@ -15,15 +16,24 @@ Json = Mapping[str, Any]
 Rung = tuple[Json, Json]  # a record, and its entry for the quantity at hand
 
 
+class Kind(enum.StrEnum):
+    """What there is to say of stability, in the order in which it is said."""
+
+    STEP = "step"
+    MAP = "map"
+    DRIFT = "drift"
+    COUNT = "count"
+
+
 @dataclass(frozen=True)
 class Told:
-    """What one scheme says on one variant. kind: step, map, drift or count.
+    """What one scheme says on one variant.
 
     value: over theory of a largest step; part of a map that is lost; largest breach of what is to
     be conserved; the count at the finest rung. due: what it should be. text: that in a sentence.
     """
 
-    kind: str
+    kind: Kind
     case: str
     variant: str
     label: str
@@ -36,8 +46,7 @@ class Told:
 def stability(manifest: Json) -> list[Told]:
     """All that the records of a manifest say of stability, by kind, case, variant and scheme."""
     found = [*_maps(manifest), *_others(manifest)]
-    order = ("step", "map", "drift", "count")
-    return sorted(found, key=lambda told: order.index(told.kind))
+    return sorted(found, key=lambda told: list(Kind).index(told.kind))
 
 
 def as_data(manifest: Json) -> list[dict[str, Any]]:
@@ -47,7 +56,7 @@ def as_data(manifest: Json) -> list[dict[str, Any]]:
 
 def _others(manifest: Json) -> Iterator[Told]:
     """Largest steps, drift and counts: a quantity of one scheme on one variant, over its rungs."""
-    piles: dict[tuple[str, ...], list[Rung]] = {}
+    piles: dict[tuple[Kind, str, str, str, str], list[Rung]] = {}
     for record in manifest["records"]:
         for entry in record["quantities"]:
             if kind := _kind(record, entry):
@@ -59,13 +68,15 @@ def _others(manifest: Json) -> Iterator[Told]:
         yield Told(kind, case, variant, scheme, name, value, due, text)
 
 
-def _kind(record: Json, entry: Json) -> str:
-    """What a quantity tells of stability; empty if nothing."""
+def _kind(record: Json, entry: Json) -> Kind | None:
+    """What a quantity tells of stability; None if nothing."""
     if record["study"] == "search":
-        return "step" if entry["verdict"] != "no-reference" else ""
+        return Kind.STEP if entry["verdict"] != "no-reference" else None
     if record["study"] == "grid":
-        return ""
-    return {"invariant": "drift"}.get(entry["judge"], "count" if entry["kind"] == "count" else "")
+        return None
+    if entry["judge"] == "invariant":
+        return Kind.DRIFT
+    return Kind.COUNT if entry["kind"] == "count" else None
 
 
 def _meaning(manifest: Json, case: str, variant: str, name: str) -> str:
@@ -107,10 +118,10 @@ def _count(pile: Sequence[Rung], meaning: str) -> Said:
     return values[-1], due, f"{meaning}: {said}{exact}"
 
 
-SAYS: Mapping[str, Callable[[Sequence[Rung], str], Said]] = {
-    "step": _step,
-    "drift": _drift,
-    "count": _count,
+SAYS: Mapping[Kind, Callable[[Sequence[Rung], str], Said]] = {
+    Kind.STEP: _step,
+    Kind.DRIFT: _drift,
+    Kind.COUNT: _count,
 }
 
 
@@ -127,7 +138,7 @@ def _maps(manifest: Json) -> Iterator[Told]:
             critical = dict(manifest["cases"][case]["variants"][variant].get("critical", ()))
             lost = [r for r in taken if not _error(r) < WRONG]
             text = _in_words(pile, taken, lost, critical)
-            yield Told("map", case, variant, scheme, "", len(lost) / len(taken), None, text)
+            yield Told(Kind.MAP, case, variant, scheme, "", len(lost) / len(taken), None, text)
 
 
 def _error(record: Json) -> float:
