@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 import functools
-import importlib.util
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 
-import vv
 from vv import dem
-from vv.adapter import Found, Scheme
+from vv.adapter import Found, Scheme, part_of_vv
 from vv.ask import Ask, Displacement, Method, Model, Reaction, Run, Velocity
 from vv.scene import Term
 from vv.script import python_script
@@ -77,9 +75,7 @@ class Dem:
 
     def found(self) -> Found:
         """Part of vv, if numba is there to compile it."""
-        if importlib.util.find_spec("numba") is None:
-            return Found(False, how_to_install="pip install numba")
-        return Found(True, vv.__version__)
+        return part_of_vv()
 
     def refuses(self, ask: Ask, scheme: str) -> str | None:
         """Why no leapfrog can run an ask though it has every term, or none with its step."""

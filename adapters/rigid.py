@@ -3,12 +3,10 @@
 from __future__ import annotations
 
 import functools
-import importlib.util
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
-import vv
-from vv.adapter import Found, Scheme
+from vv.adapter import Found, Scheme, part_of_vv
 from vv.ask import Ask, Method, Model, Run
 from vv.blocks import rigid
 from vv.scene import Term
@@ -47,9 +45,7 @@ class Rigid:
 
     def found(self) -> Found:
         """Part of vv, if numba is there to compile it."""
-        if importlib.util.find_spec("numba") is None:
-            return Found(False, how_to_install="pip install numba")
-        return Found(True, vv.__version__)
+        return part_of_vv()
 
     def refuses(self, ask: Ask, scheme: str) -> str | None:
         """Why the blocks cannot run an ask though they have every term."""

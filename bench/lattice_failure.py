@@ -16,7 +16,7 @@ from cases.close_packed_strength import CASE, specimen
 from reference_solutions.close_packed_lattice import SIZES, lattice
 from vv import dem
 from vv.ask import Ask, History, Knobs, Reaction
-from vv.dem.bonded import Index
+from vv.dem.rows import Index
 from vv.scene import Scene, Vector
 
 SIZE, DT, EVERY = 2166, 1e-8, 1e-7

@@ -8,9 +8,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from reports.marks import Mark
-from reports.outcomes import Record, outcome_of
-from reports.tables import coarsest_first, error_of, label
+from reports.outcomes import outcome_of
 from vv.metrics import Vector
+from vv.reading import Record, error_of, fineness, label, tried
 
 Arrays = Callable[[str], Mapping[str, Vector]]
 
@@ -28,14 +28,14 @@ class History:
 
 @dataclass(frozen=True)
 class Point:
-    """A rung on the way to small errors; error None: none that is finite. key: of its outcome."""
+    """A rung on the way to small errors; error None: none that is finite."""
 
     dt: float | None
     error: float | None
     cpu: float
     timed: bool
     troubling: bool
-    key: str = ""
+    refused: bool = False
 
 
 @dataclass(frozen=True)
@@ -84,19 +84,19 @@ def same_curve(one: Sequence[History], other: Sequence[History]) -> bool:
 
 def _by_label(records: Iterable[Record]) -> dict[str, list[Record]]:
     piles: dict[str, list[Record]] = {}
-    for record in coarsest_first(records):
+    for record in sorted(records, key=fineness):
         piles.setdefault(label(record), []).append(record)
     return dict(sorted(piles.items()))
 
 
 def _point(record: Record, quantity: str) -> Point:
     entry = next((e for e in record["quantities"] if e["name"] == quantity), None)
-    cost, found = record["cost"], outcome_of(record)
+    cost = record["cost"]
     return Point(
         record["rung"]["dt"],
         error_of(entry) if entry else None,
         cost["solve_cpu"],
         cost["kind"] == "timed",
-        found.troubling,
-        found.key,
+        outcome_of(record).troubling,
+        not tried(record),
     )

@@ -8,9 +8,10 @@ from dataclasses import dataclass
 from typing import Any
 
 from reports.marks import Mark
-from reports.outcomes import RANKS, Outcome, Record, outcome_of
-from reports.tables import NORMS, anchor, label
+from reports.outcomes import RANKS, Outcome, outcome_of
+from reports.tables import NORMS, anchor
 from reports.text import brief, short
+from vv.reading import Record, label
 
 DECIMAL = re.compile(r"(?<![\w.])-?\d+(?:\.\d+(?:e[+-]?\d+)?|e[+-]?\d+)\b")
 

@@ -59,7 +59,7 @@ def _map(heat: HeatMap, error: str, draw: Draw) -> Figure:
     lost, refused = (any(cells.any() for cells in parts) for parts in (
         [panel.lost() for panel in heat.panels], [panel.refused for panel in heat.panels]
     ))  # fmt: skip
-    crossed = " Crossed: no result, or one off by more than the answer." if lost else ""
+    crossed = " Crossed: no result, or one off by as much as the answer." if lost else ""
     dashed = " Dash: refused." if refused else ""
     caption = f"Smallest error at the finest step: {listed(best)}.{crossed}{dashed}"
     ends = [

@@ -13,10 +13,11 @@ from reports.charts import Chart
 from reports.gallery import Draw
 from reports.maps import HeatMap
 from reports.views import Page
-from vv import digest, effort, finding, gate, metrics, reach, rungs, stability
+from vv import digest, effort, finding, gate, metrics, reach, reading, rungs, stability
 from vv import history as histories
+from vv.files import deliver
 from vv.history import Point
-from vv.store import Store, deliver
+from vv.store import Store
 
 HERE = Path(__file__).parent
 JUDGING = (
@@ -27,6 +28,7 @@ JUDGING = (
     histories,
     metrics,
     reach,
+    reading,
     rungs,
     stability,
 )  # modules that a report leans on

@@ -14,11 +14,10 @@ from reports.collect import Ladder
 from reports.marks import Mark
 from reports.text import brief, power
 from vv.metrics import Vector
+from vv.stability import WRONG
 
 LEAST = 3  # stiffnesses and steps without which there is no map
 ACROSS = 3  # panels side by side
-WRONG = 1.0  # an error as large as the answer: no answer any more
-IDLE = ("refused", "not installed")  # outcomes of what was never tried
 Mask = npt.NDArray[np.bool_]
 Critical = Mapping[float | None, float]
 NO_CRITICAL: Critical = {}
@@ -48,8 +47,8 @@ class Panel:
         return float(self.kn[np.nanargmin(self.error[:, int(np.argmax(columns))])])
 
     def lost(self) -> Mask:
-        """(m, n) where it blew up, or gave an answer off by more than the answer itself."""
-        return np.asarray(~self.refused & ~(self.error <= WRONG))
+        """(m, n) where it blew up, or gave an answer off by as much as the answer itself."""
+        return np.asarray(~self.refused & ~(self.error < WRONG))
 
 
 @dataclass(frozen=True, eq=False)
@@ -88,7 +87,7 @@ def _panel(pile: Sequence[Ladder], critical: Critical) -> Panel | None:
         return None
     rows = [[cells[kn, step] for step in steps] for kn in stiffnesses]
     error = np.array([[np.nan if p.error is None else p.error for p in row] for row in rows])
-    refused = np.array([[p.key in IDLE for p in row] for row in rows])
+    refused = np.array([[p.refused for p in row] for row in rows])
     if not (error > 0).any():
         return None
     return Panel(pile[0].mark, np.array(steps), np.array(stiffnesses), error, refused)

@@ -61,7 +61,6 @@ class Mark:
     colour: str
     shape: Polygon
     dash: tuple[float, ...]
-    number: int
 
     @property
     def points(self) -> str:
@@ -77,7 +76,6 @@ def marks(labels: Iterable[str]) -> dict[str, Mark]:
             COLOURS[i % len(COLOURS)],
             SHAPES[i % len(SHAPES)],
             DASHES[i // len(COLOURS) % len(DASHES)],
-            i,
         )
         for i, label in enumerate(sorted(set(labels)))
     }

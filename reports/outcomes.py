@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from dataclasses import dataclass
-from typing import Any
 
 from vv.finding import Bit
 from vv.gate import exit_bits, outcome
-
-Record = Mapping[str, Any]
+from vv.reading import Record, ran
 
 
 @dataclass(frozen=True)
@@ -52,7 +50,7 @@ RANKS = {known.key: rank for rank, known in enumerate(WORST_FIRST)}
 def outcome_of(record: Record) -> Outcome:
     """The outcome of a record; unexplained energy spoils one that would be fine."""
     found = OUTCOMES[outcome(record)]
-    if record["status"] != "ran" or found.troubling:
+    if not ran(record) or found.troubling:
         return found
     return OUTCOMES["not conserved"] if exit_bits([record]) & Bit.CONSERVATION else found
 

@@ -13,12 +13,13 @@ from reports.costs import Costs
 from reports.findings import findings
 from reports.gallery import Draw, Figure
 from reports.marks import Mark, marks
-from reports.outcomes import WORST_FIRST, Record, counted, outcome_of
+from reports.outcomes import WORST_FIRST, counted, outcome_of
 from reports.tables import Group
 from reports.text import slug
 from reports.views import Case, Page, Recorded, Scheme, Variant
 from vv.finding import from_data, worst_first
 from vv.history import Point
+from vv.reading import Record, fineness, label
 from vv.record import NORMS
 
 
@@ -34,7 +35,7 @@ def page(
     arrays: record key -> its series. draw: chart -> SVG. past: case -> its points over commits.
     """
     records = manifest["records"]
-    looks = marks(tables.label(record) for record in records)
+    looks = marks(map(label, records))
     dear, profiles = costs.costs(manifest, looks, draw)
     return Page(
         digest=digest,
@@ -105,11 +106,11 @@ def _recorded(records: Sequence[Record], said: Mapping[str, Any]) -> dict[str, R
     """Scheme -> its recorded result at the finest rung, by the first quantity."""
     found = {}
     first = said["quantities"][0] if said["quantities"] else {"name": "", "judge": ""}
-    for record in tables.coarsest_first(records):
+    for record in sorted(records, key=fineness):
         told = record["quantities"].get(first["name"], {})
         error = told.get("max error")
         date = record["utc"].partition("T")[0]
-        found[tables.label(record)] = Recorded(record["version"], date, record["days"], error)
+        found[label(record)] = Recorded(record["version"], date, record["days"], error)
     return found
 
 
@@ -145,8 +146,8 @@ def _variant(
 ) -> Variant:
     groups = tables.groups(records, looks)
     by_label = {
-        label: [r for r in records if tables.label(r) == label]
-        for label in sorted({tables.label(record) for record in records})
+        scheme: [r for r in records if label(r) == scheme]
+        for scheme in sorted(set(map(label, records)))
     }
     said = facts["variants"][name]
     usual = {parameter["name"]: parameter["value"] for parameter in facts["parameters"]}
@@ -157,9 +158,9 @@ def _variant(
         facts=said,
         settings={key: value for key, value in given.items() if value != usual.get(key)},
         modified=any(record["modified"] for record in records),
-        cells={label: tables.cell(own) for label, own in by_label.items()},
+        cells={scheme: tables.cell(own) for scheme, own in by_label.items()},
         recorded=recorded,
-        schemes=[_scheme(looks[label], own, groups) for label, own in by_label.items()],
+        schemes=[_scheme(looks[scheme], own, groups) for scheme, own in by_label.items()],
         groups=groups,
         absent=tables.absent(records, looks),
         figures=made,
@@ -170,7 +171,7 @@ def _variant(
 
 
 def _scheme(mark: Mark, records: Sequence[Record], groups: Sequence[Group]) -> Scheme:
-    ordered = tables.coarsest_first(records)
+    ordered = sorted(records, key=fineness)
     finest = next((r for r in reversed(ordered) if r["model"]), ordered[-1])
     reasons = dict.fromkeys(r["reason"] for r in records if r["reason"] and not r["quantities"])
     return Scheme(
@@ -209,7 +210,7 @@ def _stated_step(facts: Mapping[str, Any]) -> float | None:
 def _pointwise(records: Iterable[Record], dt: float | None) -> dict[str, float | None]:
     """Scheme -> largest pointwise relative error at that step, or at the only rung it has."""
     return {
-        tables.label(record): entry["errors"].get("pointwise")
+        label(record): entry["errors"].get("pointwise")
         for record in records
         if record["rung"]["dt"] in (dt, None)
         for entry in record["quantities"][:1]

@@ -8,24 +8,24 @@ from typing import Any
 from reports.marks import Mark
 from reports.text import slug
 from reports.views import Stable
-from vv.stability import Told, stability
+from vv.stability import Kind, Told, stability
 
 KINDS = {
-    "step": (
+    Kind.STEP: (
         "Largest stable step",
         "Sought in each code, over what theory gives. A step is stable if the run comes to its "
         "end within the bound that the case states; one that a code refuses is run all the same.",
     ),
-    "map": (
+    Kind.MAP: (
         "Maps over stiffness and step",
-        "Lost: diverged, or off by more than the answer. Steps are multiples of the critical one "
+        "Lost: diverged, or off by as much as the answer. Steps are multiples of the critical one "
         "that the case states. The figures stand with the variants.",
     ),
-    "drift": (
+    Kind.DRIFT: (
         "Drift",
         "The largest breach, at any rung, of what the motion conserves.",
     ),
-    "count": (
+    Kind.COUNT: (
         "Counts",
         "Events seen in the output. Where an event hangs on the last digit no order is due.",
     ),

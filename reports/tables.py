@@ -3,21 +3,17 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 from reports.marks import Mark
-from reports.outcomes import Outcome, Record, counted, outcome_of
+from reports.outcomes import Outcome, counted, outcome_of
 from reports.text import slug
 from vv.metrics import Order, order_before_floor
+from vv.reading import Record, error_of, fineness, label
 
 NORMS = {"max": "max", "final": "final", "pointwise": "pointwise", "l2": "L2"}
-
-
-def label(record: Record) -> str:
-    """CODE/SCHEME of a record."""
-    return f"{record['code']}/{record['scheme']}"
 
 
 def anchor(record: Record) -> str:
@@ -25,21 +21,10 @@ def anchor(record: Record) -> str:
     return slug(record["case"], record["variant"], label(record))
 
 
-def error_of(entry: Mapping[str, Any]) -> float | None:
-    """The error in the norm that judges; None where there is none that is finite."""
-    error: float | None = entry["errors"].get(entry["norm"] or "max")
-    return error
-
-
 def margin(entry: Mapping[str, Any]) -> float | None:
     """Tolerance over error; None where either is missing or the error is zero."""
     error = error_of(entry)
     return entry["tolerance"] / error if error and entry["tolerance"] else None
-
-
-def coarsest_first(records: Iterable[Record]) -> list[Record]:
-    """Records by rung: softest contact first, then the largest step."""
-    return sorted(records, key=lambda r: (r["rung"]["kn"] or 0.0, -(r["rung"]["dt"] or 0.0)))
 
 
 @dataclass(frozen=True)
@@ -59,7 +44,7 @@ class Cell:
 
 def cell(records: Sequence[Record]) -> Cell:
     """One scheme's cell for one variant; records of its rungs, at least one."""
-    finest = coarsest_first(records)[-1]
+    finest = sorted(records, key=fineness)[-1]
     entries = finest["quantities"]
     worst = min(entries, key=lambda e: margin(e) or float("inf")) if entries else None
     return Cell(
@@ -122,7 +107,7 @@ class Absent:
 def groups(records: Sequence[Record], marks: Mapping[str, Mark]) -> list[Group]:
     """The tables of a variant's runs that ran: per scheme, quantity and contact stiffness."""
     piles: dict[tuple[str, str, float | None], list[tuple[Record, Mapping[str, Any]]]] = {}
-    for record in coarsest_first(records):
+    for record in sorted(records, key=fineness):
         for entry in record["quantities"]:
             key = (label(record), entry["name"], record["rung"]["kn"])
             piles.setdefault(key, []).append((record, entry))
@@ -159,7 +144,7 @@ def _order(points: Sequence[tuple[float | None, float | None]]) -> Order | None:
 def absent(records: Sequence[Record], marks: Mapping[str, Mark]) -> list[Absent]:
     """What gave no quantity: one row per scheme, outcome and reason."""
     piles: dict[tuple[str, str, str], list[Record]] = {}
-    for record in coarsest_first(records):
+    for record in sorted(records, key=fineness):
         if not record["quantities"]:
             key = (label(record), outcome_of(record).key, record["reason"])
             piles.setdefault(key, []).append(record)

@@ -10,11 +10,11 @@ ROOT = Path(__file__).parents[1]
 DATA = {"vv.digest", "vv.frozen", "vv.bodies", "vv.block", "vv.bonds", "vv.scene"}
 CORE = DATA | {"vv.ask"}
 ENGINES = {"vv.exact", "vv.dem", "vv.blocks"}
-JUDGED = {"vv.finding", "vv.gate", "vv.record"}
+JUDGED = {"vv.finding", "vv.gate", "vv.reading", "vv.record"}
 COSTS = {"vv.rungs", "vv.effort", "vv.reach"}
 STAND_INS = {"vv.soften", "vv.stand_in", "vv.clump", "vv.transform"}  # scenes made from scenes
 KERNELS = {"vv.compiled", "vv.drive", "vv.triples"} | STAND_INS  # what engines share
-DECLARED = CORE | {"vv.transform", "vv.study", "vv.case", "vv.quantities"}
+DECLARED = CORE | {"vv.transform", "vv.study", "vv.judges", "vv.case", "vv.quantities"}
 ASKED = CORE | STAND_INS | {"vv.adapter", "vv.timing", "vv.script", "vv.external", "vv"}
 HEAVY = {"scipy", "numba", "pandas", "matplotlib", "jinja2", "junitparser", "rich", "pint"}
 
@@ -23,6 +23,7 @@ LAYERS: dict[str, tuple[str, set[str], set[str]]] = {
     "digest": ("vv/digest.py", set(), set()),
     "metrics": ("vv/metrics.py", set(), set()),
     "closure": ("vv/closure.py", set(), set()),
+    "files": ("vv/files.py", set(), set()),
     "frozen": ("vv/frozen.py", set(), set()),
     "bodies": ("vv/bodies.py", {"vv.frozen"}, set()),
     "block": ("vv/block.py", {"vv.frozen"}, set()),
@@ -34,12 +35,14 @@ LAYERS: dict[str, tuple[str, set[str], set[str]]] = {
     "stand-ins": ("vv/stand_in.py", CORE | {"vv.soften"}, set()),
     "clumps": ("vv/clump.py", CORE | {"vv.soften", "vv.stand_in", "vv.transform"}, set()),
     "study": ("vv/study.py", CORE, set()),
-    "case": ("vv/case.py", CORE | {"vv.study"}, set()),
+    "judges": ("vv/judges.py", CORE, set()),
+    "case": ("vv/case.py", CORE | {"vv.judges", "vv.study"}, set()),
     "quantities": ("vv/quantities.py", CORE | {"vv.case"}, set()),
-    "adapter": ("vv/adapter.py", CORE, set()),
+    "adapter": ("vv/adapter.py", CORE | {"vv"}, set()),
     "search": ("vv/search.py", CORE | {"vv.adapter"}, set()),
     "finding": ("vv/finding.py", set(), set()),
-    "record": ("vv/record.py", DECLARED | {"vv.metrics"}, set()),
+    "reading": ("vv/reading.py", CORE, set()),
+    "record": ("vv/record.py", DECLARED | {"vv.metrics", "vv.reading"}, set()),
     "gate": ("vv/gate.py", DECLARED | JUDGED, set()),
     "disagreement": (
         "vv/disagreement.py",
@@ -55,10 +58,10 @@ LAYERS: dict[str, tuple[str, set[str], set[str]]] = {
     ),
     "recorded": (
         "vv/recorded.py",
-        CORE | JUDGED | {"vv.baseline", "vv.settings", "vv.store"},
+        CORE | JUDGED | {"vv.baseline", "vv.files", "vv.settings"},
         set(),
     ),
-    "rungs": ("vv/rungs.py", {"vv.metrics"}, set()),
+    "rungs": ("vv/rungs.py", {"vv.metrics", "vv.reading"}, set()),
     "effort": ("vv/effort.py", CORE | JUDGED | {"vv.metrics", "vv.rungs"}, set()),
     "reach": ("vv/reach.py", {"vv.effort", "vv.rungs"}, set()),
     "speed": ("vv/speed.py", JUDGED | {"vv.baseline"}, set()),
@@ -69,8 +72,8 @@ LAYERS: dict[str, tuple[str, set[str], set[str]]] = {
         set(),
     ),
     "stability": ("vv/stability.py", JUDGED, set()),
-    "junit": ("vv/junit.py", CORE | JUDGED | {"vv.store"}, set()),
-    "markdown": ("vv/markdown.py", JUDGED | {"vv.store"}, set()),
+    "junit": ("vv/junit.py", CORE | JUDGED | {"vv.files"}, set()),
+    "markdown": ("vv/markdown.py", JUDGED | {"vv.files"}, set()),
     "exact": ("vv/exact/*.py", CORE | {"vv.exact", "vv.soften", "vv.transform"}, set()),
     "dem": ("vv/dem/*.py", CORE | {"vv.dem"} | KERNELS, {"numba"}),
     "blocks": ("vv/blocks/*.py", CORE | {"vv.blocks"} | KERNELS, {"numba"}),
@@ -82,6 +85,7 @@ LAYERS: dict[str, tuple[str, set[str], set[str]]] = {
         "reports/*.py",
         {
             "reports",
+            "vv.files",
             "vv.store",
             "vv.metrics",
             "vv.digest",

@@ -17,7 +17,7 @@ from vv.scene import Term
 REFUSED = {
     "body 1 is no sphere": ball_ask(ball(), UP, body=1),
     "dt is not set": ball_ask(ball(), dt=None),
-    "leaves no step": ball_ask(ball(), dt=0.2),
+    "longer than the 0.1 s": ball_ask(ball(), dt=0.2),
     "velocity or spin in a locked freedom": ball_ask(ball(spin=[[0, 0, 1]])),
     "no sphere is free": ball_ask(ball(free=~FREE)),
     "turn about some axes only": ball_ask(ball(free_spin=[[True, False, False]])),

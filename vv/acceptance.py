@@ -7,8 +7,7 @@ from typing import Any
 
 from vv.ask import Status
 from vv.baseline import Json, name_of, result_of
-from vv.finding import label
-from vv.gate import status_of
+from vv.reading import label, ran, status_of
 from vv.record import Verdict
 from vv.regression import holds
 
@@ -17,7 +16,7 @@ GOOD = (Verdict.PASS, Verdict.XFAIL, Verdict.NO_REFERENCE)
 
 def acceptable(record: Mapping[str, Any]) -> bool:
     """Whether a record may enter a baseline: it ran, unmodified, and nothing in it fails."""
-    whole = status_of(record) is Status.RAN and not record["modified"] and record["quantities"]
+    whole = ran(record) and not record["modified"] and record["quantities"]
     return bool(whole) and all(Verdict(e["verdict"]) in GOOD for e in record["quantities"])
 
 

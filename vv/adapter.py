@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+import importlib.util
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Protocol
 
+import vv
 from vv.ask import Ask, Displacement, Method, Model, Run, Velocity
-from vv.scene import Term
+from vv.scene import Scene, Term
 
 
 @dataclass(frozen=True)
@@ -42,6 +44,13 @@ class Found:
     path: str = ""
     how_to_install: str = ""
     files: tuple[Path, ...] = ()
+
+
+def part_of_vv() -> Found:
+    """What there is to find of a code that is part of vv and compiled by numba."""
+    if importlib.util.find_spec("numba") is None:
+        return Found(False, how_to_install="pip install numba")
+    return Found(True, vv.__version__)
 
 
 class Adapter(Protocol):
@@ -84,6 +93,28 @@ def no_steps(ask: Ask) -> str | None:
     if dt is None or ask.goal.steps(dt) > 0:
         return None
     return f"dt = {dt:g} s is longer than the {ask.goal.duration:g} s to be run"
+
+
+def no_sphere(ask: Ask, scene: Scene) -> str | None:
+    """Why a code of spheres cannot report what an ask wants of a scene: a body is none."""
+    try:
+        for seen in ask.observables:
+            scene.sphere_index(seen.body)
+    except ValueError as error:
+        return str(error)
+    return None
+
+
+def behind_wall(scene: Scene) -> str | None:
+    """Why a code whose walls push from a surface cannot have a scene: a centre lies behind one."""
+    for number, wall in enumerate(scene.walls):
+        height = (scene.spheres.position - wall.point) @ wall.normal
+        if height.min() <= 0:
+            return (
+                f"the centre of sphere {int(height.argmin())} lies behind wall {number}; walls "
+                "there push from a surface, not from a half-space"
+            )
+    return None
 
 
 def unsupported(scheme: Scheme, terms: frozenset[Term]) -> frozenset[Term]:

@@ -141,6 +141,16 @@ class Bracket:
         gaps = (self.tries - 1) * (self.tries + 1) ** (self.rounds - 1)
         return float(self.span ** (1.0 / gaps)) - 1.0
 
+    def limits(self, tried: Vector) -> tuple[float, float | None]:
+        """The last step [s] below all unstable ones, 0 for none, and the least unstable one.
+
+        tried: as in a Run.
+        """
+        lost = np.flatnonzero(~(tried[:, 1] <= self.bound))
+        first = int(lost[0]) if len(lost) else len(tried)
+        stable = float(tried[first - 1, 0]) if first else 0.0
+        return stable, float(tried[first, 0]) if len(lost) else None
+
 
 @dataclass(frozen=True, eq=False)
 class Ask:
@@ -159,6 +169,13 @@ class Ask:
     def digest(self) -> str:
         """Fingerprint of everything that decides the answer."""
         return digest(self.scene.digest(), self.goal, self.observables, self.knobs, self.search)
+
+    @property
+    def dt(self) -> float:
+        """The step [s], for what cannot do without; raises ValueError if there is none."""
+        if self.knobs.dt is None:
+            raise ValueError("Knobs.dt is None; a step is needed")
+        return float(self.knobs.dt)  # a numpy scalar would be written with its type
 
     def at(self, dt: float) -> Ask:
         """The same question at another step [s], over as many steps; no search."""

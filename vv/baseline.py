@@ -12,7 +12,7 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-from vv.finding import label, rung
+from vv.reading import error_of, label, rung
 from vv.settings import UsageError
 
 Json = dict[str, Any]
@@ -73,9 +73,3 @@ def result_of(record: Mapping[str, Any]) -> Json:
 
 def _rounded(value: float | None, digits: int = DIGITS) -> float | None:
     return None if value is None else float(f"{value:.{digits}g}")
-
-
-def error_of(entry: Mapping[str, Any]) -> float | None:
-    """The error of a record's quantity in the norm that judges."""
-    error: float | None = entry["errors"].get(entry["norm"] or "max")
-    return error

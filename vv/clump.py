@@ -10,7 +10,7 @@ import numpy as np
 from vv.ask import Ask
 from vv.scene import Block, Term, Vector, Wall
 from vv.soften import TOUCHING
-from vv.stand_in import Stood, held, sprung, why_not
+from vv.stand_in import Stood, held, stood_for, why_not
 from vv.transform import initial_normal_forces
 
 SMALL = 0.01  # of a block's size: the radius of the spheres at its corners
@@ -40,6 +40,14 @@ class Clump:
         assert self.stood.charged is not None
         return np.outer(self.shares, self.stood.charged[0])
 
+    @property
+    def words(self) -> str:
+        """What it is made of."""
+        return (
+            f"{len(self.corners)} spheres of {self.radius:g} m on its corners, which share the "
+            "springs below, and eight points with its mass and inertia"
+        )
+
 
 @functools.lru_cache(maxsize=32)  # it is wanted several times for each of a ladder's rungs
 def clump(ask: Ask) -> Clump:
@@ -50,7 +58,7 @@ def clump(ask: Ask) -> Clump:
     centroid. Where it may not, its lock does that, and all share alike.
     """
     (block,), (wall,) = ask.scene.blocks, ask.scene.walls
-    stood = sprung(held(ask))
+    stood = stood_for(ask)
     size = float(np.ptp(block.vertices, axis=0).max())
     feet = _feet(block, wall, size)
     (force,) = initial_normal_forces(stood.scene)

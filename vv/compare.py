@@ -9,8 +9,8 @@ from dataclasses import dataclass
 from typing import Any
 
 from vv.disagreement import Ladder, orders
-from vv.finding import label, rung
 from vv.gate import outcome
+from vv.reading import error_of, label, rung
 from vv.settings import UsageError, near
 from vv.store import Store
 
@@ -77,17 +77,16 @@ def _record_changes(
 ) -> Iterator[Change]:
     if outcome(one) != outcome(other):
         yield Change("outcome", where, f"{outcome(one)} -> {outcome(other)}")
-    errors = [{e["name"]: e["errors"].get(e["norm"] or "max") for e in r["quantities"]}
-              for r in (one, other)]  # fmt: skip
+    errors = [{e["name"]: error_of(e) for e in r["quantities"]} for r in (one, other)]
     for name in errors[0].keys() & errors[1].keys():
         a, b = errors[0][name] or 0.0, errors[1][name] or 0.0
         if max(a, b) > NOISE and abs(a - b) > SAME * max(a, b):
             size = abs(math.log(b / a)) if a and b else math.inf
             yield Change("error", f"{where} {name}", f"{a:.3g} -> {b:.3g}{_times(a, b)}", size)
-    a, b = _cost(one), _cost(other)
-    if a and b and not 1 / COST <= b / a <= COST:
-        text = f"{a:.3g} -> {b:.3g} calibration kernels{_times(a, b)}"
-        yield Change("cost", where, text, abs(math.log(b / a)))
+    cost, later = _cost(one), _cost(other)
+    if cost and later and not 1 / COST <= later / cost <= COST:
+        text = f"{cost:.3g} -> {later:.3g} calibration kernels{_times(cost, later)}"
+        yield Change("cost", where, text, abs(math.log(later / cost)))
 
 
 def _cost(record: Mapping[str, Any]) -> float | None:

@@ -11,9 +11,10 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-from vv.case import LOOSEST
 from vv.finding import Bit, Finding
+from vv.judges import LOOSEST
 from vv.metrics import Order, observed_order
+from vv.reading import error_of
 from vv.record import Verdict
 from vv.settings import UsageError
 
@@ -127,7 +128,7 @@ def orders(records: Iterable[Mapping[str, Any]]) -> dict[Ladder, Order]:
     for record in records:
         dt = record["rung"]["dt"]
         for entry in record["quantities"]:
-            error = entry["errors"].get(entry["norm"] or "max")
+            error = error_of(entry)
             if dt and error:
                 points.setdefault(ladder(record, entry["name"]), []).append((dt, error))
     fitted = {
@@ -169,7 +170,7 @@ def _turned(
     record: Mapping[str, Any], entry: dict[str, Any], known: Disagreement, order: Order | None
 ) -> dict[str, Any]:
     verdict = Verdict(entry["verdict"])
-    error = entry["errors"].get(entry["norm"] or "max")
+    error = error_of(entry)
     low, high = known.band(record["rung"])
     in_band = error is not None and low <= error <= high
     if verdict is Verdict.PASS:

@@ -6,11 +6,9 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from vv.ask import Status
-from vv.finding import label
-from vv.gate import status_of
 from vv.metrics import STALLED, before_floor
-from vv.rungs import Floor, Point, Record, Row, row_of
+from vv.reading import Record, fineness, label, tried
+from vv.rungs import Floor, Point, Row, row_of
 
 PATIENCE = 60.0  # CPU seconds after which a code has had its chance
 
@@ -76,15 +74,14 @@ def _efforts(manifest: Mapping[str, Any]) -> list[Effort]:
             "may be compared within one only"
         )
     piles: dict[tuple[str, str, str], list[Record]] = {}
-    for record in records:
-        if status_of(record) not in (Status.REFUSED, Status.NOT_INSTALLED):
-            key = (record["case"], record["variant"], label(record))
-            piles.setdefault(key, []).append(record)
+    for record in filter(tried, records):
+        key = (record["case"], record["variant"], label(record))
+        piles.setdefault(key, []).append(record)
     return [_effort(key, pile, manifest["codes"]) for key, pile in piles.items()]
 
 
 def _effort(key: tuple[str, str, str], pile: Sequence[Record], codes: Mapping[str, Any]) -> Effort:
-    pile = sorted(pile, key=lambda r: (r["rung"]["kn"] or 0.0, -(r["rung"]["dt"] or 0.0)))
+    pile = sorted(pile, key=fineness)
     rows = tuple(
         row_of(kn, [r for r in pile if r["rung"]["kn"] == kn])
         for kn in dict.fromkeys(record["rung"]["kn"] for record in pile)

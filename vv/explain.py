@@ -9,6 +9,7 @@ from typing import Any
 from vv.case import Case, Exact, Quantity
 from vv.gate import outcome
 from vv.plan import Plan
+from vv.reading import error_of
 from vv.screen import say
 
 
@@ -93,7 +94,7 @@ def _in_words(record: Mapping[str, Any]) -> str:
 
 
 def _entry_in_words(entry: Mapping[str, Any]) -> str:
-    error, bound = entry["errors"].get(entry["norm"] or "max"), entry["tolerance"]
+    error, bound = error_of(entry), entry["tolerance"]
     if bound is None:
         said = f"{entry['name']}: {entry['value']}, {entry['why']}"
     else:

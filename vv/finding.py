@@ -51,6 +51,11 @@ class Finding:
         return bool(self.bit) and self.enforced
 
     @property
+    def compares(self) -> bool:
+        """Whether it says what changed since a baseline."""
+        return self.check in ("regression", "speed")
+
+    @property
     def where(self) -> str:
         """What it is about, in words as people type them."""
         variant = f":{self.variant}" if self.variant else ""
@@ -78,14 +83,3 @@ def bits(findings: Iterable[Finding]) -> Bit:
     for finding in findings:
         total |= finding.bit if finding.red else Bit(0)
     return total
-
-
-def label(record: Mapping[str, Any]) -> str:
-    """CODE/SCHEME of a record."""
-    return f"{record['code']}/{record['scheme']}"
-
-
-def rung(record: Mapping[str, Any]) -> str:
-    """The knobs of a record as text, dt=0.001,kn=1e+09; empty if it has none."""
-    knobs = {name: record["rung"][name] for name in ("dt", "kn")}
-    return ",".join(f"{name}={value:.12g}" for name, value in knobs.items() if value)

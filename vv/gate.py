@@ -9,7 +9,8 @@ from typing import Any
 
 from vv.ask import Status
 from vv.case import Check
-from vv.finding import Bit, Finding, bits, from_data, label, rung
+from vv.finding import Bit, Finding, bits, from_data
+from vv.reading import error_of, label, ran, rung, status_of
 from vv.record import Verdict
 
 RUN_BITS = Bit.CRASH | Bit.TIMEOUT | Bit.INCOMPLETE | Bit.USAGE
@@ -51,12 +52,12 @@ def record_findings(
     enforced: case -> names of the checks that are not reported only, if not all.
     """
     patterns = tuple(p if "/" in p else f"{p}/*" for p in required)
-    ran = {label(record) for record in records if status_of(record) is Status.RAN}
+    seen = {label(record) for record in records if ran(record)}
     found = []
-    if not ran:
+    if not seen:
         found.append(Finding("run", "nothing ran", "nothing ran", bit=Bit.INCOMPLETE))
     for pattern in patterns:
-        if not fnmatch.filter(ran, pattern):
+        if not fnmatch.filter(seen, pattern):
             text = f"{pattern} is required, and nothing of it ran"
             found.append(Finding("run", "missing", text, label=pattern, bit=Bit.INCOMPLETE))
     for record in records:
@@ -91,7 +92,7 @@ def _of_quantities(record: Mapping[str, Any], enforced: Container[str]) -> Itera
         if verdict in (Verdict.FAIL, Verdict.XPASS):
             conserved = entry["judge"] == "invariant"
             check = (Check.CONSERVATION if conserved else Check.ACCURACY).value
-            error, bound = entry["errors"].get(entry["norm"] or "max"), entry["tolerance"]
+            error, bound = error_of(entry), entry["tolerance"]
             yield Finding(
                 check=check,
                 kind=verdict.value,
@@ -147,11 +148,6 @@ def _breaches(ledger: Mapping[str, Any]) -> Iterator[tuple[str, float, float]]:
             yield law, seen, allowed
 
 
-def status_of(record: Mapping[str, Any]) -> Status:
-    """The status that a record names."""
-    return Status[record["status"].upper().replace("-", "_")]
-
-
 def blew_up(record: Mapping[str, Any]) -> bool:
     """Whether a run diverged in a map, which is there to show that it does."""
     return status_of(record) is Status.DIVERGED and record.get("study") == "grid"
@@ -161,7 +157,7 @@ def outcome(record: Mapping[str, Any]) -> str:
     """A record in a word: its status unless it ran, else its worst verdict."""
     if blew_up(record):
         return BLOW_UP
-    if status_of(record) is not Status.RAN:
+    if not ran(record):
         return status_of(record).value
     verdicts = {Verdict(entry["verdict"]) for entry in record["quantities"]}
     return next((v.value for v in WORST_FIRST if v in verdicts), "not reported")

@@ -8,8 +8,8 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from vv.finding import label, rung
 from vv.gate import outcome
+from vv.reading import error_of, label, rung
 from vv.store import Store
 
 COMMITS = 8  # shown
@@ -92,10 +92,7 @@ def _measured(records: Iterable[Record], measure: Any) -> dict[str, dict[Place, 
 
 
 def _closeness(record: Record) -> dict[str, float]:
-    pairs = {
-        e["name"]: (e["errors"].get(e["norm"] or "max"), e["tolerance"])
-        for e in record["quantities"]
-    }
+    pairs = {e["name"]: (error_of(e), e["tolerance"]) for e in record["quantities"]}
     return {name: error / bound for name, (error, bound) in pairs.items() if error and bound}
 
 

@@ -6,13 +6,11 @@ from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Any
 
-from vv.ask import Status
-from vv.finding import Bit, Finding, label, rung
-from vv.gate import status_of
-from vv.store import write
+from vv.files import write
+from vv.finding import Bit, Finding
+from vv.reading import label, rung, tried
 
 CRASHES = Bit.CRASH | Bit.TIMEOUT
-IDLE = (Status.REFUSED, Status.NOT_INSTALLED)
 Place = tuple[str, str, str, str, str]  # case, variant, scheme, knobs, quantity
 
 
@@ -35,7 +33,7 @@ def write_junit(path: Path, manifest: Mapping[str, Any], findings: Iterable[Find
             told = at.pop(place, [])
             whole = at.pop((*place[:4], ""), []) if name == names[0] else []
             case = _test(place, [*told, *(whole if name else [])], _figures(record, name))
-            if status_of(record) in IDLE and not case.result:
+            if not tried(record) and not case.result:
                 case.result = [junitparser.Skipped(f"{record['status']}: {record['reason']}")]
             case.time = record["cost"]["solve_wall"]
             tests.setdefault(record["case"], []).append(case)

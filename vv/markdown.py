@@ -7,9 +7,9 @@ from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
+from vv.files import write
 from vv.finding import Bit, Finding, bits, worst_first
 from vv.gate import outcome
-from vv.store import write
 
 ROWS = 15  # of each table; the report has the rest
 WORDS = {
@@ -47,7 +47,7 @@ def summary(manifest: Mapping[str, Any], findings: Sequence[Finding]) -> str:
         f"{commit if told['commit'] else ''}{told['utc']}.",
     ]
     ranked = worst_first(findings)
-    moved = [f for f in ranked if f.check in ("regression", "speed")]
+    moved = [f for f in ranked if f.compares]
     since = [f for f in moved if f.red or f.size]
     others = [f for f in ranked if f not in moved and f.bit]
     lines += _table("Changed since the baseline", since)

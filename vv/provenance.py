@@ -16,7 +16,7 @@ from typing import Any
 
 import vv
 from vv.digest import digest
-from vv.store import write
+from vv.files import write
 
 LIBRARIES = ("numpy", "scipy", "numba")
 

@@ -72,6 +72,4 @@ def largest_step(name: str, theory: float, what: str, bracket: Bracket, judge: J
 
 def last_stable(run: Run, bracket: Bracket) -> float:
     """The last step [s] before the least that was not stable; 0 if that was the first."""
-    lost = np.flatnonzero(~(run.tried[:, 1] <= bracket.bound))
-    kept = run.tried[: lost[0] if len(lost) else len(run.tried), 0]
-    return float(kept[-1]) if len(kept) else 0.0
+    return bracket.limits(run.tried)[0]

@@ -12,19 +12,9 @@ import numpy as np
 
 from vv import metrics
 from vv.ask import Ask, Knobs, Ledger, Method, Run, Status
-from vv.case import (
-    Count,
-    Exact,
-    Interval,
-    Invariant,
-    Judge,
-    Norm,
-    Quantity,
-    Scalar,
-    Series,
-    Shown,
-    judge_of,
-)
+from vv.case import Count, Quantity, Scalar, Series
+from vv.judges import Exact, Interval, Invariant, Judge, Norm, Shown, judge_of
+from vv.reading import error_of
 from vv.scene import Vector
 
 UNTOLD = Shown("this code tells nothing to take it from")
@@ -190,7 +180,7 @@ def _verdict(quantity: Quantity, judge: Judge, entry: dict[str, Any]) -> Verdict
         return Verdict.PASS if good else Verdict.FAIL
     if quantity.reference is None:
         return Verdict.NO_REFERENCE
-    error = entry["errors"].get(entry["norm"] or "max")
+    error = error_of(entry)
     bound = judge.bound if isinstance(judge, Invariant) else entry["tolerance"]
     good = error is not None and error <= bound and not entry["note"]
     return Verdict.PASS if good else Verdict.FAIL

@@ -16,10 +16,9 @@ import numpy as np
 
 from vv.ask import Status
 from vv.baseline import name_of, render
-from vv.finding import label, rung
-from vv.gate import status_of
+from vv.files import write
+from vv.reading import fineness, label, ran, rung, status_of
 from vv.settings import UsageError
-from vv.store import write
 
 Json = dict[str, Any]
 POINTS = 41  # kept of a series
@@ -38,12 +37,12 @@ def keep(
     """
     piles: dict[tuple[str, str], list[Mapping[str, Any]]] = {}
     for record in records:
-        if status_of(record) is Status.RAN and not record["modified"]:
+        if ran(record) and not record["modified"]:
             piles.setdefault((record["code"], record["case"]), []).append(record)
     written = []
     for (code, case), pile in piles.items():
         path = folder / code / f"{case}.json"
-        finest = {_scheme(r): name_of(r) for r in sorted(pile, key=_fineness)}
+        finest = {_scheme(r): name_of(r) for r in sorted(pile, key=fineness)}
         document = {
             **circumstances[code],
             "code": code,
@@ -61,10 +60,6 @@ def keep(
 
 def _scheme(record: Mapping[str, Any]) -> tuple[str, str]:
     return record["variant"], label(record)
-
-
-def _fineness(record: Mapping[str, Any]) -> tuple[float, float]:
-    return record["rung"]["kn"] or 0.0, -(record["rung"]["dt"] or 0.0)
 
 
 def _compact(record: Mapping[str, Any], series: Callable[[str], Mapping[str, Any]] | None) -> Json:

@@ -11,9 +11,9 @@ from dataclasses import dataclass
 from typing import Any
 
 from vv.ask import Status
-from vv.baseline import Json, error_of, name_of
-from vv.finding import Bit, Finding, label, rung
-from vv.gate import status_of
+from vv.baseline import Json, name_of
+from vv.finding import Bit, Finding
+from vv.reading import error_of, label, ran, rung, status_of
 
 LARGE = 1e99  # stands for an infinite change
 
@@ -49,8 +49,8 @@ def compare(
     if baseline is None:
         bit = Bit.INCOMPLETE if demanded else Bit(0)
         text = f"no baseline; to accept one: vv accept {case} --reason ..."
-        ran = any(status_of(r) is Status.RAN for r in given)
-        return [Finding("regression", "no baseline", text, case, bit=bit)] if ran else []
+        found = [Finding("regression", "no baseline", text, case, bit=bit)]
+        return found if any(map(ran, given)) else []
     others = _other_parameters(given, baseline)
     found = [_moved_parameters(case, variant, text) for variant, text in others.items()]
     for record in given:

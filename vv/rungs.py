@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
 
 from vv.metrics import (
     SAFETY,
@@ -16,8 +15,8 @@ from vv.metrics import (
     convergence,
     order_before_floor,
 )
+from vv.reading import Record, error_of
 
-Record = Mapping[str, Any]
 FORMAL = 2.0  # no stepping scheme here is of higher order: what more was seen promises is chance
 
 
@@ -107,9 +106,9 @@ def _point(record: Record) -> Point:
 
 def _error(record: Record) -> float | None:
     """The largest error that is judged; None where one of them is missing."""
-    judged = [e for e in record["quantities"] if e["judge"] == "exact"]
-    errors = [entry["errors"].get(entry["norm"] or "max") for entry in judged]
-    return max(errors) if errors and None not in errors else None
+    errors = [error_of(entry) for entry in record["quantities"] if entry["judge"] == "exact"]
+    finite = [error for error in errors if error is not None]
+    return max(finite) if finite and len(finite) == len(errors) else None
 
 
 def _limit(pile: Sequence[Record]) -> Limit | None:

@@ -74,6 +74,11 @@ class Contact:
             if not (np.isfinite(value) and value >= 0):
                 raise ValueError(f"Contact.{name} = {value!r}{unit}; it must be zero or more")
 
+    @property
+    def rubs(self) -> bool:
+        """Whether it can carry shear."""
+        return self.mu > 0 and (self.ks > 0 or not np.isfinite(self.kn))
+
 
 @dataclass(frozen=True, eq=False)
 class Scene:
@@ -145,6 +150,11 @@ class Scene:
         sphere = np.concatenate(kinds)
         return np.where(sphere, np.cumsum(sphere) - 1, -1)
 
+    def numbers(self, kind: type[Spheres] | type[Wall] | type[Block]) -> list[int]:
+        """The numbers of the bodies of a kind, in order."""
+        kinds = [isinstance(group, kind) for group in self.bodies for _ in range(len(group))]
+        return [number for number, fits in enumerate(kinds) if fits]
+
     def sphere_index(self, body: int) -> int:
         """The index within `spheres` of a body number; raises ValueError if it is no sphere."""
         first = sphere = 0
@@ -162,8 +172,7 @@ class Scene:
             Term.SPHERE: len(spheres) > 0,
             Term.SPHERE_CONTACT: self._may_touch(),
             Term.WALL_CONTACT: bool(self.walls),
-            Term.FRICTION: self.contact.mu > 0
-            and (self.contact.ks > 0 or not np.isfinite(self.contact.kn)),
+            Term.FRICTION: self.contact.rubs,
             Term.DRAG: self.eta > 0,
             Term.GRAVITY: bool(self.gravity.any()),
             Term.LOAD: bool(spheres.load.any() or any(b.load.any() for b in blocks)),

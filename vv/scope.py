@@ -10,11 +10,11 @@ from pathlib import Path
 from typing import Any
 
 from vv.closure import closure
-from vv.finding import label, rung
 from vv.gate import record_findings
 from vv.keys import PACKAGE, roots
 from vv.plan import Job, Plan, restricted
 from vv.project import Project
+from vv.reading import error_of, label, ran, rung
 from vv.settings import UsageError
 
 EVERYTHING = ("pyproject.toml", "requirements.lock")  # they decide the versions of libraries
@@ -142,7 +142,7 @@ def _cost(job: Job, past: Mapping[Key, Mapping[str, Any]]) -> float:
     if job.settled is not None:
         return 0.0
     record = past.get(key(job))
-    if record is None or record["status"] != "ran":
+    if record is None or not ran(record):
         return UNKNOWN
     return sum(float(record["cost"][part]) for part in ("startup", "setup", "solve_wall", "output"))
 
@@ -152,5 +152,5 @@ def _telling(job: Job, past: Mapping[Key, Mapping[str, Any]]) -> float:
     record = past.get(key(job))
     if record is None or _wrong(record):
         return math.inf
-    pairs = ((e["errors"].get(e["norm"] or "max"), e["tolerance"]) for e in record["quantities"])
+    pairs = ((error_of(e), e["tolerance"]) for e in record["quantities"])
     return max((error / bound for error, bound in pairs if error and bound), default=0.0)

@@ -13,9 +13,10 @@ from typing import TYPE_CHECKING, Any
 from vv.adapter import Adapter
 from vv.ask import Status
 from vv.case import Case
-from vv.finding import Bit, Finding, from_data, label, rung, worst_first
-from vv.gate import blew_up, outcome, status_of
+from vv.finding import Bit, Finding, from_data, worst_first
+from vv.gate import blew_up, outcome
 from vv.plan import Job, Plan
+from vv.reading import label, rung, status_of, tried
 
 if TYPE_CHECKING:
     from vv.compare import Change
@@ -104,7 +105,7 @@ def print_refusals(records: Iterable[Mapping[str, Any]]) -> None:
     reasons = Counter(
         f"{record['code']}/{record['scheme']}: {outcome(record)}: {record['reason']}"
         for record in records
-        if status_of(record) in (Status.REFUSED, Status.NOT_INSTALLED)
+        if not tried(record)
     )
     for reason, times in reasons.most_common(REASONS):
         print(f"{reason} ({times} times)" if times > 1 else reason, file=sys.stderr)
@@ -139,8 +140,7 @@ def print_findings(findings: Sequence[Finding]) -> None:
 
 def print_difference(manifest: Mapping[str, Any], case: str) -> None:
     """What moved since the baseline of a case, worst first."""
-    moved = [from_data(data) for data in manifest["findings"]]
-    moved = [f for f in moved if f.check in ("regression", "speed")]
+    moved = [f for f in map(from_data, manifest["findings"]) if f.compares]
     for finding in worst_first(moved):
         say(f"{finding.kind}: {finding.where}: {finding.text}")
     if not moved:

@@ -13,6 +13,7 @@ import numpy as np
 
 from vv.adapter import Adapter
 from vv.ask import Ask, Bracket, Cost, Run, Status
+from vv.scene import Vector
 
 LOST = float("inf")  # the reach of a run that did not come to its end
 
@@ -37,61 +38,49 @@ def answers(
 
 @dataclass(eq=False)
 class _Search:
-    """How far the search for an ask is; runs: step [s] -> (what came of it, how far it reached)."""
+    """How far the search for an ask is; runs: step [s] -> what came of it."""
 
     ask: Ask
     bracket: Bracket
-    runs: dict[float, tuple[Run, float]] = field(default_factory=dict)
+    runs: dict[float, Run] = field(default_factory=dict)
+
+    def tried(self) -> Vector:
+        """(n, 2) the steps so far, ascending [s], and how far each reached."""
+        return np.array([(dt, _reach(self.runs[dt])) for dt in sorted(self.runs)])
 
     def steps(self) -> list[float]:
         """The steps [s] to try next; none once the highest of the bracket is stable."""
-        low = self.ask.knobs.dt
-        if low is None:
-            raise ValueError("Knobs.dt is None; a search needs a first step")
         if not self.runs:
+            low = self.ask.dt
             return list(np.geomspace(low, low * self.bracket.span, self.bracket.tries))
-        stable, lost = self.limits()
+        stable, lost = self.bracket.limits(self.tried())
         if not stable or lost is None:
             return []
         return list(np.geomspace(stable, lost, self.bracket.tries + 2)[1:-1])
 
-    def limits(self) -> tuple[float, float | None]:
-        """The last step below all unstable ones, 0 for none, and the least unstable one."""
-        stable = 0.0
-        for dt in sorted(self.runs):
-            if not self.runs[dt][1] <= self.bracket.bound:
-                return stable, dt
-            stable = dt
-        return stable, None
-
     def run(self) -> Run:
         """The Run of the first step, with all that was tried; its failure if it failed."""
-        steps = sorted(self.runs)
-        first, reach = self.runs[steps[0]]
-        if reach == LOST:
+        first = self.runs[min(self.runs)]
+        if _reach(first) == LOST:
             return first
-        tried = np.array([(dt, self.runs[dt][1]) for dt in steps])
+        runs = self.runs.values()
         return dataclasses.replace(
             first,
             reason=self._beyond(),
-            cost=_sum([run.cost for run, _ in self.runs.values()]),
-            steps=sum(run.steps for run, _ in self.runs.values()),
+            cost=_sum([run.cost for run in runs]),
+            steps=sum(run.steps for run in runs),
             ledger=None,
-            tried=tried,
+            tried=self.tried(),
         )
 
     def _beyond(self) -> str:
         """What comes of the least step that is unstable."""
-        lost = self.limits()[1]
+        lost = self.bracket.limits(self.tried())[1]
         if lost is None:
             return "every step tried is stable"
-        run, reach = self.runs[lost]
-        how = (
-            run.reason
-            if reach == LOST
-            else f"reaches {reach:.3g} of at most {self.bracket.bound:.3g}"
-        )
-        return f"at dt = {lost:.6g} s: {how}"
+        reach, bound = _reach(self.runs[lost]), self.bracket.bound
+        grown = f"reaches {reach:.3g} of at most {bound:.3g}"
+        return f"at dt = {lost:.6g} s: {self.runs[lost].reason if reach == LOST else grown}"
 
 
 def _found(adapter: Adapter, asks: Sequence[Ask], scheme: str, scratch: Path) -> Iterator[Run]:
@@ -103,7 +92,7 @@ def _found(adapter: Adapter, asks: Sequence[Ask], scheme: str, scratch: Path) ->
         folder = Path(tempfile.mkdtemp(prefix=f"round-{number}-", dir=scratch))
         runs = adapter.run([one.ask.at(dt) for one, dt in probes], scheme, folder, 0.0)
         for (one, dt), run in zip(probes, runs, strict=True):
-            one.runs[dt] = run, _reach(run)
+            one.runs[dt] = run
     yield from (one.run() for one in searches)
 
 

@@ -13,7 +13,8 @@ from typing import Any
 import numpy as np
 
 from vv.baseline import name_of
-from vv.finding import Bit, Finding, label, rung
+from vv.finding import Bit, Finding
+from vv.reading import label, rung
 
 TERMS = np.full(200_000, 1.0)
 REPEATS = 5

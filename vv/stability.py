@@ -2,28 +2,38 @@
 
 from __future__ import annotations
 
+import enum
 import math
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import asdict, dataclass
 from typing import Any
 
-from vv.finding import label
-from vv.gate import blew_up, outcome
+from vv.gate import blew_up
+from vv.reading import fineness, label, tried
 
 WRONG = 1.0  # relative error as large as the answer: no answer any more
 Json = Mapping[str, Any]
 Rung = tuple[Json, Json]  # a record, and its entry for the quantity at hand
 
 
+class Kind(enum.StrEnum):
+    """What there is to say of stability, in the order in which it is said."""
+
+    STEP = "step"
+    MAP = "map"
+    DRIFT = "drift"
+    COUNT = "count"
+
+
 @dataclass(frozen=True)
 class Told:
-    """What one scheme says on one variant. kind: step, map, drift or count.
+    """What one scheme says on one variant.
 
     value: over theory of a largest step; part of a map that is lost; largest breach of what is to
     be conserved; the count at the finest rung. due: what it should be. text: that in a sentence.
     """
 
-    kind: str
+    kind: Kind
     case: str
     variant: str
     label: str
@@ -36,8 +46,7 @@ class Told:
 def stability(manifest: Json) -> list[Told]:
     """All that the records of a manifest say of stability, by kind, case, variant and scheme."""
     found = [*_maps(manifest), *_others(manifest)]
-    order = ("step", "map", "drift", "count")
-    return sorted(found, key=lambda told: order.index(told.kind))
+    return sorted(found, key=lambda told: list(Kind).index(told.kind))
 
 
 def as_data(manifest: Json) -> list[dict[str, Any]]:
@@ -47,7 +56,7 @@ def as_data(manifest: Json) -> list[dict[str, Any]]:
 
 def _others(manifest: Json) -> Iterator[Told]:
     """Largest steps, drift and counts: a quantity of one scheme on one variant, over its rungs."""
-    piles: dict[tuple[str, ...], list[Rung]] = {}
+    piles: dict[tuple[Kind, str, str, str, str], list[Rung]] = {}
     for record in manifest["records"]:
         for entry in record["quantities"]:
             if kind := _kind(record, entry):
@@ -55,22 +64,19 @@ def _others(manifest: Json) -> Iterator[Told]:
                 piles.setdefault((kind, *place), []).append((record, entry))
     for (kind, case, variant, scheme, name), pile in piles.items():
         meaning = _meaning(manifest, case, variant, name)
-        value, due, text = SAYS[kind](sorted(pile, key=_longest_first), meaning)
+        value, due, text = SAYS[kind](sorted(pile, key=lambda rung: fineness(rung[0])), meaning)
         yield Told(kind, case, variant, scheme, name, value, due, text)
 
 
-def _kind(record: Json, entry: Json) -> str:
-    """What a quantity tells of stability; empty if nothing."""
+def _kind(record: Json, entry: Json) -> Kind | None:
+    """What a quantity tells of stability; None if nothing."""
     if record["study"] == "search":
-        return "step" if entry["verdict"] != "no-reference" else ""
+        return Kind.STEP if entry["verdict"] != "no-reference" else None
     if record["study"] == "grid":
-        return ""
-    return {"invariant": "drift"}.get(entry["judge"], "count" if entry["kind"] == "count" else "")
-
-
-def _longest_first(rung: Rung) -> tuple[float, float]:
-    knobs = rung[0]["rung"]
-    return knobs["kn"] or 0.0, -(knobs["dt"] or 0.0)
+        return None
+    if entry["judge"] == "invariant":
+        return Kind.DRIFT
+    return Kind.COUNT if entry["kind"] == "count" else None
 
 
 def _meaning(manifest: Json, case: str, variant: str, name: str) -> str:
@@ -112,10 +118,10 @@ def _count(pile: Sequence[Rung], meaning: str) -> Said:
     return values[-1], due, f"{meaning}: {said}{exact}"
 
 
-SAYS: Mapping[str, Callable[[Sequence[Rung], str], Said]] = {
-    "step": _step,
-    "drift": _drift,
-    "count": _count,
+SAYS: Mapping[Kind, Callable[[Sequence[Rung], str], Said]] = {
+    Kind.STEP: _step,
+    Kind.DRIFT: _drift,
+    Kind.COUNT: _count,
 }
 
 
@@ -127,12 +133,12 @@ def _maps(manifest: Json) -> Iterator[Told]:
             place = (record["case"], record["variant"], label(record))
             piles.setdefault(place, []).append(record)
     for (case, variant, scheme), pile in piles.items():
-        tried = [r for r in pile if outcome(r) not in ("refused", "not installed")]
-        if any(r["rung"]["dt"] for r in tried):
+        taken = list(filter(tried, pile))
+        if any(r["rung"]["dt"] for r in taken):
             critical = dict(manifest["cases"][case]["variants"][variant].get("critical", ()))
-            lost = [r for r in tried if not _error(r) < WRONG]
-            text = _in_words(pile, tried, lost, critical)
-            yield Told("map", case, variant, scheme, "", len(lost) / len(tried), None, text)
+            lost = [r for r in taken if not _error(r) < WRONG]
+            text = _in_words(pile, taken, lost, critical)
+            yield Told(Kind.MAP, case, variant, scheme, "", len(lost) / len(taken), None, text)
 
 
 def _error(record: Json) -> float:
@@ -143,12 +149,12 @@ def _error(record: Json) -> float:
 
 def _in_words(
     pile: Sequence[Json],
-    tried: Sequence[Json],
+    taken: Sequence[Json],
     lost: Sequence[Json],
     critical: Mapping[float | None, float],
 ) -> str:
-    best = min(tried, key=_error)
-    blown, refused = sum(map(blew_up, lost)), len(pile) - len(tried)
+    best = min(taken, key=_error)
+    blown, refused = sum(map(blew_up, lost)), len(pile) - len(taken)
     parts = [f"of {len(pile)} points {refused} refused" if refused else f"of {len(pile)} points"]
     ratios = list(_ratios(lost, critical))
     least = f", from {min(ratios):.3g} critical steps on" if ratios else ""

@@ -68,6 +68,14 @@ def sprung(ask: Ask) -> Stood:
     return Stood(scene, charged, terms, tuple(notes))
 
 
+def stood_for(ask: Ask) -> Stood:
+    """As `sprung`, where a block may turn too: what stands for it does not.
+
+    A code that makes a rigid body of it adds the rotations.
+    """
+    return sprung(held(ask))
+
+
 def held(ask: Ask) -> Ask:
     """The ask with its blocks locked against rotation, as spheres in their place would be."""
     turning = any(block.free_spin.any() for block in ask.scene.blocks)

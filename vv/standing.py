@@ -20,9 +20,10 @@ from vv.content import written
 from vv.digest import digest
 from vv.project import Project
 from vv.provenance import commit, machine
+from vv.reading import status_of
 from vv.store import Store
 
-LASTING = {status.name.lower().replace("_", "-") for status in (Status.RAN, Status.REFUSED)}
+LASTING = {Status.RAN, Status.REFUSED}
 SEEN = (
     "PATH",
     "PYTHON",
@@ -66,7 +67,7 @@ def remember(store: Store, identity: str, manifest: dict[str, Any], report: Path
 
     A timing session with gaps may: what it failed to time is timed again.
     """
-    statuses = {record["status"] for record in manifest["records"]}
+    statuses = set(map(status_of, manifest["records"]))
     if statuses <= LASTING and not manifest["untimed"]:
         store.keep_answer(
             _key(store, identity), {"manifest": manifest["name"], "report": _state(report)}

@@ -12,9 +12,7 @@ import dataclasses
 import errno
 import io
 import json
-import os
 import shutil
-import sys
 import tempfile
 import time
 import zipfile
@@ -26,8 +24,10 @@ from typing import Any
 import numpy as np
 
 from vv.ask import Cost, Displacement, Ledger, Model, Observable, Reaction, Run, Status, Velocity
+from vv.files import deliver, write
 from vv.scene import Term, Vector
 
+__all__ = ["Store", "deliver", "write"]
 HEAD = 4096  # characters of a manifest that hold its cases and its provenance, as a rule
 STALE = 7 * 86400.0  # s that the logs of a failure are kept
 UNREADABLE = (OSError, ValueError, KeyError, EOFError, zipfile.BadZipFile)
@@ -190,39 +190,6 @@ def _after(text: str, place: int, word: str) -> tuple[Any, int]:
     if not text.startswith(word, place):
         raise ValueError(f"no {word!r} at {place}")
     return json.JSONDecoder().raw_decode(text, place + len(word))
-
-
-def write(path: Path, content: bytes) -> None:
-    """Put a whole file in its place in one step."""
-    path.parent.mkdir(parents=True, exist_ok=True)
-    handle, temporary = tempfile.mkstemp(dir=path.parent, prefix=".part-")
-    try:
-        with os.fdopen(handle, "wb") as file:
-            file.write(content)
-        os.chmod(temporary, 0o644)
-        os.replace(temporary, path)
-    except BaseException:
-        Path(temporary).unlink(missing_ok=True)
-        raise
-
-
-def deliver(path: Path, content: bytes) -> None:
-    """Write what a user asked for where they said: `-` is standard output, links are followed.
-
-    A regular file is replaced in one step; a device or pipe is written into. Raises OSError,
-    also where the folder is missing: a mistyped path must not make one.
-    """
-    if str(path) == "-":
-        sys.stdout.buffer.write(content)
-        return
-    if path.exists() and not path.is_file():
-        with path.open("wb") as file:
-            file.write(content)
-        return
-    target = path.resolve()
-    if not target.parent.is_dir():
-        raise FileNotFoundError(errno.ENOENT, "no such folder", str(target.parent))
-    write(target, content)
 
 
 def _meta(run: Run, key: str) -> str:

@@ -10,6 +10,7 @@ from vv.ask import Cost, Status
 from vv.digest import digest
 from vv.plan import Plan
 from vv.provenance import machine
+from vv.reading import ran
 from vv.runner import Batch, run_batches
 from vv.speed import calibration
 from vv.store import Store
@@ -55,7 +56,7 @@ def gaps(plan: Plan, records: Sequence[Mapping[str, Any]], costs: Mapping[int, A
 
 
 def _due(plan: Plan, records: Sequence[Mapping[str, Any]]) -> list[int]:
-    return [n for n, job in enumerate(plan.jobs) if job.timed and _ran(records[n])]
+    return [n for n, job in enumerate(plan.jobs) if job.timed and ran(records[n])]
 
 
 def last_costs(plan: Plan, run_keys: Mapping[int, str], store: Store) -> dict[int, dict[str, Any]]:
@@ -68,10 +69,6 @@ def last_costs(plan: Plan, run_keys: Mapping[int, str], store: Store) -> dict[in
 def _written(cost: Mapping[str, Any], record: Mapping[str, Any]) -> dict[str, Any]:
     """The cost, with the output of the judged run where the timed one wrote less."""
     return {**cost, "output": max(cost["output"], record["cost"]["output"])}
-
-
-def _ran(record: Mapping[str, Any]) -> bool:
-    return bool(record["status"] == Status.RAN.name.lower())
 
 
 def _measure(

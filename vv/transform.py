@@ -4,8 +4,10 @@ import dataclasses
 
 import numpy as np
 
-from vv.scene import Block, Harmonic, Scene, Spheres, Term, Vector, Wall
+from vv.scene import Block, Harmonic, Mask, Scene, Spheres, Term, Vector, Wall
 
+DRIFT = 1e-9  # of the largest displacement; rounding gives 1e-11, a lost balance far more
+REST = 1e-12  # of a radius: a sphere at rest under a dead load trembles by rounding
 Group = Spheres | Wall | Block
 
 
@@ -106,8 +108,7 @@ def released(scene: Scene) -> Scene:
     if Term.OBLIQUE_LOCK in scene.terms():  # or else nothing below wants them
         applied = applied + initial_normal_forces(scene)
     load, free = spheres.load.copy(), np.array(spheres.free)
-    partly = spheres.free.any(axis=1) & ~spheres.free.all(axis=1)
-    for i in np.flatnonzero(partly):
+    for i in np.flatnonzero(_partly_locked(spheres)):
         locked = scene.axes[~spheres.free[i]]
         held = np.linalg.norm(locked, axis=0) > 1 - 1e-12
         if scene.carried[i][~held].any():
@@ -116,6 +117,32 @@ def released(scene: Scene) -> Scene:
         load[i] -= np.where(held, 0.0, locked.T @ (locked @ applied[i]))
     loose = dataclasses.replace(spheres, free=free, load=load)
     return dataclasses.replace(scene, bodies=_regrouped(scene, loose), axes=np.eye(3))
+
+
+def drifting(scene: Scene) -> list[int]:
+    """The numbers of the spheres on which dead loads stand for oblique locks: to be watched."""
+    if Term.OBLIQUE_LOCK not in scene.terms():
+        return []
+    partly = _partly_locked(scene.spheres)
+    return [body for body, one in zip(scene.numbers(Spheres), partly, strict=True) if one]
+
+
+def strayed(scene: Scene, sphere: int, moved: Vector) -> str | None:
+    """How displacements (k, 3) [m] of a sphere left the directions it is free in; else None.
+
+    They are those of a run of the scene as `released`.
+    """
+    free = scene.spheres.free[sphere]
+    if not free.any():
+        return None
+    along = np.abs(moved @ scene.axes.T).max(axis=0)
+    away = float(along[~free].max(initial=0.0))
+    if not away > max(DRIFT * along.max(), REST * scene.spheres.radius[sphere]):
+        return None
+    return (
+        f"moved {away:.3g} m along a locked direction, where a dead load stands for the lock: "
+        "the forces there did not stay what they were"
+    )
 
 
 def why_not_released(scene: Scene) -> str | None:
@@ -128,9 +155,8 @@ def why_not_released(scene: Scene) -> str | None:
         return "a bonded body is locked along a direction oblique to the frame; its pull varies"
     if Term.CARRIED in scene.terms() and Term.OBLIQUE_LOCK in scene.terms():
         return "a body moves along directions it is locked in, and locks are oblique to the frame"
-    free = scene.spheres.free
-    partly = free.any(axis=1) & ~free.all(axis=1)
-    locked = scene.axes[(~free[partly]).any(axis=0)]
+    partly = _partly_locked(scene.spheres)
+    locked = scene.axes[(~scene.spheres.free[partly]).any(axis=0)]
     oblique = locked[np.abs(locked).max(axis=1) < 1 - 1e-15]
     drives = (scene.shaking, *(wall.motion for wall in scene.walls))
     for amplitude, _, _ in (sine for drive in drives if drive for sine in drive.sines()):
@@ -140,6 +166,10 @@ def why_not_released(scene: Scene) -> str | None:
                 "dead load, which would stand for the lock, does not vary"
             )
     return None
+
+
+def _partly_locked(spheres: Spheres) -> Mask:
+    return np.asarray(spheres.free.any(axis=1) & ~spheres.free.all(axis=1))
 
 
 def _regrouped(scene: Scene, spheres: Spheres) -> tuple[Group, ...]:

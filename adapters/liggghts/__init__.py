@@ -19,18 +19,16 @@ from adapters.liggghts.translate import (
     OVERLAPPED,
     PLAIN,
     charges,
-    has_friction,
     moving,
     represented,
     spinning,
-    stood_for,
 )
 from adapters.liggghts.walls import is_mesh
 from vv.adapter import Found, Scheme
 from vv.ask import Ask, Method, Model, Run, Status
 from vv.clump import clump
 from vv.scene import Term
-from vv.stand_in import STANDS_IN
+from vv.stand_in import STANDS_IN, stood_for
 
 TERMS = frozenset(
     {
@@ -143,7 +141,7 @@ def _notes(ask: Ask, scheme: str) -> list[str]:
             not scene.spheres.free[moved].all() and not rigid
         ),
         "spheres without any freedom are not integrated": not moved.all(),
-        "shear springs of model history, without tangential damping": has_friction(scene),
+        "shear springs of model history, without tangential damping": scene.contact.rubs,
         "drag by fix viscous from the velocity half a step ago": scene.eta > 0,
         "masses are m + eta dt/2, weight a dead load": scheme == HALF_STEP and scene.eta > 0,
         "a mesh wall, one triangle far larger than the scene, instead of a primitive one": (
@@ -164,16 +162,10 @@ def _notes(ask: Ask, scheme: str) -> list[str]:
             any(wall.motion for wall in scene.walls)
         ),
     }
-    how = [*_clump_notes(ask), *stood.notes[1:]] if rigid else stood.notes
+    how = stood.notes
+    if rigid:
+        how = f"a rigid body stands for the block: {clump(ask).words}", *stood.notes[1:]
     return [*how, *(note for note, holds in said.items() if holds)]
-
-
-def _clump_notes(ask: Ask) -> list[str]:
-    made = clump(ask)
-    return [
-        f"a rigid body stands for the block: {len(made.corners)} spheres of {made.radius:g} m on "
-        "its corners, which share the springs below, and eight points with its mass and inertia"
-    ]
 
 
 ADAPTER = Liggghts()

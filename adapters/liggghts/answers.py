@@ -10,12 +10,12 @@ from pathlib import Path
 import numpy as np
 
 from adapters.liggghts.deck import COUNTED, UNCOUNTED
-from adapters.liggghts.translate import moving, spinning, step, stood_for, watched
+from adapters.liggghts.translate import moving, spinning, watched
 from vv.ask import Ask, Displacement, Model, Run, Status
 from vv.scene import Scene, Vector
+from vv.stand_in import stood_for
+from vv.transform import strayed
 
-DRIFT = 1e-9  # of the largest displacement; rounding gives 1e-11, a lost balance far more
-REST = 1e-12  # of a radius; a sphere at rest under a dead load trembles by rounding
 LOOP = re.compile(r"^Loop time of (\S+)", re.MULTILINE)
 CHARGING = re.compile(f"^{UNCOUNTED}.*?^{COUNTED}", re.MULTILINE | re.DOTALL)
 OUTPUT = re.compile(r"^(?:Outpt|Fix history print) *time \(%\) = (\S+)", re.MULTILINE)
@@ -61,7 +61,7 @@ def parse(history: Path, ask: Ask, model: Model) -> Run:
         told = rows(history)
     except (OSError, ValueError) as error:
         return Run(Status.ERROR, f"the rows cannot be read: {error}")
-    seen, times, stride = watched(ask), ask.goal.times(step(ask)), ask.goal.stride(step(ask))
+    seen, times, stride = watched(ask), ask.goal.times(ask.dt), ask.goal.stride(ask.dt)
     due = (len(times) - 1, 2 + 3 * len(seen))
     if told.shape != due or (told[:, 0] != stride * np.arange(1, len(times))).any():
         return Run(Status.ERROR, f"the rows have shape {told.shape}; {due} was asked for")
@@ -71,9 +71,7 @@ def parse(history: Path, ask: Ask, model: Model) -> Run:
     if fault := _drift(values, ask):
         return Run(Status.ERROR, fault)
     observed = {o: values[:, k] for k, (o, _) in enumerate(seen[: len(ask.observables)])}
-    return Run(
-        Status.RAN, times=times, values=observed, steps=ask.goal.steps(step(ask)), model=model
-    )
+    return Run(Status.RAN, times=times, values=observed, steps=ask.goal.steps(ask.dt), model=model)
 
 
 def _with_start(told: Vector, ask: Ask) -> Vector:
@@ -106,15 +104,8 @@ def _drift(values: Vector, ask: Ask) -> str | None:
     """How far a sphere left the directions it is free in: a lock that became a dead load."""
     scene = stood_for(ask).scene
     for k, (observable, i) in enumerate(watched(ask)):
-        if not isinstance(observable, Displacement) or not scene.spheres.free[i].any():
-            continue
-        along = np.abs(values[:, k] @ scene.axes.T).max(axis=0)
-        away = float(np.where(scene.spheres.free[i], 0.0, along).max())
-        if away > max(DRIFT * float(along.max()), REST * float(scene.spheres.radius[i])):
-            return (
-                f"sphere {i} moved {away:.3g} m along a locked direction, where a dead load "
-                "stands for the lock: the forces there did not stay what they were"
-            )
+        if isinstance(observable, Displacement) and (how := strayed(scene, i, values[:, k])):
+            return f"sphere {i} {how}"
     return None
 
 

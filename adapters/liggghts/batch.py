@@ -21,7 +21,6 @@ import numpy as np
 
 from adapters.liggghts.answers import loops, parse
 from adapters.liggghts.deck import deck, silent_deck
-from adapters.liggghts.translate import step
 from vv import external
 from vv.ask import Ask, Cost, Model, Run, Status
 from vv.scene import Vector
@@ -118,7 +117,7 @@ def _silent(
         if not part.with_suffix(".done").exists():
             return None
         startup = _startup(part, program) if first[program] == index else 0.0
-        steps = asks[index].goal.steps(step(asks[index]))
+        steps = asks[index].goal.steps(asks[index].dt)
         cost = replace(_cost(part), startup=startup)
         return Run(Status.RAN, cost=cost, steps=steps, model=models[index])
 

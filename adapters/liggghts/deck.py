@@ -13,7 +13,6 @@ from adapters.liggghts.translate import (
     CLUMP,
     Space,
     charges,
-    has_friction,
     loads,
     locks,
     moving,
@@ -21,13 +20,12 @@ from adapters.liggghts.translate import (
     shaken,
     space,
     spinning,
-    step,
-    stood_for,
     watched,
 )
 from adapters.liggghts.walls import AXES, numbers, travel, wall_commands
 from vv.ask import Ask, Displacement
 from vv.scene import Scene, Spheres, Vector
+from vv.stand_in import stood_for
 
 DOMAIN = """\
 units           si
@@ -58,7 +56,7 @@ def _text(lines: Iterable[str]) -> str:
 
 
 def _run(ask: Ask) -> str:
-    return f"run             {ask.goal.steps(step(ask))}"
+    return f"run             {ask.goal.steps(ask.dt)}"
 
 
 def _prepared(ask: Ask, scheme: str) -> Iterator[str]:
@@ -72,7 +70,7 @@ def _prepared(ask: Ask, scheme: str) -> Iterator[str]:
     yield from _contact(scene)
     for number, wall in enumerate(scene.walls):
         yield from wall_commands(f"wall{number}", wall, room.triangles.get(number), _model(scene))
-    yield f"timestep        {step(ask)!r}"
+    yield f"timestep        {ask.dt!r}"
     yield "thermo_style    custom step atoms"
     yield "thermo          0"
     if charged:
@@ -81,7 +79,7 @@ def _prepared(ask: Ask, scheme: str) -> Iterator[str]:
     yield ""
     for number, wall in enumerate(scene.walls):
         if wall.motion is not None:
-            yield from move_commands(f"wall{number}", wall.motion, step(ask))
+            yield from move_commands(f"wall{number}", wall.motion, ask.dt)
     yield from _motion(ask, scheme, scene)
 
 
@@ -96,7 +94,7 @@ def _charging(ask: Ask, scene: Scene, charged: Mapping[int, Vector]) -> Iterator
     yield f'print "{UNCOUNTED}"'
     for i, way in charged.items():
         yield _group(f"slid{i}", [i])
-        yield f"fix slid{i} slid{i} move linear {numbers(way / step(ask))} units box"
+        yield f"fix slid{i} slid{i} move linear {numbers(way / ask.dt)} units box"
     yield "run             1"
     for i in charged:
         yield f"unfix slid{i}"
@@ -152,7 +150,7 @@ def _contact(scene: Scene) -> Iterator[str]:
     if scene.bonds is not None:
         yield from bond_commands(scene)
         return
-    ks, mu = (scene.contact.ks, scene.contact.mu) if has_friction(scene) else (0.0, 0.0)
+    ks, mu = (scene.contact.ks, scene.contact.mu) if scene.contact.rubs else (0.0, 0.0)
     values = {"kn": scene.contact.kn, "kt": ks, "gamman": 0.0, "gammat": 0.0}
     for name, value in {**values, "coefficientFriction": mu}.items():
         yield f"fix {name} all property/global {name} peratomtypepair 1 {float(value)!r}"
@@ -161,7 +159,7 @@ def _contact(scene: Scene) -> Iterator[str]:
 
 
 def _model(scene: Scene) -> str:
-    return f"model hooke/stiffness tangential {'history' if has_friction(scene) else 'off'}"
+    return f"model hooke/stiffness tangential {'history' if scene.contact.rubs else 'off'}"
 
 
 def _motion(ask: Ask, scheme: str, scene: Scene) -> Iterator[str]:
@@ -179,7 +177,7 @@ def _motion(ask: Ask, scheme: str, scene: Scene) -> Iterator[str]:
     if scene.shaking is not None:
         for number, (mass, those) in enumerate(shaken(ask, scheme).items()):
             yield _group(f"shake{number}", those)
-            yield from shake_commands(f"shake{number}", scene.shaking, mass, step(ask))
+            yield from shake_commands(f"shake{number}", scene.shaking, mass, ask.dt)
     for pattern, held in ({} if rigid else locks(spheres)).items():
         name = "lock_" + "".join(a for a, locked in zip(AXES, pattern, strict=True) if locked)
         yield _group(name, held)
@@ -237,7 +235,7 @@ def _observed(ask: Ask, scheme: str, history: str) -> Iterator[str]:
             names.append(f"o{number}{a}")
             yield f"variable        {names[-1]} equal {formula}"
     row = " ".join(f"${{{name}}}" for name in names)
-    stride = ask.goal.stride(step(ask))
+    stride = ask.goal.stride(ask.dt)
     title = f'title "# {_title(ask)}"'
     yield f'fix history all print {stride} "{row}" file {history} screen no {title}'
 

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 import numpy as np
 import numpy.typing as npt
 
-from adapters.liggghts.walls import numbers
+from adapters.liggghts.walls import numbers, printed
 from vv.scene import Scene, Term, Vector
 
 FILE = "bonded.data"  # made by each deck anew, just before it is read
@@ -19,9 +19,7 @@ def bonded_atoms(scene: Scene, outer: tuple[Vector, Vector]) -> Iterator[str]:
 
     No command makes bonds by name. Sizes and masses are set later, as for spheres without.
     """
-    lines = list(_data(scene, outer))
-    yield f'print "{lines[0]}" file {FILE} screen no'
-    yield from (f'print "{line}" append {FILE} screen no' for line in lines[1:])
+    yield from printed(FILE, _data(scene, outer))
     yield f"read_data       {FILE}"
 
 

@@ -15,13 +15,12 @@ from adapters.liggghts.translate import (
     represented,
     shaken,
     spinning,
-    step,
-    stood_for,
 )
+from vv.adapter import behind_wall, no_sphere, no_steps
 from vv.ask import Ask
 from vv.clump import why_no_clump
 from vv.scene import Scene
-from vv.stand_in import why_not
+from vv.stand_in import stood_for, why_not
 from vv.transform import why_not_released
 
 GROUPS = 32 - 3  # LIGGGHTS has 32; all, shifted and turned are taken
@@ -37,33 +36,20 @@ def refusal(ask: Ask, scheme: str) -> str | None:
     if (reason := why(scene)) is not None:
         return reason
     return (
-        _unknown_body(ask, scene)
+        no_sphere(ask, scene)
         or _no_steps(ask)
         or _locked_motion(scene)
         or why_not_released(scene)
         or _nothing_free(scene)
         or _spin(scene, scheme)
         or _oblique_spin_lock(ask.scene)
-        or _behind_wall(scene)
+        or behind_wall(scene)
         or _too_many_groups(ask, scheme)
     )
 
 
-def _unknown_body(ask: Ask, scene: Scene) -> str | None:
-    try:
-        for seen in ask.observables:
-            scene.sphere_index(seen.body)
-    except ValueError as error:
-        return str(error)
-    return None
-
-
 def _no_steps(ask: Ask) -> str | None:
-    if ask.knobs.dt is None:
-        return "dt is not set; LIGGGHTS needs a time step"
-    if ask.goal.steps(step(ask)) < 1:
-        return f"dt = {step(ask)!r} s leaves no step within {ask.goal.duration!r} s"
-    return None
+    return "dt is not set; LIGGGHTS needs a time step" if ask.knobs.dt is None else no_steps(ask)
 
 
 def _locked_motion(scene: Scene) -> str | None:
@@ -101,17 +87,6 @@ def _oblique_spin_lock(scene: Scene) -> str | None:
     partly = any(b.free_spin.any() and not b.free_spin.all() for b in scene.blocks)
     if partly and not np.array_equal(scene.axes, np.eye(3)):
         return "rotation is locked about some axes of a turned frame; fix rigid locks its own only"
-    return None
-
-
-def _behind_wall(scene: Scene) -> str | None:
-    for number, wall in enumerate(scene.walls):
-        height = (scene.spheres.position - wall.point) @ wall.normal
-        if height.min() <= 0:
-            return (
-                f"the centre of sphere {int(height.argmin())} lies behind wall {number}; "
-                "LIGGGHTS' walls push from a surface, to both sides, not from a half-space"
-            )
     return None
 
 

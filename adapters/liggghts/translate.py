@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import functools
-from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -13,19 +12,12 @@ from adapters.liggghts.clumps import as_atoms
 from adapters.liggghts.walls import is_mesh, travel, triangle
 from vv.ask import Ask, Displacement, Observable
 from vv.clump import clump
-from vv.scene import Mask, Scene, Spheres, Term, Vector
+from vv.scene import Mask, Scene, Spheres, Vector
 from vv.soften import fastest
-from vv.stand_in import Stood, held, sprung
-from vv.transform import initial_normal_forces, released
+from vv.stand_in import stood_for
+from vv.transform import drifting, initial_normal_forces, released
 
 PLAIN, HALF_STEP, CLUMP, OVERLAPPED = "default", "half-step-mass", "clump", "pre-overlapped"
-
-
-def step(ask: Ask) -> float:
-    """The time step [s]; raises ValueError for an ask without one."""
-    if ask.knobs.dt is None:
-        raise ValueError("Knobs.dt = None; LIGGGHTS needs a time step")
-    return float(ask.knobs.dt)  # a numpy scalar would be written with its type
 
 
 @functools.lru_cache(maxsize=32)  # it is wanted several times for each of a ladder's rungs
@@ -39,15 +31,7 @@ def represented(ask: Ask, scheme: str) -> Scene:
         return overlapped(scene)
     if scheme == CLUMP:
         return as_atoms(scene, clump(ask))
-    return heavier(scene, scene.eta * step(ask) / 2) if scheme == HALF_STEP else scene
-
-
-def stood_for(ask: Ask) -> Stood:
-    """The scene with spheres and springs in place of blocks and rigid contact.
-
-    A block that may turn is one that may not here; its clump adds the rotations.
-    """
-    return sprung(held(ask))
+    return heavier(scene, scene.eta * ask.dt / 2) if scheme == HALF_STEP else scene
 
 
 def heavier(scene: Scene, extra: float) -> Scene:
@@ -75,11 +59,6 @@ def spinning(spheres: Spheres) -> Mask:
 def moving(spheres: Spheres) -> Mask:
     """Which spheres are integrated at all, (n,)."""
     return np.asarray(spheres.free.any(axis=1)) | spinning(spheres)
-
-
-def has_friction(scene: Scene) -> bool:
-    """Whether contacts can carry shear."""
-    return scene.contact.ks > 0 and scene.contact.mu > 0
 
 
 def loads(spheres: Spheres) -> dict[tuple[float, ...], list[int]]:
@@ -128,21 +107,8 @@ def watched(ask: Ask) -> list[tuple[Observable, int]]:
     The displacements of spheres whose oblique locks became dead loads are watched as well.
     """
     scene = stood_for(ask).scene
-    asked: list[tuple[Observable, int]] = [(o, scene.sphere_index(o.body)) for o in ask.observables]
-    if Term.OBLIQUE_LOCK not in scene.terms():
-        return asked
-    body_of = {scene.sphere_index(body): body for body in _sphere_bodies(scene)}
-    partly = scene.spheres.free.any(axis=1) & ~scene.spheres.free.all(axis=1)
-    drifting = [(Displacement(body_of[int(i)]), int(i)) for i in np.flatnonzero(partly)]
-    return asked + [pair for pair in drifting if pair not in asked]
-
-
-def _sphere_bodies(scene: Scene) -> Iterator[int]:
-    first = 0
-    for group in scene.bodies:
-        if isinstance(group, Spheres):
-            yield from range(first, first + len(group))
-        first += len(group)
+    more = [d for d in map(Displacement, drifting(scene)) if d not in ask.observables]
+    return [(o, scene.sphere_index(o.body)) for o in (*ask.observables, *more)]
 
 
 @dataclass(frozen=True, eq=False)

@@ -51,13 +51,13 @@ def wall_commands(name: str, wall: Wall, corners: Vector | None, model: str) -> 
         axis = int(np.abs(wall.normal).argmax())
         shape = f"primitive type 1 {AXES[axis]}plane {float(wall.point[axis])!r}"
     else:
-        yield from _printed(f"{name}.stl", _stl(wall, corners))
+        yield from printed(f"{name}.stl", _stl(wall, corners))
         yield f"fix {name}_mesh all mesh/surface file {name}.stl type 1"
         shape = f"mesh n_meshes 1 meshes {name}_mesh"
     yield f"fix {name} all wall/gran {model} {shape} tangential_damping off"
 
 
-def _printed(file: str, lines: Iterable[str]) -> Iterator[str]:
+def printed(file: str, lines: Iterable[str]) -> Iterator[str]:
     """Commands that write a file of these lines."""
     for number, line in enumerate(lines):
         yield f'print "{line}" {"append" if number else "file"} {file} screen no'

@@ -19,18 +19,16 @@ from adapters.yade.translate import (
     HALF_STEP,
     PLAIN,
     POLYHEDRA,
-    has_friction,
     initial_contacts,
     plan,
     put,
-    stood_for,
 )
 from vv import external
-from vv.adapter import Found, Scheme
+from vv.adapter import Found, Scheme, behind_wall, no_sphere
 from vv.ask import Ask, Displacement, Method, Model, Reaction, Run, Status, Velocity
 from vv.clump import clump, why_no_clump
 from vv.scene import Scene, Term
-from vv.stand_in import STANDS_IN, why_not
+from vv.stand_in import STANDS_IN, stood_for, why_not
 from vv.transform import released, why_not_released
 
 TERMS = frozenset(
@@ -108,11 +106,11 @@ class Yade:
             return reason
         scene = stood_for(put(ask, scheme)[0]).scene
         return (
-            _no_sphere_seen(ask, scene)
+            no_sphere(ask, scene)
             or _locked_spin(scene)
             or why_not_released(scene)
             or _oblique_spin_lock(ask.scene)
-            or _behind_wall(scene)
+            or behind_wall(scene)
             or why_no_bonds(scene)
             or _oblique_reaction(ask)
         )
@@ -155,15 +153,6 @@ class Yade:
         yield from external.run_batch(len(asks), launch, collect)
 
 
-def _no_sphere_seen(ask: Ask, scene: Scene) -> str | None:
-    try:
-        for seen in ask.observables:
-            scene.sphere_index(seen.body)
-    except ValueError as error:
-        return str(error)
-    return None
-
-
 def _locked_spin(scene: Scene) -> str | None:
     """Why a body that turns about what it is locked in is refused: YADE keeps it going."""
     about = np.where(scene.spheres.free_spin, 0.0, scene.spheres.spin @ scene.axes.T)
@@ -188,17 +177,6 @@ def _oblique_reaction(ask: Ask) -> str | None:
     return None
 
 
-def _behind_wall(scene: Scene) -> str | None:
-    for number, wall in enumerate(scene.walls):
-        height = (scene.spheres.position - wall.point) @ wall.normal
-        if height.min() <= 0:
-            return (
-                f"the centre of sphere {int(height.argmin())} lies behind wall {number}; "
-                "YADE's walls push from a thin surface, not from a half-space"
-            )
-    return None
-
-
 def _notes(ask: Ask, scheme: str) -> list[str]:
     """How the scene is represented, one fact each."""
     stood = stood_for(put(ask, scheme)[0])
@@ -209,9 +187,9 @@ def _notes(ask: Ask, scheme: str) -> list[str]:
     said = {
         "NewtonIntegrator without damping, velocities started at -dt/2": True,
         "every step an O.step(); O.run costs as much and rounds wall time up to 40 ms": True,
-        "shear increments without YADE's corrections against ratcheting": has_friction(scene),
+        "shear increments without YADE's corrections against ratcheting": scene.contact.rubs,
         "touching spheres start at rest and get their velocity as an impulse in the first step": (
-            has_friction(scene) and bool(initial_contacts(scene)[1])
+            scene.contact.rubs and bool(initial_contacts(scene)[1])
         ),
         "bonds are contacts of CohFrictMat, made before the first step, brittle where they break": (
             scene.bonds is not None
@@ -249,11 +227,7 @@ def _notes(ask: Ask, scheme: str) -> list[str]:
 
 
 def _clump_note(ask: Ask) -> str:
-    made = clump(ask)
-    return (
-        f"a clump stands for the block: {len(made.corners)} spheres of {made.radius:g} m on its "
-        "corners, which share the springs below, and eight points with its mass and inertia"
-    )
+    return f"a clump stands for the block: {clump(ask).words}"
 
 
 def _polyhedron_note(ask: Ask) -> str:

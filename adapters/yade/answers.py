@@ -8,12 +8,12 @@ from typing import Any
 
 import numpy as np
 
-from adapters.yade.translate import stood_for, watched
+from adapters.yade.translate import watched
 from vv.ask import Ask, Cost, Displacement, Model, Run, Status
 from vv.scene import Term, Vector
+from vv.stand_in import stood_for
+from vv.transform import strayed
 
-DRIFT = 1e-9  # of the largest displacement; rounding gives 1e-12, a lost balance far more
-REST = 1e-12  # of a radius: where nothing moves, rounding does
 COSTS = ("setup", "solve_cpu", "solve_wall", "output", "repeats", "spread")
 
 
@@ -55,16 +55,8 @@ def _drift(values: Vector, ask: Ask) -> str | None:
         return None
     for observable, moved in zip(watched(ask), values, strict=True):
         sphere = scene.sphere_index(observable.body)
-        free = scene.spheres.free[sphere]
-        if not isinstance(observable, Displacement) or not free.any():
-            continue
-        along = np.abs(moved @ scene.axes.T).max(axis=0)
-        away = float(along[~free].max(initial=0.0))
-        if away > max(DRIFT * along.max(), REST * scene.spheres.radius[sphere]):
-            return (
-                f"body {observable.body} moved {away:.3g} m along a locked direction, where a "
-                "dead load stands for the lock: the forces there did not stay what they were"
-            )
+        if isinstance(observable, Displacement) and (how := strayed(scene, sphere, moved)):
+            return f"body {observable.body} {how}"
     return None
 
 

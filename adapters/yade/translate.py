@@ -13,10 +13,10 @@ from adapters.yade.drives import driven, sines
 from adapters.yade.polyhedra import laid, polyhedral, turn_of
 from vv.ask import Ask, Displacement, Observable
 from vv.clump import clump
-from vv.scene import Mask, Scene, Spheres, Term, Vector, Wall
+from vv.scene import Mask, Scene, Spheres, Vector, Wall
 from vv.soften import acceleration_of, fastest
-from vv.stand_in import Stood, held, sprung
-from vv.transform import initial_normal_forces, released
+from vv.stand_in import Stood, stood_for
+from vv.transform import drifting, initial_normal_forces, released
 
 PLAIN, HALF_STEP, CLUMP, POLYHEDRA = "default", "half-step-mass", "clump", "polyhedra"
 LEAST_GAP = 1e-12  # of a radius: less than that overlaps by rounding only
@@ -32,7 +32,7 @@ def plan(ask: Ask, scheme: str) -> Plan:
     last half step, m (v+ - v-)/dt = F - eta v-, becomes drag of the mean velocity; the weight
     stays m g. Raises ValueError for an ask without dt, or one that `released` cannot release.
     """
-    stood, goal, dt = stood_for(ask), ask.goal, _dt(ask)
+    stood, goal, dt = stood_for(ask), ask.goal, ask.dt
     scene = released(stood.scene)
     extra = scene.eta * dt / 2 if scheme == HALF_STEP else 0.0
     touching, contacts = initial_contacts(scene)
@@ -42,7 +42,7 @@ def plan(ask: Ask, scheme: str) -> Plan:
         "steps": goal.steps(dt),
         "stride": goal.stride(dt),
         "kn": float(scene.contact.kn),
-        "ks": float(scene.contact.ks) if has_friction(scene) else 0.0,
+        "ks": float(scene.contact.ks) if scene.contact.rubs else 0.0,
         "mu": float(scene.contact.mu),
         "gravity": [0.0, 0.0, 0.0] if extra else scene.gravity.tolist(),
         "drag": float(scene.eta),
@@ -67,14 +67,6 @@ def put(ask: Ask, scheme: str) -> tuple[Ask, Vector]:
     return ask, np.eye(3)
 
 
-def stood_for(ask: Ask) -> Stood:
-    """The scene with spheres and springs in place of blocks and rigid contact.
-
-    A block that may turn is one that may not here; its clump adds the rotations.
-    """
-    return sprung(held(ask))
-
-
 def _columns(
     scene: Scene, dt: float, extra: float, touching: Mask, charged: Vector | None
 ) -> dict[str, Vector]:
@@ -93,7 +85,7 @@ def _columns(
     early = np.where(spheres.free, early, 0.0)
     carried = scene.carried
     mass = spheres.mass + extra
-    pushed = np.reshape((touching & has_friction(scene)) | sheared(scene), (-1, 1))
+    pushed = np.reshape((touching & scene.contact.rubs) | sheared(scene), (-1, 1))
     return {
         "position": spheres.position,
         "initial": spheres.velocity,
@@ -115,44 +107,22 @@ def _charges(stood: Stood) -> list[Plan]:
     """The friction [N] of each wall on a sphere that its shear spring holds at the start."""
     if stood.charged is None:
         return []
-    walls, spheres = (_numbers(stood.scene, kind) for kind in (Wall, Spheres))
+    wall, spheres = stood.scene.numbers(Wall)[0], stood.scene.numbers(Spheres)
     return [
-        {"wall": walls[0], "body": sphere, "forces": [force.tolist()]}
+        {"wall": wall, "body": sphere, "forces": [force.tolist()]}
         for sphere, force in zip(spheres, stood.charged, strict=True)
         if force.any()
     ]
 
 
-def _numbers(scene: Scene, kind: type[Wall] | type[Spheres]) -> list[int]:
-    """The numbers of the bodies of a kind."""
-    kinds = [isinstance(group, kind) for group in scene.bodies for _ in range(len(group))]
-    return [number for number, fits in enumerate(kinds) if fits]
-
-
-def _dt(ask: Ask) -> float:
-    if ask.knobs.dt is None:
-        raise ValueError("Knobs.dt = None; YADE needs a time step")
-    return float(ask.knobs.dt)  # a numpy scalar would be written with its type
-
-
 def watched(ask: Ask) -> tuple[Observable, ...]:
     """The observables asked for; then displacements of spheres under a dead load for a lock."""
-    scene = stood_for(ask).scene
-    if Term.OBLIQUE_LOCK not in scene.terms():
-        return ask.observables
-    partly = scene.spheres.free.any(axis=1) & ~scene.spheres.free.all(axis=1)
-    numbers = np.array(_numbers(scene, Spheres))
-    drifting = [Displacement(int(number)) for number in numbers[partly]]
-    return ask.observables + tuple(d for d in drifting if d not in ask.observables)
+    more = map(Displacement, drifting(stood_for(ask).scene))
+    return ask.observables + tuple(d for d in more if d not in ask.observables)
 
 
 def _quantity(observable: object) -> str:
     return type(observable).__name__.lower()
-
-
-def has_friction(scene: Scene) -> bool:
-    """Whether contacts can carry shear."""
-    return scene.contact.ks > 0 and scene.contact.mu > 0
 
 
 def initial_contacts(scene: Scene) -> tuple[Mask, int]:

@@ -4,15 +4,13 @@ from __future__ import annotations
 
 import math
 
-import numpy as np
-import numpy.typing as npt
-
 from vv.compiled import called, inlined
+from vv.dem.friction import turned
 from vv.dem.neighbours import Slots, State
+from vv.dem.rows import Index
 from vv.scene import Vector
 from vv.triples import NOWHERE, Triple, at, cross, dot, plus, put
 
-Index = npt.NDArray[np.intp]
 Springs = tuple[Index, Vector, Vector, Vector, Vector, Vector]
 Frail = tuple[Vector, Vector, float, Index]
 
@@ -22,14 +20,6 @@ def arms(radius: Vector, p: int, length: float) -> tuple[float, float]:
     """How far from either centre the surfaces of a pair meet [m]: halfway between or within."""
     beyond = 0.5 * (length - radius[p, 0] - radius[p, 1])
     return radius[p, 0] + beyond, radius[p, 1] + beyond
-
-
-@inlined
-def turned(s: Triple, n: Triple, angle: float) -> Triple:
-    """s turned about n, to which it is perpendicular, by a small angle [rad]; keeps its length."""
-    square = 0.25 * angle * angle
-    cosine, sine = (1.0 - square) / (1.0 + square), angle / (1.0 + square)
-    return plus(plus(NOWHERE, cosine, s), sine, cross(n, s))
 
 
 @inlined

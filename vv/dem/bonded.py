@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 
+from vv.dem.rows import Index
 from vv.scene import Mask, Scene, Term, Vector
 
-Index = npt.NDArray[np.intp]
+if TYPE_CHECKING:
+    from vv.dem.bond_law import Frail, Springs
+    from vv.dem.neighbours import Near
 
 MANY = 64  # spheres, from which on pairs are gathered from those near each other
 SKIN = 0.2  # of the smallest radius: a gap below which pairs are near each other
@@ -18,9 +20,9 @@ SKIN = 0.2  # of the smallest radius: a gap below which pairs are near each othe
 class Bonded(NamedTuple):
     """`springs`, `ks` and `frail` of `vv.dem.bond_law.pull`; None where there is nothing."""
 
-    springs: tuple[Index, Vector, Vector, Vector, Vector, Vector] | None
+    springs: Springs | None
     ks: Vector | None
-    frail: tuple[Vector, Vector, float, Index] | None
+    frail: Frail | None
 
 
 def bonded(scene: Scene, moves: Mask, row: Index) -> Bonded:
@@ -38,9 +40,6 @@ def bonded(scene: Scene, moves: Mask, row: Index) -> Bonded:
         ks if ks.any() else None,
         frail if Term.BREAKAGE in scene.terms() else None,
     )
-
-
-Near = tuple[Vector, Vector, Index, float, Index, Index]
 
 
 def near(scene: Scene, moves: Mask, row: Index) -> Near | None:

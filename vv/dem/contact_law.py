@@ -4,15 +4,12 @@ from __future__ import annotations
 
 import math
 
-import numpy as np
-import numpy.typing as npt
-
 from vv.compiled import inlined
 from vv.dem.friction import share_closed, sheared
+from vv.dem.rows import Index
 from vv.scene import Vector
 from vv.triples import NOWHERE, Triple, at, cross, dot, plus, put
 
-Index = npt.NDArray[np.intp]
 Pairs = tuple[Index, Vector, Vector, Vector]
 Walls = tuple[Index, Vector, Vector, Vector]
 

@@ -20,6 +20,14 @@ def share_closed(overlap: float, opened: float) -> float:
 
 
 @inlined
+def turned(s: Triple, n: Triple, angle: float) -> Triple:
+    """s turned about n, to which it is perpendicular, by a small angle [rad]; keeps its length."""
+    square = 0.25 * angle * angle
+    cosine, sine = (1.0 - square) / (1.0 + square), angle / (1.0 + square)
+    return plus(plus(NOWHERE, cosine, s), sine, cross(n, s))
+
+
+@inlined
 def sheared(
     spring: Triple,
     n: Triple,
@@ -40,9 +48,7 @@ def sheared(
     """
     old = plus(spring, -dot(n, spring) / (1.0 + dot(n, n_before)), plus(n, 1.0, n_before))
     if twist is not None:
-        square = 0.25 * twist * twist
-        cosine, sine = (1.0 - square) / (1.0 + square), twist / (1.0 + square)
-        old = plus(plus(NOWHERE, cosine, old), sine, cross(n, old))
+        old = turned(old, n, twist)
         slide = plus(slide, 0.5 * twist, cross(n, slide))  # the spring turns as it is charged
     slide = plus(slide, -dot(n, slide), n)
     trial = plus(old, -ks, slide)

@@ -8,10 +8,10 @@ import numpy as np
 import numpy.typing as npt
 
 from vv.compiled import called, inlined
+from vv.dem.rows import Index
 from vv.scene import Vector
 from vv.triples import at, dot, plus, put
 
-Index = npt.NDArray[np.intp]
 Near = tuple[Vector, Vector, Index, float, Index, Index]
 Slots = tuple[Index, Index, Vector, Vector, Vector, Vector]
 State = npt.NDArray[np.uint8]

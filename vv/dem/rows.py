@@ -1,10 +1,13 @@
-"""Vectors of the spheres that move, with what their locks leave of them."""
+"""Vectors of the spheres that move, with what their locks leave of them, and their rows."""
 
 from __future__ import annotations
 
 import numpy as np
+import numpy.typing as npt
 
 from vv.scene import Mask, Vector
+
+Index = npt.NDArray[np.intp]
 
 
 def triple(vector: Vector) -> tuple[float, float, float]:

@@ -74,7 +74,7 @@ class Program:
     @functools.cached_property
     def arguments(self) -> tuple[Any, ...]:
         """What the kernel is called with: outputs, stride, dt, the scene, the leapfrog."""
-        goal, dt = self.ask.goal, self.dt
+        goal, dt = self.ask.goal, self.ask.dt
         outputs = self.system.outputs(len(goal.times(dt)), self.spheres)
         leapfrog = (self.leapfrog.lag, self.leapfrog.back)
         return (*outputs, goal.stride(dt), dt, *self.system.state, *leapfrog)
@@ -83,13 +83,6 @@ class Program:
     def spheres(self) -> tuple[int, ...]:
         """The spheres observed; raises ValueError for a body that is none."""
         return tuple(self.stood.scene.sphere_index(what.body) for what in self.ask.observables)
-
-    @property
-    def dt(self) -> float:
-        """The step [s]; raises ValueError if the ask has none."""
-        if self.ask.knobs.dt is None:
-            raise ValueError("Knobs.dt is None; an explicit scheme needs a step")
-        return self.ask.knobs.dt
 
     def warm(self) -> None:
         """Load or compile the kernel for these arguments; no step is taken."""
@@ -102,7 +95,7 @@ class Program:
 
     def run(self, rows: int) -> Run:
         """The Run of a solve that returned `rows`; its cost is left empty."""
-        goal, dt = self.ask.goal, self.dt
+        goal, dt = self.ask.goal, self.ask.dt
         path, energy = self.arguments[:2]
         whole = rows == len(path)
         values = {
@@ -122,8 +115,8 @@ class Program:
         )
 
     def _why(self, energy: Vector, row: int) -> str:
-        step = row * self.ask.goal.stride(self.dt)
-        when = f"by step {step}, t = {step * self.dt:.6g} s"
+        step = row * self.ask.goal.stride(self.ask.dt)
+        when = f"by step {step}, t = {step * self.ask.dt:.6g} s"
         held, put_in = energy[row, :3].sum(), self.system.put_in(energy)
         if not np.isfinite(held):
             return f"{when}: the state is not finite"
@@ -136,16 +129,16 @@ class Program:
         terms = self.system.held(path, energy)
         put_in = self.system.put_in(energy)
         peak = max(put_in, float(terms[:, :3].sum(axis=1).max()))
-        bound = self.system.bound(energy, self.leapfrog, self.dt)
+        bound = self.system.bound(energy, self.leapfrog, self.ask.dt)
         if bound is not None:
             # each step rounds what is held, and every sum of work that it adds to
             rounded = ROUNDINGS * peak + float(np.abs(terms).max())
-            bound += rounded * EPS * (self.ask.goal.steps(self.dt) + 1)
+            bound += rounded * EPS * (self.ask.goal.steps(self.ask.dt) + 1)
         gap = terms.sum(axis=1) - put_in
         audits = {} if isinstance(self.system, Line) else dict(_audits(self.stood.scene, terms))
         if self.stood.scene.bonds is not None:
             order = 2 if self.leapfrog == CENTRED else 1
-            audits[GAINED] = float(gap.max(initial=0.0)), peak * (self.dt / self.limit) ** order
+            audits[GAINED] = float(gap.max(initial=0.0)), peak * (self.ask.dt / self.limit) ** order
         return Ledger(
             terms=dict(zip(LEDGER[: terms.shape[1]], terms[-1].tolist(), strict=True)),
             unaccounted=float(np.abs(gap).max()),

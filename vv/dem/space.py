@@ -7,19 +7,19 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 
 from vv.ask import Displacement, Observable, Reaction
-from vv.dem.bonded import Near, bonded, near
+from vv.dem.bonded import bonded, near
 from vv.dem.leapfrog import Leapfrog
-from vv.dem.rows import projected, projectors, triple
+from vv.dem.rows import Index, projected, projectors, triple
 from vv.scene import Harmonic, Mask, Scene, Term, Vector
 
 if TYPE_CHECKING:
-    from vv.drive import Drive, Starts
-
-Index = npt.NDArray[np.intp]
-Contacts = tuple[Index, Vector, Vector, Vector]
+    from vv.dem.bond_law import Frail, Springs
+    from vv.dem.contact_law import Pairs, Walls
+    from vv.dem.driven import Base
+    from vv.dem.neighbours import Near
+    from vv.drive import Drive
 
 
 class SpaceState(NamedTuple):
@@ -33,19 +33,19 @@ class SpaceState(NamedTuple):
     load: Vector | None
     hold: Vector | None
     hold_spin: Vector | None
-    pairs: Contacts | None
-    walls: Contacts | None
+    pairs: Pairs | None
+    walls: Walls | None
     kn: float
     friction: tuple[float, float] | None
     eta: float | None
     charged: Vector | None
     shaking: Drive | None
-    base: tuple[Drive, Starts] | None
+    base: Base | None
     grounds: Index | None
     carried: Vector | None
-    springs: tuple[Index, Vector, Vector, Vector, Vector, Vector] | None
+    springs: Springs | None
     bond_ks: Vector | None
-    frail: tuple[Vector, Vector, float, Index] | None
+    frail: Frail | None
     near: Near | None
 
 
@@ -172,7 +172,7 @@ def _shaking(motion: Harmonic | None) -> Drive | None:
     return drive(motion)
 
 
-def _base(scene: Scene) -> tuple[Drive, Starts] | None:
+def _base(scene: Scene) -> Base | None:
     """How all walls move, or None if none does."""
     motions = tuple(wall.motion for wall in scene.walls)
     if not any(motions):
@@ -182,7 +182,7 @@ def _base(scene: Scene) -> tuple[Drive, Starts] | None:
     return drives(motions)
 
 
-def _pairs(scene: Scene, moves: Mask, row: Index) -> Contacts | None:
+def _pairs(scene: Scene, moves: Mask, row: Index) -> Pairs | None:
     """All pairs of which one moves: rows, first offset, first gap, radii."""
     spheres = scene.spheres
     i, j = np.triu_indices(len(spheres), 1)
@@ -196,7 +196,7 @@ def _pairs(scene: Scene, moves: Mask, row: Index) -> Contacts | None:
     return np.stack([row[i], row[j]], axis=1), offset, gap, radii
 
 
-def _walls(scene: Scene, moves: Mask, row: Index) -> Contacts | None:
+def _walls(scene: Scene, moves: Mask, row: Index) -> Walls | None:
     """Every moving sphere with every wall: row, normal, first gap, radius."""
     spheres = scene.spheres
     if not scene.walls or not moves.any():

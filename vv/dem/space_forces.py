@@ -6,8 +6,9 @@ import numpy as np
 
 from vv.compiled import inlined
 from vv.dem.bond_law import Frail, Springs, pull
-from vv.dem.contact_law import Index, Pairs, Walls, pair_forces, wall_forces
+from vv.dem.contact_law import Pairs, Walls, pair_forces, wall_forces
 from vv.dem.neighbours import Near, Slots, State
+from vv.dem.rows import Index
 from vv.drive import Drive
 from vv.scene import Vector
 from vv.triples import NOWHERE, Triple, at, plus, put

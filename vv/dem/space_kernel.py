@@ -9,10 +9,11 @@ import numpy as np
 from vv.compiled import compiled
 from vv.dem.advance import held, kick, place, upheld
 from vv.dem.bond_law import Frail, Springs
-from vv.dem.contact_law import Index, Pairs, Walls
+from vv.dem.contact_law import Pairs, Walls
 from vv.dem.driven import Base, carry
 from vv.dem.limits import BLOW_UP, GAIN
 from vv.dem.neighbours import Near, gathered, no_slots, strayed
+from vv.dem.rows import Index
 from vv.dem.space_forces import forces, rest
 from vv.drive import Drive, value
 from vv.scene import Vector

@@ -8,9 +8,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vv.dem.bonded import Index
 from vv.dem.leapfrog import Leapfrog
 from vv.dem.line import line
+from vv.dem.rows import Index
 from vv.dem.space import SpaceState, space
 from vv.frozen import Mask
 from vv.scene import Scene, Vector

@@ -36,14 +36,21 @@ def ledger(path: Path) -> Ledger:
         "gravity potential": -q @ system.weight,
         "load potential": -q @ system.load,
     }
+    return balanced(terms, 3)
+
+
+def balanced(terms: dict[str, Vector], stored: int) -> Ledger:
+    """The ledger of terms (p + 1,) [J], the first few of which are stored in motion and springs.
+
+    They are stated at t = 0 and at the end of every piece; their sum should not change.
+    """
     held = np.array(list(terms.values()))
     total = held.sum(axis=0)
-    pieces = len(path.start)
     return Ledger(
         terms={name: float(term[-1]) for name, term in terms.items()},
         unaccounted=float(np.abs(total - total[0]).max()),
-        peak=float(held[:3].sum(axis=0).max()),
-        bound=ROUNDINGS * EPS * (pieces + 1) * float(np.abs(held).sum(axis=0).max()),
+        peak=float(held[:stored].sum(axis=0).max()),
+        bound=ROUNDINGS * EPS * len(total) * float(np.abs(held).sum(axis=0).max()),
     )
 
 

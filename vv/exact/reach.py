@@ -13,7 +13,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from vv.scene import Scene, Spheres, Vector
+from vv.scene import Scene, Spheres, Vector, Wall
 
 EPS = float(np.finfo(float).eps)
 BLUR = 64 * EPS  # directions closer than this are the same: rounding of a rotation, with room
@@ -47,21 +47,10 @@ class Touch:
         return (self.second,) if self.first is None else (self.first, self.second)
 
 
-def body_numbers(scene: Scene) -> tuple[list[int], list[int]]:
-    """The body numbers of the spheres and of the walls, in order."""
-    spheres: list[int] = []
-    walls: list[int] = []
-    for group in scene.bodies:
-        first = len(spheres) + len(walls)
-        kind = spheres if isinstance(group, Spheres) else walls
-        kind.extend(range(first, first + len(group)))
-    return spheres, walls
-
-
 def touches(scene: Scene) -> Iterator[Touch]:
     """Every pair of bodies; gaps within rounding of zero are zero. Raises RefusedError."""
     spheres = scene.spheres
-    sphere_names, wall_names = body_numbers(scene)
+    sphere_names, wall_names = scene.numbers(Spheres), scene.numbers(Wall)
     for j, (x, radius) in enumerate(zip(spheres.position, spheres.radius, strict=True)):
         for wall, name in zip(scene.walls, wall_names, strict=True):
             normal = wall.normal / math.sqrt(math.fsum(wall.normal**2))

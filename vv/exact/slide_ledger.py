@@ -5,14 +5,10 @@ from __future__ import annotations
 import numpy as np
 
 from vv.ask import Ledger
-from vv.exact.ledger import ROUNDINGS, derivative, product_integral, running
-from vv.exact.modes import State
+from vv.exact.ledger import balanced, derivative, product_integral, running
 from vv.exact.path import taylor_sum
-from vv.exact.roots import EPS
 from vv.exact.slide_path import Slide
 from vv.scene import Vector
-
-SIGN = {state: float(state.sign) for state in State}
 
 
 def slide_ledger(path: Slide) -> Ledger:
@@ -32,14 +28,7 @@ def slide_ledger(path: Slide) -> Ledger:
         "work left to shaking": -running(shaking),
         "work left to the wall": -running(base),
     }
-    held = np.array(list(terms.values()))
-    total = held.sum(axis=0)
-    return Ledger(
-        terms={name: float(term[-1]) for name, term in terms.items()},
-        unaccounted=float(np.abs(total - total[0]).max()),
-        peak=float(held[0].max()),
-        bound=ROUNDINGS * EPS * (len(path) + 1) * float(np.abs(held).sum(axis=0).max()),
-    )
+    return balanced(terms, 1)
 
 
 def _ends(path: Slide) -> tuple[Vector, Vector]:
@@ -54,7 +43,7 @@ def _ends(path: Slide) -> tuple[Vector, Vector]:
 def _works(path: Slide) -> tuple[Vector, Vector, Vector]:
     """Works (p,) [J] against friction, of the shaking and of the wall, in each piece."""
     slider = path.slider
-    sign = np.array([SIGN[state] for state in path.states])[:, None]
+    sign = np.array([state.sign for state in path.states], float)[:, None]
     press, pull = _waved(path, slider.press), _waved(path, slider.pull)
     wall, lift = (_rate(path, _waved(path, _row(slider.base, a))) for a in _axes(path))
     speed = _rate(path, path.series)

@@ -59,11 +59,11 @@ def assemble(scene: Scene) -> System:
     """The equations of motion of a scene; raises RefusedError if it is outside the class."""
     check_terms(scene)
     check_spheres(scene)
-    law = scene.contact
+    rough = scene.contact.rubs
     candidates = list(touches(scene))
     spaces = reachable(scene, candidates)
-    kept = [touch for touch in candidates if _matters(touch, spaces, law.ks * law.mu > 0)]
-    shearing = [_tangent(touch, spaces) if law.ks * law.mu > 0 else None for touch in kept]
+    kept = [touch for touch in candidates if _matters(touch, spaces, rough)]
+    shearing = [_tangent(touch, spaces) if rough else None for touch in kept]
     springs = tuple(c for c, tangent in enumerate(shearing) if tangent is not None)
     return equations(scene, spaces, kept, springs, [t for t in shearing if t is not None], untied)
 
