@@ -9,6 +9,7 @@ from pathlib import Path
 from vv import dem
 from vv.adapter import Found, Scheme, part_of_vv
 from vv.ask import Ask, Displacement, Method, Model, Reaction, Run, Velocity
+from vv.energy import Form
 from vv.scene import Term
 from vv.script import python_script
 from vv.timing import run_timed
@@ -45,6 +46,7 @@ SCHEMES = (
         KNOBS,
         lowered={Term.RIGID_CONTACT: Method.PENALTY},
         observables=OBSERVABLES,
+        energies=frozenset(Form),
     ),
     Scheme(
         "published",
@@ -62,6 +64,7 @@ SCHEMES = (
             Term.BASE_MOTION: Method.FIRST_ORDER,
         },
         observables=OBSERVABLES,
+        energies=frozenset(Form),
     ),
 )
 LEAPFROGS: Mapping[str, dem.Leapfrog] = {"default": dem.CENTRED, "published": dem.LAGGED}

@@ -36,7 +36,8 @@ OUTPUTS = 2000
 
 
 @functools.lru_cache(maxsize=4)
-def _block(size: int, d: float) -> Lattice:
+def block_of(size: int, d: float) -> Lattice:
+    """The block of that many elements."""
     return lattice(*SIZES[size], d)
 
 
@@ -87,7 +88,7 @@ def _largest(block: Lattice, which: int, run: Run) -> float:
 
 def _declare(variant: str, p: Parameters) -> Trial:
     way, size = variant.split("-")
-    block = _block(int(size), p["d"])
+    block = block_of(int(size), p["d"])
     kn, ks, d = p["kn"], p["ks"], p["d"]
     whole = functools.partial(unhurried, functools.partial(_largest, block))
     if way == "pulled":

@@ -11,6 +11,7 @@ from reports.charts import Chart
 from reports.text import brief, power
 from vv.metrics import Vector
 
+PLAIN = 1e-2  # numbers below it are written with a power of ten, each with its own
 DECADES = 6  # labels on a logarithmic axis, at most about this many
 
 
@@ -20,6 +21,9 @@ def draw_axes(axes: Any, chart: Chart) -> None:
     axes.set_ylabel(chart.y_label, labelpad=3)
     axes.grid(True)
     axes.tick_params(length=0, pad=4)
+    for axis, log in ((axes.xaxis, chart.x_log), (axes.yaxis, chart.y_log)):
+        if not log and _largest(chart, axis.axis_name) < PLAIN:
+            axis.set_major_formatter(lambda tick, _: brief(tick))
     if chart.x_log:
         steps = [rim.x for rim in chart.rims if rim.x]
         _log_axis(axes.xaxis, axes.set_xlim, _positive(chart, "x", steps), 0.08)
@@ -29,6 +33,10 @@ def draw_axes(axes: Any, chart: Chart) -> None:
             values = values[values >= np.percentile(values, 4)]
         _log_axis(axes.yaxis, axes.set_ylim, values, 0.06)
     _draw_guides(axes, chart)
+
+
+def _largest(chart: Chart, axis: str) -> float:
+    return max((float(np.nanmax(np.abs(getattr(c, axis)))) for c in chart.curves), default=1.0)
 
 
 def _positive(chart: Chart, axis: str, others: list[float]) -> Vector:

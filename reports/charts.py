@@ -91,13 +91,16 @@ def relative_errors(histories: Sequence[History]) -> tuple[Chart | None, dict[st
 
 
 def error_against_step(ladders: Sequence[Ladder], label: str) -> Chart | None:
-    """The judged error against dt; a scheme without dt as a level line."""
+    """The judged error against dt; a scheme without dt as a level line. None without errors."""
     steps = [p.dt for ladder in ladders for p in ladder.points if p.dt is not None]
     if not steps:
         return None
     low = _sinking(ladders)
     curves = tuple(_against_step(ladders, low, (min(steps), max(steps))))
-    return Chart("dt [s]", label, True, True, curves, rims=_rims(ladders, low, "dt"), guides=(1, 2))
+    rims = _rims(ladders, low, "dt")
+    if not curves and not rims:
+        return None
+    return Chart("dt [s]", label, True, True, curves, rims=rims, guides=(1, 2))
 
 
 def error_against_cost(ladders: Sequence[Ladder], label: str) -> Chart:

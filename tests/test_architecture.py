@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).parents[1]
-DATA = {"vv.digest", "vv.frozen", "vv.bodies", "vv.block", "vv.bonds", "vv.scene"}
+DATA = {"vv.digest", "vv.frozen", "vv.bodies", "vv.block", "vv.bonds", "vv.energy", "vv.scene"}
 CORE = DATA | {"vv.ask"}
 ENGINES = {"vv.exact", "vv.dem", "vv.blocks"}
 JUDGED = {"vv.finding", "vv.gate", "vv.reading", "vv.record"}
@@ -28,6 +28,7 @@ LAYERS: dict[str, tuple[str, set[str], set[str]]] = {
     "bodies": ("vv/bodies.py", {"vv.frozen"}, set()),
     "block": ("vv/block.py", {"vv.frozen"}, set()),
     "bonds": ("vv/bonds.py", {"vv.frozen"}, set()),
+    "energy": ("vv/energy.py", set(), set()),
     "scene": ("vv/scene.py", DATA, set()),
     "transform": ("vv/transform.py", DATA, set()),
     "ask": ("vv/ask.py", DATA, set()),

@@ -31,6 +31,11 @@ def test_points_without_a_result_go_to_the_rim_and_refusals_nowhere() -> None:
         assert [list(curve.y) for curve in chart.curves] == [[1e-4]]
 
 
+def test_what_has_no_error_has_no_chart_of_errors() -> None:
+    shown = record("a/a", "T1", 1e-3, quantities=[entry("no-reference", {})])
+    assert charts.error_against_step(ladders([shown], "y", marks(["a/a"])), "e") is None
+
+
 def test_indicative_costs_are_hollow_and_failures_ringed() -> None:
     first = record("a/a", "T1", 4e-3, quantities=[entry("fail", {"max": 1e-2})])
     second = record(

@@ -79,4 +79,5 @@ def test_no_ask_knows_the_case_it_comes_from() -> None:
         "observables",
         "knobs",
         "search",
+        "energies",
     }

@@ -14,12 +14,24 @@ from tests.small_scenes import small_scene
 from vv.ask import Ask, Displacement, History, Knobs, Status, Velocity
 from vv.bodies import Harmonic
 from vv.digest import digest
+from vv.energy import Form
 from vv.scene import Contact, Scene, Spheres, Wall
 from vv.script import python_script, source
 
 NAMES = {
     kind.__name__: kind
-    for kind in (Ask, Contact, Displacement, Harmonic, History, Knobs, Scene, Spheres, Velocity)
+    for kind in (
+        Ask,
+        Contact,
+        Displacement,
+        Form,
+        Harmonic,
+        History,
+        Knobs,
+        Scene,
+        Spheres,
+        Velocity,
+    )
 } | {"Wall": Wall, "np": np}
 
 
@@ -30,7 +42,8 @@ def rebuilt(ask: Ask) -> object:
 @given(st.integers(0, 10**6), st.sampled_from([None, 1e-4]))
 def test_the_text_is_the_ask_bit_for_bit(seed: int, dt: float | None) -> None:
     seen = (Displacement(1), Velocity(1))
-    ask = Ask(small_scene(seed), History(0.4, 1e-3), seen, Knobs(dt=dt))
+    forms = (Form.KINETIC, Form.BROKEN_SHEAR)
+    ask = Ask(small_scene(seed), History(0.4, 1e-3), seen, Knobs(dt=dt), energies=forms)
     assert digest(rebuilt(ask)) == digest(ask)
 
 

@@ -10,6 +10,7 @@ from typing import Protocol
 
 import vv
 from vv.ask import Ask, Displacement, Method, Model, Run, Velocity
+from vv.energy import Form
 from vv.scene import Scene, Term
 
 
@@ -19,7 +20,7 @@ class Scheme:
 
     knobs: names of the fields of Knobs it has. terms: what it supports. method: its class;
     `lowered` names the terms in whose presence it is declared to be of another class.
-    observables: the kinds it can report.
+    observables: the kinds it can report; energies: the forms it can report over time.
     """
 
     name: str
@@ -29,6 +30,7 @@ class Scheme:
     knobs: tuple[str, ...] = ("dt",)
     lowered: Mapping[Term, Method] = field(default_factory=dict)
     observables: frozenset[type] = frozenset({Displacement, Velocity})
+    energies: frozenset[Form] = frozenset()
 
     def method_for(self, terms: frozenset[Term]) -> Method:
         """The class of the method on a scene with these terms."""
@@ -125,4 +127,6 @@ def unsupported(scheme: Scheme, terms: frozenset[Term]) -> frozenset[Term]:
 def unseen(scheme: Scheme, ask: Ask) -> str | None:
     """What an ask wants to see and a scheme does not report; None if there is nothing."""
     kinds = {type(what) for what in ask.observables} - scheme.observables
-    return ", ".join(sorted(kind.__name__ for kind in kinds)) or None
+    forms = [form for form in ask.energies if form not in scheme.energies]
+    energy = [f"energy over time ({'; '.join(form.value for form in forms)})"] if forms else []
+    return ", ".join([*sorted(kind.__name__ for kind in kinds), *energy]) or None

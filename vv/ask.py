@@ -9,6 +9,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from vv.digest import digest
+from vv.energy import Form
 from vv.scene import Scene, Term, Vector
 
 
@@ -157,7 +158,8 @@ class Ask:
     """One question to a code: this scene, with these knobs, observed so.
 
     search: None, or where to look for the largest stable step; the ask is then that of the first
-    step tried, and the goal of any other is as many steps long.
+    step tried, and the goal of any other is as many steps long. energies: forms of energy of the
+    whole scene that are wanted over time, beside the observables.
     """
 
     scene: Scene
@@ -165,10 +167,12 @@ class Ask:
     observables: tuple[Observable, ...]
     knobs: Knobs = field(default_factory=Knobs)
     search: Bracket | None = None
+    energies: tuple[Form, ...] = ()
 
     def digest(self) -> str:
         """Fingerprint of everything that decides the answer."""
-        return digest(self.scene.digest(), self.goal, self.observables, self.knobs, self.search)
+        asked = self.observables, self.knobs, self.search, self.energies
+        return digest(self.scene.digest(), self.goal, *asked)
 
     @property
     def dt(self) -> float:
@@ -182,7 +186,7 @@ class Ask:
         ratio = dt / (self.knobs.dt or dt)
         goal = History(self.goal.duration * ratio, self.goal.interval * ratio)
         knobs = Knobs(dt, self.knobs.kn)
-        return Ask(self.scene, goal, self.observables, knobs)
+        return Ask(self.scene, goal, self.observables, knobs, energies=self.energies)
 
 
 @dataclass(frozen=True)
@@ -236,7 +240,8 @@ class Ledger:
 class Run:
     """What came of an ask: a status with its reason and, if it ran, the observables.
 
-    times: (k,) [s]; values: observable -> (k, 3), in the scene's frame. tried: of a search, (n, 2)
+    times: (k,) [s]; values: observable -> (k, 3), in the scene's frame; energies: form -> (k,)
+    [J], where they were asked. tried: of a search, (n, 2)
     the steps tried, ascending [s], and the largest component of an observable in each run, inf
     where it did not come to its end; the times and values are then those of the first step.
     """
@@ -249,4 +254,5 @@ class Run:
     steps: int = 0
     model: Model | None = None
     ledger: Ledger | None = None
+    energies: Mapping[Form, Vector] = field(default_factory=dict)
     tried: Vector = field(default_factory=lambda: np.zeros((0, 2)))

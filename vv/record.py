@@ -66,6 +66,19 @@ def _observed(run: Run, ask: Ask) -> Run:
             return Run(Status.DIVERGED, f"{observable} is not finite from t = {first:.6g} s")
     if ask.search is not None and not len(run.tried):
         return Run(Status.ERROR, "the run does not say which steps were tried")
+    return _energetic(run, ask)
+
+
+def _energetic(run: Run, ask: Ask) -> Run:
+    """The run, or the failure that it is for want of a form of energy or of a finite number."""
+    for form in ask.energies:
+        energy, due = run.energies.get(form), run.times.shape
+        if energy is None or energy.shape != due:
+            what = "not reported" if energy is None else f"reported with shape {energy.shape}"
+            return Run(Status.ERROR, f"energy '{form.value}' was asked in shape {due} and {what}")
+        if not np.isfinite(energy).all():
+            first = run.times[int(np.argmin(np.isfinite(energy)))]
+            return Run(Status.DIVERGED, f"energy '{form.value}' is not finite from {first:.6g} s")
     return run
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import enum
 import math
 from collections.abc import Iterator
 from typing import Any
@@ -31,8 +32,9 @@ ask = {ask}
 run = {module}.{function}(ask)
 if run.status is not Status.RAN:
     sys.exit(f"{{run.status.value}}: {{run.reason}}")
-print("# t", *ask.observables, sep=", ")
+print("# t", *ask.observables, *ask.energies, sep=", ")
 columns = [run.times, *(run.values[observable] for observable in ask.observables)]
+columns += [run.energies[form] for form in ask.energies]
 np.savetxt(sys.stdout, np.column_stack(columns), fmt="%.17g")
 '''
 
@@ -40,7 +42,8 @@ np.savetxt(sys.stdout, np.column_stack(columns), fmt="%.17g")
 def python_script(ask: Ask, engine_module: str, function: str) -> str:
     """The text of a script that puts `ask` to `engine_module.function(ask) -> Run`.
 
-    The script prints a header, then a row per time: t, then three components per observable.
+    The script prints a header, then a row per time: t, then three components per observable and
+    one number per form of energy.
     It rebuilds the ask bit for bit; data equal to a default is left out. Needs vv and numpy.
     """
     used = {(kind.__module__, kind.__name__) for kind in _kinds(ask)} | {("vv.ask", "Status")}
@@ -64,6 +67,8 @@ def source(value: Any, indent: int = 0) -> str:
         parts = [source(part, indent + 4) for part in value]
         closing = ",)" if len(parts) == 1 else ")"
         return _bracketed("(", parts, closing, indent)
+    if isinstance(value, enum.Enum):
+        return f"{type(value).__name__}.{value.name}"
     if isinstance(value, float) and not math.isfinite(value):
         return f'float("{value}")'
     return repr(value)
@@ -101,3 +106,5 @@ def _kinds(value: Any) -> Iterator[type]:
     elif isinstance(value, tuple):
         for part in value:
             yield from _kinds(part)
+    elif isinstance(value, enum.Enum):
+        yield type(value)

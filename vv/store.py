@@ -24,6 +24,7 @@ from typing import Any
 import numpy as np
 
 from vv.ask import Cost, Displacement, Ledger, Model, Observable, Reaction, Run, Status, Velocity
+from vv.energy import Form
 from vv.files import deliver, write
 from vv.scene import Term, Vector
 
@@ -59,6 +60,7 @@ class Store:
         """Store a run that ran; failures are never kept."""
         if run.status is Status.RAN:
             arrays = {f"value{i}": value for i, value in enumerate(run.values.values())}
+            arrays |= {f"energy {form.name}": value for form, value in run.energies.items()}
             meta = np.array(_meta(run, key))
             self._keep_arrays(
                 "runs", key, {"meta": meta, "t": run.times, "tried": run.tried, **arrays}
@@ -223,5 +225,6 @@ def _run_from(meta: dict[str, Any], arrays: dict[str, Vector]) -> Run:
         steps=meta["steps"],
         model=model,
         ledger=Ledger(**ledger) if ledger else None,
+        energies={form: arrays[name] for form in Form if (name := f"energy {form.name}") in arrays},
         tried=arrays["tried"],
     )

@@ -7,6 +7,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from vv.ask import Ask, Bracket, History, Knobs, Observable
+from vv.energy import Form
 from vv.scene import Scene
 
 
@@ -33,6 +34,7 @@ class Ladder:
     """One scene at rungs of finer and finer knobs, each judged against a reference.
 
     rungs: level -> knobs, coarsest first. timed: the rungs that the timing phase measures.
+    energies: forms of energy of the scene that are wanted over time.
     """
 
     scene: Scene
@@ -40,6 +42,7 @@ class Ladder:
     observables: tuple[Observable, ...]
     rungs: Mapping[Level, tuple[Knobs, ...]]
     timed: tuple[Knobs, ...] = ()
+    energies: tuple[Form, ...] = ()
 
     def __post_init__(self) -> None:
         missing = [level.value for level in Level if not self.rungs.get(level)]
@@ -48,7 +51,7 @@ class Ladder:
 
     def ask(self, knobs: Knobs) -> Ask:
         """The question put at one rung."""
-        return Ask(self.scene, self.goal, self.observables, knobs)
+        return Ask(self.scene, self.goal, self.observables, knobs, energies=self.energies)
 
 
 @dataclass(frozen=True, eq=False)

@@ -17,24 +17,12 @@ from vv.dem.pressed import Pressed, pressed
 from vv.dem.safe import PACKED
 from vv.dem.space import Space, space
 from vv.dem.stability import critical_step
+from vv.energy import Form
 from vv.scene import LOCKED, Scene, Vector
 from vv.stand_in import Stood, sprung
 from vv.stand_in import why_not as why_not_rigid
 
-LEDGER = (
-    "kinetic",
-    "normal elastic",
-    "shear elastic",
-    "friction dissipation",
-    "drag dissipation",
-    "gravity potential",
-    "load potential",
-    "less work of shaking",
-    "less work of moving walls",
-    "less work of carried bodies",
-    "breaking dissipation, normal",
-    "breaking dissipation, shear",
-)
+FORMS = tuple(Form)  # the columns of a ledger, in their order
 EPS = float(np.finfo(float).eps)
 ROUNDINGS = 16  # of the peak energy, allowed for each step
 GAINED = "energy that comes from nowhere [J]"
@@ -112,7 +100,17 @@ class Program:
             steps=goal.stride(dt) * (rows - 1 if whole else rows),
             model=self.model,
             ledger=self._ledger(path, energy) if whole else None,
+            energies=self._energies(path[:rows], energy[:rows]),
         )
+
+    def _energies(self, path: Vector, energy: Vector) -> dict[Form, Vector]:
+        """The forms asked for, (k,) each; zeros for what the scene does not have."""
+        if not self.ask.energies:
+            return {}
+        terms = self.system.held(path, energy)
+        told = dict(zip(FORMS[: len(terms.T)], terms.T, strict=True))
+        none = np.zeros(len(terms))
+        return {form: np.array(told.get(form, none)) for form in self.ask.energies}
 
     def _why(self, energy: Vector, row: int) -> str:
         step = row * self.ask.goal.stride(self.ask.dt)
@@ -140,7 +138,7 @@ class Program:
             order = 2 if self.leapfrog == CENTRED else 1
             audits[GAINED] = float(gap.max(initial=0.0)), peak * (self.ask.dt / self.limit) ** order
         return Ledger(
-            terms=dict(zip(LEDGER[: terms.shape[1]], terms[-1].tolist(), strict=True)),
+            terms={form.value: float(terms[-1, k]) for k, form in enumerate(FORMS[: len(terms.T)])},
             unaccounted=float(np.abs(gap).max()),
             peak=peak,
             bound=bound,
@@ -152,7 +150,7 @@ def prepare(ask: Ask, leapfrog: Leapfrog) -> Program:
     """The program of an ask, with the smallest model its scene allows."""
     stood = sprung(ask)
     scene, charged = stood.scene, stood.charged
-    if any(isinstance(what, Reaction) for what in ask.observables):
+    if ask.energies or any(isinstance(what, Reaction) for what in ask.observables):
         return Program(ask, leapfrog, space(scene, charged), stood)
     system = line(scene) or pressed(scene, charged) or space(scene, charged)
     return Program(ask, leapfrog, system, stood)
