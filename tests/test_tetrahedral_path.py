@@ -6,7 +6,8 @@ import pytest
 from reference_solutions import tetrahedral_unit
 from vv import dem
 from vv.ask import Method, Run
-from vv.case import Exact, Parameters, Scalar, Trial, judge_of
+from vv.case import Exact, Parameters, Scalar, Trial
+from vv.judges import judge_of
 from vv.project import find
 
 CASE = find().load_case("tetrahedral-path")
