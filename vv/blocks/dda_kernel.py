@@ -42,6 +42,7 @@ from vv.blocks.dda_energy import (
 from vv.blocks.dda_iterate import iterate
 from vv.blocks.dda_limits import CUTS, GAIN
 from vv.blocks.dda_rows import lost, note
+from vv.blocks.dda_turning import convected
 from vv.blocks.geometry import Index, Planes, Shapes
 from vv.compiled import called, compiled
 from vv.drive import Drive, Starts, one_of, travel, value
@@ -79,6 +80,7 @@ def move_blocks(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
     tolerance: float,
     iterations: int,
     terms: int,
+    turns: int,
     dd: float,
     hold: float,
     bodies: Bodies,
@@ -99,7 +101,7 @@ def move_blocks(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
 ) -> int:
     """Step all blocks by DDA; return rows filled.
 
-    settling: steps before t = 0 with drives at rest; tolerance, iterations, terms, dd: see
+    settling: steps before t = 0 with drives at rest; tolerance, iterations, terms, turns, dd: see
     Formulation; hold: 1 where it is charged, else 0; begun: the start; motion: becomes the end;
     base, starts: see `drives`; shaking: a body acceleration; kn, ks [N/m] and mu of every point
     of contact; reach [m]: see `found`; elastic: (q, 12) stiffness of strains [N m], laid out as
@@ -111,7 +113,7 @@ def move_blocks(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
     walls, q = len(planes.point), len(begun.velocity)
     shift, ahead, moved = np.zeros((walls, 3)), np.zeros((walls, 3)), np.zeros((walls, 3))
     mass, outer, flow = np.zeros((q, 12)), np.zeros(q), np.zeros(q)
-    d, pull = np.zeros(q), np.zeros(q)
+    d, pull, turn = np.zeros(q), np.zeros(q), np.zeros(q)
     ledger, worst, done = np.zeros(TERMS), np.zeros(REPORTS), -settling
     put_in, ever, most = 0.0, 0.0, np.inf
     copied(motion, begun)
@@ -131,6 +133,9 @@ def move_blocks(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
                     shake = value(shaking, done * dt + begin + part)
                 state, push, way = touch.state.copy(), touch.push.copy(), touch.way.copy()
                 pushed(outer, bodies, shake)
+                convected(turn, bodies, motion, mass, part, terms, turns)
+                for a in range(q):
+                    outer[a] += turn[a]
                 ended, solved, used, rub, relative = iterate(
                     d, touch, bodies, motion, mass, outer, moved, part, kn, ks, mu,
                     hold, tolerance, iterations, elastic,
@@ -167,6 +172,8 @@ def move_blocks(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
                 for a in range(q):
                     motion.velocity[a] *= dd
                 kept = dd * dd * ledger[KINETIC] + ledger[NORMAL] + ledger[SHEAR]
+                for a in range(q):  # inertia is found anew, as contacts are, and this led there
+                    kept -= turn[a] * d[a]
                 copy_rows(shift, ahead)
                 touch = found(touch, bodies, motion, shapes, moves, planes, shift, depth, reach)
                 masses(mass, bodies, motion)
