@@ -42,7 +42,7 @@ SCHEMES = (
         "as Yagoda-Biran & Hatzor (2016) ran it: friction of the iteration before, six "
         "iterations at most before a step is cut, 2 s of gravity before a drive sets in, springs "
         "ks = 0.4 kn that start unloaded and are let go by every slip, "
-        "rotations to first order; dynamic parameter 1",
+        "rotations to first order, without gyroscopic torque; dynamic parameter 1",
         Method.LAGGING,
         TERMS,
         KNOBS,

@@ -68,6 +68,15 @@ def copied(to: Motion, source: Motion) -> None:
 
 
 @called
+def product(second: Vector, one: Vector, two: Vector) -> float:
+    """tr(one second two^T) of slopes (3, 3): the integral of rho (one r) . (two r) [kg m2]."""
+    total = 0.0
+    for r in range(3):
+        total += dot(mapped(second, at(one, r)), at(two, r))
+    return total
+
+
+@called
 def masses(mass: Vector, bodies: Bodies, motion: Motion) -> None:
     """Fill mass (q, 12): the products of each unknown with those of its body, in order.
 
@@ -78,9 +87,7 @@ def masses(mass: Vector, bodies: Bodies, motion: Motion) -> None:
         for a in range(first, bodies.start[i + 1]):
             for b in range(first, bodies.start[i + 1]):
                 total = bodies.mass[i] * dot(at(bodies.line, a), at(bodies.line, b))
-                for r in range(3):
-                    total += dot(mapped(second, at(bodies.slope[a], r)), at(bodies.slope[b], r))
-                mass[a, b - first] = total
+                mass[a, b - first] = total + product(second, bodies.slope[a], bodies.slope[b])
 
 
 @called
@@ -135,9 +142,19 @@ def mapped(matrix: Vector, a: Triple) -> Triple:
 
 
 @called
+def reshaped(out: Vector, whole: Vector, second: Vector) -> None:
+    """out = whole second whole^T, all (3, 3); out may be second, which is symmetric."""
+    half = np.empty((3, 3))
+    for r in range(3):
+        put(half, r, mapped(whole, at(second, r)))
+    for r in range(3):
+        put(out, r, mapped(whole, (half[0, r], half[1, r], half[2, r])))
+
+
+@called
 def displace(motion: Motion, bodies: Bodies, shapes: Shapes, d: Vector, terms: int) -> None:
     """Move the blocks by unknowns d (q,); terms: see `stretched`."""
-    whole, half = np.empty((3, 3)), np.empty((3, 3))
+    whole = np.empty((3, 3))
     for i in range(len(bodies.mass)):
         stretched(whole, bodies, i, d, terms)
         before = at(motion.centre, i)
@@ -146,11 +163,7 @@ def displace(motion: Motion, bodies: Bodies, shapes: Shapes, d: Vector, terms: i
             arm = plus(at(motion.vertex, k), -1.0, before)
             put(motion.vertex, k, plus(centre, 1.0, mapped(whole, arm)))
         put(motion.centre, i, centre)
-        for r in range(3):  # second is symmetric: its rows are its columns
-            put(half, r, mapped(whole, at(motion.second[i], r)))
-        for r in range(3):
-            column = (half[0, r], half[1, r], half[2, r])
-            put(motion.second[i], r, mapped(whole, column))
+        reshaped(motion.second[i], whole, motion.second[i])
     for a in range(len(d)):
         motion.strain[a] += d[a]
     find_normals(motion.normal, shapes, motion.vertex)

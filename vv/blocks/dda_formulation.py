@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from vv.blocks.dda_limits import MOST, SERIES
+from vv.blocks.dda_limits import MOST, SERIES, TURNS
 from vv.stand_in import SHEAR
 
 PUBLISHED_SHEAR = 0.4
@@ -34,17 +34,19 @@ class Formulation:
     friction differs by more than this part of it from what the last solution gives; inf takes
     friction from the iteration before as it is (lagged). iterations: after so many a step is cut
     in halves. terms: of the exponential series by which a displacement gradient moves vertices;
-    one is T d (Yagoda-Biran 2016, Eqs. 3, 4), which lets turning blocks grow. settling: seconds
-    of gravity before a drive sets in. dd: the part of its velocity that a step hands on. shear:
-    ks/kn where the scene says rigid contact. pressed: contacts start with the penetration that
-    carries the loads; else as placed. charged: shear springs bear friction, of the loads at the
-    start and while a contact slides; else they start unloaded and are let go by every slip.
+    one is T d (Yagoda-Biran 2016, Eqs. 3, 4), which lets turning blocks grow. turns: rounds in
+    which the gyroscopic torque of a step is found; none leaves it out, as T d does. settling:
+    seconds of gravity before a drive sets in. dd: the part of its velocity that a step hands on.
+    shear: ks/kn where the scene says rigid contact. pressed: contacts start with the penetration
+    that carries the loads; else as placed. charged: shear springs bear friction, of the loads at
+    the start and while a contact slides; else they start unloaded and are let go by every slip.
     elastic: strains, None for none. Raises ValueError for a number out of range.
     """
 
     tolerance: float
     iterations: int
     terms: int
+    turns: int = TURNS
     settling: float = 0.0
     dd: float = 1.0
     shear: float = SHEAR
@@ -57,6 +59,7 @@ class Formulation:
             "tolerance": self.tolerance > 0,
             "iterations": self.iterations >= 1,
             "terms": self.terms >= 1,
+            "turns": self.turns >= 0,
             "settling": 0 <= self.settling < math.inf,
             "dd": 0 <= self.dd <= 1,
             "shear": 0 < self.shear < math.inf,
@@ -70,8 +73,9 @@ DEFAULT = Formulation(tolerance=1e-12, iterations=MOST, terms=SERIES)
 """Friction iterated to convergence within the open-close iteration."""
 
 PUBLISHED = Formulation(
-    tolerance=math.inf, iterations=6, terms=1, settling=2.0, shear=PUBLISHED_SHEAR, charged=False
-)
+    tolerance=math.inf, iterations=6, terms=1, turns=0, settling=2.0, shear=PUBLISHED_SHEAR,
+    charged=False,
+)  # fmt: skip
 """As in the codes that Yagoda-Biran and Hatzor (2016) ran, with their settling phase."""
 
 LAGGED = Formulation(tolerance=math.inf, iterations=MOST, terms=SERIES)

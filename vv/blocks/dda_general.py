@@ -15,7 +15,7 @@ from vv.blocks.dda_unknowns import columns, rates
 from vv.blocks.geometry import depth_axis, planes, shapes
 from vv.scene import Scene, Term, Vector
 
-BODIES, ENDS = 3, 5  # where these stand in what the kernel is told
+BODIES, ENDS = 4, 6  # where these stand in what the kernel is told
 
 
 @dataclass(frozen=True, eq=False)
@@ -43,7 +43,10 @@ class General:
         """The model in words."""
         plane = ", prisms in a plane" if depth_axis(self.scene).any() else ""
         strains = "" if self.formulation.elastic is None else " that deform"
-        return f"{self.unknowns} unknowns of {len(self.scene.blocks)} blocks{strains}{plane}"
+        spins = any(block.free_spin.sum() > 1 for block in self.scene.blocks)
+        torque = ", without gyroscopic torque" if spins and not self.formulation.turns else ""
+        count = len(self.scene.blocks)
+        return f"{self.unknowns} unknowns of {count} blocks{strains}{plane}{torque}"
 
     def outputs(self, rows: int, watched: tuple[int, ...]) -> tuple[Any, ...]:
         """What the kernel fills first, and the blocks it watches."""
@@ -83,6 +86,7 @@ class General:
         shape = shapes(blocks)
         return (
             way.terms,
+            way.turns,
             dd,
             float(self.formulation.charged),
             self.bodies(),

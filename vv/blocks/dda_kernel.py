@@ -41,6 +41,8 @@ from vv.blocks.dda_energy import (
 )  # fmt: skip
 from vv.blocks.dda_iterate import iterate
 from vv.blocks.dda_limits import CUTS, GAIN
+from vv.blocks.dda_rows import lost, note
+from vv.blocks.dda_turning import convected
 from vv.blocks.geometry import Index, Planes, Shapes
 from vv.compiled import called, compiled
 from vv.drive import Drive, Starts, one_of, travel, value
@@ -78,6 +80,7 @@ def move_blocks(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
     tolerance: float,
     iterations: int,
     terms: int,
+    turns: int,
     dd: float,
     hold: float,
     bodies: Bodies,
@@ -98,7 +101,7 @@ def move_blocks(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
 ) -> int:
     """Step all blocks by DDA; return rows filled.
 
-    settling: steps before t = 0 with drives at rest; tolerance, iterations, terms, dd: see
+    settling: steps before t = 0 with drives at rest; tolerance, iterations, terms, turns, dd: see
     Formulation; hold: 1 where it is charged, else 0; begun: the start; motion: becomes the end;
     base, starts: see `drives`; shaking: a body acceleration; kn, ks [N/m] and mu of every point
     of contact; reach [m]: see `found`; elastic: (q, 12) stiffness of strains [N m], laid out as
@@ -110,9 +113,9 @@ def move_blocks(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
     walls, q = len(planes.point), len(begun.velocity)
     shift, ahead, moved = np.zeros((walls, 3)), np.zeros((walls, 3)), np.zeros((walls, 3))
     mass, outer, flow = np.zeros((q, 12)), np.zeros(q), np.zeros(q)
-    d, pull = np.zeros(q), np.zeros(q)
+    d, pull, turn = np.zeros(q), np.zeros(q), np.zeros(q)
     ledger, worst, done = np.zeros(TERMS), np.zeros(REPORTS), -settling
-    put_in = ever = 0.0
+    put_in, ever, most = 0.0, 0.0, np.inf
     copied(motion, begun)
     touch = found(touch_room(0 * walls), bodies, motion, shapes, moves, planes, shift, depth, reach)
     closed(touch, motion.strain, kn, ks, mu, hold)
@@ -130,6 +133,9 @@ def move_blocks(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
                     shake = value(shaking, done * dt + begin + part)
                 state, push, way = touch.state.copy(), touch.push.copy(), touch.way.copy()
                 pushed(outer, bodies, shake)
+                convected(turn, bodies, motion, mass, part, terms, turns)
+                for a in range(q):
+                    outer[a] += turn[a]
                 ended, solved, used, rub, relative = iterate(
                     d, touch, bodies, motion, mass, outer, moved, part, kn, ks, mu,
                     hold, tolerance, iterations, elastic,
@@ -154,10 +160,20 @@ def move_blocks(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
                     motion.velocity[a] = 2.0 / part * d[a] - motion.velocity[a]
                 displace(motion, bodies, shapes, d, terms)
                 held(ledger, touch, bodies, motion, mass, kn, ks, elastic)
+                if row > 0:
+                    works = ledger[GRAVITY] + ledger[LOAD] + ledger[BASE] + ledger[SHAKING]
+                    ever = max(ever, works)
+                    most = GAIN * (put_in + ever)
+                if lost(ledger, most):  # contact cannot be looked for between blocks that are so
+                    note(path[row], energy[row], report[row], watched, origin,
+                         bodies, motion, ledger, worst)  # fmt: skip
+                    return row
                 ledger[DAMPED] += (1.0 - dd * dd) * ledger[KINETIC]
                 for a in range(q):
                     motion.velocity[a] *= dd
                 kept = dd * dd * ledger[KINETIC] + ledger[NORMAL] + ledger[SHEAR]
+                for a in range(q):  # inertia is found anew, as contacts are, and this led there
+                    kept -= turn[a] * d[a]
                 copy_rows(shift, ahead)
                 touch = found(touch, bodies, motion, shapes, moves, planes, shift, depth, reach)
                 masses(mass, bodies, motion)
@@ -174,17 +190,7 @@ def move_blocks(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
             for term in range(STRAIN + 1, TERMS):
                 ledger[term] = 0.0
             put_in = ledger[KINETIC] + ledger[NORMAL] + ledger[SHEAR] + ledger[STRAIN]
-        for b in range(len(watched)):
-            rate = travelled(bodies, watched[b], motion.velocity)
-            for c in range(3):
-                path[row, b, c] = motion.centre[watched[b], c] - origin[watched[b], c]
-                path[row, b, 3 + c] = rate[c]
-        for term in range(TERMS):
-            energy[row, term] = ledger[term]
-        for term in range(REPORTS):
-            report[row, term] = worst[term]
-        ever = max(ever, ledger[GRAVITY] + ledger[LOAD] + ledger[BASE] + ledger[SHAKING])
-        held_now = ledger[KINETIC] + ledger[NORMAL] + ledger[SHEAR] + ledger[STRAIN]
-        if not held_now <= GAIN * (put_in + ever):
+        note(path[row], energy[row], report[row], watched, origin, bodies, motion, ledger, worst)
+        if lost(ledger, most):
             return row
     return len(path)

@@ -35,3 +35,6 @@ GRIP = 1e30
 
 SERIES = 12
 """Terms of an exponential series: rounding, for up to 0.1 rad a step."""
+
+TURNS = 12
+"""Rounds in which the gyroscopic torque of a step is found: rounding, for up to 0.1 rad a step."""

@@ -31,7 +31,7 @@ LEDGER = (
     "load potential",
     "base potential",
     "shaking potential",
-    "given by contacts found anew",
+    "given by contacts and inertia found anew",
 )
 HELD, WORKS = slice(0, 4), slice(7, 12)
 CREATED = 12

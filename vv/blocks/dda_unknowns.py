@@ -12,7 +12,7 @@ from vv.scene import Block, Vector
 def columns(block: Block, axes: Vector, way: Formulation) -> tuple[Vector, Vector, Vector]:
     """The unknowns of a block: lines (q, 3), slopes (q, 3, 3) and stiffness (q, q) [N m]."""
     fields = [(axis, np.zeros((3, 3))) for axis in axes[block.free]]
-    fields += [(np.zeros(3), np.cross(np.eye(3), -axis)) for axis in axes[block.free_spin]]
+    fields += [(np.zeros(3), np.cross(np.eye(3), axis)) for axis in axes[block.free_spin]]
     rigid, strains = len(fields), []
     if way.elastic is not None:
         strains = [(i, j) for i in range(3) for j in range(i, 3) if block.free[[i, j]].all()]

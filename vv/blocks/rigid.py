@@ -110,8 +110,9 @@ class Program:
         )
 
     def _worst(self, rows: int) -> str:
-        residual, sweeps, deepest, _ = self.report[:rows].max(axis=0)
-        cuts = self.report[:rows, 3].sum()
+        report = self.report[: rows + 1]  # with the row in which it diverged
+        residual, sweeps, deepest, _ = report.max(axis=0)
+        cuts = report[:, 3].sum()
         return (
             f"worst step: residual {residual:.3g} m/s after {sweeps:.0f} sweeps, penetration "
             f"{deepest:.3g} m; {cuts:.0f} cuts where slip ended"

@@ -132,6 +132,8 @@ def move_rigid(
                 report[row, 0] = max(report[row, 0], trial.residual)
                 report[row, 1] = max(report[row, 1], trial.sweeps)
                 report[row, 2] = max(report[row, 2], deepest)
+                if not np.isfinite(kinetic(setting, state)):  # nothing can be found to touch
+                    return row
                 begin += span
                 if span == whole:
                     break
