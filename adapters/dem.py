@@ -33,6 +33,7 @@ TERMS = frozenset(
         Term.BOND_SHEAR,
         Term.BREAKAGE,
         Term.CARRIED,
+        Term.CONTACT_VISCOSITY,
     }
 )
 OBSERVABLES = frozenset({Displacement, Velocity, Reaction})
@@ -58,6 +59,7 @@ SCHEMES = (
         lowered={
             Term.RIGID_CONTACT: Method.PENALTY,
             Term.DRAG: Method.FIRST_ORDER,
+            Term.CONTACT_VISCOSITY: Method.FIRST_ORDER,
             Term.GRAVITY: Method.FIRST_ORDER,
             Term.LOAD: Method.FIRST_ORDER,
             Term.SHAKING: Method.FIRST_ORDER,

@@ -16,7 +16,7 @@ from scipy.optimize import brentq
 
 from vv.scene import Scene, Vector
 
-OPEN, STICK, FORWARD, BACKWARD = range(4)
+OPEN, STICK, FORWARD, BACKWARD, PARTED = range(5)
 SIGN = {FORWARD: 1, BACKWARD: -1}
 SLACK = 1e-15  # m, m/s: guards fall this far below zero, so that what has just begun does not end
 SAMPLES = 9  # of each guard over a step, between which its minima are looked for
@@ -44,6 +44,9 @@ class Plane:
         self.start = np.concatenate((0 * self.x0.ravel(), spheres.velocity[:, :2].ravel(), slack))
         contacts = range(len(self.walls) + len(self.pairs))
         self.modes = [STICK if self.gap(k, self.start) < -1e-14 else OPEN for k in contacts]
+        for k, mode in enumerate(self.modes):
+            if mode == STICK and self.press(k, self.start) < 0:
+                self.modes[k] = PARTED
 
     def gap(self, k: int, y: Vector) -> float:
         """The gap of contact k: walls first, then pairs."""
@@ -66,9 +69,9 @@ class Plane:
         force: Vector = self.weight - self.scene.eta * v
         rates = np.zeros(len(self.walls))
         for k, (i, normal, tangent, _) in enumerate(self.walls):
-            if (mode := self.modes[k]) == OPEN:
+            if (mode := self.modes[k]) in (OPEN, PARTED):
                 continue
-            press = -law.kn * self.gap(k, y)
+            press = self.press(k, y)
             force[i] += press * normal
             if self.rough and mode == STICK:
                 force[i] -= law.ks * y[4 * n + k] * tangent
@@ -76,9 +79,9 @@ class Plane:
             elif self.rough:
                 force[i] -= SIGN[mode] * law.mu * press * tangent
         for k, (i, j) in enumerate(self.pairs, len(self.walls)):
-            if self.modes[k] != OPEN:
+            if self.modes[k] not in (OPEN, PARTED):
                 offset = self.offset(i, j, y)
-                push = -law.kn * self.gap(k, y) * offset / math.hypot(*offset)
+                push = self.press(k, y) * offset / math.hypot(*offset)
                 force[j] += push
                 force[i] -= push
         return np.concatenate((v.ravel(), (force * self.mobility).ravel(), rates))
@@ -90,12 +93,37 @@ class Plane:
             if mode == OPEN:
                 found.append((k, STICK, partial(self.gap, k)))
                 continue
-            found.append((k, OPEN, partial(self.overlap, k)))
+            if mode == PARTED:
+                found.append((k, STICK, partial(self.pulled, k)))
+            elif self.scene.contact.eta_n > 0:
+                found.append((k, PARTED, partial(self.pushed, k)))
+            if mode == PARTED or not self.scene.contact.eta_n > 0:
+                found.append((k, OPEN, partial(self.overlap, k)))
             if k < len(self.walls) and self.rough and mode == STICK:
                 found += [(k, after, partial(self.reserve, k, SIGN[after])) for after in SIGN]
             elif k < len(self.walls) and self.rough:
                 found.append((k, STICK, partial(self.slip, k, SIGN[mode])))
         return found
+
+    def press(self, k: int, y: Vector) -> float:
+        """The force kn U + eta_n U' of contact k, which may be less than nothing."""
+        law, v = self.scene.contact, y[2 * self.n : 4 * self.n].reshape(-1, 2)
+        if k < len(self.walls):
+            i, normal, _, _ = self.walls[k]
+            rate = float(v[i] @ normal)
+        else:
+            i, j = self.pairs[k - len(self.walls)]
+            offset = self.offset(i, j, y)
+            rate = float((v[j] - v[i]) @ offset) / math.hypot(*offset)
+        return -law.kn * self.gap(k, y) - law.eta_n * rate
+
+    def pushed(self, k: int, y: Vector) -> float:
+        """The overlap at which a spring alone would push as much as contact k."""
+        return self.press(k, y) / self.scene.contact.kn
+
+    def pulled(self, k: int, y: Vector) -> float:
+        """Its opposite."""
+        return -self.pushed(k, y)
 
     def overlap(self, k: int, y: Vector) -> float:
         """The overlap of contact k."""

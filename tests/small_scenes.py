@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 from collections.abc import Callable
 
 import numpy as np
@@ -44,6 +45,14 @@ def chain(r: Random) -> Scene:
     walls = (Wall(np.zeros(3), ALONG), Wall(end, -ALONG))
     gravity = plane(r.uniform(-5, 5), -9.81) * r.integers(0, 2)
     return Scene((walls[0], spheres, walls[1]), law(r, False), drag(r), gravity)
+
+
+def viscous(r: Random) -> Scene:
+    """The same, without gravity at times, where contact is viscous."""
+    scene = chain(r)
+    critical = 2 * (scene.contact.kn * float(scene.spheres.mass.min())) ** 0.5
+    law = dataclasses.replace(scene.contact, eta_n=r.uniform(0.01, 0.7) * critical)
+    return dataclasses.replace(scene, contact=law)
 
 
 def thrown(r: Random) -> Scene:
@@ -89,7 +98,9 @@ def dragged(r: Random) -> Scene:
     return Scene((Wall(np.zeros(3), UP), spheres), law(r, True), drag(r))
 
 
-KINDS: tuple[Callable[[Random], Scene], ...] = (chain, thrown, squeezed, cornered, dragged)
+KINDS: tuple[Callable[[Random], Scene], ...] = (
+    chain, thrown, squeezed, cornered, dragged, viscous,
+)  # fmt: skip
 
 
 def small_scene(seed: int) -> Scene:

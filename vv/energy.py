@@ -14,7 +14,7 @@ class Form(enum.Enum):
     NORMAL = "normal elastic"
     SHEAR = "shear elastic"
     FRICTION = "friction dissipation"
-    DRAG = "drag dissipation"
+    DRAG = "drag dissipation"  # by viscous contacts, too
     GRAVITY = "gravity potential"
     LOAD = "load potential"
     SHAKING = "less work of shaking"

@@ -25,6 +25,7 @@ POWERS = {  # of the units of length, time and mass in what a scene is made of
     "tension": (1, -2, 1),
     "shear": (1, -2, 1),
     "eta": (0, -1, 1),
+    "eta_n": (0, -1, 1),
     "gravity": (1, -2, 0),
     "frequency": (0, -1, 0),
 }

@@ -46,6 +46,7 @@ TERMS = frozenset(
         Term.BOND,
     }
 )
+DASHPOTS = {Term.CONTACT_VISCOSITY}
 ON_CORNERS = (TERMS | STANDS_IN) - {Term.SPHERE, Term.SPHERE_CONTACT, Term.DRAG, Term.BOND}
 ON_BONDS = frozenset({Term.SPHERE, Term.DRAG, Term.GRAVITY, Term.LOAD, Term.BOND, Term.BOND_SHEAR})
 KNOBS = ("dt", "kn")
@@ -54,9 +55,12 @@ SCHEMES = (
         PLAIN,
         "velocity Verlet with the scene's masses; drag is taken from the velocity half a step ago",
         Method.SECOND_ORDER,
-        TERMS | STANDS_IN,
+        TERMS | STANDS_IN | DASHPOTS,
         KNOBS,
-        lowered={Term.RIGID_CONTACT: Method.PENALTY},
+        lowered={
+            Term.RIGID_CONTACT: Method.PENALTY,
+            Term.CONTACT_VISCOSITY: Method.FIRST_ORDER,
+        },
     ),
     Scheme(
         HALF_STEP,
@@ -127,8 +131,10 @@ def _notes(ask: Ask, scheme: str) -> list[str]:
     turning, moved = spinning(scene.spheres), moving(scene.spheres)
     said = {
         "pair gran, hooke/stiffness: kn is the contact's stiffness, nothing is damped": (
-            scene.bonds is None
+            scene.bonds is None and not scene.contact.eta_n > 0
         ),
+        "pair gran, hooke/stiffness with absolute damping from the velocity half a step ago, its "
+        "force limited to what pushes": scene.contact.eta_n > 0,
         "bond_style harmonic, which has no shear spring, of the coefficient kn/2; no pair_style": (
             scene.bonds is not None
         ),

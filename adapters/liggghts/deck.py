@@ -69,7 +69,8 @@ def _prepared(ask: Ask, scheme: str) -> Iterator[str]:
     yield ""
     yield from _contact(scene)
     for number, wall in enumerate(scene.walls):
-        yield from wall_commands(f"wall{number}", wall, room.triangles.get(number), _model(scene))
+        triangles = room.triangles.get(number)
+        yield from wall_commands(f"wall{number}", wall, triangles, _model(scene), _damping(scene))
     yield f"timestep        {ask.dt!r}"
     yield "thermo_style    custom step atoms"
     yield "thermo          0"
@@ -146,20 +147,28 @@ def _parts(name: str, vector: Vector) -> str:
 
 
 def _contact(scene: Scene) -> Iterator[str]:
-    """kn and ks are the springs themselves [N/m]; neither of them is damped."""
+    """kn and ks are the springs themselves [N/m]; only what is viscous is damped."""
     if scene.bonds is not None:
         yield from bond_commands(scene)
         return
     ks, mu = (scene.contact.ks, scene.contact.mu) if scene.contact.rubs else (0.0, 0.0)
-    values = {"kn": scene.contact.kn, "kt": ks, "gamman": 0.0, "gammat": 0.0}
+    damping = "_abs" if scene.contact.eta_n > 0 else ""
+    values = {"kn": scene.contact.kn, "kt": ks}
+    values |= {f"gamman{damping}": scene.contact.eta_n, f"gammat{damping}": 0.0}
     for name, value in {**values, "coefficientFriction": mu}.items():
         yield f"fix {name} all property/global {name} peratomtypepair 1 {float(value)!r}"
-    yield f"pair_style      gran {_model(scene)} tangential_damping off"
+    yield f"pair_style      gran {_model(scene)} {_damping(scene)}"
     yield "pair_coeff      * *"
 
 
 def _model(scene: Scene) -> str:
     return f"model hooke/stiffness tangential {'history' if scene.contact.rubs else 'off'}"
+
+
+def _damping(scene: Scene) -> str:
+    """A viscous contact is given its coefficient [N s/m] itself, and may not pull."""
+    viscous = " absolute_damping on limitForce on" if scene.contact.eta_n > 0 else ""
+    return f"tangential_damping off{viscous}"
 
 
 def _motion(ask: Ask, scheme: str, scene: Scene) -> Iterator[str]:

@@ -42,9 +42,12 @@ def triangle(wall: Wall, low: Vector, high: Vector) -> Vector:
     return np.asarray(foot + 2 * inscribed * directions)
 
 
-def wall_commands(name: str, wall: Wall, corners: Vector | None, model: str) -> Iterator[str]:
-    """The commands for a wall with a contact model; corners: those of an oblique wall's triangle.
+def wall_commands(
+    name: str, wall: Wall, corners: Vector | None, model: str, damping: str
+) -> Iterator[str]:
+    """The commands for a wall with a contact model and its damping.
 
+    corners: those of an oblique wall's triangle.
     A mesh is read from a file, which the deck writes itself.
     """
     if corners is None:
@@ -54,7 +57,7 @@ def wall_commands(name: str, wall: Wall, corners: Vector | None, model: str) -> 
         yield from printed(f"{name}.stl", _stl(wall, corners))
         yield f"fix {name}_mesh all mesh/surface file {name}.stl type 1"
         shape = f"mesh n_meshes 1 meshes {name}_mesh"
-    yield f"fix {name} all wall/gran {model} {shape} tangential_damping off"
+    yield f"fix {name} all wall/gran {model} {shape} {damping}"
 
 
 def printed(file: str, lines: Iterable[str]) -> Iterator[str]:

@@ -50,6 +50,7 @@ TERMS = frozenset(
         Term.CARRIED,
     }
 )
+DASHPOTS = {Term.CONTACT_VISCOSITY}
 BONDED = {Term.BOND, Term.BOND_SHEAR, Term.BREAKAGE}
 ONLY_SPHERES = {Term.SPHERE, Term.SPHERE_CONTACT, Term.DRAG, Term.CARRIED} | BONDED
 ONE_BLOCK = (TERMS | STANDS_IN) - ONLY_SPHERES
@@ -60,9 +61,12 @@ SCHEMES = (
         PLAIN,
         "leapfrog with the scene's masses; drag is taken from the velocity half a step ago",
         Method.SECOND_ORDER,
-        TERMS | STANDS_IN,
+        TERMS | STANDS_IN | DASHPOTS,
         KNOBS,
-        lowered={Term.RIGID_CONTACT: Method.PENALTY},
+        lowered={
+            Term.RIGID_CONTACT: Method.PENALTY,
+            Term.CONTACT_VISCOSITY: Method.FIRST_ORDER,
+        },
         observables=OBSERVABLES,
     ),
     Scheme(
@@ -202,6 +206,9 @@ def _notes(ask: Ask, scheme: str) -> list[str]:
         ),
         "spheres on a bond that resists shear likewise start by an impulse": (
             bool(sheared(scene).any()) and bool(scene.spheres.velocity.any())
+        ),
+        "viscous contacts by ViscElMat, which never pull, from the velocity half a step ago": (
+            scene.contact.eta_n > 0
         ),
         "drag by LinearDragEngine from the velocity half a step ago": scene.eta > 0,
         "masses are m + eta dt/2, weight a dead load": scheme == HALF_STEP and scene.eta > 0,

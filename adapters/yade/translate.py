@@ -44,6 +44,7 @@ def plan(ask: Ask, scheme: str) -> Plan:
         "kn": float(scene.contact.kn),
         "ks": float(scene.contact.ks) if scene.contact.rubs else 0.0,
         "mu": float(scene.contact.mu),
+        "eta_n": float(scene.contact.eta_n),
         "gravity": [0.0, 0.0, 0.0] if extra else scene.gravity.tolist(),
         "drag": float(scene.eta),
         "shaking": sines(scene.shaking),

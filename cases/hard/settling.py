@@ -103,8 +103,8 @@ CASE = Case(
     source=Source(
         *LI_2018,
         "The law is that of T2, under gravity and again and again. The spring makes the number of "
-        "bounces finite; with a coefficient of restitution it would not be, but neither that nor a "
-        "dashpot between bodies is a term of a scene.",
+        "bounces finite; with a coefficient of restitution it would not be, but that is no term of "
+        "a scene; the case `dashpot` is about what a dashpot restores.",
     ),
     parameters=(
         Parameter("m", 1.0, "kg", "mass"),

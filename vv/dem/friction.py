@@ -44,7 +44,9 @@ def sheared(
     both exactly. Then it grows by -ks times the slide [m] in the plane, up to the cap mu Fn [N]
     (Li 2018, Eqs. 5-8, with the sign that Eq. 8 leaves out); caps: before and after the step.
     change: slide less that of the step before. The energy is the slip, which is the slide
-    without its elastic part, times the mean of the old and the new force.
+    without its elastic part, times the mean of the old and the new force. Where the slide turns
+    back, what `slipping` says would give energy: then the force is along the trial force, which
+    takes some whenever the old force is below the cap, too.
     """
     old = plus(spring, -dot(n, spring) / (1.0 + dot(n, n_before)), plus(n, 1.0, n_before))
     if twist is not None:
@@ -54,8 +56,16 @@ def sheared(
     trial = plus(old, -ks, slide)
     if dot(trial, trial) <= caps[1] * caps[1]:
         return trial, 0.0
-    pull = slipping(old, trial, slide, change, ks, caps)
-    new = plus(NOWHERE, caps[1] / math.sqrt(dot(pull, pull)), pull)
+    new, taken = capped(old, slipping(old, trial, slide, change, ks, caps), slide, ks, caps[1])
+    if taken < 0.0:
+        new, taken = capped(old, trial, slide, ks, caps[1])
+    return new, taken
+
+
+@inlined
+def capped(old: Triple, pull: Triple, slide: Triple, ks: float, cap: float) -> tuple[Triple, float]:
+    """The force along `pull` at the cap, and the energy that friction took to bring it there."""
+    new = plus(NOWHERE, cap / math.sqrt(dot(pull, pull)), pull)
     slip = plus(slide, 1.0 / ks, plus(new, -1.0, old))
     return new, -0.5 * dot(plus(old, 1.0, new), slip)
 

@@ -25,6 +25,7 @@ class LineState(NamedTuple):
     normal: tuple[float, float] | None
     friction: tuple[float, float] | None
     eta: float | None
+    eta_n: float | None
 
 
 @dataclass(frozen=True, eq=False)
@@ -77,8 +78,8 @@ class Line:
         """How far kinetic, elastic and lost energy may be from what was put in [J]."""
         s, start = self.state, float(self.state.velocity[0])
         force = (s.force or 0.0) - (s.eta or 0.0) * start
-        if s.normal is not None:
-            force += s.normal[0] * max(-s.normal[1], 0.0)
+        if s.normal is not None and s.normal[1] < 0.0:
+            force += max(-s.normal[0] * s.normal[1] - (s.eta_n or 0.0) * start, 0.0)
         kicked, back = dt * force / s.mass, leapfrog.back
         first = (start - back * kicked) * (start + (1.0 - back) * kicked)
         return 0.5 * s.mass * abs(first - start**2) + float(energy[-1, 5])
@@ -146,12 +147,14 @@ def _built(
         if abs(part @ along) > ROUNDING * np.linalg.norm(part)
     }
     contact = Term.WALL_CONTACT if scene.walls else Term.SPHERE_CONTACT
+    viscous = normal is not None and scene.contact.eta_n > 0
     there = {
         Term.SPHERE: True,
         contact: normal is not None or friction is not None,
         Term.FRICTION: friction is not None,
         Term.DRAG: scene.eta > 0,
         Term.OBLIQUE_LOCK: Term.OBLIQUE_LOCK in scene.terms(),
+        Term.CONTACT_VISCOSITY: viscous,
     }
     state = LineState(
         velocity=np.array([spheres.velocity[i] @ along]),
@@ -160,6 +163,7 @@ def _built(
         normal=normal,
         friction=friction,
         eta=scene.eta if scene.eta > 0 else None,
+        eta_n=scene.contact.eta_n if viscous else None,
     )
     terms = frozenset(term for term, used in there.items() if used) | frozenset(acting)
     weight, load = (acting.get(term, 0.0) for term in (Term.GRAVITY, Term.LOAD))

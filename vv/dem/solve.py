@@ -176,7 +176,12 @@ def refuses(ask: Ask) -> str | None:
     if reason is not None:
         return reason
     scene = sprung(ask).scene
-    return _spins_where_locked(scene) or _coincident(scene) or _unknown_reaction(ask, scene)
+    return (
+        _spins_where_locked(scene)
+        or _coincident(scene)
+        or _unknown_reaction(ask, scene)
+        or _viscous_in_space(ask, scene)
+    )
 
 
 def unstable(ask: Ask, leapfrog: Leapfrog) -> str | None:
@@ -188,8 +193,8 @@ def unstable(ask: Ask, leapfrog: Leapfrog) -> str | None:
     limit = critical_step(sprung(ask).scene, leapfrog)
     if dt is None or dt <= limit:
         return None
-    late = ask.scene.eta > 0 and leapfrog.lag > 0.5
-    rule = "2 (sqrt(n^2 + w^2) - n)/w^2, n = eta/2m" if late else "2/w"
+    late = ask.scene.eta + ask.scene.contact.eta_n > 0 and leapfrog.lag > 0.5
+    rule = "2 (sqrt(n^2 + w^2) - n)/w^2, n = (eta + eta_n)/2m" if late else "2/w"
     return (
         f"dt = {dt:.6g} s is beyond the largest stable step {limit:.6g} s = {rule}, w the highest "
         f"frequency of its contacts; {PACKED * limit:.3g} s is safe however like spheres touch"
@@ -231,6 +236,12 @@ def _coincident(scene: Scene) -> str | None:
     if len(same):
         first, second = np.sort(order[same[0] : same[0] + 2])
         return f"spheres {first} and {second} have one centre; a contact needs a normal"
+    return None
+
+
+def _viscous_in_space(ask: Ask, scene: Scene) -> str | None:
+    if scene.contact.eta_n > 0 and not isinstance(prepare(ask, CENTRED).system, Line):
+        return "viscous contact is modelled for one unknown, one sphere on one partner"
     return None
 
 

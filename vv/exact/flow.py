@@ -73,7 +73,7 @@ def _start(system: System) -> Now:
 
 def _expand(system: System, mode: Mode, now: Now, quick: float) -> tuple[Vector, Now]:
     """Taylor coefficients (ORDER + 1, n) [m] of the displacements over a step of the mode."""
-    force = system.weight + system.load - system.eta * now.v + mode.push @ now.lengths
+    force = system.weight + system.load - mode.drag @ now.v + mode.push @ now.lengths
     first, second = mode.h * now.v, (mode.h * mode.h / 2) * force / system.mass
     rest = mode.series @ np.concatenate((first, second))
     sizes = np.abs(np.concatenate((quick * now.v, quick * quick * force / system.mass)))
@@ -138,9 +138,13 @@ def _next_event(
     guards = mode.values @ lengths
     guards[:, 0] += mode.offset
     bands = np.abs(mode.values) @ (reach * now.scale + np.abs(now.lengths))
+    pace = max(now.scale, float(np.abs(series[1:3]).max()))
+    if mode.late.any():
+        late = mode.late / mode.h
+        guards[:, :-1] += late[:, None] * (mode.values @ (lengths[:, 1:] * RANK))
+        bands += late * (np.abs(mode.values) @ reach * pace)
     if len(mode.rates):
         rates = mode.rates @ (lengths[:, 1:] * RANK)
-        pace = max(now.scale, float(np.abs(series[1:3]).max()))
         guards = np.vstack((guards, np.pad(rates, ((0, 0), (0, 1)))))
         bands = np.concatenate((bands, np.abs(mode.rates) @ reach * pace))
     bands *= BAND

@@ -8,7 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 from vv.ask import Ledger
-from vv.exact.modes import State
+from vv.exact.modes import APART, State
 from vv.exact.path import Path, taylor_sum
 from vv.exact.roots import EPS
 from vv.scene import Vector
@@ -32,7 +32,7 @@ def ledger(path: Path) -> Ledger:
         "normal elastic": normal,
         "shear elastic": shear,
         "friction dissipation": running(_friction(path, lengths)),
-        "drag dissipation": running(_drag(path)),
+        "drag dissipation": running(_drag(path) + _parting(path, lengths)),
         "gravity potential": -q @ system.weight,
         "load potential": -q @ system.load,
     }
@@ -104,6 +104,23 @@ def _drag(path: Path) -> Vector:
     rate = derivative(path.series)
     work = product_integral(path.end, rate, rate) / path.h[:, None]
     return np.asarray(path.system.eta * work.sum(axis=1))
+
+
+def _parting(path: Path, lengths: Vector) -> Vector:
+    """Work against viscous contacts (p,) [J]: the integral of (Fn - kn U) U' for U > 0.
+
+    Where they have parted, Fn = 0: the overlap that is left relaxes by itself.
+    """
+    system, count = path.system, len(path.system.gap)
+    if not system.eta_n > 0:
+        return np.zeros(len(path.start))
+    gap = lengths[:, :, :count]
+    rate = derivative(gap)
+    moving = [[state not in APART for state in states] for states in path.states]
+    parted = [[state is State.PARTED for state in states] for states in path.states]
+    slowed = system.eta_n / path.h[:, None] * product_integral(path.end, rate, rate) * moving
+    relaxed = system.kn * product_integral(path.end, gap, rate) * parted
+    return np.asarray((slowed - relaxed).sum(axis=1))
 
 
 def derivative(series: Vector) -> Vector:

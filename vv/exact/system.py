@@ -23,7 +23,8 @@ class System:
     eta [N s/m]; weight, load: (n,) [N]; velocity: (n,) at t = 0 [m/s].
     Gaps are gap + normal @ q, (c,) + (c, n) [m]; tangential travel is tangent @ q, (s, n) [m].
     depth: (c,) overlaps at which centres meet [m]; names: the bodies of each contact.
-    springs: the contact of each shear spring. kn, ks [N/m]; mu. ties: the springs of bonds.
+    springs: the contact of each shear spring. kn, ks [N/m]; mu; eta_n [N s/m] along normals.
+    ties: the springs of bonds.
     """
 
     owner: Owners
@@ -42,6 +43,7 @@ class System:
     kn: float
     ks: float
     mu: float
+    eta_n: float
     ties: Ties
 
     @functools.cached_property
@@ -103,6 +105,7 @@ def equations(
         kn=law.kn,
         ks=law.ks,
         mu=law.mu,
+        eta_n=law.eta_n,
         ties=tied(owner, direction),
     )
 

@@ -34,14 +34,24 @@ def contacts(ask: dict[str, Any], kinds: list[str]) -> list[Any]:
         "wall": lambda: yd.Ig2_Wall_Sphere_ScGeom(noRatch=False),
         "facet": yd.Ig2_Facet_Sphere_ScGeom,
     }
-    stiffness = yd.Ip2_FrictMat_FrictMat_FrictPhys(
-        kn=yd.MatchMaker(algo="val", val=ask["kn"]), ks=yd.MatchMaker(algo="val", val=ask["ks"])
-    )
-    law = yd.Law2_ScGeom_FrictPhys_CundallStrack()
+    physics, law = viscous() if ask["eta_n"] else elastic(ask)
     return [
         yd.InsertionSortCollider([bounds[kind]() for kind in kinds]),
-        yd.InteractionLoop([geometry[kind]() for kind in kinds], [stiffness], [law]),
+        yd.InteractionLoop([geometry[kind]() for kind in kinds], [physics], [law]),
     ]
+
+
+def elastic(ask: dict[str, Any]) -> tuple[Any, Any]:
+    """Linear springs of the given stiffnesses, and Coulomb friction."""
+    physics = yd.Ip2_FrictMat_FrictMat_FrictPhys(
+        kn=yd.MatchMaker(algo="val", val=ask["kn"]), ks=yd.MatchMaker(algo="val", val=ask["ks"])
+    )
+    return physics, yd.Law2_ScGeom_FrictPhys_CundallStrack()
+
+
+def viscous() -> tuple[Any, Any]:
+    """A spring and a dashpot along the normal as the material has them, which never pull."""
+    return yd.Ip2_ViscElMat_ViscElMat_ViscElPhys(), yd.Law2_ScGeom_ViscElPhys_Basic()
 
 
 def overlaps() -> list[Any]:

@@ -1,0 +1,143 @@
+"""A sphere thrown against a wall whose contact is a spring and a dashpot that never pull."""
+
+from __future__ import annotations
+
+import functools
+import math
+
+import numpy as np
+
+from reference_solutions import dashpot
+from vv.ask import Displacement, History, Knobs, Method, Run, Velocity
+from vv.case import (
+    Case,
+    Exact,
+    Parameter,
+    Parameters,
+    Scalar,
+    Series,
+    Source,
+    Tolerance,
+    Trial,
+    Variant,
+)
+from vv.scene import Contact, Scene, Spheres, Vector, Wall
+from vv.study import Ladder, Level
+
+RADIUS = 0.1  # m; does not enter the answer
+AT, SPEED = Displacement(1), Velocity(1)
+Z = np.array([0.0, 0.0, 1.0])
+RATIOS = (0.0, 0.1, 0.3, 0.6, 0.9, 0.99)
+STEPS, LASTS = (0.02, 0.01, 0.005, 0.0025), 4.0  # steps and duration, times w
+SEEN = STEPS[-1]  # between outputs, times w
+
+
+def _scene(p: Parameters) -> Scene:
+    """The sphere touches the wall at t = 0; nothing else acts on it."""
+    sphere = Spheres(
+        position=RADIUS * Z[None],
+        velocity=-p["v"] * Z[None],
+        radius=np.array([RADIUS]),
+        mass=np.array([p["m"]]),
+        free=np.array([[False, False, True]]),
+    )
+    viscous = 2 * p["z"] * math.sqrt(p["kn"] * p["m"])
+    return Scene((Wall(np.zeros(3), Z), sphere), Contact(p["kn"], eta_n=viscous))
+
+
+def _declare(variant: str, p: Parameters) -> Trial:
+    law = {name: p[name] for name in ("m", "kn", "z")}
+    unit, lasting = math.sqrt(p["m"] / p["kn"]), dashpot.lasting(**law)
+    judge = _judge(p["z"], unit)
+    returned = Scalar(
+        "restitution", "e", "", "speed after the contact over that before",
+        lambda run: float(run.values[SPEED][-1] @ Z) / p["v"], dashpot.restitution(p["z"]),
+        dashpot.restitution(p["z"]), judge,
+    )  # fmt: skip
+    lasted = Scalar(
+        "lasting", "tc", "s", "how long the contact pushes, as the outputs show it",
+        _lasted, lasting, lasting, _in_outputs(unit),
+    )  # fmt: skip
+    path = Series(
+        "overlap", "u", "m", "overlap with the wall, less than nothing once it is off",
+        lambda run: np.asarray(-(run.values[AT] @ Z)),
+        functools.partial(dashpot.overlap, **law, v=p["v"]), judge,
+    )  # fmt: skip
+    levels = {
+        level: tuple(Knobs(dt=step * unit) for step in steps) for level, steps in RUNGS.items()
+    }
+    goal = History(LASTS * unit, SEEN * unit)
+    return Trial(Ladder(_scene(p), goal, (AT, SPEED), levels), (path, returned, lasted))
+
+
+def _lasted(run: Run) -> float:
+    """The middle of the last interval in which the speed still changed."""
+    speed: Vector = run.values[SPEED] @ Z
+    changing = np.flatnonzero(np.abs(speed - speed[-1]) > STILL * np.abs(speed).max())
+    last = int(changing[-1])
+    return float(run.times[last : last + 2].mean())
+
+
+def _judge(z: float, unit: float) -> Exact:
+    """unit: 1/w [s]; all errors are in parts of the largest height, or of the restitution."""
+    step, quick = STEPS[0], 2 * max(z, LIGHT)
+    return Exact({
+        Method.EXACT: Tolerance(1e-13, "one event, located to rounding"),
+        Method.SECOND_ORDER: Tolerance(
+            (1 + quick**2) * step**2,
+            "(w dt)^2 for the swing and its end; viscous force is 2 z times as quick as the swing",
+            dt=step * unit, order=2,
+        ),
+        Method.FIRST_ORDER: Tolerance(
+            quick * step,
+            "viscous force is that of half a step before, and begins half a step late, where it "
+            "jumps: each costs z w dt",
+            dt=step * unit, order=1,
+        ),
+    })  # fmt: skip
+
+
+def _in_outputs(unit: float) -> Exact:
+    """unit: 1/w [s]; a contact lasts for two of them and more."""
+    seen = "half of what lies between two outputs"
+    step = Tolerance(
+        STEPS[0], f"{seen}, which is a step, and one step more, as force ends with a step",
+        dt=STEPS[0] * unit, order=1,
+    )  # fmt: skip
+    exact = Tolerance(SEEN / 2, f"{seen}")
+    return Exact({Method.EXACT: exact, Method.SECOND_ORDER: step, Method.FIRST_ORDER: step})
+
+
+LIGHT = 0.05  # of critical damping: what is lighter is judged no more strictly
+STILL = 1e-10  # of the speed: what rounding leaves, and less than force changes in an interval
+RUNGS = {Level.QUICK: STEPS[:3:2], Level.DEFAULT: STEPS, Level.PAPER: STEPS}
+FORMULA = (
+    "m u'' = -max(0, kn u + c u'), c = 2 z sqrt(kn m); e = exp(-z (pi - 2 asin z)/sqrt(1 - z^2)), "
+    "tc = (pi - 2 asin z)/sqrt(kn/m (1 - z^2))"
+)
+CASE = Case(
+    name="dashpot",
+    title="Restitution of a spring and a dashpot",
+    source=Source(
+        "Schwager and Poeschel (2007), Coefficient of restitution and linear-dashpot model "
+        "revisited, Granular Matter 9(6), 465-469",
+        "10.1007/s10035-007-0065-z",
+        "The contact ends where its force would pull, before the overlap does: a code that goes on "
+        "to the end of the overlap returns exp(-pi z/sqrt(1 - z^2)), a tenth of a millionth of "
+        "what is right at z = 0.99.",
+    ),
+    parameters=(
+        Parameter("m", 1.0, "kg", "mass"),
+        Parameter("kn", 1e6, "N/m", "contact stiffness"),
+        Parameter("z", 0.0, "", "damping over critical damping"),
+        Parameter("v", 0.01, "m/s", "speed towards the wall"),
+    ),
+    variants=tuple(
+        Variant(
+            f"z-{z:g}", f"{z:g} of critical damping" if z else "without damping", FORMULA, {"z": z},
+            level=Level.QUICK if z in (0.0, 0.6, 0.99) else Level.DEFAULT,
+        )
+        for z in RATIOS
+    ),
+    declare=_declare,
+)  # fmt: skip

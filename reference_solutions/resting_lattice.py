@@ -1,0 +1,81 @@
+"""A close-packed sheet of spheres at rest under its weight in a box it was pressed into.
+
+Rows of n and n - 1 spheres of radius r and mass m stand in the gaps of the row below, between
+smooth walls that are `squeeze` of a diameter too close for every sphere of the long rows. Where
+they touch, linear springs kn push. Rest is found by Newton's method on the forces, whose Jacobian
+takes the turning of the normals in. Raises ValueError for parameters outside their ranges.
+"""
+
+from collections.abc import Iterator
+
+import numpy as np
+from numpy.typing import NDArray
+
+from reference_solutions.parameters import require_positive
+
+Array = NDArray[np.float64]
+Pairs = list[tuple[int, int]]
+
+_ROUNDS = 50
+_STILL = 4e-16  # of kn times the width, the largest force left over: what rounding of centres makes
+
+
+def packed(n: int, rows: int, r: float) -> Array:
+    """The centres (k, 2) [m], across and up, of spheres that just touch: the box is 2 n r wide."""
+    if n < 2 or rows < 1:
+        raise ValueError(f"n = {n}, rows = {rows}; at least 2 spheres and 1 row are needed")
+    require_positive("m", r=r)
+    up = r * np.sqrt(3.0)
+    return np.array([
+        [(1 + row % 2 + 2 * i) * r, r + up * row]
+        for row in range(rows)
+        for i in range(n - row % 2)
+    ])  # fmt: skip
+
+
+def at_rest(
+    *, n: int, rows: int, r: float, m: float, kn: float, g: float, squeeze: float
+) -> tuple[Array, float]:
+    """The centres (k, 2) [m] at rest, and the width [m] of the box."""
+    require_positive("in SI units", m=m, kn=kn, g=g, squeeze=squeeze)
+    x, width = packed(n, rows, r), 2.0 * r * n * (1.0 - squeeze)
+    x *= 1.0 - squeeze  # up, too: where nothing touches, nothing has a slope
+    pairs = list(_neighbours(x, r))
+    for _ in range(_ROUNDS):
+        force, slope = _forces(x, pairs, r, kn, width)
+        force[1::2] -= m * g
+        if np.abs(force).max() <= _STILL * kn * width:
+            return x, width
+        x = x - np.linalg.solve(slope, force).reshape(-1, 2)
+    raise ValueError(f"kn = {kn} N/m; no rest was found in {_ROUNDS} rounds")
+
+
+def _neighbours(x: Array, r: float) -> Iterator[tuple[int, int]]:
+    """The pairs that touch, or would if the sheet were a tenth of a radius smaller."""
+    for i in range(len(x)):
+        for j in range(i + 1, len(x)):
+            if np.hypot(*(x[j] - x[i])) < 2.1 * r:
+                yield i, j
+
+
+def _forces(x: Array, pairs: Pairs, r: float, kn: float, width: float) -> tuple[Array, Array]:
+    """The forces (2 k,) [N] of all contacts, and their slopes (2 k, 2 k) [N/m]."""
+    force, slope = np.zeros(2 * len(x)), np.zeros((2 * len(x), 2 * len(x)))
+    for i, j in pairs:
+        d = x[j] - x[i]
+        length = float(np.hypot(*d))
+        overlap, along = 2.0 * r - length, d / length
+        if overlap > 0.0:
+            a, b = slice(2 * i, 2 * i + 2), slice(2 * j, 2 * j + 2)
+            force[b] += kn * overlap * along
+            force[a] -= kn * overlap * along
+            turning = kn * overlap / length * (np.eye(2) - np.outer(along, along))
+            block = turning - kn * np.outer(along, along)
+            for one, other, sign in ((a, a, 1.0), (b, b, 1.0), (a, b, -1.0), (b, a, -1.0)):
+                slope[one, other] += sign * block
+    for axis, sense, place in ((0, 1.0, 0.0), (0, -1.0, width), (1, 1.0, 0.0)):
+        pressed = r - sense * (x[:, axis] - place)
+        touches = np.flatnonzero(pressed > 0.0)
+        force[2 * touches + axis] += sense * kn * pressed[touches]
+        slope[2 * touches + axis, 2 * touches + axis] -= kn
+    return force, slope
