@@ -42,9 +42,9 @@ def speed(
     from vv.session import Limits, Timing
 
     project = find()
+    chosen = Options(level, options.codes(codes))
 
     def make_plan() -> Plan:
-        chosen = Options(level, options.codes(codes))
         whole = options.plan_of(project, selection or [], chosen)
         if level is Level.PAPER:
             whole = dataclasses.replace(whole, jobs=tuple(_all_timed(whole)))
@@ -56,7 +56,8 @@ def speed(
         return restricted(whole, lambda job: (job.case, job.variant) in timed)
 
     limits = Limits(options.workers(jobs), options.positive(timeout), fresh, Timing.STORED)
-    manifest = answered(project, make_plan, limits, None)
+    asked = "speed", tuple(selection or ()), chosen
+    manifest = answered(project, asked, make_plan, limits, None)
     every, rest = efforts(manifest), untimed(manifest)
     fights = duels(every, TARGETS)
     failed = [f"not timed, it failed: {name}" for name in manifest["untimed"]]
