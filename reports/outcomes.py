@@ -7,8 +7,7 @@ from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from vv.finding import Bit
-from vv.gate import exit_bits, outcome
+from vv.gate import conserves, outcome
 
 Record = Mapping[str, Any]
 
@@ -54,7 +53,7 @@ def outcome_of(record: Record) -> Outcome:
     found = OUTCOMES[outcome(record)]
     if record["status"] != "ran" or found.troubling:
         return found
-    return OUTCOMES["not conserved"] if exit_bits([record]) & Bit.CONSERVATION else found
+    return found if conserves(record) else OUTCOMES["not conserved"]
 
 
 def counted(records: Iterable[Record]) -> list[tuple[Outcome, int]]:

@@ -50,7 +50,7 @@ def test_a_change_of_a_source_ends_it(tiny: Tiny, file: str, old: str, new: str)
         ("--set", "g=9"),
         ("--rung", "dt=0.01"),
         ("--codes", "fake/coarse"),
-        ("fall:down",),
+        ("fall:slow",),
     ],
 )
 def test_whoever_asks_for_something_else_is_not_answered_with_the_same(

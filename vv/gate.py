@@ -23,6 +23,8 @@ STATUS_BITS: Mapping[Status, tuple[Bit, Bit]] = {  # of an optional code, of a r
     Status.TIMEOUT: (Bit.TIMEOUT, Bit.TIMEOUT),
 }
 WORST_FIRST = (Verdict.FAIL, Verdict.XPASS, Verdict.XFAIL, Verdict.PASS, Verdict.NO_REFERENCE)
+STATUSES = {status.name.lower().replace("_", "-"): status for status in Status}
+VERDICTS = {verdict.value: rank for rank, verdict in enumerate(WORST_FIRST)}
 ALL = frozenset(check.value for check in Check)
 BLOW_UP = "blow-up"  # the outcome of what diverged in a map
 DISSIPATION = " dissipation"  # how the names of energy terms end that can only grow
@@ -147,9 +149,14 @@ def _breaches(ledger: Mapping[str, Any]) -> Iterator[tuple[str, float, float]]:
             yield law, seen, allowed
 
 
+def conserves(record: Mapping[str, Any]) -> bool:
+    """Whether a record's own ledger breaks no law; true where there is none."""
+    return not record["ledger"] or next(_breaches(record["ledger"]), None) is None
+
+
 def status_of(record: Mapping[str, Any]) -> Status:
     """The status that a record names."""
-    return Status[record["status"].upper().replace("-", "_")]
+    return STATUSES[record["status"]]
 
 
 def blew_up(record: Mapping[str, Any]) -> bool:
@@ -159,9 +166,8 @@ def blew_up(record: Mapping[str, Any]) -> bool:
 
 def outcome(record: Mapping[str, Any]) -> str:
     """A record in a word: its status unless it ran, else its worst verdict."""
-    if blew_up(record):
-        return BLOW_UP
-    if status_of(record) is not Status.RAN:
-        return status_of(record).value
-    verdicts = {Verdict(entry["verdict"]) for entry in record["quantities"]}
-    return next((v.value for v in WORST_FIRST if v in verdicts), "not reported")
+    status = status_of(record)
+    if status is not Status.RAN:
+        return BLOW_UP if blew_up(record) else status.value
+    verdicts = (entry["verdict"] for entry in record["quantities"])
+    return min(verdicts, key=VERDICTS.__getitem__, default="not reported")

@@ -15,7 +15,7 @@ from typing import Any
 
 from vv import imports
 from vv.ask import Status
-from vv.closure import CONTENT, source_digest
+from vv.closure import CONTENT
 from vv.content import written
 from vv.digest import digest
 from vv.project import Project
@@ -54,7 +54,7 @@ def identity(
         [[name, one.installed, one.version] for name, one in sorted(found.items())],
         [[str(file), *_state(file)] for file in files],
         _sources(project),
-        source_digest(sorted(against.glob("*.json"))) if against else "",
+        {path.name: _content(path) for path in against.glob("*.json")} if against else "",
         _libraries(),
         list(commit(project.root)),
         machine(),
@@ -105,11 +105,16 @@ def _sources(project: Project) -> dict[str, str]:
     roots = dict.fromkeys((project.root, imports.OWN))
     folders = [("vv", tool), *((f"{i}/{c}", r / c) for i, r in enumerate(roots) for c in CONTENT)]
     return {
-        f"{name}/{path.relative_to(folder)}": hashlib.sha256(path.read_bytes()).hexdigest()
+        f"{name}/{path.relative_to(folder)}": _content(path)
         for name, folder in folders
         for path in _files(folder)
         if written(path, folder)
     }
+
+
+def _content(path: Path) -> str:
+    """Read anew each time: a file may be edited while an invocation goes on."""
+    return hashlib.sha256(path.read_bytes()).hexdigest()
 
 
 def _files(folder: Path) -> Iterator[Path]:

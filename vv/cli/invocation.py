@@ -46,9 +46,12 @@ def answered(
         manifest = carried_out(project, make_plan(), limits, json_file)
     else:
         screen.say(f"nothing has changed since {manifest['name']}")
-        if not standing.untouched(store, before, report):
+        left = standing.untouched(store, before, report)
+        if not left:
             _build(project, manifest, limits)
         _tell(project, manifest, json_file)
+        if left:
+            return manifest
     if identity() == before:  # nobody edited anything meanwhile
         standing.remember(store, before, manifest, report)
     return manifest
