@@ -11,6 +11,7 @@ import ast
 import concurrent.futures
 import os
 import random
+import re
 import shutil
 import subprocess
 import sys
@@ -21,23 +22,18 @@ from pathlib import Path
 
 from bench.evidence import conclude
 from bench.seeded_bugs import BUGS, Bug
+from vv.closure import closure
 from vv.finding import Bit
+from vv.keys import roots
+from vv.project import find
 
-ROOT = Path(__file__).parents[1]
+ROOT = Path(__file__).resolve().parents[1]
 CONTENT = ("vv", "adapters", "cases", "reference_solutions", "reports", "pyproject.toml")
-KERNELS = {  # code: folder, files
-    "dem": (
-        "vv/dem",
-        ("line_kernel", "space_kernel", "pressed_kernel", "driven", "contact_law", "friction",
-         "advance"),
-    ),
-    "exact": (
-        "vv/exact",
-        ("flow", "modes", "roots", "path", "clock", "slide", "slide_path", "slider"),
-    ),
-    "dda": ("vv/blocks", ("dda_point_kernel", "dda_kernel", "dda_law")),
-    "rigid": ("vv/blocks", ("point_kernel", "rigid_kernel", "point_trial", "slip")),
-}  # fmt: skip
+COMPILED = re.compile(r"^@(?:compiled|called|inlined)\b", re.MULTILINE)
+BY_EVENTS = (  # the kernels of `exact`, which compiles none
+    "bonds", "clock", "flow", "ledger", "modes", "path", "roots", "slide", "slide_ledger",
+    "slide_path", "slider", "system",
+)  # fmt: skip
 QUICKEST = (
     "single-contact",
     "incline:newmark-35",
@@ -114,15 +110,24 @@ def seeded() -> Iterator[tuple[Bug, str]]:
         yield bug, text.replace(bug.old, bug.new, 1)
 
 
+def kernels() -> dict[str, str]:
+    """File -> code: all that is compiled, with the first code that it is part of."""
+    project = find(ROOT)
+    found = {f"vv/exact/{name}.py": "exact" for name in BY_EVENTS}
+    for code in ("dem", "rigid", "dda"):
+        for path in closure(project.adapter_files(code), roots(project)):
+            if path.suffix == ".py" and COMPILED.search(path.read_text()):
+                found.setdefault(path.relative_to(ROOT).as_posix(), code)
+    return found
+
+
 def mechanical(each: int) -> Iterator[tuple[Bug, str]]:
     """Operators turned and constants moved, a fixed random choice of `each` in every kernel."""
-    for code, (folder, names) in KERNELS.items():
-        for name in names:
-            file = f"{folder}/{name}.py"
-            tree = ast.parse((ROOT / file).read_text())
-            sites = [node for node in ast.walk(tree) if _turnable(node)]
-            for node in random.Random(file).sample(sites, min(each, len(sites))):
-                yield _turned(tree, node, file, code)
+    for file, code in kernels().items():
+        tree = ast.parse((ROOT / file).read_text())
+        sites = [node for node in ast.walk(tree) if _turnable(node)]
+        for node in random.Random(file).sample(sites, min(each, len(sites))):
+            yield _turned(tree, node, file, code)
 
 
 def _turnable(node: ast.AST) -> bool:

@@ -98,8 +98,7 @@ def _declare(variant: str, p: Parameters) -> Trial:
 
 
 def _motion(what: Displacement, scene: Scene, directions: int, path: Path) -> Motion:
-    size = float(np.linalg.norm(path(GOAL.times(None)), axis=1).max())
-    return Motion(what, scene.axes[:directions], path, size, "m")
+    return Motion(what, scene.axes[:directions], path, GOAL.times(None), "m")
 
 
 def _of_sphere(motion: Motion) -> tuple[Quantity, ...]:

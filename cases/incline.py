@@ -94,8 +94,7 @@ def _both(p: Parameters, scene: Scene, goal: History) -> tuple[Quantity, ...]:
     def path(t: Vector) -> Vector:
         return incline.two_directions(t, **drive, **law)
 
-    size = float(np.linalg.norm(path(goal.times(None)), axis=1).max())
-    motion = Motion(BLOCK, scene.axes[:2], path, size, "m")
+    motion = Motion(BLOCK, scene.axes[:2], path, goal.times(None), "m")
     judge = Exact({**TOLERANCES, Method.SECOND_ORDER: TURNING})
     return (
         motion.part(0, "d", "displacement down the dip", judge),

@@ -78,8 +78,7 @@ def _declare(variant: str, p: Parameters) -> Trial:
         _path(p),
         _directions(p),
     )
-    size = float(np.linalg.norm(path(goal.times(None)), axis=1).max())
-    motion = Motion(BLOCK, np.eye(3)[:directions], path, size, "m")
+    motion = Motion(BLOCK, np.eye(3)[:directions], path, goal.times(None), "m")
     if variant == "map":
         return Trial(Ladder(_scene(p), goal, (BLOCK,), MAP), (motion.distance(EXPLORED),))
     judge = Exact(_tolerances(p))

@@ -35,11 +35,16 @@ def _of_arc(t: float, opening: float) -> float:
 
 
 def _thinnest(n: int, out: Callable[[float, float], float]) -> float:
-    from scipy.optimize import brentq
-
+    """Halved between a thickness that falls and one that stands until nothing lies between."""
     if n < 6 or n % 2:
         raise ValueError(f"n = {n}; an even number of at least 6 voussoirs is covered")
-    return float(brentq(lambda t: _least(t, n, out), 0.02, 0.5, xtol=1e-15))
+    falls, stands = 0.02, 0.5
+    while falls < (middle := (falls + stands) / 2.0) < stands:
+        if _least(middle, n, out) < 0.0:
+            falls = middle
+        else:
+            stands = middle
+    return stands
 
 
 def _least(t: float, n: int, out: Callable[[float, float], float]) -> float:

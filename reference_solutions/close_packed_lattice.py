@@ -83,7 +83,8 @@ def lattice(n: int, p: int, q: int, d: float) -> Lattice:
         [np.column_stack([d * xy, np.full(len(xy), k * rise)]) for k, xy in enumerate(layers)]
     )
     area = (n - 1) * d * p * sqrt(3.0) * d
-    return Lattice(position, _touching(position, d), area, 2 * q * rise)
+    layer = np.repeat(np.arange(len(layers)), [len(xy) for xy in layers])
+    return Lattice(position, _touching(position, layer, d), area, 2 * q * rise)
 
 
 def static(block: Lattice, kn: float, ks: float) -> Static:
@@ -114,14 +115,19 @@ def _layer(n: int, p: int, kind: int) -> Array:
     return np.concatenate(rows)
 
 
-def _touching(position: Array, d: float) -> Pairs:
-    """(B, 2) the pairs at the distance d, the lower number first, in order."""
-    from scipy.spatial import cKDTree
+def _touching(position: Array, layer: Pairs, d: float) -> Pairs:
+    """(B, 2) the pairs at the distance d, the lower number first, in order.
 
-    found = cKDTree(position).query_pairs(1.1 * d, output_type="ndarray")
-    pairs = np.sort(found, axis=1).astype(np.int64)
-    ordered: Pairs = pairs[np.lexsort((pairs[:, 1], pairs[:, 0]))]
-    return ordered
+    layer: (N,) of each element, in order; what it touches lies there or in the next one.
+    """
+    found = []
+    for k in range(layer[-1] + 1):
+        first, last = np.searchsorted(layer, (k, k + 2))
+        here, near = position[first : first + int((layer == k).sum())], position[first:last]
+        gaps = np.linalg.norm(near - here[:, None], axis=2)
+        i, j = np.nonzero(gaps < 1.1 * d)
+        found.append(np.column_stack([i, j])[i < j] + first)
+    return np.concatenate(found)
 
 
 def _stiffness(block: Lattice, kn: float, ks: float):  # type: ignore[no-untyped-def]  # scipy's

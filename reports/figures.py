@@ -63,6 +63,8 @@ def _keep(chart: Chart | HeatMap, path: Path) -> None:
 
 def drawn_before(chart: Chart | HeatMap, folder: Path) -> str:
     """The SVG of a chart if the folder has it, else nothing."""
+    if not folder.is_dir():
+        return ""
     path = folder / f"{digest(chart, _sources())}.svg"
     return path.read_text(encoding="utf-8") if path.is_file() else ""
 

@@ -74,7 +74,7 @@ def _built(
     output: Path,
     drawing: Callable[[Callable[[Draw], Page], Path], None],
 ) -> Path:
-    past = histories.histories(store, manifest["cases"])
+    past = histories.histories(store, manifest["cases"], {manifest["name"]: manifest})
     stamp = _stamp(manifest, past, drawing.__name__)
     if _stamp_of(output) != stamp:
         from reports.figures import drawn_before
@@ -92,7 +92,7 @@ def _template(folder: Path) -> Any:
     """The page's template, compiled in a folder: text is escaped, a misspelt name is an error."""
     import jinja2
 
-    from reports import text
+    from reports import pieces, text
 
     environment = jinja2.Environment(
         loader=jinja2.FileSystemLoader(HERE / "templates"),
@@ -104,6 +104,8 @@ def _template(folder: Path) -> Any:
     )
     for name in (text.sci, text.brief, text.short, text.ratio, text.slug):
         environment.filters[name.__name__] = name
+    for piece in (pieces.glyph, pieces.tag, pieces.numbers):
+        environment.globals[piece.__name__] = piece
     return environment.get_template("report.html.j2")
 
 

@@ -6,8 +6,7 @@ from collections import Counter
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from vv.finding import Bit
-from vv.gate import exit_bits, outcome
+from vv.gate import conserves, outcome
 from vv.reading import Record, ran
 
 
@@ -52,7 +51,7 @@ def outcome_of(record: Record) -> Outcome:
     found = OUTCOMES[outcome(record)]
     if not ran(record) or found.troubling:
         return found
-    return OUTCOMES["not conserved"] if exit_bits([record]) & Bit.CONSERVATION else found
+    return found if conserves(record) else OUTCOMES["not conserved"]
 
 
 def counted(records: Iterable[Record]) -> list[tuple[Outcome, int]]:

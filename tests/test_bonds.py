@@ -9,10 +9,9 @@ import numpy as np
 import pytest
 
 from tests.bonded_scenes import CORNERS, EDGES, KN, KS, D, elements, tied, unit
-from vv.adapter import unsupported
+from vv.adapter import settled, unsupported
 from vv.ask import Ask, Displacement, History, Knobs, Status
 from vv.digest import digest
-from vv.plan import settled
 from vv.project import find
 from vv.scene import Bonds, Contact, Scene, Spheres, Term, Wall
 from vv.script import python_script, source

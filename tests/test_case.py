@@ -6,8 +6,10 @@ from typing import Any
 
 import pytest
 
+from tests.conftest import Tiny
 from vv.ask import Knobs
-from vv.case import LOOSEST, Tolerance
+from vv.case import LOOSEST, Tolerance, size_of
+from vv.finding import Bit
 
 
 @pytest.mark.parametrize(
@@ -27,6 +29,25 @@ from vv.case import LOOSEST, Tolerance
 def test_a_tolerance_that_makes_no_sense_is_named(given: dict[str, Any], said: str) -> None:
     with pytest.raises(ValueError, match=said):
         Tolerance(**{"value": 1e-3, "reason": "why", **given})
+
+
+def test_an_answer_is_not_asked_for_until_a_run_is_measured_unless_a_user_poses_it(
+    tiny: Tiny,
+) -> None:
+    """It may take its time; but a parameter for which there is none is the user's mistake."""
+    refuse = 'raise ValueError("no answer")'
+    tiny.edit("reference_solutions/fall.py", "return", f"{refuse}\n    return")
+    assert tiny.vv("run", "fall:up", "--dry-run").returncode == 0
+    posed = tiny.vv("run", "fall:up", "--dry-run", "--set", "speed=4m/s")
+    assert (posed.returncode, "fall:up: no answer" in posed.stderr) == (Bit.USAGE, True)
+
+
+@pytest.mark.parametrize("scale", [0.0, -1.0, float("nan"), float("inf")])
+def test_errors_are_relative_to_something_positive_whenever_that_is_found(scale: float) -> None:
+    with pytest.raises(ValueError, match=r"quantity 'y' has scale = .*; it must be positive"):
+        size_of("y", scale)
+    with pytest.raises(ValueError, match=r"quantity 'y' has scale = .*; it must be positive"):
+        size_of("y", lambda: scale)
 
 
 def test_a_tolerance_grows_with_the_step_and_falls_with_the_stiffness_within_its_limits() -> None:

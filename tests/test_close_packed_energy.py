@@ -12,7 +12,7 @@ import pytest
 from cases.close_packed_energy import CASE
 from vv import dem
 from vv.ask import Knobs, Method, Run, Status
-from vv.case import Exact, Scalar, Trial
+from vv.case import Exact, Scalar, Trial, number
 from vv.energy import Form
 from vv.plan import Options, make_plan
 from vv.project import find
@@ -34,7 +34,7 @@ def ran(trial: Trial, knobs: Knobs) -> Run:
     return run
 
 
-def number(name: str, run: Run) -> float:
+def observed(name: str, run: Run) -> float:
     scalar = Q[name]
     assert isinstance(scalar, Scalar)
     return scalar.observe(run)
@@ -43,7 +43,7 @@ def number(name: str, run: Run) -> float:
 def test_energy_balances_through_failure_to_second_order_in_the_step() -> None:
     judge = Q["balance"].judge
     assert isinstance(judge, Exact)
-    coarse, fine = (number("balance", pulled(knobs)) for knobs in (COARSE, FINE))
+    coarse, fine = (observed("balance", pulled(knobs)) for knobs in (COARSE, FINE))
     assert 0 < fine < judge.tolerances[Method.SECOND_ORDER].at(FINE)
     assert np.log2(coarse / fine) == pytest.approx(2, abs=0.2)
 
@@ -55,7 +55,7 @@ def test_heat_that_is_not_booked_is_seen(form: Form) -> None:
     judge = Q["balance"].judge
     assert isinstance(judge, Exact)
     allowed = judge.tolerances[Method.SECOND_ORDER].at(FINE)
-    assert number("balance", dataclasses.replace(run, energies=lost)) > 2 * allowed
+    assert observed("balance", dataclasses.replace(run, energies=lost)) > 2 * allowed
 
 
 def test_elastic_energy_is_that_of_the_static_lattice_and_sees_wrong_springs() -> None:
@@ -66,7 +66,8 @@ def test_elastic_energy_is_that_of_the_static_lattice_and_sees_wrong_springs() -
     bound = half.judge.tolerances[Method.SECOND_ORDER].value
     p = CASE.defaults("pulled-82")
     stiff = ran(CASE.declare("pulled-82", {**p, "kn": 1.001 * p["kn"]}), COARSE)
-    errors = [abs(half.observe(run) / half.reference - 1) for run in (pulled(COARSE), stiff)]
+    exact = number(half.reference)
+    errors = [abs(half.observe(run) / exact - 1) for run in (pulled(COARSE), stiff)]
     assert errors[0] < bound < errors[1]
 
 
@@ -75,15 +76,15 @@ def test_a_block_in_two_has_turned_its_elastic_energy_into_heat() -> None:
     end = {form: series[-1] for form, series in run.energies.items()}
     assert end[Form.NORMAL] + end[Form.SHEAR] < 1e-4 * -end[Form.CARRYING]
     assert end[Form.DRAG] > end[Form.BROKEN_NORMAL] > end[Form.BROKEN_SHEAR] > 0
-    assert 0.1 < number("kinetic share", run) < 0.2
-    assert 3e-7 < number("crack time", run) < 2e-6
+    assert 0.1 < observed("kinetic share", run) < 0.2
+    assert 3e-7 < observed("crack time", run) < 2e-6
 
 
 def test_what_never_breaks_has_no_crack() -> None:
     run = pulled(FINE)
     whole = dict.fromkeys((Form.BROKEN_NORMAL, Form.BROKEN_SHEAR), np.zeros(len(run.times)))
     assert np.isnan(
-        number("crack time", dataclasses.replace(run, energies={**run.energies, **whole}))
+        observed("crack time", dataclasses.replace(run, energies={**run.energies, **whole}))
     )
 
 

@@ -10,7 +10,7 @@ import pytest
 from cases.close_packed_lattice import CASE
 from vv import dem
 from vv.ask import Ask, Knobs, Method, Run, Status
-from vv.case import Exact, Scalar, Trial
+from vv.case import Exact, Scalar, Trial, number
 from vv.plan import Options, make_plan
 from vv.project import find
 from vv.study import Level
@@ -30,7 +30,8 @@ def off(trial: Trial, run: Run) -> dict[str, float]:
     for q in trial.quantities:
         if isinstance(q, Scalar) and isinstance(q.judge, Exact) and q.reference is not None:
             allowed = q.judge.tolerances[Method.SECOND_ORDER].value
-            errors[q.name] = abs(q.observe(run) - q.reference) / q.scale / allowed
+            gap = abs(q.observe(run) - number(q.reference))
+            errors[q.name] = gap / number(q.scale) / allowed
     return errors
 
 

@@ -64,7 +64,7 @@ def test_closed_forms_are_met_to_rounding(variant: str) -> None:
     run = solve(asked(variant))
     assert run.status is Status.RAN, run.reason
     found = np.asarray(quantity.observe(run))
-    assert apart(found, quantity.reference(run.times)) < 1e-13  # type: ignore[operator,misc]
+    assert apart(found, quantity.reference(run.times)) < 1e-13  # type: ignore[operator,misc,call-arg,arg-type]
 
 
 @pytest.mark.parametrize("test", PLAIN)
@@ -80,7 +80,7 @@ def test_coordinates_that_dwarf_the_motion_cost_no_accuracy(test: str) -> None:
         rotation = turned(seed)
         run = solve(dataclasses.replace(ask, scene=rotated(ask.scene, rotation)))
         y = run.values[Displacement(1)] @ rotation[:, 1]
-        expected = quantity.reference(run.times)  # type: ignore[operator,misc]
+        expected = quantity.reference(run.times)  # type: ignore[operator,misc,call-arg]
         assert apart(y, np.asarray(expected)) < 2e-13, f"seed {seed}"
 
 

@@ -13,7 +13,7 @@ from reference_solutions.checks import painleve_rod as stepped
 from tests.turned_signs import caught, signs, turned
 from vv.ask import Run
 from vv.blocks import rigid
-from vv.case import Scalar
+from vv.case import Scalar, size_of
 from vv.project import find
 from vv.study import Level
 
@@ -63,7 +63,7 @@ def shown(variant: str, mu: float) -> tuple[float, Run]:
     other = CASE.declare(variant, {**CASE.defaults(variant), "mu": mu}).study
     run = rigid.solve(other.ask(trial.study.rungs[Level.DEFAULT][-1]))
     (distance,) = (q for q in trial.quantities if isinstance(q, Scalar))
-    return distance.observe(run) / distance.scale, run
+    return distance.observe(run) / size_of(distance.name, distance.scale), run
 
 
 def test_rigid_contact_by_impulses_has_the_solution_and_says_it_converged() -> None:

@@ -13,7 +13,7 @@ from reference_solutions.checks import resting_lattice as lowest
 from tests.turned_signs import caught, signs, turned
 from vv import dem
 from vv.ask import Run, Velocity
-from vv.case import Scalar
+from vv.case import Scalar, number
 from vv.project import find
 from vv.scene import Vector
 from vv.study import Level
@@ -103,13 +103,13 @@ def test_a_gain_of_a_hundredth_is_seen() -> None:
         what: np.stack([values[0], values[0] * (1.005 if isinstance(what, Velocity) else 1.0)])
         for what, values in run.values.items()
     }
-    seen = gained.observe(dataclasses.replace(run, values=faster)) / gained.scale
+    seen = gained.observe(dataclasses.replace(run, values=faster)) / number(gained.scale)
     assert seen == pytest.approx(1.005**2 - 1, rel=1e-6)
 
 
 def test_friction_takes_nearly_all_of_a_knock() -> None:
     run, gained = knocked()
     assert run.ledger is not None
-    taken = run.ledger.terms["friction dissipation"] / gained.scale
+    taken = run.ledger.terms["friction dissipation"] / number(gained.scale)
     assert 0.95 < taken < 1.0
-    assert run.ledger.unaccounted < 1e-3 * gained.scale
+    assert run.ledger.unaccounted < 1e-3 * number(gained.scale)

@@ -18,9 +18,9 @@ import numpy as np
 import pytest
 
 from tests.metamorphic import Twin, apart, backwards, elastic, known, twins
-from vv.adapter import Adapter, Scheme
+from vv.adapter import Adapter, Scheme, settled
 from vv.ask import Ask, Displacement, Run, Status, Velocity
-from vv.plan import project_knobs, settled
+from vv.plan import project_knobs
 from vv.project import find
 from vv.rescale import rescaled
 

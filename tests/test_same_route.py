@@ -8,10 +8,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from vv.adapter import Adapter
+from vv.adapter import Adapter, settled
 from vv.ask import Ask, Status
 from vv.case import Case
-from vv.plan import project_knobs, settled
+from vv.plan import project_knobs
 from vv.project import find
 from vv.scene import Block, Scene, Spheres, Wall
 from vv.study import Level

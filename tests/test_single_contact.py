@@ -148,7 +148,7 @@ def test_each_parameter_changes_the_reference_or_is_declared_inert(
     moved = {**values, parameter: 1.1 * values[parameter]}
     t = np.linspace(0.0, 0.4, 41)
     before, after = (
-        CASE.declare(test, p).quantities[0].reference(t)  # type: ignore[operator,misc]
+        CASE.declare(test, p).quantities[0].reference(t)  # type: ignore[operator,misc,call-arg]
         for p in (values, moved)
     )
     inert = parameter in CASE.variant(test).inert

@@ -14,8 +14,10 @@ import pytest
 
 from tests.conftest import Tiny
 from vv.ask import Cost, Displacement, Ledger, Model, Run, Status, Velocity
+from vv.files import write
+from vv.finding import Bit
 from vv.scene import Term
-from vv.store import Store, write
+from vv.store import Store
 
 SELECTION = ("run", "fall:up", "--codes", "fake/good")
 
@@ -68,6 +70,25 @@ def test_changing_a_parameter_runs_again_and_is_marked(tiny: Tiny) -> None:
 def test_each_scheme_has_runs_of_its_own(tiny: Tiny) -> None:
     runs(tiny)
     assert runs(tiny, "run", "fall:up", "--codes", "fake/coarse") == 3
+
+
+def test_what_is_stored_of_a_code_does_not_stand_in_for_it_once_it_is_gone(tiny: Tiny) -> None:
+    tiny.edit("adapters/fake.py", "Found(True", 'Found("FAKE_GONE" not in os.environ')
+    words = ("run", "fall:up", "--codes", "fake/good", "--require", "fake")
+    assert tiny.vv(*words).returncode == 0
+    gone = tiny.vv(*words, FAKE_GONE="1")
+    assert (gone.returncode, "not installed" in gone.stdout) == (Bit.INCOMPLETE, True)
+
+
+def test_a_code_is_not_asked_whether_it_refuses_what_stands_until_it_is_edited(tiny: Tiny) -> None:
+    said = 'print("?", file=open(os.environ["FAKE_LOG"], "a"))'
+    tiny.edit("adapters/fake.py", 'return "it does', f'{said}\n        return "it does')
+    words = ("run", "fall:up", "--codes", "fake/good,fake/refuses")
+    assert runs(tiny, *words) == 3 + 3 + 3  # asked for each rung of both, and run for one
+    tiny.edit("cases/fall.py", "the tiny project says so", "it says so still")
+    assert runs(tiny, *words) == 3
+    tiny.edit("adapters/fake.py", 'if scheme == "refuses"', 'if scheme == "good"')
+    assert "3 pass, 3 refused" in tiny.vv(*words, FAKE_LOG=os.devnull).stdout
 
 
 def test_a_failure_is_never_kept(tiny: Tiny) -> None:

@@ -6,7 +6,7 @@ import pytest
 from reference_solutions import tetrahedral_unit
 from vv import dem
 from vv.ask import Method, Run
-from vv.case import Exact, Parameters, Scalar, Trial
+from vv.case import Exact, Parameters, Scalar, Trial, number
 from vv.judges import judge_of
 from vv.project import find
 
@@ -33,7 +33,7 @@ def judged(q: Scalar) -> bool:
 def errors(of: Trial, run: Run) -> dict[str, float]:
     """Of every quantity that is judged."""
     return {
-        q.name: abs(q.observe(run) - q.reference) / q.scale
+        q.name: abs(q.observe(run) - number(q.reference)) / number(q.scale)
         for q in of.quantities
         if isinstance(q, Scalar) and q.reference is not None and judged(q)
     }

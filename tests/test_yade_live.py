@@ -19,6 +19,7 @@ from adapters.yade.installed import PYTHON
 from cases.single_contact import CASE
 from tests.sliding_blocks import responding
 from vv.ask import Ask, Displacement, History, Knobs, Run, Status, Velocity
+from vv.case import Series
 from vv.scene import Contact, Scene, Spheres, Vector, Wall
 from vv.transform import about_z, rotated, swapped
 
@@ -43,8 +44,9 @@ def ran(asks: Sequence[Ask], scheme: str, folder: Path, repeat: float = 0.0) -> 
 
 def error(run: Run, variant: str) -> float:
     (quantity,) = TRIALS[variant].quantities
+    assert isinstance(quantity, Series)
     assert quantity.reference is not None
-    exact = quantity.reference(run.times)  # type: ignore[operator]  # it is a Series here
+    exact = quantity.reference(run.times)
     return float(np.abs(quantity.observe(run) - exact).max() / np.abs(exact).max())
 
 

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Protocol
 
 import vv
-from vv.ask import Ask, Displacement, Method, Model, Run, Velocity
+from vv.ask import Ask, Displacement, Method, Model, Run, Status, Velocity
 from vv.energy import Form
 from vv.scene import Scene, Term
 
@@ -85,6 +85,20 @@ class Adapter(Protocol):
         for about that many CPU seconds and the least is reported in Cost. Nothing but the cost of
         such a run is used: a code whose solves write nothing while they are timed gives no values.
         """
+
+
+def settled(adapter: Adapter, scheme: Scheme, ask: Ask, found: Found) -> Run | None:
+    """Refused or not installed, if that is known beforehand; refusals come first."""
+    missing = unsupported(scheme, ask.scene.terms())
+    if missing:
+        terms = ", ".join(sorted(term.value for term in missing))
+        return Run(Status.REFUSED, f"{adapter.name}/{scheme.name} does not support: {terms}")
+    if hidden := unseen(scheme, ask):
+        return Run(Status.REFUSED, f"{adapter.name}/{scheme.name} does not report: {hidden}")
+    reason = no_steps(ask) or adapter.refuses(ask, scheme.name)
+    if reason is not None:
+        return Run(Status.REFUSED, reason)
+    return None if found.installed else Run(Status.NOT_INSTALLED, found.how_to_install)
 
 
 def no_steps(ask: Ask) -> str | None:

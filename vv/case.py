@@ -66,6 +66,22 @@ def _require_answer(name: str, reference: object, judge: Judge) -> None:
         raise ValueError(f"quantity '{name}' is judged by its error and has no reference")
 
 
+Number = float | Callable[[], float]  # a function is called where a run is measured, not before
+
+
+def number(value: Number) -> float:
+    """A number that may take its time to be found."""
+    return value() if callable(value) else value
+
+
+def size_of(name: str, scale: Number) -> float:
+    """What errors of a quantity are relative to; raises ValueError if it is not positive."""
+    size = number(scale)
+    if not (math.isfinite(size) and size > 0):
+        raise ValueError(f"quantity '{name}' has scale = {size!r}; it must be positive")
+    return size
+
+
 @dataclass(frozen=True)
 class Series:
     """A quantity over time: observe(run) -> (k,) values at run.times; reference(t) -> (k,).
@@ -80,14 +96,14 @@ class Series:
     observe: Callable[[Run], Vector]
     reference: Callable[[Vector], Vector] | None
     judge: Judge
-    scale: float | None = None
+    scale: Number | None = None
 
     def __post_init__(self) -> None:
         _require_answer(self.name, self.reference, self.judge)
         if isinstance(self.judge, Interval):
             raise ValueError(f"quantity '{self.name}': a series has no single value to bound")
-        if self.scale is not None and not self.scale > 0:
-            raise ValueError(f"Series.scale = {self.scale!r} {self.unit}; it must be positive")
+        if self.scale is not None and not callable(self.scale):
+            size_of(self.name, self.scale)
 
 
 @dataclass(frozen=True)
@@ -103,15 +119,15 @@ class Scalar:
     unit: str
     meaning: str
     observe: Callable[[Run], float]
-    reference: float | None
-    scale: float
+    reference: Number | None
+    scale: Number
     judge: Judge
     told: Callable[[Run], bool] = lambda run: True
 
     def __post_init__(self) -> None:
         _require_answer(self.name, self.reference, self.judge)
-        if not (math.isfinite(self.scale) and self.scale > 0):
-            raise ValueError(f"Scalar.scale = {self.scale!r} {self.unit}; it must be positive")
+        if not callable(self.scale):
+            size_of(self.name, self.scale)
 
 
 @dataclass(frozen=True)
@@ -122,7 +138,7 @@ class Count:
     symbol: str
     meaning: str
     observe: Callable[[Run], int]
-    reference: int | None
+    reference: int | Callable[[], int] | None
     judge: Judge
 
     def __post_init__(self) -> None:

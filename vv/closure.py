@@ -3,12 +3,19 @@
 import ast
 import functools
 import hashlib
+import re
 from collections.abc import Iterable, Iterator
 from importlib import metadata
 from pathlib import Path
 
 CONTENT = ("adapters", "cases", "reference_solutions", "reports")  # the packages of a project
 OURS = ("vv", *CONTENT)
+WORD = re.compile(r"\bimport\b")
+PLAIN = re.compile(  # on lines of their own, and without what may hide a name
+    r"^[ \t]*(?:from[ \t]+([.\w]+)[ \t]+import[ \t]*(?:\(([^()#;\\]*)\)|([^()#;\\\n]+))"
+    r"|import[ \t]+([^()#;\\\n]+))(?:#.*)?$",
+    re.MULTILINE,
+)
 
 
 def closure(files: Iterable[Path], roots: Iterable[Path]) -> tuple[Path, ...]:
@@ -41,16 +48,44 @@ def libraries(files: Iterable[Path]) -> dict[str, str]:
 
 def source_digest(files: Iterable[Path]) -> str:
     """SHA-256 of names and contents, independent of where the files lie."""
-    sha = hashlib.sha256()
-    for path in sorted(files, key=lambda p: (p.name, str(p))):
-        sha.update(path.name.encode() + b"\0" + path.read_bytes() + b"\0")
-    return sha.hexdigest()
+    ordered = sorted(files, key=lambda path: (path.name, str(path)))
+    named = "".join(f"{path.name}\0{_content(path)}\0" for path in ordered)
+    return hashlib.sha256(named.encode()).hexdigest()
+
+
+@functools.cache
+def _content(path: Path) -> str:
+    """Digest of a file as it was when first asked for: most are part of many closures."""
+    return hashlib.sha256(path.read_bytes()).hexdigest()
 
 
 @functools.cache
 def _imports(path: Path) -> tuple[str, ...]:
-    tree = ast.parse(path.read_text(encoding="utf-8"), filename=str(path))
-    return tuple(sorted(set(_names(tree))))
+    text = path.read_text(encoding="utf-8")
+    return tuple(sorted(set(imported(text, str(path)))))
+
+
+def imported(text: str, filename: str = "") -> list[str]:
+    """What a source imports, at least: modules, and what it takes from them as if modules too.
+
+    It is only parsed where the word stands anywhere but in plain import statements, since parsing
+    takes ten times as long as looking for these.
+    """
+    plain = list(PLAIN.finditer(text))
+    if len(plain) < len(WORD.findall(text)):
+        return list(_names(ast.parse(text, filename)))
+    return [name for statement in plain for name in _named(*statement.groups())]
+
+
+def _named(module: str | None, *lists: str | None) -> Iterator[str]:
+    """The names in the parts of a plain statement: what it takes from a module, or modules."""
+    parts = ",".join(filter(None, lists)).split(",")
+    names = [part.split()[0] for part in parts if part.strip()]
+    if module is None:
+        yield from names
+    elif above := module.lstrip("."):
+        yield above
+        yield from (f"{above}.{name}" for name in names)
 
 
 def _names(tree: ast.AST) -> Iterator[str]:

@@ -3,10 +3,13 @@
 import dataclasses
 import enum
 import hashlib
-from collections.abc import Iterator, Mapping
+import itertools
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
+
+PLAIN = frozenset({bool, int, float, str, type(None)})
 
 
 def digest(*values: Any) -> str:
@@ -15,38 +18,41 @@ def digest(*values: Any) -> str:
     Dataclasses, arrays, mappings, sets, tuples, enumeration members and plain scalars are
     understood. Raises TypeError for anything else: a value without a stable form has no digest.
     """
-    sha = hashlib.sha256()
+    chunks: list[bytes] = []
     for value in values:
-        for chunk in _chunks(value):
-            sha.update(len(chunk).to_bytes(8, "little"))
-            sha.update(chunk)
-    return sha.hexdigest()
+        _collect(value, chunks)
+    sizes = (len(chunk).to_bytes(8, "little") for chunk in chunks)
+    whole = itertools.chain.from_iterable(zip(sizes, chunks, strict=True))
+    return hashlib.sha256(b"".join(whole)).hexdigest()
 
 
-def _chunks(value: Any) -> Iterator[bytes]:
-    if dataclasses.is_dataclass(value) and not isinstance(value, type):
-        yield type(value).__name__.encode()
-        for field in dataclasses.fields(value):
-            yield field.name.encode()
-            yield from _chunks(getattr(value, field.name))
+def _collect(value: Any, chunks: list[bytes]) -> None:
+    """Append what tells a value from every other; plain scalars, the most common, come first."""
+    if type(value) in PLAIN:
+        chunks.append(f"{type(value).__name__}:{value!r}".encode())
     elif isinstance(value, enum.Enum):
-        yield f"{type(value).__name__}.{value.name}".encode()
+        chunks.append(f"{type(value).__name__}.{value.name}".encode())
+    elif dataclasses.is_dataclass(value) and not isinstance(value, type):
+        chunks.append(type(value).__name__.encode())
+        for field in dataclasses.fields(value):
+            chunks.append(field.name.encode())
+            _collect(getattr(value, field.name), chunks)
     elif isinstance(value, np.ndarray):
-        yield f"array{value.dtype.str}{value.shape}".encode()
-        yield np.ascontiguousarray(value).tobytes()
+        chunks.append(f"array{value.dtype.str}{value.shape}".encode())
+        chunks.append(value.tobytes())
     elif isinstance(value, Mapping):
-        yield f"map{len(value)}".encode()
+        chunks.append(f"map{len(value)}".encode())
         for key in sorted(value, key=str):
-            yield from _chunks(key)
-            yield from _chunks(value[key])
+            _collect(key, chunks)
+            _collect(value[key], chunks)
     elif isinstance(value, frozenset):
-        yield f"set{len(value)}".encode()
-        yield from sorted(digest(member).encode() for member in value)
+        chunks.append(f"set{len(value)}".encode())
+        chunks += sorted(digest(member).encode() for member in value)
     elif isinstance(value, tuple | list):
-        yield f"list{len(value)}".encode()
+        chunks.append(f"list{len(value)}".encode())
         for member in value:
-            yield from _chunks(member)
-    elif value is None or isinstance(value, bool | int | float | str):
-        yield f"{type(value).__name__}:{value!r}".encode()
+            _collect(member, chunks)
+    elif isinstance(value, bool | int | float | str):
+        chunks.append(f"{type(value).__name__}:{value!r}".encode())
     else:
         raise TypeError(f"{type(value).__name__} has no digest; use frozen data")

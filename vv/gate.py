@@ -24,6 +24,7 @@ STATUS_BITS: Mapping[Status, tuple[Bit, Bit]] = {  # of an optional code, of a r
     Status.TIMEOUT: (Bit.TIMEOUT, Bit.TIMEOUT),
 }
 WORST_FIRST = (Verdict.FAIL, Verdict.XPASS, Verdict.XFAIL, Verdict.PASS, Verdict.NO_REFERENCE)
+VERDICTS = {verdict.value: rank for rank, verdict in enumerate(WORST_FIRST)}
 ALL = frozenset(check.value for check in Check)
 BLOW_UP = "blow-up"  # the outcome of what diverged in a map
 DISSIPATION = " dissipation"  # how the names of energy terms end that can only grow
@@ -148,6 +149,11 @@ def _breaches(ledger: Mapping[str, Any]) -> Iterator[tuple[str, float, float]]:
             yield law, seen, allowed
 
 
+def conserves(record: Mapping[str, Any]) -> bool:
+    """Whether a record's own ledger breaks no law; true where there is none."""
+    return not record["ledger"] or next(_breaches(record["ledger"]), None) is None
+
+
 def blew_up(record: Mapping[str, Any]) -> bool:
     """Whether a run diverged in a map, which is there to show that it does."""
     return status_of(record) is Status.DIVERGED and record.get("study") == "grid"
@@ -155,9 +161,7 @@ def blew_up(record: Mapping[str, Any]) -> bool:
 
 def outcome(record: Mapping[str, Any]) -> str:
     """A record in a word: its status unless it ran, else its worst verdict."""
-    if blew_up(record):
-        return BLOW_UP
     if not ran(record):
-        return status_of(record).value
-    verdicts = {Verdict(entry["verdict"]) for entry in record["quantities"]}
-    return next((v.value for v in WORST_FIRST if v in verdicts), "not reported")
+        return BLOW_UP if blew_up(record) else status_of(record).value
+    verdicts = (entry["verdict"] for entry in record["quantities"])
+    return min(verdicts, key=VERDICTS.__getitem__, default="not reported")

@@ -41,13 +41,23 @@ class Point:
 
 def history(store: Store, case: str) -> list[Point]:
     """The newest run of a case at each of the last commits, oldest first."""
-    return histories(store, [case])[case]
+    return histories(store, [case], {})[case]
 
 
-def histories(store: Store, cases: Iterable[str]) -> dict[str, list[Point]]:
-    """The history of each case; every manifest is read once at most."""
-    read = functools.cache(store.manifest)
-    return {case: _points(list(reversed(_newest(store, case, read)))) for case in cases}
+def histories(
+    store: Store, cases: Iterable[str], at_hand: Mapping[str, Mapping[str, Any]]
+) -> dict[str, list[Point]]:
+    """The history of each case; every manifest is read once at most, and none that is at hand.
+
+    at_hand: manifests by their names.
+    """
+    names, head = store.manifests()[::-1], functools.cache(store.head)
+
+    @functools.cache
+    def read(name: str) -> Mapping[str, Any]:
+        return at_hand.get(name) or store.manifest(name)
+
+    return {case: _points(_newest(case, names, head, read)[::-1]) for case in cases}
 
 
 def _points(found: Sequence[tuple[Mapping[str, Any], list[Record]]]) -> list[Point]:
@@ -60,13 +70,16 @@ def _points(found: Sequence[tuple[Mapping[str, Any], list[Record]]]) -> list[Poi
 
 
 def _newest(
-    store: Store, case: str, read: Callable[[str], Mapping[str, Any]]
+    case: str,
+    names: Iterable[str],
+    head: Callable[[str], tuple[list[str], Mapping[str, Any]]],
+    read: Callable[[str], Mapping[str, Any]],
 ) -> list[tuple[Mapping[str, Any], list[Record]]]:
     """(provenance, records of the case) of the newest run at each commit, newest first."""
     found: dict[tuple[str, bool], tuple[Mapping[str, Any], list[Record]]] = {}
-    for name in reversed(store.manifests()):
+    for name in names:
         try:
-            held, told = store.head(name)
+            held, told = head(name)
             at = told["commit"], told["dirty"]
             if at in found or case not in held:
                 continue

@@ -46,8 +46,8 @@ def record_keys(project: Project, plan: Plan, runs: dict[int, str]) -> dict[int,
 
 
 def code_digest(project: Project, plan: Plan, code: str) -> str:
-    """Fingerprint of a code: import closure, library versions, executable files."""
-    sources = closure(project.adapter_files(code), roots(project))
+    """Fingerprint of a code: import closure, what refuses for it, libraries, executable files."""
+    sources = closure([*project.adapter_files(code), PACKAGE / "adapter.py"], roots(project))
     external = executables(project, plan, code)
     python = platform.python_version()
     return digest(source_digest(sources), libraries(sources), python, sorted(external.values()))

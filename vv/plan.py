@@ -10,9 +10,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from vv.adapter import Adapter, Found, Scheme, no_steps, unseen, unsupported
-from vv.ask import Ask, Knobs, Method, Run, Status
-from vv.case import Case, Series, Trial
+from vv.adapter import Adapter, Found, Scheme, settled
+from vv.ask import Ask, Knobs, Method, Run
+from vv.case import Case, Count, Quantity, Series, Trial, number, size_of
 from vv.project import Project
 from vv.settings import UsageError, near, with_settings
 from vv.study import Level
@@ -34,10 +34,7 @@ class Options:
 
 @dataclass(frozen=True, eq=False)
 class Job:
-    """One ask put to one scheme, with where it comes from.
-
-    settled: the outcome if it is known without running: refused or not installed.
-    """
+    """One ask put to one scheme, with where it comes from."""
 
     case: str
     variant: str
@@ -48,7 +45,12 @@ class Job:
     method: Method
     ask: Ask
     timed: bool
-    settled: Run | None = None
+    settle: Callable[[], Run | None]
+
+    @functools.cached_property
+    def settled(self) -> Run | None:
+        """The outcome if it is known without running: refused or not installed."""
+        return self.settle()
 
     @property
     def label(self) -> str:
@@ -142,15 +144,30 @@ def _pose(case: Case, variant: str, options: Options) -> _Posed:
 
 
 def declare(case: Case, variant: str, parameters: Mapping[str, float]) -> Trial:
-    """The trial; bad parameters are the user's, so their errors are usage errors."""
+    """The trial; bad parameters are the user's, so their errors are usage errors.
+
+    What the answer makes of a user's parameters is seen beforehand; of the case's own it is not
+    asked until a run is measured, since some answers take their time.
+    """
     try:
         trial = case.declare(variant, parameters)
-        for quantity in trial.quantities:
-            if isinstance(quantity, Series) and quantity.reference is not None:
-                quantity.reference(np.zeros(1))
+        if dict(parameters) != case.defaults(variant):
+            _answer(trial.quantities)
         return trial
     except ValueError as error:
         raise UsageError(f"{case.name}:{variant}: {error}") from error
+
+
+def _answer(quantities: Iterable[Quantity]) -> None:
+    """Ask every quantity for its reference and its scale."""
+    for quantity in quantities:
+        if isinstance(quantity, Series):
+            if quantity.reference is not None:
+                quantity.reference(np.zeros(1))
+        elif quantity.reference is not None:
+            number(quantity.reference)
+        if not isinstance(quantity, Count) and quantity.scale is not None:
+            size_of(quantity.name, quantity.scale)
 
 
 def _jobs(posed: _Posed, adapter: Adapter, scheme: Scheme, found: Found) -> list[Job]:
@@ -168,7 +185,7 @@ def _jobs(posed: _Posed, adapter: Adapter, scheme: Scheme, found: Found) -> list
             method=scheme.method_for(terms),
             ask=posed.ask(knobs),
             timed=knobs in timed,
-            settled=settled(adapter, scheme, posed.ask(knobs), found),
+            settle=functools.partial(settled, adapter, scheme, posed.ask(knobs), found),
         )
         for knobs in dict.fromkeys(project_knobs(knobs, scheme) for knobs in posed.rungs)
     ]
@@ -177,20 +194,6 @@ def _jobs(posed: _Posed, adapter: Adapter, scheme: Scheme, found: Found) -> list
 def project_knobs(knobs: Knobs, scheme: Scheme) -> Knobs:
     """The knobs without those the scheme lacks."""
     return Knobs(**{name: getattr(knobs, name) for name in scheme.knobs})
-
-
-def settled(adapter: Adapter, scheme: Scheme, ask: Ask, found: Found) -> Run | None:
-    """Refused or not installed, if that is known beforehand; refusals come first."""
-    missing = unsupported(scheme, ask.scene.terms())
-    if missing:
-        terms = ", ".join(sorted(term.value for term in missing))
-        return Run(Status.REFUSED, f"{adapter.name}/{scheme.name} does not support: {terms}")
-    if hidden := unseen(scheme, ask):
-        return Run(Status.REFUSED, f"{adapter.name}/{scheme.name} does not report: {hidden}")
-    reason = no_steps(ask) or adapter.refuses(ask, scheme.name)
-    if reason is not None:
-        return Run(Status.REFUSED, reason)
-    return None if found.installed else Run(Status.NOT_INSTALLED, found.how_to_install)
 
 
 def select(project: Project, selection: Sequence[str]) -> list[tuple[Case, str]]:

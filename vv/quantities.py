@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 from collections.abc import Callable
 from dataclasses import dataclass
 
@@ -16,14 +17,19 @@ from vv.scene import Vector
 class Motion:
     """An observable [unit] along axes (d, 3), and its exact path: times (k,) [s] -> (k, d).
 
-    size: what every error is relative to, since a part that hardly moves has no scale of its own.
+    times: of the outputs, which the whole path is measured at.
     """
 
     observable: Observable
     axes: Vector
     path: Callable[[Vector], Vector]
-    size: float
+    times: Vector
     unit: str
+
+    @functools.cached_property
+    def size(self) -> float:
+        """What every error is relative to: a part that hardly moves has no scale of its own."""
+        return float(np.linalg.norm(self.path(self.times), axis=1).max())
 
     def part(self, i: int, name: str, meaning: str, judge: Judge) -> Series:
         """The motion along the i-th axis."""
@@ -35,7 +41,7 @@ class Motion:
             observe=lambda run: np.asarray(run.values[self.observable] @ self.axes[i]),
             reference=lambda t: self.path(t)[:, i],
             judge=judge,
-            scale=self.size,
+            scale=lambda: self.size,
         )
 
     def distance(self, judge: Judge) -> Scalar:
@@ -47,7 +53,7 @@ class Motion:
             meaning="largest distance from the exact path",
             observe=self._farthest,
             reference=0.0,
-            scale=self.size,
+            scale=lambda: self.size,
             judge=judge,
         )
 

@@ -8,6 +8,7 @@ from typing import Any
 from vv.ask import Status
 
 Record = Mapping[str, Any]
+STATUSES = {status.name.lower().replace("_", "-"): status for status in Status}
 UNTRIED = (Status.REFUSED, Status.NOT_INSTALLED)
 
 
@@ -29,7 +30,7 @@ def fineness(record: Record) -> tuple[float, float]:
 
 def status_of(record: Record) -> Status:
     """The status that a record names."""
-    return Status[record["status"].upper().replace("-", "_")]
+    return STATUSES[record["status"]]
 
 
 def ran(record: Record) -> bool:

@@ -12,7 +12,7 @@ import numpy as np
 
 from vv import metrics
 from vv.ask import Ask, Knobs, Ledger, Method, Run, Status
-from vv.case import Count, Quantity, Scalar, Series
+from vv.case import Count, Quantity, Scalar, Series, number, size_of
 from vv.judges import Exact, Interval, Invariant, Judge, Norm, Shown, judge_of
 from vv.reading import error_of
 from vv.scene import Vector
@@ -141,9 +141,10 @@ def _measure_series(run: Run, quantity: Series, entry: dict[str, Any]) -> dict[s
     if quantity.reference is None:
         return arrays
     reference = np.asarray(quantity.reference(run.times), float)
-    entry["scale"] = _finite(quantity.scale or np.abs(reference).max()) or 1.0
+    scale = None if quantity.scale is None else size_of(quantity.name, quantity.scale)
+    entry["scale"] = _finite(scale or np.abs(reference).max()) or 1.0
     entry["end"] = _finite(reference[-1])
-    entry["errors"] = _errors(value, reference, quantity.scale)
+    entry["errors"] = _errors(value, reference, scale)
     if not entry["errors"]:
         entry["note"] = "the reference is zero throughout, and the quantity states no scale"
     if np.ptp(value) == 0 and np.ptp(reference) > 0:
@@ -174,13 +175,17 @@ def _measure_number(
     """Value, scale and errors; a count that is only shown has none, and so no order in dt."""
     value = quantity.observe(run)
     entry["value"] = _finite(value)
-    entry["reference"] = quantity.reference
+    reference = None if quantity.reference is None else number(quantity.reference)
+    entry["reference"] = reference
     entry["figures"] = {"value": entry["value"]}
-    scale = quantity.scale if isinstance(quantity, Scalar) else max(1, abs(quantity.reference or 0))
-    entry["scale"] = float(scale)
+    if isinstance(quantity, Scalar):
+        scale = size_of(quantity.name, quantity.scale)
+    else:
+        scale = float(max(1, abs(reference or 0)))
+    entry["scale"] = scale
     only_shown = isinstance(quantity, Count) and isinstance(judge, Shown)
-    if quantity.reference is not None and not only_shown:
-        error = _finite(abs(value - quantity.reference) / scale)
+    if reference is not None and not only_shown:
+        error = _finite(abs(value - reference) / scale)
         entry["errors"] = {norm.name.lower(): error for norm in (Norm.MAX, Norm.FINAL)}
 
 

@@ -177,6 +177,10 @@ class Scene:
 
     def terms(self) -> frozenset[Term]:
         """The effects present, derived from the data."""
+        return self._terms
+
+    @functools.cached_property
+    def _terms(self) -> frozenset[Term]:
         spheres, blocks, bonds = self.spheres, self.blocks, self.bonds
         present = {
             Term.SPHERE: len(spheres) > 0,

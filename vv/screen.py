@@ -45,6 +45,11 @@ def say(text: str) -> None:
     print(text, flush=True)
 
 
+def note(text: str) -> None:
+    """Print a line beside what was asked for, which may be going down a pipe."""
+    print(text, file=sys.stderr, flush=True)
+
+
 def complain(text: str) -> int:
     """Print an error line and return the exit status of a usage error."""
     print(f"vv: {text}", file=sys.stderr)

@@ -126,14 +126,17 @@ def _records(
     run_keys: Mapping[int, str],
     record_keys: Mapping[int, str],
 ) -> Iterator[tuple[int, Record]]:
-    """Yield (job number, record): first those that need no running, then as runs come in."""
+    """Yield (job number, record): first those that need no running, then as runs come in.
+
+    What stands of a code that is here was not refused: its key holds all that a refusal hangs on.
+    """
     waiting = {}
     for number, job in enumerate(plan.jobs):
         key = record_keys[number]
-        stored = not limits.fresh and job.settled is None
+        stored = not limits.fresh and plan.found[job.code].installed
         if stored and (record := store.record(key)) is not None:
             yield number, {**_identity(plan, job, key), **record}
-        elif (run := store.run(run_keys[number]) if stored else job.settled) is not None:
+        elif (run := _known(job, run_keys[number], store if stored else None)) is not None:
             yield number, _kept(plan, job, run, key, store)
         else:
             waiting[number] = job
@@ -144,6 +147,11 @@ def _records(
         whole = checked(run, job.ask)
         store.keep_run(run_keys[number], whole)
         yield number, _kept(plan, job, whole, record_keys[number], store)
+
+
+def _known(job: Job, key: str, store: Store | None) -> Run | None:
+    """What comes of a job without running it: what is stored, or else a refusal."""
+    return (store.run(key) if store else None) or job.settled
 
 
 def batches(waiting: Mapping[int, Job], plan: Plan, workers: int) -> list[Batch]:

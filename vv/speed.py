@@ -46,13 +46,14 @@ def compare(
     A ratio is an interval over rounds; only intervals apart by more than the factor count.
     enforced: the ratios are of a new session, and the case does not take speed lightly.
     """
+    if baseline is None:
+        return []
     found = []
-    for record in records:
-        then = baseline["results"].get(name_of(record), {}) if baseline else {}
-        now = record["cost"].get("relative")
-        if record["case"] != case or record["modified"] or not now or "cost" not in then:
+    timed = [r for r in records if r["case"] == case and r["cost"].get("relative")]
+    for record in timed:
+        then, now = baseline["results"].get(name_of(record), {}), record["cost"]["relative"]
+        if record["modified"] or "cost" not in then:
             continue
-        assert baseline is not None
         taken_on = baseline["acceptances"][then["by"]]["machine"]["processor"]
         factor = FACTOR if taken_on == processor else ELSEWHERE
         kind, size = _change(then["cost"], now, factor)

@@ -1,4 +1,4 @@
-"""Whether an invocation stands already: the same words, sources, programs, machine and day."""
+"""Whether an invocation stands already: asked the same, of the same sources, machine and day."""
 
 from __future__ import annotations
 
@@ -8,14 +8,14 @@ import hashlib
 import os
 import platform
 import sys
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from importlib import metadata
 from pathlib import Path
 from typing import Any
 
 from vv import imports
 from vv.ask import Status
-from vv.closure import CONTENT, source_digest
+from vv.closure import CONTENT
 from vv.content import written
 from vv.digest import digest
 from vv.project import Project
@@ -37,24 +37,25 @@ SEEN = (
 
 
 def identity(
-    project: Project, words: Sequence[str], today: datetime.date, against: Path | None = None
+    project: Project, asked: tuple[object, ...], today: datetime.date, against: Path | None = None
 ) -> str:
     """The digest of all that goes into an invocation; coarser than the keys of single results.
 
     So a repeated invocation costs the reading of its sources, whatever the number of its jobs.
-    against: a folder of baselines that it is judged by.
+    asked: frozen data, all that decides what is run and judged. against: a folder of baselines
+    that it is judged by.
     """
     adapters = [project.load_adapter(name) for name in project.adapter_names()]
     found = {adapter.name: adapter.found() for adapter in adapters}
     files = sorted({file for one in found.values() for file in one.files})
     return digest(
-        list(words),
+        asked,
         str(Path.cwd()),
         {name: value for name, value in os.environ.items() if name.startswith(SEEN)},
         [[name, one.installed, one.version] for name, one in sorted(found.items())],
         [[str(file), *_state(file)] for file in files],
         _sources(project),
-        source_digest(sorted(against.glob("*.json"))) if against else "",
+        {path.name: _content(path) for path in against.glob("*.json")} if against else "",
         _libraries(),
         list(commit(project.root)),
         machine(),
@@ -74,10 +75,10 @@ def remember(store: Store, identity: str, manifest: dict[str, Any], report: Path
         )
 
 
-def recall(store: Store, identity: str, report: Path) -> dict[str, Any] | None:
-    """The manifest of an invocation that stands, with its report as it was left; else None."""
+def recall(store: Store, identity: str) -> dict[str, Any] | None:
+    """The manifest of an invocation that stands; else None."""
     answer = store.answer(_key(store, identity))
-    if answer is None or answer["report"] != _state(report):
+    if answer is None:
         return None
     try:
         manifest = store.manifest(answer["manifest"])
@@ -86,6 +87,12 @@ def recall(store: Store, identity: str, report: Path) -> dict[str, Any] | None:
     measured = [record["key"] for record in manifest["records"] if record["quantities"]]
     whole = all(map(store.has_series, measured))  # which `--json` writes out
     return {**manifest, "name": answer["manifest"]} if whole else None
+
+
+def untouched(store: Store, identity: str, report: Path) -> bool:
+    """Whether the report is the one that an invocation left, as it left it."""
+    answer = store.answer(_key(store, identity))
+    return answer is not None and answer["report"] == _state(report)
 
 
 def _key(store: Store, identity: str) -> str:
@@ -99,11 +106,16 @@ def _sources(project: Project) -> dict[str, str]:
     roots = dict.fromkeys((project.root, imports.OWN))
     folders = [("vv", tool), *((f"{i}/{c}", r / c) for i, r in enumerate(roots) for c in CONTENT)]
     return {
-        f"{name}/{path.relative_to(folder)}": hashlib.sha256(path.read_bytes()).hexdigest()
+        f"{name}/{path.relative_to(folder)}": _content(path)
         for name, folder in folders
         for path in _files(folder)
         if written(path, folder)
     }
+
+
+def _content(path: Path) -> str:
+    """Read anew each time: a file may be edited while an invocation goes on."""
+    return hashlib.sha256(path.read_bytes()).hexdigest()
 
 
 def _files(folder: Path) -> Iterator[Path]:

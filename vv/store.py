@@ -25,10 +25,9 @@ import numpy as np
 
 from vv.ask import Cost, Displacement, Ledger, Model, Observable, Reaction, Run, Status, Velocity
 from vv.energy import Form
-from vv.files import deliver, write
+from vv.files import write
 from vv.scene import Term, Vector
 
-__all__ = ["Store", "deliver", "write"]
 HEAD = 4096  # characters of a manifest that hold its cases and its provenance, as a rule
 STALE = 7 * 86400.0  # s that the logs of a failure are kept
 UNREADABLE = (OSError, ValueError, KeyError, EOFError, zipfile.BadZipFile)

@@ -91,9 +91,11 @@ def _pulse(p: Parameters) -> Trial:
     def path(t: Vector) -> Vector:
         return closed.motion(t, thrown, masses, p["kn"])[1][:, [NEAR - 1, FAR - 1]]
 
+    t = goal.times(None)
+    exact = path(t)
+
     def told(measure: Callable[[Vector, Vector], float]) -> tuple[Callable[[Run], float], float]:
-        t = goal.times(None)
-        return lambda run: measure(run.times, _seen(run, seen)), measure(t, path(t))
+        return lambda run: measure(run.times, _seen(run, seen)), measure(t, exact)
 
     def part(i: int, body: int) -> Series:
         return Series(

@@ -55,8 +55,7 @@ def _declare(variant: str, p: Parameters) -> Trial:
     def path(t: Vector) -> Vector:
         return painleve_rod.middle(t, **law)
 
-    size = float(np.linalg.norm(path(GOAL.times(None)), axis=1).max())
-    motion = Motion(ROD, ALONG, path, size, "m")
+    motion = Motion(ROD, ALONG, path, GOAL.times(None), "m")
     jams, near = p["mu"] >= painleve_rod.critical(p["slope"]), p["mu"] > 0.75 * CRITICAL
     judge = JAMS if jams else STOPS if near else SLIDES
     parts = (

@@ -59,7 +59,7 @@ def _declare(variant: str, p: Parameters) -> Trial:
         symbol="n",
         meaning="times it leaves the floor",
         observe=lambda run: _leaves(_height(run) + p["height"]),
-        reference=sum(stage.flies for stage in settling.stages(**law)) - 1,
+        reference=lambda: sum(stage.flies for stage in settling.stages(**law)) - 1,
         judge=Exact(dict.fromkeys(PATH, WHOLE)),
     )
     return Trial(Ladder(_scene(p), GOAL, (SPHERE,), LEVELS), (moved, bounces))

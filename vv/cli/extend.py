@@ -8,10 +8,10 @@ from typing import Annotated
 import typer
 
 from vv.cli import options
+from vv.files import deliver
 from vv.plan import Options, choose_schemes, make_plan, named_adapters, select
 from vv.project import find
 from vv.settings import UsageError
-from vv.store import deliver
 
 
 def export(

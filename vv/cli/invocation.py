@@ -9,18 +9,27 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from vv import screen
+from vv.files import deliver
 from vv.plan import Plan
 from vv.project import Project
-from vv.store import Store, deliver
+from vv.store import Store
 
 if TYPE_CHECKING:
     from vv.session import Limits
 
 
 def answered(
-    project: Project, make_plan: Callable[[], Plan], limits: Limits, json_file: Path | None
+    project: Project,
+    asked: tuple[object, ...],
+    make_plan: Callable[[], Plan],
+    limits: Limits,
+    json_file: Path | None,
 ) -> dict[str, Any]:
-    """As `carried_out`, but an invocation that stands unchanged is answered with its manifest."""
+    """As `carried_out`, but an invocation that stands unchanged is answered with its manifest.
+
+    asked: frozen data that the plan is made of. How many processes may be used, and where else
+    results are to be written, does not decide them.
+    """
     from vv import standing
     from vv.session import Timing, now_utc
 
@@ -29,15 +38,21 @@ def answered(
         return carried_out(project, make_plan(), limits, json_file)
 
     def identity() -> str:
-        return standing.identity(project, sys.argv[1:], now_utc().date(), limits.against)
+        demanded = (*asked, limits.timing)
+        return standing.identity(project, demanded, now_utc().date(), limits.against)
 
     before = identity()
-    manifest = standing.recall(store, before, report)
-    if manifest is not None:
-        screen.say(f"nothing has changed since {manifest['name']}")
+    manifest = standing.recall(store, before)
+    if manifest is None:
+        manifest = carried_out(project, make_plan(), limits, json_file)
+    else:
+        left = standing.untouched(store, before, report)
+        if not left:
+            _build(project, manifest, limits)
         _tell(project, manifest, json_file)
-        return manifest
-    manifest = carried_out(project, make_plan(), limits, json_file)
+        screen.note(f"nothing has changed since {manifest['name']}")
+        if left:
+            return manifest
     if identity() == before:  # nobody edited anything meanwhile
         standing.remember(store, before, manifest, report)
     return manifest
@@ -47,14 +62,21 @@ def carried_out(
     project: Project, plan: Plan, limits: Limits, json_file: Path | None = None
 ) -> dict[str, Any]:
     """Carry out a plan, write records if asked to, and the report; returns the manifest."""
-    from vv.session import Timing, carry_out
+    from vv.session import carry_out
 
     with screen.progress(len(plan.jobs)) as shown:
         manifest = carry_out(project, plan, limits, shown, ["vv", *sys.argv[1:]])
-    drawing = limits.timing in (Timing.STORED, Timing.NEW)
-    builder(project, drawing)(manifest, Store(project.data()), _report(project))
+    _build(project, manifest, limits)
     _tell(project, manifest, json_file)
     return manifest
+
+
+def _build(project: Project, manifest: dict[str, Any], limits: Limits) -> None:
+    """Write the report, with all figures where everything that should be was timed."""
+    from vv.session import MEASURED
+
+    build = builder(project, limits.timing in MEASURED)
+    build(manifest, Store(project.data()), _report(project))
 
 
 def _tell(project: Project, manifest: dict[str, Any], json_file: Path | None) -> None:

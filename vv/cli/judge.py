@@ -11,12 +11,13 @@ import typer
 from vv import screen
 from vv.cli import options
 from vv.cli.invocation import answered, carried_out
+from vv.files import write
 from vv.finding import Finding, bits
 from vv.gate import judgement
 from vv.plan import Options, Plan, joined, restricted
 from vv.project import Project, find
 from vv.settings import UsageError
-from vv.store import Store, write
+from vv.store import Store
 from vv.study import Level
 
 Reason = Annotated[
@@ -56,15 +57,16 @@ def gate(
     if against is not None and not against.is_dir():
         raise UsageError(f"--against {against}: there is no such folder")
     required = options.split(require)
+    options.known(project, required)
+    chosen = Options(level, options.codes(codes))
 
     def plan() -> Plan:
-        found = options.plan_of(project, selection or [], Options(level, options.codes(codes)))
-        options.known(project, required)
-        return found
+        return options.plan_of(project, selection or [], chosen)
 
     when = Timing.NEW if timing else Timing.LAST
     limits = Limits(options.workers(jobs), options.positive(timeout), fresh, when, against)
-    manifest = answered(project, plan, limits, json_file)
+    asked = "gate", tuple(selection or ()), chosen
+    manifest = answered(project, asked, plan, limits, json_file)
     findings = judgement(manifest, required)
     _write_outputs(project, manifest, findings, junit, markdown)
     screen.print_findings(findings)

@@ -55,10 +55,10 @@ def run(
     knobs = options.knobs(rungs) or (_rungs_that_failed(last) if last else ())
     chosen = Options(level, options.codes(codes), tuple(settings or ()), knobs)
     required = options.split(require)
+    options.known(project, required)
 
     def make_plan() -> Plan:
         plan = options.plan_of(project, selection or [], chosen)
-        options.known(project, required)
         return _narrowed(project, store, plan, last, since, budget)
 
     if dry_run:
@@ -84,7 +84,8 @@ def run(
             return
         manifest = carried_out(project, plan, limits, json_file)
     else:
-        manifest = answered(project, make_plan, limits, json_file)
+        asked = "run", tuple(selection or ()), chosen
+        manifest = answered(project, asked, make_plan, limits, json_file)
     raise typer.Exit(exit_bits(manifest["records"], required) & RUN_BITS)
 
 

@@ -14,13 +14,13 @@ import typer
 from vv.cli import options, speed_text
 from vv.cli.invocation import answered
 from vv.effort import Effort, efforts, untimed
+from vv.files import deliver
 from vv.gate import RUN_BITS, exit_bits
 from vv.plan import Job, Options, Plan, restricted
 from vv.project import find
 from vv.reach import TARGETS, Duel, duels, profile, reach
 from vv.screen import say
 from vv.settings import UsageError
-from vv.store import deliver
 from vv.study import Level
 
 
@@ -42,9 +42,9 @@ def speed(
     from vv.session import Limits, Timing
 
     project = find()
+    chosen = Options(level, options.codes(codes))
 
     def make_plan() -> Plan:
-        chosen = Options(level, options.codes(codes))
         whole = options.plan_of(project, selection or [], chosen)
         if level is Level.PAPER:
             whole = dataclasses.replace(whole, jobs=tuple(_all_timed(whole)))
@@ -56,7 +56,8 @@ def speed(
         return restricted(whole, lambda job: (job.case, job.variant) in timed)
 
     limits = Limits(options.workers(jobs), options.positive(timeout), fresh, Timing.STORED)
-    manifest = answered(project, make_plan, limits, None)
+    asked = "speed", tuple(selection or ()), chosen
+    manifest = answered(project, asked, make_plan, limits, None)
     every, rest = efforts(manifest), untimed(manifest)
     fights = duels(every, TARGETS)
     failed = [f"not timed, it failed: {name}" for name in manifest["untimed"]]

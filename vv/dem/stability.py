@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import functools
 import math
 from typing import NamedTuple
@@ -53,7 +54,7 @@ def _stiffest(scene: Scene) -> tuple[float, float]:
     if one is not None:
         stiffness = one.state.normal or one.state.friction
         return one.state.mass, 0.0 if stiffness is None else stiffness[0] / one.state.mass
-    state = space(scene).state
+    state = space(dataclasses.replace(scene, shaking=None)).state  # which changes no spring
     return float(state.mass.min(initial=math.inf)), highest_square(state)
 
 

@@ -1,0 +1,29 @@
+"""The bench of mutants reaches every kernel there is, and its seeded bugs still fit the sources."""
+
+from __future__ import annotations
+
+import ast
+
+from bench.mutations import COMPILED, ROOT, kernels, mechanical, seeded
+
+
+def test_every_file_that_compiles_a_kernel_has_mutants_in_a_code_that_it_is_part_of() -> None:
+    found = kernels()
+    compiled = {
+        path.relative_to(ROOT).as_posix()
+        for path in (ROOT / "vv").rglob("*.py")
+        if COMPILED.search(path.read_text())
+    }
+    assert compiled <= set(found)
+    assert {bug.file for bug, _ in mechanical(1)} >= compiled - {"vv/triples.py"}
+    assert set(found.values()) == {"dem", "exact", "rigid", "dda"}
+
+
+def test_a_mutant_differs_from_its_file_and_is_still_a_program() -> None:
+    for bug, text in mechanical(1):
+        own = ast.unparse(ast.parse((ROOT / bug.file).read_text()))
+        assert ast.unparse(ast.parse(text)) != own, bug.what
+
+
+def test_every_seeded_bug_is_found_in_its_file() -> None:
+    assert all((ROOT / bug.file).read_text() != text for bug, text in seeded())
