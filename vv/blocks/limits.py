@@ -80,3 +80,9 @@ STILL = 1e-8
 
 BENDS = 6
 """Rounds by which, in small scenes, the mean direction of friction follows the slip it decides."""
+
+LANDS = 1e-5
+"""Of the smallest block's size: a contact that would go so deep into a body in a step lands."""
+
+BLOW = 1e-4
+"""Part of a step that a blow takes, in which velocities change and positions do not."""
