@@ -79,15 +79,15 @@ SETTLES = (
 JUDGES = (
     Exact({
         Method.SECOND_ORDER: Tolerance(
-            5e-3,
-            "contacts are solved to 5e-6 m/s each: for 10 s, on up to twenty blocks whose tilts "
-            "add up, a stack may creep by millimetres",
+            1e-5,
+            "contacts are solved to 1e-8 m/s each: for 10 s, on up to twenty blocks whose tilts "
+            "add up, a stack may creep by micrometres",
         ),
         Method.PENALTY: Tolerance(1e-10, PRESSED),
         Method.LAGGING: Tolerance(1e-10, PRESSED),
     }),
     Exact({
-        Method.SECOND_ORDER: Tolerance(1e-5, "contacts are solved to 5e-6 m/s each, for a second"),
+        Method.SECOND_ORDER: Tolerance(1e-7, "contacts are solved to 1e-8 m/s each, for a second"),
         Method.PENALTY: Tolerance(1e-5, SETTLES),
         Method.LAGGING: Tolerance(1e-5, SETTLES),
     }),

@@ -1,12 +1,14 @@
-"""The contact solver of a step: sweeps, and in small scenes Newton steps where these stall."""
+"""The contact solver of a step: sweeps, and in small scenes and chains Newton steps."""
 
 from __future__ import annotations
 
 import numpy as np
 
 from vv.blocks.assembly import Bodies, Joints, load_on
+from vv.blocks.banded import arranged
 from vv.blocks.cone import Friction, keep, residual, solve_contacts
-from vv.blocks.limits import OUTER, SMALL, STALLED, STIFF
+from vv.blocks.geometry import Index
+from vv.blocks.limits import CHAIN, OUTER, POLISHED, SMALL, STALLED, STIFF
 from vv.blocks.newton import balanced
 from vv.blocks.rigid_setting import Setting
 from vv.compiled import called
@@ -19,16 +21,25 @@ def converged(
     setting: Setting, joints: Joints, bodies: Bodies, friction: Friction,
     p: Vector, v: Vector, w: Vector, fewest: int,
 ) -> tuple[int, float]:  # fmt: skip
-    """Sweep until the residual is met, in small scenes with Newton steps where sweeps stall."""
-    small, sweeps, left = len(setting.mass) <= SMALL, 0 * fewest, np.inf
+    """Sweep until the residual is met; where sweeps stall, take Newton steps if these are cheap.
+
+    They are in small scenes, and where blocks hang together in a chain. There they go on beyond
+    the residual asked, for the little that they cost more: what is left adds up along a chain.
+    """
+    blocks, sweeps, left = len(setting.mass), 0 * fewest, np.inf
+    small, place, apart = blocks <= SMALL, np.arange(blocks), blocks - 1
+    if not small:
+        place, apart = arranged(joints, blocks)
+    finer = setting.tolerance if small else POLISHED * setting.tolerance
+    patience = STALLED if small or apart <= CHAIN else setting.most
     while sweeps < setting.most and left > setting.tolerance:
-        few = min(STALLED, setting.most - sweeps) if small else setting.most
+        few = min(patience, setting.most - sweeps)
         more, left = solve_contacts(
             p, joints, bodies, friction, v, w, setting.tolerance, fewest, few
         )
         sweeps += more
-        if small and left > setting.tolerance:
-            left = polish(p, joints, bodies, friction, v, w, setting.tolerance, left)
+        if patience == STALLED and left > setting.tolerance:
+            left = polish(p, joints, bodies, friction, v, w, finer, left, place, apart)
         if more == 0:
             break
     return sweeps, left
@@ -37,11 +48,12 @@ def converged(
 @called
 def polish(
     p: Vector, joints: Joints, bodies: Bodies, friction: Friction, v: Vector, w: Vector,
-    tolerance: float, left: float,
+    tolerance: float, left: float, place: Index, apart: int,
 ) -> float:  # fmt: skip
     """Improve p (c, 3), whose effect is in v and w and whose residual is `left`; return what is.
 
-    A round that makes the residual [m/s] no smaller is undone, and the next less stiff.
+    place, apart: see `arranged`. A round that makes the residual [m/s] no smaller is undone, and
+    the next less stiff.
     """
     before, before_v, before_w = p.copy(), v.copy(), w.copy()
     stiffness = STIFF
@@ -51,7 +63,9 @@ def polish(
         keep(before, p)
         keep(before_v, v)
         keep(before_w, w)
-        met = balanced(p, before, joints, bodies, friction, v, w, tolerance, stiffness)
+        met = balanced(
+            p, before, joints, bodies, friction, v, w, tolerance, stiffness, place, apart
+        )
         for c in range(len(p)):
             load_on(joints, c, bodies, v, w, plus(at(p, c), -1.0, at(before, c)))
         now = residual(p, joints, friction, v, w)

@@ -17,7 +17,17 @@ A step is taken as it is after the most; its residual says so.
 """
 
 STALLED = 60
-"""Sweeps of a small scene after which Newton steps are tried, and again as often."""
+"""Sweeps of a small scene or a chain after which Newton steps are tried, and again as often."""
+
+CHAIN = 3
+"""Places by which blocks that touch are apart at most where they hang together in a chain.
+
+Sweeps pass a force on by a block each, so that a chain of n takes n squared of them to bear it; a
+Newton step there costs about as much as ten sweeps, and in a wall of ten courses a hundred.
+"""
+
+POLISHED = 1e-3
+"""Of the residual asked: how far Newton steps go in a chain, where what is left adds up."""
 
 OUTER, INNER = 20, 12
 """Newton's rounds: of impulses that follow, and of velocities within each."""
@@ -70,3 +80,9 @@ STILL = 1e-8
 
 BENDS = 6
 """Rounds by which, in small scenes, the mean direction of friction follows the slip it decides."""
+
+LANDS = 1e-5
+"""Of the smallest block's size: a contact that would go so deep into a body in a step lands."""
+
+BLOW = 1e-4
+"""Part of a step that a blow takes, in which velocities change and positions do not."""

@@ -11,7 +11,9 @@ from __future__ import annotations
 import numpy as np
 
 from vv.blocks.assembly import Bodies, Joints, load_on, relative, times
+from vv.blocks.banded import eliminate
 from vv.blocks.cone import Friction, keep, limit
+from vv.blocks.geometry import Index
 from vv.blocks.limits import INNER
 from vv.compiled import called
 from vv.scene import Vector
@@ -64,9 +66,13 @@ def column(joints: Joints, c: int, side: int, k: int) -> Triple:
 
 @called
 def spread(
-    matrix: Vector, joints: Joints, c: int, bodies: Bodies, blocks: int, slope: Vector
+    matrix: Vector, joints: Joints, c: int, bodies: Bodies, place: Index, half: int, slope: Vector
 ) -> None:
-    """Add W J^T slope J of contact c to matrix (6 n, 6 n)."""
+    """Add W J^T slope J of contact c to a matrix (6 n, 6 n) as `eliminate` takes it.
+
+    place: (n,) of the blocks in its rows.
+    """
+    blocks = len(place)
     for side in range(2):
         j = joints.second[c] if side else joints.first[c]
         for k in range(6 if j < blocks else 0):
@@ -79,51 +85,27 @@ def spread(
                     arm = at(joints.arm_second if other else joints.arm_first, c)
                     v = times(bodies.inverse, i, pull)
                     w = times(bodies.inverse_spin, i, cross(arm, pull))
+                    row = 6 * place[i]
+                    here = 6 * place[j] + k - row + half
                     for r in range(3):
-                        matrix[6 * i + r, 6 * j + k] += v[r]
-                        matrix[6 * i + 3 + r, 6 * j + k] += w[r]
-
-
-@called
-def eliminate(matrix: Vector, right: Vector) -> None:
-    """Replace right (m,) by the solution of matrix (m, m), which is spoilt: Gauss with pivots."""
-    m = len(right)
-    for k in range(m):
-        best = k
-        for i in range(k + 1, m):
-            if abs(matrix[i, k]) > abs(matrix[best, k]):
-                best = i
-        if best != k:
-            for j in range(k, m):
-                matrix[k, j], matrix[best, j] = matrix[best, j], matrix[k, j]
-            right[k], right[best] = right[best], right[k]
-        for i in range(k + 1, m):
-            part = matrix[i, k] / matrix[k, k]
-            if part != 0.0:
-                for j in range(k + 1, m):
-                    matrix[i, j] -= part * matrix[k, j]
-                right[i] -= part * right[k]
-    for k in range(m - 1, -1, -1):
-        for j in range(k + 1, m):
-            right[k] -= matrix[k, j] * right[j]
-        right[k] /= matrix[k, k]
+                        matrix[row + r, here - r] += v[r]
+                        matrix[row + 3 + r, here - 3 - r] += w[r]
 
 
 @called
 def balanced(
     p: Vector, q: Vector, joints: Joints, bodies: Bodies, friction: Friction,
-    v: Vector, w: Vector, tolerance: float, stiffness: float,
+    v: Vector, w: Vector, tolerance: float, stiffness: float, place: Index, apart: int,
 ) -> bool:  # fmt: skip
     """Fill p (c, 3) with what q (c, 3), whose effect is in v and w (b, 3), becomes.
 
     Tells whether in the end no velocity changed by more than a tenth of the tolerance [m/s].
+    place, apart: see `arranged`.
     """
-    blocks = 0 * len(p)
-    for c in range(len(p)):
-        blocks = max(blocks, joints.second[c] + 1)
+    blocks, half = len(place), 6 * apart + 5
     m = 6 * blocks
     x, y, z, o = v.copy(), w.copy(), np.empty_like(v), np.empty_like(w)
-    slope, right, matrix = np.zeros((3, 3)), np.empty(m), np.empty((m, m))
+    slope, right, matrix = np.zeros((3, 3)), np.empty(m), np.empty((m, 3 * half + 1))
     for _ in range(INNER):
         matrix[:] = 0.0
         keep(z, v)
@@ -132,20 +114,22 @@ def balanced(
             if joints.across[c] > 0.0:
                 u = relative(joints, c, x, y)
                 put(p, c, allowed(joints, c, friction, stiffness, at(q, c), u, slope))
-                spread(matrix, joints, c, bodies, blocks, slope)
+                spread(matrix, joints, c, bodies, place, half, slope)
                 load_on(joints, c, bodies, z, o, plus(at(p, c), -1.0, at(q, c)))
         most = 0.0
         for i in range(blocks):
+            row = 6 * place[i]
             for r in range(3):
-                right[6 * i + r], right[6 * i + 3 + r] = z[i, r] - x[i, r], o[i, r] - y[i, r]
+                right[row + r], right[row + 3 + r] = z[i, r] - x[i, r], o[i, r] - y[i, r]
         for k in range(m):
-            matrix[k, k] += 1.0
-        eliminate(matrix, right)
+            matrix[k, half] += 1.0
+        eliminate(matrix, right, half)
         for i in range(blocks):
+            row = 6 * place[i]
             for r in range(3):
-                x[i, r] += right[6 * i + r]
-                y[i, r] += right[6 * i + 3 + r]
-                most = max(most, abs(right[6 * i + r]))
+                x[i, r] += right[row + r]
+                y[i, r] += right[row + 3 + r]
+                most = max(most, abs(right[row + r]))
         if most <= 0.1 * tolerance:
             return True
     return False

@@ -1,4 +1,4 @@
-"""Kernels that find where within a step of rigid blocks a slip begins or ends."""
+"""Kernels that find where within a step of rigid blocks one lands, and a slip begins or ends."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import numpy as np
 
 from vv.blocks.assembly import relative
 from vv.blocks.contacts import Contacts, matched
-from vv.blocks.limits import BEGINS, CLOSE, ENDS, GLIMPSE, GRIP
+from vv.blocks.limits import BEGINS, CLOSE, ENDS, GLIMPSE, GRIP, LANDS
 from vv.blocks.rigid_setting import Past, Setting, State, wall_rates
 from vv.blocks.rigid_step import Trial, attempt
 from vv.blocks.slip import slow
@@ -70,6 +70,32 @@ def ends_after(
                 past.still[row[c]] = True
         return 0.0
     return low
+
+
+@called
+def lands_after(
+    setting: Setting, state: State, trial: Trial, now: float, whole: float
+) -> float:  # fmt: skip
+    """How long [s] of a step, whose trial this is, until a contact closes at a speed; else whole.
+
+    Nil where one that is closed already does. Moved at the mean of the velocities before and after
+    a blow, blocks would go on into one another for up to half a step.
+    """
+    n, b = len(setting.mass), len(trial.v)
+    v, w = np.zeros((b, 3)), np.zeros((b, 3))
+    wall_rates(setting, now, v)
+    for i in range(n):
+        put(v, i, at(state.v, i))
+        put(w, i, at(state.w, i))
+    deep, first = LANDS * setting.shapes.size.min(), whole
+    for c in range(len(trial.p)):
+        m = at(trial.joints.normal, c)
+        if dot(at(trial.p, c), m) > 0.0:
+            speed = -dot(m, relative(trial.joints, c, v, w))
+            gap = max(trial.gap[c] - setting.slack, 0.0)
+            if speed * whole - gap > deep:
+                first = min(first, gap / speed)
+    return first
 
 
 @called

@@ -1,4 +1,4 @@
-"""The compiled kernel for rigid blocks that move and turn: steps, cut where slip ends."""
+"""The compiled kernel for rigid blocks that move and turn: steps, cut at blows and ends of slip."""
 
 from __future__ import annotations
 
@@ -8,9 +8,16 @@ from vv.blocks.assembly import relative
 from vv.blocks.cone import keep, push_out
 from vv.blocks.contacts import empty_contacts
 from vv.blocks.geometry import Index
-from vv.blocks.limits import NEARLY, PUSHES, SMALL, SPLITS
+from vv.blocks.limits import BLOW, CLOSE, CUTS, NEARLY, PUSHES, SMALL, SPLITS
 from vv.blocks.rigid_energy import DRIVEN, SHOVED, book, kinetic
-from vv.blocks.rigid_events import ends_after, move, remembered, rests_for, strained
+from vv.blocks.rigid_events import (
+    ends_after,
+    lands_after,
+    move,
+    remembered,
+    rests_for,
+    strained,
+)
 from vv.blocks.rigid_setting import Setting, State, shift_at
 from vv.blocks.rigid_step import Trial, attempt, nothing
 from vv.blocks.slip import slow
@@ -76,7 +83,7 @@ def watch(path: Vector, watched: Index, state: State, centre: Vector) -> None:
 
 
 @compiled
-def move_rigid(
+def move_rigid(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its variables
     path: Vector, energy: Vector, report: Vector, reaction: Vector, watched: Index,
     stride: int, dt: float, setting: Setting,
     centre: Vector, v: Vector, w: Vector,
@@ -86,7 +93,7 @@ def move_rigid(
     centre, v, w: (n, 3) at t = 0. v+ = v + M^-1 (h f + J^T p), positions by the trapezoidal rule,
     contacts as in `vv.blocks.cone` with need = -max(gap - slack, 0)/h; penetration is
     taken out of positions alone, by the least displacement. In scenes of at most SMALL blocks a
-    step is cut where a slip ends and, once, where one begins.
+    step is cut where a contact closes at a speed, where a slip ends and, once, where one begins.
 
     Every `stride` steps a row is written: path (k, b, 9): displacement, velocity and spin of
     the watched; energy (k, 7) [J]: kinetic, lost by friction, lost by impact, work of walls, of
@@ -108,10 +115,19 @@ def move_rigid(
         for _ in range(stride if row else 0):
             begin, looked = 0.0, False
             for part in range(parts):
-                now, whole = done * dt + begin, dt - begin
+                now, rest = done * dt + begin, dt - begin
+                trial = attempt(setting, state, now, rest, contacts, past)
+                whole, blow = rest, False
+                if part + 1 < parts:
+                    whole = lands_after(setting, state, trial, now, rest)
+                    blow = whole <= CLOSE * dt
+                    whole = min(BLOW * dt, rest) if blow else whole
+                if whole < rest:
+                    trial = attempt(setting, state, now, whole, contacts, past)
                 span, least = whole, slow(whole, setting.tolerance)
-                trial = attempt(setting, state, now, whole, contacts, past)
-                if part + 1 < parts and trial.ended.any():
+                if blow:
+                    least = slow(dt, setting.tolerance)
+                elif part + 1 < parts and trial.ended.any():
                     span = ends_after(setting, state, past, now, whole, dt, contacts, trial)
                     least = max(least, NEARLY * whole)
                     if span == 0.0:
@@ -127,7 +143,7 @@ def move_rigid(
                 book(account, setting, state, trial, now, span)
                 move(setting, state, trial, span)
                 deepest = separate(account, setting, state, trial, before, now, span)
-                past = remembered(trial, span, least)
+                past = remembered(trial, dt / CUTS if blow else span, least)  # no force lasts
                 press(pressed, trial, span, n)
                 report[row, 0] = max(report[row, 0], trial.residual)
                 report[row, 1] = max(report[row, 1], trial.sweeps)
@@ -135,7 +151,7 @@ def move_rigid(
                 if not np.isfinite(kinetic(setting, state)):  # nothing can be found to touch
                     return row
                 begin += span
-                if span == whole:
+                if span == rest:
                     break
                 report[row, 3] += 1.0
             done += 1
