@@ -10,7 +10,7 @@ from reference_solutions import falling_arch as falling
 from reference_solutions.checks import arch as programme
 from reference_solutions.checks import falling_arch as energetic
 from tests.turned_signs import caught, signs, turned
-from vv.ask import Ask, Displacement, History, Knobs, Run
+from vv.ask import Ask, Displacement, History, Knobs, Run, Status
 from vv.blocks import dda, rigid
 from vv.case import Series
 from vv.project import find
@@ -114,6 +114,14 @@ def test_dda_says_that_friction_is_not_solved_for_in_the_arch_that_falls() -> No
         excess, allowed = run.ledger.audits["Coulomb: friction beyond mu N [N]"]
         beyond.append(excess / allowed)
     assert max(beyond) > 1e3
+
+
+def test_an_arch_that_dda_bursts_within_an_output_is_said_to_diverge() -> None:
+    """A step throws its blocks 1e13 m apart, and in the next no contacts could be found."""
+    ask = Ask(scene("arch", part=0.99), History(0.2, 0.02), (Displacement(5),), Knobs(5e-3, 1e10))
+    run = dda.solve_default(ask)
+    assert run.status is Status.DIVERGED
+    assert "of motion and springs" in run.reason
 
 
 @pytest.mark.parametrize("solve", [dda.solve_default, dda.solve_lagged, dda.solve_published])

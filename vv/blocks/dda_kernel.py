@@ -40,7 +40,7 @@ from vv.blocks.dda_energy import (
     held,
 )  # fmt: skip
 from vv.blocks.dda_iterate import iterate
-from vv.blocks.dda_limits import CUTS, GAIN
+from vv.blocks.dda_limits import BURST, CUTS, GAIN
 from vv.blocks.geometry import Index, Planes, Shapes
 from vv.compiled import called, compiled
 from vv.drive import Drive, Starts, one_of, travel, value
@@ -154,6 +154,10 @@ def move_blocks(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
                     motion.velocity[a] = 2.0 / part * d[a] - motion.velocity[a]
                 displace(motion, bodies, shapes, d, terms)
                 held(ledger, touch, bodies, motion, mass, kn, ks, elastic)
+                work = ledger[GRAVITY] + ledger[LOAD] + ledger[BASE] + ledger[SHAKING]
+                if row and not ledger[KINETIC] <= BURST * (put_in + max(ever, work)):
+                    energy[row], report[row] = ledger, worst
+                    return row
                 ledger[DAMPED] += (1.0 - dd * dd) * ledger[KINETIC]
                 for a in range(q):
                     motion.velocity[a] *= dd

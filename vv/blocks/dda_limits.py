@@ -9,6 +9,10 @@ GAIN = 4.0
 On fixed normals the scheme only loses energy; only contacts found anew can add to it.
 """
 
+BURST = 1e6
+"""Motion alone may hold this many times as much within a step: else its blocks are burst so far
+apart that their faces have no area left, and no contacts can be sought."""
+
 REACH = 0.01
 """Part of the smallest block's size within which a contact is sought before it closes."""
 
