@@ -10,6 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from cases.bounce import CASE as BOUNCE
+from cases.hard.wedge import CASE as WEDGE
 from cases.incline import CASE as INCLINE
 from cases.responding_block import CASE as RESPONDING
 from cases.single_contact import CASE as SINGLE_CONTACT
@@ -70,6 +71,7 @@ def known() -> dict[str, Known]:
         "slope": _of(INCLINE, "newmark-30", Knobs(1e-3, 1e8), 2e-4, 1.0),
         "carried": _of(RESPONDING, "1d", Knobs(1e-3, 1e8), 2e-4, 1.0),
         "stack": Known(_stack(), 1e-4),
+        "wedge": _of(WEDGE, "xi-1", Knobs(5e-3, 1e8), 1e-5, 0.2),
     }
 
 

@@ -113,3 +113,14 @@ def test_friction_takes_nearly_all_of_a_knock() -> None:
     taken = run.ledger.terms["friction dissipation"] / number(gained.scale)
     assert 0.95 < taken < 1.0
     assert run.ledger.unaccounted < 1e-3 * number(gained.scale)
+
+
+def test_a_sheet_a_thousandth_of_a_weight_off_its_rest_is_seen_to_move() -> None:
+    trial = CASE.declare("still", CASE.defaults("still"))
+    (moved,) = trial.quantities
+    assert isinstance(moved, Scalar)
+    ask = trial.study.ask(trial.study.rungs[Level.QUICK][0])
+    heavier = dataclasses.replace(ask.scene, gravity=1.001 * ask.scene.gravity)
+    for scene, low, high in ((ask.scene, 0.0, 1e-10), (heavier, 1e-4, 1e-1)):
+        run = dem.solve_default(dataclasses.replace(ask, scene=scene))
+        assert low <= moved.observe(run) / number(moved.scale) <= high

@@ -6,10 +6,13 @@ import numpy as np
 import pytest
 
 from reference_solutions import arch as thrust
+from reference_solutions import falling_arch as falling
 from reference_solutions.checks import arch as programme
+from reference_solutions.checks import falling_arch as energetic
 from tests.turned_signs import caught, signs, turned
-from vv.ask import Ask, Displacement, History, Knobs, Run
+from vv.ask import Ask, Displacement, History, Knobs, Run, Status
 from vv.blocks import dda, rigid
+from vv.case import Series
 from vv.project import find
 from vv.scene import Scene
 from vv.study import Level
@@ -53,6 +56,54 @@ def test_an_arch_a_percent_too_thin_falls_and_one_a_percent_thicker_stands() -> 
         assert abs(drop(1.01, solve, 1e9)[0]) < 1e-5
 
 
+def test_the_two_routes_of_the_fall_agree() -> None:
+    """A mechanism by the forces in its pins, and by its energy."""
+    thick, t = 0.99 * thrust.thinnest_of_chords(10), np.array([0.05, 0.1, 0.3])
+    due = energetic.sunk(t, n=10, thick=thick, size=1.3, g=9.81)
+    assert falling.sunk(t, n=10, thick=thick, size=1.3, g=9.81) == pytest.approx(due, rel=5e-6)
+
+
+def test_an_arch_on_the_brink_does_not_fall() -> None:
+    """At the least thickness the mechanism begins with no acceleration."""
+    thick = thrust.thinnest_of_chords(10)
+    with pytest.raises(ValueError, match=r"such an arch of n = 10 stands"):
+        falling.sunk(np.ones(1), n=10, thick=1.0001 * thick, size=1.0, g=9.81)
+    late = [falling.sunk(np.array([0.05]), n=10, thick=part * thick, size=1.0, g=9.81)[0]
+            for part in (0.999, 0.9999)]  # fmt: skip
+    assert late[0] / late[1] == pytest.approx(10.0, rel=0.05)
+
+
+def test_rigid_contact_falls_as_the_mechanism_does() -> None:
+    study = CASE.declare("arch-thin", CASE.defaults("arch-thin")).study
+    (sunk,) = CASE.declare("arch-thin", CASE.defaults("arch-thin")).quantities
+    assert isinstance(sunk, Series)
+    assert sunk.reference is not None
+    errors = []
+    for knobs in study.rungs[Level.DEFAULT]:
+        run = rigid.solve(study.ask(knobs))
+        due = sunk.reference(run.times)
+        errors.append(np.abs(sunk.observe(run) - due) / due.max())
+    assert errors[0].max() < 1e-4
+    assert 3.4 < errors[0][1] / errors[1][1] < 4.2  # later, what contacts are solved to adds up
+
+
+def falls(route: ModuleType) -> bool:
+    """Whether a route gives the fall that both give."""
+    law = {"n": 10, "thick": 0.99 * KNOWN_TEN, "size": 1.3, "g": 9.81}
+    return bool(np.allclose(route.sunk(np.array([0.2]), **law), FALLEN, rtol=1e-5, atol=0))
+
+
+KNOWN_TEN = thrust.thinnest_of_chords(10)
+FALLEN = energetic.sunk(np.array([0.2]), n=10, thick=0.99 * KNOWN_TEN, size=1.3, g=9.81)
+
+
+# signs that change nothing: about moments of inertia, and areas of all voussoirs alike
+@pytest.mark.parametrize("sign", signs(falling, (), ("at - middle", "b - a")))
+def test_any_wrong_sign_in_the_fall_is_caught(sign: int) -> None:
+    with np.errstate(all="ignore"):
+        assert caught(lambda: falls(turned(falling, sign)))
+
+
 def test_dda_says_that_friction_is_not_solved_for_in_the_arch_that_falls() -> None:
     """Its hinges open at edges that stay in touch; open-close iterations end unconverged."""
     beyond = []
@@ -63,6 +114,14 @@ def test_dda_says_that_friction_is_not_solved_for_in_the_arch_that_falls() -> No
         excess, allowed = run.ledger.audits["Coulomb: friction beyond mu N [N]"]
         beyond.append(excess / allowed)
     assert max(beyond) > 1e3
+
+
+def test_an_arch_that_dda_bursts_within_an_output_is_said_to_diverge() -> None:
+    """A step throws its blocks 1e13 m apart, and in the next no contacts could be found."""
+    ask = Ask(scene("arch", part=0.99), History(0.2, 0.02), (Displacement(5),), Knobs(5e-3, 1e10))
+    run = dda.solve_default(ask)
+    assert run.status is Status.DIVERGED
+    assert "of motion and springs" in run.reason
 
 
 @pytest.mark.parametrize("solve", [dda.solve_default, dda.solve_lagged, dda.solve_published])
