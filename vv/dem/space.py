@@ -10,6 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from vv.ask import Displacement, Observable, Reaction
+from vv.dem.bond_blocks import Blocks
 from vv.dem.bonded import Near, bonded, near
 from vv.dem.leapfrog import Leapfrog
 from vv.dem.rows import projected, projectors, triple
@@ -45,8 +46,10 @@ class SpaceState(NamedTuple):
     carried: Vector | None
     springs: tuple[Index, Vector, Vector, Vector, Vector, Vector] | None
     bond_ks: Vector | None
+    blocks: Blocks | None
     frail: tuple[Vector, Vector, float, Index] | None
     near: Near | None
+    threads: int | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -146,6 +149,7 @@ def space(scene: Scene, charged: Vector | None = None) -> Space:
         carried=carried[moves] if carried.any() else None,
         springs=bonds.springs,
         bond_ks=bonds.ks,
+        blocks=bonds.blocks,
         frail=bonds.frail,
         near=close,
     )

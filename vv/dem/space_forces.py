@@ -5,9 +5,12 @@ from __future__ import annotations
 import numpy as np
 
 from vv.compiled import inlined
-from vv.dem.bond_law import Frail, Springs, pull
+from vv.dem.bond_bend import State
+from vv.dem.bond_blocks import Blocks
+from vv.dem.bond_law import Frail, Springs
+from vv.dem.bond_pull import Shares, pull
 from vv.dem.contact_law import Index, Pairs, Walls, pair_forces, wall_forces
-from vv.dem.neighbours import Near, Slots, State
+from vv.dem.neighbours import Near, Slots
 from vv.drive import Drive
 from vv.scene import Vector
 from vv.triples import NOWHERE, Triple, at, plus, put
@@ -43,13 +46,16 @@ def forces(
     moving: tuple[Index, Vector] | None,
     springs: Springs | None,
     bond_ks: Vector | None,
-    slip: Vector,
+    blocks: Blocks | None,
+    table: Vector,
+    each: Shares,
     frail: Frail | None,
-    broken: State,
+    state: State,
     near: Near | None,
     slots: Slots,
     many: Index,
     parted: Vector,
+    threads: int | None,
 ) -> tuple[float, float, float, float]:
     """Fill push and turn (m + 1, 3) [N, N m]; return energies [J].
 
@@ -84,9 +90,10 @@ def forces(
             push, turn, u, v, v_before, w, w_before, dt, touching, kn, friction, slots[5]
         )
         normal, sprung, lost = normal + a, sprung + b, lost + c
-    if springs is not None:
+    if springs is not None and blocks is not None:
         a, b = pull(
-            push, turn, u, v, w, dt, springs, bond_ks, slip, frail, broken, slots, many, parted
-        )
+            push, turn, u, v, w, dt, springs, bond_ks, blocks, table, each, frail, state,
+            slots, many, parted, threads,
+        )  # fmt: skip
         normal, sprung = normal + a, sprung + b
     return normal, sprung, lost, work
