@@ -12,7 +12,7 @@ from vv.dem.bond_sweep import BREAKS, BROKEN, sweep_all
 from vv.dem.bond_threads import sweep_shared
 from vv.dem.neighbours import Slots
 from vv.scene import Vector
-from vv.triples import NOWHERE, at, cross, dot, plus, put
+from vv.triples import NOWHERE, Triple, at, cross, dot, plus, put
 
 Shares = tuple[Vector, Vector, Vector, Vector]
 
@@ -100,7 +100,10 @@ def parted(
     many: Index,
     lost: Vector,
 ) -> tuple[float, float]:
-    """Part all bonds that break; return their energies [J]."""
+    """Part all bonds that break; return their energies [J].
+
+    slots: the pairs of bonds that have parted are among the first many[0] (vv.dem.neighbours).
+    """
     normal = sheared = 0.0
     for p in range(len(springs[0])):
         if state[p // WIDE, p % WIDE] == BREAKS:
@@ -125,18 +128,17 @@ def pull(
     each: Shares,
     frail: Frail | None,
     state: State,
-    slots: Slots,
-    many: Index,
-    lost: Vector,
     threads: int | None,
-) -> tuple[float, float]:
-    """Add the forces of all bonds to push and turn; return normal and shear energies [J].
+) -> Triple:
+    """Add the forces of all bonds to push and turn; return energies [J], and how many break.
+
+    The energies are those of normal and of shear springs. Those that break are for `parted`, which
+    kernels call themselves: within this function it would have every array counted, each time.
 
     springs: rows (b, 2), first offset (b, 3) and its length (b,), stretch at t = 0 (b,), kn (b,),
     radii (b, 2). table: that of blocks, where the displacements of the surfaces across each bond
     go on; they turn with it and, where spheres spin, about it by the mean of their spins. frail:
-    tension and shear strengths (b,), mu, and the spheres i < j (b, 2); state: see `sweep`; the
-    pairs of bonds that have parted are among the first many[0] of slots (vv.dem.neighbours).
+    tension and shear strengths (b,), mu, and the spheres i < j (b, 2); state: see `sweep`.
     """
     ends, like, share, window = blocks[0], blocks[2], blocks[3], blocks[4]
     if threads is None:
@@ -156,7 +158,4 @@ def pull(
     normal = sheared = breaking = 0.0
     for c in range(len(held)):
         normal, sheared, breaking = normal + held[c, 0], sheared + held[c, 1], breaking + held[c, 2]
-    if frail is not None and breaking > 0.0:
-        a, b = parted(push, turn, u, v, w, dt, springs, ks, table, frail, state, slots, many, lost)
-        normal, sheared = normal + a, sheared + b
-    return normal, sheared
+    return normal, sheared, breaking

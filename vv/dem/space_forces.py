@@ -54,15 +54,14 @@ def forces(
     near: Near | None,
     slots: Slots,
     many: Index,
-    parted: Vector,
     threads: int | None,
-) -> tuple[float, float, float, float]:
+) -> tuple[float, float, float, float, float]:
     """Fill push and turn (m + 1, 3) [N, N m]; return energies [J].
 
-    shaken: the acceleration by shaking, now [m/s2]. Bonds: see `pull`; those that break are in
-    slots from then on. Energies: normal, shear, lost by friction, work of the walls.
+    shaken: the acceleration by shaking, now [m/s2]. Bonds: see `pull`. Energies: normal,
+    shear, lost by friction, work of the walls; last, how many bonds break.
     """
-    normal = sprung = lost = work = 0.0
+    normal = sprung = lost = work = breaking = 0.0
     for i in range(len(mass)):
         put(push, i, NOWHERE)
         if gravity is not None:
@@ -91,9 +90,9 @@ def forces(
         )
         normal, sprung, lost = normal + a, sprung + b, lost + c
     if springs is not None and blocks is not None:
-        a, b = pull(
+        a, b, breaking = pull(
             push, turn, u, v, w, dt, springs, bond_ks, blocks, table, each, frail, state,
-            slots, many, parted, threads,
+            threads,
         )  # fmt: skip
         normal, sprung = normal + a, sprung + b
-    return normal, sprung, lost, work
+    return normal, sprung, lost, work, breaking
