@@ -50,6 +50,12 @@ def called(function: Kernel) -> Kernel:
     return part
 
 
+def shared(function: Kernel) -> Kernel:
+    """A function for kernels to call, whose numba.prange is shared out to threads."""
+    part: Kernel = numba.njit(parallel=True, **HIDDEN, **ROUNDING)(function)
+    return part
+
+
 def cache_folder(sources: Path) -> Path:
     """Where the kernels of a source folder are cached: a folder of their own per content.
 

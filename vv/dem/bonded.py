@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
+from vv.dem.bond_blocks import Blocks, blocks
 from vv.dem.rows import Index
 from vv.scene import Mask, Scene, Term, Vector
 
@@ -18,27 +19,29 @@ SKIN = 0.2  # of the smallest radius: a gap below which pairs are near each othe
 
 
 class Bonded(NamedTuple):
-    """`springs`, `ks` and `frail` of `vv.dem.bond_law.pull`; None where there is nothing."""
+    """What `vv.dem.bond_pull.pull` takes by these names; None where there is nothing."""
 
-    springs: Springs | None
-    ks: Vector | None
-    frail: Frail | None
+    springs: Springs | None = None
+    ks: Vector | None = None
+    blocks: Blocks | None = None
+    frail: Frail | None = None
 
 
 def bonded(scene: Scene, moves: Mask, row: Index) -> Bonded:
     """The bonds of which one end moves, in the order of `_held`."""
-    bonds, spheres = scene.bonds, scene.spheres
-    if bonds is None:
-        return Bonded(None, None, None)
-    pairs, order = _held(scene, moves)
+    bonds, spheres, (pairs, order) = scene.bonds, scene.spheres, _held(scene, moves)
+    if bonds is None or not len(pairs):
+        return Bonded()
     offset = spheres.position[pairs[:, 1]] - spheres.position[pairs[:, 0]]
     first = np.sqrt((offset**2).sum(axis=1))
     stretch, ks = first - bonds.length[order], bonds.ks[order]
-    frail = bonds.tension[order], bonds.shear[order], scene.contact.mu, pairs
+    kn, tension, shear = bonds.kn[order], bonds.tension[order], bonds.shear[order]
+    springs = row[pairs], offset, first, stretch, kn, spheres.radius[pairs]
     return Bonded(
-        (row[pairs], offset, first, stretch, bonds.kn[order], spheres.radius[pairs]),
+        springs,
         ks if ks.any() else None,
-        frail if Term.BREAKAGE in scene.terms() else None,
+        blocks(springs, np.stack([kn, ks, tension, shear]), int(moves.sum())),
+        (tension, shear, scene.contact.mu, pairs) if Term.BREAKAGE in scene.terms() else None,
     )
 
 

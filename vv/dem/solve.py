@@ -15,7 +15,7 @@ from vv.dem.limits import BLOW_UP, GAIN
 from vv.dem.line import Line, line
 from vv.dem.pressed import Pressed, pressed
 from vv.dem.safe import PACKED
-from vv.dem.space import Space, space
+from vv.dem.space import Space, SpaceState, space
 from vv.dem.stability import critical_step
 from vv.energy import Form
 from vv.scene import LOCKED, Scene, Vector
@@ -39,13 +39,14 @@ class Program:
     """An ask ready to be solved as often as wanted.
 
     system: the smallest model of its scene; stood: that scene, with what stands in for what
-    springs cannot do.
+    springs cannot do. threads: that share the bonds, if there are any; the answer is the same.
     """
 
     ask: Ask
     leapfrog: Leapfrog
     system: Line | Pressed | Space
     stood: Stood
+    threads: int = 1
 
     @property
     def model(self) -> Model:
@@ -64,8 +65,10 @@ class Program:
         """What the kernel is called with: outputs, stride, dt, the scene, the leapfrog."""
         goal, dt = self.ask.goal, self.ask.dt
         outputs = self.system.outputs(len(goal.times(dt)), self.spheres)
-        leapfrog = (self.leapfrog.lag, self.leapfrog.back)
-        return (*outputs, goal.stride(dt), dt, *self.system.state, *leapfrog)
+        state, leapfrog = self.system.state, (self.leapfrog.lag, self.leapfrog.back)
+        if isinstance(state, SpaceState) and self.threads > 1:
+            state = state._replace(threads=self.threads)
+        return (*outputs, goal.stride(dt), dt, *state, *leapfrog)
 
     @functools.cached_property
     def spheres(self) -> tuple[int, ...]:
@@ -78,8 +81,15 @@ class Program:
         self.system.kernel()(path[:1], energy[:1], *rest)
 
     def solve(self) -> int:
-        """Run the kernel over all steps; returns how many rows of the outputs are good."""
-        return self.system.kernel()(*self.arguments)
+        """Run the kernel over all steps; returns how many rows of the outputs are good.
+
+        Raises ValueError for more threads than numba may have.
+        """
+        if self.threads == 1:
+            return self.system.kernel()(*self.arguments)
+        from vv.dem.bond_threads import on_threads
+
+        return on_threads(self.threads, self.system.kernel(), self.arguments)
 
     def run(self, rows: int) -> Run:
         """The Run of a solve that returned `rows`; its cost is left empty."""
@@ -146,14 +156,14 @@ class Program:
         )
 
 
-def prepare(ask: Ask, leapfrog: Leapfrog) -> Program:
+def prepare(ask: Ask, leapfrog: Leapfrog, threads: int = 1) -> Program:
     """The program of an ask, with the smallest model its scene allows."""
     stood = sprung(ask)
     scene, charged = stood.scene, stood.charged
     if ask.energies or any(isinstance(what, Reaction) for what in ask.observables):
-        return Program(ask, leapfrog, space(scene, charged), stood)
+        return Program(ask, leapfrog, space(scene, charged), stood, threads)
     system = line(scene) or pressed(scene, charged) or space(scene, charged)
-    return Program(ask, leapfrog, system, stood)
+    return Program(ask, leapfrog, system, stood, threads)
 
 
 def solve(ask: Ask, leapfrog: Leapfrog) -> Run:

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from vv.ask import Displacement, Observable, Reaction
+from vv.dem.bond_blocks import Blocks
 from vv.dem.bonded import bonded, near
 from vv.dem.leapfrog import Leapfrog
 from vv.dem.rows import Index, projected, projectors, triple
@@ -45,8 +46,10 @@ class SpaceState(NamedTuple):
     carried: Vector | None
     springs: Springs | None
     bond_ks: Vector | None
+    blocks: Blocks | None
     frail: Frail | None
     near: Near | None
+    threads: int | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -146,6 +149,7 @@ def space(scene: Scene, charged: Vector | None = None) -> Space:
         carried=carried[moves] if carried.any() else None,
         springs=bonds.springs,
         bond_ks=bonds.ks,
+        blocks=bonds.blocks,
         frail=bonds.frail,
         near=close,
     )

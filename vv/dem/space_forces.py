@@ -5,7 +5,9 @@ from __future__ import annotations
 import numpy as np
 
 from vv.compiled import inlined
-from vv.dem.bond_law import Frail, Springs, pull
+from vv.dem.bond_blocks import Blocks
+from vv.dem.bond_law import Frail, Springs
+from vv.dem.bond_pull import Shares, pull
 from vv.dem.contact_law import Pairs, Walls, pair_forces, wall_forces
 from vv.dem.neighbours import Near, Slots, State
 from vv.dem.rows import Index
@@ -44,20 +46,22 @@ def forces(
     moving: tuple[Index, Vector] | None,
     springs: Springs | None,
     bond_ks: Vector | None,
-    slip: Vector,
+    blocks: Blocks | None,
+    table: Vector,
+    each: Shares,
     frail: Frail | None,
-    broken: State,
+    state: State,
     near: Near | None,
     slots: Slots,
     many: Index,
-    parted: Vector,
-) -> tuple[float, float, float, float]:
+    threads: int | None,
+) -> tuple[float, float, float, float, float]:
     """Fill push and turn (m + 1, 3) [N, N m]; return energies [J].
 
-    shaken: the acceleration by shaking, now [m/s2]. Bonds: see `pull`; those that break are in
-    slots from then on. Energies: normal, shear, lost by friction, work of the walls.
+    shaken: the acceleration by shaking, now [m/s2]. Bonds: see `pull`. Energies: normal,
+    shear, lost by friction, work of the walls; last, how many bonds break.
     """
-    normal = sprung = lost = work = 0.0
+    normal = sprung = lost = work = breaking = 0.0
     for i in range(len(mass)):
         put(push, i, NOWHERE)
         if gravity is not None:
@@ -85,9 +89,10 @@ def forces(
             push, turn, u, v, v_before, w, w_before, dt, touching, kn, friction, slots[5]
         )
         normal, sprung, lost = normal + a, sprung + b, lost + c
-    if springs is not None:
-        a, b = pull(
-            push, turn, u, v, w, dt, springs, bond_ks, slip, frail, broken, slots, many, parted
-        )
+    if springs is not None and blocks is not None:
+        a, b, breaking = pull(
+            push, turn, u, v, w, dt, springs, bond_ks, blocks, table, each, frail, state,
+            threads,
+        )  # fmt: skip
         normal, sprung = normal + a, sprung + b
-    return normal, sprung, lost, work
+    return normal, sprung, lost, work, breaking

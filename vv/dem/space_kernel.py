@@ -8,7 +8,9 @@ import numpy as np
 
 from vv.compiled import compiled
 from vv.dem.advance import held, kick, place, upheld
+from vv.dem.bond_blocks import WIDE, Blocks
 from vv.dem.bond_law import Frail, Springs
+from vv.dem.bond_pull import parted, shares
 from vv.dem.contact_law import Pairs, Walls
 from vv.dem.driven import Base, carry
 from vv.dem.limits import BLOW_UP, GAIN
@@ -47,8 +49,10 @@ def move_in_space(  # noqa: PLR0912, PLR0915 - a branch per term, decided by the
     carried: Vector | None,
     springs: Springs | None,
     bond_ks: Vector | None,
+    blocks: Blocks | None,
     frail: Frail | None,
     near: Near | None,
+    threads: int | None,
     lag: float,
     back: float,
 ) -> int:
@@ -61,7 +65,8 @@ def move_in_space(  # noqa: PLR0912, PLR0915 - a branch per term, decided by the
     `pair_forces` and `wall_forces`; row m is the ground, which does not move. charged: (q, 3)
     shear forces of the walls at t = 0. shaking: accelerations of all spheres; base: how the walls
     move, which have the rows from m + 1 on; grounds (q,): those rows. carried: (m, 3) the steady
-    velocity that spheres keep along their locks. Bonds: see `pull`. near: what pairs are gathered
+    velocity that spheres keep along their locks. Bonds: see `pull`; threads: not None
+    if several share them. near: what pairs are gathered
     from as spheres stray (vv.dem.neighbours), where `pairs` is None. An absent term is None.
     The drag acts on lag v- + (1 - lag) v+: 1/2 the midpoint, 1 the previous mean velocity.
     back: how many dt before t = 0 the velocity is first placed.
@@ -101,22 +106,30 @@ def move_in_space(  # noqa: PLR0912, PLR0915 - a branch per term, decided by the
             wall_shear = rest(len(walls[0]))
             if charged is not None:
                 wall_shear[:] = charged
-    slip, since, many, parted = rest(0), rest(0), np.zeros(1, np.intp), np.zeros(2)
-    broken = np.zeros(0, np.uint8)
-    if bond_ks is not None:
-        slip = rest(len(bond_ks))
-    if frail is not None:
-        broken = np.zeros(len(frail[0]), np.uint8)
+    since, many, torn = rest(0), np.zeros(1, np.intp), np.zeros(2)
+    state = np.zeros((0, WIDE), np.uint8)
+    table, each = np.zeros((0, 0)), shares(0, m + 1)
+    if blocks is not None:
+        table, each = blocks[1].copy(), shares(len(blocks[4]), m + 1)
+        if frail is not None:
+            state = np.zeros((len(blocks[0]), WIDE), np.uint8)
+    broken = state.reshape(-1)
     slots = no_slots()
     if near is not None:
         since = rest(m)
         slots = gathered(near, u, broken, slots, many)
     slipped = dragged = done = turning = shook = moved = borne = power = 0.0
-    normal, sprung, _, _ = forces(
+    normal, sprung, _, _, breaking = forces(
         push, turn, u, v, before, w, spun, dt, mass, gravity, load,
         pairs, pair_shear, walls, wall_shear, kn, friction, shaking, shaken, moving,
-        springs, bond_ks, slip, frail, broken, near, slots, many, parted,
+        springs, bond_ks, blocks, table, each, frail, state, near, slots, many,
+        threads,
     )  # fmt: skip
+    if springs is not None and frail is not None and breaking > 0.0:
+        a, b = parted(
+            push, turn, u, v, w, dt, springs, bond_ks, table, frail, state, slots, many, torn
+        )
+        normal, sprung = normal + a, sprung + b
     if carried is not None:
         power = upheld(push, carried, eta)
     if base is not None:
@@ -145,11 +158,30 @@ def move_in_space(  # noqa: PLR0912, PLR0915 - a branch per term, decided by the
             if near is not None and strayed(u, since, near[3]):
                 since[:] = u[:m]
                 slots = gathered(near, u, broken, slots, many)
-            normal, sprung, lost, work = forces(
+            normal, sprung, lost, work, breaking = forces(
                 push, turn, u, v, before, w, spun, dt, mass, gravity, load,
                 pairs, pair_shear, walls, wall_shear, kn, friction, shaking, shaken, moving,
-                springs, bond_ks, slip, frail, broken, near, slots, many, parted,
+                springs, bond_ks, blocks, table, each, frail, state, near, slots, many,
+                threads,
             )  # fmt: skip
+            if springs is not None and frail is not None and breaking > 0.0:
+                a, b = parted(
+                    push,
+                    turn,
+                    u,
+                    v,
+                    w,
+                    dt,
+                    springs,
+                    bond_ks,
+                    table,
+                    frail,
+                    state,
+                    slots,
+                    many,
+                    torn,
+                )
+                normal, sprung = normal + a, sprung + b
             if carried is not None:
                 borne += 0.5 * dt * power
                 power = upheld(push, carried, eta)
@@ -191,7 +223,7 @@ def move_in_space(  # noqa: PLR0912, PLR0915 - a branch per term, decided by the
         if energy.shape[1] > 7:
             energy[row, 7], energy[row, 8] = shook, moved
         if carried is not None or frail is not None:
-            energy[row, 9], energy[row, 10], energy[row, 11] = borne, parted[0], parted[1]
+            energy[row, 9], energy[row, 10], energy[row, 11] = borne, torn[0], torn[1]
         total = kinetic + turning + normal + sprung
         if row and not (total <= GAIN * (put_in + done) and fast <= BLOW_UP * (put_in + done)):
             return row

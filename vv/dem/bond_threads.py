@@ -1,0 +1,54 @@
+"""Shares the chunks of bonds out to threads; compiled only where threads are asked for."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import Any
+
+import numba
+
+from vv.compiled import shared
+from vv.dem.bond_bend import Like
+from vv.dem.bond_blocks import Ends, Index
+from vv.dem.bond_law import Frail
+from vv.dem.bond_sweep import sweep
+from vv.dem.neighbours import State
+from vv.scene import Vector
+
+
+@shared
+def sweep_shared(
+    push: Vector,
+    turn: Vector,
+    scratch: Vector,
+    held: Vector,
+    u: Vector,
+    v: Vector,
+    w: Vector | None,
+    dt: float,
+    ends: Ends,
+    table: Vector,
+    like: Like | None,
+    share: Index,
+    window: Index,
+    many: int,
+    ks: Vector | None,
+    frail: Frail | None,
+    state: State,
+) -> None:
+    """`sweep` of all chunks by as many threads as numba was told to use."""
+    for c in numba.prange(len(held)):
+        sweep(
+            push, turn, scratch, held, c, u, v, w, dt,
+            ends, table, like, share, window, many, ks, frail, state,
+        )  # fmt: skip
+
+
+def on_threads(threads: int, kernel: Callable[..., int], arguments: tuple[Any, ...]) -> int:
+    """Call a kernel with so many threads to share; raises ValueError if numba may not have them."""
+    before = numba.get_num_threads()
+    numba.set_num_threads(threads)
+    try:
+        return kernel(*arguments)
+    finally:
+        numba.set_num_threads(before)
