@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 from itertools import pairwise
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
 
-from vv.dem.bond_law import Springs
 from vv.dem.rows import Index
 from vv.scene import Vector
+
+if TYPE_CHECKING:
+    from vv.dem.bond_law import Springs
 
 Ends = npt.NDArray[np.uint32]
 Numbers = npt.NDArray[Any]

@@ -6,11 +6,12 @@ import numpy as np
 
 from vv.compiled import called, inlined
 from vv.dem.bond_bend import SCRATCH, three
-from vv.dem.bond_blocks import SLIP, WIDE, Blocks, Index
+from vv.dem.bond_blocks import SLIP, WIDE, Blocks
 from vv.dem.bond_law import Frail, Springs, arms, kept, listed, rolled, stretched
 from vv.dem.bond_sweep import BREAKS, BROKEN, sweep_all
 from vv.dem.bond_threads import sweep_shared
 from vv.dem.neighbours import Slots, State
+from vv.dem.rows import Index
 from vv.scene import Vector
 from vv.triples import NOWHERE, Triple, at, cross, dot, plus, put
 

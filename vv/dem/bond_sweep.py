@@ -12,9 +12,10 @@ import numpy as np
 
 from vv.compiled import called
 from vv.dem.bond_bend import HIT, Like, bend, fetch, hand_out
-from vv.dem.bond_blocks import WIDE, Ends, Index
+from vv.dem.bond_blocks import WIDE, Ends
 from vv.dem.bond_law import Frail
 from vv.dem.neighbours import State
+from vv.dem.rows import Index
 from vv.scene import Vector
 from vv.triples import NOWHERE, put
 

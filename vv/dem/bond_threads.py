@@ -9,10 +9,11 @@ import numba
 
 from vv.compiled import shared
 from vv.dem.bond_bend import Like
-from vv.dem.bond_blocks import Ends, Index
+from vv.dem.bond_blocks import Ends
 from vv.dem.bond_law import Frail
 from vv.dem.bond_sweep import sweep
 from vv.dem.neighbours import State
+from vv.dem.rows import Index
 from vv.scene import Vector
 
 
