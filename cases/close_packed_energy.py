@@ -49,6 +49,11 @@ HALF = 0.5  # of the strain at which the first bond opens
 
 def _declare(variant: str, p: Parameters) -> Trial:
     way, size = variant.split("-")
+    if not SIGNS[way] * p["rate"] > 0:
+        raise ValueError(
+            f"rate = {p['rate']!r} 1/s; it must be positive where a block is pulled, "
+            "negative where it is pressed"
+        )
     block = block_of(int(size), p["d"])
     kn, ks, d = p["kn"], p["ks"], p["d"]
     E = lattice_material.youngs_modulus(kn, ks, d)
@@ -108,7 +113,7 @@ def _held(p: Parameters, block: Lattice, E: float, strain: float) -> Scalar:
 
     def observe(run: Run) -> float:
         held = energy((Form.NORMAL, Form.SHEAR), run)
-        return float(np.sqrt(np.interp(strain / p["rate"], run.times, held))) ** 2
+        return float(np.interp(strain / p["rate"], run.times, np.sqrt(held))) ** 2
 
     what = "elastic energy at half the strain at which the first bond opens"
     return Scalar("E_e(half)", "E_e(half)", "J", what, observe, exact, exact, LINEAR)
@@ -172,10 +177,8 @@ CLOSED = {
         1e-5, f"{BOOKED}, of which a block that slides has many", dt=1e-8, order=2
     ),
 }
-SOON = (
-    "the answer is linear; viscosity at this rate and finite strain of 1e-4 change it, and an "
-    "output's place between two others"
-)
+SIGNS = {"pulled": 1.0, "pressed": -1.0}
+SOON = "the answer is linear; viscosity at this rate and finite strain of 1e-4 change it"
 LINEAR: Judge = Exact(dict.fromkeys(CLASSES, Tolerance(2e-4, SOON)))
 RUNGS = tuple(Knobs(dt=8e-8 / 2**i) for i in range(4))
 LEVELS = {Level.QUICK: RUNGS[:2], Level.DEFAULT: RUNGS, Level.PAPER: RUNGS}

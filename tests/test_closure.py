@@ -36,6 +36,7 @@ def test_nothing_that_parsing_finds_is_missed_in_any_of_our_sources() -> None:
         "import vv.a  # import\nif True: import vv.b",
         "from vv import(a, b)",
         "import\\\n vv.a, vv.b",
+        "import vv . a, vv. b",
         '"""\nimport this\n"""; import vv.a, vv.b',
     ],
 )

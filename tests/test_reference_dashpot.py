@@ -16,6 +16,7 @@ from reference_solutions.checks import dashpot as integrated
 from tests.turned_signs import caught, signs, turned
 from vv import dem, exact
 from vv.ask import Ask, Knobs, Run, Status, Velocity
+from vv.case import Scalar
 from vv.project import find
 from vv.scene import Contact, Scene, Spheres
 
@@ -100,6 +101,13 @@ def test_a_contact_that_pulled_would_be_seen() -> None:
     """What is returned at the end of the overlap is less, by far more than any tolerance."""
     z = 0.3
     assert exp(-pi * z / sqrt(1 - z * z)) < 0.9 * closed.restitution(z)
+
+
+def test_a_code_that_does_not_see_the_wall_tells_no_time_in_contact() -> None:
+    (lasted,) = (q for q in CASE.declare("z-0", CASE.defaults("z-0")).quantities if q.unit == "s")
+    assert isinstance(lasted, Scalar)
+    values = {Velocity(1): np.full((3, 3), -0.01)}
+    assert np.isnan(lasted.observe(Run(Status.RAN, times=np.arange(3.0), values=values)))
 
 
 def test_two_spheres_meet_as_one_of_their_reduced_mass() -> None:

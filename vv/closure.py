@@ -13,7 +13,7 @@ OURS = ("vv", *CONTENT)
 WORD = re.compile(r"\bimport\b")
 PLAIN = re.compile(  # on lines of their own, and without what may hide a name
     r"^[ \t]*(?:from[ \t]+([.\w]+)[ \t]+import[ \t]*(?:\(([^()#;\\]*)\)|([^()#;\\\n]+))"
-    r"|import[ \t]+([^()#;\\\n]+))(?:#.*)?$",
+    r"|import[ \t]+(?!.*(?:[ \t]\.|\.[ \t]))([^()#;\\\n]+))(?:#.*)?$",
     re.MULTILINE,
 )
 
@@ -72,7 +72,7 @@ def imported(text: str, filename: str = "") -> list[str]:
     takes ten times as long as looking for these.
     """
     plain = list(PLAIN.finditer(text))
-    if len(plain) < len(WORD.findall(text)):
+    if len(plain) < len(WORD.findall(text)) or not text.isascii():
         return list(_names(ast.parse(text, filename)))
     return [name for statement in plain for name in _named(*statement.groups())]
 

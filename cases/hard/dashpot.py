@@ -74,8 +74,8 @@ def _lasted(run: Run) -> float:
     """The middle of the last interval in which the speed still changed."""
     speed: Vector = run.values[SPEED] @ Z
     changing = np.flatnonzero(np.abs(speed - speed[-1]) > STILL * np.abs(speed).max())
-    last = int(changing[-1])
-    return float(run.times[last : last + 2].mean())
+    last = changing[-1:]
+    return float(run.times[last[0] : last[0] + 2].mean()) if len(last) else math.nan
 
 
 def _judge(z: float, unit: float) -> Exact:
@@ -123,8 +123,8 @@ CASE = Case(
         "revisited, Granular Matter 9(6), 465-469",
         "10.1007/s10035-007-0065-z",
         "The contact ends where its force would pull, before the overlap does: a code that goes on "
-        "to the end of the overlap returns exp(-pi z/sqrt(1 - z^2)), a tenth of a millionth of "
-        "what is right at z = 0.99.",
+        "to the end of the overlap returns exp(-pi z/sqrt(1 - z^2)), two billionths of what "
+        "is right at z = 0.99.",
     ),
     parameters=(
         Parameter("m", 1.0, "kg", "mass"),

@@ -86,8 +86,9 @@ def _stacked(n: float) -> Exact:
     """The judge of n blocks on one another: what each tilts is seen n times above."""
     creep = Tolerance(
         1e-5 * max(1.0, (n / 20) ** 2),
-        "contacts are solved to 1e-8 m/s each: for 10 s, on blocks whose tilts add up, a stack of "
-        "twenty may creep by micrometres, and a higher one by the square of its height more",
+        "contacts, asked to 5e-6 m/s, come to some 1e-8 m/s each: for 10 s, on blocks whose tilts "
+        "add up, a stack of twenty may creep by micrometres, and a higher one by the square of "
+        "its height more",
     )
     pressed = Tolerance(1e-10, PRESSED)
     return Exact({Method.SECOND_ORDER: creep, Method.PENALTY: pressed, Method.LAGGING: pressed})
@@ -131,7 +132,7 @@ SETTLES = (
 )
 STANDS = Exact(
     {
-        Method.SECOND_ORDER: Tolerance(1e-7, "contacts are solved to 1e-8 m/s each, for a second"),
+        Method.SECOND_ORDER: Tolerance(1e-7, "contacts come to some 1e-8 m/s each, for a second"),
         Method.PENALTY: Tolerance(1e-5, SETTLES),
         Method.LAGGING: Tolerance(1e-5, SETTLES),
     }
