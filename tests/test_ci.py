@@ -7,6 +7,8 @@ from pathlib import Path
 
 import pytest
 
+from vv.compiled import cache_folder
+
 ROOT = Path(__file__).parents[1]
 FILES = ("docs/ci/github.yml", "docs/ci/gitlab.yml")
 
@@ -20,6 +22,13 @@ def test_both_run_the_same_targets_and_require_the_external_codes() -> None:
     assert targets(FILES[0]) == targets(FILES[1]) == ["test", "gate"]
     for file in FILES:
         assert "VV_REQUIRE: yade,liggghts" in (ROOT / file).read_text()
+
+
+def test_both_keep_the_kernels_where_a_checkout_has_them(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.delenv("VV_CACHE", raising=False)
+    kept = cache_folder(ROOT / "vv" / "dem").parent.relative_to(ROOT).as_posix()
+    for file in FILES:
+        assert re.search(rf"^\s*(?:path:|-) {re.escape(kept)}$", (ROOT / file).read_text(), re.M)
 
 
 @pytest.mark.skipif(not shutil.which("make"), reason="make is not installed")

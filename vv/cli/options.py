@@ -14,7 +14,7 @@ from vv.project import Project
 from vv.settings import UsageError, knobs_from
 from vv.study import Level
 
-TIMEOUT = 120.0  # s for one job, unless said otherwise
+TIMEOUT = 300.0  # s for one job, unless said otherwise; its kernels may have to be compiled
 Selection = Annotated[
     list[str] | None, typer.Argument(help="FAMILY, CASE or CASE:VARIANT; globs allowed.")
 ]
