@@ -86,6 +86,7 @@ LAYERS: dict[str, tuple[str, set[str], set[str]]] = {
         "reports/*.py",
         {
             "reports",
+            "vv.closure",
             "vv.files",
             "vv.store",
             "vv.metrics",
