@@ -14,7 +14,7 @@ from vv.adapter import Adapter
 from vv.ask import Status
 from vv.case import Case
 from vv.finding import Bit, Finding, from_data, worst_first
-from vv.gate import blew_up, outcome
+from vv.gate import NOT_CONSERVED, blew_up, counted, outcome
 from vv.plan import Job, Plan
 from vv.reading import label, rung, status_of, tried
 
@@ -33,7 +33,7 @@ PLURAL = {
     "known disagreement": "known disagreements",
     "unexpected pass": "unexpected passes",
 }
-ORDER = ("pass", "fail", "xpass", "xfail", "no-reference")
+ORDER = ("pass", "fail", NOT_CONSERVED, "xpass", "xfail", "no-reference")
 STORED = "stored"
 REASONS = 6  # why codes refused: the most frequent ones
 SHOWN = 12  # findings of a gate; the report and the files have all
@@ -121,7 +121,7 @@ def print_refusals(records: Iterable[Mapping[str, Any]]) -> None:
 
 def print_counts(records: Iterable[Mapping[str, Any]], report: Path) -> None:
     """The last line of a run: outcomes counted, where the report is, where to read why."""
-    counts = Counter(outcome(record) for record in records)
+    counts = counted(records)
     ranked = sorted(counts, key=lambda word: (ORDER.index(word) if word in ORDER else 9, word))
     named = []
     for word in ranked:
@@ -212,8 +212,9 @@ def print_cases(cases: Sequence[Case]) -> None:
     """Cases with their variants."""
     for case in cases:
         say(f"{case.name}  {case.title} [{case.source.doi or case.source.citation}]")
+        width = max((len(variant.name) for variant in case.variants), default=0)
         for variant in case.variants:
-            say(f"  {case.name}:{variant.name:<14}{variant.summary}")
+            say(f"  {case.name}:{variant.name:<{width}}  {variant.summary}")
 
 
 def print_codes(adapters: Sequence[Adapter]) -> None:
