@@ -18,11 +18,11 @@ import numpy as np
 import pytest
 
 from tests.metamorphic import Twin, apart, backwards, elastic, known, twins
+from tests.other_worlds import rescaled
 from vv.adapter import Adapter, Scheme, settled
 from vv.ask import Ask, Displacement, Run, Status, Velocity
 from vv.plan import project_knobs
 from vv.project import find
-from vv.rescale import rescaled
 
 PROJECT = find(Path(__file__))
 CODES = {name: PROJECT.load_adapter(name) for name in ("exact", "dem", "dda", "rigid", "yade",
