@@ -112,12 +112,13 @@ def _narrowed(
     budget: str,
 ) -> Plan:
     from vv import scope
+    from vv.checkout import changed_since
 
     if last is not None:
         wanted = scope.troubled(last)
         plan = restricted(plan, lambda job: scope.key(job) in wanted)
     if since:
-        plan = scope.affected(project, plan, scope.changed_since(project.root, since))
+        plan = scope.affected(project, plan, changed_since(project.root, since))
     if budget:
         past = [store.manifest(name) for name in reversed(store.manifests()[-PAST:])]
         plan = scope.within(plan, scope.seconds(budget), past)
