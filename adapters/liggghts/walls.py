@@ -35,11 +35,7 @@ def triangle(wall: Wall, low: Vector, high: Vector) -> Vector:
     centre, half = (low + high) / 2, (high - low) / 2
     foot = centre - ((centre - wall.point) @ wall.normal) * wall.normal
     inscribed = float(np.linalg.norm(half) + np.linalg.norm(foot - centre))
-    first = np.cross(wall.normal, np.eye(3)[np.abs(wall.normal).argmin()])
-    first /= np.linalg.norm(first)
-    turns = 2 * np.pi / 3 * np.arange(3)[:, None]
-    directions = np.cos(turns) * first + np.sin(turns) * np.cross(wall.normal, first)
-    return np.asarray(foot + 2 * inscribed * directions)
+    return np.asarray(foot + 2 * inscribed * wall.triangle)
 
 
 def wall_commands(

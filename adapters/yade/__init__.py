@@ -24,7 +24,7 @@ from adapters.yade.translate import (
     put,
 )
 from vv import external
-from vv.adapter import Found, Scheme, behind_wall, no_sphere
+from vv.adapter import Found, Scheme, behind_wall, no_sphere, turned_spin_lock
 from vv.ask import Ask, Displacement, Method, Model, Reaction, Run, Status, Velocity
 from vv.clump import clump, why_no_clump
 from vv.scene import Scene, Term
@@ -113,7 +113,7 @@ class Yade:
             no_sphere(ask, scene)
             or _locked_spin(scene)
             or why_not_released(scene)
-            or _oblique_spin_lock(ask.scene)
+            or turned_spin_lock(ask.scene, "YADE locks its own axes only")
             or behind_wall(scene)
             or why_no_bonds(scene)
             or _oblique_reaction(ask)
@@ -162,14 +162,6 @@ def _locked_spin(scene: Scene) -> str | None:
     about = np.where(scene.spheres.free_spin, 0.0, scene.spheres.spin @ scene.axes.T)
     if about.any():
         return "a sphere has a spin in a locked freedom, which YADE would maintain"
-    return None
-
-
-def _oblique_spin_lock(scene: Scene) -> str | None:
-    masks = [*scene.spheres.free_spin, *(block.free_spin for block in scene.blocks)]
-    partly = any(free.any() and not free.all() for free in masks)
-    if partly and not np.array_equal(scene.axes, np.eye(3)):
-        return "rotation is locked about some axes of a turned frame; YADE locks its own axes only"
     return None
 
 
