@@ -137,7 +137,7 @@ class _Posed:
 def _pose(case: Case, variant: str, options: Options) -> _Posed:
     parameters = with_settings(case, variant, options.settings)
     trial = declare(case, variant, parameters)
-    if np.isfinite(trial.study.scene.contact.kn) and any(rung.kn for rung in options.rungs):
+    if not trial.study.scene.contact.rigid and any(rung.kn for rung in options.rungs):
         raise UsageError(f"{case.name}:{variant} has a contact stiffness of its own; leave out kn")
     rungs = options.rungs or trial.study.rungs[options.level]
     return _Posed(case, variant, parameters, trial, rungs, functools.cache(trial.study.ask))
