@@ -8,9 +8,9 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from vv.disagreement import Ladder, orders
 from vv.gate import outcome
 from vv.reading import error_of, label, rung
+from vv.rungs import Ladder, orders
 from vv.settings import UsageError, near
 from vv.store import Store
 

@@ -2,21 +2,18 @@
 
 from __future__ import annotations
 
-import contextlib
 import sys
-import time
 from collections import Counter
-from collections.abc import Callable, Container, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Container, Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from vv.adapter import Adapter
-from vv.ask import Status
 from vv.case import Case
 from vv.finding import Bit, Finding, from_data, worst_first
-from vv.gate import NOT_CONSERVED, blew_up, counted, outcome
+from vv.gate import NOT_CONSERVED, counted, outcome
 from vv.plan import Job, Plan
-from vv.reading import label, rung, status_of, tried
+from vv.reading import label, tried
 
 if TYPE_CHECKING:
     from vv.compare import Change
@@ -37,7 +34,6 @@ ORDER = ("pass", "fail", NOT_CONSERVED, "xpass", "xfail", "no-reference")
 STORED = "stored"
 REASONS = 6  # why codes refused: the most frequent ones
 SHOWN = 12  # findings of a gate; the report and the files have all
-EVERY = 2.0  # s between two plain progress lines
 
 
 def say(text: str) -> None:
@@ -54,55 +50,6 @@ def complain(text: str) -> int:
     """Print an error line and return the exit status of a usage error."""
     print(f"vv: {text}", file=sys.stderr)
     return int(Bit.USAGE)
-
-
-Shown = Callable[[Mapping[str, Any]], None]
-
-
-@contextlib.contextmanager
-def progress(total: int) -> Iterator[Shown]:
-    """A function to call with each record: a bar on a terminal, plain lines elsewhere."""
-    with _bar(total) if sys.stderr.isatty() else _lines(total) as shown:
-        yield shown
-
-
-@contextlib.contextmanager
-def _bar(total: int) -> Iterator[Shown]:
-    from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
-
-    columns = (BarColumn(), TextColumn("{task.description}"), TimeElapsedColumn())
-    counts: Counter[str] = Counter()
-    with Progress(*columns, auto_refresh=False, transient=True) as bars:
-        task = bars.add_task("running", total=total)
-
-        def shown(record: Mapping[str, Any]) -> None:
-            counts[status_of(record).value] += 1
-            bars.update(task, advance=1, description=_counted(counts, total), refresh=True)
-
-        yield shown
-
-
-@contextlib.contextmanager
-def _lines(total: int) -> Iterator[Shown]:
-    counts: Counter[str] = Counter()
-    last = time.monotonic()
-
-    def shown(record: Mapping[str, Any]) -> None:
-        nonlocal last
-        counts[status_of(record).value] += 1
-        lost = status_of(record) in (Status.ERROR, Status.TIMEOUT, Status.DIVERGED)
-        if lost and not blew_up(record):
-            job = f"{record['case']}:{record['variant']} {label(record)} {rung(record)}".rstrip()
-            print(f"{job}: {outcome(record)}: {record['reason']}", file=sys.stderr)
-        if time.monotonic() - last > EVERY:
-            last = time.monotonic()
-            print(_counted(counts, total), file=sys.stderr, flush=True)
-
-    yield shown
-
-
-def _counted(counts: Counter[str], total: int) -> str:
-    return f"{counts.total()} of {total}: " + ", ".join(f"{n} {w}" for w, n in counts.items())
 
 
 def print_refusals(records: Iterable[Mapping[str, Any]]) -> None:

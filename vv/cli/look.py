@@ -9,8 +9,9 @@ import typer
 
 from vv import screen
 from vv.explain import tell
-from vv.plan import Options, make_plan, select
+from vv.plan import Options, make_plan
 from vv.project import find
+from vv.selection import select
 from vv.settings import UsageError, near
 from vv.store import Store
 

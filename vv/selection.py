@@ -1,0 +1,67 @@
+"""What patterns name: cases and variants, codes and schemes."""
+
+from __future__ import annotations
+
+import fnmatch
+from collections.abc import Iterable, Mapping, Sequence
+
+from vv.adapter import Adapter, Scheme
+from vv.case import Case
+from vv.project import Project
+from vv.settings import UsageError, near
+
+
+def select(project: Project, selection: Sequence[str]) -> list[tuple[Case, str]]:
+    """(case, variant name) pairs for patterns FAMILY, CASE or CASE:VARIANT, in file order."""
+    names = project.case_names()
+    wanted: dict[str, set[str]] = {}
+    for pattern in selection:
+        case_pattern, _, variant_pattern = pattern.partition(":")
+        hits = [
+            name
+            for name in names
+            if fnmatch.fnmatchcase(name, case_pattern)
+            or fnmatch.fnmatchcase(project.family(name), case_pattern)
+        ]
+        if not hits:
+            near_names = {*names, *map(project.family, names)}
+            raise UsageError(f"no case '{case_pattern}'{near(case_pattern, near_names)}")
+        found = 0
+        for name in hits:
+            variants = [v.name for v in project.load_case(name).variants]
+            matching = fnmatch.filter(variants, variant_pattern or "*")
+            wanted.setdefault(name, set()).update(matching)
+            found += len(matching)
+        if not found:
+            known = [v.name for name in hits for v in project.load_case(name).variants]
+            raise UsageError(f"no variant '{variant_pattern}'{near(variant_pattern, known)}")
+    return [
+        (case, variant.name)
+        for case in map(project.load_case, (name for name in names if name in wanted))
+        for variant in case.variants
+        if variant.name in wanted[case.name]
+    ]
+
+
+def named_adapters(project: Project, patterns: Iterable[str]) -> dict[str, Adapter]:
+    """The codes that patterns CODE or CODE/SCHEME name; all, where one of them names none."""
+    names = project.adapter_names()
+    hits = [fnmatch.filter(names, pattern.partition("/")[0]) for pattern in patterns]
+    wanted = {name for hit in hits for name in hit} if hits and all(hits) else set(names)
+    return {name: project.load_adapter(name) for name in names if name in wanted}
+
+
+def choose_schemes(
+    adapters: Mapping[str, Adapter], patterns: Iterable[str]
+) -> list[tuple[Adapter, Scheme]]:
+    """The pairs that patterns CODE or CODE/SCHEME name; CODE alone means all its schemes."""
+    labels = {f"{a.name}/{s.name}": (a, s) for a in adapters.values() for s in a.schemes}
+    chosen: dict[str, tuple[Adapter, Scheme]] = {}
+    for pattern in patterns:
+        full = pattern if "/" in pattern else f"{pattern}/*"
+        hits = [label for label in labels if fnmatch.fnmatchcase(label, full)]
+        if not hits:
+            known = [*labels, *adapters]
+            raise UsageError(f"no code '{pattern}'{near(pattern, known)}")
+        chosen.update((label, labels[label]) for label in hits)
+    return [pair for label, pair in labels.items() if label in chosen]
