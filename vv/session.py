@@ -18,6 +18,7 @@ from vv.judging import Terms, judged
 from vv.plan import Job, Plan
 from vv.project import Project
 from vv.provenance import provenance
+from vv.reading import word
 from vv.record import checked, described, measured
 from vv.runner import Batch, run_batches
 from vv.store import Store
@@ -208,7 +209,7 @@ def _identity(plan: Plan, job: Job, key: str) -> Record:
         "code": job.code,
         "scheme": job.scheme,
         "code_version": plan.found[job.code].version,
-        "method": job.method.name.lower().replace("_", "-"),
+        "method": word(job.method),
         "rung": dataclasses.asdict(job.ask.knobs),
         "key": key,
     }

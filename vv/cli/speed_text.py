@@ -10,6 +10,7 @@ from vv.rungs import Point, Row, told
 
 
 def tables(every: Sequence[Effort]) -> Iterator[str]:
+    """Of each timed variant: what errors cost, floors, the front, and what to take for an error."""
     for place in dict.fromkeys((e.case, e.variant) for e in every):
         here = [e for e in every if (e.case, e.variant) == place]
         wide = max(len(e.label) for e in here)
@@ -62,6 +63,7 @@ def _recommended(here: Sequence[Effort], target: float) -> str:
 
 
 def fought(fights: Sequence[Duel]) -> Iterator[str]:
+    """How our engines fare beside external codes."""
     if fights:
         yield "\nbest in-house engine against best external code: cost over cost"
     for one in fights:
