@@ -13,8 +13,8 @@ import pytest
 import adapters.liggghts
 import adapters.yade
 from reference_solutions import incline, responding_block
+from tests.driven_blocks import THREE, UP, G, carried, off, sines, slope
 from tests.installed import require
-from tests.test_dem_rigid import THREE, UP, G, carried, off, sines, slope
 from vv import dem
 from vv.adapter import Adapter
 from vv.ask import Ask, Displacement, History, Knobs, Run, Status
