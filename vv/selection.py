@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import fnmatch
+import itertools
 from collections.abc import Iterable, Mapping, Sequence
 
 from vv.adapter import Adapter, Scheme
@@ -13,34 +14,32 @@ from vv.settings import UsageError, near
 
 def select(project: Project, selection: Sequence[str]) -> list[tuple[Case, str]]:
     """(case, variant name) pairs for patterns FAMILY, CASE or CASE:VARIANT, in file order."""
-    names = project.case_names()
     wanted: dict[str, set[str]] = {}
     for pattern in selection:
-        case_pattern, _, variant_pattern = pattern.partition(":")
-        hits = [
-            name
-            for name in names
-            if fnmatch.fnmatchcase(name, case_pattern)
-            or fnmatch.fnmatchcase(project.family(name), case_pattern)
-        ]
-        if not hits:
-            near_names = {*names, *map(project.family, names)}
-            raise UsageError(f"no case '{case_pattern}'{near(case_pattern, near_names)}")
-        found = 0
-        for name in hits:
-            variants = [v.name for v in project.load_case(name).variants]
-            matching = fnmatch.filter(variants, variant_pattern or "*")
-            wanted.setdefault(name, set()).update(matching)
-            found += len(matching)
-        if not found:
-            known = [v.name for name in hits for v in project.load_case(name).variants]
-            raise UsageError(f"no variant '{variant_pattern}'{near(variant_pattern, known)}")
+        for name, variants in _named(project, pattern).items():
+            wanted.setdefault(name, set()).update(variants)
     return [
         (case, variant.name)
-        for case in map(project.load_case, (name for name in names if name in wanted))
+        for case in map(project.load_case, (n for n in project.case_names() if n in wanted))
         for variant in case.variants
         if variant.name in wanted[case.name]
     ]
+
+
+def _named(project: Project, pattern: str) -> dict[str, list[str]]:
+    """Case -> those of its variants that a pattern names; raises UsageError if there are none."""
+    case_pattern, _, variant_pattern = pattern.partition(":")
+    families = {name: project.family(name) for name in project.case_names()}
+    hits = [n for n, f in families.items() if fnmatch.filter((n, f), case_pattern)]
+    if not hits:
+        every = {*families, *families.values()}
+        raise UsageError(f"no case '{case_pattern}'{near(case_pattern, every)}")
+    known = {name: [v.name for v in project.load_case(name).variants] for name in hits}
+    found = {name: fnmatch.filter(own, variant_pattern or "*") for name, own in known.items()}
+    if not any(found.values()):
+        names = itertools.chain.from_iterable(known.values())
+        raise UsageError(f"no variant '{variant_pattern}'{near(variant_pattern, names)}")
+    return found
 
 
 def named_adapters(project: Project, patterns: Iterable[str]) -> dict[str, Adapter]:
