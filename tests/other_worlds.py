@@ -7,8 +7,8 @@ from typing import Any
 
 import numpy as np
 
-from vv.scene import Block, Harmonic, Scene, Vector, Wall
-from vv.transform import Group
+from vv.frozen import Vector
+from vv.scene import Block, Harmonic, Scene, Spheres, Wall
 
 POWERS = {  # of the units of length, time and mass in what a scene is made of
     "position": (1, 0, 0),
@@ -38,7 +38,7 @@ def shifted(scene: Scene, by: Vector) -> Scene:
     return dataclasses.replace(scene, bodies=tuple(_shifted(group, by) for group in scene.bodies))
 
 
-def _shifted(group: Group, by: Vector) -> Group:
+def _shifted(group: Spheres | Wall | Block, by: Vector) -> Spheres | Wall | Block:
     if isinstance(group, Wall):
         return dataclasses.replace(group, point=group.point + by)
     place = "vertices" if isinstance(group, Block) else "position"
