@@ -2,22 +2,14 @@
 
 from __future__ import annotations
 
-import enum
 from collections.abc import Mapping
 from typing import Any
 
 from vv.ask import Status
 
 Record = Mapping[str, Any]
+STATUSES = {status.name.lower().replace("_", "-"): status for status in Status}
 UNTRIED = (Status.REFUSED, Status.NOT_INSTALLED)
-
-
-def word(member: enum.Enum) -> str:
-    """What records say for a member of an enumeration."""
-    return member.name.lower().replace("_", "-")
-
-
-STATUSES = {word(status): status for status in Status}
 
 
 def label(record: Record) -> str:

@@ -14,7 +14,7 @@ from vv import metrics
 from vv.ask import Ask, Knobs, Ledger, Method, Run, Status
 from vv.case import Count, Quantity, Scalar, Series, number, size_of
 from vv.judges import Exact, Interval, Invariant, Judge, Norm, Shown, judge_of
-from vv.reading import error_of, word
+from vv.reading import error_of
 from vv.scene import Vector
 
 UNTOLD = Shown("this code tells nothing to take it from")
@@ -212,14 +212,14 @@ def described(run: Run) -> dict[str, Any]:
     """What a record says of a run besides its quantities."""
     model, ledger = run.model, run.ledger
     return {
-        "status": word(run.status),
+        "status": run.status.name.lower().replace("_", "-"),
         "reason": run.reason,
         "cost": {**dataclasses.asdict(run.cost), "kind": "indicative"},
         "steps": run.steps,
         "model": model
         and {
             "unknowns": model.unknowns,
-            "terms": sorted(map(word, model.terms)),
+            "terms": sorted(term.name.lower().replace("_", "-") for term in model.terms),
             "note": model.note,
         },
         "ledger": ledger

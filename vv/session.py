@@ -18,7 +18,6 @@ from vv.judging import Terms, judged
 from vv.plan import Job, Plan
 from vv.project import Project
 from vv.provenance import provenance
-from vv.reading import word
 from vv.record import checked, described, measured
 from vv.runner import Batch, run_batches
 from vv.store import Store
@@ -209,7 +208,7 @@ def _identity(plan: Plan, job: Job, key: str) -> Record:
         "code": job.code,
         "scheme": job.scheme,
         "code_version": plan.found[job.code].version,
-        "method": word(job.method),
+        "method": job.method.name.lower().replace("_", "-"),
         "rung": dataclasses.asdict(job.ask.knobs),
         "key": key,
     }
