@@ -9,7 +9,7 @@ beyond, which for long waves is |sqrt m - sqrt M|/(sqrt m + sqrt M).
 Every function raises ValueError for parameters outside their ranges.
 """
 
-from math import asin, cos, pi, sin, sqrt
+from math import asin, pi, sin, sqrt
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -28,12 +28,6 @@ def frequency(j: int, N: int, m: float, K: float) -> float:
 def shape(j: int, N: int) -> Array:
     """The j-th mode (N,), from the base on; the largest number is near 1."""
     return np.sin(_phase(j, N) * np.arange(1.0, N + 1.0))
-
-
-def group_velocity(q: float, m: float, K: float) -> float:
-    """How many masses a second a wave of the phase q [rad] a mass goes."""
-    require_positive("kg, N/m", m=m, K=K)
-    return sqrt(K / m) * cos(q / 2.0)
 
 
 def reflected(q: float, m: float, M: float, K: float) -> float:

@@ -21,6 +21,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from reference_solutions.parameters import require_positive, require_times
+
 Array = NDArray[np.float64]
 
 _UNITS = {"rho": "kg/m3", "r": "m", "kn": "N/m", "ks": "N/m", "mu": "[-]"}
@@ -116,7 +118,7 @@ def t1(t: ArrayLike, *, rho: float, r: float, kn: float, v_a: float) -> Array:
 
     (v_a/k) sin kt until t_n1 = pi/k; then -v_a (t - t_n1).
     """
-    t = _times(t)
+    t = require_times(t)
     _, k, _ = _approach(rho, r, kn, 0.0, v_a)
     return np.where(t < pi / k, v_a / k * np.sin(k * t), -v_a * (t - pi / k))
 
@@ -126,7 +128,7 @@ def t2(t: ArrayLike, *, rho: float, r: float, kn: float, eta: float, v_a: float)
 
     (v_a/wd) e^(-nt) sin(wd t) until t_n2 = pi/wd; then (v_n2/2n)(1 - e^(-2n(t - t_n2))).
     """
-    t = _times(t)
+    t = require_times(t)
     end, v = separation(rho=rho, r=r, kn=kn, eta=eta, v_a=v_a)
     n, _, wd = _approach(rho, r, kn, eta, v_a)
     contact = v_a / wd * np.exp(-n * t) * np.sin(wd * t)
@@ -141,7 +143,7 @@ def t3(
     (v_b/k) sin kt until t_s1; y1 + v_s1 s - a s^2/2, s = t - t_s1, until t_s4; then for good
     b + y1 cos k(t - t_s4), which touches the limit of friction at each reversal without slipping.
     """
-    t = _times(t)
+    t = require_times(t)
     slip = t3_slip(rho=rho, r=r, kn=kn, ks=ks, mu=mu, eta=eta, v_b=v_b)
     _, k, _ = _rates(mass(rho, r), ks, 0.0)
     s = np.clip(t, slip.begin, slip.end) - slip.begin
@@ -161,7 +163,7 @@ def t4(
     d + y1 e^(-ns) (cos(wd s) + (n/wd) sin(wd s)). It stays stuck: its energy, ks y1^2/2 at t_s3,
     never grows, so that the spring never again reaches |y1| with a velocity left.
     """
-    t = _times(t)
+    t = require_times(t)
     slip = t4_slip(rho=rho, r=r, kn=kn, ks=ks, mu=mu, eta=eta, v_b=v_b)
     n, _, wd = _rates(mass(rho, r), ks, eta)
     first = v_b / wd * np.exp(-n * t) * np.sin(wd * t)
@@ -215,14 +217,4 @@ def _approach(
 
 def _require_positive(**values: float) -> None:
     for name, value in values.items():
-        if not (isfinite(value) and value > 0.0):
-            raise ValueError(f"{name} = {value} {_UNITS[name]}; it must be finite and positive")
-
-
-def _times(t: ArrayLike) -> Array:
-    times = np.asarray(t, dtype=np.float64)
-    bad = ~(np.isfinite(times) & (times >= 0.0))
-    if bad.any():
-        where = f"[{', '.join(str(i) for i in np.argwhere(bad)[0])}]" if times.ndim else ""
-        raise ValueError(f"t{where} = {times[bad][0]} s; times must be finite and at least 0")
-    return times
+        require_positive(_UNITS[name], **{name: value})

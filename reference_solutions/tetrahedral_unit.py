@@ -74,18 +74,8 @@ def small_strain(fz: float, kn: float, ks: float) -> Displacements:
     )
 
 
-def first_order(gamma: float) -> tuple[float, float]:
-    """cE, cN of the secants E (1 + cE strain), nu (1 + cN strain) with the incremental spring.
-
-    gamma = ks/kn is not 1, where nu is 0 and grows all the same: see `poisson_slope`.
-    """
-    g = gamma
-    nu = (1.0 - g) / (5.0 + g)
-    return modulus_slope(g), poisson_slope(g) / nu
-
-
 def modulus_slope(gamma: float) -> float:
-    """cE of the secant E (1 + cE strain) with the incremental spring."""
+    """cE of the secant E (1 + cE strain), gamma = ks/kn, with the incremental spring."""
     g = gamma
     return -6.0 * (g - 1.0) * (g + 3.0) / ((g + 1.0) * (g + 5.0) ** 2)
 
@@ -94,13 +84,6 @@ def poisson_slope(gamma: float) -> float:
     """c of the secant nu + c strain with the incremental spring, nu of Eq. 4."""
     g = gamma
     return 3.0 * (g - 4.0) * (g + 1.0) / (g + 5.0) ** 3
-
-
-def first_order_total(gamma: float) -> tuple[float, float]:
-    """cE, cN likewise with the spring `total`."""
-    g = gamma
-    cE = -2.0 * (g + 3.0) * (4.0 * g - 3.0) / ((g + 1.0) * (g + 5.0) ** 2)
-    return cE, -6.0 * (g * g - 2.0) / ((g - 1.0) * (g + 5.0) ** 2)
 
 
 def incremental(turn: float, gamma: float) -> float:

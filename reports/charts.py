@@ -11,6 +11,7 @@ import numpy.typing as npt
 from reports.collect import History, Ladder, Point
 from reports.marks import Mark
 from vv.metrics import Vector, pointwise_history
+from vv.reach import unbeaten
 
 Mask = npt.NDArray[np.bool_]
 MARKERS = 6  # per curve over time
@@ -120,13 +121,11 @@ def error_against_cost(ladders: Sequence[Ladder], label: str) -> Chart:
 def _front(ladders: Sequence[Ladder], low: float) -> tuple[Vector, Vector] | None:
     """The stairs below which nobody's timed rung lies; None where nothing inside is timed."""
     inside = [p for ladder in ladders for p in ladder.points if _inside(p, low) and p.timed]
-    x: list[float] = []
-    y: list[float] = []
-    for cpu, error in sorted((p.cpu, p.error or 0.0) for p in inside if p.cpu > 0):
-        if not y or error < y[-1]:
-            x += [cpu, cpu] if y else [cpu]
-            y += [y[-1], error] if y else [error]
-    return (np.array(x), np.array(y)) if x else None
+    front = unbeaten(sorted((p.cpu, p.error or 0.0) for p in inside if p.cpu > 0))
+    if not front:
+        return None
+    cpu, error = np.repeat(front, 2, axis=0).T
+    return cpu[1:], error[:-1]
 
 
 def shares(rows: Sequence[tuple[Mark, Sequence[float]]], label: str) -> Chart | None:

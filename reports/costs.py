@@ -11,10 +11,8 @@ from reports.gallery import Draw, Figure
 from reports.marks import Mark
 from reports.text import brief, sci, short
 from vv.effort import Effort, efforts
-from vv.reach import TARGETS, Reach, profile, reach
-from vv.rungs import told
-
-FACTORS = (1.0, 2.0, 10.0, 100.0, 1e4)
+from vv.reach import TARGETS, Reach, cheapest, profile, reach, shares
+from vv.rungs import Point, told
 
 
 @dataclass(frozen=True)
@@ -75,14 +73,12 @@ def _notes(one: Effort) -> Iterator[str]:
 
 def _advice(here: Sequence[Effort], target: float) -> str:
     """The cheapest timed setting of each code that is as accurate, cheapest code first."""
-    found = [(e.label, reach(e, target).point) for e in here]
-    able = sorted((p.cpu, name, p.dt, p.kn) for name, p in found if p is not None and p.cpu)
-    first: dict[str, str] = {}
-    for cpu, name, dt, kn in able:
-        knobs = [f"{knob} = {brief(v)}" for knob, v in (("dt", dt), ("kn", kn)) if v]
-        said = f"{', '.join([name, *knobs])} ({short(1e3 * cpu)} ms)"
-        first.setdefault(name.partition("/")[0], said)
-    return "; ".join(first.values()) or "nobody"
+    return "; ".join(_setting(name, point) for name, point in cheapest(here, target)) or "nobody"
+
+
+def _setting(name: str, point: Point) -> str:
+    knobs = [f"{k} = {brief(value)}" for k, value in (("dt", point.dt), ("kn", point.kn)) if value]
+    return f"{', '.join([name, *knobs])} ({short(1e3 * (point.cpu or 0.0))} ms)"
 
 
 def _profile(
@@ -91,17 +87,13 @@ def _profile(
     ratios = profile(every, target)
     named = [(marks[name], row) for name, row in ratios.items() if row]
     chart = shares_chart(named, f"share solved to {brief(target)}")
-    shares = [
-        (marks[name], [sum(r <= factor for r in row) / len(row) for factor in FACTORS])
-        for name, row in ratios.items()
-        if row
-    ]
-    said = ", ".join(f"{mark.label} {100 * row[-1]:.0f} %" for mark, row in shares)
+    within = [(mark, shares(row)) for mark, row in named]
+    said = ", ".join(f"{mark.label} {100 * row[-1]:.0f} %" for mark, row in within)
     title = f"Profile at an error of {brief(target)}"
     caption = "Share of the timed variants solved within a factor of the cheapest scheme's cost."
     drawn = (
         [Figure(draw(chart), title, caption, f"{title}; solved at all: {said}")] if chart else []
     )
     return Profile(
-        target, sorted(shares, key=lambda pair: tuple(pair[1][::-1]), reverse=True), drawn
+        target, sorted(within, key=lambda pair: tuple(pair[1][::-1]), reverse=True), drawn
     )

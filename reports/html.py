@@ -13,25 +13,14 @@ from reports.charts import Chart
 from reports.gallery import Draw
 from reports.maps import HeatMap
 from reports.views import Page
-from vv import digest, effort, finding, gate, metrics, reach, reading, rungs, stability
+from vv import closure
 from vv import history as histories
 from vv.files import deliver
 from vv.history import Point
 from vv.store import Store
 
 HERE = Path(__file__).parent
-JUDGING = (
-    digest,
-    effort,
-    finding,
-    gate,
-    histories,
-    metrics,
-    reach,
-    reading,
-    rungs,
-    stability,
-)  # modules that a report leans on
+TOOL = Path(closure.__file__).parents[1]  # below which the modules that a report leans on lie
 HEAD = 4096  # characters within which a report names the digest of its inputs
 
 
@@ -136,9 +125,5 @@ def _stamp_of(output: Path) -> str:
 @functools.cache
 def _sources() -> str:
     """Digest of the sources that decide how a report looks."""
-    modules = (Path(module.__file__ or "") for module in JUDGING)
-    own = (p for p in HERE.rglob("*") if p.suffix in (".py", ".j2", ".css"))
-    sha = hashlib.sha256()
-    for path in sorted([*own, *modules], key=lambda p: p.name):
-        sha.update(path.name.encode() + b"\0" + path.read_bytes() + b"\0")
-    return sha.hexdigest()
+    own = [p for p in HERE.rglob("*") if p.suffix in (".py", ".j2", ".css")]
+    return closure.source_digest(closure.closure(own, (HERE.parent, TOOL)))

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from vv.gate import conserves, outcome
-from vv.reading import Record, ran
+from vv.gate import counted as counted_by_word
+from vv.gate import outcome
+from vv.reading import Record
 
 
 @dataclass(frozen=True)
@@ -32,7 +32,7 @@ WORST_FIRST = (
     Outcome("timeout", "◷", "timeout", "bad", "stopped after its time was over"),
     Outcome("not reported", "?", "not reported", "bad", "it ran, but reported nothing to judge"),
     Outcome("fail", "✗", "fail", "bad", "outside the tolerance, or outside a known band"),
-    Outcome("not conserved", "≠", "not conserved", "bad", "energy that no term explains"),
+    Outcome("not conserved", "≠", "not conserved", "bad", "its energy ledger breaks a law"),
     Outcome("xpass", "!", "unexpected pass", "odd", "passes, though a disagreement is on record"),
     Outcome("not run", "·", "not run", "odd", "planned, but it never ran"),
     Outcome("xfail", "≈", "known disagreement", "known", "fails inside the band on record"),
@@ -47,14 +47,11 @@ RANKS = {known.key: rank for rank, known in enumerate(WORST_FIRST)}
 
 
 def outcome_of(record: Record) -> Outcome:
-    """The outcome of a record; unexplained energy spoils one that would be fine."""
-    found = OUTCOMES[outcome(record)]
-    if not ran(record) or found.troubling:
-        return found
-    return found if conserves(record) else OUTCOMES["not conserved"]
+    """The outcome of a record, as it is shown."""
+    return OUTCOMES[outcome(record)]
 
 
 def counted(records: Iterable[Record]) -> list[tuple[Outcome, int]]:
     """(outcome, how many) for the outcomes there are, worst first."""
-    counts = Counter(outcome_of(record).key for record in records)
+    counts = counted_by_word(records)
     return [(OUTCOMES[key], counts[key]) for key in sorted(counts, key=RANKS.__getitem__)]

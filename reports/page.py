@@ -19,6 +19,7 @@ from reports.text import slug
 from reports.views import Case, Page, Recorded, Scheme, Variant
 from vv.finding import from_data, worst_first
 from vv.history import Point
+from vv.reach import FACTORS
 from vv.reading import Record, fineness, label
 from vv.record import NORMS
 
@@ -56,7 +57,7 @@ def page(
         norms={tables.NORMS[norm.name.lower()]: norm.value for norm in NORMS},
         profiles=profiles,
         stability=steadiness.sections(manifest, looks),
-        factors=costs.FACTORS,
+        factors=FACTORS,
     )
 
 

@@ -33,6 +33,11 @@ class Tiny:
             timeout=60,
         )
 
+    def git(self, *words: str) -> None:
+        """Run git in the project, as somebody."""
+        identity = ("-c", "user.name=a", "-c", "user.email=a@b.c")
+        subprocess.run(["git", *identity, *words], cwd=self.root, check=True, capture_output=True)
+
     def edit(self, file: str, old: str, new: str) -> None:
         """Replace a text in a file of the project; it must be there."""
         path = self.root / file

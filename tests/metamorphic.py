@@ -15,11 +15,11 @@ from cases.incline import CASE as INCLINE
 from cases.responding_block import CASE as RESPONDING
 from cases.single_contact import CASE as SINGLE_CONTACT
 from tests import stacked_blocks
+from tests.other_worlds import rescaled, shifted
 from vv.ask import Ask, Displacement, History, Knobs, Run, Velocity
 from vv.case import Case
-from vv.rescale import rescaled
 from vv.scene import Scene, Spheres, Vector
-from vv.transform import rotated, shifted, swapped
+from vv.transform import rotated, swapped
 
 EPS = float(np.finfo(float).eps)
 FAR = 1e6  # m

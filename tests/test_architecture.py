@@ -47,7 +47,7 @@ LAYERS: dict[str, tuple[str, set[str], set[str]]] = {
     "gate": ("vv/gate.py", DECLARED | JUDGED, set()),
     "disagreement": (
         "vv/disagreement.py",
-        DECLARED | JUDGED | {"vv.metrics", "vv.settings"},
+        DECLARED | JUDGED | {"vv.metrics", "vv.rungs", "vv.settings"},
         set(),
     ),
     "baseline": ("vv/baseline.py", JUDGED | {"vv.settings"}, set()),
@@ -69,7 +69,7 @@ LAYERS: dict[str, tuple[str, set[str], set[str]]] = {
     "history": ("vv/history.py", JUDGED | {"vv.store"}, set()),
     "compare": (
         "vv/compare.py",
-        JUDGED | {"vv.disagreement", "vv.settings", "vv.store"},
+        JUDGED | {"vv.rungs", "vv.settings", "vv.store"},
         set(),
     ),
     "stability": ("vv/stability.py", JUDGED, set()),
@@ -86,6 +86,7 @@ LAYERS: dict[str, tuple[str, set[str], set[str]]] = {
         "reports/*.py",
         {
             "reports",
+            "vv.closure",
             "vv.files",
             "vv.store",
             "vv.metrics",

@@ -83,6 +83,14 @@ def test_a_dry_run_runs_nothing(tiny: Tiny) -> None:
     assert not (tiny.root / ".vv").exists()
 
 
+def test_a_variant_s_name_and_its_description_are_apart_in_a_column(tiny: Tiny) -> None:
+    tiny.edit("cases/fall.py", '"up", "thrown up"', '"' + 20 * "up-" + '", "thrown up"')
+    rows = tiny.vv("list").stdout.splitlines()[1:]
+    columns = [re.split("  +", row.strip()) for row in rows]
+    assert [said for _, said in columns] == ["thrown up", "thrown up slowly"]
+    assert len({row.index(said) for row, (_, said) in zip(rows, columns, strict=True)}) == 1
+
+
 def test_codes_says_what_is_missing_and_how_to_get_it(tiny: Tiny) -> None:
     out = tiny.vv("codes").stdout
     assert re.search(r"missing  not installed\n  to install: apt-get install missing", out)

@@ -9,7 +9,6 @@ import pytest
 from reports import html
 from tests.conftest import Tiny
 from tests.fabricated import STEPS, entry, manifest_of_all, record
-from tests.test_scope import git
 from vv.compare import changes, manifest_of
 from vv.history import history
 from vv.settings import UsageError
@@ -92,9 +91,9 @@ def test_the_report_shows_a_case_over_commits(tmp_path: Path) -> None:
 
 
 def test_diff_and_history_on_the_command_line(tiny: Tiny) -> None:
-    git(tiny, "init", "-q")
-    git(tiny, "add", "cases")
-    git(tiny, "commit", "-qm", "first")
+    tiny.git("init", "-q")
+    tiny.git("add", "cases")
+    tiny.git("commit", "-qm", "first")
     words = ("run", "fall:up", "--codes", "fake/good,fake/first-order")
     tiny.vv(*words)
     tiny.edit("adapters/fake.py", "0.1 * ask", "0.2 * ask")

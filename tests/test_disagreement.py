@@ -7,8 +7,9 @@ from typing import Any
 import pytest
 
 from tests.fabricated import entry, record
-from vv.disagreement import Disagreement, dated, judge, orders, read_disagreements
+from vv.disagreement import Disagreement, dated, judge, read_disagreements
 from vv.finding import bits
+from vv.rungs import orders
 from vv.settings import UsageError
 
 TODAY = datetime.date(2027, 1, 1)

@@ -12,7 +12,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from vv.effort import Effort, efforts, untimed
-from vv.metrics import Convergence, Unsettled, before_floor, convergence
+from vv.metrics import before_floor
 from vv.reach import duels, front, profile, reach
 from vv.rungs import told
 
@@ -254,44 +254,3 @@ def test_a_profile_counts_failures_as_infinitely_dear() -> None:
     found = profile(efforts(manifest(*rows)), 1e-5)
     assert found["ours/default"] == [1.0, 1.0]
     assert found["theirs/default"] == [pytest.approx(10.0), math.inf]
-
-
-@given(st.floats(0.5, 4.0), st.floats(-3.0, 3.0), st.floats(0.01, 1.0), st.floats(1.2, 4.0))
-def test_richardson_finds_the_limit_and_the_order_of_a_power_law(
-    order: float, limit: float, size: float, ratio: float
-) -> None:
-    sizes = (size, ratio * size, ratio * ratio * size * 1.1)
-    values = tuple(limit + 0.3 * h**order for h in sizes)
-    found = convergence(sizes, values)
-    assert isinstance(found, Convergence)
-    assert found.order == pytest.approx(order, abs=1e-4)
-    assert found.limit == pytest.approx(limit, abs=1e-5)
-
-
-def test_the_grid_convergence_index_is_that_of_the_published_example() -> None:
-    """Celik et al. (2008), Table 1: 18000, 8000 and 4500 cells in the plane."""
-    sizes = tuple(cells**-0.5 for cells in (18000, 8000, 4500))
-    found = convergence(sizes, (6.063, 5.972, 5.863))
-    assert isinstance(found, Convergence)
-    assert (round(100 * found.fine, 2), round(100 * found.coarse, 2)) == (2.17, 4.11)
-    assert found.order == pytest.approx(1.53, abs=0.005)
-    assert found.limit == pytest.approx(6.1685, abs=5e-5)
-
-
-@pytest.mark.parametrize(
-    ("values", "said"),
-    [
-        ((1.0, 1.1, 1.0), "swing"),
-        ((1.0, 1.0, 1.0), "rounding"),
-        ((1.0, 1.1, 1.15), "do not close in"),
-        ((1.0, 1.1, 1.2), "do not close in"),
-        ((1.0, 1.001, 2.0), "an order above 8"),
-        ((0.0, 0.1, 0.3), "zero"),
-    ],
-)
-def test_values_without_a_law_have_no_limit_and_say_why(
-    values: tuple[float, float, float], said: str
-) -> None:
-    found = convergence((1.0, 2.0, 4.0), values)
-    assert isinstance(found, Unsettled)
-    assert said in found.why

@@ -74,8 +74,8 @@ def test_the_pulse_goes_as_fast_as_its_waves_do() -> None:
     (due,) = (q.reference for q in trial.quantities if q.name == "speed")
     q = np.linspace(1e-3, 1.0, 2000)
     part = np.abs(np.sin(np.outer(q, PLACE)) @ PULSE) ** 2
-    speed = [closed.group_velocity(one, M, K) / math.sqrt(K / M) for one in q]
-    assert due == pytest.approx((part * np.array(speed)).sum() / part.sum(), rel=2e-3)
+    speed = np.cos(q / 2)  # in sqrt(K/m) masses a second
+    assert due == pytest.approx((part * speed).sum() / part.sum(), rel=2e-3)
 
 
 def _largest(scene: Scene) -> float:

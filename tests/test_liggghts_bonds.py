@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import dataclasses
-import os
 from pathlib import Path
 
 import numpy as np
@@ -12,6 +11,7 @@ import pytest
 from adapters.liggghts import ADAPTER
 from adapters.liggghts.bonds import OVERLAP, overlapped
 from tests.bonded_scenes import CORNERS, EDGES, KN, KS, D, elements, tied, unit
+from tests.installed import only_with
 from vv import dem
 from vv.adapter import unsupported
 from vv.ask import Ask, Displacement, History, Knobs, Status
@@ -19,11 +19,7 @@ from vv.scene import Bonds, Scene, Spheres, Term
 from vv.transform import initial_normal_forces
 
 SCHEME = "pre-overlapped"
-HERE = ADAPTER.found()
-REQUIRED = "liggghts" in os.environ.get("VV_REQUIRE", "").split(",")
-live = pytest.mark.skipif(
-    not (HERE.installed or REQUIRED), reason=f"LIGGGHTS is not installed: {HERE.how_to_install}"
-)
+live = only_with(ADAPTER)
 
 
 def pulled(force: float = 0.1, bonds: Bonds | None = None) -> Scene:

@@ -10,19 +10,19 @@ import dataclasses
 import fnmatch
 import functools
 import itertools
-import os
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 
 import numpy as np
 import pytest
 
+from tests.installed import require
 from tests.metamorphic import Twin, apart, backwards, elastic, known, twins
+from tests.other_worlds import rescaled
 from vv.adapter import Adapter, Scheme, settled
 from vv.ask import Ask, Displacement, Run, Status, Velocity
 from vv.plan import project_knobs
 from vv.project import find
-from vv.rescale import rescaled
 
 PROJECT = find(Path(__file__))
 CODES = {name: PROJECT.load_adapter(name) for name in ("exact", "dem", "dda", "rigid", "yade",
@@ -85,12 +85,6 @@ def answers(tmp_path_factory: pytest.TempPathFactory) -> Answers:
                                   tmp_path_factory.mktemp("twins")), strict=True))  # fmt: skip
 
     return run
-
-
-def require(adapter: Adapter) -> None:
-    here, needed = adapter.found(), os.environ.get("VV_REQUIRE", "").split(",")
-    if not here.installed and adapter.name not in needed:
-        pytest.skip(f"{adapter.name} is not installed: {here.how_to_install}")
 
 
 def ran(adapter: Adapter, scheme: Scheme, asks: Sequence[Ask], folder: Path) -> list[Run]:

@@ -12,7 +12,9 @@ from reports import charts, tables, text
 from reports.collect import ladders
 from reports.findings import findings
 from reports.marks import COLOURS, SHAPES, marks
-from tests.fabricated import STEPS, cost, entry, ran, record
+from reports.outcomes import counted
+from tests.fabricated import STEPS, cost, entry, manifest_of_all, ran, record
+from vv import screen
 from vv.store import Store
 
 
@@ -50,6 +52,19 @@ def test_looks_repeat_only_after_every_pair_of_colour_and_shape() -> None:
     labels = [f"code/{i:03}" for i in range(len(COLOURS) * len(SHAPES))]
     assert len({(m.colour, m.shape) for m in marks(labels).values()}) == len(labels)
     assert marks(labels) == marks(reversed(labels))
+
+
+def test_the_terminal_and_the_report_count_alike(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    records = manifest_of_all(Store(tmp_path))["records"]
+    shown = {screen.WORDS.get(found.key, found.key): n for found, n in counted(records)}
+    screen.print_counts(records, Path("report.html"))
+    told = capsys.readouterr().out.partition(";")[0].split(", ")
+    singular = {many: one for one, many in screen.PLURAL.items()}
+    pairs = [text.split(" ", 1) for text in told]
+    assert {singular.get(word, word): int(n) for n, word in pairs} == shown
+    assert shown["not conserved"] == 1
 
 
 def test_findings_that_differ_in_a_number_are_one_with_its_range() -> None:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import dataclasses
 import functools
-import os
 from collections.abc import Callable, Mapping
 
 import numpy as np
@@ -13,6 +12,7 @@ import pytest
 import adapters.dem
 import adapters.liggghts
 import adapters.yade
+from tests.installed import require
 from tests.law_by_scipy import reference
 from tests.unlike_spheres import SCENES, facing, rolled, spheres
 from vv.adapter import Adapter
@@ -82,9 +82,7 @@ def answers(tmp_path_factory: pytest.TempPathFactory) -> Answers:
 
     @functools.cache
     def run(code: str) -> Runs:
-        here, needed = CODES[code].found(), os.environ.get("VV_REQUIRE", "").split(",")
-        if not here.installed and code not in needed:
-            pytest.skip(f"{code} is not installed: {here.how_to_install}")
+        require(CODES[code])
         asks, folder = asked(code), tmp_path_factory.mktemp("scenes")
         runs = CODES[code].run(list(asks.values()), "default", folder, 0.0)
         return dict(zip(asks, runs, strict=True))

@@ -1,6 +1,5 @@
 """What a narrowed run holds: what failed, what a change can affect, what fits a budget."""
 
-import subprocess
 from pathlib import Path
 from typing import Any
 
@@ -13,11 +12,6 @@ from vv.project import Project
 from vv.settings import UsageError
 
 ROOT = Path(__file__).parents[1]
-
-
-def git(tiny: Tiny, *words: str) -> None:
-    identity = ("-c", "user.name=a", "-c", "user.email=a@b.c")
-    subprocess.run(["git", *identity, *words], cwd=tiny.root, check=True, capture_output=True)
 
 
 def jobs(tiny: Tiny, *words: str) -> list[str]:
@@ -40,9 +34,9 @@ def test_failed_means_what_did_not_do_well_last_time_at_its_own_rungs(tiny: Tiny
 
 def test_since_means_what_a_change_can_affect(tiny: Tiny) -> None:
     (tiny.root / ".gitignore").write_text(".vv\n__pycache__\n")
-    git(tiny, "init", "-q")
-    git(tiny, "add", ".")
-    git(tiny, "commit", "-qm", "first")
+    tiny.git("init", "-q")
+    tiny.git("add", ".")
+    tiny.git("commit", "-qm", "first")
     (tiny.root / "README.md").write_text("words")
     done = tiny.vv("run", "--since", "HEAD")
     assert (done.returncode, "no change since HEAD" in done.stdout) == (0, True)

@@ -84,7 +84,8 @@ def test_it_ends_at_the_limit_as_sharply_as_it_says(
 ) -> None:
     bracket = Bracket(16.0, BOUND, tries, rounds)
     (run,) = found(Limited(limit, beyond), bracket)
-    least = limit / (1.0 + bracket.sharpness) * (1 - 1e-12)
+    gaps = (tries - 1) * (tries + 1) ** (rounds - 1)  # between the steps of a single long round
+    least = limit / bracket.span ** (1.0 / gaps) * (1 - 1e-12)
     assert least <= last_stable(run, bracket) <= limit
 
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import dataclasses
 import functools
-import os
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
@@ -14,7 +13,8 @@ import pytest
 import adapters.liggghts
 import adapters.yade
 from reference_solutions import incline, responding_block
-from tests.test_dem_rigid import THREE, UP, G, carried, off, sines, slope
+from tests.driven_blocks import THREE, UP, G, carried, off, sines, slope
+from tests.installed import require
 from vv import dem
 from vv.adapter import Adapter
 from vv.ask import Ask, Displacement, History, Knobs, Run, Status
@@ -179,9 +179,7 @@ def answers(tmp_path_factory: pytest.TempPathFactory) -> Answers:
 
     @functools.cache
     def run(code: str) -> Mapping[str, Run]:
-        here, needed = CODES[code].found(), os.environ.get("VV_REQUIRE", "").split(",")
-        if not here.installed and code not in needed:
-            pytest.skip(f"{code} is not installed: {here.how_to_install}")
+        require(CODES[code])
         spheres = {**ASKS, **{f"{name}, soft": CLUMPED[name] for name in SAME}}
         runs: dict[str, Run] = {}
         fading = [(f"{name}, {ask.knobs.dt}", ask) for name in FADING for ask in FADING[name][:-1]]

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import ast
 import dataclasses
-import os
 from collections.abc import Sequence
 from pathlib import Path
 
@@ -15,16 +14,13 @@ from adapters.yade import ADAPTER
 from adapters.yade.inside import script
 from adapters.yade.translate import plan
 from tests.bonded_scenes import CORNERS, EDGES, KN, KS, D, M, elements, tied, unit
+from tests.installed import only_with
 from vv import dem
 from vv.ask import Ask, Displacement, History, Knobs, Reaction, Run, Status
 from vv.scene import Bonds, Contact, Scene, Vector, Wall
 from vv.transform import initial_normal_forces, rotated, swapped
 
-HERE = ADAPTER.found()
-REQUIRED = "yade" in os.environ.get("VV_REQUIRE", "").split(",")
-live = pytest.mark.skipif(
-    not (HERE.installed or REQUIRED), reason=f"YADE is not installed: {HERE.how_to_install}"
-)
+live = only_with(ADAPTER)
 TIME = 4e-6
 ODD = tied(kn=KN * np.linspace(0.5, 1.5, 6), ks=KS * np.linspace(0, 2, 6), length=0.998 * D)
 

@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 import dataclasses
+import functools
 import os
 import subprocess
-from collections.abc import Sequence
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
@@ -16,38 +15,35 @@ import adapters.yade
 from adapters.yade import ADAPTER
 from adapters.yade.inside import script
 from adapters.yade.installed import PYTHON
-from cases.single_contact import CASE
+from tests import live_asks
+from tests.installed import only_with
+from tests.live_asks import (
+    COARSE,
+    FINE,
+    FLOOR,
+    SEEN,
+    TRIALS,
+    VARIANTS,
+    G,
+    Runs,
+    ball,
+    error,
+    flight,
+    flown,
+    history,
+    rolling,
+    undamped,
+)
 from tests.sliding_blocks import responding
-from vv.ask import Ask, Displacement, History, Knobs, Run, Status, Velocity
-from vv.case import Series
-from vv.scene import Contact, Scene, Spheres, Vector, Wall
+from vv.ask import Ask, Displacement, History, Knobs, Status
+from vv.scene import Contact, Scene
 from vv.transform import about_z, rotated, swapped
 
-REQUIRED = "yade" in os.environ.get("VV_REQUIRE", "").split(",")
 HERE = ADAPTER.found()
-pytestmark = pytest.mark.skipif(
-    not (HERE.installed or REQUIRED), reason=f"YADE is not installed: {HERE.how_to_install}"
-)
-VARIANTS = [variant.name for variant in CASE.variants]
-TRIALS = {name: CASE.declare(name, CASE.defaults(name)) for name in VARIANTS}
-HalfStep = dict[tuple[str, Knobs], Run]
-COARSE, FINE = Knobs(dt=1e-3), Knobs(dt=1e-5)
+pytestmark = only_with(ADAPTER)
+ran = functools.partial(live_asks.ran, ADAPTER)
 # max|e| / max|ref| at dt = 1e-3 s; drag half a step late costs T2 and T4 an order
 PLAIN_ERROR = {"T1": 1e-4, "T2": 8e-3, "T3": 1e-4, "T4": 1.2e-2}
-
-
-def ran(asks: Sequence[Ask], scheme: str, folder: Path, repeat: float = 0.0) -> list[Run]:
-    runs = list(ADAPTER.run(asks, scheme, folder, repeat))
-    assert [(run.status, run.reason) for run in runs] == [(Status.RAN, "")] * len(asks)
-    return runs
-
-
-def error(run: Run, variant: str) -> float:
-    (quantity,) = TRIALS[variant].quantities
-    assert isinstance(quantity, Series)
-    assert quantity.reference is not None
-    exact = quantity.reference(run.times)
-    return float(np.abs(quantity.observe(run) - exact).max() / np.abs(exact).max())
 
 
 def test_a_required_yade_is_installed() -> None:
@@ -62,7 +58,7 @@ def test_single_contacts_with_plain_masses(tmp_path: Path) -> None:
 
 
 @pytest.fixture(scope="module")
-def half_step(tmp_path_factory: pytest.TempPathFactory) -> HalfStep:
+def half_step(tmp_path_factory: pytest.TempPathFactory) -> Runs:
     """All variants at a coarse step, plain and rotated ones at a fine step too; one process."""
     keys = [(name, COARSE) for name in VARIANTS]
     keys += [(name, FINE) for name in VARIANTS if "-" not in name or "rotated" in name]
@@ -71,64 +67,30 @@ def half_step(tmp_path_factory: pytest.TempPathFactory) -> HalfStep:
     return dict(zip(keys, runs, strict=True))
 
 
-def test_single_contacts_with_half_step_masses_are_second_order(half_step: HalfStep) -> None:
+def test_single_contacts_with_half_step_masses_are_second_order(half_step: Runs) -> None:
     for (name, knobs), run in half_step.items():
         assert error(run, name) < (1e-4 if knobs is COARSE else 1e-8), (name, knobs)
 
 
-def test_the_model_built_is_the_model_described(half_step: HalfStep) -> None:
+def test_the_model_built_is_the_model_described(half_step: Runs) -> None:
     for (name, knobs), run in half_step.items():
         assert run.model == ADAPTER.describe(TRIALS[name].study.ask(knobs), "half-step-mass")
 
 
-def test_a_dead_load_holds_a_body_where_a_lock_would(half_step: HalfStep) -> None:
+def test_a_dead_load_holds_a_body_where_a_lock_would(half_step: Runs) -> None:
     for name, knobs in (("T3-rotated", COARSE), ("T4-rotated", FINE)):
         moved = half_step[name, knobs].values[Displacement(1)]
         normal = TRIALS[name].study.scene.walls[0].normal
         assert np.abs(moved @ normal).max() < 1e-12 * np.abs(moved).max()
 
 
-def test_a_rotated_scene_gives_what_the_straight_one_gives(half_step: HalfStep) -> None:
+def test_a_rotated_scene_gives_what_the_straight_one_gives(half_step: Runs) -> None:
     for name, body in (("T1", 1), ("T2", 1), ("T3", 1), ("T4", 1)):
         straight, turned = half_step[name, FINE], half_step[f"{name}-rotated", FINE]
         axes = TRIALS[f"{name}-rotated"].study.scene.axes
         seen = straight.values[Displacement(body)]
         difference = turned.values[Displacement(body)] @ axes.T - seen
         assert np.abs(difference).max() < 1e-11 * np.abs(seen).max()
-
-
-G = 9.81
-SEEN = (Displacement(0), Velocity(0))
-FLOOR = Wall(np.zeros(3), np.array([0.0, 1.0, 0.0]))
-
-
-def ball(y: float, velocity: Sequence[float], **more: Any) -> Spheres:
-    """One sphere of 2 kg and 0.1 m whose centre lies at height y."""
-    size, mass, free = np.array([0.1]), np.array([2.0]), np.ones((1, 3), bool)
-    return Spheres(np.array([[0, y, 0]]), np.array([velocity]), size, mass, free, **more)
-
-
-def flight(eta: float) -> Scene:
-    thrown = ball(0.0, [1, 2, 3], load=np.array([[1, 0, 2]]))
-    return Scene((thrown,), Contact(1e6), eta, gravity=np.array([0, -G, 0]))
-
-
-def rolling() -> Scene:
-    """A sphere on a wall, in equilibrium with its weight, thrown along it without spin."""
-    kn = 1e7
-    thrown = ball(0.1 - 2.0 * G / kn, [1, 0, 0], free_spin=np.ones((1, 3), bool))
-    return Scene((thrown, FLOOR), Contact(kn, kn, 0.3), gravity=np.array([0, -G, 0]))
-
-
-def history(scene: Scene, dt: float, duration: float = 0.2) -> Ask:
-    return Ask(scene, History(duration, 0.01), SEEN, Knobs(dt=dt))
-
-
-def flown(times: Vector, n: float) -> tuple[Vector, Vector]:
-    """Displacement and velocity of the flight with drag n = eta/m [1/s]."""
-    v0, a, t = np.array([1.0, 2.0, 3.0]), np.array([0.5, -G, 1.0]), times[:, None]
-    last, decay = a / n, -np.expm1(-n * t)
-    return last * t + (v0 - last) * decay / n, v0 + (last - v0) * decay
 
 
 def test_gravity_load_drag_and_rotation(tmp_path: Path) -> None:
@@ -179,9 +141,7 @@ def test_what_failed_is_no_result_and_the_next_ask_still_runs(tmp_path: Path) ->
     assert (blown.status, fallen.status) == (Status.DIVERGED, Status.DIVERGED)
     assert "not finite" in blown.reason
     assert "went through a wall" in fallen.reason
-    exact = flying.times[:, None] * np.array([1.0, 2.0, 3.0])
-    exact += flying.times[:, None] ** 2 / 2 * np.array([0.5, -G, 1.0])
-    assert np.abs(flying.values[SEEN[0]] - exact).max() < 1e-13  # leapfrog is exact here
+    assert np.abs(flying.values[SEEN[0]] - undamped(flying.times)).max() < 1e-13  # exact here
 
 
 def test_silent_failures_are_errors_and_a_death_costs_one_ask(
@@ -209,9 +169,7 @@ def test_silent_failures_are_errors_and_a_death_costs_one_ask(
     assert alone.cost.startup > 0  # a program of its own
 
 
-def test_an_exported_script_runs_alone_to_the_same_bits(
-    tmp_path: Path, half_step: HalfStep
-) -> None:
+def test_an_exported_script_runs_alone_to_the_same_bits(tmp_path: Path, half_step: Runs) -> None:
     ask = TRIALS["T4-rotated"].study.ask(COARSE)
     script = tmp_path / "script.py"
     left = "\nprint('folder left:', os.path.exists(os.path.dirname(O.tmpFilename())))\n"

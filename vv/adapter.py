@@ -8,6 +8,8 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Protocol
 
+import numpy as np
+
 import vv
 from vv.ask import Ask, Displacement, Method, Model, Run, Status, Velocity
 from vv.energy import Form
@@ -130,6 +132,15 @@ def behind_wall(scene: Scene) -> str | None:
                 f"the centre of sphere {int(height.argmin())} lies behind wall {number}; walls "
                 "there push from a surface, not from a half-space"
             )
+    return None
+
+
+def turned_spin_lock(scene: Scene, what_locks: str) -> str | None:
+    """Why a code that locks rotation about the axes of its own frame cannot have a scene."""
+    masks = [*scene.spheres.free_spin, *(block.free_spin for block in scene.blocks)]
+    partly = any(free.any() and not free.all() for free in masks)
+    if partly and not np.array_equal(scene.axes, np.eye(3)):
+        return f"rotation is locked about some axes of a turned frame; {what_locks}"
     return None
 
 

@@ -136,12 +136,6 @@ class Bracket:
                 f"Bracket.tries = {self.tries}, rounds = {self.rounds}; at least 2 and 1 are needed"
             )
 
-    @property
-    def sharpness(self) -> float:
-        """How far apart, relatively, the last stable and the first unstable step are."""
-        gaps = (self.tries - 1) * (self.tries + 1) ** (self.rounds - 1)
-        return float(self.span ** (1.0 / gaps)) - 1.0
-
     def limits(self, tried: Vector) -> tuple[float, float | None]:
         """The last step [s] below all unstable ones, 0 for none, and the least unstable one.
 

@@ -102,6 +102,17 @@ class Wall:
     def __len__(self) -> int:
         return 1
 
+    @property
+    def triangle(self) -> Vector:
+        """(3, 3) the corners of an equilateral triangle across the normal, which they run round.
+
+        They lie at distance 1 about the origin: the shape of a facet that stands for the wall.
+        """
+        first = np.cross(self.normal, np.eye(3)[np.abs(self.normal).argmin()])
+        first /= np.linalg.norm(first)
+        turns = 2 * np.pi / 3 * np.arange(3)[:, None]
+        return np.asarray(np.cos(turns) * first + np.sin(turns) * np.cross(self.normal, first))
+
 
 def _require_positive(owner: Any, name: str, unit: str) -> None:
     values = getattr(owner, name)

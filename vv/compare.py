@@ -8,15 +8,15 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from vv.disagreement import Ladder, orders
 from vv.gate import outcome
 from vv.reading import error_of, label, rung
+from vv.rungs import Ladder, orders
 from vv.settings import UsageError, near
 from vv.store import Store
 
 SAME = 1e-6  # relative change of an error that is not worth a line
 NOISE = 1e-12  # an error below it is rounding
-ORDER = 0.02
+ORDER = 0.02  # change of an observed order that is not worth a line
 COST = 1.25  # ratio of costs that is not worth a line: rounds differ by as much
 
 

@@ -13,9 +13,10 @@ from typing import Any
 
 from vv.finding import Bit, Finding
 from vv.judges import LOOSEST
-from vv.metrics import Order, observed_order
+from vv.metrics import Order
 from vv.reading import error_of
 from vv.record import Verdict
+from vv.rungs import ladder, orders
 from vv.settings import UsageError
 
 WARNING = 30  # days before an entry expires in which the gate says so
@@ -117,30 +118,6 @@ def _frozen(value: Any) -> Any:
     if isinstance(value, list):
         return tuple(value)
     return value.isoformat() if isinstance(value, datetime.date) else value
-
-
-Ladder = tuple[str | float | None, ...]
-
-
-def orders(records: Iterable[Mapping[str, Any]]) -> dict[Ladder, Order]:
-    """Observed order in dt on each ladder, where its rungs allow a fit."""
-    points: dict[Ladder, list[tuple[float, float]]] = {}
-    for record in records:
-        dt = record["rung"]["dt"]
-        for entry in record["quantities"]:
-            error = error_of(entry)
-            if dt and error:
-                points.setdefault(ladder(record, entry["name"]), []).append((dt, error))
-    fitted = {
-        key: observed_order(*map(list, zip(*pairs, strict=True))) for key, pairs in points.items()
-    }
-    return {key: order for key, order in fitted.items() if order is not None}
-
-
-def ladder(record: Mapping[str, Any], quantity: str) -> Ladder:
-    """What the rungs that differ in dt alone have in common: all but dt, for one quantity."""
-    names = ("case", "variant", "code", "scheme")
-    return (*(record[name] for name in names), quantity, record["rung"]["kn"])
 
 
 def judge(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import fnmatch
+from collections import Counter
 from collections.abc import Container, Iterable, Iterator, Mapping, Sequence
 from types import MappingProxyType
 from typing import Any
@@ -27,6 +28,8 @@ WORST_FIRST = (Verdict.FAIL, Verdict.XPASS, Verdict.XFAIL, Verdict.PASS, Verdict
 VERDICTS = {verdict.value: rank for rank, verdict in enumerate(WORST_FIRST)}
 ALL = frozenset(check.value for check in Check)
 BLOW_UP = "blow-up"  # the outcome of what diverged in a map
+NOT_REPORTED, NOT_CONSERVED = "not reported", "not conserved"  # of what ran
+SPOILED = (Verdict.FAIL.value, Verdict.XPASS.value, NOT_REPORTED)  # without a look at its ledger
 DISSIPATION = " dissipation"  # how the names of energy terms end that can only grow
 
 
@@ -149,7 +152,7 @@ def _breaches(ledger: Mapping[str, Any]) -> Iterator[tuple[str, float, float]]:
             yield law, seen, allowed
 
 
-def conserves(record: Mapping[str, Any]) -> bool:
+def _conserves(record: Mapping[str, Any]) -> bool:
     """Whether a record's own ledger breaks no law; true where there is none."""
     return not record["ledger"] or next(_breaches(record["ledger"]), None) is None
 
@@ -160,8 +163,17 @@ def blew_up(record: Mapping[str, Any]) -> bool:
 
 
 def outcome(record: Mapping[str, Any]) -> str:
-    """A record in a word: its status unless it ran, else its worst verdict."""
+    """A record in a word: its status unless it ran, else its worst verdict.
+
+    A law that its ledger breaks spoils a record that would be fine.
+    """
     if not ran(record):
         return BLOW_UP if blew_up(record) else status_of(record).value
     verdicts = (entry["verdict"] for entry in record["quantities"])
-    return min(verdicts, key=VERDICTS.__getitem__, default="not reported")
+    worst = min(verdicts, key=VERDICTS.__getitem__, default=NOT_REPORTED)
+    return worst if worst in SPOILED or _conserves(record) else NOT_CONSERVED
+
+
+def counted(records: Iterable[Mapping[str, Any]]) -> Counter[str]:
+    """Outcome -> how many records came to it: what every summary counts."""
+    return Counter(map(outcome, records))

@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from vv.gate import outcome
+from vv.gate import counted
 from vv.reading import error_of, label, rung
 from vv.store import Store
 
@@ -64,7 +64,7 @@ def _points(found: Sequence[tuple[Mapping[str, Any], list[Record]]]) -> list[Poi
     closeness = _over_common([_measured(records, _closeness) for _, records in found], max)
     cost = _over_common([_measured(records, _relative) for _, records in found], _geometric_mean)
     return [
-        Point(told["utc"], told["commit"], told["dirty"], near, dear, _counted(records))
+        Point(told["utc"], told["commit"], told["dirty"], near, dear, _by_scheme(records))
         for (told, records), near, dear in zip(found, closeness, cost, strict=True)
     ]
 
@@ -136,9 +136,8 @@ def _geometric_mean(values: list[float]) -> float:
     return math.exp(sum(map(math.log, values)) / len(values))
 
 
-def _counted(records: Iterable[Record]) -> dict[str, dict[str, int]]:
-    found: dict[str, dict[str, int]] = {}
+def _by_scheme(records: Iterable[Record]) -> dict[str, Mapping[str, int]]:
+    found: dict[str, list[Record]] = {}
     for record in records:
-        counts = found.setdefault(label(record), {})
-        counts[outcome(record)] = counts.get(outcome(record), 0) + 1
-    return found
+        found.setdefault(label(record), []).append(record)
+    return {scheme: counted(own) for scheme, own in found.items()}

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
 from vv.files import write
 from vv.finding import Bit, Finding, bits, worst_first
-from vv.gate import outcome
+from vv.gate import counted
 
 ROWS = 15  # of each table; the report has the rest
 WORDS = {
@@ -37,7 +36,7 @@ def write_markdown(path: Path, manifest: Mapping[str, Any], findings: Sequence[F
 
 def summary(manifest: Mapping[str, Any], findings: Sequence[Finding]) -> str:
     """The summary as Markdown: colour, counts, what is red, what moved, what is worth knowing."""
-    counts = Counter(outcome(record) for record in manifest["records"])
+    counts = counted(manifest["records"])
     told = manifest["provenance"]
     commit = f"commit `{told['commit'][:9]}`{' with changes' if told['dirty'] else ''}, "
     lines = [

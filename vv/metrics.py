@@ -101,7 +101,7 @@ def order_before_floor(steps: list[float], errors: list[float]) -> Order | None:
 
 
 NOISE = 1e-12  # relative: differences below that are rounding, of which no order is told
-SAFETY = 1.25  # the factor of Celik et al. (2008) for three grids
+SAFETY = 1.25  # the factor of the grid convergence index for three grids
 ODD = 8.0  # no method here is of such an order: three values that show it have no law
 
 
@@ -109,14 +109,12 @@ ODD = 8.0  # no method here is of such an order: three values that show it have 
 class Convergence:
     """What three resolutions say without an exact answer (Celik et al. 2008, J. Fluids Eng. 130).
 
-    order: apparent; limit: extrapolated to zero size; fine, coarse: grid convergence indices of
-    the finer and the coarser pair, relative.
+    order: apparent; limit: extrapolated to zero size. SAFETY times the distance to it of a value
+    is that value's grid convergence index.
     """
 
     order: float
     limit: float
-    fine: float
-    coarse: float
 
 
 @dataclass(frozen=True)
@@ -129,7 +127,7 @@ class Unsettled:
 def convergence(
     sizes: tuple[float, float, float], values: tuple[float, float, float]
 ) -> Convergence | Unsettled:
-    """Richardson's limit and the grid convergence index; sizes and values finest first.
+    """Richardson's limit; sizes and values finest first.
 
     Unsettled where the values swing, hardly differ, do not close in, or do so at an odd order.
     Solved for the order by iteration (Celik et al. 2008, Eqs. 3-7).
@@ -141,9 +139,7 @@ def convergence(
     order = _apparent_order(r21, r32, e32 / e21)
     if order > ODD:
         return Unsettled(f"an order above {ODD:g} is none that a method has")
-    near, far = r21**order - 1, r32**order - 1
-    limit = f1 - e21 / near
-    return Convergence(order, limit, SAFETY * abs(e21 / f1) / near, SAFETY * abs(e32 / f2) / far)
+    return Convergence(order, f1 - e21 / (r21**order - 1))
 
 
 def _lawless(sizes: tuple[float, float, float], values: tuple[float, float, float]) -> str:
@@ -152,8 +148,6 @@ def _lawless(sizes: tuple[float, float, float], values: tuple[float, float, floa
     e21, e32 = f2 - f1, f3 - f2
     if not h1 < h2 < h3:
         return f"sizes {h1:g}, {h2:g}, {h3:g} do not grow"
-    if not (f1 and f2):
-        return "a value is zero, and an index relative to it is none"
     if not min(abs(e21), abs(e32)) > NOISE * max(abs(f1), abs(f2), abs(f3)):
         return "the values differ by rounding alone"
     if e21 * e32 < 0:

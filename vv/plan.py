@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import dataclasses
-import fnmatch
 import functools
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
@@ -14,7 +13,8 @@ from vv.adapter import Adapter, Found, Scheme, settled
 from vv.ask import Ask, Knobs, Method, Run
 from vv.case import Case, Count, Quantity, Series, Trial, number, size_of
 from vv.project import Project
-from vv.settings import UsageError, near, with_settings
+from vv.selection import choose_schemes, named_adapters, select
+from vv.settings import UsageError, with_settings
 from vv.study import Level
 
 
@@ -137,7 +137,7 @@ class _Posed:
 def _pose(case: Case, variant: str, options: Options) -> _Posed:
     parameters = with_settings(case, variant, options.settings)
     trial = declare(case, variant, parameters)
-    if np.isfinite(trial.study.scene.contact.kn) and any(rung.kn for rung in options.rungs):
+    if not trial.study.scene.contact.rigid and any(rung.kn for rung in options.rungs):
         raise UsageError(f"{case.name}:{variant} has a contact stiffness of its own; leave out kn")
     rungs = options.rungs or trial.study.rungs[options.level]
     return _Posed(case, variant, parameters, trial, rungs, functools.cache(trial.study.ask))
@@ -194,59 +194,3 @@ def _jobs(posed: _Posed, adapter: Adapter, scheme: Scheme, found: Found) -> list
 def project_knobs(knobs: Knobs, scheme: Scheme) -> Knobs:
     """The knobs without those the scheme lacks."""
     return Knobs(**{name: getattr(knobs, name) for name in scheme.knobs})
-
-
-def select(project: Project, selection: Sequence[str]) -> list[tuple[Case, str]]:
-    """(case, variant name) pairs for patterns FAMILY, CASE or CASE:VARIANT, in file order."""
-    names = project.case_names()
-    wanted: dict[str, set[str]] = {}
-    for pattern in selection:
-        case_pattern, _, variant_pattern = pattern.partition(":")
-        hits = [
-            name
-            for name in names
-            if fnmatch.fnmatchcase(name, case_pattern)
-            or fnmatch.fnmatchcase(project.family(name), case_pattern)
-        ]
-        if not hits:
-            near_names = {*names, *map(project.family, names)}
-            raise UsageError(f"no case '{case_pattern}'{near(case_pattern, near_names)}")
-        found = 0
-        for name in hits:
-            variants = [v.name for v in project.load_case(name).variants]
-            matching = fnmatch.filter(variants, variant_pattern or "*")
-            wanted.setdefault(name, set()).update(matching)
-            found += len(matching)
-        if not found:
-            known = [v.name for name in hits for v in project.load_case(name).variants]
-            raise UsageError(f"no variant '{variant_pattern}'{near(variant_pattern, known)}")
-    return [
-        (case, variant.name)
-        for case in map(project.load_case, (name for name in names if name in wanted))
-        for variant in case.variants
-        if variant.name in wanted[case.name]
-    ]
-
-
-def named_adapters(project: Project, patterns: Iterable[str]) -> dict[str, Adapter]:
-    """The codes that patterns CODE or CODE/SCHEME name; all, where one of them names none."""
-    names = project.adapter_names()
-    hits = [fnmatch.filter(names, pattern.partition("/")[0]) for pattern in patterns]
-    wanted = {name for hit in hits for name in hit} if hits and all(hits) else set(names)
-    return {name: project.load_adapter(name) for name in names if name in wanted}
-
-
-def choose_schemes(
-    adapters: Mapping[str, Adapter], patterns: Iterable[str]
-) -> list[tuple[Adapter, Scheme]]:
-    """The pairs that patterns CODE or CODE/SCHEME name; CODE alone means all its schemes."""
-    labels = {f"{a.name}/{s.name}": (a, s) for a in adapters.values() for s in a.schemes}
-    chosen: dict[str, tuple[Adapter, Scheme]] = {}
-    for pattern in patterns:
-        full = pattern if "/" in pattern else f"{pattern}/*"
-        hits = [label for label in labels if fnmatch.fnmatchcase(label, full)]
-        if not hits:
-            known = [*labels, *adapters]
-            raise UsageError(f"no code '{pattern}'{near(pattern, known)}")
-        chosen.update((label, labels[label]) for label in hits)
-    return [pair for label, pair in labels.items() if label in chosen]

@@ -8,13 +8,13 @@ import hashlib
 import json
 import os
 import platform
-import subprocess
 from collections.abc import Iterable, Sequence
 from importlib import metadata
 from pathlib import Path
 from typing import Any
 
 import vv
+from vv.checkout import commit
 from vv.digest import digest
 from vv.files import write
 
@@ -63,22 +63,6 @@ def _versions() -> dict[str, str]:
         except metadata.PackageNotFoundError:
             continue
     return found
-
-
-def commit(root: Path) -> tuple[str, bool]:
-    """The commit of a checkout and whether files differ from it; ('', False) outside one."""
-    head = _git(root, "rev-parse", "HEAD")
-    return (head, bool(_git(root, "status", "--porcelain"))) if head else ("", False)
-
-
-def _git(root: Path, *words: str) -> str:
-    try:
-        done = subprocess.run(
-            ["git", "-C", str(root), *words], capture_output=True, text=True, check=False
-        )
-    except OSError:
-        return ""
-    return done.stdout.strip() if done.returncode == 0 else ""
 
 
 def file_digests(files: Iterable[Path], memory: Path) -> dict[str, str]:

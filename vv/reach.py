@@ -8,11 +8,14 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from typing import Any, TypeVar
 
 from vv.effort import Effort
 from vv.rungs import Point
 
 TARGETS = (1e-2, 1e-3, 1e-4, 1e-6)  # relative errors that users ask for
+FACTORS = (1.0, 2.0, 10.0, 100.0, 1e4)  # times the cost of the cheapest, at which profiles are told
+Ranked = TypeVar("Ranked", bound=tuple[Any, ...])
 LEAST = 1e-17  # stands for an error of zero on a logarithmic scale
 
 
@@ -53,13 +56,26 @@ def front(every: Iterable[Effort]) -> list[tuple[str, Point]]:
         for p in effort.points
         if p.cpu is not None and p.error is not None
     ]
-    kept: list[tuple[str, Point]] = []
-    least = math.inf
-    for _, error, name, point in sorted(timed, key=lambda row: row[:3]):
-        if error < least:
-            kept.append((name, point))
-            least = error
+    return [(name, point) for _, _, name, point in unbeaten(sorted(timed, key=lambda t: t[:3]))]
+
+
+def unbeaten(rows: Iterable[Ranked]) -> list[Ranked]:
+    """The rows, each a cost, an error and more, that none before them beats in their error."""
+    kept: list[Ranked] = []
+    for row in rows:
+        if not kept or row[1] < kept[-1][1]:
+            kept.append(row)
     return kept
+
+
+def cheapest(every: Iterable[Effort], target: float) -> list[tuple[str, Point]]:
+    """(label, point) of the cheapest timed rung of each code as accurate, cheapest code first."""
+    found = [(effort.label, reach(effort, target).point) for effort in every]
+    able = [(p.cpu, name, p) for name, p in found if p is not None and p.cpu is not None]
+    first: dict[str, tuple[str, Point]] = {}
+    for _, name, point in sorted(able, key=lambda row: row[:2]):
+        first.setdefault(name.partition("/")[0], (name, point))
+    return list(first.values())
 
 
 @dataclass(frozen=True)
@@ -137,3 +153,8 @@ def profile(every: Sequence[Effort], target: float) -> dict[str, list[float]]:
                 cpu = here.get(name)
                 ratios[name].append(math.inf if cpu is None else cpu / best)
     return {name: sorted(row) for name, row in ratios.items()}
+
+
+def shares(ratios: Sequence[float]) -> list[float]:
+    """Of a row of a profile, the share of variants solved within each of FACTORS."""
+    return [sum(ratio <= factor for ratio in ratios) / len(ratios) for factor in FACTORS if ratios]

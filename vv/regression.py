@@ -103,16 +103,24 @@ def _compared(
         )  # fmt: skip
     if status is not Status.RAN:
         return
+    for name, kind, text, size in _changes(then, record, external):
+        red = kind in ("worse", "moved", "gone")
+        yield Finding(
+            "regression", kind, text, **about, rung=rung(record), quantity=name,
+            bit=Bit.ACCURACY if red else Bit(0), enforced=enforced, size=size,
+        )  # fmt: skip
+
+
+def _changes(
+    then: Json, record: Mapping[str, Any], external: Collection[str]
+) -> Iterator[tuple[str, str, str, float]]:
+    """(name, kind, text, size in bands) of each quantity of a record that left its band."""
     band = EXTERNAL if record["code"] in external else IN_HOUSE
     now = {entry["name"]: entry for entry in record["quantities"]}
     for name in sorted((then.keys() | now.keys()) - {"by", "cost"}):
         kind, text, size = _change(then.get(name), now.get(name), band)
         if kind:
-            red = kind in ("worse", "moved", "gone")
-            yield Finding(
-                "regression", kind, text, **about, rung=rung(record), quantity=name,
-                bit=Bit.ACCURACY if red else Bit(0), enforced=enforced, size=size,
-            )  # fmt: skip
+            yield name, kind, text, size
 
 
 def _change(
@@ -179,7 +187,4 @@ def gone(
 
 def holds(then: Json, record: Mapping[str, Any], external: Collection[str]) -> bool:
     """Whether no quantity of a record has left its band."""
-    band = EXTERNAL if record["code"] in external else IN_HOUSE
-    now = {entry["name"]: entry for entry in record["quantities"]}
-    names = (then.keys() | now.keys()) - {"by", "cost"}
-    return not any(_change(then.get(name), now.get(name), band)[0] for name in names)
+    return next(_changes(then, record, external), None) is None

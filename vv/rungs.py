@@ -1,8 +1,8 @@
-"""The rungs of a scheme at one stiffness: order, floor, and the limit of small steps."""
+"""The rungs of a scheme that differ in dt alone: order, floor, and the limit of small steps."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 from vv.metrics import (
@@ -13,6 +13,7 @@ from vv.metrics import (
     Unsettled,
     before_floor,
     convergence,
+    observed_order,
     order_before_floor,
 )
 from vv.reading import Record, error_of
@@ -151,3 +152,27 @@ def _told(limit: Limit) -> str:
     if limit.model <= limit.known:
         return f"final value: the model's part below {limit.known:.1e}, {step}"
     return f"final value: limit of small steps {limit.model:.1e} off the exact, {step}"
+
+
+Ladder = tuple[str | float | None, ...]
+
+
+def orders(records: Iterable[Record]) -> dict[Ladder, Order]:
+    """Observed order in dt on each ladder, where its rungs allow a fit."""
+    points: dict[Ladder, list[tuple[float, float]]] = {}
+    for record in records:
+        dt = record["rung"]["dt"]
+        for entry in record["quantities"]:
+            error = error_of(entry)
+            if dt and error:
+                points.setdefault(ladder(record, entry["name"]), []).append((dt, error))
+    fitted = {
+        key: observed_order(*map(list, zip(*pairs, strict=True))) for key, pairs in points.items()
+    }
+    return {key: order for key, order in fitted.items() if order is not None}
+
+
+def ladder(record: Record, quantity: str) -> Ladder:
+    """What the rungs that differ in dt alone have in common: all but dt, for one quantity."""
+    names = ("case", "variant", "code", "scheme")
+    return (*(record[name] for name in names), quantity, record["rung"]["kn"])

@@ -78,16 +78,21 @@ class Contact:
             value = getattr(self, name)
             if not (np.isfinite(value) and value >= 0):
                 raise ValueError(f"Contact.{name} = {value!r}{unit}; it must be zero or more")
-        if self.eta_n > 0 and (self.mu > 0 or not np.isfinite(self.kn)):
+        if self.eta_n > 0 and (self.mu > 0 or self.rigid):
             raise ValueError(
                 f"Contact.eta_n = {self.eta_n!r} N s/m with kn = {self.kn!r} N/m, mu = "
                 f"{self.mu!r}; viscous contact has a finite kn and no friction"
             )
 
     @property
+    def rigid(self) -> bool:
+        """Whether it has no elasticity: a penalty scheme must be told a stiffness."""
+        return not np.isfinite(self.kn)
+
+    @property
     def rubs(self) -> bool:
         """Whether it can carry shear."""
-        return self.mu > 0 and (self.ks > 0 or not np.isfinite(self.kn))
+        return self.mu > 0 and (self.ks > 0 or self.rigid)
 
 
 @dataclass(frozen=True, eq=False)

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 import re
-import subprocess
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
@@ -46,28 +45,6 @@ def key(job: Job) -> Key:
 
 def _key_of(record: Mapping[str, Any]) -> Key:
     return record["case"], record["variant"], label(record), rung(record)
-
-
-def changed_since(root: Path, revision: str) -> frozenset[Path]:
-    """The files that differ from a revision, new and deleted ones too.
-
-    Raises UsageError if git does not know the revision or this is no checkout.
-    """
-    words = ("diff", "--name-only", "--no-renames", "--relative", revision, "--")
-    listed = [*_git(root, *words), *_git(root, "ls-files", "--others", "--exclude-standard")]
-    return frozenset((root / name).resolve() for name in listed)
-
-
-def _git(root: Path, *words: str) -> list[str]:
-    try:
-        done = subprocess.run(
-            ["git", "-C", str(root), *words], capture_output=True, text=True, check=False
-        )
-    except OSError as error:
-        raise UsageError(f"--since: git cannot be run: {error}") from error
-    if done.returncode:
-        raise UsageError(f"--since: git says: {' '.join(done.stderr.split())}")
-    return done.stdout.splitlines()
 
 
 def affected(project: Project, plan: Plan, changed: Iterable[Path]) -> Plan:

@@ -2,21 +2,18 @@
 
 from __future__ import annotations
 
-import contextlib
 import sys
-import time
 from collections import Counter
-from collections.abc import Callable, Container, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Container, Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from vv.adapter import Adapter
-from vv.ask import Status
 from vv.case import Case
 from vv.finding import Bit, Finding, from_data, worst_first
-from vv.gate import blew_up, outcome
+from vv.gate import NOT_CONSERVED, counted, outcome
 from vv.plan import Job, Plan
-from vv.reading import label, rung, status_of, tried
+from vv.reading import label, tried
 
 if TYPE_CHECKING:
     from vv.compare import Change
@@ -33,11 +30,10 @@ PLURAL = {
     "known disagreement": "known disagreements",
     "unexpected pass": "unexpected passes",
 }
-ORDER = ("pass", "fail", "xpass", "xfail", "no-reference")
+ORDER = ("pass", "fail", NOT_CONSERVED, "xpass", "xfail", "no-reference")
 STORED = "stored"
 REASONS = 6  # why codes refused: the most frequent ones
 SHOWN = 12  # findings of a gate; the report and the files have all
-EVERY = 2.0  # s between two plain progress lines
 
 
 def say(text: str) -> None:
@@ -56,55 +52,6 @@ def complain(text: str) -> int:
     return int(Bit.USAGE)
 
 
-Shown = Callable[[Mapping[str, Any]], None]
-
-
-@contextlib.contextmanager
-def progress(total: int) -> Iterator[Shown]:
-    """A function to call with each record: a bar on a terminal, plain lines elsewhere."""
-    with _bar(total) if sys.stderr.isatty() else _lines(total) as shown:
-        yield shown
-
-
-@contextlib.contextmanager
-def _bar(total: int) -> Iterator[Shown]:
-    from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
-
-    columns = (BarColumn(), TextColumn("{task.description}"), TimeElapsedColumn())
-    counts: Counter[str] = Counter()
-    with Progress(*columns, auto_refresh=False, transient=True) as bars:
-        task = bars.add_task("running", total=total)
-
-        def shown(record: Mapping[str, Any]) -> None:
-            counts[status_of(record).value] += 1
-            bars.update(task, advance=1, description=_counted(counts, total), refresh=True)
-
-        yield shown
-
-
-@contextlib.contextmanager
-def _lines(total: int) -> Iterator[Shown]:
-    counts: Counter[str] = Counter()
-    last = time.monotonic()
-
-    def shown(record: Mapping[str, Any]) -> None:
-        nonlocal last
-        counts[status_of(record).value] += 1
-        lost = status_of(record) in (Status.ERROR, Status.TIMEOUT, Status.DIVERGED)
-        if lost and not blew_up(record):
-            job = f"{record['case']}:{record['variant']} {label(record)} {rung(record)}".rstrip()
-            print(f"{job}: {outcome(record)}: {record['reason']}", file=sys.stderr)
-        if time.monotonic() - last > EVERY:
-            last = time.monotonic()
-            print(_counted(counts, total), file=sys.stderr, flush=True)
-
-    yield shown
-
-
-def _counted(counts: Counter[str], total: int) -> str:
-    return f"{counts.total()} of {total}: " + ", ".join(f"{n} {w}" for w, n in counts.items())
-
-
 def print_refusals(records: Iterable[Mapping[str, Any]]) -> None:
     """Each reason why something was refused or is not installed, once, with how often."""
     reasons = Counter(
@@ -121,7 +68,7 @@ def print_refusals(records: Iterable[Mapping[str, Any]]) -> None:
 
 def print_counts(records: Iterable[Mapping[str, Any]], report: Path) -> None:
     """The last line of a run: outcomes counted, where the report is, where to read why."""
-    counts = Counter(outcome(record) for record in records)
+    counts = counted(records)
     ranked = sorted(counts, key=lambda word: (ORDER.index(word) if word in ORDER else 9, word))
     named = []
     for word in ranked:
@@ -212,8 +159,9 @@ def print_cases(cases: Sequence[Case]) -> None:
     """Cases with their variants."""
     for case in cases:
         say(f"{case.name}  {case.title} [{case.source.doi or case.source.citation}]")
+        width = max((len(variant.name) for variant in case.variants), default=0)
         for variant in case.variants:
-            say(f"  {case.name}:{variant.name:<14}{variant.summary}")
+            say(f"  {case.name}:{variant.name:<{width}}  {variant.summary}")
 
 
 def print_codes(adapters: Sequence[Adapter]) -> None:

@@ -64,7 +64,7 @@ def softened(scene: Scene, kn: float, shear: float = 1.0) -> Scene:
     weight, load, shaking, and the wall's own acceleration. Scenes whose contact has a stiffness
     are left as they are.
     """
-    if np.isfinite(scene.contact.kn):
+    if not scene.contact.rigid:
         return scene
     contact = Contact(kn, shear * kn if scene.contact.mu > 0 else 0.0, scene.contact.mu)
     bodies = tuple(

@@ -48,36 +48,39 @@ def compare(
     """
     if baseline is None:
         return []
-    found = []
     timed = [r for r in records if r["case"] == case and r["cost"].get("relative")]
-    for record in timed:
-        then, now = baseline["results"].get(name_of(record), {}), record["cost"]["relative"]
-        if record["modified"] or "cost" not in then:
-            continue
-        taken_on = baseline["acceptances"][then["by"]]["machine"]["processor"]
-        factor = FACTOR if taken_on == processor else ELSEWHERE
-        kind, size = _change(then["cost"], now, factor)
-        if kind:
-            text = (
-                f"solve takes {now[0]:.3g} to {now[1]:.3g} calibration kernels, accepted "
-                f"{then['cost'][0]:.3g} to {then['cost'][1]:.3g}; factor {factor:g} allowed "
-                f"on {'the same' if factor == FACTOR else 'another'} processor"
-            )
-            found.append(
-                Finding(
-                    check="speed",
-                    kind=kind,
-                    text=text,
-                    case=case,
-                    variant=record["variant"],
-                    label=label(record),
-                    rung=rung(record),
-                    bit=Bit.SPEED if kind == "slower" else Bit(0),
-                    enforced=enforced,
-                    size=size,
-                )
-            )
-    return found
+    found = (_moved(r, baseline, processor, enforced) for r in timed if not r["modified"])
+    return [finding for finding in found if finding]
+
+
+def _moved(
+    record: Mapping[str, Any], baseline: Mapping[str, Any], processor: str, enforced: bool
+) -> Finding | None:
+    """What there is to say of a timed record; None within the factor, or without a ratio to it."""
+    then, now = baseline["results"].get(name_of(record), {}), record["cost"]["relative"]
+    if "cost" not in then:
+        return None
+    same = baseline["acceptances"][then["by"]]["machine"]["processor"] == processor
+    factor = FACTOR if same else ELSEWHERE
+    kind, size = _change(then["cost"], now, factor)
+    text = (
+        f"solve takes {now[0]:.3g} to {now[1]:.3g} calibration kernels, accepted "
+        f"{then['cost'][0]:.3g} to {then['cost'][1]:.3g}; factor {factor:g} allowed "
+        f"on {'the same' if same else 'another'} processor"
+    )
+    finding = Finding(
+        check="speed",
+        kind=kind,
+        text=text,
+        case=record["case"],
+        variant=record["variant"],
+        label=label(record),
+        rung=rung(record),
+        bit=Bit.SPEED if kind == "slower" else Bit(0),
+        enforced=enforced,
+        size=size,
+    )
+    return finding if kind else None
 
 
 def _change(then: Sequence[float], now: Sequence[float], factor: float) -> tuple[str, float]:

@@ -15,11 +15,12 @@ from typing import Any
 
 from vv import imports
 from vv.ask import Status
+from vv.checkout import commit
 from vv.closure import CONTENT
 from vv.content import written
 from vv.digest import digest
 from vv.project import Project
-from vv.provenance import commit, machine
+from vv.provenance import machine
 from vv.reading import status_of
 from vv.store import Store
 

@@ -1,4 +1,4 @@
-"""Scenes made from scenes: the same physics, moved, turned, renumbered or held differently."""
+"""Scenes made from scenes: the same physics, turned, renumbered or held differently."""
 
 import dataclasses
 
@@ -185,15 +185,3 @@ def _regrouped(scene: Scene, spheres: Spheres) -> tuple[Group, ...]:
         else:
             bodies.append(group)
     return tuple(bodies)
-
-
-def shifted(scene: Scene, by: Vector) -> Scene:
-    """The scene moved as a whole by a vector (3,) [m]."""
-    return dataclasses.replace(scene, bodies=tuple(_shifted(group, by) for group in scene.bodies))
-
-
-def _shifted(group: Group, by: Vector) -> Group:
-    if isinstance(group, Wall):
-        return dataclasses.replace(group, point=group.point + by)
-    place = "vertices" if isinstance(group, Block) else "position"
-    return dataclasses.replace(group, **{place: getattr(group, place) + by})

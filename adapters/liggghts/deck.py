@@ -9,6 +9,7 @@ import numpy as np
 from adapters.liggghts.clumps import rigid_commands
 from adapters.liggghts.drives import move_commands, shake_commands
 from adapters.liggghts.harmonic import BONDED_STYLE, bond_commands, bonded_atoms
+from adapters.liggghts.outputs import count_commands, output_commands
 from adapters.liggghts.translate import (
     CLUMP,
     Space,
@@ -20,12 +21,11 @@ from adapters.liggghts.translate import (
     shaken,
     space,
     spinning,
-    watched,
 )
-from adapters.liggghts.walls import AXES, numbers, travel, wall_commands
-from vv.ask import Ask, Displacement
+from adapters.liggghts.walls import wall_commands
+from adapters.liggghts.words import AXES, bounds, group, numbers
+from vv.ask import Ask
 from vv.scene import Scene, Spheres, Vector
-from vv.stand_in import stood_for
 
 DOMAIN = """\
 units           si
@@ -42,7 +42,12 @@ def deck(ask: Ask, scheme: str, history: str) -> str:
     A row holds the step, the number of spheres that are where they may be, and three numbers
     for each of `watched(ask)`: the displacement [m] or the velocity [m/s].
     """
-    observed = ["", "modify_timing   on", *_allowed(ask, scheme), *_observed(ask, scheme, history)]
+    observed = [
+        "",
+        "modify_timing   on",
+        *count_commands(ask, scheme),
+        *output_commands(ask, scheme, history),
+    ]
     return _text([*_prepared(ask, scheme), *observed, _run(ask), "unfix history"])
 
 
@@ -94,7 +99,7 @@ def _charging(ask: Ask, scene: Scene, charged: Mapping[int, Vector]) -> Iterator
     """
     yield f'print "{UNCOUNTED}"'
     for i, way in charged.items():
-        yield _group(f"slid{i}", [i])
+        yield group(f"slid{i}", [i])
         yield f"fix slid{i} slid{i} move linear {numbers(way / ask.dt)} units box"
     yield "run             1"
     for i in charged:
@@ -114,17 +119,13 @@ def _domain(scene: Scene, room: Space, scheme: str) -> Iterator[str]:
     if bonded:
         yield from bonded_atoms(scene, room.outer)
     else:
-        yield f"region          box block {_bounds(*room.outer)} units box"
+        yield f"region          box block {bounds(*room.outer)} units box"
         yield "create_box      1 box"
     yield f"neighbor        {0.2 * radius!r} bin"
     # few bins for so large a box
     yield f"neigh_modify    delay 0 binsize {max(2 * radius, longest / 20)!r}"
     if scheme == CLUMP:
         yield "neigh_modify    exclude group all all"
-
-
-def _bounds(low: Vector, high: Vector) -> str:
-    return numbers(np.column_stack([low, high]).ravel())
 
 
 def _spheres(scene: Scene, charged: Mapping[int, Vector]) -> Iterator[str]:
@@ -181,15 +182,15 @@ def _motion(ask: Ask, scheme: str, scene: Scene) -> Iterator[str]:
         size = float(np.linalg.norm(scene.gravity))
         yield f"fix weight all gravity {size!r} vector {numbers(scene.gravity / size)}"
     for number, (load, carriers) in enumerate(loads(spheres).items()):
-        yield _group(f"load{number}", carriers)
+        yield group(f"load{number}", carriers)
         yield f"fix load{number} load{number} addforce {numbers(load)}"
     if scene.shaking is not None:
         for number, (mass, those) in enumerate(shaken(ask, scheme).items()):
-            yield _group(f"shake{number}", those)
+            yield group(f"shake{number}", those)
             yield from shake_commands(f"shake{number}", scene.shaking, mass, ask.dt)
     for pattern, held in ({} if rigid else locks(spheres)).items():
         name = "lock_" + "".join(a for a, locked in zip(AXES, pattern, strict=True) if locked)
-        yield _group(name, held)
+        yield group(name, held)
         parts = " ".join("0" if locked else "NULL" for locked in pattern)
         yield f"fix {name} {name} setforce {parts}"
     if rigid:  # last, too: its first half step sees the forces of fixes before it only
@@ -204,52 +205,5 @@ def _integrated(spheres: Spheres) -> Iterator[str]:
         ("turned", "nve/sphere", turning),
     ):
         if members.any():
-            yield _group(name, np.flatnonzero(members))
+            yield group(name, np.flatnonzero(members))
             yield f"fix {name} {name} {style}"
-
-
-def _group(name: str, indices: Iterable[int]) -> str:
-    return f"group           {name} id {' '.join(str(i + 1) for i in indices)}"
-
-
-def _allowed(ask: Ask, scheme: str) -> Iterator[str]:
-    """Counts the spheres that are where they may be: in reach and with centres before all walls.
-
-    LIGGGHTS drops a sphere that leaves its box, and its walls push to both sides: what left the
-    box or went through a wall would pass unnoticed.
-    """
-    scene = represented(ask, scheme)
-    room = space(ask, scheme)
-    yield f"region          reach block {_bounds(room.low, room.high)} units box"
-    count = len(stood_for(ask).scene.spheres)  # the first atoms; the rest of a body goes along
-    yield _group("watched", range(count))
-    fronts = [f"front{number}" for number in range(len(scene.walls))]
-    for name, wall in zip(fronts, scene.walls, strict=True):
-        rearmost = wall.point - travel(wall) * wall.normal
-        yield f"region          {name} plane {numbers([*rearmost, *wall.normal])} units box"
-    if fronts:
-        yield f"region          allowed intersect {len(fronts) + 1} reach {' '.join(fronts)}"
-    yield f"variable        count equal count(watched,{'allowed' if fronts else 'reach'})"
-
-
-def _observed(ask: Ask, scheme: str, history: str) -> Iterator[str]:
-    """Displacements are differences formed by LIGGGHTS: its 15 digits all count."""
-    start = represented(ask, scheme).spheres.position
-    yield "variable        step equal step"
-    names = ["step", "count"]
-    for number, (seen, i) in enumerate(watched(ask)):
-        for a, from_ in zip(AXES, start[i].tolist(), strict=True):
-            shift = f"{a}[{i + 1}]-({from_!r})"
-            formula = shift if isinstance(seen, Displacement) else f"v{a}[{i + 1}]"
-            names.append(f"o{number}{a}")
-            yield f"variable        {names[-1]} equal {formula}"
-    row = " ".join(f"${{{name}}}" for name in names)
-    stride = ask.goal.stride(ask.dt)
-    title = f'title "# {_title(ask)}"'
-    yield f'fix history all print {stride} "{row}" file {history} screen no {title}'
-
-
-def _title(ask: Ask) -> str:
-    """The names of a row's columns."""
-    columns = [f"{type(seen).__name__.lower()} {seen.body} ({AXES})" for seen, _ in watched(ask)]
-    return ", ".join(["step", "spheres", *columns])

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from adapters.liggghts.walls import AXES
+from adapters.liggghts.words import AXES
 from vv.scene import Harmonic
 
 

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 import numpy as np
 import numpy.typing as npt
 
-from adapters.liggghts.walls import numbers, printed
+from adapters.liggghts.words import numbers, printed
 from vv.scene import Scene, Term, Vector
 
 FILE = "bonded.data"  # made by each deck anew, just before it is read

@@ -16,7 +16,7 @@ from adapters.liggghts.translate import (
     shaken,
     spinning,
 )
-from vv.adapter import behind_wall, no_sphere, no_steps
+from vv.adapter import behind_wall, no_sphere, no_steps, turned_spin_lock
 from vv.ask import Ask
 from vv.clump import why_no_clump
 from vv.scene import Scene
@@ -42,7 +42,7 @@ def refusal(ask: Ask, scheme: str) -> str | None:
         or why_not_released(scene)
         or _nothing_free(scene)
         or _spin(scene, scheme)
-        or _oblique_spin_lock(ask.scene)
+        or turned_spin_lock(ask.scene, "fix rigid locks its own only")
         or behind_wall(scene)
         or _too_many_groups(ask, scheme)
     )
@@ -80,13 +80,6 @@ def _spin(scene: Scene, scheme: str) -> str | None:
         return "a turning sphere's inertia is not 2/5 m r2, which LIGGGHTS takes it to be"
     if scheme == HALF_STEP and scene.eta > 0:
         return "raised masses would raise the inertia of turning spheres too, which drag must not"
-    return None
-
-
-def _oblique_spin_lock(scene: Scene) -> str | None:
-    partly = any(b.free_spin.any() and not b.free_spin.all() for b in scene.blocks)
-    if partly and not np.array_equal(scene.axes, np.eye(3)):
-        return "rotation is locked about some axes of a turned frame; fix rigid locks its own only"
     return None
 
 

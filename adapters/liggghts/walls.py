@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 
 import numpy as np
 
+from adapters.liggghts.words import AXES, numbers, printed
 from vv.scene import Vector, Wall
-
-AXES = "xyz"
 
 
 def oblique(wall: Wall) -> bool:
@@ -35,11 +34,7 @@ def triangle(wall: Wall, low: Vector, high: Vector) -> Vector:
     centre, half = (low + high) / 2, (high - low) / 2
     foot = centre - ((centre - wall.point) @ wall.normal) * wall.normal
     inscribed = float(np.linalg.norm(half) + np.linalg.norm(foot - centre))
-    first = np.cross(wall.normal, np.eye(3)[np.abs(wall.normal).argmin()])
-    first /= np.linalg.norm(first)
-    turns = 2 * np.pi / 3 * np.arange(3)[:, None]
-    directions = np.cos(turns) * first + np.sin(turns) * np.cross(wall.normal, first)
-    return np.asarray(foot + 2 * inscribed * directions)
+    return np.asarray(foot + 2 * inscribed * wall.triangle)
 
 
 def wall_commands(
@@ -60,12 +55,6 @@ def wall_commands(
     yield f"fix {name} all wall/gran {model} {shape} {damping}"
 
 
-def printed(file: str, lines: Iterable[str]) -> Iterator[str]:
-    """Commands that write a file of these lines."""
-    for number, line in enumerate(lines):
-        yield f'print "{line}" {"append" if number else "file"} {file} screen no'
-
-
 def _stl(wall: Wall, corners: Vector) -> Iterator[str]:
     yield "solid wall"
     yield f"facet normal {numbers(wall.normal)}"
@@ -75,8 +64,3 @@ def _stl(wall: Wall, corners: Vector) -> Iterator[str]:
     yield "endloop"
     yield "endfacet"
     yield "endsolid wall"
-
-
-def numbers(values: Iterable[float]) -> str:
-    """Numbers as LIGGGHTS reads them, with all their digits."""
-    return " ".join(repr(float(value)) for value in values)

@@ -188,12 +188,7 @@ def _sphere(group: Spheres, i: int, row: int, columns: dict[str, Vector]) -> Pla
 
 def wall_body(wall: Wall, size: float) -> Plan:
     """YADE's infinite wall across an axis of the frame, or a triangle of that size [m]."""
-    normal = wall.normal
-    common = {"point": wall.point.tolist(), "normal": normal.tolist()}
-    if np.abs(normal).max() == 1.0:
+    common = {"point": wall.point.tolist(), "normal": wall.normal.tolist()}
+    if np.abs(wall.normal).max() == 1.0:
         return {"kind": "wall", **common}
-    first = np.cross(normal, np.eye(3)[np.abs(normal).argmin()])
-    first /= np.linalg.norm(first)
-    turns = 2 * np.pi / 3 * np.arange(3)[:, None]
-    corners = size * (np.cos(turns) * first + np.sin(turns) * np.cross(normal, first))
-    return {"kind": "facet", **common, "corners": corners.tolist()}
+    return {"kind": "facet", **common, "corners": (size * wall.triangle).tolist()}

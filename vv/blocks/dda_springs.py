@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-import numpy as np
-
 from vv.blocks.dda_formulation import Formulation
 from vv.scene import Scene
 
@@ -22,10 +20,9 @@ class Springs:
 def springs(scene: Scene, kn: float | None, formulation: Formulation) -> Springs:
     """Those of the scene, or where its contact is rigid those of the knob kn [N/m]."""
     law = scene.contact
-    rigid = not np.isfinite(law.kn)
-    if rigid and kn is None:
+    if law.rigid and kn is None:
         raise ValueError("Knobs.kn is None; a penalty scheme needs a stiffness for rigid contact")
-    normal = float(kn) if rigid and kn is not None else law.kn
-    shear = formulation.shear * normal if rigid else law.ks
+    normal = float(kn) if law.rigid and kn is not None else law.kn
+    shear = formulation.shear * normal if law.rigid else law.ks
     rough = law.mu > 0 and shear > 0
     return Springs(normal, shear if rough else None, law.mu if rough else None)

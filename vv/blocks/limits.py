@@ -45,10 +45,6 @@ A face on a face has corners enough for their gaps to contradict one another. Su
 what a residual leaves behind in a step, would shift the load from corner to corner for ever.
 """
 
-OVERLAP = 1e-6
-"""Of the smaller block's size: an overlap at the start that is no rounding."""
-
-
 SPLITS = 16
 """Parts a step is cut into at most; slip that stops more often than that within a step chatters."""
 

@@ -9,7 +9,7 @@ from collections.abc import Callable
 import typer
 
 from vv import screen
-from vv.cli import extend, judge, look, run, speed
+from vv.cli import extend, judge, keep, look, run, speed
 from vv.settings import UsageError
 
 BITS = (
@@ -37,7 +37,7 @@ GROUPS: dict[str, dict[str, Callable[..., None]]] = {
         "diff": look.diff,
         "history": look.history,
     },
-    "Judge": {"gate": judge.gate, "accept": judge.accept, "record": judge.record},
+    "Judge": {"gate": judge.gate, "accept": keep.accept, "record": keep.record},
     "Extend": {"export": extend.export},
 }
 for group, commands in GROUPS.items():

@@ -9,8 +9,9 @@ import typer
 
 from vv.cli import options
 from vv.files import deliver
-from vv.plan import Options, choose_schemes, make_plan, named_adapters, select
+from vv.plan import Options, make_plan
 from vv.project import find
+from vv.selection import choose_schemes, named_adapters, select
 from vv.settings import UsageError
 
 

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 from vv import screen
 from vv.files import deliver
 from vv.plan import Plan
+from vv.progress import progress
 from vv.project import Project
 from vv.store import Store
 
@@ -64,7 +65,7 @@ def carried_out(
     """Carry out a plan, write records if asked to, and the report; returns the manifest."""
     from vv.session import carry_out
 
-    with screen.progress(len(plan.jobs)) as shown:
+    with progress(len(plan.jobs)) as shown:
         manifest = carry_out(project, plan, limits, shown, ["vv", *sys.argv[1:]])
     _build(project, manifest, limits)
     _tell(project, manifest, json_file)

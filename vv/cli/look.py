@@ -9,10 +9,13 @@ import typer
 
 from vv import screen
 from vv.explain import tell
-from vv.plan import Options, make_plan, select
+from vv.plan import Options, make_plan
 from vv.project import find
+from vv.selection import select
 from vv.settings import UsageError, near
 from vv.store import Store
+
+PAST = 20  # invocations in which a last result is looked for
 
 
 def list_cases() -> None:
@@ -55,7 +58,7 @@ def explain(selection: Annotated[list[str], typer.Argument(help="CASE or CASE:VA
     project = find()
     store = Store(project.data())
     plan = make_plan(project, selection, Options())
-    tell(plan, [store.manifest(name) for name in reversed(store.manifests()[-20:])])
+    tell(plan, [store.manifest(name) for name in reversed(store.manifests()[-PAST:])])
 
 
 def diff(

@@ -9,8 +9,9 @@ from typing import Annotated
 import typer
 
 from vv.ask import Knobs
-from vv.plan import Options, Plan, choose_schemes, make_plan, named_adapters
+from vv.plan import Options, Plan, make_plan
 from vv.project import Project
+from vv.selection import choose_schemes, named_adapters
 from vv.settings import UsageError, knobs_from
 from vv.study import Level
 

@@ -62,11 +62,7 @@ def run(
         return _narrowed(project, store, plan, last, since, budget)
 
     if dry_run:
-        from vv import keys
-
-        plan = make_plan()
-        found = {} if fresh else keys.run_keys(project, plan)
-        screen.print_jobs(plan, {n for n, key in found.items() if store.has_run(key)})
+        _list_jobs(project, store, make_plan(), fresh)
         return
     from vv.session import Limits, Timing
 
@@ -87,6 +83,14 @@ def run(
         asked = "run", tuple(selection or ()), chosen
         manifest = answered(project, asked, make_plan, limits, json_file)
     raise typer.Exit(exit_bits(manifest["records"], required) & RUN_BITS)
+
+
+def _list_jobs(project: Project, store: Store, plan: Plan, fresh: bool) -> None:
+    """Say of each job whether it would run or is stored."""
+    from vv import keys
+
+    found = {} if fresh else keys.run_keys(project, plan)
+    screen.print_jobs(plan, {n for n, key in found.items() if store.has_run(key)})
 
 
 def _last(store: Store) -> dict[str, Any]:
@@ -112,12 +116,13 @@ def _narrowed(
     budget: str,
 ) -> Plan:
     from vv import scope
+    from vv.checkout import changed_since
 
     if last is not None:
         wanted = scope.troubled(last)
         plan = restricted(plan, lambda job: scope.key(job) in wanted)
     if since:
-        plan = scope.affected(project, plan, scope.changed_since(project.root, since))
+        plan = scope.affected(project, plan, changed_since(project.root, since))
     if budget:
         past = [store.manifest(name) for name in reversed(store.manifests()[-PAST:])]
         plan = scope.within(plan, scope.seconds(budget), past)

@@ -5,13 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 
 from vv.effort import Effort
-from vv.reach import TARGETS, Duel, Reach, front, profile, reach
+from vv.reach import FACTORS, TARGETS, Duel, Reach, cheapest, front, profile, reach, shares
 from vv.rungs import Point, Row, told
-
-FACTORS = (1.0, 2.0, 10.0, 100.0, 1e4)
 
 
 def tables(every: Sequence[Effort]) -> Iterator[str]:
+    """Of each timed variant: what errors cost, floors, the front, and what to take for an error."""
     for place in dict.fromkeys((e.case, e.variant) for e in every):
         here = [e for e in every if (e.case, e.variant) == place]
         wide = max(len(e.label) for e in here)
@@ -60,18 +59,11 @@ def _setting(name: str, point: Point) -> str:
 
 def _recommended(here: Sequence[Effort], target: float) -> str:
     """The cheapest timed rung of each code that is as accurate, cheapest code first."""
-    found = [(e.label, reach(e, target).point) for e in here]
-    able = sorted(
-        ((p.cpu, name, p) for name, p in found if p is not None and p.cpu is not None),
-        key=lambda row: row[:2],
-    )
-    first: dict[str, str] = {}
-    for _, name, point in able:
-        first.setdefault(name.partition("/")[0], _setting(name, point))
-    return "; ".join(first.values()) or "nobody"
+    return "; ".join(_setting(name, point) for name, point in cheapest(here, target)) or "nobody"
 
 
 def fought(fights: Sequence[Duel]) -> Iterator[str]:
+    """How our engines fare beside external codes."""
     if fights:
         yield "\nbest in-house engine against best external code: cost over cost"
     for one in fights:
@@ -95,10 +87,8 @@ def profiles(every: Sequence[Effort]) -> Iterator[str]:
         yield f"\nshare of variants solved to {target:g} within a factor of the cheapest"
         yield f"  {'':<{wide}}{''.join(f'{factor:>8g}' for factor in FACTORS)}"
         for name, ratios in profile(every, target).items():
-            shares = [
-                sum(r <= factor for r in ratios) / len(ratios) for factor in FACTORS if ratios
-            ]
-            yield f"  {name:<{wide}}{''.join(f'{100 * share:>7.0f}%' for share in shares)}"
+            told = "".join(f"{100 * share:>7.0f}%" for share in shares(ratios))
+            yield f"  {name:<{wide}}{told}"
 
 
 def indicative(every: Sequence[Effort]) -> Iterator[str]:

@@ -8,7 +8,7 @@ from vv.ask import Ask, Displacement, Model, Run, Status
 from vv.exact.bonds import assemble_bonded, assemble_linearised
 from vv.exact.flow import StoppedError, follow
 from vv.exact.ledger import ledger
-from vv.exact.modelled import BONDS, TERMS, is_rigid
+from vv.exact.modelled import BONDS, TERMS
 from vv.exact.path import Path
 from vv.exact.reach import RefusedError
 from vv.exact.slide import follow_slider, lift_off
@@ -54,7 +54,7 @@ def prepare(ask: Ask) -> System | Slider:
     if ask.scene.bonds is not None:
         problem = assemble_bonded(ask.scene)
     else:
-        problem = _pressed(ask) if is_rigid(ask.scene) else assemble(ask.scene)
+        problem = _pressed(ask) if ask.scene.contact.rigid else assemble(ask.scene)
     _check_observed(ask)
     return problem
 
@@ -151,6 +151,6 @@ def _check_observed(ask: Ask) -> None:
 def _index(scene: Scene, body: int) -> int:
     """The index of a body that moves; raises RefusedError for any other."""
     try:
-        return (as_spheres(scene) if is_rigid(scene) else scene).sphere_index(body)
+        return (as_spheres(scene) if scene.contact.rigid else scene).sphere_index(body)
     except ValueError as reason:
         raise RefusedError(str(reason)) from None

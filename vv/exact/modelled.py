@@ -22,14 +22,9 @@ RIGID = frozenset(EITHER | {Term.RIGID_CONTACT, Term.BLOCK, Term.SHAKING, Term.B
 TERMS = SPRINGS | BONDS | RIGID
 
 
-def is_rigid(scene: Scene) -> bool:
-    """Whether contact has no elasticity."""
-    return not np.isfinite(scene.contact.kn)
-
-
 def check_terms(scene: Scene) -> None:
     """Refuse a scene with a term that is not modelled on its kind of contact, or on bonds."""
-    modelled, contact = (RIGID, "rigid contact") if is_rigid(scene) else (SPRINGS, "springs")
+    modelled, contact = (RIGID, "rigid contact") if scene.contact.rigid else (SPRINGS, "springs")
     if scene.bonds is not None:
         modelled, contact = BONDS, "bonds"
     for lacking in sorted(scene.terms() - modelled, key=lambda term: term.value):

@@ -1,4 +1,4 @@
-"""Scenes made from scenes: the same physics in a world of other lengths, times and masses."""
+"""Scenes made from scenes: the same physics elsewhere, or in other lengths, times and masses."""
 
 from __future__ import annotations
 
@@ -7,7 +7,8 @@ from typing import Any
 
 import numpy as np
 
-from vv.scene import Harmonic, Scene, Wall
+from vv.frozen import Vector
+from vv.scene import Block, Harmonic, Scene, Spheres, Wall
 
 POWERS = {  # of the units of length, time and mass in what a scene is made of
     "position": (1, 0, 0),
@@ -30,6 +31,18 @@ POWERS = {  # of the units of length, time and mass in what a scene is made of
     "frequency": (0, -1, 0),
 }
 SHAKEN, MOVED = (1, -2, 0), (1, 0, 0)  # of an amplitude, which is an acceleration or a length
+
+
+def shifted(scene: Scene, by: Vector) -> Scene:
+    """The scene moved as a whole by a vector (3,) [m]."""
+    return dataclasses.replace(scene, bodies=tuple(_shifted(group, by) for group in scene.bodies))
+
+
+def _shifted(group: Spheres | Wall | Block, by: Vector) -> Spheres | Wall | Block:
+    if isinstance(group, Wall):
+        return dataclasses.replace(group, point=group.point + by)
+    place = "vertices" if isinstance(group, Block) else "position"
+    return dataclasses.replace(group, **{place: getattr(group, place) + by})
 
 
 def rescaled(scene: Scene, length: float, time: float, mass: float) -> Scene:
@@ -56,7 +69,7 @@ def _in_units(
 ) -> Harmonic | None:
     if motion is None:
         return None
-    amplitude = motion.amplitude * factor(units, powers)
+    amplitude = motion.amplitude * _factor(units, powers)
     scaled: Harmonic = dataclasses.replace(_rescaled(motion, units), amplitude=amplitude)
     return scaled
 
@@ -64,10 +77,10 @@ def _in_units(
 def _rescaled(part: Any, units: tuple[float, ...]) -> Any:
     """A dataclass with every field that has units multiplied by what they make of it."""
     names = [field.name for field in dataclasses.fields(part) if field.name in POWERS]
-    changed = {name: getattr(part, name) * factor(units, POWERS[name]) for name in names}
+    changed = {name: getattr(part, name) * _factor(units, POWERS[name]) for name in names}
     return dataclasses.replace(part, **changed)
 
 
-def factor(units: tuple[float, ...], powers: tuple[int, ...]) -> float:
+def _factor(units: tuple[float, ...], powers: tuple[int, ...]) -> float:
     """What a quantity of these powers of length, time and mass is multiplied by."""
     return float(np.prod([unit**power for unit, power in zip(units, powers, strict=True)]))

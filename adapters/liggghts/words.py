@@ -1,0 +1,32 @@
+"""The words of a deck that commands are made of: numbers, boxes, groups, files that it writes."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+
+import numpy as np
+
+from vv.scene import Vector
+
+AXES = "xyz"
+
+
+def numbers(values: Iterable[float]) -> str:
+    """Numbers as LIGGGHTS reads them, with all their digits."""
+    return " ".join(repr(float(value)) for value in values)
+
+
+def bounds(low: Vector, high: Vector) -> str:
+    """A box as a region of the style block reads it."""
+    return numbers(np.column_stack([low, high]).ravel())
+
+
+def group(name: str, indices: Iterable[int]) -> str:
+    """The command that names spheres of these indices; ids count from 1."""
+    return f"group           {name} id {' '.join(str(i + 1) for i in indices)}"
+
+
+def printed(file: str, lines: Iterable[str]) -> Iterator[str]:
+    """Commands that write a file of these lines."""
+    for number, line in enumerate(lines):
+        yield f'print "{line}" {"append" if number else "file"} {file} screen no'

@@ -1,0 +1,50 @@
+"""Says why YADE cannot represent an ask though it has every term."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from adapters.yade.bonds import why_no_bonds
+from adapters.yade.polyhedra import why_no_polyhedron
+from adapters.yade.translate import CLUMP, POLYHEDRA, put
+from vv.adapter import behind_wall, no_sphere, turned_spin_lock
+from vv.ask import Ask, Reaction
+from vv.clump import why_no_clump
+from vv.scene import Scene, Term
+from vv.stand_in import stood_for, why_not
+from vv.transform import why_not_released
+
+NO_BLOCK = {CLUMP: why_no_clump, POLYHEDRA: why_no_polyhedron}
+
+
+def refusal(ask: Ask, scheme: str) -> str | None:
+    """The first reason that holds, else None."""
+    reason = NO_BLOCK.get(scheme, why_not)(ask)
+    if reason is not None:
+        return reason
+    scene = stood_for(put(ask, scheme)[0]).scene
+    return (
+        no_sphere(ask, scene)
+        or _locked_spin(scene)
+        or why_not_released(scene)
+        or turned_spin_lock(ask.scene, "YADE locks its own axes only")
+        or behind_wall(scene)
+        or why_no_bonds(scene)
+        or _oblique_reaction(ask)
+    )
+
+
+def _locked_spin(scene: Scene) -> str | None:
+    """Why a body that turns about what it is locked in is refused: YADE keeps it going."""
+    about = np.where(scene.spheres.free_spin, 0.0, scene.spheres.spin @ scene.axes.T)
+    if about.any():
+        return "a sphere has a spin in a locked freedom, which YADE would maintain"
+    return None
+
+
+def _oblique_reaction(ask: Ask) -> str | None:
+    if Term.OBLIQUE_LOCK in ask.scene.terms() and any(
+        isinstance(seen, Reaction) for seen in ask.observables
+    ):
+        return "a reaction to oblique locks, for which dead loads stand, is not known"
+    return None
