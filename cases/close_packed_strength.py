@@ -64,7 +64,7 @@ def _declare(variant: str, p: Parameters) -> Trial:
     duration = abs(expected.far / p["rate"])
     goal = History(duration, duration / OUTPUTS)
     watched: tuple[Observable, ...] = tuple(what for top in tops for what in top)
-    quantities = (*_strength(expected, whole), balance(3e-6))
+    quantities = (*_strength(expected, whole), balance(CASCADE if soft else 3e-6))
     return Trial(Ladder(scene, goal, watched, LEVELS), quantities)
 
 
@@ -119,6 +119,7 @@ def _strength(expected: Expected, whole: Callable[[Run], float]) -> tuple[Quanti
 
 
 BEYOND = 1.1  # of the strain at failure
+CASCADE = 1e-5  # as in close-packed-energy, while bonds slide on and on
 PUBLISHED = {
     "T_u": "the paper's mean over its blocks is -8.89 %",
     "C_u": "the paper's mean over its blocks is -18.51 %, which rigid smooth platens do not give",
@@ -158,15 +159,12 @@ CASE = Case(
     variants=(
         Variant("pulled-82", "82 elements, pulled in two", OPENING, inert=IN_BALANCE),
         Variant("pulled-255", "255 elements", OPENING, inert=IN_BALANCE, level=Level.PAPER),
-        *(
-            Variant(
-                f"pressed-{size}", f"{size} elements, pressed until they slide", SLIDING,
-                {"rate": -8.0}, inert=IN_BALANCE, level=Level.PAPER,
-            )
-            for size in (82, 255)
+        Variant(
+            "pressed-82", "82 elements, pressed until they slide", SLIDING, {"rate": -8.0},
+            inert=IN_BALANCE, level=Level.PAPER,
         ),
         Variant(
-            "yielding-82", "82 elements, pressed by platens that yield", "none", {"rate": -4.0},
+            "yielding-82", "82 elements, pressed by platens that yield", "none", {"rate": -8.0},
             inert=frozenset({"m"}), level=Level.PAPER,
         ),
     ),
