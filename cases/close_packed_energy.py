@@ -9,7 +9,7 @@ import numpy as np
 
 from cases._papers import LIU_2017
 from cases._quartzite import BRITTLE
-from cases.close_packed_strength import block_of, specimen
+from cases._specimens import block_of, specimen
 from reference_solutions import lattice_material
 from reference_solutions.close_packed_lattice import Lattice, static
 from reference_solutions.lattice_strength import first_opening

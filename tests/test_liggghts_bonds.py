@@ -13,7 +13,7 @@ from adapters.liggghts.bonds import OVERLAP, overlapped
 from tests.bonded_scenes import CORNERS, EDGES, KN, KS, D, elements, tied, unit
 from tests.installed import only_with
 from vv import dem
-from vv.adapter import unsupported
+from vv.adapter import settled, unsupported
 from vv.ask import Ask, Displacement, History, Knobs, Status
 from vv.scene import Bonds, Scene, Spheres, Term
 from vv.transform import initial_normal_forces
@@ -65,6 +65,19 @@ def test_what_contacts_cannot_be_is_refused() -> None:
     loose = Spheres(CORNERS[:1], np.zeros((1, 3)), np.ones(1), np.ones(1), np.ones((1, 3), bool))
     assert "no bonds" in refusal(dataclasses.replace(unit(), bodies=(loose,), bonds=None))
     assert refusal(pulled()) == ""
+
+
+def test_it_says_in_its_own_words_why_bonds_do_not_break() -> None:
+    frail = ask(pulled(bonds=tied(tension=1.0, shear=1.0)))
+    for scheme in ADAPTER.schemes:
+        said = settled(ADAPTER, scheme, frail, HERE)
+        assert said is not None
+        assert ("bonds that break (" in said.reason) is (Term.BOND in scheme.terms), scheme.name
+
+
+def test_words_on_a_term_that_a_scheme_has_are_refused() -> None:
+    with pytest.raises(ValueError, match=r"'default' has Term\.BOND"):
+        dataclasses.replace(ADAPTER.schemes[0], why_not={Term.BOND: "it has"})
 
 
 @live

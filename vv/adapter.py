@@ -22,7 +22,8 @@ class Scheme:
 
     knobs: names of the fields of Knobs it has. terms: what it supports. method: its class;
     `lowered` names the terms in whose presence it is declared to be of another class.
-    observables: the kinds it can report; energies: the forms it can report over time.
+    observables: the kinds it can report; energies: the forms it can report over time. why_not: in
+    the code's own words, why it lacks a term; raises ValueError for one that it has.
     """
 
     name: str
@@ -33,6 +34,11 @@ class Scheme:
     lowered: Mapping[Term, Method] = field(default_factory=dict)
     observables: frozenset[type] = frozenset({Displacement, Velocity})
     energies: frozenset[Form] = frozenset()
+    why_not: Mapping[Term, str] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        for term in sorted(self.terms & self.why_not.keys(), key=lambda term: term.value):
+            raise ValueError(f"why_not of scheme {self.name!r} has {term}, which its terms have")
 
     def method_for(self, terms: frozenset[Term]) -> Method:
         """The class of the method on a scene with these terms."""
@@ -93,7 +99,7 @@ def settled(adapter: Adapter, scheme: Scheme, ask: Ask, found: Found) -> Run | N
     """Refused or not installed, if that is known beforehand; refusals come first."""
     missing = unsupported(scheme, ask.scene.terms())
     if missing:
-        terms = ", ".join(sorted(term.value for term in missing))
+        terms = ", ".join(sorted(_lacked(scheme, term) for term in missing))
         return Run(Status.REFUSED, f"{adapter.name}/{scheme.name} does not support: {terms}")
     if hidden := unseen(scheme, ask):
         return Run(Status.REFUSED, f"{adapter.name}/{scheme.name} does not report: {hidden}")
@@ -101,6 +107,11 @@ def settled(adapter: Adapter, scheme: Scheme, ask: Ask, found: Found) -> Run | N
     if reason is not None:
         return Run(Status.REFUSED, reason)
     return None if found.installed else Run(Status.NOT_INSTALLED, found.how_to_install)
+
+
+def _lacked(scheme: Scheme, term: Term) -> str:
+    why = scheme.why_not.get(term)
+    return f"{term.value} ({why})" if why else term.value
 
 
 def no_steps(ask: Ask) -> str | None:

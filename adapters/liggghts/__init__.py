@@ -7,8 +7,9 @@ from pathlib import Path
 
 from adapters.liggghts.answers import unknowns
 from adapters.liggghts.batch import solved, timed
-from adapters.liggghts.bonds import OVERLAP
+from adapters.liggghts.bonds import NO_STRENGTH, OVERLAP
 from adapters.liggghts.deck import deck
+from adapters.liggghts.harmonic import LASTING
 from adapters.liggghts.installed import find
 from adapters.liggghts.notes import notes
 from adapters.liggghts.refusals import refusal
@@ -55,12 +56,14 @@ SCHEMES = (
             Term.RIGID_CONTACT: Method.PENALTY,
             Term.CONTACT_VISCOSITY: Method.FIRST_ORDER,
         },
+        why_not=LASTING,
     ),
     Scheme(
         HALF_STEP,
         "velocity Verlet with masses m + eta dt/2, which makes drag that of the mean velocity",
         Method.SECOND_ORDER,
         TERMS,
+        why_not=LASTING,
     ),
     Scheme(
         CLUMP,
@@ -75,6 +78,7 @@ SCHEMES = (
         "start, in unyielding friction, what they push with cancelled by dead loads: a surrogate",
         Method.PENALTY,
         ON_BONDS,
+        why_not=NO_STRENGTH,
     ),
 )
 

@@ -12,7 +12,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from vv.scene import Bonds, Contact, Scene
+from vv.scene import Bonds, Contact, Scene, Term
 from vv.transform import initial_normal_forces
 
 OVERLAP = 1e-4  # of the length of a bond
@@ -20,6 +20,9 @@ STICKING = 1e9  # friction coefficient that no force reaches
 ALIKE = 1e-9  # relative difference up to which bonds count as alike
 USED = 0.5  # of the overlap that a stretch may take away
 APART = 1.01  # lengths that spheres without a bond must keep
+NO_STRENGTH = {
+    Term.BREAKAGE: "contacts stand in for bonds: they part where an overlap is gone, never slide",
+}
 
 
 def overlapped(scene: Scene) -> Scene:
