@@ -32,7 +32,7 @@ class Block:
     the scene's axes. A plane scene's block is a prism whose masks leave motion in the plane.
 
     elastic: None for a rigid block; else it strains uniformly, from none at t = 0, along the
-    directions it is free in, and bears no stress along the others (Shi 1988: u is linear in x).
+    directions it is free in, and bears no stress along the others (Shi 1992: u is linear in x).
     Raises ValueError naming the block, and the face that is wrong.
     """
 
