@@ -22,6 +22,7 @@ from vv.blocks.dda_bodies import Bodies, Motion, followed
 from vv.blocks.dda_general import General
 from vv.clump import why_no_clump
 from vv.project import find
+from vv.rescale import rescaled
 from vv.scene import Block, Contact, Elastic, Scene, Term, Vector
 from vv.soften import as_spheres
 from vv.stand_in import why_not
@@ -61,6 +62,18 @@ def test_a_block_under_its_own_weight_shows_e_and_nu() -> None:
         assert strains(done)[-1] == pytest.approx(stress / E * np.array([NU, NU, -1]), rel=2e-5)
         sunk = stress * HALF[2] / E  # from where rigid contact had it pressed
         assert done.values[Displacement(1)][-1] @ scene.axes[2] == pytest.approx(-sunk, rel=2e-5)
+
+
+def test_strain_does_not_know_the_units() -> None:
+    length, time, mass = 1e3, 10.0, 1e-2
+    seen, step = (Strain(1),), 1e-3
+    ask = Ask(standing(free_spin=ALL), History(0.05, 0.01), seen, Knobs(step, KN))
+    other = Ask(
+        rescaled(ask.scene, length, time, mass),
+        History(0.05 * time, 0.01 * time), seen, Knobs(step * time, KN * mass / time**2),
+    )  # fmt: skip
+    one, two = (solve(each, DEFAULT).values[Strain(1)] for each in (ask, other))
+    assert two == pytest.approx(one, abs=1e-9 * np.abs(one).max())
 
 
 @pytest.mark.parametrize(

@@ -15,7 +15,7 @@ from reference_solutions.checks import elastic_block as integrated
 from tests.turned_signs import caught, signs, turned
 from vv.ask import Method, Run, Status
 from vv.blocks import dda
-from vv.case import Exact, Trial
+from vv.case import Exact, Scalar, Trial
 from vv.project import find
 from vv.record import measured
 from vv.scene import Block, Elastic, Scene, Vector
@@ -132,6 +132,17 @@ def test_the_engine_answers_and_a_block_a_tenth_stiffer_does_not(variant: str) -
         for body in scene.bodies
     )  # fmt: skip
     assert "fail" in verdicts(*solved(variant, dataclasses.replace(scene, bodies=stiff)))
+
+
+@pytest.mark.parametrize(
+    ("variant", "name", "due"),
+    [("pressed", "sunk-continuum", 0.75), ("ringing", "frequency-continuum", closed.STIFFER)],
+)
+def test_what_a_continuum_does_otherwise_is_shown(variant: str, name: str, due: float) -> None:
+    trial, run = solved(variant)
+    (shown,) = (q for q in trial.quantities if q.name == name)
+    assert isinstance(shown, Scalar)
+    assert shown.observe(run) == pytest.approx(due, rel=1e-3)
 
 
 def test_without_inertia_that_turns_a_block_that_spins_does_not_strain() -> None:

@@ -11,8 +11,9 @@ from __future__ import annotations
 
 import numpy as np
 
-from vv.blocks.dda_bodies import Bodies, Motion, applied, gradient, product, reshaped, stretched
+from vv.blocks.dda_bodies import Bodies, Motion, applied, gradient, stretched
 from vv.blocks.dda_linear import factorise, substitute
+from vv.blocks.dda_matrices import product, reshaped
 from vv.compiled import called
 from vv.scene import Vector
 from vv.triples import at, dot
