@@ -59,7 +59,7 @@ class Reaction:
 
 @dataclass(frozen=True)
 class Strain:
-    """Observable: the normal strains of a block along the scene's axes since t = 0, (3,) per time.
+    """Observable: the normal strains of a block along the scene's axes, (3,) per time.
 
     They turn with the block, as its stress does, where a scheme does not say otherwise.
     """
