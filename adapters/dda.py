@@ -7,7 +7,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 
 from vv.adapter import Found, Scheme, part_of_vv
-from vv.ask import Ask, Method, Model, Run
+from vv.ask import Ask, Displacement, Method, Model, Run, Strain, Velocity
 from vv.blocks import dda
 from vv.scene import Term
 from vv.script import python_script
@@ -25,9 +25,11 @@ TERMS = frozenset(
         Term.RIGID_CONTACT,
         Term.SHAKING,
         Term.BASE_MOTION,
+        Term.STRAIN,
     }
 )
 KNOBS = ("dt", "kn")
+OBSERVABLES = frozenset({Displacement, Velocity, Strain})
 SCHEMES = (
     Scheme(
         "default",
@@ -36,16 +38,19 @@ SCHEMES = (
         Method.PENALTY,
         TERMS,
         KNOBS,
+        observables=OBSERVABLES,
     ),
     Scheme(
         "published",
         "as Yagoda-Biran & Hatzor (2016) ran it: friction of the iteration before, six "
         "iterations at most before a step is cut, 2 s of gravity before a drive sets in, springs "
         "ks = 0.4 kn that start unloaded and are let go by every slip, "
-        "rotations to first order, without gyroscopic torque; dynamic parameter 1",
+        "rotations to first order, without gyroscopic torque, strains that do not turn with their "
+        "block; dynamic parameter 1",
         Method.LAGGING,
         TERMS,
         KNOBS,
+        observables=OBSERVABLES,
     ),
     Scheme(
         "lagged",
@@ -54,6 +59,7 @@ SCHEMES = (
         Method.LAGGING,
         TERMS,
         KNOBS,
+        observables=OBSERVABLES,
     ),
 )
 FORMULATIONS: Mapping[str, dda.Formulation] = {

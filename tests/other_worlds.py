@@ -28,6 +28,7 @@ POWERS = {  # of the units of length, time and mass in what a scene is made of
     "eta": (0, -1, 1),
     "eta_n": (0, -1, 1),
     "gravity": (1, -2, 0),
+    "young": (-1, -2, 1),
     "frequency": (0, -1, 0),
 }
 SHAKEN, MOVED = (1, -2, 0), (1, 0, 0)  # of an amplitude, which is an acceleration or a length
@@ -48,12 +49,7 @@ def _shifted(group: Spheres | Wall | Block, by: Vector) -> Spheres | Wall | Bloc
 def rescaled(scene: Scene, length: float, time: float, mass: float) -> Scene:
     """The same physics in a world whose lengths, times and masses are so many times as large."""
     units = length, time, mass
-    bodies = tuple(
-        dataclasses.replace(_rescaled(group, units), motion=_in_units(group.motion, units, MOVED))
-        if isinstance(group, Wall)
-        else _rescaled(group, units)
-        for group in scene.bodies
-    )
+    bodies = tuple(_body(group, units) for group in scene.bodies)
     scaled: Scene = dataclasses.replace(
         _rescaled(scene, units),
         bodies=bodies,
@@ -61,6 +57,15 @@ def rescaled(scene: Scene, length: float, time: float, mass: float) -> Scene:
         shaking=_in_units(scene.shaking, units, SHAKEN),
         bonds=scene.bonds and _rescaled(scene.bonds, units),
     )
+    return scaled
+
+
+def _body(group: Spheres | Wall | Block, units: tuple[float, ...]) -> Any:
+    scaled = _rescaled(group, units)
+    if isinstance(group, Wall):
+        return dataclasses.replace(scaled, motion=_in_units(group.motion, units, MOVED))
+    if isinstance(group, Block) and group.elastic:
+        return dataclasses.replace(scaled, elastic=_rescaled(group.elastic, units))
     return scaled
 
 

@@ -7,8 +7,10 @@ from typing import Any
 import numpy as np
 import pytest
 
-from vv.block import Block, box_geometry, polyhedron_inertia
-from vv.scene import Vector
+from tests.other_worlds import rescaled, shifted
+from vv.block import Block, Elastic, box_geometry, polyhedron_inertia
+from vv.scene import Contact, Scene, Term, Vector
+from vv.transform import about_z, rotated, swapped
 
 Faces = tuple[tuple[int, ...], ...]
 CUBE, FACES = box_geometry(np.zeros(3), np.full(3, 0.5), np.eye(3))
@@ -76,3 +78,47 @@ def test_a_warped_face_is_named() -> None:
     vertices[7] += [0.0, 0.0, 0.1]
     with pytest.raises(ValueError, match="block 'odd', face 1: its vertices lie in no plane"):
         made(vertices)
+
+
+@pytest.mark.parametrize("young", [0.0, -1.0, np.nan, np.inf])
+def test_a_modulus_must_be_positive_and_finite(young: float) -> None:
+    with pytest.raises(
+        ValueError, match=r"block 'odd': young = .* Pa; it must be positive and fin"
+    ):
+        made(elastic=Elastic(young, 0.2))
+
+
+@pytest.mark.parametrize("poisson", [-1.0, 0.5, np.nan])
+def test_poissons_ratio_has_its_bounds(poisson: float) -> None:
+    with pytest.raises(
+        ValueError, match=r"block 'odd': poisson = .*; -1 < poisson < 0.5 must hold"
+    ):
+        made(elastic=Elastic(1e9, poisson))
+
+
+def alone(**changed: Any) -> Scene:
+    return Scene((made(**changed),), Contact(np.inf))
+
+
+def test_a_block_strains_where_the_scene_says_so_along_what_it_is_free_in() -> None:
+    law = Elastic(1e9, 0.2)
+    flat = np.array([True, False, True])
+    assert made().strains == made(elastic=law, free=np.zeros(3, bool)).strains == ()
+    assert made(elastic=law, free=flat).strains == ((0, 0), (0, 2), (2, 2))
+    assert Term.STRAIN not in alone().terms()
+    assert Term.STRAIN in alone(elastic=law).terms()
+    assert alone(elastic=law).unknowns() == alone().unknowns() + 6
+    digests = {alone(elastic=e).digest() for e in (None, law, Elastic(2e9, 0.2), Elastic(1e9, 0.1))}
+    assert len(digests) == 4
+
+
+def test_elasticity_goes_with_a_block_that_is_moved_turned_renumbered_or_in_other_units() -> None:
+    law = Elastic(3e9, 0.2)
+    scene = alone(elastic=law)
+    for other in (shifted(scene, np.ones(3)), rotated(scene, about_z(0.3)), swapped(scene)):
+        assert other.blocks[0].elastic == law
+    small = rescaled(scene, length=1e-3, time=10.0, mass=1e2).blocks[0].elastic
+    assert small is not None
+    assert small.young == pytest.approx(3e9 * 1e2 / (1e-3 * 10.0**2))
+    assert small.poisson == law.poisson
+    assert rescaled(alone(), 1e-3, 10.0, 1e2).blocks[0].elastic is None

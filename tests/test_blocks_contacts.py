@@ -44,7 +44,8 @@ def tetrahedron(tip: Vector) -> Block:
     vertices = np.vstack([tip, tip + base])
     faces = ((1, 2, 3), (0, 2, 1), (0, 3, 2), (0, 1, 3))
     mass, inertia = polyhedron_inertia(vertices, faces, 1000.0)
-    return Block("tip", vertices, faces, mass, inertia, np.zeros(3), *[np.ones(3, bool)] * 2)
+    free = np.ones(3, bool)
+    return Block("tip", vertices, faces, mass, inertia, np.zeros(3), free, free)
 
 
 def test_a_face_on_a_face_touches_in_the_corners_of_their_overlap() -> None:

@@ -67,10 +67,11 @@ def test_what_contacts_cannot_be_is_refused() -> None:
     assert refusal(pulled()) == ""
 
 
+@live
 def test_it_says_in_its_own_words_why_bonds_do_not_break() -> None:
     frail = ask(pulled(bonds=tied(tension=1.0, shear=1.0)))
     for scheme in ADAPTER.schemes:
-        said = settled(ADAPTER, scheme, frail, HERE)
+        said = settled(ADAPTER, scheme, frail, ADAPTER.found())
         assert said is not None
         assert ("bonds that break (" in said.reason) is (Term.BOND in scheme.terms), scheme.name
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import subprocess
 import sys
 from pathlib import Path
@@ -10,26 +11,30 @@ import numpy as np
 from hypothesis import given
 from hypothesis import strategies as st
 
+from tests.block_scenes import box
 from tests.small_scenes import small_scene
-from vv.ask import Ask, Displacement, History, Knobs, Status, Velocity
+from vv.ask import Ask, Displacement, History, Knobs, Status, Strain, Velocity
 from vv.bodies import Harmonic
 from vv.digest import digest
 from vv.energy import Form
-from vv.scene import Contact, Scene, Spheres, Wall
+from vv.scene import Block, Contact, Elastic, Scene, Spheres, Wall
 from vv.script import python_script, source
 
 NAMES = {
     kind.__name__: kind
     for kind in (
         Ask,
+        Block,
         Contact,
         Displacement,
+        Elastic,
         Form,
         Harmonic,
         History,
         Knobs,
         Scene,
         Spheres,
+        Strain,
         Velocity,
     )
 } | {"Wall": Wall, "np": np}
@@ -53,6 +58,16 @@ def test_rigid_contact_and_moving_walls_are_written_too() -> None:
     scene = Scene((wall, small_scene(1).spheres), Contact(np.inf, mu=0.5), shaking=motion)
     ask = Ask(scene, History(0.4, 1e-3), ())
     assert digest(rebuilt(ask)) == digest(ask)
+
+
+def test_blocks_that_strain_are_written_with_their_law() -> None:
+    law = Elastic(1e9, 0.2)
+    scene = Scene((dataclasses.replace(box("a", np.zeros(3), np.ones(3)), elastic=law),),
+                  Contact(np.inf))  # fmt: skip
+    ask = Ask(scene, History(0.4, 1e-3), (Strain(0),))
+    assert digest(rebuilt(ask)) == digest(ask)
+    assert f"elastic=Elastic(young={law.young!r}, poisson=0.2)" in source(ask)
+    assert "from vv.block import Block, Elastic" in python_script(ask, "vv.blocks.dda", "solve")
 
 
 def test_what_a_default_gives_back_is_left_out() -> None:

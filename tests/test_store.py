@@ -6,6 +6,7 @@ import signal
 import subprocess
 import sys
 import time
+import typing
 from collections.abc import Callable
 from pathlib import Path
 
@@ -13,11 +14,11 @@ import numpy as np
 import pytest
 
 from tests.conftest import Tiny
-from vv.ask import Cost, Displacement, Ledger, Model, Run, Status, Velocity
+from vv.ask import Cost, Displacement, Ledger, Model, Observable, Run, Status, Velocity
 from vv.files import write
 from vv.finding import Bit
 from vv.scene import Term
-from vv.store import Store
+from vv.store import OBSERVABLES, Store
 
 SELECTION = ("run", "fall:up", "--codes", "fake/good")
 
@@ -29,6 +30,10 @@ def runs(tiny: Tiny, *words: str) -> int:
     done = tiny.vv(*(words or SELECTION), FAKE_LOG=str(log))
     assert done.returncode == 0, done.stderr
     return len(log.read_text().splitlines())
+
+
+def test_every_kind_of_observable_can_be_kept() -> None:
+    assert set(OBSERVABLES.values()) == set(typing.get_args(Observable))
 
 
 def test_a_second_call_answers_from_the_store(tiny: Tiny) -> None:

@@ -57,7 +57,17 @@ class Reaction:
     body: int
 
 
-Observable = Displacement | Velocity | Reaction
+@dataclass(frozen=True)
+class Strain:
+    """Observable: the normal strains of a block along the scene's axes, (3,) per time.
+
+    They turn with the block, as its stress does, where a scheme does not say otherwise.
+    """
+
+    body: int
+
+
+Observable = Displacement | Velocity | Reaction | Strain
 
 
 @dataclass(frozen=True)

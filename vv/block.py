@@ -1,4 +1,4 @@
-"""Convex rigid blocks: polyhedra that check themselves, and builders of common shapes."""
+"""Convex blocks, rigid or elastic: polyhedra that check themselves, and common shapes."""
 
 from __future__ import annotations
 
@@ -14,15 +14,26 @@ from vv.frozen import Mask, Vector, freeze
 FLAT = 1e-9  # of a block's size: how far a vertex may lie off its face, or beyond another
 
 
+@dataclass(frozen=True)
+class Elastic:
+    """An isotropic law of a block, which checks it: young [Pa], poisson."""
+
+    young: float
+    poisson: float
+
+
 @dataclass(frozen=True, eq=False)
 class Block:
-    """One convex polyhedron, rigid unless a scheme gives it strains.
+    """One convex polyhedron, rigid unless it has a law of elasticity.
 
     vertices: (k, 3) [m] in the scene's frame; faces: vertex numbers, counter-clockwise seen from
     outside; mass [kg]; inertia: (3, 3) about the centroid [kg m2]; velocity, spin: (3,)
     [m/s, 1/s]; load: (3,) dead force at the centroid [N]. free, free_spin: (3,) booleans along
     the scene's axes. A plane scene's block is a prism whose masks leave motion in the plane.
-    Raises ValueError naming block and face.
+
+    elastic: None for a rigid block; else it strains uniformly, from none at t = 0, along the
+    directions it is free in, and bears no stress along the others (Shi 1992: u is linear in x).
+    Raises ValueError naming the block, and the face that is wrong.
     """
 
     name: str
@@ -35,6 +46,7 @@ class Block:
     free_spin: Mask
     spin: Vector = (0.0, 0.0, 0.0)  # type: ignore[assignment]  # frozen to an array at birth
     load: Vector = (0.0, 0.0, 0.0)  # type: ignore[assignment]  # frozen to an array at birth
+    elastic: Elastic | None = None
 
     def __post_init__(self) -> None:
         freeze(self, "vertices", (len(self.vertices), 3), "m")
@@ -49,6 +61,7 @@ class Block:
             self.inertia, self.inertia.T, rtol=1e-12, atol=0
         ):
             raise ValueError(f"block '{self.name}': inertia must be symmetric and positive")
+        self._check_elastic()
         self._check_faces()
 
     def __len__(self) -> int:
@@ -61,6 +74,23 @@ class Block:
     @functools.cached_property
     def _centroid(self) -> Vector:
         return volume_and_centroid(self.vertices, self.faces)[1]
+
+    @property
+    def strains(self) -> tuple[tuple[int, int], ...]:
+        """Pairs i <= j of the scene's axes: the strains (i, i) and shear angles (i, j) it has."""
+        along = np.flatnonzero(self.free).tolist() if self.elastic else []
+        return tuple((i, j) for i in along for j in along if i <= j)
+
+    def _check_elastic(self) -> None:
+        law = self.elastic
+        if law and not (np.isfinite(law.young) and law.young > 0):
+            raise ValueError(
+                f"block '{self.name}': young = {law.young!r} Pa; it must be positive and finite"
+            )
+        if law and not -1 < law.poisson < 0.5:
+            raise ValueError(
+                f"block '{self.name}': poisson = {law.poisson!r}; -1 < poisson < 0.5 must hold"
+            )
 
     def _check_faces(self) -> None:
         size = float(np.ptp(self.vertices, axis=0).max())

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from vv.block import Block
+from vv.block import Block, Elastic
 from vv.bodies import NO_SPHERES, Harmonic, Spheres, Wall
 from vv.bonds import Bonds, Pairs
 from vv.digest import digest
@@ -19,6 +19,7 @@ __all__ = [
     "Block",
     "Bonds",
     "Contact",
+    "Elastic",
     "Harmonic",
     "Mask",
     "Scene",
@@ -42,6 +43,7 @@ class Term(enum.Enum):
     ROTATION = "free rotation"
     OBLIQUE_LOCK = "motion locked along directions oblique to the frame"
     BLOCK = "convex blocks"
+    STRAIN = "blocks that strain uniformly"
     RIGID_CONTACT = "contact without elasticity"
     SHAKING = "a body acceleration that varies in time"
     BASE_MOTION = "walls that move as prescribed"
@@ -198,6 +200,7 @@ class Scene:
             Term.ROTATION: bool(spheres.free_spin.any() or any(b.free_spin.any() for b in blocks)),
             Term.OBLIQUE_LOCK: self._locks_obliquely(),
             Term.BLOCK: bool(blocks),
+            Term.STRAIN: any(block.elastic for block in blocks),
             Term.RIGID_CONTACT: not np.isfinite(self.contact.kn),
             Term.SHAKING: self.shaking is not None,
             Term.BASE_MOTION: any(wall.motion is not None for wall in self.walls),
@@ -213,7 +216,7 @@ class Scene:
         """How many freedoms the scene leaves."""
         masks = [self.spheres.free, self.spheres.free_spin]
         masks += [mask for block in self.blocks for mask in (block.free, block.free_spin)]
-        return int(sum(mask.sum() for mask in masks))
+        return int(sum(mask.sum() for mask in masks)) + sum(len(b.strains) for b in self.blocks)
 
     def digest(self) -> str:
         """Fingerprint of everything a solver can see."""

@@ -20,6 +20,8 @@ def why_no_point(scene: Scene) -> str | None:
             return f"block '{block.name}' may turn; a sphere would roll"
         if block.spin.any():
             return f"block '{block.name}' spins and may not; a sphere in its place would not spin"
+        if block.elastic:
+            return f"block '{block.name}' strains; a sphere in its place would not"
         if len(scene.walls) != 1:
             return f"block '{block.name}' stands between {len(scene.walls)} walls; a sphere has one"
     if len(scene.blocks) + len(scene.spheres) > 1 and scene.blocks:

@@ -23,7 +23,18 @@ from typing import Any
 
 import numpy as np
 
-from vv.ask import Cost, Displacement, Ledger, Model, Observable, Reaction, Run, Status, Velocity
+from vv.ask import (
+    Cost,
+    Displacement,
+    Ledger,
+    Model,
+    Observable,
+    Reaction,
+    Run,
+    Status,
+    Strain,
+    Velocity,
+)
 from vv.energy import Form
 from vv.files import write
 from vv.scene import Term, Vector
@@ -31,8 +42,8 @@ from vv.scene import Term, Vector
 HEAD = 4096  # characters of a manifest that hold its cases and its provenance, as a rule
 STALE = 7 * 86400.0  # s that the logs of a failure are kept
 UNREADABLE = (OSError, ValueError, KeyError, EOFError, zipfile.BadZipFile)
-OBSERVABLES: Mapping[str, type[Displacement] | type[Velocity] | type[Reaction]] = {
-    kind.__name__: kind for kind in (Displacement, Velocity, Reaction)
+OBSERVABLES: Mapping[str, type[Displacement | Velocity | Reaction | Strain]] = {
+    kind.__name__: kind for kind in (Displacement, Velocity, Reaction, Strain)
 }
 
 

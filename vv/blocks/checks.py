@@ -27,6 +27,14 @@ def block_index(scene: Scene, body: int) -> int:
     raise ValueError(f"body {body} is no block of this scene, which has {first} bodies")
 
 
+def strained(scene: Scene) -> str | None:
+    """Which block is elastic."""
+    for block in scene.blocks:
+        if block.elastic:
+            return f"block '{block.name}' strains; rigid blocks do not"
+    return None
+
+
 def moves_where_locked(scene: Scene) -> str | None:
     """Which block has a velocity or a spin along a direction that it is held in."""
     for block in scene.blocks:

@@ -1,7 +1,7 @@
 """DDA: blocks on penalty springs, solved implicitly with open-close iterations."""
 
 from vv.ask import Ask, Run
-from vv.blocks.dda_formulation import DEFAULT, LAGGED, PUBLISHED, Elastic, Formulation
+from vv.blocks.dda_formulation import DEFAULT, LAGGED, PUBLISHED, Formulation
 from vv.blocks.dda_refusals import refuses
 from vv.blocks.dda_solve import Program, prepare, solve
 
@@ -9,7 +9,6 @@ __all__ = [
     "DEFAULT",
     "LAGGED",
     "PUBLISHED",
-    "Elastic",
     "Formulation",
     "Program",
     "prepare",

@@ -1,7 +1,7 @@
 """The unknowns of DDA as columns of a displacement field, and kernels that move blocks by them.
 
 Every block moves by u(x) = sum over its unknowns of d_a (line_a + slope_a (x - c)): translations,
-rotations and, where a formulation has them, strains (Yagoda-Biran 2016, Eqs. 2-4, in space).
+rotations and, if it is elastic, strains (Yagoda-Biran 2016, Eqs. 2-4, in space).
 """
 
 from __future__ import annotations
@@ -10,6 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from vv.blocks.dda_matrices import exponential, mapped, product, reshaped
 from vv.blocks.geometry import Index, Shapes
 from vv.blocks.placement import find_normals
 from vv.compiled import called
@@ -21,12 +22,14 @@ class Bodies(NamedTuple):
     """n blocks with q unknowns, and what never changes of them.
 
     start: (n + 1,) block i has unknowns start[i] to start[i + 1]; line: (q, 3); slope: (q, 3, 3);
-    mass: (n,) [kg]; weight, load: (n, 3) forces [N].
+    strains: (n,) number of the first of its strains, which come last; mass: (n,) [kg]; weight,
+    load: (n, 3) forces [N].
     """
 
     start: Index
     line: Vector
     slope: Vector
+    strains: Index
     mass: Vector
     weight: Vector
     load: Vector
@@ -37,7 +40,7 @@ class Motion(NamedTuple):
 
     vertex: (v, 3) [m]; normal: (f, 3); centre: (n, 3) [m]; second: (n, 3, 3) integral of
     rho r r^T about the centre [kg m2]; velocity: (q,); strain: (q,) sums of all d, of which
-    those of strains count.
+    those of strains count, and turn with their block.
     """
 
     vertex: Vector
@@ -65,15 +68,6 @@ def copied(to: Motion, source: Motion) -> None:
         copy_rows(to.second[i], source.second[i])
     for a in range(len(to.velocity)):
         to.velocity[a], to.strain[a] = source.velocity[a], source.strain[a]
-
-
-@called
-def product(second: Vector, one: Vector, two: Vector) -> float:
-    """tr(one second two^T) of slopes (3, 3): the integral of rho (one r) . (two r) [kg m2]."""
-    total = 0.0
-    for r in range(3):
-        total += dot(mapped(second, at(one, r)), at(two, r))
-    return total
 
 
 @called
@@ -115,45 +109,45 @@ def travelled(bodies: Bodies, i: int, d: Vector) -> Triple:
 
 
 @called
+def gradient(out: Vector, bodies: Bodies, first: int, last: int, d: Vector) -> None:
+    """Fill out (3, 3): the gradient that unknowns first to last - 1 of a block have in d (q,)."""
+    for r in range(3):
+        row = NOWHERE
+        for a in range(first, last):
+            row = plus(row, d[a], at(bodies.slope[a], r))
+        put(out, r, row)
+
+
+@called
 def stretched(whole: Vector, bodies: Bodies, i: int, d: Vector, terms: int) -> None:
     """Fill whole (3, 3): exp of the displacement gradient of block i, to so many terms."""
-    slope, old = np.zeros((3, 3)), np.empty((3, 3))
-    for a in range(bodies.start[i], bodies.start[i + 1]):
-        for r in range(3):
-            put(slope, r, plus(at(slope, r), d[a], at(bodies.slope[a], r)))
-    for r in range(3):
-        for c in range(3):
-            whole[r, c] = 1.0 if r == c else 0.0
-    for k in range(terms, 0, -1):
-        for r in range(3):
-            put(old, r, at(whole, r))
-        for r in range(3):
-            for c in range(3):
-                total = 0.0
-                for m in range(3):
-                    total += slope[r, m] * old[m, c]
-                whole[r, c] = total / k + (1.0 if r == c else 0.0)
+    slope = np.empty((3, 3))
+    gradient(slope, bodies, bodies.start[i], bodies.start[i + 1], d)
+    exponential(whole, slope, terms)
 
 
 @called
-def mapped(matrix: Vector, a: Triple) -> Triple:
-    """A matrix (3, 3) times a."""
-    return dot(at(matrix, 0), a), dot(at(matrix, 1), a), dot(at(matrix, 2), a)
+def followed(motion: Motion, bodies: Bodies, i: int, d: Vector, terms: int) -> None:
+    """Turn the strains of block i as d (q,) turns it: E becomes R E R^T, R = exp of its spin."""
+    spin, turn, tensor = np.empty((3, 3)), np.empty((3, 3)), np.empty((3, 3))
+    begin, end = bodies.strains[i], bodies.start[i + 1]
+    gradient(spin, bodies, bodies.start[i], begin, d)
+    exponential(turn, spin, terms)
+    gradient(tensor, bodies, begin, end, motion.strain)
+    reshaped(tensor, turn, tensor)
+    for a in range(begin, end):
+        part = size = 0.0
+        for r in range(3):
+            part += dot(at(bodies.slope[a], r), at(tensor, r))
+            size += dot(at(bodies.slope[a], r), at(bodies.slope[a], r))
+        motion.strain[a] = part / size
 
 
 @called
-def reshaped(out: Vector, whole: Vector, second: Vector) -> None:
-    """out = whole second whole^T, all (3, 3); out may be second, which is symmetric."""
-    half = np.empty((3, 3))
-    for r in range(3):
-        put(half, r, mapped(whole, at(second, r)))
-    for r in range(3):
-        put(out, r, mapped(whole, (half[0, r], half[1, r], half[2, r])))
-
-
-@called
-def displace(motion: Motion, bodies: Bodies, shapes: Shapes, d: Vector, terms: int) -> None:
-    """Move the blocks by unknowns d (q,); terms: see `stretched`."""
+def displace(
+    motion: Motion, bodies: Bodies, shapes: Shapes, d: Vector, terms: int, follow: int
+) -> None:
+    """Move the blocks by unknowns d (q,); terms: see `stretched`; follow: see Formulation."""
     whole = np.empty((3, 3))
     for i in range(len(bodies.mass)):
         stretched(whole, bodies, i, d, terms)
@@ -166,4 +160,7 @@ def displace(motion: Motion, bodies: Bodies, shapes: Shapes, d: Vector, terms: i
         reshaped(motion.second[i], whole, motion.second[i])
     for a in range(len(d)):
         motion.strain[a] += d[a]
+    for i in range(len(bodies.mass)):
+        if follow > 0 and bodies.strains[i] < bodies.start[i + 1]:
+            followed(motion, bodies, i, d, follow)
     find_normals(motion.normal, shapes, motion.vertex)

@@ -7,8 +7,9 @@ from typing import NamedTuple
 import numpy as np
 
 from vv.blocks.contacts import Contacts, detect, empty_contacts, matched
-from vv.blocks.dda_bodies import Bodies, Motion, mapped
+from vv.blocks.dda_bodies import Bodies, Motion
 from vv.blocks.dda_law import STICK
+from vv.blocks.dda_matrices import mapped
 from vv.blocks.geometry import Index, Planes, Shapes
 from vv.compiled import called
 from vv.scene import Mask, Vector

@@ -13,20 +13,6 @@ PUBLISHED_SHEAR = 0.4
 
 
 @dataclass(frozen=True)
-class Elastic:
-    """Strains as unknowns, uniform in each block: Young's modulus [Pa] and Poisson's ratio."""
-
-    young: float
-    poisson: float
-
-    def __post_init__(self) -> None:
-        if not self.young > 0:
-            raise ValueError(f"Elastic.young = {self.young!r} Pa; it must be positive")
-        if not -1 < self.poisson < 0.5:
-            raise ValueError(f"Elastic.poisson = {self.poisson!r}; -1 < poisson < 0.5 must hold")
-
-
-@dataclass(frozen=True)
 class Formulation:
     """One way through a DDA step; every choice is made here and none within the step.
 
@@ -35,24 +21,26 @@ class Formulation:
     friction from the iteration before as it is (lagged). iterations: after so many a step is cut
     in halves. terms: of the exponential series by which a displacement gradient moves vertices;
     one is T d (Yagoda-Biran 2016, Eqs. 3, 4), which lets turning blocks grow. turns: rounds in
-    which the gyroscopic torque of a step is found; none leaves it out, as T d does. settling:
-    seconds of gravity before a drive sets in. dd: the part of its velocity that a step hands on.
-    shear: ks/kn where the scene says rigid contact. pressed: contacts start with the penetration
-    that carries the loads; else as placed. charged: shear springs bear friction, of the loads at
-    the start and while a contact slides; else they start unloaded and are let go by every slip.
-    elastic: strains, None for none. Raises ValueError for a number out of range.
+    which the gyroscopic torque of a step is found; none leaves it out, as T d does. follow: terms
+    of the series by which strains, and so stresses, turn with their block; none leaves them behind
+    in the scene's axes, which is right while a block hardly turns. settling: seconds of gravity
+    before a drive sets in. dd: the part of its velocity that a step hands on. shear: ks/kn where
+    the scene says rigid contact. pressed: contacts start with the penetration that carries the
+    loads; else as placed. charged: shear springs bear friction, of the loads at the start and
+    while a contact slides; else they start unloaded and are let go by every slip. Raises
+    ValueError for a number out of range.
     """
 
     tolerance: float
     iterations: int
     terms: int
     turns: int = TURNS
+    follow: int = SERIES
     settling: float = 0.0
     dd: float = 1.0
     shear: float = SHEAR
     pressed: bool = True
     charged: bool = True
-    elastic: Elastic | None = None
 
     def __post_init__(self) -> None:
         checks = {
@@ -60,6 +48,7 @@ class Formulation:
             "iterations": self.iterations >= 1,
             "terms": self.terms >= 1,
             "turns": self.turns >= 0,
+            "follow": self.follow >= 0,
             "settling": 0 <= self.settling < math.inf,
             "dd": 0 <= self.dd <= 1,
             "shear": 0 < self.shear < math.inf,
@@ -73,8 +62,8 @@ DEFAULT = Formulation(tolerance=1e-12, iterations=MOST, terms=SERIES)
 """Friction iterated to convergence within the open-close iteration."""
 
 PUBLISHED = Formulation(
-    tolerance=math.inf, iterations=6, terms=1, turns=0, settling=2.0, shear=PUBLISHED_SHEAR,
-    charged=False,
+    tolerance=math.inf, iterations=6, terms=1, turns=0, follow=0, settling=2.0,
+    shear=PUBLISHED_SHEAR, charged=False,
 )  # fmt: skip
 """As in the codes that Yagoda-Biran and Hatzor (2016) ran, with their settling phase."""
 

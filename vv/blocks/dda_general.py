@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
@@ -13,16 +14,16 @@ from vv.blocks.dda_limits import FLOAT, GRIP, REACH, STATIC, STATIC_STEPS
 from vv.blocks.dda_springs import Springs
 from vv.blocks.dda_unknowns import columns, rates
 from vv.blocks.geometry import depth_axis, planes, shapes
-from vv.scene import Scene, Term, Vector
+from vv.scene import Block, Scene, Term, Vector
 
-BODIES, ENDS = 4, 6  # where these stand in what the kernel is told
+BODIES, ENDS = 5, 7  # where these stand in what the kernel is told
 
 
 @dataclass(frozen=True, eq=False)
 class General:
     """Any number of blocks and walls, with six unknowns a block in a plane, or twelve in space.
 
-    Locked translations and rotations, and strains that a formulation leaves out, are no unknowns.
+    Locked translations and rotations, and strains of rigid blocks, are no unknowns.
     """
 
     scene: Scene
@@ -31,7 +32,7 @@ class General:
     @property
     def unknowns(self) -> int:
         """Columns that the kernel is given."""
-        return sum(len(columns(b, self.scene.axes, self.formulation)[0]) for b in self.scene.blocks)
+        return sum(len(columns(b, self.scene.axes)[0]) for b in self.scene.blocks)
 
     @property
     def terms(self) -> frozenset[Term]:
@@ -42,16 +43,20 @@ class General:
     def words(self) -> str:
         """The model in words."""
         plane = ", prisms in a plane" if depth_axis(self.scene).any() else ""
-        strains = "" if self.formulation.elastic is None else " that deform"
-        spins = any(block.free_spin.sum() > 1 for block in self.scene.blocks)
-        torque = ", without gyroscopic torque" if spins and not self.formulation.turns else ""
-        count = len(self.scene.blocks)
-        return f"{self.unknowns} unknowns of {count} blocks{strains}{plane}{torque}"
+        blocks, way = self.scene.blocks, self.formulation
+        soft = [block for block in blocks if block.strains]
+        some = f", {len(soft)} of which deform" if soft else ""
+        strains = " that deform" if len(soft) == len(blocks) else some
+        spins = any(block.free_spin.sum() > 1 for block in blocks)
+        torque = ", without gyroscopic torque" if spins and not way.turns else ""
+        turn = any(block.free_spin.any() for block in soft)
+        behind = ", strains that do not turn with them" if turn and not way.follow else ""
+        return f"{self.unknowns} unknowns of {len(blocks)} blocks{strains}{plane}{torque}{behind}"
 
     def outputs(self, rows: int, watched: tuple[int, ...]) -> tuple[Any, ...]:
         """What the kernel fills first, and the blocks it watches."""
         energy, report = np.empty((rows, 13)), np.empty((rows, 9))
-        return np.empty((rows, len(watched), 6)), energy, report, np.array(watched, np.int64)
+        return np.empty((rows, len(watched), 15)), energy, report, np.array(watched, np.int64)
 
     def arguments(self, step: tuple[Any, ...], law: Springs) -> tuple[Any, ...]:
         """What the kernel is told; step: stride, dt, settling, tolerance, iterations."""
@@ -61,10 +66,21 @@ class General:
     def pressed(self, law: Springs, rule: tuple[Any, ...]) -> Any:
         """The start once contacts carry the loads at rest, as if no friction were exceeded.
 
-        A few steps so long that inertia is next to nothing take it there. Blocks stay as they
-        are if one of them rests on nothing. rule: when an iteration ends.
+        Elastic blocks begin unstrained, and are pressed as rigid ones. rule: when an iteration
+        ends.
         """
-        start, moving = self.motion(), self.motion().velocity
+        start, bodies = self.motion(), self.bodies()
+        rest = General(_stiff(self.scene), self.formulation).at_rest(law, rule)
+        own = np.arange(len(start.strain)) < np.repeat(bodies.strains, np.diff(bodies.start))
+        start.strain[own] = rest.strain
+        return rest._replace(velocity=start.velocity, strain=start.strain)
+
+    def at_rest(self, law: Springs, rule: tuple[Any, ...]) -> Any:
+        """Where contacts carry the loads, which a few steps almost without inertia find.
+
+        Blocks stay as they are if one of them rests on nothing.
+        """
+        start = self.motion()
         heaviest = max(block.mass for block in self.scene.blocks)
         slow = float(np.sqrt(2 * heaviest * STATIC / law.kn))
         start.velocity[:] = 0.0
@@ -72,7 +88,6 @@ class General:
         told = self.told(start, 0.0, gripping)
         self.kernel()(*self.outputs(1, ()), 1, slow, STATIC_STEPS, *rule, *told)
         end, bodies = told[ENDS], told[BODIES]
-        end.velocity[:] = start.velocity[:] = moving
         most = np.linalg.norm(bodies.weight + bodies.load, axis=1).sum() / law.kn
         far = np.linalg.norm(end.centre - start.centre, axis=1).max()
         return end if far <= FLOAT * most else start
@@ -87,6 +102,7 @@ class General:
         return (
             way.terms,
             way.turns,
+            way.follow,
             dd,
             float(self.formulation.charged),
             self.bodies(),
@@ -111,12 +127,14 @@ class General:
         from vv.blocks.dda_bodies import Bodies
 
         scene, blocks = self.scene, self.scene.blocks
-        parts = [columns(block, scene.axes, self.formulation) for block in blocks]
+        parts = [columns(block, scene.axes) for block in blocks]
         mass = np.array([block.mass for block in blocks])
+        start = np.cumsum([0, *(len(part[0]) for part in parts)]).astype(np.int64)
         return Bodies(
-            start=np.cumsum([0, *(len(part[0]) for part in parts)]).astype(np.int64),
+            start=start,
             line=np.concatenate([part[0] for part in parts]),
             slope=np.concatenate([part[1] for part in parts]),
+            strains=start[1:] - np.array([len(block.strains) for block in blocks]),
             mass=mass,
             weight=mass[:, None] * scene.gravity,
             load=np.array([block.load for block in blocks]),
@@ -127,7 +145,7 @@ class General:
         whole = np.zeros((self.unknowns, 12))
         first = 0
         for block in self.scene.blocks:
-            part = columns(block, self.scene.axes, self.formulation)[2]
+            part = columns(block, self.scene.axes)[2]
             whole[first : first + len(part), : len(part)] = part
             first += len(part)
         return whole
@@ -140,7 +158,7 @@ class General:
         shape = shapes(blocks)
         centre = np.array([block.centroid() for block in blocks])
         owner = np.repeat(np.arange(len(blocks)), np.diff(shape.vertex_start))
-        starts = [rates(b, scene.axes, self.formulation) for b in blocks]
+        starts = [rates(b, scene.axes) for b in blocks]
         velocity = np.concatenate(starts)
         second = [0.5 * np.trace(b.inertia) * np.eye(3) - b.inertia for b in blocks]
         vertex = shape.vertex + centre[owner]
@@ -155,4 +173,17 @@ class General:
 
     def watched(self, path: Vector, index: int) -> Vector:
         """Displacement and velocity (k, 6) of the block observed as the index-th."""
-        return np.asarray(path[:, index])
+        return np.asarray(path[:, index, :6])
+
+    def strains(self, path: Vector, index: int) -> Vector:
+        """Normal strains (k, 3) of the block observed as the index-th, along the scene's axes."""
+        tensor = path[:, index, 6:].reshape(-1, 3, 3)
+        return np.asarray(np.einsum("ar,krc,ac->ka", self.scene.axes, tensor, self.scene.axes))
+
+
+def _stiff(scene: Scene) -> Scene:
+    """The scene with rigid blocks in place of elastic ones."""
+    bodies = (
+        dataclasses.replace(g, elastic=None) if isinstance(g, Block) else g for g in scene.bodies
+    )
+    return dataclasses.replace(scene, bodies=tuple(bodies))

@@ -81,6 +81,7 @@ def move_blocks(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
     iterations: int,
     terms: int,
     turns: int,
+    follow: int,
     dd: float,
     hold: float,
     bodies: Bodies,
@@ -101,14 +102,15 @@ def move_blocks(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
 ) -> int:
     """Step all blocks by DDA; return rows filled.
 
-    settling: steps before t = 0 with drives at rest; tolerance, iterations, terms, turns, dd: see
-    Formulation; hold: 1 where it is charged, else 0; begun: the start; motion: becomes the end;
+    settling: steps before t = 0 with drives at rest; tolerance, iterations, terms, turns, follow,
+    dd: see Formulation; hold: 1 where it is charged, else 0; begun: the start; motion: becomes the
+    end;
     base, starts: see `drives`; shaking: a body acceleration; kn, ks [N/m] and mu of every point
     of contact; reach [m]: see `found`; elastic: (q, 12) stiffness of strains [N m], laid out as
     `masses` are.
 
-    Every `stride` steps a row is written: path (k, b, 6): displacement and velocity of the
-    watched blocks (b,); energy (k, 13) and report (k, 9): see `dda_energy`.
+    Every `stride` steps a row is written: path (k, b, 15): displacement, velocity and the tensor
+    of strain of the watched blocks (b,); energy (k, 13) and report (k, 9): see `dda_energy`.
     """
     walls, q = len(planes.point), len(begun.velocity)
     shift, ahead, moved = np.zeros((walls, 3)), np.zeros((walls, 3)), np.zeros((walls, 3))
@@ -133,7 +135,7 @@ def move_blocks(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
                     shake = value(shaking, done * dt + begin + part)
                 state, push, way = touch.state.copy(), touch.push.copy(), touch.way.copy()
                 pushed(outer, bodies, shake)
-                convected(turn, bodies, motion, mass, part, terms, turns)
+                convected(turn, bodies, motion, mass, elastic, part, terms, turns)
                 for a in range(q):
                     outer[a] += turn[a]
                 ended, solved, used, rub, relative = iterate(
@@ -158,7 +160,7 @@ def move_blocks(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
                 ledger[NUMERICAL] += 0.5 * applied(flow, elastic, bodies, d)
                 for a in range(q):
                     motion.velocity[a] = 2.0 / part * d[a] - motion.velocity[a]
-                displace(motion, bodies, shapes, d, terms)
+                displace(motion, bodies, shapes, d, terms, follow)
                 held(ledger, touch, bodies, motion, mass, kn, ks, elastic)
                 if row > 0:
                     works = ledger[GRAVITY] + ledger[LOAD] + ledger[BASE] + ledger[SHAKING]

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import numpy as np
 
-from vv.blocks.dda_bodies import Bodies, Motion, travelled
+from vv.blocks.dda_bodies import Bodies, Motion, gradient, travelled
 from vv.blocks.dda_energy import KINETIC, NORMAL, REPORTS, SHEAR, STRAIN, TERMS
 from vv.blocks.geometry import Index
 from vv.compiled import called
 from vv.scene import Vector
+from vv.triples import at, put
 
 
 @called
@@ -23,12 +24,16 @@ def note(
     path: Vector, energy: Vector, report: Vector, watched: Index, origin: Vector,
     bodies: Bodies, motion: Motion, ledger: Vector, worst: Vector,
 ) -> None:  # fmt: skip
-    """Write a row: path (b, 6), energy (13,) and report (9,)."""
+    """Write a row: path (b, 15), energy (13,) and report (9,)."""
+    tensor = np.empty((3, 3))
     for b in range(len(watched)):
-        rate = travelled(bodies, watched[b], motion.velocity)
+        i = watched[b]
+        rate = travelled(bodies, i, motion.velocity)
+        gradient(tensor, bodies, bodies.strains[i], bodies.start[i + 1], motion.strain)
         for c in range(3):
-            path[b, c] = motion.centre[watched[b], c] - origin[watched[b], c]
+            path[b, c] = motion.centre[i, c] - origin[i, c]
             path[b, 3 + c] = rate[c]
+            put(path[b, 6:].reshape(3, 3), c, at(tensor, c))
     for term in range(TERMS):
         energy[term] = ledger[term]
     for term in range(REPORTS):

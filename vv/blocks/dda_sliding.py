@@ -74,11 +74,15 @@ class Sliding:
         """Displacement and velocity (k, 6) of the block observed as the index-th."""
         return path
 
+    def strains(self, path: Vector, index: int) -> Vector:
+        """Normal strains (k, 3): a rigid block has none."""
+        return np.zeros((len(path), 3))
+
 
 def sliding(scene: Scene, formulation: Formulation) -> Sliding | None:
-    """The reduced model, or None if the scene or the formulation needs more."""
+    """The reduced model, or None if the scene needs more."""
     found = lone(scene)
-    if found is None or formulation.elastic is not None:
+    if found is None or found.block.elastic:
         return None
     return Sliding(scene, found, _points(found, depth_axis(scene)), formulation)
 

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from vv.ask import Ask, Displacement, Ledger, Model, Run, Status
+from vv.ask import Ask, Displacement, Ledger, Model, Observable, Run, Status, Strain
 from vv.blocks.checks import block_index, size
 from vv.blocks.dda_formulation import Formulation
 from vv.blocks.dda_general import General
@@ -98,10 +98,8 @@ class Program:
         goal, dt = self.ask.goal, self.dt
         path, energy, report = self.arguments[:3]
         whole = rows == len(path)
-        values = {}
-        for index, what in enumerate(self.ask.observables):
-            moved = self.system.watched(path[:rows], index)
-            values[what] = moved[:, :3] if isinstance(what, Displacement) else moved[:, 3:]
+        seen = enumerate(self.ask.observables)
+        values = {what: self._seen(what, path[:rows], index) for index, what in seen}
         steps = goal.stride(dt) * (rows - 1 if whole else rows)
         model = self.model
         note = f"{model.note}; {self._worst(report[rows - 1 if whole else rows])}"
@@ -114,6 +112,12 @@ class Program:
             model=Model(model.unknowns, model.terms, note),
             ledger=self._ledger(energy, report[-1]) if whole else None,
         )
+
+    def _seen(self, what: Observable, path: Vector, index: int) -> Vector:
+        if isinstance(what, Strain):
+            return self.system.strains(path, index)
+        moved = self.system.watched(path, index)
+        return moved[:, :3] if isinstance(what, Displacement) else moved[:, 3:]
 
     def _start(self) -> str:
         pressed = "pressed by their loads" if self.formulation.pressed else "as placed"

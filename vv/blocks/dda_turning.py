@@ -11,11 +11,12 @@ from __future__ import annotations
 
 import numpy as np
 
-from vv.blocks.dda_bodies import Bodies, Motion, product, reshaped, stretched
+from vv.blocks.dda_bodies import Bodies, Motion, applied, gradient, stretched
 from vv.blocks.dda_linear import factorise, substitute
+from vv.blocks.dda_matrices import product, reshaped
 from vv.compiled import called
 from vv.scene import Vector
-from vv.triples import NOWHERE, at, dot, plus, put
+from vv.triples import at, dot
 
 
 @called
@@ -30,53 +31,50 @@ def turns_freely(bodies: Bodies, i: int, rate: Vector) -> bool:
 
 
 @called
-def gradient(out: Vector, bodies: Bodies, i: int, rate: Vector) -> None:
-    """Fill out (3, 3) with the velocity gradient L of block i under rates (q,)."""
-    for r in range(3):
-        row = NOWHERE
-        for a in range(bodies.start[i], bodies.start[i + 1]):
-            row = plus(row, rate[a], at(bodies.slope[a], r))
-        put(out, r, row)
-
-
-@called
 def convected(
-    turn: Vector, bodies: Bodies, motion: Motion, mass: Vector, step: float, terms: int, rounds: int
-) -> None:
-    """Fill turn (q,) with these loads [N m] over a step [s] that nothing else disturbs.
+    turn: Vector, bodies: Bodies, motion: Motion, mass: Vector, elastic: Vector,
+    step: float, terms: int, rounds: int,
+) -> None:  # fmt: skip
+    """Fill turn (q,) with these loads [N m] over a step [s] that only elasticity disturbs.
 
-    mass: (q, 12), see `masses`; terms: see `stretched`; rounds: in which the loads and the end of
-    the step, to which they lead, are found; after none there are no loads.
+    mass, elastic: (q, 12), see `masses`; terms: see `stretched`; rounds: in which the loads and
+    the end of the step, to which they lead, are found; after none there are no loads.
     """
     begin, whole, second = np.empty((3, 3)), np.empty((3, 3)), np.empty((3, 3))
     flow, end, matrix = np.empty((3, 3)), np.empty((3, 3)), np.zeros((12, 12))
-    ahead, d, load = motion.velocity.copy(), np.zeros(len(turn)), np.zeros(12)
+    ahead, d, load, gain = motion.velocity.copy(), np.zeros(len(turn)), np.zeros(12), np.zeros(12)
+    reached, borne = np.empty(len(turn)), np.empty(len(turn))
+    for a in range(len(turn)):
+        reached[a] = motion.strain[a] + step * motion.velocity[a]
+    applied(borne, elastic, bodies, reached)
     for i in range(len(bodies.mass)):
         first, last = bodies.start[i], bodies.start[i + 1]
         for a in range(first, last):
             turn[a] = 0.0
         if rounds == 0 or not turns_freely(bodies, i, motion.velocity):
             continue
-        gradient(begin, bodies, i, motion.velocity)
+        gradient(begin, bodies, first, last, motion.velocity)
         reshaped(flow, begin, motion.second[i])
         for a in range(first, last):
             for b in range(a - first + 1):
-                matrix[a - first, b] = mass[a, b]
-        columns, gain = np.zeros(last - first, np.int64), np.zeros(last - first)
+                matrix[a - first, b] = mass[a, b] + 0.5 * step * step * elastic[a, b]
+        columns = np.zeros(last - first, np.int64)
         factorise(matrix, columns)
         for _ in range(rounds):
             for a in range(first, last):
                 d[a] = 0.5 * step * (motion.velocity[a] + ahead[a])
             stretched(whole, bodies, i, d, terms)
             reshaped(second, whole, motion.second[i])
-            gradient(end, bodies, i, ahead)
+            gradient(end, bodies, first, last, ahead)
             for a in range(first, last):
                 slope = bodies.slope[a]
                 load[a - first] = product(motion.second[i], slope, end)
                 load[a - first] -= product(second, slope, end)
                 for r in range(3):
                     load[a - first] += step * dot(at(slope, r), at(flow, r))
+            for a in range(first, last):
+                turn[a] = load[a - first] / step
+                load[a - first] -= step * borne[a]
             substitute(matrix, columns, load, gain)
             for a in range(first, last):
                 ahead[a] = motion.velocity[a] + gain[a - first]
-                turn[a] = load[a - first] / step

@@ -13,6 +13,7 @@ from vv.blocks.checks import (
     block_index,
     moves_where_locked,
     overlaps,
+    strained,
     undetermined,
     unsupported,
 )
@@ -163,5 +164,5 @@ def refuses(ask: Ask) -> str | None:
         return "the scene holds spheres; rigid blocks touch blocks and walls"
     if np.isfinite(scene.contact.kn):
         return f"Contact.kn = {scene.contact.kn!r} N/m; rigid contact has no stiffness"
-    checks = (moves_where_locked, unsupported, undetermined, overlaps)
+    checks = (strained, moves_where_locked, unsupported, undetermined, overlaps)
     return next((reason for check in checks if (reason := check(scene))), None)

@@ -1,0 +1,91 @@
+"""A box whose strain is uniform: on a smooth base as its weight sets in, and spinning freely.
+
+Its displacement is linear in x (Shi 1992). With sides s_i, volume V and mass m, normal strains e_i
+follow m s_i^2/12 e_i'' + V sum_j C_ij e_j = F_i, C Hooke's law. On its base the centroid moves by
+half the shortening, which makes that m s_z^2/3 along z, and F_z = -m g s_z/2; as it spins by w
+about z, F_i = m w^2 s_i^2/12 along x and y. From e = e' = 0 every mode swings as 1 - cos. A bar
+alone has w^2 = 12 E/(rho s^2), and 3 E/(rho s^2) on a base; the continuum's first modes have pi^2
+and pi^2/4 in place of 12 and 3, and are slower by sqrt(12)/pi = 1.103.
+Every function raises ValueError for parameters outside their ranges.
+"""
+
+from math import pi, sqrt
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from reference_solutions.parameters import require_finite, require_positive, require_times
+
+Array = NDArray[np.float64]
+Sides = tuple[float, float, float]
+STIFFER = sqrt(12.0) / pi
+"""The first frequency of a bar that strains uniformly over that of the continuum."""
+
+
+def law(young: float, poisson: float, along: tuple[int, ...] = (0, 1, 2)) -> Array:
+    """Stiffness [Pa] of normal strains along some axes; no stress acts along the others."""
+    require_positive("Pa", young=young)
+    if not -1.0 < poisson < 0.5:
+        raise ValueError(f"poisson = {poisson}; it must lie between -1 and 0.5")
+    compliance = ((1.0 + poisson) * np.eye(3) - poisson) / young
+    return np.asarray(np.linalg.inv(compliance[np.ix_(along, along)]))
+
+
+def resting(*, sides: Sides, rho: float, young: float, poisson: float, g: float) -> Array:
+    """Strains (3,) at rest on a base: those of half the weight, which is the mean stress."""
+    require_positive("in SI units", s_z=sides[2], rho=rho, young=young)
+    require_finite("m/s2", g=g)
+    axial = -rho * g * sides[2] / (2.0 * young)
+    return np.array([-poisson * axial, -poisson * axial, axial])
+
+
+def standing(
+    t: ArrayLike, *, sides: Sides, rho: float, young: float, poisson: float, g: float,
+    along: tuple[int, ...] = (0, 1, 2),
+) -> Array:  # fmt: skip
+    """Strains (k, 3) at times t (k,) [s] as weight sets in; those not `along` are left nil."""
+    require_finite("m/s2", g=g)
+    swung = _inertia(sides, rho) * [1.0, 1.0, 4.0]
+    force = np.array([0.0, 0.0, -rho * g * sides[2] / 2.0])
+    kept = list(along)
+    strains = np.zeros((len(require_times(t)), 3))
+    strains[:, kept] = _swings(t, swung[kept], law(young, poisson, along), force[kept])
+    return strains
+
+
+def spinning(
+    t: ArrayLike, *, sides: Sides, rho: float, young: float, poisson: float, spin: float
+) -> Array:
+    """Strains (k, 3) along the axes of a box that spins about z by spin [1/s] from t = 0 on."""
+    require_finite("1/s", spin=spin)
+    inertia = _inertia(sides, rho)
+    force = spin**2 * inertia * [1.0, 1.0, 0.0]
+    return _swings(t, inertia, law(young, poisson), force)
+
+
+def seen_from_rest(strains: Array, angle: Array) -> Array:
+    """Normal strains (k, 3) along fixed axes, of a box that has turned by angle (k,) about z."""
+    c, s = np.cos(angle) ** 2, np.sin(angle) ** 2
+    x, y, z = strains.T
+    return np.stack([c * x + s * y, s * x + c * y, z], axis=1)
+
+
+def first(*, side: float, rho: float, young: float) -> float:
+    """w [1/s] of a bar on its base, which bears no stress across."""
+    require_positive("in SI units", side=side, rho=rho, young=young)
+    return sqrt(3.0 * young / rho) / side
+
+
+def _inertia(sides: Sides, rho: float) -> Array:
+    """rho s^2/12 (3,) [kg/m]: what each strain of a free box has of inertia, per volume."""
+    require_positive("in SI units", s_x=sides[0], s_y=sides[1], s_z=sides[2], rho=rho)
+    return rho * np.square(sides) / 12.0
+
+
+def _swings(t: ArrayLike, inertia: Array, stiffness: Array, force: Array) -> Array:
+    """What inertia (n,) e'' + stiffness (n, n) e = force (n,) makes of rest at t = 0: (k, n)."""
+    root = np.sqrt(inertia)
+    squares, modes = np.linalg.eigh(stiffness / np.outer(root, root))
+    rest = modes.T @ (force / root) / squares
+    risen = 1.0 - np.cos(np.outer(require_times(t), np.sqrt(squares)))
+    return np.asarray((risen * rest) @ modes.T / root)
