@@ -9,7 +9,7 @@ from vv.ask import Status
 
 Record = Mapping[str, Any]
 STATUSES = {status.name.lower().replace("_", "-"): status for status in Status}
-UNTRIED = (Status.REFUSED, Status.NOT_INSTALLED)
+UNTRIED = (Status.REFUSED, Status.NOT_INSTALLED, Status.TOO_LONG)
 
 
 def label(record: Record) -> str:

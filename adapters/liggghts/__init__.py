@@ -61,12 +61,14 @@ SCHEMES = (
             Term.RIGID_CONTACT: Method.PENALTY,
             Term.CONTACT_VISCOSITY: Method.FIRST_ORDER,
         },
+        pace=3e-5,
     ),
     Scheme(
         HALF_STEP,
         "velocity Verlet with masses m + eta dt/2, which makes drag that of the mean velocity",
         Method.SECOND_ORDER,
         TERMS,
+        pace=3e-5,
     ),
     Scheme(
         CLUMP,
@@ -74,6 +76,7 @@ SCHEMES = (
         Method.PENALTY,
         ON_CORNERS,
         KNOBS,
+        pace=5e-5,
     ),
     Scheme(
         OVERLAPPED,
@@ -81,6 +84,7 @@ SCHEMES = (
         "start, in unyielding friction, what they push with cancelled by dead loads: a surrogate",
         Method.PENALTY,
         ON_BONDS,
+        pace=3e-5,
     ),
 )
 

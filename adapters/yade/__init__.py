@@ -68,6 +68,7 @@ SCHEMES = (
             Term.CONTACT_VISCOSITY: Method.FIRST_ORDER,
         },
         observables=OBSERVABLES,
+        pace=3e-6,
     ),
     Scheme(
         HALF_STEP,
@@ -75,6 +76,7 @@ SCHEMES = (
         Method.SECOND_ORDER,
         TERMS,
         observables=OBSERVABLES,
+        pace=3e-6,
     ),
     Scheme(
         CLUMP,
@@ -82,6 +84,7 @@ SCHEMES = (
         Method.PENALTY,
         ONE_BLOCK,
         KNOBS,
+        pace=5e-6,
     ),
     Scheme(
         POLYHEDRA,
@@ -89,6 +92,7 @@ SCHEMES = (
         Method.PENALTY,
         ONE_BLOCK,
         KNOBS,
+        pace=1e-4,
     ),
 )
 
