@@ -9,9 +9,8 @@ import numpy as np
 
 from reports.marks import Mark
 from reports.outcomes import outcome_of
-from vv.ask import Status
 from vv.metrics import Vector
-from vv.reading import Record, error_of, fineness, label, status_of, tried
+from vv.reading import Record, error_of, fineness, label, too_long, tried
 
 Arrays = Callable[[str], Mapping[str, Vector]]
 
@@ -101,5 +100,5 @@ def _point(record: Record, quantity: str) -> Point:
         cost["kind"] == "timed",
         outcome_of(record).troubling,
         not tried(record),
-        status_of(record) is Status.TOO_LONG,
+        too_long(record),
     )

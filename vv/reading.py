@@ -43,6 +43,11 @@ def tried(record: Record) -> bool:
     return status_of(record) not in UNTRIED
 
 
+def too_long(record: Record) -> bool:
+    """Whether a job was left out for the steps it would have taken."""
+    return status_of(record) is Status.TOO_LONG
+
+
 def error_of(entry: Mapping[str, Any]) -> float | None:
     """The error of a record's quantity in the norm that judges; None if it has none."""
     error: float | None = entry["errors"].get(entry["norm"] or "max")

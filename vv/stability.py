@@ -8,9 +8,8 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import asdict, dataclass
 from typing import Any
 
-from vv.ask import Status
 from vv.gate import blew_up
-from vv.reading import fineness, label, status_of, tried
+from vv.reading import fineness, label, too_long, tried
 
 WRONG = 1.0  # relative error as large as the answer: no answer any more
 Json = Mapping[str, Any]
@@ -156,7 +155,7 @@ def _in_words(
 ) -> str:
     best = min(taken, key=_error)
     blown = sum(map(blew_up, lost))
-    long = sum(status_of(record) is Status.TOO_LONG for record in pile)
+    long = sum(map(too_long, pile))
     untried = {"refused": len(pile) - len(taken) - long, "too long to run": long}
     out = " and ".join(f"{count} {why}" for why, count in untried.items() if count)
     parts = [f"of {len(pile)} points {out}".rstrip()]

@@ -11,17 +11,22 @@ from cases.responding_block import CASE as RESPONDING_BLOCK
 from cases.tetrahedral_unit import CASE as UNIT
 from vv.ask import History
 from vv.case import Case, Check, Parameters, Series, Shown, Source, Trial, Variant
-from vv.rescale import rescaled
+from vv.scene import Scene
 from vv.study import Grid, Level
 
 
 def _declare(variant: str, p: Parameters) -> Trial:
-    case, name, own = BEHIND[variant]
-    trial = case.declare(name, {**case.defaults(name), **own})
+    trial = _behind(variant, {})
     moved = trial.quantities[0]
     assert isinstance(moved, Series)
     study = _swung(trial) if variant == "unit" else _pressed(trial)
     return Trial(study, (dataclasses.replace(moved, judge=EXPLORED),))
+
+
+def _behind(variant: str, changed: Parameters) -> Trial:
+    """The trial of the case behind a variant, with some of its parameters changed."""
+    case, name, own = BEHIND[variant]
+    return case.declare(name, {**case.defaults(name), **own, **changed})
 
 
 def _pressed(trial: Trial) -> Grid:
@@ -45,12 +50,16 @@ def _swung(trial: Trial) -> Grid:
     """
     scene = trial.study.scene
     assert scene.bonds is not None
-    kn = float(scene.bonds.kn[0])
-    step = math.sqrt(float(scene.spheres.mass[0]) / kn)
+    kn, mass = float(scene.bonds.kn[0]), float(scene.spheres.mass[0])
+    step = math.sqrt(mass / kn)
+
+    def own(other: float) -> Scene:
+        return _behind("unit", {"kn": other, "m": mass * other / kn}).study.scene
+
     goal = History(PERIODS * math.pi * step, PERIODS * math.pi * step / SAMPLES)
     return Grid(
         scene, goal, trial.study.observables, ALL_STEPS, lambda _: step, STIFFNESSES,
-        own=lambda other: rescaled(scene, 1.0, 1.0, other / kn), patience=PATIENCE,
+        own=own, patience=PATIENCE,
     )  # fmt: skip
 
 
