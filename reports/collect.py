@@ -10,7 +10,7 @@ import numpy as np
 from reports.marks import Mark
 from reports.outcomes import outcome_of
 from vv.metrics import Vector
-from vv.reading import Record, error_of, fineness, label, tried
+from vv.reading import Record, error_of, fineness, label, too_long, tried
 
 Arrays = Callable[[str], Mapping[str, Vector]]
 
@@ -36,6 +36,7 @@ class Point:
     timed: bool
     troubling: bool
     refused: bool = False
+    too_long: bool = False
 
 
 @dataclass(frozen=True)
@@ -99,4 +100,5 @@ def _point(record: Record, quantity: str) -> Point:
         cost["kind"] == "timed",
         outcome_of(record).troubling,
         not tried(record),
+        too_long(record),
     )

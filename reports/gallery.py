@@ -56,12 +56,14 @@ def figures(
 def _map(heat: HeatMap, error: str, draw: Draw) -> Figure:
     """The map, with the stiffness that serves each code best at its finest step."""
     best = [f"{panel.mark.label} {brief(panel.best())} N/m" for panel in heat.panels]
-    lost, refused = (any(cells.any() for cells in parts) for parts in (
-        [panel.lost() for panel in heat.panels], [panel.refused for panel in heat.panels]
-    ))  # fmt: skip
-    crossed = " Crossed: no result, or one off by as much as the answer." if lost else ""
-    dashed = " Dash: refused." if refused else ""
-    caption = f"Smallest error at the finest step: {listed(best)}.{crossed}{dashed}"
+    panels = heat.panels
+    signs = {
+        " Crossed: no result, or one off by as much as the answer.": [p.lost() for p in panels],
+        " Dash: refused.": [p.refused & ~p.too_long for p in panels],
+        " Dot: not run, it would take too many steps.": [p.too_long for p in panels],
+    }
+    said = "".join(text for text, cells in signs.items() if any(map(np.any, cells)))
+    caption = f"Smallest error at the finest step: {listed(best)}.{said}"
     ends = [
         f"{panel.mark.label} {sci(float(np.nanmin(panel.error)))} "
         f"to {sci(float(np.nanmax(panel.error)))}"

@@ -22,6 +22,7 @@ Mask = npt.NDArray[np.bool_]
 Critical = Mapping[float | None, float]
 NO_CRITICAL: Critical = {}
 COLOURS = "viridis_r"  # dark is wrong
+GREY = "#8a9199"
 BOX = (0.125, 0.115, 0.745, 0.81)  # the panels: left, bottom, width, height of the figure
 BAR = (0.895, 0.115, 0.025, 0.81)
 GAP = (0.03, 0.065)
@@ -32,7 +33,8 @@ class Panel:
     """One code/scheme: steps (n,) and stiffnesses (m,) [N/m] ascending, errors (m, n).
 
     dt: [s], or over the critical step of each stiffness. An error that is not finite is nan;
-    refused (m, n) says where it is so because the code did not take the step.
+    refused (m, n) says where it is so because the code did not take the step, too_long where
+    that is for the number of steps.
     """
 
     mark: Mark
@@ -40,6 +42,7 @@ class Panel:
     kn: Vector
     error: Vector
     refused: Mask
+    too_long: Mask
 
     def best(self) -> float:
         """The stiffness [N/m] of the smallest error at the finest step that has any."""
@@ -79,6 +82,8 @@ def _panel(pile: Sequence[Ladder], critical: Critical) -> Panel | None:
         for p in ladder.points
         if ladder.kn is not None and p.dt is not None
     }
+    if not cells:  # a code without a step
+        return None
     stiffnesses, steps = (sorted(set(parts)) for parts in zip(*cells, strict=True))
     whole = len(cells) == len(stiffnesses) * len(steps)
     if not whole or sorted((len(stiffnesses), len(steps)))[0] < LEAST - 1:
@@ -88,9 +93,10 @@ def _panel(pile: Sequence[Ladder], critical: Critical) -> Panel | None:
     rows = [[cells[kn, step] for step in steps] for kn in stiffnesses]
     error = np.array([[np.nan if p.error is None else p.error for p in row] for row in rows])
     refused = np.array([[p.refused for p in row] for row in rows])
+    too_long = np.array([[p.too_long for p in row] for row in rows])
     if not (error > 0).any():
         return None
-    return Panel(pile[0].mark, np.array(steps), np.array(stiffnesses), error, refused)
+    return Panel(pile[0].mark, np.array(steps), np.array(stiffnesses), error, refused, too_long)
 
 
 def _ratio(dt: float, critical: float | None) -> float:
@@ -101,7 +107,7 @@ def _ratio(dt: float, critical: float | None) -> float:
 def draw_map(figure: Any, heat: HeatMap) -> None:
     """Draw the panels in rows, and the scale beside them.
 
-    A cell that blew up is crossed, one that was refused has a dash.
+    A cell that blew up is crossed, one that was refused has a dash, one too long to run a dot.
     """
     from matplotlib.colors import LogNorm
 
@@ -132,7 +138,9 @@ def draw_map(figure: Any, heat: HeatMap) -> None:
 def _draw_panel(axes: Any, panel: Panel, scale: Any) -> Any:
     shown = np.ma.masked_invalid(np.where(panel.error > 0, panel.error, np.nan))
     axes.set_facecolor("#e3e6e9")
-    for cells, sign, colour in ((panel.lost(), "x", "#e0452b"), (panel.refused, "_", "#8a9199")):
+    refused = panel.refused & ~panel.too_long
+    signs = ((panel.lost(), "x", "#e0452b"), (refused, "_", GREY), (panel.too_long, ".", GREY))
+    for cells, sign, colour in signs:
         for i, j in np.argwhere(cells):
             axes.plot(j + 0.5, i + 0.5, sign, color=colour, markersize=4)
     return axes.pcolormesh(shown, cmap=COLOURS, norm=scale, edgecolors="white", linewidth=0.4)

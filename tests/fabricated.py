@@ -122,7 +122,7 @@ def manifest_of_all(store: Store) -> Json:
     runs += [ran(store, "exact/default", v, None, "pass") for v in ("T1", "T2")]
     nothing = {"model": None, "steps": 0, "cost": cost(cpu=0.0)}
     fates = (("a", "refused"), ("b", "not-installed"), ("c", "error"), ("d", "timeout"))
-    for name, status in (*fates, ("e", "diverged"), ("f", "not-run")):
+    for name, status in (*fates, ("e", "diverged"), ("f", "not-run"), ("l", "too-long")):
         runs += [
             record(f"fate/{name}", "T1", dt, status=status, reason=f"{status} it is", **nothing)
             for dt in STEPS

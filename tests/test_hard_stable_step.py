@@ -13,9 +13,10 @@ from reference_solutions import stability as theory
 from reference_solutions.checks import stability as bisected
 from tests.turned_signs import caught, signs, turned
 from vv import dem
-from vv.ask import Ask, Displacement, History, Knobs, Status
+from vv.ask import Ask, Displacement, History, Knobs, Method, Run, Status
 from vv.case import Scalar
 from vv.project import find
+from vv.record import measured
 from vv.scene import Contact, Scene, Spheres
 from vv.search import answers
 from vv.study import Level
@@ -147,14 +148,35 @@ def test_divergence_is_seen_within_an_output_interval() -> None:
     assert 0 <= ends[1] - ends[0] < every[1]
 
 
-def sought(name: str, variant: str, scheme: str, folder: Path) -> dict[str, float]:
-    """What a search in dem comes to, whatever dem refuses beforehand."""
+def searched(name: str, variant: str, scheme: str, folder: Path) -> tuple[Run, list[Scalar]]:
+    """A search in dem, whatever dem refuses beforehand, and what is measured of it."""
     case = PROJECT.load_case(name)
     trial = case.declare(variant, case.defaults(variant))
     ask = trial.study.ask(trial.study.rungs[Level.QUICK][0])
     (run,) = answers(DEM, [ask], scheme, folder, 0.0)
-    numbers = (q for q in trial.quantities if isinstance(q, Scalar))
+    return run, [q for q in trial.quantities if isinstance(q, Scalar)]
+
+
+def sought(name: str, variant: str, scheme: str, folder: Path) -> dict[str, float]:
+    run, numbers = searched(name, variant, scheme, folder)
     return {quantity.name: quantity.observe(run) for quantity in numbers}
+
+
+@pytest.mark.parametrize(
+    ("scheme", "declared", "verdicts"),
+    [
+        ("default", Method.SECOND_ORDER, ["pass", "no-reference"]),
+        ("published", Method.FIRST_ORDER, ["no-reference", "pass"]),
+        ("published", Method.SECOND_ORDER, ["fail", "no-reference"]),
+        ("default", Method.FIRST_ORDER, ["no-reference", "fail"]),
+    ],
+)
+def test_with_drag_a_scheme_is_judged_by_the_limit_of_the_class_it_declares_and_no_other(
+    scheme: str, declared: Method, verdicts: list[str], tmp_path: Path
+) -> None:
+    run, numbers = searched("stable-step", "viscous", scheme, tmp_path)
+    told = [measured(run, quantity, declared, Knobs())[0] for quantity in numbers]
+    assert [entry["verdict"] for entry in told] == verdicts
 
 
 @pytest.mark.parametrize("scheme", ["default", "published"])

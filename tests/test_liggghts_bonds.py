@@ -15,7 +15,9 @@ from tests.installed import only_with
 from vv import dem
 from vv.adapter import settled, unsupported
 from vv.ask import Ask, Displacement, History, Knobs, Status
+from vv.project import find
 from vv.scene import Bonds, Scene, Spheres, Term
+from vv.study import Grid, Level
 from vv.transform import initial_normal_forces
 
 SCHEME = "pre-overlapped"
@@ -116,3 +118,16 @@ def test_harmonic_bonds_take_no_contacts_beside() -> None:
     sheared = ADAPTER.schemes[0].terms
     assert Term.BOND in sheared
     assert Term.BOND_SHEAR not in sheared
+
+
+@live
+def test_bonds_that_fly_apart_at_too_long_a_step_diverge_which_is_no_error(tmp_path: Path) -> None:
+    """LIGGGHTS stops where it misses a bonded sphere that has left its box."""
+    study = find().load_case("stability-map").declare("unit", {}).study
+    assert isinstance(study, Grid)
+    limit, rungs = study.critical(None), study.rungs[Level.PAPER]
+    beyond = min((k for k in rungs if (k.dt or 0.0) > limit), key=lambda k: k.dt or 0.0)
+    (run,) = ADAPTER.run([study.ask(beyond)], "default", tmp_path, 0.0)
+    assert run.status is Status.DIVERGED
+    assert "Bond atoms" in run.reason
+    assert "left the box" in run.reason

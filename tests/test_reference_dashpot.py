@@ -126,9 +126,9 @@ def test_two_spheres_meet_as_one_of_their_reduced_mass() -> None:
     run = exact.solve(ask)
     apart = run.values[Velocity(1)][-1] - run.values[Velocity(0)][-1]
     assert apart[0] == pytest.approx(closed.restitution(z), abs=1e-13)
-    refused = dem.solve_default(dataclasses.replace(ask, knobs=Knobs(1e-4)))
-    assert refused.status is Status.REFUSED
-    assert "one unknown" in refused.reason
+    stepped = dem.solve_default(dataclasses.replace(ask, knobs=Knobs(1e-4)))
+    apart = stepped.values[Velocity(1)][-1] - stepped.values[Velocity(0)][-1]
+    assert apart[0] == pytest.approx(closed.restitution(z), rel=1e-4)
 
 
 def test_the_lagging_dashpot_lowers_the_largest_stable_step() -> None:

@@ -16,6 +16,7 @@ from reports.gallery import figures
 from reports.maps import HeatMap, error_map
 from reports.marks import marks
 from reports.outcomes import outcome_of
+from vv.ask import Knobs
 from vv.finding import Bit
 from vv.gate import exit_bits
 from vv.study import Grid, Level
@@ -65,6 +66,7 @@ def test_a_map_stands_instead_of_curves_and_names_the_best_stiffness_of_each_cod
     assert "one 1e9 N/m and two 1e9 N/m" in figure.caption
     assert "Crossed: no result" in figure.caption
     assert "refused" not in figure.caption
+    assert "too many" not in figure.caption
     assert "one 2.00e-3 to 5.00e-2" in figure.alt
 
 
@@ -121,6 +123,22 @@ def test_steps_that_follow_the_stiffness_make_a_map_over_the_critical_step() -> 
     assert "one 1e12 N/m" in figure.caption
 
 
+def test_a_point_too_long_to_run_is_a_dot_and_neither_lost_nor_refused() -> None:
+    rows = [related(kn, {0.1: 0.1, 1.0: 0.2}) for kn in (1e4, 1e7, 1e12)]
+    left_out = dataclasses.replace(rows[2].points[0], error=None, refused=True, too_long=True)
+    rows[2] = dataclasses.replace(rows[2], points=(left_out, rows[2].points[1]))
+    heat = error_map(rows, CRITICAL)
+    assert heat is not None
+    (panel,) = heat.panels
+    assert panel.too_long.tolist() == [[False] * 2, [False] * 2, [True, False]]
+    assert not panel.lost().any()
+    (figure,) = figures([], rows, QUANTITY, "max", lambda chart: "", CRITICAL)
+    assert figure.caption.endswith(" Dot: not run, it would take too many steps.")
+    dots = draw(heat, "salt")
+    bare = dataclasses.replace(panel, too_long=np.zeros((3, 2), bool))
+    assert dots != draw(dataclasses.replace(heat, panels=(bare,)), "salt")
+
+
 def test_the_stability_maps_span_what_the_issue_asks_for() -> None:
     for variant in ("incline", "responding-block", "unit"):
         study = STABILITY.declare(variant, {}).study
@@ -128,10 +146,21 @@ def test_the_stability_maps_span_what_the_issue_asks_for() -> None:
         ratios = {round((k.dt or 0) / study.critical(k.kn), 9) for k in study.rungs[Level.PAPER]}
         assert (min(ratios), max(ratios)) == (1e-3, 10.0)
         assert len(ratios) >= 6
-        if variant != "unit":
-            stiffnesses = {k.kn or 0.0 for k in study.rungs[Level.PAPER]}
-            assert len(stiffnesses) == 9
-            assert (min(stiffnesses), max(stiffnesses)) == (1e4, 1e12)
+        stiffnesses = {k.kn or 0.0 for k in study.rungs[Level.PAPER]}
+        assert len(stiffnesses) == 9
+        assert (min(stiffnesses), max(stiffnesses)) == (1e4, 1e12)
+
+
+def test_the_unit_has_each_stiffness_itself_and_swings_at_one_rate() -> None:
+    study = STABILITY.declare("unit", {}).study
+    assert isinstance(study, Grid)
+    rates = set()
+    for kn in (1e4, 1e12):
+        scene = study.ask(Knobs(1e-8, kn)).scene
+        assert scene.bonds is not None
+        assert set(scene.bonds.kn) == {kn}
+        rates.add(round(2 * (kn / scene.spheres.mass[0]) ** 0.5 * study.critical(kn), 9))
+    assert rates == {2.0}
 
 
 def test_what_diverges_in_a_map_is_shown_and_turns_nothing_red() -> None:

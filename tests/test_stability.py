@@ -74,6 +74,15 @@ def test_a_map_says_how_much_is_lost_from_which_step_on_and_how_good_it_gets() -
     )
 
 
+def test_points_left_out_for_their_steps_are_told_from_those_refused() -> None:
+    told = only(point(0.1, 1e4, 0.2), point(1.0, 1e4, None, "too-long"))
+    assert told.text.startswith("of 2 points 1 too long to run, none lost, least error 0.2 at")
+    more = only(
+        point(0.1, 1e4, 0.2), point(1.0, 1e4, None, "too-long"), point(2.0, 1e4, None, "refused")
+    )
+    assert more.text.startswith("of 3 points 1 refused and 1 too long to run, none lost")
+
+
 def test_a_code_that_refuses_a_whole_map_says_nothing_of_it() -> None:
     assert stability(manifest(point(0.1, 1e4, None, "refused"))) == []
 

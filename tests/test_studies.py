@@ -52,6 +52,30 @@ def test_what_diverges_in_a_map_is_no_fault_and_is_kept(tiny: Tiny) -> None:
     assert ran(tiny, "fake/diverges,fake/good")[::2] == (0, 4)
 
 
+def test_a_point_of_a_map_that_takes_too_long_is_left_out_and_says_so(tiny: Tiny) -> None:
+    posed(tiny, GRID.replace("lambda kn: 0.1", "lambda kn: 0.1, patience=0.15"))
+    tiny.edit("adapters/fake.py", "ORDER, GRAVITY)", "ORDER, GRAVITY, pace=0.01)")
+    code, told, asked = ran(tiny, "fake/good")
+    assert (code, asked) == (0, 1)
+    short, long = sorted(told["records"], key=lambda r: -r["rung"]["dt"])
+    assert (short["status"], long["status"]) == ("ran", "too-long")
+    assert long["reason"] == (
+        "not run: 20 steps of some 0.01 s each; a point of the map is given 0.15 s, 15 steps"
+    )
+
+
+@pytest.mark.parametrize(("refused", "asked"), [("> 0.06", 2), ("> 0.01", 0), ("< 0.06", 1)])
+def test_a_step_refused_for_its_length_alone_is_run_in_a_map(
+    tiny: Tiny, refused: str, asked: int
+) -> None:
+    """What is refused at the shortest step too is refused for something else."""
+    posed(tiny, GRID)
+    tiny.edit("adapters/fake.py", 'if scheme == "refuses"', f"if ask.knobs.dt {refused}")
+    _, told, seen = ran(tiny, "fake/good")
+    assert seen == asked
+    assert [r["status"] for r in told["records"]].count("refused") == 2 - asked
+
+
 def test_an_error_in_a_map_is_an_error(tiny: Tiny) -> None:
     posed(tiny, GRID)
     assert ran(tiny, "fake/good,fake/raises")[0] != 0

@@ -23,6 +23,7 @@ class Status(enum.Enum):
     TIMEOUT = "timeout"
     DIVERGED = "diverged"
     NOT_RUN = "not run"
+    TOO_LONG = "too long"
 
 
 class Method(enum.Enum):

@@ -19,6 +19,7 @@ STATUS_BITS: Mapping[Status, tuple[Bit, Bit]] = {  # of an optional code, of a r
     Status.RAN: (Bit(0), Bit(0)),
     Status.REFUSED: (Bit(0), Bit(0)),
     Status.NOT_INSTALLED: (Bit(0), Bit.INCOMPLETE),
+    Status.TOO_LONG: (Bit(0), Bit(0)),
     Status.NOT_RUN: (Bit.INCOMPLETE, Bit.INCOMPLETE),
     Status.ERROR: (Bit.CRASH, Bit.CRASH),
     Status.DIVERGED: (Bit.CRASH, Bit.CRASH),

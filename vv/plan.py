@@ -4,18 +4,18 @@ from __future__ import annotations
 
 import dataclasses
 import functools
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
-from vv.adapter import Adapter, Found, Scheme, settled
-from vv.ask import Ask, Knobs, Method, Run
+from vv.adapter import Adapter, Found, Scheme, no_steps, settled
+from vv.ask import Ask, Knobs, Method, Run, Status
 from vv.case import Case, Count, Quantity, Series, Trial, number, size_of
 from vv.project import Project
 from vv.selection import choose_schemes, named_adapters, select
 from vv.settings import UsageError, with_settings
-from vv.study import Level
+from vv.study import Grid, Level, put_in
 
 
 @dataclass(frozen=True)
@@ -173,7 +173,10 @@ def _answer(quantities: Iterable[Quantity]) -> None:
 def _jobs(posed: _Posed, adapter: Adapter, scheme: Scheme, found: Found) -> list[Job]:
     """One job per rung, as projected on the knobs the scheme has."""
     terms = posed.trial.study.scene.terms()
-    timed = {project_knobs(knobs, scheme) for knobs in posed.trial.study.timed}
+    own = put_in(posed.trial.study)
+    timed = {project_knobs(knobs, scheme, own) for knobs in posed.trial.study.timed}
+    mapped = isinstance(posed.trial.study, Grid)
+    settle = functools.partial(_mapped, posed) if mapped else settled
     return [
         Job(
             case=posed.case.name,
@@ -185,12 +188,27 @@ def _jobs(posed: _Posed, adapter: Adapter, scheme: Scheme, found: Found) -> list
             method=scheme.method_for(terms),
             ask=posed.ask(knobs),
             timed=knobs in timed,
-            settle=functools.partial(settled, adapter, scheme, posed.ask(knobs), found),
+            settle=functools.partial(settle, adapter, scheme, posed.ask(knobs), found),
         )
-        for knobs in dict.fromkeys(project_knobs(knobs, scheme) for knobs in posed.rungs)
+        for knobs in dict.fromkeys(project_knobs(knobs, scheme, own) for knobs in posed.rungs)
     ]
 
 
-def project_knobs(knobs: Knobs, scheme: Scheme) -> Knobs:
-    """The knobs without those the scheme lacks."""
-    return Knobs(**{name: getattr(knobs, name) for name in scheme.knobs})
+def _mapped(posed: _Posed, adapter: Adapter, scheme: Scheme, ask: Ask, found: Found) -> Run | None:
+    """As `settled`, for a point of a map: what is refused for a long step alone is run."""
+    study, own = posed.trial.study, put_in(posed.trial.study)
+    assert isinstance(study, Grid)
+    run, why = settled(adapter, scheme, ask, found), study.too_long(ask.knobs, scheme.pace)
+    if why and run is None:
+        return Run(Status.TOO_LONG, why)
+    if run is None or run.status is not Status.REFUSED or no_steps(ask) is not None:
+        return run
+    row = [k for k in (project_knobs(k, scheme, own) for k in posed.rungs) if k.kn == ask.knobs.kn]
+    shorter = [k for k in row if (k.dt or 0.0) < (ask.knobs.dt or 0.0)]
+    taken = (settled(adapter, scheme, posed.ask(k), found) for k in shorter)
+    return None if any(one is None for one in taken) else run
+
+
+def project_knobs(knobs: Knobs, scheme: Scheme, own: Collection[str] = ()) -> Knobs:
+    """The knobs without those the scheme lacks, but for those that are put into the scene."""
+    return Knobs(**{name: getattr(knobs, name) for name in {*scheme.knobs, *own}})

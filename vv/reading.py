@@ -9,7 +9,7 @@ from vv.ask import Status
 
 Record = Mapping[str, Any]
 STATUSES = {status.name.lower().replace("_", "-"): status for status in Status}
-UNTRIED = (Status.REFUSED, Status.NOT_INSTALLED)
+UNTRIED = (Status.REFUSED, Status.NOT_INSTALLED, Status.TOO_LONG)
 
 
 def label(record: Record) -> str:
@@ -41,6 +41,11 @@ def ran(record: Record) -> bool:
 def tried(record: Record) -> bool:
     """Whether the code took the job on: it is here, and did not refuse."""
     return status_of(record) not in UNTRIED
+
+
+def too_long(record: Record) -> bool:
+    """Whether a job was left out for the steps it would have taken."""
+    return status_of(record) is Status.TOO_LONG
 
 
 def error_of(entry: Mapping[str, Any]) -> float | None:

@@ -95,7 +95,7 @@ def _compared(
             text = "has no baseline yet"
             yield Finding("regression", "new", text, **about, rung=rung(record), bit=bit)
         return
-    if status in (Status.REFUSED, Status.NOT_RUN):
+    if status in (Status.REFUSED, Status.NOT_RUN, Status.TOO_LONG):
         text = f"has a baseline, but now: {status.value}: {record['reason']}"
         yield Finding(
             "regression", "gone", text, **about, rung=rung(record), bit=Bit.ACCURACY,

@@ -9,7 +9,7 @@ from dataclasses import asdict, dataclass
 from typing import Any
 
 from vv.gate import blew_up
-from vv.reading import fineness, label, tried
+from vv.reading import fineness, label, too_long, tried
 
 WRONG = 1.0  # relative error as large as the answer: no answer any more
 Json = Mapping[str, Any]
@@ -154,8 +154,11 @@ def _in_words(
     critical: Mapping[float | None, float],
 ) -> str:
     best = min(taken, key=_error)
-    blown, refused = sum(map(blew_up, lost)), len(pile) - len(taken)
-    parts = [f"of {len(pile)} points {refused} refused" if refused else f"of {len(pile)} points"]
+    blown = sum(map(blew_up, lost))
+    long = sum(map(too_long, pile))
+    untried = {"refused": len(pile) - len(taken) - long, "too long to run": long}
+    out = " and ".join(f"{count} {why}" for why, count in untried.items() if count)
+    parts = [f"of {len(pile)} points {out}".rstrip()]
     ratios = list(_ratios(lost, critical))
     least = f", from {min(ratios):.3g} critical steps on" if ratios else ""
     diverged = f", {blown} of them diverged" if blown else ""

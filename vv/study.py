@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import enum
+import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 
@@ -98,8 +99,11 @@ OUTPUTS = 20  # of a run of a search, over which what it reaches is taken
 class Grid:
     """One scene at steps in units of its critical step, and at several stiffnesses: a map.
 
-    What diverges is data here. steps: level -> dt over `critical` of the stiffness [s]; kn: level
-    -> stiffnesses [N/m] that stand in for rigid contact, None for a scene that has its own.
+    What diverges is data here, and a step that a code refuses while it takes shorter ones is run
+    all the same. steps: level -> dt over `critical` of the stiffness [s]; kn: level -> stiffnesses
+    [N/m] that stand in for rigid contact, None for a scene that has its own. own: the scene at
+    a stiffness of its own, for which no scheme needs a knob. patience: CPU seconds for a point, by
+    the pace that its scheme states; one that would take longer is left out, and says so.
     """
 
     scene: Scene
@@ -108,6 +112,8 @@ class Grid:
     steps: Mapping[Level, tuple[float, ...]]
     critical: Callable[[float | None], float]
     kn: Mapping[Level, tuple[float | None, ...]] = field(default_factory=lambda: OWN_STIFFNESS)
+    own: Callable[[float], Scene] | None = None
+    patience: float = math.inf
     timed: tuple[Knobs, ...] = ()
 
     def __post_init__(self) -> None:
@@ -129,7 +135,23 @@ class Grid:
 
     def ask(self, knobs: Knobs) -> Ask:
         """The question put at one point of the map."""
-        return Ask(self.scene, self.goal, self.observables, knobs)
+        scene = self.own(knobs.kn) if self.own and knobs.kn else self.scene
+        return Ask(scene, self.goal, self.observables, knobs)
+
+    def too_long(self, knobs: Knobs, pace: float) -> str | None:
+        """Why a scheme of that pace [s a step] is not put to a point; None if it is."""
+        steps = 0 if knobs.dt is None else self.goal.steps(knobs.dt)
+        if steps * pace <= self.patience:
+            return None
+        return (
+            f"not run: {steps:.2g} steps of some {pace:g} s each; a point of the map is given "
+            f"{self.patience:g} s, {self.patience / pace:.2g} steps"
+        )
+
+
+def put_in(study: Ladder | Search | Grid) -> tuple[str, ...]:
+    """The names of the knobs that a study puts into its scene, whatever knobs a scheme has."""
+    return ("kn",) if isinstance(study, Grid) and study.own else ()
 
 
 OWN_STIFFNESS: Mapping[Level, tuple[float | None, ...]] = dict.fromkeys(Level, (None,))

@@ -57,6 +57,7 @@ SCHEMES = (
             Term.CONTACT_VISCOSITY: Method.FIRST_ORDER,
         },
         why_not=LASTING,
+        pace=3e-5,
     ),
     Scheme(
         HALF_STEP,
@@ -64,6 +65,7 @@ SCHEMES = (
         Method.SECOND_ORDER,
         TERMS,
         why_not=LASTING,
+        pace=3e-5,
     ),
     Scheme(
         CLUMP,
@@ -71,6 +73,7 @@ SCHEMES = (
         Method.PENALTY,
         ON_CORNERS,
         KNOBS,
+        pace=5e-5,
     ),
     Scheme(
         OVERLAPPED,
@@ -79,6 +82,7 @@ SCHEMES = (
         Method.PENALTY,
         ON_BONDS,
         why_not=NO_STRENGTH,
+        pace=3e-5,
     ),
 )
 

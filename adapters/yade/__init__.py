@@ -64,6 +64,7 @@ SCHEMES = (
             Term.CONTACT_VISCOSITY: Method.FIRST_ORDER,
         },
         observables=OBSERVABLES,
+        pace=3e-6,
     ),
     Scheme(
         HALF_STEP,
@@ -71,6 +72,7 @@ SCHEMES = (
         Method.SECOND_ORDER,
         TERMS,
         observables=OBSERVABLES,
+        pace=3e-6,
     ),
     Scheme(
         CLUMP,
@@ -78,6 +80,7 @@ SCHEMES = (
         Method.PENALTY,
         ONE_BLOCK,
         KNOBS,
+        pace=5e-6,
     ),
     Scheme(
         POLYHEDRA,
@@ -85,6 +88,7 @@ SCHEMES = (
         Method.PENALTY,
         ONE_BLOCK,
         KNOBS,
+        pace=1e-4,
     ),
 )
 

@@ -1,4 +1,4 @@
-"""A sphere thrown against a wall whose contact is a spring and a dashpot that never pull."""
+"""A sphere thrown against a wall, or another, on a spring and a dashpot that never pull."""
 
 from __future__ import annotations
 
@@ -25,8 +25,8 @@ from vv.scene import Contact, Scene, Spheres, Vector, Wall
 from vv.study import Ladder, Level
 
 RADIUS = 0.1  # m; does not enter the answer
-AT, SPEED = Displacement(1), Velocity(1)
-Z = np.array([0.0, 0.0, 1.0])
+Z, N = np.array([0.0, 0.0, 1.0]), np.array([2.0, -1.0, 2.0]) / 3
+RATIO = 3.0  # of the masses of two
 RATIOS = (0.0, 0.1, 0.3, 0.6, 0.9, 0.99)
 STEPS, LASTS = (0.02, 0.01, 0.005, 0.0025), 4.0  # steps and duration, times w
 SEEN = STEPS[-1]  # between outputs, times w
@@ -45,37 +45,61 @@ def _scene(p: Parameters) -> Scene:
     return Scene((Wall(np.zeros(3), Z), sphere), Contact(p["kn"], eta_n=viscous))
 
 
+def _pair(p: Parameters) -> Scene:
+    """Two free spheres touch head-on at t = 0, their centre of mass at rest: m is reduced."""
+    masses = p["m"] * np.array([1 + RATIO, 1 + 1 / RATIO])
+    spheres = Spheres(
+        position=np.array([0 * N, 2 * RADIUS * N]),
+        velocity=p["v"] * np.outer(p["m"] / masses * [1, -1], N),
+        radius=np.full(2, RADIUS),
+        mass=masses,
+        free=np.ones((2, 3), bool),
+    )
+    viscous = 2 * p["z"] * math.sqrt(p["kn"] * p["m"])
+    return Scene((spheres,), Contact(p["kn"], eta_n=viscous))
+
+
+def _apart(variant: str, kind: type[Displacement] | type[Velocity], run: Run) -> Vector:
+    """How much farther apart, or how fast, the bodies are (k,) along the normal."""
+    if variant.startswith("pair"):
+        return np.asarray((run.values[kind(1)] - run.values[kind(0)]) @ N)
+    return np.asarray(run.values[kind(1)] @ Z)
+
+
 def _declare(variant: str, p: Parameters) -> Trial:
     law = {name: p[name] for name in ("m", "kn", "z")}
     unit, lasting = math.sqrt(p["m"] / p["kn"]), dashpot.lasting(**law)
     judge = _judge(p["z"], unit)
+    away, speed = (functools.partial(_apart, variant, kind) for kind in (Displacement, Velocity))
     returned = Scalar(
         "restitution", "e", "", "speed after the contact over that before",
-        lambda run: float(run.values[SPEED][-1] @ Z) / p["v"], dashpot.restitution(p["z"]),
+        lambda run: float(speed(run)[-1]) / p["v"], dashpot.restitution(p["z"]),
         dashpot.restitution(p["z"]), judge,
     )  # fmt: skip
     lasted = Scalar(
         "lasting", "tc", "s", "how long the contact pushes, as the outputs show it",
-        _lasted, lasting, lasting, _in_outputs(unit),
+        lambda run: _lasted(run.times, speed(run)), lasting, lasting, _in_outputs(unit),
     )  # fmt: skip
     path = Series(
-        "overlap", "u", "m", "overlap with the wall, less than nothing once it is off",
-        lambda run: np.asarray(-(run.values[AT] @ Z)),
+        "overlap", "u", "m", "overlap, less than nothing once it is off",
+        lambda run: -away(run),
         functools.partial(dashpot.overlap, **law, v=p["v"]), judge,
     )  # fmt: skip
     levels = {
         level: tuple(Knobs(dt=step * unit) for step in steps) for level, steps in RUNGS.items()
     }
     goal = History(LASTS * unit, SEEN * unit)
-    return Trial(Ladder(_scene(p), goal, (AT, SPEED), levels), (path, returned, lasted))
+    pair = variant.startswith("pair")
+    scene, bodies = (_pair(p), (0, 1)) if pair else (_scene(p), (1,))
+    seen = tuple(kind(body) for kind in (Displacement, Velocity) for body in bodies)
+    return Trial(Ladder(scene, goal, seen, levels), (path, returned, lasted))
 
 
-def _lasted(run: Run) -> float:
+def _lasted(times: Vector, speed: Vector) -> float:
     """The middle of the last interval in which the speed still changed."""
-    speed: Vector = run.values[SPEED] @ Z
     changing = np.flatnonzero(np.abs(speed - speed[-1]) > STILL * np.abs(speed).max())
     last = changing[-1:]
-    return float(run.times[last[0] : last[0] + 2].mean()) if len(last) else math.nan
+    return float(times[last[0] : last[0] + 2].mean()) if len(last) else math.nan
 
 
 def _judge(z: float, unit: float) -> Exact:
@@ -127,17 +151,23 @@ CASE = Case(
         "is right at z = 0.99.",
     ),
     parameters=(
-        Parameter("m", 1.0, "kg", "mass"),
+        Parameter("m", 1.0, "kg", "mass, of two the reduced one"),
         Parameter("kn", 1e6, "N/m", "contact stiffness"),
         Parameter("z", 0.0, "", "damping over critical damping"),
-        Parameter("v", 0.01, "m/s", "speed towards the wall"),
+        Parameter("v", 0.01, "m/s", "speed towards the wall, or each other"),
     ),
-    variants=tuple(
+    variants=(
+        *(
+            Variant(
+                f"z-{z:g}", f"{z:g} of critical damping" if z else "without damping", FORMULA,
+                {"z": z}, level=Level.QUICK if z in (0.0, 0.6, 0.99) else Level.DEFAULT,
+            )
+            for z in RATIOS
+        ),
         Variant(
-            f"z-{z:g}", f"{z:g} of critical damping" if z else "without damping", FORMULA, {"z": z},
-            level=Level.QUICK if z in (0.0, 0.6, 0.99) else Level.DEFAULT,
-        )
-        for z in RATIOS
+            "pair-0.6", "two free spheres, mass ratio 3, head-on along no axis", FORMULA,
+            {"z": 0.6},
+        ),
     ),
     declare=_declare,
 )  # fmt: skip

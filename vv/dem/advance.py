@@ -68,22 +68,37 @@ def kick(
     kinetic = behind = ahead = 0.0
     for i in range(len(mass)):
         old, push = at(v, i), held(at(force, i), hold, i)
+        new = carried_on(old, push, mass[i], dt, eta, lag, carried, i)
         if eta is not None:
-            rate = eta * dt / mass[i]
-            share = 1.0 / (1.0 + (1.0 - lag) * rate)
-            kept = plus(NOWHERE, share * (1.0 - lag * rate), old)
-            if carried is not None:
-                kept = plus(kept, share * rate, at(carried, i))
-            new = plus(kept, share * dt / mass[i], push)
             drag = plus(plus(NOWHERE, eta * lag, old), eta * (1.0 - lag), new)
             behind += dot(drag, old)
             ahead += dot(drag, new)
-        else:
-            new = plus(old, dt / mass[i], push)
         put(before, i, old)
         put(v, i, new)
         kinetic += 0.5 * mass[i] * dot(old, new)
     return kinetic, behind, ahead
+
+
+@inlined
+def carried_on(
+    old: Triple,
+    push: Triple,
+    mass: float,
+    dt: float,
+    eta: float | None,
+    lag: float,
+    carried: Vector | None,
+    i: int,
+) -> Triple:
+    """The velocity of body i half a step after now, from that half a step before."""
+    if eta is None:
+        return plus(old, dt / mass, push)
+    rate = eta * dt / mass
+    share = 1.0 / (1.0 + (1.0 - lag) * rate)
+    kept = plus(NOWHERE, share * (1.0 - lag * rate), old)
+    if carried is not None:
+        kept = plus(kept, share * rate, at(carried, i))
+    return plus(kept, share * dt / mass, push)
 
 
 @inlined

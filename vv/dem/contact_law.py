@@ -28,6 +28,26 @@ def last_step(
 
 
 @inlined
+def apart(u: Vector, pairs: Pairs, p: int) -> tuple[float, Triple, float]:
+    """The overlap of pair p, its offset and the length of that [m], by displacements u [m]."""
+    rows, offset, gap, radius = pairs
+    start = at(offset, p)
+    moved = plus(at(u, rows[p, 1]), -1.0, at(u, rows[p, 0]))
+    d = plus(start, 1.0, moved)
+    length = math.sqrt(dot(d, d))
+    length_start = gap[p] + radius[p, 0] + radius[p, 1]
+    overlap = -gap[p] - dot(moved, plus(start, 1.0, d)) / (length_start + length)
+    return overlap, d, length
+
+
+@inlined
+def off_wall(u: Vector, walls: Walls, q: int) -> float:
+    """The overlap [m] of a sphere with a wall at rest."""
+    rows, facing, gap, _ = walls
+    return float(-gap[q] - dot(at(facing, q), at(u, rows[q])))
+
+
+@inlined
 def pair_forces(
     push: Vector,
     turn: Vector | None,
@@ -50,16 +70,11 @@ def pair_forces(
     [N/m] and mu. shear: (p, 3) force on the second sphere, kept from step to step. A gap is that
     at t = 0 and a change free of cancellation, so that it is as accurate as the displacements.
     """
-    rows, offset, gap, radius = pairs
+    rows, _, _, radius = pairs
     normal = sprung = lost = 0.0
     for p in range(len(rows)):
         i, j = rows[p, 0], rows[p, 1]
-        start = at(offset, p)
-        moved = plus(at(u, j), -1.0, at(u, i))
-        d = plus(start, 1.0, moved)
-        length = math.sqrt(dot(d, d))
-        length_start = gap[p] + radius[p, 0] + radius[p, 1]
-        overlap = -gap[p] - dot(moved, plus(start, 1.0, d)) / (length_start + length)
+        overlap, d, length = apart(u, pairs, p)
         if overlap <= 0.0:
             if friction is not None:
                 put(shear, p, NOWHERE)
@@ -124,12 +139,12 @@ def wall_forces(  # noqa: PLR0915 - one algorithm, a branch per term
     hold their motion, and the forces (q, 3) on the spheres, kept from step to step. All else is
     as in `pair_forces`. Energies: normal, shear, lost by friction, work of the walls.
     """
-    rows, facing, gap, radius = walls
+    rows, facing, _, radius = walls
     normal = sprung = lost = work = 0.0
     for q in range(len(rows)):
         i = rows[q]
         n = at(facing, q)
-        overlap = -gap[q] - dot(n, at(u, i))
+        overlap = off_wall(u, walls, q)
         if moving is not None:
             ground, acting = moving
             overlap += dot(n, at(u, ground[q]))

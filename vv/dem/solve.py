@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from vv.ask import Ask, Ledger, Model, Reaction, Run, Status
+from vv.dem.bonded import MANY
 from vv.dem.leapfrog import CENTRED, Leapfrog
 from vv.dem.limits import BLOW_UP, GAIN
 from vv.dem.line import Line, line
@@ -18,7 +19,7 @@ from vv.dem.safe import PACKED
 from vv.dem.space import Space, SpaceState, space
 from vv.dem.stability import critical_step
 from vv.energy import Form
-from vv.scene import LOCKED, Scene, Vector
+from vv.scene import LOCKED, Scene, Term, Vector
 from vv.stand_in import Stood, sprung
 from vv.stand_in import why_not as why_not_rigid
 
@@ -190,7 +191,7 @@ def refuses(ask: Ask) -> str | None:
         _spins_where_locked(scene)
         or _coincident(scene)
         or _unknown_reaction(ask, scene)
-        or _viscous_in_space(ask, scene)
+        or _viscous_among_many(scene)
     )
 
 
@@ -204,7 +205,7 @@ def unstable(ask: Ask, leapfrog: Leapfrog) -> str | None:
     if dt is None or dt <= limit:
         return None
     late = ask.scene.eta + ask.scene.contact.eta_n > 0 and leapfrog.lag > 0.5
-    rule = "2 (sqrt(n^2 + w^2) - n)/w^2, n = (eta + eta_n)/2m" if late else "2/w"
+    rule = "2 (sqrt(n^2 + w^2) - n)/w^2, n = eta/2m + eta_n/kn w^2/2" if late else "2/w"
     return (
         f"dt = {dt:.6g} s is beyond the largest stable step {limit:.6g} s = {rule}, w the highest "
         f"frequency of its contacts; {PACKED * limit:.3g} s is safe however like spheres touch"
@@ -249,9 +250,14 @@ def _coincident(scene: Scene) -> str | None:
     return None
 
 
-def _viscous_in_space(ask: Ask, scene: Scene) -> str | None:
-    if scene.contact.eta_n > 0 and not isinstance(prepare(ask, CENTRED).system, Line):
-        return "viscous contact is modelled for one unknown, one sphere on one partner"
+def _viscous_among_many(scene: Scene) -> str | None:
+    """Dashpots are found where all pairs are listed, and act between velocities of one time."""
+    if not scene.contact.eta_n > 0:
+        return None
+    if Term.BASE_MOTION in scene.terms():
+        return "viscous contact is not modelled where a wall moves"
+    if line(scene) is None and space(scene).state.near is not None:
+        return f"viscous contact is modelled for less than {MANY} spheres, and beside no bonds"
     return None
 
 

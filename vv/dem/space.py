@@ -39,6 +39,7 @@ class SpaceState(NamedTuple):
     kn: float
     friction: tuple[float, float] | None
     eta: float | None
+    eta_n: float | None
     charged: Vector | None
     shaking: Drive | None
     base: Base | None
@@ -122,6 +123,7 @@ def space(scene: Scene, charged: Vector | None = None) -> Space:
     walls = _walls(scene, moves, row)
     touches = pairs is not None or close is not None
     rubs = Term.FRICTION in scene.terms() and (touches or walls is not None)
+    viscous = contact.eta_n > 0 and (touches or walls is not None)
     turns = Term.ROTATION in scene.terms() and (rubs or bonds.ks is not None)
     load = spheres.load[moves]
     base = None if walls is None else _base(scene)
@@ -142,6 +144,7 @@ def space(scene: Scene, charged: Vector | None = None) -> Space:
         kn=contact.kn,
         friction=(contact.ks, contact.mu) if rubs else None,
         eta=scene.eta if scene.eta > 0 else None,
+        eta_n=contact.eta_n if viscous else None,
         charged=charged[moves] if charged is not None and charged.any() and rubs else None,
         shaking=_shaking(scene.shaking),
         base=base,
@@ -159,6 +162,7 @@ def space(scene: Scene, charged: Vector | None = None) -> Space:
         Term.FRICTION: not rubs,
         Term.ROTATION: not turns,
         Term.BASE_MOTION: base is None,
+        Term.CONTACT_VISCOSITY: not viscous,
     }
     terms = frozenset(term for term in scene.terms() if not left_out.get(term, False))
     count = len(state.velocity)

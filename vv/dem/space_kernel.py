@@ -12,6 +12,7 @@ from vv.dem.bond_blocks import WIDE, Blocks
 from vv.dem.bond_law import Frail, Springs
 from vv.dem.bond_pull import parted, shares
 from vv.dem.contact_law import Pairs, Walls
+from vv.dem.dashpots import dashpots, meet, shove, slow
 from vv.dem.driven import Base, carry
 from vv.dem.limits import BLOW_UP, GAIN
 from vv.dem.neighbours import Near, gathered, no_slots, strayed
@@ -42,6 +43,7 @@ def move_in_space(  # noqa: PLR0912, PLR0915 - a branch per term, decided by the
     kn: float,
     friction: tuple[float, float] | None,
     eta: float | None,
+    eta_n: float | None,
     charged: Vector | None,
     shaking: Drive | None,
     base: Base | None,
@@ -68,16 +70,17 @@ def move_in_space(  # noqa: PLR0912, PLR0915 - a branch per term, decided by the
     velocity that spheres keep along their locks. Bonds: see `pull`; threads: not None
     if several share them. near: what pairs are gathered
     from as spheres stray (vv.dem.neighbours), where `pairs` is None. An absent term is None.
-    The drag acts on lag v- + (1 - lag) v+: 1/2 the midpoint, 1 the previous mean velocity.
+    Drag, and the contacts' eta_n [N s/m], where walls rest and pairs are listed, act on
+    lag v- + (1 - lag) v+: 1/2 the midpoint, 1 the previous mean velocity.
     back: how many dt before t = 0 the velocity is first placed.
 
     Every `stride` steps a row is written: path (k, b, 12): displacement, mean of v- and v+ and
     of w- and w+ of the watched rows, and the force of their locks; the last two only where there
     are spin and hold. energy (k, 7) [J]: m v- v+/2 and I w- w+/2, normal springs, shear springs,
-    lost by friction, lost by drag, work of gravity, of the loads; (k, 9) where shaking or base
-    is there: of shaking, of the walls; (k, 12) where carried or frail is: of what carries, and
-    lost with the normal and the shear springs of bonds that broke. Stops before a later row in
-    which energy was created (vv.dem.limits).
+    lost by friction, by drag and viscous contacts, work of gravity, of the loads; (k, 9) where
+    shaking or base is there: of shaking, of the walls; (k, 12) where carried or frail is: of what
+    carries, and lost with the normal and the shear springs of bonds that broke. Stops before a
+    later row in which energy was created (vv.dem.limits).
     """
     m = len(mass)
     rows = m + 1
@@ -119,6 +122,9 @@ def move_in_space(  # noqa: PLR0912, PLR0915 - a branch per term, decided by the
         since = rest(m)
         slots = gathered(near, u, broken, slots, many)
     slipped = dragged = done = turning = shook = moved = borne = power = 0.0
+    if eta_n is not None:
+        met, new = dashpots(pairs, walls, m), rest(m + 1)
+        v[:m] = velocity
     normal, sprung, _, _, breaking = forces(
         push, turn, u, v, before, w, spun, dt, mass, gravity, load,
         pairs, pair_shear, walls, wall_shear, kn, friction, shaking, shaken, moving,
@@ -130,13 +136,21 @@ def move_in_space(  # noqa: PLR0912, PLR0915 - a branch per term, decided by the
             push, turn, u, v, w, dt, springs, bond_ks, table, frail, state, slots, many, torn
         )
         normal, sprung = normal + a, sprung + b
+    if eta_n is not None:
+        meet(met, u, pairs, walls, kn, eta_n)
+        slow(met, push, v, new, mass, hold, 0.0, eta, lag, carried)
     if carried is not None:
         power = upheld(push, carried, eta)
     if base is not None:
         carry(u, v, before, m + 1, base, -dt, dt)
         carry(u, v, before, m + 1, base, 0.0, dt)
     put_in = normal + sprung + place(v, velocity, push, mass, hold, back * dt, eta, carried)
+    if eta_n is not None:
+        shove(met, push, -1.0)
+        _, dashed = slow(met, push, v, new, mass, hold, dt, eta, lag, carried)
     kinetic, _, ahead = kick(v, before, push, mass, hold, dt, eta, lag, carried)
+    if eta_n is not None:
+        ahead += dashed
     if spin is not None:
         put_in += place(w, spin, turn, inertia, hold_spin, back * dt, None, None)
         turning, _, _ = kick(w, spun, turn, inertia, hold_spin, dt, None, lag, None)
@@ -182,6 +196,9 @@ def move_in_space(  # noqa: PLR0912, PLR0915 - a branch per term, decided by the
                     torn,
                 )
                 normal, sprung = normal + a, sprung + b
+            if eta_n is not None:
+                meet(met, u, pairs, walls, kn, eta_n)
+                slowed, dashed = slow(met, push, v, new, mass, hold, dt, eta, lag, carried)
             if carried is not None:
                 borne += 0.5 * dt * power
                 power = upheld(push, carried, eta)
@@ -191,6 +208,9 @@ def move_in_space(  # noqa: PLR0912, PLR0915 - a branch per term, decided by the
             dragged += ahead
             kinetic, behind, ahead = kick(v, before, push, mass, hold, dt, eta, lag, carried)
             dragged += behind
+            if eta_n is not None:
+                dragged += slowed
+                ahead += dashed
             if spin is not None:
                 turning, _, _ = kick(w, spun, turn, inertia, hold_spin, dt, None, lag, None)
 

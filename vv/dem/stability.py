@@ -36,11 +36,13 @@ def critical_step(scene: Scene, leapfrog: Leapfrog) -> float:
     """The step [s] beyond which a closed contact makes the leapfrog unstable; inf if none can.
 
     Without drag, or with drag at the midpoint, 2/w; with lagged drag 2 (sqrt(n^2 + w^2) - n)/w^2,
-    n = (eta + eta_n)/2m. w is the highest frequency of the bonds and of the contacts closed at
-    t = 0 taken together, or of any one contact that may close, if that is higher; m the least mass.
+    n = eta/2m + eta_n/kn w^2/2: viscous contacts are as stiff as they are viscous. w is the highest
+    frequency of the bonds and of the contacts closed at t = 0 taken together, or of any one contact
+    that may close, if that is higher; m the least mass.
     """
     mass, square = _stiffest(scene)
-    n = (scene.eta + scene.contact.eta_n) / (2.0 * mass) * (2.0 * leapfrog.lag - 1.0)
+    slowed = scene.eta / mass + scene.contact.eta_n / scene.contact.kn * square
+    n = 0.5 * slowed * (2.0 * leapfrog.lag - 1.0)
     if square > 0.0:
         # the same as 2 (sqrt(n^2 + w^2) - n)/w^2, free of cancellation
         return 2.0 / (math.sqrt(n * n + square) + n)
