@@ -74,21 +74,6 @@ def relever(
     return worst
 
 
-@called
-def afresh(
-    p: Vector, acted: Vector, joints: Joints, middle: Joints, turn: Vector,
-    bodies: Bodies, v: Vector, w: Vector,
-) -> None:  # fmt: skip
-    """Add to v, w what the impulses do: those of `acted` halfway, the rest of p at the end.
-
-    So velocities have no part of the rounding of what was tried before. A first guess may be
-    thousands of times too large: a force times the step, of a contact that closed in a short one.
-    """
-    for c in range(len(p)):
-        load_on(middle, c, bodies, v, w, turned_back(turn, c, at(acted, c)))
-        load_on(joints, c, bodies, v, w, plus(at(p, c), -1.0, at(acted, c)))
-
-
 @inlined
 def apart(v0: Triple, v1: Triple, w0: Triple, w1: Triple, arm: Triple) -> float:
     """How far apart two motions are at an arm [m/s]."""

@@ -11,7 +11,7 @@ from vv.blocks.cone import Friction
 from vv.blocks.contacts import Contacts, detect, empty_contacts, matched
 from vv.blocks.converge import converged
 from vv.blocks.geometry import Index
-from vv.blocks.levers import afresh, halfway, relever
+from vv.blocks.levers import halfway, relever
 from vv.blocks.limits import NEARLY
 from vv.blocks.placement import place_rigid
 from vv.blocks.rigid_bends import bent
@@ -137,7 +137,7 @@ def solved(
     v_old: Vector, w_old: Vector, v: Vector, w: Vector, known: Mask,
 ) -> Trial:  # fmt: skip
     """Solve the contacts of a step, friction following the slip that it decides."""
-    count, acted, v_free, w_free = len(p), np.zeros_like(p), v.copy(), w.copy()
+    count, acted = len(p), np.zeros_like(p)
     for c in range(count):
         load_on(joints, c, bodies, v, w, at(p, c))
     relever(p, acted, joints, middle, turn, bodies, v, w)
@@ -164,8 +164,6 @@ def solved(
         sweeps += more
         if more == 0:
             break
-    afresh(p, acted, joints, middle, turn, bodies, v_free, w_free)
     return Trial(
-        joints, middle, turn, bodies, friction, key, p, acted, gap, v_free, w_free, begun, ended,
-        sweeps, left,
-    )  # fmt: skip
+        joints, middle, turn, bodies, friction, key, p, acted, gap, v, w, begun, ended, sweeps, left
+    )
