@@ -34,7 +34,10 @@ BY_EVENTS = (  # the kernels of `exact`, which compiles none
     "bonds", "clock", "flow", "ledger", "modes", "path", "roots", "slide", "slide_ledger",
     "slide_path", "slider", "system",
 )  # fmt: skip
-QUICKEST = (
+HANGS = "hangs"
+SPHERES, BLOCKS = ("single-contact",), ("responding-block:1d", "wedge:xi-1", "painleve")
+SHORTEST = {"exact": SPHERES, "dem": SPHERES, "rigid": BLOCKS, "dda": BLOCKS}
+QUICK = (
     "single-contact",
     "incline:newmark-35",
     "incline:two-directions",
@@ -42,12 +45,7 @@ QUICKEST = (
     "responding-block:3d",
     "bounce:again",
 )
-# First the short cases, where kernels need no compiling; then, for what survives that, all.
-HANGS = "hangs"
-STAGES: tuple[tuple[tuple[str, ...], dict[str, str]], ...] = (
-    (QUICKEST, {"NUMBA_DISABLE_JIT": "1"}),
-    ((), {}),
-)
+UNCOMPILED = {"NUMBA_DISABLE_JIT": "1"}
 SWAPS: dict[type, type] = {
     ast.Add: ast.Sub,
     ast.Sub: ast.Add,
@@ -78,8 +76,15 @@ def caught(bug: Bug, text: str) -> str:
             else:
                 shutil.copy(source, copy / name)
         (copy / bug.file).write_text(text)
-        seen = (_gate(copy, bug.code, number, *stage) for number, stage in enumerate(STAGES))
+        seen = (_gate(copy, bug.code, number, *s) for number, s in enumerate(_stages(bug.code)))
         return next(filter(None, seen), "")
+
+
+def _stages(code: str) -> Iterator[tuple[tuple[str, ...], dict[str, str]]]:
+    """The shortest cases first, whose kernels need no compiling; for what survives them, all."""
+    yield SHORTEST.get(code, QUICK), UNCOMPILED
+    yield QUICK, UNCOMPILED
+    yield (), {}
 
 
 def _gate(

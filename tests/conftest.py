@@ -39,11 +39,15 @@ class Tiny:
         subprocess.run(["git", *identity, *words], cwd=self.root, check=True, capture_output=True)
 
     def edit(self, file: str, old: str, new: str) -> None:
-        """Replace a text in a file of the project; it must be there."""
+        """Replace a text in a file of the project; it must be there.
+
+        Python tells compiled from newer sources by size and seconds: an edit ages by some.
+        """
         path = self.root / file
-        text = path.read_text()
+        text, then = path.read_text(), path.stat().st_mtime
         assert old in text
         path.write_text(text.replace(old, new))
+        os.utime(path, (then + 2, then + 2))
 
 
 def tiny_project(root: Path) -> Tiny:

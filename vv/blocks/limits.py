@@ -71,6 +71,10 @@ CLOSE = 4e-9
 CUTS = 1e-9
 """Part of a step that is no step: slip that ends as it begins is taken to have ended."""
 
+BRIEF = 0.1
+"""Part of a step: an impulse that acted for less is no force to guess the next one from. As a force
+times the step it may be 1e4 times too large, and rounding of that would be lost from momentum."""
+
 STILL = 1e-8
 """m/s2: a slip slower than this acceleration makes it in a step has no direction."""
 

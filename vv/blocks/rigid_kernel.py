@@ -8,7 +8,7 @@ from vv.blocks.assembly import relative
 from vv.blocks.cone import keep, push_out
 from vv.blocks.contacts import empty_contacts
 from vv.blocks.geometry import Index
-from vv.blocks.limits import BLOW, CLOSE, CUTS, NEARLY, PUSHES, SMALL, SPLITS
+from vv.blocks.limits import BLOW, BRIEF, CLOSE, CUTS, NEARLY, PUSHES, SMALL, SPLITS
 from vv.blocks.rigid_energy import DRIVEN, SHOVED, book, kinetic
 from vv.blocks.rigid_events import (
     ends_after,
@@ -143,7 +143,8 @@ def move_rigid(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its 
                 book(account, setting, state, trial, now, span)
                 move(setting, state, trial, span)
                 deepest = separate(account, setting, state, trial, before, now, span)
-                past = remembered(trial, dt / CUTS if blow else span, least)  # no force lasts
+                lasting = dt / CUTS if blow else max(span, BRIEF * dt)  # of a blow nothing lasts
+                past = remembered(trial, lasting, least)
                 press(pressed, trial, span, n)
                 report[row, 0] = max(report[row, 0], trial.residual)
                 report[row, 1] = max(report[row, 1], trial.sweeps)
