@@ -7,7 +7,9 @@ from pathlib import Path
 import pytest
 
 from tests.conftest import Tiny
+from vv.ask import Status
 from vv.finding import Bit
+from vv.standing import lasts
 
 SELECTION = ("run", "fall:up", "--codes", "fake/good")
 SAYS = "nothing has changed since"
@@ -193,3 +195,20 @@ def test_a_timing_session_with_gaps_does_not_stand_and_names_them(tiny: Tiny) ->
     tiny.edit("adapters/fake.py", "if repeat and ask.knobs.dt == 0.05:", whole)
     stands(tiny, *words)
     assert stands(tiny, *words)
+
+
+@pytest.mark.parametrize(
+    ("study", "status", "lasting"),
+    [
+        ("grid", Status.DIVERGED, True),
+        ("ladder", Status.DIVERGED, False),
+        ("ladder", Status.RAN, True),
+        ("grid", Status.TOO_LONG, True),
+        ("grid", Status.TIMEOUT, False),
+        ("ladder", Status.ERROR, False),
+    ],
+)
+def test_only_what_no_second_try_would_change_lets_an_invocation_stand(
+    study: str, status: Status, lasting: bool
+) -> None:
+    assert lasts({"study": study, "status": status.value.replace(" ", "-")}) is lasting

@@ -24,7 +24,7 @@ from vv.provenance import machine
 from vv.reading import status_of
 from vv.store import Store
 
-LASTING = {Status.RAN, Status.REFUSED}
+LASTING = {Status.RAN, Status.REFUSED, Status.TOO_LONG}
 SEEN = (
     "PATH",
     "PYTHON",
@@ -69,11 +69,16 @@ def remember(store: Store, identity: str, manifest: dict[str, Any], report: Path
 
     A timing session with gaps may: what it failed to time is timed again.
     """
-    statuses = set(map(status_of, manifest["records"]))
-    if statuses <= LASTING and not manifest["untimed"]:
+    if all(map(lasts, manifest["records"])) and not manifest["untimed"]:
         store.keep_answer(
             _key(store, identity), {"manifest": manifest["name"], "report": _state(report)}
         )
+
+
+def lasts(record: dict[str, Any]) -> bool:
+    """Whether a job is not run again as long as nothing changes; in a map blow-ups are results."""
+    status = status_of(record)
+    return status in LASTING or (status is Status.DIVERGED and record["study"] == "grid")
 
 
 def recall(store: Store, identity: str) -> dict[str, Any] | None:
