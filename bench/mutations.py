@@ -3,15 +3,16 @@
 `python -m bench.mutations` runs all; `--seeded` the plausible bugs only; `--each N` sets how many
 mechanical mutants a kernel gets; `--files PATTERN` which kernels. A bug is caught if the gate is
 red for an answer that is wrong, gains energy, crashes or hangs; hangs are counted apart. The bar
-is that the gate catches every seeded bug, and is green for every code without one.
+is that the gate catches every seeded bug, and is green for every code without one. A whole run
+takes hours: what the gate said is kept, and not asked again of the same sources.
 """
 
 import argparse
-import ast
 import concurrent.futures
+import functools
+import hashlib
+import json
 import os
-import random
-import re
 import shutil
 import subprocess
 import sys
@@ -21,19 +22,14 @@ from fnmatch import fnmatch
 from pathlib import Path
 
 from bench.evidence import conclude
+from bench.mutants import ROOT, mechanical
 from bench.seeded_bugs import BUGS, Bug
-from vv.closure import closure
+from vv.closure import closure, source_digest
 from vv.finding import Bit
 from vv.keys import roots
 from vv.project import find
 
-ROOT = Path(__file__).resolve().parents[1]
 CONTENT = ("vv", "adapters", "cases", "reference_solutions", "reports", "pyproject.toml")
-COMPILED = re.compile(r"^@(?:compiled|called|inlined)\b", re.MULTILINE)
-BY_EVENTS = (  # the kernels of `exact`, which compiles none
-    "bonds", "clock", "flow", "ledger", "modes", "path", "roots", "slide", "slide_ledger",
-    "slide_path", "slider", "system",
-)  # fmt: skip
 HANGS = "hangs"
 SPHERES, BLOCKS = ("single-contact",), ("responding-block:1d", "wedge:xi-1", "painleve")
 SHORTEST = {"exact": SPHERES, "dem": SPHERES, "rigid": BLOCKS, "dda": BLOCKS}
@@ -46,23 +42,8 @@ QUICK = (
     "bounce:again",
 )
 UNCOMPILED = {"NUMBA_DISABLE_JIT": "1"}
-SWAPS: dict[type, type] = {
-    ast.Add: ast.Sub,
-    ast.Sub: ast.Add,
-    ast.Mult: ast.Div,
-    ast.Div: ast.Mult,
-    ast.Lt: ast.GtE,
-    ast.LtE: ast.Gt,
-    ast.Gt: ast.LtE,
-    ast.GtE: ast.Lt,
-    ast.And: ast.Or,
-    ast.Or: ast.And,
-    ast.USub: ast.UAdd,
-}  # fmt: skip
-SYMBOLS = {
-    ast.Add: "+", ast.Sub: "-", ast.Mult: "*", ast.Div: "/", ast.Lt: "<", ast.LtE: "<=",
-    ast.Gt: ">", ast.GtE: ">=", ast.And: "and", ast.Or: "or", ast.USub: "-", ast.UAdd: "+",
-}  # fmt: skip
+HASTILY = {"NUMBA_OPT": "1"}  # compiles in two thirds of the time; the solves are short
+KEPT = ROOT / ".vv" / "mutants.jsonl"  # what the gate said, a mutant a line
 
 
 def caught(bug: Bug, text: str) -> str:
@@ -72,7 +53,7 @@ def caught(bug: Bug, text: str) -> str:
         for name in CONTENT:
             source = ROOT / name
             if source.is_dir():
-                shutil.copytree(source, copy / name, ignore=shutil.ignore_patterns("__pycache__"))
+                shutil.copytree(source, copy / name)
             else:
                 shutil.copy(source, copy / name)
         (copy / bug.file).write_text(text)
@@ -84,7 +65,7 @@ def _stages(code: str) -> Iterator[tuple[tuple[str, ...], dict[str, str]]]:
     """The shortest cases first, whose kernels need no compiling; for what survives them, all."""
     yield SHORTEST.get(code, QUICK), UNCOMPILED
     yield QUICK, UNCOMPILED
-    yield (), {}
+    yield (), HASTILY
 
 
 def _gate(
@@ -96,8 +77,8 @@ def _gate(
     env = {**os.environ, "PYTHONPATH": str(copy), "VV_DATA": data, **settings}
     try:
         done = subprocess.run(
-            [sys.executable, "-m", "vv", *words, "--timeout", "60"],
-            cwd=copy, env=env, capture_output=True, check=False, timeout=300,
+            [sys.executable, "-m", "vv", *words, "--timeout", "120"],
+            cwd=copy, env=env, capture_output=True, check=False, timeout=600,
         )  # fmt: skip
     except subprocess.TimeoutExpired:
         return HANGS
@@ -115,70 +96,37 @@ def seeded() -> Iterator[tuple[Bug, str]]:
         yield bug, text.replace(bug.old, bug.new, 1)
 
 
-def kernels() -> dict[str, str]:
-    """File -> code: all that is compiled, with the first code that it is part of."""
-    project = find(ROOT)
-    found = {f"vv/exact/{name}.py": "exact" for name in BY_EVENTS}
-    for code in ("dem", "rigid", "dda"):
-        for path in closure(project.adapter_files(code), roots(project)):
-            if path.suffix == ".py" and COMPILED.search(path.read_text()):
-                found.setdefault(path.relative_to(ROOT).as_posix(), code)
-    return found
-
-
-def mechanical(each: int) -> Iterator[tuple[Bug, str]]:
-    """Operators turned and constants moved, a fixed random choice of `each` in every kernel."""
-    for file, code in kernels().items():
-        tree = ast.parse((ROOT / file).read_text())
-        sites = [node for node in ast.walk(tree) if _turnable(node)]
-        for node in random.Random(file).sample(sites, min(each, len(sites))):
-            yield _turned(tree, node, file, code)
-
-
-def _turnable(node: ast.AST) -> bool:
-    if isinstance(node, ast.Constant):
-        return isinstance(node.value, float) and node.value != 0.0
-    if isinstance(node, ast.Compare):
-        return type(node.ops[0]) in SWAPS
-    return isinstance(node, ast.BinOp | ast.BoolOp | ast.UnaryOp) and type(node.op) in SWAPS
-
-
-def _turned(tree: ast.Module, node: ast.AST, file: str, code: str) -> tuple[Bug, str]:
-    """The file's text with one node changed; the tree is left as it was."""
-    where = f"{file}:{getattr(node, 'lineno', 0)}:{getattr(node, 'col_offset', 0)}"
-    if isinstance(node, ast.Constant):
-        value = node.value
-        assert isinstance(value, float)
-        node.value = 1.1 * value
-        text, what = ast.unparse(tree), f"{where} {value} -> {node.value}"
-        node.value = value
-    elif isinstance(node, ast.Compare):
-        kept = node.ops[0]
-        node.ops[0] = SWAPS[type(kept)]()
-        text, what = ast.unparse(tree), f"{where} {_arrow(kept, node.ops[0])}"
-        node.ops[0] = kept
-    else:
-        assert isinstance(node, ast.BinOp | ast.BoolOp | ast.UnaryOp)
-        old = node.op
-        node.op = SWAPS[type(old)]()
-        text, what = ast.unparse(tree), f"{where} {_arrow(old, node.op)}"
-        node.op = old
-    return Bug(what, file, code, "", ""), text
-
-
-def _arrow(old: ast.AST, new: ast.AST) -> str:
-    return f"{SYMBOLS[type(old)]} -> {SYMBOLS[type(new)]}"
-
-
 def answers(mutants: list[tuple[Bug, str]]) -> dict[str, str]:
-    """What the gate says of each mutant, two at a time."""
-    told = {}
+    """What the gate says of each mutant, as many at a time as there are cores."""
+    told, kept = {}, _kept()
+    names = [_name(*mutant) for mutant in mutants]
     with concurrent.futures.ThreadPoolExecutor(len(os.sched_getaffinity(0))) as pool:
-        every = pool.map(lambda mutant: caught(*mutant), mutants)
-        for (bug, _), answer in zip(mutants, every, strict=True):
+        asked = (kept.get(name) for name in names)
+        every = pool.map(lambda a, mutant: caught(*mutant) if a is None else a, asked, mutants)
+        for name, (bug, _), answer in zip(names, mutants, every, strict=True):
             print(f"{answer or 'SURVIVES':<9} {bug.code:<9} {bug.what}", flush=True)
             told[bug.what] = answer
+            if name not in kept:
+                with KEPT.open("a") as file:
+                    file.write(json.dumps([name, bug.what, answer]) + "\n")
     return told
+
+
+def _kept() -> dict[str, str]:
+    """Mutant's name -> what the gate said of it before."""
+    lines = KEPT.read_text().splitlines() if KEPT.is_file() else []
+    return {name: answer for name, _, answer in map(json.loads, lines)}
+
+
+def _name(bug: Bug, text: str) -> str:
+    """Digest of a mutant and of all that its code comes from."""
+    return hashlib.sha256(f"{_sources(bug.code)}{bug.file}{text}".encode()).hexdigest()
+
+
+@functools.cache
+def _sources(code: str) -> str:
+    project = find(ROOT)
+    return source_digest(closure(project.adapter_files(code), roots(project)))
 
 
 def unharmed() -> list[tuple[Bug, str]]:

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import ast
 
-from bench.mutations import COMPILED, ROOT, kernels, mechanical, seeded
+from bench.mutants import COMPILED, ROOT, kernels, mechanical
+from bench.mutations import seeded
 
 
 def test_every_file_that_compiles_a_kernel_has_mutants_in_a_code_that_it_is_part_of() -> None:
