@@ -7,9 +7,10 @@ from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 
 from vv import dem
-from vv.adapter import Found, Scheme, part_of_vv
+from vv.adapter import Found, Scheme
 from vv.ask import Ask, Displacement, Method, Model, Reaction, Run, Velocity
 from vv.energy import Form
+from vv.in_house import part_of_vv
 from vv.scene import Term
 from vv.script import python_script
 from vv.timing import run_timed

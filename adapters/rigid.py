@@ -6,9 +6,10 @@ import functools
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
-from vv.adapter import Found, Scheme, part_of_vv
+from vv.adapter import Found, Scheme
 from vv.ask import Ask, Method, Model, Run
 from vv.blocks import rigid
+from vv.in_house import part_of_vv
 from vv.scene import Term
 from vv.script import python_script
 from vv.timing import run_timed

@@ -61,15 +61,23 @@ def caught(bug: Bug, text: str) -> str:
         return next(filter(None, seen), "")
 
 
-def _stages(code: str) -> Iterator[tuple[tuple[str, ...], dict[str, str]]]:
-    """The shortest cases first, whose kernels need no compiling; for what survives them, all."""
-    yield SHORTEST.get(code, QUICK), UNCOMPILED
-    yield QUICK, UNCOMPILED
-    yield (), HASTILY
+def _stages(code: str) -> Iterator[tuple[tuple[str, ...], dict[str, str], float]]:
+    """The shortest cases first, whose kernels need no compiling; for what survives them, all.
+
+    With each the seconds after which it hangs: many times what it takes without a bug.
+    """
+    yield SHORTEST.get(code, QUICK), UNCOMPILED, 60.0
+    yield QUICK, UNCOMPILED, 120.0
+    yield (), HASTILY, 600.0
 
 
 def _gate(
-    copy: Path, code: str, number: int, selection: tuple[str, ...], settings: dict[str, str]
+    copy: Path,
+    code: str,
+    number: int,
+    selection: tuple[str, ...],
+    settings: dict[str, str],
+    limit: float,
 ) -> str:
     """What the gate says of the copy at a stage; a stage does not see what one before it kept."""
     words = ["gate", *selection, "--codes", code, "--level", "quick", "--require", code]
@@ -77,8 +85,8 @@ def _gate(
     env = {**os.environ, "PYTHONPATH": str(copy), "VV_DATA": data, **settings}
     try:
         done = subprocess.run(
-            [sys.executable, "-m", "vv", *words, "--timeout", "120"],
-            cwd=copy, env=env, capture_output=True, check=False, timeout=600,
+            [sys.executable, "-m", "vv", *words, "--timeout", str(limit / 4)],
+            cwd=copy, env=env, capture_output=True, check=False, timeout=limit,
         )  # fmt: skip
     except subprocess.TimeoutExpired:
         return HANGS

@@ -15,7 +15,9 @@ COSTS = {"vv.rungs", "vv.effort", "vv.reach"}
 STAND_INS = {"vv.soften", "vv.stand_in", "vv.clump", "vv.transform"}  # scenes made from scenes
 KERNELS = {"vv.compiled", "vv.drive", "vv.triples"} | STAND_INS  # what engines share
 DECLARED = CORE | {"vv.transform", "vv.study", "vv.judges", "vv.case", "vv.quantities"}
-ASKED = CORE | STAND_INS | {"vv.adapter", "vv.timing", "vv.script", "vv.external", "vv"}
+ASKED = CORE | STAND_INS | {
+    "vv.adapter", "vv.in_house", "vv.timing", "vv.script", "vv.external", "vv",
+}  # fmt: skip
 HEAVY = {"scipy", "numba", "pandas", "matplotlib", "jinja2", "junitparser", "rich", "pint"}
 
 # layer: (its files, what it may import of ours, the heavy libraries it may import at the top)
@@ -39,7 +41,8 @@ LAYERS: dict[str, tuple[str, set[str], set[str]]] = {
     "judges": ("vv/judges.py", CORE, set()),
     "case": ("vv/case.py", CORE | {"vv.judges", "vv.study"}, set()),
     "quantities": ("vv/quantities.py", CORE | {"vv.case"}, set()),
-    "adapter": ("vv/adapter.py", CORE | {"vv"}, set()),
+    "adapter": ("vv/adapter.py", CORE, set()),
+    "in-house": ("vv/in_house.py", {"vv", "vv.adapter", "vv.compiled"}, set()),
     "search": ("vv/search.py", CORE | {"vv.adapter"}, set()),
     "finding": ("vv/finding.py", set(), set()),
     "reading": ("vv/reading.py", CORE, set()),
@@ -66,6 +69,7 @@ LAYERS: dict[str, tuple[str, set[str], set[str]]] = {
     "effort": ("vv/effort.py", CORE | JUDGED | {"vv.metrics", "vv.rungs"}, set()),
     "reach": ("vv/reach.py", {"vv.effort", "vv.rungs"}, set()),
     "speed": ("vv/speed.py", JUDGED | {"vv.baseline"}, set()),
+    "manifest": ("vv/manifest.py", set(), set()),
     "history": ("vv/history.py", JUDGED | {"vv.store"}, set()),
     "compare": (
         "vv/compare.py",

@@ -36,6 +36,43 @@ def test_every_kind_of_observable_can_be_kept() -> None:
     assert set(OBSERVABLES.values()) == set(typing.get_args(Observable))
 
 
+def test_a_past_run_can_be_read_in_part(tmp_path: Path) -> None:
+    store = Store(tmp_path)
+    records = [{"case": case, "number": n} for n, case in enumerate(("b", "b", "a"))]
+    kept = {"provenance": {"utc": "2026", "commit": "c"}, "cases": {}, "records": records}
+    store.keep_manifest("01", kept)
+    assert store.manifest("01") == kept
+    assert store.head("01") == (["b", "a"], kept["provenance"])
+    assert store.records_of("01", "b") == records[:2]
+    assert store.records_of("01", "c") == []
+
+
+def test_a_damaged_manifest_fails_where_it_is_damaged_only(tmp_path: Path) -> None:
+    store, path = Store(tmp_path), tmp_path / "manifests" / "01.json"
+    records = [{"case": "a", "number": 1}, {"case": "b", "number": 2}]
+    store.keep_manifest("01", {"provenance": {}, "records": records})
+    path.write_text(path.read_text().replace('"number": 1', '"number": 1 1'))
+    assert store.records_of("01", "b") == records[1:]
+    for read in (store.manifest, lambda name: store.records_of(name, "a")):
+        with pytest.raises(OSError, match="no whole manifest"):
+            read("01")
+    path.write_text('{"provenance": {}, "records": []}')
+    for read in (store.manifest, store.head):
+        with pytest.raises(OSError, match="no whole manifest"):
+            read("01")
+
+
+def test_what_all_workers_need_is_loaded_once(tiny: Tiny) -> None:
+    tiny.edit(
+        "adapters/fake.py",
+        'return Found(True, version="1.0")',
+        'return Found(True, version="1.0", load=lambda: print("loaded"))',
+    )
+    words = ("run", "fall:up", "--codes", "fake/good,fake/first-order")
+    assert tiny.vv(*words).stdout.count("loaded") == 1
+    assert "loaded" not in tiny.vv(*words).stdout
+
+
 def test_a_second_call_answers_from_the_store(tiny: Tiny) -> None:
     assert runs(tiny) == 3
     assert runs(tiny) == 0

@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-import importlib.util
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Protocol
 
 import numpy as np
 
-import vv
 from vv.ask import Ask, Displacement, Method, Model, Run, Status, Velocity
 from vv.energy import Form
 from vv.scene import Scene, Term
@@ -49,20 +47,18 @@ class Scheme:
 
 @dataclass(frozen=True)
 class Found:
-    """Whether a code can run here. files: what its results depend on besides our sources."""
+    """Whether a code can run here.
+
+    files: what its results depend on besides our sources. load: brings into memory what every
+    worker of it needs, once, before they are forked.
+    """
 
     installed: bool
     version: str = ""
     path: str = ""
     how_to_install: str = ""
     files: tuple[Path, ...] = ()
-
-
-def part_of_vv() -> Found:
-    """What there is to find of a code that is part of vv and compiled by numba."""
-    if importlib.util.find_spec("numba") is None:
-        return Found(False, how_to_install="pip install numba")
-    return Found(True, vv.__version__)
+    load: Callable[[], None] | None = None
 
 
 class Adapter(Protocol):

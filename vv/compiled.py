@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 import numba
+from numba.core.registry import cpu_target
 
 Kernel = TypeVar("Kernel", bound=Callable[..., object])
 HERE = Path(__file__).parent
@@ -54,6 +55,12 @@ def shared(function: Kernel) -> Kernel:
     """A function for kernels to call, whose numba.prange is shared out to threads."""
     part: Kernel = numba.njit(parallel=True, **HIDDEN, **ROUNDING)(function)
     return part
+
+
+def load() -> None:
+    """Load all of numba that the first call of any kernel loads, scipy's BLAS with it."""
+    cpu_target.typing_context.refresh()
+    cpu_target.target_context.refresh()
 
 
 def cache_folder(sources: Path) -> Path:

@@ -47,15 +47,16 @@ def history(store: Store, case: str) -> list[Point]:
 def histories(
     store: Store, cases: Iterable[str], at_hand: Mapping[str, Mapping[str, Any]]
 ) -> dict[str, list[Point]]:
-    """The history of each case; every manifest is read once at most, and none that is at hand.
+    """The history of each case, from its own records of past runs.
 
-    at_hand: manifests by their names.
+    at_hand: manifests by their names, which need not be read.
     """
     names, head = store.manifests()[::-1], functools.cache(store.head)
 
-    @functools.cache
-    def read(name: str) -> Mapping[str, Any]:
-        return at_hand.get(name) or store.manifest(name)
+    def read(name: str, case: str) -> list[Record]:
+        if name not in at_hand:
+            return list(store.records_of(name, case))
+        return [record for record in at_hand[name]["records"] if record["case"] == case]
 
     return {case: _points(_newest(case, names, head, read)[::-1]) for case in cases}
 
@@ -73,7 +74,7 @@ def _newest(
     case: str,
     names: Iterable[str],
     head: Callable[[str], tuple[list[str], Mapping[str, Any]]],
-    read: Callable[[str], Mapping[str, Any]],
+    read: Callable[[str, str], list[Record]],
 ) -> list[tuple[Mapping[str, Any], list[Record]]]:
     """(provenance, records of the case) of the newest run at each commit, newest first."""
     found: dict[tuple[str, bool], tuple[Mapping[str, Any], list[Record]]] = {}
@@ -83,10 +84,10 @@ def _newest(
             at = told["commit"], told["dirty"]
             if at in found or case not in held:
                 continue
-            records = read(name)["records"]
+            records = read(name, case)
         except OSError:
             continue  # damaged from outside: the others still tell
-        own = [r for r in records if r["case"] == case and not r["modified"]]
+        own = [r for r in records if not r["modified"]]
         if own:
             found[at] = told, own
         if len(found) == COMMITS:

@@ -140,6 +140,9 @@ def _records(
             yield number, _kept(plan, job, run, key, store)
         else:
             waiting[number] = job
+    loads = {plan.found[job.code].load for job in waiting.values()}
+    for load in filter(None, loads):
+        load()
     for number, run in run_batches(
         batches(waiting, plan, limits.workers), limits.workers, limits.timeout, store.scratch
     ):

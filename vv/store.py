@@ -16,13 +16,14 @@ import shutil
 import tempfile
 import time
 import zipfile
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, TextIO, TypeVar
 
 import numpy as np
 
+from vv import manifest
 from vv.ask import (
     Cost,
     Displacement,
@@ -39,7 +40,7 @@ from vv.energy import Form
 from vv.files import write
 from vv.scene import Term, Vector
 
-HEAD = 4096  # characters of a manifest that hold its cases and its provenance, as a rule
+Found = TypeVar("Found")
 STALE = 7 * 86400.0  # s that the logs of a failure are kept
 UNREADABLE = (OSError, ValueError, KeyError, EOFError, zipfile.BadZipFile)
 OBSERVABLES: Mapping[str, type[Displacement | Velocity | Reaction | Strain]] = {
@@ -100,11 +101,9 @@ class Store:
         """Whether there is a file of the arrays kept beside a record."""
         return self._path("records", key, "npz").is_file()
 
-    def keep_manifest(self, name: str, manifest: Mapping[str, Any]) -> None:
+    def keep_manifest(self, name: str, what: Mapping[str, Any]) -> None:
         """Store what one invocation did under a name that sorts by time."""
-        held = sorted({record["case"] for record in manifest["records"]})
-        text = json.dumps({"holds": held, **manifest}, allow_nan=False)
-        write(self.root / "manifests" / f"{name}.json", text.encode())
+        write(self._manifest(name), manifest.render(what).encode())
 
     def manifests(self) -> list[str]:
         """The names of past invocations, oldest first."""
@@ -112,30 +111,15 @@ class Store:
 
     def manifest(self, name: str) -> dict[str, Any]:
         """A past invocation; raises FileNotFoundError with the name, OSError if it is damaged."""
-        path = self.root / "manifests" / f"{name}.json"
-        if not path.is_file():
-            raise FileNotFoundError(f"no run '{name}' in {path.parent}")
-        try:
-            return dict(json.loads(path.read_text()))
-        except ValueError as error:
-            raise OSError(errno.EIO, f"no whole manifest: {error}", str(path)) from error
+        return self._of_manifest(name, lambda file: manifest.whole(file.read()))
 
     def head(self, name: str) -> tuple[list[str], dict[str, Any]]:
-        """The cases a past invocation holds, and its provenance, without reading its records.
+        """The cases a past invocation holds, and its provenance; raises as `manifest`."""
+        return self._of_manifest(name, manifest.head)
 
-        Raises OSError if it is damaged.
-        """
-        path = self.root / "manifests" / f"{name}.json"
-        with path.open(encoding="utf-8") as file:
-            head = file.read(HEAD)
-        try:
-            held, end = _after(head, 0, '{"holds": ')
-        except ValueError as error:
-            raise OSError(errno.EIO, f"no manifest: {error}", str(path)) from error
-        try:
-            return list(held), dict(_after(head, end, ', "provenance": ')[0])
-        except ValueError:  # a long command: it does not end within the head
-            return list(held), dict(self.manifest(name)["provenance"])
+    def records_of(self, name: str, case: str) -> list[dict[str, Any]]:
+        """The records of one case in a past invocation; raises as `manifest`."""
+        return self._of_manifest(name, lambda file: manifest.records(file, case))
 
     def timings(self, session: str) -> dict[str, Any] | None:
         """A timing session, by the digest of what it timed and where."""
@@ -177,6 +161,19 @@ class Store:
                 if time.time() - folder.stat().st_mtime > STALE:
                     shutil.rmtree(folder, ignore_errors=True)
 
+    def _manifest(self, name: str) -> Path:
+        return self.root / "manifests" / f"{name}.json"
+
+    def _of_manifest(self, name: str, read: Callable[[TextIO], Found]) -> Found:
+        path = self._manifest(name)
+        if not path.is_file():
+            raise FileNotFoundError(f"no run '{name}' in {path.parent}")
+        try:
+            with path.open(encoding="utf-8") as file:
+                return read(file)
+        except ValueError as error:
+            raise OSError(errno.EIO, f"no whole manifest: {error}", str(path)) from error
+
     def _json(self, layer: str, key: str) -> dict[str, Any] | None:
         try:
             return dict(json.loads(self._path(layer, key, "json").read_text()))
@@ -195,13 +192,6 @@ class Store:
 
     def _path(self, layer: str, key: str, suffix: str) -> Path:
         return self.root / layer / key[:2] / f"{key}.{suffix}"
-
-
-def _after(text: str, place: int, word: str) -> tuple[Any, int]:
-    """The JSON value that follows a word at that place, and where it ends; raises ValueError."""
-    if not text.startswith(word, place):
-        raise ValueError(f"no {word!r} at {place}")
-    return json.JSONDecoder().raw_decode(text, place + len(word))
 
 
 def _meta(run: Run, key: str) -> str:
