@@ -2,13 +2,10 @@
 
 `python -m bench.lattice_threads [SIZE...]` carries blocks whose bonds may break through the same
 steps with one thread and two, in turn, and compares the least wall times. It needs two free cores.
-OpenMP shares the chunks out once and for all; TBB leaves all to the first thread where the second
-is slow to wake.
 """
 
 import sys
 import time
-from typing import Any
 
 import numpy as np
 
@@ -52,10 +49,6 @@ def seconds(size: int) -> tuple[float, float, bool]:
 
 def main(*sizes: int) -> None:
     """Measure and judge."""
-    import numba
-
-    config: Any = numba.config
-    config.THREADING_LAYER = "omp"
     figures, bars = {}, {}
     for size in sizes or SIZES_ASKED:
         alone, shared, same = seconds(size)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable
 from typing import Any
 
@@ -15,6 +16,8 @@ from vv.dem.bond_sweep import sweep
 from vv.dem.neighbours import State
 from vv.dem.rows import Index
 from vv.scene import Vector
+
+SPINS = "3000000"
 
 
 @shared
@@ -47,9 +50,21 @@ def sweep_shared(
 
 def on_threads(threads: int, kernel: Callable[..., int], arguments: tuple[Any, ...]) -> int:
     """Call a kernel with so many threads to share; raises ValueError if numba may not have them."""
+    _have_them_spin()
     before = numba.get_num_threads()
     numba.set_num_threads(threads)
     try:
         return kernel(*arguments)
     finally:
         numba.set_num_threads(before)
+
+
+def _have_them_spin() -> None:
+    """Have threads wait awake for some milliseconds: to wake one costs as much as a step.
+
+    It is OpenMP's that can, and that share chunks out evenly. Both are read but once, when the
+    first kernel is shared in a process.
+    """
+    os.environ.setdefault("GOMP_SPINCOUNT", SPINS)
+    config: Any = numba.config
+    config.THREADING_LAYER_PRIORITY = ["omp", "tbb", "workqueue"]

@@ -79,18 +79,21 @@ class Program:
     def warm(self) -> None:
         """Load or compile the kernel for these arguments; no step is taken."""
         path, energy, *rest = self.arguments
-        self.system.kernel()(path[:1], energy[:1], *rest)
+        self._call(path[:1], energy[:1], *rest)
 
     def solve(self) -> int:
         """Run the kernel over all steps; returns how many rows of the outputs are good.
 
         Raises ValueError for more threads than numba may have.
         """
+        return self._call(*self.arguments)
+
+    def _call(self, *arguments: Any) -> int:
         if self.threads == 1:
-            return self.system.kernel()(*self.arguments)
+            return self.system.kernel()(*arguments)
         from vv.dem.bond_threads import on_threads
 
-        return on_threads(self.threads, self.system.kernel(), self.arguments)
+        return on_threads(self.threads, self.system.kernel(), arguments)
 
     def run(self, rows: int) -> Run:
         """The Run of a solve that returned `rows`; its cost is left empty."""
