@@ -48,12 +48,23 @@ def kernels() -> dict[str, str]:
 
 
 def mechanical(each: int) -> Iterator[tuple[Bug, str]]:
-    """Operators turned and constants moved, a fixed random choice of `each` in every kernel."""
-    for file, code in kernels().items():
-        tree = ast.parse((ROOT / file).read_text())
-        sites = [node for node in ast.walk(tree) if _turnable(node)]
-        for node in random.Random(file).sample(sites, min(each, len(sites))):
-            yield _turned(tree, node, file, code)
+    """Operators turned and constants moved, a fixed random choice of `each` in every kernel.
+
+    The first of every kernel comes before the second of any: a run that is cut tells of all.
+    """
+    found = kernels()
+    trees = {file: ast.parse((ROOT / file).read_text()) for file in found}
+    chosen = {file: _chosen(file, tree)[:each] for file, tree in trees.items()}
+    for turn in range(each):
+        for file, nodes in chosen.items():
+            if turn < len(nodes):
+                yield _turned(trees[file], nodes[turn], file, found[file])
+
+
+def _chosen(file: str, tree: ast.Module) -> list[ast.AST]:
+    """All that can be turned in a file, in a random order of its own."""
+    sites = [node for node in ast.walk(tree) if _turnable(node)]
+    return random.Random(file).sample(sites, len(sites))
 
 
 def _turnable(node: ast.AST) -> bool:

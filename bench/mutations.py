@@ -68,7 +68,7 @@ def _stages(code: str) -> Iterator[tuple[tuple[str, ...], dict[str, str], float]
     """
     yield SHORTEST.get(code, QUICK), UNCOMPILED, 60.0
     yield QUICK, UNCOMPILED, 120.0
-    yield (), HASTILY, 600.0
+    yield (), HASTILY, 120.0 if code == "exact" else 600.0
 
 
 def _gate(

@@ -57,7 +57,8 @@ def test_bad_input_gets_one_clear_line_and_exit_status_64(tiny: Tiny, words: str
 
 def test_an_empty_selection_at_the_level_is_refused(tiny: Tiny) -> None:
     done = tiny.vv("run", "fall:slow", "--level", "quick")
-    assert (done.returncode, done.stderr) == (64, "vv: the selection holds nothing at this level\n")
+    said = "vv: the selection holds nothing at level quick; --level default has some\n"
+    assert (done.returncode, done.stderr) == (64, said)
 
 
 def test_a_unit_is_converted(tiny: Tiny) -> None:

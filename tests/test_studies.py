@@ -59,9 +59,17 @@ def test_a_point_of_a_map_that_takes_too_long_is_left_out_and_says_so(tiny: Tiny
     assert (code, asked) == (0, 1)
     short, long = sorted(told["records"], key=lambda r: -r["rung"]["dt"])
     assert (short["status"], long["status"]) == ("ran", "too-long")
-    assert long["reason"] == (
-        "not run: 20 steps of some 0.01 s each; a point of the map is given 0.15 s, 15 steps"
-    )
+    assert long["reason"] == ("not run: 20 steps of some 0.01 s each; it is given 0.15 s, 15 steps")
+
+
+def test_a_rung_that_takes_too_long_is_left_out_and_the_others_are_judged(tiny: Tiny) -> None:
+    posed(tiny, f"{LADDER[:-1]}, patience=0.25)")
+    tiny.edit("adapters/fake.py", "ORDER, GRAVITY)", "ORDER, GRAVITY, pace=0.01)")
+    code, told, _ = ran(tiny, "fake/good", "--level", "default")
+    steps = {round(1.0 / r["rung"]["dt"]): r["status"] for r in told["records"]}
+    assert code == 0
+    assert {n: status == "too-long" for n, status in steps.items()} == {n: n > 25 for n in steps}
+    assert set(steps.values()) == {"ran", "too-long"}
 
 
 @pytest.mark.parametrize(("refused", "asked"), [("> 0.06", 2), ("> 0.01", 0), ("< 0.06", 1)])

@@ -22,7 +22,7 @@ class Scheme:
     `lowered` names the terms in whose presence it is declared to be of another class.
     observables: the kinds it can report; energies: the forms it can report over time. why_not: in
     the code's own words, why it lacks a term; raises ValueError for one that it has. pace: CPU
-    seconds that a step takes, about, of one body on a wall; 0 where no map has to leave out points.
+    seconds that a step of a body takes, about; 0 where no case has to leave out rungs.
     """
 
     name: str

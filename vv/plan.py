@@ -15,7 +15,7 @@ from vv.case import Case, Count, Quantity, Series, Trial, number, size_of
 from vv.project import Project
 from vv.selection import choose_schemes, named_adapters, select
 from vv.settings import UsageError, with_settings
-from vv.study import Grid, Level, put_in
+from vv.study import Grid, Level, put_in, too_long
 
 
 @dataclass(frozen=True)
@@ -88,10 +88,19 @@ def make_plan(project: Project, selection: Sequence[str], options: Options) -> P
         for job in _jobs(one, adapter, scheme, found[adapter.name])
     ]
     if not jobs:
-        raise UsageError("the selection holds nothing at this level")
+        raise UsageError(_no_jobs(chosen, options.level))
     cases = {one.case.name: one.case for one in posed}
     trials = {(one.case.name, one.variant): one.trial for one in posed}
     return Plan(tuple(jobs), cases, trials, adapters, found)
+
+
+def _no_jobs(chosen: Sequence[tuple[Case, str]], level: Level) -> str:
+    """Why a selection comes to nothing."""
+    later = [case.variant(variant).level for case, variant in chosen]
+    if not later:
+        return "the selection holds nothing"
+    first = min(later, key=lambda one: one.rank)
+    return f"the selection holds nothing at level {level.value}; --level {first.value} has some"
 
 
 def restricted(plan: Plan, keep: Callable[[Job], bool]) -> Plan:
@@ -175,8 +184,7 @@ def _jobs(posed: _Posed, adapter: Adapter, scheme: Scheme, found: Found) -> list
     terms = posed.trial.study.scene.terms()
     own = put_in(posed.trial.study)
     timed = {project_knobs(knobs, scheme, own) for knobs in posed.trial.study.timed}
-    mapped = isinstance(posed.trial.study, Grid)
-    settle = functools.partial(_mapped, posed) if mapped else settled
+    settle = _mapped if isinstance(posed.trial.study, Grid) else _settled
     return [
         Job(
             case=posed.case.name,
@@ -188,19 +196,22 @@ def _jobs(posed: _Posed, adapter: Adapter, scheme: Scheme, found: Found) -> list
             method=scheme.method_for(terms),
             ask=posed.ask(knobs),
             timed=knobs in timed,
-            settle=functools.partial(settle, adapter, scheme, posed.ask(knobs), found),
+            settle=functools.partial(settle, posed, adapter, scheme, posed.ask(knobs), found),
         )
         for knobs in dict.fromkeys(project_knobs(knobs, scheme, own) for knobs in posed.rungs)
     ]
 
 
+def _settled(posed: _Posed, adapter: Adapter, scheme: Scheme, ask: Ask, found: Found) -> Run | None:
+    """What is known of a rung beforehand: `settled`, or that it would take too long."""
+    run = settled(adapter, scheme, ask, found)
+    why = too_long(posed.trial.study, ask.knobs, scheme.pace)
+    return Run(Status.TOO_LONG, why) if why and run is None else run
+
+
 def _mapped(posed: _Posed, adapter: Adapter, scheme: Scheme, ask: Ask, found: Found) -> Run | None:
-    """As `settled`, for a point of a map: what is refused for a long step alone is run."""
-    study, own = posed.trial.study, put_in(posed.trial.study)
-    assert isinstance(study, Grid)
-    run, why = settled(adapter, scheme, ask, found), study.too_long(ask.knobs, scheme.pace)
-    if why and run is None:
-        return Run(Status.TOO_LONG, why)
+    """As `_settled`, for a point of a map: what is refused for a long step alone is run."""
+    run, own = _settled(posed, adapter, scheme, ask, found), put_in(posed.trial.study)
     if run is None or run.status is not Status.REFUSED or no_steps(ask) is not None:
         return run
     row = [k for k in (project_knobs(k, scheme, own) for k in posed.rungs) if k.kn == ask.knobs.kn]

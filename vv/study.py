@@ -35,7 +35,8 @@ class Ladder:
     """One scene at rungs of finer and finer knobs, each judged against a reference.
 
     rungs: level -> knobs, coarsest first. timed: the rungs that the timing phase measures.
-    energies: forms of energy of the scene that are wanted over time.
+    energies: forms of energy of the scene that are wanted over time. patience: CPU seconds for a
+    rung, by the pace that a scheme states; one that would take longer is left out, and says so.
     """
 
     scene: Scene
@@ -44,6 +45,7 @@ class Ladder:
     rungs: Mapping[Level, tuple[Knobs, ...]]
     timed: tuple[Knobs, ...] = ()
     energies: tuple[Form, ...] = ()
+    patience: float = math.inf
 
     def __post_init__(self) -> None:
         missing = [level.value for level in Level if not self.rungs.get(level)]
@@ -102,8 +104,7 @@ class Grid:
     What diverges is data here, and a step that a code refuses while it takes shorter ones is run
     all the same. steps: level -> dt over `critical` of the stiffness [s]; kn: level -> stiffnesses
     [N/m] that stand in for rigid contact, None for a scene that has its own. own: the scene at
-    a stiffness of its own, for which no scheme needs a knob. patience: CPU seconds for a point, by
-    the pace that its scheme states; one that would take longer is left out, and says so.
+    a stiffness of its own, for which no scheme needs a knob. patience: as in Ladder.
     """
 
     scene: Scene
@@ -138,15 +139,19 @@ class Grid:
         scene = self.own(knobs.kn) if self.own and knobs.kn else self.scene
         return Ask(scene, self.goal, self.observables, knobs)
 
-    def too_long(self, knobs: Knobs, pace: float) -> str | None:
-        """Why a scheme of that pace [s a step] is not put to a point; None if it is."""
-        steps = 0 if knobs.dt is None else self.goal.steps(knobs.dt)
-        if steps * pace <= self.patience:
-            return None
-        return (
-            f"not run: {steps:.2g} steps of some {pace:g} s each; a point of the map is given "
-            f"{self.patience:g} s, {self.patience / pace:.2g} steps"
-        )
+
+def too_long(study: Ladder | Search | Grid, knobs: Knobs, pace: float) -> str | None:
+    """Why a scheme of that pace [s a step of a body] is not put to a rung; None if it is."""
+    if isinstance(study, Search) or knobs.dt is None:
+        return None
+    steps = study.goal.steps(knobs.dt)
+    each = pace * (len(study.scene.spheres) + len(study.scene.blocks))
+    if steps * each <= study.patience:
+        return None
+    return (
+        f"not run: {steps:.2g} steps of some {each:g} s each; it is given {study.patience:g} s, "
+        f"{study.patience / each:.2g} steps"
+    )
 
 
 def put_in(study: Ladder | Search | Grid) -> tuple[str, ...]:
