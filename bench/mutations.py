@@ -41,6 +41,11 @@ QUICK = (
     "responding-block:3d",
     "bounce:again",
 )
+LONGER = {  # what else a code runs in less time uncompiled than all its kernels take to compile
+    "dem": ("dashpot", "stable-bonds", "tetrahedral-path"),
+    "rigid": ("at-yield", "implicit-swing", "standing"),
+    "dda": ("at-yield", "implicit-swing", "shaken-fast"),
+}
 UNCOMPILED = {"NUMBA_DISABLE_JIT": "1"}
 HASTILY = {"NUMBA_OPT": "1"}  # compiles in two thirds of the time; the solves are short
 KEPT = ROOT / ".vv" / "mutants.jsonl"  # what the gate said, a mutant a line
@@ -68,6 +73,8 @@ def _stages(code: str) -> Iterator[tuple[tuple[str, ...], dict[str, str], float]
     """
     yield SHORTEST.get(code, QUICK), UNCOMPILED, 60.0
     yield QUICK, UNCOMPILED, 120.0
+    if code in LONGER:
+        yield LONGER[code], UNCOMPILED, 240.0
     yield (), HASTILY, 120.0 if code == "exact" else 600.0
 
 
