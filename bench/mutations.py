@@ -11,7 +11,6 @@ import argparse
 import concurrent.futures
 import functools
 import hashlib
-import json
 import os
 import shutil
 import subprocess
@@ -24,10 +23,9 @@ from pathlib import Path
 from bench.evidence import conclude
 from bench.mutants import ROOT, mechanical
 from bench.seeded_bugs import BUGS, Bug
-from vv.closure import closure, source_digest
+from vv.closure import source_digest
+from vv.files import write
 from vv.finding import Bit
-from vv.keys import roots
-from vv.project import find
 
 CONTENT = ("vv", "adapters", "cases", "reference_solutions", "reports", "pyproject.toml")
 HANGS = "hangs"
@@ -48,7 +46,7 @@ LONGER = {  # what else a code runs in less time uncompiled than all its kernels
 }
 UNCOMPILED = {"NUMBA_DISABLE_JIT": "1"}
 HASTILY = {"NUMBA_OPT": "1"}  # compiles in two thirds of the time; the solves are short
-KEPT = ROOT / ".vv" / "mutants.jsonl"  # what the gate said, a mutant a line
+KEPT = ROOT / ".vv" / "mutants"  # what the gate said, a mutant a file
 
 
 def caught(bug: Bug, text: str) -> str:
@@ -71,7 +69,8 @@ def _stages(code: str) -> Iterator[tuple[tuple[str, ...], dict[str, str], float]
 
     With each the seconds after which it hangs: many times what it takes without a bug.
     """
-    yield SHORTEST.get(code, QUICK), UNCOMPILED, 60.0
+    if code in SHORTEST:
+        yield SHORTEST[code], UNCOMPILED, 60.0
     yield QUICK, UNCOMPILED, 120.0
     if code in LONGER:
         yield LONGER[code], UNCOMPILED, 240.0
@@ -113,35 +112,32 @@ def seeded() -> Iterator[tuple[Bug, str]]:
 
 def answers(mutants: list[tuple[Bug, str]]) -> dict[str, str]:
     """What the gate says of each mutant, as many at a time as there are cores."""
-    told, kept = {}, _kept()
-    names = [_name(*mutant) for mutant in mutants]
     with concurrent.futures.ThreadPoolExecutor(len(os.sched_getaffinity(0))) as pool:
-        asked = (kept.get(name) for name in names)
-        every = pool.map(lambda a, mutant: caught(*mutant) if a is None else a, asked, mutants)
-        for name, (bug, _), answer in zip(names, mutants, every, strict=True):
+        told = {}
+        for (bug, _), answer in zip(mutants, pool.map(_asked_once, mutants), strict=True):
             print(f"{answer or 'SURVIVES':<9} {bug.code:<9} {bug.what}", flush=True)
             told[bug.what] = answer
-            if name not in kept:
-                with KEPT.open("a") as file:
-                    file.write(json.dumps([name, bug.what, answer]) + "\n")
     return told
 
 
-def _kept() -> dict[str, str]:
-    """Mutant's name -> what the gate said of it before."""
-    lines = KEPT.read_text().splitlines() if KEPT.is_file() else []
-    return {name: answer for name, _, answer in map(json.loads, lines)}
-
-
-def _name(bug: Bug, text: str) -> str:
-    """Digest of a mutant and of all that its code comes from."""
-    return hashlib.sha256(f"{_sources(bug.code)}{bug.file}{text}".encode()).hexdigest()
+def _asked_once(mutant: tuple[Bug, str]) -> str:
+    """What the gate says of a mutant, now or before; a hang may be a busy machine's fault."""
+    bug, text = mutant
+    kept = KEPT / hashlib.sha256(f"{_sources()}{bug.file}{text}".encode()).hexdigest()
+    if kept.is_file():
+        return kept.read_text()
+    answer = caught(bug, text)
+    if answer != HANGS:
+        write(kept, answer.encode())
+    return answer
 
 
 @functools.cache
-def _sources(code: str) -> str:
-    project = find(ROOT)
-    return source_digest(closure(project.adapter_files(code), roots(project)))
+def _sources() -> str:
+    """Digest of all that a verdict hangs on, and of how the gate is asked."""
+    parts = [path for name in CONTENT for path in (ROOT / name, *(ROOT / name).rglob("*"))]
+    kept = [path for path in parts if path.is_file() and path.suffix != ".pyc"]
+    return source_digest([*kept, Path(__file__)])
 
 
 def unharmed() -> list[tuple[Bug, str]]:
@@ -161,8 +157,9 @@ def main() -> None:
     parser.add_argument("--files", default="*", help="kernels to mutate, such as 'vv/dem/*'")
     options = parser.parse_args()
     figures: dict[str, object] = {}
-    control, plausible = answers(unharmed()), answers(list(seeded()))
-    escaped = [what for what, answer in plausible.items() if not answer]
+    control = {bug.what: caught(bug, text) for bug, text in unharmed()}
+    plausible = answers(list(seeded()))
+    escaped = [what for what, answer in plausible.items() if answer in ("", HANGS)]
     red = [what for what, answer in control.items() if answer]
     figures |= {"seeded": len(plausible), "seeded, not caught": escaped, "red without a bug": red}
     if not options.seeded:

@@ -21,6 +21,7 @@ ADVANCE = "vv/dem/advance.py"
 TRANSLATE = "adapters/yade/translate.py"
 ENGINES = "adapters/yade/inside/engines.py"
 DECK = "adapters/liggghts/deck.py"
+DASHPOTS = "vv/dem/dashpots.py"
 
 BUGS = (
     Bug("sign of the shear spring", LINE, "dem", "shear - ks * dt", "shear + ks * dt"),
@@ -30,6 +31,8 @@ BUGS = (
     Bug("contact pulls", LINE, "dem", "load += kn * max(overlap, 0.0)\n                if was", "load += kn * overlap\n                if was"),
     Bug("drag dropped", LINE, "dem", "decay = (1.0 - lag * rate)", "decay = (1.0 + 0.0 * rate)"),
     Bug("drag lags in the default scheme", LINE, "dem", "rate = eta * dt / mass", "rate = eta * dt / mass; lag = 1.0"),
+    Bug("dashpots booked twice", DASHPOTS, "dem", "return behind, ahead", "return 2.0 * behind, 2.0 * ahead"),
+    Bug("dashpots pull", DASHPOTS, "dem", "max(by, -kept[k, SPRING] - kept[k, FORCE])", "by + 0.0"),
     Bug("friction's work not booked", LINE, "dem", "slipped += (trial", "slipped += 0.0 * (trial"),
     Bug("drag's work not booked", LINE, "dem", "dragged += ahead + drag * before", "dragged += 0.0"),
     Bug("position moved by the old velocity", LINE, "dem", "q += dt * after", "q += dt * before"),

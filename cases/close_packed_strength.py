@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import functools
-import math
 from collections.abc import Callable
 from typing import NamedTuple
 
@@ -12,7 +11,7 @@ import numpy as np
 from cases._papers import LIU_2017
 from cases._quartzite import BRITTLE
 from cases._specimens import block_of, on_springs, on_tops, specimen, yielding
-from cases.tetrahedral_strength import balance, unhurried
+from cases.tetrahedral_strength import booked, unhurried
 from reference_solutions import lattice_material
 from reference_solutions.close_packed_lattice import Lattice, static
 from reference_solutions.lattice_material import Element
@@ -65,10 +64,19 @@ def _declare(variant: str, p: Parameters) -> Trial:
     duration = abs(expected.far / p["rate"])
     goal = History(duration, duration / OUTPUTS)
     watched: tuple[Observable, ...] = tuple(what for top in tops for what in top)
-    closed = CASCADE if soft else next(most for n, most in CLOSED if len(block.position) <= n)
-    quantities = (*_strength(expected, whole), _hurry(expected, seen), balance(closed))
-    rungs = dict.fromkeys(Level, RUNGS[:1]) if len(block.position) > LARGE else LEVELS
+    quantities = (*_strength(expected, whole), _hurry(expected, seen), _balance(way, int(size)))
+    rungs = dict.fromkeys(Level, RUNGS[:1]) if int(size) > LARGE else LEVELS
     return Trial(Ladder(scene, goal, watched, rungs, patience=PATIENCE), quantities)
+
+
+def _balance(way: str, size: int) -> Scalar:
+    """The more bonds part at once, the more is left, in blocks that slide more than in others."""
+    if size > LARGE:
+        return booked(1e-3, dt=COARSEST)
+    if way == "yielding":
+        return booked(1e-5)
+    few = size <= {"pulled": 580, "pressed": 82}[way]
+    return booked(3e-6 if few else 5e-5)
 
 
 def _pulled(block: Lattice, p: Parameters) -> Expected:
@@ -133,8 +141,6 @@ def _hurry(expected: Expected, seen: Callable[[int, Run], float]) -> Scalar:
 
 BEYOND = 1.1  # of the strain at failure
 LARGE = 2166  # elements, beyond which one step is all that is run
-CLOSED = ((255, 3e-6), (LARGE, 5e-5), (math.inf, 2e-4))  # the more bonds part, the more is left
-CASCADE = 1e-5  # as in close-packed-energy, while bonds slide on and on
 PUBLISHED = {
     "T_u": "the paper's mean over its blocks is -8.89 %",
     "C_u": "the paper's mean over its blocks is -18.51 %, which rigid smooth platens do not give",
@@ -147,8 +153,9 @@ SLIDES = f"the answer takes bonds to open at the unit's strain; {APART_BY}a rate
 CLASSES = (Method.SECOND_ORDER, Method.FIRST_ORDER)
 FIRST: Judge = Exact(dict.fromkeys(CLASSES, Tolerance(2e-3, OPENS)))
 AT_ONCE: Judge = Exact(dict.fromkeys(CLASSES, Tolerance(2e-3, SLIDES)))
-RUNGS = tuple(Knobs(dt=8e-8 / 2**i) for i in range(4))
-PATIENCE = 250.0  # s for a rung, of the 300 that a job has unless it is told otherwise
+COARSEST = 8e-8  # s
+RUNGS = tuple(Knobs(dt=COARSEST / 2**i) for i in range(4))
+PATIENCE = 200.0  # s for a rung, of the 300 on a busy machine that a job has by default
 LEVELS = {Level.QUICK: RUNGS[:2], Level.DEFAULT: RUNGS[:2], Level.PAPER: RUNGS}
 
 OPENING = "the most stretched bond of the linear lattice has the stretch xb"

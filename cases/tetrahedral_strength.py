@@ -8,6 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from cases._books import balance
 from cases._papers import LIU_2017
 from cases._quartzite import BRITTLE
 from cases.tetrahedral_unit import CORNERS, EDGES
@@ -148,19 +149,12 @@ def _strength(
     )  # fmt: skip
 
 
-def balance(bound: float, slack: str = "") -> Scalar:
-    """How far the ledger is from closing; bound: what is allowed at a step of 1e-8 s."""
-
-    def open_by(run: Run) -> float:
-        return run.ledger.unaccounted / run.ledger.peak if run.ledger else float("nan")
-
-    def kept(run: Run) -> bool:
-        return run.ledger is not None
-
+def booked(bound: float, slack: str = "", dt: float = 1e-8) -> Scalar:
+    """How far the ledger is from closing; bound: what is allowed at a step dt [s]."""
     orders = {Method.SECOND_ORDER: 2, Method.FIRST_ORDER: 1}
-    within = {m: Tolerance(bound, BOOKED, dt=1e-8, order=n, slack=slack) for m, n in orders.items()}
-    what = "energy that no term explains, over the largest held"
-    return Scalar("balance", "|E - W|/W", "", what, open_by, 0.0, 1.0, Exact(within), told=kept)
+    return balance(
+        {m: Tolerance(bound, BOOKED, dt=dt, order=n, slack=slack) for m, n in orders.items()}
+    )
 
 
 def _declare(variant: str, p: Parameters) -> Trial:
@@ -186,7 +180,7 @@ def _declare(variant: str, p: Parameters) -> Trial:
     units = [len(CORNERS) * k for k in range(len(RATES))]
     moved = [Displacement(k + i) for k in units for i in range(3)]
     watched: tuple[Observable, ...] = (*(Reaction(k) for k in units), *moved)
-    return Trial(Ladder(_scene(p), goal, watched, LEVELS), (*strengths, balance(2e-7, FEW)))
+    return Trial(Ladder(_scene(p), goal, watched, LEVELS), (*strengths, booked(2e-7, FEW)))
 
 
 OWN = {

@@ -37,7 +37,7 @@ WORST_FIRST = (
     Outcome("not run", "·", "not run", "odd", "planned, but it never ran"),
     Outcome("xfail", "≈", "known disagreement", "known", "fails inside the band on record"),
     Outcome("refused", "⊘", "refused", "idle", "the code cannot do this honestly, and says so"),
-    Outcome("too long", "…", "too long", "idle", "a point of a map that would take too many steps"),
+    Outcome("too long", "…", "too long", "idle", "left out: it would take the code too many steps"),
     Outcome("not installed", "○", "not installed", "idle", "the code was not found"),
     Outcome("blow-up", "✸", "blow-up", "shown", "diverged in a map, which shows where codes do"),
     Outcome("no-reference", "◇", "no reference", "shown", "shown, with nothing to judge it by"),

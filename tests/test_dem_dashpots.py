@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import os
 from collections.abc import Callable
 from math import sqrt
@@ -160,6 +161,19 @@ def test_late_dashpots_lower_the_largest_stable_step_by_the_stiffness_of_the_who
     assert dem.critical_step(two(-1e-3), dem.CENTRED) == pytest.approx(2 / W, rel=1e-12)
     due = 2 * (sqrt(n * n + W * W) - n) / W**2
     assert dem.critical_step(two(-1e-3), dem.LAGGED) == pytest.approx(due, rel=1e-12)
+
+
+@pytest.mark.parametrize("z", [2.0, 5.0])
+def test_a_step_in_half_of_which_a_dashpot_stops_what_approaches_is_the_longest(z: float) -> None:
+    """Beyond, the start of a closed contact made energy: -1 became 1.6 at z = 5, w dt = 0.5."""
+    scene = two(-1e-3)
+    law = Contact(KN, eta_n=2 * z * sqrt(KN * REDUCED))
+    stiff = dataclasses.replace(scene, contact=law)
+    longest = 1 / (z * W)
+    assert "stops what approaches" in (dem.refuses(asked(stiff, 1.001 * longest, range(2))) or "")
+    run = ran(dem.solve_default(asked(stiff, 0.999 * longest, range(2), 50 * longest)))
+    closing = (run.values[Velocity(0)] - run.values[Velocity(1)]) @ N
+    assert closing.min() > -0.2 * closing[0] < 0.0
 
 
 def test_where_dashpots_are_not_modelled_it_is_said() -> None:

@@ -28,7 +28,7 @@ T = np.linspace(0.0, 10.0, 101) / W
 UPWARDS = "at * q[1:] + q[0] * UP"  # the centroid's unknown might as well count downwards
 
 
-def agree(one: ModuleType, other: ModuleType, spin: float = 0.01) -> bool:
+def agree(one: ModuleType, other: ModuleType) -> bool:
     """Whether the routes agree: standing freely and held across, and spinning slowly."""
     for along in ((0, 1, 2), (2,)):
         here, there = (route.standing(T, **LAW, g=9.81, along=along) for route in (one, other))

@@ -62,6 +62,8 @@ def test_a_damaged_manifest_fails_where_it_is_damaged_only(tmp_path: Path) -> No
         store.manifest("01")
     with pytest.raises(OSError, match="its first line names no cases"):
         store.head("01")
+    store.keep_manifest("02", {"provenance": {}, "records": records[::-1] + records})
+    assert [len(one["records"]) for one in store.newest(5)] == [4]
 
 
 def test_what_all_workers_need_is_loaded_once(tiny: Tiny) -> None:

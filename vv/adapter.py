@@ -22,7 +22,7 @@ class Scheme:
     `lowered` names the terms in whose presence it is declared to be of another class.
     observables: the kinds it can report; energies: the forms it can report over time. why_not: in
     the code's own words, why it lacks a term; raises ValueError for one that it has. pace: CPU
-    seconds that a step of a body takes, about; 0 where no case has to leave out rungs.
+    seconds that a step takes, and besides for each body, about; nil where nothing is left out.
     """
 
     name: str
@@ -34,7 +34,7 @@ class Scheme:
     observables: frozenset[type] = frozenset({Displacement, Velocity})
     energies: frozenset[Form] = frozenset()
     why_not: Mapping[Term, str] = field(default_factory=dict)
-    pace: float = 0.0
+    pace: tuple[float, float] = (0.0, 0.0)
 
     def __post_init__(self) -> None:
         for term in sorted(self.terms & self.why_not.keys(), key=lambda term: term.value):

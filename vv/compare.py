@@ -10,7 +10,7 @@ from typing import Any
 
 from vv.gate import outcome
 from vv.reading import error_of, label, rung
-from vv.rungs import Ladder, orders
+from vv.rungs import Key, orders
 from vv.settings import UsageError, near
 from vv.store import Store
 
@@ -95,7 +95,7 @@ def _cost(record: Mapping[str, Any]) -> float | None:
     return relative and float(relative[0])
 
 
-def _order_changes(one: Mapping[Ladder, Any], other: Mapping[Ladder, Any]) -> Iterator[Change]:
+def _order_changes(one: Mapping[Key, Any], other: Mapping[Key, Any]) -> Iterator[Change]:
     for key in one.keys() & other.keys():
         a, b = one[key].order, other[key].order
         if abs(a - b) > ORDER:

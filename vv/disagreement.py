@@ -157,7 +157,7 @@ def _turned(
     if entry["note"]:
         return entry  # nothing moves, or the like: worse than any disagreement
     if record["modified"]:  # bands were measured at the case's own parameters
-        in_band = error is not None and error <= LOOSEST
+        in_band = error is not None and error <= max(LOOSEST, high)
     slope = order.order if order else math.nan
     in_order = order is None or known.order[0] <= slope <= known.order[1]
     if verdict is Verdict.FAIL and in_band and in_order:

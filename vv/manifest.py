@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterable, Iterator, Mapping
-from itertools import groupby
 from typing import Any
 
 Json = dict[str, Any]
@@ -16,7 +15,9 @@ Json = dict[str, Any]
 
 def render(manifest: Mapping[str, Any]) -> str:
     """The text of a manifest, its records by case."""
-    records = {case: list(own) for case, own in groupby(manifest["records"], lambda r: r["case"])}
+    records: dict[str, list[Any]] = {}
+    for record in manifest["records"]:
+        records.setdefault(record["case"], []).append(record)
     head = {"holds": list(records), "provenance": manifest["provenance"]}
     by_case = ",\n".join(f"{_start(case)}{_text(own)}" for case, own in records.items())
     rest = ((name, part) for name, part in manifest.items() if name not in (*head, "records"))

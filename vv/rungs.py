@@ -154,12 +154,12 @@ def _told(limit: Limit) -> str:
     return f"final value: limit of small steps {limit.model:.1e} off the exact, {step}"
 
 
-Ladder = tuple[str | float | None, ...]
+Key = tuple[str | float | None, ...]
 
 
-def orders(records: Iterable[Record]) -> dict[Ladder, Order]:
+def orders(records: Iterable[Record]) -> dict[Key, Order]:
     """Observed order in dt on each ladder, where its rungs allow a fit."""
-    points: dict[Ladder, list[tuple[float, float]]] = {}
+    points: dict[Key, list[tuple[float, float]]] = {}
     for record in records:
         dt = record["rung"]["dt"]
         for entry in record["quantities"]:
@@ -172,7 +172,7 @@ def orders(records: Iterable[Record]) -> dict[Ladder, Order]:
     return {key: order for key, order in fitted.items() if order is not None}
 
 
-def ladder(record: Record, quantity: str) -> Ladder:
+def ladder(record: Record, quantity: str) -> Key:
     """What the rungs that differ in dt alone have in common: all but dt, for one quantity."""
     names = ("case", "variant", "code", "scheme")
     return (*(record[name] for name in names), quantity, record["rung"]["kn"])

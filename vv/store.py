@@ -113,6 +113,14 @@ class Store:
         """A past invocation; raises FileNotFoundError with the name, OSError if it is damaged."""
         return self._of_manifest(name, lambda file: manifest.whole(file.read()))
 
+    def newest(self, most: int) -> list[dict[str, Any]]:
+        """The newest past invocations, newest first; what is damaged is passed over."""
+        found = []
+        for name in reversed(self.manifests()[-most:]):
+            with contextlib.suppress(OSError):
+                found.append(self.manifest(name))
+        return found
+
     def head(self, name: str) -> tuple[list[str], dict[str, Any]]:
         """The cases a past invocation holds, and its provenance; raises as `manifest`."""
         return self._of_manifest(name, manifest.head)

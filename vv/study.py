@@ -140,12 +140,12 @@ class Grid:
         return Ask(scene, self.goal, self.observables, knobs)
 
 
-def too_long(study: Ladder | Search | Grid, knobs: Knobs, pace: float) -> str | None:
-    """Why a scheme of that pace [s a step of a body] is not put to a rung; None if it is."""
+def too_long(study: Ladder | Search | Grid, knobs: Knobs, pace: tuple[float, float]) -> str | None:
+    """Why a scheme of that pace [s a step, s a step of a body] is not put to a rung, or None."""
     if isinstance(study, Search) or knobs.dt is None:
         return None
     steps = study.goal.steps(knobs.dt)
-    each = pace * (len(study.scene.spheres) + len(study.scene.blocks))
+    each = pace[0] + pace[1] * (len(study.scene.spheres) + len(study.scene.blocks))
     if steps * each <= study.patience:
         return None
     return (

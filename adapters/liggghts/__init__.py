@@ -57,7 +57,7 @@ SCHEMES = (
             Term.CONTACT_VISCOSITY: Method.FIRST_ORDER,
         },
         why_not=LASTING,
-        pace=3e-5,
+        pace=(6e-6, 2e-7),
     ),
     Scheme(
         HALF_STEP,
@@ -65,7 +65,7 @@ SCHEMES = (
         Method.SECOND_ORDER,
         TERMS,
         why_not=LASTING,
-        pace=3e-5,
+        pace=(6e-6, 2e-7),
     ),
     Scheme(
         CLUMP,
@@ -73,7 +73,7 @@ SCHEMES = (
         Method.PENALTY,
         ON_CORNERS,
         KNOBS,
-        pace=5e-5,
+        pace=(1.2e-5, 2e-7),
     ),
     Scheme(
         OVERLAPPED,
@@ -82,7 +82,7 @@ SCHEMES = (
         Method.PENALTY,
         ON_BONDS,
         why_not=NO_STRENGTH,
-        pace=3e-5,
+        pace=(2e-6, 2e-7),
     ),
 )
 

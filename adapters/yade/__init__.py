@@ -64,7 +64,7 @@ SCHEMES = (
             Term.CONTACT_VISCOSITY: Method.FIRST_ORDER,
         },
         observables=OBSERVABLES,
-        pace=3e-6,
+        pace=(2e-6, 1.1e-6),
     ),
     Scheme(
         HALF_STEP,
@@ -72,7 +72,7 @@ SCHEMES = (
         Method.SECOND_ORDER,
         TERMS,
         observables=OBSERVABLES,
-        pace=3e-6,
+        pace=(2e-6, 1.1e-6),
     ),
     Scheme(
         CLUMP,
@@ -80,7 +80,7 @@ SCHEMES = (
         Method.PENALTY,
         ONE_BLOCK,
         KNOBS,
-        pace=5e-6,
+        pace=(5e-6, 1.1e-6),
     ),
     Scheme(
         POLYHEDRA,
@@ -88,7 +88,7 @@ SCHEMES = (
         Method.PENALTY,
         ONE_BLOCK,
         KNOBS,
-        pace=1e-4,
+        pace=(0.0, 1e-4),
     ),
 )
 

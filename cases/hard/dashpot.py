@@ -7,6 +7,7 @@ import math
 
 import numpy as np
 
+from cases._books import balance
 from reference_solutions import dashpot
 from vv.ask import Displacement, History, Knobs, Method, Run, Velocity
 from vv.case import (
@@ -92,7 +93,7 @@ def _declare(variant: str, p: Parameters) -> Trial:
     pair = variant.startswith("pair")
     scene, bodies = (_pair(p), (0, 1)) if pair else (_scene(p), (1,))
     seen = tuple(kind(body) for kind in (Displacement, Velocity) for body in bodies)
-    return Trial(Ladder(scene, goal, seen, levels), (path, returned, lasted))
+    return Trial(Ladder(scene, goal, seen, levels), (path, returned, lasted, _balance(unit)))
 
 
 def _lasted(times: Vector, speed: Vector) -> float:
@@ -119,6 +120,17 @@ def _judge(z: float, unit: float) -> Exact:
             dt=step * unit, order=1,
         ),
     })  # fmt: skip
+
+
+def _balance(unit: float) -> Scalar:
+    """unit: 1/w [s]."""
+    step = Tolerance(
+        0.5 * STEPS[0] ** 2,
+        "a contact that closes or opens within a step leaves some of (w dt)^2/2",
+        dt=STEPS[0] * unit, order=2,
+    )  # fmt: skip
+    exact = Tolerance(1e-12, "rounding")
+    return balance({Method.EXACT: exact, Method.SECOND_ORDER: step, Method.FIRST_ORDER: step})
 
 
 def _in_outputs(unit: float) -> Exact:

@@ -69,7 +69,7 @@ BEHIND = {
     "unit": (UNIT, "breathing", {"gamma": 0.0}),  # what breathes stretches no shear spring
 }
 SECONDS, PERIODS, SAMPLES = 0.5, 20, 200  # s: one shake; swings; outputs
-PATIENCE = 30.0  # s: the finest step at 1e12 N/m is taken 5e6 times, which is 150 s at 30 us each
+PATIENCE = 30.0  # s: the finest step at 1e12 N/m is taken 5e6 times, some microseconds each
 FEW, MANY = (2.0, 0.1), (10.0, 2.0, 0.9, 0.19, 0.1, 1e-2, 1e-3)
 STEPS = {Level.QUICK: FEW, Level.DEFAULT: FEW, Level.PAPER: MANY}
 ALL_STEPS = {

@@ -58,7 +58,7 @@ def explain(selection: Annotated[list[str], typer.Argument(help="CASE or CASE:VA
     project = find()
     store = Store(project.data())
     plan = make_plan(project, selection, Options())
-    tell(plan, [store.manifest(name) for name in reversed(store.manifests()[-PAST:])])
+    tell(plan, store.newest(PAST))
 
 
 def diff(

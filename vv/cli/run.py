@@ -124,8 +124,7 @@ def _narrowed(
     if since:
         plan = scope.affected(project, plan, changed_since(project.root, since))
     if budget:
-        past = [store.manifest(name) for name in reversed(store.manifests()[-PAST:])]
-        plan = scope.within(plan, scope.seconds(budget), past)
+        plan = scope.within(plan, scope.seconds(budget), store.newest(PAST))
     return plan
 
 

@@ -50,8 +50,7 @@ def sweep_shared(
 
 def on_threads(threads: int, kernel: Callable[..., int], arguments: tuple[Any, ...]) -> int:
     """Call a kernel with so many threads to share; raises ValueError if numba may not have them."""
-    _have_them_spin()
-    before = numba.get_num_threads()
+    before = _threads_that_spin()
     numba.set_num_threads(threads)
     try:
         return kernel(*arguments)
@@ -59,12 +58,19 @@ def on_threads(threads: int, kernel: Callable[..., int], arguments: tuple[Any, .
         numba.set_num_threads(before)
 
 
-def _have_them_spin() -> None:
-    """Have threads wait awake for some milliseconds: to wake one costs as much as a step.
+def _threads_that_spin() -> int:
+    """Start numba's threads, unless they run; how many of them share at present.
 
-    It is OpenMP's that can, and that share chunks out evenly. Both are read but once, when the
-    first kernel is shared in a process.
+    They are OpenMP's, which share chunks out evenly and can wait awake for some milliseconds: to
+    wake one costs as much as a step. A user's own choice of either stands.
     """
-    os.environ.setdefault("GOMP_SPINCOUNT", SPINS)
     config: Any = numba.config
-    config.THREADING_LAYER_PRIORITY = ["omp", "tbb", "workqueue"]
+    if config.THREADING_LAYER_PRIORITY == ["tbb", "omp", "workqueue"]:  # numba's own
+        config.THREADING_LAYER_PRIORITY = ["omp", "tbb", "workqueue"]
+    chosen = os.environ.get("GOMP_SPINCOUNT")
+    os.environ["GOMP_SPINCOUNT"] = chosen or SPINS  # read once, as the first thread starts
+    try:
+        return int(numba.get_num_threads())
+    finally:
+        if chosen is None:
+            del os.environ["GOMP_SPINCOUNT"]

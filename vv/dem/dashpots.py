@@ -15,7 +15,7 @@ from vv.dem.rows import Index
 from vv.scene import Vector
 from vv.triples import NOWHERE, Triple, at, dot, plus, put
 
-SWEEPS = 1000  # at most; a matrix 1 + eta_n dt/2 B M^-1 B^T, well conditioned, takes some ten
+SWEEPS = 1000  # at most; 1 + eta_n dt/2 B M^-1 B^T, of condition 2 at most, takes some tens
 SETTLED = 1e-15  # of the largest force: how little a last sweep changes
 SPRING, RATE, FORCE, OVERLAP = 3, 4, 5, 6  # columns after those of the normal
 
@@ -64,16 +64,24 @@ def meet(
 def close(kept: Vector, k: int, n: Triple, overlap: float, kn: float, eta_n: float) -> None:
     """Bring contact k to an overlap [m].
 
-    One that closes within a step is given eta_n times 1/2 and the part of the step since, for
-    that step: without, its impulse would be off in first order.
+    One that closes within a step is given a share of eta_n for that step.
     """
     before, share = kept[k, OVERLAP], 1.0
     if before <= 0.0 < overlap:
-        share = 0.5 + min(overlap / (overlap - before), 1.0)
+        share = late(overlap, overlap - before)
     put(kept, k, n)
     kept[k, SPRING] = kn * max(overlap, 0.0)
     kept[k, RATE] = share * eta_n if overlap > 0.0 else 0.0
     kept[k, OVERLAP] = overlap
+
+
+@inlined
+def late(overlap: float, closed: float) -> float:
+    """The share of eta_n in the step in which a contact closes by `closed` to an overlap [m].
+
+    It is 1/2 and the part of the step since: without, the impulse would be off in first order.
+    """
+    return float(0.5 + min(overlap / closed, 1.0))
 
 
 @inlined

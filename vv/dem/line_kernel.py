@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from vv.compiled import compiled, inlined
+from vv.dem.dashpots import late
 from vv.dem.limits import BLOW_UP, GAIN
 from vv.scene import Vector
 
@@ -118,11 +119,11 @@ def move_on_line(  # noqa: PLR0912, PLR0915 - a branch per term, decided by the 
             after = decay * before + kick * load
             drag = 0.0
             if eta_n is not None and overlap > 0.0:
-                late = 1.0
+                share = 1.0
                 if was_open:
-                    late = 0.5 + min(overlap / (-dt * before), 1.0)
+                    share = late(overlap, -dt * before)
                 after, drag = held_back(
-                    before, after, load, kn * overlap, late * eta_n, eta, mass, dt, lag
+                    before, after, load, kn * overlap, share * eta_n, eta, mass, dt, lag
                 )
             if eta is not None:
                 drag += eta * (lag * before + (1.0 - lag) * after)

@@ -146,6 +146,7 @@ class Program:
             # each step rounds what is held, and every sum of work that it adds to
             rounded = ROUNDINGS * peak + float(np.abs(terms).max())
             bound += rounded * EPS * (self.ask.goal.steps(self.ask.dt) + 1)
+            bound = min(bound, peak)
         gap = terms.sum(axis=1) - put_in
         audits = {} if isinstance(self.system, Line) else dict(_audits(self.stood.scene, terms))
         if self.stood.scene.bonds is not None:
@@ -195,6 +196,7 @@ def refuses(ask: Ask) -> str | None:
         or _coincident(scene)
         or _unknown_reaction(ask, scene)
         or _viscous_among_many(scene)
+        or _rings(scene, dt)
     )
 
 
@@ -262,6 +264,20 @@ def _viscous_among_many(scene: Scene) -> str | None:
     if line(scene) is None and space(scene).state.near is not None:
         return f"viscous contact is modelled for less than {MANY} spheres, and beside no bonds"
     return None
+
+
+def _rings(scene: Scene, dt: float) -> str | None:
+    """A viscous force that half a step would turn round goes on to and fro, and makes energy."""
+    contact = scene.contact
+    if not contact.eta_n > 0:
+        return None
+    longest = 0.5 * contact.kn / contact.eta_n * critical_step(scene, CENTRED) ** 2
+    if dt <= longest:
+        return None
+    return (
+        f"dt = {dt:.6g} s is beyond {longest:.6g} s = 2 kn/(eta_n w^2), in half of which viscous "
+        "contact stops what approaches; w the highest frequency of its contacts"
+    )
 
 
 def _unknown_reaction(ask: Ask, scene: Scene) -> str | None:
