@@ -42,7 +42,7 @@ BAD = {
     "rnu": "No such command 'rnu'",
     "explain nothing": "no case 'nothing'",
     "export fall --code fake/good": "'fall' names 2 variants; export takes one",
-    "report": "no run 'at all'",
+    "report": "there is no run yet",
 }
 
 
@@ -193,3 +193,23 @@ def test_speed_names_the_cases_that_it_left_out(tiny: Tiny) -> None:
     text = (tiny.root / "cases" / "fall.py").read_text().replace("timed=RUNGS[:2]", "timed=()")
     (tiny.root / "cases" / "drop.py").write_text(text.replace('name="fall"', 'name="drop"'))
     assert "not timed: drop, and" in tiny.vv("speed", "--codes", "fake/good").stdout
+
+
+def test_what_fails_is_named_with_its_error_and_its_tolerance(tiny: Tiny) -> None:
+    done = tiny.vv("run", "fall:up", "--codes", "fake/first-order", "--level", "quick")
+    assert "fail: fall:up fake/first-order dt=0.1 y: error " in done.stderr
+    assert " of tolerance " in done.stderr
+
+
+def test_what_is_refused_is_not_exported(tiny: Tiny) -> None:
+    done = tiny.vv("export", "fall:up", "--code", "fake/refuses")
+    assert (done.returncode, done.stdout) == (64, "")
+    assert done.stderr == "vv: fake/refuses refuses fall:up: it does not feel like it\n"
+
+
+@pytest.mark.parametrize("words", ["fall:up --codes fake", "fall --codes fake/good"])
+def test_only_whole_cases_of_whole_codes_are_recorded(tiny: Tiny, words: str) -> None:
+    """A file holds one set of circumstances: what a part of it replaced would be lost."""
+    done = tiny.vv("record", *words.split())
+    assert done.returncode == 64
+    assert "record writes whole cases of whole codes, not '" in done.stderr

@@ -42,5 +42,5 @@ def _git(root: Path, *words: str) -> list[str]:
     except OSError as error:
         raise GitError(f"git cannot be run: {error}") from error
     if done.returncode:
-        raise GitError(f"git says: {' '.join(done.stderr.split())}")
+        raise GitError(f"git says: {done.stderr.strip().partition(chr(10))[0]}")
     return done.stdout.splitlines()

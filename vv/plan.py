@@ -59,6 +59,10 @@ class Job:
         return f"{self.case}:{self.variant} {self.code}/{self.scheme} {knobs}".rstrip()
 
 
+class EmptyPlanError(UsageError):
+    """What was selected holds nothing at the level asked for."""
+
+
 @dataclass(frozen=True, eq=False)
 class Plan:
     """The jobs of an invocation, with the cases, trials and codes they belong to."""
@@ -88,7 +92,7 @@ def make_plan(project: Project, selection: Sequence[str], options: Options) -> P
         for job in _jobs(one, adapter, scheme, found[adapter.name])
     ]
     if not jobs:
-        raise UsageError(_no_jobs(chosen, options.level))
+        raise EmptyPlanError(_no_jobs(chosen, options.level))
     cases = {one.case.name: one.case for one in posed}
     trials = {(one.case.name, one.variant): one.trial for one in posed}
     return Plan(tuple(jobs), cases, trials, adapters, found)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import sys
 from collections import Counter
 from collections.abc import Container, Iterable, Mapping, Sequence
@@ -13,7 +14,8 @@ from vv.case import Case
 from vv.finding import Bit, Finding, from_data, worst_first
 from vv.gate import NOT_CONSERVED, counted, outcome
 from vv.plan import Job, Plan
-from vv.reading import label, tried
+from vv.reading import error_of, label, rung, tried
+from vv.record import Verdict
 
 if TYPE_CHECKING:
     from vv.compare import Change
@@ -64,6 +66,24 @@ def print_refusals(records: Iterable[Mapping[str, Any]]) -> None:
     if len(reasons) > REASONS:
         rest = len(reasons) - REASONS
         print(f"and {rest} more reasons to refuse; the report has them all", file=sys.stderr)
+
+
+def print_failures(records: Iterable[Mapping[str, Any]]) -> None:
+    """The results farthest outside their tolerances."""
+    found = [
+        (math.inf if error is None else error / (entry["tolerance"] or 1.0), record, entry, error)
+        for record in records
+        for entry in record["quantities"]
+        if Verdict(entry["verdict"]) is Verdict.FAIL
+        for error in (error_of(entry),)
+    ]
+    found.sort(key=lambda one: -one[0])
+    for _, record, entry, error in found[:REASONS]:
+        where = f"{record['case']}:{record['variant']} {label(record)} {rung(record)}".rstrip()
+        what = entry["note"] or f"error {error} of tolerance {entry['tolerance']}"
+        note(f"fail: {where} {entry['name']}: {what}")
+    if len(found) > REASONS:
+        note(f"and {len(found) - REASONS} more that fail; the report has them all")
 
 
 def print_counts(records: Iterable[Mapping[str, Any]], report: Path) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import signal
 import sys
 from collections.abc import Callable
 
@@ -47,6 +48,7 @@ for group, commands in GROUPS.items():
 
 def main() -> None:
     """Run the command line; bad input gets one line and exit status 64, never a traceback."""
+    signal.signal(signal.SIGTERM, signal.default_int_handler)  # ends its workers as Ctrl-C does
     try:
         code = app(standalone_mode=False)
     except UsageError as error:

@@ -7,6 +7,7 @@ from typing import Annotated
 
 import typer
 
+from vv.ask import Status
 from vv.cli import options
 from vv.files import deliver
 from vv.plan import Options, make_plan
@@ -33,6 +34,8 @@ def export(
         raise UsageError(f"'{selection}' names {len(chosen)} variants; export takes one")
     asked = Options(codes=(code,), settings=tuple(settings or ()), rungs=options.knobs(rungs))
     job = make_plan(project, [selection], asked).jobs[-1 if not rungs else 0]
+    if job.settled is not None and job.settled.status is Status.REFUSED:
+        raise UsageError(f"{code} refuses {selection}: {job.settled.reason}")
     adapter, scheme = choose_schemes(named_adapters(project, [code]), [code])[0]
     text = adapter.native(job.ask, scheme.name)
     deliver(output or Path("-"), text.encode())

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import contextlib
+import functools
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -11,7 +13,7 @@ from vv import screen
 from vv.cli import options
 from vv.cli.invocation import carried_out
 from vv.files import write
-from vv.plan import Options, Plan, joined, restricted
+from vv.plan import EmptyPlanError, Options, Plan, joined, restricted
 from vv.project import Project, find
 from vv.settings import UsageError
 from vv.store import Store
@@ -74,6 +76,9 @@ def record(
 
     project = find()
     _writable(project)
+    for part, mark in (*((s, ":") for s in selection or ()), (codes, "/")):
+        if mark in part:
+            raise UsageError(f"record writes whole cases of whole codes, not '{part}'")
     plan = _both_levels(project, selection, codes)
     external = {code for code, found in plan.found.items() if found.files}
     plan = restricted(plan, lambda job: job.code in external)
@@ -102,10 +107,13 @@ def _both_levels(project: Project, selection: list[str] | str | None, codes: str
     levels = (Level.QUICK, Level.DEFAULT)
     if isinstance(selection, str) and selection not in project.case_names():
         raise UsageError(f"accept takes the name of one case, not '{selection}'")
-    quick, default = (
-        options.plan_of(project, names, Options(level, options.codes(codes))) for level in levels
-    )
-    return joined(quick, default)
+    plans = []
+    for level in levels:
+        with contextlib.suppress(EmptyPlanError):  # they may all begin at a higher one
+            plans.append(options.plan_of(project, names, Options(level, options.codes(codes))))
+    if not plans:
+        raise UsageError(f"nothing of {', '.join(names)} runs at level {levels[-1].value}")
+    return functools.reduce(joined, plans)
 
 
 def _writable(project: Project) -> None:

@@ -44,7 +44,8 @@ def report(
     store = Store(project.data())
     names = store.manifests()
     if not names or (run_name and run_name not in names):
-        raise UsageError(f"no run '{run_name or 'at all'}'{near(run_name, names[-5:])}")
+        unknown = f"no run '{run_name}'{near(run_name, names[-5:])}"
+        raise UsageError(unknown if run_name else "there is no run yet")
     name = run_name or names[-1]
     manifest = {**store.manifest(name), "name": name}
     path = output or project.data() / "report.html"
