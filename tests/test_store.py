@@ -197,6 +197,23 @@ def test_a_worker_does_not_outlive_a_killed_invocation(tiny: Tiny) -> None:
     _wait_until(lambda: not _processes(marker))
 
 
+def test_terminating_an_invocation_ends_a_worker_that_hears_nothing(tiny: Tiny) -> None:
+    """As one in a kernel, during which Python handles no signals."""
+    tiny.edit(
+        "adapters/fake.py", "time.sleep(60)", "__import__('signal').signal(15, 1); time.sleep(60)"
+    )
+    marker = f"fall:up --codes fake/hangs --timeout {60 + os.getpid() % 7}.25"
+    process = subprocess.Popen(
+        [sys.executable, "-m", "vv", "run", *marker.split()], cwd=tiny.root, stderr=subprocess.PIPE
+    )
+    _wait_until(lambda: len(_processes(marker)) >= 2)
+    time.sleep(1.0)  # for the worker to go deaf
+    process.send_signal(signal.SIGTERM)
+    _, said = process.communicate(timeout=20)
+    assert (process.returncode, said) == (130, b"vv: interrupted; what has finished is kept\n")
+    _wait_until(lambda: not _processes(marker))
+
+
 BORN_AN_ORPHAN = """
 import multiprocessing, os, time
 from vv import runner

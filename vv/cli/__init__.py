@@ -56,7 +56,6 @@ def main() -> None:
     except typer.Exit as stop:
         code = stop.exit_code
     except (typer.Abort, KeyboardInterrupt):
-        screen.complain("interrupted; what has finished is kept")
         code = INTERRUPTED
     except BrokenPipeError:
         os.dup2(os.open(os.devnull, os.O_WRONLY), 1)  # the reader left; nothing more to say
@@ -68,4 +67,6 @@ def main() -> None:
         if message is None:
             raise
         code = screen.complain(message())
+    if code == INTERRUPTED:  # which the option parser may have made of it
+        screen.complain("interrupted; what has finished is kept")
     sys.exit(code or 0)
