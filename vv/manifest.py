@@ -46,8 +46,8 @@ def head(lines: Iterator[str]) -> tuple[list[str], Json]:
 def records(lines: Iterable[str], case: str) -> list[Json]:
     """The records of one case in a manifest; raises ValueError if they are damaged."""
     start = _start(case)
-    own = (line for line in lines if line.startswith(start))
-    return [record for line in own for record in json.loads(line[len(start) :].rstrip(",\n"))]
+    own = next((line for line in lines if line.startswith(start)), None)
+    return [] if own is None else list(json.loads(own[len(start) :].rstrip(",\n")))
 
 
 def _start(name: str) -> str:
