@@ -129,7 +129,7 @@ def _balance(unit: float) -> Scalar:
         "a contact that closes or opens within a step leaves some of (w dt)^2/2",
         dt=STEPS[0] * unit, order=2,
     )  # fmt: skip
-    exact = Tolerance(1e-12, "rounding")
+    exact = Tolerance(1e-12, "one event: what is left is rounding")
     return balance({Method.EXACT: exact, Method.SECOND_ORDER: step, Method.FIRST_ORDER: step})
 
 
