@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 import sys
 from collections import Counter
 from collections.abc import Container, Iterable, Mapping, Sequence
@@ -12,10 +11,9 @@ from typing import TYPE_CHECKING, Any
 from vv.adapter import Adapter
 from vv.case import Case
 from vv.finding import Bit, Finding, from_data, worst_first
-from vv.gate import NOT_CONSERVED, counted, outcome
+from vv.gate import NOT_CONSERVED, counted, outcome, record_findings
 from vv.plan import Job, Plan
-from vv.reading import error_of, label, rung, tried
-from vv.record import Verdict
+from vv.reading import label, tried
 
 if TYPE_CHECKING:
     from vv.compare import Change
@@ -69,21 +67,13 @@ def print_refusals(records: Iterable[Mapping[str, Any]]) -> None:
 
 
 def print_failures(records: Iterable[Mapping[str, Any]]) -> None:
-    """The results farthest outside their tolerances."""
-    found = [
-        (math.inf if error is None else error / (entry["tolerance"] or 1.0), record, entry, error)
-        for record in records
-        for entry in record["quantities"]
-        if Verdict(entry["verdict"]) is Verdict.FAIL
-        for error in (error_of(entry),)
-    ]
-    found.sort(key=lambda one: -one[0])
-    for _, record, entry, error in found[:REASONS]:
-        where = f"{record['case']}:{record['variant']} {label(record)} {rung(record)}".rstrip()
-        what = entry["note"] or f"error {error} of tolerance {entry['tolerance']}"
-        note(f"fail: {where} {entry['name']}: {what}")
+    """The results farthest outside their tolerances, in the words of the gate."""
+    ranked = worst_first(record_findings(list(records)))
+    found = [finding for finding in ranked if finding.check == "accuracy"]
+    for finding in found[:REASONS]:
+        note(f"{finding.kind}: {finding.where}: {finding.text}")
     if len(found) > REASONS:
-        note(f"and {len(found) - REASONS} more that fail; the report has them all")
+        note(f"and {len(found) - REASONS} more like these; the report has them all")
 
 
 def print_counts(records: Iterable[Mapping[str, Any]], report: Path) -> None:

@@ -88,7 +88,6 @@ def _tell(project: Project, manifest: dict[str, Any], json_file: Path | None) ->
         told = document(manifest, Store(project.data()))
         deliver(json_file, json.dumps(told, allow_nan=False).encode())
     screen.print_refusals(manifest["records"])
-    screen.print_failures(manifest["records"])
     screen.print_counts(manifest["records"], _report(project))
 
 

@@ -82,6 +82,7 @@ def run(
     else:
         asked = "run", tuple(selection or ()), chosen
         manifest = answered(project, asked, make_plan, limits, json_file)
+    screen.print_failures(manifest["records"])
     raise typer.Exit(exit_bits(manifest["records"], required) & RUN_BITS)
 
 
