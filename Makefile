@@ -4,7 +4,7 @@
 help:
 	@echo "make run    set up, run every case in every code found, print the report's path"
 	@echo "make test   set up, then lint, types and tests"
-	@echo "make gate   set up, judge every case quickly; .vv/gate.md, .vv/gate.xml say what is wrong"
+	@echo "make gate   set up, judge every case quickly: .vv/gate.md, .vv/gate.xml, .vv/report.html"
 	@echo "make setup  the virtual environment in .venv; YADE and LIGGGHTS where apt may"
 	@echo "make lock   renew requirements.lock from pyproject.toml"
 	@echo "make clean  remove .venv and everything generated"
@@ -25,8 +25,8 @@ test: setup
 	.venv/bin/pytest
 
 gate: setup
-	@.venv/bin/vv gate --against cases/baselines $(if $(VV_REQUIRE),--require $(VV_REQUIRE)) \
-	    --markdown .vv/gate.md --junit .vv/gate.xml
+	@told=0; .venv/bin/vv gate --against cases/baselines $(if $(VV_REQUIRE),--require $(VV_REQUIRE)) \
+	    --markdown .vv/gate.md --junit .vv/gate.xml || told=$$?; .venv/bin/vv report && exit $$told
 
 lock:
 	@./setup.sh lock

@@ -45,6 +45,7 @@ def test_what_is_recorded_is_shown_where_the_code_is_absent_and_never_passes(tin
     assert tiny.vv(*words, "--require", "fake").returncode == Bit.INCOMPLETE
     said = (tiny.root / "s.md").read_text()
     assert "fake is not installed: the report shows results of 1.0 recorded 36" in said
+    assert tiny.vv("report").returncode == 0
     report = (tiny.root / ".vv" / "report.html").read_text()
     assert f"recorded {int(old[:4]) - 1}{old[4:10]} with 1.0, 36" in report
 

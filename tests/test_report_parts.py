@@ -59,7 +59,7 @@ def test_the_terminal_and_the_report_count_alike(
 ) -> None:
     records = manifest_of_all(Store(tmp_path))["records"]
     shown = {screen.WORDS.get(found.key, found.key): n for found, n in counted(records)}
-    screen.print_counts(records, Path("report.html"))
+    screen.print_counts(records, "report.html")
     told = capsys.readouterr().out.partition(";")[0].split(", ")
     singular = {many: one for one, many in screen.PLURAL.items()}
     pairs = [text.split(" ", 1) for text in told]

@@ -5,7 +5,6 @@ from __future__ import annotations
 import sys
 from collections import Counter
 from collections.abc import Container, Iterable, Mapping, Sequence
-from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from vv.adapter import Adapter
@@ -76,8 +75,11 @@ def print_failures(records: Iterable[Mapping[str, Any]]) -> None:
         note(f"and {len(found) - REASONS} more like these; the report has them all")
 
 
-def print_counts(records: Iterable[Mapping[str, Any]], report: Path) -> None:
-    """The last line of a run: outcomes counted, where the report is, where to read why."""
+def print_counts(records: Iterable[Mapping[str, Any]], report: str) -> None:
+    """The last line of a run: outcomes counted, where the report is, where to read why.
+
+    report: its path, or what writes it.
+    """
     counts = counted(records)
     ranked = sorted(counts, key=lambda word: (ORDER.index(word) if word in ORDER else 9, word))
     named = []

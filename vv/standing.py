@@ -64,15 +64,13 @@ def identity(
     )
 
 
-def remember(store: Store, identity: str, manifest: dict[str, Any], report: Path) -> None:
+def remember(store: Store, identity: str, manifest: dict[str, Any]) -> None:
     """Note what an invocation came to, unless something in it may go better another time.
 
     A timing session with gaps may: what it failed to time is timed again.
     """
     if all(map(lasts, manifest["records"])) and not manifest["untimed"]:
-        store.keep_answer(
-            _key(store, identity), {"manifest": manifest["name"], "report": _state(report)}
-        )
+        store.keep_answer(_key(store, identity), {"manifest": manifest["name"]})
 
 
 def lasts(record: dict[str, Any]) -> bool:
@@ -95,9 +93,14 @@ def recall(store: Store, identity: str) -> dict[str, Any] | None:
     return {**manifest, "name": answer["manifest"]} if whole else None
 
 
-def untouched(store: Store, identity: str, report: Path) -> bool:
-    """Whether the report is the one that an invocation left, as it left it."""
-    answer = store.answer(_key(store, identity))
+def leave(store: Store, name: str, report: Path) -> None:
+    """Note the report of a manifest as it lies there."""
+    store.keep_answer(digest("report", name), {"report": _state(report)})
+
+
+def untouched(store: Store, name: str, report: Path) -> bool:
+    """Whether the report is that of a manifest, as it was left."""
+    answer = store.answer(digest("report", name))
     return answer is not None and answer["report"] == _state(report)
 
 

@@ -1,4 +1,4 @@
-"""Carries out a plan as one invocation: progress, files, report, and the last line."""
+"""Carries out a plan as one invocation: progress, files, the last line, and the report of it."""
 
 from __future__ import annotations
 
@@ -18,13 +18,11 @@ from vv.store import Store
 if TYPE_CHECKING:
     from vv.session import Limits
 
+LATER = "vv report"  # what writes the report of an invocation that leaves it
+
 
 def answered(
-    project: Project,
-    asked: tuple[object, ...],
-    make_plan: Callable[[], Plan],
-    limits: Limits,
-    json_file: Path | None,
+    project: Project, asked: tuple[object, ...], make_plan: Callable[[], Plan], limits: Limits
 ) -> dict[str, Any]:
     """As `carried_out`, but an invocation that stands unchanged is answered with its manifest.
 
@@ -34,65 +32,56 @@ def answered(
     from vv import standing
     from vv.session import Timing, now_utc
 
-    store, report = Store(project.data()), _report(project)
     if limits.fresh or limits.timing is Timing.NEW:
-        return carried_out(project, make_plan(), limits, json_file)
+        return carried_out(project, make_plan(), limits)
 
     def identity() -> str:
         demanded = (*asked, limits.timing)
         return standing.identity(project, demanded, now_utc().date(), limits.against)
 
-    before = identity()
-    manifest = standing.recall(store, before)
-    if manifest is None:
-        manifest = carried_out(project, make_plan(), limits, json_file)
-    else:
-        left = standing.untouched(store, before, report)
-        if not left:
-            _build(project, manifest, limits)
-        _tell(project, manifest, json_file)
-        screen.note(f"nothing has changed since {manifest['name']}")
-        if left:
-            return manifest
+    store, before = Store(project.data()), identity()
+    stands = standing.recall(store, before)
+    if stands is not None:
+        screen.note(f"nothing has changed since {stands['name']}")
+        return stands
+    manifest = carried_out(project, make_plan(), limits)
     if identity() == before:  # nobody edited anything meanwhile
-        standing.remember(store, before, manifest, report)
+        standing.remember(store, before, manifest)
     return manifest
 
 
-def carried_out(
-    project: Project, plan: Plan, limits: Limits, json_file: Path | None = None
-) -> dict[str, Any]:
-    """Carry out a plan, write records if asked to, and the report; returns the manifest."""
+def carried_out(project: Project, plan: Plan, limits: Limits) -> dict[str, Any]:
+    """Carry out a plan and show how far it is; returns the manifest."""
     from vv.session import carry_out
 
     with progress(len(plan.jobs)) as shown:
-        manifest = carry_out(project, plan, limits, shown, ["vv", *sys.argv[1:]])
-    _build(project, manifest, limits)
-    _tell(project, manifest, json_file)
-    return manifest
+        return carry_out(project, plan, limits, shown, ["vv", *sys.argv[1:]])
 
 
-def _build(project: Project, manifest: dict[str, Any], limits: Limits) -> None:
-    """Write the report, with all figures where everything that should be was timed."""
+def reported(project: Project, manifest: dict[str, Any], limits: Limits) -> Path:
+    """Write the report, with all figures where everything that should be was timed.
+
+    One that lies there as it was left is not made again.
+    """
+    from vv import standing
     from vv.session import MEASURED
 
-    build = builder(project, limits.timing in MEASURED)
-    build(manifest, Store(project.data()), _report(project))
+    store, path = Store(project.data()), project.data() / "report.html"
+    if not standing.untouched(store, manifest["name"], path):
+        builder(project, limits.timing in MEASURED)(manifest, store, path)
+        standing.leave(store, manifest["name"], path)
+    return path
 
 
-def _tell(project: Project, manifest: dict[str, Any], json_file: Path | None) -> None:
-    """Write the records if asked to, and say how it went."""
+def tell(project: Project, manifest: dict[str, Any], json_file: Path | None, report: str) -> None:
+    """Write the records if asked to, and say how it went and where the report is."""
     if json_file:
         from vv.export import document
 
         told = document(manifest, Store(project.data()))
         deliver(json_file, json.dumps(told, allow_nan=False).encode())
     screen.print_refusals(manifest["records"])
-    screen.print_counts(manifest["records"], _report(project))
-
-
-def _report(project: Project) -> Path:
-    return project.data() / "report.html"
+    screen.print_counts(manifest["records"], report)
 
 
 def builder(project: Project, drawing: bool) -> Callable[[dict[str, Any], Store, Path], Path]:

@@ -10,7 +10,7 @@ import typer
 
 from vv import screen
 from vv.cli import options
-from vv.cli.invocation import answered
+from vv.cli.invocation import LATER, answered, tell
 from vv.finding import Finding, bits
 from vv.gate import judgement
 from vv.plan import Options, Plan
@@ -44,7 +44,7 @@ def gate(
     ] = None,
     json_file: options.JsonFile = None,
 ) -> None:
-    """Run what is not stored and judge it: every exit bit counts."""
+    """Run what is not stored and judge it: every exit bit counts. `vv report` shows it all."""
     from vv.session import Limits, Timing
 
     project = find()
@@ -60,7 +60,8 @@ def gate(
     when = Timing.NEW if timing else Timing.LAST
     limits = Limits(options.workers(jobs), options.positive(timeout), fresh, when, against)
     asked = "gate", tuple(selection or ()), chosen
-    manifest = answered(project, asked, plan, limits, json_file)
+    manifest = answered(project, asked, plan, limits)
+    tell(project, manifest, json_file, LATER)
     findings = judgement(manifest, required)
     _write_outputs(project, manifest, findings, junit, markdown)
     screen.print_findings(findings)

@@ -11,7 +11,7 @@ import typer
 
 from vv import screen
 from vv.cli import options
-from vv.cli.invocation import carried_out
+from vv.cli.invocation import LATER, carried_out, tell
 from vv.files import write
 from vv.plan import EmptyPlanError, Options, Plan, joined, restricted
 from vv.project import Project, find
@@ -44,6 +44,7 @@ def accept(
     plan = _both_levels(project, case, "*")
     when = Timing.NEW if timing else Timing.NONE
     manifest = carried_out(project, plan, Limits(options.workers(0), options.TIMEOUT, timing=when))
+    tell(project, manifest, None, LATER)
     screen.print_difference(manifest, case)
     refused = [r for r in manifest["records"] if not acceptance.acceptable(r)]
     screen.print_unacceptable(refused)
@@ -85,6 +86,7 @@ def record(
     if not plan.jobs:
         raise UsageError(f"'{codes}' names no external code that is installed here")
     manifest = carried_out(project, plan, Limits(options.workers(0), options.TIMEOUT))
+    tell(project, manifest, None, LATER)
     told = _circumstances(manifest)
     circumstances = {
         code: {

@@ -9,7 +9,7 @@ import typer
 from vv import screen
 from vv.ask import Knobs
 from vv.cli import options
-from vv.cli.invocation import answered, carried_out
+from vv.cli.invocation import answered, carried_out, reported, tell
 from vv.gate import RUN_BITS, exit_bits
 from vv.plan import Options, Plan, restricted
 from vv.project import Project, find
@@ -78,10 +78,11 @@ def run(
         if not plan.jobs:
             screen.say(_nothing(failed, since, budget))
             return
-        manifest = carried_out(project, plan, limits, json_file)
+        manifest = carried_out(project, plan, limits)
     else:
         asked = "run", tuple(selection or ()), chosen
-        manifest = answered(project, asked, make_plan, limits, json_file)
+        manifest = answered(project, asked, make_plan, limits)
+    tell(project, manifest, json_file, str(reported(project, manifest, limits)))
     screen.print_failures(manifest["records"])
     raise typer.Exit(exit_bits(manifest["records"], required) & RUN_BITS)
 

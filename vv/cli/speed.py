@@ -12,7 +12,7 @@ from typing import Annotated, Any
 import typer
 
 from vv.cli import options, speed_text
-from vv.cli.invocation import answered
+from vv.cli.invocation import LATER, answered, tell
 from vv.effort import Effort, efforts, untimed
 from vv.files import deliver
 from vv.gate import RUN_BITS, exit_bits
@@ -57,7 +57,8 @@ def speed(
 
     limits = Limits(options.workers(jobs), options.positive(timeout), fresh, Timing.STORED)
     asked = "speed", tuple(selection or ()), chosen
-    manifest = answered(project, asked, make_plan, limits, None)
+    manifest = answered(project, asked, make_plan, limits)
+    tell(project, manifest, None, LATER)
     every, rest = efforts(manifest), untimed(manifest)
     fights = duels(every, TARGETS)
     failed = [f"not timed, it failed: {name}" for name in manifest["untimed"]]
