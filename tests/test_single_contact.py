@@ -61,9 +61,9 @@ def errors(records: list[Record], label: str, variant: str) -> dict[float, float
 AT_A_MILLISECOND = {
     "dem/default": (1e-4, 1e-4, 1e-4, 1e-4),
     "yade/default": (7e-5, 8e-3, 1e-4, 1.2e-2),
-    "yade/half-step-mass": (1e-4, 1e-4, 1e-4, 1e-4),
+    "yade/half-step-mass": (None, 1e-4, None, 1e-4),  # refused where nothing drags
     "liggghts/default": (3e-5, 8e-3, 1e-4, 1.1e-2),
-    "liggghts/half-step-mass": (1e-4, 1e-4, 1e-4, 1e-4),
+    "liggghts/half-step-mass": (None, 1e-4, None, 1e-4),
 }
 
 
@@ -77,7 +77,8 @@ def test_errors_at_a_millisecond_stay_below_what_was_measured_before(
     for test, bound in zip(TESTS, AT_A_MILLISECOND[label], strict=True):
         if change == "-mirrored" and test in ("T1", "T2"):
             continue
-        assert errors(records, label, test + change)[1e-3] <= bound
+        found = errors(records, label, test + change)
+        assert found[1e-3] <= bound if bound else not found
 
 
 def test_the_exact_engine_is_exact(records: list[Record]) -> None:

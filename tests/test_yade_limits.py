@@ -11,7 +11,7 @@ import pytest
 from adapters.yade import ADAPTER
 from cases.single_contact import CASE
 from tests.adapter_asks import UP, ball, ball_ask, case_ask
-from tests.yade_asks import PLAIN
+from tests.yade_asks import HALF_STEP, PLAIN
 from vv.ask import Status
 from vv.scene import Spheres, Term, Wall
 from vv.transform import about_z, rotated
@@ -22,6 +22,7 @@ def test_every_variant_is_run() -> None:
         ask = case_ask(variant.name)
         assert ask.scene.terms() <= ADAPTER.schemes[0].terms
         assert ADAPTER.refuses(ask, PLAIN) is None
+        assert (ADAPTER.refuses(ask, HALF_STEP) is None) == (ask.scene.eta > 0)
 
 
 def test_drag_is_all_that_half_step_masses_are_about() -> None:

@@ -122,6 +122,11 @@ def no_steps(ask: Ask) -> str | None:
     return f"dt = {dt:g} s is longer than the {ask.goal.duration:g} s to be run"
 
 
+def no_drag(scene: Scene) -> str | None:
+    """Why a scheme that differs from a code's default in drag alone is not for a scene."""
+    return None if scene.eta else "nothing drags, so it would repeat what `default` does"
+
+
 def no_sphere(ask: Ask, scene: Scene) -> str | None:
     """Why a code of spheres cannot report what an ask wants of a scene: a body is none."""
     try:

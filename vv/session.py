@@ -161,10 +161,11 @@ def batches(waiting: Mapping[int, Job], plan: Plan, workers: int) -> list[Batch]
     """One batch per scheme, or pieces of one where there are fewer schemes than workers.
 
     First a batch of each engine that compiles its kernels, which its other schemes then find;
-    then external programs, which take longest.
+    then external programs, which take longest. In each searches are last: what needs no rounds
+    is then answered by a program that starts once.
     """
     groups: dict[tuple[str, str], list[int]] = {}
-    for number, job in waiting.items():
+    for number, job in sorted(waiting.items(), key=lambda item: item[1].ask.search is not None):
         groups.setdefault((job.code, job.scheme), []).append(number)
     pieces = max(1, workers // max(1, len(groups)))
     made = []

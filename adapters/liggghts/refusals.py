@@ -16,7 +16,7 @@ from adapters.liggghts.translate import (
     shaken,
     spinning,
 )
-from vv.adapter import behind_wall, no_sphere, no_steps, turned_spin_lock
+from vv.adapter import behind_wall, no_drag, no_sphere, no_steps, turned_spin_lock
 from vv.ask import Ask
 from vv.clump import why_no_clump
 from vv.scene import Scene
@@ -45,6 +45,7 @@ def refusal(ask: Ask, scheme: str) -> str | None:
         or turned_spin_lock(ask.scene, "fix rigid locks its own only")
         or behind_wall(scene)
         or _too_many_groups(ask, scheme)
+        or (no_drag(scene) if scheme == HALF_STEP else None)
     )
 
 

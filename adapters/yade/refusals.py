@@ -6,8 +6,8 @@ import numpy as np
 
 from adapters.yade.bonds import why_no_bonds
 from adapters.yade.polyhedra import why_no_polyhedron
-from adapters.yade.translate import CLUMP, POLYHEDRA, put
-from vv.adapter import behind_wall, no_sphere, turned_spin_lock
+from adapters.yade.translate import CLUMP, HALF_STEP, POLYHEDRA, put
+from vv.adapter import behind_wall, no_drag, no_sphere, turned_spin_lock
 from vv.ask import Ask, Reaction
 from vv.clump import why_no_clump
 from vv.scene import Scene, Term
@@ -31,6 +31,7 @@ def refusal(ask: Ask, scheme: str) -> str | None:
         or behind_wall(scene)
         or why_no_bonds(scene)
         or _oblique_reaction(ask)
+        or (no_drag(scene) if scheme == HALF_STEP else None)
     )
 
 

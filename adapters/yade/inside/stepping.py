@@ -75,16 +75,16 @@ def read_first(ask: dict[str, Any], seen: Seen, row: np.ndarray) -> None:
         row[k] = body["initial"] if kind == "velocity" else 0.0
         if kind == "reaction":
             late = np.subtract(body["carried"], body["held"]) * ask["drag"]
-            row[k] = locked(body, reaction(ask, body) + body["push"] + late)
+            row[k] = locked(body, np.add(reaction(ask, body), body["push"]) + late)
 
 
 def read(seen: Seen, row: np.ndarray) -> None:
     """Read displacements, and velocities half a step early; refuse what is not finite."""
     for k, (kind, body) in enumerate(seen):
-        state = O.bodies[body["id"]].state
-        row[k] = state.vel if kind == "velocity" else np.subtract(state.pos, body["origin"])
-        if not math.isfinite(row[k, 0] + row[k, 1] + row[k, 2]):
-            raise RunError("diverged", f"{kind} not finite at t = {O.iter * O.dt:.6g} s")
+        if kind != "reaction":
+            state = O.bodies[body["id"]].state
+            row[k] = state.vel if kind == "velocity" else np.subtract(state.pos, body["origin"])
+            check_finite(kind, row[k])
 
 
 def read_later(ask: dict[str, Any], seen: Seen, row: np.ndarray) -> None:
@@ -94,17 +94,26 @@ def read_later(ask: dict[str, Any], seen: Seen, row: np.ndarray) -> None:
             row[k] = (row[k] + np.array(O.bodies[body["id"]].state.vel)) / 2
         elif kind == "reaction":
             row[k] = locked(body, reaction(ask, body))
+            check_finite(kind, row[k])
 
 
-def reaction(ask: dict[str, Any], body: dict[str, Any]) -> np.ndarray:
+def check_finite(kind: str, vector: np.ndarray) -> None:
+    """Refuse a run in which what is observed is not finite."""
+    if not math.isfinite(vector[0] + vector[1] + vector[2]):
+        raise RunError("diverged", f"{kind} not finite at t = {O.iter * O.dt:.6g} s")
+
+
+# Plain numbers in these two: arrays this short would cost as much as the steps between them.
+def reaction(ask: dict[str, Any], body: dict[str, Any]) -> list[float]:
     """The force [N] that would keep a body's velocity: against all forces of the last step."""
-    weight = body["mass"] * np.array(ask["gravity"])
-    return np.asarray(-np.array(O.forces.f(body["id"])) - weight)
+    mass, gravity = body["mass"], ask["gravity"]
+    return [-force - mass * g for force, g in zip(O.forces.f(body["id"]), gravity, strict=True)]
 
 
-def locked(body: dict[str, Any], force: np.ndarray) -> np.ndarray:
+def locked(body: dict[str, Any], force: Any) -> list[float]:
     """The part of a force along the axes in which a body is blocked."""
-    return np.asarray(np.array([axis in body["blocked"] for axis in "xyz"]) * force)
+    along = zip("xyz", force, strict=True)
+    return [part if axis in body["blocked"] else 0.0 for axis, part in along]
 
 
 def check_contacts(ask: dict[str, Any]) -> None:
