@@ -1,18 +1,20 @@
 """Mechanical mutants of the kernels: operators turned, constants moved, one at a time."""
 
 import ast
+import copy
+import functools
 import random
 import re
 from collections.abc import Iterator
 from pathlib import Path
+from typing import NamedTuple
 
-from bench.seeded_bugs import Bug
 from vv.closure import closure
 from vv.keys import roots
 from vv.project import find
 
 ROOT = Path(__file__).resolve().parents[1]
-COMPILED = re.compile(r"^@(?:compiled|called|inlined)\b", re.MULTILINE)
+COMPILED = re.compile(r"^@(?:compiled|called|inlined|shared)\b", re.MULTILINE)
 BY_EVENTS = (  # the kernels of `exact`, which compiles none
     "bonds", "clock", "flow", "ledger", "modes", "path", "roots", "slide", "slide_ledger",
     "slide_path", "slider", "system",
@@ -36,6 +38,25 @@ SYMBOLS = {
 }  # fmt: skip
 
 
+class Mutant(NamedTuple):
+    """A node of a kernel to turn: what that is, its file, a code to ask, its place in ast.walk."""
+
+    what: str
+    file: str
+    code: str
+    place: int
+
+    def text(self) -> str:
+        """The file's text with this node turned."""
+        tree = copy.deepcopy(parsed(self.file))
+        node = list(ast.walk(tree))[self.place]
+        changed = turned(node)
+        for name, value in vars(changed).items():
+            setattr(node, name, value)
+        return ast.unparse(tree)
+
+
+@functools.cache
 def kernels() -> dict[str, str]:
     """File -> code: all that is compiled, with the first code that it is part of."""
     project = find(ROOT)
@@ -47,23 +68,28 @@ def kernels() -> dict[str, str]:
     return found
 
 
-def mechanical(each: int) -> Iterator[tuple[Bug, str]]:
+@functools.cache
+def parsed(file: str) -> ast.Module:
+    """A file's tree, not to be changed."""
+    return ast.parse((ROOT / file).read_text())
+
+
+def mechanical(each: int) -> Iterator[Mutant]:
     """Operators turned and constants moved, a fixed random choice of `each` in every kernel.
 
     The first of every kernel comes before the second of any: a run that is cut tells of all.
     """
-    found = kernels()
-    trees = {file: ast.parse((ROOT / file).read_text()) for file in found}
-    chosen = {file: _chosen(file, tree)[:each] for file, tree in trees.items()}
+    chosen = {file: _chosen(file)[:each] for file in kernels()}
     for turn in range(each):
-        for file, nodes in chosen.items():
-            if turn < len(nodes):
-                yield _turned(trees[file], nodes[turn], file, found[file])
+        for file, places in chosen.items():
+            if turn < len(places):
+                node = list(ast.walk(parsed(file)))[places[turn]]
+                yield Mutant(_what(file, node), file, kernels()[file], places[turn])
 
 
-def _chosen(file: str, tree: ast.Module) -> list[ast.AST]:
-    """All that can be turned in a file, in a random order of its own."""
-    sites = [node for node in ast.walk(tree) if _turnable(node)]
+def _chosen(file: str) -> list[int]:
+    """The places of all that can be turned in a file, in a random order of its own."""
+    sites = [place for place, node in enumerate(ast.walk(parsed(file))) if _turnable(node)]
     return random.Random(file).sample(sites, len(sites))
 
 
@@ -75,28 +101,30 @@ def _turnable(node: ast.AST) -> bool:
     return isinstance(node, ast.BinOp | ast.BoolOp | ast.UnaryOp) and type(node.op) in SWAPS
 
 
-def _turned(tree: ast.Module, node: ast.AST, file: str, code: str) -> tuple[Bug, str]:
-    """The file's text with one node changed; the tree is left as it was."""
-    where = f"{file}:{getattr(node, 'lineno', 0)}:{getattr(node, 'col_offset', 0)}"
-    if isinstance(node, ast.Constant):
-        value = node.value
-        assert isinstance(value, float)
-        node.value = 1.1 * value
-        text, what = ast.unparse(tree), f"{where} {value} -> {node.value}"
-        node.value = value
-    elif isinstance(node, ast.Compare):
-        kept = node.ops[0]
-        node.ops[0] = SWAPS[type(kept)]()
-        text, what = ast.unparse(tree), f"{where} {_arrow(kept, node.ops[0])}"
-        node.ops[0] = kept
+def turned(node: ast.AST) -> ast.expr:
+    """A copy of a node that can be turned, turned."""
+    made = copy.deepcopy(node)
+    if isinstance(made, ast.Constant):
+        assert isinstance(made.value, float)
+        made.value = 1.1 * made.value
+    elif isinstance(made, ast.Compare):
+        made.ops[0] = SWAPS[type(made.ops[0])]()
     else:
-        assert isinstance(node, ast.BinOp | ast.BoolOp | ast.UnaryOp)
-        old = node.op
-        node.op = SWAPS[type(old)]()
-        text, what = ast.unparse(tree), f"{where} {_arrow(old, node.op)}"
-        node.op = old
-    return Bug(what, file, code, "", ""), text
+        assert isinstance(made, ast.BinOp | ast.BoolOp | ast.UnaryOp)
+        made.op = SWAPS[type(made.op)]()
+    return made
 
 
-def _arrow(old: ast.AST, new: ast.AST) -> str:
-    return f"{SYMBOLS[type(old)]} -> {SYMBOLS[type(new)]}"
+def _what(file: str, node: ast.AST) -> str:
+    """Where a node is, and what becomes of it."""
+    where = f"{file}:{getattr(node, 'lineno', 0)}:{getattr(node, 'col_offset', 0)}"
+    return f"{where} {_word(node)} -> {_word(turned(node))}"
+
+
+def _word(node: ast.AST) -> str:
+    if isinstance(node, ast.Constant):
+        return str(node.value)
+    if isinstance(node, ast.Compare):
+        return SYMBOLS[type(node.ops[0])]
+    assert isinstance(node, ast.BinOp | ast.BoolOp | ast.UnaryOp)
+    return SYMBOLS[type(node.op)]

@@ -3,8 +3,9 @@
 `python -m bench.mutations` runs all; `--seeded` the plausible bugs only; `--each N` sets how many
 mechanical mutants a kernel gets; `--files PATTERN` which kernels. A bug is caught if the gate is
 red for an answer that is wrong, gains energy, crashes or hangs; hangs are counted apart. The bar
-is that the gate catches every seeded bug, and is green for every code without one. A whole run
-takes hours: what the gate said is kept, and not asked again of the same sources.
+is that the gate catches every seeded bug, and is green for every code without one, with all
+mechanical ones in it and none of them on too. What the gate said is kept, and not asked again of
+the same sources, so that a run that was cut goes on.
 """
 
 import argparse
@@ -12,22 +13,22 @@ import concurrent.futures
 import functools
 import hashlib
 import os
-import shutil
 import subprocess
 import sys
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator, Sequence
 from fnmatch import fnmatch
 from pathlib import Path
+from typing import NamedTuple
 
 from bench.evidence import conclude
 from bench.mutants import ROOT, mechanical
+from bench.schemata import CONTENT, NUMBER, build, copied
 from bench.seeded_bugs import BUGS, Bug
 from vv.closure import source_digest
 from vv.files import write
 from vv.finding import Bit
 
-CONTENT = ("vv", "adapters", "cases", "reference_solutions", "reports", "pyproject.toml")
 HANGS = "hangs"
 SPHERES, BLOCKS = ("single-contact",), ("responding-block:1d", "wedge:xi-1", "painleve")
 SHORTEST = {"exact": SPHERES, "dem": SPHERES, "rigid": BLOCKS, "dda": BLOCKS}
@@ -39,63 +40,61 @@ QUICK = (
     "responding-block:3d",
     "bounce:again",
 )
-LONGER = {  # what else a code runs in less time uncompiled than all its kernels take to compile
-    "dem": ("dashpot", "stable-bonds", "tetrahedral-path"),
-    "rigid": ("at-yield", "implicit-swing", "standing"),
-    "dda": ("at-yield", "implicit-swing", "shaken-fast"),
-}
 UNCOMPILED = {"NUMBA_DISABLE_JIT": "1"}
 HASTILY = {"NUMBA_OPT": "1"}  # compiles in two thirds of the time; the solves are short
-KEPT = ROOT / ".vv" / "mutants"  # what the gate said, a mutant a file
+COMPILING, SOLVING = 600.0, 120.0  # s after which the gate hangs, many times what it takes
+KEPT = ROOT / ".vv" / "mutants"  # what the gate said, and the copy that holds all mutants
 
 
-def caught(bug: Bug, text: str) -> str:
+class Question(NamedTuple):
+    """What is asked of a code's gate, all that its answer hangs on beside the sources, and how."""
+
+    what: str
+    code: str
+    changed: str
+    ask: Callable[[], str]
+
+
+def alone(file: str, code: str, text: str) -> str:
     """How the gate answers a copy of the project with a file changed: '' if it sees nothing."""
     with tempfile.TemporaryDirectory() as folder:
         copy = Path(folder)
-        for name in CONTENT:
-            source = ROOT / name
-            if source.is_dir():
-                shutil.copytree(source, copy / name)
-            else:
-                shutil.copy(source, copy / name)
-        (copy / bug.file).write_text(text)
-        seen = (_gate(copy, bug.code, number, *s) for number, s in enumerate(_stages(bug.code)))
+        copied(copy)
+        (copy / file).write_text(text)
+        seen = (_gate(copy, code, *stage) for stage in _stages(code))
         return next(filter(None, seen), "")
 
 
-def _stages(code: str) -> Iterator[tuple[tuple[str, ...], dict[str, str], float]]:
+def _stages(code: str) -> Iterator[tuple[float, tuple[str, ...], dict[str, str]]]:
     """The shortest cases first, whose kernels need no compiling; for what survives them, all.
 
-    With each the seconds after which it hangs: many times what it takes without a bug.
+    With each the seconds after which it hangs.
     """
     if code in SHORTEST:
-        yield SHORTEST[code], UNCOMPILED, 60.0
-    yield QUICK, UNCOMPILED, 120.0
-    if code in LONGER:
-        yield LONGER[code], UNCOMPILED, 240.0
-    yield (), HASTILY, 120.0 if code == "exact" else 600.0
+        yield SOLVING, SHORTEST[code], UNCOMPILED
+    yield SOLVING, QUICK, UNCOMPILED
+    yield COMPILING, (), HASTILY
+
+
+def switched(project: Path, code: str, number: int) -> str:
+    """How the gate answers the copy that holds all mutants with one of them on."""
+    return _gate(project, code, SOLVING, (), {NUMBER: str(number)})
 
 
 def _gate(
-    copy: Path,
-    code: str,
-    number: int,
-    selection: tuple[str, ...],
-    settings: dict[str, str],
-    limit: float,
+    project: Path, code: str, limit: float, selection: tuple[str, ...], settings: dict[str, str]
 ) -> str:
-    """What the gate says of the copy at a stage; a stage does not see what one before it kept."""
+    """What the gate says of a project, with an empty store."""
     words = ["gate", *selection, "--codes", code, "--level", "quick", "--require", code]
-    data = str(copy / f"data-{number}")
-    env = {**os.environ, "PYTHONPATH": str(copy), "VV_DATA": data, **settings}
-    try:
-        done = subprocess.run(
-            [sys.executable, "-m", "vv", *words, "--timeout", str(limit / 4)],
-            cwd=copy, env=env, capture_output=True, check=False, timeout=limit,
-        )  # fmt: skip
-    except subprocess.TimeoutExpired:
-        return HANGS
+    with tempfile.TemporaryDirectory() as data:
+        env = {**os.environ, "PYTHONPATH": str(project), "VV_DATA": data, **settings}
+        try:
+            done = subprocess.run(
+                [sys.executable, "-m", "vv", *words, "--timeout", str(limit / 4), "--jobs", "1"],
+                cwd=project, env=env, capture_output=True, check=False, timeout=limit,
+            )  # fmt: skip
+        except subprocess.TimeoutExpired:
+            return HANGS
     if done.returncode & (Bit.ACCURACY | Bit.CONSERVATION | Bit.CRASH):
         return f"exit {done.returncode}"
     return HANGS if done.returncode & Bit.TIMEOUT else ""
@@ -110,23 +109,71 @@ def seeded() -> Iterator[tuple[Bug, str]]:
         yield bug, text.replace(bug.old, bug.new, 1)
 
 
-def answers(mutants: list[tuple[Bug, str]]) -> dict[str, str]:
-    """What the gate says of each mutant, as many at a time as there are cores."""
+def plausible() -> list[Question]:
+    """What is asked of the plausible bugs."""
+    return [
+        Question(bug.what, bug.code, bug.file + text, _later(alone, bug.file, bug.code, text))
+        for bug, text in seeded()
+    ]
+
+
+def turned(each: int, files: str, project: Path) -> list[Question]:
+    """What is asked of the mechanical mutants in a copy that holds them all, or else alone."""
+    every = list(mechanical(each))
+    numbers = build(project, every)
+    asked = []
+    for one in (mutant for mutant in every if fnmatch(mutant.file, files)):
+        text, number = one.text(), numbers.get(one.what)
+        ask = (
+            _later(switched, project, one.code, number)
+            if number
+            else _later(alone, one.file, one.code, text)
+        )
+        asked.append(Question(one.what, one.code, one.file + text, ask))
+    return asked
+
+
+def unharmed(project: Path) -> list[Question]:
+    """For every code what the gate must not see: nothing changed, and no mutant of all on."""
+    first = {bug.code: bug.file for bug in BUGS} | {m.code: m.file for m in mechanical(1)}
+    own = [
+        Question(f"nothing, {code}", code, "", _later(alone, file, code, (ROOT / file).read_text()))
+        for code, file in first.items()
+    ]
+    codes = {mutant.code for mutant in mechanical(1)}
+    none = [
+        Question(f"no mutant on, {code}", code, "", _later(_compiled_once, project, code))
+        for code in sorted(codes)
+    ]
+    return own + none
+
+
+def _compiled_once(project: Path, code: str) -> str:
+    """The answer with no mutant on, in which kernels are compiled for all that follow."""
+    return _gate(project, code, COMPILING, (), {NUMBER: "0"})
+
+
+def _later(ask: Callable[..., str], *given: object) -> Callable[[], str]:
+    return functools.partial(ask, *given)
+
+
+def answers(questions: Sequence[Question]) -> dict[str, str]:
+    """What the gate says, as many at a time as there are cores."""
     with concurrent.futures.ThreadPoolExecutor(len(os.sched_getaffinity(0))) as pool:
         told = {}
-        for (bug, _), answer in zip(mutants, pool.map(_asked_once, mutants), strict=True):
-            print(f"{answer or 'SURVIVES':<9} {bug.code:<9} {bug.what}", flush=True)
-            told[bug.what] = answer
+        for one, answer in zip(questions, pool.map(_asked_once, questions), strict=True):
+            print(f"{answer or '-':<9} {one.code:<9} {one.what}", flush=True)
+            told[one.what] = answer
     return told
 
 
-def _asked_once(mutant: tuple[Bug, str]) -> str:
-    """What the gate says of a mutant, now or before; a hang may be a busy machine's fault."""
-    bug, text = mutant
-    kept = KEPT / hashlib.sha256(f"{_sources()}{bug.file}{text}".encode()).hexdigest()
+def _asked_once(question: Question) -> str:
+    """What the gate says, now or before; a hang may be a busy machine's fault."""
+    whole = f"{_sources()}{question.what}{question.changed}"
+    kept = KEPT / "told" / hashlib.sha256(whole.encode()).hexdigest()
     if kept.is_file():
         return kept.read_text()
-    answer = caught(bug, text)
+    answer = question.ask()
     if answer != HANGS:
         write(kept, answer.encode())
     return answer
@@ -134,19 +181,10 @@ def _asked_once(mutant: tuple[Bug, str]) -> str:
 
 @functools.cache
 def _sources() -> str:
-    """Digest of all that a verdict hangs on, and of how the gate is asked."""
+    """Digest of all that an answer hangs on, and of how the gate is asked."""
     parts = [path for name in CONTENT for path in (ROOT / name, *(ROOT / name).rglob("*"))]
     kept = [path for path in parts if path.is_file() and path.suffix != ".pyc"]
-    return source_digest([*kept, Path(__file__)])
-
-
-def unharmed() -> list[tuple[Bug, str]]:
-    """For every code a kernel as it is: what the gate must not see."""
-    first = {bug.code: bug for bug in (*BUGS, *(bug for bug, _ in mechanical(1)))}
-    return [
-        (Bug(f"nothing, {code}", bug.file, code, "", ""), (ROOT / bug.file).read_text())
-        for code, bug in first.items()
-    ]
+    return source_digest([*kept, *Path(__file__).parent.glob("*.py")])
 
 
 def main() -> None:
@@ -156,15 +194,15 @@ def main() -> None:
     parser.add_argument("--each", type=int, default=10, help="mechanical mutants a kernel")
     parser.add_argument("--files", default="*", help="kernels to mutate, such as 'vv/dem/*'")
     options = parser.parse_args()
-    figures: dict[str, object] = {}
-    control = {bug.what: caught(bug, text) for bug, text in unharmed()}
-    plausible = answers(list(seeded()))
-    escaped = [what for what, answer in plausible.items() if answer in ("", HANGS)]
-    red = [what for what, answer in control.items() if answer]
-    figures |= {"seeded": len(plausible), "seeded, not caught": escaped, "red without a bug": red}
-    if not options.seeded:
-        wanted = [m for m in mechanical(options.each) if fnmatch(m[0].file, options.files)]
-        told = answers(wanted)
+    project = KEPT / "project"
+    mutants = [] if options.seeded else turned(options.each, options.files, project)
+    asked = [one for one in unharmed(project) if mutants or "no mutant" not in one.what]
+    red = [what for what, answer in answers(asked).items() if answer]
+    told = answers(plausible())
+    escaped = [what for what, answer in told.items() if answer in ("", HANGS)]
+    figures = {"seeded": len(told), "seeded, not caught": escaped, "red without a bug": red}
+    if mutants:
+        told = answers(mutants)
         left = [what for what, answer in told.items() if not answer]
         figures |= {
             "mechanical": len(told),
