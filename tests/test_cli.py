@@ -116,7 +116,8 @@ def test_explain_shows_formula_parameters_tolerances_and_the_last_result(tiny: T
 
 def test_export_writes_the_native_input(tiny: Tiny) -> None:
     words = ("export", "fall:up", "--code", "fake", "--rung", "dt=0.5", "--output", "in.txt")
-    assert tiny.vv(*words).returncode == 0
+    done = tiny.vv(*words)
+    assert (done.returncode, done.stderr) == (0, "written: fall:up fake/good dt=0.5\n")
     assert (tiny.root / "in.txt").read_text() == "fall 0.5\n"
 
 
@@ -214,3 +215,30 @@ def test_only_whole_cases_of_whole_codes_are_recorded(tiny: Tiny, words: str) ->
     done = tiny.vv("record", *words.split())
     assert done.returncode == 64
     assert "record writes whole cases of whole codes, not '" in done.stderr
+
+
+@pytest.mark.parametrize(
+    ("file", "old", "new", "told"),
+    [
+        ("cases/fall.py", 'p["radius"]]', 'p["radios"]]', "KeyError: 'radios'"),
+        ("cases/fall.py", "observe=lambda run: int(", "observe=lambda run: missing(", "NameError"),
+        ("reference_solutions/fall.py", "g * t**2", "h * t**2", "NameError: name 'h'"),
+        (
+            "adapters/fake.py",
+            '    return "it does not',
+            '    return 1 / 0 or "',
+            "ZeroDivisionError",
+        ),
+        ("adapters/fake.py", "Found(True,", "Fonud(True,", "NameError: name 'Fonud'"),
+    ],
+)
+def test_an_error_in_a_project_s_own_files_is_told_with_the_calls_in_these(
+    tiny: Tiny, file: str, old: str, new: str, told: str
+) -> None:
+    tiny.edit(file, old, new)
+    done = tiny.vv("run", "fall:up", "--codes", "fake/good,fake/refuses")
+    assert done.returncode == 64
+    assert f"vv: {told}" in done.stderr
+    frames = re.findall(r'File "(.*?)", line', done.stderr)
+    assert frames[-1] == str(tiny.root / file)
+    assert all(name.startswith(str(tiny.root)) for name in frames)

@@ -58,10 +58,15 @@ def test_a_run_is_found_by_its_name_or_the_beginning_of_its_commit(tmp_path: Pat
     store = Store(tmp_path)
     kept(store, "01", "abcdef", ladder())
     kept(store, "02", "abcdef", ladder(2.0))
-    assert manifest_of(store, "01")["records"] == ladder()
-    assert manifest_of(store, "abcd")["records"] == ladder(2.0)
-    with pytest.raises(UsageError, match="no run and no commit 'ffff'"):
-        manifest_of(store, "ffff")
+    known = {"HEAD": "abcdef"}
+
+    def found(name: str) -> Any:
+        return manifest_of(store, name, lambda asked: known.get(asked, ""))["records"]
+
+    assert found("01") == ladder()
+    assert found("abcd") == found("HEAD") == ladder(2.0)
+    with pytest.raises(UsageError, match="no commit 'ffff' in the store; the last runs are 02, 01"):
+        found("ffff")
 
 
 def test_history_has_the_newest_run_of_each_commit_over_shared_rungs(tmp_path: Path) -> None:

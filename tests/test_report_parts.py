@@ -16,6 +16,7 @@ from reports.outcomes import counted
 from tests.fabricated import STEPS, cost, entry, manifest_of_all, ran, record
 from vv import screen
 from vv.store import Store
+from vv.wording import in_words
 
 
 def test_points_without_a_result_go_to_the_rim_and_refusals_nowhere() -> None:
@@ -58,12 +59,11 @@ def test_the_terminal_and_the_report_count_alike(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     records = manifest_of_all(Store(tmp_path))["records"]
-    shown = {screen.WORDS.get(found.key, found.key): n for found, n in counted(records)}
+    shown = {in_words(found.key, n): n for found, n in counted(records)}
     screen.print_counts(records, "report.html")
     told = capsys.readouterr().out.partition(";")[0].split(", ")
-    singular = {many: one for one, many in screen.PLURAL.items()}
     pairs = [text.split(" ", 1) for text in told]
-    assert {singular.get(word, word): int(n) for n, word in pairs} == shown
+    assert {word: int(n) for n, word in pairs} == shown
     assert shown["not conserved"] == 1
 
 

@@ -82,6 +82,7 @@ def test_what_is_required_is_looked_at_though_all_stands(tiny: Tiny) -> None:
     assert tiny.vv(*SELECTION, "--require", "none").returncode == Bit.USAGE
     done = tiny.vv(*SELECTION, "--require", "fake/coarse")
     assert SAYS in done.stderr
+    assert "fake/coarse is required, and nothing of it ran" in done.stderr
     assert done.returncode == Bit.INCOMPLETE
 
 

@@ -20,6 +20,14 @@ def commit(root: Path) -> tuple[str, bool]:
         return "", False
 
 
+def named(root: Path, revision: str) -> str:
+    """The commit that git knows by a name such as HEAD~1 or a tag; empty if there is none."""
+    try:
+        return _git(root, "rev-parse", "--verify", "--quiet", f"{revision}^{{commit}}")[0]
+    except GitError:
+        return ""
+
+
 def changed_since(root: Path, revision: str) -> frozenset[Path]:
     """The files that differ from a revision, new and deleted ones too.
 

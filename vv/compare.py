@@ -4,17 +4,18 @@ from __future__ import annotations
 
 import contextlib
 import math
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
 
 from vv.gate import outcome
 from vv.reading import error_of, label, rung
 from vv.rungs import Key, orders
-from vv.settings import UsageError, near
+from vv.settings import UsageError
 from vv.store import Store
 
 SAME = 1e-6  # relative change of an error that is not worth a line
+LISTED = 3  # runs, where one is not found
 NOISE = 1e-12  # an error below it is rounding
 ORDER = 0.02  # change of an observed order that is not worth a line
 COST = 1.25  # ratio of costs that is not worth a line: rounds differ by as much
@@ -30,17 +31,21 @@ class Change:
     size: float = 0.0
 
 
-def manifest_of(store: Store, name: str) -> dict[str, Any]:
-    """The run of that name, or the newest at a commit of which it is the beginning."""
+def manifest_of(store: Store, name: str, known: Callable[[str], str]) -> dict[str, Any]:
+    """The run of that name, or the newest at a commit.
+
+    A commit is given by its beginning, or by a name that `known` tells the commit of, or ''.
+    """
     names = store.manifests()
     if name in names:
         return store.manifest(name)
-    if len(name) >= 4:
-        for run in reversed(names):
-            with contextlib.suppress(OSError):  # damaged from outside: it has no commit
-                if store.head(run)[1]["commit"].startswith(name):
-                    return store.manifest(run)
-    raise UsageError(f"no run and no commit '{name}' in the store{near(name, names[-5:])}")
+    commit = known(name) or (name if len(name) >= 4 else "")
+    for run in reversed(names if commit else []):
+        with contextlib.suppress(OSError):  # damaged from outside: it has no commit
+            if store.head(run)[1]["commit"].startswith(commit):
+                return store.manifest(run)
+    last = ", ".join(names[: -LISTED - 1 : -1])
+    raise UsageError(f"no run and no commit '{name}' in the store; the last runs are {last}")
 
 
 def changes(one: Mapping[str, Any], other: Mapping[str, Any]) -> list[Change]:

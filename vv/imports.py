@@ -47,6 +47,22 @@ def attribute(root: Path, file: Path, name: str) -> Any:
     return getattr(module, name)
 
 
+def raised_within(error: Exception) -> str:
+    """The calls in cases, adapters and answers that led to an error, and what it says.
+
+    Empty where none did: then the fault is not in what a project writes.
+    """
+    frames = [f for f in traceback.extract_tb(error.__traceback__) if _in_content(Path(f.filename))]
+    text = f"{type(error).__name__}: {' '.join(str(error).split())}"
+    return f"{text}\n{''.join(traceback.format_list(frames)).rstrip()}" if frames else ""
+
+
+def _in_content(file: Path) -> bool:
+    """Whether a file lies in a package of a project that is active."""
+    active = [Path(entry) / name for entry in sys.path[:2] for name in CONTENT]
+    return any(folder in file.parents for folder in active)
+
+
 def _line(error: Exception, file: Path) -> str:
     """Where in the file an import failed, as ':12'; empty if it did not get that far."""
     if isinstance(error, SyntaxError) and error.filename == str(file):

@@ -9,6 +9,7 @@ from typing import Any
 from vv.files import write
 from vv.finding import Bit, Finding, bits, worst_first
 from vv.gate import counted
+from vv.wording import listed
 
 ROWS = 15  # of each table; the report has the rest
 WORDS = {
@@ -36,14 +37,12 @@ def write_markdown(path: Path, manifest: Mapping[str, Any], findings: Sequence[F
 
 def summary(manifest: Mapping[str, Any], findings: Sequence[Finding]) -> str:
     """The summary as Markdown: colour, counts, what is red, what moved, what is worth knowing."""
-    counts = counted(manifest["records"])
     told = manifest["provenance"]
     commit = f"commit `{told['commit'][:9]}`{' with changes' if told['dirty'] else ''}, "
     lines = [
         f"### Verification: {headline(findings)}",
         "",
-        f"{', '.join(f'{n} {word}' for word, n in counts.most_common())}. "
-        f"{commit if told['commit'] else ''}{told['utc']}.",
+        f"{listed(counted(manifest['records']))}. {commit if told['commit'] else ''}{told['utc']}.",
     ]
     ranked = worst_first(findings)
     moved = [f for f in ranked if f.compares]

@@ -10,26 +10,15 @@ from typing import TYPE_CHECKING, Any
 from vv.adapter import Adapter
 from vv.case import Case
 from vv.finding import Bit, Finding, from_data, worst_first
-from vv.gate import NOT_CONSERVED, counted, outcome, record_findings
+from vv.gate import counted, outcome, record_findings
 from vv.plan import Job, Plan
 from vv.reading import label, tried
+from vv.wording import in_words, listed
 
 if TYPE_CHECKING:
     from vv.compare import Change
     from vv.history import Point
 
-WORDS = {
-    "blow-up": "blow-up to show",
-    "xfail": "known disagreement",
-    "xpass": "unexpected pass",
-    "no-reference": "shown only",
-}
-PLURAL = {
-    "blow-up to show": "blow-ups to show",
-    "known disagreement": "known disagreements",
-    "unexpected pass": "unexpected passes",
-}
-ORDER = ("pass", "fail", NOT_CONSERVED, "xpass", "xfail", "no-reference")
 STORED = "stored"
 REASONS = 6  # why codes refused: the most frequent ones
 SHOWN = 12  # findings of a gate; the report and the files have all
@@ -75,18 +64,19 @@ def print_failures(records: Iterable[Mapping[str, Any]]) -> None:
         note(f"and {len(found) - REASONS} more like these; the report has them all")
 
 
+def print_missing(findings: Iterable[Finding]) -> None:
+    """What was required and did not run."""
+    for finding in findings:
+        if finding.kind == "missing":
+            note(finding.text)
+
+
 def print_counts(records: Iterable[Mapping[str, Any]], report: str) -> None:
     """The last line of a run: outcomes counted, where the report is, where to read why.
 
     report: its path, or what writes it.
     """
-    counts = counted(records)
-    ranked = sorted(counts, key=lambda word: (ORDER.index(word) if word in ORDER else 9, word))
-    named = []
-    for word in ranked:
-        text = WORDS.get(word, word)
-        named.append(f"{counts[word]} {PLURAL.get(text, text) if counts[word] > 1 else text}")
-    say(f"{', '.join(named)}; report: {report}; why: vv explain CASE")
+    say(f"{listed(counted(records))}; report: {report}; why: vv explain CASE")
 
 
 def print_findings(findings: Sequence[Finding]) -> None:
@@ -115,7 +105,7 @@ def print_unacceptable(records: Iterable[Mapping[str, Any]]) -> None:
     """Which results do not enter a baseline, counted by scheme and outcome."""
     counts = Counter((label(record), outcome(record)) for record in records)
     for (scheme, word), number in counts.items():
-        say(f"not accepted: {number} of {scheme}: {WORDS.get(word, word)}")
+        say(f"not accepted: {number} of {scheme}: {in_words(word, number)}")
 
 
 def print_changes(
@@ -146,7 +136,7 @@ def print_history(case: str, points: Sequence[Point]) -> None:
         for scheme, counts in sorted(point.outcomes.items()):
             near = point.closeness.get(scheme)
             cost = point.cost.get(scheme)
-            told = [f"{n} {WORDS.get(word, word)}" for word, n in counts.items()]
+            told = [listed(counts)]
             told += [f"error {near:.3g} of the tolerance"] if near is not None else []
             told += [f"cost {cost:.3g} calibration kernels"] if cost is not None else []
             say(f"  {scheme}: {', '.join(told)}")

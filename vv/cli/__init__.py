@@ -11,6 +11,7 @@ import typer
 
 from vv import screen
 from vv.cli import extend, judge, keep, look, run, speed
+from vv.imports import raised_within
 from vv.settings import UsageError
 
 BITS = (
@@ -46,8 +47,17 @@ for group, commands in GROUPS.items():
         app.command(name, rich_help_panel=group)(command)
 
 
+def _message(error: Exception) -> str:
+    """What the option parser complains of, or a project's own files; empty for our own faults."""
+    parser = getattr(error, "format_message", None)
+    return raised_within(error) if parser is None else str(parser()) or "a command is missing"
+
+
 def main() -> None:
-    """Run the command line; bad input gets one line and exit status 64, never a traceback."""
+    """Run the command line; bad input gets one line and exit status 64, never a traceback.
+
+    An error in a project's own files is told with the calls in these that led to it.
+    """
     signal.signal(signal.SIGTERM, signal.default_int_handler)  # ends its workers as Ctrl-C does
     try:
         code = app(standalone_mode=False)
@@ -63,10 +73,10 @@ def main() -> None:
     except OSError as error:
         code = screen.complain(f"cannot use {error.filename}: {error.strerror}")
     except Exception as error:
-        message = getattr(error, "format_message", None)  # what the option parser complains of
-        if message is None:
+        message = _message(error)
+        if not message:
             raise
-        code = screen.complain(message())
+        code = screen.complain(message)
     if code == INTERRUPTED:  # which the option parser may have made of it
         screen.complain("interrupted; what has finished is kept")
     sys.exit(code or 0)

@@ -12,6 +12,7 @@ from vv.cli import options
 from vv.files import deliver
 from vv.plan import Options, make_plan
 from vv.project import find
+from vv.screen import note
 from vv.selection import choose_schemes, named_adapters, select
 from vv.settings import UsageError
 
@@ -37,5 +38,5 @@ def export(
     if job.settled is not None and job.settled.status is Status.REFUSED:
         raise UsageError(f"{code} refuses {selection}: {job.settled.reason}")
     adapter, scheme = choose_schemes(named_adapters(project, [code]), [code])[0]
-    text = adapter.native(job.ask, scheme.name)
-    deliver(output or Path("-"), text.encode())
+    deliver(output or Path("-"), adapter.native(job.ask, scheme.name).encode())
+    note(f"written: {job.label}")

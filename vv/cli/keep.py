@@ -39,9 +39,9 @@ def accept(
 
     project = find()
     _writable(project)
+    plan = _both_levels(project, case, "*")
     if not (reason.strip() or dry_run):
         raise UsageError('--reason is missing; say why the results are right: --reason "..."')
-    plan = _both_levels(project, case, "*")
     when = Timing.NEW if timing else Timing.NONE
     manifest = carried_out(project, plan, Limits(options.workers(0), options.TIMEOUT, timing=when))
     tell(project, manifest, None, LATER)

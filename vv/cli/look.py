@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 from pathlib import Path
 from typing import Annotated
 
@@ -63,19 +64,23 @@ def explain(selection: Annotated[list[str], typer.Argument(help="CASE or CASE:VA
 
 
 def diff(
-    one: Annotated[str, typer.Argument(metavar="A", help="A run's name or a commit.")],
+    one: Annotated[
+        str, typer.Argument(metavar="A", help="A run's name, or a commit as git knows it.")
+    ],
     other: Annotated[str, typer.Argument(metavar="B", help="Another; the latest run.")] = "",
     rows: Annotated[int, typer.Option("--rows", min=1, help="Lines of each kind.")] = 15,
 ) -> None:
     """Say what moved between two runs, or the last runs of two commits: error, order, cost."""
-    from vv import compare
+    from vv import checkout, compare
 
-    store = Store(find().data())
+    project = find()
+    store = Store(project.data())
     names = store.manifests()
     if not names:
         raise UsageError("there are no runs to compare; `vv run` makes one")
-    first = compare.manifest_of(store, one)
-    second = compare.manifest_of(store, other or names[-1])
+    known = functools.partial(checkout.named, project.root)
+    first = compare.manifest_of(store, one, known)
+    second = compare.manifest_of(store, other or names[-1], known)
     screen.print_changes(compare.changes(first, second), first, second, rows)
 
 

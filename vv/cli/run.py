@@ -10,7 +10,8 @@ from vv import screen
 from vv.ask import Knobs
 from vv.cli import options
 from vv.cli.invocation import answered, carried_out, reported, tell
-from vv.gate import RUN_BITS, exit_bits
+from vv.finding import bits
+from vv.gate import RUN_BITS, record_findings
 from vv.plan import Options, Plan, restricted
 from vv.project import Project, find
 from vv.settings import UsageError
@@ -84,7 +85,9 @@ def run(
         manifest = answered(project, asked, make_plan, limits)
     tell(project, manifest, json_file, str(reported(project, manifest, limits)))
     screen.print_failures(manifest["records"])
-    raise typer.Exit(exit_bits(manifest["records"], required) & RUN_BITS)
+    findings = record_findings(manifest["records"], required)
+    screen.print_missing(findings)
+    raise typer.Exit(bits(findings) & RUN_BITS)
 
 
 def _list_jobs(project: Project, store: Store, plan: Plan, fresh: bool) -> None:
