@@ -28,7 +28,6 @@ from bench.seeded_bugs import BUGS, Bug
 from vv.closure import source_digest
 from vv.files import write
 from vv.finding import Bit
-from vv.project import find
 
 HANGS = "hangs"
 SPHERES, BLOCKS = ("single-contact",), ("responding-block:1d", "wedge:xi-1", "painleve")
@@ -44,7 +43,6 @@ QUICK = (
 UNCOMPILED = {"NUMBA_DISABLE_JIT": "1"}
 HASTILY = {"NUMBA_OPT": "1"}  # compiles in two thirds of the time; the solves are short
 COMPILING, SOLVING = 600.0, 60.0  # s after which the gate hangs, many times what it takes
-ROUNDED = ("wedge:xi-1e-06",)  # right or wrong by how products are rounded, as the copy does not
 KEPT = ROOT / ".vv" / "mutants"  # what the gate said, and the copy that holds all mutants
 
 
@@ -84,18 +82,9 @@ def switched(project: Path, code: str, number: int) -> str:
     Most are seen by the shortest cases.
     """
     limit = SOLVING if number else COMPILING  # which is done once for all that follow
-    stages = (SHORTEST[code], _steady())
+    stages = (SHORTEST[code], ())
     seen = (_gate(project, code, limit, stage, {NUMBER: str(number)}) for stage in stages)
     return next(filter(None, seen), "")
-
-
-@functools.cache
-def _steady() -> tuple[str, ...]:
-    """All variants but those that another way to compile the same kernels turns red."""
-    project = find(ROOT)
-    names = project.case_names()
-    every = [f"{name}:{one.name}" for name in names for one in project.load_case(name).variants]
-    return tuple(name for name in every if name not in ROUNDED)
 
 
 def _gate(

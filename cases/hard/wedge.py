@@ -82,7 +82,7 @@ def _judge(xi: float) -> Exact:
     """Springs sink by N/kn into either side, and the wedge by 1/sin(xi/2) as much."""
     sinks = 5e-4 / xi**2
     second = Tolerance(
-        1e-10 if xi > 0.05 else 1e-4,
+        1e-10 if xi > 0.05 else 1e-5,
         "constant forces are integrated exactly; contacts are solved to 1e-12 m/s, which a narrow "
         "groove magnifies by 1/sin(xi/2) more than once",
         dt=1e-2,
