@@ -105,9 +105,14 @@ def _work(batch: Batch, pipe: Connection, scratch: Path) -> None:
             pipe.send(run)
     except Exception as error:
         traceback.print_exc()
-        last = traceback.extract_tb(error.__traceback__)[-1]
-        where = f"{Path(last.filename).name}:{last.lineno}"
-        pipe.send(Run(Status.ERROR, f"{type(error).__name__}: {error} ({where})"))
+        pipe.send(failed(error))
+
+
+def failed(error: Exception) -> Run:
+    """What comes of an adapter or a measurement that raised an error: what it says, and where."""
+    last = traceback.extract_tb(error.__traceback__)[-1]
+    where = f"{Path(last.filename).name}:{last.lineno}"
+    return Run(Status.ERROR, f"{type(error).__name__}: {error} ({where})")
 
 
 def _die_with_parent() -> None:

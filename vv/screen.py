@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 from vv.adapter import Adapter
 from vv.case import Case
 from vv.finding import Bit, Finding, from_data, worst_first
-from vv.gate import counted, outcome, record_findings
+from vv.gate import counted, outcome
 from vv.plan import Job, Plan
 from vv.reading import label, tried
 from vv.wording import in_words, listed
@@ -54,21 +54,13 @@ def print_refusals(records: Iterable[Mapping[str, Any]]) -> None:
         print(f"and {rest} more reasons to refuse; the report has them all", file=sys.stderr)
 
 
-def print_failures(records: Iterable[Mapping[str, Any]]) -> None:
-    """The results farthest outside their tolerances, in the words of the gate."""
-    ranked = worst_first(record_findings(list(records)))
-    found = [finding for finding in ranked if finding.check == "accuracy"]
+def print_failures(findings: Sequence[Finding]) -> None:
+    """What did not run, and the results farthest outside their tolerances, as the gate says it."""
+    found = [one for one in worst_first(findings) if one.check in ("accuracy", "run")]
     for finding in found[:REASONS]:
         note(f"{finding.kind}: {finding.where}: {finding.text}")
     if len(found) > REASONS:
         note(f"and {len(found) - REASONS} more like these; the report has them all")
-
-
-def print_missing(findings: Iterable[Finding]) -> None:
-    """What was required and did not run."""
-    for finding in findings:
-        if finding.kind == "missing":
-            note(finding.text)
 
 
 def print_counts(records: Iterable[Mapping[str, Any]], report: str) -> None:

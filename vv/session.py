@@ -19,7 +19,7 @@ from vv.plan import Job, Plan
 from vv.project import Project
 from vv.provenance import provenance
 from vv.record import checked, described, measured
-from vv.runner import Batch, run_batches
+from vv.runner import Batch, failed, run_batches
 from vv.store import Store
 from vv.study import Grid
 from vv.timing_phase import gaps, last_costs, timed_costs
@@ -186,14 +186,20 @@ def batches(waiting: Mapping[int, Job], plan: Plan, workers: int) -> list[Batch]
 
 
 def _kept(plan: Plan, job: Job, run: Run, key: str, store: Store) -> Record:
-    """Measure a run, keep the record if it says something, and return it with its identity."""
-    entries, arrays = [], {}
+    """Measure a run, keep the record if it says something, and return it with its identity.
+
+    A run of which a quantity cannot be measured has failed: it may be what the case is to show.
+    """
     trial = plan.trials[job.case, job.variant]
-    if run.status is Status.RAN:
-        for quantity in trial.quantities:
+    entries: list[Record] = []
+    arrays: dict[str, Any] = {}
+    try:
+        for quantity in trial.quantities if run.status is Status.RAN else ():
             entry, series = measured(run, quantity, job.method, job.ask.knobs)
             entries.append(entry)
             arrays.update(series)
+    except Exception as error:
+        run, entries = failed(error), []
     record = {**described(run), "quantities": entries}
     says = (Status.RAN, Status.DIVERGED) if isinstance(trial.study, Grid) else (Status.RAN,)
     if run.status in says:

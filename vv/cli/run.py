@@ -84,9 +84,8 @@ def run(
         asked = "run", tuple(selection or ()), chosen
         manifest = answered(project, asked, make_plan, limits)
     tell(project, manifest, json_file, str(reported(project, manifest, limits)))
-    screen.print_failures(manifest["records"])
     findings = record_findings(manifest["records"], required)
-    screen.print_missing(findings)
+    screen.print_failures(findings)
     raise typer.Exit(bits(findings) & RUN_BITS)
 
 
