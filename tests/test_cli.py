@@ -245,10 +245,10 @@ def test_an_error_in_a_project_s_own_files_is_told_with_the_calls_in_these(
 
 
 def test_a_run_that_cannot_be_measured_has_failed_and_the_others_go_on(tiny: Tiny) -> None:
+    """What never moves has no end to divide by."""
     measured = "observe=lambda run: run.values[BALL][-1, 1]"
-    broken = "observe=lambda run: 1 / (run.steps > 10)"  # not at the coarsest rung
-    tiny.edit("cases/fall.py", measured, broken)
-    done = tiny.vv("run", "fall:up", "--codes", "fake/good")
+    tiny.edit("cases/fall.py", measured, "observe=lambda run: 1 / float(run.values[BALL][-1, 1])")
+    done = tiny.vv("run", "fall:up", "--codes", "fake/good,fake/zeros")
     assert done.returncode == Bit.CRASH
-    assert done.stdout.startswith("2 pass, 1 error")
-    assert "ZeroDivisionError: division by zero (fall.py:" in done.stderr
+    assert done.stdout.startswith("3 pass, 3 error")
+    assert "ZeroDivisionError: float division by zero (fall.py:" in done.stderr
