@@ -13,6 +13,7 @@ from vv.ask import Displacement, History, Knobs, Method
 from vv.block import polyhedron_inertia
 from vv.case import (
     Case,
+    Check,
     Exact,
     Parameter,
     Parameters,
@@ -128,4 +129,6 @@ CASE = Case(
         for xi in (1.0, 0.1, 0.01, 1e-6)
     ),
     declare=_declare,
+    # at 1e-6 rad what is left of impulses moves by 5e-7 as a processor fuses products or not
+    enforced=frozenset(Check) - {Check.REGRESSION},
 )  # fmt: skip
