@@ -23,8 +23,9 @@ from typing import NamedTuple
 
 from bench.evidence import conclude
 from bench.mutants import ROOT, mechanical
-from bench.schemata import CONTENT, NUMBER, build, copied
+from bench.schemata import build, copied, sources
 from bench.seeded_bugs import BUGS, Bug
+from bench.switch import NUMBER
 from vv.closure import source_digest
 from vv.files import write
 from vv.finding import Bit
@@ -59,8 +60,7 @@ def alone(file: str, code: str, text: str) -> str:
     """How the gate answers a copy of the project with a file changed: '' if it sees nothing."""
     with tempfile.TemporaryDirectory() as folder:
         copy = Path(folder)
-        copied(copy)
-        (copy / file).write_text(text)
+        copied(copy, {file: text.encode()})
         seen = (_gate(copy, code, *stage) for stage in _stages(code))
         return next(filter(None, seen), "")
 
@@ -183,9 +183,7 @@ def _asked_once(question: Question) -> str:
 @functools.cache
 def _sources() -> str:
     """Digest of all that an answer hangs on, and of how the gate is asked."""
-    parts = [path for name in CONTENT for path in (ROOT / name, *(ROOT / name).rglob("*"))]
-    kept = [path for path in parts if path.is_file() and path.suffix != ".pyc"]
-    return source_digest([*kept, *Path(__file__).parent.glob("*.py")])
+    return source_digest([*sources(), *Path(__file__).parent.glob("*.py")])
 
 
 def main() -> None:

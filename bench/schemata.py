@@ -7,15 +7,13 @@ compiled once for all mutants, and each costs no more than the cases it is put t
 
 import ast
 import copy
-import shutil
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 
 from bench.mutants import COMPILED, ROOT, Mutant, parsed, turned
 from vv.files import write
 
 CONTENT = ("vv", "adapters", "cases", "reference_solutions", "reports", "pyproject.toml")
-NUMBER = "VV_MUTANT"  # the name under which the environment says which mutant is on
 KERNEL = ("compiled", "called", "inlined", "shared")
 PURE = ("np", "math", "len", "abs", "min", "max", "float", "int", "dot", "plus", "at", "cross")
 SWITCHES = ("switch", "switch_compiled")  # beside this file, which the copy has in vv/
@@ -24,37 +22,37 @@ SWITCHES = ("switch", "switch_compiled")  # beside this file, which the copy has
 def build(folder: Path, mutants: Sequence[Mutant]) -> dict[str, int]:
     """Copy the project to a folder, with all mutants that can be switched; what -> its number.
 
-    What lies there already is left as it is, so that kernels compiled before are still known.
+    What lies there already as it should is left, so that kernels compiled before are still known.
     """
     numbers = {m.what: i for i, m in enumerate(mutants, 1) if switchable(m)}
-    sources = dict(_sources())
+    changed = {}
     for file in {m.file for m in mutants}:
         own = {m.place: numbers[m.what] for m in mutants if m.file == file and m.what in numbers}
-        sources[file] = _switched(file, own).encode()
+        changed[file] = _switched(file, own).encode()
     here = Path(__file__).parent
-    sources |= {f"vv/{name}.py": (here / f"{name}.py").read_bytes() for name in SWITCHES}
-    for name, content in sources.items():
-        path = folder / name
-        if not path.is_file() or path.read_bytes() != content:
-            write(path, content)
+    changed |= {f"vv/{name}.py": (here / f"{name}.py").read_bytes() for name in SWITCHES}
+    copied(folder, changed)
     return numbers
 
 
-def _sources() -> Iterator[tuple[str, bytes]]:
-    for name in CONTENT:
-        for path in (ROOT / name, *(ROOT / name).rglob("*")):
-            if path.is_file() and path.suffix != ".pyc":
-                yield path.relative_to(ROOT).as_posix(), path.read_bytes()
+def sources() -> list[Path]:
+    """Every file of the project that an answer of the gate hangs on."""
+    parts = [path for name in CONTENT for path in (ROOT / name, *(ROOT / name).rglob("*"))]
+    return [path for path in parts if path.is_file() and path.suffix != ".pyc"]
 
 
-def copied(folder: Path) -> None:
-    """Copy the project as it is to an empty folder."""
-    for name in CONTENT:
-        source = ROOT / name
-        if source.is_dir():
-            shutil.copytree(source, folder / name)
-        else:
-            shutil.copy(source, folder / name)
+def copied(folder: Path, changed: Mapping[str, bytes]) -> None:
+    """Make a folder hold the project with some files changed, and nothing of one before."""
+    own = {path.relative_to(ROOT).as_posix(): path.read_bytes() for path in sources()}
+    wanted = {**own, **changed}
+    for part in CONTENT:
+        for path in (folder / part).rglob("*"):
+            if path.is_file() and path.relative_to(folder).as_posix() not in wanted:
+                path.unlink()
+    for name, content in wanted.items():
+        path = folder / name
+        if not path.is_file() or path.read_bytes() != content:
+            write(path, content)
 
 
 def switchable(mutant: Mutant) -> bool:

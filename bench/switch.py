@@ -2,7 +2,8 @@
 
 import os
 
-ON = int(os.environ.get("VV_MUTANT", "0"))  # none is 0
+NUMBER = "VV_MUTANT"  # the name under which the environment says which mutant is on
+ON = int(os.environ.get(NUMBER, "0"))  # none is 0
 
 
 def on(number: int) -> bool:

@@ -8,6 +8,7 @@ import pytest
 from typer.testing import CliRunner
 
 from tests.conftest import Tiny
+from vv import cli
 from vv.cli import GROUPS, app
 from vv.finding import Bit
 
@@ -252,3 +253,16 @@ def test_a_run_that_cannot_be_measured_has_failed_and_the_others_go_on(tiny: Tin
     assert done.returncode == Bit.CRASH
     assert done.stdout.startswith("3 pass, 3 error")
     assert "ZeroDivisionError: float division by zero (fall.py:" in done.stderr
+
+
+def test_a_fault_of_our_own_is_a_crash_with_its_traceback(
+    monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    def fault(**_: object) -> None:
+        raise RuntimeError("ours")
+
+    monkeypatch.setattr(cli, "app", fault)
+    with pytest.raises(SystemExit) as stop:
+        cli.main()
+    assert stop.value.code == Bit.CRASH
+    assert "Traceback" in capsys.readouterr().err

@@ -5,12 +5,14 @@ from __future__ import annotations
 import os
 import signal
 import sys
+import traceback
 from collections.abc import Callable
 
 import typer
 
 from vv import screen
 from vv.cli import extend, judge, keep, look, run, speed
+from vv.finding import Bit
 from vv.imports import raised_within
 from vv.settings import UsageError
 
@@ -73,10 +75,11 @@ def main() -> None:
     except OSError as error:
         code = screen.complain(f"cannot use {error.filename}: {error.strerror}")
     except Exception as error:
-        message = _message(error)
-        if not message:
-            raise
-        code = screen.complain(message)
+        if message := _message(error):
+            code = screen.complain(message)
+        else:
+            traceback.print_exc()
+            code = int(Bit.CRASH)  # and not 1, with which Python ends and which would say accuracy
     if code == INTERRUPTED:  # which the option parser may have made of it
         screen.complain("interrupted; what has finished is kept")
     sys.exit(code or 0)
