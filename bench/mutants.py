@@ -39,11 +39,11 @@ SYMBOLS = {
 
 
 class Mutant(NamedTuple):
-    """A node of a kernel to turn: what that is, its file, a code to ask, its place in ast.walk."""
+    """A node of a kernel to turn: what that is, its file, codes to ask, its place in ast.walk."""
 
     what: str
     file: str
-    code: str
+    codes: tuple[str, ...]
     place: int
 
     def text(self) -> str:
@@ -57,14 +57,15 @@ class Mutant(NamedTuple):
 
 
 @functools.cache
-def kernels() -> dict[str, str]:
-    """File -> code: all that is compiled, with the first code that it is part of."""
+def kernels() -> dict[str, tuple[str, ...]]:
+    """File -> codes: all that is compiled, with every code that it is part of."""
     project = find(ROOT)
-    found = {f"vv/exact/{name}.py": "exact" for name in BY_EVENTS}
+    found: dict[str, tuple[str, ...]] = {f"vv/exact/{name}.py": ("exact",) for name in BY_EVENTS}
     for code in ("dem", "rigid", "dda"):
         for path in closure(project.adapter_files(code), roots(project)):
             if path.suffix == ".py" and COMPILED.search(path.read_text()):
-                found.setdefault(path.relative_to(ROOT).as_posix(), code)
+                name = path.relative_to(ROOT).as_posix()
+                found[name] = (*found.get(name, ()), code)
     return found
 
 

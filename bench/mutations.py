@@ -48,20 +48,23 @@ KEPT = ROOT / ".vv" / "mutants"  # what the gate said, and the copy that holds a
 
 
 class Question(NamedTuple):
-    """What is asked of a code's gate, all that its answer hangs on beside the sources, and how."""
+    """What is asked of codes' gates, all that an answer hangs on beside the sources, and how."""
 
     what: str
-    code: str
+    codes: tuple[str, ...]
     changed: str
     ask: Callable[[], str]
 
 
-def alone(file: str, code: str, text: str) -> str:
-    """How the gate answers a copy of the project with a file changed: '' if it sees nothing."""
+def alone(file: str, codes: Sequence[str], text: str) -> str:
+    """How the gate answers a copy of the project with a file changed: '' if it sees nothing.
+
+    One code is asked after the other, until one of them sees it.
+    """
     with tempfile.TemporaryDirectory() as folder:
         copy = Path(folder)
         copied(copy, {file: text.encode()})
-        seen = (_gate(copy, code, *stage) for stage in _stages(code))
+        seen = (_gate(copy, code, *stage) for code in codes for stage in _stages(code))
         return next(filter(None, seen), "")
 
 
@@ -76,14 +79,17 @@ def _stages(code: str) -> Iterator[tuple[float, tuple[str, ...], dict[str, str]]
     yield COMPILING, (), HASTILY
 
 
-def switched(project: Path, code: str, number: int) -> str:
+def switched(project: Path, codes: Sequence[str], number: int) -> str:
     """How the gate answers the copy that holds all mutants with one of them on, or none, 0.
 
-    Most are seen by the shortest cases.
+    Most are seen by the shortest cases of the first code.
     """
     limit = SOLVING if number else COMPILING  # which is done once for all that follow
-    stages = (SHORTEST[code], ())
-    seen = (_gate(project, code, limit, stage, {NUMBER: str(number)}) for stage in stages)
+    seen = (
+        _gate(project, code, limit, stage, {NUMBER: str(number)})
+        for code in codes
+        for stage in (SHORTEST[code], ())
+    )
     return next(filter(None, seen), "")
 
 
@@ -118,12 +124,12 @@ def seeded() -> Iterator[tuple[Bug, str]]:
 def plausible() -> list[Question]:
     """What is asked of the plausible bugs."""
     return [
-        Question(bug.what, bug.code, bug.file + text, _later(alone, bug.file, bug.code, text))
+        Question(bug.what, (bug.code,), bug.file + text, _later(alone, bug.file, (bug.code,), text))
         for bug, text in seeded()
     ]
 
 
-def turned(each: int, files: str, project: Path) -> list[Question]:
+def mutated(each: int, files: str, project: Path) -> list[Question]:
     """What is asked of the mechanical mutants in a copy that holds them all, or else alone."""
     every = list(mechanical(each))
     numbers = build(project, every)
@@ -131,25 +137,28 @@ def turned(each: int, files: str, project: Path) -> list[Question]:
     for one in (mutant for mutant in every if fnmatch(mutant.file, files)):
         text, number = one.text(), numbers.get(one.what)
         ask = (
-            _later(switched, project, one.code, number)
+            _later(switched, project, one.codes, number)
             if number
-            else _later(alone, one.file, one.code, text)
+            else _later(alone, one.file, one.codes, text)
         )
-        asked.append(Question(one.what, one.code, one.file + text, ask))
+        asked.append(Question(one.what, one.codes, one.file + text, ask))
     return asked
 
 
 def unharmed(project: Path) -> list[Question]:
     """For every code what the gate must not see: nothing changed, and no mutant of all on."""
-    first = {bug.code: bug.file for bug in BUGS} | {m.code: m.file for m in mechanical(1)}
+    every = list(mechanical(1))
+    codes = sorted({code for mutant in every for code in mutant.codes})
+    first = {bug.code: bug.file for bug in BUGS} | {m.codes[0]: m.file for m in every}
     own = [
-        Question(f"nothing, {code}", code, "", _later(alone, file, code, (ROOT / file).read_text()))
+        Question(
+            f"nothing, {code}", (code,), "", _later(alone, file, (code,), (ROOT / file).read_text())
+        )
         for code, file in first.items()
     ]
-    codes = {mutant.code for mutant in mechanical(1)}
     none = [
-        Question(f"no mutant on, {code}", code, "", _later(switched, project, code, 0))
-        for code in sorted(codes)
+        Question(f"no mutant on, {code}", (code,), "", _later(switched, project, (code,), 0))
+        for code in codes
     ]
     return own + none
 
@@ -163,7 +172,7 @@ def answers(questions: Sequence[Question]) -> dict[str, str]:
     with concurrent.futures.ThreadPoolExecutor(len(os.sched_getaffinity(0))) as pool:
         told = {}
         for one, answer in zip(questions, pool.map(_asked_once, questions), strict=True):
-            print(f"{answer or '-':<9} {one.code:<9} {one.what}", flush=True)
+            print(f"{answer or '-':<9} {' '.join(one.codes):<13} {one.what}", flush=True)
             told[one.what] = answer
     return told
 
@@ -194,7 +203,7 @@ def main() -> None:
     parser.add_argument("--files", default="*", help="kernels to mutate, such as 'vv/dem/*'")
     options = parser.parse_args()
     project = KEPT / "project"
-    mutants = [] if options.seeded else turned(options.each, options.files, project)
+    mutants = [] if options.seeded else mutated(options.each, options.files, project)
     asked = [one for one in unharmed(project) if mutants or "no mutant" not in one.what]
     red = [what for what, answer in answers(asked).items() if answer]
     told = answers(plausible())

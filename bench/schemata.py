@@ -7,10 +7,12 @@ compiled once for all mutants, and each costs no more than the cases it is put t
 
 import ast
 import copy
+import functools
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 
 from bench.mutants import COMPILED, ROOT, Mutant, parsed, turned
+from vv.closure import source_digest
 from vv.files import write
 
 CONTENT = ("vv", "adapters", "cases", "reference_solutions", "reports", "pyproject.toml")
@@ -91,8 +93,14 @@ def _switched(file: str, numbers: dict[int, int]) -> str:
     )
     lines = ast.unparse(ast.fix_missing_locations(made)).splitlines()
     last = max((i for i, line in enumerate(lines) if line.startswith("from __future__")), default=0)
-    lines.insert(last + 1, asks)
+    lines.insert(last + 1, f"{asks}  # as of {_version()}")
     return "\n".join(lines) + "\n"
+
+
+@functools.cache
+def _version() -> str:
+    """Digest of how choices are made, by which kernels compiled otherwise are known as stale."""
+    return source_digest([Path(__file__).parent / f"{name}.py" for name in SWITCHES])[:12]
 
 
 class _Switch(ast.NodeTransformer):
