@@ -88,6 +88,15 @@ def test_a_wall_across_an_axis_is_a_plane_and_an_oblique_one_a_mesh_the_deck_wri
     assert words(text, "fix", "load0")  # the load that stands for the lock
 
 
+def test_all_meshes_share_a_command_as_liggghts_wants() -> None:
+    ask = case_ask("T3-rotated")
+    further = Wall(np.full(3, -99.0), np.array([0.6, 0.0, 0.8]))
+    scene = dataclasses.replace(ask.scene, bodies=(*ask.scene.bodies, further))
+    text = deck(dataclasses.replace(ask, scene=scene), PLAIN, "rows.txt")
+    (meshes,) = words(text, "fix", "meshes")
+    assert meshes[-6:-2] == ["2", "meshes", "wall0_mesh", "wall1_mesh"]
+
+
 @given(st.tuples(NUMBER, NUMBER, NUMBER), st.tuples(NUMBER, NUMBER, NUMBER), st.floats(0.1, 100))
 def test_a_triangle_is_larger_than_its_plane_s_cut_with_a_box(
     point: tuple[float, ...], along: tuple[float, ...], reach: float

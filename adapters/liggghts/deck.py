@@ -73,9 +73,7 @@ def _prepared(ask: Ask, scheme: str) -> Iterator[str]:
     yield from _spheres(scene, charged)
     yield ""
     yield from _contact(scene)
-    for number, wall in enumerate(scene.walls):
-        triangles = room.triangles.get(number)
-        yield from wall_commands(f"wall{number}", wall, triangles, _model(scene), _damping(scene))
+    yield from wall_commands(scene.walls, room.triangles, _model(scene), _damping(scene))
     yield f"timestep        {ask.dt!r}"
     yield "thermo_style    custom step atoms"
     yield "thermo          0"

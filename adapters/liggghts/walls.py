@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
 
 import numpy as np
 
@@ -38,21 +38,25 @@ def triangle(wall: Wall, low: Vector, high: Vector) -> Vector:
 
 
 def wall_commands(
-    name: str, wall: Wall, corners: Vector | None, model: str, damping: str
+    walls: Sequence[Wall], triangles: Mapping[int, Vector], model: str, damping: str
 ) -> Iterator[str]:
-    """The commands for a wall with a contact model and its damping.
+    """The commands for walls with a contact model and its damping.
 
-    corners: those of an oblique wall's triangle.
-    A mesh is read from a file, which the deck writes itself.
+    triangles: the corners of those that are meshes. A mesh is read from a file, which the deck
+    writes itself; LIGGGHTS takes one command for all meshes, and one for each plane.
     """
-    if corners is None:
-        axis = int(np.abs(wall.normal).argmax())
-        shape = f"primitive type 1 {AXES[axis]}plane {float(wall.point[axis])!r}"
-    else:
-        yield from printed(f"{name}.stl", _stl(wall, corners))
-        yield f"fix {name}_mesh all mesh/surface file {name}.stl type 1"
-        shape = f"mesh n_meshes 1 meshes {name}_mesh"
-    yield f"fix {name} all wall/gran {model} {shape} {damping}"
+    for number, wall in enumerate(walls):
+        if number in triangles:
+            yield from printed(f"wall{number}.stl", _stl(wall, triangles[number]))
+            yield f"fix wall{number}_mesh all mesh/surface file wall{number}.stl type 1"
+        else:
+            axis = int(np.abs(wall.normal).argmax())
+            plane = f"primitive type 1 {AXES[axis]}plane {float(wall.point[axis])!r}"
+            yield f"fix wall{number} all wall/gran {model} {plane} {damping}"
+    if triangles:
+        names = " ".join(f"wall{number}_mesh" for number in sorted(triangles))
+        meshes = f"mesh n_meshes {len(triangles)} meshes {names}"
+        yield f"fix meshes all wall/gran {model} {meshes} {damping}"
 
 
 def _stl(wall: Wall, corners: Vector) -> Iterator[str]:

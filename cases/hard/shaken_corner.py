@@ -1,0 +1,179 @@
+"""A sphere on springs in a corner whose walls move, and on one wall, with drag and loads."""
+
+from __future__ import annotations
+
+import functools
+import math
+
+import numpy as np
+
+from cases._books import balance
+from reference_solutions import shaken_spring
+from reference_solutions.shaken_spring import Sine
+from vv.ask import Displacement, History, Knobs, Method
+from vv.case import Case, Exact, Parameter, Parameters, Scalar, Source, Tolerance, Trial, Variant
+from vv.quantities import Motion
+from vv.scene import Contact, Harmonic, Scene, Spheres, Vector, Wall
+from vv.study import Ladder, Level
+
+AXES = np.array([[2.0, 2.0, 1.0], [-2.0, 1.0, 2.0], [1.0, -2.0, 2.0]]) / 3  # along no frame
+RADIUS = 1e-3  # m; does not enter the answer
+KS, MU = 0.7, 0.9  # ks/kn on one wall, and friction enough: no contact slips or opens
+SPEED = np.array([0.2, -0.15, 0.25])  # v/(w u)
+# along each axis: amplitude over u, omega/w, phase; of the walls, and of what shakes the sphere
+MOVED = ((0.10, 0.31, 0.4), (0.08, 0.57, -1.1), (0.12, 0.43, 2.0))
+SHAKEN = ((0.05, 0.47, 1.3), (0.06, 0.29, -0.5), (0.04, 0.61, 0.2))
+LASTS, SEEN = 40.0, 0.2  # duration, and time between outputs, times w
+STEPS = (0.2, 0.1, 0.05, 0.025)  # times w
+
+
+def _rate(p: Parameters) -> float:
+    """w = sqrt(kn/m) [rad/s]."""
+    return math.sqrt(p["kn"] / p["m"])
+
+
+def _sine(p: Parameters, scale: float, part: tuple[float, float, float]) -> Sine:
+    size, ratio, phase = part
+    return Sine(size * scale, ratio * _rate(p), phase)
+
+
+def _harmonic(sines: dict[int, Sine]) -> Harmonic:
+    """Sines along some of the axes."""
+    rows = [sines.get(i, Sine(0.0, 0.0, 0.0)) for i in range(3)]
+    amplitude, omega, phase = np.array(rows).T
+    return Harmonic(amplitude, omega / (2 * np.pi), phase, AXES)
+
+
+def _drives(variant: str, p: Parameters) -> tuple[dict[int, Sine], dict[int, Sine]]:
+    """How the walls move [m] and the sphere is shaken [m/s2] along the axes on which they do."""
+    along = {"corner": (0, 1, 2), "wall": (0, 1), "viscous": ()}[variant]
+    shake = p["u"] * _rate(p) ** 2
+    moved = {i: _sine(p, p["u"], MOVED[i]) for i in along}
+    return moved, {i: _sine(p, shake, SHAKEN[i]) for i in along}
+
+
+def _scene(variant: str, p: Parameters) -> Scene:
+    """Pressed by u into every wall that there is, where weight and load keep it at rest."""
+    moved, shaken = _drives(variant, p)
+    one = variant == "wall"
+    motions = [moved] if one else [{i: moved[i]} if moved else {} for i in range(3)]
+    walls = [
+        Wall(np.zeros(3), AXES[i], _harmonic(motion) if motion else None)
+        for i, motion in enumerate(motions)
+    ]
+    pressed = -p["kn"] * p["u"] * np.array([1.0, 0.1, 0.0] if one else [1.0, 1.0, 1.0])
+    gravity = -p["g"] * np.array([0.0, 0.0, 1.0])
+    free = np.array([True, True, not one])
+    sphere = Spheres(
+        position=((RADIUS - p["u"]) * np.array([1.0, not one, not one]) @ AXES)[None],
+        velocity=(p["u"] * _rate(p) * SPEED * free @ AXES)[None],
+        radius=np.array([RADIUS]),
+        mass=np.array([p["m"]]),
+        free=free[None],
+        load=(pressed @ AXES - p["m"] * gravity)[None],
+    )
+    unit = 2 * math.sqrt(p["kn"] * p["m"])
+    contact = Contact(p["kn"], KS * p["kn"] if one else 0.0, MU if one else 0.0, p["zn"] * unit)
+    shaking = _harmonic(shaken) if shaken else None
+    return Scene((*walls, sphere), contact, p["z"] * unit, gravity, AXES, shaking)
+
+
+def _path(variant: str, p: Parameters, t: Vector) -> Vector:
+    """The exact displacements (k, d) along the axes."""
+    moved, shaken = _drives(variant, p)
+    one, unit = variant == "wall", 2 * math.sqrt(p["kn"] * p["m"])
+    columns = [
+        shaken_spring.displacement(
+            t,
+            m=p["m"],
+            k=p["kn"] * (KS if one and i else 1.0),
+            c=(p["z"] + p["zn"]) * unit,
+            v=float(p["u"] * _rate(p) * SPEED[i]),
+            force=-0.1 * p["kn"] * p["u"] if one and i else 0.0,
+            shaking=[shaken[i]] if shaken else [],
+            base=[moved[i]] if moved else [],
+        )
+        for i in range(2 if one else 3)
+    ]
+    return np.stack(columns, axis=1)
+
+
+def _declare(variant: str, p: Parameters) -> Trial:
+    one, unit = variant == "wall", 1 / _rate(p)
+    scene, goal = _scene(variant, p), History(LASTS * unit, SEEN * unit)
+    seen = Displacement(1) if one else Displacement(3)
+    motion = Motion(
+        seen, AXES[: 2 if one else 3], functools.partial(_path, variant, p), goal.times(None), "m"
+    )
+    judge = _judge(p, unit)
+    parts = [
+        motion.part(i, f"q{i + 1}", f"displacement along the {word} axis", judge)
+        for i, word in enumerate(("first", "second", "third")[: 2 if one else 3])
+    ]
+    levels = {
+        level: tuple(Knobs(dt=step * unit) for step in STEPS[:rungs])
+        for level, rungs in ((Level.QUICK, 2), (Level.DEFAULT, 3), (Level.PAPER, 4))
+    }
+    ladder = Ladder(scene, goal, (seen,), levels)
+    return Trial(ladder, (*parts, motion.distance(judge), _balance(unit)))
+
+
+def _judge(p: Parameters, unit: float) -> Exact:
+    """unit: 1/w [s]; errors are in parts of the largest displacement."""
+    step, damping = STEPS[0], max(p["z"] + p["zn"], 1 / (math.e * LASTS))
+    return Exact({
+        Method.EXACT: Tolerance(1e-12, "no event: the rounding of forty time constants"),
+        Method.SECOND_ORDER: Tolerance(
+            step**2 / (24 * math.e * damping) + step**2 / 8,
+            "the swing runs late by (w dt)^2/24 of its phase, most when it has decayed by e; drag "
+            "and steady motion are off by some (w dt)^2/8",
+            dt=step * unit, order=2,
+        ),
+        Method.FIRST_ORDER: Tolerance(
+            step / math.e,
+            "drag of the velocity half a step before changes the mass by z w dt, and the swing by "
+            "w dt/(2 e) at most; forces that begin half a step late add as much",
+            dt=step * unit, order=1,
+        ),
+    })  # fmt: skip
+
+
+def _balance(unit: float) -> Scalar:
+    """unit: 1/w [s]."""
+    step, exact = STEPS[0], Tolerance(1e-12, "no event: what is left is rounding")
+    late = "that of the first half step, as no contact opens or slips"
+    second = Tolerance(step**2 / 100, f"{late}: some (w dt)^2/100", dt=step * unit, order=2)
+    first = Tolerance(step / 40, f"{late}, which begins late", dt=step * unit, order=1)
+    return balance({Method.EXACT: exact, Method.SECOND_ORDER: second, Method.FIRST_ORDER: first})
+
+
+FORMULA = (
+    "m q'' + c q' + k (q - Q) = F + m a along each axis, Q = A (sin(omega t + phi) - sin phi): "
+    "steady motion Im(k A e^{i(omega t + phi)}/(k - m omega^2 + i c omega)) and so on, and a swing "
+    "e^{-c t/2m} that meets the start"
+)
+CASE = Case(
+    name="shaken-corner",
+    title="A sphere in a shaken corner",
+    source=Source(
+        "Rao (2011), Mechanical Vibrations, 5th edition, Pearson, chapter 3",
+        "",
+        "Harmonic force and motion of the base of a damped mass. Three walls at right angles make "
+        "three such masses of one sphere; every term of a code that is linear acts at once.",
+    ),
+    parameters=(
+        Parameter("m", 1.0, "kg", "mass"),
+        Parameter("kn", 1e6, "N/m", "contact stiffness"),
+        Parameter("u", 1e-5, "m", "overlap at rest"),
+        Parameter("z", 0.05, "", "drag over critical drag"),
+        Parameter("zn", 0.0, "", "viscosity of contacts over the critical one"),
+        Parameter("g", 9.81, "m/s2", "gravity, which the load makes up for"),
+    ),
+    variants=(
+        Variant("corner", "three walls that move, and the sphere shaken", FORMULA),
+        Variant("wall", "one wall that moves up and along, on which it sticks", FORMULA),
+        Variant("viscous", "thrown into three fixed walls with viscous contact", FORMULA,
+                {"zn": 0.1}),
+    ),
+    declare=_declare,
+)  # fmt: skip
