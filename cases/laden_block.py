@@ -1,0 +1,142 @@
+"""A block under a load, thrown along a slope that shakes and is shaken: slip that does not stop."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from cases._books import balance
+from cases._penalty import FEWER
+from reference_solutions import laden_block
+from reference_solutions.laden_block import Sine
+from vv.ask import Displacement, History, Method
+from vv.block import box_geometry, polyhedron_inertia
+from vv.case import Case, Exact, Parameter, Parameters, Source, Tolerance, Trial, Variant
+from vv.quantities import Motion
+from vv.scene import Block, Contact, Harmonic, Scene, Vector, Wall
+from vv.study import Ladder
+
+SIDE, DENSITY = 1.0, 2500.0  # m, kg/m3: a cube; neither enters the answer
+UP = np.array([0.0, 0.0, 1.0])
+HEADING = np.radians(25)  # of the slip from x: along no axis of the frame
+SAMPLES = 100
+BLOCK = Displacement(1)
+
+
+def _axes(p: Parameters) -> Vector:
+    """Rows: along the slip, which is level; the wall's normal; and the third."""
+    slip = np.array([np.cos(HEADING), np.sin(HEADING), 0.0])
+    dip = np.cross(UP, slip)
+    alpha = np.radians(p["alpha"])
+    normal = np.cos(alpha) * UP + np.sin(alpha) * dip
+    return np.stack([slip, normal, np.cross(slip, normal)])
+
+
+def _sines(p: Parameters) -> tuple[Sine, Sine, Sine, Sine]:
+    """What shakes the block along the slip and the normal, and how the wall moves along these."""
+    turn = 2 * np.pi
+    return (
+        Sine(p["a"], turn * 2.0, 0.7),
+        Sine(0.6 * p["a"], turn * 5.0, -1.9),
+        Sine(p["D"], turn * 3.0, 2.4),
+        Sine(0.2 * p["D"], turn * 4.0, 1.0),
+    )
+
+
+def _harmonic(one: Sine, other: Sine, axes: Vector) -> Harmonic:
+    amplitude, omega, phase = np.array([one, other, Sine(0.0, 0.0, 0.0)]).T
+    return Harmonic(amplitude, omega / (2 * np.pi), phase, axes)
+
+
+def _scene(p: Parameters) -> Scene:
+    """A cube that cannot turn, on a slope; a load takes the place of what would hold it up."""
+    axes, gravity = _axes(p), -p["g"] * UP
+    one, other, slid, lifted = _sines(p)
+    vertices, faces = box_geometry(SIDE / 2 * axes[1], np.full(3, SIDE / 2), axes)
+    mass, inertia = polyhedron_inertia(vertices, faces, DENSITY)
+    down = gravity @ axes[2] * axes[2]
+    rising = lifted.amplitude * lifted.omega * np.cos(lifted.phase)
+    block = Block(
+        "block", vertices, faces, mass, inertia,
+        velocity=p["v"] * axes[0] + rising * axes[1],
+        load=mass * (p["push"] * axes[0] - p["press"] * axes[1] - down),
+        free=np.ones(3, bool),
+        free_spin=np.zeros(3, bool),
+    )  # fmt: skip
+    wall = Wall(np.zeros(3), axes[1], _harmonic(slid, lifted, axes))
+    shaking = _harmonic(one, other, axes)
+    return Scene((wall, block), Contact(np.inf, mu=p["mu"]), gravity=gravity, shaking=shaking)
+
+
+def _path(p: Parameters, t: Vector) -> Vector:
+    """Displacements (k, 3) along the axes."""
+    one, other, _, lifted = _sines(p)
+    pressed = -p["press"] - p["g"] * np.cos(np.radians(p["alpha"]))
+    slip = laden_block.along(
+        t, v=p["v"], mu=p["mu"], constant=(p["push"], pressed), shaking=(one, other),
+        lifting=lifted,
+    )  # fmt: skip
+    return np.stack([slip, laden_block.rise(t, lifted), np.zeros_like(t)], axis=1)
+
+
+def _declare(variant: str, p: Parameters) -> Trial:
+    goal = History(p["duration"], p["duration"] / SAMPLES)
+    motion = Motion(BLOCK, _axes(p), lambda t: _path(p, t), goal.times(None), "m")
+    judge = Exact(JUDGED)
+    parts = (
+        motion.part(0, "slip", "displacement along the slip", judge),
+        motion.part(1, "rise", "displacement along the normal of the slope", judge),
+        motion.part(2, "drift", "displacement down the slope, which the load prevents", judge),
+        balance(JUDGED),
+    )
+    return Trial(Ladder(_scene(p), goal, (BLOCK,), FEWER), parts)
+
+
+SINKS = Tolerance(
+    5e-5,
+    "the block sinks as the pressure changes, by 1e-4 of its way at 1e8 N/m and in proportion to "
+    "1/kn; forces that begin half a step late add as much at the steps taken",
+    kn=1e10,
+    softness=0.5,
+)
+JUDGED = {
+    Method.EXACT: Tolerance(1e-12, "no event: the rounding of Taylor series"),
+    Method.SECOND_ORDER: Tolerance(
+        1e-6,
+        "forces are those at the ends of steps: (w dt)^2/12 of what drives add to the way, 1 %",
+        dt=1e-3,
+        order=2,
+        floor=1e-11,
+    ),
+    Method.PENALTY: SINKS,
+    Method.LAGGING: SINKS,
+}
+CASE = Case(
+    name="laden-block",
+    title="A laden block on a shaking slope",
+    source=Source(
+        "Newmark (1965), Effects of earthquakes on dams and embankments, Geotechnique 15(2), "
+        "139-160",
+        "10.1680/geot.1965.15.2.139",
+        "A block that slips under changing pressure, all the time one way, so that every drive has "
+        "its part in a closed form: dead load, shaking and a wall that lifts, each with a phase.",
+    ),
+    parameters=(
+        Parameter("alpha", 30.0, "deg", "slope"),
+        Parameter("mu", 0.3, "", "friction coefficient"),
+        Parameter("v", 3.0, "m/s", "velocity along the slope, level"),
+        Parameter("push", 0.5, "m/s2", "dead load along the slip, over mass"),
+        Parameter("press", 2.0, "m/s2", "dead load into the slope, over mass"),
+        Parameter("a", 1.5, "m/s2", "amplitude of the shaking along the slip"),
+        Parameter("D", 0.02, "m", "amplitude of the slope along the slip"),
+        Parameter("g", 9.81, "m/s2", "gravity"),
+        Parameter("duration", 0.5, "s", "time simulated"),
+    ),
+    variants=(
+        Variant(
+            "level", "thrown level along the slope, which a load holds it on",
+            "s'' = a_s - mu (D'' - a_n), a the accelerations by weight, load and shaking, D the "
+            "lift of the slope",
+        ),
+    ),
+    declare=_declare,
+)  # fmt: skip
