@@ -15,7 +15,8 @@ from vv.quantities import Motion
 from vv.scene import Block, Contact, Harmonic, Scene, Vector, Wall
 from vv.study import Ladder
 
-SIDE, DENSITY = 1.0, 2500.0  # m, kg/m3: a cube; neither enters the answer
+HALF = {"level": 0.5, "turning": 0.1}  # m: of the height; a plate does not tip
+SIDE, DENSITY = 1.0, 2500.0  # m, kg/m3, which do not enter the answer
 UP = np.array([0.0, 0.0, 1.0])
 HEADING = np.radians(25)  # of the slip from x: along no axis of the frame
 SAMPLES = 100
@@ -47,11 +48,12 @@ def _harmonic(one: Sine, other: Sine, axes: Vector) -> Harmonic:
     return Harmonic(amplitude, omega / (2 * np.pi), phase, axes)
 
 
-def _scene(p: Parameters) -> Scene:
-    """A cube that cannot turn, on a slope; a load takes the place of what would hold it up."""
+def _scene(variant: str, p: Parameters) -> Scene:
+    """A block on a slope; a load takes the place of what would hold it up."""
     axes, gravity = _axes(p), -p["g"] * UP
     one, other, slid, lifted = _sines(p)
-    vertices, faces = box_geometry(SIDE / 2 * axes[1], np.full(3, SIDE / 2), axes)
+    half = np.array([SIDE / 2, HALF[variant], SIDE / 2])
+    vertices, faces = box_geometry(half[1] * axes[1], half, axes)
     mass, inertia = polyhedron_inertia(vertices, faces, DENSITY)
     down = gravity @ axes[2] * axes[2]
     rising = lifted.amplitude * lifted.omega * np.cos(lifted.phase)
@@ -60,7 +62,7 @@ def _scene(p: Parameters) -> Scene:
         velocity=p["v"] * axes[0] + rising * axes[1],
         load=mass * (p["push"] * axes[0] - p["press"] * axes[1] - down),
         free=np.ones(3, bool),
-        free_spin=np.zeros(3, bool),
+        free_spin=np.full(3, variant == "turning"),
     )  # fmt: skip
     wall = Wall(np.zeros(3), axes[1], _harmonic(slid, lifted, axes))
     shaking = _harmonic(one, other, axes)
@@ -88,7 +90,7 @@ def _declare(variant: str, p: Parameters) -> Trial:
         motion.part(2, "drift", "displacement down the slope, which the load prevents", judge),
         balance(JUDGED),
     )
-    return Trial(Ladder(_scene(p), goal, (BLOCK,), FEWER), parts)
+    return Trial(Ladder(_scene(variant, p), goal, (BLOCK,), FEWER), parts)
 
 
 SINKS = Tolerance(
@@ -110,6 +112,10 @@ JUDGED = {
     Method.PENALTY: SINKS,
     Method.LAGGING: SINKS,
 }
+SLIP = (
+    "s'' = a_s - mu (D'' - a_n), a the accelerations by weight, load and shaking, D the lift of "
+    "the slope"
+)
 CASE = Case(
     name="laden-block",
     title="A laden block on a shaking slope",
@@ -132,11 +138,8 @@ CASE = Case(
         Parameter("duration", 0.5, "s", "time simulated"),
     ),
     variants=(
-        Variant(
-            "level", "thrown level along the slope, which a load holds it on",
-            "s'' = a_s - mu (D'' - a_n), a the accelerations by weight, load and shaking, D the "
-            "lift of the slope",
-        ),
+        Variant("level", "a cube that cannot turn, thrown level along the slope", SLIP),
+        Variant("turning", "a plate that can turn, and does not: friction does not twist it", SLIP),
     ),
     declare=_declare,
 )  # fmt: skip

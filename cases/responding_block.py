@@ -29,24 +29,29 @@ from vv.study import Ladder, Level, grid
 
 Path = Callable[[Vector], Vector]  # times (k,) -> displacements (k, directions)
 
-SIDE, DENSITY = 1.0, 2500.0  # m, kg/m3: a cube; neither enters the answer
+SIDE, DENSITY = 1.0, 2500.0  # m, kg/m3: neither enters the answer
+FREE, FLAT = "3d-turning", 0.2  # a plate [m high] that can turn
 SAMPLES = 500  # outputs of a history: twenty a cycle at 5 Hz over 5 s
 BLOCK = Displacement(1)
 UP = np.array([0.0, 0.0, 1.0])
 REST = np.full(3, -np.pi / 2)  # the phase at which 1 - cos stands still
 
 
-def _scene(p: Parameters) -> Scene:
-    """A cube that cannot turn, on a level wall that moves by D (1 - cos 2 pi f t) along axes."""
+def _scene(variant: str, p: Parameters) -> Scene:
+    """A cube that cannot turn, on a level wall that moves by D (1 - cos 2 pi f t) along axes.
+
+    A plate that can turn does not: pressure leans along the friction, which so does not twist it.
+    """
     moved = np.array([p["D"], p["Dy"], p["Dz"]])
     motion = Harmonic(moved, np.array([p["f"], p["fy"], p["fz"]]), REST)
-    vertices, faces = box_geometry(SIDE / 2 * UP, np.full(3, SIDE / 2), np.eye(3))
+    half = np.array([SIDE, SIDE, FLAT if variant == FREE else SIDE]) / 2
+    vertices, faces = box_geometry(half[2] * UP, half, np.eye(3))
     mass, inertia = polyhedron_inertia(vertices, faces, DENSITY)
     block = Block(
         "block", vertices, faces, mass, inertia,
         velocity=np.zeros(3),
         free=np.array([True, _directions(p) > 1, True]),
-        free_spin=np.zeros(3, bool),
+        free_spin=np.full(3, variant == FREE),
     )  # fmt: skip
     wall = Wall(np.zeros(3), UP, motion)
     return Scene((wall, block), Contact(np.inf, mu=p["mu"]), gravity=-p["g"] * UP)
@@ -80,7 +85,7 @@ def _declare(variant: str, p: Parameters) -> Trial:
     )
     motion = Motion(BLOCK, np.eye(3)[:directions], path, goal.times(None), "m")
     if variant == "map":
-        return Trial(Ladder(_scene(p), goal, (BLOCK,), MAP), (motion.distance(EXPLORED),))
+        return Trial(Ladder(_scene(variant, p), goal, (BLOCK,), MAP), (motion.distance(EXPLORED),))
     judge = Exact(_tolerances(p))
     parts = tuple(
         motion.part(i, f"d2{axis}", f"displacement of the block along {axis}", judge)
@@ -89,7 +94,7 @@ def _declare(variant: str, p: Parameters) -> Trial:
     whole = (motion.distance(judge),) if directions > 1 else ()
     timed = COARSEST if variant in ("1d", "2d", "3d") else ()
     levels = LEVELS if timed else FEWER
-    return Trial(Ladder(_scene(p), goal, (BLOCK,), levels, timed), (*parts, *whole))
+    return Trial(Ladder(_scene(variant, p), goal, (BLOCK,), levels, timed), (*parts, *whole))
 
 
 STIFFNESSES = (1e7, 2.4e7, 5.6e7, 1.3e8, 3.2e8, 7.5e8, 1.8e9, 4.2e9, 1e10)
@@ -171,6 +176,8 @@ def _variants() -> tuple[Variant, ...]:
                 {"D": 0.3, "f": 2.0, "Dy": 0.2, "fy": 4.0}, inert=frozenset({"fz"})),
         Variant("3d", "along x, y and z: 0.1 m at 2, 4 and 1 Hz", MORE,
                 {"D": 0.1, "f": 2.0, "Dy": 0.1, "fy": 4.0, "Dz": 0.1, "fz": 1.0}),
+        Variant(FREE, "the same for a plate that can turn, and does not", MORE,
+                {"D": 0.1, "f": 2.0, "Dy": 0.1, "fy": 4.0, "Dz": 0.1, "fz": 1.0, "duration": 2.0}),
         Variant("map", "3d over contact stiffness and step, as in Fig. 23", MORE,
                 {"D": 0.1, "f": 2.0, "Dy": 0.1, "fy": 4.0, "Dz": 0.1, "fz": 1.0},
                 level=Level.DEFAULT),
