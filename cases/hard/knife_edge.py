@@ -1,0 +1,129 @@
+"""A prism topples on the edge of another that crosses its own: contact of two edges at a point."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from reference_solutions import toppling
+from vv.ask import Displacement, History, Knobs, Method
+from vv.block import polyhedron_inertia, volume_and_centroid
+from vv.case import Case, Exact, Parameter, Parameters, Source, Tolerance, Trial, Variant
+from vv.quantities import Motion
+from vv.scene import Block, Contact, Scene, Vector
+from vv.study import Ladder, Level
+
+UP = np.array([0.0, 0.0, 1.0])
+HEADING = np.radians(20)  # of the lower edge from x
+BELOW, ABOVE = (0.5, -0.5), (0.4, 0.6)  # m: half the width and the height of the triangles
+LONG = {"lower": 2.0, "upper": 1.5}  # m: of the edges, which cross where each is halved
+FACES = ((0, 1, 2), (5, 4, 3), (0, 3, 4, 1), (1, 4, 5, 2), (2, 5, 3, 0))
+PRISM = Displacement(1)
+
+
+def _prism(along: Vector, length: float, width: float, height: float) -> Vector:
+    """Vertices (6, 3) of a prism whose first edge is halved by the origin; its base is level."""
+    across = np.cross(UP, along)
+    ends = [-length / 2 * along, length / 2 * along]
+    base = [height * UP - side * width * across for side in (1, -1)]
+    corners = np.array([end + corner for end in ends for corner in (0 * UP, *base)])
+    return corners if height > 0 else corners[[0, 2, 1, 3, 5, 4]]
+
+
+def _turned(vectors: Vector, axis: Vector, angle: float) -> Vector:
+    """Vectors (k, 3) turned about an axis (Rodrigues)."""
+    along = np.outer(vectors @ axis, axis)
+    return along + math.cos(angle) * (vectors - along) + math.sin(angle) * np.cross(axis, vectors)
+
+
+def _axes(p: Parameters) -> Vector:
+    """Rows: along the lower edge, across it and up."""
+    along = np.array([np.cos(HEADING), np.sin(HEADING), 0.0])
+    return np.stack([along, np.cross(UP, along), UP])
+
+
+def _scene(p: Parameters) -> tuple[Scene, float, float]:
+    """The scene, how high the centre stands over the edge [m], and m h^2/I about it."""
+    axes = _axes(p)
+    own = _turned(axes[:1], UP, np.radians(p["crossing"]))[0]
+    upright = _prism(own, LONG["upper"], *ABOVE)
+    vertices = _turned(upright, axes[0], p["theta"])
+    mass, inertia = polyhedron_inertia(vertices, FACES, p["rho"])
+    height = float(volume_and_centroid(upright, FACES)[1] @ UP)
+    below = _prism(axes[0], LONG["lower"], *BELOW)
+    none, still = np.zeros(3, bool), np.zeros(3)
+    lower = Block("lower", below, FACES, *polyhedron_inertia(below, FACES, p["rho"]),
+                  velocity=still, free=none, free_spin=none)  # fmt: skip
+    upper = Block("upper", vertices, FACES, mass, inertia, velocity=still, free=~none,
+                  free_spin=np.array([True, False, False]))  # fmt: skip
+    scene = Scene((lower, upper), Contact(np.inf, mu=p["mu"]), gravity=-p["g"] * UP, axes=axes)
+    about = float(axes[0] @ inertia @ axes[0])
+    return scene, height, mass * height**2 / (about + mass * height**2)
+
+
+def _declare(variant: str, p: Parameters) -> Trial:
+    scene, height, share = _scene(p)
+    lam = math.sqrt(p["g"] / height * share)
+    goal = History(p["duration"], p["duration"] / 50)
+
+    def path(t: Vector) -> Vector:
+        theta = toppling.angle(t, theta0=p["theta"], lam=lam)
+        fallen = np.stack([0 * theta, -np.sin(theta), np.cos(theta)], axis=1)
+        return np.asarray(height * (fallen - fallen[0]))
+
+    motion = Motion(PRISM, scene.axes, path, goal.times(None), "m")
+    judge = Exact(JUDGED)
+    parts = tuple(
+        motion.part(i, name, f"displacement of the centre {where}", judge)
+        for i, (name, where) in enumerate(
+            (("x", "along the lower edge"), ("y", "across it"), ("z", "upwards"))
+        )
+    )
+    return Trial(Ladder(scene, goal, (PRISM,), LEVELS), (*parts, motion.distance(judge)))
+
+
+RUNGS = tuple(Knobs(dt, 1e8) for dt in (2e-3, 1e-3, 5e-4))
+LEVELS = {Level.QUICK: RUNGS[:2], Level.DEFAULT: RUNGS, Level.PAPER: RUNGS}
+SINKS = Tolerance(
+    4e-3,
+    "the prism sinks into its spring by m g/kn, 8e-5 m, over the 0.04 m that it comes down",
+    kn=1e8,
+    softness=0.5,
+)
+JUDGED = {
+    Method.SECOND_ORDER: Tolerance(
+        6e-5,
+        "(lam dt)^2/12 of a fall that grows by e in 1/lam, over lam t = 2.2: 2e-5",
+        dt=2e-3,
+        order=2,
+    ),
+    Method.PENALTY: SINKS,
+    Method.LAGGING: SINKS,
+}
+CASE = Case(
+    name="knife-edge",
+    title="A prism on a knife edge",
+    source=Source(
+        "Goldstein, Poole and Safko (2002), Classical Mechanics, 3rd edition, Addison Wesley",
+        "",
+        "The pendulum upside down. Two edges that cross touch at a point, which friction keeps: "
+        "the normal of the contact is that of both edges and turns with the prism.",
+    ),
+    parameters=(
+        Parameter("crossing", 60.0, "deg", "angle between the edges"),
+        Parameter("theta", 0.1, "rad", "how far the prism leans at the start"),
+        Parameter("rho", 2500.0, "kg/m3", "density"),
+        Parameter("mu", 0.8, "", "friction coefficient"),
+        Parameter("g", 9.81, "m/s2", "gravity"),
+        Parameter("duration", 0.5, "s", "time simulated"),
+    ),
+    variants=(
+        Variant(
+            "topples", "from rest at a lean of 0.1 rad",
+            "sin(theta/2) = sin(theta0/2)/dn(lam t), k = cos(theta0/2), lam^2 = m g h/I",
+            inert=frozenset({"rho", "mu"}),
+        ),
+    ),
+    declare=_declare,
+)  # fmt: skip
