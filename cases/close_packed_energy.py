@@ -203,7 +203,7 @@ CASE = Case(
         *(
             Variant(
                 f"pressed-{size}", f"{size} elements, pressed until they slide", BALANCE,
-                {"rate": -8.0}, level=Level.PAPER,
+                {"rate": -8.0}, level=Level.QUICK if size == 82 else Level.PAPER,
             )
             for size in (82, 2166)
         ),
