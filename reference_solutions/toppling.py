@@ -11,7 +11,6 @@ ValueError for parameters outside their ranges.
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
-from scipy.special import ellipj, ellipkm1
 
 from reference_solutions.parameters import require_positive, require_times
 
@@ -20,6 +19,8 @@ Array = NDArray[np.float64]
 
 def angle(t: ArrayLike, *, theta0: float, lam: float) -> Array:
     """theta [rad] at times t >= 0 [s] of any shape, until it hangs; lam [rad/s]."""
+    from scipy.special import ellipj, ellipkm1
+
     t = require_times(t)
     require_positive("in SI units", theta0=theta0, lam=lam)
     last, hangs = float(t.max(initial=0.0)), float(ellipkm1(np.sin(theta0 / 2.0) ** 2)) / lam

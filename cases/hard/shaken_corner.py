@@ -152,6 +152,7 @@ FORMULA = (
     "steady motion Im(k A e^{i(omega t + phi)}/(k - m omega^2 + i c omega)) and so on, and a swing "
     "e^{-c t/2m} that meets the start"
 )
+SCALES = frozenset({"m", "kn", "g"})  # all times are in 1/w, and a load makes up for the weight
 CASE = Case(
     name="shaken-corner",
     title="A sphere in a shaken corner",
@@ -170,10 +171,11 @@ CASE = Case(
         Parameter("g", 9.81, "m/s2", "gravity, which the load makes up for"),
     ),
     variants=(
-        Variant("corner", "three walls that move, and the sphere shaken", FORMULA),
-        Variant("wall", "one wall that moves up and along, on which it sticks", FORMULA),
+        Variant("corner", "three walls that move, and the sphere shaken", FORMULA, inert=SCALES),
+        Variant("wall", "one wall that moves up and along, on which it sticks", FORMULA,
+                inert=SCALES),
         Variant("viscous", "thrown into three fixed walls with viscous contact", FORMULA,
-                {"zn": 0.1}),
+                {"zn": 0.1}, SCALES),
     ),
     declare=_declare,
 )  # fmt: skip

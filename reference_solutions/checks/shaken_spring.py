@@ -4,7 +4,6 @@ from collections.abc import Sequence
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.integrate import solve_ivp
 
 Array = NDArray[np.float64]
 Sine = tuple[float, float, float]  # amplitude, omega [rad/s], phase [rad]
@@ -22,6 +21,7 @@ def displacement(
     base: Sequence[Sine] = (),
 ) -> Array:
     """q [m] at times t >= 0 [s], (n,), in rising order; see `reference_solutions.shaken_spring`."""
+    from scipy.integrate import solve_ivp
 
     def rates(now: float, state: Array) -> list[float]:
         q, speed = state
