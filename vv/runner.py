@@ -42,12 +42,13 @@ class Batch:
 
 @dataclass(eq=False)
 class _Worker:
-    """A running batch: how far it is, and when its present ask is overdue."""
+    """A running batch: how far it is, and when its present ask is overdue; timeout [s]."""
 
     batch: Batch
     process: BaseProcess
     pipe: Connection
     scratch: Path
+    timeout: float
     deadline: float
     answered: int = 0
     failed: bool = False
@@ -69,7 +70,7 @@ def run_batches(
             while waiting and len(running) < workers:
                 running.append(_start(waiting.popleft(), timeout, scratch()))
             for worker in list(running):
-                yield from _answers(worker, timeout)
+                yield from _answers(worker)
             for worker in [w for w in running if _is_over(w)]:
                 running.remove(worker)
                 yield from _finish(worker, waiting)
@@ -87,7 +88,8 @@ def _start(batch: Batch, timeout: float, scratch: Path) -> _Worker:
     with contextlib.suppress(OSError):  # the worker does the same; whoever comes first
         os.setpgid(process.pid or 0, process.pid or 0)
     sender.close()
-    return _Worker(batch, process, receiver, scratch, time.monotonic() + timeout + GRACE)
+    deadline = time.monotonic() + timeout + GRACE
+    return _Worker(batch, process, receiver, scratch, timeout, deadline)
 
 
 def _work(batch: Batch, pipe: Connection, scratch: Path) -> None:
@@ -125,14 +127,14 @@ def _die_with_parent() -> None:
         os.killpg(0, signal.SIGKILL)
 
 
-def _answers(worker: _Worker, timeout: float) -> Iterator[tuple[int, Run]]:
+def _answers(worker: _Worker) -> Iterator[tuple[int, Run]]:
     try:
         while worker.answered < len(worker.batch.asks) and worker.pipe.poll():
             run = worker.pipe.recv()
             yield worker.batch.numbers[worker.answered], run
             worker.answered += 1
             worker.failed |= run.status is not Status.RAN
-            worker.deadline = time.monotonic() + timeout
+            worker.deadline = time.monotonic() + worker.timeout
     except (EOFError, OSError):
         worker.hung_up = True
 
@@ -151,7 +153,8 @@ def _finish(worker: _Worker, waiting: deque[Batch]) -> Iterator[tuple[int, Run]]
     refused_to_go_on = worker.hung_up and worker.process.exitcode == 0 and worker.answered > 0
     if left.asks and not refused_to_go_on:
         status = Status.ERROR if worker.hung_up else Status.TIMEOUT
-        how = _how_it_died(worker) if worker.hung_up else "no answer in time"
+        late = f"no answer in time, --timeout {worker.timeout:g} s"
+        how = _how_it_died(worker) if worker.hung_up else late
         yield left.numbers[0], Run(status, f"{how}; see {worker.scratch}")
         worker.failed = True
         left = left.rest(1)
