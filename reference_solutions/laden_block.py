@@ -29,7 +29,7 @@ class Sine(NamedTuple):
     phase: float
 
 
-def along(
+def motion(
     t: ArrayLike,
     *,
     v: float,
@@ -37,24 +37,27 @@ def along(
     constant: tuple[float, float],
     shaking: tuple[Sine, Sine],
     lifting: Sine,
-) -> Array:
-    """Displacement [m] along the slip at times t >= 0 [s] of any shape; v [m/s] at t = 0."""
+) -> tuple[Array, Array]:
+    """Displacement [m] and velocity [m/s], (k, 2), along the slip and the normal at times (k,) [s].
+
+    v [m/s] is the velocity along the slip at t = 0; along the normal it is that of the wall.
+    """
     t = require_times(t)
     require_at_least_0("[-]", mu=mu)
-    steady = constant[0] + mu * constant[1]
-    shaken = _twice(t, shaking[0]) + mu * _twice(t, shaking[1])
-    lifted = rise(t, lifting) - t * lifting.amplitude * lifting.omega * np.cos(lifting.phase)
-    return np.asarray(v * t + steady * t**2 / 2.0 + shaken - mu * lifted)
-
-
-def rise(t: ArrayLike, lifting: Sine) -> Array:
-    """Displacement [m] of the wall and the block along its normal."""
     size, omega, phase = lifting
-    return np.asarray(size * (np.sin(omega * require_times(t) + phase) - np.sin(phase)))
+    rise = size * (np.sin(omega * t + phase) - np.sin(phase))
+    rising = size * omega * np.cos(omega * t + phase)
+    from_start = size * omega * np.cos(phase)
+    steady = constant[0] + mu * constant[1]
+    (place, speed), (lean, leaning) = (_integrals(t, sine) for sine in shaking)
+    slip = v * t + steady * t**2 / 2.0 + place + mu * (lean - rise + from_start * t)
+    slipping = v + steady * t + speed + mu * (leaning - rising + from_start)
+    return np.stack([slip, rise], axis=1), np.stack([slipping, rising], axis=1)
 
 
-def _twice(t: Array, sine: Sine) -> Array:
-    """A sine, integrated twice from nothing."""
+def _integrals(t: Array, sine: Sine) -> tuple[Array, Array]:
+    """A sine integrated twice and once from nothing."""
     size, omega, phase = sine
-    swung = np.sin(phase) + omega * t * np.cos(phase) - np.sin(omega * t + phase)
-    return np.asarray(size / omega**2 * swung)
+    turned = omega * t + phase
+    swung = np.sin(phase) + omega * t * np.cos(phase) - np.sin(turned)
+    return size / omega**2 * swung, size / omega * (np.cos(phase) - np.cos(turned))

@@ -11,7 +11,7 @@ Array = NDArray[np.float64]
 Sine = tuple[float, float, float]  # amplitude, omega [rad/s], phase [rad]
 
 
-def along(
+def motion(
     t: Array,
     *,
     v: float,
@@ -19,8 +19,8 @@ def along(
     constant: tuple[float, float],
     shaking: tuple[Sine, Sine],
     lifting: Sine,
-) -> Array:
-    """Displacement [m] along the slip at increasing times t (n,) [s] from 0."""
+) -> tuple[Array, Array]:
+    """Displacement [m] and velocity [m/s] along the slip at increasing times t (n,) [s] from 0."""
     from scipy.integrate import solve_ivp
 
     def rates(now: float, state: Array) -> list[float]:
@@ -30,4 +30,4 @@ def along(
         return [state[1], constant[0] + pushes[0] - mu * press]
 
     found = solve_ivp(rates, (0.0, t[-1]), [0.0, v], "DOP853", t, rtol=1e-13, atol=1e-15)
-    return np.asarray(found.y[0], dtype=np.float64)
+    return found.y[0], found.y[1]

@@ -1,0 +1,110 @@
+"""Two spinning prisms meet edge on edge, and the impact takes all their spin."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from reference_solutions import spin_stopped
+from vv.ask import Displacement, History, Knobs, Method
+from vv.block import box_geometry, polyhedron_inertia
+from vv.case import Case, Exact, Parameter, Parameters, Source, Tolerance, Trial, Variant
+from vv.quantities import Motion
+from vv.scene import Block, Contact, Scene, Vector
+from vv.study import Ladder, Level
+
+AXES = np.array([[2.0, -1.0, 2.0], [2.0, 2.0, -1.0], [-1.0, 2.0, 2.0]]) / 3  # n is the third
+NORMAL = AXES[2]
+SIDES, LONG, DENSITY = (1.0, 0.8), (1.5, 1.2), 2500.0  # m, m, kg/m3
+MASSES = {f"m{i + 1}": DENSITY * SIDES[i] ** 2 * LONG[i] for i in (0, 1)}
+Shape = tuple[Vector, tuple[tuple[int, ...], ...], float, Vector]
+APART = 1e-10  # m at t = 0: shows in no figure, and is no matter of rounding
+
+
+def _prism(side: float, length: float, edge: Vector, centre: Vector) -> Shape:
+    """Vertices, faces, mass and inertia of a prism with an edge above its centre and one below."""
+    across = np.cross(NORMAL, edge)
+    axes = np.stack([edge, (across + NORMAL) / np.sqrt(2), (NORMAL - across) / np.sqrt(2)])
+    vertices, faces = box_geometry(centre, np.array([length, side, side]) / 2, axes)
+    return vertices, faces, *polyhedron_inertia(vertices, faces, DENSITY)
+
+
+def _scene(p: Parameters) -> Scene:
+    """Their edges cross at the origin, off the middles of both."""
+    turn = np.radians(p["crossing"])
+    edges = AXES[0], np.cos(turn) * AXES[0] + np.sin(turn) * AXES[1]
+    arms = np.stack([
+        p["a1"] * edges[0] + SIDES[0] / np.sqrt(2) * NORMAL,
+        p["a2"] * edges[1] - SIDES[1] / np.sqrt(2) * NORMAL,
+    ])  # fmt: skip
+    lift = np.array([0.0, APART])
+    shapes = [_prism(SIDES[i], LONG[i], edges[i], lift[i] * NORMAL - arms[i]) for i in (0, 1)]
+    spins = spin_stopped.spins(arms, [shape[3] for shape in shapes], NORMAL, **MASSES, V=p["V"])
+    free = np.ones(3, bool)
+    bodies = tuple(
+        Block(name, *shape, velocity=-speed * NORMAL, free=free, free_spin=free, spin=spin)
+        for name, shape, speed, spin in zip(
+            ("below", "above"), shapes, (0.0, p["V"]), spins, strict=True
+        )
+    )
+    return Scene(bodies, Contact(np.inf))
+
+
+def _declare(variant: str, p: Parameters) -> Trial:
+    speed = spin_stopped.together(**MASSES, V=p["V"])
+    goal = History(p["duration"], p["duration"] / 10)
+    judge = Exact(JUDGED, shown=dict.fromkeys((Method.PENALTY, Method.LAGGING), SPRUNG))
+
+    def path(t: Vector) -> Vector:
+        return np.outer(speed * t, [0.0, 0.0, 1.0])
+
+    motions = {
+        name: Motion(Displacement(i), AXES, path, goal.times(None), "m")
+        for i, name in enumerate(("below", "above"))
+    }
+    parts = tuple(
+        motion.part(k, f"{name}{where}", f"displacement of the prism {name} along {line}", judge)
+        for name, motion in motions.items()
+        for k, where, line in ((2, "", "n"), (0, "_across", "the lower edge"))
+    )
+    seen = tuple(motion.observable for motion in motions.values())
+    return Trial(Ladder(_scene(p), goal, seen, LEVELS), parts)
+
+
+RUNGS = tuple(Knobs(dt, 1e9) for dt in (2e-3, 1e-3, 5e-4))
+LEVELS = {Level.QUICK: RUNGS[:2], Level.DEFAULT: RUNGS, Level.PAPER: RUNGS}
+JUDGED = {
+    Method.SECOND_ORDER: Tolerance(
+        2e-6,
+        "impact takes 1e-3 of a step, in which the prisms turn by some w dt/1000 and go on",
+        dt=2e-3,
+        order=2,
+        floor=1e-8,
+    ),
+}
+SPRUNG = "springs give back what they took: how much is a matter of their damping"
+CASE = Case(
+    name="spin-stopped",
+    title="An impact that stops two spins",
+    source=Source(
+        "Goldsmith (1960), Impact: the theory and physical behaviour of colliding solids, "
+        "Edward Arnold",
+        "",
+        "Chapter 2, impact of rigid bodies; without friction and restitution, as rigid contact "
+        "has none. Any other impulse, point or normal would leave a spin, and two velocities.",
+    ),
+    parameters=(
+        Parameter("crossing", 70.0, "deg", "angle between the edges"),
+        Parameter("a1", 0.3, "m", "from the middle of the lower edge to the contact"),
+        Parameter("a2", -0.2, "m", "from the middle of the upper edge to the contact"),
+        Parameter("V", 1.0, "m/s", "speed of the upper prism"),
+        Parameter("duration", 0.1, "s", "time simulated"),
+    ),
+    variants=(
+        Variant(
+            "crossed", "prisms of 1 m and 0.8 m, whose edges cross at 70 deg",
+            "V m2/(m1 + m2) for both, and no spin",
+            inert=frozenset({"crossing", "a1", "a2"}),
+        ),
+    ),
+    declare=_declare,
+)  # fmt: skip
