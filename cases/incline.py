@@ -27,7 +27,8 @@ from vv.quantities import Motion
 from vv.scene import Block, Contact, Harmonic, Scene, Vector, Wall
 from vv.study import Ladder
 
-SIDE, DENSITY = 1.0, 2500.0  # m, kg/m3: a cube; neither enters the answer
+SIDE, DENSITY = 1.0, 2500.0  # m, kg/m3 times m of height: neither enters the answer
+FREE, FLAT = "two-directions-turning", 0.2  # a plate [m high] that can turn
 BLOCK = Displacement(1)
 
 
@@ -37,16 +38,17 @@ def _axes(alpha: float) -> Vector:
     return np.array([[c, 0.0, -s], [0.0, 1.0, 0.0], [s, 0.0, c]])
 
 
-def _scene(p: Parameters) -> Scene:
-    """A cube on a plane that falls towards +x; it cannot turn."""
+def _scene(variant: str, p: Parameters) -> Scene:
+    """A cube that cannot turn, or a plate that does not, on a plane that falls towards +x."""
     axes = _axes(p["alpha"])
-    vertices, faces = box_geometry(SIDE / 2 * axes[2], np.full(3, SIDE / 2), axes)
-    mass, inertia = polyhedron_inertia(vertices, faces, DENSITY)
+    half = np.array([SIDE, SIDE, FLAT if variant == FREE else SIDE]) / 2
+    vertices, faces = box_geometry(half[2] * axes[2], half, axes)
+    mass, inertia = polyhedron_inertia(vertices, faces, DENSITY / (2 * half[2]))
     block = Block(
         "block", vertices, faces, mass, inertia,
         velocity=p["v0"] * axes[0],
         free=np.array([True, p["Ay"] > 0, True]),
-        free_spin=np.zeros(3, bool),
+        free_spin=np.full(3, variant == FREE),
     )  # fmt: skip
     wall = Wall(np.zeros(3), axes[2])
     amplitude, frequency = np.array([p["A"], p["Ay"], 0.0]), np.array([p["f"], p["fy"], 0.0])
@@ -59,7 +61,7 @@ def _scene(p: Parameters) -> Scene:
 def _declare(variant: str, p: Parameters) -> Trial:
     if p["Ay"] < 0:
         raise ValueError(f"Ay = {p['Ay']!r} m/s2; an amplitude must be zero or more")
-    scene, goal = _scene(p), History(p["duration"], p["duration"] / 400)
+    scene, goal = _scene(variant, p), History(p["duration"], p["duration"] / 400)
     quantities = (_both if p["Ay"] > 0 else _down)(p, scene, goal)
     timed = COARSEST if variant in ("newmark-30", "two-directions") else ()
     levels = LEVELS if timed else FEWER
@@ -181,6 +183,8 @@ def _variants() -> tuple[Variant, ...]:
                 {**sine, "phi": 30.0, "A": 20.0}, one_way),
         Variant("two-directions", "a sine along the dip and one along the strike", TURN,
                 {"alpha": 45.0, "phi": 50.0, "A": 2.0, "Ay": 1.0, "fy": 2.0, "duration": 6.0}),
+        Variant(FREE, "the same for a plate that can turn, and does not", TURN,
+                {"alpha": 45.0, "phi": 50.0, "A": 2.0, "Ay": 1.0, "fy": 2.0, "duration": 3.0}),
         Variant("at-yield", "phi = alpha: the velocity touches zero once a cycle", NEWMARK,
                 {**sine, "phi": 20.0}, one_way | {"g"}),
     )  # fmt: skip
