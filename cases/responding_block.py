@@ -158,16 +158,16 @@ def _variants() -> tuple[Variant, ...]:
     """The combinations of Figs. 21-25: along x, in the plane, and with the base lifting too."""
     one = [
         Variant(name, f"along x: D {p['D']:g} m, {p['f']:g} Hz, mu {p['mu']:g}", ONE, p,
-                inert=frozenset({"fy", "fz"}))
-        for name, p in (
-            ("1d", {"D": 0.2, "f": 2.0, "mu": 0.6}),
-            ("1d-3hz", {"D": 0.2, "f": 3.0, "mu": 0.6}),
-            ("1d-5hz", {"D": 0.2, "f": 5.0, "mu": 0.6}),
-            ("1d-0.3m", {"D": 0.3, "f": 1.0, "mu": 0.6}),
-            ("1d-0.5m", {"D": 0.5, "f": 1.0, "mu": 0.6}),
-            ("1d-1m", {"D": 1.0, "f": 1.0, "mu": 0.6}),
-            ("1d-mu-0.1", {"D": 0.5, "f": 1.0, "mu": 0.1}),
-            ("1d-mu-1", {"D": 0.5, "f": 1.0, "mu": 1.0}),
+                inert=frozenset({"fy", "fz"}), level=level)
+        for name, level, p in (
+            ("1d", Level.QUICK, {"D": 0.2, "f": 2.0, "mu": 0.6}),
+            ("1d-3hz", Level.DEFAULT, {"D": 0.2, "f": 3.0, "mu": 0.6}),
+            ("1d-5hz", Level.QUICK, {"D": 0.2, "f": 5.0, "mu": 0.6}),
+            ("1d-0.3m", Level.DEFAULT, {"D": 0.3, "f": 1.0, "mu": 0.6}),
+            ("1d-0.5m", Level.DEFAULT, {"D": 0.5, "f": 1.0, "mu": 0.6}),
+            ("1d-1m", Level.DEFAULT, {"D": 1.0, "f": 1.0, "mu": 0.6}),
+            ("1d-mu-0.1", Level.QUICK, {"D": 0.5, "f": 1.0, "mu": 0.1}),
+            ("1d-mu-1", Level.QUICK, {"D": 0.5, "f": 1.0, "mu": 1.0}),
         )
     ]  # fmt: skip
     return (
