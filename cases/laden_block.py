@@ -7,7 +7,7 @@ import numpy as np
 from cases._books import balance
 from cases._penalty import FEWER
 from reference_solutions import laden_block
-from reference_solutions.laden_block import Sine
+from reference_solutions.shaken_spring import Sine
 from vv.ask import Displacement, History, Method, Observable, Velocity
 from vv.block import box_geometry, polyhedron_inertia
 from vv.case import Case, Exact, Parameter, Parameters, Source, Tolerance, Trial, Variant
@@ -72,20 +72,25 @@ def _scene(variant: str, p: Parameters) -> Scene:
 
 def _motion(p: Parameters, t: Vector) -> tuple[Vector, Vector]:
     """Displacements and velocities (k, 3) along the axes."""
-    one, other, _, lifted = _sines(p)
-    pressed = -p["press"] - p["g"] * np.cos(np.radians(p["alpha"]))
-    found = laden_block.motion(
-        t, v=p["v"], mu=p["mu"], constant=(p["push"], pressed), shaking=(one, other),
-        lifting=lifted,
-    )  # fmt: skip
+    found = laden_block.motion(t, v=p["v"], mu=p["mu"], **_drives(p))
     none = np.zeros((len(t), 1))
     place, speed = (np.concatenate([part, none], axis=1) for part in found)
     return place, speed
 
 
+def _drives(p: Parameters) -> laden_block.Drives:
+    """What presses and drives the block."""
+    one, other, _, lifted = _sines(p)
+    pressed = -p["press"] - p["g"] * np.cos(np.radians(p["alpha"]))
+    return {"constant": (p["push"], pressed), "shaking": (one, other), "lifting": lifted}
+
+
 def _declare(variant: str, p: Parameters) -> Trial:
     goal = History(p["duration"], p["duration"] / SAMPLES)
     axes, times = _axes(p), goal.times(None)
+    past = _motion(p, times)[1][:, 0] - laden_block.wall_speed(times, _sines(p)[2])
+    if not (past.min() > 0 and laden_block.pressure(times, **_drives(p)).min() > 0):
+        raise ValueError(f"v = {p['v']!r} m/s, D = {p['D']!r} m; the block would stop or lift off")
     ways, speeds = Exact(WAYS), Exact(SPEEDS)
     way = Motion(SEEN[0], axes, lambda t: _motion(p, t)[0], times, "m")
     speed = Motion(SEEN[1], axes, lambda t: _motion(p, t)[1], times, "m/s")

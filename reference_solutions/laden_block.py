@@ -7,26 +7,27 @@ the wall moves by D (sin(w t + phi) - sin phi) along its normal. While the block
 s'' = a_s + A_s sin(w_s t + phi_s) - mu p,  p = D'' - a_n - A_n sin(w_n t + phi_n) > 0,
 
 where mu p is friction per mass (Coulomb), D'' the acceleration of the wall, and along the normal
-the block is where the wall is. How the wall moves along itself does not enter. Every function
-raises ValueError for parameters outside their ranges.
+the block is where the wall is. How the wall slides along itself does not enter while the block
+slips faster. Every function raises ValueError for parameters outside their ranges.
 """
 
-from typing import NamedTuple
+from typing import TypedDict
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from reference_solutions.parameters import require_at_least_0, require_times
+from reference_solutions.shaken_spring import Sine
 
 Array = NDArray[np.float64]
 
 
-class Sine(NamedTuple):
-    """amplitude [m or m/s2], omega [rad/s], phase [rad]."""
+class Drives(TypedDict):
+    """Accelerations along the slip and the normal, and how the wall lifts."""
 
-    amplitude: float
-    omega: float
-    phase: float
+    constant: tuple[float, float]
+    shaking: tuple[Sine, Sine]
+    lifting: Sine
 
 
 def motion(
@@ -53,6 +54,24 @@ def motion(
     slip = v * t + steady * t**2 / 2.0 + place + mu * (lean - rise + from_start * t)
     slipping = v + steady * t + speed + mu * (leaning - rising + from_start)
     return np.stack([slip, rise], axis=1), np.stack([slipping, rising], axis=1)
+
+
+def pressure(
+    t: ArrayLike, *, constant: tuple[float, float], shaking: tuple[Sine, Sine], lifting: Sine
+) -> Array:
+    """p [m/s2] at times t [s], which must stay above 0 for the block to stay on the wall."""
+    t = require_times(t)
+    return np.asarray(-(lifting.omega**2) * _at(t, lifting) - constant[1] - _at(t, shaking[1]))
+
+
+def wall_speed(t: ArrayLike, sliding: Sine) -> Array:
+    """How fast the wall slides along itself [m/s], which the block must surpass to slip on."""
+    turned = sliding.omega * require_times(t) + sliding.phase
+    return np.asarray(sliding.amplitude * sliding.omega * np.cos(turned))
+
+
+def _at(t: Array, sine: Sine) -> Array:
+    return np.asarray(sine.amplitude * np.sin(sine.omega * t + sine.phase))
 
 
 def _integrals(t: Array, sine: Sine) -> tuple[Array, Array]:

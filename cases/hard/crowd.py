@@ -59,6 +59,8 @@ def _path(p: Parameters, t: Vector) -> Vector:
 
 def _declare(variant: str, p: Parameters) -> Trial:
     unit = math.sqrt(p["m"] / 2 / p["kn"])
+    if not p["v"] * unit < RADIUS:
+        raise ValueError(f"v = {p['v']!r} m/s; spheres would sink by {p['v'] * unit:.6g} m")
     goal = History(1.5 * FARTHEST / p["v"], 0.05 * FARTHEST / p["v"])
     seen: tuple[Observable, ...] = tuple(Displacement(i) for i in range(2 * PAIRS))
     way = _directions()

@@ -18,6 +18,7 @@ UP = np.array([0.0, 0.0, 1.0])
 HEADING = np.radians(20)  # of the lower edge from x
 BELOW, ABOVE = (0.5, -0.5), (0.4, 0.6)  # m: half the width and the height of the triangles
 LONG = {"lower": 2.0, "upper": 1.5}  # m: of the edges, which cross where each is halved
+LEAST, STEEP = 30.0, 0.75  # deg, rad: other edges are far, and the lower faces fall by pi/4
 APART = 1e-10  # m at t = 0: shows in no figure, and is no matter of rounding
 FACES = ((0, 1, 2), (5, 4, 3), (0, 3, 4, 1), (1, 4, 5, 2), (2, 5, 3, 0))
 PRISM = Displacement(1)
@@ -66,6 +67,12 @@ def _scene(p: Parameters) -> tuple[Scene, float, float]:
 def _declare(variant: str, p: Parameters) -> Trial:
     scene, height, share = _scene(p)
     lam = math.sqrt(p["g"] / height * share)
+    last = float(toppling.angle(p["duration"], theta0=p["theta"], lam=lam))
+    if not (last < STEEP and p["crossing"] >= LEAST):
+        raise ValueError(
+            f"crossing = {p['crossing']!r} deg, theta = {last:.6g} rad at the end; edges alone "
+            f"touch from {LEAST} deg and below {STEEP} rad"
+        )
     goal = History(p["duration"], p["duration"] / 50)
 
     def path(t: Vector) -> Vector:

@@ -50,6 +50,11 @@ def _scene(p: Parameters) -> Scene:
 
 
 def _declare(variant: str, p: Parameters) -> Trial:
+    for name, length in zip(("a1", "a2"), LONG, strict=True):
+        if not abs(p[name]) < 0.4 * length:
+            raise ValueError(
+                f"{name} = {p[name]!r} m; the edge ends {length / 2} m from its middle"
+            )
     speed = spin_stopped.together(**MASSES, V=p["V"])
     goal = History(p["duration"], p["duration"] / 10)
     judge = Exact(JUDGED, shown=dict.fromkeys((Method.PENALTY, Method.LAGGING), SPRUNG))

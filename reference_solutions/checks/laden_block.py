@@ -11,6 +11,15 @@ Array = NDArray[np.float64]
 Sine = tuple[float, float, float]  # amplitude, omega [rad/s], phase [rad]
 
 
+def pressure(
+    t: Array, *, constant: tuple[float, float], shaking: tuple[Sine, Sine], lifting: Sine
+) -> Array:
+    """Pressure over mass [m/s2] at times t (n,) [s]."""
+    (a, w, phi), (size, omega, phase) = shaking[1], lifting
+    lift = (1j * omega) ** 2 * size * np.exp(1j * (omega * t + phase))
+    return np.asarray((lift - a * np.exp(1j * (w * t + phi))).imag - constant[1])
+
+
 def motion(
     t: Array,
     *,
@@ -24,10 +33,9 @@ def motion(
     from scipy.integrate import solve_ivp
 
     def rates(now: float, state: Array) -> list[float]:
-        pushes = [a * np.sin(w * now + phi) for a, w, phi in shaking]
-        size, omega, phase = lifting
-        press = -(omega**2) * size * np.sin(omega * now + phase) - constant[1] - pushes[1]
-        return [state[1], constant[0] + pushes[0] - mu * press]
+        a, w, phi = shaking[0]
+        press = pressure(np.array(now), constant=constant, shaking=shaking, lifting=lifting)
+        return [state[1], constant[0] + a * np.sin(w * now + phi) - mu * float(press)]
 
     found = solve_ivp(rates, (0.0, t[-1]), [0.0, v], "DOP853", t, rtol=1e-13, atol=1e-15)
     return found.y[0], found.y[1]
