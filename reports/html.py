@@ -91,7 +91,7 @@ def _template(folder: Path) -> Any:
         trim_blocks=True,
         lstrip_blocks=True,
     )
-    for name in (text.sci, text.brief, text.short, text.ratio, text.slug):
+    for name in (text.sci, text.brief, text.short, text.ratio, text.slug, text.told):
         environment.filters[name.__name__] = name
     for piece in (pieces.glyph, pieces.tag, pieces.numbers):
         environment.globals[piece.__name__] = piece

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import re
+from collections.abc import Iterable, Mapping
 
 NONE = "\N{EN DASH}"  # what stands where there is no number
 SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
@@ -51,6 +52,12 @@ def power(exponent: int) -> str:
 def slug(*names: str) -> str:
     """An identifier for links to a place in the page."""
     return "--".join(re.sub(r"[^A-Za-z0-9_]+", "-", name) for name in names)
+
+
+def told(names: Iterable[str], rows: Iterable[Mapping[str, float | None]]) -> list[str]:
+    """The names, in order, of which some row has a number: a table needs no other columns."""
+    known = {name for row in rows for name, value in row.items() if value is not None}
+    return [name for name in names if name in known]
 
 
 def listed(words: list[str]) -> str:

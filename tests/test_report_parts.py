@@ -102,3 +102,8 @@ def test_the_order_of_a_table_leaves_out_rungs_at_a_floor() -> None:
     (group,) = tables.groups(rungs, marks(["a/a"]))
     assert group.order
     assert (round(group.order.order, 6), group.order.points) == (2.0, 2)
+
+
+def test_a_table_has_columns_only_for_what_some_row_tells() -> None:
+    rows: list[dict[str, float | None]] = [{"dem": 1.0, "yade": None}, {"exact": 2.0}]
+    assert text.told(["yade", "exact", "rigid", "dem"], rows) == ["exact", "dem"]
