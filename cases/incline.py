@@ -61,6 +61,8 @@ def _scene(variant: str, p: Parameters) -> Scene:
 def _declare(variant: str, p: Parameters) -> Trial:
     if p["Ay"] < 0:
         raise ValueError(f"Ay = {p['Ay']!r} m/s2; an amplitude must be zero or more")
+    if variant == FREE and not np.tan(np.radians(p["phi"])) * FLAT < SIDE:
+        raise ValueError(f"phi = {p['phi']!r} deg; the plate would tip")
     scene, goal = _scene(variant, p), History(p["duration"], p["duration"] / 400)
     quantities = (_both if p["Ay"] > 0 else _down)(p, scene, goal)
     timed = COARSEST if variant in ("newmark-30", "two-directions") else ()

@@ -78,6 +78,8 @@ def _path(p: Parameters) -> Path:
 
 
 def _declare(variant: str, p: Parameters) -> Trial:
+    if variant == FREE and not p["mu"] * FLAT < SIDE:
+        raise ValueError(f"mu = {p['mu']!r}; the plate would tip")
     goal, path, directions = (
         History(p["duration"], p["duration"] / SAMPLES),
         _path(p),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from types import ModuleType
+from typing import Any
 
 import numpy as np
 import pytest
@@ -17,7 +18,7 @@ from vv.project import find
 
 CASE = find().load_case("laden-block")
 T = np.linspace(0.0, 2.0, 41)
-LAW = {"v": 4.0, "mu": 0.4, "constant": (0.7, -11.0)}
+LAW = {"v": 10.0, "mu": 0.4, "constant": (0.7, -11.0)}
 SHAKING, LIFTING = ((1.1, 5.0, 0.4), (0.9, 8.0, -1.0)), (0.02, 13.0, 2.1)
 SLIDING = (0.02, 7.0, 0.3)
 
@@ -26,7 +27,7 @@ def agree(one: ModuleType, other: ModuleType, **law: float) -> bool:
     """Whether the routes agree along the slip, and the lift is that of the wall."""
     told = {"shaking": tuple(Sine(*a) for a in SHAKING), "lifting": Sine(*LIFTING)}
     place, speed = one.motion(T, **{**LAW, **law}, **told)
-    due, rate = other.motion(T, **{**LAW, **law}, shaking=SHAKING, lifting=LIFTING)
+    due, rate = other.motion(T, **{**LAW, **law}, shaking=SHAKING, lifting=LIFTING, sliding=SLIDING)
     size, omega, phase = LIFTING
     lift = size * np.sin(omega * T + phase)
     apart = [
@@ -43,10 +44,17 @@ def agree(one: ModuleType, other: ModuleType, **law: float) -> bool:
     return bool(np.abs(apart).max() < 1e-12)
 
 
-@given(st.floats(0.0, 1.0), st.floats(0.5, 5.0))
+@given(st.floats(0.0, 0.4), st.floats(10.0, 15.0))
 @settings(max_examples=10, deadline=None)
 def test_the_two_routes_agree(mu: float, v: float) -> None:
     assert agree(closed, integrated, mu=mu, v=v)
+
+
+@pytest.mark.parametrize("changed", [{"v": 2.0}, {"constant": (0.7, -3.0)}])
+def test_the_second_route_ends_where_the_block_stops_or_leaves(changed: dict[str, Any]) -> None:
+    law = {**LAW, **changed}
+    way, _ = integrated.motion(T, **law, shaking=SHAKING, lifting=LIFTING, sliding=SLIDING)
+    assert 0 < len(way) < len(T)
 
 
 @pytest.mark.parametrize("sign", signs(closed))
@@ -58,5 +66,5 @@ def test_any_wrong_sign_in_the_formula_is_caught(sign: int) -> None:
     "changed", [{"D": 0.2}, {"v": 1.5}, {"v": 9.0, "press": -8.5}, {"v": 3.0, "a": 20.0}]
 )
 def test_a_block_that_would_leave_or_stop_is_refused(changed: dict[str, float]) -> None:
-    with pytest.raises(ValueError, match="the block would stop or lift off"):
+    with pytest.raises(ValueError, match="the block must press and slip on"):
         CASE.declare("level", {**CASE.defaults("level"), **changed})

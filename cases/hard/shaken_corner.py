@@ -99,6 +99,10 @@ def _path(variant: str, p: Parameters, t: Vector) -> Vector:
 
 
 def _declare(variant: str, p: Parameters) -> Trial:
+    if variant != "viscous" and p["zn"]:
+        raise ValueError(f"zn = {p['zn']!r}; walls that move are not viscous here")
+    if not p["u"] < RADIUS / 10:
+        raise ValueError(f"u = {p['u']!r} m; the sphere would sink into walls by its radius")
     one, unit = variant == "wall", 1 / _rate(p)
     scene, goal = _scene(variant, p), History(LASTS * unit, SEEN * unit)
     seen = Displacement(1) if one else Displacement(3)

@@ -28,14 +28,28 @@ def motion(
     constant: tuple[float, float],
     shaking: tuple[Sine, Sine],
     lifting: Sine,
+    sliding: Sine,
 ) -> tuple[Array, Array]:
-    """Displacement [m] and velocity [m/s] along the slip at increasing times t (n,) [s] from 0."""
+    """Displacement [m] and velocity [m/s] along the slip at increasing times t (n,) [s] from 0.
+
+    They end where the block moves no faster than the wall, or does not press on it.
+    """
     from scipy.integrate import solve_ivp
+
+    def press(now: float) -> float:
+        told = pressure(np.array(now), constant=constant, shaking=shaking, lifting=lifting)
+        return float(told)
 
     def rates(now: float, state: Array) -> list[float]:
         a, w, phi = shaking[0]
-        press = pressure(np.array(now), constant=constant, shaking=shaking, lifting=lifting)
-        return [state[1], constant[0] + a * np.sin(w * now + phi) - mu * float(press)]
+        return [state[1], constant[0] + a * np.sin(w * now + phi) - mu * press(now)]
 
-    found = solve_ivp(rates, (0.0, t[-1]), [0.0, v], "DOP853", t, rtol=1e-13, atol=1e-15)
+    def lasts(now: float, state: Array) -> float:
+        size, omega, phase = sliding
+        return float(min(state[1] - size * omega * np.cos(omega * now + phase), press(now)))
+
+    lasts.terminal = True  # type: ignore[attr-defined]
+    found = solve_ivp(
+        rates, (0.0, t[-1]), [0.0, v], "DOP853", t, events=lasts, rtol=1e-13, atol=1e-15
+    )
     return found.y[0], found.y[1]
