@@ -85,6 +85,7 @@ def _declare(variant: str, p: Parameters) -> Trial:
 def _judged(unit: float) -> dict[Method, Tolerance]:
     """unit: 1/w [s]."""
     return {
+        Method.EXACT: Tolerance(1e-12, "two events a pair, located to rounding"),
         Method.SECOND_ORDER: Tolerance(
             STEPS[0] ** 2 / 5,
             "a contact closes and opens within a step, which leaves a part of (w dt)^2/2 in the "
