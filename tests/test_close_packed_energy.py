@@ -90,4 +90,4 @@ def test_what_never_breaks_has_no_crack() -> None:
 
 def test_the_costly_blocks_wait_for_the_level_paper() -> None:
     jobs = make_plan(find(Path(__file__)), [CASE.name], Options(Level.DEFAULT)).jobs
-    assert {job.variant for job in jobs} == {"pulled-82"}
+    assert {job.variant for job in jobs} == {"pulled-82", "pressed-82"}
