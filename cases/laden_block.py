@@ -6,13 +6,14 @@ import numpy as np
 
 from cases._books import balance
 from cases._penalty import FEWER
+from cases._sines import harmonic
 from reference_solutions import laden_block
 from reference_solutions.shaken_spring import Sine
 from vv.ask import Displacement, History, Method, Observable, Velocity
 from vv.block import box_geometry, polyhedron_inertia
 from vv.case import Case, Exact, Parameter, Parameters, Source, Tolerance, Trial, Variant
 from vv.quantities import Motion
-from vv.scene import Block, Contact, Harmonic, Scene, Vector, Wall
+from vv.scene import Block, Contact, Scene, Vector, Wall
 from vv.study import Ladder
 
 HALF = {"level": 0.5, "turning": 0.1}  # m: of the height; a plate does not tip
@@ -45,11 +46,6 @@ def _sines(p: Parameters) -> tuple[Sine, Sine, Sine, Sine]:
     )
 
 
-def _harmonic(one: Sine, other: Sine, axes: Vector) -> Harmonic:
-    amplitude, omega, phase = np.array([one, other, Sine(0.0, 0.0, 0.0)]).T
-    return Harmonic(amplitude, omega / (2 * np.pi), phase, axes)
-
-
 def _scene(variant: str, p: Parameters) -> Scene:
     """A block on a slope; a load takes the place of what would hold it up."""
     axes, gravity = _axes(p), -p["g"] * UP
@@ -66,8 +62,8 @@ def _scene(variant: str, p: Parameters) -> Scene:
         free=np.ones(3, bool),
         free_spin=np.full(3, variant == "turning"),
     )  # fmt: skip
-    wall = Wall(np.zeros(3), axes[1], _harmonic(slid, lifted, axes))
-    shaking = _harmonic(one, other, axes)
+    wall = Wall(np.zeros(3), axes[1], harmonic({0: slid, 1: lifted}, axes))
+    shaking = harmonic({0: one, 1: other}, axes)
     return Scene((wall, block), Contact(np.inf, mu=p["mu"]), gravity=gravity, shaking=shaking)
 
 
@@ -128,7 +124,7 @@ SINKS = Tolerance(
 )
 RATES = Tolerance(
     1.5e-3,
-    "the block sinks at 1e-3 of its speed as the pressure changes; in dda it rings from its start, "
+    "the block sinks at 1e-3 of its speed as the pressure changes; in implicit steps it rings, "
     "by 1e-4 on the stiffest springs",
     kn=1e8,
     softness=1,

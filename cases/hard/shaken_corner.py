@@ -8,12 +8,13 @@ import math
 import numpy as np
 
 from cases._books import balance
+from cases._sines import harmonic
 from reference_solutions import shaken_spring
 from reference_solutions.shaken_spring import Sine
 from vv.ask import Displacement, History, Knobs, Method
 from vv.case import Case, Exact, Parameter, Parameters, Scalar, Source, Tolerance, Trial, Variant
 from vv.quantities import Motion
-from vv.scene import Contact, Harmonic, Scene, Spheres, Vector, Wall
+from vv.scene import Contact, Scene, Spheres, Vector, Wall
 from vv.study import Ladder, Level
 
 AXES = np.array([[2.0, 2.0, 1.0], [-2.0, 1.0, 2.0], [1.0, -2.0, 2.0]]) / 3  # along no frame
@@ -37,13 +38,6 @@ def _sine(p: Parameters, scale: float, part: tuple[float, float, float]) -> Sine
     return Sine(size * scale, ratio * _rate(p), phase)
 
 
-def _harmonic(sines: dict[int, Sine]) -> Harmonic:
-    """Sines along some of the axes."""
-    rows = [sines.get(i, Sine(0.0, 0.0, 0.0)) for i in range(3)]
-    amplitude, omega, phase = np.array(rows).T
-    return Harmonic(amplitude, omega / (2 * np.pi), phase, AXES)
-
-
 def _drives(variant: str, p: Parameters) -> tuple[dict[int, Sine], dict[int, Sine]]:
     """How the walls move [m] and the sphere is shaken [m/s2] along the axes on which they do."""
     along = {"corner": (0, 1, 2), "wall": (0, 1), "viscous": ()}[variant]
@@ -58,7 +52,7 @@ def _scene(variant: str, p: Parameters) -> Scene:
     one = variant == "wall"
     motions = [moved] if one else [{i: moved[i]} if moved else {} for i in range(3)]
     walls = [
-        Wall(np.zeros(3), AXES[i], _harmonic(motion) if motion else None)
+        Wall(np.zeros(3), AXES[i], harmonic(motion, AXES) if motion else None)
         for i, motion in enumerate(motions)
     ]
     pressed = -p["kn"] * p["u"] * np.array([1.0, 0.1, 0.0] if one else [1.0, 1.0, 1.0])
@@ -74,7 +68,7 @@ def _scene(variant: str, p: Parameters) -> Scene:
     )
     unit = 2 * math.sqrt(p["kn"] * p["m"])
     contact = Contact(p["kn"], KS * p["kn"] if one else 0.0, MU if one else 0.0, p["zn"] * unit)
-    shaking = _harmonic(shaken) if shaken else None
+    shaking = harmonic(shaken, AXES) if shaken else None
     return Scene((*walls, sphere), contact, p["z"] * unit, gravity, AXES, shaking)
 
 
