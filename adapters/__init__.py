@@ -1,1 +1,4 @@
-"""The codes: one file or folder each, ending in ADAPTER; a leading underscore marks a helper."""
+"""The codes: one file or folder each, ending in ADAPTER; a leading underscore marks a helper.
+
+May import: scene, ask, codes, standins, engines.
+"""

@@ -6,13 +6,11 @@ import functools
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 
-from vv.adapter import Found, Scheme
 from vv.ask import Ask, Displacement, Method, Model, Run, Strain, Velocity
-from vv.blocks import dda
-from vv.in_house import part_of_vv
+from vv.codes import Found, Scheme, python_script, run_timed
+from vv.codes.in_house import part_of_vv
+from vv.engines import dda
 from vv.scene import Term
-from vv.script import python_script
-from vv.timing import run_timed
 
 TERMS = frozenset(
     {
@@ -90,7 +88,7 @@ class Dda:
 
     def native(self, ask: Ask, scheme: str) -> str:
         """A Python script that calls the engine."""
-        return python_script(ask, "vv.blocks.dda", f"solve_{scheme}")
+        return python_script(ask, "vv.engines.dda", f"solve_{scheme}")
 
     def run(self, asks: Sequence[Ask], scheme: str, scratch: Path, repeat: float) -> Iterator[Run]:
         """Solve the asks in this process; steps of settling count. Cost: see `run_timed`."""

@@ -6,14 +6,11 @@ import functools
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 
-from vv import dem
-from vv.adapter import Found, Scheme
 from vv.ask import Ask, Displacement, Method, Model, Reaction, Run, Velocity
-from vv.energy import Form
-from vv.in_house import part_of_vv
-from vv.scene import Term
-from vv.script import python_script
-from vv.timing import run_timed
+from vv.codes import Found, Scheme, python_script, run_timed
+from vv.codes.in_house import part_of_vv
+from vv.engines import dem
+from vv.scene import Form, Term
 
 TERMS = frozenset(
     {
@@ -93,7 +90,7 @@ class Dem:
 
     def native(self, ask: Ask, scheme: str) -> str:
         """A Python script that calls the engine."""
-        return python_script(ask, "vv.dem", f"solve_{scheme}")
+        return python_script(ask, "vv.engines.dem", f"solve_{scheme}")
 
     def run(self, asks: Sequence[Ask], scheme: str, scratch: Path, repeat: float) -> Iterator[Run]:
         """Solve the asks in this process; see `run_timed` for the cost."""

@@ -9,11 +9,9 @@ from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 
 import vv
-from vv import exact
-from vv.adapter import Found, Scheme
 from vv.ask import Ask, Cost, Method, Model, Run, Status
-from vv.script import python_script
-from vv.timing import timed
+from vv.codes import Found, Scheme, python_script, timed
+from vv.engines import exact
 
 SCHEMES = (
     Scheme(
@@ -59,7 +57,7 @@ class Exact:
 
     def native(self, ask: Ask, scheme: str) -> str:
         """A Python script that calls the engine."""
-        return python_script(ask, "vv.exact", SOLVE[scheme])
+        return python_script(ask, "vv.engines.exact", SOLVE[scheme])
 
     def run(self, asks: Sequence[Ask], scheme: str, scratch: Path, repeat: float) -> Iterator[Run]:
         """Solve the asks in this process.

@@ -6,13 +6,11 @@ import functools
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
-from vv.adapter import Found, Scheme
 from vv.ask import Ask, Method, Model, Run
-from vv.blocks import rigid
-from vv.in_house import part_of_vv
+from vv.codes import Found, Scheme, python_script, run_timed
+from vv.codes.in_house import part_of_vv
+from vv.engines import rigid
 from vv.scene import Term
-from vv.script import python_script
-from vv.timing import run_timed
 
 SCHEMES = (
     Scheme(
@@ -58,7 +56,7 @@ class Rigid:
 
     def native(self, ask: Ask, scheme: str) -> str:
         """A Python script that calls the engine."""
-        return python_script(ask, "vv.blocks.rigid", "solve")
+        return python_script(ask, "vv.engines.rigid", "solve")
 
     def run(self, asks: Sequence[Ask], scheme: str, scratch: Path, repeat: float) -> Iterator[Run]:
         """Solve the asks in this process; see `run_timed` for the cost."""

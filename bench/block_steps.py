@@ -10,11 +10,11 @@ import time
 import numpy as np
 
 from bench.evidence import conclude
-from tests.block_scenes import FREE, HELD, incline, responding
+from tests.scenes.block_scenes import FREE, HELD, incline, responding
 from vv.ask import Ask, Displacement, History, Knobs
-from vv.blocks import rigid
-from vv.blocks.rigid import Program
-from vv.blocks.space import Space
+from vv.engines import rigid
+from vv.engines.rigid import Program
+from vv.engines.rigid.general.model import Space
 from vv.scene import Harmonic, Scene
 
 GENERAL, POINT = 200.0, 5.0  # us a step at most

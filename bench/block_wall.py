@@ -10,10 +10,10 @@ import time
 import numpy as np
 
 from bench.evidence import conclude
-from tests.block_scenes import G, running_bond
+from tests.scenes.block_scenes import G, running_bond
 from vv.ask import Ask, Displacement, History, Knobs
-from vv.blocks import rigid
-from vv.blocks.rigid import Program
+from vv.engines import rigid
+from vv.engines.rigid import Program
 
 COLUMNS, COURSES = 20, 10
 FREQUENCY = 3.0  # Hz

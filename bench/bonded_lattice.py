@@ -16,7 +16,7 @@ import numpy as np
 from adapters.yade.installed import PYTHON, find
 from bench.evidence import conclude
 from reference_solutions.close_packed_lattice import SIZES, Lattice, lattice
-from vv.dem.space import space
+from vv.engines.dem.space.model import space
 from vv.scene import Bonds, Contact, Scene, Spheres
 
 KN, KS, M, D, SPEED, DT = 46793831.1079, 8067901.91516, 1.87383297e-6, 1e-3, 1e-2, 1e-8

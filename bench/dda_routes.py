@@ -6,10 +6,10 @@ from collections.abc import Mapping
 import numpy as np
 
 from bench.evidence import conclude
-from tests.dda_scenes import asked, shaken, slope
+from tests.scenes.dda_scenes import asked, shaken, slope
 from vv.ask import Ask
-from vv.blocks.dda import DEFAULT, PUBLISHED, Formulation, Program, prepare
-from vv.blocks.dda_general import General
+from vv.engines.dda import DEFAULT, PUBLISHED, Formulation, Program, prepare
+from vv.engines.dda.general.model import General
 from vv.scene import Scene, Vector
 
 DT, KN, DURATION = 1e-3, 1e9, 5.0

@@ -8,7 +8,7 @@ import argparse
 from collections import Counter
 
 from bench.evidence import conclude
-from tests.failure_modes import NEAR, charted, points, seen
+from tests.scenes.failure_modes import NEAR, charted, points, seen
 
 
 def main() -> None:

@@ -12,8 +12,8 @@ import numpy as np
 from bench.bonded_lattice import DT, KINDS, scene
 from bench.evidence import conclude
 from reference_solutions.close_packed_lattice import SIZES, lattice
-from vv import dem
 from vv.ask import Ask, Displacement, History, Knobs
+from vv.engines import dem
 
 D, WORK, ROUNDS = 1e-3, 4e5, 20  # particle-steps in a run; runs of each kind
 TIMES = 1.6  # as fast as one thread, at least

@@ -6,9 +6,9 @@ import numpy as np
 
 from bench.evidence import conclude
 from cases.single_contact import CASE
-from tests.dem_contacts import forced
-from vv import dem
+from tests.scenes.dem_contacts import forced
 from vv.ask import Ask, Displacement, Knobs
+from vv.engines import dem
 
 MINIMUM = 3.0  # times cheaper a step
 AGREEMENT = 1e-13  # of max|y|

@@ -9,15 +9,15 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import NamedTuple
 
-from vv.closure import closure
-from vv.keys import roots
-from vv.project import find
+from vv.base.closure import closure
+from vv.plan.keys import roots
+from vv.plan.project import find
 
 ROOT = Path(__file__).resolve().parents[1]
 COMPILED = re.compile(r"^@(?:compiled|called|inlined|shared)\b", re.MULTILINE)
 BY_EVENTS = (  # the kernels of `exact`, which compiles none
-    "bonds", "clock", "flow", "ledger", "modes", "path", "roots", "slide", "slide_ledger",
-    "slide_path", "slider", "system",
+    "bonds", "flow", "ledger", "modes", "path", "roots", "system",
+    "slide/clock", "slide/flow", "slide/ledger", "slide/path", "slide/system",
 )  # fmt: skip
 SWAPS: dict[type, type] = {
     ast.Add: ast.Sub,
@@ -60,7 +60,8 @@ class Mutant(NamedTuple):
 def kernels() -> dict[str, tuple[str, ...]]:
     """File -> codes: all that is compiled, with every code that it is part of."""
     project = find(ROOT)
-    found: dict[str, tuple[str, ...]] = {f"vv/exact/{name}.py": ("exact",) for name in BY_EVENTS}
+    exact = [f"vv/engines/exact/{name}.py" for name in BY_EVENTS]
+    found: dict[str, tuple[str, ...]] = dict.fromkeys(exact, ("exact",))
     for code in ("dem", "rigid", "dda"):
         for path in closure(project.adapter_files(code), roots(project)):
             if path.suffix == ".py" and COMPILED.search(path.read_text()):

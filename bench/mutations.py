@@ -26,9 +26,9 @@ from bench.mutants import ROOT, mechanical
 from bench.schemata import build, copied, sources
 from bench.seeded_bugs import BUGS, Bug
 from bench.switch import NUMBER
-from vv.closure import source_digest
-from vv.files import write
-from vv.finding import Bit
+from vv.base.closure import source_digest
+from vv.base.files import write
+from vv.records.finding import Bit
 
 HANGS = "hangs"
 SPHERES, BLOCKS = ("single-contact",), ("responding-block:1d", "wedge:xi-1", "painleve")
@@ -200,7 +200,7 @@ def main() -> None:
     parser = argparse.ArgumentParser()
     parser.add_argument("--seeded", action="store_true", help="the plausible bugs only")
     parser.add_argument("--each", type=int, default=10, help="mechanical mutants a kernel")
-    parser.add_argument("--files", default="*", help="kernels to mutate, such as 'vv/dem/*'")
+    parser.add_argument("--files", default="*", help="kernels, such as 'vv/engines/dem/*'")
     options = parser.parse_args()
     project = KEPT / "project"
     mutants = [] if options.seeded else mutated(options.each, options.files, project)

@@ -12,8 +12,8 @@ from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 
 from bench.mutants import COMPILED, ROOT, Mutant, parsed, turned
-from vv.closure import source_digest
-from vv.files import write
+from vv.base.closure import source_digest
+from vv.base.files import write
 
 CONTENT = ("vv", "adapters", "cases", "reference_solutions", "reports", "pyproject.toml")
 KERNEL = ("compiled", "called", "inlined", "shared")

@@ -13,15 +13,15 @@ class Bug(NamedTuple):
     new: str
 
 
-LINE = "vv/dem/line_kernel.py"
-SPACE = "vv/dem/space_forces.py"
-LAW = "vv/dem/contact_law.py"
-FRICTION = "vv/dem/friction.py"
-ADVANCE = "vv/dem/advance.py"
+LINE = "vv/engines/dem/line/kernel.py"
+SPACE = "vv/engines/dem/space/forces.py"
+LAW = "vv/engines/dem/terms/contact_law.py"
+FRICTION = "vv/engines/dem/terms/friction.py"
+ADVANCE = "vv/engines/dem/space/advance.py"
 TRANSLATE = "adapters/yade/translate.py"
 ENGINES = "adapters/yade/inside/engines.py"
 DECK = "adapters/liggghts/deck.py"
-DASHPOTS = "vv/dem/dashpots.py"
+DASHPOTS = "vv/engines/dem/terms/dashpots.py"
 
 BUGS = (
     Bug("sign of the shear spring", LINE, "dem", "shear - ks * dt", "shear + ks * dt"),

@@ -13,8 +13,8 @@ HEAVY = ("numba", "scipy", "matplotlib")
 LOAD = """
 import time
 began = time.process_time()
-from vv.project import find
-from vv.plan import Options, make_plan
+from vv.plan.project import find
+from vv.plan.plan import Options, make_plan
 plan = make_plan(find(), ["single-contact:T1"], Options(codes=("dem/default",)))
 planned = time.process_time()
 import tempfile

@@ -1,1 +1,4 @@
-"""The benchmarks: one file each, ending in CASE."""
+"""The benchmarks: one file each, ending in CASE.
+
+May import: scene, ask, case, reference_solutions.
+"""

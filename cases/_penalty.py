@@ -1,7 +1,7 @@
 """The rungs at which codes with springs meet rigid contact: stiffnesses, and steps at each."""
 
 from vv.ask import Knobs
-from vv.study import Level
+from vv.case import Level
 
 # w dt is 0.2 at most, where w = sqrt(kn/m) of a cubic metre of rock; three steps to each stiffness,
 # so that the limit of small steps can be told from that of stiff springs

@@ -14,6 +14,9 @@ from vv.case import (
     Case,
     Exact,
     Judge,
+    Ladder,
+    Level,
+    Motion,
     Parameter,
     Parameters,
     Quantity,
@@ -22,10 +25,7 @@ from vv.case import (
     Trial,
     Variant,
 )
-from vv.quantities import Motion
-from vv.scene import Contact, Scene, Spheres, Vector, Wall
-from vv.study import Ladder, Level
-from vv.transform import about_z, rotated
+from vv.scene import Contact, Scene, Spheres, Vector, Wall, about_z, rotated
 
 Path = Callable[[Vector], Vector]  # times (k,) -> displacements (k, directions)
 

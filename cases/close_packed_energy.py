@@ -18,6 +18,8 @@ from vv.case import (
     Case,
     Exact,
     Judge,
+    Ladder,
+    Level,
     Parameter,
     Parameters,
     Quantity,
@@ -29,9 +31,7 @@ from vv.case import (
     Trial,
     Variant,
 )
-from vv.energy import Form
-from vv.scene import Vector
-from vv.study import Ladder, Level
+from vv.scene import Form, Vector
 
 EVERY = 1.6e-7  # s between outputs: kinetic energy has its peak within 1e-6 s
 HISTORIES = (

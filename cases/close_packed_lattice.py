@@ -16,6 +16,8 @@ from vv.case import (
     Case,
     Exact,
     Judge,
+    Ladder,
+    Level,
     Parameter,
     Parameters,
     Quantity,
@@ -27,7 +29,6 @@ from vv.case import (
     Variant,
 )
 from vv.scene import Bonds, Contact, Mask, Scene, Spheres, Vector
-from vv.study import Ladder, Level
 
 SIDES = ((0, 0), (0, 1), (1, 0), (1, 1))  # axis and side of the extreme rows across the load
 LOADING = 5.0  # over the lowest frequency: for so long what changes is measured

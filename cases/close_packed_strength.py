@@ -22,6 +22,8 @@ from vv.case import (
     Case,
     Exact,
     Judge,
+    Ladder,
+    Level,
     Parameter,
     Parameters,
     Quantity,
@@ -32,7 +34,6 @@ from vv.case import (
     Trial,
     Variant,
 )
-from vv.study import Ladder, Level
 
 OUTPUTS = 2000
 

@@ -11,10 +11,11 @@ import numpy as np
 
 from reference_solutions import elastic_block as exact
 from vv.ask import Displacement, History, Knobs, Method, Run, Strain
-from vv.block import box_geometry, polyhedron_inertia
 from vv.case import (
     Case,
     Exact,
+    Ladder,
+    Level,
     Parameter,
     Parameters,
     Quantity,
@@ -26,8 +27,7 @@ from vv.case import (
     Trial,
     Variant,
 )
-from vv.scene import Block, Contact, Elastic, Scene, Vector, Wall
-from vv.study import Ladder, Level
+from vv.scene import Block, Contact, Elastic, Scene, Vector, Wall, box_geometry, polyhedron_inertia
 
 STRAIN, MOVED = Strain(0), Displacement(0)
 Z = np.array([0.0, 0.0, 1.0])

@@ -10,10 +10,11 @@ from cases._papers import YAGODA_BIRAN_2016
 from cases._penalty import COARSEST, FEWER, LEVELS
 from reference_solutions import incline
 from vv.ask import Displacement, History, Method
-from vv.block import box_geometry, polyhedron_inertia
 from vv.case import (
     Case,
     Exact,
+    Ladder,
+    Motion,
     Parameter,
     Parameters,
     Quantity,
@@ -23,9 +24,7 @@ from vv.case import (
     Trial,
     Variant,
 )
-from vv.quantities import Motion
-from vv.scene import Block, Contact, Harmonic, Scene, Vector, Wall
-from vv.study import Ladder
+from vv.scene import Block, Contact, Harmonic, Scene, Vector, Wall, box_geometry, polyhedron_inertia
 
 SIDE, DENSITY = 1.0, 2500.0  # m, kg/m3 times m of height: neither enters the answer
 FREE, FLAT = "two-directions-turning", 0.2  # a plate [m high] that can turn

@@ -10,11 +10,19 @@ from cases._sines import harmonic
 from reference_solutions import laden_block
 from reference_solutions.shaken_spring import Sine
 from vv.ask import Displacement, History, Method, Observable, Velocity
-from vv.block import box_geometry, polyhedron_inertia
-from vv.case import Case, Exact, Parameter, Parameters, Source, Tolerance, Trial, Variant
-from vv.quantities import Motion
-from vv.scene import Block, Contact, Scene, Vector, Wall
-from vv.study import Ladder
+from vv.case import (
+    Case,
+    Exact,
+    Ladder,
+    Motion,
+    Parameter,
+    Parameters,
+    Source,
+    Tolerance,
+    Trial,
+    Variant,
+)
+from vv.scene import Block, Contact, Scene, Vector, Wall, box_geometry, polyhedron_inertia
 
 HALF = {"level": 0.5, "turning": 0.1}  # m: of the height; a plate does not tip
 SIDE, DENSITY = 1.0, 2500.0  # m, kg/m3, which do not enter the answer

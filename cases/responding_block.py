@@ -11,10 +11,12 @@ from cases._papers import YAGODA_BIRAN_2016
 from cases._penalty import COARSEST, FEWER, LEVELS
 from reference_solutions import responding_block
 from vv.ask import Displacement, History, Method
-from vv.block import box_geometry, polyhedron_inertia
 from vv.case import (
     Case,
     Exact,
+    Ladder,
+    Level,
+    Motion,
     Parameter,
     Parameters,
     Shown,
@@ -22,10 +24,9 @@ from vv.case import (
     Tolerance,
     Trial,
     Variant,
+    grid,
 )
-from vv.quantities import Motion
-from vv.scene import Block, Contact, Harmonic, Scene, Vector, Wall
-from vv.study import Ladder, Level, grid
+from vv.scene import Block, Contact, Harmonic, Scene, Vector, Wall, box_geometry, polyhedron_inertia
 
 Path = Callable[[Vector], Vector]  # times (k,) -> displacements (k, directions)
 

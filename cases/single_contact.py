@@ -11,10 +11,30 @@ import numpy as np
 from cases._papers import LI_2018
 from reference_solutions import single_contact as closed
 from vv.ask import Displacement, History, Knobs, Method, Run
-from vv.case import Case, Exact, Parameter, Parameters, Series, Source, Tolerance, Trial, Variant
-from vv.scene import Contact, Scene, Spheres, Vector, Wall
-from vv.study import Ladder, Level
-from vv.transform import about_z, initial_normal_forces, rotated, swapped
+from vv.case import (
+    Case,
+    Exact,
+    Ladder,
+    Level,
+    Parameter,
+    Parameters,
+    Series,
+    Source,
+    Tolerance,
+    Trial,
+    Variant,
+)
+from vv.scene import (
+    Contact,
+    Scene,
+    Spheres,
+    Vector,
+    Wall,
+    about_z,
+    initial_normal_forces,
+    rotated,
+    swapped,
+)
 
 ANGLE = 0.9  # rad; arbitrary, far from every axis and diagonal
 # what decides the overlap of the shear tests

@@ -16,6 +16,8 @@ from vv.case import (
     Case,
     Exact,
     Judge,
+    Ladder,
+    Level,
     Parameter,
     Parameters,
     Quantity,
@@ -26,7 +28,6 @@ from vv.case import (
     Trial,
     Variant,
 )
-from vv.study import Ladder, Level
 
 OUTPUTS = 500  # on the way to the largest strain
 STOPS = (1, 10, 100, 500)  # the outputs at which E and nu are taken

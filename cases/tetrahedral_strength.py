@@ -19,6 +19,8 @@ from vv.case import (
     Case,
     Exact,
     Judge,
+    Ladder,
+    Level,
     Parameter,
     Parameters,
     Quantity,
@@ -30,7 +32,6 @@ from vv.case import (
     Variant,
 )
 from vv.scene import Bonds, Contact, Scene, Spheres, Vector
-from vv.study import Ladder, Level
 
 BASE = np.array([[True, True, False]] * 4)  # the top is carried, the base slides on its plane
 RATES = (2.0, 1.0)  # of loading, in the slower one's: of two units, side by side

@@ -16,6 +16,8 @@ from vv.case import (
     Case,
     Exact,
     Judge,
+    Ladder,
+    Level,
     Parameter,
     Parameters,
     Quantity,
@@ -27,7 +29,6 @@ from vv.case import (
     Variant,
 )
 from vv.scene import Bonds, Contact, Scene, Spheres, Vector
-from vv.study import Ladder, Level
 
 CORNERS = np.array(
     [

@@ -1,1 +1,4 @@
-"""Answers that need no code under test: closed forms, event-located solutions, static lattices."""
+"""Answers that need no code under test: closed forms, event-located solutions, static lattices.
+
+May import: nothing of ours.
+"""

@@ -9,7 +9,7 @@ import numpy as np
 
 from reports.charts import Chart
 from reports.text import brief, power
-from vv.metrics import Vector
+from vv.base.metrics import Vector
 
 PLAIN = 1e-2  # numbers below it are written with a power of ten, each with its own
 DECADES = 6  # labels on a logarithmic axis, at most about this many

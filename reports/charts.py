@@ -10,8 +10,8 @@ import numpy.typing as npt
 
 from reports.collect import History, Ladder, Point
 from reports.marks import Mark
-from vv.metrics import Vector, pointwise_history
-from vv.reach import unbeaten
+from vv.base.metrics import Vector, pointwise_history
+from vv.insight.accuracy_cost import unbeaten
 
 Mask = npt.NDArray[np.bool_]
 MARKERS = 6  # per curve over time

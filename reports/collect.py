@@ -9,8 +9,8 @@ import numpy as np
 
 from reports.marks import Mark
 from reports.outcomes import outcome_of
-from vv.metrics import Vector
-from vv.reading import Record, error_of, fineness, label, too_long, tried
+from vv.base.metrics import Vector
+from vv.records.reading import Record, error_of, fineness, label, too_long, tried
 
 Arrays = Callable[[str], Mapping[str, Vector]]
 

@@ -10,9 +10,9 @@ from reports.charts import shares as shares_chart
 from reports.gallery import Draw, Figure
 from reports.marks import Mark
 from reports.text import brief, sci, short
-from vv.effort import Effort, efforts
-from vv.reach import TARGETS, Reach, cheapest, profile, reach, shares
-from vv.rungs import Point, told
+from vv.insight.accuracy_cost import TARGETS, Reach, cheapest, profile, reach, shares
+from vv.insight.effort import Effort, efforts
+from vv.records.rungs import Point, told
 
 
 @dataclass(frozen=True)

@@ -18,9 +18,9 @@ from reports.axes import draw_axes
 from reports.charts import Chart, Curve, Rim
 from reports.maps import HeatMap, draw_map
 from reports.marks import Mark
-from vv import stability
-from vv.digest import digest
-from vv.files import write
+from vv.base.digest import digest
+from vv.base.files import write
+from vv.insight import stability_summary
 
 SIZE = (4.7, 3.2)  # inches; a viewer scales it
 BOX = (0.145, 0.13, 0.83, 0.84)  # the axes: left, bottom, width, height of the figure
@@ -72,7 +72,7 @@ def drawn_before(chart: Chart | HeatMap, folder: Path) -> str:
 @functools.cache
 def _sources() -> str:
     own = [Path(__file__).with_name(f"{name}.py") for name in ("axes", "figures", "maps", "text")]
-    files = [*own, Path(stability.__file__)]  # which says what is wrong in a map
+    files = [*own, Path(stability_summary.__file__)]  # which says what is wrong in a map
     return hashlib.sha256(b"".join(path.read_bytes() for path in files)).hexdigest()
 
 

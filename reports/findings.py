@@ -11,7 +11,7 @@ from reports.marks import Mark
 from reports.outcomes import RANKS, Outcome, outcome_of
 from reports.tables import NORMS, anchor
 from reports.text import brief, short
-from vv.reading import Record, label
+from vv.records.reading import Record, label
 
 DECIMAL = re.compile(r"(?<![\w.])-?\d+(?:\.\d+(?:e[+-]?\d+)?|e[+-]?\d+)\b")
 

@@ -14,7 +14,7 @@ from reports.collect import History, Ladder
 from reports.maps import NO_CRITICAL, Critical, HeatMap, error_map
 from reports.tables import NORMS
 from reports.text import brief, listed, sci
-from vv.metrics import MASK
+from vv.base.metrics import MASK
 
 Draw = Callable[[Chart | HeatMap], str]
 

@@ -13,14 +13,14 @@ from reports.charts import Chart
 from reports.gallery import Draw
 from reports.maps import HeatMap
 from reports.views import Page
-from vv import closure
-from vv import history as histories
-from vv.files import deliver
-from vv.history import Point
-from vv.store import Store
+from vv.base import closure
+from vv.base.files import deliver
+from vv.insight import history as histories
+from vv.insight.history import Point
+from vv.store.store import Store
 
 HERE = Path(__file__).parent
-TOOL = Path(closure.__file__).parents[1]  # below which the modules that a report leans on lie
+TOOL = Path(closure.__file__).parents[2]  # below which the modules that a report leans on lie
 HEAD = 4096  # characters within which a report names the digest of its inputs
 
 

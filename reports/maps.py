@@ -13,8 +13,8 @@ import numpy.typing as npt
 from reports.collect import Ladder
 from reports.marks import Mark
 from reports.text import brief, power
-from vv.metrics import Vector
-from vv.stability import WRONG
+from vv.base.metrics import Vector
+from vv.insight.stability_summary import WRONG
 
 LEAST = 3  # stiffnesses and steps without which there is no map
 ACROSS = 3  # panels side by side

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from vv.gate import counted as counted_by_word
-from vv.gate import outcome
-from vv.reading import Record
+from vv.gate.judgement import counted as counted_by_word
+from vv.gate.judgement import outcome
+from vv.records.reading import Record
 
 
 @dataclass(frozen=True)

@@ -17,11 +17,11 @@ from reports.outcomes import WORST_FIRST, counted, outcome_of
 from reports.tables import Group
 from reports.text import slug
 from reports.views import Case, Page, Recorded, Scheme, Variant
-from vv.finding import from_data, worst_first
-from vv.history import Point
-from vv.reach import FACTORS
-from vv.reading import Record, fineness, label
-from vv.record import NORMS
+from vv.insight.accuracy_cost import FACTORS
+from vv.insight.history import Point
+from vv.records.finding import from_data, worst_first
+from vv.records.reading import Record, fineness, label
+from vv.records.record import NORMS
 
 
 def page(

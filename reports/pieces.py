@@ -10,7 +10,7 @@ from reports.marks import Mark
 from reports.outcomes import Outcome
 from reports.tables import Rung
 from reports.text import NONE, brief, ratio, sci, short
-from vv.record import NORMS
+from vv.records.record import NORMS
 
 
 @functools.cache

@@ -8,7 +8,7 @@ from typing import Any
 from reports.marks import Mark
 from reports.text import slug
 from reports.views import Stable
-from vv.stability import Kind, Told, stability
+from vv.insight.stability_summary import Kind, Told, stability
 
 KINDS = {
     Kind.STEP: (

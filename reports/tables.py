@@ -10,8 +10,8 @@ from typing import Any
 from reports.marks import Mark
 from reports.outcomes import Outcome, counted, outcome_of
 from reports.text import slug
-from vv.metrics import Order, order_before_floor
-from vv.reading import Record, error_of, fineness, label
+from vv.base.metrics import Order, order_before_floor
+from vv.records.reading import Record, error_of, fineness, label
 
 NORMS = {"max": "max", "final": "final", "pointwise": "pointwise", "l2": "L2"}
 

@@ -12,8 +12,8 @@ from reports.gallery import Figure
 from reports.marks import Mark
 from reports.outcomes import Outcome
 from reports.tables import Absent, Cell, Group
-from vv.finding import Finding as Change
-from vv.history import Point
+from vv.insight.history import Point
+from vv.records.finding import Finding as Change
 
 
 @dataclass(frozen=True)

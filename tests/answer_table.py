@@ -3,11 +3,12 @@
 import json
 from pathlib import Path
 
-from vv.plan import Options, make_plan
-from vv.project import find
-from vv.study import Level
+from tests import ROOT
+from vv.case import Level
+from vv.plan.plan import Options, make_plan
+from vv.plan.project import find
 
-TABLE = Path(__file__).with_name("answers.json")
+TABLE = ROOT / "tests" / "answers.json"
 
 
 def answers() -> dict[str, dict[str, int | str]]:

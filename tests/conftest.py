@@ -1,4 +1,4 @@
-"""What several tests share: a tiny project made from the texts in tests/tiny."""
+"""What several tests share: a tiny project made from the texts in tests/support/tiny."""
 
 import os
 import subprocess

@@ -3,13 +3,12 @@
 import re
 import shutil
 import subprocess
-from pathlib import Path
 
 import pytest
 
-from vv.compiled import cache_folder
+from tests import ROOT
+from vv.engines.kernels.compiled import cache_folder
 
-ROOT = Path(__file__).parents[1]
 FILES = ("docs/ci/github.yml", "docs/ci/gitlab.yml")
 
 
@@ -26,7 +25,11 @@ def test_both_run_the_same_targets_and_require_the_external_codes() -> None:
 
 def test_both_keep_the_kernels_where_a_checkout_has_them(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.delenv("VV_CACHE", raising=False)
-    kept = cache_folder(ROOT / "vv" / "dem").parent.relative_to(ROOT).as_posix()
+    kept = (
+        cache_folder(ROOT / "vv" / "engines" / "dem" / "line" / "kernel.py")
+        .parent.relative_to(ROOT)
+        .as_posix()
+    )
     for file in FILES:
         assert re.search(rf"^\s*(?:path:|-) {re.escape(kept)}$", (ROOT / file).read_text(), re.M)
 

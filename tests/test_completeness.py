@@ -7,12 +7,11 @@ import numpy as np
 import pytest
 
 from tests.answer_table import TABLE, answers
-from vv.adapter import Adapter
 from vv.ask import Method
-from vv.case import Case, Exact, Parameters, Series
-from vv.project import find
+from vv.case import Case, Exact, Level, Parameters, Series, put_in
+from vv.codes import Adapter
+from vv.plan.project import find
 from vv.scene import Term, Vector
-from vv.study import Level, put_in
 
 PROJECT = find(Path(__file__))
 CASES = [PROJECT.load_case(name) for name in PROJECT.case_names()]

@@ -14,9 +14,9 @@ from pathlib import Path
 import pytest
 from packaging.requirements import Requirement
 
+from tests import ROOT
 from tests.conftest import Tiny
 
-ROOT = Path(__file__).parents[1]
 CONTENT = ("adapters", "cases", "reference_solutions", "reports")
 LOCK = (ROOT / "requirements.lock").read_text().splitlines()
 
@@ -154,7 +154,8 @@ def test_the_fingerprint_of_a_code_in_the_wheel_covers_no_library(
     elsewhere: Path, tmp_path: Path
 ) -> None:
     script = (
-        "from vv import closure, keys, project; found = project.find()\n"
+        "from vv.base import closure; from vv.plan import keys, project\n"
+        "found = project.find()\n"
         "for file in closure.closure(found.adapter_files('dem'), keys.roots(found)): print(file)"
     )
     files = call(elsewhere / "python", "-c", script, cwd=tmp_path).splitlines()

@@ -9,7 +9,8 @@ from pathlib import Path
 
 import pytest
 
-ROOT = Path(__file__).parents[1]
+from tests import ROOT
+
 TOOLS = ("bash", "cat", "cmp", "dirname", "flock", "id", "mktemp", "rm", "sleep")
 MISSING = "setup: {0} is missing and will be left out; to have it: sudo apt-get install {0}\n"
 

@@ -20,10 +20,10 @@ from adapters.liggghts.translate import (
     PLAIN,
     represented,
 )
-from vv.adapter import Found, Scheme
 from vv.ask import Ask, Method, Model, Run, Status
+from vv.codes import Found, Scheme
 from vv.scene import Term
-from vv.stand_in import STANDS_IN
+from vv.standins.stand_in import STANDS_IN
 
 TERMS = frozenset(
     {
@@ -115,7 +115,7 @@ class Liggghts:
         return f"{heading}{deck(ask, scheme, 'history.txt')}"
 
     def run(self, asks: Sequence[Ask], scheme: str, scratch: Path, repeat: float) -> Iterator[Run]:
-        """Run all asks in one LIGGGHTS process; see vv.external for what happens if it dies."""
+        """Run all asks in one LIGGGHTS process; vv.codes.external says what happens if it dies."""
         if not (here := find()).installed:
             yield from [Run(Status.NOT_INSTALLED, here.how_to_install)] * len(asks)
             return

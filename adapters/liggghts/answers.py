@@ -12,9 +12,8 @@ import numpy as np
 from adapters.liggghts.deck import COUNTED, UNCOUNTED
 from adapters.liggghts.translate import moving, spinning, watched
 from vv.ask import Ask, Displacement, Model, Run, Status
-from vv.scene import Scene, Vector
-from vv.stand_in import stood_for
-from vv.transform import strayed
+from vv.scene import Scene, Vector, strayed
+from vv.standins.stand_in import stood_for
 
 LOOP = re.compile(r"^Loop time of (\S+)", re.MULTILINE)
 CHARGING = re.compile(f"^{UNCOUNTED}.*?^{COUNTED}", re.MULTILINE | re.DOTALL)

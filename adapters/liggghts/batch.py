@@ -21,8 +21,8 @@ import numpy as np
 
 from adapters.liggghts.answers import loops, parse
 from adapters.liggghts.deck import deck, silent_deck
-from vv import external
 from vv.ask import Ask, Cost, Model, Run, Status
+from vv.codes import external
 from vv.scene import Vector
 
 # One process without a network of ranks: Open MPI's search for one takes 0.3-0.5 s.

@@ -12,8 +12,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from vv.scene import Bonds, Contact, Scene, Term
-from vv.transform import initial_normal_forces
+from vv.scene import Bonds, Contact, Scene, Term, initial_normal_forces
 
 OVERLAP = 1e-4  # of the length of a bond
 STICKING = 1e9  # friction coefficient that no force reaches

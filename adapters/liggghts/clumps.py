@@ -7,8 +7,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from vv.clump import Clump
 from vv.scene import Block, Contact, Scene, Spheres, Wall
+from vv.standins.clump import Clump
 
 WEIGHTLESS = 1e-18  # of the block's mass: what its centre and its corners weigh each
 

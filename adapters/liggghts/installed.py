@@ -8,7 +8,7 @@ import re
 import shutil
 from pathlib import Path
 
-from vv.adapter import Found
+from vv.codes import Found
 
 HOW = "apt-get install liggghts (Debian, Ubuntu), or set VV_LIGGGHTS to an executable"
 PACKAGES = Path("/var/lib/dpkg/status")

@@ -17,8 +17,8 @@ from adapters.liggghts.translate import (
 )
 from adapters.liggghts.walls import is_mesh
 from vv.ask import Ask
-from vv.clump import clump
-from vv.stand_in import stood_for
+from vv.standins.clump import clump
+from vv.standins.stand_in import stood_for
 
 
 def notes(ask: Ask, scheme: str) -> list[str]:

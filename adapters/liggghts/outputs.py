@@ -8,7 +8,7 @@ from adapters.liggghts.translate import represented, space, watched
 from adapters.liggghts.walls import travel
 from adapters.liggghts.words import AXES, bounds, group, numbers
 from vv.ask import Ask, Displacement
-from vv.stand_in import stood_for
+from vv.standins.stand_in import stood_for
 
 
 def count_commands(ask: Ask, scheme: str) -> Iterator[str]:

@@ -16,12 +16,11 @@ from adapters.liggghts.translate import (
     shaken,
     spinning,
 )
-from vv.adapter import behind_wall, no_drag, no_sphere, no_steps, turned_spin_lock
 from vv.ask import Ask
-from vv.clump import why_no_clump
-from vv.scene import Scene
-from vv.stand_in import stood_for, why_not
-from vv.transform import why_not_released
+from vv.codes import behind_wall, no_drag, no_sphere, no_steps, turned_spin_lock
+from vv.scene import Scene, why_not_released
+from vv.standins.clump import why_no_clump
+from vv.standins.stand_in import stood_for, why_not
 
 GROUPS = 32 - 3  # LIGGGHTS has 32; all, shifted and turned are taken
 

@@ -11,11 +11,10 @@ from adapters.liggghts.bonds import overlapped
 from adapters.liggghts.clumps import as_atoms
 from adapters.liggghts.walls import is_mesh, travel, triangle
 from vv.ask import Ask, Displacement, Observable
-from vv.clump import clump
-from vv.scene import Mask, Scene, Spheres, Vector
-from vv.soften import fastest
-from vv.stand_in import stood_for
-from vv.transform import drifting, initial_normal_forces, released
+from vv.scene import Mask, Scene, Spheres, Vector, drifting, initial_normal_forces, released
+from vv.standins.clump import clump
+from vv.standins.soften import fastest
+from vv.standins.stand_in import stood_for
 
 PLAIN, HALF_STEP, CLUMP, OVERLAPPED = "default", "half-step-mass", "clump", "pre-overlapped"
 

@@ -20,12 +20,10 @@ from adapters.yade.translate import (
     plan,
     put,
 )
-from vv import external
-from vv.adapter import Found, Scheme
 from vv.ask import Ask, Displacement, Method, Model, Reaction, Run, Status, Velocity
-from vv.scene import Term
-from vv.stand_in import STANDS_IN, stood_for
-from vv.transform import released
+from vv.codes import Found, Scheme, external
+from vv.scene import Term, released
+from vv.standins.stand_in import STANDS_IN, stood_for
 
 TERMS = frozenset(
     {
@@ -121,7 +119,7 @@ class Yade:
         return script(f"{heading}ASK: dict[str, Any] | None = {literal}\n")
 
     def run(self, asks: Sequence[Ask], scheme: str, scratch: Path, repeat: float) -> Iterator[Run]:
-        """Run all asks in one YADE process; see vv.external for what happens if it dies."""
+        """Run all asks in one YADE process; see vv.codes.external for what happens if it dies."""
         here = find()
         if not here.installed:
             yield from [Run(Status.NOT_INSTALLED, here.how_to_install)] * len(asks)

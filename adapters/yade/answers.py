@@ -10,9 +10,8 @@ import numpy as np
 
 from adapters.yade.translate import watched
 from vv.ask import Ask, Cost, Displacement, Model, Run, Status
-from vv.scene import Term, Vector
-from vv.stand_in import stood_for
-from vv.transform import strayed
+from vv.scene import Term, Vector, strayed
+from vv.standins.stand_in import stood_for
 
 COSTS = ("setup", "solve_cpu", "solve_wall", "output", "repeats", "spread")
 

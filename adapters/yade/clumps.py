@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from vv.clump import Clump
+from vv.standins.clump import Clump
 
 
 def clumped(plan: dict[str, Any], made: Clump) -> dict[str, Any]:

@@ -8,7 +8,7 @@ import re
 from collections.abc import Iterator
 from pathlib import Path
 
-from vv.adapter import Found
+from vv.codes import Found
 
 PYTHON = Path("/usr/bin/python3")  # distributions build YADE for their own Python
 PLACES = ("lib/*/yade-double/py", "lib/*/yadedaily/py", "lib/*/yade/py", "lib/yade*/py")

@@ -7,10 +7,9 @@ import numpy as np
 from adapters.yade.bonds import sheared
 from adapters.yade.translate import CLUMP, HALF_STEP, POLYHEDRA, initial_contacts, put
 from vv.ask import Ask, Reaction
-from vv.clump import clump
-from vv.scene import Term
-from vv.stand_in import stood_for
-from vv.transform import released
+from vv.scene import Term, released
+from vv.standins.clump import clump
+from vv.standins.stand_in import stood_for
 
 
 def notes(ask: Ask, scheme: str) -> list[str]:

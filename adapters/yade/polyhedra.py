@@ -9,11 +9,9 @@ from typing import Any
 import numpy as np
 
 from vv.ask import Ask
-from vv.block import Block
-from vv.scene import Scene, Vector, Wall
-from vv.soften import TOUCHING
-from vv.stand_in import sprung, why_not
-from vv.transform import rotated
+from vv.scene import Block, Scene, Vector, Wall, rotated
+from vv.standins.soften import TOUCHING
+from vv.standins.stand_in import sprung, why_not
 
 MOST_STEPS = 10_000  # of some 0.1 ms each, thirty times those of a sphere
 THINNEST = 0.1  # thickness over size below which YADE's polyhedra may pass each other unnoticed

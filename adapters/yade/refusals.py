@@ -7,12 +7,11 @@ import numpy as np
 from adapters.yade.bonds import why_no_bonds
 from adapters.yade.polyhedra import why_no_polyhedron
 from adapters.yade.translate import CLUMP, HALF_STEP, POLYHEDRA, put
-from vv.adapter import behind_wall, no_drag, no_sphere, turned_spin_lock
 from vv.ask import Ask, Reaction
-from vv.clump import why_no_clump
-from vv.scene import Scene, Term
-from vv.stand_in import stood_for, why_not
-from vv.transform import why_not_released
+from vv.codes import behind_wall, no_drag, no_sphere, turned_spin_lock
+from vv.scene import Scene, Term, why_not_released
+from vv.standins.clump import why_no_clump
+from vv.standins.stand_in import stood_for, why_not
 
 NO_BLOCK = {CLUMP: why_no_clump, POLYHEDRA: why_no_polyhedron}
 

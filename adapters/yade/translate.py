@@ -12,11 +12,10 @@ from adapters.yade.clumps import clumped
 from adapters.yade.drives import driven, sines
 from adapters.yade.polyhedra import laid, polyhedral, turn_of
 from vv.ask import Ask, Displacement, Observable
-from vv.clump import clump
-from vv.scene import Mask, Scene, Spheres, Vector, Wall
-from vv.soften import acceleration_of, fastest
-from vv.stand_in import Stood, stood_for
-from vv.transform import drifting, initial_normal_forces, released
+from vv.scene import Mask, Scene, Spheres, Vector, Wall, drifting, initial_normal_forces, released
+from vv.standins.clump import clump
+from vv.standins.soften import acceleration_of, fastest
+from vv.standins.stand_in import Stood, stood_for
 
 PLAIN, HALF_STEP, CLUMP, POLYHEDRA = "default", "half-step-mass", "clump", "polyhedra"
 LEAST_GAP = 1e-12  # of a radius: less than that overlaps by rounding only

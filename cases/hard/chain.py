@@ -12,6 +12,8 @@ from vv.ask import History, Knobs, Method, Observable, Run, Velocity
 from vv.case import (
     Case,
     Exact,
+    Ladder,
+    Level,
     Parameter,
     Parameters,
     Quantity,
@@ -23,7 +25,6 @@ from vv.case import (
     Variant,
 )
 from vv.scene import Contact, Scene, Spheres, Vector, Wall
-from vv.study import Ladder, Level
 
 N, RADIUS = 100, 0.1  # spheres; m, which does not enter the answer
 X = np.array([1.0, 0.0, 0.0])

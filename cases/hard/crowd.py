@@ -8,9 +8,20 @@ import numpy as np
 
 from reference_solutions import dashpot
 from vv.ask import Displacement, History, Knobs, Method, Observable, Run
-from vv.case import Case, Exact, Parameter, Parameters, Scalar, Source, Tolerance, Trial, Variant
+from vv.case import (
+    Case,
+    Exact,
+    Ladder,
+    Level,
+    Parameter,
+    Parameters,
+    Scalar,
+    Source,
+    Tolerance,
+    Trial,
+    Variant,
+)
 from vv.scene import Contact, Scene, Spheres, Vector
-from vv.study import Ladder, Level
 
 GRID, SPACING = (4, 3, 3), 1.0  # pairs along each axis, and between their middles [m]
 PAIRS = math.prod(GRID)

@@ -13,6 +13,8 @@ from vv.ask import Displacement, History, Knobs, Method, Run, Velocity
 from vv.case import (
     Case,
     Exact,
+    Ladder,
+    Level,
     Parameter,
     Parameters,
     Scalar,
@@ -23,7 +25,6 @@ from vv.case import (
     Variant,
 )
 from vv.scene import Contact, Scene, Spheres, Vector, Wall
-from vv.study import Ladder, Level
 
 RADIUS = 0.1  # m; does not enter the answer
 Z, N = np.array([0.0, 0.0, 1.0]), np.array([2.0, -1.0, 2.0]) / 3

@@ -15,6 +15,8 @@ from vv.case import (
     Case,
     Count,
     Exact,
+    Ladder,
+    Level,
     Parameters,
     Scalar,
     Shown,
@@ -24,7 +26,6 @@ from vv.case import (
     Variant,
 )
 from vv.scene import Vector
-from vv.study import Ladder, Level
 
 SHEAR = SINGLE_CONTACT.variant("T3")
 OWN = ("rho", "r", "kn", "ks", "mu", "eta", "v_b")

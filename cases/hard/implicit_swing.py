@@ -11,11 +11,12 @@ import numpy as np
 from cases._papers import YAGODA_BIRAN_2016
 from reference_solutions import implicit_step as theory
 from vv.ask import Displacement, History, Knobs, Method, Run, Velocity
-from vv.block import polyhedron_inertia
 from vv.case import (
     Case,
     Check,
     Exact,
+    Ladder,
+    Level,
     Parameter,
     Parameters,
     Scalar,
@@ -25,8 +26,7 @@ from vv.case import (
     Trial,
     Variant,
 )
-from vv.scene import Block, Contact, Scene, Vector, Wall
-from vv.study import Ladder, Level
+from vv.scene import Block, Contact, Scene, Vector, Wall, polyhedron_inertia
 
 MOVED, MOVING = Displacement(1), Velocity(1)
 Z = np.array([0.0, 0.0, 1.0])

@@ -8,11 +8,20 @@ import numpy as np
 
 from reference_solutions import toppling
 from vv.ask import Displacement, History, Knobs, Method
-from vv.block import polyhedron_inertia, volume_and_centroid
-from vv.case import Case, Exact, Parameter, Parameters, Source, Tolerance, Trial, Variant
-from vv.quantities import Motion
-from vv.scene import Block, Contact, Scene, Vector
-from vv.study import Ladder, Level
+from vv.case import (
+    Case,
+    Exact,
+    Ladder,
+    Level,
+    Motion,
+    Parameter,
+    Parameters,
+    Source,
+    Tolerance,
+    Trial,
+    Variant,
+)
+from vv.scene import Block, Contact, Scene, Vector, polyhedron_inertia, volume_and_centroid
 
 UP = np.array([0.0, 0.0, 1.0])
 HEADING = np.radians(20)  # of the lower edge from x

@@ -17,6 +17,8 @@ from vv.case import (
     Case,
     Exact,
     Invariant,
+    Ladder,
+    Level,
     Parameters,
     Quantity,
     Scalar,
@@ -26,7 +28,6 @@ from vv.case import (
     Variant,
 )
 from vv.scene import Bonds, Contact, Scene, Spheres, Vector, Wall
-from vv.study import Ladder, Level
 
 MOVED, MOVING = Displacement(1), Velocity(1)
 OWN = ("rho", "r", "kn", "v_a")

@@ -12,6 +12,9 @@ from vv.case import (
     Case,
     Check,
     Exact,
+    Ladder,
+    Level,
+    Motion,
     Parameter,
     Parameters,
     Source,
@@ -19,9 +22,7 @@ from vv.case import (
     Trial,
     Variant,
 )
-from vv.quantities import Motion
 from vv.scene import Block, Contact, Scene, Vector, Wall
-from vv.study import Ladder, Level
 
 ROD = Displacement(1)
 FAT, DEEP = 0.02, 0.05  # of the half length: half width of the rod and its half depth

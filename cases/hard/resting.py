@@ -12,6 +12,8 @@ from vv.ask import Displacement, History, Knobs, Method, Run, Velocity
 from vv.case import (
     Case,
     Exact,
+    Ladder,
+    Level,
     Parameter,
     Parameters,
     Quantity,
@@ -22,9 +24,7 @@ from vv.case import (
     Trial,
     Variant,
 )
-from vv.energy import Form
-from vv.scene import Contact, Scene, Spheres, Vector, Wall
-from vv.study import Ladder, Level
+from vv.scene import Contact, Form, Scene, Spheres, Vector, Wall
 
 RADIUS = 0.05  # m; with m, it decides how spheres roll
 X, Z = np.eye(3)[[0, 2]]

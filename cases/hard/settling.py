@@ -13,6 +13,8 @@ from vv.case import (
     Case,
     Count,
     Exact,
+    Ladder,
+    Level,
     Parameter,
     Parameters,
     Series,
@@ -22,7 +24,6 @@ from vv.case import (
     Variant,
 )
 from vv.scene import Contact, Scene, Spheres, Vector, Wall
-from vv.study import Ladder, Level
 
 RADIUS = 0.1  # m; does not enter the answer
 SPHERE = Displacement(1)

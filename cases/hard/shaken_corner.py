@@ -12,10 +12,21 @@ from cases._sines import harmonic
 from reference_solutions import shaken_spring
 from reference_solutions.shaken_spring import Sine
 from vv.ask import Displacement, History, Knobs, Method
-from vv.case import Case, Exact, Parameter, Parameters, Scalar, Source, Tolerance, Trial, Variant
-from vv.quantities import Motion
+from vv.case import (
+    Case,
+    Exact,
+    Ladder,
+    Level,
+    Motion,
+    Parameter,
+    Parameters,
+    Scalar,
+    Source,
+    Tolerance,
+    Trial,
+    Variant,
+)
 from vv.scene import Contact, Scene, Spheres, Vector, Wall
-from vv.study import Ladder, Level
 
 AXES = np.array([[2.0, 2.0, 1.0], [-2.0, 1.0, 2.0], [1.0, -2.0, 2.0]]) / 3  # along no frame
 RADIUS = 1e-3  # m; does not enter the answer

@@ -13,6 +13,8 @@ from vv.ask import Displacement, History, Knobs, Method, Run
 from vv.case import (
     Case,
     Exact,
+    Ladder,
+    Level,
     Parameters,
     Scalar,
     Series,
@@ -21,7 +23,6 @@ from vv.case import (
     Trial,
     Variant,
 )
-from vv.study import Ladder, Level
 
 OWN = ("D", "f", "mu", "g", "duration")
 BLOCK = Displacement(1)

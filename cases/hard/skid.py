@@ -10,10 +10,20 @@ import numpy as np
 from cases._books import balance
 from reference_solutions import skid
 from vv.ask import Displacement, History, Knobs, Method, Observable, Velocity
-from vv.case import Case, Exact, Parameter, Parameters, Source, Tolerance, Trial, Variant
-from vv.quantities import Motion
+from vv.case import (
+    Case,
+    Exact,
+    Ladder,
+    Level,
+    Motion,
+    Parameter,
+    Parameters,
+    Source,
+    Tolerance,
+    Trial,
+    Variant,
+)
 from vv.scene import Contact, Scene, Spheres, Vector, Wall
-from vv.study import Ladder, Level
 
 RADIUS = 0.1  # m; does not enter the answer
 AXES = np.array([[2.0, -1.0, 2.0], [2.0, 2.0, -1.0], [-1.0, 2.0, 2.0]]) / 3  # across, along, locked

@@ -6,11 +6,21 @@ import numpy as np
 
 from reference_solutions import spin_stopped
 from vv.ask import Displacement, History, Knobs, Method, Observable, Run
-from vv.block import box_geometry, polyhedron_inertia
-from vv.case import Case, Exact, Parameter, Parameters, Series, Source, Tolerance, Trial, Variant
-from vv.quantities import Motion
-from vv.scene import Block, Contact, Scene, Vector
-from vv.study import Ladder, Level
+from vv.case import (
+    Case,
+    Exact,
+    Ladder,
+    Level,
+    Motion,
+    Parameter,
+    Parameters,
+    Series,
+    Source,
+    Tolerance,
+    Trial,
+    Variant,
+)
+from vv.scene import Block, Contact, Scene, Vector, box_geometry, polyhedron_inertia
 
 AXES = np.array([[2.0, -1.0, 2.0], [2.0, 2.0, -1.0], [-1.0, 2.0, 2.0]]) / 3  # n is the third
 NORMAL = AXES[2]

@@ -10,9 +10,8 @@ from cases.incline import CASE as INCLINE
 from cases.responding_block import CASE as RESPONDING_BLOCK
 from cases.tetrahedral_unit import CASE as UNIT
 from vv.ask import History
-from vv.case import Case, Check, Parameters, Series, Shown, Source, Trial, Variant
+from vv.case import Case, Check, Grid, Level, Parameters, Series, Shown, Source, Trial, Variant
 from vv.scene import Scene
-from vv.study import Grid, Level
 
 
 def _declare(variant: str, p: Parameters) -> Trial:

@@ -11,11 +11,20 @@ from cases.tetrahedral_unit import CASE as UNIT
 from cases.tetrahedral_unit import CORNERS, EDGES
 from reference_solutions import bonded_modes, close_packed_lattice, stability
 from vv.ask import Bracket, Displacement, Method
-from vv.bonds import Pairs
-from vv.case import Case, Exact, Interval, Parameters, Source, Tolerance, Trial, Variant
-from vv.quantities import largest_step
-from vv.scene import Bonds, Contact, Scene, Spheres, Vector
-from vv.study import Level, Search
+from vv.case import (
+    Case,
+    Exact,
+    Interval,
+    Level,
+    Parameters,
+    Search,
+    Source,
+    Tolerance,
+    Trial,
+    Variant,
+    largest_step,
+)
+from vv.scene import Bonds, Contact, Pairs, Scene, Spheres, Vector
 
 SPEED = 1e-9  # m/s: the start, which does not enter the answer
 

@@ -9,21 +9,30 @@ import numpy as np
 from cases._papers import LI_2018
 from reference_solutions import stability
 from vv.ask import Bracket, Displacement, Method
-from vv.block import box_geometry, polyhedron_inertia
 from vv.case import (
     Case,
     Exact,
     Interval,
+    Level,
     Parameter,
     Parameters,
+    Search,
     Source,
     Tolerance,
     Trial,
     Variant,
+    largest_step,
 )
-from vv.quantities import largest_step
-from vv.scene import Block, Contact, Harmonic, Scene, Spheres, Wall
-from vv.study import Level, Search
+from vv.scene import (
+    Block,
+    Contact,
+    Harmonic,
+    Scene,
+    Spheres,
+    Wall,
+    box_geometry,
+    polyhedron_inertia,
+)
 
 RADIUS = 50.0  # m; does not enter the answer
 FIRST, SECOND = Displacement(0), Displacement(1)

@@ -9,11 +9,12 @@ import numpy as np
 
 from reference_solutions import arch, falling_arch
 from vv.ask import Displacement, History, Knobs, Method, Run
-from vv.block import polyhedron_inertia
 from vv.case import (
     Case,
     Check,
     Exact,
+    Ladder,
+    Level,
     Parameter,
     Parameters,
     Quantity,
@@ -24,8 +25,7 @@ from vv.case import (
     Trial,
     Variant,
 )
-from vv.scene import Block, Contact, Scene, Vector, Wall
-from vv.study import Ladder, Level
+from vv.scene import Block, Contact, Scene, Vector, Wall, polyhedron_inertia
 
 VOUSSOIRS, DEEP, DENSITY = 10, 0.25, 2500.0  # number, half depth [m], kg/m3
 OUTLINE = ((0, 1, 2, 3), (7, 6, 5, 4), (0, 4, 5, 1), (1, 5, 6, 2), (2, 6, 7, 3), (3, 7, 4, 0))

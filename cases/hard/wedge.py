@@ -10,11 +10,12 @@ import numpy as np
 from cases._papers import YAGODA_BIRAN_2016
 from reference_solutions import wedge
 from vv.ask import Displacement, History, Knobs, Method
-from vv.block import polyhedron_inertia
 from vv.case import (
     Case,
     Check,
     Exact,
+    Ladder,
+    Level,
     Parameter,
     Parameters,
     Series,
@@ -23,8 +24,7 @@ from vv.case import (
     Trial,
     Variant,
 )
-from vv.scene import Block, Contact, Scene, Vector, Wall
-from vv.study import Ladder, Level
+from vv.scene import Block, Contact, Scene, Vector, Wall, polyhedron_inertia
 
 WEDGE = Displacement(2)
 HALF, DENSITY = 0.5, 2500.0  # m, half of its width on top, height and length; kg/m3

@@ -1,1 +1,4 @@
-"""Second routes to the reference solutions, for the tests alone: no case imports them."""
+"""Second routes to the reference solutions, for the tests alone: no case imports them.
+
+May import: nothing of ours.
+"""

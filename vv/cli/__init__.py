@@ -1,4 +1,8 @@
-"""The command line: the only place that puts the parts together and prints."""
+"""The command line: the only place that puts the parts together and prints.
+
+May import: base, scene, ask, case, codes, store, plan, records, gate, run, insight, output,
+reports.
+"""
 
 from __future__ import annotations
 
@@ -10,11 +14,18 @@ from collections.abc import Callable
 
 import typer
 
-from vv import screen
-from vv.cli import extend, judge, keep, look, run, speed
-from vv.finding import Bit
-from vv.imports import raised_within
-from vv.settings import UsageError
+from vv.base.errors import UsageError
+from vv.cli import (
+    baseline_commands,
+    export_command,
+    gate_command,
+    query_commands,
+    run_command,
+    speed_command,
+)
+from vv.output import terminal
+from vv.plan.imports import raised_within
+from vv.records.finding import Bit
 
 BITS = (
     "Exit status, a sum of bits: 0 all is well; 1 accuracy or regression; 2 conservation; "
@@ -32,17 +43,21 @@ app = typer.Typer(
 )
 INTERRUPTED = 130  # what shells use for a program ended by Ctrl-C
 GROUPS: dict[str, dict[str, Callable[..., None]]] = {
-    "Run": {"run": run.run, "speed": speed.speed},
+    "Run": {"run": run_command.run, "speed": speed_command.speed},
     "Look": {
-        "list": look.list_cases,
-        "codes": look.list_codes,
-        "report": look.report,
-        "explain": look.explain,
-        "diff": look.diff,
-        "history": look.history,
+        "list": query_commands.list_cases,
+        "codes": query_commands.list_codes,
+        "report": query_commands.report,
+        "explain": query_commands.explain,
+        "diff": query_commands.diff,
+        "history": query_commands.history,
     },
-    "Judge": {"gate": judge.gate, "accept": keep.accept, "record": keep.record},
-    "Extend": {"export": extend.export},
+    "Judge": {
+        "gate": gate_command.gate,
+        "accept": baseline_commands.accept,
+        "record": baseline_commands.record,
+    },
+    "Extend": {"export": export_command.export},
 }
 for group, commands in GROUPS.items():
     for name, command in commands.items():
@@ -64,7 +79,7 @@ def main() -> None:
     try:
         code = app(standalone_mode=False)
     except UsageError as error:
-        code = screen.complain(str(error))
+        code = terminal.complain(str(error))
     except typer.Exit as stop:
         code = stop.exit_code
     except (typer.Abort, KeyboardInterrupt):
@@ -73,13 +88,13 @@ def main() -> None:
         os.dup2(os.open(os.devnull, os.O_WRONLY), 1)  # the reader left; nothing more to say
         code = 0
     except OSError as error:
-        code = screen.complain(f"cannot use {error.filename}: {error.strerror}")
+        code = terminal.complain(f"cannot use {error.filename}: {error.strerror}")
     except Exception as error:
         if message := _message(error):
-            code = screen.complain(message)
+            code = terminal.complain(message)
         else:
             traceback.print_exc()
             code = int(Bit.CRASH)  # and not 1, with which Python ends and which would say accuracy
     if code == INTERRUPTED:  # which the option parser may have made of it
-        screen.complain("interrupted; what has finished is kept")
+        terminal.complain("interrupted; what has finished is kept")
     sys.exit(code or 0)

@@ -8,15 +8,15 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from vv import screen
-from vv.files import deliver
-from vv.plan import Plan
-from vv.progress import progress
-from vv.project import Project
-from vv.store import Store
+from vv.base.files import deliver
+from vv.output import terminal
+from vv.output.progress import progress
+from vv.plan.plan import Plan
+from vv.plan.project import Project
+from vv.store.store import Store
 
 if TYPE_CHECKING:
-    from vv.session import Limits
+    from vv.run.session import Limits
 
 LATER = "vv report"  # what writes the report of an invocation that leaves it
 
@@ -29,30 +29,30 @@ def answered(
     asked: frozen data that the plan is made of. How many processes may be used, and where else
     results are to be written, does not decide them.
     """
-    from vv import standing
-    from vv.session import Timing, now_utc
+    from vv.run import reuse
+    from vv.run.session import Timing, now_utc
 
     if limits.fresh or limits.timing is Timing.NEW:
         return carried_out(project, make_plan(), limits)
 
     def identity() -> str:
         demanded = (*asked, limits.timing)
-        return standing.identity(project, demanded, now_utc().date(), limits.against)
+        return reuse.identity(project, demanded, now_utc().date(), limits.against)
 
     store, before = Store(project.data()), identity()
-    stands = standing.recall(store, before)
+    stands = reuse.recall(store, before)
     if stands is not None:
-        screen.note(f"nothing has changed since {stands['name']}")
+        terminal.note(f"nothing has changed since {stands['name']}")
         return stands
     manifest = carried_out(project, make_plan(), limits)
     if identity() == before:  # nobody edited anything meanwhile
-        standing.remember(store, before, manifest)
+        reuse.remember(store, before, manifest)
     return manifest
 
 
 def carried_out(project: Project, plan: Plan, limits: Limits) -> dict[str, Any]:
     """Carry out a plan and show how far it is; returns the manifest."""
-    from vv.session import carry_out
+    from vv.run.session import carry_out
 
     with progress(len(plan.jobs)) as shown:
         return carry_out(project, plan, limits, shown, ["vv", *sys.argv[1:]])
@@ -63,25 +63,25 @@ def reported(project: Project, manifest: dict[str, Any], limits: Limits) -> Path
 
     One that lies there as it was left is not made again.
     """
-    from vv import standing
-    from vv.session import MEASURED
+    from vv.run import reuse
+    from vv.run.session import MEASURED
 
     store, path = Store(project.data()), project.data() / "report.html"
-    if not standing.untouched(store, manifest["name"], path):
+    if not reuse.untouched(store, manifest["name"], path):
         builder(project, limits.timing in MEASURED)(manifest, store, path)
-        standing.leave(store, manifest["name"], path)
+        reuse.leave(store, manifest["name"], path)
     return path
 
 
 def tell(project: Project, manifest: dict[str, Any], json_file: Path | None, report: str) -> None:
     """Write the records if asked to, and say how it went and where the report is."""
     if json_file:
-        from vv.export import document
+        from vv.output.export import document
 
         told = document(manifest, Store(project.data()))
         deliver(json_file, json.dumps(told, allow_nan=False).encode())
-    screen.print_refusals(manifest["records"])
-    screen.print_counts(manifest["records"], report)
+    terminal.print_refusals(manifest["records"])
+    terminal.print_counts(manifest["records"], report)
 
 
 def builder(project: Project, drawing: bool) -> Callable[[dict[str, Any], Store, Path], Path]:

@@ -9,11 +9,12 @@ from typing import Annotated
 import typer
 
 from vv.ask import Knobs
-from vv.plan import Options, Plan, make_plan
-from vv.project import Project
-from vv.selection import choose_schemes, named_adapters
-from vv.settings import UsageError, knobs_from
-from vv.study import Level
+from vv.base.errors import UsageError
+from vv.case import Level
+from vv.plan.plan import Options, Plan, make_plan
+from vv.plan.project import Project
+from vv.plan.selection import choose_schemes, named_adapters
+from vv.plan.settings import knobs_from
 
 TIMEOUT = 300.0  # s for one job, unless said otherwise; its kernels may have to be compiled
 Selection = Annotated[

@@ -4,9 +4,19 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from vv.effort import Effort
-from vv.reach import FACTORS, TARGETS, Duel, Reach, cheapest, front, profile, reach, shares
-from vv.rungs import Point, Row, told
+from vv.insight.accuracy_cost import (
+    FACTORS,
+    TARGETS,
+    Duel,
+    Reach,
+    cheapest,
+    front,
+    profile,
+    reach,
+    shares,
+)
+from vv.insight.effort import Effort
+from vv.records.rungs import Point, Row, told
 
 
 def tables(every: Sequence[Effort]) -> Iterator[str]:

@@ -1,0 +1,79 @@
+"""Claims, without LIGGGHTS, about what stands for a block: a sphere or a rigid body of spheres."""
+
+from __future__ import annotations
+
+import dataclasses
+
+import numpy as np
+import pytest
+
+from adapters.liggghts import ADAPTER
+from adapters.liggghts.deck import deck
+from cases.incline import CASE as INCLINE
+from cases.responding_block import CASE as RESPONDING
+from tests.scenes.sliding_blocks import Frame, incline
+from tests.support.adapter_asks import DT, block_ask, case_ask
+from tests.support.liggghts_asks import CLUMP, PLAIN, words
+from vv.ask import Knobs
+from vv.case import Case
+from vv.standins.stand_in import sprung
+
+
+@pytest.mark.parametrize("case", [INCLINE, RESPONDING], ids=lambda case: case.name)
+def test_every_variant_with_a_block_is_run_as_a_sphere_if_it_cannot_turn(case: Case) -> None:
+    for variant in case.variants:
+        study = case.declare(variant.name, case.defaults(variant.name)).study
+        ask = study.ask(Knobs(dt=1e-4, kn=1e9))
+        assert ask.scene.terms() <= ADAPTER.schemes[0].terms
+        assert ADAPTER.refuses(ask, CLUMP) is None
+        assert "4 spheres of 0.01" in ADAPTER.describe(ask, CLUMP).note
+        if ask.scene.blocks[0].free_spin.any():
+            assert "may turn; a sphere would roll" in (ADAPTER.refuses(ask, PLAIN) or "")
+            continue
+        assert ADAPTER.refuses(ask, PLAIN) is None
+        model = ADAPTER.describe(ask, PLAIN)
+        assert ask.scene.terms() <= model.terms
+        assert "a sphere of its mass stands for a block" in model.note
+        assert "kn = 1e+09, ks = 2.5e+10 N/m" in model.note
+
+
+def test_a_charge_is_a_step_before_time_starts_that_ends_where_the_sphere_begins() -> None:
+    ask = block_ask(incline(Frame(28.0, turn=0.4), 15.0, v0=0.2))
+    text, stood = deck(ask, PLAIN, "rows.txt"), sprung(ask)
+    assert stood.charged is not None
+    (created,) = words(text, "create_atoms")
+    (slid,) = (line for line in words(text, "fix", "slid0") if "move" in line)
+    way = DT * np.array(slid[3:6], float)
+    start = np.array(created[2:5], float)
+    assert start + way == pytest.approx(stood.scene.spheres.position[0], abs=1e-15)
+    assert -stood.scene.contact.ks * way == pytest.approx(stood.charged[0], rel=1e-12)
+    after = text[text.index("unfix slid0") :]
+    (speeds,) = words(after, "set", "atom")
+    assert np.array(speeds[2::2], float) == pytest.approx(0.2 * Frame(28.0, turn=0.4).dip)
+    assert after.index("reset_timestep") < after.index("nve") < after.index("run  ")
+    assert "slid" not in deck(case_ask("T3"), PLAIN, "rows.txt")
+
+
+def test_a_rigid_body_has_the_sphere_s_springs_and_the_rotations_of_the_block() -> None:
+    scene = incline(Frame(28.0), 15.0, A=2.0)
+    turning = dataclasses.replace(scene.blocks[0], free_spin=np.array([False, True, False]))
+    ask = block_ask(dataclasses.replace(scene, bodies=(*scene.walls, turning)))
+    text, alone = deck(ask, CLUMP, "rows.txt"), deck(block_ask(scene), PLAIN, "rows.txt")
+    for name in ("kn", "kt"):
+        springs = [float(words(deck, "fix", name)[0][-1]) for deck in (text, alone)]
+        assert springs[0] * 4 == springs[1]
+    masses = [float(line[4]) for line in words(text, "set", "atom") if line[1] == "diameter"]
+    assert len(masses) == 1 + 4 + 8
+    assert sum(masses) == pytest.approx(scene.blocks[0].mass, rel=1e-15)
+    fixes = [line[0] for line in words(text, "fix")]
+    assert fixes.index("body") > max(fixes.index("weight"), fixes.index("shake0"))
+    (freedoms,) = (" ".join(line) for line in words(text, "fix", "body"))
+    assert freedoms == "all rigid single force 1 on on on torque 1 off on off"
+    assert not [line for line in words(text, "fix") if line[2].startswith("nve")]
+
+
+def test_numpy_scalars_are_written_as_numbers() -> None:
+    knobs = Knobs(np.float64(DT), np.float64(1e9))
+    ask = dataclasses.replace(block_ask(incline(Frame(28.0), 15.0, A=2.0)), knobs=knobs)
+    for scheme in (PLAIN, CLUMP):
+        assert "float64" not in ADAPTER.native(ask, scheme)

@@ -1,0 +1,236 @@
+"""Claims about LIGGGHTS itself, where it is installed; VV_REQUIRE=liggghts makes absence red."""
+
+from __future__ import annotations
+
+import dataclasses
+import functools
+import os
+import subprocess
+from collections.abc import Sequence
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from adapters.liggghts import ADAPTER
+from adapters.liggghts.batch import MPI
+from adapters.liggghts.deck import deck, silent_deck
+from cases.single_contact import CASE
+from tests.scenes.sliding_blocks import Frame, incline, responding
+from tests.support import live_asks
+from tests.support.installed import only_with
+from tests.support.live_asks import (
+    COARSE,
+    FINE,
+    FLOOR,
+    SEEN,
+    TRIALS,
+    VARIANTS,
+    G,
+    Runs,
+    ball,
+    error,
+    flight,
+    flown,
+    history,
+    rolling,
+    undamped,
+)
+from vv.ask import Ask, Displacement, History, Knobs, Status
+from vv.codes import external
+from vv.scene import Contact, Harmonic, Scene, about_z, rotated
+
+HERE = ADAPTER.found()
+pytestmark = only_with(ADAPTER)
+ran = functools.partial(live_asks.ran, ADAPTER)
+# max|e| / max|ref| at dt = 1e-3 s; drag half a step late costs T2 and T4 an order
+PLAIN_ERROR = {"T1": 3e-5, "T2": 8e-3, "T3": 1e-4, "T4": 1.1e-2}
+
+
+def test_a_required_liggghts_is_installed() -> None:
+    assert HERE.installed, HERE.how_to_install
+    assert HERE.version
+
+
+def test_single_contacts_with_plain_masses(tmp_path: Path) -> None:
+    asks = [TRIALS[name].study.ask(COARSE) for name in VARIANTS]
+    for name, run in zip(VARIANTS, ran(asks, "default", tmp_path), strict=True):
+        assert error(run, name) < PLAIN_ERROR[name[:2]], name
+
+
+@pytest.fixture(scope="module")
+def half_step(tmp_path_factory: pytest.TempPathFactory) -> Runs:
+    """All variants at a coarse and a fine step, in one process."""
+    keys = [(name, knobs) for name in VARIANTS for knobs in (COARSE, FINE)]
+    asks = [TRIALS[name].study.ask(knobs) for name, knobs in keys]
+    runs = ran(asks, "half-step-mass", tmp_path_factory.mktemp("half-step"))
+    return dict(zip(keys, runs, strict=True))
+
+
+def test_single_contacts_with_half_step_masses_are_second_order(half_step: Runs) -> None:
+    for (name, knobs), run in half_step.items():
+        assert error(run, name) < (1e-4 if knobs is COARSE else 1e-8), (name, knobs)
+
+
+def test_a_mesh_and_a_dead_load_give_what_a_plane_and_a_lock_give(half_step: Runs) -> None:
+    for name in ("T1", "T2", "T3", "T4"):
+        axes = TRIALS[f"{name}-rotated"].study.scene.axes
+        for knobs in (COARSE, FINE):
+            seen = half_step[name, knobs].values[Displacement(1)]
+            turned = half_step[f"{name}-rotated", knobs].values[Displacement(1)]
+            assert np.abs(turned @ axes.T - seen).max() < 3e-11 * np.abs(seen).max(), name
+
+
+def test_a_scene_may_be_turned_about_any_axis(tmp_path: Path, half_step: Runs) -> None:
+    tilt = np.array([[1, 0, 0], [0, 0.8, -0.6], [0, 0.6, 0.8]])
+    ask = TRIALS["T4"].study.ask(COARSE)
+    turn = about_z(2.2) @ tilt @ about_z(-0.7)
+    (run,) = ran(
+        [dataclasses.replace(ask, scene=rotated(ask.scene, turn))], "half-step-mass", tmp_path
+    )
+    seen = half_step["T4", COARSE].values[Displacement(1)]
+    assert np.abs(run.values[Displacement(1)] @ turn - seen).max() < 3e-11 * np.abs(seen).max()
+
+
+def test_gravity_load_and_drag(tmp_path: Path) -> None:
+    (flying,) = ran([history(flight(3.0), 1e-3)], "half-step-mass", tmp_path)
+    place, speed = flown(flying.times, 1.5)
+    assert np.abs(flying.values[SEEN[0]] - place).max() < 1e-6
+    assert np.abs(flying.values[SEEN[1]] - speed).max() < 1e-5
+    (folder := tmp_path / "falling").mkdir()
+    (falling,) = ran([history(flight(0.0), 1e-2)], "default", folder)
+    assert np.abs(falling.values[SEEN[0]] - undamped(falling.times)).max() < 1e-14  # exact here
+
+
+def test_a_thrown_sphere_slides_and_then_rolls(tmp_path: Path) -> None:
+    asks = [history(rolling(), 1e-4), history(rotated(rolling(), about_z(0.9)), 1e-4)]
+    for run in ran(asks, "default", tmp_path):
+        speed = np.linalg.norm(run.values[SEEN[1]], axis=1)
+        assert speed[5] == pytest.approx(1 - 0.3 * G * 0.05, rel=2e-3)
+        assert speed[-1] == pytest.approx(5 / 7, rel=1e-3)  # rolls after 0.097 s
+        assert run.model is not None
+        assert run.model.unknowns == 6
+
+
+def test_a_timed_run_is_the_cost_of_the_loop_alone_and_of_long_ones_taken_once(
+    tmp_path: Path,
+) -> None:
+    asks = [TRIALS["T3"].study.ask(Knobs(dt=dt)) for dt in (1e-3, 1e-4, 1e-5)]
+    short, longer, longest = ran(asks, "default", tmp_path, 1e-3)
+    assert (short.cost.startup > 0, longer.cost.startup, longest.cost.startup) == (True, 0.0, 0.0)
+    assert (short.cost.repeats >= 3, longest.cost.repeats) == (True, 1)
+    for run in (short, longer, longest):
+        assert min(run.cost.setup, run.cost.solve_cpu) > 0
+        assert (run.model, dict(run.values)) == (ADAPTER.describe(asks[0], "default"), {})
+    assert longer.cost.solve_cpu > 3 * short.cost.solve_cpu  # ten times the steps
+    assert longest.cost.solve_cpu > 3 * longer.cost.solve_cpu
+
+
+def test_a_death_in_timing_costs_the_ask_in_flight(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def poisoned(ask: Ask, scheme: str, around: Sequence[str] = ()) -> str:
+        text = silent_deck(ask, scheme, around)
+        return text.replace(" mass ", " mass -") if ask is STEPS[1] else text
+
+    monkeypatch.setattr("adapters.liggghts.batch.silent_deck", poisoned)
+    runs = list(ADAPTER.run(STEPS, "default", tmp_path, 1e-3))
+    assert [run.status for run in runs] == [Status.RAN, Status.ERROR, Status.RAN]
+    assert [run.cost.repeats >= 3 for run in runs] == [True, False, True]
+
+
+def test_what_failed_is_no_result_and_the_next_ask_still_runs(tmp_path: Path) -> None:
+    through = Scene((ball(0.05, [0, -100, 0]), FLOOR), Contact(10.0))
+    slanted = np.array([[0.6, -0.8, 0], [0.8, 0.6, 0], [0, 0, 1]])
+    held = ball(0.12, [0.6, -0.8, 0], free=np.array([[True, False, False]]))
+    pushed = Scene((held, FLOOR), Contact(1e5), axes=slanted)
+    asks = [history(scene, 1e-3) for scene in (flight(1e5), through, pushed, flight(0.0))]
+    blown, fallen, drifted, flying = ADAPTER.run(asks, "default", tmp_path, 0.0)
+    assert (blown.status, fallen.status) == (Status.DIVERGED, Status.DIVERGED)
+    assert "0 of 1 spheres" in blown.reason
+    assert "through a wall" in fallen.reason
+    assert (drifted.status, "dead load" in drifted.reason) == (Status.ERROR, True)
+    assert flying.status is Status.RAN
+
+
+STEPS = [TRIALS["T1"].study.ask(Knobs(dt=dt)) for dt in (1e-3, 1e-7, 5e-4)]
+
+
+def test_a_poisoned_deck_in_a_batch_fails_alone_and_says_why(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def poisoned(ask: Ask, scheme: str, rows: str) -> str:
+        text = deck(ask, scheme, rows)
+        return text.replace(" mass ", " mass -") if ask is STEPS[1] else text
+
+    monkeypatch.setattr("adapters.liggghts.batch.deck", poisoned)
+    runs = list(ADAPTER.run(STEPS, "default", tmp_path, 0.0))
+    assert [run.status for run in runs] == [Status.RAN, Status.ERROR, Status.RAN]
+    assert "exit code 1" in runs[1].reason
+    assert "Invalid mass" in runs[1].reason
+    assert runs[2].cost.startup > 0  # a program of its own
+    assert error(runs[2], "T1") < 1e-4
+
+
+def test_a_killed_program_costs_the_ask_in_flight(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    programs: list[external.Program] = []
+    start = external.start
+
+    def noted(*call: object) -> external.Program:
+        programs.append(start(*call))  # type: ignore[arg-type]
+        return programs[-1]
+
+    monkeypatch.setattr(external, "start", noted)
+    answers = iter(ADAPTER.run(STEPS, "default", tmp_path, 0.0))
+    first = next(answers)
+    programs[0].process.kill()
+    second, third = answers
+    assert [run.status for run in (first, second, third)] == [Status.RAN, Status.ERROR, Status.RAN]
+    assert "SIGKILL" in second.reason
+    assert len(programs) == 2
+
+
+def test_an_exported_deck_runs_alone_to_the_same_digits(tmp_path: Path, half_step: Runs) -> None:
+    (tmp_path / "deck.in").write_text(
+        ADAPTER.native(TRIALS["T4-rotated"].study.ask(COARSE), "half-step-mass")
+    )
+    command = [HERE.path, "-in", "deck.in"]
+    subprocess.run(command, cwd=tmp_path, env={**os.environ, **MPI}, check=True, stdout=-3)
+    rows = np.loadtxt(tmp_path / "history.txt")
+    run = half_step["T4-rotated", COARSE]
+    assert (rows[:, 2:] == run.values[Displacement(1)][1:]).all()
+
+
+@pytest.mark.parametrize("scheme", ["default", "clump"])
+def test_an_exported_deck_slides_a_block_alone_to_the_same_digits(
+    scheme: str, tmp_path: Path
+) -> None:
+    scene = responding(0.2, 2.0, 0.6)
+    shaking = Harmonic(np.array([1.0, 0.0, 0.5]), np.full(3, 3.0))
+    scene = dataclasses.replace(scene, shaking=shaking)
+    ask = Ask(scene, History(0.2, 0.02), (Displacement(1),), Knobs(1e-4, 1e9))
+    (run,) = ran([ask], scheme, tmp_path)
+    (tmp_path / "deck.in").write_text(ADAPTER.native(ask, scheme))
+    command = [HERE.path, "-in", "deck.in"]
+    subprocess.run(command, cwd=tmp_path, env={**os.environ, **MPI}, check=True, stdout=-3)
+    rows = np.loadtxt(tmp_path / "history.txt")
+    assert (rows[:, 2:] == run.values[Displacement(1)][1:]).all()
+    assert np.abs(rows[-1, 2:]).max() > 0.01
+
+
+def test_the_step_that_charges_springs_is_no_part_of_the_loop_s_time(tmp_path: Path) -> None:
+    scene = incline(Frame(20.0), 30.0)
+    ask = Ask(scene, History(2.0, 0.02), (Displacement(1),), Knobs(1e-4, 1e9))
+    (run,) = ran([ask], "default", tmp_path, repeat=0.01)
+    assert run.cost.solve_cpu > 2e-3  # 20 000 steps; the charge takes one
+
+
+def test_a_long_solve_states_less_than_its_elapsed_time_and_most_of_it(tmp_path: Path) -> None:
+    """On a core of its own it is what LIGGGHTS' own timer says; on a shared one it is its share."""
+    ask = CASE.declare("T1", CASE.defaults("T1")).study.ask(Knobs(dt=1e-6))
+    (run,) = ADAPTER.run([ask], "default", tmp_path, 0.05)
+    assert 0.05 * run.cost.solve_wall < run.cost.solve_cpu <= 1.01 * run.cost.solve_wall
+    told = np.loadtxt(next(tmp_path.glob("time-*.cpu")), usecols=0)
+    assert (np.diff(told) > 0).all()

@@ -1,0 +1,145 @@
+"""Claims, without YADE, about what stands for a block: a sphere, a clump or a polyhedron."""
+
+from __future__ import annotations
+
+import dataclasses
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from adapters.yade import ADAPTER
+from adapters.yade.translate import plan, put
+from cases.incline import CASE as INCLINE
+from cases.responding_block import CASE as RESPONDING
+from tests.scenes.sliding_blocks import Frame, incline, responding
+from tests.support.adapter_asks import DT, block_ask, case_ask
+from tests.support.yade_asks import CLUMP, PLAIN, POLYHEDRA
+from vv.ask import History, Knobs
+from vv.case import Case
+from vv.standins.stand_in import sprung
+
+
+@pytest.mark.parametrize("case", [INCLINE, RESPONDING], ids=lambda case: case.name)
+def test_every_variant_with_a_block_that_cannot_turn_is_run_as_a_sphere(case: Case) -> None:
+    for variant in case.variants:
+        study = case.declare(variant.name, case.defaults(variant.name)).study
+        ask = study.ask(Knobs(dt=1e-4, kn=1e9))
+        assert ask.scene.terms() <= ADAPTER.schemes[0].terms
+        assert ADAPTER.refuses(ask, CLUMP) is None
+        assert "4 spheres of 0.01" in ADAPTER.describe(ask, CLUMP).note
+        if ask.scene.blocks[0].free_spin.any():
+            assert "may turn; a sphere would roll" in (ADAPTER.refuses(ask, PLAIN) or "")
+            continue
+        assert ADAPTER.refuses(ask, PLAIN) is None
+        model = ADAPTER.describe(ask, PLAIN)
+        assert model.unknowns == ask.scene.unknowns()
+        assert ask.scene.terms() <= model.terms
+        assert "a sphere of its mass stands for a block" in model.note
+        assert "kn = 1e+09, ks = 2.5e+10 N/m" in model.note
+
+
+def test_a_clump_has_the_sphere_s_springs_and_the_rotations_of_the_block() -> None:
+    scene = incline(Frame(28.0), 15.0)
+    turning = dataclasses.replace(scene.blocks[0], free_spin=np.array([False, True, False]))
+    for block, blocked in ((scene.blocks[0], "XYZ"), (turning, "XZ")):
+        ask = block_ask(dataclasses.replace(scene, bodies=(*scene.walls, block)))
+        assert ADAPTER.refuses(ask, CLUMP) is None
+        told, alone = plan(ask, CLUMP), plan(block_ask(scene), PLAIN)
+        assert (4 * told["kn"], 4 * told["ks"]) == (alone["kn"], alone["ks"])
+        forces = np.array(told["charged"][0]["forces"])
+        assert forces.sum(axis=0) == pytest.approx(alone["charged"][0]["forces"][0])
+        clump, sphere = told["bodies"][1], alone["bodies"][1]
+        assert clump["blocked"] == blocked
+        assert [clump[name] for name in ("mass", "push", "force")] == [
+            sphere[name] for name in ("mass", "push", "force")
+        ]
+        assert ADAPTER.describe(ask, CLUMP).unknowns == 6 - len(blocked)
+
+
+@given(st.floats(0.0, 40.0), st.floats(0.0, 6.3), st.floats(10.0, 40.0))
+def test_a_polyhedron_lies_level_and_is_charged_by_its_first_step(
+    alpha: float, turn: float, phi: float
+) -> None:
+    ask = block_ask(incline(Frame(alpha, turn), phi, A=2.0, v0=0.1))
+    flat, frame = put(ask, POLYHEDRA)
+    told, alone = plan(flat, POLYHEDRA), plan(flat, PLAIN)
+    (wall, made), (_, sphere) = told["bodies"], alone["bodies"]
+    assert (wall["kind"], wall["normal"]) == ("wall", [0.0, 0.0, 1.0])
+    assert frame @ frame.T == pytest.approx(np.eye(3), abs=1e-12)
+    assert flat.scene.gravity @ frame == pytest.approx(ask.scene.gravity, abs=1e-12)
+    slid = np.array(made["velocity"]) * DT
+    assert -told["ks"] * slid == pytest.approx(alone["charged"][0]["forces"][0], abs=1e-9)
+    after = np.array(made["velocity"]) + np.array(made["push"]) / made["mass"] * DT
+    assert after == pytest.approx(np.array(sphere["push"]) / sphere["mass"] * DT, abs=1e-12)
+    assert told["kn"] * 1.0 * 0.6 == pytest.approx(alone["kn"], rel=1e-9)  # its face: 1 m by 0.6 m
+    corners = np.array(made["vertices"]) + made["position"]
+    assert corners[:, 2].min() * told["kn"] * 0.6 == pytest.approx(
+        -2500.0 * 0.48 * 9.81 * np.cos(np.radians(alpha)), rel=1e-5
+    )
+
+
+def test_the_limits_of_polyhedra_are_refusals() -> None:
+    scene = incline(Frame(20.0), 30.0)
+    block = scene.blocks[0]
+    long = dataclasses.replace(block_ask(scene), goal=History(100.0, 1.0))
+    assert "steps of polyhedra" in (ADAPTER.refuses(long, POLYHEDRA) or "")
+    turning = dataclasses.replace(block, free_spin=np.ones(3, bool))
+    low = scene.walls[0].normal
+    flat = block.vertices - np.outer(0.95 * (block.vertices @ low), low)
+    changes = {
+        "would start to rock": turning,
+        "thinner than 0.1": dataclasses.replace(block, vertices=flat),
+    }
+    for words, changed in changes.items():
+        ask = block_ask(dataclasses.replace(scene, bodies=(*scene.walls, changed)))
+        assert words in (ADAPTER.refuses(ask, POLYHEDRA) or ""), words
+    assert ADAPTER.refuses(block_ask(scene), POLYHEDRA) is None
+
+
+def test_a_contact_starts_with_the_friction_of_rigid_contact() -> None:
+    ask = block_ask(incline(Frame(28.0, turn=0.4), 15.0))
+    told, stood = plan(ask, PLAIN), sprung(ask)
+    assert stood.charged is not None
+    assert told["charged"] == [{"wall": 0, "body": 1, "forces": stood.charged.tolist()}]
+    assert (told["kn"], told["ks"]) == (1e9, stood.scene.contact.ks)
+    sphere = told["bodies"][1]
+    pull = np.array(ask.scene.gravity) + stood.charged[0] / sphere["mass"]
+    down = Frame(28.0, turn=0.4).dip
+    early = np.array(sphere["push"]) @ down / sphere["mass"] * DT
+    assert early == pytest.approx(-(pull @ down) * DT / 2, rel=1e-12)
+    assert plan(case_ask("T3"), PLAIN)["charged"] == []
+
+
+def test_a_body_acceleration_is_told_in_the_frame() -> None:
+    told = plan(block_ask(incline(Frame(20.0, turn=0.4), 30.0, A=5.0)), PLAIN)
+    (sine,) = told["shaking"]
+    assert sine["A"] == pytest.approx(5.0 * Frame(0.0, turn=0.4).level)
+    assert (sine["f"], sine["fi"]) == (1.0, 0.0)
+    assert told["bodies"][1]["shaken"] == told["bodies"][1]["mass"]
+
+
+def test_blocks_that_no_sphere_stands_for_are_refused_with_the_reason() -> None:
+    scene = responding(0.2, 2.0, 0.6, turn=0.3)
+    assert "Knobs.kn is None" in (ADAPTER.refuses(block_ask(scene, None), PLAIN) or "")
+    turning = dataclasses.replace(scene.blocks[0], free_spin=np.ones(3, bool))
+    loose = dataclasses.replace(scene, bodies=(*scene.walls, turning))
+    assert "may turn" in (ADAPTER.refuses(block_ask(loose), PLAIN) or "")
+
+
+def test_a_lock_across_the_frame_along_which_the_base_shakes_is_refused() -> None:
+    scene = responding(0.2, 2.0, 0.6, turn=0.3)  # the base swings along 0.3 rad
+    held = dataclasses.replace(scene.blocks[0], free=np.array([True, False, True]))
+    for turn, refused in ((0.3, False), (0.7, True)):
+        axes = Frame(0.0, turn).axes
+        locked = dataclasses.replace(scene, bodies=(*scene.walls, held), axes=axes)
+        reason = ADAPTER.refuses(block_ask(locked), PLAIN)
+        assert ("a dead load" in (reason or "")) is refused
+
+
+def test_numpy_scalars_are_written_as_numbers() -> None:
+    knobs = Knobs(np.float64(DT), np.float64(1e9))
+    ask = dataclasses.replace(block_ask(incline(Frame(28.0), 15.0, A=2.0)), knobs=knobs)
+    for scheme in (PLAIN, CLUMP, POLYHEDRA):
+        assert "float64" not in ADAPTER.native(ask, scheme)

@@ -1,0 +1,222 @@
+"""Claims about YADE itself, run where it is installed; VV_REQUIRE=yade makes its absence red."""
+
+from __future__ import annotations
+
+import dataclasses
+import functools
+import os
+import subprocess
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import adapters.yade
+from adapters.yade import ADAPTER
+from adapters.yade.inside import script
+from adapters.yade.installed import PYTHON
+from tests.scenes.sliding_blocks import responding
+from tests.support import live_asks
+from tests.support.installed import only_with
+from tests.support.live_asks import (
+    COARSE,
+    FINE,
+    FLOOR,
+    SEEN,
+    TRIALS,
+    VARIANTS,
+    G,
+    Runs,
+    ball,
+    error,
+    flight,
+    flown,
+    history,
+    rolling,
+    undamped,
+)
+from vv.ask import Ask, Displacement, History, Knobs, Status
+from vv.scene import Contact, Scene, about_z, rotated, swapped
+
+HERE = ADAPTER.found()
+pytestmark = only_with(ADAPTER)
+ran = functools.partial(live_asks.ran, ADAPTER)
+# max|e| / max|ref| at dt = 1e-3 s; drag half a step late costs T2 and T4 an order
+PLAIN_ERROR = {"T1": 1e-4, "T2": 8e-3, "T3": 1e-4, "T4": 1.2e-2}
+
+
+def test_a_required_yade_is_installed() -> None:
+    assert HERE.installed, HERE.how_to_install
+    assert HERE.version
+
+
+def test_single_contacts_with_plain_masses(tmp_path: Path) -> None:
+    asks = [TRIALS[name].study.ask(COARSE) for name in VARIANTS]
+    for name, run in zip(VARIANTS, ran(asks, "default", tmp_path), strict=True):
+        assert error(run, name) < PLAIN_ERROR[name[:2]], name
+
+
+@pytest.fixture(scope="module")
+def half_step(tmp_path_factory: pytest.TempPathFactory) -> Runs:
+    """All variants at a coarse step, plain and rotated ones at a fine step too; one process."""
+    keys = [(name, COARSE) for name in VARIANTS]
+    keys += [(name, FINE) for name in VARIANTS if "-" not in name or "rotated" in name]
+    asks = [TRIALS[name].study.ask(knobs) for name, knobs in keys]
+    runs = ran(asks, "half-step-mass", tmp_path_factory.mktemp("half-step"))
+    return dict(zip(keys, runs, strict=True))
+
+
+def test_single_contacts_with_half_step_masses_are_second_order(half_step: Runs) -> None:
+    for (name, knobs), run in half_step.items():
+        assert error(run, name) < (1e-4 if knobs is COARSE else 1e-8), (name, knobs)
+
+
+def test_the_model_built_is_the_model_described(half_step: Runs) -> None:
+    for (name, knobs), run in half_step.items():
+        assert run.model == ADAPTER.describe(TRIALS[name].study.ask(knobs), "half-step-mass")
+
+
+def test_a_dead_load_holds_a_body_where_a_lock_would(half_step: Runs) -> None:
+    for name, knobs in (("T3-rotated", COARSE), ("T4-rotated", FINE)):
+        moved = half_step[name, knobs].values[Displacement(1)]
+        normal = TRIALS[name].study.scene.walls[0].normal
+        assert np.abs(moved @ normal).max() < 1e-12 * np.abs(moved).max()
+
+
+def test_a_rotated_scene_gives_what_the_straight_one_gives(half_step: Runs) -> None:
+    for name, body in (("T1", 1), ("T2", 1), ("T3", 1), ("T4", 1)):
+        straight, turned = half_step[name, FINE], half_step[f"{name}-rotated", FINE]
+        axes = TRIALS[f"{name}-rotated"].study.scene.axes
+        seen = straight.values[Displacement(body)]
+        difference = turned.values[Displacement(body)] @ axes.T - seen
+        assert np.abs(difference).max() < 1e-11 * np.abs(seen).max()
+
+
+def test_gravity_load_drag_and_rotation(tmp_path: Path) -> None:
+    turned = rotated(rolling(), about_z(0.9))
+    asks = [history(flight(3.0), 1e-3), history(rolling(), 1e-4), history(turned, 1e-4)]
+    flying, straight, oblique = ran(asks, "half-step-mass", tmp_path, repeat=1e-2)
+    place, speed = flown(flying.times, 1.5)
+    assert np.abs(flying.values[SEEN[0]] - place).max() < 1e-6
+    assert np.abs(flying.values[SEEN[1]] - speed).max() < 1e-6
+    for run in (straight, oblique):
+        speed = np.linalg.norm(run.values[SEEN[1]], axis=1)
+        assert speed[-1] == pytest.approx(5 / 7, rel=1e-3)  # rolls after 0.097 s; springs ring on
+        assert speed[5] == pytest.approx(1 - 0.3 * G * 0.05, rel=2e-3)
+    assert straight.cost.repeats >= 3
+    assert min(straight.cost.setup, straight.cost.solve_cpu, straight.cost.output) > 0
+    assert (straight.cost.startup, straight.model and straight.model.unknowns) == (0.0, 6)
+
+
+def test_friction_between_spheres_is_a_plain_spring(tmp_path: Path) -> None:
+    """A sphere pressed deep into a fixed one swings across it, whichever comes first.
+
+    The normal force, which turns with the sphere, weakens the spring: ks - kn dx/L for a
+    distance L of the centres.
+    """
+    kn, ks, dx, v0 = 1e4, 1e7, 0.04, 1e-3
+    base, swinging = ball(0.0, [0, 0, 0]), ball(0.2 - dx, [v0, 0, 0])
+    pair = Scene(
+        (
+            dataclasses.replace(base, free=np.zeros((1, 3), bool)),
+            dataclasses.replace(swinging, free=np.array([[True, False, False]])),
+        ),
+        Contact(kn, ks, 1.0),
+    )
+    goal = History(0.01, 1e-4)
+    ask = Ask(pair, goal, (Displacement(1),), Knobs(dt=1e-6))
+    swapped_ask = dataclasses.replace(ask, scene=swapped(pair), observables=(Displacement(0),))
+    runs = ran([ask, swapped_ask], "default", tmp_path)
+    k = np.sqrt((ks - kn * dx / (0.2 - dx)) / 2.0)
+    for run, seen in zip(runs, (Displacement(1), Displacement(0)), strict=True):
+        exact = v0 / k * np.sin(k * run.times)
+        assert np.abs(run.values[seen][:, 0] - exact).max() < 1e-5 * v0 / k  # leapfrog: 5e-6
+
+
+def test_what_failed_is_no_result_and_the_next_ask_still_runs(tmp_path: Path) -> None:
+    through = Scene((ball(0.05, [0, -100, 0]), FLOOR), Contact(10.0))
+    asks = [history(flight(1e4), 1e-2, 50.0), history(through, 1e-3), history(flight(0.0), 1e-2)]
+    blown, fallen, flying = ADAPTER.run(asks, "default", tmp_path, 0.0)
+    assert (blown.status, fallen.status) == (Status.DIVERGED, Status.DIVERGED)
+    assert "not finite" in blown.reason
+    assert "went through a wall" in fallen.reason
+    assert np.abs(flying.values[SEEN[0]] - undamped(flying.times)).max() < 1e-13  # exact here
+
+
+def test_silent_failures_are_errors_and_a_death_costs_one_ask(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A driver made to lose contacts, to stand still and to die, each at a step of its own."""
+    last = '    O.dt = ask["dt"]\n'
+    sabotage = (
+        "    if O.dt == 4e-3:\n        O.engines = [O.engines[0], O.engines[-1]]\n"
+        "    if O.dt == 3e-3:\n        O.engines[-1].dead = True\n"
+        "    if O.dt == 2e-3:\n        os._exit(7)\n"
+    )
+    text = script()
+    assert text.count(last) == 1
+    monkeypatch.setattr(adapters.yade, "script", lambda: text.replace(last, last + sabotage))
+    kinds = (("T3", 4e-3), ("T1", 3e-3), ("T1", 1e-3), ("T1", 2e-3), ("T1", 5e-4))
+    asks = [TRIALS[name].study.ask(Knobs(dt=dt)) for name, dt in kinds]
+    blind, frozen, well, dead, alone = ADAPTER.run(asks, "default", tmp_path, 0.0)
+    assert (blind.status, frozen.status, dead.status) == (Status.ERROR,) * 3
+    assert "found 0 of 1 contacts" in blind.reason
+    assert "nothing moved" in frozen.reason
+    assert "exit code 7" in dead.reason
+    assert error(well, "T1") < 1e-4
+    assert error(alone, "T1") < 1e-4
+    assert alone.cost.startup > 0  # a program of its own
+
+
+def test_an_exported_script_runs_alone_to_the_same_bits(tmp_path: Path, half_step: Runs) -> None:
+    ask = TRIALS["T4-rotated"].study.ask(COARSE)
+    script = tmp_path / "script.py"
+    left = "\nprint('folder left:', os.path.exists(os.path.dirname(O.tmpFilename())))\n"
+    script.write_text(ADAPTER.native(ask, "half-step-mass") + left)
+    home = {**os.environ, "HOME": str(tmp_path), "TMPDIR": str(tmp_path)}
+    command = [str(PYTHON), "-E", str(script)]
+    said = subprocess.run(command, env=home, capture_output=True, text=True, check=True).stdout
+    printed = np.array([line.split() for line in said.splitlines() if line[:1].isdigit()], float)
+    run = half_step["T4-rotated", COARSE]
+    assert "folder left: False" in said
+    assert (printed[:, 0] == run.times).all()
+    assert (printed[:, 1:] == run.values[Displacement(1)]).all()
+
+
+@pytest.mark.parametrize("scheme", ["default", "clump", "polyhedra"])
+def test_an_exported_script_slides_a_block_alone_to_the_same_bits(
+    scheme: str, tmp_path: Path
+) -> None:
+    ask = Ask(responding(0.2, 2.0, 0.6), History(0.2, 0.02), (Displacement(1),), Knobs(2e-4, 1e9))
+    (run,) = ran([ask], scheme, tmp_path)
+    script = tmp_path / "script.py"
+    script.write_text(ADAPTER.native(ask, scheme))
+    home = {**os.environ, "HOME": str(tmp_path), "TMPDIR": str(tmp_path)}
+    command = [str(PYTHON), "-E", str(script)]
+    said = subprocess.run(command, env=home, capture_output=True, text=True, check=True).stdout
+    printed = np.array([line.split() for line in said.splitlines() if line[:1].isdigit()], float)
+    assert (printed[:, 1:] == run.values[Displacement(1)]).all()  # its frame is that of the scene
+    assert np.abs(printed[-1, 1:]).max() > 0.01
+
+
+TIMED = """
+    O.timingEnabled = True
+    build(ASK)
+    cpu, wall = bare(ASK)
+    print("timers", cpu, wall, 1e-9 * sum(engine.execTime for engine in O.engines))
+"""
+
+
+def test_the_solve_time_is_that_of_the_engines_by_yades_own_timers(tmp_path: Path) -> None:
+    """Elapsed time of the engines, over elapsed time of the loop that is stated; the rest is
+    YADE's own between engines. A shared core stretches both alike."""
+    script = ADAPTER.native(TRIALS["T3"].study.ask(FINE), "default")
+    assert script.endswith("    main()\n")
+    file = tmp_path / "timed.py"
+    file.write_text(script.removesuffix("    main()\n") + TIMED)
+    done = subprocess.run(
+        [PYTHON, str(file)], cwd=tmp_path, capture_output=True, text=True, check=True
+    )
+    cpu, wall, engines = map(float, done.stdout.partition("timers")[2].split()[:3])
+    assert 0.4 * wall < engines < wall
+    assert 0.0 < cpu < 1.1 * wall

@@ -1,0 +1,136 @@
+"""Claims, without YADE, that it is told what a scene says of spheres, walls and their motions."""
+
+from __future__ import annotations
+
+import ast
+import json
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from adapters.yade import ADAPTER
+from adapters.yade.translate import plan, wall_body
+from tests.support.adapter_asks import DT, FREE, UP, ball, ball_ask, case_ask
+from tests.support.yade_asks import HALF_STEP, PLAIN, sphere_of
+from vv.scene import Harmonic, Wall, about_z
+
+
+def test_velocities_start_half_a_step_early() -> None:
+    ask = case_ask("T2")
+    spheres, eta = ask.scene.spheres, ask.scene.eta
+    v0, m = spheres.velocity[1, 1], spheres.mass[1]
+    assert sphere_of(ask)["velocity"][1] == pytest.approx(v0 * (1 + eta / m * DT / 2), rel=1e-15)
+
+
+@pytest.mark.parametrize("scheme", [PLAIN, HALF_STEP])
+def test_a_push_gives_a_touching_sphere_the_speed_it_would_have_after_a_step(scheme: str) -> None:
+    ask = case_ask("T4")
+    eta, m, v0 = ask.scene.eta, ask.scene.spheres.mass[0], ask.scene.spheres.velocity[0, 1]
+    told = sphere_of(ask, scheme)
+    early = v0 + eta * v0 / m * DT / 2
+    assert told["velocity"] == [0.0, 0.0, 0.0]
+    after = early - eta * early / told["mass"] * DT
+    assert told["push"][1] / told["mass"] * DT == pytest.approx(after, rel=1e-14)
+
+
+def test_without_friction_or_overlap_nothing_is_pushed() -> None:
+    assert sphere_of(case_ask("T1"))["push"] == [0.0, 0.0, 0.0]
+    apart = ball_ask(UP, ball(position=[[0, 0.2, 0]], velocity=[[1, 0, 0]]))
+    assert sphere_of(apart)["push"] == [0.0, 0.0, 0.0]
+
+
+def test_spin_of_a_touching_sphere_becomes_a_twist() -> None:
+    spinning = ball(position=[[0, 0.09, 0]], spin=[[0, 0, 3]], free_spin=FREE)
+    told = sphere_of(ball_ask(UP, spinning))
+    assert told["spin"] == [0.0, 0.0, 0.0]
+    assert told["twist"][2] * DT / told["inertia"] == pytest.approx(3.0, rel=1e-15)
+
+
+def test_only_half_step_mass_changes_the_mass_and_then_not_the_weight() -> None:
+    ask = ball_ask(ball(), gravity=np.array([0.0, -9.81, 0.0]), eta=3.0)
+    plain, half = plan(ask, PLAIN), plan(ask, HALF_STEP)
+    assert (plain["bodies"][0]["mass"], plain["gravity"][1]) == (2.0, -9.81)
+    assert half["bodies"][0]["mass"] == 2.0 + 3.0 * DT / 2
+    assert half["gravity"] == [0.0, 0.0, 0.0]
+    assert half["bodies"][0]["force"][1] == -9.81 * 2.0
+
+
+def test_schemes_agree_on_a_scene_without_drag() -> None:
+    assert plan(case_ask("T3"), PLAIN) == plan(case_ask("T3"), HALF_STEP)
+
+
+def test_locks_become_blocked_freedoms() -> None:
+    told = sphere_of(ball_ask(ball(free=[[True, False, True]], free_spin=[[False, True, False]])))
+    assert told["blocked"] == "yXZ"
+
+
+def test_bodies_keep_the_order_of_the_scene() -> None:
+    kinds = [body["kind"] for body in plan(case_ask("T3-swapped"), PLAIN)["bodies"]]
+    assert kinds == ["sphere", "wall"]
+
+
+def test_the_frame_given_reaches_yade() -> None:
+    bodies = plan(case_ask("T3-rotated"), PLAIN)["bodies"]
+    scene = case_ask("T3-rotated").scene
+    assert bodies[0]["kind"] == "facet"
+    assert bodies[0]["normal"] == scene.walls[0].normal.tolist()
+    assert bodies[1]["initial"] == scene.spheres.velocity[0].tolist()
+    assert bodies[1]["blocked"] == "zXYZ"
+
+
+@given(st.floats(0.01, 3.1), st.floats(0.01, 3.1))
+def test_a_facet_lies_in_the_plane_of_its_wall_about_its_point(tilt: float, turn: float) -> None:
+    normal = np.array([np.sin(tilt) * np.cos(turn), np.sin(tilt) * np.sin(turn), np.cos(tilt)])
+    corners = np.array(wall_body(Wall(np.array([1.0, 2.0, 3.0]), normal), 10.0)["corners"])
+    assert np.abs(corners @ normal).max() < 1e-14
+    assert np.abs(corners.sum(axis=0)).max() < 1e-14
+    assert np.linalg.norm(corners, axis=1) == pytest.approx([10.0] * 3)
+
+
+@pytest.mark.parametrize("scheme", [PLAIN, HALF_STEP])
+def test_a_file_carries_every_number_exactly(scheme: str) -> None:
+    told = plan(case_ask("T4-rotated"), scheme)
+    assert json.loads(json.dumps(told)) == told
+
+
+def test_contacts_expected_at_the_start_are_counted() -> None:
+    assert plan(case_ask("T1"), PLAIN)["contacts"] == 0
+    assert plan(case_ask("T3"), PLAIN)["contacts"] == 1
+    assert plan(ball_ask(ball(), ball(position=[[0, 0.15, 0]])), PLAIN)["contacts"] == 1
+    held = ball(free=~FREE)
+    assert plan(ball_ask(held, ball(position=[[0, 0.15, 0]], free=~FREE)), PLAIN)["contacts"] == 0
+
+
+@given(st.floats(0.1, 50.0), st.floats(-3.0, 3.0), st.floats(-3.0, 3.0))
+def test_a_driven_wall_is_where_it_must_be_after_every_step(
+    f: float, phase: float, turn: float
+) -> None:
+    motion = Harmonic(np.array([0.2, 0.0, 0.1]), np.full(3, f), np.full(3, phase), about_z(turn))
+    wall = Wall(np.zeros(3), np.array([0.0, 0.0, 1.0]), motion)
+    above = ball(position=[[0, 0, 0.5]])
+    told = plan(ball_ask(wall, above, body=1), PLAIN)["bodies"][0]["motion"]
+    steps, place = np.arange(50), np.zeros(3)
+    for sine in told:  # YADE: v = -A w sin(wt + fi) for a whole step
+        rate = 2 * np.pi * sine["f"]
+        place = (
+            place - np.array(sine["A"]) * rate * DT * np.sin(rate * DT * steps + sine["fi"]).sum()
+        )
+    rate = 2 * np.pi * f
+    moved = np.sin(rate * DT * 50 + phase) - np.sin(phase)
+    assert place == pytest.approx(moved * (motion.amplitude @ motion.axes), abs=1e-12)
+
+
+def test_a_shaken_sphere_starts_half_a_step_of_its_acceleration_early() -> None:
+    shaking = Harmonic(np.array([4.0, 0.0, 0.0]), np.full(3, 2.0), np.full(3, 0.5))
+    told = sphere_of(ball_ask(ball(), shaking=shaking))
+    assert told["velocity"] == pytest.approx([-4.0 * np.sin(0.5) * DT / 2, 0.0, 0.0])
+
+
+def test_an_exported_script_is_the_driver_with_the_ask_filled_in() -> None:
+    ask = case_ask("T4-rotated")
+    tree = ast.parse(ADAPTER.native(ask, HALF_STEP))
+    written = next(n for n in tree.body if isinstance(n, ast.AnnAssign))
+    assert written.value is not None
+    assert ast.literal_eval(written.value) == plan(ask, HALF_STEP)

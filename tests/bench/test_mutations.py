@@ -1,0 +1,32 @@
+"""The bench of mutants reaches every kernel there is, and its seeded bugs still fit the sources."""
+
+from __future__ import annotations
+
+import ast
+
+from bench.mutants import COMPILED, ROOT, kernels, mechanical, parsed
+from bench.mutations import seeded
+
+
+def test_every_file_that_compiles_a_kernel_has_mutants_in_a_code_that_it_is_part_of() -> None:
+    found = kernels()
+    compiled = {
+        path.relative_to(ROOT).as_posix()
+        for path in (ROOT / "vv").rglob("*.py")
+        if COMPILED.search(path.read_text())
+    }
+    assert compiled <= set(found)
+    assert {mutant.file for mutant in mechanical(1)} >= compiled - {"vv/engines/kernels/triples.py"}
+    assert {codes[0] for codes in found.values()} == {"dem", "exact", "rigid", "dda"}
+    assert found["vv/engines/kernels/drive.py"] == ("dem", "rigid", "dda")
+
+
+def test_a_mutant_differs_from_its_file_and_is_still_a_program() -> None:
+    for mutant in mechanical(1):
+        assert ast.unparse(ast.parse(mutant.text())) != ast.unparse(parsed(mutant.file)), (
+            mutant.what
+        )
+
+
+def test_every_seeded_bug_is_found_in_its_file() -> None:
+    assert all((ROOT / bug.file).read_text() != text for bug, text in seeded())

@@ -1,0 +1,195 @@
+"""Claims about what must stand: the thinnest arch by two routes, and which codes say so."""
+
+from types import ModuleType
+
+import numpy as np
+import pytest
+
+from reference_solutions import arch as thrust
+from reference_solutions import falling_arch as falling
+from reference_solutions.checks import arch as programme
+from reference_solutions.checks import falling_arch as energetic
+from tests.support.turned_signs import caught, signs, turned
+from vv.ask import Ask, Displacement, History, Knobs, Run, Status
+from vv.case import Level, Series
+from vv.engines import dda, rigid
+from vv.plan.project import find
+from vv.scene import Scene
+
+CASE = find().load_case("standing")
+
+
+def scene(variant: str, **changed: float) -> Scene:
+    return CASE.declare(variant, {**CASE.defaults(variant), **changed}).study.scene
+
+
+def test_the_thinnest_arches_are_those_known() -> None:
+    assert thrust.thinnest_of_arcs(10) == pytest.approx(0.1074601, abs=5e-8)
+    assert thrust.thinnest_of_arcs(1000) == pytest.approx(0.10747803810748, abs=2e-6)
+    assert thrust.thinnest_of_chords(1000) == pytest.approx(0.10747803810748, abs=2e-6)
+
+
+@pytest.mark.parametrize("n", [6, 10, 14])
+def test_the_two_routes_agree(n: int) -> None:
+    assert programme.thinnest(n) == pytest.approx(thrust.thinnest_of_chords(n), abs=1e-7)
+
+
+def test_they_agree_on_round_voussoirs_as_chords_become_arcs() -> None:
+    off = [programme.thinnest(10, fine) - thrust.thinnest_of_arcs(10) for fine in (5, 10)]
+    assert off[0] / off[1] == pytest.approx(4.0, rel=0.05)
+
+
+def drop(part: float, solve: object, kn: float | None = None) -> tuple[float, Run]:
+    """By how much the crown of an arch sinks in 0.15 s, in mean radii."""
+    crown = Displacement(5)
+    ask = Ask(scene("arch", part=part), History(0.15, 0.05), (crown,), Knobs(2.5e-3, kn))
+    run: Run = solve(ask)  # type: ignore[operator]
+    return -float(run.values[crown][-1, 2]), run
+
+
+def test_an_arch_a_percent_too_thin_falls_and_one_a_percent_thicker_stands() -> None:
+    assert drop(0.99, rigid.solve)[0] == pytest.approx(5.7e-4, rel=0.02)
+    assert abs(drop(1.01, rigid.solve)[0]) < 1e-6
+    for solve in (dda.solve_default, dda.solve_published):
+        assert drop(0.99, solve, 1e9)[0] > 5e-4
+        assert abs(drop(1.01, solve, 1e9)[0]) < 1e-5
+
+
+def test_the_two_routes_of_the_fall_agree() -> None:
+    """A mechanism by the forces in its pins, and by its energy."""
+    thick, t = 0.99 * thrust.thinnest_of_chords(10), np.array([0.05, 0.1, 0.3])
+    due = energetic.sunk(t, n=10, thick=thick, size=1.3, g=9.81)
+    assert falling.sunk(t, n=10, thick=thick, size=1.3, g=9.81) == pytest.approx(due, rel=5e-6)
+
+
+def test_an_arch_on_the_brink_does_not_fall() -> None:
+    """At the least thickness the mechanism begins with no acceleration."""
+    thick = thrust.thinnest_of_chords(10)
+    with pytest.raises(ValueError, match=r"such an arch of n = 10 stands"):
+        falling.sunk(np.ones(1), n=10, thick=1.0001 * thick, size=1.0, g=9.81)
+    late = [falling.sunk(np.array([0.05]), n=10, thick=part * thick, size=1.0, g=9.81)[0]
+            for part in (0.999, 0.9999)]  # fmt: skip
+    assert late[0] / late[1] == pytest.approx(10.0, rel=0.05)
+
+
+def test_rigid_contact_falls_as_the_mechanism_does() -> None:
+    study = CASE.declare("arch-thin", CASE.defaults("arch-thin")).study
+    (sunk,) = CASE.declare("arch-thin", CASE.defaults("arch-thin")).quantities
+    assert isinstance(sunk, Series)
+    assert sunk.reference is not None
+    errors = []
+    for knobs in study.rungs[Level.DEFAULT]:
+        run = rigid.solve(study.ask(knobs))
+        due = sunk.reference(run.times)
+        errors.append(np.abs(sunk.observe(run) - due) / due.max())
+    assert errors[0].max() < 1e-4
+    assert 3.4 < errors[0][1] / errors[1][1] < 4.2  # later, what contacts are solved to adds up
+
+
+def falls(route: ModuleType) -> bool:
+    """Whether a route gives the fall that both give."""
+    law = {"n": 10, "thick": 0.99 * KNOWN_TEN, "size": 1.3, "g": 9.81}
+    return bool(np.allclose(route.sunk(np.array([0.2]), **law), FALLEN, rtol=1e-5, atol=0))
+
+
+KNOWN_TEN = thrust.thinnest_of_chords(10)
+FALLEN = energetic.sunk(np.array([0.2]), n=10, thick=0.99 * KNOWN_TEN, size=1.3, g=9.81)
+
+
+# signs that change nothing: about moments of inertia, and areas of all voussoirs alike
+@pytest.mark.parametrize("sign", signs(falling, (), ("at - middle", "b - a")))
+def test_any_wrong_sign_in_the_fall_is_caught(sign: int) -> None:
+    with np.errstate(all="ignore"):
+        assert caught(lambda: falls(turned(falling, sign)))
+
+
+def test_dda_says_that_friction_is_not_solved_for_in_the_arch_that_falls() -> None:
+    """Its hinges open at edges that stay in touch; open-close iterations end unconverged."""
+    beyond = []
+    for dt in (5e-3, 2.5e-3, 1.25e-3):
+        ask = Ask(scene("arch", part=0.99), History(0.15, 0.05), (Displacement(5),), Knobs(dt, 1e9))
+        run = dda.solve_default(ask)
+        assert run.ledger is not None
+        excess, allowed = run.ledger.audits["Coulomb: friction beyond mu N [N]"]
+        beyond.append(excess / allowed)
+    assert max(beyond) > 1e3
+
+
+def test_an_arch_that_dda_bursts_within_an_output_is_said_to_diverge() -> None:
+    """A step throws its blocks 1e13 m apart, and in the next no contacts could be found."""
+    ask = Ask(scene("arch", part=0.99), History(0.2, 0.02), (Displacement(5),), Knobs(5e-3, 1e10))
+    run = dda.solve_default(ask)
+    assert run.status is Status.DIVERGED
+    assert "of motion and springs" in run.reason
+
+
+@pytest.mark.parametrize("solve", [dda.solve_default, dda.solve_lagged, dda.solve_published])
+def test_a_hundred_blocks_stand_on_springs_for_ten_seconds(solve: object) -> None:
+    top = Displacement(100)
+    ask = Ask(scene("stack-10", n=100), History(10.0, 1.0), (top,), Knobs(0.1, 1e9))
+    run: Run = solve(ask)  # type: ignore[operator]
+    assert np.abs(run.values[top]).max() < 1e-10
+
+
+@pytest.mark.parametrize("dt", [0.1, 0.01])
+def test_a_hundred_blocks_stand_in_rigid_contact(dt: float) -> None:
+    """Sweeps pass their loads on by a block each; Newton steps bear all of them at once."""
+    top = Displacement(100)
+    ask = Ask(scene("stack-10", n=100), History(0.5, 0.1), (top,), Knobs(dt))
+    run = rigid.solve(ask)
+    assert run.ledger is not None
+    residual, _ = run.ledger.audits["residual of contact [m/s]"]
+    assert residual <= 1e-7
+    assert np.abs(run.values[top]).max() < 1e-4
+
+
+def test_blocks_that_touch_few_others_are_numbered_in_a_chain() -> None:
+    """However the scene numbers them: else the equations of Newton steps would fill no band."""
+    whole = scene("stack-10", n=30)
+    mixed = np.random.default_rng(1).permutation(30)
+    bodies = (*whole.walls, *(whole.blocks[k] for k in mixed))
+    top = Displacement(1 + int(np.flatnonzero(mixed == 29)[0]))
+    shuffled = Scene(bodies, whole.contact, gravity=whole.gravity)
+    run = rigid.solve(Ask(shuffled, History(0.5, 0.1), (top,), Knobs(0.1)))
+    assert run.ledger is not None
+    assert run.ledger.audits["residual of contact [m/s]"][0] <= 1e-7
+    assert np.abs(run.values[top]).max() < 1e-5
+
+
+def test_a_stack_without_friction_that_is_pushed_is_seen() -> None:
+    study = CASE.declare("stack-10", CASE.defaults("stack-10")).study
+    tilted = Ask(
+        Scene(study.scene.bodies, study.scene.contact, gravity=np.array([7.0, 0.0, -9.81])),
+        study.goal, study.observables, study.rungs[Level.DEFAULT][-1],
+    )  # fmt: skip
+    (moved,) = CASE.declare("stack-10", CASE.defaults("stack-10")).quantities
+    assert moved.observe(rigid.solve(tilted)) > 0.1
+
+
+def same(route: ModuleType) -> bool:
+    """Whether a route gives the thinnest arches that are known."""
+    if hasattr(route, "outlines"):
+        middle = route.centroid(np.array([[1.0, 1.0], [3.0, 1.0], [3.0, 2.0], [1.0, 4.0]]))
+        good = np.allclose(middle, [11 / 6, 25 / 12], rtol=1e-12)  # of a trapezium
+        return bool(good and abs(route.thinnest(8) - thrust.thinnest_of_chords(8)) < 1e-7)
+    found = [route.thinnest_of_chords(8), route.thinnest_of_arcs(10)]
+    return bool(np.allclose(found, [KNOWN, 0.1074601], rtol=0, atol=5e-8))
+
+
+KNOWN = programme.thinnest(8)
+
+
+@pytest.mark.parametrize("sign", signs(thrust))
+def test_any_wrong_sign_in_the_line_of_thrust_is_caught(sign: int) -> None:
+    assert caught(lambda: same(turned(thrust, sign)))
+
+
+@pytest.mark.parametrize("sign", signs(programme, ("outlines", "centroid", "_stands"), ("-1",)))
+def test_any_wrong_sign_in_the_programme_is_caught(sign: int) -> None:
+    assert caught(lambda: same(turned(programme, sign)))
+
+
+def test_odd_and_few_voussoirs_are_refused() -> None:
+    for n in (4, 9):
+        with pytest.raises(ValueError, match=f"n = {n}; an even number"):
+            thrust.thinnest_of_chords(n)

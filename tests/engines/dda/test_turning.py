@@ -1,0 +1,97 @@
+"""Claims about blocks that turn freely in DDA, against Euler's equations of a rigid body."""
+
+from __future__ import annotations
+
+import functools
+
+import numpy as np
+import pytest
+from scipy.integrate import solve_ivp
+from scipy.spatial.transform import Rotation
+
+from tests.scenes.block_scenes import box
+from vv.ask import Ask, Displacement, History, Knobs
+from vv.engines.dda import DEFAULT, PUBLISHED, Formulation, prepare
+from vv.engines.dda.general.bodies import Motion
+from vv.scene import Contact, Scene, Vector
+
+HALF = np.array([0.3, 0.2, 0.4])  # m: inertia is least about z, greatest about y
+FLIP = np.array([5.0, 0.2, 0.0])  # 1/s: about the axis between, and a little askew
+
+
+@functools.cache
+def euler(spin: tuple[float, ...], duration: float) -> Vector:
+    """The rotation (3, 3) of a box that began with this spin: dL/dt = 0, L = R I R^T w."""
+    inertia = box("free", np.zeros(3), HALF).inertia
+    moment = inertia @ spin
+
+    def rate(t: float, flat: Vector) -> Vector:
+        r = flat.reshape(3, 3)
+        w = r @ np.linalg.solve(inertia, r.T @ moment)
+        return np.asarray(np.cross(w, r, axisb=0, axisc=0).ravel())
+
+    end = solve_ivp(rate, (0.0, duration), np.eye(3).ravel(), "DOP853", rtol=1e-12, atol=1e-12)
+    return np.asarray(end.y[:, -1].reshape(3, 3))
+
+
+def spun(
+    spin: Vector, duration: float, dt: float, way: Formulation = DEFAULT
+) -> tuple[Vector, Vector, Vector]:
+    """Its rotation, moment of momentum [kg m2/s] and kinetic energy [J] as DDA has them then."""
+    block = box("free", np.zeros(3), HALF, spin=spin)
+    goal = History(duration, duration)
+    scene = Scene((block,), Contact(np.inf))
+    program = prepare(Ask(scene, goal, (Displacement(0),), Knobs(dt, 1e8)), way)
+    program.solve()
+    end = [part for part in program.arguments if isinstance(part, Motion)][-1]
+    rotation = np.asarray(np.linalg.lstsq(block.vertices, end.vertex, rcond=None)[0].T)
+    inertia = np.trace(end.second[0]) * np.eye(3) - end.second[0]
+    ledger = program.run(2).ledger
+    assert ledger is not None
+    assert ledger.bound is not None
+    assert ledger.unaccounted <= ledger.bound
+    return rotation, inertia @ end.velocity[3:], np.array(ledger.terms["kinetic"])
+
+
+@pytest.mark.parametrize("spin", [(1.0, 5.0, 2.0), (-3.0, 0.5, 4.0)])
+def test_a_free_box_turns_as_eulers_equations_say_to_second_order(spin: tuple[float, ...]) -> None:
+    block = box("free", np.zeros(3), HALF)
+    moment, energy = block.inertia @ spin, 0.5 * np.dot(spin, block.inertia @ spin)
+    off, lost = [], []
+    for dt in (1e-2, 5e-3, 2.5e-3):
+        rotation, kept, kinetic = spun(np.array(spin), 1.0, dt)
+        assert np.abs(kept - moment).max() <= 1e-12 * np.linalg.norm(moment)
+        off.append(np.abs(rotation - euler(spin, 1.0)).max())
+        lost.append(abs(float(kinetic) - energy) / energy)
+    assert off[-1] <= 1e-3
+    for errors in (off, lost):
+        assert np.log2(errors[0] / errors[-1]) / 2 == pytest.approx(2.0, abs=0.1)
+
+
+def test_a_box_spun_about_its_middle_axis_turns_over() -> None:
+    """That axis points the other way after 5 s, when Euler's equations say: halfway at 2.6 s."""
+    for time, points in ((2.6, 0.0), (5.0, -1.0)):
+        rotation, _, _ = spun(FLIP, time, 2e-3)
+        assert rotation[0, 0] == pytest.approx(points, abs=0.02)
+        assert np.abs(rotation - euler(tuple(FLIP), time)).max() <= 5e-4
+
+
+def test_the_published_step_has_no_gyroscopic_torque_and_says_so() -> None:
+    """Its spin stays as it was, while its moment of momentum goes round with it."""
+    spin = np.array([1.0, 5.0, 2.0])
+    block = box("free", np.zeros(3), HALF, spin=spin)
+    _, kept, _ = spun(spin, 1.0, 1e-4, PUBLISHED)
+    moment = block.inertia @ spin
+    assert kept == pytest.approx(Rotation.from_rotvec(spin).apply(moment), rel=5e-3)
+    assert np.linalg.norm(kept - moment) > 0.1 * np.linalg.norm(moment)
+    ask = Ask(Scene((block,), Contact(np.inf)), History(1.0, 1.0), (), Knobs(1e-3, 1e8))
+    words = "without gyroscopic torque"
+    assert words in prepare(ask, PUBLISHED).model.note
+    assert words not in prepare(ask, DEFAULT).model.note
+
+
+@pytest.mark.parametrize("axis", range(3))
+def test_a_spin_about_a_main_axis_turns_a_block_the_way_it_says(axis: int) -> None:
+    spin = 3.0 * np.eye(3)[axis]
+    rotation, _, _ = spun(spin, 1.0, 1e-2)
+    assert np.abs(rotation - Rotation.from_rotvec(spin).as_matrix()).max() <= 1e-12

@@ -1,0 +1,82 @@
+"""Claims about friction in the DEM engine: no step gives energy to the motion by it."""
+
+from __future__ import annotations
+
+import numpy as np
+from hypothesis import assume, example, given, settings
+from hypothesis import strategies as st
+
+from tests.engines.dem.test_momentum import falling
+from tests.engines.dem.test_space import colliding
+from vv.ask import Ask, Displacement, History, Knobs
+from vv.engines import dem
+from vv.engines.dem.leapfrog import Leapfrog
+from vv.scene import Contact, Harmonic, Scene, Spheres, Vector, Wall
+
+SCHEMES = st.sampled_from([dem.CENTRED, dem.LAGGED])
+KN = 1e4
+
+
+def rubbed(seed: int) -> Scene:
+    """A sphere pressed into a shaken plane by a fixed amount, thrown and pulled along it."""
+    random = np.random.default_rng(seed)
+    amplitude = 10 ** random.uniform(-3, 0, 3) * [1, 1, 0]
+    shaken = Harmonic(amplitude, random.uniform(0.5, 5.0, 3), random.uniform(0, 6, 3))
+    sphere = Spheres(
+        np.array([[0.0, 0.0, 0.49]]), np.array([[*random.normal(size=2), 0.0]]),
+        np.array([0.5]), np.ones(1), np.array([[True, True, False]]),
+        load=np.array([[*(30 * random.normal(size=2)), 0.0]]),
+    )  # fmt: skip
+    plane = Wall(np.zeros(3), np.array([0.0, 0.0, 1.0]), shaken)
+    return Scene((plane, sphere), Contact(KN, 10 ** random.uniform(2, 4), random.uniform(0.05, 1)))
+
+
+def lost(scene: Scene, leapfrog: Leapfrog, dt: float) -> tuple[Vector, Vector]:
+    """What friction took by each step [J], and how fast surfaces may slide in it [m/s]."""
+    spheres = scene.spheres
+    first = next(i for i, group in enumerate(scene.bodies) if isinstance(group, Spheres))
+    seen = tuple(Displacement(first + i) for i in range(len(spheres)))
+    program = dem.prepare(Ask(scene, History(1.0, dt), seen, Knobs(dt)), leapfrog)
+    program.solve()
+    path, energy = program.arguments[:2]
+    spin = path[..., 6:9] if path.shape[2] > 6 else 0.0 * path[..., 3:6]
+    speed = np.linalg.norm(path[..., 3:6], axis=2)
+    speed = speed + spheres.radius * np.linalg.norm(spin, axis=2)
+    return energy[:, 3], 2 * speed.max(axis=1)
+
+
+@given(st.integers(0, 10**6), SCHEMES, st.sampled_from([1e-3, 5e-3]))
+@example(1587, dem.CENTRED, 5e-3)  # the slide turns back while the force turns
+@settings(max_examples=60, deadline=None)
+def test_under_a_steady_load_no_step_gains(seed: int, leapfrog: Leapfrog, dt: float) -> None:
+    taken, _ = lost(rubbed(seed), leapfrog, dt)
+    assume(taken[-1] > 0)  # it slipped
+    assert np.diff(taken).min() >= -1e-14 * taken[-1]
+
+
+@given(
+    st.sampled_from([colliding, falling]), st.integers(0, 10**4), SCHEMES,
+    st.sampled_from([1e-3, 2.5e-3, 5e-3]),
+)  # fmt: skip
+@example(falling, 543, dem.CENTRED, 5e-3)
+@settings(max_examples=40, deadline=None)
+def test_in_collisions_a_step_gains_no_more_than_the_end_of_a_contact_in_it(
+    kind: object, seed: int, leapfrog: Leapfrog, dt: float
+) -> None:
+    """Where the cap falls within the step, the mean of its ends is not the mean of the force.
+
+    That is mu kn (v dt)^2/8 at most, mu times what the normal spring gains by ending so.
+    """
+    scene: Scene = kind(seed)  # type: ignore[operator]
+    taken, speed = lost(scene, leapfrog, dt)
+    most = scene.contact.mu * scene.contact.kn * (dt * speed.max()) ** 2 / 8
+    assert np.diff(taken).min() >= -most
+    assert taken[-1] >= 0
+
+
+def test_a_contact_that_ends_within_a_step_does_give_some() -> None:
+    """So the bound above is about something: 8 % of it in a step of this motion, a coarse one."""
+    scene = falling(523)
+    taken, speed = lost(scene, dem.CENTRED, 5e-3)
+    most = scene.contact.mu * scene.contact.kn * (5e-3 * speed.max()) ** 2 / 8
+    assert -0.2 * most < np.diff(taken).min() < -0.02 * most

@@ -1,0 +1,54 @@
+"""Claims about blocks that rock on an edge: pendulums, to second order, whose energy closes."""
+
+from __future__ import annotations
+
+import functools
+from typing import Any
+
+import numpy as np
+import pytest
+from scipy.integrate import solve_ivp
+
+from tests.engines.rigid.test_motion import solved
+from tests.scenes.block_scenes import ACROSS, DOWN, FLOOR, IN_PLANE, G, box
+from vv.scene import Block, Contact, Scene, about_z, rotated
+
+B, H, TILT, SWING = 0.2, 0.6, 0.2, 0.4  # half sides [m], rad, s: before it meets its other edge
+RADIUS, SLENDER = np.hypot(B, H), np.arctan(B / H)
+
+
+def tilted(**given: Any) -> Block:
+    """A box at rest on one edge, which is the y axis."""
+    c, s = np.cos(TILT), np.sin(TILT)
+    axes = np.array([[c, 0.0, -s], [0.0, 1.0, 0.0], [s, 0.0, c]])
+    half = np.array([B, 0.3, H])
+    return box("rocking", (half * [-1.0, 0.0, 1.0]) @ axes, half, axes, **given)
+
+
+@functools.cache
+def fallen() -> float:
+    """How far the centre sinks in a swing, of a pendulum upside down (Housner 1963, Eq. 1)."""
+
+    def rate(t: float, y: Any) -> list[float]:
+        return [y[1], -3 * G / (4 * RADIUS) * np.sin(SLENDER - y[0])]
+
+    end = solve_ivp(rate, (0.0, SWING), [TILT, 0.0], rtol=1e-11, atol=1e-13).y[0, -1]
+    return float(RADIUS * (np.cos(SLENDER - end) - np.cos(SLENDER - TILT)))
+
+
+def error(dt: float, azimuth: float = 0.0, **given: Any) -> float:
+    """Of the sinking, in metres; energy must close meanwhile."""
+    scene = Scene((FLOOR, tilted(**given)), Contact(np.inf, mu=2.0), gravity=DOWN)
+    program = solved(rotated(scene, about_z(azimuth)), SWING, dt)
+    assert np.abs(program.energies.sum(axis=1)).max() <= 1e-9 * program.energies[-1, 0]
+    assert program.report[:, 0].max() <= 1e-12  # m/s
+    return abs(float(program.arguments[0][-1, 0, 2]) - fallen())
+
+
+@pytest.mark.parametrize(
+    "given", [{"free": IN_PLANE, "free_spin": ACROSS}, {}, {"azimuth": 0.7}], ids=str
+)
+def test_a_block_rocks_like_a_pendulum_to_second_order(given: dict[str, Any]) -> None:
+    coarse, fine = error(4e-3, **given), error(1e-3, **given)
+    assert fine <= 2e-7
+    assert np.log2(coarse / fine) / 2 >= 1.9

@@ -1,0 +1,55 @@
+"""Claims about scenes on which sweeps over the contacts stall: they are solved all the same."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from tests.engines.rigid.test_motion import ends, solved
+from tests.scenes.block_scenes import DOWN, FLOOR, HELD, G, box, incline
+from vv.scene import Contact, Harmonic, Scene
+
+CONVERGED = 1e-12  # m/s
+S = np.sqrt(0.5)
+
+
+@pytest.mark.parametrize("half", [0.5, 0.05, 0.005])
+def test_a_light_block_bears_a_heavy_one(half: float) -> None:
+    light = box("light", [0.0, 0.0, half], [half] * 3)
+    heavy = box("heavy", [0.0, 0.0, 2 * half + 5.0], [5.0] * 3)  # 1e3 to 1e9 times the mass
+    program = solved(Scene((FLOOR, light, heavy), Contact(np.inf, mu=0.5), gravity=DOWN), 0.02)
+    weight = (light.mass + heavy.mass) * G
+    assert program.report[:, 0].max() <= CONVERGED
+    assert np.abs(ends(program)).max() <= 1e-11
+    assert np.abs(program.reactions[-1, 0] / weight - [0.0, 0.0, 1.0]).max() <= 1e-8
+
+
+def test_a_block_just_held_on_a_slope_stays() -> None:
+    program = solved(incline(30, 30), 0.5)
+    assert program.report[:, 0].max() <= CONVERGED
+    assert np.abs(ends(program)).max() <= 1e-8
+
+
+def test_edges_that_cross_hold_by_friction_without_bound() -> None:
+    across = np.array([[S, 0.0, S], [0.0, 1.0, 0.0], [-S, 0.0, S]])
+    along = np.array([[1.0, 0.0, 0.0], [0.0, S, S], [0.0, -S, S]])
+    ridge = box("ridge", [0.0, 0.0, 0.0], [0.5] * 3, across, free=HELD, free_spin=HELD)
+    falls = box("falls", [0.1, 0.2, 2 * S + 1e-3], [0.5] * 3, along, velocity=[0.3, 0.2, -1.0])
+    program = solved(Scene((ridge, falls), Contact(np.inf, mu=50.0)), 0.005, interval=1e-3)
+    assert program.report[:, 0].max() <= CONVERGED
+    arm = np.array([-0.1 - 3e-4, 0.0, -S])  # from the centre, as they meet
+    matrix = np.cross(np.eye(3), -arm)  # of arm x
+    flexible = np.eye(3) / falls.mass - matrix @ np.linalg.inv(falls.inertia) @ matrix
+    gain = np.linalg.solve(flexible, -falls.velocity) / falls.mass
+    after = program.arguments[0][-1, 2, 3:6]
+    assert np.abs(after - falls.velocity - gain).max() <= 1e-3
+
+
+def test_a_block_free_to_turn_slides_as_accurately_as_one_that_is_not() -> None:
+    along = np.array([1.0, 0.0, 0.0])
+    shaking = Harmonic(5.0 * along, along, np.zeros(3))
+    slab = (0.5, 0.5, 0.2)
+    free = solved(incline(20, 30, shaking, half=slab), 2.0)
+    held = solved(incline(20, 30, shaking, half=slab, free_spin=HELD), 2.0)
+    path = held.system.watched(held.arguments[0], 0)
+    assert np.abs(ends(free) - path[-1, :3]).max() <= 1e-9

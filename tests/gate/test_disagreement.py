@@ -1,0 +1,140 @@
+"""The ledger of known disagreements: bands, orders along one stiffness, and the calendar."""
+
+import datetime
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from tests.support.fabricated import entry, record
+from vv.base.errors import UsageError
+from vv.gate.disagreement import Disagreement, dated, judge, read_disagreements
+from vv.records.finding import bits
+from vv.records.rungs import orders
+
+TODAY = datetime.date(2027, 1, 1)
+KNOWN: dict[str, Any] = {
+    "code": "dem", "schemes": "*", "versions": "1.*", "case": "bounce", "variants": ("T1",),
+    "quantity": "y", "dt": 1e-3, "error": (5e-3, 2e-2), "order": (0.9, 1.1),
+    "reason": "drag is late", "expires": "2027-06-01",
+}  # fmt: skip
+
+
+def ladder(slope: float = 1.0, verdict: str = "fail", kn: float | None = None) -> list[Any]:
+    """Records of two rungs with an error of 1e-2 at the finer step."""
+    made = []
+    for dt in (2e-3, 1e-3):
+        error = 1e-2 * (dt / 1e-3) ** slope
+        quantity = entry(verdict, {"max": error})
+        rung = {"dt": dt, "kn": kn}
+        made.append({**record("dem/default", "T1", dt, quantities=[quantity]), "rung": rung})
+    return made
+
+
+def passing(tolerance: float) -> list[Any]:
+    """The same two rungs where that is the tolerance."""
+    made = ladder(verdict="pass")
+    for one in made:
+        one["quantities"][0]["tolerance"] = tolerance
+    return made
+
+
+def verdicts(records: list[Any], **changes: Any) -> set[str]:
+    known = Disagreement(**{**KNOWN, **changes})
+    return {r["quantities"][0]["verdict"] for r in judge(records, [known], TODAY)}
+
+
+def test_a_failure_inside_its_bands_is_known() -> None:
+    assert verdicts(ladder()) == {"xfail"}
+
+
+def test_a_pass_inside_a_band_that_reaches_below_the_tolerance_is_a_pass() -> None:
+    assert verdicts(passing(1.9e-2)) == {"pass"}
+
+
+def test_a_band_moves_with_the_stiffness() -> None:
+    change = {"kn": 1e9, "softness": 0.5, "error": (1.8e-2, 2.8e-2)}
+    assert verdicts(ladder(kn=4e9), **change) == {"xfail"}
+    assert verdicts(ladder(kn=1e9), **change) == {"fail"}
+
+
+@pytest.mark.parametrize(
+    ("records", "change", "verdict"),
+    [
+        (ladder(), {"error": (5e-3, 9e-3)}, "fail"),  # worse than known
+        (ladder(), {"error": (1.1e-2, 2e-2)}, "fail"),  # better than known
+        (ladder(1.3), {}, "fail"),  # of a higher order
+        (ladder(0.7), {}, "fail"),  # of a lower one
+        (passing(5e-2), {}, "xpass"),  # the whole band passes
+        (passing(3e-2), {"error": (1.1e-2, 1.9e-2)}, "xpass"),  # better than known
+        (ladder(), {"expires": "2026-12-31"}, "fail"),
+        (ladder(), {"versions": "2.*"}, "fail"),
+        (ladder(), {"quantity": "z"}, "fail"),
+        (ladder(), {"variants": ("T2",)}, "fail"),
+    ],
+)
+def test_outside_of_it_on_either_side_it_is_news(
+    records: list[Any], change: dict[str, Any], verdict: str
+) -> None:
+    assert verdicts(records, **change) == {verdict}
+
+
+def test_an_unmoving_result_is_never_a_known_disagreement() -> None:
+    records = ladder()
+    for made in records:
+        made["quantities"][0]["note"] = "nothing moves, though the reference does"
+    assert verdicts(records) == {"fail"}
+
+
+def test_orders_are_fitted_along_dt_at_one_stiffness_each() -> None:
+    soft, stiff = ladder(1.0, kn=1e6), ladder(2.0, kn=1e9)
+    found = orders([*soft, *stiff])
+    assert sorted(round(order.order, 6) for order in found.values()) == [1.0, 2.0]
+
+
+@pytest.mark.parametrize(
+    ("expires", "kind", "bit"),
+    [
+        ("2027-02-01", None, 0),  # 31 days
+        ("2027-01-31", "expiring", 0),  # 30 days
+        ("2027-01-01", "expiring", 0),  # the last day
+        ("2026-12-31", "expired", 1),
+    ],
+)
+def test_an_entry_warns_for_thirty_days_and_is_red_when_over_even_if_all_pass(
+    expires: str, kind: str | None, bit: int
+) -> None:
+    known = Disagreement(**{**KNOWN, "expires": expires})
+    found = dated(ladder(verdict="pass"), [known], TODAY)
+    assert [finding.kind for finding in found] == ([kind] if kind else [])
+    assert bits(found) == bit
+
+
+def test_an_entry_that_speaks_of_nothing_here_says_nothing() -> None:
+    known = Disagreement(**{**KNOWN, "case": "other", "expires": "2000-01-01"})
+    assert dated(ladder(), [known], TODAY) == []
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("[[disagreement]]\ncode = 'a'", "entry 1"),
+        ("[[disagreement", "disagreements.toml"),
+        ("error = [2.0, 1.0]", "a band must not be empty"),
+        ("error = [1e-3, 1.1e-2]", "within a factor of 10"),
+        ("error = [0.05, 0.11]", r"must end at 0\.1"),
+        ("order = [-9, 9]", r"order = \[-9, 9\]; a band wider than 2\.5 excludes nothing"),
+        ("reason = ' '", "reason is empty"),
+        ("expires = 'soon'", "entry 1"),
+    ],
+)
+def test_a_bad_entry_is_named(tmp_path: Path, text: str, said: str) -> None:
+    if not text.startswith("["):
+        given = {**KNOWN, "error": [1e-3, 2e-3], "order": [1.0, 2.0], "variants": ["T1"]}
+        lines = {name: f"{name} = {value!r}" for name, value in given.items()}
+        lines[text.partition(" ")[0]] = text
+        text = "\n".join(["[[disagreement]]", *lines.values()])
+    path = tmp_path / "disagreements.toml"
+    path.write_text(text)
+    with pytest.raises(UsageError, match=said):
+        read_disagreements(path)

@@ -1,0 +1,112 @@
+"""What moved between two runs, and a case over commits."""
+
+import copy
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from reports import html
+from tests.conftest import Tiny
+from tests.support.fabricated import STEPS, entry, manifest_of_all, record
+from vv.base.errors import UsageError
+from vv.insight.compare import changes, manifest_of
+from vv.insight.history import history
+from vv.store.store import Store
+
+
+def ladder(factor: float = 1.0, slope: float = 2.0, cpu: float = 1.0) -> list[dict[str, Any]]:
+    made = []
+    for dt in STEPS:
+        error = factor * 1e-4 * (dt / 1e-3) ** slope
+        one = record("dem/default", "T1", dt, quantities=[entry("pass", {"max": error})])
+        made.append({**one, "cost": {**one["cost"], "relative": [cpu, 1.1 * cpu]}})
+    return made
+
+
+def kinds(one: list[Any], other: list[Any]) -> list[str]:
+    return [change.kind for change in changes({"records": one}, {"records": other})]
+
+
+def test_nothing_moved_between_equal_runs() -> None:
+    assert kinds(ladder(), copy.deepcopy(ladder())) == []
+
+
+def test_errors_orders_and_costs_move_by_themselves() -> None:
+    assert kinds(ladder(), ladder(1.01)) == ["error"] * 3
+    assert set(kinds(ladder(), ladder(slope=1.5))) == {"error", "order"}
+    assert kinds(ladder(), ladder(cpu=2.0)) == ["cost"] * 3
+    assert kinds(ladder(), ladder(cpu=1.2)) == []  # noise
+
+
+def test_outcomes_and_what_one_of_them_lacks_are_told_first() -> None:
+    other = ladder()[:1]
+    other[0]["quantities"][0]["verdict"] = "fail"
+    found = changes({"records": ladder()}, {"records": other})
+    assert [(c.kind, c.text) for c in found] == [
+        ("outcome", "pass -> fail"),
+        ("only in A", "2 rungs"),
+    ]
+
+
+def kept(store: Store, name: str, commit: str, records: list[Any], dirty: bool = False) -> None:
+    told = {"utc": f"2025-01-{name}T00:00:00+00:00", "commit": commit, "dirty": dirty}
+    store.keep_manifest(name, {"provenance": told, "records": records})
+
+
+def test_a_run_is_found_by_its_name_or_the_beginning_of_its_commit(tmp_path: Path) -> None:
+    store = Store(tmp_path)
+    kept(store, "01", "abcdef", ladder())
+    kept(store, "02", "abcdef", ladder(2.0))
+    known = {"HEAD": "abcdef"}
+
+    def found(name: str) -> Any:
+        return manifest_of(store, name, lambda asked: known.get(asked, ""))["records"]
+
+    assert found("01") == ladder()
+    assert found("abcd") == found("HEAD") == ladder(2.0)
+    with pytest.raises(UsageError, match="no commit 'ffff' in the store; the last runs are 02, 01"):
+        found("ffff")
+
+
+def test_history_has_the_newest_run_of_each_commit_over_shared_rungs(tmp_path: Path) -> None:
+    store = Store(tmp_path)
+    kept(store, "01", "a" * 40, ladder(2.0, cpu=4.0))
+    kept(store, "02", "b" * 40, ladder(9.0))
+    kept(store, "03", "b" * 40, ladder(1.0)[1:])  # without its coarsest rung
+    modified = [{**one, "modified": True} for one in ladder(50.0)]
+    kept(store, "04", "b" * 40, modified)
+    kept(store, "05", "b" * 40, ladder(3.0), dirty=True)
+    points = history(store, "bounce")
+    assert [point.name for point in points] == ["a" * 9, "b" * 9, "b" * 9 + "+"]
+    near = [point.closeness["dem/default"] for point in points]
+    assert near == pytest.approx([0.8, 0.4, 1.2])  # at 2e-3, the coarsest they share
+    assert points[0].cost["dem/default"] == pytest.approx(4 * 1.1**0.5)
+    assert history(store, "other") == []
+
+
+def test_the_report_shows_a_case_over_commits(tmp_path: Path) -> None:
+    store = Store(tmp_path)
+    kept(store, "01", "a" * 40, ladder(2.0))
+    kept(store, "02", "b" * 40, ladder())
+    manifest = manifest_of_all(store)
+    page = html.build_quickly(manifest, store, tmp_path / "r.html").read_text()
+    assert "Over commits" in page
+    assert page.index("aaaaaaaaa</code>") < page.index("bbbbbbbbb</code>")
+
+
+def test_diff_and_history_on_the_command_line(tiny: Tiny) -> None:
+    tiny.git("init", "-q")
+    tiny.git("add", "cases")
+    tiny.git("commit", "-qm", "first")
+    words = ("run", "fall:up", "--codes", "fake/good,fake/first-order")
+    tiny.vv(*words)
+    tiny.edit("adapters/fake.py", "0.1 * ask", "0.2 * ask")
+    tiny.vv(*words)
+    first = min((tiny.root / ".vv" / "manifests").iterdir()).stem
+    said = tiny.vv("diff", first).stdout
+    assert said.count("error: fall:up fake/first-order dt=") == 3
+    assert "0.01 -> 0.02 (x 2)" in said
+    assert "fake/good" not in said
+    said = tiny.vv("history", "fall").stdout
+    assert "fake/first-order: 3 fail, error 20 of the tolerance" in said

@@ -1,0 +1,256 @@
+"""What accuracy costs: interpolation, floors, fronts and duels on records made up for it."""
+
+from __future__ import annotations
+
+import itertools
+import math
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from vv.base.metrics import before_floor
+from vv.insight.accuracy_cost import duels, front, profile, reach
+from vv.insight.effort import Effort, efforts, untimed
+from vv.records.rungs import told
+
+Row = tuple[float | None, float | None, float | None, float | None]  # dt, kn, error, cpu
+
+
+def record(code: str, row: Row, variant: str = "a", final: float = 1.0) -> dict[str, Any]:
+    dt, kn, error, cpu = row
+    entry = {
+        "name": "y",
+        "judge": "exact",
+        "norm": "max",
+        "errors": {"max": error},
+        "figures": {"final": final + (error or 0.0)},
+        "end": 1.0,
+        "scale": 1.0,
+    }
+    return {
+        "case": "made-up",
+        "variant": variant,
+        "code": code,
+        "scheme": "default",
+        "status": "ran",
+        "rung": {"dt": dt, "kn": kn},
+        "quantities": [entry],
+        "cost": {
+            "kind": "timed" if cpu is not None else "indicative",
+            "solve_cpu": 1e-3 if cpu is None else cpu,
+            "spread": 0.1,
+            "session": "one",
+        },
+    }
+
+
+def manifest(*records: Mapping[str, Any]) -> dict[str, Any]:
+    files = {"theirs": {"/usr/bin/theirs": "digest"}}
+    codes = {r["code"]: {"files": files.get(r["code"], {})} for r in records}
+    return {"records": list(records), "codes": codes}
+
+
+def one(rows: Sequence[Row], code: str = "ours") -> Effort:
+    (found,) = efforts(manifest(*(record(code, row) for row in rows)))
+    return found
+
+
+SECOND = [(h, None, 100 * h * h, 1e-7 / h) for h in (1e-2, 1e-3, 1e-4)]
+
+
+def test_the_cost_of_an_error_lies_on_the_line_between_rungs() -> None:
+    assert reach(one(SECOND), 1e-5).cpu == pytest.approx(1e-7 / math.sqrt(1e-7))
+
+
+def test_an_error_above_the_coarsest_costs_at_most_that_and_one_below_all_has_no_cost() -> None:
+    found = reach(one(SECOND), 0.5)
+    assert found.cpu == pytest.approx(1e-5)
+    assert found.bound
+    assert reach(one(SECOND), 1e-7).cpu is None
+
+
+def test_a_rung_without_timing_or_without_error_has_no_say_in_costs() -> None:
+    rows: list[Row] = [*SECOND, (1e-5, None, 1e-8, None), (1e-6, None, None, 1.0)]
+    assert reach(one(rows), 1e-7).cpu is None
+    assert one(rows).best == 1e-8
+
+
+def test_the_order_is_fitted_at_each_stiffness() -> None:
+    rows: list[Row] = [(h, kn, kn * h, 1.0) for kn in (1e3, 1e4) for h in (1e-5, 1e-6)]
+    orders = {row.kn: row.order and round(row.order.order, 9) for row in one(rows).rows}
+    assert orders == {1e3: 1.0, 1e4: 1.0}
+
+
+def test_rungs_at_a_floor_have_no_say_in_the_order() -> None:
+    errors = (1e-2, 2.5e-3, 6.25e-4, 2e-4, 1.9e-4, 2.1e-4)
+    rows: list[Row] = [(2.0**-i, None, error, 1.0) for i, error in enumerate(errors)]
+    (row,) = one(rows).rows
+    assert row.order
+    assert (round(row.order.order, 9), row.order.points) == (2.0, 3)
+
+
+def test_a_ladder_that_is_at_its_floor_from_the_start_has_no_order() -> None:
+    (row,) = one([(2.0**-i, None, 1e-3, 1.0) for i in range(3)]).rows
+    assert row.order is None
+    assert row.floor
+
+
+@given(st.lists(st.floats(1e-9, 1.0), min_size=1, max_size=8))
+def test_what_lies_before_a_floor_is_all_or_leaves_three_that_gain_nothing(
+    errors: list[float],
+) -> None:
+    free = before_floor(errors)
+    assert free == len(errors) or len(errors) - free >= 3
+    tail = errors[free:]
+    assert all(a < 1.5 * b for a, b in itertools.pairwise(tail))
+
+
+@pytest.mark.parametrize(
+    ("errors", "floored"),
+    [
+        ((4e-3, 3e-3, 2.9e-3), True),
+        ((4e-3, 1e-3, 0.9e-3), False),
+        ((4e-3, 3.9e-3), False),
+        ((2e-3, 1.9e-3, 4e-3), True),
+    ],
+)
+def test_a_floor_takes_two_refinements_that_gain_nothing(
+    errors: tuple[float, ...], floored: bool
+) -> None:
+    rows: list[Row] = [(10.0**-i, None, error, 1.0) for i, error in enumerate(errors)]
+    assert (one(rows).floor is not None) is floored
+
+
+STEPS = (1e-3, 5e-4, 2.5e-4)
+DEFAULT = [(h, 1e8) for h in STEPS] + [(1e-4, 1e9), (5e-5, 1e10)]  # the rungs of rigid contact
+
+
+def penalty(*errors: float) -> list[Row]:
+    return [(*rung, error, 1.0) for rung, error in zip(DEFAULT, errors, strict=True)]
+
+
+def test_a_penalty_scheme_has_a_floor_only_when_stiffness_gained_nothing_either() -> None:
+    softer: list[Row] = [(h, kn, 1e4 / kn, 1.0) for kn in (1e5, 1e6, 1e7) for h in STEPS]
+    alike: list[Row] = [(h, kn, 1e-2, 1.0) for kn in (1e5, 1e6, 1e7) for h in STEPS]
+    assert one(softer).floor is None
+    assert one(alike).floor is not None
+
+
+def test_a_floor_is_seen_at_the_rungs_of_the_default_level() -> None:
+    stuck = one(penalty(1.1e-2, 1.1e-2, 1.05e-2, 1e-2, 1.1e-2))
+    assert stuck.floor
+    assert stuck.floor.error == 1e-2
+    assert "dt, at kn = 1e+08, and of kn" in stuck.floor.why
+
+
+@pytest.mark.parametrize(
+    "errors",
+    [
+        (1.1e-2, 1.1e-2, 1.05e-2, 3e-3, 1e-3),  # stiffness gains
+        (1.1e-2, 1.1e-2, 1.05e-2, 1e-2, 5e-3),  # at last
+        (4e-2, 2e-2, 1e-2, 1e-2, 1e-2),  # the step gains
+    ],
+)
+def test_no_floor_is_claimed_while_one_knob_gains(errors: tuple[float, ...]) -> None:
+    assert one(penalty(*errors)).floor is None
+
+
+def test_a_stiffer_row_of_two_steps_that_gains_forbids_a_floor() -> None:
+    rows = penalty(1e-2, 1e-2, 1e-2, 1e-2, 2e-2)
+    assert one([*rows, (2.5e-5, 1e10, 1.5e-2, 1.0)]).floor is not None
+    assert one([*rows, (2.5e-5, 1e10, 1e-2, 1.0)]).floor is None
+
+
+def test_the_floor_of_dt_at_a_stiffness_is_the_model_s_and_told_from_the_step_s() -> None:
+    """Errors 1e-3 + h^2: the limit is 1e-3 off, and h^2 is what the finest step adds."""
+    rows: list[Row] = [(h, 1e8, 1e-3 + h * h, 1.0) for h in (4e-3, 2e-3, 1e-3)]
+    (row,) = one(rows).rows
+    assert row.floor
+    assert row.limit
+    assert row.limit.model == pytest.approx(1e-3)
+    assert row.limit.step == pytest.approx(1e-6)
+    assert "floor 1.0e-03" in told(row)
+    assert "limit of small steps 1.0e-03 off the exact" in told(row)
+    assert "the step's part 1.0e-06 at dt = 0.001, of order 2.00" in told(row)
+
+
+def test_the_step_s_part_is_not_made_small_by_an_order_that_no_scheme_has() -> None:
+    rows: list[Row] = [(h, 1e8, 1e-3 + 1e12 * h**7, 1.0) for h in (4e-3, 2e-3, 1e-3)]
+    (row,) = one(rows).rows
+    assert row.limit
+    assert row.limit.step == pytest.approx(1e12 * (2e-3**7 - 1e-3**7) / 3)
+
+
+def test_no_model_error_is_claimed_below_what_the_limit_is_known_to() -> None:
+    rows: list[Row] = [(h, 1e8, h * h, 1.0) for h in (4e-3, 2e-3, 1e-3)]
+    assert "the model's part below 1.2e-06" in told(one(rows).rows[0])
+
+
+def test_costs_of_two_sessions_are_never_in_one_table() -> None:
+    rows = [record("ours", row) for row in SECOND]
+    rows[1]["cost"]["session"] = "two"
+    with pytest.raises(ValueError, match=r"2 timing sessions \(one, two\)"):
+        efforts(manifest(*rows))
+
+
+def test_what_is_not_timed_has_errors_and_indicative_costs() -> None:
+    rows = [record("ours", (h, None, h, None), "b") for h in (1e-2, 1e-3)]
+    (rest,) = untimed(manifest(*rows, *(record("ours", row) for row in SECOND)))
+    assert [(p.error, p.cpu, p.indicative) for p in rest.points] == [
+        (1e-2, None, 1e-3),
+        (1e-3, None, 1e-3),
+    ]
+
+
+def test_patience_ends_after_a_minute() -> None:
+    floor = one([(1e-3, None, 1e-2, 1.0), (1e-4, None, 1e-3, 61.0)]).floor
+    assert floor is not None
+    assert "61 s" in floor.why
+
+
+def test_nothing_on_the_front_is_beaten_in_both() -> None:
+    slow = one([(None, None, 1e-15, 1.0), (None, None, 1e-3, 2.0)], "slow")
+    kept = front([one(SECOND), slow])
+    assert [name for name, _ in kept] == ["ours/default"] * 3 + ["slow/default"]
+    assert [p.error for _, p in kept] == sorted((p.error or 0.0 for _, p in kept), reverse=True)
+
+
+def test_a_duel_is_between_the_best_of_both_sides_and_tells_steppers_apart() -> None:
+    every = efforts(
+        manifest(
+            *(record("ours", row) for row in SECOND),
+            record("exact", (None, None, 1e-15, 1e-6)),
+            *(record("theirs", (h, None, 100 * h * h, 1e-5 / h)) for h in (1e-2, 1e-3, 1e-4)),
+        )
+    )
+    free, stepping = duels(every, (1e-5,))
+    assert (free.ours, stepping.ours, free.theirs) == (
+        "exact/default",
+        "ours/default",
+        "theirs/default",
+    )
+    assert stepping.ratio == pytest.approx(1e-2)
+    lost = duels(every, (1e-9,))[0]
+    assert lost.ratio is None
+    assert lost.least == pytest.approx(1e-6)
+    assert not lost.floored
+
+
+def test_an_external_code_that_cannot_get_there_is_told_from_one_that_was_not_let() -> None:
+    ours = [record("ours", row) for row in SECOND]
+    stuck = [record("theirs", (2.0**-i, None, 1e-3, 1.0)) for i in range(3)]
+    going = [{**record("theirs", row), "scheme": "other"} for row in SECOND[:2]]
+    for theirs, floored in ((stuck, True), (stuck + going, False)):
+        found = duels(efforts(manifest(*ours, *theirs)), (1e-5,))
+        assert [(duel.ratio, duel.floored) for duel in found] == [(None, floored)] * 2
+
+
+def test_a_profile_counts_failures_as_infinitely_dear() -> None:
+    rows = [record("ours", row, v) for row in SECOND for v in "ab"]
+    rows += [record("theirs", (h, None, 100 * h * h, 1e-6 / h), "a") for h in (1e-2, 1e-3, 1e-4)]
+    found = profile(efforts(manifest(*rows)), 1e-5)
+    assert found["ours/default"] == [1.0, 1.0]
+    assert found["theirs/default"] == [pytest.approx(10.0), math.inf]

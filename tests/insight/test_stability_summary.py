@@ -1,0 +1,136 @@
+"""Claims about what an invocation says of stability: each kind in a sentence, and in the report."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from reports import figures, html
+from tests.support.fabricated import Json, case, entry, manifest_of_all, record
+from vv.insight.stability_summary import Told, as_data, stability
+from vv.store.store import Store
+
+
+def manifest(*records: Json, critical: dict[float, float] | None = None) -> Json:
+    """What stability looks at of a manifest: records of the fabricated case."""
+    told = case()
+    for variant in told["variants"].values():
+        variant |= {"critical": list((critical or {}).items())}
+        variant["quantities"] = [{"name": "y", "meaning": "what is seen"}]
+    return {"cases": {"bounce": told}, "records": list(records)}
+
+
+def only(*records: Json, critical: dict[float, float] | None = None) -> Told:
+    (told,) = stability(manifest(*records, critical=critical))
+    return told
+
+
+def sought(verdict: str, value: float | None, note: str = "") -> Json:
+    number = {"kind": "scalar", "value": value, "reference": 1.0, "note": note}
+    return record(
+        "dem/default", "T1", 1e-3, study="search", reason="at dt = 0.2 s: it blew up",
+        quantities=[entry(verdict, {}, **number)],
+    )  # fmt: skip
+
+
+def test_a_search_says_its_limit_and_what_comes_beyond() -> None:
+    told = only(sought("pass", 0.9996))
+    assert (told.kind, told.value, told.due) == ("step", 0.9996, 1.0)
+    assert told.text == "what is seen: 0.9996, as due; at dt = 0.2 s: it blew up"
+
+
+def test_a_limit_that_is_not_due_is_said_to_be_so_or_known() -> None:
+    assert "0.5, not as due;" in only(sought("fail", 0.5)).text
+    assert "0.5, known; drag is late;" in only(sought("xfail", 0.5, "drag is late")).text
+    assert only(sought("fail", None)).text == "no step was stable"
+
+
+def test_a_limit_that_is_only_shown_is_told_by_the_quantity_that_is_judged() -> None:
+    assert stability(manifest(sought("no-reference", 0.5))) == []
+
+
+def point(dt: float, kn: float, error: float | None, status: str = "ran") -> Json:
+    entries = [entry("no-reference", {"max": error}, judge="shown")] if error is not None else []
+    rung = {"dt": dt, "kn": kn}
+    return record("dem/default", "T1", dt, study="grid", status=status, rung=rung,
+                  quantities=entries)  # fmt: skip
+
+
+def test_a_map_says_how_much_is_lost_from_which_step_on_and_how_good_it_gets() -> None:
+    told = only(
+        point(2.0, 1e4, None, "diverged"),
+        point(0.2, 1e6, 30.0),
+        point(0.1, 1e4, 0.2),
+        point(0.01, 1e6, 0.003),
+        point(5.0, 1e4, None, "refused"),
+        critical={1e4: 1.0, 1e6: 0.1},
+    )
+    assert told.kind == "map"
+    assert told.value == 0.5
+    assert told.text == (
+        "of 5 points 1 refused, 2 lost, 1 of them diverged, from 2 critical steps on, "
+        "least error 0.003 at kn 1e+06 N/m, dt 0.01 s"
+    )
+
+
+def test_points_left_out_for_their_steps_are_told_from_those_refused() -> None:
+    told = only(point(0.1, 1e4, 0.2), point(1.0, 1e4, None, "too-long"))
+    assert told.text.startswith("of 2 points 1 too long to run, none lost, least error 0.2 at")
+    more = only(
+        point(0.1, 1e4, 0.2), point(1.0, 1e4, None, "too-long"), point(2.0, 1e4, None, "refused")
+    )
+    assert more.text.startswith("of 3 points 1 refused and 1 too long to run, none lost")
+
+
+def test_a_code_that_refuses_a_whole_map_says_nothing_of_it() -> None:
+    assert stability(manifest(point(0.1, 1e4, None, "refused"))) == []
+
+
+def test_drift_is_the_largest_breach_at_any_rung() -> None:
+    def kept(dt: float, error: float) -> Json:
+        conserved = {"kind": "scalar", "judge": "invariant", "tolerance": 1e-11, "value": 0.0}
+        made = entry("pass", {"max": error}, **conserved)
+        return record("dem/default", "T1", dt, quantities=[made])
+
+    told = only(kept(1e-3, 1e-13), kept(1e-4, 4e-12))
+    assert (told.kind, told.value, told.due) == ("drift", 4e-12, 1e-11)
+    assert "kept to 4e-12" in told.text
+    assert "drifts by 2e-06" in only(kept(1e-3, 2e-6)).text
+
+
+def counted(dt: float | None, value: int) -> Json:
+    whole = {"kind": "count", "value": float(value), "reference": 1}
+    return record("dem/default", "T1", dt, quantities=[entry("pass", {}, **whole)])
+
+
+def test_counts_are_told_from_the_longest_step_to_the_shortest() -> None:
+    told = only(counted(1e-4, 3), counted(1e-3, 6))
+    assert (told.kind, told.value, told.due) == ("count", 3, 1)
+    assert "6, 3 from the longest step to the shortest; 1 in the exact motion" in told.text
+    assert "1 at every step" in only(counted(1e-4, 1), counted(1e-3, 1)).text
+    assert "what is seen: 1; 1 in" in only(counted(None, 1)).text
+
+
+def test_kinds_come_in_one_order_and_as_plain_data() -> None:
+    told = as_data(manifest(counted(1e-4, 1), point(0.1, 1e4, 0.1), sought("pass", 1.0)))
+    assert [one["kind"] for one in told] == ["step", "map", "count"]
+    assert told[0]["label"] == "dem/default"
+
+
+def test_the_report_has_a_section_in_which_schemes_that_say_the_same_share_a_line(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(figures, "draw", lambda chart, salt: "<svg></svg>")
+    store = Store(tmp_path)
+    whole = manifest_of_all(store)
+    whole["records"] = [r for r in whole["records"] if r["study"] == "ladder"]
+    assert 'id="stability"' not in built(whole, store)
+    whole["records"] += [sought("pass", 0.9996), {**sought("pass", 0.9996), "code": "exact"}]
+    text = built(whole, store)
+    assert '<a href="#stability">' in text
+    assert text.count("0.9996, as due; at dt = 0.2 s: it blew up") == 1
+
+
+def built(manifest: Json, store: Store) -> str:
+    return html.build(manifest, store, store.root / "report.html").read_text(encoding="utf-8")

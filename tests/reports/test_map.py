@@ -1,0 +1,180 @@
+"""Claims about the map of an error over step and contact stiffness."""
+
+from __future__ import annotations
+
+import dataclasses
+from typing import Any
+
+import numpy as np
+
+from cases.hard.stability_map import CASE as STABILITY
+from cases.responding_block import CASE
+from reports.charts import Chart
+from reports.collect import Ladder, Point
+from reports.figures import draw
+from reports.gallery import figures
+from reports.maps import HeatMap, error_map
+from reports.marks import marks
+from reports.outcomes import outcome_of
+from vv.ask import Knobs
+from vv.case import Grid, Level
+from vv.gate.judgement import exit_bits
+from vv.records.finding import Bit
+
+LOOKS = marks(["one", "two"])
+QUANTITY = {"name": "d", "symbol": "d", "unit": "m"}
+
+
+def ladder(name: str, kn: float, errors: dict[float, float | None]) -> Ladder:
+    points = tuple(Point(dt, error, 0.1, False, error is None) for dt, error in errors.items())
+    return Ladder(LOOKS[name], kn, points)
+
+
+FULL = [
+    ladder("one", 1e9, {1e-3: 0.03, 1e-4: 0.002}),
+    ladder("one", 1e7, {1e-3: 0.04, 1e-4: 0.05}),
+    ladder("one", 1e10, {1e-3: None, 1e-4: 0.004}),
+]
+
+
+def test_a_cell_is_where_its_stiffness_and_step_are() -> None:
+    heat = error_map(FULL)
+    assert heat is not None
+    (panel,) = heat.panels
+    assert list(panel.kn) == [1e7, 1e9, 1e10]
+    assert list(panel.dt) == [1e-4, 1e-3]
+    assert np.array_equal(panel.error, [[0.05, 0.04], [0.002, 0.03], [0.004, np.nan]], True)
+    assert panel.best() == 1e9
+
+
+def test_there_is_no_map_where_steps_follow_the_stiffness() -> None:
+    assert error_map([*FULL[:2], ladder("one", 1e10, {1e-4: 0.1, 1e-5: 0.1})]) is None
+    assert error_map(FULL[:1]) is None
+    assert error_map([]) is None
+
+
+def test_a_map_stands_instead_of_curves_and_names_the_best_stiffness_of_each_code() -> None:
+    drawn: list[Chart | HeatMap] = []
+
+    def note(chart: Chart | HeatMap) -> str:
+        drawn.append(chart)
+        return ""
+
+    two = [dataclasses.replace(one, mark=LOOKS["two"]) for one in FULL]
+    (figure,) = figures([], [*FULL, *two], QUANTITY, "max", note)
+    assert [type(chart) for chart in drawn] == [HeatMap]
+    assert "one 1e9 N/m and two 1e9 N/m" in figure.caption
+    assert "Crossed: no result" in figure.caption
+    assert "refused" not in figure.caption
+    assert "too many" not in figure.caption
+    assert "one 2.00e-3 to 5.00e-2" in figure.alt
+
+
+def test_a_map_is_drawn_with_its_numbers_on_the_axes_and_the_same_each_time() -> None:
+    heat = error_map(FULL)
+    assert heat is not None
+    svg = draw(heat, "salt")
+    assert svg == draw(heat, "salt")
+    for text in ("one", "1e-4", "1e-3", "1e7", "1e9", "1e10", "kn [N/m]", "dt [s]"):
+        assert f">{text}<" in svg
+
+
+def test_the_responding_block_is_mapped_over_nine_stiffnesses_and_six_steps() -> None:
+    trial = CASE.declare("map", CASE.defaults("map"))
+    counts = []
+    for level in (Level.DEFAULT, Level.PAPER):
+        rungs = trial.study.rungs[level]
+        dt, kn = {k.dt for k in rungs}, {k.kn for k in rungs}
+        assert len(rungs) == len(set(rungs)) == len(dt) * len(kn)
+        counts.append((len(kn), len(dt)))
+    assert counts == [(3, 2), (9, 6)]
+    assert (min(k.kn or 0 for k in rungs), max(k.kn or 0 for k in rungs)) == (1e7, 1e10)
+
+
+def related(kn: float, errors: dict[float, float | None], refused: bool = False) -> Ladder:
+    """Errors at multiples of a critical step that falls as kn^-1/2."""
+    points = tuple(
+        Point(ratio * kn**-0.5, error, 0.1, False, False, refused and error is None)
+        for ratio, error in errors.items()
+    )
+    return Ladder(LOOKS["one"], kn, points)
+
+
+CRITICAL: dict[float | None, float] = {kn: kn**-0.5 for kn in (1e4, 1e7, 1e12)}
+
+
+def test_steps_that_follow_the_stiffness_make_a_map_over_the_critical_step() -> None:
+    rows = [
+        related(1e4, {2.0: None, 0.1: 0.2}, refused=True),
+        related(1e7, {2.0: None, 0.1: 0.02}),
+        related(1e12, {2.0: 30.0, 0.1: 0.001}),
+    ]
+    assert error_map(rows) is None
+    heat = error_map(rows, CRITICAL)
+    assert heat is not None
+    (panel,) = heat.panels
+    assert list(panel.dt) == [0.1, 2.0]
+    assert panel.refused.tolist() == [[False, True], [False, False], [False, False]]
+    assert panel.lost().tolist() == [[False, False], [False, True], [False, True]]
+    svg = draw(heat, "salt")
+    assert ">dt / critical step<" in svg
+    (figure,) = figures([], rows, QUANTITY, "max", lambda chart: "", CRITICAL)
+    assert "off by as much as the answer. Dash: refused." in figure.caption
+    assert "one 1e12 N/m" in figure.caption
+
+
+def test_a_point_too_long_to_run_is_a_dot_and_neither_lost_nor_refused() -> None:
+    rows = [related(kn, {0.1: 0.1, 1.0: 0.2}) for kn in (1e4, 1e7, 1e12)]
+    left_out = dataclasses.replace(rows[2].points[0], error=None, refused=True, too_long=True)
+    rows[2] = dataclasses.replace(rows[2], points=(left_out, rows[2].points[1]))
+    heat = error_map(rows, CRITICAL)
+    assert heat is not None
+    (panel,) = heat.panels
+    assert panel.too_long.tolist() == [[False] * 2, [False] * 2, [True, False]]
+    assert not panel.lost().any()
+    (figure,) = figures([], rows, QUANTITY, "max", lambda chart: "", CRITICAL)
+    assert figure.caption.endswith(" Dot: not run, it would take too many steps.")
+    dots = draw(heat, "salt")
+    bare = dataclasses.replace(panel, too_long=np.zeros((3, 2), bool))
+    assert dots != draw(dataclasses.replace(heat, panels=(bare,)), "salt")
+
+
+def test_the_stability_maps_span_what_the_issue_asks_for() -> None:
+    for variant in ("incline", "responding-block", "unit"):
+        study = STABILITY.declare(variant, {}).study
+        assert isinstance(study, Grid)
+        ratios = {round((k.dt or 0) / study.critical(k.kn), 9) for k in study.rungs[Level.PAPER]}
+        assert (min(ratios), max(ratios)) == (1e-3, 10.0)
+        assert len(ratios) >= 6
+        stiffnesses = {k.kn or 0.0 for k in study.rungs[Level.PAPER]}
+        assert len(stiffnesses) == 9
+        assert (min(stiffnesses), max(stiffnesses)) == (1e4, 1e12)
+
+
+def test_the_unit_has_each_stiffness_itself_and_swings_at_one_rate() -> None:
+    study = STABILITY.declare("unit", {}).study
+    assert isinstance(study, Grid)
+    rates = set()
+    for kn in (1e4, 1e12):
+        scene = study.ask(Knobs(1e-8, kn)).scene
+        assert scene.bonds is not None
+        assert set(scene.bonds.kn) == {kn}
+        rates.add(round(2 * (kn / scene.spheres.mass[0]) ** 0.5 * study.critical(kn), 9))
+    assert rates == {2.0}
+
+
+def test_what_diverges_in_a_map_is_shown_and_turns_nothing_red() -> None:
+    told: dict[str, Any] = {
+        "case": "m",
+        "variant": "v",
+        "code": "one",
+        "scheme": "s",
+        "reason": "it blew up",
+    }
+    told |= {"rung": {"dt": 1.0, "kn": None}, "ledger": None}
+    lost = {**told, "status": "diverged", "quantities": []}
+    good = {**lost, "status": "ran", "quantities": [{"verdict": "pass", "name": "y"}]}
+    for study, bit, key in (("grid", Bit(0), "blow-up"), ("ladder", Bit.CRASH, "diverged")):
+        record = {**lost, "study": study}
+        assert exit_bits([record, {**good, "study": study}]) == bit
+        assert outcome_of(record).key == key

@@ -1,0 +1,121 @@
+"""What a narrowed run holds: what failed, what a change can affect, what fits a budget."""
+
+from typing import Any
+
+import pytest
+
+from tests import ROOT
+from tests.conftest import Tiny
+from vv.base.errors import UsageError
+from vv.plan.plan import Options, Plan, make_plan
+from vv.plan.project import Project
+from vv.run import narrowing
+
+
+def jobs(tiny: Tiny, *words: str) -> list[str]:
+    """The jobs of a dry run, without their fate."""
+    done = tiny.vv("run", *words, "--dry-run")
+    assert done.returncode == 0, done.stderr
+    return [line.partition("  (")[0] for line in done.stdout.splitlines()[:-1]]
+
+
+def test_failed_means_what_did_not_do_well_last_time_at_its_own_rungs(tiny: Tiny) -> None:
+    assert tiny.vv("run", "--failed").returncode == 64
+    codes = ("--codes", "fake/good,fake/coarse,fake/refuses")
+    tiny.vv("run", "fall:up", *codes, "--rung", "dt=0.02", "--rung", "dt=0.1")
+    assert jobs(tiny, "--failed") == ["fall:up fake/coarse dt=0.02", "fall:up fake/coarse dt=0.1"]
+    tiny.edit("adapters/fake.py", "y = 1.01 * y", "pass")
+    assert "2 pass" in tiny.vv("run", "--failed").stdout
+    done = tiny.vv("run", "--failed")
+    assert (done.returncode, done.stdout) == (0, "nothing to run: all did well in the last run\n")
+
+
+def test_since_means_what_a_change_can_affect(tiny: Tiny) -> None:
+    (tiny.root / ".gitignore").write_text(".vv\n__pycache__\n")
+    tiny.git("init", "-q")
+    tiny.git("add", ".")
+    tiny.git("commit", "-qm", "first")
+    (tiny.root / "README.md").write_text("words")
+    done = tiny.vv("run", "--since", "HEAD")
+    assert (done.returncode, "no change since HEAD" in done.stdout) == (0, True)
+    tiny.edit("adapters/missing.py", "never runs", "still never runs")
+    assert {job.split()[1] for job in jobs(tiny, "--since", "HEAD")} == {"missing/default"}
+    tiny.edit("reference_solutions/fall.py", "speed * t", "t * speed")
+    assert {job.split()[1] for job in jobs(tiny, "--since", "HEAD")} > {"fake/good"}
+    done = tiny.vv("run", "--since", "nothing")
+    assert (done.returncode, done.stderr.count("\n")) == (64, 1)
+    assert "--since: git says" in done.stderr
+
+
+@pytest.fixture(scope="module")
+def plan() -> Plan:
+    return make_plan(Project(ROOT), ["single-contact:T?"], Options())
+
+
+@pytest.mark.parametrize(
+    ("file", "codes"),
+    [
+        ("vv/engines/exact/roots.py", {"exact"}),
+        ("adapters/dem.py", {"dem"}),
+        ("README.md", set()),
+        ("tests/conftest.py", set()),
+        ("reference_solutions/checks/single_contact.py", set()),
+    ],
+)
+def test_a_change_affects_the_codes_that_are_made_of_it(
+    plan: Plan, file: str, codes: set[str]
+) -> None:
+    found = narrowing.affected(Project(ROOT), plan, [ROOT / file])
+    assert {job.code for job in found.jobs} == codes
+
+
+@pytest.mark.parametrize("file", ["reference_solutions/single_contact.py", "vv/scene/scene.py",
+                                  "requirements.lock", "vv/records/record.py"])  # fmt: skip
+def test_a_change_of_what_all_are_made_of_affects_all(plan: Plan, file: str) -> None:
+    found = narrowing.affected(Project(ROOT), plan, [ROOT / file])
+    assert len(found.jobs) == len(plan.jobs)
+
+
+def test_a_deleted_file_affects_what_lies_beside_it(plan: Plan) -> None:
+    found = narrowing.affected(Project(ROOT), plan, [ROOT / "adapters" / "yade" / "gone.py"])
+    assert {job.code for job in found.jobs} == {"yade"}
+
+
+def past(plan: Plan, seconds: float) -> dict[str, Any]:
+    """A manifest in which every job took so long and passed with ease, but exact closely."""
+    records = []
+    for job in plan.jobs:
+        case, variant, _, _ = narrowing.key(job)
+        entry: dict[str, Any] = {
+            "name": "y",
+            "errors": {"max": 0.9 if job.code == "exact" else 0.1},
+        }
+        entry |= {"norm": "max", "tolerance": 1.0, "verdict": "pass", "judge": "exact"}
+        records.append({
+            "case": case, "variant": variant, "code": job.code, "scheme": job.scheme,
+            "rung": vars(job.ask.knobs), "status": "ran", "reason": "", "ledger": None,
+            "quantities": [entry],
+            "cost": {"startup": 0.0, "setup": 0.0, "solve_wall": seconds, "output": 0.0},
+        })  # fmt: skip
+    return {"records": records}
+
+
+def test_a_budget_takes_the_closest_first_and_two_rungs_of_all_before_a_third(plan: Plan) -> None:
+    runnable = [job for job in plan.jobs if job.settled is None]
+    schemes = {narrowing.key(job)[:3] for job in runnable}
+    four = narrowing.within(plan, 4.5, [past(plan, 1.0)])
+    assert {job.code for job in four.jobs if job.settled is None} == {"exact"}
+    wide = narrowing.within(plan, 2.0 * len(schemes), [past(plan, 1.0)])
+    assert {narrowing.key(job)[:3] for job in wide.jobs if job.settled is None} == schemes
+    assert len(narrowing.within(plan, 1e9, []).jobs) == len(plan.jobs)
+
+
+@pytest.mark.parametrize(("text", "value"), [("60s", 60), ("1.5min", 90), ("2 h", 7200), ("7", 7)])
+def test_budgets_read_as_typed(text: str, value: float) -> None:
+    assert narrowing.seconds(text) == value
+
+
+@pytest.mark.parametrize("text", ["", "-1s", "0s", "1 day", "s"])
+def test_a_budget_that_makes_no_sense_is_refused(text: str) -> None:
+    with pytest.raises(UsageError, match="it must read like 60s"):
+        narrowing.seconds(text)

@@ -1,0 +1,1 @@
+"""Scenes that several tests use, and second routes to what happens in them."""

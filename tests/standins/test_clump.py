@@ -1,0 +1,91 @@
+"""Claims about blocks as clumps: the mass they keep, and the load their corners share."""
+
+from __future__ import annotations
+
+import dataclasses
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from tests.scenes.block_scenes import incline, responding
+from vv.ask import Ask, Displacement, History, Knobs
+from vv.scene import Contact, Scene, Term, about_z, initial_normal_forces, rotated
+from vv.standins.clump import clump, why_no_clump
+
+KN = 1e9
+HELD, FREE = np.zeros(3, bool), np.ones(3, bool)
+SIDES = st.tuples(*[st.floats(0.2, 2.0)] * 3)
+
+
+def asked(scene: Scene, kn: float | None = KN) -> Ask:
+    return Ask(scene, History(1.0, 0.1), (Displacement(1),), Knobs(1e-4, kn))
+
+
+def turned(scene: Scene, angle: float) -> Scene:
+    return rotated(scene, about_z(angle) @ np.array([[1, 0, 0], [0, 0.8, -0.6], [0, 0.6, 0.8]]))
+
+
+@given(SIDES, st.floats(0, 6.3))
+def test_points_have_the_mass_centre_and_inertia_of_the_block(
+    half: tuple[float, ...], angle: float
+) -> None:
+    scene = turned(incline(20.0, 30.0, half=half, free_spin=HELD), angle)
+    made, block = clump(asked(scene)), scene.blocks[0]
+    arms = made.points - made.points.mean(axis=0)
+    inertia = block.mass / 8 * ((arms**2).sum() * np.eye(3) - arms.T @ arms)
+    assert inertia == pytest.approx(block.inertia, rel=1e-9, abs=1e-12 * block.mass)
+    place = made.stood.scene.spheres.position[0]
+    assert made.points.mean(axis=0) == pytest.approx(place, abs=1e-12)
+
+
+@given(SIDES, st.floats(0, 6.3), st.sampled_from([(15.0, 0.0), (30.0, 0.0), (15.0, -0.3)]))
+def test_corners_press_and_rub_as_much_as_the_block_and_turn_it_nowhere(
+    half: tuple[float, ...], angle: float, law: tuple[float, float]
+) -> None:
+    phi, v0 = law
+    half = (2 * half[0] + half[2], *half[1:])  # low enough not to tip
+    ask = asked(turned(incline(20.0, phi, v0=v0, half=half), angle))
+    made, (wall,), block = clump(ask), ask.scene.walls, ask.scene.blocks[0]
+    overlap = made.radius - (made.corners - wall.point) @ wall.normal
+    pressed = KN / 4 * np.outer(overlap, wall.normal)
+    (normal,), charged = initial_normal_forces(made.stood.scene), made.stood.charged
+    assert charged is not None
+    assert pressed.sum(axis=0) == pytest.approx(normal, rel=1e-6, abs=1e-6 * block.mass)
+    assert made.friction.sum(axis=0) == pytest.approx(charged[0], abs=1e-9 * block.mass)
+    touched = made.corners - (made.radius - overlap)[:, None] * wall.normal
+    moment = np.cross(touched - block.centroid(), pressed + made.friction).sum(axis=0)
+    assert np.abs(moment).max() < 1e-4 * block.mass  # overlaps are no part of the arms
+    assert why_no_clump(ask) is None
+
+
+def test_a_block_that_cannot_turn_presses_alike_on_all_corners() -> None:
+    made = clump(asked(incline(20.0, 30.0, half=(0.2, 0.3, 0.9), free_spin=HELD)))
+    assert made.shares == pytest.approx([0.25] * 4, rel=1e-15)
+
+
+def test_what_no_clump_stands_for_is_refused_with_the_reason() -> None:
+    flat = responding((0.2, 0, 0), (2.0, 2.0, 2.0), 0.6)
+    two = dataclasses.replace(flat, bodies=(*flat.bodies, flat.blocks[0]))
+    soft = dataclasses.replace(flat, contact=Contact(1e8, 1e8, 0.6))
+    tilt = np.array([[1, 0, 0], [0, 0.8, -0.6], [0, 0.6, 0.8]])
+    block = rotated(flat, tilt).blocks[0]
+    low = (block.vertices @ np.array([0, 0, 1])).min()
+    edge = dataclasses.replace(block, vertices=block.vertices - [0, 0, low], free_spin=HELD)
+    spinning = dataclasses.replace(flat.blocks[0], spin=np.array([0.0, 0.0, 1.0]))
+    scenes = {
+        "begins to tip": incline(28.0, 40.0, half=(0.1, 0.1, 0.5)),
+        "one block on one wall": two,
+        "a stiffness of its own": soft,
+        "stands on no face, but on 2 corners": dataclasses.replace(
+            flat, bodies=(*flat.walls, edge)
+        ),
+        "spins": dataclasses.replace(flat, bodies=(*flat.walls, spinning)),
+    }
+    for words, scene in scenes.items():
+        assert words in (why_no_clump(asked(scene)) or ""), words
+    assert "Knobs.kn is None" in (why_no_clump(asked(flat, None)) or "")
+    assert "lets a corner sink by" in (why_no_clump(asked(flat, 1e5)) or "")
+    assert Term.ROTATION in flat.terms()
+    assert why_no_clump(asked(flat)) is None

@@ -1,0 +1,1 @@
+"""What tests share that is no scene: asks, made-up records, a tiny project."""

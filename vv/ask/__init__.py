@@ -1,0 +1,28 @@
+"""What a case asks of a code, and what comes back.
+
+May import: base, scene.
+"""
+
+from vv.ask.ask import Ask
+from vv.ask.goals import Bracket, History, Knobs
+from vv.ask.observables import Displacement, Observable, Reaction, Strain, Velocity
+from vv.ask.run import Cost, Ledger, Model, Run
+from vv.ask.status import Method, Status
+
+__all__ = [
+    "Ask",
+    "Bracket",
+    "Cost",
+    "Displacement",
+    "History",
+    "Knobs",
+    "Ledger",
+    "Method",
+    "Model",
+    "Observable",
+    "Reaction",
+    "Run",
+    "Status",
+    "Strain",
+    "Velocity",
+]

@@ -1,0 +1,96 @@
+"""How long a run lasts, at which numerical settings, and where a largest step is searched."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from vv.scene import Vector
+
+
+@dataclass(frozen=True)
+class History:
+    """Goal: observables over `duration` [s], about every `interval` [s].
+
+    Raises ValueError unless 0 < interval <= duration.
+    """
+
+    duration: float
+    interval: float
+
+    def __post_init__(self) -> None:
+        if not (np.isfinite(self.duration) and 0 < self.interval <= self.duration):
+            raise ValueError(
+                f"History.duration = {self.duration!r} s, interval = {self.interval!r} s; "
+                "0 < interval <= duration must hold"
+            )
+
+    def stride(self, dt: float) -> int:
+        """How many steps of dt [s] lie between two outputs."""
+        return max(1, round(self.interval / dt))
+
+    def steps(self, dt: float) -> int:
+        """How many steps are taken: the last output is the last one within the duration."""
+        stride = self.stride(dt)
+        return int((self.duration / dt) * (1 + 1e-12) + 1e-9) // stride * stride
+
+    def times(self, dt: float | None) -> Vector:
+        """Output times [s], from 0, at whole steps; dt None gives the plain grid."""
+        if dt is None:
+            outputs = int(self.duration / self.interval * (1 + 1e-12))
+            return np.asarray(self.interval * np.arange(outputs + 1), float)
+        return np.asarray(dt * np.arange(0, self.steps(dt) + 1, self.stride(dt)), float)
+
+
+@dataclass(frozen=True)
+class Knobs:
+    """Numerical settings of a run: dt [s]; kn [N/m] where the scene's contact is rigid.
+
+    None means that the scheme has no such knob. Raises ValueError unless positive.
+    """
+
+    dt: float | None = None
+    kn: float | None = None
+
+    def __post_init__(self) -> None:
+        for name, unit in (("dt", "s"), ("kn", "N/m")):
+            value = getattr(self, name)
+            if value is not None and not (np.isfinite(value) and value > 0):
+                raise ValueError(f"{name} = {value!r} {unit}; a knob must be positive and finite")
+
+
+@dataclass(frozen=True)
+class Bracket:
+    """Where to search for the largest stable step: from Knobs.dt to `span` times as much.
+
+    A step is stable if the run comes to its end and no component of an observable exceeds
+    `bound`, in the observable's unit. `tries` steps at once are spread over the bracket, and then
+    over the gap between the last stable and the first unstable one, `rounds` times in all.
+    Raises ValueError.
+    """
+
+    span: float
+    bound: float
+    tries: int = 10
+    rounds: int = 3
+
+    def __post_init__(self) -> None:
+        if not (np.isfinite(self.span) and self.span > 1):
+            raise ValueError(f"Bracket.span = {self.span!r}; a bracket must span more than 1")
+        if not (np.isfinite(self.bound) and self.bound > 0):
+            raise ValueError(f"Bracket.bound = {self.bound!r}; a bound must be positive and finite")
+        if self.tries < 2 or self.rounds < 1:
+            raise ValueError(
+                f"Bracket.tries = {self.tries}, rounds = {self.rounds}; at least 2 and 1 are needed"
+            )
+
+    def limits(self, tried: Vector) -> tuple[float, float | None]:
+        """The last step [s] below all unstable ones, 0 for none, and the least unstable one.
+
+        tried: as in a Run.
+        """
+        lost = np.flatnonzero(~(tried[:, 1] <= self.bound))
+        first = int(lost[0]) if len(lost) else len(tried)
+        stable = float(tried[first - 1, 0]) if first else 0.0
+        return stable, float(tried[first, 0]) if len(lost) else None

@@ -1,0 +1,39 @@
+"""What may be observed of a body over time."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class Displacement:
+    """Observable: the displacement of a body's centre since t = 0, (3,) per time [m]."""
+
+    body: int
+
+
+@dataclass(frozen=True)
+class Velocity:
+    """Observable: the velocity of a body's centre, (3,) per time [m/s]."""
+
+    body: int
+
+
+@dataclass(frozen=True)
+class Reaction:
+    """Observable: the force on a body by what locks its translation, (3,) per time [N]."""
+
+    body: int
+
+
+@dataclass(frozen=True)
+class Strain:
+    """Observable: the normal strains of a block along the scene's axes, (3,) per time.
+
+    They turn with the block, as its stress does, where a scheme does not say otherwise.
+    """
+
+    body: int
+
+
+Observable = Displacement | Velocity | Reaction | Strain

@@ -1,0 +1,29 @@
+"""What became of a job, and to which class a method belongs."""
+
+from __future__ import annotations
+
+import enum
+
+
+class Status(enum.Enum):
+    """What happened to a job; the value is the phrase shown to people."""
+
+    RAN = "ran"
+    REFUSED = "refused"
+    NOT_INSTALLED = "not installed"
+    ERROR = "error"
+    TIMEOUT = "timeout"
+    DIVERGED = "diverged"
+    NOT_RUN = "not run"
+    TOO_LONG = "too long"
+
+
+class Method(enum.Enum):
+    """The class of a method: it decides which tolerance of a quantity applies."""
+
+    EXACT = "exact to rounding"
+    LINEARISED = "exact to first order in the displacements"
+    SECOND_ORDER = "second order in dt"
+    FIRST_ORDER = "first order in dt"
+    PENALTY = "penalty contact"
+    LAGGING = "penalty contact whose friction lags behind the load"

@@ -1,1 +1,0 @@
-"""Convex blocks with friction: one geometry and contact detection, and the modes that use it."""

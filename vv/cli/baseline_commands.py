@@ -1,0 +1,138 @@
+"""The commands that write down results, to judge by or to show: `vv accept`, `vv record`."""
+
+from __future__ import annotations
+
+import contextlib
+import functools
+from pathlib import Path
+from typing import Annotated, Any
+
+import typer
+
+from vv.base.errors import UsageError
+from vv.base.files import write
+from vv.case import Level
+from vv.cli import options
+from vv.cli.invocation import LATER, carried_out, tell
+from vv.output import terminal
+from vv.plan.plan import EmptyPlanError, Options, Plan, joined, restricted
+from vv.plan.project import Project, find
+from vv.store.store import Store
+
+Reason = Annotated[
+    str, typer.Option("--reason", metavar="TEXT", help="Why these results are right.")
+]
+
+
+def accept(
+    case: Annotated[str, typer.Argument(metavar="CASE", help="The case whose results to accept.")],
+    reason: Reason = "",
+    timing: Annotated[
+        bool, typer.Option("--timing", help="Time anew and accept the ratios too.")
+    ] = False,
+    dry_run: Annotated[bool, typer.Option("--dry-run", help="Only show the difference.")] = False,
+) -> None:
+    """Show what moved since a case's baseline, and make the present results the new one."""
+    from vv.gate import acceptance, baseline
+    from vv.gate.all_checks import baselines_of
+    from vv.run.session import Limits, Timing
+
+    project = find()
+    _writable(project)
+    plan = _both_levels(project, case, "*")
+    if not (reason.strip() or dry_run):
+        raise UsageError('--reason is missing; say why the results are right: --reason "..."')
+    when = Timing.NEW if timing else Timing.NONE
+    manifest = carried_out(project, plan, Limits(options.workers(0), options.TIMEOUT, timing=when))
+    tell(project, manifest, None, LATER)
+    terminal.print_difference(manifest, case)
+    refused = [r for r in manifest["records"] if not acceptance.acceptable(r)]
+    terminal.print_unacceptable(refused)
+    if dry_run:
+        return
+    folder = baselines_of(project)
+    external = {code for code, told in manifest["codes"].items() if told["files"]}
+    document = acceptance.accepted(
+        case,
+        baseline.read(folder, case),
+        manifest["records"],
+        {"reason": reason.strip(), **_circumstances(manifest)},
+        external,
+    )
+    path = folder / f"{case}.json"
+    write(path, baseline.render(document).encode())
+    terminal.say(f"{len(document['results'])} results in {path}")
+
+
+def record(
+    selection: options.Selection = None,
+    codes: Annotated[
+        str, typer.Option("--codes", metavar="CODES", help="External codes; all if not given.")
+    ] = "*",
+) -> None:
+    """Write down results of external codes, to be shown where these are not installed."""
+    from vv.gate import recorded
+    from vv.gate.all_checks import recorded_of
+    from vv.run.session import Limits
+
+    project = find()
+    _writable(project)
+    for part, mark in (*((s, ":") for s in selection or ()), (codes, "/")):
+        if mark in part:
+            raise UsageError(f"record writes whole cases of whole codes, not '{part}'")
+    plan = _both_levels(project, selection, codes)
+    external = {code for code, found in plan.found.items() if found.files}
+    plan = restricted(plan, lambda job: job.code in external)
+    if not plan.jobs:
+        raise UsageError(f"'{codes}' names no external code that is installed here")
+    manifest = carried_out(project, plan, Limits(options.workers(0), options.TIMEOUT))
+    tell(project, manifest, None, LATER)
+    told = _circumstances(manifest)
+    circumstances = {
+        code: {
+            **{name: told[name] for name in ("utc", "commit", "dirty", "machine")},
+            "version": manifest["codes"][code]["version"],
+            "executables": {
+                Path(path).name: digest for path, digest in manifest["codes"][code]["files"].items()
+            },
+        }
+        for code in external & set(manifest["codes"])
+    }
+    series = Store(project.data()).series
+    for path in recorded.keep(recorded_of(project), manifest["records"], series, circumstances):
+        terminal.say(str(path))
+
+
+def _both_levels(project: Project, selection: list[str] | str | None, codes: str) -> Plan:
+    """What the levels quick and default run, each job once."""
+    names = [selection] if isinstance(selection, str) else selection or []
+    levels = (Level.QUICK, Level.DEFAULT)
+    if isinstance(selection, str) and selection not in project.case_names():
+        raise UsageError(f"accept takes the name of one case, not '{selection}'")
+    plans = []
+    for level in levels:
+        with contextlib.suppress(EmptyPlanError):  # they may all begin at a higher one
+            plans.append(options.plan_of(project, names, Options(level, options.codes(codes))))
+    if not plans:
+        raise UsageError(f"nothing of {', '.join(names)} runs at level {levels[-1].value}")
+    return functools.reduce(joined, plans)
+
+
+def _writable(project: Project) -> None:
+    if project.bundled:
+        raise UsageError("the cases that came with vv stay as they are; copy them to a project")
+
+
+def _circumstances(manifest: dict[str, Any]) -> dict[str, Any]:
+    """What a baseline says of where its results come from."""
+    told = manifest["provenance"]
+    versions = {**told["versions"]}
+    versions |= {code: found["version"] for code, found in manifest["codes"].items()}
+    machine = {name: told["machine"][name] for name in ("processor", "system")}
+    return {
+        "utc": told["utc"],
+        "commit": told["commit"],
+        "dirty": told["dirty"],
+        "machine": machine,
+        "versions": {name: version for name, version in versions.items() if version},
+    }

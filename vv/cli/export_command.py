@@ -1,0 +1,42 @@
+"""The command that hands input to others: `vv export`."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from vv.ask import Status
+from vv.base.errors import UsageError
+from vv.base.files import deliver
+from vv.cli import options
+from vv.output.terminal import note
+from vv.plan.plan import Options, make_plan
+from vv.plan.project import find
+from vv.plan.selection import choose_schemes, named_adapters, select
+
+
+def export(
+    selection: Annotated[str, typer.Argument(metavar="CASE:VARIANT")],
+    code: Annotated[str, typer.Option("--code", metavar="CODE[/SCHEME]")],
+    rungs: options.Rungs = None,
+    settings: options.Sets = None,
+    output: Annotated[
+        Path | None, typer.Option("--output", help="The file; else standard output.")
+    ] = None,
+) -> None:
+    """Write the native script or deck of one variant for one code; it runs alone."""
+    project = find()
+    chosen = select(project, [selection])
+    if len(rungs or ()) > 1:
+        raise UsageError(f"export takes one --rung, not {len(rungs or ())}")
+    if len(chosen) != 1:
+        raise UsageError(f"'{selection}' names {len(chosen)} variants; export takes one")
+    asked = Options(codes=(code,), settings=tuple(settings or ()), rungs=options.knobs(rungs))
+    job = make_plan(project, [selection], asked).jobs[-1 if not rungs else 0]
+    if job.settled is not None and job.settled.status is Status.REFUSED:
+        raise UsageError(f"{code} refuses {selection}: {job.settled.reason}")
+    adapter, scheme = choose_schemes(named_adapters(project, [code]), [code])[0]
+    deliver(output or Path("-"), adapter.native(job.ask, scheme.name).encode())
+    note(f"written: {job.label}")

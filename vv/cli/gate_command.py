@@ -1,0 +1,94 @@
+"""The command that judges: `vv gate`."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+from typing import Annotated, Any
+
+import typer
+
+from vv.base.errors import UsageError
+from vv.case import Level
+from vv.cli import options
+from vv.cli.invocation import LATER, answered, tell
+from vv.gate.judgement import judgement
+from vv.output import terminal
+from vv.plan.plan import Options, Plan
+from vv.plan.project import Project, find
+from vv.records.finding import Finding, bits
+
+
+def gate(
+    selection: options.Selection = None,
+    codes: options.Codes = "*",
+    require: options.Required = "",
+    level: options.Levels = Level.QUICK,
+    against: Annotated[
+        Path | None,
+        typer.Option(
+            metavar="DIR",
+            help="Baselines that every result must be in; if not given, those of the project, "
+            "where a result without one is only noted.",
+        ),
+    ] = None,
+    timing: Annotated[
+        bool, typer.Option("--timing", help="Time anew and enforce speed too.")
+    ] = False,
+    fresh: options.Fresh = False,
+    jobs: options.Jobs = 0,
+    timeout: options.Timeout = options.TIMEOUT,
+    junit: Annotated[Path | None, typer.Option(metavar="FILE", help="Write JUnit XML.")] = None,
+    markdown: Annotated[
+        Path | None, typer.Option(metavar="FILE", help="Write a summary for a pull request.")
+    ] = None,
+    json_file: options.JsonFile = None,
+) -> None:
+    """Run what is not stored and judge it: every exit bit counts. `vv report` shows it all."""
+    from vv.run.session import Limits, Timing
+
+    project = find()
+    if against is not None and not against.is_dir():
+        raise UsageError(f"--against {against}: there is no such folder")
+    required = options.split(require)
+    options.known(project, required)
+    chosen = Options(level, options.codes(codes))
+
+    def plan() -> Plan:
+        return options.plan_of(project, selection or [], chosen)
+
+    when = Timing.NEW if timing else Timing.LAST
+    limits = Limits(options.workers(jobs), options.positive(timeout), fresh, when, against)
+    asked = "gate", tuple(selection or ()), chosen
+    manifest = answered(project, asked, plan, limits)
+    tell(project, manifest, json_file, LATER)
+    findings = judgement(manifest, required)
+    _write_outputs(project, manifest, findings, junit, markdown)
+    terminal.print_findings(findings)
+    raise typer.Exit(bits(findings))
+
+
+def _write_outputs(
+    project: Project,
+    manifest: dict[str, Any],
+    findings: list[Finding],
+    junit: Path | None,
+    markdown: Path | None,
+) -> None:
+    if junit:
+        from vv.output.junit import write_junit
+
+        write_junit(junit, manifest, findings)
+    if markdown:
+        from vv.output.markdown import write_markdown
+
+        write_markdown(markdown, manifest, findings)
+    if os.environ.get("GITHUB_ACTIONS") == "true":
+        from vv.output.markdown import workflow_commands
+
+        files = {
+            case: project.case_file(case).relative_to(project.root).as_posix()
+            for case in manifest["cases"]
+        }
+        for line in workflow_commands(findings, files):
+            terminal.say(line)

@@ -1,0 +1,38 @@
+"""How a code is asked: what an adapter must offer, and help to write one.
+
+May import: base, scene, ask, engines.kernels.
+"""
+
+from vv.codes.adapter import (
+    Adapter,
+    Found,
+    Scheme,
+    behind_wall,
+    no_drag,
+    no_sphere,
+    no_steps,
+    settled,
+    turned_spin_lock,
+    unseen,
+    unsupported,
+)
+from vv.codes.script import python_script, source
+from vv.codes.timing import run_timed, timed
+
+__all__ = [
+    "Adapter",
+    "Found",
+    "Scheme",
+    "behind_wall",
+    "no_drag",
+    "no_sphere",
+    "no_steps",
+    "python_script",
+    "run_timed",
+    "settled",
+    "source",
+    "timed",
+    "turned_spin_lock",
+    "unseen",
+    "unsupported",
+]

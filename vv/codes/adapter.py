@@ -1,0 +1,170 @@
+"""What a code must offer to be asked: schemes, refusals, a description, native input, runs."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Protocol
+
+import numpy as np
+
+from vv.ask import Ask, Displacement, Method, Model, Run, Status, Velocity
+from vv.scene import Form, Scene, Term
+
+
+@dataclass(frozen=True)
+class Scheme:
+    """One way in which a code solves scenes.
+
+    knobs: names of the fields of Knobs it has. terms: what it supports. method: its class;
+    `lowered` names the terms in whose presence it is declared to be of another class.
+    observables: the kinds it can report; energies: the forms it can report over time. why_not: in
+    the code's own words, why it lacks a term; raises ValueError for one that it has. pace: CPU
+    seconds that a step takes, and besides for each body, about; nil where nothing is left out.
+    """
+
+    name: str
+    summary: str
+    method: Method
+    terms: frozenset[Term]
+    knobs: tuple[str, ...] = ("dt",)
+    lowered: Mapping[Term, Method] = field(default_factory=dict)
+    observables: frozenset[type] = frozenset({Displacement, Velocity})
+    energies: frozenset[Form] = frozenset()
+    why_not: Mapping[Term, str] = field(default_factory=dict)
+    pace: tuple[float, float] = (0.0, 0.0)
+
+    def __post_init__(self) -> None:
+        for term in sorted(self.terms & self.why_not.keys(), key=lambda term: term.value):
+            raise ValueError(f"why_not of scheme {self.name!r} has {term}, which its terms have")
+
+    def method_for(self, terms: frozenset[Term]) -> Method:
+        """The class of the method on a scene with these terms."""
+        return next((m for term, m in self.lowered.items() if term in terms), self.method)
+
+
+@dataclass(frozen=True)
+class Found:
+    """Whether a code can run here.
+
+    files: what its results depend on besides our sources. load: brings into memory what every
+    worker of it needs, once, before they are forked.
+    """
+
+    installed: bool
+    version: str = ""
+    path: str = ""
+    how_to_install: str = ""
+    files: tuple[Path, ...] = ()
+    load: Callable[[], None] | None = None
+
+
+class Adapter(Protocol):
+    """A code as the framework sees it. A module in adapters/ ends in ADAPTER = one of these."""
+
+    @property
+    def name(self) -> str:
+        """The code's name in selections, records and labels."""
+
+    @property
+    def schemes(self) -> tuple[Scheme, ...]:
+        """Its schemes; the first is the default."""
+
+    def found(self) -> Found:
+        """Look for the code on this machine; cheap, no imports of heavy libraries."""
+
+    def refuses(self, ask: Ask, scheme: str) -> str | None:
+        """Why an ask whose terms are all supported still cannot be run honestly; else None."""
+
+    def describe(self, ask: Ask, scheme: str) -> Model:
+        """What would be built for an ask: unknowns, terms, and the mapping in words."""
+
+    def native(self, ask: Ask, scheme: str) -> str:
+        """The code's own input for an ask, which runs alone; in-house: a Python script."""
+
+    def run(self, asks: Sequence[Ask], scheme: str, scratch: Path, repeat: float) -> Iterator[Run]:
+        """Yield one Run per ask, in order, each as soon as it is there.
+
+        scratch: an empty folder of its own. repeat: 0 for one solve; else solves are repeated
+        for about that many CPU seconds and the least is reported in Cost. Nothing but the cost of
+        such a run is used: a code whose solves write nothing while they are timed gives no values.
+        """
+
+
+def settled(adapter: Adapter, scheme: Scheme, ask: Ask, found: Found) -> Run | None:
+    """Refused or not installed, if that is known beforehand; refusals come first."""
+    missing = unsupported(scheme, ask.scene.terms())
+    if missing:
+        terms = ", ".join(sorted(_lacked(scheme, term) for term in missing))
+        return Run(Status.REFUSED, f"{adapter.name}/{scheme.name} does not support: {terms}")
+    if hidden := unseen(scheme, ask):
+        return Run(Status.REFUSED, f"{adapter.name}/{scheme.name} does not report: {hidden}")
+    reason = no_steps(ask) or adapter.refuses(ask, scheme.name)
+    if reason is not None:
+        return Run(Status.REFUSED, reason)
+    return None if found.installed else Run(Status.NOT_INSTALLED, found.how_to_install)
+
+
+def _lacked(scheme: Scheme, term: Term) -> str:
+    why = scheme.why_not.get(term)
+    return f"{term.value} ({why})" if why else term.value
+
+
+def no_steps(ask: Ask) -> str | None:
+    """Why steps do not fit an ask: one too long for its duration, or none to search among."""
+    dt = ask.knobs.dt
+    if dt is None and ask.search is not None:
+        return "it has no step, of which the largest stable one is searched"
+    if dt is None or ask.goal.steps(dt) > 0:
+        return None
+    return f"dt = {dt:g} s is longer than the {ask.goal.duration:g} s to be run"
+
+
+def no_drag(scene: Scene) -> str | None:
+    """Why a scheme that differs from a code's default in drag alone is not for a scene."""
+    return None if scene.eta else "nothing drags, so it would repeat what `default` does"
+
+
+def no_sphere(ask: Ask, scene: Scene) -> str | None:
+    """Why a code of spheres cannot report what an ask wants of a scene: a body is none."""
+    try:
+        for seen in ask.observables:
+            scene.sphere_index(seen.body)
+    except ValueError as error:
+        return str(error)
+    return None
+
+
+def behind_wall(scene: Scene) -> str | None:
+    """Why a code whose walls push from a surface cannot have a scene: a centre lies behind one."""
+    for number, wall in enumerate(scene.walls):
+        height = (scene.spheres.position - wall.point) @ wall.normal
+        if height.min() <= 0:
+            return (
+                f"the centre of sphere {int(height.argmin())} lies behind wall {number}; walls "
+                "there push from a surface, not from a half-space"
+            )
+    return None
+
+
+def turned_spin_lock(scene: Scene, what_locks: str) -> str | None:
+    """Why a code that locks rotation about the axes of its own frame cannot have a scene."""
+    masks = [*scene.spheres.free_spin, *(block.free_spin for block in scene.blocks)]
+    partly = any(free.any() and not free.all() for free in masks)
+    if partly and not np.array_equal(scene.axes, np.eye(3)):
+        return f"rotation is locked about some axes of a turned frame; {what_locks}"
+    return None
+
+
+def unsupported(scheme: Scheme, terms: frozenset[Term]) -> frozenset[Term]:
+    """The terms a scene has and a scheme lacks; the framework refuses unless this is empty."""
+    return terms - scheme.terms
+
+
+def unseen(scheme: Scheme, ask: Ask) -> str | None:
+    """What an ask wants to see and a scheme does not report; None if there is nothing."""
+    kinds = {type(what) for what in ask.observables} - scheme.observables
+    forms = [form for form in ask.energies if form not in scheme.energies]
+    energy = [f"energy over time ({'; '.join(form.value for form in forms)})"] if forms else []
+    return ", ".join([*sorted(kind.__name__ for kind in kinds), *energy]) or None

@@ -1,0 +1,69 @@
+"""The kernel that finds which blocks are close: bounding boxes swept along one axis."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from vv.engines.blocks.geometry import Index, Shapes
+from vv.engines.blocks.sorting import ordered
+from vv.engines.kernels.compiled import called
+from vv.scene import Mask, Vector
+
+
+@called
+def bounds(shapes: Shapes, vertex: Vector) -> tuple[Vector, Vector]:
+    """The least and greatest coordinates (n, 3) of each block [m]."""
+    n = len(shapes.size)
+    low, high = np.full((n, 3), np.inf), np.full((n, 3), -np.inf)
+    for i in range(n):
+        for k in range(shapes.vertex_start[i], shapes.vertex_start[i + 1]):
+            for c in range(3):
+                low[i, c] = min(low[i, c], vertex[k, c])
+                high[i, c] = max(high[i, c], vertex[k, c])
+    return low, high
+
+
+@called
+def longer(found: Index) -> Index:
+    """Twice the room, with what is there."""
+    room = np.empty(2 * len(found), np.int64)
+    for k in range(len(found)):
+        room[k] = found[k]
+    return room
+
+
+@called
+def ascending(found: Index, count: int) -> Index:
+    """The first so many, in ascending order."""
+    order, result = ordered(found[:count]), np.empty(count, np.int64)
+    for k in range(count):
+        result[k] = found[order[k]]
+    return result
+
+
+@called
+def close_pairs(shapes: Shapes, vertex: Vector, moves: Mask, margin: float) -> Index:
+    """Pairs a n + b, a < b, of blocks whose boxes are within margin [m]; ascending.
+
+    Pairs of which neither block moves are left out.
+    """
+    n = len(shapes.size)
+    found, count = np.empty(4 * n, np.int64), 0 * n
+    if n < 2:
+        return found[:0]
+    low, high = bounds(shapes, vertex)
+    order = ordered(low[:, 0])
+    for p in range(n):
+        i = order[p]
+        for q in range(p + 1, n):
+            j = order[q]
+            if low[j, 0] > high[i, 0] + margin:
+                break
+            apart = max(low[j, 1] - high[i, 1], low[i, 1] - high[j, 1])
+            apart = max(apart, low[j, 2] - high[i, 2], low[i, 2] - high[j, 2])
+            if apart <= margin and (moves[i] or moves[j]):
+                if count == len(found):
+                    found = longer(found)
+                found[count] = min(i, j) * n + max(i, j)
+                count += 1
+    return ascending(found, count)

@@ -1,0 +1,115 @@
+"""Kernels for where two convex blocks touch: a face clipped by a face, or two crossing edges."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from vv.engines.blocks.geometry import Index, Shapes
+from vv.engines.kernels.compiled import called, inlined
+from vv.engines.kernels.triples import Triple, at, cross, dot, plus, put
+from vv.scene import Vector
+
+ON = 1e-9  # of a block's size: how far outside a side a point still counts as on it
+SLIVER = 1e-8  # of the smaller block's size squared: an area that is rounding
+
+
+@inlined
+def facing(shapes: Shapes, normal: Vector, i: int, n: Triple) -> int:
+    """The face of block i that looks most against n."""
+    best, least = -1, np.inf
+    for f in range(shapes.face_start[i], shapes.face_start[i + 1]):
+        cosine = dot(n, at(normal, f))
+        if cosine < least - 1e-9:
+            best, least = f, cosine
+    return best
+
+
+@called
+def cut(
+    new: Vector, new_label: Index, old: Vector, label: Index, count: int,
+    p: Triple, inward: Triple, slack: float, fresh: int,
+) -> int:  # fmt: skip
+    """Cut a polygon by the half-space (x - p) . inward >= -slack; return how many points are left.
+
+    Points that the cut makes are labelled fresh, where the boundary leaves, and fresh + 1, where
+    it enters (Sutherland and Hodgman 1974).
+    """
+    left = 0
+    for k in range(count):
+        m = k + 1 if k + 1 < count else 0
+        here = dot(plus(at(old, k), -1.0, p), inward)
+        there = dot(plus(at(old, m), -1.0, p), inward)
+        if here >= -slack:
+            put(new, left, at(old, k))
+            new_label[left] = label[k]
+            left += 1
+        if (here >= -slack) != (there >= -slack):
+            part = here / (here - there)
+            step = plus(at(old, m), -1.0, at(old, k))
+            put(new, left, plus(at(old, k), part, step))
+            new_label[left] = fresh if here >= -slack else fresh + 1
+            left += 1
+    return left
+
+
+@inlined
+def area_of(polygon: Vector, count: int, n: Triple) -> float:
+    """The area [m2] of a polygon seen along n."""
+    total = (0.0, 0.0, 0.0)
+    for k in range(1, count - 1):
+        one = plus(at(polygon, k), -1.0, at(polygon, 0))
+        two = plus(at(polygon, k + 1), -1.0, at(polygon, 0))
+        total = plus(total, 0.5, cross(one, two))
+    return abs(dot(total, n))
+
+
+@called
+def face_points(
+    face: int, other: int, shapes: Shapes, vertex: Vector, normal: Vector, size: float
+) -> tuple[int, Vector, Vector, Index, float]:
+    """The part of block `other` that faces a face of another block, as points over that face.
+
+    Returns their number, the points (k, 3), their heights above the face (k,) [m], labels (k,)
+    that name vertices, or corners cut, and the area [m2]. No points if the area is a sliver of a
+    block of this size.
+    """
+    n = at(normal, face)
+    incident = facing(shapes, normal, other, n)
+    first, last = shapes.corner_start[face], shapes.corner_start[face + 1]
+    begin, end = shapes.corner_start[incident], shapes.corner_start[incident + 1]
+    room = 2 * (last - first + end - begin)
+    polygon, next_polygon = np.empty((room, 3)), np.empty((room, 3))
+    label, next_label = np.empty(room, np.int64), np.empty(room, np.int64)
+    count = end - begin
+    for k in range(count):
+        put(polygon, k, at(vertex, shapes.corner[begin + k]))
+        label[k] = shapes.corner[begin + k]
+    for c in range(first, last):
+        p = at(vertex, shapes.corner[c])
+        q = at(vertex, shapes.corner[c + 1 if c + 1 < last else first])
+        side = plus(q, -1.0, p)
+        inward = plus((0.0, 0.0, 0.0), 1.0 / np.sqrt(dot(side, side)), cross(n, side))
+        fresh = len(vertex) + 2 * c
+        count = cut(next_polygon, next_label, polygon, label, count, p, inward, ON * size, fresh)
+        polygon, next_polygon = next_polygon, polygon
+        label, next_label = next_label, label
+    area = area_of(polygon, count, n)
+    height = np.empty(count)
+    origin = at(vertex, shapes.corner[first])
+    for k in range(count):
+        height[k] = dot(n, plus(at(polygon, k), -1.0, origin))
+    return (count if area > SLIVER * size * size else 0), polygon, height, label, area
+
+
+@called
+def crossing(one: int, two: int, shapes: Shapes, vertex: Vector) -> Triple:
+    """The point halfway between two edges where they are closest [m]."""
+    p, q = at(vertex, shapes.edge[one, 0]), at(vertex, shapes.edge[two, 0])
+    u = plus(at(vertex, shapes.edge[one, 1]), -1.0, p)
+    v = plus(at(vertex, shapes.edge[two, 1]), -1.0, q)
+    w = plus(q, -1.0, p)
+    uu, uv, vv = dot(u, u), dot(u, v), dot(v, v)
+    determinant = uu * vv - uv * uv
+    s = min(max((dot(w, u) * vv - dot(w, v) * uv) / determinant, 0.0), 1.0)
+    t = min(max((dot(w, u) * uv - dot(w, v) * uu) / determinant, 0.0), 1.0)
+    return plus(plus((0.0, 0.0, 0.0), 0.5, plus(p, s, u)), 0.5, plus(q, t, v))

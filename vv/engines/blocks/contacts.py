@@ -1,0 +1,224 @@
+"""Contact detection for convex blocks and walls: the one interface to it, for every solver.
+
+Bodies are numbered blocks first: block i is body i, wall w is body n + w. `detect` takes shapes
+(`geometry.py`) that have been placed (`placement.py`) and fills a `Contacts`: pairs
+in ascending order, points of a pair in the order of their features, so that the order of
+contacts depends on nothing but the configuration. A contact is a point with a normal, a gap and a
+key; solvers add their own per-contact arrays and carry them over by key (`matched`).
+
+    contacts = empty_contacts(64)
+    count = detect(contacts, shapes, vertex, normal, moves, planes, shift, depth, margin)
+    while count > len(contacts.gap):        # there was no room for so many: nothing is valid
+        contacts = empty_contacts(2 * count)
+        count = detect(contacts, ...)
+    before = matched(contacts.key, count, old_key[:old_count])    # (count,) old row, -1 if new
+
+All of these are compiled and can be called from kernels; `detect_contacts` is the entry from
+Python. The velocity of `second` relative to `first` at `point` is positive along `normal` where
+the contact opens.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from vv.engines.blocks.broad import close_pairs
+from vv.engines.blocks.clip import area_of, crossing, face_points, facing
+from vv.engines.blocks.geometry import Index, Planes, Shapes
+from vv.engines.blocks.overlap import EDGES, FACE_OF_FIRST, separation
+from vv.engines.blocks.sorting import ordered
+from vv.engines.kernels.compiled import called, compiled, inlined
+from vv.engines.kernels.triples import Triple, at, dot, plus, put
+from vv.scene import Mask, Vector
+
+SAME = 1e-6  # of a block's size: points of a prism no farther apart in its plane are one
+
+
+class Contacts(NamedTuple):
+    """Contacts in rows of arrays that may be longer than their number.
+
+    first, second: bodies; second is a block, first a block before it or a wall; normal: (c, 3)
+    unit, from first to second; point: (c, 3) halfway between the surfaces [m], which are at
+    point -+ gap/2 normal; gap: (c,) [m], negative for penetration; area: (c,) its share of the
+    area in touch [m2], 0 at an edge or a vertex; key: (c,) names bodies and
+    features, and stays while the same features touch.
+    """
+
+    first: Index
+    second: Index
+    point: Vector
+    normal: Vector
+    gap: Vector
+    area: Vector
+    key: Index
+
+
+@called
+def empty_contacts(room: int) -> Contacts:
+    """Room for so many contacts."""
+    return Contacts(
+        np.empty(room, np.int64),
+        np.empty(room, np.int64),
+        np.empty((room, 3)),
+        np.empty((room, 3)),
+        np.empty(room),
+        np.empty(room),
+        np.empty(room, np.int64),
+    )
+
+
+@inlined
+def add(
+    contacts: Contacts, count: int, first: int, second: int,
+    point: Triple, normal: Triple, gap: float, area: float, key: int,
+) -> int:  # fmt: skip
+    """Write a contact if there is room; return the number of contacts there are."""
+    if count < len(contacts.gap):
+        contacts.first[count], contacts.second[count] = first, second
+        put(contacts.point, count, point)
+        put(contacts.normal, count, normal)
+        contacts.gap[count], contacts.area[count], contacts.key[count] = gap, area, key
+    return count + 1
+
+
+@called
+def merge_depth(contacts: Contacts, begin: int, count: int, depth: Vector, near: float) -> int:
+    """Make one contact of those from `begin` on that lie behind one another along the depth."""
+    if count > len(contacts.gap) or depth[0] == depth[1] == depth[2] == 0.0:
+        return count
+    along, kept = (depth[0], depth[1], depth[2]), begin
+    for k in range(begin, count):
+        point, same = at(contacts.point, k), -1
+        for m in range(begin, kept):
+            apart = plus(point, -1.0, at(contacts.point, m))
+            flat = plus(apart, -dot(apart, along), along)
+            if dot(flat, flat) <= near * near:
+                same = m
+        if same < 0:
+            same, kept = kept, kept + 1
+            add(
+                contacts, same, contacts.first[k], contacts.second[k], point,
+                at(contacts.normal, k), contacts.gap[k], contacts.area[k], contacts.key[k],
+            )  # fmt: skip
+        else:
+            contacts.area[same] += contacts.area[k]
+            contacts.key[same] = min(contacts.key[same], contacts.key[k])
+    return kept
+
+
+@called
+def touch_blocks(
+    contacts: Contacts, count: int, a: int, b: int, pair: int,
+    shapes: Shapes, vertex: Vector, normal: Vector, depth: Vector, margin: float,
+) -> int:  # fmt: skip
+    """Add the contacts between blocks a < b whose key is `pair` plus their features'."""
+    kind, one, two, gap, way = separation(a, b, shapes, vertex, normal, depth, margin)
+    if gap > margin:
+        return count
+    labels = len(vertex) + 2 * len(shapes.corner)
+    if kind == EDGES:
+        key = pair + len(normal) * labels + one * len(shapes.edge) + two
+        return add(contacts, count, a, b, crossing(one, two, shapes, vertex), way, gap, 0.0, key)
+    size, begin = min(shapes.size[a], shapes.size[b]), count
+    other, sign = (b, 1.0) if kind == FACE_OF_FIRST else (a, -1.0)
+    points, polygon, height, label, area = face_points(one, other, shapes, vertex, normal, size)
+    n = at(normal, one)
+    for k in range(points):
+        if height[k] <= margin:
+            half = plus(at(polygon, k), -0.5 * height[k], n)
+            way = (sign * n[0], sign * n[1], sign * n[2])
+            key = pair + one * labels + label[k]
+            count = add(contacts, count, a, b, half, way, height[k], area / points, key)
+    return merge_depth(contacts, begin, count, depth, SAME * size)
+
+
+@called
+def touch_wall(
+    contacts: Contacts, count: int, wall: int, block: int, body: int, pair: int,
+    shapes: Shapes, vertex: Vector, normal: Vector,
+    planes: Planes, shift: Vector, depth: Vector, margin: float,
+) -> int:  # fmt: skip
+    """Add the contacts of a block with a wall, which is body `body`, at the block's vertices."""
+    n = at(planes.normal, wall)
+    level = dot(n, plus(at(planes.point, wall), 1.0, at(shift, wall)))
+    begin = count
+    for k in range(shapes.vertex_start[block], shapes.vertex_start[block + 1]):
+        gap = dot(n, at(vertex, k)) - level
+        if gap <= margin:
+            half = plus(at(vertex, k), -0.5 * gap, n)
+            count = add(contacts, count, body, block, half, n, gap, 0.0, pair + k)
+    if count > begin and count <= len(contacts.gap):
+        share_face(contacts, begin, count, pair, shapes, vertex, facing(shapes, normal, block, n))
+    return merge_depth(contacts, begin, count, depth, SAME * shapes.size[block])
+
+
+@called
+def share_face(
+    contacts: Contacts, begin: int, count: int, pair: int,
+    shapes: Shapes, vertex: Vector, face: int,
+) -> None:  # fmt: skip
+    """Share the area of a face, seen along the normal, among the contacts at its vertices."""
+    first, last = shapes.corner_start[face], shapes.corner_start[face + 1]
+    polygon = np.empty((last - first, 3))
+    for c in range(first, last):
+        put(polygon, c - first, at(vertex, shapes.corner[c]))
+    area = area_of(polygon, last - first, at(contacts.normal, begin)) / (last - first)
+    for k in range(begin, count):
+        for c in range(first, last):
+            if contacts.key[k] - pair == shapes.corner[c]:
+                contacts.area[k] = area
+
+
+@called
+def detect(
+    contacts: Contacts, shapes: Shapes, vertex: Vector, normal: Vector, moves: Mask,
+    planes: Planes, shift: Vector, depth: Vector, margin: float,
+) -> int:  # fmt: skip
+    """Fill `contacts` with all points no farther apart than margin [m]; return their number.
+
+    vertex, normal: where the shapes are; moves: (n,) False for blocks that are held, which touch
+    neither each other nor walls; planes, shift: the walls and their displacements (w, 3) [m];
+    depth: see `depth_axis`. A number larger than the room means that nothing is valid.
+    """
+    blocks, walls = len(shapes.size), len(planes.point)
+    labels = len(vertex) + 2 * len(shapes.corner)
+    span = len(normal) * labels + len(shapes.edge) ** 2
+    # a literal would be a type of its own, for which all that takes it is compiled once more
+    along, count = (depth[0], depth[1], depth[2]), 0 * blocks
+    for wall in range(walls):
+        if abs(dot(along, at(planes.normal, wall))) < 0.5:
+            for block in range(blocks):
+                if moves[block]:
+                    pair = ((blocks + wall) * (blocks + walls) + block) * span
+                    count = touch_wall(
+                        contacts, count, wall, block, blocks + wall, pair,
+                        shapes, vertex, normal, planes, shift, depth, margin,
+                    )  # fmt: skip
+    for code in close_pairs(shapes, vertex, moves, margin):
+        a, b = code // blocks, code % blocks
+        pair = (a * (blocks + walls) + b) * span
+        count = touch_blocks(contacts, count, a, b, pair, shapes, vertex, normal, depth, margin)
+    return count
+
+
+@compiled
+def detect_contacts(
+    contacts: Contacts, shapes: Shapes, vertex: Vector, normal: Vector, moves: Mask,
+    planes: Planes, shift: Vector, depth: Vector, margin: float,
+) -> int:  # fmt: skip
+    """`detect`, for calls from Python."""
+    return detect(contacts, shapes, vertex, normal, moves, planes, shift, depth, margin)
+
+
+@called
+def matched(key: Index, count: int, old: Index) -> Index:
+    """For each of the first so many keys the row in `old` that has it, or -1."""
+    now, then = ordered(key[:count]), ordered(old)
+    found, m = np.empty(count, np.int64), 0
+    for k in now:
+        while m < len(old) and old[then[m]] < key[k]:
+            m += 1
+        found[k] = then[m] if m < len(old) and old[then[m]] == key[k] else -1
+    return found

@@ -1,0 +1,116 @@
+"""Flat arrays of convex polyhedra: what contact detection reads, built from the scene's blocks.
+
+The blocks' vertices, faces and edges lie one after the other in flat arrays; numbers of vertices,
+faces and corners run through all blocks. Shapes never change. Where they are is a pair of arrays,
+`vertex` (v, 3) [m] and `normal` (f, 3), in the scene's frame: `placement.py` fills them
+from centroids and rotations of rigid blocks, or finds the normals of vertices that have been
+moved in any other way, as by strains.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+from vv.scene import Block, Scene, Vector, face_normal
+
+Index = npt.NDArray[np.int64]
+IN_PLANE = 1e-6  # sine of the angle by which an axis may miss the plane of a plane scene
+
+
+class Shapes(NamedTuple):
+    """n blocks with v vertices, f faces, c corners of faces, e edges.
+
+    vertex: (v, 3) about the centroid in the starting pose [m]; vertex_start: (n + 1,) block i has
+    vertices vertex_start[i] to vertex_start[i + 1]; normal: (f, 3) outward, starting pose;
+    face_start: (n + 1,); corner: (c,) vertex numbers round each face, counter-clockwise from
+    outside; corner_start: (f + 1,); edge: (e, 4) two vertices and the two faces that meet there,
+    none where these are coplanar; edge_start: (n + 1,); size: (n,) largest extent [m].
+    """
+
+    vertex: Vector
+    vertex_start: Index
+    normal: Vector
+    face_start: Index
+    corner: Index
+    corner_start: Index
+    edge: Index
+    edge_start: Index
+    size: Vector
+
+
+class Planes(NamedTuple):
+    """w walls: point (w, 3) at t = 0 [m], outward normal (w, 3)."""
+
+    point: Vector
+    normal: Vector
+
+
+def shapes(blocks: tuple[Block, ...]) -> Shapes:
+    """The shapes of blocks, in order."""
+    counts = np.array([[len(b.vertices), len(b.faces)] for b in blocks], np.int64)
+    starts = np.concatenate([np.zeros((1, 2), np.int64), counts.cumsum(axis=0)])
+    faces = [
+        tuple(int(first) + vertex for vertex in face)
+        for block, first in zip(blocks, starts[:, 0], strict=False)
+        for face in block.faces
+    ]
+    normals = np.array([face_normal(b.vertices, face) for b in blocks for face in b.faces])
+    edges = _edges(faces, normals, np.repeat(np.arange(len(blocks)), counts[:, 1]))
+    return Shapes(
+        vertex=np.concatenate([block.vertices - block.centroid() for block in blocks]),
+        vertex_start=starts[:, 0].copy(),
+        normal=normals,
+        face_start=starts[:, 1].copy(),
+        corner=np.array([vertex for face in faces for vertex in face], np.int64),
+        corner_start=np.cumsum([0, *map(len, faces)]).astype(np.int64),
+        edge=edges[0],
+        edge_start=np.searchsorted(edges[1], np.arange(len(blocks) + 1)).astype(np.int64),
+        size=np.array([np.ptp(block.vertices, axis=0).max() for block in blocks]),
+    )
+
+
+def planes(scene: Scene) -> Planes:
+    """The walls of a scene, in order."""
+    walls = scene.walls
+    points = np.array([wall.point for wall in walls]).reshape(-1, 3)
+    return Planes(points, np.array([wall.normal for wall in walls]).reshape(-1, 3))
+
+
+def depth_axis(scene: Scene) -> Vector:
+    """The unit vector (3,) across the plane of a plane scene; zeros for a scene in space.
+
+    A scene is plane if no block moves along one of its axes or turns about the others, and every
+    block is a prism along that axis.
+    """
+    for axis, direction in enumerate(scene.axes):
+        others = [other for other in range(3) if other != axis]
+        held = all(not b.free[axis] and not b.free_spin[others].any() for b in scene.blocks)
+        if held and all(_is_prism(block, direction) for block in scene.blocks):
+            return np.array(direction)
+    return np.zeros(3)
+
+
+def _is_prism(block: Block, direction: Vector) -> bool:
+    normals = np.array([face_normal(block.vertices, face) for face in block.faces])
+    across = np.abs(normals @ direction)
+    return bool(((across < IN_PLANE) | (across > 1 - IN_PLANE)).all())
+
+
+def _edges(
+    faces: list[tuple[int, ...]], normals: Vector, owner: npt.NDArray[np.int64]
+) -> tuple[Index, Index]:
+    """Edges (e, 4) of two vertices and two faces, and the block (e,) of each."""
+    sides: dict[tuple[int, int], int] = {}
+    found = []
+    for number, face in enumerate(faces):
+        for a, b in zip(face, (*face[1:], face[0]), strict=True):
+            sides[a, b] = number
+    for (a, b), one in sides.items():
+        other = sides[b, a]
+        if a < b and normals[one] @ normals[other] < 1 - 1e-12:
+            found.append((int(owner[one]), a, b, one, other))
+    table = np.array(sorted(found), np.int64).reshape(-1, 5)
+    return table[:, 1:].copy(), table[:, 0].copy()

@@ -1,0 +1,27 @@
+"""Kernels that sort: numpy's take seconds to compile, and are no faster for so few."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from vv.engines.blocks.geometry import Index
+from vv.engines.kernels.compiled import called
+from vv.scene import Vector
+
+
+@called
+def ordered(key: Vector | Index) -> Index:
+    """The order (n,) in which keys (n,) ascend, equal ones as they come: a merge sort."""
+    n, run = len(key), 1
+    order, spare = np.arange(n), np.empty(n, np.int64)
+    while run < n:
+        for low in range(0, n, 2 * run):
+            middle, high = min(low + run, n), min(low + 2 * run, n)
+            i, j = low, middle
+            for k in range(low, high):
+                if i < middle and (j >= high or key[order[i]] <= key[order[j]]):
+                    spare[k], i = order[i], i + 1
+                else:
+                    spare[k], j = order[j], j + 1
+        order, spare, run = spare, order, 2 * run
+    return order

@@ -1,0 +1,38 @@
+"""DDA: blocks on penalty springs, solved implicitly with open-close iterations.
+
+May import: base, scene, ask, standins, engines.kernels, engines.blocks.
+"""
+
+from vv.ask import Ask, Run
+from vv.engines.dda.formulation import DEFAULT, LAGGED, PUBLISHED, Formulation
+from vv.engines.dda.refusals import refuses
+from vv.engines.dda.solve import Program, prepare, solve
+
+__all__ = [
+    "DEFAULT",
+    "LAGGED",
+    "PUBLISHED",
+    "Formulation",
+    "Program",
+    "prepare",
+    "refuses",
+    "solve",
+    "solve_default",
+    "solve_lagged",
+    "solve_published",
+]
+
+
+def solve_default(ask: Ask) -> Run:
+    """Solve an ask with friction iterated to convergence; cost is left empty."""
+    return solve(ask, DEFAULT)
+
+
+def solve_published(ask: Ask) -> Run:
+    """Solve an ask by the published formulation, faults included; cost is left empty."""
+    return solve(ask, PUBLISHED)
+
+
+def solve_lagged(ask: Ask) -> Run:
+    """Solve an ask with friction that lags by an iteration; cost is left empty."""
+    return solve(ask, LAGGED)

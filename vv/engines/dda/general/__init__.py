@@ -1,0 +1,1 @@
+"""The general model: blocks that move, turn and strain, with all the unknowns they have."""

@@ -1,0 +1,88 @@
+"""Kernels that put inertia, strains and springs together into the equations of one step."""
+
+from __future__ import annotations
+
+from vv.engines.blocks.geometry import Index
+from vv.engines.dda.general.bodies import Bodies
+from vv.engines.dda.general.contact import Touch
+from vv.engines.dda.law import OPEN, SLIDE, STICK
+from vv.engines.kernels.compiled import called
+from vv.engines.kernels.triples import NOWHERE, Triple, at, dot, plus
+from vv.scene import Vector
+
+
+@called
+def profile(first: Index, bodies: Bodies, touch: Touch) -> None:
+    """Fill first (q,): the first column of each row of the matrix that can differ from zero."""
+    for i in range(len(bodies.mass)):
+        for a in range(bodies.start[i], bodies.start[i + 1]):
+            first[a] = bodies.start[i]
+    for k in range(len(touch.key)):
+        least = len(first)
+        for m in range(touch.columns[k]):
+            least = min(least, touch.column[k, m])
+        for m in range(touch.columns[k]):
+            a = touch.column[k, m]
+            first[a] = min(first[a], least)
+
+
+@called
+def stiffness(
+    matrix: Vector, first: Index, mass: Vector, bodies: Bodies, touch: Touch, state: Index,
+    step: float, kn: float, ks: float, elastic: Vector,
+) -> None:  # fmt: skip
+    """Fill the lower half of matrix (q, q): (2/D^2) M + strains + springs of closed contacts."""
+    scale = 2.0 / (step * step)
+    for a in range(len(first)):
+        for b in range(first[a], a + 1):
+            matrix[a, b] = 0.0
+    for i in range(len(bodies.mass)):
+        begin = bodies.start[i]
+        for a in range(begin, bodies.start[i + 1]):
+            for b in range(begin, a + 1):
+                matrix[a, b] = scale * mass[a, b - begin] + elastic[a, b - begin]
+    for k in range(len(touch.key)):
+        if state[k] != OPEN:
+            n = at(touch.normal, k)
+            shear = ks if state[k] == STICK else 0.0
+            for m in range(touch.columns[k]):
+                one = at(touch.field[k], m)
+                along = dot(one, n)
+                for j in range(touch.columns[k]):
+                    a, b = touch.column[k, m], touch.column[k, j]
+                    if b <= a:
+                        two = at(touch.field[k], j)
+                        part = (kn - shear) * along * dot(two, n)
+                        matrix[a, b] += part + shear * dot(one, two)
+
+
+@called
+def pushed(outer: Vector, bodies: Bodies, shake: Triple) -> None:
+    """Fill outer (q,) with weight, dead loads and a body acceleration [m/s2]."""
+    for i in range(len(bodies.mass)):
+        load = plus(at(bodies.weight, i), 1.0, at(bodies.load, i))
+        load = plus(load, bodies.mass[i], shake)
+        for a in range(bodies.start[i], bodies.start[i + 1]):
+            outer[a] = dot(at(bodies.line, a), load)
+
+
+@called
+def contact_pull(
+    k: int, touch: Touch, state: int, force: float, way: Triple, moved: Triple,
+    kn: float, ks: float, mu: float,
+) -> Triple:  # fmt: skip
+    """The force of contact k on its second body [N] if no unknown changed.
+
+    moved: how far the wall went; state, force, way: what is assumed.
+    """
+    pull = NOWHERE
+    if state != OPEN:
+        n = at(touch.normal, k)
+        closing = dot(n, moved)
+        pull = plus(pull, -kn * (touch.gap[k] - closing), n)
+        if state == STICK:
+            stretch = plus(at(touch.spring, k), -1.0, plus(moved, -closing, n))
+            pull = plus(pull, -ks, stretch)
+        if state == SLIDE:
+            pull = plus(pull, -mu * force, way)
+    return pull

@@ -1,0 +1,166 @@
+"""The unknowns of DDA as columns of a displacement field, and kernels that move blocks by them.
+
+Every block moves by u(x) = sum over its unknowns of d_a (line_a + slope_a (x - c)): translations,
+rotations and, if it is elastic, strains (Yagoda-Biran 2016, Eqs. 2-4, in space).
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from vv.engines.blocks.geometry import Index, Shapes
+from vv.engines.blocks.placement import find_normals
+from vv.engines.dda.general.matrices import exponential, mapped, product, reshaped
+from vv.engines.kernels.compiled import called
+from vv.engines.kernels.triples import NOWHERE, Triple, at, dot, plus, put
+from vv.scene import Vector
+
+
+class Bodies(NamedTuple):
+    """n blocks with q unknowns, and what never changes of them.
+
+    start: (n + 1,) block i has unknowns start[i] to start[i + 1]; line: (q, 3); slope: (q, 3, 3);
+    strains: (n,) number of the first of its strains, which come last; mass: (n,) [kg]; weight,
+    load: (n, 3) forces [N].
+    """
+
+    start: Index
+    line: Vector
+    slope: Vector
+    strains: Index
+    mass: Vector
+    weight: Vector
+    load: Vector
+
+
+class Motion(NamedTuple):
+    """Where blocks are: what a step changes.
+
+    vertex: (v, 3) [m]; normal: (f, 3); centre: (n, 3) [m]; second: (n, 3, 3) integral of
+    rho r r^T about the centre [kg m2]; velocity: (q,); strain: (q,) sums of all d, of which
+    those of strains count, and turn with their block.
+    """
+
+    vertex: Vector
+    normal: Vector
+    centre: Vector
+    second: Vector
+    velocity: Vector
+    strain: Vector
+
+
+@called
+def copy_rows(to: Vector, source: Vector) -> None:
+    """Make one (k, 3) array equal to another; slices would take seconds to compile."""
+    for k in range(len(to)):
+        put(to, k, at(source, k))
+
+
+@called
+def copied(to: Motion, source: Motion) -> None:
+    """Make one motion equal to another."""
+    copy_rows(to.vertex, source.vertex)
+    copy_rows(to.normal, source.normal)
+    copy_rows(to.centre, source.centre)
+    for i in range(len(to.second)):
+        copy_rows(to.second[i], source.second[i])
+    for a in range(len(to.velocity)):
+        to.velocity[a], to.strain[a] = source.velocity[a], source.strain[a]
+
+
+@called
+def masses(mass: Vector, bodies: Bodies, motion: Motion) -> None:
+    """Fill mass (q, 12): the products of each unknown with those of its body, in order.
+
+    m_ab = m line_a . line_b + tr(slope_a second slope_b^T).
+    """
+    for i in range(len(bodies.mass)):
+        first, second = bodies.start[i], motion.second[i]
+        for a in range(first, bodies.start[i + 1]):
+            for b in range(first, bodies.start[i + 1]):
+                total = bodies.mass[i] * dot(at(bodies.line, a), at(bodies.line, b))
+                mass[a, b - first] = total + product(second, bodies.slope[a], bodies.slope[b])
+
+
+@called
+def applied(result: Vector, matrix: Vector, bodies: Bodies, vector: Vector) -> float:
+    """Fill result (q,) with a matrix (q, 12) of blocks times vector (q,); return vector . it."""
+    whole = 0.0
+    for i in range(len(bodies.mass)):
+        first = bodies.start[i]
+        for a in range(first, bodies.start[i + 1]):
+            total = 0.0
+            for b in range(first, bodies.start[i + 1]):
+                total += matrix[a, b - first] * vector[b]
+            result[a] = total
+            whole += vector[a] * total
+    return whole
+
+
+@called
+def travelled(bodies: Bodies, i: int, d: Vector) -> Triple:
+    """The displacement of the centre of block i for unknowns d (q,)."""
+    line = NOWHERE
+    for a in range(bodies.start[i], bodies.start[i + 1]):
+        line = plus(line, d[a], at(bodies.line, a))
+    return line
+
+
+@called
+def gradient(out: Vector, bodies: Bodies, first: int, last: int, d: Vector) -> None:
+    """Fill out (3, 3): the gradient that unknowns first to last - 1 of a block have in d (q,)."""
+    for r in range(3):
+        row = NOWHERE
+        for a in range(first, last):
+            row = plus(row, d[a], at(bodies.slope[a], r))
+        put(out, r, row)
+
+
+@called
+def stretched(whole: Vector, bodies: Bodies, i: int, d: Vector, terms: int) -> None:
+    """Fill whole (3, 3): exp of the displacement gradient of block i, to so many terms."""
+    slope = np.empty((3, 3))
+    gradient(slope, bodies, bodies.start[i], bodies.start[i + 1], d)
+    exponential(whole, slope, terms)
+
+
+@called
+def followed(motion: Motion, bodies: Bodies, i: int, d: Vector, terms: int) -> None:
+    """Turn the strains of block i as d (q,) turns it: E becomes R E R^T, R = exp of its spin."""
+    spin, turn, tensor = np.empty((3, 3)), np.empty((3, 3)), np.empty((3, 3))
+    begin, end = bodies.strains[i], bodies.start[i + 1]
+    gradient(spin, bodies, bodies.start[i], begin, d)
+    exponential(turn, spin, terms)
+    gradient(tensor, bodies, begin, end, motion.strain)
+    reshaped(tensor, turn, tensor)
+    for a in range(begin, end):
+        part = size = 0.0
+        for r in range(3):
+            part += dot(at(bodies.slope[a], r), at(tensor, r))
+            size += dot(at(bodies.slope[a], r), at(bodies.slope[a], r))
+        motion.strain[a] = part / size
+
+
+@called
+def displace(
+    motion: Motion, bodies: Bodies, shapes: Shapes, d: Vector, terms: int, follow: int
+) -> None:
+    """Move the blocks by unknowns d (q,); terms: see `stretched`; follow: see Formulation."""
+    whole = np.empty((3, 3))
+    for i in range(len(bodies.mass)):
+        stretched(whole, bodies, i, d, terms)
+        before = at(motion.centre, i)
+        centre = plus(before, 1.0, travelled(bodies, i, d))
+        for k in range(shapes.vertex_start[i], shapes.vertex_start[i + 1]):
+            arm = plus(at(motion.vertex, k), -1.0, before)
+            put(motion.vertex, k, plus(centre, 1.0, mapped(whole, arm)))
+        put(motion.centre, i, centre)
+        reshaped(motion.second[i], whole, motion.second[i])
+    for a in range(len(d)):
+        motion.strain[a] += d[a]
+    for i in range(len(bodies.mass)):
+        if follow > 0 and bodies.strains[i] < bodies.start[i + 1]:
+            followed(motion, bodies, i, d, follow)
+    find_normals(motion.normal, shapes, motion.vertex)

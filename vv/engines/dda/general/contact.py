@@ -1,0 +1,136 @@
+"""What DDA remembers of points of contact, and kernels that find them anew for a step."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from vv.engines.blocks.contacts import Contacts, detect, empty_contacts, matched
+from vv.engines.blocks.geometry import Index, Planes, Shapes
+from vv.engines.dda.general.bodies import Bodies, Motion
+from vv.engines.dda.general.matrices import mapped
+from vv.engines.dda.law import STICK
+from vv.engines.kernels.compiled import called
+from vv.engines.kernels.triples import NOWHERE, Triple, at, dot, plus, put
+from vv.scene import Mask, Vector
+
+MOST = 24  # unknowns that a contact can touch: twelve of either block
+
+
+class Touch(NamedTuple):
+    """c points of contact, in the order in which they are found.
+
+    key: (c,); state: (c,) open, stick or slide; spring: (c, 3) shear stretch [m]; push: (c,)
+    normal force [N]; way: (c, 3) against which friction acts; gap: (c,) [m]; normal: (c, 3);
+    wall: (c,) number of the wall or -1; column: (c, MOST) unknowns; field: (c, MOST, 3) how each
+    moves the second body relative to the first; columns: (c,) how many; first, second: (c,).
+    """
+
+    key: Index
+    state: Index
+    spring: Vector
+    push: Vector
+    way: Vector
+    gap: Vector
+    normal: Vector
+    wall: Index
+    column: Index
+    field: Vector
+    columns: Index
+    first: Index
+    second: Index
+
+
+@called
+def touch_room(count: int) -> Touch:
+    """Room for so many points, none of which has been in touch."""
+    return Touch(
+        np.zeros(count, np.int64), np.zeros(count, np.int64), np.zeros((count, 3)),
+        np.zeros(count), np.zeros((count, 3)), np.zeros(count), np.zeros((count, 3)),
+        np.zeros(count, np.int64), np.zeros((count, MOST), np.int64),
+        np.zeros((count, MOST, 3)), np.zeros(count, np.int64),
+        np.zeros(count, np.int64), np.zeros(count, np.int64),
+    )  # fmt: skip
+
+
+@called
+def closed(touch: Touch, went: Vector, kn: float, ks: float, mu: float, hold: float) -> None:
+    """Let the points that overlap at the start stick, pressed by their springs.
+
+    went: unknowns (q,) by which blocks came here from where they were placed; with hold 1 shear
+    springs are stretched by that as far as friction bears it.
+    """
+    for k in range(len(touch.key)):
+        if touch.gap[k] < 0.0:
+            touch.state[k], touch.push[k] = STICK, -kn * touch.gap[k]
+            spring, n = NOWHERE, at(touch.normal, k)
+            for m in range(touch.columns[k]):
+                spring = plus(spring, went[touch.column[k, m]], at(touch.field[k], m))
+            spring = plus(spring, -dot(spring, n), n)
+            force, limit = ks * np.sqrt(dot(spring, spring)), mu * touch.push[k]
+            part = 1.0 if force <= limit else limit / force
+            put(touch.spring, k, plus(NOWHERE, hold * part, spring))
+
+
+@called
+def add_columns(
+    touch: Touch, k: int, body: int, sign: float, point: Vector, bodies: Bodies, motion: Motion
+) -> None:
+    """Add the unknowns of a body to what point k depends on."""
+    arm = plus(at(point, k), -1.0, at(motion.centre, body))
+    for a in range(bodies.start[body], bodies.start[body + 1]):
+        m = touch.columns[k]
+        touch.column[k, m] = a
+        moved = plus(at(bodies.line, a), 1.0, mapped(bodies.slope[a], arm))
+        put(touch.field[k], m, plus(NOWHERE, sign, moved))
+        touch.columns[k] = m + 1
+
+
+@called
+def laid_down(a: Triple, n: Triple) -> Triple:
+    """A vector turned into the plane across n, its length kept."""
+    flat = plus(a, -dot(a, n), n)
+    before, after = np.sqrt(dot(a, a)), np.sqrt(dot(flat, flat))
+    return plus(NOWHERE, before / after, flat) if after > 0.0 else NOWHERE
+
+
+@called
+def carried_over(touch: Touch, k: int, old: Touch, m: int) -> None:
+    """Give point k what point m of the step before knew; its spring turns into the new plane."""
+    n = at(touch.normal, k)
+    touch.state[k], touch.push[k] = old.state[m], old.push[m]
+    put(touch.spring, k, laid_down(at(old.spring, m), n))
+    put(touch.way, k, laid_down(at(old.way, m), n))
+
+
+@called
+def found(
+    old: Touch, bodies: Bodies, motion: Motion, shapes: Shapes, moves: Mask,
+    planes: Planes, shift: Vector, depth: Vector, reach: float,
+) -> Touch:  # fmt: skip
+    """The points within reach [m], with what `old` knows of those it has."""
+    room = 16 + 2 * len(old.key)
+    contacts: Contacts = empty_contacts(room)
+    count = detect(
+        contacts, shapes, motion.vertex, motion.normal, moves, planes, shift, depth, reach
+    )
+    if count > room:
+        contacts = empty_contacts(count)
+        count = detect(
+            contacts, shapes, motion.vertex, motion.normal, moves, planes, shift, depth, reach
+        )
+    touch, blocks = touch_room(count), len(bodies.mass)
+    before = matched(contacts.key, count, old.key)
+    for k in range(count):
+        first, second = contacts.first[k], contacts.second[k]
+        touch.key[k], touch.gap[k] = contacts.key[k], contacts.gap[k]
+        put(touch.normal, k, at(contacts.normal, k))
+        touch.first[k], touch.second[k] = first, second
+        touch.wall[k] = first - blocks if first >= blocks else -1
+        add_columns(touch, k, second, 1.0, contacts.point, bodies, motion)
+        if first < blocks:
+            add_columns(touch, k, first, -1.0, contacts.point, bodies, motion)
+        if before[k] >= 0:
+            carried_over(touch, k, old, before[k])
+    return touch

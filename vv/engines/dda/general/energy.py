@@ -1,0 +1,119 @@
+"""The energy ledger of a DDA step, as kernels: every term by itself, none as a remainder."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from vv.engines.blocks.geometry import Index
+from vv.engines.dda.general.bodies import Bodies, Motion, applied
+from vv.engines.dda.general.contact import Touch
+from vv.engines.dda.law import OPEN, SLIDE, STICK
+from vv.engines.kernels.compiled import called
+from vv.engines.kernels.triples import NOWHERE, at, dot, plus, put
+from vv.scene import Vector
+
+KINETIC, NORMAL, SHEAR, STRAIN, FRICTION, NUMERICAL, DAMPED = range(7)
+GRAVITY, LOAD, BASE, SHAKING, FOUND, CREATED = range(7, 13)
+TERMS = 13
+RESIDUAL, ITERATIONS, DEEPEST, CUT, FAILED, SOLVED, EXCESS, ADRIFT, PEAK = range(9)
+REPORTS = 9
+
+
+@called
+def held(
+    ledger: Vector, touch: Touch, bodies: Bodies, motion: Motion, mass: Vector,
+    kn: float, ks: float, elastic: Vector,
+) -> None:  # fmt: skip
+    """Set what motion, springs and strains hold now [J]."""
+    flow = np.empty(len(motion.velocity))
+    ledger[KINETIC] = 0.5 * applied(flow, mass, bodies, motion.velocity)
+    ledger[STRAIN] = 0.5 * applied(flow, elastic, bodies, motion.strain)
+    ledger[NORMAL] = ledger[SHEAR] = 0.0
+    for k in range(len(touch.key)):
+        over = max(-touch.gap[k], 0.0)
+        ledger[NORMAL] += 0.5 * kn * over * over
+        ledger[SHEAR] += 0.5 * ks * dot(at(touch.spring, k), at(touch.spring, k))
+
+
+@called
+def close_step(
+    ledger: Vector, worst: Vector, pull: Vector, touch: Touch, used: Index, rub: Vector,
+    relative: Vector, moved: Vector, kn: float, ks: float, mu: float, hold: float,
+) -> None:  # fmt: skip
+    """Add what contacts did in a step; leave springs and gaps (c,) as they are at its end.
+
+    pull: (q,) becomes their generalised forces.
+    With the end force F over a displacement d, as this scheme has it, kinetic energy changes by
+    F d exactly; a spring k gives less than that to motion by k d^2/2, which is numerical loss.
+    """
+    for a in range(len(pull)):
+        pull[a] = 0.0
+    for k in range(len(touch.key)):
+        n = at(touch.normal, k)
+        opened = dot(at(relative, k), n)
+        slip = plus(at(relative, k), -opened, n)
+        before, after = touch.gap[k], touch.gap[k] + opened
+        sprung = 0.5 * kn * (max(-before, 0.0) ** 2 - max(-after, 0.0) ** 2)
+        push = -kn * after if used[k] != OPEN else 0.0
+        left = sprung - push * opened
+        ledger[NUMERICAL] += left
+        ledger[CREATED] += max(0.0, -left)
+        rubs, spring = NOWHERE, at(touch.spring, k)
+        stretch = 0.5 * ks * dot(spring, spring)
+        if used[k] == STICK:
+            spring = plus(spring, 1.0, slip)
+            stretch += ks * dot(spring, slip) - 0.5 * ks * dot(spring, spring)
+            rubs = plus(NOWHERE, -ks, spring)
+        elif used[k] == SLIDE:
+            taken, was = at(rub, k), spring
+            spring = plus(NOWHERE, hold / ks if ks > 0.0 else 0.0, taken)
+            jump = plus(spring, -1.0, was)
+            stretch += hold * dot(taken, jump) - 0.5 * ks * dot(spring, spring)
+            slip = plus(slip, -hold, jump)
+        else:
+            spring = NOWHERE
+        put(touch.spring, k, spring)
+        ledger[NUMERICAL] += stretch
+        if used[k] == SLIDE:
+            taken = at(rub, k)
+            gained = -dot(taken, slip)
+            ledger[FRICTION] -= gained
+            ledger[CREATED] += max(0.0, gained)
+            rubs = plus(NOWHERE, -1.0, taken)
+            if touch.state[k] == SLIDE:
+                off = plus(plus(NOWHERE, mu * touch.push[k], at(touch.way, k)), -1.0, taken)
+                worst[RESIDUAL] = max(worst[RESIDUAL], np.sqrt(dot(off, off)))
+        force = plus(rubs, push, n)
+        for m in range(touch.columns[k]):
+            pull[touch.column[k, m]] += dot(at(touch.field[k], m), force)
+        worst[EXCESS] = max(worst[EXCESS], np.sqrt(dot(rubs, rubs)) - mu * max(push, 0.0))
+        worst[PEAK] = max(worst[PEAK], push)
+        if touch.wall[k] >= 0:
+            ledger[BASE] += dot(force, at(moved, touch.wall[k]))
+        touch.gap[k] = after
+        worst[DEEPEST] = max(worst[DEEPEST], -after)
+
+
+@called
+def audit(
+    worst: Vector, pull: Vector, outer: Vector, d: Vector, step: float,
+    bodies: Bodies, motion: Motion, mass: Vector, elastic: Vector,
+) -> None:  # fmt: skip
+    """Note by how much the momentum of a block changes otherwise than its forces say [N].
+
+    pull, outer: generalised forces (q,) of contacts and of all else at the end of a step [s].
+    """
+    q = len(d)
+    change, strain = np.empty(q), np.empty(q)
+    gain, held_back = np.empty(q), np.empty(q)
+    for a in range(q):
+        change[a] = 2.0 / step * (d[a] / step - motion.velocity[a])
+        strain[a] = motion.strain[a] + d[a]
+    applied(gain, mass, bodies, change)
+    applied(held_back, elastic, bodies, strain)
+    for a in range(q):
+        line = at(bodies.line, a)
+        if dot(line, line) > 0.0:
+            off = gain[a] + held_back[a] - outer[a] - pull[a]
+            worst[ADRIFT] = max(worst[ADRIFT], abs(off))
+            worst[PEAK] = max(worst[PEAK], abs(gain[a]), abs(outer[a]))

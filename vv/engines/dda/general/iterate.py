@@ -1,0 +1,106 @@
+"""The open-close iteration of one step, or of a part of one, as a kernel."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from vv.engines.blocks.geometry import Index
+from vv.engines.dda.general.assemble import contact_pull, profile, stiffness
+from vv.engines.dda.general.bodies import Bodies, Motion, applied
+from vv.engines.dda.general.contact import Touch
+from vv.engines.dda.general.linear import factorise, substitute
+from vv.engines.dda.law import OPEN, SLIDE, respond
+from vv.engines.kernels.compiled import called
+from vv.engines.kernels.triples import NOWHERE, at, dot, plus, put
+from vv.scene import Vector
+
+
+@called
+def lightness(touch: Touch, state: Index, bodies: Bodies, step: float) -> Vector:
+    """Per contact the stiffness [N/m] by which inertia resists slip (c,): 2 m/D^2 per point."""
+    closed = np.zeros(len(bodies.mass))
+    for k in range(len(touch.key)):
+        if state[k] != OPEN:
+            closed[touch.second[k]] += 1.0
+            if touch.wall[k] < 0:
+                closed[touch.first[k]] += 1.0
+    ease = np.zeros(len(touch.key))
+    for k in range(len(touch.key)):
+        two = touch.second[k]
+        compliance = max(closed[two], 1.0) / bodies.mass[two]
+        if touch.wall[k] < 0:
+            one = touch.first[k]
+            compliance += max(closed[one], 1.0) / bodies.mass[one]
+        ease[k] = 2.0 / (step * step * compliance)
+    return ease
+
+
+@called
+def iterate(  # noqa: PLR0912 - a branch per contact state
+    d: Vector, touch: Touch, bodies: Bodies, motion: Motion, mass: Vector, outer: Vector,
+    moved: Vector, step: float, kn: float, ks: float, mu: float,
+    hold: float, tolerance: float, iterations: int, elastic: Vector,
+) -> tuple[bool, int, Index, Vector, Vector]:  # fmt: skip
+    """Solve for the unknowns d (q,) of a step [s] and the states of all contacts.
+
+    outer: (q,) generalised loads at the end; moved: (w, 3) how far walls went [m]. Returns
+    whether nothing changed any more, how many solutions were taken, then per contact what the
+    last of them assumed: states (c,) and friction (c, 3) [N]; and what it gave: relative motion
+    (c, 3) [m]. touch: its states, pushes and ways become the ones that the law now calls for.
+    """
+    q, count = len(d), len(touch.key)
+    first, matrix = np.empty(q, np.int64), np.empty((q, q))
+    right, constant = np.empty(q), np.empty(q)
+    used, rub = np.empty(count, np.int64), np.zeros((count, 3))
+    relative, shut = np.zeros((count, 3)), np.zeros((count, 3))
+    profile(first, bodies, touch)
+    applied(constant, mass, bodies, motion.velocity)
+    applied(right, elastic, bodies, motion.strain)
+    for a in range(q):
+        constant[a] = outer[a] + 2.0 / step * constant[a] - right[a]
+    for k in range(count):
+        if touch.wall[k] >= 0:
+            put(shut, k, at(moved, touch.wall[k]))
+    fresh, ended, solved = True, False, 0
+    while not ended and solved < iterations:
+        for k in range(count):
+            used[k] = touch.state[k]
+        if fresh:
+            stiffness(matrix, first, mass, bodies, touch, used, step, kn, ks, elastic)
+            factorise(matrix, first)
+        for a in range(q):
+            right[a] = constant[a]
+        for k in range(count):
+            pull = contact_pull(
+                k, touch, used[k], touch.push[k], at(touch.way, k), at(shut, k), kn, ks, mu
+            )
+            for m in range(touch.columns[k]):
+                right[touch.column[k, m]] += dot(at(touch.field[k], m), pull)
+        substitute(matrix, first, right, d)
+        solved += 1
+        fresh, ended = False, True
+        ease = lightness(touch, used, bodies, step)
+        for k in range(count):
+            n = at(touch.normal, k)
+            moves = plus(NOWHERE, -1.0, at(shut, k))
+            for m in range(touch.columns[k]):
+                moves = plus(moves, d[touch.column[k, m]], at(touch.field[k], m))
+            opened = dot(moves, n)
+            slip, taken = plus(moves, -opened, n), NOWHERE
+            if used[k] == SLIDE:
+                taken = plus(NOWHERE, mu * touch.push[k], at(touch.way, k))
+            put(relative, k, moves)
+            put(rub, k, taken)
+            now, push, way = respond(
+                used[k], touch.gap[k] + opened, slip, at(touch.spring, k), at(touch.way, k),
+                kn, ks, mu, hold, ease[k],
+            )  # fmt: skip
+            touch.state[k], touch.push[k] = now, push
+            put(touch.way, k, way)
+            if now != used[k]:
+                fresh, ended = True, False
+            elif now == SLIDE:
+                off = plus(plus(NOWHERE, mu * push, way), -1.0, taken)
+                if np.sqrt(dot(off, off)) > tolerance * mu * push:
+                    ended = False
+    return ended, solved, used, rub, relative

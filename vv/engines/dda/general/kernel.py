@@ -1,0 +1,198 @@
+"""The compiled kernel of DDA for any number of blocks and walls."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from vv.engines.blocks.geometry import Index, Planes, Shapes
+from vv.engines.dda.general.assemble import pushed
+from vv.engines.dda.general.bodies import (
+    Bodies,
+    Motion,
+    applied,
+    copied,
+    copy_rows,
+    displace,
+    masses,
+    travelled,
+)
+from vv.engines.dda.general.contact import Touch, closed, found, touch_room
+from vv.engines.dda.general.energy import (
+    BASE,
+    CREATED,
+    CUT,
+    DAMPED,
+    FAILED,
+    FOUND,
+    GRAVITY,
+    ITERATIONS,
+    KINETIC,
+    LOAD,
+    NORMAL,
+    NUMERICAL,
+    REPORTS,
+    SHAKING,
+    SHEAR,
+    SOLVED,
+    STRAIN,
+    TERMS,
+    audit,
+    close_step,
+    held,
+)  # fmt: skip
+from vv.engines.dda.general.iterate import iterate
+from vv.engines.dda.general.rows import lost, note
+from vv.engines.dda.general.turning import convected
+from vv.engines.dda.limits import CUTS, GAIN
+from vv.engines.kernels.compiled import called, compiled
+from vv.engines.kernels.drive import Drive, Starts, one_of, travel, value
+from vv.engines.kernels.triples import NOWHERE, at, dot, plus, put
+from vv.scene import Mask, Vector
+
+
+@called
+def shifted(
+    ahead: Vector, moved: Vector, shift: Vector, base: Drive, starts: Starts, time: float
+) -> None:
+    """Fill ahead (w, 3): how far walls have gone by a time [s], and moved: from shift to there."""
+    for wall in range(len(shift)):
+        put(ahead, wall, travel(one_of(base, starts, wall), time))
+        put(moved, wall, plus(at(ahead, wall), -1.0, at(shift, wall)))
+
+
+@called
+def forget(touch: Touch, state: Index, push: Vector, way: Vector) -> None:
+    """Undo what an iteration that did not end has made of the contacts."""
+    for k in range(len(touch.key)):
+        touch.state[k], touch.push[k] = state[k], push[k]
+        put(touch.way, k, at(way, k))
+
+
+@compiled
+def move_blocks(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its variables
+    path: Vector,
+    energy: Vector,
+    report: Vector,
+    watched: Index,
+    stride: int,
+    dt: float,
+    settling: int,
+    tolerance: float,
+    iterations: int,
+    terms: int,
+    turns: int,
+    follow: int,
+    dd: float,
+    hold: float,
+    bodies: Bodies,
+    begun: Motion,
+    motion: Motion,
+    shapes: Shapes,
+    moves: Mask,
+    planes: Planes,
+    base: Drive,
+    starts: Starts,
+    shaking: Drive,
+    depth: Vector,
+    reach: float,
+    kn: float,
+    ks: float,
+    mu: float,
+    elastic: Vector,
+) -> int:
+    """Step all blocks by DDA; return rows filled.
+
+    settling: steps before t = 0 with drives at rest; tolerance, iterations, terms, turns, follow,
+    dd: see Formulation; hold: 1 where it is charged, else 0; begun: the start; motion: becomes the
+    end;
+    base, starts: see `drives`; shaking: a body acceleration; kn, ks [N/m] and mu of every point
+    of contact; reach [m]: see `found`; elastic: (q, 12) stiffness of strains [N m], laid out as
+    `masses` are.
+
+    Every `stride` steps a row is written: path (k, b, 15): displacement, velocity and the tensor
+    of strain of the watched blocks (b,); energy (k, 13) and report (k, 9): see `dda_energy`.
+    """
+    walls, q = len(planes.point), len(begun.velocity)
+    shift, ahead, moved = np.zeros((walls, 3)), np.zeros((walls, 3)), np.zeros((walls, 3))
+    mass, outer, flow = np.zeros((q, 12)), np.zeros(q), np.zeros(q)
+    d, pull, turn = np.zeros(q), np.zeros(q), np.zeros(q)
+    ledger, worst, done = np.zeros(TERMS), np.zeros(REPORTS), -settling
+    put_in, ever, most = 0.0, 0.0, np.inf
+    copied(motion, begun)
+    touch = found(touch_room(0 * walls), bodies, motion, shapes, moves, planes, shift, depth, reach)
+    closed(touch, motion.strain, kn, ks, mu, hold)
+    masses(mass, bodies, motion)
+    held(ledger, touch, bodies, motion, mass, kn, ks, elastic)
+    origin = motion.centre.copy()
+
+    for row in range(len(path)):
+        for _ in range((stride if row else 0) + (settling if row == 0 else 0)):
+            begin, part = 0.0, dt
+            while begin < dt:
+                shake = NOWHERE
+                if done >= 0:
+                    shifted(ahead, moved, shift, base, starts, done * dt + begin + part)
+                    shake = value(shaking, done * dt + begin + part)
+                state, push, way = touch.state.copy(), touch.push.copy(), touch.way.copy()
+                pushed(outer, bodies, shake)
+                convected(turn, bodies, motion, mass, elastic, part, terms, turns)
+                for a in range(q):
+                    outer[a] += turn[a]
+                ended, solved, used, rub, relative = iterate(
+                    d, touch, bodies, motion, mass, outer, moved, part, kn, ks, mu,
+                    hold, tolerance, iterations, elastic,
+                )  # fmt: skip
+                worst[SOLVED] += solved
+                worst[ITERATIONS] = max(worst[ITERATIONS], solved)
+                if not ended and part > dt / CUTS:
+                    forget(touch, state, push, way)
+                    part *= 0.5
+                    worst[CUT] += 1
+                    continue
+                worst[FAILED] += 0 if ended else 1
+                close_step(ledger, worst, pull, touch, used, rub, relative, moved, kn, ks, mu, hold)
+                audit(worst, pull, outer, d, part, bodies, motion, mass, elastic)
+                for i in range(len(bodies.mass)):
+                    line = travelled(bodies, i, d)
+                    ledger[GRAVITY] += dot(line, at(bodies.weight, i))
+                    ledger[LOAD] += dot(line, at(bodies.load, i))
+                    ledger[SHAKING] += bodies.mass[i] * dot(line, shake)
+                ledger[NUMERICAL] += 0.5 * applied(flow, elastic, bodies, d)
+                for a in range(q):
+                    motion.velocity[a] = 2.0 / part * d[a] - motion.velocity[a]
+                displace(motion, bodies, shapes, d, terms, follow)
+                held(ledger, touch, bodies, motion, mass, kn, ks, elastic)
+                if row > 0:
+                    works = ledger[GRAVITY] + ledger[LOAD] + ledger[BASE] + ledger[SHAKING]
+                    ever = max(ever, works)
+                    most = GAIN * (put_in + ever)
+                if lost(ledger, most):  # contact cannot be looked for between blocks that are so
+                    note(path[row], energy[row], report[row], watched, origin,
+                         bodies, motion, ledger, worst)  # fmt: skip
+                    return row
+                ledger[DAMPED] += (1.0 - dd * dd) * ledger[KINETIC]
+                for a in range(q):
+                    motion.velocity[a] *= dd
+                kept = dd * dd * ledger[KINETIC] + ledger[NORMAL] + ledger[SHEAR]
+                for a in range(q):  # inertia is found anew, as contacts are, and this led there
+                    kept -= turn[a] * d[a]
+                copy_rows(shift, ahead)
+                touch = found(touch, bodies, motion, shapes, moves, planes, shift, depth, reach)
+                masses(mass, bodies, motion)
+                held(ledger, touch, bodies, motion, mass, kn, ks, elastic)
+                anew = ledger[KINETIC] + ledger[NORMAL] + ledger[SHEAR] - kept
+                ledger[FOUND] += anew
+                ledger[CREATED] += max(0.0, anew)
+                begin += part
+                if begin + part > dt * (1.0 + 1e-12):
+                    begin = dt
+            done += 1
+        if row == 0:
+            copy_rows(origin, motion.centre)
+            for term in range(STRAIN + 1, TERMS):
+                ledger[term] = 0.0
+            put_in = ledger[KINETIC] + ledger[NORMAL] + ledger[SHEAR] + ledger[STRAIN]
+        note(path[row], energy[row], report[row], watched, origin, bodies, motion, ledger, worst)
+        if lost(ledger, most):
+            return row
+    return len(path)

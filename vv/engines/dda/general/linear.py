@@ -1,0 +1,45 @@
+"""Kernels that solve symmetric positive definite equations within their profile."""
+
+from __future__ import annotations
+
+from vv.engines.blocks.geometry import Index
+from vv.engines.kernels.compiled import called
+from vv.scene import Vector
+
+
+@called
+def factorise(matrix: Vector, first: Index) -> None:
+    """L D L^T in place of the lower half of matrix (q, q); first: (q,) first column of each row.
+
+    The diagonal becomes D and what is left of it L (Jennings and McKeown 1992, Sec. 4.6).
+    """
+    for i in range(len(first)):
+        row = matrix[i]
+        for j in range(first[i], i):
+            other = matrix[j]
+            total = row[j]
+            for k in range(max(first[i], first[j]), j):
+                total -= row[k] * other[k]
+            row[j] = total
+        pivot = row[i]
+        for j in range(first[i], i):
+            scaled = row[j] / matrix[j, j]
+            pivot -= scaled * row[j]
+            row[j] = scaled
+        row[i] = pivot
+
+
+@called
+def substitute(matrix: Vector, first: Index, right: Vector, solution: Vector) -> None:
+    """Fill solution (q,) for a right-hand side (q,), given the factors in matrix."""
+    n = len(first)
+    for i in range(n):
+        total = right[i]
+        for k in range(first[i], i):
+            total -= matrix[i, k] * solution[k]
+        solution[i] = total
+    for i in range(n):
+        solution[i] /= matrix[i, i]
+    for i in range(n - 1, -1, -1):
+        for k in range(first[i], i):
+            solution[k] -= matrix[i, k] * solution[i]

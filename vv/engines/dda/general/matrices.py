@@ -1,0 +1,52 @@
+"""Kernels on matrices (3, 3): products with vectors and with each other, and the exponential."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from vv.engines.kernels.compiled import called
+from vv.engines.kernels.triples import Triple, at, dot, put
+from vv.scene import Vector
+
+
+@called
+def mapped(matrix: Vector, a: Triple) -> Triple:
+    """A matrix (3, 3) times a."""
+    return dot(at(matrix, 0), a), dot(at(matrix, 1), a), dot(at(matrix, 2), a)
+
+
+@called
+def product(second: Vector, one: Vector, two: Vector) -> float:
+    """tr(one second two^T) of slopes (3, 3): the integral of rho (one r) . (two r) [kg m2]."""
+    total = 0.0
+    for r in range(3):
+        total += dot(mapped(second, at(one, r)), at(two, r))
+    return total
+
+
+@called
+def reshaped(out: Vector, whole: Vector, second: Vector) -> None:
+    """out = whole second whole^T, all (3, 3); out may be second, which is symmetric."""
+    half = np.empty((3, 3))
+    for r in range(3):
+        put(half, r, mapped(whole, at(second, r)))
+    for r in range(3):
+        put(out, r, mapped(whole, (half[0, r], half[1, r], half[2, r])))
+
+
+@called
+def exponential(whole: Vector, slope: Vector, terms: int) -> None:
+    """Fill whole (3, 3): exp of slope (3, 3), to so many terms."""
+    old = np.empty((3, 3))
+    for r in range(3):
+        for c in range(3):
+            whole[r, c] = 1.0 if r == c else 0.0
+    for k in range(terms, 0, -1):
+        for r in range(3):
+            put(old, r, at(whole, r))
+        for r in range(3):
+            for c in range(3):
+                total = 0.0
+                for m in range(3):
+                    total += slope[r, m] * old[m, c]
+                whole[r, c] = total / k + (1.0 if r == c else 0.0)

@@ -1,0 +1,189 @@
+"""Builds the general model of DDA: any blocks and walls, with all the unknowns they have."""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from vv.engines.blocks.geometry import depth_axis, planes, shapes
+from vv.engines.dda.formulation import Formulation
+from vv.engines.dda.general.unknowns import columns, rates
+from vv.engines.dda.limits import FLOAT, GRIP, REACH, STATIC, STATIC_STEPS
+from vv.engines.dda.springs import Springs
+from vv.scene import Block, Scene, Term, Vector
+
+BODIES, ENDS = 5, 7  # where these stand in what the kernel is told
+
+
+@dataclass(frozen=True, eq=False)
+class General:
+    """Any number of blocks and walls, with six unknowns a block in a plane, or twelve in space.
+
+    Locked translations and rotations, and strains of rigid blocks, are no unknowns.
+    """
+
+    scene: Scene
+    formulation: Formulation
+
+    @property
+    def unknowns(self) -> int:
+        """Columns that the kernel is given."""
+        return sum(len(columns(b, self.scene.axes)[0]) for b in self.scene.blocks)
+
+    @property
+    def terms(self) -> frozenset[Term]:
+        """What the kernel is given of the scene."""
+        return self.scene.terms()
+
+    @property
+    def words(self) -> str:
+        """The model in words."""
+        plane = ", prisms in a plane" if depth_axis(self.scene).any() else ""
+        blocks, way = self.scene.blocks, self.formulation
+        soft = [block for block in blocks if block.strains]
+        some = f", {len(soft)} of which deform" if soft else ""
+        strains = " that deform" if len(soft) == len(blocks) else some
+        spins = any(block.free_spin.sum() > 1 for block in blocks)
+        torque = ", without gyroscopic torque" if spins and not way.turns else ""
+        turn = any(block.free_spin.any() for block in soft)
+        behind = ", strains that do not turn with them" if turn and not way.follow else ""
+        return f"{self.unknowns} unknowns of {len(blocks)} blocks{strains}{plane}{torque}{behind}"
+
+    def outputs(self, rows: int, watched: tuple[int, ...]) -> tuple[Any, ...]:
+        """What the kernel fills first, and the blocks it watches."""
+        energy, report = np.empty((rows, 13)), np.empty((rows, 9))
+        return np.empty((rows, len(watched), 15)), energy, report, np.array(watched, np.int64)
+
+    def arguments(self, step: tuple[Any, ...], law: Springs) -> tuple[Any, ...]:
+        """What the kernel is told; step: stride, dt, settling, tolerance, iterations."""
+        begun = self.pressed(law, step[-2:]) if self.formulation.pressed else self.motion()
+        return (*step, *self.told(begun, self.formulation.dd, law))
+
+    def pressed(self, law: Springs, rule: tuple[Any, ...]) -> Any:
+        """The start once contacts carry the loads at rest, as if no friction were exceeded.
+
+        Elastic blocks begin unstrained, and are pressed as rigid ones. rule: when an iteration
+        ends.
+        """
+        start, bodies = self.motion(), self.bodies()
+        rest = General(_stiff(self.scene), self.formulation).at_rest(law, rule)
+        own = np.arange(len(start.strain)) < np.repeat(bodies.strains, np.diff(bodies.start))
+        start.strain[own] = rest.strain
+        return rest._replace(velocity=start.velocity, strain=start.strain)
+
+    def at_rest(self, law: Springs, rule: tuple[Any, ...]) -> Any:
+        """Where contacts carry the loads, which a few steps almost without inertia find.
+
+        Blocks stay as they are if one of them rests on nothing.
+        """
+        start = self.motion()
+        heaviest = max(block.mass for block in self.scene.blocks)
+        slow = float(np.sqrt(2 * heaviest * STATIC / law.kn))
+        start.velocity[:] = 0.0
+        gripping = Springs(law.kn, law.ks, GRIP)
+        told = self.told(start, 0.0, gripping)
+        self.kernel()(*self.outputs(1, ()), 1, slow, STATIC_STEPS, *rule, *told)
+        end, bodies = told[ENDS], told[BODIES]
+        most = np.linalg.norm(bodies.weight + bodies.load, axis=1).sum() / law.kn
+        far = np.linalg.norm(end.centre - start.centre, axis=1).max()
+        return end if far <= FLOAT * most else start
+
+    def told(self, begun: Any, dd: float, law: Springs) -> tuple[Any, ...]:
+        """What the kernel is told after the step."""
+        from vv.engines.kernels.drive import NO_MOTION, drive, drives
+
+        scene, blocks, way = self.scene, self.scene.blocks, self.formulation
+        base, starts = drives(tuple(wall.motion for wall in scene.walls))
+        shape = shapes(blocks)
+        return (
+            way.terms,
+            way.turns,
+            way.follow,
+            dd,
+            float(self.formulation.charged),
+            self.bodies(),
+            begun,
+            self.motion(),
+            shape,
+            np.array([bool(b.free.any() or b.free_spin.any()) for b in blocks]),
+            planes(scene),
+            base,
+            starts,
+            drive(scene.shaking or NO_MOTION),
+            depth_axis(scene),
+            REACH * float(shape.size.min()),
+            law.kn,
+            law.ks or 0.0,
+            law.mu or 0.0,
+            self.elastic(),
+        )
+
+    def bodies(self) -> Any:
+        """The unknowns as the kernel receives them."""
+        from vv.engines.dda.general.bodies import Bodies
+
+        scene, blocks = self.scene, self.scene.blocks
+        parts = [columns(block, scene.axes) for block in blocks]
+        mass = np.array([block.mass for block in blocks])
+        start = np.cumsum([0, *(len(part[0]) for part in parts)]).astype(np.int64)
+        return Bodies(
+            start=start,
+            line=np.concatenate([part[0] for part in parts]),
+            slope=np.concatenate([part[1] for part in parts]),
+            strains=start[1:] - np.array([len(block.strains) for block in blocks]),
+            mass=mass,
+            weight=mass[:, None] * scene.gravity,
+            load=np.array([block.load for block in blocks]),
+        )
+
+    def elastic(self) -> Vector:
+        """The stiffness of strains (q, 12) [N m], in the order of each block's unknowns."""
+        whole = np.zeros((self.unknowns, 12))
+        first = 0
+        for block in self.scene.blocks:
+            part = columns(block, self.scene.axes)[2]
+            whole[first : first + len(part), : len(part)] = part
+            first += len(part)
+        return whole
+
+    def motion(self) -> Any:
+        """The start as the kernel receives it."""
+        from vv.engines.dda.general.bodies import Motion
+
+        scene, blocks = self.scene, self.scene.blocks
+        shape = shapes(blocks)
+        centre = np.array([block.centroid() for block in blocks])
+        owner = np.repeat(np.arange(len(blocks)), np.diff(shape.vertex_start))
+        starts = [rates(b, scene.axes) for b in blocks]
+        velocity = np.concatenate(starts)
+        second = [0.5 * np.trace(b.inertia) * np.eye(3) - b.inertia for b in blocks]
+        vertex = shape.vertex + centre[owner]
+        start = (vertex, shape.normal.copy(), centre, np.array(second), velocity, 0 * velocity)
+        return Motion(*start)
+
+    def kernel(self) -> Callable[..., int]:
+        """The compiled kernel; the first call imports numba."""
+        from vv.engines.dda.general.kernel import move_blocks
+
+        return move_blocks
+
+    def watched(self, path: Vector, index: int) -> Vector:
+        """Displacement and velocity (k, 6) of the block observed as the index-th."""
+        return np.asarray(path[:, index, :6])
+
+    def strains(self, path: Vector, index: int) -> Vector:
+        """Normal strains (k, 3) of the block observed as the index-th, along the scene's axes."""
+        tensor = path[:, index, 6:].reshape(-1, 3, 3)
+        return np.asarray(np.einsum("ar,krc,ac->ka", self.scene.axes, tensor, self.scene.axes))
+
+
+def _stiff(scene: Scene) -> Scene:
+    """The scene with rigid blocks in place of elastic ones."""
+    bodies = (
+        dataclasses.replace(g, elastic=None) if isinstance(g, Block) else g for g in scene.bodies
+    )
+    return dataclasses.replace(scene, bodies=tuple(bodies))

@@ -1,0 +1,80 @@
+"""A kernel for the loads that inertia puts on blocks as it turns and strains with them.
+
+A point r from the centre, with velocity L r, is accelerated by (dL/dt + L L) r. A step of DDA takes
+the first part for inertia. The second loads unknown a, of slope S_a, by -tr(S_a M (L L)^T), M the
+second moment: on a rotation the gyroscopic torque -w x I w, on a strain the centrifugal pull. That
+is tr(S_a L M L^T), nil for a rotation, less the rate of tr(S_a M L^T) by M alone; taken over a
+whole step, it lets what spins without contact keep its moment of momentum.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from vv.engines.dda.general.bodies import Bodies, Motion, applied, gradient, stretched
+from vv.engines.dda.general.linear import factorise, substitute
+from vv.engines.dda.general.matrices import product, reshaped
+from vv.engines.kernels.compiled import called
+from vv.engines.kernels.triples import at, dot
+from vv.scene import Vector
+
+
+@called
+def turns_freely(bodies: Bodies, i: int, rate: Vector) -> bool:
+    """Whether block i turns and has more to it than a lone rotation, which goes on by itself."""
+    several, moves = 0, False
+    for a in range(bodies.start[i], bodies.start[i + 1]):
+        if dot(at(bodies.line, a), at(bodies.line, a)) == 0.0:
+            several += 1
+            moves = moves or rate[a] != 0.0
+    return several > 1 and moves
+
+
+@called
+def convected(
+    turn: Vector, bodies: Bodies, motion: Motion, mass: Vector, elastic: Vector,
+    step: float, terms: int, rounds: int,
+) -> None:  # fmt: skip
+    """Fill turn (q,) with these loads [N m] over a step [s] that only elasticity disturbs.
+
+    mass, elastic: (q, 12), see `masses`; terms: see `stretched`; rounds: in which the loads and
+    the end of the step, to which they lead, are found; after none there are no loads.
+    """
+    begin, whole, second = np.empty((3, 3)), np.empty((3, 3)), np.empty((3, 3))
+    flow, end, matrix = np.empty((3, 3)), np.empty((3, 3)), np.zeros((12, 12))
+    ahead, d, load, gain = motion.velocity.copy(), np.zeros(len(turn)), np.zeros(12), np.zeros(12)
+    reached, borne = np.empty(len(turn)), np.empty(len(turn))
+    for a in range(len(turn)):
+        reached[a] = motion.strain[a] + step * motion.velocity[a]
+    applied(borne, elastic, bodies, reached)
+    for i in range(len(bodies.mass)):
+        first, last = bodies.start[i], bodies.start[i + 1]
+        for a in range(first, last):
+            turn[a] = 0.0
+        if rounds == 0 or not turns_freely(bodies, i, motion.velocity):
+            continue
+        gradient(begin, bodies, first, last, motion.velocity)
+        reshaped(flow, begin, motion.second[i])
+        for a in range(first, last):
+            for b in range(a - first + 1):
+                matrix[a - first, b] = mass[a, b] + 0.5 * step * step * elastic[a, b]
+        columns = np.zeros(last - first, np.int64)
+        factorise(matrix, columns)
+        for _ in range(rounds):
+            for a in range(first, last):
+                d[a] = 0.5 * step * (motion.velocity[a] + ahead[a])
+            stretched(whole, bodies, i, d, terms)
+            reshaped(second, whole, motion.second[i])
+            gradient(end, bodies, first, last, ahead)
+            for a in range(first, last):
+                slope = bodies.slope[a]
+                load[a - first] = product(motion.second[i], slope, end)
+                load[a - first] -= product(second, slope, end)
+                for r in range(3):
+                    load[a - first] += step * dot(at(slope, r), at(flow, r))
+            for a in range(first, last):
+                turn[a] = load[a - first] / step
+                load[a - first] -= step * borne[a]
+            substitute(matrix, columns, load, gain)
+            for a in range(first, last):
+                ahead[a] = motion.velocity[a] + gain[a - first]

@@ -1,0 +1,50 @@
+"""The law of one point of contact in an open-close iteration, for kernels."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from vv.engines.kernels.compiled import inlined
+from vv.engines.kernels.triples import NOWHERE, Triple, dot, plus
+
+OPEN, STICK, SLIDE = 0, 1, 2
+
+
+@inlined
+def respond(
+    state: int,
+    gap: float,
+    slip: Triple,
+    spring: Triple,
+    way: Triple,
+    kn: float,
+    ks: float | None,
+    mu: float | None,
+    hold: float,
+    ease: float,
+) -> tuple[int, float, Triple]:
+    """The state, normal force [N] and direction of friction that a solved step calls for.
+
+    state, way: what was assumed; gap: at the end [m]; slip: tangential motion over the step [m];
+    spring: shear stretch at its begin [m]. No tension; a spring that would exceed mu N slides.
+    hold 1: springs bear friction while a contact slides, which sticks when they would exceed mu N
+    no more. hold 0: they are let go, and a contact that slides back sticks. Friction next points
+    against mu N way + ease (slip + hold spring), which is the latter once converged. ease:
+    stiffness [N/m] by which inertia resists the slip, which makes this a Newton step for a block
+    on a plane.
+    """
+    if gap >= 0.0:
+        return OPEN, 0.0, NOWHERE
+    push = -kn * gap
+    if mu is None or ks is None:
+        return SLIDE, push, NOWHERE
+    trial = plus(spring, 1.0, slip)
+    stretch = np.sqrt(dot(trial, trial))
+    if state != SLIDE and ks * stretch > mu * push:
+        return SLIDE, push, plus(NOWHERE, 1.0 / stretch, trial)
+    sticks = ks * stretch <= mu * push if hold > 0.0 else dot(way, slip) < 0.0
+    if state != SLIDE or sticks:
+        return STICK, push, NOWHERE
+    toward = plus(plus(NOWHERE, mu * push, way), ease, plus(slip, hold, spring))
+    length = np.sqrt(dot(toward, toward))
+    return SLIDE, push, (plus(NOWHERE, 1.0 / length, toward) if length > 0.0 else way)

@@ -1,0 +1,102 @@
+"""Builds the reduced model of DDA: one block that cannot turn, on one wall or none."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from vv.engines.blocks.geometry import depth_axis
+from vv.engines.blocks.single_block import Lone, lone
+from vv.engines.dda.formulation import Formulation
+from vv.engines.dda.springs import Springs
+from vv.scene import Scene, Term, Vector
+
+LEVEL = 1e-9  # of a block's size: vertices this close to the lowest touch a wall together
+SAME = 1e-6  # of a block's size: points of a prism no farther apart in its plane are one
+
+
+@dataclass(frozen=True, eq=False)
+class Sliding:
+    """One block that cannot turn, on one wall. points: how many of its vertices touch."""
+
+    scene: Scene
+    lone: Lone
+    points: int
+    formulation: Formulation
+
+    @property
+    def unknowns(self) -> int:
+        """Free translations."""
+        return int(self.lone.block.free.sum())
+
+    @property
+    def terms(self) -> frozenset[Term]:
+        """What the kernel is given of the scene."""
+        return self.scene.terms()
+
+    @property
+    def words(self) -> str:
+        """The model in words."""
+        return f"{self.unknowns} translations of one block with {self.points} points of contact"
+
+    def outputs(self, rows: int, watched: tuple[int, ...]) -> tuple[Vector, ...]:
+        """What the kernel fills first."""
+        return np.empty((rows, 6)), np.empty((rows, 13)), np.empty((rows, 9))
+
+    def arguments(self, step: tuple[Any, ...], law: Springs) -> tuple[Any, ...]:
+        """What the kernel is told; step: stride, dt, settling, tolerance, iterations."""
+        from vv.engines.kernels.drive import NO_MOTION, drive
+
+        block, wall, hold = self.lone.block, self.lone.wall, self.lone.hold
+        way = self.formulation
+        start = way.dd, way.pressed, float(way.charged)
+        vectors = (block.velocity, self.scene.gravity, block.load)
+        shaking = drive(self.scene.shaking or NO_MOTION)
+        felt = shaking._replace(direction=shaking.direction @ hold)
+        return (
+            *step, *start, block.mass, self.points, law.kn, law.ks, law.mu,
+            *(_triple(hold @ vector) for vector in vectors), _triple(wall.normal),
+            self.lone.gap,
+            None if wall.motion is None else drive(wall.motion),
+            None if self.scene.shaking is None else felt,
+        )  # fmt: skip
+
+    def kernel(self) -> Callable[..., int]:
+        """The compiled kernel; the first call imports numba."""
+        from vv.engines.dda.point.kernel import slide_point
+
+        return slide_point
+
+    def watched(self, path: Vector, index: int) -> Vector:
+        """Displacement and velocity (k, 6) of the block observed as the index-th."""
+        return path
+
+    def strains(self, path: Vector, index: int) -> Vector:
+        """Normal strains (k, 3): a rigid block has none."""
+        return np.zeros((len(path), 3))
+
+
+def sliding(scene: Scene, formulation: Formulation) -> Sliding | None:
+    """The reduced model, or None if the scene needs more."""
+    found = lone(scene)
+    if found is None or found.block.elastic:
+        return None
+    return Sliding(scene, found, _points(found, depth_axis(scene)), formulation)
+
+
+def _points(lone: Lone, depth: Vector) -> int:
+    """How many points touch first; those behind one another in a plane scene are one."""
+    block, wall = lone.block, lone.wall
+    size = float(np.ptp(block.vertices, axis=0).max())
+    height = (block.vertices - wall.point) @ wall.normal
+    lowest = block.vertices[height <= height.min() + LEVEL * size]
+    flat = lowest - np.outer(lowest @ depth, depth)
+    apart = np.linalg.norm(flat[:, None] - flat[None], axis=2)
+    return int((np.triu(apart <= SAME * size, 1).sum(axis=0) == 0).sum())
+
+
+def _triple(vector: Vector) -> tuple[float, float, float]:
+    return float(vector[0]), float(vector[1]), float(vector[2])

@@ -1,0 +1,193 @@
+"""Turns an ask into a program for a DDA kernel, and what the kernel wrote into a Run."""
+
+from __future__ import annotations
+
+import functools
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from vv.ask import Ask, Displacement, Ledger, Model, Observable, Run, Status, Strain
+from vv.engines.blocks.checks import block_index, size
+from vv.engines.dda.formulation import Formulation
+from vv.engines.dda.general.model import General
+from vv.engines.dda.limits import COULOMB, GAIN, MOMENTUM, REACH
+from vv.engines.dda.point.model import Sliding, sliding
+from vv.engines.dda.refusals import refuses
+from vv.engines.dda.springs import springs
+from vv.scene import Vector
+
+LEDGER = (
+    "kinetic",
+    "normal elastic",
+    "shear elastic",
+    "strain elastic",
+    "friction dissipation",
+    "numerical dissipation",
+    "kinetic damping dissipation",
+    "gravity potential",
+    "load potential",
+    "base potential",
+    "shaking potential",
+    "given by contacts and inertia found anew",
+)
+HELD, WORKS = slice(0, 4), slice(7, 12)
+CREATED = 12
+EPS = float(np.finfo(float).eps)
+ROUNDINGS = 64  # of the peak energy, allowed for each step
+
+
+@dataclass(frozen=True, eq=False)
+class Program:
+    """An ask ready to be solved as often as wanted. system: the smallest model of its scene."""
+
+    ask: Ask
+    formulation: Formulation
+    system: Sliding | General
+
+    @property
+    def model(self) -> Model:
+        """What was built; unknowns are those the kernel is given."""
+        law = springs(self.ask.scene, self.ask.knobs.kn, self.formulation)
+        shear = "no friction" if law.ks is None else f"ks {law.ks:.4g} N/m"
+        words = f"{self.system.words}; kn {law.kn:.4g} N/m, {shear} at each; {self._start()}"
+        return Model(self.system.unknowns, self.system.terms, words)
+
+    @functools.cached_property
+    def arguments(self) -> tuple[Any, ...]:
+        """What the kernel is called with: outputs, the step, the scene."""
+        goal, dt, way = self.ask.goal, self.dt, self.formulation
+        outputs = self.system.outputs(len(goal.times(dt)), self.watched)
+        step = (goal.stride(dt), dt, self.settling, way.tolerance, way.iterations)
+        law = springs(self.ask.scene, self.ask.knobs.kn, way)
+        return (*outputs, *self.system.arguments(step, law))
+
+    @functools.cached_property
+    def watched(self) -> tuple[int, ...]:
+        """The blocks observed; raises ValueError for a body that is none."""
+        return tuple(block_index(self.ask.scene, what.body) for what in self.ask.observables)
+
+    @property
+    def dt(self) -> float:
+        """The step [s]; raises ValueError if the ask has none."""
+        if self.ask.knobs.dt is None:
+            raise ValueError("Knobs.dt is None; DDA needs a step")
+        return self.ask.knobs.dt
+
+    @property
+    def settling(self) -> int:
+        """Steps of gravity before t = 0: none unless a drive waits and all blocks are at rest."""
+        scene = self.ask.scene
+        waits = scene.shaking is not None or any(wall.motion for wall in scene.walls)
+        rests = not any(block.velocity.any() or block.spin.any() for block in scene.blocks)
+        return round(self.formulation.settling / self.dt) if waits and rests else 0
+
+    def warm(self) -> None:
+        """Load or compile the kernel for these arguments; no step is taken."""
+        path, energy, report, *rest = self.arguments
+        self.system.kernel()(path[:0], energy[:0], report[:0], *rest)
+
+    def solve(self) -> int:
+        """Run the kernel over all steps; returns how many rows of the outputs are good."""
+        return self.system.kernel()(*self.arguments)
+
+    def run(self, rows: int) -> Run:
+        """The Run of a solve that returned `rows`; its cost is left empty."""
+        goal, dt = self.ask.goal, self.dt
+        path, energy, report = self.arguments[:3]
+        whole = rows == len(path)
+        seen = enumerate(self.ask.observables)
+        values = {what: self._seen(what, path[:rows], index) for index, what in seen}
+        steps = goal.stride(dt) * (rows - 1 if whole else rows)
+        model = self.model
+        note = f"{model.note}; {self._worst(report[rows - 1 if whole else rows])}"
+        return Run(
+            status=Status.RAN if whole else Status.DIVERGED,
+            reason="" if whole else self._why(energy, rows),
+            times=goal.times(dt)[:rows],
+            values=values,
+            steps=steps + self.settling,
+            model=Model(model.unknowns, model.terms, note),
+            ledger=self._ledger(energy, report[-1]) if whole else None,
+        )
+
+    def _seen(self, what: Observable, path: Vector, index: int) -> Vector:
+        if isinstance(what, Strain):
+            return self.system.strains(path, index)
+        moved = self.system.watched(path, index)
+        return moved[:, :3] if isinstance(what, Displacement) else moved[:, 3:]
+
+    def _start(self) -> str:
+        pressed = "pressed by their loads" if self.formulation.pressed else "as placed"
+        pressed += ", shear springs charged" if self.formulation.charged else ""
+        settled = f", after {self.settling} steps of gravity alone" if self.settling else ""
+        return f"contacts start {pressed}{settled}"
+
+    def _worst(self, report: Vector) -> str:
+        residual, most, deepest, cuts, failed, solved, excess, _, _ = report
+        return (
+            f"worst step: friction off by {residual:.3g} N, {most:.0f} iterations, penetration "
+            f"{deepest:.3g} m, {excess:.3g} N beyond mu N; {solved:.0f} solutions, {cuts:.0f} "
+            f"cuts, {failed:.0f} parts of steps kept unconverged"
+        )
+
+    def _why(self, energy: Vector, row: int) -> str:
+        step = row * self.ask.goal.stride(self.dt)
+        when = f"by step {step}, t = {step * self.dt:.6g} s"
+        held = energy[row, HELD].sum()
+        if not np.isfinite(held):
+            return f"{when}: the state is not finite"
+        return f"{when}: {held:.4g} J of motion and springs, over {GAIN:g} times all put in"
+
+    def _ledger(self, energy: Vector, report: Vector) -> Ledger:
+        terms = energy[:, :12].copy()
+        terms[:, WORKS] *= -1.0
+        terms += 0.0
+        put_in = float(terms[0].sum())
+        largest = np.abs(terms).sum(axis=1).max()
+        steps = self.ask.goal.steps(self.dt) + 1
+        created = float(energy[-1, CREATED])
+        rounding = ROUNDINGS * EPS * steps * float(largest)
+        return Ledger(
+            terms=dict(zip(LEDGER, terms[-1].tolist(), strict=True)),
+            unaccounted=float(np.abs(terms.sum(axis=1) - put_in).max()),
+            peak=max(put_in, float(terms[:, HELD].sum(axis=1).max())),
+            bound=rounding,
+            audits=dict(self._audits(report, created, rounding)),
+        )
+
+    def _audits(
+        self, report: Vector, created: float, rounding: float
+    ) -> Iterator[tuple[str, tuple[float, float]]]:
+        """The laws that the scheme promises to keep: its worst step, and what is allowed.
+
+        Contacts that are found anew can create energy, and so can friction that lags, which
+        exceeds mu N and leaves springs that bear it with more than was put into them.
+        """
+        *_, excess, adrift, peak = (float(number) for number in report)
+        deepest = float(report[2])
+        lags = not np.isfinite(self.formulation.tolerance)
+        if isinstance(self.system, Sliding) and not (lags and self.formulation.charged):
+            yield "energy created [J]", (created, rounding)
+        if not lags:
+            yield "Coulomb: friction beyond mu N [N]", (excess, COULOMB * peak)
+        yield "momentum beside the forces [N]", (adrift, MOMENTUM * peak)
+        smallest = min(size(block) for block in self.ask.scene.blocks)
+        yield "penetration [m]", (deepest, REACH * smallest)
+
+
+def prepare(ask: Ask, formulation: Formulation) -> Program:
+    """The program of an ask, with the smallest model its scene allows."""
+    system = sliding(ask.scene, formulation) or General(ask.scene, formulation)
+    return Program(ask, formulation, system)
+
+
+def solve(ask: Ask, formulation: Formulation) -> Run:
+    """Solve an ask once; refused if `refuses` says why."""
+    reason = refuses(ask)
+    if reason is not None:
+        return Run(Status.REFUSED, reason)
+    program = prepare(ask, formulation)
+    return program.run(program.solve())

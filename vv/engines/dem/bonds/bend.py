@@ -1,0 +1,146 @@
+"""Computes a block of bonds at a time; parts of kernels.
+
+What the ends do is fetched into scratch, the bonds are computed in a loop of which a core does
+several turns at once, and their forces are handed out.
+"""
+
+from __future__ import annotations
+
+from vv.engines.dem.bonds.blocks import FIRST, KN, OFFSET, RADII, SLIP, STRAINED, WIDE, Ends
+from vv.engines.dem.bonds.law import Frail, arms, beyond, charged, rolled, stretched
+from vv.engines.dem.space.neighbours import State
+from vv.engines.dem.terms.friction import turned
+from vv.engines.kernels.compiled import inlined
+from vv.engines.kernels.triples import NOWHERE, Triple, at, cross, dot, plus, put
+from vv.scene import Vector
+
+Like = tuple[float, float, float, float]
+MOVED, STEP, SPIN_I, SPIN_J = 0, 3, 6, 9  # places in scratch: displacements, velocities, spins
+FORCE, TORQUE, ARMS, NORMAL, SHEARED, HIT, SCRATCH = 12, 15, 18, 20, 21, 22, 23
+
+
+@inlined
+def three(numbers: Vector, k: int, place: int, q: int) -> Triple:
+    """A vector of bond q in row k. No view of the row is made: each would be counted."""
+    return (
+        numbers[k, place * WIDE + q],
+        numbers[k, (place + 1) * WIDE + q],
+        numbers[k, (place + 2) * WIDE + q],
+    )
+
+
+@inlined
+def note(numbers: Vector, k: int, place: int, q: int, a: Triple) -> None:
+    """Set a vector of bond q in row k."""
+    numbers[k, place * WIDE + q] = a[0]
+    numbers[k, (place + 1) * WIDE + q] = a[1]
+    numbers[k, (place + 2) * WIDE + q] = a[2]
+
+
+@inlined
+def own(table: Vector, like: Like | None, which: int, k: int, q: int) -> float:
+    """The stiffness or strength of bond q in block k: 0 kn, 1 ks, 2 tension, 3 shear."""
+    if like is not None:
+        return like[which]
+    number: float = table[k, (KN + which) * WIDE + q]
+    return number
+
+
+@inlined
+def fetch(
+    scratch: Vector, c: int, ends: Ends, k: int, many: int, u: Vector, v: Vector, w: Vector | None
+) -> None:
+    """How the ends of the bonds of block k move, and turn, into row c of scratch."""
+    for q in range(many):
+        i, j = ends[k, q], ends[k, WIDE + q]
+        note(scratch, c, MOVED, q, plus(at(u, j), -1.0, at(u, i)))
+        note(scratch, c, STEP, q, plus(at(v, j), -1.0, at(v, i)))
+        if w is not None:
+            note(scratch, c, SPIN_I, q, at(w, i))
+            note(scratch, c, SPIN_J, q, at(w, j))
+
+
+@inlined
+def bend(
+    scratch: Vector,
+    c: int,
+    table: Vector,
+    k: int,
+    many: int,
+    dt: float,
+    like: Like | None,
+    ks: Vector | None,
+    w: Vector | None,
+    frail: Frail | None,
+    state: State,
+) -> int:
+    """Forces on the first ends of the bonds of block k, their energies, and how many break.
+
+    No branch, no call and no sum of floats: each turn of the loop is on its own, so that several
+    are computed at once. A bond that breaks or is broken has no force.
+    """
+    breaking = 0
+    for q in range(many):
+        r, moved = three(table, k, OFFSET, q), three(scratch, c, MOVED, q)
+        first, strained = table[k, FIRST * WIDE + q], table[k, STRAINED * WIDE + q]
+        now, n, length, stretch = stretched(r, moved, first, strained)
+        along, across, s = own(table, like, 0, k, q) * stretch, NOWHERE, NOWHERE
+        if ks is not None:
+            m = plus(NOWHERE, dt, three(scratch, c, STEP, q))
+            half, s = plus(now, -0.5, m), three(table, k, SLIP, q)
+            if w is not None:
+                radii = table[k, RADII * WIDE + q], table[k, (RADII + 1) * WIDE + q]
+                spins = three(scratch, c, SPIN_I, q), three(scratch, c, SPIN_J, q)
+                m, twist = rolled(m, half, dt, spins[0], spins[1], radii[0], radii[1])
+            s = charged(s, m, half)
+            if w is not None:
+                s = turned(s, n, twist)
+            note(table, k, SLIP, q, s)
+            across = plus(NOWHERE, own(table, like, 1, k, q), s)
+        if frail is not None:
+            tension, shear = own(table, like, 2, k, q), own(table, like, 3, k, q)
+            broken = state[k, q] != 0
+            breaks = beyond(along, across, tension, shear, frail[2]) & (not broken)
+            scratch[c, HIT * WIDE + q] = 1.0 if breaks else 0.0
+            breaking += 1 if breaks else 0
+            along = 0.0 if breaks | broken else along
+            across = NOWHERE if breaks | broken else across
+        scratch[c, NORMAL * WIDE + q] = 0.5 * along * stretch
+        note(scratch, c, FORCE, q, plus(across, along, n))
+        if ks is not None:
+            scratch[c, SHEARED * WIDE + q] = 0.5 * dot(across, s)
+            if w is not None:
+                note(scratch, c, TORQUE, q, cross(n, across))
+                arm_i, arm_j = arms(radii[0], radii[1], length)
+                scratch[c, ARMS * WIDE + q], scratch[c, (ARMS + 1) * WIDE + q] = arm_i, arm_j
+    return breaking
+
+
+@inlined
+def hand_out(
+    push: Vector,
+    turn: Vector,
+    base: int,
+    scratch: Vector,
+    c: int,
+    ends: Ends,
+    k: int,
+    many: int,
+    ks: Vector | None,
+    w: Vector | None,
+) -> tuple[float, float]:
+    """Add the forces of block k to push and turn, from row `base` on; return both energies [J]."""
+    normal = sheared = 0.0
+    for q in range(many):
+        i, j = base + ends[k, q], base + ends[k, WIDE + q]
+        force = three(scratch, c, FORCE, q)
+        put(push, i, plus(at(push, i), 1.0, force))
+        put(push, j, plus(at(push, j), -1.0, force))
+        normal += scratch[c, NORMAL * WIDE + q]
+        if ks is not None:
+            sheared += scratch[c, SHEARED * WIDE + q]
+            if w is not None:
+                torque = three(scratch, c, TORQUE, q)
+                put(turn, i, plus(at(turn, i), scratch[c, ARMS * WIDE + q], torque))
+                put(turn, j, plus(at(turn, j), scratch[c, (ARMS + 1) * WIDE + q], torque))
+    return normal, sheared

@@ -1,0 +1,162 @@
+"""Adds up what all bonds do, and parts those that break; parts of kernels."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from vv.engines.dem.bonds.bend import SCRATCH, three
+from vv.engines.dem.bonds.blocks import SLIP, WIDE, Blocks
+from vv.engines.dem.bonds.law import Frail, Springs, arms, kept, listed, rolled, stretched
+from vv.engines.dem.bonds.sweep import BREAKS, BROKEN, sweep_all
+from vv.engines.dem.bonds.threads import sweep_shared
+from vv.engines.dem.rows import Index
+from vv.engines.dem.space.neighbours import Slots, State
+from vv.engines.kernels.compiled import called, inlined
+from vv.engines.kernels.triples import NOWHERE, Triple, at, cross, dot, plus, put
+from vv.scene import Vector
+
+Shares = tuple[Vector, Vector, Vector, Vector]
+
+
+@inlined
+def shares(chunks: int, rows: int) -> Shares:
+    """What chunks have for themselves: push and turn (c x rows, 3), scratch, and (c, 3) sums."""
+    push, turn = np.zeros((chunks * rows, 3)), np.zeros((chunks * rows, 3))
+    return push, turn, np.zeros((chunks, SCRATCH * WIDE)), np.zeros((chunks, 3))
+
+
+@inlined
+def part(
+    p: int,
+    push: Vector,
+    turn: Vector | None,
+    u: Vector,
+    v: Vector,
+    w: Vector | None,
+    dt: float,
+    springs: Springs,
+    ks: Vector | None,
+    table: Vector,
+    frail: Frail,
+    slots: Slots,
+    many: Index,
+    lost: Vector,
+) -> tuple[float, float]:
+    """Put bond p among the contacts and add what stays of its force; return its energies [J].
+
+    The trapezoidal rule by which all is booked makes the force the mean of that at the two ends
+    of the step, so that the bond parts in the middle: `lost` (2,) [J] is what its springs held
+    then, less what stays.
+    """
+    rows, offset, first, strained, kn, radius = springs
+    i, j = rows[p, 0], rows[p, 1]
+    moved, step = plus(at(u, j), -1.0, at(u, i)), plus(at(v, j), -1.0, at(v, i))
+    now, n, length, stretch = stretched(at(offset, p), moved, first[p], strained[p])
+    step = plus(NOWHERE, dt, step)
+    along, m, s, across = kn[p] * stretch, step, NOWHERE, NOWHERE
+    if ks is not None:
+        s = three(table, p // WIDE, SLIP, p % WIDE)
+        if w is not None:
+            half = plus(now, -0.5, step)
+            m, _ = rolled(step, half, dt, at(w, i), at(w, j), radius[p, 0], radius[p, 1])
+        across = plus(NOWHERE, ks[p], s)
+    pressed, share = kept(along, across, frail[2])
+    lost[0] += 0.5 * (along - pressed) * (stretch - dot(step, n))
+    lost[1] += 0.5 * (1.0 - share) * dot(across, plus(plus(NOWHERE, 1.0 + share, s), -1.0, m))
+    across = plus(NOWHERE, share, across)
+    listed(p, across, springs, frail, slots, many)
+    force = plus(across, pressed, n)
+    put(push, i, plus(at(push, i), 1.0, force))
+    put(push, j, plus(at(push, j), -1.0, force))
+    if turn is not None:
+        arm_i, arm_j = arms(radius[p, 0], radius[p, 1], length)
+        put(turn, i, plus(at(turn, i), arm_i, cross(n, across)))
+        put(turn, j, plus(at(turn, j), arm_j, cross(n, across)))
+    return 0.5 * pressed * stretch, 0.5 * share * dot(across, s)
+
+
+@inlined
+def added(push: Vector, pushes: Vector, window: Index, chunks: int) -> None:
+    """Add up what the chunks push, in their order."""
+    rows = len(pushes) // chunks
+    for c in range(chunks):
+        for i in range(window[c, 0], window[c, 1]):
+            put(push, i, plus(at(push, i), 1.0, at(pushes, c * rows + i)))
+
+
+@called
+def parted(
+    push: Vector,
+    turn: Vector | None,
+    u: Vector,
+    v: Vector,
+    w: Vector | None,
+    dt: float,
+    springs: Springs,
+    ks: Vector | None,
+    table: Vector,
+    frail: Frail,
+    state: State,
+    slots: Slots,
+    many: Index,
+    lost: Vector,
+) -> tuple[float, float]:
+    """Part all bonds that break; return their energies [J].
+
+    slots: the pairs of bonds that have parted are among the first many[0] (space/neighbours.py).
+    """
+    normal = sheared = 0.0
+    for p in range(len(springs[0])):
+        if state[p // WIDE, p % WIDE] == BREAKS:
+            state[p // WIDE, p % WIDE] = BROKEN
+            a, b = part(p, push, turn, u, v, w, dt, springs, ks, table, frail, slots, many, lost)
+            normal, sheared = normal + a, sheared + b
+    return normal, sheared
+
+
+@inlined
+def pull(
+    push: Vector,
+    turn: Vector | None,
+    u: Vector,
+    v: Vector,
+    w: Vector | None,
+    dt: float,
+    springs: Springs,
+    ks: Vector | None,
+    blocks: Blocks,
+    table: Vector,
+    each: Shares,
+    frail: Frail | None,
+    state: State,
+    threads: int | None,
+) -> Triple:
+    """Add the forces of all bonds to push and turn; return energies [J], and how many break.
+
+    The energies are those of normal and of shear springs. Those that break are for `parted`, which
+    kernels call themselves: within this function it would have every array counted, each time.
+
+    springs: rows (b, 2), first offset (b, 3) and its length (b,), stretch at t = 0 (b,), kn (b,),
+    radii (b, 2). table: that of blocks, where the displacements of the surfaces across each bond
+    go on; they turn with it and, where spheres spin, about it by the mean of their spins. frail:
+    tension and shear strengths (b,), mu, and the spheres i < j (b, 2); state: see `sweep`.
+    """
+    ends, like, share, window = blocks[0], blocks[2], blocks[3], blocks[4]
+    if threads is None:
+        sweep_all(
+            each[0], each[1], each[2], each[3], u, v, w, dt,
+            ends, table, like, share, window, len(springs[0]), ks, frail, state,
+        )  # fmt: skip
+    else:
+        sweep_shared(
+            each[0], each[1], each[2], each[3], u, v, w, dt,
+            ends, table, like, share, window, len(springs[0]), ks, frail, state,
+        )  # fmt: skip
+    held = each[3]
+    added(push, each[0], window, len(held))
+    if turn is not None:
+        added(turn, each[1], window, len(held))
+    normal = sheared = breaking = 0.0
+    for c in range(len(held)):
+        normal, sheared, breaking = normal + held[c, 0], sheared + held[c, 1], breaking + held[c, 2]
+    return normal, sheared, breaking

@@ -1,0 +1,1 @@
+"""The reduced model of one unknown: a sphere on a line."""

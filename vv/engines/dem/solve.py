@@ -1,0 +1,291 @@
+"""Turns an ask into a program for a compiled kernel, and what the kernel wrote into a Run."""
+
+from __future__ import annotations
+
+import functools
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from vv.ask import Ask, Ledger, Model, Reaction, Run, Status
+from vv.engines.dem.bonds.layout import MANY
+from vv.engines.dem.critical_step import critical_step
+from vv.engines.dem.leapfrog import CENTRED, Leapfrog
+from vv.engines.dem.limits import BLOW_UP, GAIN
+from vv.engines.dem.line.model import Line, line
+from vv.engines.dem.pressed.model import Pressed, pressed
+from vv.engines.dem.safe_step import PACKED
+from vv.engines.dem.space.model import Space, SpaceState, space
+from vv.scene import Form, Scene, Term, Vector
+from vv.scene.scene import LOCKED
+from vv.standins.stand_in import Stood, sprung
+from vv.standins.stand_in import why_not as why_not_rigid
+
+FORMS = tuple(Form)  # the columns of a ledger, in their order
+EPS = float(np.finfo(float).eps)
+ROUNDINGS = 16  # of the peak energy, allowed for each step
+GAINED = "energy that comes from nowhere [J]"
+"""In a scene with bonds: (w dt)^2/4 of what is held at most, w dt/2 from a start half a step late.
+
+A contact that closes within a step brings kn (v dt)^2/8, which is as much if all is in its motion.
+"""
+COULOMB = 1e-9  # of the largest force: friction is cut to mu N as it is found
+SOFT = 0.1  # of the smallest radius: a deeper overlap is no contact of spheres any more
+
+
+@dataclass(frozen=True, eq=False)
+class Program:
+    """An ask ready to be solved as often as wanted.
+
+    system: the smallest model of its scene; stood: that scene, with what stands in for what
+    springs cannot do. threads: that share the bonds, if there are any; the answer is the same.
+    """
+
+    ask: Ask
+    leapfrog: Leapfrog
+    system: Line | Pressed | Space
+    stood: Stood
+    threads: int = 1
+
+    @property
+    def model(self) -> Model:
+        """What was built; unknowns are counted in the arrays that the kernel is given."""
+        unknowns = sum(array.size for array in self.system.unknowns)
+        words = (self.system.words, *self.stood.notes, f"largest stable dt {self.limit:.4g} s")
+        return Model(unknowns, self.system.terms | self.stood.terms, "; ".join(words))
+
+    @functools.cached_property
+    def limit(self) -> float:
+        """The largest stable step [s]."""
+        return critical_step(self.stood.scene, self.leapfrog)
+
+    @functools.cached_property
+    def arguments(self) -> tuple[Any, ...]:
+        """What the kernel is called with: outputs, stride, dt, the scene, the leapfrog."""
+        goal, dt = self.ask.goal, self.ask.dt
+        outputs = self.system.outputs(len(goal.times(dt)), self.spheres)
+        state, leapfrog = self.system.state, (self.leapfrog.lag, self.leapfrog.back)
+        if isinstance(state, SpaceState) and self.threads > 1:
+            state = state._replace(threads=self.threads)
+        return (*outputs, goal.stride(dt), dt, *state, *leapfrog)
+
+    @functools.cached_property
+    def spheres(self) -> tuple[int, ...]:
+        """The spheres observed; raises ValueError for a body that is none."""
+        return tuple(self.stood.scene.sphere_index(what.body) for what in self.ask.observables)
+
+    def warm(self) -> None:
+        """Load or compile the kernel for these arguments; no step is taken."""
+        path, energy, *rest = self.arguments
+        self._call(path[:1], energy[:1], *rest)
+
+    def solve(self) -> int:
+        """Run the kernel over all steps; returns how many rows of the outputs are good.
+
+        Raises ValueError for more threads than numba may have.
+        """
+        return self._call(*self.arguments)
+
+    def _call(self, *arguments: Any) -> int:
+        if self.threads == 1:
+            return self.system.kernel()(*arguments)
+        from vv.engines.dem.bonds.threads import on_threads
+
+        return on_threads(self.threads, self.system.kernel(), arguments)
+
+    def run(self, rows: int) -> Run:
+        """The Run of a solve that returned `rows`; its cost is left empty."""
+        goal, dt = self.ask.goal, self.ask.dt
+        path, energy = self.arguments[:2]
+        whole = rows == len(path)
+        values = {
+            what: self.system.observed(path[:rows], index, sphere, what)
+            for index, (what, sphere) in enumerate(
+                zip(self.ask.observables, self.spheres, strict=True)
+            )
+        }
+        return Run(
+            status=Status.RAN if whole else Status.DIVERGED,
+            reason="" if whole else self._why(energy, rows),
+            times=goal.times(dt)[:rows],
+            values=values,
+            steps=goal.stride(dt) * (rows - 1 if whole else rows),
+            model=self.model,
+            ledger=self._ledger(path, energy) if whole else None,
+            energies=self._energies(path[:rows], energy[:rows]),
+        )
+
+    def _energies(self, path: Vector, energy: Vector) -> dict[Form, Vector]:
+        """The forms asked for, (k,) each; zeros for what the scene does not have."""
+        if not self.ask.energies:
+            return {}
+        terms = self.system.held(path, energy)
+        told = dict(zip(FORMS[: len(terms.T)], terms.T, strict=True))
+        none = np.zeros(len(terms))
+        return {form: np.array(told.get(form, none)) for form in self.ask.energies}
+
+    def _why(self, energy: Vector, row: int) -> str:
+        step = row * self.ask.goal.stride(self.ask.dt)
+        when = f"by step {step}, t = {step * self.ask.dt:.6g} s"
+        held, put_in = energy[row, :3].sum(), self.system.put_in(energy)
+        if not np.isfinite(held):
+            return f"{when}: the state is not finite"
+        return (
+            f"{when}: energy {held:.4g} J of motion and springs from {put_in:.4g} J at the start; "
+            f"the bounds are {GAIN:g} times all that was put in, {BLOW_UP:g} times for m v+^2/2"
+        )
+
+    def _ledger(self, path: Vector, energy: Vector) -> Ledger:
+        terms = self.system.held(path, energy)
+        put_in = self.system.put_in(energy)
+        peak = max(put_in, float(terms[:, :3].sum(axis=1).max()))
+        bound = self.system.bound(energy, self.leapfrog, self.ask.dt)
+        if bound is not None:
+            # each step rounds what is held, and every sum of work that it adds to
+            rounded = ROUNDINGS * peak + float(np.abs(terms).max())
+            bound += rounded * EPS * (self.ask.goal.steps(self.ask.dt) + 1)
+            bound = min(bound, peak)
+        gap = terms.sum(axis=1) - put_in
+        audits = {} if isinstance(self.system, Line) else dict(_audits(self.stood.scene, terms))
+        if self.stood.scene.bonds is not None:
+            order = 2 if self.leapfrog == CENTRED else 1
+            audits[GAINED] = float(gap.max(initial=0.0)), peak * (self.ask.dt / self.limit) ** order
+        return Ledger(
+            terms={form.value: float(terms[-1, k]) for k, form in enumerate(FORMS[: len(terms.T)])},
+            unaccounted=float(np.abs(gap).max()),
+            peak=peak,
+            bound=bound,
+            audits=audits,
+        )
+
+
+def prepare(ask: Ask, leapfrog: Leapfrog, threads: int = 1) -> Program:
+    """The program of an ask, with the smallest model its scene allows."""
+    stood = sprung(ask)
+    scene, charged = stood.scene, stood.charged
+    if ask.energies or any(isinstance(what, Reaction) for what in ask.observables):
+        return Program(ask, leapfrog, space(scene, charged), stood, threads)
+    system = line(scene) or pressed(scene, charged) or space(scene, charged)
+    return Program(ask, leapfrog, system, stood, threads)
+
+
+def solve(ask: Ask, leapfrog: Leapfrog) -> Run:
+    """Solve an ask once; refused if `refuses` says why."""
+    reason = refuses(ask)
+    if reason is not None:
+        return Run(Status.REFUSED, reason)
+    program = prepare(ask, leapfrog)
+    return program.run(program.solve())
+
+
+def refuses(ask: Ask) -> str | None:
+    """Why an ask cannot be run honestly; else None."""
+    dt, goal = ask.knobs.dt, ask.goal
+    if dt is None:
+        return "Knobs.dt is None; an explicit scheme needs a step"
+    if goal.steps(dt) == 0:
+        return f"dt = {dt!r} s leaves no step in History.duration = {goal.duration!r} s"
+    reason = why_not_rigid(ask)
+    if reason is not None:
+        return reason
+    scene = sprung(ask).scene
+    return (
+        _spins_where_locked(scene)
+        or _coincident(scene)
+        or _unknown_reaction(ask, scene)
+        or _viscous_among_many(scene)
+        or _rings(scene, dt)
+    )
+
+
+def unstable(ask: Ask, leapfrog: Leapfrog) -> str | None:
+    """Why the step of an ask is too large, with the largest stable one and its rule; else None.
+
+    Such a step may be solved all the same, to see what comes of it.
+    """
+    dt = ask.knobs.dt
+    limit = critical_step(sprung(ask).scene, leapfrog)
+    if dt is None or dt <= limit:
+        return None
+    late = ask.scene.eta + ask.scene.contact.eta_n > 0 and leapfrog.lag > 0.5
+    rule = "2 (sqrt(n^2 + w^2) - n)/w^2, n = eta/2m + eta_n/kn w^2/2" if late else "2/w"
+    return (
+        f"dt = {dt:.6g} s is beyond the largest stable step {limit:.6g} s = {rule}, w the highest "
+        f"frequency of its contacts; {PACKED * limit:.3g} s is safe however like spheres touch"
+    )
+
+
+def _audits(scene: Scene, terms: Vector) -> Iterator[tuple[str, tuple[float, float]]]:
+    """What the springs' energies (k, 2) [J] at the outputs say of friction and overlap.
+
+    The overlap is the largest there can be: that of one contact which holds all the energy. Of
+    several contacts none can be told from another, and their friction is not audited. A model
+    of one unknown holds no normal spring beside its shear spring and has nothing to tell.
+    """
+    law, normal, shear = scene.contact, terms[:, 1], terms[:, 2]
+    if not law.kn > 0 or not len(scene.spheres) or scene.bonds is not None:
+        return
+    radius = float(scene.spheres.radius.min())
+    yield "penetration [m]", (float(np.sqrt(2 * normal.max() / law.kn)), SOFT * radius)
+    if len(scene.spheres) == len(scene.walls) == 1:
+        push, drag = np.sqrt(2 * law.kn * normal), np.sqrt(2 * law.ks * shear)
+        beyond = float((drag - law.mu * push).max())
+        yield "Coulomb: friction beyond mu N [N]", (max(beyond, 0.0), COULOMB * float(push.max()))
+
+
+def _spins_where_locked(scene: Scene) -> str | None:
+    spheres = scene.spheres
+    parts = spheres.spin @ scene.axes.T
+    size = np.abs(parts).max(axis=1, keepdims=True, initial=0.0)
+    for i, axis in np.argwhere(~spheres.free_spin & (np.abs(parts) > LOCKED * size))[:1]:
+        along = f"{parts[i, axis]:.6g} 1/s along a locked axis"
+        return f"Spheres.spin[{i}] has {along}; a locked body must not turn there"
+    return None
+
+
+def _coincident(scene: Scene) -> str | None:
+    position = scene.spheres.position
+    order = np.lexsort(position.T)
+    same = np.flatnonzero(~np.diff(position[order], axis=0).any(axis=1))
+    if len(same):
+        first, second = np.sort(order[same[0] : same[0] + 2])
+        return f"spheres {first} and {second} have one centre; a contact needs a normal"
+    return None
+
+
+def _viscous_among_many(scene: Scene) -> str | None:
+    """Dashpots are found where all pairs are listed, and act between velocities of one time."""
+    if not scene.contact.eta_n > 0:
+        return None
+    if Term.BASE_MOTION in scene.terms():
+        return "viscous contact is not modelled where a wall moves"
+    if line(scene) is None and space(scene).state.near is not None:
+        return f"viscous contact is modelled for less than {MANY} spheres, and beside no bonds"
+    return None
+
+
+def _rings(scene: Scene, dt: float) -> str | None:
+    """A viscous force that half a step would turn round goes on to and fro, and makes energy."""
+    contact = scene.contact
+    if not contact.eta_n > 0:
+        return None
+    longest = 0.5 * contact.kn / contact.eta_n * critical_step(scene, CENTRED) ** 2
+    if dt <= longest:
+        return None
+    return (
+        f"dt = {dt:.6g} s is beyond {longest:.6g} s = 2 kn/(eta_n w^2), in half of which viscous "
+        "contact stops what approaches; w the highest frequency of its contacts"
+    )
+
+
+def _unknown_reaction(ask: Ask, scene: Scene) -> str | None:
+    """The forces on all bodies that stay in place are summed up in one row."""
+    for what in ask.observables:
+        if isinstance(what, Reaction):
+            i = scene.sphere_index(what.body)
+            moving = scene.spheres.free[i].any() or scene.spheres.free_spin[i].any()
+            if not (moving or scene.carried[i].any()):
+                return f"the reaction on body {what.body}, which cannot move, is not modelled"
+    return None

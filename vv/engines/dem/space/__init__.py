@@ -1,0 +1,1 @@
+"""The general model: spheres that move and turn in space."""

@@ -1,0 +1,1 @@
+"""The terms of a scene of spheres, a file each."""

@@ -1,0 +1,170 @@
+"""Contacts that are viscous along their normal and never pull, inlined into the kernel of space.
+
+Their forces act on the mean of the velocities before and after, which they change themselves:
+those of all contacts are found together, by sweeps over one contact after the other.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from vv.engines.dem.rows import Index
+from vv.engines.dem.space.advance import carried_on, held
+from vv.engines.dem.terms.contact_law import Pairs, Walls, apart, off_wall
+from vv.engines.kernels.compiled import inlined
+from vv.engines.kernels.triples import NOWHERE, Triple, at, dot, plus, put
+from vv.scene import Vector
+
+SWEEPS = 1000  # at most; 1 + eta_n dt/2 B M^-1 B^T, of condition 2 at most, takes some tens
+SETTLED = 1e-15  # of the largest force: how little a last sweep changes
+SPRING, RATE, FORCE, OVERLAP = 3, 4, 5, 6  # columns after those of the normal
+
+Met = tuple[Index, Vector]
+"""All contacts that may be: the rows (k, 2) of what meets, the first pushed against the normal;
+(k, 7) normal, push of the spring [N], coefficient [N s/m], viscous force [N], overlap [m]."""
+
+
+@inlined
+def dashpots(pairs: Pairs | None, walls: Walls | None, ground: int) -> Met:
+    """No contact met as yet; a wall is the first of two, in the row of the ground."""
+    many = 0
+    if pairs is not None:
+        many += len(pairs[0])
+    if walls is not None:
+        many += len(walls[0])
+    ends, kept = np.full((many, 2), ground), np.zeros((many, 7))
+    kept[:, OVERLAP] = np.inf  # what touches at t = 0 did so before
+    k = 0
+    if pairs is not None:
+        k = len(pairs[0])
+        ends[:k] = pairs[0]
+    if walls is not None:
+        ends[k:, 1] = walls[0]
+    return ends, kept
+
+
+@inlined
+def meet(
+    met: Met, u: Vector, pairs: Pairs | None, walls: Walls | None, kn: float, eta_n: float
+) -> None:
+    """Bring all contacts to the displacements u (rows, 3) [m]."""
+    k = 0
+    if pairs is not None:
+        for p in range(len(pairs[0])):
+            overlap, d, length = apart(u, pairs, p)
+            close(met[1], k, plus(NOWHERE, 1.0 / length, d), overlap, kn, eta_n)
+            k += 1
+    if walls is not None:
+        for q in range(len(walls[0])):
+            close(met[1], k, at(walls[1], q), off_wall(u, walls, q), kn, eta_n)
+            k += 1
+
+
+@inlined
+def close(kept: Vector, k: int, n: Triple, overlap: float, kn: float, eta_n: float) -> None:
+    """Bring contact k to an overlap [m].
+
+    One that closes within a step is given a share of eta_n for that step.
+    """
+    before, share = kept[k, OVERLAP], 1.0
+    if before <= 0.0 < overlap:
+        share = late(overlap, overlap - before)
+    put(kept, k, n)
+    kept[k, SPRING] = kn * max(overlap, 0.0)
+    kept[k, RATE] = share * eta_n if overlap > 0.0 else 0.0
+    kept[k, OVERLAP] = overlap
+
+
+@inlined
+def late(overlap: float, closed: float) -> float:
+    """The share of eta_n in the step in which a contact closes by `closed` to an overlap [m].
+
+    It is 1/2 and the part of the step since: without, the impulse would be off in first order.
+    """
+    return float(0.5 + min(overlap / closed, 1.0))
+
+
+@inlined
+def slow(
+    met: Met,
+    push: Vector,
+    v: Vector,
+    new: Vector,
+    mass: Vector,
+    hold: Vector | None,
+    dt: float,
+    eta: float | None,
+    lag: float,
+    carried: Vector | None,
+) -> tuple[float, float]:
+    """Add the viscous forces of all contacts to push (m + 1, 3) [N].
+
+    F = max(-kn U, eta_n (lag a- + (1 - lag) a+)), a the rate of approach; new (m + 1, 3) becomes
+    the velocities after. Returns the powers [W] that it takes before and after now.
+    """
+    ends, kept = met
+    for i in range(len(mass)):
+        put(new, i, carried_on(at(v, i), held(at(push, i), hold, i), mass[i], dt, eta, lag,
+                               carried, i))  # fmt: skip
+    kept[:, FORCE] = 0.0
+    extra = 0.0
+    if eta is not None:
+        extra = (1.0 - lag) * eta * dt
+    for _ in range(SWEEPS):
+        most = change = 0.0
+        for k in range(len(ends)):
+            if kept[k, RATE] > 0.0:
+                force = settled(met, k, v, new, mass, hold, dt, extra, lag)
+                change = max(change, abs(force - kept[k, FORCE]))
+                most = max(most, abs(force))
+                kept[k, FORCE] = force
+        if change <= SETTLED * most:
+            break
+    behind = ahead = 0.0
+    for k in range(len(ends)):
+        n, i, j = at(kept, k), ends[k, 0], ends[k, 1]
+        behind += kept[k, FORCE] * dot(n, plus(at(v, i), -1.0, at(v, j)))
+        ahead += kept[k, FORCE] * dot(n, plus(at(new, i), -1.0, at(new, j)))
+    shove(met, push, 1.0)
+    return behind, ahead
+
+
+@inlined
+def settled(
+    met: Met,
+    k: int,
+    v: Vector,
+    new: Vector,
+    mass: Vector,
+    hold: Vector | None,
+    dt: float,
+    extra: float,
+    lag: float,
+) -> float:
+    """The force [N] of contact k that holds as the others are; new is brought to it."""
+    ends, kept = met
+    n, i, j = at(kept, k), ends[k, 0], ends[k, 1]
+    first, second = NOWHERE, NOWHERE
+    if i < len(mass):
+        first = plus(NOWHERE, dt / (mass[i] + extra), held(n, hold, i))
+    if j < len(mass):
+        second = plus(NOWHERE, dt / (mass[j] + extra), held(n, hold, j))
+    went = dot(n, plus(at(v, i), -1.0, at(v, j)))
+    goes = dot(n, plus(at(new, i), -1.0, at(new, j)))
+    rate = kept[k, RATE]
+    wanted = rate * (lag * went + (1.0 - lag) * goes)
+    by = (wanted - kept[k, FORCE]) / (1.0 + (1.0 - lag) * rate * dot(n, plus(first, 1.0, second)))
+    by = max(by, -kept[k, SPRING] - kept[k, FORCE])
+    put(new, i, plus(at(new, i), -by, first))
+    put(new, j, plus(at(new, j), by, second))
+    return float(kept[k, FORCE] + by)
+
+
+@inlined
+def shove(met: Met, push: Vector, sign: float) -> None:
+    """Add the forces of all contacts to push, or take them away."""
+    ends, kept = met
+    for k in range(len(ends)):
+        force, i, j = plus(NOWHERE, sign * kept[k, FORCE], at(kept, k)), ends[k, 0], ends[k, 1]
+        put(push, i, plus(at(push, i), -1.0, force))
+        put(push, j, plus(at(push, j), 1.0, force))

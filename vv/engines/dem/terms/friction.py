@@ -1,0 +1,104 @@
+"""The shear spring of a contact and its Coulomb cap, inlined into kernels."""
+
+from __future__ import annotations
+
+import math
+
+from vv.engines.kernels.compiled import inlined
+from vv.engines.kernels.triples import NOWHERE, Triple, cross, dot, plus
+
+SMALL = 0.01  # an exponent below which 1/x - 1/x' would cancel
+
+
+@inlined
+def share_closed(overlap: float, opened: float) -> float:
+    """The share of a step in which a contact was closed that has an overlap [m] at its end.
+
+    Only then is the shear spring charged: a whole step would make the force first order in dt.
+    """
+    return 1.0 if overlap + opened >= 0.0 else -overlap / opened
+
+
+@inlined
+def turned(s: Triple, n: Triple, angle: float) -> Triple:
+    """s turned about n, to which it is perpendicular, by a small angle [rad]; keeps its length."""
+    square = 0.25 * angle * angle
+    cosine, sine = (1.0 - square) / (1.0 + square), angle / (1.0 + square)
+    return plus(plus(NOWHERE, cosine, s), sine, cross(n, s))
+
+
+@inlined
+def sheared(
+    spring: Triple,
+    n: Triple,
+    n_before: Triple,
+    twist: float | None,
+    slide: Triple,
+    change: Triple,
+    ks: float,
+    caps: tuple[float, float],
+) -> tuple[Triple, float]:
+    """The shear force [N] after a step, and the energy [J] that friction took in it.
+
+    The old force turns with the contact plane from n_before to n and by `twist` [rad] about n,
+    both exactly. Then it grows by -ks times the slide [m] in the plane, up to the cap mu Fn [N]
+    (Li 2018, Eqs. 5-8, with the sign that Eq. 8 leaves out); caps: before and after the step.
+    change: slide less that of the step before. The energy is the slip, which is the slide
+    without its elastic part, times the mean of the old and the new force. Where the slide turns
+    back, what `slipping` says would give energy: then the force is along the trial force, which
+    takes some whenever the old force is below the cap, too.
+    """
+    old = plus(spring, -dot(n, spring) / (1.0 + dot(n, n_before)), plus(n, 1.0, n_before))
+    if twist is not None:
+        old = turned(old, n, twist)
+        slide = plus(slide, 0.5 * twist, cross(n, slide))  # the spring turns as it is charged
+    slide = plus(slide, -dot(n, slide), n)
+    trial = plus(old, -ks, slide)
+    if dot(trial, trial) <= caps[1] * caps[1]:
+        return trial, 0.0
+    new, taken = capped(old, slipping(old, trial, slide, change, ks, caps), slide, ks, caps[1])
+    if taken < 0.0:
+        new, taken = capped(old, trial, slide, ks, caps[1])
+    return new, taken
+
+
+@inlined
+def capped(old: Triple, pull: Triple, slide: Triple, ks: float, cap: float) -> tuple[Triple, float]:
+    """The force along `pull` at the cap, and the energy that friction took to bring it there."""
+    new = plus(NOWHERE, cap / math.sqrt(dot(pull, pull)), pull)
+    slip = plus(slide, 1.0 / ks, plus(new, -1.0, old))
+    return new, -0.5 * dot(plus(old, 1.0, new), slip)
+
+
+@inlined
+def slipping(
+    old: Triple,
+    trial: Triple,
+    slide: Triple,
+    change: Triple,
+    ks: float,
+    caps: tuple[float, float],
+) -> Triple:
+    """A vector along the force of a slipping contact after a step.
+
+    A contact that slips turns its force: with the angle t between the force and minus the rate
+    of slide s, t' = -(ks |s|/cap) sin t, so that tan(t/2) falls by E = exp(-x) in a step with
+    x = ks |s| dt/cap. The trial force obeys this to first order only. Exact for a steady
+    direction d = -s/|s| is the direction of 2 E f + (1 - E^2 + cos t (1 - E)^2) d, f = F/|F|
+    (Krieg and Krieg 1977, for plasticity). Where s turns, d is taken at the moment that has the
+    effect of the whole step: coth(x/2)/2 - 1/x steps after its middle.
+    """
+    moved = dot(slide, slide)
+    if moved == 0.0 or dot(old, trial) <= 0.0:
+        return trial
+    x = 2.0 * ks * math.sqrt(moved) / (caps[0] + caps[1])
+    fading = math.exp(-x)
+    late = 0.5 * (1.0 + fading) / (1.0 - fading) - 1.0 / x if x > SMALL else x / 12.0
+    across = plus(change, -dot(change, slide) / moved, slide)
+    aim = plus(slide, late, across)
+    longer, size = math.sqrt(dot(aim, aim)), math.sqrt(dot(old, old))
+    cosine = -dot(old, aim) / (longer * size)
+    # a force that has not reached the cap yet counts for less than one that turns at the cap
+    kept = 2.0 * fading / (caps[0] if cosine > 0.0 else size)
+    gained = 1.0 - fading * fading + cosine * (1.0 - fading) ** 2
+    return plus(plus(NOWHERE, kept, old), -gained / longer, aim)

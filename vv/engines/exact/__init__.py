@@ -1,0 +1,159 @@
+"""Exact engine: small scenes whose normals and bonds do not turn, solved from event to event.
+
+May import: base, scene, ask, standins.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from vv.ask import Ask, Displacement, Model, Run, Status
+from vv.engines.exact.bonds import assemble_bonded, assemble_linearised
+from vv.engines.exact.flow import StoppedError, follow
+from vv.engines.exact.ledger import ledger
+from vv.engines.exact.modelled import BONDS, TERMS
+from vv.engines.exact.path import Path
+from vv.engines.exact.reachability import RefusedError
+from vv.engines.exact.slide.flow import follow_slider, lift_off
+from vv.engines.exact.slide.ledger import slide_ledger
+from vv.engines.exact.slide.path import Slide
+from vv.engines.exact.slide.system import Slider, assemble_slider, describe_slider
+from vv.engines.exact.system import System, assemble, describe
+from vv.scene import Scene
+from vv.standins.soften import as_spheres
+
+__all__ = [
+    "BONDS",
+    "TERMS",
+    "Path",
+    "Prepare",
+    "RefusedError",
+    "Slide",
+    "Slider",
+    "StoppedError",
+    "System",
+    "answer",
+    "assemble",
+    "assemble_bonded",
+    "assemble_slider",
+    "duration",
+    "follow",
+    "follow_slider",
+    "model",
+    "move",
+    "prepare",
+    "prepare_linearised",
+    "refusal",
+    "solve",
+    "solve_linearised",
+]
+
+Prepare = Callable[[Ask], System | Slider]
+
+
+def prepare(ask: Ask) -> System | Slider:
+    """The equations to solve for an ask, of springs or of rigid contact; raises RefusedError."""
+    problem: System | Slider
+    if ask.scene.bonds is not None:
+        problem = assemble_bonded(ask.scene)
+    else:
+        problem = _pressed(ask) if ask.scene.contact.rigid else assemble(ask.scene)
+    _check_observed(ask)
+    return problem
+
+
+def prepare_linearised(ask: Ask) -> System | Slider:
+    """The equations of bonds to first order in the displacements; raises RefusedError."""
+    problem = assemble_linearised(ask.scene)
+    _check_observed(ask)
+    return problem
+
+
+def refusal(ask: Ask, prepare: Prepare = prepare) -> str | None:
+    """Why an ask is outside the engine's class, or None."""
+    try:
+        prepare(ask)
+    except RefusedError as reason:
+        return str(reason)
+    return None
+
+
+def move(problem: System | Slider, duration: float) -> Path | Slide:
+    """The motion over a duration [s]; raises StoppedError if it cannot be followed."""
+    if isinstance(problem, Slider):
+        return follow_slider(problem, duration)
+    return follow(problem, duration)
+
+
+def model(scene: Scene, problem: System | Slider) -> Model:
+    """What was built for a scene."""
+    if isinstance(problem, Slider):
+        return describe_slider(scene, problem)
+    return describe(scene, problem)
+
+
+def solve(ask: Ask, prepare: Prepare = prepare) -> Run:
+    """The run of an ask, without cost: refused, diverged, or exact to rounding."""
+    try:
+        problem = prepare(ask)
+    except RefusedError as reason:
+        return Run(Status.REFUSED, str(reason))
+    try:
+        path = move(problem, duration(ask))
+    except StoppedError as reason:
+        return Run(Status.DIVERGED, str(reason), model=model(ask.scene, problem))
+    return answer(ask, path)
+
+
+def solve_linearised(ask: Ask) -> Run:
+    """The run of an ask about bonds, exact to first order in the displacements."""
+    return solve(ask, prepare_linearised)
+
+
+def duration(ask: Ask) -> float:
+    """The last time asked for [s]."""
+    return float(ask.goal.times(ask.knobs.dt)[-1])
+
+
+def answer(ask: Ask, path: Path | Slide) -> Run:
+    """What an ask wants to know of a path."""
+    times = ask.goal.times(ask.knobs.dt)
+    values = {}
+    for observable in ask.observables:
+        moved, moving = path.of(_index(ask.scene, observable.body), times)
+        values[observable] = moved if isinstance(observable, Displacement) else moving
+    return Run(
+        Status.RAN,
+        times=times,
+        values=values,
+        steps=len(path),
+        model=model(ask.scene, path.slider if isinstance(path, Slide) else path.system),
+        ledger=slide_ledger(path) if isinstance(path, Slide) else ledger(path),
+    )
+
+
+def _pressed(ask: Ask) -> Slider:
+    """The slider of a scene whose body stays on its wall as long as the ask lasts."""
+    slider = assemble_slider(ask.scene)
+    end = lift_off(slider, duration(ask))
+    wall, body = slider.names
+    if end is not None:
+        raise RefusedError(
+            f"body {body} lifts off body {wall} at t = {end:.6g} s; flight is not followed"
+            if end > 0
+            else f"body {body} is not pressed on body {wall} at t = 0"
+        )
+    return slider
+
+
+def _check_observed(ask: Ask) -> None:
+    for observable in ask.observables:
+        _index(ask.scene, observable.body)
+
+
+def _index(scene: Scene, body: int) -> int:
+    """The index of a body that moves; raises RefusedError for any other."""
+    try:
+        return (as_spheres(scene) if scene.contact.rigid else scene).sphere_index(body)
+    except ValueError as reason:
+        raise RefusedError(str(reason)) from None

@@ -1,0 +1,145 @@
+"""Builds the equations of spheres on bonds: linear while no bond turns, or for small motions.
+
+Bonds couple what moves: the motions that a scene can come to are those that its velocities and
+forces start and its bonds pass on, a space that is carried into itself (Krylov's). It is often
+smaller than what the spheres taken one by one may do: a unit that breathes has one such motion.
+"""
+
+from __future__ import annotations
+
+import functools
+from collections.abc import Iterator
+
+import numpy as np
+
+from vv.engines.exact.bond_springs import Owners, Ties
+from vv.engines.exact.modelled import check_spheres, check_terms
+from vv.engines.exact.reachability import BLUR, RefusedError, Touch, moved
+from vv.engines.exact.system import System, equations, rows_of
+from vv.scene import Scene, Vector
+
+
+def assemble_bonded(scene: Scene) -> System:
+    """The equations of bonds that keep their directions, at any amplitude.
+
+    Raises RefusedError if a bond turns in a motion that the scene can come to.
+    """
+    bonds = list(_checked(scene))
+    slack = np.zeros(len(bonds))
+    motions = _motions(scene, bonds, slack)
+    for bond in bonds:
+        way = motions[:, bond.second] - motions[:, bond.spheres[0]]
+        across = way - np.outer(way @ bond.normal, bond.normal)
+        if np.abs(across).max(initial=0.0) > bond.blur:
+            raise RefusedError("the bond between bodies {} and {} turns".format(*bond.names))
+    return _tied(scene, bonds, motions, slack)
+
+
+def assemble_linearised(scene: Scene) -> System:
+    """The equations to first order in the displacements, for which bonds keep their directions.
+
+    Raises RefusedError for a scene without bonds, or with bonds that pull at t = 0: when they
+    turn, that pull turns too, which is of the same order.
+    """
+    if scene.bonds is None:
+        raise RefusedError("a scene without bonds has nothing to linearise")
+    bonds = list(_checked(scene))
+    for bond in bonds:
+        if abs(bond.gap) > bond.blur * bond.depth:
+            raise RefusedError(
+                "the bond between bodies {} and {} pulls at t = 0".format(*bond.names)
+            )
+    return _tied(scene, bonds, _motions(scene, bonds, scene.bonds.ks), scene.bonds.ks)
+
+
+def _checked(scene: Scene) -> Iterator[Touch]:
+    """The bonds: depth is the length at t = 0 and gap the stretch then, 0 within rounding."""
+    check_terms(scene)
+    check_spheres(scene)
+    assert scene.bonds is not None
+    place = scene.spheres.position
+    size = float(np.abs(place).max())
+    for (i, j), names, free in zip(
+        scene.bonded.tolist(), scene.bonds.pairs.tolist(), scene.bonds.length, strict=True
+    ):
+        offset = place[j] - place[i]
+        length = float(np.linalg.norm(offset))
+        blur = BLUR * (1 + size / length)
+        stretch = length - float(free) if abs(length - free) > blur * length else 0.0
+        yield Touch(i, j, tuple(names), offset / length, stretch, length, blur)
+
+
+def _motions(scene: Scene, bonds: list[Touch], ks: Vector) -> Vector:
+    """Orthonormal motions (k, n, 3) that span all the scene can come to."""
+    spheres = scene.spheres
+    hold = np.einsum("ka,nk,kb->nab", scene.axes, spheres.free, scene.axes)
+    push = functools.partial(_push, scene, bonds, ks)
+    weight = spheres.mass[:, None] * scene.gravity + spheres.load
+    stretched = push(0 * weight, np.array([bond.gap for bond in bonds]))
+    light = hold / spheres.mass[:, None, None]
+    most = 6 * float((scene.bonds.kn + ks).max() / spheres.mass.min())  # type: ignore[union-attr]
+    blur = max(bond.blur for bond in bonds)
+    found = np.zeros((0, *weight.shape))
+    waiting = [_unit(spheres.velocity), _unit(np.einsum("nab,nb->na", light, weight + stretched))]
+    while waiting:
+        new = np.einsum("nab,nb->na", hold, waiting.pop(0))
+        for _ in range(2):  # again, against rounding
+            new = new - np.tensordot(np.tensordot(found, new, 2), found, 1)
+        if np.abs(new).max() <= blur:
+            continue
+        found = np.concatenate((found, [_unit(new)]))
+        slowed = found[-1] * (spheres.mass.min() / spheres.mass)[:, None]
+        pulled = np.einsum("nab,nb->na", light, push(found[-1], 0.0)) / most
+        waiting += [pulled, slowed] if scene.eta > 0 else [pulled]
+    return found
+
+
+def _push(
+    scene: Scene, bonds: list[Touch], ks: Vector, q: Vector, stretch: Vector | float
+) -> Vector:
+    """The forces (n, 3) [N] of bonds at small displacements q, each stretched so besides [m]."""
+    assert scene.bonds is not None
+    i, j = scene.bonded.T
+    n = np.array([bond.normal for bond in bonds])
+    way = q[j] - q[i]
+    along = np.einsum("bk,bk->b", way, n)
+    pull = (scene.bonds.kn * (along + stretch) - ks * along)[:, None] * n + ks[:, None] * way
+    force = np.zeros_like(q)
+    np.add.at(force, i, pull)
+    np.add.at(force, j, -pull)
+    return force
+
+
+def _unit(motion: Vector) -> Vector:
+    size = float(np.linalg.norm(motion))
+    return motion / size if size > 0 else motion
+
+
+def _tied(scene: Scene, bonds: list[Touch], motions: Vector, ks: Vector) -> System:
+    """The system in the directions in which spheres come to move."""
+    blur = max(bond.blur for bond in bonds)
+    spaces = [
+        moved(scene.axes[free], list(motions[:, i]), blur)
+        for i, free in enumerate(scene.spheres.free)
+    ]
+
+    def ties(owner: Owners, direction: Vector) -> Ties:
+        assert scene.bonds is not None
+        across = [np.linalg.svd(bond.normal[None])[2][1:] for bond in bonds]
+        sheared = [
+            (bond, way, k)
+            for bond, ways, k in zip(bonds, across, ks, strict=True)
+            for way in ways
+            if k > 0
+        ]
+        kept = [*bonds, *(bond for bond, _, _ in sheared)]
+        along = [*(bond.normal for bond in bonds), *(way for _, way, _ in sheared)]
+        return Ties(
+            rows=rows_of(kept, along, owner, direction),
+            stiffness=np.array([*scene.bonds.kn, *(k for _, _, k in sheared)]),
+            stretch=np.array([*(bond.gap for bond in bonds), *(0.0 for _ in sheared)]),
+            length=np.array([bond.depth for bond in bonds]),
+            names=tuple(bond.names for bond in bonds),
+        )
+
+    return equations(scene, spaces, [], (), [], ties)

@@ -1,0 +1,103 @@
+"""A motion in pieces, each a Taylor polynomial in time, and the events between them."""
+
+from __future__ import annotations
+
+import functools
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from vv.engines.exact.modes import State, States
+from vv.engines.exact.system import System
+from vv.scene import Vector
+
+
+@dataclass(frozen=True, eq=False)
+class Piece:
+    """One step: q = sum over k of series[k] x^k, x = (t - start)/h in [0, end].
+
+    start, h [s]; series: (order + 1, n) [m]; states of the contacts; lengths: (c + s + h,) gaps
+    and stretches of springs and ties at its start [m].
+    """
+
+    start: float
+    h: float
+    end: float
+    series: Vector
+    states: States
+    lengths: Vector
+
+
+@dataclass(frozen=True)
+class Event:
+    """A contact, named by its bodies, changes its state at a time [s]."""
+
+    time: float
+    bodies: tuple[int, int]
+    before: State
+    after: State
+
+
+@dataclass(frozen=True, eq=False)
+class Path:
+    """A motion as p pieces, their data stacked: see Piece. series: (p, order + 1, n)."""
+
+    system: System
+    start: Vector
+    h: Vector
+    end: Vector
+    series: Vector
+    states: tuple[States, ...]
+    lengths: Vector
+
+    @classmethod
+    def joined(cls, system: System, pieces: Sequence[Piece]) -> Path:
+        """The path that pieces make, in order of time."""
+        return cls(
+            system=system,
+            start=np.array([piece.start for piece in pieces]),
+            h=np.array([piece.h for piece in pieces]),
+            end=np.array([piece.end for piece in pieces]),
+            series=np.array([piece.series for piece in pieces]),
+            states=tuple(piece.states for piece in pieces),
+            lengths=np.array([piece.lengths for piece in pieces]),
+        )
+
+    def __len__(self) -> int:
+        return len(self.states)
+
+    @functools.cached_property
+    def events(self) -> tuple[Event, ...]:
+        """Every change of a contact's state, in order of time."""
+        found = []
+        for time, before, after in zip(self.start[1:], self.states, self.states[1:], strict=False):
+            for bodies, old, new in zip(self.system.names, before, after, strict=True):
+                if old is not new:
+                    found.append(Event(float(time), bodies, old, new))
+        return tuple(found)
+
+    def at(self, times: Vector) -> tuple[Vector, Vector]:
+        """Displacements (k, n) [m] and velocities (k, n) [m/s] of the unknowns at times (k,)."""
+        piece = np.maximum(np.searchsorted(self.start, times, side="right") - 1, 0)
+        x = (times - self.start[piece]) / self.h[piece]
+        q, rate = taylor_sum(self.series[piece], x)
+        return q, rate / self.h[piece, None]
+
+    def of(self, sphere: int, times: Vector) -> tuple[Vector, Vector]:
+        """Displacement and velocity (k, 3) [m, m/s] of a sphere at times (k,) [s]."""
+        q, v = self.at(times)
+        own = self.system.owner == sphere
+        direction = self.system.direction[own]
+        return q[:, own] @ direction, v[:, own] @ direction
+
+
+def taylor_sum(series: Vector, x: Vector) -> tuple[Vector, Vector]:
+    """Values and derivatives, (k, n), of polynomials (k, order + 1, n) at x (k,)."""
+    x = x[:, None]
+    q = series[:, -1]
+    rate = np.zeros_like(q)
+    for k in range(series.shape[1] - 2, -1, -1):
+        rate = rate * x + q
+        q = q * x + series[:, k]
+    return q, rate

@@ -1,0 +1,1 @@
+"""One body that slips along a line on rigid contact, followed from event to event."""

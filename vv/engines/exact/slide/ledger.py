@@ -1,0 +1,82 @@
+"""The energy of a slide: each term and each work put in integrated by itself."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from vv.ask import Ledger
+from vv.engines.exact.ledger import balanced, derivative, product_integral, running
+from vv.engines.exact.path import taylor_sum
+from vv.engines.exact.slide.path import Slide
+from vv.scene import Vector
+
+
+def slide_ledger(path: Slide) -> Ledger:
+    """Energies at the end of a slide, as the ledger of springs has them.
+
+    What shaking and the moving wall have put in counts negative, so that the sum of all terms is
+    the energy at t = 0. The wall works with the contact force on its own velocity.
+    """
+    slider = path.slider
+    displacement, velocity = path.composed(*_ends(path), path.waves)
+    friction, shaking, base = _works(path)
+    terms = {
+        "kinetic": 0.5 * slider.mass * (velocity**2).sum(axis=1),
+        "friction dissipation": running(friction),
+        "gravity potential": -slider.mass * displacement @ slider.gravity,
+        "load potential": -displacement @ slider.load,
+        "work left to shaking": -running(shaking),
+        "work left to the wall": -running(base),
+    }
+    return balanced(terms, 1)
+
+
+def _ends(path: Slide) -> tuple[Vector, Vector]:
+    """Place [m] and speed [m/s] along the slip at t = 0 and at the end of each piece, (p + 1,)."""
+    place, rate = taylor_sum(path.series[:, :, None], path.end)
+    return (
+        np.concatenate(((0.0,), place[:, 0])),
+        np.concatenate(((path.slider.speed,), rate[:, 0] * path.clock.rate)),
+    )
+
+
+def _works(path: Slide) -> tuple[Vector, Vector, Vector]:
+    """Works (p,) [J] against friction, of the shaking and of the wall, in each piece."""
+    slider = path.slider
+    sign = np.array([state.sign for state in path.states], float)[:, None]
+    press, pull = _waved(path, slider.press), _waved(path, slider.pull)
+    wall, lift = (_rate(path, _waved(path, _row(slider.base, a))) for a in _axes(path))
+    speed = _rate(path, path.series)
+    shaken, lifted = (_waved(path, _row(slider.shaking, a)) for a in _axes(path))
+    rub = np.where(sign == 0, -pull if slider.mu > 0 else 0.0, -sign * slider.mu * press)
+    return (
+        _integral(path, slider.mu * press, sign * (speed - wall)),
+        _integral(path, shaken, speed) + _integral(path, lifted, lift),
+        _integral(path, rub, wall) + _integral(path, press, lift),
+    )
+
+
+def _axes(path: Slide) -> tuple[Vector, Vector]:
+    """The directions of the slip and of the normal."""
+    return path.slider.along, path.slider.normal
+
+
+def _row(amplitude: Vector, axis: Vector) -> Vector:
+    """The row (1 + k,) of sines of amplitudes (k, 3), seen along an axis."""
+    return np.concatenate(((0.0,), amplitude @ axis))
+
+
+def _waved(path: Slide, row: Vector) -> Vector:
+    """Taylor coefficients (p, order + 1) of row[0] + row[1:] @ sines in each piece."""
+    return np.asarray(path.waves[:-1] @ path.clock.taylor(row).T)
+
+
+def _rate(path: Slide, series: Vector) -> Vector:
+    """The time derivatives (p, order + 1) of polynomials in cells."""
+    return np.asarray(path.clock.rate * derivative(series[:, :, None])[:, :, 0])
+
+
+def _integral(path: Slide, force: Vector, velocity: Vector) -> Vector:
+    """Mass times the integral of a product over each piece, (p,) [J]."""
+    work = product_integral(path.end, force[:, :, None], velocity[:, :, None])[:, 0]
+    return np.asarray(path.slider.mass / path.clock.rate * work)

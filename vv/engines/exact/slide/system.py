@@ -1,0 +1,199 @@
+"""Builds the equation of a body that rigid contact keeps on a wall and that slips along a line."""
+
+from __future__ import annotations
+
+import functools
+from dataclasses import dataclass
+
+import numpy as np
+
+from vv.ask import Model
+from vv.engines.exact.modelled import check_spheres, check_terms, counted
+from vv.engines.exact.reachability import BLUR, RefusedError, Touch, scaled, span, touches
+from vv.scene import Harmonic, Scene, Vector
+from vv.standins.soften import as_spheres
+
+
+@dataclass(frozen=True, eq=False)
+class Slider:
+    """A body on a wall, one unknown: how far it has moved along the line on which it slips.
+
+    names: body numbers of the wall and of the body; mass [kg]; mu. normal, along: (3,) unit,
+    out of the wall and along the slip. At t = 0: speed of the body along it [m/s], and the sign
+    of its slip, 0 if it moves with the wall. gravity [m/s2], load [N]: (3,). Of k sines of
+    frequency [Hz] and phase [rad], (k,), each accelerates the body by shaking (k, 3) [m/s2] and
+    moves the wall, as far as the body feels it, by base (k, 3) [m].
+
+    Rows (1 + k,) [m/s2] stand for row[0] + row[1:] @ sines. In slip along sigma the body has the
+    acceleration push - sigma mu press; to stay with the wall it needs |pull| <= mu press, where
+    pull is push less the acceleration of the wall.
+    """
+
+    names: tuple[int, int]
+    mass: float
+    mu: float
+    normal: Vector
+    along: Vector
+    speed: float
+    sign: int
+    gravity: Vector
+    load: Vector
+    frequency: Vector
+    phase: Vector
+    shaking: Vector
+    base: Vector
+
+    @functools.cached_property
+    def push(self) -> Vector:
+        """What drives the body along the slip, friction apart: a row."""
+        return self._forces() @ self.along
+
+    @functools.cached_property
+    def pull(self) -> Vector:
+        """The same less the acceleration of the wall: a row."""
+        return (self._forces() - self._ground()) @ self.along
+
+    @functools.cached_property
+    def press(self) -> Vector:
+        """What presses the body on the wall: a row."""
+        return (self._ground() - self._forces()) @ self.normal
+
+    def _forces(self) -> Vector:
+        """Constant accelerations, and those of each sine, (1 + k, 3)."""
+        return np.vstack((self.gravity + self.load / self.mass, self.shaking))
+
+    def _ground(self) -> Vector:
+        """The acceleration of the wall likewise."""
+        omega = 2 * np.pi * self.frequency
+        return np.vstack((np.zeros(3), -(omega[:, None] ** 2) * self.base))
+
+
+def assemble_slider(scene: Scene) -> Slider:
+    """The equation of motion of a scene; raises RefusedError if it is outside the class."""
+    check_terms(scene)
+    try:
+        scene = as_spheres(scene)
+    except ValueError as reason:
+        raise RefusedError(str(reason)) from None
+    check_spheres(scene)
+    touch = _touch(scene)
+    spheres, wall = scene.spheres, scene.walls[0]
+    free = scene.axes[spheres.free[0]]
+    shaking, base = _sines(scene.shaking), _sines(wall.motion)
+    along = _along(scene, touch, shaking[2], base[2])
+    felt = [touch.normal, along] if scene.contact.mu > 0 else [touch.normal]
+    _check_held(touch, along, free, base[2])
+    carried = base[2] @ np.transpose(felt) @ np.array(felt)
+    return Slider(
+        names=touch.names,
+        mass=float(spheres.mass[0]),
+        mu=scene.contact.mu,
+        normal=touch.normal,
+        along=along,
+        speed=float(spheres.velocity[0] @ along),
+        sign=_sign(scene, touch, along, base, carried),
+        gravity=scene.gravity,
+        load=spheres.load[0],
+        frequency=np.concatenate((shaking[0], base[0])),
+        phase=np.concatenate((shaking[1], base[1])),
+        shaking=np.vstack((shaking[2], 0 * base[2])),
+        base=np.vstack((0 * shaking[2], carried)),
+    )
+
+
+def describe_slider(scene: Scene, slider: Slider) -> Model:
+    """What was built, read off the slider."""
+    note = (
+        f"1 displacement along a fixed direction, out of {counted(scene.unknowns(), 'freedom')}; "
+        f"1 rigid contact with constant normal; {counted(len(slider.phase), 'sine')}"
+    )
+    return Model(1, scene.terms(), note)
+
+
+Sines = tuple[Vector, Vector, Vector]  # frequencies (k,), phases (k,), amplitudes (k, 3)
+
+
+def _sines(motion: Harmonic | None) -> Sines:
+    """The sines of a motion that are not nil."""
+    if motion is None:
+        return np.zeros(0), np.zeros(0), np.zeros((0, 3))
+    there = motion.amplitude != 0
+    amplitude = motion.amplitude[:, None] * motion.axes
+    return motion.frequency[there], motion.phase[there], amplitude[there]
+
+
+def _touch(scene: Scene) -> Touch:
+    """The one contact, closed at t = 0."""
+    bodies, walls = len(scene.spheres), len(scene.walls)
+    if (bodies, walls) != (1, 1):
+        raise RefusedError(
+            "rigid contact is solved for one body on one wall; the scene has "
+            f"bodies: {bodies}, walls: {walls}"
+        )
+    (touch,) = touches(scene)
+    pair = "bodies {} and {}".format(*touch.names)
+    if touch.gap > 0:
+        raise RefusedError(f"{pair} are {touch.gap:.6g} m apart at t = 0; they must touch")
+    if touch.gap < 0:
+        raise RefusedError(f"{pair} overlap by {-touch.gap:.6g} m at t = 0; rigid ones cannot")
+    return touch
+
+
+def _along(scene: Scene, touch: Touch, shaking: Vector, base: Vector) -> Vector:
+    """The (3,) unit direction in which the body can slip, any tangent if nothing drives it.
+
+    Raises RefusedError if there are two. Without friction a wall that slides drives nothing.
+    """
+    spheres = scene.spheres
+    free = scene.axes[spheres.free[0]]
+    weight, load = spheres.mass[0] * scene.gravity, spheres.load[0]
+    size = float(np.linalg.norm(weight) + np.linalg.norm(load))
+    pulls = [spheres.velocity[0], *shaking]
+    causes = np.array([scaled(weight + load, size), *map(scaled, pulls)]) @ free.T @ free
+    if scene.contact.mu > 0:
+        causes = np.vstack((causes, *map(scaled, base)))
+    across = causes - np.outer(causes @ touch.normal, touch.normal)
+    found = span(across, touch.blur)
+    if len(found) > 1:
+        verb = "can turn" if scene.contact.mu > 0 else "has two directions"
+        raise RefusedError("the slip between bodies {} and {} {}".format(*touch.names, verb))
+    if len(found):
+        return np.asarray(found[0])
+    if _nil(base @ touch.normal, base):
+        raise RefusedError("nothing in the scene moves")
+    return np.asarray(np.linalg.svd(touch.normal[None])[2][1])
+
+
+def _check_held(touch: Touch, along: Vector, free: Vector, base: Vector) -> None:
+    """Refuse a body whose locks carry what the contact should, or that a sliding wall drags."""
+    names = "body {1} is locked {what} body {0}; how hard they {verb} is not determined"
+    if _outside(touch.normal, free, touch.blur):
+        raise RefusedError(names.format(*touch.names, what="normal to", verb="press"))
+    if _outside(along, free, touch.blur) and not _nil(base @ along, base):
+        raise RefusedError(names.format(*touch.names, what="along the slip of", verb="rub"))
+
+
+def _outside(vector: Vector, free: Vector, blur: float) -> bool:
+    """Whether a unit vector leaves the span of orthonormal rows."""
+    return bool(np.linalg.norm(vector - vector @ free.T @ free) > blur)
+
+
+def _nil(parts: Vector, vectors: Vector) -> bool:
+    """Whether parts (k,) of vectors (k, 3) are no more than rounding."""
+    return bool((np.abs(parts) <= BLUR * np.linalg.norm(vectors, axis=1)).all())
+
+
+def _sign(scene: Scene, touch: Touch, along: Vector, base: Sines, carried: Vector) -> int:
+    """The sign of the slip at t = 0, 0 if within rounding; the body must stay on the wall."""
+    velocity, rates = scene.spheres.velocity[0], 2 * np.pi * base[0][:, None] * carried
+    relative = velocity - np.cos(base[1]) @ rates
+    blur = BLUR * (np.abs(velocity).sum() + np.abs(rates).sum())
+    leaving, slip = float(relative @ touch.normal), float(relative @ along)
+    if abs(leaving) > blur:
+        how = "leave each other" if leaving > 0 else "meet"
+        raise RefusedError(
+            "bodies {} and {} {how} at {:.6g} m/s at t = 0".format(
+                *touch.names, abs(leaving), how=how
+            )
+        )
+    return int(np.sign(slip)) if abs(slip) > blur else 0

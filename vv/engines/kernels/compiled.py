@@ -1,0 +1,106 @@
+"""Compiles kernels, once per machine: options, and a disk cache named by their sources."""
+
+from __future__ import annotations
+
+import os
+import tempfile
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from typing import Any, TypeVar
+
+import numba
+from numba.core.registry import cpu_target
+
+from vv.base.closure import closure, source_digest
+
+Kernel = TypeVar("Kernel", bound=Callable[..., object])
+HERE = Path(__file__).resolve()
+SOURCES = HERE.parents[3]  # the folder that holds this package `vv`
+ROUNDING: dict[str, Any] = {"error_model": "numpy", "fastmath": {"contract"}}
+HIDDEN: dict[str, Any] = {"no_cpython_wrapper": True, "no_cfunc_wrapper": True}
+
+
+def compiled(function: Kernel) -> Kernel:
+    """The function compiled for each combination of argument types it meets, and kept on disk.
+
+    An argument that is None is known to the compiler: branches it rules out are not compiled.
+    Rounding is that of the source but for `contract`, which lets a product and a sum fuse.
+    """
+    config: Any = numba.config
+    before = config.CACHE_DIR
+    source = Path(function.__code__.co_filename)
+    config.CACHE_DIR = str(cache_folder(source))  # numba reads it once, as it wraps a function
+    try:
+        kernel: Kernel = numba.njit(cache=True, **ROUNDING)(function)
+    finally:
+        config.CACHE_DIR = before
+    return kernel
+
+
+def inlined(function: Kernel) -> Kernel:
+    """A function for kernels to call: it becomes part of them and has no entry from Python.
+
+    A call would pass each array as seven words, which costs more than most of these compute.
+    """
+    part: Kernel = numba.njit(forceinline=True, **HIDDEN, **ROUNDING)(function)
+    return part
+
+
+def called(function: Kernel) -> Kernel:
+    """A function for kernels to call that is too long to become part of each of them."""
+    part: Kernel = numba.njit(**HIDDEN, **ROUNDING)(function)
+    return part
+
+
+def shared(function: Kernel) -> Kernel:
+    """A function for kernels to call, whose numba.prange is shared out to threads."""
+    part: Kernel = numba.njit(parallel=True, **HIDDEN, **ROUNDING)(function)
+    return part
+
+
+def load() -> None:
+    """Load all of numba that the first call of any kernel loads, scipy's BLAS with it."""
+    cpu_target.typing_context.refresh()
+    cpu_target.target_context.refresh()
+
+
+def cache_folder(source: Path) -> Path:
+    """Where the kernels of a file are cached: a folder named by all of an engine it imports.
+
+    numba checks only the file a kernel is in, not those of the functions it calls, and would go
+    on using what was compiled before one of these was edited.
+    """
+    return _writable_root() / "numba" / source_digest(kernel_sources(source, SOURCES))[:16]
+
+
+def kernel_sources(source: Path, root: Path) -> list[Path]:
+    """What the kernels of a file are made of: the file, and all that it imports of an engine.
+
+    root: the folder that holds the package `vv`.
+    """
+    engines = root / "vv" / "engines"
+    compiler = engines / "kernels" / HERE.name
+    return [path for path in closure([source, compiler], [root]) if engines in path.parents]
+
+
+def _writable_root() -> Path:
+    """The first place that can be written to; raises OSError if there is none."""
+    for root in _roots():
+        try:
+            root.mkdir(parents=True, exist_ok=True)
+        except OSError:
+            continue
+        if os.access(root, os.W_OK):
+            return root
+    raise OSError("no folder for compiled kernels can be written to; set VV_CACHE to one")
+
+
+def _roots() -> Iterator[Path]:
+    """VV_CACHE, `.vv` of the checkout we are in, the user's cache, the temporary folder."""
+    if chosen := os.environ.get("VV_CACHE"):
+        yield Path(chosen)
+    checkout = SOURCES
+    if (checkout / "pyproject.toml").is_file():
+        yield checkout / ".vv"
+    yield Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "vv"
+    yield Path(tempfile.gettempdir()) / "vv"

@@ -1,0 +1,92 @@
+"""What moves walls and shakes bodies, as arrays of sines, and kernels that evaluate it."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+from vv.engines.kernels.compiled import called
+from vv.engines.kernels.triples import Triple, at, plus
+from vv.scene import Harmonic, Vector
+
+Starts = npt.NDArray[np.int64]
+NO_MOTION = Harmonic(np.zeros(3), np.zeros(3))
+
+
+class Drive(NamedTuple):
+    """k sines: direction (k, 3) times amplitude, omega (k,) [rad/s], phase (k,) [rad].
+
+    start (k,): their sines at t = 0.
+    """
+
+    direction: Vector
+    omega: Vector
+    phase: Vector
+    start: Vector
+
+
+def drive(motion: Harmonic) -> Drive:
+    """The sines of a motion that are not nil."""
+    there = motion.amplitude != 0
+    direction = (motion.amplitude[:, None] * motion.axes)[there]
+    omega, phase = 2 * np.pi * motion.frequency[there], motion.phase[there]
+    return Drive(direction, omega, phase, np.sin(phase))
+
+
+def drives(motions: tuple[Harmonic | None, ...]) -> tuple[Drive, Starts]:
+    """The sines of several motions, and where each begins (w + 1,); None is no motion."""
+    parts = [drive(motion or NO_MOTION) for motion in motions]
+    starts = np.cumsum([0, *(len(part.omega) for part in parts)]).astype(np.int64)
+    joined = [np.concatenate(arrays) for arrays in zip(drive(NO_MOTION), *parts, strict=True)]
+    return Drive(*joined), starts
+
+
+@called
+def one_of(drive: Drive, start: Starts, k: int) -> Drive:
+    """The k-th of several motions."""
+    part = slice(start[k], start[k + 1])
+    return Drive(drive.direction[part], drive.omega[part], drive.phase[part], drive.start[part])
+
+
+@called
+def value(drive: Drive, time: float) -> Triple:
+    """The motion at a time [s]."""
+    total = (0.0, 0.0, 0.0)
+    for k in range(len(drive.omega)):
+        angle = drive.omega[k] * time + drive.phase[k]
+        total = plus(total, np.sin(angle), at(drive.direction, k))
+    return total
+
+
+@called
+def travel(drive: Drive, time: float) -> Triple:
+    """motion(time) - motion(0)."""
+    total = (0.0, 0.0, 0.0)
+    for k in range(len(drive.omega)):
+        since = np.sin(drive.omega[k] * time + drive.phase[k]) - drive.start[k]
+        total = plus(total, since, at(drive.direction, k))
+    return total
+
+
+@called
+def rate(drive: Drive, time: float) -> Triple:
+    """The time derivative of the motion."""
+    total = (0.0, 0.0, 0.0)
+    for k in range(len(drive.omega)):
+        turning = drive.omega[k] * np.cos(drive.omega[k] * time + drive.phase[k])
+        total = plus(total, turning, at(drive.direction, k))
+    return total
+
+
+@called
+def mean(drive: Drive, time: float, step: float) -> Triple:
+    """The mean of the motion from time to time + step."""
+    total = (0.0, 0.0, 0.0)
+    for k in range(len(drive.omega)):
+        half = 0.5 * drive.omega[k] * step
+        smooth = np.sin(half) / half if half > 0.0 else 1.0
+        middle = np.sin(drive.omega[k] * time + half + drive.phase[k])
+        total = plus(total, smooth * middle, at(drive.direction, k))
+    return total

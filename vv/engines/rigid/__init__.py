@@ -1,0 +1,8 @@
+"""Rigid blocks with exact Coulomb friction, without penalty springs.
+
+May import: base, scene, ask, standins, engines.kernels, engines.blocks.
+"""
+
+from vv.engines.rigid.solve import Program, prepare, refuses, solve
+
+__all__ = ["Program", "prepare", "refuses", "solve"]

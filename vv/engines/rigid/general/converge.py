@@ -1,0 +1,112 @@
+"""The contact solver of a step: sweeps, and in small scenes and chains Newton steps."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from vv.engines.blocks.geometry import Index
+from vv.engines.kernels.compiled import called
+from vv.engines.kernels.triples import at, plus
+from vv.engines.rigid.general.setting import Setting
+from vv.engines.rigid.limits import CHAIN, OUTER, POLISHED, SMALL, STALLED, STIFF
+from vv.engines.rigid.solver.assembly import Bodies, Joints, load_on
+from vv.engines.rigid.solver.banded import arranged
+from vv.engines.rigid.solver.cone import Friction, keep, residual, solve_contacts
+from vv.engines.rigid.solver.newton import balanced
+from vv.scene import Vector
+
+NIL = (0.0, 0.0, 0.0)
+
+
+@called
+def converged(
+    setting: Setting, joints: Joints, bodies: Bodies, friction: Friction,
+    p: Vector, v: Vector, w: Vector, fewest: int,
+) -> tuple[int, float]:  # fmt: skip
+    """Sweep until the residual is met; where sweeps stall, take Newton steps if these are cheap.
+
+    They are in small scenes, and where blocks hang together in a chain. There they go on beyond
+    the residual asked, for the little that they cost more: what is left adds up along a chain.
+    """
+    blocks, sweeps, left = len(setting.mass), 0 * fewest, np.inf
+    small, place, apart = blocks <= SMALL, np.arange(blocks), blocks - 1
+    if not small:
+        place, apart = arranged(joints, blocks)
+    finer = setting.tolerance if small else POLISHED * setting.tolerance
+    patience = STALLED if small or apart <= CHAIN else setting.most
+    free_v, free_w = without(p, joints, bodies, v, w)
+    while sweeps < setting.most and left > setting.tolerance:
+        few = min(patience, setting.most - sweeps)
+        more, left = solve_contacts(
+            p, joints, bodies, friction, v, w, setting.tolerance, fewest, few
+        )
+        sweeps += more
+        if left > setting.tolerance:
+            left = renewed(p, joints, bodies, friction, v, w, free_v, free_w)
+        if patience == STALLED and left > setting.tolerance:
+            left = polish(p, joints, bodies, friction, v, w, finer, left, place, apart)
+        if more == 0:
+            break
+    return sweeps, left
+
+
+@called
+def without(
+    p: Vector, joints: Joints, bodies: Bodies, v: Vector, w: Vector
+) -> tuple[Vector, Vector]:
+    """The velocities (b, 3) that there would be without the impulses p (c, 3)."""
+    free_v, free_w = v.copy(), w.copy()
+    for c in range(len(p)):
+        load_on(joints, c, bodies, free_v, free_w, plus(NIL, -1.0, at(p, c)))
+    return free_v, free_w
+
+
+@called
+def renewed(
+    p: Vector, joints: Joints, bodies: Bodies, friction: Friction, v: Vector, w: Vector,
+    free_v: Vector, free_w: Vector,
+) -> float:  # fmt: skip
+    """Work out anew what impulses p make of free velocities; return the residual [m/s].
+
+    Each sweep adds its rounding to the velocities. In a narrow groove, whose impulses are 1e6
+    times what they leave, that became more than the residual asked for, and grew with the sweeps.
+    """
+    keep(v, free_v)
+    keep(w, free_w)
+    for c in range(len(p)):
+        load_on(joints, c, bodies, v, w, at(p, c))
+    return residual(p, joints, friction, v, w)
+
+
+@called
+def polish(
+    p: Vector, joints: Joints, bodies: Bodies, friction: Friction, v: Vector, w: Vector,
+    tolerance: float, left: float, place: Index, apart: int,
+) -> float:  # fmt: skip
+    """Improve p (c, 3), whose effect is in v and w and whose residual is `left`; return what is.
+
+    place, apart: see `arranged`. A round that makes the residual [m/s] no smaller is undone, and
+    the next less stiff.
+    """
+    before, before_v, before_w = p.copy(), v.copy(), w.copy()
+    stiffness = STIFF
+    for _ in range(OUTER):
+        if left <= tolerance or stiffness < 1.0:
+            break
+        keep(before, p)
+        keep(before_v, v)
+        keep(before_w, w)
+        met = balanced(
+            p, before, joints, bodies, friction, v, w, tolerance, stiffness, place, apart
+        )
+        for c in range(len(p)):
+            load_on(joints, c, bodies, v, w, plus(at(p, c), -1.0, at(before, c)))
+        now = residual(p, joints, friction, v, w)
+        if met and now < left:
+            left, stiffness = now, 10.0 * stiffness
+        else:
+            keep(p, before)
+            keep(v, before_v)
+            keep(w, before_w)
+            stiffness *= 0.01
+    return left

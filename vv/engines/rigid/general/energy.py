@@ -1,0 +1,68 @@
+"""Kernels for the energies of rigid blocks: what moves, and what each step's impulses did."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from vv.engines.kernels.compiled import called
+from vv.engines.kernels.drive import mean
+from vv.engines.kernels.triples import Triple, at, dot, plus, put
+from vv.engines.rigid.general.lever_arms import turned_back
+from vv.engines.rigid.general.setting import Setting, State, wall_rates
+from vv.engines.rigid.general.step import Trial
+from vv.engines.rigid.general.turning import turned_inertia
+from vv.engines.rigid.solver.assembly import Joints, relative
+from vv.scene import Vector
+
+NIL = (0.0, 0.0, 0.0)
+RUBBED, HIT, BASE, SHAKEN, DRIVEN, SHOVED = range(6)
+
+
+@called
+def work(
+    account: Vector, joints: Joints, c: int, p: Triple, v: Vector, w: Vector, blocks: int
+) -> None:
+    """Add to account (6,) [J] what an impulse p at contact c did at mean velocities v, w (b, 3)."""
+    n, u = at(joints.normal, c), relative(joints, c, v, w)
+    normal = dot(p, n)
+    account[HIT] -= normal * dot(u, n)
+    account[RUBBED] -= dot(p, u) - normal * dot(u, n)
+    if joints.first[c] >= blocks:
+        account[BASE] += dot(p, at(v, joints.first[c]))
+
+
+@called
+def book(
+    account: Vector, setting: Setting, state: State, trial: Trial, now: float, span: float
+) -> None:
+    """Add to account (6,) [J] what contacts, walls, shaking and forces did in a step."""
+    n, b = len(setting.mass), len(trial.v)
+    v_mid, w_mid = np.zeros((b, 3)), np.zeros((b, 3))
+    wall_rates(setting, now, v_mid)
+    for i in range(b):
+        had = at(state.v, i) if i < n else at(v_mid, i)
+        put(v_mid, i, plus(plus(NIL, 0.5, had), 0.5, at(trial.v, i)))
+        if i < n:
+            put(w_mid, i, plus(plus(NIL, 0.5, at(state.w, i)), 0.5, at(trial.w, i)))
+    for c in range(len(trial.p)):
+        p = turned_back(trial.turn, c, at(trial.acted, c))
+        work(account, trial.middle, c, p, v_mid, w_mid, n)
+        rest = plus(at(trial.p, c), -1.0, at(trial.acted, c))
+        work(account, trial.joints, c, rest, v_mid, w_mid, n)
+    shake = mean(setting.shaking, now, span)
+    for i in range(n):
+        account[SHAKEN] += span * setting.mass[i] * dot(shake, at(v_mid, i))
+        account[DRIVEN] += span * dot(at(setting.force, i), at(v_mid, i))
+
+
+@called
+def kinetic(setting: Setting, state: State) -> float:
+    """The kinetic energy [J]."""
+    total, world = 0.0, np.empty((3, 3))
+    for i in range(len(setting.mass)):
+        total += 0.5 * setting.mass[i] * dot(at(state.v, i), at(state.v, i))
+        turned_inertia(setting.inertia[i], state.rotation[i], world)
+        for j in range(3):
+            for k in range(3):
+                total += 0.5 * state.w[i, j] * world[j, k] * state.w[i, k]
+    return total

@@ -1,0 +1,166 @@
+"""Kernels that find where within a step of rigid blocks one lands, and a slip begins or ends."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from vv.engines.blocks.contacts import Contacts, matched
+from vv.engines.kernels.compiled import called
+from vv.engines.kernels.triples import at, dot, plus, put
+from vv.engines.rigid.general.setting import Past, Setting, State, wall_rates
+from vv.engines.rigid.general.step import Trial, attempt
+from vv.engines.rigid.general.turning import orthonormal, turn_by
+from vv.engines.rigid.limits import BEGINS, CLOSE, ENDS, GLIMPSE, GRIP, LANDS
+from vv.engines.rigid.slip import slow
+from vv.engines.rigid.solver.assembly import relative
+from vv.scene import Vector
+
+NIL = (0.0, 0.0, 0.0)
+
+
+@called
+def move(setting: Setting, state: State, trial: Trial, span: float) -> None:
+    """Put the trial's end into the state: positions by the trapezoidal rule."""
+    for i in range(len(setting.mass)):
+        v, w = at(trial.v, i), at(trial.w, i)
+        put(state.centre, i, plus(plus(at(state.centre, i), 0.5 * span, at(state.v, i)),
+                                  0.5 * span, v))  # fmt: skip
+        angle = plus(plus(NIL, 0.5 * span, at(state.w, i)), 0.5 * span, w)
+        if dot(angle, angle) > 0.0:
+            turn_by(angle, state.rotation[i].copy(), state.rotation[i])
+            orthonormal(state.rotation[i])
+        put(state.v, i, v)
+        put(state.w, i, w)
+
+
+@called
+def ends_after(
+    setting: Setting, state: State, past: Past, now: float, whole: float, dt: float,
+    contacts: Contacts, trial: Trial,
+) -> float:  # fmt: skip
+    """How long [s] of a step, whose trial this is, all slip goes on.
+
+    Nil if some ends at once: then `past` is told that it has. The end is enclosed from both
+    sides; where to look is told by how the slowest slip slows down.
+    """
+    n, b = len(setting.mass), len(trial.v)
+    v, w = np.zeros((b, 3)), np.zeros((b, 3))
+    wall_rates(setting, now, v)
+    for i in range(n):
+        put(v, i, at(state.v, i))
+        put(w, i, at(state.w, i))
+    low, high, late, speed, guess = 0.0, whole, trial, slowest(trial, v, w), -1.0
+    for look in range(ENDS):
+        if high - low <= CLOSE * dt:
+            break
+        span = guess
+        if not low < span < high or look % 4 == 3:
+            span = 0.5 * (low + high)
+        trial = attempt(setting, state, now, span, contacts, past)
+        if trial.ended.any():
+            high, late, guess = span, trial, guess - 0.5 * CLOSE * dt
+        else:
+            left = slowest(trial, trial.v, trial.w)
+            guess = span + left * (span - low) / (speed - left) + 0.25 * CLOSE * dt
+            low, speed = span, left
+    if low <= CLOSE * dt:
+        row = matched(late.key, len(late.key), past.key)
+        for c in range(len(row)):
+            if late.ended[c] and row[c] >= 0:
+                past.still[row[c]] = True
+        return 0.0
+    return low
+
+
+@called
+def lands_after(
+    setting: Setting, state: State, trial: Trial, now: float, whole: float
+) -> float:  # fmt: skip
+    """How long [s] of a step, whose trial this is, until a contact closes at a speed; else whole.
+
+    Nil where one that is closed already does. Moved at the mean of the velocities before and after
+    a blow, blocks would go on into one another for up to half a step.
+    """
+    n, b = len(setting.mass), len(trial.v)
+    v, w = np.zeros((b, 3)), np.zeros((b, 3))
+    wall_rates(setting, now, v)
+    for i in range(n):
+        put(v, i, at(state.v, i))
+        put(w, i, at(state.w, i))
+    deep, first = LANDS * setting.shapes.size.min(), whole
+    for c in range(len(trial.p)):
+        m = at(trial.joints.normal, c)
+        if dot(at(trial.p, c), m) > 0.0:
+            speed = -dot(m, relative(trial.joints, c, v, w))
+            gap = max(trial.gap[c] - setting.slack, 0.0)
+            if speed * whole - gap > deep:
+                first = min(first, gap / speed)
+    return first
+
+
+@called
+def slowest(trial: Trial, v: Vector, w: Vector) -> float:
+    """The least speed [m/s], under velocities v, w (b, 3), along any slip there was at first."""
+    least = np.inf
+    for c in range(len(trial.p)):
+        d = at(trial.friction.d, c)
+        if dot(d, d) > 0.0 and dot(at(trial.p, c), at(trial.joints.normal, c)) > 0.0:
+            least = min(least, dot(d, relative(trial.joints, c, v, w)))
+    return least
+
+
+@called
+def strained(setting: Setting, trial: Trial) -> bool:
+    """Whether a contact that sticks under a drive may slip before the step's end."""
+    if len(setting.drives.omega) + len(setting.shaking.omega) == 0:
+        return False
+    for c in range(len(trial.p)):
+        p, n = at(trial.p, c), at(trial.joints.normal, c)
+        normal = dot(p, n)
+        square = dot(p, p) - normal * normal
+        d = at(trial.friction.d, c)
+        if dot(d, d) == 0.0 and normal > 0.0 and square > (GRIP * setting.mu * normal) ** 2:
+            return True
+    return False
+
+
+@called
+def rests_for(
+    setting: Setting, state: State, past: Past, now: float, whole: float, dt: float,
+    contacts: Contacts, trial: Trial,
+) -> float:  # fmt: skip
+    """How long [s] of a step, whose trial this is, no contact that sticks begins to slip.
+
+    The whole step if one does at once: where slip would begin in a glimpse of a step, whose mean
+    force is the one of now.
+    """
+    low, high, span = 0.0, whole, whole
+    for look in range(2 + BEGINS):
+        then, known, late = state, past, False
+        if span > 0.0:
+            if look > 0:
+                trial = attempt(setting, state, now, span, contacts, past)
+            late = bool(trial.begun.any())
+            then = State(state.centre.copy(), state.rotation.copy(), state.v.copy(), state.w.copy())
+            move(setting, then, trial, span)
+            known = remembered(trial, span, slow(span, setting.tolerance))
+        if not late:
+            glimpse = attempt(setting, then, now + span, GLIMPSE * dt, contacts, known)
+            late = bool(glimpse.begun.any())
+        if look < 2 and late == (look == 1):
+            return whole
+        low, high = (low, span) if late else (span, high)
+        span = 0.5 * (low + high) if look > 0 else 0.0
+    return low if low > CLOSE * dt else whole
+
+
+@called
+def remembered(trial: Trial, span: float, least: float) -> Past:
+    """What the next step must know of this one; slower slip than `least` [m/s] is none."""
+    still = np.zeros(len(trial.p), np.bool_)
+    for c in range(len(still)):
+        n = at(trial.joints.normal, c)
+        u = relative(trial.joints, c, trial.v, trial.w)
+        slip = plus(u, -dot(u, n), n)
+        still[c] = dot(slip, slip) <= least * least and dot(at(trial.p, c), n) > 0.0
+    return Past(trial.key, trial.p / span, still, trial.joints)

@@ -1,0 +1,166 @@
+"""The compiled kernel for rigid blocks that move and turn: steps, cut at blows and ends of slip."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from vv.engines.blocks.contacts import empty_contacts
+from vv.engines.blocks.geometry import Index
+from vv.engines.kernels.compiled import called, compiled
+from vv.engines.kernels.triples import at, dot, plus, put
+from vv.engines.rigid.general.energy import DRIVEN, SHOVED, book, kinetic
+from vv.engines.rigid.general.events import (
+    ends_after,
+    lands_after,
+    move,
+    remembered,
+    rests_for,
+    strained,
+)
+from vv.engines.rigid.general.setting import Setting, State, shift_at
+from vv.engines.rigid.general.step import Trial, attempt, nothing
+from vv.engines.rigid.general.turning import turn_by
+from vv.engines.rigid.limits import BLOW, BRIEF, CLOSE, CUTS, NEARLY, PUSHES, SMALL, SPLITS
+from vv.engines.rigid.slip import slow
+from vv.engines.rigid.solver.assembly import relative
+from vv.engines.rigid.solver.cone import keep, push_out
+from vv.scene import Vector
+
+NIL = (0.0, 0.0, 0.0)
+
+
+@called
+def separate(
+    account: Vector, setting: Setting, state: State, trial: Trial, before: State,
+    now: float, span: float,
+) -> float:  # fmt: skip
+    """Push blocks out of what they penetrate; return the deepest penetration [m]."""
+    n, b = len(setting.mass), len(trial.v)
+    x, turn = np.zeros((b, 3)), np.zeros((b, 3))
+    start, end = shift_at(setting, now), shift_at(setting, now + span)
+    for i in range(b):
+        if i < n:
+            put(x, i, plus(at(state.centre, i), -1.0, at(before.centre, i)))
+            put(turn, i, plus(plus(NIL, 0.5 * span, at(before.w, i)), 0.5 * span, at(trial.w, i)))
+        else:
+            put(x, i, plus(at(end, i - n), -1.0, at(start, i - n)))
+    gap, deepest = np.empty(len(trial.gap)), 0.0
+    for c in range(len(gap)):
+        moved = relative(trial.joints, c, x, turn)
+        gap[c] = trial.gap[c] + dot(at(trial.joints.normal, c), moved)
+        if trial.joints.across[c] > 0.0:
+            deepest = max(deepest, -gap[c])
+    if deepest > setting.slack:
+        push_out(trial.joints, trial.bodies, gap, x, turn, PUSHES)
+        for i in range(n):
+            put(state.centre, i, plus(at(state.centre, i), 1.0, at(x, i)))
+            if dot(at(turn, i), at(turn, i)) > 0.0:
+                turn_by(at(turn, i), state.rotation[i].copy(), state.rotation[i])
+            account[DRIVEN] += dot(at(setting.force, i), at(x, i))
+            account[SHOVED] += dot(at(setting.force, i), at(x, i))
+    return deepest
+
+
+@called
+def press(reaction: Vector, trial: Trial, span: float, blocks: int) -> None:
+    """Sum the forces (w, 3) [N] of the walls on the blocks."""
+    reaction[:] = 0.0
+    for c in range(len(trial.p)):
+        wall = trial.joints.first[c] - blocks
+        if wall >= 0:
+            put(reaction, wall, plus(at(reaction, wall), 1.0 / span, at(trial.p, c)))
+
+
+@called
+def watch(path: Vector, watched: Index, state: State, centre: Vector) -> None:
+    """Fill path (b, 9) with displacement, velocity and spin of the watched; centre: at t = 0."""
+    for k in range(len(watched)):
+        i = watched[k]
+        for c in range(3):
+            path[k, c] = state.centre[i, c] - centre[i, c]
+            path[k, 3 + c] = state.v[i, c]
+            path[k, 6 + c] = state.w[i, c]
+
+
+@compiled
+def move_rigid(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its variables
+    path: Vector, energy: Vector, report: Vector, reaction: Vector, watched: Index,
+    stride: int, dt: float, setting: Setting,
+    centre: Vector, v: Vector, w: Vector,
+) -> int:  # fmt: skip
+    """Step the blocks; return rows filled.
+
+    centre, v, w: (n, 3) at t = 0. v+ = v + M^-1 (h f + J^T p), positions by the trapezoidal rule,
+    contacts as in `vv.engines.rigid.solver.cone` with need = -max(gap - slack, 0)/h; penetration is
+    taken out of positions alone, by the least displacement. In scenes of at most SMALL blocks a
+    step is cut where a contact closes at a speed, where a slip ends and, once, where one begins.
+
+    Every `stride` steps a row is written: path (k, b, 9): displacement, velocity and spin of
+    the watched; energy (k, 7) [J]: kinetic, lost by friction, lost by impact, work of walls, of
+    shaking, of gravity and loads, of push-out; report (k, 4): residual [m/s], sweeps, deepest
+    penetration [m] and cuts, the largest since the row before, cuts in all; reaction (k, w, 3):
+    forces [N] of the walls on the blocks as the row is reached.
+    """
+    n = len(setting.mass)
+    rotation = np.zeros((n, 3, 3))
+    for i in range(n):
+        rotation[i, 0, 0] = rotation[i, 1, 1] = rotation[i, 2, 2] = 1.0
+    state = State(centre.copy(), rotation, v.copy(), w.copy())
+    account, contacts = np.zeros(6), empty_contacts(64)
+    past = nothing(contacts, setting)
+    parts = SPLITS if n <= SMALL else 1
+    pressed, done = np.zeros_like(reaction[0]), 0
+    for row in range(len(path)):
+        report[row] = 0.0
+        for _ in range(stride if row else 0):
+            begin, looked = 0.0, False
+            for part in range(parts):
+                now, rest = done * dt + begin, dt - begin
+                trial = attempt(setting, state, now, rest, contacts, past)
+                whole, blow = rest, False
+                if part + 1 < parts:
+                    whole = lands_after(setting, state, trial, now, rest)
+                    blow = whole <= CLOSE * dt
+                    whole = min(BLOW * dt, rest) if blow else whole
+                if whole < rest:
+                    trial = attempt(setting, state, now, whole, contacts, past)
+                span, least = whole, slow(whole, setting.tolerance)
+                if blow:
+                    least = slow(dt, setting.tolerance)
+                elif part + 1 < parts and trial.ended.any():
+                    span = ends_after(setting, state, past, now, whole, dt, contacts, trial)
+                    least = max(least, NEARLY * whole)
+                    if span == 0.0:
+                        continue
+                elif (part + 1 < parts and not looked) and (
+                    trial.begun.any() or strained(setting, trial)
+                ):
+                    looked = True
+                    span = rests_for(setting, state, past, now, whole, dt, contacts, trial)
+                if span < whole:
+                    trial = attempt(setting, state, now, span, contacts, past)
+                before = State(state.centre.copy(), state.rotation, state.v, state.w.copy())
+                book(account, setting, state, trial, now, span)
+                move(setting, state, trial, span)
+                deepest = separate(account, setting, state, trial, before, now, span)
+                lasting = dt / CUTS if blow else max(span, BRIEF * dt)  # of a blow nothing lasts
+                past = remembered(trial, lasting, least)
+                press(pressed, trial, span, n)
+                report[row, 0] = max(report[row, 0], trial.residual)
+                report[row, 1] = max(report[row, 1], trial.sweeps)
+                report[row, 2] = max(report[row, 2], deepest)
+                if not np.isfinite(kinetic(setting, state)):  # nothing can be found to touch
+                    return row
+                begin += span
+                if span == rest:
+                    break
+                report[row, 3] += 1.0
+            done += 1
+        keep(reaction[row], pressed)
+        watch(path[row], watched, state, centre)
+        energy[row, 0] = kinetic(setting, state)
+        for c in range(len(account)):
+            energy[row, 1 + c] = account[c]
+        if not np.isfinite(energy[row].sum()):
+            return row
+    return len(path)

@@ -1,0 +1,81 @@
+"""Kernels for where contacts push over a step: halfway between their arms at its ends.
+
+What a contact asks for is stated with its arms at the end of the step; impulses that acted there
+too would make whatever turns first order.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from vv.engines.blocks.geometry import Index
+from vv.engines.kernels.compiled import called, inlined
+from vv.engines.kernels.triples import Triple, at, cross, dot, plus, put
+from vv.engines.rigid.solver.assembly import Bodies, Joints, load_on
+from vv.scene import Vector
+
+NIL = (0.0, 0.0, 0.0)
+
+
+@called
+def halfway(joints: Joints, before: Index, began: Joints) -> tuple[Joints, Vector]:
+    """The joints halfway through a step, and the turn (c, 3) [rad] from there to its end.
+
+    joints: at the end; before: (c,) their rows in those at the begin, -1 where there is none,
+    whose arms and normals are taken not to have changed.
+    """
+    count = len(before)
+    normal, one, two = np.empty((count, 3)), np.empty((count, 3)), np.empty((count, 3))
+    turn = np.zeros((count, 3))
+    for c in range(count):
+        n, a, b = at(joints.normal, c), at(joints.arm_first, c), at(joints.arm_second, c)
+        row = before[c]
+        if row >= 0:
+            put(turn, c, plus(NIL, 0.5, cross(at(began.normal, row), n)))
+            a = plus(plus(NIL, 0.5, a), 0.5, at(began.arm_first, row))
+            b = plus(plus(NIL, 0.5, b), 0.5, at(began.arm_second, row))
+        put(normal, c, turned_back(turn, c, n))
+        put(one, c, a)
+        put(two, c, b)
+    middle = Joints(
+        joints.first, joints.second, normal, one, two, joints.pull, joints.across, joints.along
+    )
+    return middle, turn
+
+
+@inlined
+def turned_back(turn: Vector, c: int, p: Triple) -> Triple:
+    """An impulse of contact c as it acts halfway, for what it is at the end of a step."""
+    return plus(p, -1.0, cross(at(turn, c), p))
+
+
+@called
+def relever(
+    p: Vector, acted: Vector, joints: Joints, middle: Joints, turn: Vector,
+    bodies: Bodies, v: Vector, w: Vector,
+) -> float:  # fmt: skip
+    """Let the impulses p (c, 3), not those of `acted`, act halfway; `acted` becomes p.
+
+    v, w: velocities in which p acts at the end. Returns the largest change of v [m/s], or of w
+    times the arm.
+    """
+    worst = 0.0
+    for c in range(len(p)):
+        change = plus(at(p, c), -1.0, at(acted, c))
+        if dot(change, change) > 0.0:
+            a, b = joints.first[c], joints.second[c]
+            before = (at(v, a), at(w, a), at(v, b), at(w, b))
+            load_on(middle, c, bodies, v, w, turned_back(turn, c, change))
+            load_on(joints, c, bodies, v, w, plus(NIL, -1.0, change))
+            one, two = at(joints.arm_first, c), at(joints.arm_second, c)
+            worst = max(worst, apart(before[0], at(v, a), before[1], at(w, a), one))
+            worst = max(worst, apart(before[2], at(v, b), before[3], at(w, b), two))
+            put(acted, c, at(p, c))
+    return worst
+
+
+@inlined
+def apart(v0: Triple, v1: Triple, w0: Triple, w1: Triple, arm: Triple) -> float:
+    """How far apart two motions are at an arm [m/s]."""
+    u = plus(plus(v1, -1.0, v0), 1.0, cross(plus(w1, -1.0, w0), arm))
+    return float(np.sqrt(dot(u, u)))

@@ -1,0 +1,121 @@
+"""Builds the general model: blocks that move and turn, touching each other and walls."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from vv.engines.blocks.geometry import depth_axis, planes, shapes
+from vv.engines.rigid.limits import (
+    BENDS,
+    COARSE,
+    FEWEST,
+    FINE,
+    LOOSELY,
+    MOST,
+    SMALL,
+    SMALL_MOST,
+    TOUCHING,
+)
+from vv.scene import Mask, Scene, Term, Vector
+
+
+@dataclass(frozen=True, eq=False)
+class Space:
+    """All blocks of a scene with six freedoms each, some held by projectors."""
+
+    scene: Scene
+
+    @property
+    def terms(self) -> frozenset[Term]:
+        """Everything the scene has."""
+        return self.scene.terms()
+
+    @property
+    def unknowns(self) -> int:
+        """Velocities and spins carried, held components among them."""
+        return 6 * len(self.scene.blocks)
+
+    @property
+    def closes(self) -> bool:
+        """Whether the energies close to rounding: not where inertia turns in the scene's frame."""
+        return bool(self._flat or not any(b.free_spin.any() for b in self.scene.blocks))
+
+    @property
+    def _flat(self) -> bool:
+        return bool(depth_axis(self.scene).any())
+
+    @property
+    def words(self) -> str:
+        """The model in words."""
+        plane = ", as prisms in a plane" if self._flat else ""
+        return f"{len(self.scene.blocks)} blocks that move and turn{plane}"
+
+    def outputs(self, rows: int, watched: tuple[int, ...]) -> tuple[Any, ...]:
+        """What the kernel fills: path, energy, report, reaction; and the blocks it watches."""
+        path = np.empty((rows, len(watched), 9))
+        walls = np.zeros((rows, len(self.scene.walls), 3))
+        which = np.array(watched, np.int64)
+        return path, np.empty((rows, 7)), np.empty((rows, 4)), walls, which
+
+    def arguments(self) -> tuple[Any, ...]:
+        """What the kernel is told about the scene, after the step."""
+        from vv.engines.kernels.drive import NO_MOTION, drive, drives
+        from vv.engines.rigid.general.setting import Setting
+
+        scene, blocks = self.scene, self.scene.blocks
+        hold = np.array([_projector(scene.axes, block.free) for block in blocks])
+        mass = np.array([block.mass for block in blocks])
+        still = np.zeros((len(scene.walls), 3, 3))
+        moving, starts = drives(tuple(wall.motion for wall in scene.walls))
+        small, forms = len(blocks) <= SMALL, shapes(blocks)
+        setting = Setting(
+            shapes=forms,
+            planes=planes(scene),
+            depth=depth_axis(scene),
+            moves=np.array([bool(b.free.any() or b.free_spin.any()) for b in blocks]),
+            mass=mass,
+            inertia=np.array([block.inertia for block in blocks]),
+            inverse=np.concatenate([hold / mass[:, None, None], still]),
+            hold_spin=np.array([_projector(scene.axes, block.free_spin) for block in blocks]),
+            force=np.array([hold[i] @ (b.mass * scene.gravity + b.load)
+                            for i, b in enumerate(blocks)]),
+            mu=scene.contact.mu,
+            slack=(TOUCHING if small else LOOSELY) * float(forms.size.min()),
+            tolerance=FINE if small else COARSE,
+            fewest=0 if small else FEWEST,
+            most=SMALL_MOST if small else MOST,
+            bends=BENDS if small else 0,
+            drives=moving,
+            drive_start=starts,
+            shaking=drive(scene.shaking or NO_MOTION),
+        )  # fmt: skip
+        centre = np.array([block.centroid() for block in blocks])
+        velocity = np.array([block.velocity for block in blocks])
+        return setting, centre, velocity, np.array([block.spin for block in blocks])
+
+    def kernel(self) -> Callable[..., int]:
+        """The compiled kernel; the first call imports numba."""
+        from vv.engines.rigid.general.kernel import move_rigid
+
+        return move_rigid
+
+    def watched(self, path: Vector, index: int) -> Vector:
+        """Displacement, velocity and spin (k, 9) of the block observed as the index-th."""
+        return np.asarray(path[:, index])
+
+    def joules(self, energy: Vector) -> Vector:
+        """The energies [J] that the kernel gave."""
+        return energy
+
+    def newtons(self, reaction: Vector) -> Vector:
+        """Forces of the walls on the blocks (k, w, 3) [N]."""
+        return reaction
+
+
+def _projector(axes: Vector, free: Mask) -> Vector:
+    rows = axes[free]
+    return np.asarray(rows.T @ rows)

@@ -1,0 +1,136 @@
+"""What stays and what moves in a scene of rigid blocks, and where that goes without contact."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from vv.engines.blocks.geometry import Index, Planes, Shapes
+from vv.engines.kernels.compiled import called
+from vv.engines.kernels.drive import Drive, mean, one_of, rate, travel
+from vv.engines.kernels.triples import at, dot, plus, put
+from vv.engines.rigid.general.turning import held_inverse, turn_by, turned_inertia
+from vv.engines.rigid.solver.assembly import Joints, times
+from vv.scene import Mask, Vector
+
+NIL = (0.0, 0.0, 0.0)
+FORECASTS = 3  # rounds in which free rotation keeps its moment of momentum
+
+
+class Setting(NamedTuple):
+    """What stays: n blocks, w walls, b = n + w bodies.
+
+    mass: (n,) [kg]; inertia: (n, 3, 3) in the starting pose [kg m2]; inverse: (b, 3, 3) [1/kg];
+    hold_spin: (n, 3, 3) projectors; force: (n, 3) gravity and loads [N]; depth: (3,);
+    moves: (n,); mu; slack [m]: gaps count from there on; tolerance [m/s]; sweeps to make,
+    fewest and most; bends: rounds in which friction follows slip that turns; drives of the walls
+    and where each begins (w + 1,); shaking.
+    """
+
+    shapes: Shapes
+    planes: Planes
+    depth: Vector
+    moves: Mask
+    mass: Vector
+    inertia: Vector
+    inverse: Vector
+    hold_spin: Vector
+    force: Vector
+    mu: float
+    slack: float
+    tolerance: float
+    fewest: int
+    most: int
+    bends: int
+    drives: Drive
+    drive_start: Index
+    shaking: Drive
+
+
+class State(NamedTuple):
+    """centre (n, 3) [m], rotation (n, 3, 3), v, w (n, 3) [m/s, 1/s]."""
+
+    centre: Vector
+    rotation: Vector
+    v: Vector
+    w: Vector
+
+
+class Past(NamedTuple):
+    """Contacts of the step before: key, force (k, 3) [N], and at its end joints and what stuck.
+
+    What stuck has no direction of slip, though its arms have turned since.
+    """
+
+    key: Index
+    force: Vector
+    still: Mask
+    joints: Joints
+
+
+@called
+def wall_rates(setting: Setting, time: float, v: Vector) -> None:
+    """Write the velocities of the walls into the last rows of v (b, 3)."""
+    n = len(setting.mass)
+    for k in range(len(setting.planes.point)):
+        put(v, n + k, rate(one_of(setting.drives, setting.drive_start, k), time))
+
+
+@called
+def shift_at(setting: Setting, time: float) -> Vector:
+    """The displacements (w, 3) of the walls [m]."""
+    shift = np.zeros((len(setting.planes.point), 3))
+    for k in range(len(setting.planes.point)):
+        put(shift, k, travel(one_of(setting.drives, setting.drive_start, k), time))
+    return shift
+
+
+@called
+def forecast(
+    setting: Setting, state: State, span: float, rotation: Vector, w: Vector, inverse: Vector
+) -> None:
+    """Fill rotation (n, 3, 3), w and inverse inertia (b, 3, 3) after a step without contact.
+
+    The moment of momentum about free axes is kept.
+    """
+    world, start = np.empty((3, 3)), np.empty((1, 3, 3))
+    for i in range(len(setting.mass)):
+        spin = at(state.w, i)
+        turned_inertia(setting.inertia[i], state.rotation[i], start[0])
+        moment = times(start, 0, spin)
+        put(w, i, spin)
+        rounds = FORECASTS if dot(spin, spin) > 0.0 else 1
+        for _ in range(rounds):
+            middle = plus(plus(NIL, 0.5 * span, spin), 0.5 * span, at(w, i))
+            turn_by(middle, state.rotation[i], rotation[i])
+            turned_inertia(setting.inertia[i], rotation[i], world)
+            held_inverse(world, setting.hold_spin[i], inverse[i])
+            if rounds > 1:
+                put(w, i, times(inverse, i, moment))
+
+
+@called
+def free_velocities(setting: Setting, state: State, now: float, span: float, v: Vector) -> None:
+    """Fill v (b, 3) after a step without contact."""
+    shake = mean(setting.shaking, now, span)
+    for i in range(len(setting.mass)):
+        f = plus(at(setting.force, i), setting.mass[i], shake)
+        gain = times(setting.inverse, i, f)
+        put(v, i, plus(at(state.v, i), span, gain))
+    wall_rates(setting, now + span, v)
+
+
+@called
+def reach(setting: Setting, state: State, now: float, span: float) -> float:
+    """How far apart points may be that can touch within a step [m]."""
+    fastest = 0.0
+    for i in range(len(setting.mass)):
+        speed = np.sqrt(dot(at(state.v, i), at(state.v, i)))
+        spin = np.sqrt(dot(at(state.w, i), at(state.w, i)))
+        push = np.sqrt(dot(at(setting.force, i), at(setting.force, i))) / setting.mass[i]
+        fastest = max(fastest, speed + spin * setting.shapes.size[i] + span * push)
+    for k in range(len(setting.planes.point)):
+        moving = rate(one_of(setting.drives, setting.drive_start, k), now)
+        fastest = max(fastest, np.sqrt(dot(moving, moving)))
+    return float(2.0 * span * fastest + 1e-6 * setting.shapes.size.min())

@@ -1,0 +1,169 @@
+"""Kernels for one trial step of rigid blocks: contacts where they will be, solved to a residual."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from vv.engines.blocks.contacts import Contacts, detect, empty_contacts, matched
+from vv.engines.blocks.geometry import Index
+from vv.engines.blocks.placement import place_rigid
+from vv.engines.kernels.compiled import called
+from vv.engines.kernels.triples import at, dot, plus, put
+from vv.engines.rigid.general.bends import bent
+from vv.engines.rigid.general.converge import converged
+from vv.engines.rigid.general.lever_arms import halfway, relever
+from vv.engines.rigid.general.setting import (
+    Past,
+    Setting,
+    State,
+    forecast,
+    free_velocities,
+    reach,
+    shift_at,
+    wall_rates,
+)
+from vv.engines.rigid.limits import NEARLY
+from vv.engines.rigid.slip import slow
+from vv.engines.rigid.solver.assembly import Bodies, Joints, assemble, load_on, relative
+from vv.engines.rigid.solver.cone import Friction
+from vv.scene import Mask, Vector
+
+NIL = (0.0, 0.0, 0.0)
+
+
+class Trial(NamedTuple):
+    """What a step of a given length came to.
+
+    joints: at its end; middle, turn: see `halfway`; v, w: (b, 3) at its end; p: (c, 3) [N s], of
+    which `acted` did so halfway and the rest, next to nothing, at the end; gap: (c,) at its begin
+    [m]; begun, ended: (c,) whether slip began where there was none, and ended or turned about;
+    friction carries the directions of slip at the begin.
+    """
+
+    joints: Joints
+    middle: Joints
+    turn: Vector
+    bodies: Bodies
+    friction: Friction
+    key: Index
+    p: Vector
+    acted: Vector
+    gap: Vector
+    v: Vector
+    w: Vector
+    begun: Mask
+    ended: Mask
+    sweeps: int
+    residual: float
+
+
+@called
+def detected(
+    contacts: Contacts, setting: Setting, vertex: Vector, normal: Vector, shift: Vector,
+    margin: float,
+) -> tuple[Contacts, int]:  # fmt: skip
+    """All contacts, in arrays that have room for them."""
+    found, s = contacts, setting
+    count = detect(found, s.shapes, vertex, normal, s.moves, s.planes, shift, s.depth, margin)
+    while count > len(found.gap):
+        found = empty_contacts(2 * count)
+        count = detect(found, s.shapes, vertex, normal, s.moves, s.planes, shift, s.depth, margin)
+    return found, count
+
+
+@called
+def nothing(contacts: Contacts, setting: Setting) -> Past:
+    """No contacts, as before the first step."""
+    none = np.empty((0, 3, 3))
+    joints = assemble(contacts, 0 * len(setting.mass), Bodies(none, none, none[:, 0]))
+    return Past(np.empty(0, np.int64), np.empty((0, 3)), np.empty(0, np.bool_), joints)
+
+
+@called
+def attempt(
+    setting: Setting, state: State, now: float, span: float, contacts: Contacts, past: Past,
+) -> Trial:  # fmt: skip
+    """Step from state at `now` by span [s]; the state is left as it is."""
+    n, b = len(setting.mass), len(setting.inverse)
+    rotation, turned = np.empty((n, 3, 3)), np.zeros((b, 3, 3))
+    centre, w, w_old = np.zeros((b, 3)), np.zeros((b, 3)), np.zeros((b, 3))
+    v, v_old, v_mean = np.zeros((b, 3)), np.zeros((b, 3)), np.zeros((b, 3))
+    forecast(setting, state, span, rotation, w, turned)
+    free_velocities(setting, state, now, span, v)
+    shift, here = shift_at(setting, now + span), shift_at(setting, now)
+    wall_rates(setting, now, v_old)
+    for i in range(n):
+        put(centre, i, plus(at(state.centre, i), span, at(state.v, i)))
+        put(v_old, i, at(state.v, i))
+        put(v_mean, i, at(state.v, i))
+        put(w_old, i, plus(plus(NIL, 0.5, at(state.w, i)), 0.5, at(w, i)))
+    for k in range(b - n):
+        put(v_mean, n + k, plus(plus(NIL, 1.0 / span, at(shift, k)), -1.0 / span, at(here, k)))
+    vertex, normal = np.empty_like(setting.shapes.vertex), np.empty_like(setting.shapes.normal)
+    place_rigid(vertex, normal, setting.shapes, centre[:n], rotation)
+    margin = reach(setting, state, now, span)
+    found, count = detected(contacts, setting, vertex, normal, shift, margin)
+    bodies = Bodies(setting.inverse, turned, centre)
+    joints = assemble(found, count, bodies)
+    before = matched(found.key, count, past.key)
+    friction = Friction(setting.mu, np.empty(count), np.zeros((count, 3)), np.zeros((count, 3)))
+    p, gap = np.zeros((count, 3)), np.empty(count)
+    known = np.zeros(count, np.bool_)
+    for c in range(count):
+        m = at(joints.normal, c)
+        gap[c] = found.gap[c] - span * dot(m, relative(joints, c, v_mean, w_old))
+        friction.need[c] = -max(gap[c] - setting.slack, 0.0) / span
+        u = relative(joints, c, v_old, w_old)
+        slip = plus(u, -dot(u, m), m)
+        speed = np.sqrt(dot(slip, slip))
+        if before[c] >= 0:
+            put(p, c, plus(NIL, span, at(past.force, before[c])))
+            known[c] = dot(at(p, c), m) > 0.0
+        if speed > slow(span, setting.tolerance) and not (before[c] >= 0 and past.still[before[c]]):
+            put(friction.d, c, plus(NIL, 1.0 / speed, slip))
+    middle, turn = halfway(joints, before, past.joints)
+    return solved(
+        setting, now, span, joints, middle, turn, bodies, friction, found.key[:count].copy(),
+        p, gap, v_old, w_old, v, w, known,
+    )  # fmt: skip
+
+
+@called
+def solved(
+    setting: Setting, now: float, span: float, joints: Joints, middle: Joints, turn: Vector,
+    bodies: Bodies, friction: Friction, key: Index, p: Vector, gap: Vector,
+    v_old: Vector, w_old: Vector, v: Vector, w: Vector, known: Mask,
+) -> Trial:  # fmt: skip
+    """Solve the contacts of a step, friction following the slip that it decides."""
+    count, acted = len(p), np.zeros_like(p)
+    for c in range(count):
+        load_on(joints, c, bodies, v, w, at(p, c))
+    relever(p, acted, joints, middle, turn, bodies, v, w)
+    sweeps, left = converged(setting, joints, bodies, friction, p, v, w, setting.fewest)
+    begun, ended = np.zeros(count, np.bool_), np.zeros(count, np.bool_)
+    any_ended, least = False, slow(span, setting.tolerance)
+    most = max(least, NEARLY * span)
+    for c in range(count):
+        n, d = at(joints.normal, c), at(friction.d, c)
+        if known[c] and dot(at(p, c), n) > 0.0:
+            u = relative(joints, c, v, w)
+            slip = plus(u, -dot(u, n), n)
+            slips = dot(d, d) > 0.0
+            begun[c] = not slips and dot(slip, slip) > most * most
+            ended[c] = slips and dot(u, d) <= least
+            any_ended = any_ended or ended[c]
+    for _ in range(0 if any_ended else setting.bends):
+        turns = bent(setting, now, span, joints, friction, p, v_old, w_old, v, w)
+        moved = relever(p, acted, joints, middle, turn, bodies, v, w)
+        if not turns and moved <= setting.tolerance:
+            break
+        few = 0 * sweeps  # a literal 0 would make numba compile the solver twice
+        more, left = converged(setting, joints, bodies, friction, p, v, w, few)
+        sweeps += more
+        if more == 0:
+            break
+    return Trial(
+        joints, middle, turn, bodies, friction, key, p, acted, gap, v, w, begun, ended, sweeps, left
+    )

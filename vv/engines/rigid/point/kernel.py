@@ -1,0 +1,166 @@
+"""The compiled kernel for one block that slides on one wall without turning: a point mass."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from vv.engines.kernels.compiled import called, compiled
+from vv.engines.kernels.drive import mean, rate
+from vv.engines.kernels.triples import Triple, dot, plus
+from vv.engines.rigid.limits import BEGINS, CUTS, ENDS, FINE, GLIMPSE, GRIP, NEARLY, SPLITS
+from vv.engines.rigid.point.trial import NIL, Ground, Touch, across, room, tried
+from vv.engines.rigid.slip import slow
+from vv.scene import Vector
+
+
+@called
+def ends(touch: Touch, touched: bool, d: Triple, span: float) -> bool:
+    """Whether a slip along d ended, or turned about, within a trial."""
+    slips = touched and touch.p > 0.0 and dot(d, d) > 0.0
+    return slips and dot(touch.u, d) <= slow(span, FINE)
+
+
+@called
+def begins(ground: Ground, touch: Touch, touched: bool, d: Triple, span: float) -> bool:
+    """Whether slip began within a trial that had none at first."""
+    along = across(ground, touch.u)
+    return (
+        touched
+        and touch.p > 0.0
+        and dot(d, d) == 0.0
+        and np.sqrt(dot(along, along)) > max(NEARLY * span, slow(span, FINE))
+    )
+
+
+@called
+def strained(ground: Ground, touch: Touch, touched: bool, d: Triple) -> bool:
+    """Whether a mass that sticks under a drive may slip before the step's end."""
+    driven = len(ground.base.omega) + len(ground.shaking.omega) > 0
+    sticks = touched and dot(d, d) == 0.0
+    return driven and sticks and dot(touch.rub, touch.rub) > (GRIP * ground.mu * touch.p) ** 2
+
+
+@called
+def slips_at(ground: Ground, x: Triple, v: Triple, now: float, after: float, dt: float) -> bool:
+    """Whether a mass that sticks from `now` on would slip at once, `after` that [s]."""
+    if after > 0.0:
+        touch = tried(ground, x, v, now, after, NIL)
+        if begins(ground, touch, True, NIL, after):
+            return True
+        end = plus(touch.u, 1.0, rate(ground.base, now + after))
+        x, v = plus(plus(x, 0.5 * after, v), 0.5 * after, end), end
+    glimpse = GLIMPSE * dt
+    return begins(ground, tried(ground, x, v, now + after, glimpse, NIL), True, NIL, glimpse)
+
+
+@called
+def cut(
+    ground: Ground, x: Triple, v: Triple, now: float, whole: float, dt: float, d: Triple,
+    begun: bool,
+) -> float:  # fmt: skip
+    """The part [s] of a step before slip begins, or ends; nil if it does so at once."""
+    low, high = 0.0, whole
+    if begun and slips_at(ground, x, v, now, 0.0, dt):
+        return 0.0
+    for _ in range(BEGINS if begun else ENDS):
+        span = 0.5 * (low + high)
+        if begun:
+            late = slips_at(ground, x, v, now, span, dt)
+        else:
+            late = ends(tried(ground, x, v, now, span, d), True, d, span)
+        low, high = (low, span) if late else (span, high)
+    return low if low > CUTS * dt else 0.0
+
+
+@compiled
+def move_point(  # noqa: PLR0915 - one loop, whose parts share all its variables
+    path: Vector,
+    energy: Vector,
+    report: Vector,
+    reaction: Vector,
+    stride: int,
+    dt: float,
+    velocity: Triple,
+    ground: Ground,
+) -> int:
+    """Step a unit mass on a plane from a velocity [m/s] at t = 0; return rows filled.
+
+    v+ = v + h (gravity + load + mean shaking) + p; x+ = x + h (v + v+)/2; u.n + gap/h >= 0 at
+    the end complementary to p.n. A step in which slip would begin, end or turn about is cut there.
+
+    Every `stride` steps a row is written: path (k, 6): displacement, velocity; energy (k, 8),
+    per mass: v^2/2, lost by friction, lost by impact, work of base, of shaking, of gravity, of
+    load, of push-out; report (k, 4): residual, sweeps, deepest penetration [m] and cuts, since
+    the row before; reaction (k, 1, 3): force of the plane, per mass, as the row is reached.
+    """
+    x, v, force, normal = NIL, velocity, NIL, ground.normal
+    spent = np.zeros(7)
+    touched, done = False, 0
+    for row in range(len(path)):
+        deepest, cuts = 0.0, 0
+        for _ in range(stride if row else 0):
+            begin, stopped, looked = 0.0, False, False
+            for part in range(SPLITS):
+                now, whole = done * dt + begin, dt - begin
+                w_old = rate(ground.base, now)
+                u_old = plus(v, -1.0, w_old)
+                slip = across(ground, u_old)
+                speed, d = np.sqrt(dot(slip, slip)), NIL
+                if speed > slow(whole, FINE) and not stopped:
+                    d = plus(NIL, 1.0 / speed, slip)
+                span, ended = whole, False
+                touch = tried(ground, x, v, now, span, d)
+                if part + 1 < SPLITS:
+                    ended = ends(touch, touched, d, span)
+                    begun = not looked and (
+                        begins(ground, touch, touched, d, span)
+                        or (
+                            strained(ground, touch, touched, d)
+                            and slips_at(ground, x, v, now, whole, dt)
+                        )
+                    )
+                    looked = looked or (begun and not ended)
+                    if ended or begun:
+                        span = cut(ground, x, v, now, whole, dt, d, not ended)
+                        if span == 0.0 and ended:
+                            stopped = True
+                            continue
+                        span = span if span > 0.0 else whole
+                        touch = tried(ground, x, v, now, span, d)
+                w_new = rate(ground.base, now + span)
+                v_new = plus(touch.u, 1.0, w_new)
+                middle = plus(plus(NIL, 0.5, v), 0.5, v_new)
+                slid = plus(plus(NIL, 0.5, u_old), 0.5, touch.u)
+                whole_push = plus(touch.rub, touch.p, normal)
+                force = plus(NIL, 1.0 / span, whole_push)
+                spent[0] -= dot(touch.rub, slid)
+                spent[1] -= touch.p * dot(normal, slid)
+                spent[2] += dot(whole_push, plus(plus(NIL, 0.5, w_old), 0.5, w_new))
+                spent[3] += span * dot(mean(ground.shaking, now, span), middle)
+                x = plus(x, span, middle)
+                deep = max(0.0, -room(ground, x, now + span))
+                x = plus(x, deep, normal)
+                deepest = max(deepest, deep)
+                moved = plus(plus(NIL, span, middle), deep, normal)
+                spent[4] += dot(ground.gravity, moved)
+                spent[5] += dot(ground.load, moved)
+                spent[6] += deep * dot(normal, plus(ground.gravity, 1.0, ground.load))
+                v, touched = v_new, touch.p > 0.0
+                begin += span
+                if span == whole:
+                    break
+                along = across(ground, touch.u)
+                stopped = ended and np.sqrt(dot(along, along)) <= NEARLY * whole
+                cuts += 1
+            done += 1
+        for c in range(3):
+            path[row, c], path[row, 3 + c] = x[c], v[c]
+            reaction[row, 0, c] = force[c]
+        energy[row, 0] = 0.5 * dot(v, v)
+        for c in range(len(spent)):
+            energy[row, 1 + c] = spent[c]
+        report[row, 0], report[row, 1], report[row, 2] = 0.0, 1.0, deepest
+        report[row, 3] = cuts
+        if not np.isfinite(energy[row].sum()):
+            return row
+    return len(path)

@@ -1,0 +1,91 @@
+"""Builds the smallest model: one block that cannot turn, on one wall or none, as a point mass."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from vv.engines.blocks.single_block import Lone, lone
+from vv.scene import Scene, Term, Vector
+
+
+@dataclass(frozen=True, eq=False)
+class Point:
+    """The one block's translation."""
+
+    lone: Lone
+    scene: Scene
+    terms: frozenset[Term]
+
+    @property
+    def unknowns(self) -> int:
+        """Translations the block is free in."""
+        return int(self.lone.block.free.sum())
+
+    @property
+    def closes(self) -> bool:
+        """Whether the energies close to rounding."""
+        return True
+
+    @property
+    def words(self) -> str:
+        """The model in words."""
+        return f"{self.unknowns} translations of a point mass with one contact"
+
+    def outputs(self, rows: int, watched: tuple[int, ...]) -> tuple[Vector, ...]:
+        """What the kernel fills: path, energy, report, reaction."""
+        walls = np.zeros((rows, 1, 3))
+        return np.empty((rows, 6)), np.empty((rows, 8)), np.empty((rows, 4)), walls
+
+    def arguments(self) -> tuple[Any, ...]:
+        """What the kernel is told about the scene, after the step."""
+        from vv.engines.kernels.drive import NO_MOTION, drive
+        from vv.engines.rigid.point.trial import Ground
+
+        block, wall, hold = self.lone.block, self.lone.wall, self.lone.hold
+        scene = self.scene
+        ground = Ground(
+            gravity=_triple(hold @ scene.gravity),
+            load=_triple(hold @ block.load / block.mass),
+            normal=_triple(wall.normal),
+            gap=self.lone.gap,
+            mu=scene.contact.mu,
+            base=drive(wall.motion or NO_MOTION),
+            shaking=drive(scene.shaking or NO_MOTION),
+            hold=hold,
+        )
+        return _triple(hold @ block.velocity), ground
+
+    def kernel(self) -> Callable[..., int]:
+        """The compiled kernel; the first call imports numba."""
+        from vv.engines.rigid.point.kernel import move_point
+
+        return move_point
+
+    def watched(self, path: Vector, index: int) -> Vector:
+        """Displacement and velocity (k, 6) of the block observed as the index-th."""
+        return path
+
+    def joules(self, energy: Vector) -> Vector:
+        """The energies (k, 7) [J]; the kernel gives them per mass, loads apart from gravity."""
+        held = energy[:, :7] * self.lone.block.mass
+        held[:, 5] += energy[:, 6] * self.lone.block.mass
+        held[:, 6] = energy[:, 7] * self.lone.block.mass
+        return held
+
+    def newtons(self, reaction: Vector) -> Vector:
+        """Forces of the walls on the blocks (k, w, 3) [N]."""
+        return reaction * self.lone.block.mass
+
+
+def point(scene: Scene) -> Point | None:
+    """The model of a point mass, or None if the scene needs more."""
+    found = lone(scene)
+    return None if found is None else Point(found, scene, scene.terms() - {Term.ROTATION})
+
+
+def _triple(vector: Vector) -> tuple[float, float, float]:
+    return float(vector[0]), float(vector[1]), float(vector[2])

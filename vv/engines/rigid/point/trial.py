@@ -1,0 +1,106 @@
+"""Kernels for one trial step of a point mass on a plane."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from vv.engines.kernels.compiled import called
+from vv.engines.kernels.drive import Drive, mean, rate, travel
+from vv.engines.kernels.triples import Triple, dot, plus
+from vv.engines.rigid.limits import BENDS
+from vv.engines.rigid.slip import bend
+from vv.scene import Vector
+
+NIL = (0.0, 0.0, 0.0)
+
+
+class Ground(NamedTuple):
+    """What acts on a unit mass: accelerations of gravity and load [m/s2], a plane, drives.
+
+    normal, gap [m] of the plane at t = 0; base, shaking: motion of the plane and acceleration;
+    hold: (3, 3) projector on the free directions, which hold the normal and what the base does.
+    """
+
+    gravity: Triple
+    load: Triple
+    normal: Triple
+    gap: float
+    mu: float
+    base: Drive
+    shaking: Drive
+    hold: Vector
+
+
+class Touch(NamedTuple):
+    """The end of a trial: relative velocity u, and impulses [m/s] along and across the normal."""
+
+    u: Triple
+    p: float
+    rub: Triple
+
+
+@called
+def room(ground: Ground, x: Triple, time: float) -> float:
+    """The gap [m] under a displacement x."""
+    return ground.gap + dot(ground.normal, plus(x, -1.0, travel(ground.base, time)))
+
+
+@called
+def across(ground: Ground, u: Triple) -> Triple:
+    """The part of a velocity in the plane."""
+    return plus(u, -dot(u, ground.normal), ground.normal)
+
+
+@called
+def pushed(ground: Ground, u: Triple, need: float, d: Triple, turn: Triple) -> Touch:
+    """What contact makes of the relative velocity u that there would be without.
+
+    need: what u . normal must reach at least; d: the unit direction of slip at the begin, or
+    zeros; turn: see `bend`. The tangential impulse is in -mu p (d/2 + turn) + disc(mu p/2),
+    against the slip that remains; with d = 0 in disc(mu p).
+    """
+    p = max(0.0, need - dot(u, ground.normal))
+    along = across(ground, u)
+    cap = ground.mu * p
+    radius = 0.5 * cap if dot(d, d) > 0.0 else cap
+    left = plus(plus(along, -0.5 * cap, d), -cap, turn)
+    speed = np.sqrt(dot(left, left))
+    kept = 1.0 - radius / speed if speed > radius else 0.0
+    rub = plus(plus(NIL, kept, left), -1.0, along)
+    return Touch(plus(plus(u, p, ground.normal), 1.0, rub), p, rub)
+
+
+@called
+def tried(ground: Ground, x: Triple, v: Triple, now: float, span: float, d: Triple) -> Touch:
+    """A step of span [s] from x, v at `now`, with friction along d to begin with."""
+    hold = ground.hold
+    a = plus(plus(ground.gravity, 1.0, ground.load), 1.0, mean(ground.shaking, now, span))
+    push = (
+        hold[0, 0] * a[0] + hold[0, 1] * a[1] + hold[0, 2] * a[2],
+        hold[1, 0] * a[0] + hold[1, 1] * a[1] + hold[1, 2] * a[2],
+        hold[2, 0] * a[0] + hold[2, 1] * a[1] + hold[2, 2] * a[2],
+    )
+    free = plus(plus(v, span, push), -1.0, rate(ground.base, now + span))
+    need = -max(room(ground, x, now), 0.0) / span
+    touch = pushed(ground, free, need, d, NIL)
+    if touch.p > 0.0 and dot(d, d) > 0.0 and dot(touch.u, d) > 0.0:
+        before = across(ground, plus(v, -1.0, rate(ground.base, now)))
+        sag = sagging(ground, now, span)
+        for _ in range(BENDS):
+            turn = bend(before, sag, across(ground, touch.u), ground.mu * touch.p)
+            if dot(turn, turn) == 0.0:
+                break
+            touch = pushed(ground, free, need, d, turn)
+    return touch
+
+
+@called
+def sagging(ground: Ground, now: float, span: float) -> Triple:
+    """How far the drives take the slip halfway from the mean of its first and last [m/s]."""
+    sag = plus(NIL, 0.5 * span, mean(ground.shaking, now, 0.5 * span))
+    sag = plus(sag, -0.5 * span, mean(ground.shaking, now, span))
+    sag = plus(sag, -1.0, rate(ground.base, now + 0.5 * span))
+    sag = plus(plus(sag, 0.5, rate(ground.base, now)), 0.5, rate(ground.base, now + span))
+    return across(ground, sag)

@@ -1,0 +1,168 @@
+"""Rigid blocks, exact Coulomb friction without penalty: from an ask to a program to a Run."""
+
+from __future__ import annotations
+
+import functools
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from vv.ask import Ask, Displacement, Ledger, Model, Run, Status
+from vv.engines.blocks.checks import (
+    block_index,
+    moves_where_locked,
+    overlaps,
+    strained,
+    undetermined,
+    unsupported,
+)
+from vv.engines.rigid.general.model import Space
+from vv.engines.rigid.limits import CONVERGED
+from vv.engines.rigid.point.model import Point, point
+from vv.scene import Vector
+
+LEDGER = (
+    "kinetic",
+    "friction dissipation",
+    "impact dissipation",
+    "base potential",
+    "shaking potential",
+    "potential of gravity and loads",
+    "taken by push-out",
+)
+SIGNS = np.array([1.0, 1.0, 1.0, -1.0, -1.0, -1.0, 1.0])
+EPS = float(np.finfo(float).eps)
+ROUNDINGS = 64  # of the peak energy, allowed for each step
+
+
+@dataclass(frozen=True, eq=False)
+class Program:
+    """An ask ready to be solved as often as wanted. system: the smallest model of its scene."""
+
+    ask: Ask
+    system: Point | Space
+
+    @property
+    def model(self) -> Model:
+        """What was built."""
+        return Model(self.system.unknowns, self.system.terms, self.system.words)
+
+    @functools.cached_property
+    def arguments(self) -> tuple[Any, ...]:
+        """What the kernel is called with: outputs, stride, dt, the scene."""
+        goal, dt = self.ask.goal, self.dt
+        outputs = self.system.outputs(len(goal.times(dt)), self.watched)
+        return (*outputs, goal.stride(dt), dt, *self.system.arguments())
+
+    @functools.cached_property
+    def watched(self) -> tuple[int, ...]:
+        """The blocks observed; raises ValueError for a body that is none."""
+        return tuple(block_index(self.ask.scene, what.body) for what in self.ask.observables)
+
+    @property
+    def dt(self) -> float:
+        """The step [s]; raises ValueError if the ask has none."""
+        if self.ask.knobs.dt is None:
+            raise ValueError("Knobs.dt is None; rigid blocks need a step")
+        return self.ask.knobs.dt
+
+    def warm(self) -> None:
+        """Load or compile the kernel for these arguments; no step is taken."""
+        path, energy, report, reaction, *rest = self.arguments
+        self.system.kernel()(path[:1], energy[:1], report[:1], reaction[:1], *rest)
+
+    def solve(self) -> int:
+        """Run the kernel over all steps; returns how many rows of the outputs are good."""
+        return self.system.kernel()(*self.arguments)
+
+    @property
+    def energies(self) -> Vector:
+        """The ledger's terms (k, 7) [J] in time, whose sum is constant, after a solve."""
+        return np.asarray(self.system.joules(self.arguments[1]) * SIGNS + 0.0)
+
+    @property
+    def report(self) -> Vector:
+        """Residual [m/s], sweeps, deepest penetration [m], cuts (k, 4) since the row before."""
+        return np.asarray(self.arguments[2])
+
+    @property
+    def reactions(self) -> Vector:
+        """Forces (k, w, 3) of the walls on the blocks [N] in time, after a solve."""
+        return self.system.newtons(self.arguments[3])
+
+    def run(self, rows: int) -> Run:
+        """The Run of a solve that returned `rows`; its cost is left empty."""
+        goal, dt, path = self.ask.goal, self.dt, self.arguments[0]
+        whole = rows == len(path)
+        values = {}
+        for index, what in enumerate(self.ask.observables):
+            moved = self.system.watched(path[:rows], index)
+            values[what] = moved[:, :3] if isinstance(what, Displacement) else moved[:, 3:6]
+        model, steps = self.model, goal.stride(dt) * (rows - 1 if whole else rows)
+        return Run(
+            status=Status.RAN if whole else Status.DIVERGED,
+            reason="" if whole else f"by step {steps}: the state is not finite",
+            times=goal.times(dt)[:rows],
+            values=values,
+            steps=steps,
+            model=Model(model.unknowns, model.terms, f"{model.note}; {self._worst(rows)}"),
+            ledger=self._ledger() if whole else None,
+        )
+
+    def _worst(self, rows: int) -> str:
+        report = self.report[: rows + 1]  # with the row in which it diverged
+        residual, sweeps, deepest, _ = report.max(axis=0)
+        cuts = report[:, 3].sum()
+        return (
+            f"worst step: residual {residual:.3g} m/s after {sweeps:.0f} sweeps, penetration "
+            f"{deepest:.3g} m; {cuts:.0f} cuts where slip ended"
+        )
+
+    def _ledger(self) -> Ledger:
+        terms, steps = self.energies, self.ask.goal.steps(self.dt) + 1
+        put_in, largest = float(terms[0].sum()), float(np.abs(terms).sum(axis=1).max())
+        rounding = ROUNDINGS * EPS * steps * largest
+        residual = float(self.report[:, 0].max())
+        audits = {"residual of contact [m/s]": (residual, CONVERGED)}
+        if isinstance(self.system, Point):
+            lost = np.diff(terms[:, 1] + terms[:, 2])
+            audits["energy created [J]"] = (float(-lost.clip(max=0.0).sum()), rounding)
+        return Ledger(
+            terms=dict(zip(LEDGER, terms[-1].tolist(), strict=True)),
+            unaccounted=float(np.abs(terms.sum(axis=1) - put_in).max()),
+            peak=max(put_in, float(terms[:, 0].max())),
+            bound=rounding if self.system.closes else None,
+            audits=audits,
+        )
+
+
+def prepare(ask: Ask) -> Program:
+    """The program of an ask, with the smallest model its scene allows."""
+    return Program(ask, point(ask.scene) or Space(ask.scene))
+
+
+def solve(ask: Ask) -> Run:
+    """Solve an ask once, its cost left empty; refused if `refuses` says why."""
+    reason = refuses(ask)
+    if reason is not None:
+        return Run(Status.REFUSED, reason)
+    program = prepare(ask)
+    return program.run(program.solve())
+
+
+def refuses(ask: Ask) -> str | None:
+    """Why an ask cannot be run honestly; else None."""
+    dt, goal, scene = ask.knobs.dt, ask.goal, ask.scene
+    if dt is None:
+        return "Knobs.dt is None; rigid blocks need a step"
+    if goal.steps(dt) == 0:
+        return f"dt = {dt!r} s leaves no step in History.duration = {goal.duration!r} s"
+    if not scene.blocks:
+        return "the scene holds no block"
+    if len(scene.spheres):
+        return "the scene holds spheres; rigid blocks touch blocks and walls"
+    if np.isfinite(scene.contact.kn):
+        return f"Contact.kn = {scene.contact.kn!r} N/m; rigid contact has no stiffness"
+    checks = (strained, moves_where_locked, unsupported, undetermined, overlaps)
+    return next((reason for check in checks if (reason := check(scene))), None)

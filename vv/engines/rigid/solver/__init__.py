@@ -1,0 +1,1 @@
+"""The contact solver: exact Coulomb friction by sweeps, banded systems, Newton steps."""

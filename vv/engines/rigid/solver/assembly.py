@@ -1,0 +1,141 @@
+"""Kernels that turn detected contacts into relative velocities and impulses: J, J^T and J W J^T.
+
+Bodies are numbered as in blocks/contacts.py: n blocks, then the walls. Their velocities are rows
+of v, w (b, 3) [m/s, 1/s] and their inverse masses and inertias of `inverse` and `inverse_spin`
+(b, 3, 3) [1/kg, 1/(kg m2)], projected on what is free and nil for walls: so one row of J serves
+blocks and walls, plane scenes and scenes in space. J is never stored: a contact is its bodies and
+two arms.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from vv.engines.blocks.contacts import Contacts
+from vv.engines.blocks.geometry import Index
+from vv.engines.kernels.compiled import called, inlined
+from vv.engines.kernels.triples import Triple, at, cross, dot, plus, put
+from vv.scene import Vector
+
+MOBILE = 1e-12  # ratio of mobilities below which the less mobile direction is a locked one
+
+
+class Bodies(NamedTuple):
+    """inverse, inverse_spin: (b, 3, 3), in the scene's frame; centre: (b, 3) [m], nil for walls."""
+
+    inverse: Vector
+    inverse_spin: Vector
+    centre: Vector
+
+
+class Joints(NamedTuple):
+    """c contacts as a solver sees them.
+
+    first, second: bodies; normal: (c, 3); arm_first, arm_second: (c, 3) from the centres [m];
+    pull: (c, 3) the relative velocity that a unit impulse along the normal makes [1/kg]; across:
+    (c,) its part along the normal; along: (c,) the largest such part in the tangent plane; nil
+    where both bodies are locked.
+    """
+
+    first: Index
+    second: Index
+    normal: Vector
+    arm_first: Vector
+    arm_second: Vector
+    pull: Vector
+    across: Vector
+    along: Vector
+
+
+@inlined
+def times(matrices: Vector, i: int, a: Triple) -> Triple:
+    """matrices[i] @ a, with matrices (b, 3, 3)."""
+    m = matrices
+    return (
+        m[i, 0, 0] * a[0] + m[i, 0, 1] * a[1] + m[i, 0, 2] * a[2],
+        m[i, 1, 0] * a[0] + m[i, 1, 1] * a[1] + m[i, 1, 2] * a[2],
+        m[i, 2, 0] * a[0] + m[i, 2, 1] * a[1] + m[i, 2, 2] * a[2],
+    )
+
+
+@inlined
+def relative(joints: Joints, c: int, v: Vector, w: Vector) -> Triple:
+    """The velocity of the second body relative to the first at contact c: a row of J v."""
+    a, b = joints.first[c], joints.second[c]
+    one = plus(at(v, a), 1.0, cross(at(w, a), at(joints.arm_first, c)))
+    return plus(plus(at(v, b), 1.0, cross(at(w, b), at(joints.arm_second, c))), -1.0, one)
+
+
+@inlined
+def apply(joints: Joints, c: int, bodies: Bodies, v: Vector, w: Vector, p: Triple) -> None:
+    """Add W J^T p to the velocities, for an impulse p [N s] on the second body at contact c."""
+    a, b = joints.first[c], joints.second[c]
+    put(v, b, plus(at(v, b), 1.0, times(bodies.inverse, b, p)))
+    moment = cross(at(joints.arm_second, c), p)
+    put(w, b, plus(at(w, b), 1.0, times(bodies.inverse_spin, b, moment)))
+    put(v, a, plus(at(v, a), -1.0, times(bodies.inverse, a, p)))
+    moment = cross(at(joints.arm_first, c), p)
+    put(w, a, plus(at(w, a), -1.0, times(bodies.inverse_spin, a, moment)))
+
+
+@called
+def load_on(joints: Joints, c: int, bodies: Bodies, v: Vector, w: Vector, p: Triple) -> None:
+    """`apply`, unless there is nothing to apply; compiled once for all who are in no hurry."""
+    if dot(p, p) > 0.0:
+        apply(joints, c, bodies, v, w, p)
+
+
+@inlined
+def answer(joints: Joints, c: int, bodies: Bodies, p: Triple) -> Triple:
+    """J W J^T p for one contact: the relative velocity that an impulse there makes there."""
+    a, b = joints.first[c], joints.second[c]
+    one, two = at(joints.arm_first, c), at(joints.arm_second, c)
+    u = plus(times(bodies.inverse, a, p), 1.0, times(bodies.inverse, b, p))
+    u = plus(u, 1.0, cross(times(bodies.inverse_spin, a, cross(one, p)), one))
+    return plus(u, 1.0, cross(times(bodies.inverse_spin, b, cross(two, p)), two))
+
+
+@inlined
+def tangents(n: Triple) -> tuple[Triple, Triple]:
+    """Two unit vectors perpendicular to n and to each other."""
+    least = (1.0, 0.0, 0.0)
+    if abs(n[0]) > 0.6:
+        least = (0.0, 1.0, 0.0)
+    one = plus(least, -dot(least, n), n)
+    one = plus((0.0, 0.0, 0.0), 1.0 / np.sqrt(dot(one, one)), one)
+    return one, cross(n, one)
+
+
+@called
+def assemble(contacts: Contacts, count: int, bodies: Bodies) -> Joints:
+    """The first `count` contacts as joints, which outlive them."""
+    joints = Joints(
+        contacts.first[:count].copy(),
+        contacts.second[:count].copy(),
+        contacts.normal[:count].copy(),
+        np.empty((count, 3)),
+        np.empty((count, 3)),
+        np.empty((count, 3)),
+        np.empty(count),
+        np.empty(count),
+    )
+    for c in range(count):
+        point = at(contacts.point, c)
+        put(joints.arm_first, c, plus(point, -1.0, at(bodies.centre, joints.first[c])))
+        put(joints.arm_second, c, plus(point, -1.0, at(bodies.centre, joints.second[c])))
+        n = at(joints.normal, c)
+        pull = answer(joints, c, bodies, n)
+        put(joints.pull, c, pull)
+        joints.across[c] = dot(n, pull)
+        one, two = tangents(n)
+        of_one, of_two = answer(joints, c, bodies, one), answer(joints, c, bodies, two)
+        mean = 0.5 * (dot(one, of_one) + dot(two, of_two))
+        apart = 0.5 * (dot(one, of_one) - dot(two, of_two))
+        joints.along[c] = mean + np.hypot(apart, dot(one, of_two))
+        if joints.across[c] <= MOBILE * joints.along[c]:
+            joints.across[c] = 0.0
+        if joints.along[c] <= MOBILE * joints.across[c]:
+            joints.along[c] = 0.0
+    return joints

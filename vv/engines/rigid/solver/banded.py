@@ -1,0 +1,102 @@
+"""Kernels that solve the equations of blocks which touch a few others each, within a band."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from vv.engines.blocks.geometry import Index
+from vv.engines.kernels.compiled import called
+from vv.engines.rigid.solver.assembly import Joints
+from vv.scene import Vector
+
+
+@called
+def neighbours(joints: Joints, blocks: int) -> tuple[Index, Index]:
+    """The blocks that each block touches: they are other[start[i]:start[i + 1]], some repeated."""
+    start = np.zeros(blocks + 1, np.int64)
+    for c in range(len(joints.first)):
+        if joints.first[c] < blocks:
+            start[joints.first[c] + 1] += 1
+            start[joints.second[c] + 1] += 1
+    for i in range(blocks):
+        start[i + 1] += start[i]
+    other, filled = np.empty(start[blocks], np.int64), start[:blocks].copy()
+    for c in range(len(joints.first)):
+        a, b = joints.first[c], joints.second[c]
+        if a < blocks:
+            other[filled[a]], other[filled[b]] = b, a
+            filled[a] += 1
+            filled[b] += 1
+    return start, other
+
+
+@called
+def layers(place: Index, start: Index, other: Index, root: int, count: int) -> tuple[int, int]:
+    """Number the blocks not yet numbered that hang together with root, from `count` on.
+
+    Nearest first; place: (n,) -1 where a block has no number. Returns how many have one now, and
+    the last that got it.
+    """
+    queue, done, last = np.empty(len(place), np.int64), 0, root
+    queue[0], place[root] = root, count
+    many = done + 1
+    while done < many:
+        i = queue[done]
+        last, done = i, done + 1
+        for k in range(start[i], start[i + 1]):
+            j = other[k]
+            if place[j] < 0:
+                place[j], queue[many] = count + many, j
+                many += 1
+    return count + many, last
+
+
+@called
+def arranged(joints: Joints, blocks: int) -> tuple[Index, int]:
+    """Places (n,) for the blocks such that those that touch are near, and the farthest apart.
+
+    In layers from a block that is as far from another as any (Cuthill and McKee 1969).
+    """
+    start, other = neighbours(joints, blocks)
+    place, count = np.full(blocks, -1, np.int64), 0 * blocks
+    for root in range(blocks):
+        if place[root] < 0:
+            trial = place.copy()
+            _, far = layers(trial, start, other, root, count)
+            count, _ = layers(place, start, other, far, count)
+    apart = 0 * blocks
+    for c in range(len(joints.first)):
+        if joints.first[c] < blocks:
+            apart = max(apart, abs(place[joints.first[c]] - place[joints.second[c]]))
+    return place, apart
+
+
+@called
+def eliminate(matrix: Vector, right: Vector, half: int) -> None:
+    """Replace right (m,) by the solution of equations in a band, which are spoilt.
+
+    matrix: (m, 3 half + 1), element (i, j) in row i, column j - i + half, nil farther than half
+    from the diagonal. Gauss with pivots, which fill the rest.
+    """
+    m = len(right)
+    for k in range(m):
+        best, low, most = k, min(k + half, m - 1), min(k + 2 * half, m - 1)
+        for i in range(k + 1, low + 1):
+            if abs(matrix[i, k - i + half]) > abs(matrix[best, k - best + half]):
+                best = i
+        if best != k:
+            for j in range(k, most + 1):
+                one, two = matrix[k, j - k + half], matrix[best, j - best + half]
+                matrix[k, j - k + half], matrix[best, j - best + half] = two, one
+            right[k], right[best] = right[best], right[k]
+        for i in range(k + 1, low + 1):
+            part = matrix[i, k - i + half] / matrix[k, half]
+            if part != 0.0:
+                row, pivot = matrix[i], matrix[k]
+                for j in range(half + 1, most - k + half + 1):
+                    row[j + k - i] -= part * pivot[j]
+                right[i] -= part * right[k]
+    for k in range(m - 1, -1, -1):
+        for j in range(k + 1, min(k + 2 * half, m - 1) + 1):
+            right[k] -= matrix[k, j - k + half] * right[j]
+        right[k] /= matrix[k, half]

@@ -1,0 +1,181 @@
+"""The contact solver of exact Coulomb friction: projected Gauss-Seidel, accelerated.
+
+For each contact, with relative velocity u at the end of the step and impulse p:
+u.n - need >= 0 complementary to p.n >= 0, and the tangential impulse in the set
+-mu p.n (d/2 + turn) + disc(mu p.n/2), where it takes most from u (d = 0: in disc(mu p.n)).
+Contacts are swept in order; the sweep's change serves as a gradient for nonlinear conjugate
+gradients (Silcowitz, Niebe and Erleben 2010). The tangential step is one number per contact:
+different steps in different directions would turn the friction.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from vv.engines.kernels.compiled import called, inlined
+from vv.engines.kernels.triples import Triple, at, dot, plus, put
+from vv.engines.rigid.solver.assembly import Bodies, Joints, apply, relative
+from vv.scene import Vector
+
+
+class Friction(NamedTuple):
+    """mu; need: (c,) [m/s]; d, turn: (c, 3), see above."""
+
+    mu: float
+    need: Vector
+    d: Vector
+    turn: Vector
+
+
+@inlined
+def limit(cap: float, d: Triple, turn: Triple) -> tuple[Triple, float]:
+    """The centre and the radius [N s] of the tangential impulses under a normal impulse cap/mu."""
+    if dot(d, d) == 0.0:
+        return (0.0, 0.0, 0.0), cap
+    return plus(plus((0.0, 0.0, 0.0), -0.5 * cap, d), -cap, turn), 0.5 * cap
+
+
+@inlined
+def projected(
+    along: float, n: Triple, u: Triple, p: Triple, cap: float, d: Triple, turn: Triple
+) -> Triple:
+    """The tangential impulse of one projected step from p; along: see `Joints`.
+
+    It takes numbers, no arrays: numba would count references to these at every contact.
+    """
+    flat = plus(p, -dot(p, n), n)
+    if along > 0.0:
+        flat = plus(flat, -1.0 / along, plus(u, -dot(u, n), n))
+    centre, radius = limit(cap, d, turn)
+    left = plus(flat, -1.0, centre)
+    size = np.sqrt(dot(left, left))
+    return plus(centre, radius / size if size > radius else 1.0, left)
+
+
+@called
+def sweep(
+    p: Vector, joints: Joints, bodies: Bodies, friction: Friction, v: Vector, w: Vector
+) -> None:
+    """One pass over all contacts: the normal impulse, then the tangential one under it."""
+    for c in range(len(p)):
+        n, before = at(joints.normal, c), at(p, c)
+        if joints.across[c] <= 0.0:
+            continue
+        u = relative(joints, c, v, w)
+        had = dot(before, n)
+        normal = max(0.0, had - (dot(u, n) - friction.need[c]) / joints.across[c])
+        u = plus(u, normal - had, at(joints.pull, c))
+        d, turn = at(friction.d, c), at(friction.turn, c)
+        along = projected(joints.along[c], n, u, before, friction.mu * normal, d, turn)
+        after = plus(along, normal, n)
+        apply(joints, c, bodies, v, w, plus(after, -1.0, before))
+        put(p, c, after)
+
+
+@called
+def residual(p: Vector, joints: Joints, friction: Friction, v: Vector, w: Vector) -> float:
+    """The largest step [m/s] that the natural map still makes at any contact."""
+    worst = 0.0
+    for c in range(len(p)):
+        if joints.across[c] <= 0.0:
+            continue
+        n, u, now = at(joints.normal, c), relative(joints, c, v, w), at(p, c)
+        had = dot(now, n)
+        normal = max(0.0, had - (dot(u, n) - friction.need[c]) / joints.across[c])
+        worst = max(worst, abs(normal - had) * joints.across[c])
+        d, turn = at(friction.d, c), at(friction.turn, c)
+        along = projected(joints.along[c], n, u, now, friction.mu * had, d, turn)
+        change = plus(along, -1.0, plus(now, -had, n))
+        worst = max(worst, np.sqrt(dot(change, change)) * joints.along[c])
+    return worst
+
+
+@called
+def solve_contacts(
+    p: Vector, joints: Joints, bodies: Bodies, friction: Friction, v: Vector, w: Vector,
+    tolerance: float, fewest: int, most: int,
+) -> tuple[int, float]:  # fmt: skip
+    """Improve p (c, 3), whose effect is in v and w, until the residual [m/s] is met.
+
+    At least `fewest` sweeps are made, unless there is nothing left to improve. Returns the sweeps
+    made and the residual reached, which is larger if `most` sweeps were not enough.
+    """
+    way, before = np.zeros_like(p), np.empty_like(p)
+    way_v, before_v, way_w, before_w = (
+        np.zeros_like(v),
+        np.empty_like(v),
+        np.zeros_like(w),
+        np.empty_like(w),
+    )
+    last, left = 0.0, residual(p, joints, friction, v, w)
+    sweeps = 0
+    while (left > tolerance or (sweeps < fewest and left > 0.0)) and sweeps < most:
+        keep(before, p)
+        keep(before_v, v)
+        keep(before_w, w)
+        sweep(p, joints, bodies, friction, v, w)
+        sweeps += 1
+        size, largest = 0.0, 0.0
+        for c in range(len(p)):
+            change = plus(at(p, c), -1.0, at(before, c))
+            square = dot(change, change)
+            size += square
+            largest = max(largest, square * max(joints.across[c], joints.along[c]) ** 2)
+        if (largest <= tolerance * tolerance and sweeps >= fewest) or sweeps == most:
+            left = residual(p, joints, friction, v, w)
+            if left <= tolerance or sweeps == most:
+                break
+        share = size / last if last > 0.0 else 0.0
+        last = size
+        goes_on = share <= 1.0
+        follow(way, before, p, share, goes_on)
+        follow(way_v, before_v, v, share, goes_on)
+        follow(way_w, before_w, w, share, goes_on)
+    return sweeps, left
+
+
+@called
+def keep(kept: Vector, rows: Vector) -> None:
+    """Fill kept with rows (k, 3); a slice would make numba compile its error messages."""
+    for k in range(len(rows)):
+        put(kept, k, at(rows, k))
+
+
+@called
+def follow(way: Vector, before: Vector, now: Vector, share: float, goes_on: bool) -> None:
+    """Go on from `now` along a share of the way (k, 3) so far, and add the last change to that.
+
+    What impulses do to velocities is linear, so that both can go the same way. If it does not go
+    on, the way begins anew.
+    """
+    for k in range(len(way)):
+        change = plus(at(now, k), -1.0, at(before, k))
+        ahead = plus((0.0, 0.0, 0.0), share, at(way, k))
+        if goes_on:
+            put(way, k, plus(ahead, 1.0, change))
+            put(now, k, plus(at(now, k), 1.0, ahead))
+        else:
+            put(way, k, (0.0, 0.0, 0.0))
+
+
+@called
+def push_out(
+    joints: Joints, bodies: Bodies, gap: Vector, x: Vector, turn: Vector, sweeps: int
+) -> None:
+    """Move bodies apart: fill x, turn (b, 3) [m, rad] so that no gap (c,) [m] stays negative.
+
+    The least displacement in the sense of the masses, found by so many sweeps; velocities have
+    no part in it.
+    """
+    pushed = np.zeros(len(gap))
+    x[:], turn[:] = 0.0, 0.0
+    for _ in range(sweeps):
+        for c in range(len(gap)):
+            if joints.across[c] > 0.0:
+                n = at(joints.normal, c)
+                left = gap[c] + dot(n, relative(joints, c, x, turn))
+                more = max(-pushed[c], -left / joints.across[c])
+                pushed[c] += more
+                apply(joints, c, bodies, x, turn, plus((0.0, 0.0, 0.0), more, n))

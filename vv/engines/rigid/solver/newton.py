@@ -1,0 +1,135 @@
+"""A round of an augmented Lagrangian for contacts with friction, solved by Newton steps.
+
+With impulses q, velocities z solve z = z(q) + W J^T (P(q - D (J z - need)) - q), P the projection
+on what contact and friction allow (see `cone.py`) and D stiff; then P becomes q. Forces
+that many contacts share, heavy blocks on light ones and contacts that hold whatever the friction
+need no more rounds than others do (Alart and Curnier 1991; Simo and Laursen 1992).
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from vv.engines.blocks.geometry import Index
+from vv.engines.kernels.compiled import called
+from vv.engines.kernels.triples import Triple, at, cross, dot, plus, put
+from vv.engines.rigid.limits import INNER
+from vv.engines.rigid.solver.assembly import Bodies, Joints, load_on, relative, times
+from vv.engines.rigid.solver.banded import eliminate
+from vv.engines.rigid.solver.cone import Friction, keep, limit
+from vv.scene import Vector
+
+NIL = (0.0, 0.0, 0.0)
+
+
+@called
+def allowed(
+    joints: Joints, c: int, friction: Friction, stiffness: float,
+    q: Triple, u: Triple, slope: Vector,
+) -> Triple:  # fmt: skip
+    """P(q - D (u - need n)); fills slope (3, 3) with -dP/du, the slope of P times D."""
+    n, cap = at(joints.normal, c), friction.mu
+    stiff = stiffness / joints.across[c]
+    along = stiffness / joints.along[c] if joints.along[c] > 0.0 else 0.0
+    slope[:] = 0.0
+    un = dot(u, n)
+    normal = dot(q, n) - stiff * (un - friction.need[c])
+    if normal <= 0.0:
+        return NIL
+    d, turn = at(friction.d, c), at(friction.turn, c)
+    flat = plus(plus(q, -dot(q, n), n), -along, plus(u, -un, n))
+    centre, radius = limit(cap * normal, d, turn)
+    left = plus(flat, -1.0, centre)
+    size = np.sqrt(dot(left, left))
+    slips = size > radius
+    share = radius / size if slips else 1.0
+    e = plus(NIL, 1.0 / size, left) if slips else NIL
+    drift = NIL  # how the tangential impulse grows with the normal one
+    if slips:
+        drift = plus(plus(NIL, (1.0 - share) / normal, centre), radius / normal, e)
+        drift = plus(drift, share * dot(e, centre) / normal, e)
+    for i in range(3):
+        for j in range(3):
+            flatly = (1.0 if i == j else 0.0) - n[i] * n[j] - e[i] * e[j]
+            slope[i, j] = stiff * (n[i] + drift[i]) * n[j] + share * along * flatly
+    return plus(plus(centre, share, left), normal, n)
+
+
+@called
+def column(joints: Joints, c: int, side: int, k: int) -> Triple:
+    """How the relative velocity at contact c changes with unknown k of six of one of its bodies."""
+    axis = (1.0 * (k % 3 == 0), 1.0 * (k % 3 == 1), 1.0 * (k % 3 == 2))
+    if k >= 3:
+        axis = cross(axis, at(joints.arm_second if side else joints.arm_first, c))
+    return axis if side else plus(NIL, -1.0, axis)
+
+
+@called
+def spread(
+    matrix: Vector, joints: Joints, c: int, bodies: Bodies, place: Index, half: int, slope: Vector
+) -> None:
+    """Add W J^T slope J of contact c to a matrix (6 n, 6 n) as `eliminate` takes it.
+
+    place: (n,) of the blocks in its rows.
+    """
+    blocks = len(place)
+    for side in range(2):
+        j = joints.second[c] if side else joints.first[c]
+        for k in range(6 if j < blocks else 0):
+            u = column(joints, c, side, k)
+            p = (dot(at(slope, 0), u), dot(at(slope, 1), u), dot(at(slope, 2), u))
+            for other in range(2):
+                i = joints.second[c] if other else joints.first[c]
+                if i < blocks:
+                    pull = p if other else plus(NIL, -1.0, p)
+                    arm = at(joints.arm_second if other else joints.arm_first, c)
+                    v = times(bodies.inverse, i, pull)
+                    w = times(bodies.inverse_spin, i, cross(arm, pull))
+                    row = 6 * place[i]
+                    here = 6 * place[j] + k - row + half
+                    for r in range(3):
+                        matrix[row + r, here - r] += v[r]
+                        matrix[row + 3 + r, here - 3 - r] += w[r]
+
+
+@called
+def balanced(
+    p: Vector, q: Vector, joints: Joints, bodies: Bodies, friction: Friction,
+    v: Vector, w: Vector, tolerance: float, stiffness: float, place: Index, apart: int,
+) -> bool:  # fmt: skip
+    """Fill p (c, 3) with what q (c, 3), whose effect is in v and w (b, 3), becomes.
+
+    Tells whether in the end no velocity changed by more than a tenth of the tolerance [m/s].
+    place, apart: see `arranged`.
+    """
+    blocks, half = len(place), 6 * apart + 5
+    m = 6 * blocks
+    x, y, z, o = v.copy(), w.copy(), np.empty_like(v), np.empty_like(w)
+    slope, right, matrix = np.zeros((3, 3)), np.empty(m), np.empty((m, 3 * half + 1))
+    for _ in range(INNER):
+        matrix[:] = 0.0
+        keep(z, v)
+        keep(o, w)
+        for c in range(len(p)):
+            if joints.across[c] > 0.0:
+                u = relative(joints, c, x, y)
+                put(p, c, allowed(joints, c, friction, stiffness, at(q, c), u, slope))
+                spread(matrix, joints, c, bodies, place, half, slope)
+                load_on(joints, c, bodies, z, o, plus(at(p, c), -1.0, at(q, c)))
+        most = 0.0
+        for i in range(blocks):
+            row = 6 * place[i]
+            for r in range(3):
+                right[row + r], right[row + 3 + r] = z[i, r] - x[i, r], o[i, r] - y[i, r]
+        for k in range(m):
+            matrix[k, half] += 1.0
+        eliminate(matrix, right, half)
+        for i in range(blocks):
+            row = 6 * place[i]
+            for r in range(3):
+                x[i, r] += right[row + r]
+                y[i, r] += right[row + 3 + r]
+                most = max(most, abs(right[row + r]))
+        if most <= 0.1 * tolerance:
+            return True
+    return False

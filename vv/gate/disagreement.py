@@ -1,0 +1,197 @@
+"""The ledger of known disagreements: what a code is known to do otherwise, within what bands."""
+
+from __future__ import annotations
+
+import datetime
+import fnmatch
+import math
+import tomllib
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+from vv.base.errors import UsageError
+from vv.base.metrics import Order
+from vv.case import LOOSEST
+from vv.records.finding import Bit, Finding
+from vv.records.reading import error_of
+from vv.records.record import Verdict
+from vv.records.rungs import ladder, orders
+
+WARNING = 30  # days before an entry expires in which the gate says so
+WIDEST = 10.0  # largest over smallest error of a band: more than a decade says nothing
+BROADEST = 2.5  # width of a band of orders: codes are of order 0, 1 or 2, and one must be excluded
+
+
+@dataclass(frozen=True)
+class Disagreement:
+    """What a code is known to do otherwise, as two-sided bands on error and observed order.
+
+    Patterns are globs; versions names those it was seen in. error: (low, high) at the step
+    dt [s], moved to other steps with the middle of the order band, and from the stiffness kn
+    [N/m] of springs that stand in for rigid contact to others as kn**-softness. A band that
+    reaches below the tolerance expects passes too. Refused is a band so wide that it excludes
+    nothing, or that is moved with the step though its errors are such that no tolerance allows; a
+    figure that stays where it is may be as far off as it likes. expires: ISO date.
+    """
+
+    code: str
+    schemes: str
+    versions: str
+    case: str
+    variants: tuple[str, ...]
+    quantity: str
+    dt: float
+    error: tuple[float, float]
+    order: tuple[float, float]
+    reason: str
+    expires: str
+    kn: float | None = None
+    softness: float = 0.0
+
+    def __post_init__(self) -> None:
+        for name, (low, high) in (("error", self.error), ("order", self.order)):
+            if not low <= high:
+                raise ValueError(f"{name} = [{low:g}, {high:g}]; a band must not be empty")
+        if not (self.dt > 0 and self.error[0] > 0):
+            raise ValueError(f"dt = {self.dt:g} s, error from {self.error[0]:g}; both must be > 0")
+        low, high = self.error
+        if high > WIDEST * low:
+            raise ValueError(
+                f"error = [{low:g}, {high:g}]; a band must end within a factor of {WIDEST:g}"
+            )
+        if high > LOOSEST and any(self.order):
+            raise ValueError(
+                f"error = [{low:g}, {high:g}] at dt = {self.dt:g} s; a band that is moved with the "
+                f"step must end at {LOOSEST:g}"
+            )
+        if self.order[1] - self.order[0] > BROADEST:
+            raise ValueError(
+                f"order = [{self.order[0]:g}, {self.order[1]:g}]; a band wider than {BROADEST:g} "
+                "excludes nothing"
+            )
+        if not self.reason.strip():
+            raise ValueError("reason is empty; say what the code does otherwise")
+        datetime.date.fromisoformat(self.expires)
+
+    def covers(self, record: Mapping[str, Any], quantity: str) -> bool:
+        """Whether this entry speaks of a quantity of a record."""
+        pairs = (
+            (record["code"], self.code),
+            (record["scheme"], self.schemes),
+            (record["code_version"], self.versions),
+            (record["case"], self.case),
+            (quantity, self.quantity),
+        )
+        if not any(fnmatch.fnmatchcase(record["variant"], glob) for glob in self.variants):
+            return False
+        return all(fnmatch.fnmatchcase(name, glob) for name, glob in pairs)
+
+    def band(self, rung: Mapping[str, float | None]) -> tuple[float, float]:
+        """The least and the largest error expected at a rung."""
+        scale = float(((rung["dt"] or self.dt) / self.dt) ** (sum(self.order) / 2))
+        if self.kn and rung["kn"]:
+            scale *= (self.kn / rung["kn"]) ** self.softness
+        return self.error[0] * scale, self.error[1] * scale
+
+
+def read_disagreements(path: Path) -> tuple[Disagreement, ...]:
+    """The ledger's entries; none if there is no file. Raises UsageError naming a bad entry."""
+    if not path.is_file():
+        return ()
+    found = []
+    try:
+        entries = tomllib.loads(path.read_text(encoding="utf-8")).get("disagreement", [])
+    except (OSError, ValueError) as error:
+        raise UsageError(f"{path}: {error}") from error
+    for number, entry in enumerate(entries, 1):
+        try:
+            found.append(Disagreement(**{name: _frozen(value) for name, value in entry.items()}))
+        except (TypeError, ValueError) as error:
+            raise UsageError(f"{path}: entry {number}: {error}") from error
+    return tuple(found)
+
+
+def _frozen(value: Any) -> Any:
+    """A list as a tuple, a date as its ISO text, anything else as it is."""
+    if isinstance(value, list):
+        return tuple(value)
+    return value.isoformat() if isinstance(value, datetime.date) else value
+
+
+def judge(
+    records: Iterable[dict[str, Any]], disagreements: Iterable[Disagreement], today: datetime.date
+) -> list[dict[str, Any]]:
+    """The records with the verdicts that the ledger of known disagreements turns.
+
+    A failure inside its bands is known (xfail); outside them, and a pass, are news (fail, xpass).
+    An entry that has expired by today excuses nothing.
+    """
+    given = list(records)
+    entries = tuple(entry for entry in disagreements if entry.expires >= today.isoformat())
+    fitted = orders(given)
+    judged = []
+    for record in given:
+        quantities = []
+        for entry in record["quantities"]:
+            speaks = entries if entry["judge"] == "exact" else ()
+            known = next((d for d in speaks if d.covers(record, entry["name"])), None)
+            order = fitted.get(ladder(record, entry["name"]))
+            quantities.append(_turned(record, entry, known, order) if known else entry)
+        judged.append({**record, "quantities": quantities})
+    return judged
+
+
+def _turned(
+    record: Mapping[str, Any], entry: dict[str, Any], known: Disagreement, order: Order | None
+) -> dict[str, Any]:
+    verdict = Verdict(entry["verdict"])
+    error = error_of(entry)
+    low, high = known.band(record["rung"])
+    in_band = error is not None and low <= error <= high
+    if verdict is Verdict.PASS:
+        if in_band and entry["tolerance"] < high:  # the band reaches to both sides
+            return entry
+        return {**entry, "verdict": Verdict.XPASS.value, "note": f"passes, though {known.reason}"}
+    if entry["note"]:
+        return entry  # nothing moves, or the like: worse than any disagreement
+    if record["modified"]:  # bands were measured at the case's own parameters
+        in_band = error is not None and error <= max(LOOSEST, high)
+    slope = order.order if order else math.nan
+    in_order = order is None or known.order[0] <= slope <= known.order[1]
+    if verdict is Verdict.FAIL and in_band and in_order:
+        return {**entry, "verdict": Verdict.XFAIL.value, "note": known.reason}
+    what = f"order {slope:.3f}" if in_band else f"error {error}"
+    return {**entry, "note": f"{what} lies outside the band of the known disagreement"}
+
+
+def dated(
+    records: Sequence[Mapping[str, Any]],
+    disagreements: Iterable[Disagreement],
+    today: datetime.date,
+) -> list[Finding]:
+    """What there is to say of entries that speak of these records and expire or have expired."""
+    found = []
+    for known in disagreements:
+        left = (datetime.date.fromisoformat(known.expires) - today).days
+        if left <= WARNING and _is_used(known, records):
+            over = left < 0
+            when = f"expired {-left} days ago" if over else f"expires in {left} days"
+            found.append(
+                Finding(
+                    check="accuracy",
+                    kind="expired" if over else "expiring",
+                    text=f"the known disagreement '{known.reason}' {when}: renew or remove it",
+                    case=known.case,
+                    variant=", ".join(known.variants),
+                    label=f"{known.code}/{known.schemes}",
+                    quantity=known.quantity,
+                    bit=Bit.ACCURACY if over else Bit(0),
+                )
+            )
+    return found
+
+
+def _is_used(known: Disagreement, records: Iterable[Mapping[str, Any]]) -> bool:
+    return any(known.covers(r, entry["name"]) for r in records for entry in r["quantities"])

@@ -1,0 +1,59 @@
+"""Whether a case's reference is independent of the codes it judges, as far as imports tell."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from pathlib import Path
+from typing import Any
+
+from vv.base.closure import closure
+from vv.plan.keys import PACKAGE, roots
+from vv.plan.plan import Plan
+from vv.plan.project import Project
+from vv.records.record import Verdict
+
+
+def shared(project: Project, plan: Plan) -> dict[tuple[str, str], Path]:
+    """(case, code) -> a file that both are made of, where there is one.
+
+    The tool's own modules do not count, but its engines do: what a case imports of them would
+    judge itself.
+    """
+    places = roots(project)
+    codes = {
+        code: {f for f in closure(project.adapter_files(code), places) if not _of_the_tool(f)}
+        for code in {job.code for job in plan.jobs}
+    }
+    found = {}
+    for case in plan.cases:
+        files = closure([project.case_file(case)], places)
+        for code, own in codes.items():
+            if common := own.intersection(files):
+                found[case, code] = min(common)
+    return found
+
+
+def _of_the_tool(file: Path) -> bool:
+    """Whether a file is what all cases and codes are declared in, and of no engine."""
+    return PACKAGE in file.parents and PACKAGE / "engines" not in file.parents
+
+
+def disowned(
+    records: Iterable[dict[str, Any]], common: Mapping[tuple[str, str], Path]
+) -> list[dict[str, Any]]:
+    """The records, where those whose reference is made of the code itself fail."""
+    return [
+        _failed(record, common[pair]) if pair in common else record
+        for record in records
+        for pair in [(record["case"], record["code"])]
+    ]
+
+
+def _failed(record: dict[str, Any], file: Path) -> dict[str, Any]:
+    note = f"the reference is made of {file.name}, and so is the code"
+    judged = (Verdict.PASS.value, Verdict.FAIL.value)
+    entries = [
+        {**e, "verdict": Verdict.FAIL.value, "note": note} if e["verdict"] in judged else e
+        for e in record["quantities"]
+    ]
+    return {**record, "quantities": entries}

@@ -1,0 +1,160 @@
+"""What an error costs: interpolated between rungs, the front, who is fastest, and profiles.
+
+Costs count from timed rungs only, which are of one session.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+from typing import Any, TypeVar
+
+from vv.insight.effort import Effort
+from vv.records.rungs import Point
+
+TARGETS = (1e-2, 1e-3, 1e-4, 1e-6)  # relative errors that users ask for
+FACTORS = (1.0, 2.0, 10.0, 100.0, 1e4)  # times the cost of the cheapest, at which profiles are told
+Ranked = TypeVar("Ranked", bound=tuple[Any, ...])
+LEAST = 1e-17  # stands for an error of zero on a logarithmic scale
+
+
+@dataclass(frozen=True)
+class Reach:
+    """What an error costs a scheme. cpu None: it was not reached. bound: it costs that at most.
+
+    point: the cheapest timed rung that is as accurate.
+    """
+
+    cpu: float | None
+    bound: bool = False
+    point: Point | None = None
+
+
+def reach(effort: Effort, target: float) -> Reach:
+    """What an error costs: interpolated between rungs on logarithmic scales."""
+    timed = [
+        (p.cpu, max(p.error, LEAST), p) for p in effort.points if p.cpu and p.error is not None
+    ]
+    before: tuple[float, float] | None = None
+    for cpu, error, point in sorted(timed, key=lambda row: (row[0], row[1])):
+        if error <= target:
+            if before is None:
+                return Reach(cpu, True, point)
+            share = math.log(before[1] / target) / math.log(before[1] / error)
+            return Reach(before[0] * (cpu / before[0]) ** share, False, point)
+        if before is None or error < before[1]:
+            before = cpu, error
+    return Reach(None)
+
+
+def front(every: Iterable[Effort]) -> list[tuple[str, Point]]:
+    """(label, point) of the timed rungs that none beats in both error and cost, cheapest first."""
+    timed = [
+        (p.cpu, p.error, effort.label, p)
+        for effort in every
+        for p in effort.points
+        if p.cpu is not None and p.error is not None
+    ]
+    return [(name, point) for _, _, name, point in unbeaten(sorted(timed, key=lambda t: t[:3]))]
+
+
+def unbeaten(rows: Iterable[Ranked]) -> list[Ranked]:
+    """The rows, each a cost, an error and more, that none before them beats in their error."""
+    kept: list[Ranked] = []
+    for row in rows:
+        if not kept or row[1] < kept[-1][1]:
+            kept.append(row)
+    return kept
+
+
+def cheapest(every: Iterable[Effort], target: float) -> list[tuple[str, Point]]:
+    """(label, point) of the cheapest timed rung of each code as accurate, cheapest code first."""
+    found = [(effort.label, reach(effort, target).point) for effort in every]
+    able = [(p.cpu, name, p) for name, p in found if p is not None and p.cpu is not None]
+    first: dict[str, tuple[str, Point]] = {}
+    for _, name, point in sorted(able, key=lambda row: row[:2]):
+        first.setdefault(name.partition("/")[0], (name, point))
+    return list(first.values())
+
+
+@dataclass(frozen=True)
+class Duel:
+    """The best of our own engines against the best external code at an error, on a variant.
+
+    ratio: our cost over theirs; None where one of them does not get there; loose: theirs may be
+    cheaper, as their coarsest timed rung is more accurate already. ours, theirs: labels, '' for
+    nobody; least: the smallest error of the external codes, if they do not get there; floored:
+    none of them gets lower at any rung, by the rule for a floor.
+    """
+
+    case: str
+    variant: str
+    target: float
+    stepping: bool
+    ours: str
+    theirs: str
+    ratio: float | None
+    loose: bool
+    least: float | None
+    floored: bool
+
+
+def duels(every: Sequence[Effort], targets: Sequence[float]) -> list[Duel]:
+    """One for each variant and error, over all our engines and over those that step in time."""
+    variants = dict.fromkeys((e.case, e.variant) for e in every if e.external)
+    found = []
+    for case, variant in variants:
+        here = [e for e in every if (e.case, e.variant) == (case, variant)]
+        theirs = [e for e in here if e.external]
+        for target in targets:
+            for stepping in (False, True):
+                ours = [e for e in here if not e.external and (e.stepping or not stepping)]
+                found.append(_duel(case, variant, target, stepping, ours, theirs))
+    return found
+
+
+def _duel(
+    case: str,
+    variant: str,
+    target: float,
+    stepping: bool,
+    ours: Sequence[Effort],
+    theirs: Sequence[Effort],
+) -> Duel:
+    mine, other = _cheapest(ours, target), _cheapest(theirs, target)
+    ratio = mine[0] / other[0] if mine and other else None
+    least = min((e.best for e in theirs if e.best is not None), default=None)
+    return Duel(
+        case, variant, target, stepping, mine[1] if mine else "", other[1] if other else "",
+        ratio, bool(other and other[2]), None if other else least,
+        other is None and all(e.floor for e in theirs if e.best is not None),
+    )  # fmt: skip
+
+
+def _cheapest(every: Sequence[Effort], target: float) -> tuple[float, str, bool] | None:
+    found = [(reach(effort, target), effort.label) for effort in every]
+    return min(((r.cpu, name, r.bound) for r, name in found if r.cpu is not None), default=None)
+
+
+def profile(every: Sequence[Effort], target: float) -> dict[str, list[float]]:
+    """Label -> how many times the cheapest each variant cost it, sorted; inf where it failed.
+
+    The share of entries up to a factor is the performance profile of Dolan and More (2002).
+    Variants that nobody solves to the target are left out.
+    """
+    names = dict.fromkeys(e.label for e in every)
+    ratios: dict[str, list[float]] = {name: [] for name in names}
+    for place in dict.fromkeys((e.case, e.variant) for e in every):
+        here = {e.label: reach(e, target).cpu for e in every if (e.case, e.variant) == place}
+        best = min((cpu for cpu in here.values() if cpu is not None), default=None)
+        if best is not None:
+            for name in names:
+                cpu = here.get(name)
+                ratios[name].append(math.inf if cpu is None else cpu / best)
+    return {name: sorted(row) for name, row in ratios.items()}
+
+
+def shares(ratios: Sequence[float]) -> list[float]:
+    """Of a row of a profile, the share of variants solved within each of FACTORS."""
+    return [sum(ratio <= factor for ratio in ratios) / len(ratios) for factor in FACTORS if ratios]

@@ -1,0 +1,114 @@
+"""What moved between two invocations: outcomes, errors, observed orders, costs."""
+
+from __future__ import annotations
+
+import contextlib
+import math
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+from vv.base.errors import UsageError
+from vv.gate.judgement import outcome
+from vv.records.reading import error_of, label, rung
+from vv.records.rungs import Key, orders
+from vv.store.store import Store
+
+SAME = 1e-6  # relative change of an error that is not worth a line
+LISTED = 3  # runs, where one is not found
+NOISE = 1e-12  # an error below it is rounding
+ORDER = 0.02  # change of an observed order that is not worth a line
+COST = 1.25  # ratio of costs that is not worth a line: rounds differ by as much
+
+
+@dataclass(frozen=True)
+class Change:
+    """One thing that moved. size: how far, for the order within its kind."""
+
+    kind: str
+    where: str
+    text: str
+    size: float = 0.0
+
+
+def manifest_of(store: Store, name: str, known: Callable[[str], str]) -> dict[str, Any]:
+    """The run of that name, or the newest at a commit.
+
+    A commit is given by its beginning, or by a name that `known` tells the commit of, or ''.
+    """
+    names = store.manifests()
+    if name in names:
+        return store.manifest(name)
+    commit = known(name) or (name if len(name) >= 4 else "")
+    for run in reversed(names if commit else []):
+        with contextlib.suppress(OSError):  # damaged from outside: it has no commit
+            if store.head(run)[1]["commit"].startswith(commit):
+                return store.manifest(run)
+    last = ", ".join(names[: -LISTED - 1 : -1])
+    raise UsageError(f"no run and no commit '{name}' in the store; the last runs are {last}")
+
+
+def changes(one: Mapping[str, Any], other: Mapping[str, Any]) -> list[Change]:
+    """What moved from one invocation to the other: outcomes, errors, orders and costs."""
+    before, after = _by_place(one["records"]), _by_place(other["records"])
+    shared = [place for place in before if place in after]
+    found = [*_presence(before, after)]
+    for place in shared:
+        found += _record_changes(" ".join(p for p in place if p), before[place], after[place])
+    found += _order_changes(orders(one["records"]), orders(other["records"]))
+    kinds = ("outcome", "only in A", "only in B", "error", "order", "cost")
+    return sorted(found, key=lambda change: (kinds.index(change.kind), -change.size, change.where))
+
+
+def _by_place(records: Iterable[Mapping[str, Any]]) -> dict[tuple[str, ...], Mapping[str, Any]]:
+    return {(f"{r['case']}:{r['variant']}", label(r), rung(r)): r for r in records}
+
+
+def _presence(
+    before: Mapping[tuple[str, ...], Any], after: Mapping[tuple[str, ...], Any]
+) -> Iterator[Change]:
+    """What only one of the two has, one line a scheme and variant."""
+    for kind, own, others in (("only in A", before, after), ("only in B", after, before)):
+        counts: dict[str, int] = {}
+        for place in own.keys() - others.keys():
+            where = " ".join(place[:2])
+            counts[where] = counts.get(where, 0) + 1
+        for where, count in counts.items():
+            yield Change(kind, where, f"{count} rung{'s' if count > 1 else ''}")
+
+
+def _record_changes(
+    where: str, one: Mapping[str, Any], other: Mapping[str, Any]
+) -> Iterator[Change]:
+    if outcome(one) != outcome(other):
+        yield Change("outcome", where, f"{outcome(one)} -> {outcome(other)}")
+    errors = [{e["name"]: error_of(e) for e in r["quantities"]} for r in (one, other)]
+    for name in errors[0].keys() & errors[1].keys():
+        a, b = errors[0][name] or 0.0, errors[1][name] or 0.0
+        if max(a, b) > NOISE and abs(a - b) > SAME * max(a, b):
+            size = abs(math.log(b / a)) if a and b else math.inf
+            yield Change("error", f"{where} {name}", f"{a:.3g} -> {b:.3g}{_times(a, b)}", size)
+    cost, later = _cost(one), _cost(other)
+    if cost and later and not 1 / COST <= later / cost <= COST:
+        text = f"{cost:.3g} -> {later:.3g} calibration kernels{_times(cost, later)}"
+        yield Change("cost", where, text, abs(math.log(later / cost)))
+
+
+def _cost(record: Mapping[str, Any]) -> float | None:
+    """The timed cost over that of the calibration kernel, so that sessions may be compared."""
+    relative = record["cost"].get("relative")
+    return relative and float(relative[0])
+
+
+def _order_changes(one: Mapping[Key, Any], other: Mapping[Key, Any]) -> Iterator[Change]:
+    for key in one.keys() & other.keys():
+        a, b = one[key].order, other[key].order
+        if abs(a - b) > ORDER:
+            case, variant, code, scheme, quantity, kn = key
+            at = f" kn={kn:g}" if kn else ""
+            where = f"{case}:{variant} {code}/{scheme}{at} {quantity}"
+            yield Change("order", where, f"{a:.2f} -> {b:.2f}", abs(a - b))
+
+
+def _times(a: float, b: float) -> str:
+    return f" (x {b / a:.3g})" if a and b else ""

@@ -1,0 +1,118 @@
+"""What a scheme came to on a variant: its rungs with their costs, and the floor of its knobs."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from vv.base.metrics import STALLED, before_floor
+from vv.records.reading import Record, fineness, label, tried
+from vv.records.rungs import Floor, Point, Row, row_of
+
+PATIENCE = 60.0  # CPU seconds after which a code has had its chance
+
+
+@dataclass(frozen=True)
+class Effort:
+    """A scheme on a variant; rows by stiffness, softest first. floor: of all its knobs."""
+
+    case: str
+    variant: str
+    label: str
+    external: bool
+    rows: tuple[Row, ...]
+    floor: Floor | None
+
+    @property
+    def points(self) -> tuple[Point, ...]:
+        """Its rungs, by stiffness and step, coarsest first."""
+        return tuple(point for row in self.rows for point in row.points)
+
+    @property
+    def stepping(self) -> bool:
+        """Whether it advances by time steps."""
+        return any(point.dt is not None for point in self.points)
+
+    @property
+    def timed(self) -> bool:
+        """Whether any of its rungs was."""
+        return any(point.cpu is not None for point in self.points)
+
+    @property
+    def best(self) -> float | None:
+        """Its smallest error."""
+        return min((p.error for p in self.points if p.error is not None), default=None)
+
+
+def efforts(manifest: Mapping[str, Any]) -> list[Effort]:
+    """Every scheme that ran on a variant of which something was timed, in the order of records."""
+    every = _efforts(manifest)
+    timed = _timed(every)
+    return [effort for effort in every if (effort.case, effort.variant) in timed]
+
+
+def untimed(manifest: Mapping[str, Any]) -> list[Effort]:
+    """Every scheme with an error on a variant of which nothing was timed."""
+    every = _efforts(manifest)
+    timed = _timed(every)
+    rest = [effort for effort in every if (effort.case, effort.variant) not in timed]
+    return [effort for effort in rest if effort.best is not None]
+
+
+def _timed(every: Iterable[Effort]) -> set[tuple[str, str]]:
+    return {(effort.case, effort.variant) for effort in every if effort.timed}
+
+
+def _efforts(manifest: Mapping[str, Any]) -> list[Effort]:
+    """All of them; raises ValueError where costs are of several timing sessions."""
+    records = manifest["records"]
+    sessions = {r["cost"].get("session", "") for r in records if r["cost"]["kind"] == "timed"}
+    if len(sessions) > 1:
+        raise ValueError(
+            f"costs are of {len(sessions)} timing sessions ({', '.join(sorted(sessions))}); they "
+            "may be compared within one only"
+        )
+    piles: dict[tuple[str, str, str], list[Record]] = {}
+    for record in filter(tried, records):
+        key = (record["case"], record["variant"], label(record))
+        piles.setdefault(key, []).append(record)
+    return [_effort(key, pile, manifest["codes"]) for key, pile in piles.items()]
+
+
+def _effort(key: tuple[str, str, str], pile: Sequence[Record], codes: Mapping[str, Any]) -> Effort:
+    pile = sorted(pile, key=fineness)
+    rows = tuple(
+        row_of(kn, [r for r in pile if r["rung"]["kn"] == kn])
+        for kn in dict.fromkeys(record["rung"]["kn"] for record in pile)
+    )
+    return Effort(*key, bool(codes[pile[0]["code"]]["files"]), rows, _floor(rows))
+
+
+def _floor(rows: Sequence[Row]) -> Floor | None:
+    """The floor of a scheme, if each of its knobs was refined twice for next to nothing.
+
+    dt is judged at the stiffest springs that have three steps, beyond which none may gain; the
+    stiffness by the least error at each.
+    """
+    least = [min(row.errors) for row in rows if row.errors]
+    if not least:
+        return None
+    spent = max((point.cpu or 0.0 for row in rows for point in row.points), default=0.0)
+    if spent >= PATIENCE:
+        return Floor(min(least), f"{spent:.0f} s were spent")
+    at = max((i for i, row in enumerate(rows) if len(row.errors) > 2), default=None)
+    if at is None or rows[at].floor is None or any(map(_gains, rows[at + 1 :])):
+        return None
+    if len(rows) == 1:
+        return rows[at].floor
+    if before_floor(least) == len(least):
+        return None
+    why = f"two refinements each of dt, at kn = {rows[at].kn:g}, and of kn"
+    return Floor(min(least), f"{why} improved less than {STALLED:g} times")
+
+
+def _gains(row: Row) -> bool:
+    """Whether the last smaller step of a row was worth it."""
+    last = row.errors[-2:]
+    return len(last) == 2 and last[0] >= STALLED * last[1]

@@ -1,0 +1,102 @@
+"""What people are told of a case: formula, parameters, tolerances, mapping, last results."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Mapping
+from typing import Any
+
+from vv.case import Case, Exact, Quantity
+from vv.gate.judgement import outcome
+from vv.output.terminal import say
+from vv.plan.plan import Plan
+from vv.records.reading import error_of
+
+
+def tell(plan: Plan, manifests: Iterable[Mapping[str, Any]]) -> None:
+    """All there is to know of the planned variants, and their last results."""
+    results = _last_results(manifests)
+    for name, case in plan.cases.items():
+        doi = f", doi:{case.source.doi}" if case.source.doi else ""
+        say(f"{case.title}\n  source: {case.source.citation}{doi}")
+        say(f"  note: {case.source.note}")
+        for source, text in case.published.items():
+            say(f"  published, {source}: {text}")
+        for variant in case.variants:
+            if (name, variant.name) in plan.trials:
+                _explain_variant(plan, case, variant.name, results)
+
+
+def _explain_variant(
+    plan: Plan, case: Case, name: str, results: Mapping[tuple[str, ...], list[str]]
+) -> None:
+    variant, trial = case.variant(name), plan.trials[case.name, name]
+    scene, values = trial.study.scene, case.defaults(name)
+    say(f"\n{case.name}:{name}: {variant.summary}\n  formula: {variant.formula}")
+    for p in case.parameters:
+        inert = "  (inert)" if p.name in variant.inert else ""
+        say(f"  {p.name} = {values[p.name]:g} {p.unit}  {p.meaning}{inert}")
+    terms = ", ".join(sorted(term.value for term in scene.terms()))
+    say(f"  terms: {terms}\n  unknowns: {scene.unknowns()}")
+    for quantity in trial.quantities:
+        _explain_quantity(quantity)
+    last = {
+        (job.code, job.scheme): job
+        for job in plan.jobs
+        if (job.case, job.variant) == (case.name, name)
+    }
+    for (code, scheme), job in last.items():
+        how = (
+            job.settled.reason
+            if job.settled
+            else plan.adapters[code].describe(job.ask, scheme).note
+        )
+        say(f"  {code}/{scheme}: {how}")
+        said = results.get((case.name, name, code, scheme), ["none yet"])
+        say(f"    last result: {said[0]}")
+        for line in said[1:]:
+            say(f"      {line}")
+
+
+def _explain_quantity(quantity: Quantity) -> None:
+    judge = quantity.judge
+    say(f"  quantity {quantity.name} [{getattr(quantity, 'unit', '')}]: {quantity.meaning}")
+    if not isinstance(judge, Exact):
+        say(f"    {type(judge).__name__.lower()}: {judge.reason}")
+        return
+    say(f"    norm: {judge.norm.value}")
+    for method, tolerance in judge.tolerances.items():
+        step = f" at dt = {tolerance.dt:g} s, as dt^{tolerance.order}" if tolerance.dt else ""
+        if tolerance.kn:
+            step += f" at kn = {tolerance.kn:g} N/m, as kn^-{tolerance.softness:g}"
+        say(f"    {method.value}: {tolerance.value:g}{step}: {tolerance.reason}")
+    for method, reason in judge.shown.items():
+        say(f"    {method.value}: shown: {reason}")
+
+
+def _last_results(manifests: Iterable[Mapping[str, Any]]) -> dict[tuple[str, ...], list[str]]:
+    """The newest result of each (case, variant, code, scheme): when, then each rung in words."""
+    found: dict[tuple[str, ...], list[str]] = {}
+    for manifest in manifests:
+        newest: dict[tuple[str, ...], list[str]] = {}
+        for record in manifest["records"]:
+            key = tuple(record[part] for part in ("case", "variant", "code", "scheme"))
+            newest.setdefault(key, [manifest["provenance"]["utc"]]).append(_in_words(record))
+        found = {**newest, **found}
+    return found
+
+
+def _in_words(record: Mapping[str, Any]) -> str:
+    errors = "; ".join(_entry_in_words(entry) for entry in record["quantities"])
+    at = " ".join(f"{knob} {value:g}" for knob, value in record["rung"].items() if value)
+    changed = ", modified parameters" if record["modified"] else ""
+    return f"{at}{': ' if at else ''}{outcome(record)}{changed}: {errors or record['reason']}"
+
+
+def _entry_in_words(entry: Mapping[str, Any]) -> str:
+    error, bound = error_of(entry), entry["tolerance"]
+    if bound is None:
+        said = f"{entry['name']}: {entry['value']}, {entry['why']}"
+    else:
+        said = f"{entry['name']}: error {math.nan if error is None else error:.3g} of {bound:.3g}"
+    return f"{said}, {entry['note']}" if entry["note"] else said

@@ -1,0 +1,127 @@
+"""Writes the summary of a gate for a pull request: the colour, what moved, worst first."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+from vv.base.files import write
+from vv.gate.judgement import counted
+from vv.output.wording import listed
+from vv.records.finding import Bit, Finding, bits, worst_first
+
+ROWS = 15  # of each table; the report has the rest
+WORDS = {
+    Bit.ACCURACY: "accuracy or regression",
+    Bit.CONSERVATION: "conservation",
+    Bit.SPEED: "speed",
+    Bit.CRASH: "crash or divergence",
+    Bit.TIMEOUT: "timeout",
+    Bit.INCOMPLETE: "incomplete",
+}
+
+
+def headline(findings: Sequence[Finding]) -> str:
+    """The colour of the gate in a sentence."""
+    wrong = bits(findings)
+    if not wrong:
+        return "green"
+    return f"red ({int(wrong)}): {', '.join(WORDS[bit] for bit in WORDS if bit & wrong)}"
+
+
+def write_markdown(path: Path, manifest: Mapping[str, Any], findings: Sequence[Finding]) -> None:
+    """Write the summary."""
+    write(path, summary(manifest, findings).encode())
+
+
+def summary(manifest: Mapping[str, Any], findings: Sequence[Finding]) -> str:
+    """The summary as Markdown: colour, counts, what is red, what moved, what is worth knowing."""
+    told = manifest["provenance"]
+    commit = f"commit `{told['commit'][:9]}`{' with changes' if told['dirty'] else ''}, "
+    lines = [
+        f"### Verification: {headline(findings)}",
+        "",
+        f"{listed(counted(manifest['records']))}. {commit if told['commit'] else ''}{told['utc']}.",
+    ]
+    ranked = worst_first(findings)
+    moved = [f for f in ranked if f.compares]
+    since = [f for f in moved if f.red or f.size]
+    others = [f for f in ranked if f not in moved and f.bit]
+    lines += _table("Changed since the baseline", since)
+    lines += _table("Out of tolerance, stopped or missing", others)
+    notices = [f for f in ranked if f not in since and f not in others]
+    lines += _list([*_counted_notices(notices), *_asked(since), *_recorded(manifest)])
+    return "\n".join(lines) + "\n"
+
+
+def _table(title: str, findings: Sequence[Finding]) -> list[str]:
+    if not findings:
+        return []
+    rows = [
+        f"| {'**' + f.kind + '**' if f.red else f.kind} | {_cell(f.where)} | {_cell(f.text)} |"
+        for f in findings[:ROWS]
+    ]
+    more = len(findings) - ROWS
+    tail = [f"| | | and {more} more: see the report |"] if more > 0 else []
+    return ["", f"**{title}** ({len(findings)})", "", "| | where | what |", "|-|-|-|", *rows, *tail]
+
+
+def _cell(text: str) -> str:
+    return " ".join(text.split()).replace("|", "\\|").replace("<", "&lt;")
+
+
+def _counted_notices(findings: Sequence[Finding]) -> list[str]:
+    """Notices, those that say the same of one case together."""
+    piles: dict[tuple[str, str, str], int] = {}
+    for f in findings:
+        piles[f.case, f.kind, f.text] = piles.get((f.case, f.kind, f.text), 0) + 1
+    return [
+        f"{case}: {text}" + (f" ({count} times)" if count > 1 else "")
+        for (case, _, text), count in piles.items()
+    ]
+
+
+def _asked(findings: Iterable[Finding]) -> list[str]:
+    """What to type where results became better."""
+    better = sorted({f.case for f in findings if f.kind in ("better", "faster")})
+    return [f'{case} became better: `vv accept {case} --reason "..."` keeps it' for case in better]
+
+
+def _recorded(manifest: Mapping[str, Any]) -> list[str]:
+    """Which absent codes are shown from recorded results; they count for nothing."""
+    ages: dict[tuple[str, str], int] = {}
+    for shown in manifest["recorded"]:
+        ages[shown["code"], shown["version"]] = shown["days"]
+    return [
+        f"{code} is not installed: the report shows results of {version} recorded {days} days "
+        "ago, which count for nothing here"
+        for (code, version), days in ages.items()
+    ]
+
+
+def _list(items: Sequence[str]) -> list[str]:
+    more = [f"- and {len(items) - ROWS} more"] if len(items) > ROWS else []
+    return ["", *(f"- {_cell(item)}" for item in items[:ROWS]), *more] if items else []
+
+
+def workflow_commands(findings: Iterable[Finding], files: Mapping[str, str]) -> list[str]:
+    """Lines that GitHub shows as annotations; at most ten of each level, as many as it takes.
+
+    files: case -> its file, from the root of the repository.
+    """
+    lines: dict[str, list[str]] = {"error": [], "warning": []}
+    for f in worst_first(findings):
+        level = "error" if f.red else "warning"
+        place = f"file={_escaped(files[f.case], True)}," if f.case in files else ""
+        title = _escaped(f"{f.check} {f.kind}: {f.where}".strip(), True)
+        lines[level].append(f"::{level} {place}title={title}::{_escaped(f.text)}")
+    return [line for level in lines.values() for line in level[:10]]
+
+
+def _escaped(text: str, in_property: bool = False) -> str:
+    """Text as a workflow command takes it."""
+    pairs = [("%", "%25"), ("\r", "%0D"), ("\n", "%0A")]
+    for old, new in [*pairs, *([(":", "%3A"), (",", "%2C")] if in_property else [])]:
+        text = text.replace(old, new)
+    return text

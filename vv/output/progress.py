@@ -1,0 +1,63 @@
+"""How far an invocation is: a bar on a terminal, plain lines elsewhere."""
+
+from __future__ import annotations
+
+import contextlib
+import sys
+import time
+from collections import Counter
+from collections.abc import Callable, Iterator, Mapping
+from typing import Any
+
+from vv.ask import Status
+from vv.gate.judgement import blew_up, outcome
+from vv.records.reading import label, rung, status_of
+
+EVERY = 2.0  # s between two plain lines
+Shown = Callable[[Mapping[str, Any]], None]
+
+
+@contextlib.contextmanager
+def progress(total: int) -> Iterator[Shown]:
+    """A function to call with each record: a bar on a terminal, plain lines elsewhere."""
+    with _bar(total) if sys.stderr.isatty() else _lines(total) as shown:
+        yield shown
+
+
+@contextlib.contextmanager
+def _bar(total: int) -> Iterator[Shown]:
+    from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
+
+    columns = (BarColumn(), TextColumn("{task.description}"), TimeElapsedColumn())
+    counts: Counter[str] = Counter()
+    with Progress(*columns, auto_refresh=False, transient=True) as bars:
+        task = bars.add_task("running", total=total)
+
+        def shown(record: Mapping[str, Any]) -> None:
+            counts[status_of(record).value] += 1
+            bars.update(task, advance=1, description=_counted(counts, total), refresh=True)
+
+        yield shown
+
+
+@contextlib.contextmanager
+def _lines(total: int) -> Iterator[Shown]:
+    counts: Counter[str] = Counter()
+    last = time.monotonic()
+
+    def shown(record: Mapping[str, Any]) -> None:
+        nonlocal last
+        counts[status_of(record).value] += 1
+        lost = status_of(record) in (Status.ERROR, Status.TIMEOUT, Status.DIVERGED)
+        if lost and not blew_up(record):
+            job = f"{record['case']}:{record['variant']} {label(record)} {rung(record)}".rstrip()
+            print(f"{job}: {outcome(record)}: {record['reason']}", file=sys.stderr)
+        if time.monotonic() - last > EVERY:
+            last = time.monotonic()
+            print(_counted(counts, total), file=sys.stderr, flush=True)
+
+    yield shown
+
+
+def _counted(counts: Counter[str], total: int) -> str:
+    return f"{counts.total()} of {total}: " + ", ".join(f"{n} {w}" for w, n in counts.items())

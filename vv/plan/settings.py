@@ -1,0 +1,89 @@
+"""Parameters as users type them: NAME=VALUE[UNIT], with conversion, and names that nearly fit."""
+
+from __future__ import annotations
+
+import dataclasses
+import difflib
+import math
+import re
+from collections.abc import Iterable, Sequence
+
+from vv.ask import Knobs
+from vv.base.errors import UsageError
+from vv.case import Case, Parameter
+
+KNOBS = tuple(field.name for field in dataclasses.fields(Knobs))
+
+
+def with_settings(case: Case, variant: str, settings: Sequence[str]) -> dict[str, float]:
+    """The parameters of a variant with NAME=VALUE[UNIT] texts applied."""
+    parameters = case.defaults(variant)
+    by_name = {p.name: p for p in case.parameters}
+    for text in settings:
+        name, equals, value = text.partition("=")
+        if not equals:
+            raise UsageError(f"--set {text}: it must read NAME=VALUE[UNIT]")
+        if name not in by_name:
+            raise UsageError(f"{case.name} has no parameter '{name}'{near(name, by_name)}")
+        parameters[name] = quantity(value, by_name[name])
+    return parameters
+
+
+NUMBER = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?|[+-]?nan|[+-]?inf)\s*(.*?)\s*")
+
+
+def quantity(text: str, parameter: Parameter) -> float:
+    """A value as typed, in the parameter's unit; another unit is converted or refused by name."""
+    match = NUMBER.fullmatch(text)
+    if match is None:
+        raise UsageError(f"{parameter.name} = '{text}': not a number with an optional unit")
+    value, unit = float(match[1]), match[2]
+    if not math.isfinite(value):
+        raise UsageError(f"{parameter.name} = {value} {parameter.unit}; it must be finite")
+    return value if unit in ("", parameter.unit) else _converted(value, unit, parameter)
+
+
+def _converted(value: float, unit: str, parameter: Parameter) -> float:
+    import pint
+
+    def readable(text: str) -> str:
+        return re.sub(r"([A-Za-z])(\d)", r"\1**\2", text) or "dimensionless"
+
+    units: pint.UnitRegistry[float] = pint.UnitRegistry()
+    try:
+        typed = units.Quantity(value, readable(unit))
+        return float(typed.to(readable(parameter.unit)).magnitude)
+    except (pint.PintError, ValueError, TypeError, AttributeError, AssertionError) as error:
+        target = parameter.unit or "a plain number"
+        raise UsageError(
+            f"{parameter.name} = {value:g} '{unit}': not convertible to {target}"
+        ) from error
+
+
+def near(name: str, known: Iterable[str]) -> str:
+    """A tail for an error message that lists the names like this one, or all of them."""
+    names = sorted(set(known))
+    by_folded = {n.lower(): n for n in names}
+    close = difflib.get_close_matches(name.lower(), by_folded, n=2, cutoff=0.6)
+    if close:
+        return f"; did you mean {' or '.join(by_folded[c] for c in close)}?"
+    return f"; there is {', '.join(names)}" if names else "; there is none"
+
+
+def knobs_from(text: str) -> Knobs:
+    """Knobs from a text such as dt=1e-4,kn=1e9; raises UsageError."""
+    values: dict[str, float] = {}
+    for part in text.split(","):
+        name, equals, value = part.partition("=")
+        match = NUMBER.fullmatch(value)
+        if not equals or name.strip() not in KNOBS:
+            raise UsageError(f"--rung {text}: it must read dt=SECONDS or dt=SECONDS,kn=N/M")
+        if match is None or match[2]:
+            raise UsageError(f"--rung {text}: {name} = '{value}' is not a plain number")
+        if name.strip() in values:
+            raise UsageError(f"--rung {text}: {name} is given twice; repeat --rung instead")
+        values[name.strip()] = float(match[1])
+    try:
+        return Knobs(**values)
+    except ValueError as error:
+        raise UsageError(f"--rung {text}: {error}") from error

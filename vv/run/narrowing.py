@@ -1,0 +1,133 @@
+"""Narrows a plan: to what failed last time, what a change can affect, what fits a budget."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Iterable, Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+from vv.base.closure import closure
+from vv.base.errors import UsageError
+from vv.gate.judgement import record_findings
+from vv.plan.keys import PACKAGE, roots
+from vv.plan.plan import Job, Plan, restricted
+from vv.plan.project import Project
+from vv.records.reading import error_of, label, ran, rung
+
+EVERYTHING = ("pyproject.toml", "requirements.lock")  # they decide the versions of libraries
+SECONDS = {"s": 1.0, "min": 60.0, "h": 3600.0}
+UNKNOWN = 1.0  # s that a job is taken to need that never ran
+Key = tuple[str, str, str, str]
+
+
+def troubled(manifest: Mapping[str, Any]) -> set[Key]:
+    """The jobs of an invocation that did not do well, by their keys."""
+    return {_key_of(record) for record in troubled_records(manifest)}
+
+
+def troubled_records(manifest: Mapping[str, Any]) -> list[Mapping[str, Any]]:
+    """The records of an invocation that by themselves turn a gate red."""
+    return [record for record in manifest["records"] if _wrong(record)]
+
+
+def _wrong(record: Mapping[str, Any]) -> bool:
+    """Whether a record is in trouble; that nothing else ran is none of its own."""
+    return any(finding.case for finding in record_findings([record]))
+
+
+def key(job: Job) -> Key:
+    """A job by case, variant, scheme and knobs."""
+    record = {"rung": vars(job.ask.knobs)}
+    return job.case, job.variant, f"{job.code}/{job.scheme}", rung(record)
+
+
+def _key_of(record: Mapping[str, Any]) -> Key:
+    return record["case"], record["variant"], label(record), rung(record)
+
+
+def affected(project: Project, plan: Plan, changed: Iterable[Path]) -> Plan:
+    """The jobs whose case or code is made of a changed file, however indirectly."""
+    files = frozenset(changed)
+    places = roots(project)
+    if any(path.name in EVERYTHING for path in files):
+        return plan
+    judging = PACKAGE / "records" / "record.py"
+    cases = {
+        name
+        for name in plan.cases
+        if _touched(closure([project.case_file(name), judging], places), files)
+    }
+    codes = {
+        name
+        for name in plan.adapters
+        if _touched([*closure(project.adapter_files(name), places)], files)
+    }
+    return restricted(plan, lambda job: job.case in cases or job.code in codes)
+
+
+def _touched(sources: Iterable[Path], changed: frozenset[Path]) -> bool:
+    """Whether a source changed, or a file beside one is no more, which it may have read."""
+    own = frozenset(sources)
+    deleted = {path.parent for path in changed if not path.exists()}
+    return not own.isdisjoint(changed) or any(path.parent in deleted for path in own)
+
+
+def seconds(text: str) -> float:
+    """A budget as typed, 60s, 5min or 1h; plain numbers are seconds."""
+    match = re.fullmatch(r"\s*(\d+(?:\.\d*)?)\s*(s|min|h)?\s*", text)
+    if match is None or float(match[1]) <= 0:
+        raise UsageError(f"--budget '{text}': it must read like 60s, 5min or 1h")
+    return float(match[1]) * SECONDS[match[2] or "s"]
+
+
+def within(plan: Plan, budget: float, manifests: Sequence[Mapping[str, Any]]) -> Plan:
+    """The most telling jobs that fit a budget [s], by the costs of past runs, newest first.
+
+    What is new or did not do well comes first, then what was closest to its tolerance; of each
+    scheme and variant the two cheapest rungs before any other. What cannot run costs nothing.
+    """
+    past = _past(manifests)
+    costs = {id(job): _cost(job, past) for job in plan.jobs}
+    waiting: dict[tuple[str, ...], list[Job]] = {}
+    for job in sorted(plan.jobs, key=lambda job: costs[id(job)]):
+        waiting.setdefault(key(job)[:3], []).append(job)
+    ranked = sorted(
+        (max(0, place - 1), -_telling(job, past), costs[id(job)], number)
+        for ladder in waiting.values()
+        for place, job in enumerate(ladder)
+        for number in [plan.jobs.index(job)]
+    )
+    kept, spent = set(), 0.0
+    for _, _, cost, number in ranked:
+        if spent + cost <= budget:
+            spent += cost
+            kept.add(id(plan.jobs[number]))
+    return restricted(plan, lambda job: id(job) in kept)
+
+
+def _past(manifests: Iterable[Mapping[str, Any]]) -> dict[Key, Mapping[str, Any]]:
+    found: dict[Key, Mapping[str, Any]] = {}
+    for manifest in manifests:
+        for record in manifest["records"]:
+            found.setdefault(_key_of(record), record)
+    return found
+
+
+def _cost(job: Job, past: Mapping[Key, Mapping[str, Any]]) -> float:
+    if job.settled is not None:
+        return 0.0
+    record = past.get(key(job))
+    if record is None or not ran(record):
+        return UNKNOWN
+    return sum(float(record["cost"][part]) for part in ("startup", "setup", "solve_wall", "output"))
+
+
+def _telling(job: Job, past: Mapping[Key, Mapping[str, Any]]) -> float:
+    """How close to its tolerance a job was; infinite if it is new or did not do well."""
+    record = past.get(key(job))
+    if record is None or _wrong(record):
+        return math.inf
+    pairs = ((error_of(e), e["tolerance"]) for e in record["quantities"])
+    return max((error / bound for error, bound in pairs if error and bound), default=0.0)

@@ -1,0 +1,158 @@
+"""Whether an invocation stands already: asked the same, of the same sources, machine and day."""
+
+from __future__ import annotations
+
+import datetime
+import functools
+import hashlib
+import os
+import platform
+import sys
+from collections.abc import Iterator
+from importlib import metadata
+from pathlib import Path
+from typing import Any
+
+from vv.ask import Status
+from vv.base.closure import CONTENT
+from vv.base.digest import digest
+from vv.plan import imports
+from vv.plan.content import written
+from vv.plan.keys import PACKAGE
+from vv.plan.project import Project
+from vv.records.reading import status_of
+from vv.store.checkout import commit
+from vv.store.provenance import machine
+from vv.store.store import Store
+
+LASTING = {Status.RAN, Status.REFUSED, Status.TOO_LONG}
+SEEN = (
+    "PATH",
+    "PYTHON",
+    "VV_",
+    "LD_",
+    "NUMBA_",
+    "OMP",
+    "MKL_",
+    "OPENBLAS_",
+)  # what decides results
+
+
+def identity(
+    project: Project, asked: tuple[object, ...], today: datetime.date, against: Path | None = None
+) -> str:
+    """The digest of all that goes into an invocation; coarser than the keys of single results.
+
+    So a repeated invocation costs the reading of its sources, whatever the number of its jobs.
+    asked: frozen data, all that decides what is run and judged. against: a folder of baselines
+    that it is judged by.
+    """
+    adapters = [project.load_adapter(name) for name in project.adapter_names()]
+    found = {adapter.name: adapter.found() for adapter in adapters}
+    files = sorted({file for one in found.values() for file in one.files})
+    return digest(
+        asked,
+        str(Path.cwd()),
+        {name: value for name, value in os.environ.items() if name.startswith(SEEN)},
+        [[name, one.installed, one.version] for name, one in sorted(found.items())],
+        [[str(file), *_state(file)] for file in files],
+        _sources(project),
+        {path.name: _content(path) for path in against.glob("*.json")} if against else "",
+        _libraries(),
+        list(commit(project.root)),
+        machine(),
+        today.isoformat(),
+    )
+
+
+def remember(store: Store, identity: str, manifest: dict[str, Any]) -> None:
+    """Note what an invocation came to, unless something in it may go better another time.
+
+    A timing session with gaps may: what it failed to time is timed again.
+    """
+    if all(map(lasts, manifest["records"])) and not manifest["untimed"]:
+        store.keep_answer(_key(store, identity), {"manifest": manifest["name"]})
+
+
+def lasts(record: dict[str, Any]) -> bool:
+    """Whether a job is not run again as long as nothing changes; in a map blow-ups are results."""
+    status = status_of(record)
+    return status in LASTING or (status is Status.DIVERGED and record["study"] == "grid")
+
+
+def recall(store: Store, identity: str) -> dict[str, Any] | None:
+    """The manifest of an invocation that stands; else None."""
+    answer = store.answer(_key(store, identity))
+    if answer is None:
+        return None
+    try:
+        manifest = store.manifest(answer["manifest"])
+    except OSError:
+        return None
+    measured = [record["key"] for record in manifest["records"] if record["quantities"]]
+    whole = all(map(store.has_series, measured))  # which `--json` writes out
+    return {**manifest, "name": answer["manifest"]} if whole else None
+
+
+def leave(store: Store, name: str, report: Path) -> None:
+    """Note the report of a manifest as it lies there."""
+    store.keep_answer(digest("report", name), {"report": _state(report)})
+
+
+def untouched(store: Store, name: str, report: Path) -> bool:
+    """Whether the report is that of a manifest, as it was left."""
+    answer = store.answer(digest("report", name))
+    return answer is not None and answer["report"] == _state(report)
+
+
+def _key(store: Store, identity: str) -> str:
+    """The identity and the timing session of now, which the invocation itself may have made."""
+    return digest(identity, (store.last_timings() or ("", {}))[0])
+
+
+def _sources(project: Project) -> dict[str, str]:
+    """Every file of the tool and of the project's content, by its place there, and its digest."""
+    roots = dict.fromkeys((project.root, imports.OWN))
+    folders = [
+        ("vv", PACKAGE),
+        *((f"{i}/{c}", r / c) for i, r in enumerate(roots) for c in CONTENT),
+    ]
+    return {
+        f"{name}/{path.relative_to(folder)}": _content(path)
+        for name, folder in folders
+        for path in _files(folder)
+        if written(path, folder)
+    }
+
+
+def _content(path: Path) -> str:
+    """Read anew each time: a file may be edited while an invocation goes on."""
+    return hashlib.sha256(path.read_bytes()).hexdigest()
+
+
+def _files(folder: Path) -> Iterator[Path]:
+    """All files below a folder, also those of folders it links to, each folder once."""
+    seen = set()
+    for place, below, names in os.walk(folder, followlinks=True):
+        real = os.path.realpath(place)
+        if real in seen:
+            below.clear()  # a link back to where it lies would never end
+            continue
+        seen.add(real)
+        yield from (Path(place, name) for name in names if os.path.isfile(Path(place, name)))
+
+
+@functools.cache
+def _libraries() -> list[str]:
+    """Python, and what it can import of what is installed, wherever it lies."""
+    installed = {f"{one.name} {one.version}" for one in metadata.distributions()}
+    return [platform.python_version(), sys.prefix, *sorted(installed)]
+
+
+def _state(path: Path) -> list[int]:
+    """Size and times of change of a file, which cannot be set back; empty where there is none."""
+    try:
+        state = path.stat()
+    except OSError:
+        return []
+    return [state.st_size, state.st_mtime_ns, state.st_ctime_ns]

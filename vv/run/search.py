@@ -1,0 +1,110 @@
+"""Answers asks in a worker: plain ones as they come, searches by rounds of several steps each."""
+
+from __future__ import annotations
+
+import dataclasses
+import itertools
+import tempfile
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import numpy as np
+
+from vv.ask import Ask, Bracket, Cost, Run, Status
+from vv.codes.adapter import Adapter
+from vv.scene import Vector
+
+LOST = float("inf")  # the reach of a run that did not come to its end
+
+
+def answers(
+    adapter: Adapter, asks: Sequence[Ask], scheme: str, scratch: Path, repeat: float
+) -> Iterator[Run]:
+    """Yield one Run per ask, in order, as `Adapter.run` does; searches next to each other as one.
+
+    Each call of the adapter has a folder of its own: what it names by an ask's number must not be
+    taken for the answer to another.
+    A step that a code refuses is run all the same where the first one is not refused: a search
+    asks what comes of it.
+    """
+    for sought, group in itertools.groupby(asks, key=lambda ask: ask.search is not None):
+        if sought:
+            yield from _found(adapter, list(group), scheme, scratch)
+        else:
+            folder = Path(tempfile.mkdtemp(prefix="asks-", dir=scratch))
+            yield from adapter.run(list(group), scheme, folder, repeat)
+
+
+@dataclass(eq=False)
+class _Search:
+    """How far the search for an ask is; runs: step [s] -> what came of it."""
+
+    ask: Ask
+    bracket: Bracket
+    runs: dict[float, Run] = field(default_factory=dict)
+
+    def tried(self) -> Vector:
+        """(n, 2) the steps so far, ascending [s], and how far each reached."""
+        return np.array([(dt, _reach(self.runs[dt])) for dt in sorted(self.runs)])
+
+    def steps(self) -> list[float]:
+        """The steps [s] to try next; none once the highest of the bracket is stable."""
+        if not self.runs:
+            low = self.ask.dt
+            return list(np.geomspace(low, low * self.bracket.span, self.bracket.tries))
+        stable, lost = self.bracket.limits(self.tried())
+        if not stable or lost is None:
+            return []
+        return list(np.geomspace(stable, lost, self.bracket.tries + 2)[1:-1])
+
+    def run(self) -> Run:
+        """The Run of the first step, with all that was tried; its failure if it failed."""
+        first = self.runs[min(self.runs)]
+        if _reach(first) == LOST:
+            return first
+        runs = self.runs.values()
+        return dataclasses.replace(
+            first,
+            reason=self._beyond(),
+            cost=_sum([run.cost for run in runs]),
+            steps=sum(run.steps for run in runs),
+            ledger=None,
+            tried=self.tried(),
+        )
+
+    def _beyond(self) -> str:
+        """What comes of the least step that is unstable."""
+        lost = self.bracket.limits(self.tried())[1]
+        if lost is None:
+            return "every step tried is stable"
+        reach, bound = _reach(self.runs[lost]), self.bracket.bound
+        grown = f"reaches {reach:.3g} of at most {bound:.3g}"
+        return f"at dt = {lost:.6g} s: {self.runs[lost].reason if reach == LOST else grown}"
+
+
+def _found(adapter: Adapter, asks: Sequence[Ask], scheme: str, scratch: Path) -> Iterator[Run]:
+    """The answers to searches, all of which take their rounds together: a program starts once."""
+    searches = [_Search(ask, ask.search) for ask in asks if ask.search is not None]
+    for number in range(max(one.bracket.rounds for one in searches)):
+        due = [s for s in searches if number < s.bracket.rounds]
+        probes = [(one, dt) for one in due for dt in one.steps()]
+        folder = Path(tempfile.mkdtemp(prefix=f"round-{number}-", dir=scratch))
+        runs = adapter.run([one.ask.at(dt) for one, dt in probes], scheme, folder, 0.0)
+        for (one, dt), run in zip(probes, runs, strict=True):
+            one.runs[dt] = run
+    yield from (one.run() for one in searches)
+
+
+def _reach(run: Run) -> float:
+    """The largest component of an observable; LOST where the run did not come to its end."""
+    if run.status is not Status.RAN:
+        return LOST
+    reach = max(float(np.abs(values).max()) for values in run.values.values())
+    return reach if np.isfinite(reach) else LOST
+
+
+def _sum(costs: Sequence[Cost]) -> Cost:
+    """What several runs cost together; a program that they share starts with the first."""
+    names = ("startup", "setup", "solve_cpu", "solve_wall", "output")
+    return Cost(**{name: sum(getattr(cost, name) for cost in costs) for name in names})

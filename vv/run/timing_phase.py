@@ -1,0 +1,109 @@
+"""The timing phase: solves measured one at a time, on one core, in rounds across the codes."""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from vv.ask import Cost, Status
+from vv.base.digest import digest
+from vv.gate.speed import calibration
+from vv.plan.plan import Plan
+from vv.records.reading import ran
+from vv.run.runner import Batch, run_batches
+from vv.store.provenance import machine
+from vv.store.store import Store
+
+# CPU seconds spent on each point over all rounds: eighty blocks of a millisecond, of which the
+# least counts; 0.2 s lowered none of 13 figures by more than 6 %, and cost half a minute more
+REPEAT = 0.08
+ROUNDS = 2  # every code is visited that often, so that drift of the machine hits all alike
+
+
+def timed_costs(
+    plan: Plan,
+    records: Sequence[Mapping[str, Any]],
+    run_keys: Mapping[int, str],
+    store: Store,
+    timeout: float,
+    fresh: bool,
+) -> dict[int, dict[str, Any]]:
+    """Job number -> cost, for the jobs to be timed that ran; all from one session.
+
+    A stored session answers if it timed the very same runs on this machine. `relative` is
+    solve_cpu over that of the calibration kernel, the least and the largest of the rounds.
+    """
+    numbers = _due(plan, records)
+    keys = {run_keys[n]: n for n in numbers}
+    session = digest(sorted(keys), machine()["fingerprint"], REPEAT, ROUNDS)
+    stored = None if fresh else store.timings(session)
+    if stored is None and numbers:
+        stored = _measure(plan, numbers, run_keys, store, timeout)
+        if set(stored) == set(keys):  # a session with gaps is no session to compare within
+            store.keep_timings(session, stored)
+    costs = stored or {}
+    return {
+        n: {**_written(costs[run_keys[n]], records[n]), "session": session}
+        for n in numbers
+        if run_keys[n] in costs
+    }
+
+
+def gaps(plan: Plan, records: Sequence[Mapping[str, Any]], costs: Mapping[int, Any]) -> list[str]:
+    """The jobs that were to be timed and ran, but could not be timed."""
+    return [plan.jobs[n].label for n in _due(plan, records) if n not in costs]
+
+
+def _due(plan: Plan, records: Sequence[Mapping[str, Any]]) -> list[int]:
+    return [n for n, job in enumerate(plan.jobs) if job.timed and ran(records[n])]
+
+
+def last_costs(plan: Plan, run_keys: Mapping[int, str], store: Store) -> dict[int, dict[str, Any]]:
+    """Job number -> cost as the last session found it, for the very same runs."""
+    session, costs = store.last_timings() or ("", {})
+    jobs = range(len(plan.jobs))
+    return {n: {**costs[run_keys[n]], "session": session} for n in jobs if run_keys[n] in costs}
+
+
+def _written(cost: Mapping[str, Any], record: Mapping[str, Any]) -> dict[str, Any]:
+    """The cost, with the output of the judged run where the timed one wrote less."""
+    return {**cost, "output": max(cost["output"], record["cost"]["output"])}
+
+
+def _measure(
+    plan: Plan, numbers: Sequence[int], run_keys: Mapping[int, str], store: Store, timeout: float
+) -> dict[str, Any]:
+    groups: dict[tuple[str, str], list[int]] = {}
+    for number in numbers:
+        job = plan.jobs[number]
+        groups.setdefault((job.code, job.scheme), []).append(number)
+    seen: dict[int, list[Cost]] = {}
+    ratios: dict[int, list[float]] = {}
+    for _ in range(ROUNDS):
+        for (code, scheme), members in groups.items():
+            asks = tuple(plan.jobs[n].ask for n in members)
+            batch = Batch(plan.adapters[code], scheme, tuple(members), asks, REPEAT / ROUNDS)
+            before = calibration()
+            answers = list(run_batches([batch], 1, timeout, store.scratch))
+            unit = min(before, calibration())
+            for number, run in answers:
+                if run.status is Status.RAN and run.cost.solve_cpu > 0:
+                    seen.setdefault(number, []).append(run.cost)
+                    ratios.setdefault(number, []).append(run.cost.solve_cpu / unit)
+    return {
+        run_keys[n]: {
+            **dataclasses.asdict(_best(costs)),
+            "relative": [min(ratios[n]), max(ratios[n])],
+        }
+        for n, costs in seen.items()
+    }
+
+
+def _best(costs: Sequence[Cost]) -> Cost:
+    """The cheapest round, with the repeats of all and the spread over all of them."""
+    best = min(costs, key=lambda cost: cost.solve_cpu)
+    most = max(cost.solve_cpu * (1 + cost.spread) for cost in costs)
+    spread = (most - best.solve_cpu) / best.solve_cpu if best.solve_cpu > 0 else 0.0
+    repeats = sum(cost.repeats for cost in costs)
+    return dataclasses.replace(best, repeats=repeats, spread=spread)

@@ -1,0 +1,185 @@
+"""What is simulated: frozen data in SI units that checks itself at birth."""
+
+from __future__ import annotations
+
+import dataclasses
+import functools
+from dataclasses import dataclass
+
+import numpy as np
+
+from vv.base.digest import digest
+from vv.scene.arrays import Vector, freeze
+from vv.scene.block import Block
+from vv.scene.bodies import NO_SPHERES, Harmonic, Spheres, Wall
+from vv.scene.bonds import Bonds, Pairs
+from vv.scene.contact import Contact
+from vv.scene.terms import Term
+
+
+@dataclass(frozen=True, eq=False)
+class Scene:
+    """Groups of bodies, how they touch, and what acts on them.
+
+    bodies: groups in order; body numbers run through them, a wall counting one. eta: drag
+    [N s/m] on every sphere. gravity: (3,) [m/s2]. shaking: a further acceleration of every free
+    body [m/s2], None for none. axes: (3, 3) rows are the orthonormal
+    directions along which `free` and `free_spin` are stated. bonds: None for none; a bonded pair
+    feels its bond and no contact. A bond that can break must have the contact's kn and ks and a
+    length that is the sum of the radii, so that its pair goes over into contact without a jump.
+    Raises ValueError.
+    """
+
+    bodies: tuple[Spheres | Wall | Block, ...]
+    contact: Contact
+    eta: float = 0.0
+    gravity: Vector = dataclasses.field(default_factory=lambda: np.zeros(3))
+    axes: Vector = dataclasses.field(default_factory=lambda: np.eye(3))
+    shaking: Harmonic | None = None
+    bonds: Bonds | None = None
+
+    def __post_init__(self) -> None:
+        if not (np.isfinite(self.eta) and self.eta >= 0):
+            raise ValueError(f"Scene.eta = {self.eta!r} N s/m; drag must be zero or more")
+        freeze(self, "gravity", (3,), "m/s2")
+        freeze(self, "axes", (3, 3), "")
+        if np.abs(self.axes @ self.axes.T - np.eye(3)).max() > 1e-12:
+            raise ValueError("Scene.axes is not orthonormal; rows must be unit and perpendicular")
+        if not any(isinstance(group, Spheres | Block) for group in self.bodies):
+            raise ValueError("Scene.bodies holds walls only; a body must be there to move")
+        if self.bonds is not None:
+            _check_bonds(self, self.bonds)
+
+    @functools.cached_property
+    def spheres(self) -> Spheres:
+        """All spheres as one group, in body order."""
+        groups = [group for group in self.bodies if isinstance(group, Spheres)] or [NO_SPHERES]
+        names = [field.name for field in dataclasses.fields(Spheres)]
+        joined = {name: np.concatenate([getattr(g, name) for g in groups]) for name in names}
+        return Spheres(**joined)
+
+    @functools.cached_property
+    def carried(self) -> Vector:
+        """(n, 3) the velocity [m/s] of spheres along their locked directions, which they keep."""
+        parts = np.where(self.spheres.free, 0.0, self.spheres.velocity @ self.axes.T)
+        size = np.abs(self.spheres.velocity).max(axis=1, keepdims=True, initial=0.0)
+        return np.asarray(np.where(np.abs(parts) > LOCKED * size, parts, 0.0) @ self.axes)
+
+    @functools.cached_property
+    def walls(self) -> tuple[Wall, ...]:
+        """All walls, in body order."""
+        return tuple(group for group in self.bodies if isinstance(group, Wall))
+
+    @functools.cached_property
+    def blocks(self) -> tuple[Block, ...]:
+        """All blocks, in body order."""
+        return tuple(group for group in self.bodies if isinstance(group, Block))
+
+    @functools.cached_property
+    def bonded(self) -> Pairs:
+        """(b, 2) the indices within `spheres` of the bonded pairs."""
+        empty = np.zeros((0, 2), np.int64)
+        return empty if self.bonds is None else self._indices()[self.bonds.pairs]
+
+    def _indices(self) -> Pairs:
+        """The index within `spheres` of every body, -1 for those that are no sphere."""
+        kinds = [np.full(len(group), isinstance(group, Spheres)) for group in self.bodies]
+        sphere = np.concatenate(kinds)
+        return np.where(sphere, np.cumsum(sphere) - 1, -1)
+
+    def numbers(self, kind: type[Spheres] | type[Wall] | type[Block]) -> list[int]:
+        """The numbers of the bodies of a kind, in order."""
+        kinds = [isinstance(group, kind) for group in self.bodies for _ in range(len(group))]
+        return [number for number, fits in enumerate(kinds) if fits]
+
+    def sphere_index(self, body: int) -> int:
+        """The index within `spheres` of a body number; raises ValueError if it is no sphere."""
+        first = sphere = 0
+        for group in self.bodies:
+            if first <= body < first + len(group) and isinstance(group, Spheres):
+                return sphere + body - first
+            first += len(group)
+            sphere += len(group) if isinstance(group, Spheres) else 0
+        raise ValueError(f"body {body} is no sphere of this scene, which has {first} bodies")
+
+    def terms(self) -> frozenset[Term]:
+        """The effects present, derived from the data."""
+        return self._terms
+
+    @functools.cached_property
+    def _terms(self) -> frozenset[Term]:
+        spheres, blocks, bonds = self.spheres, self.blocks, self.bonds
+        present = {
+            Term.SPHERE: len(spheres) > 0,
+            Term.SPHERE_CONTACT: self._may_touch(),
+            Term.WALL_CONTACT: bool(self.walls),
+            Term.FRICTION: self.contact.rubs,
+            Term.DRAG: self.eta > 0,
+            Term.GRAVITY: bool(self.gravity.any()),
+            Term.LOAD: bool(spheres.load.any() or any(b.load.any() for b in blocks)),
+            Term.ROTATION: bool(spheres.free_spin.any() or any(b.free_spin.any() for b in blocks)),
+            Term.OBLIQUE_LOCK: self._locks_obliquely(),
+            Term.BLOCK: bool(blocks),
+            Term.STRAIN: any(block.elastic for block in blocks),
+            Term.RIGID_CONTACT: not np.isfinite(self.contact.kn),
+            Term.SHAKING: self.shaking is not None,
+            Term.BASE_MOTION: any(wall.motion is not None for wall in self.walls),
+            Term.BOND: bonds is not None,
+            Term.BOND_SHEAR: bonds is not None and bool(bonds.ks.any()),
+            Term.BREAKAGE: bonds is not None and bool(bonds.breakable.any()),
+            Term.CARRIED: bool(self.carried.any()),
+            Term.CONTACT_VISCOSITY: self.contact.eta_n > 0,
+        }
+        return frozenset(term for term, there in present.items() if there)
+
+    def unknowns(self) -> int:
+        """How many freedoms the scene leaves."""
+        masks = [self.spheres.free, self.spheres.free_spin]
+        masks += [mask for block in self.blocks for mask in (block.free, block.free_spin)]
+        return int(sum(mask.sum() for mask in masks)) + sum(len(b.strains) for b in self.blocks)
+
+    def digest(self) -> str:
+        """Fingerprint of everything a solver can see."""
+        return self._digest
+
+    @functools.cached_property
+    def _digest(self) -> str:
+        return digest(self)
+
+    def _may_touch(self) -> bool:
+        """Whether some pair of spheres is not bonded for good."""
+        n = len(self.spheres)
+        held = 0 if self.bonds is None else int((~self.bonds.breakable).sum())
+        return held < n * (n - 1) // 2
+
+    def _locks_obliquely(self) -> bool:
+        aligned = np.abs(self.axes).max(axis=1).min() > 1 - 1e-15
+        masks = [*self.spheres.free, *(block.free for block in self.blocks)]
+        return not aligned and any(mask.any() and not mask.all() for mask in masks)
+
+
+LOCKED = 1e-12  # part of a speed below which its component in a locked direction is rounding
+SEAMLESS = 1e-9  # of kn, ks and the length of a bond: how well contact takes over from it
+
+
+def _check_bonds(scene: Scene, bonds: Bonds) -> None:
+    """Raises ValueError for a bond between what are no spheres, without a direction, or a jump."""
+    index = scene._indices()
+    known = index[np.minimum(bonds.pairs, len(index) - 1)] >= 0
+    for k in np.flatnonzero((~known | (bonds.pairs >= len(index))).any(axis=1))[:1]:
+        pair = bonds.pairs[k].tolist()
+        raise ValueError(f"Bonds.pairs[{k}] = {pair}; bonds join spheres among the bodies")
+    spheres, (i, j) = scene.spheres, index[bonds.pairs].T
+    for k in np.flatnonzero(~(spheres.position[j] - spheres.position[i]).any(axis=1))[:1]:
+        pair = bonds.pairs[k].tolist()
+        raise ValueError(f"Bonds.pairs[{k}] = {pair} have one centre; a bond needs a direction")
+    law, reach = scene.contact, spheres.radius[i] + spheres.radius[j]
+    wanted = {"kn": np.full(len(i), law.kn), "ks": np.full(len(i), law.ks), "length": reach}
+    for name, unit in (("kn", "N/m"), ("ks", "N/m"), ("length", "m")):
+        values, contact = getattr(bonds, name), wanted[name]
+        jumps = bonds.breakable & ~(np.abs(values - contact) <= SEAMLESS * values)
+        for k in np.flatnonzero(jumps)[:1]:
+            raise ValueError(
+                f"Bonds.{name}[{k}] = {float(values[k])!r} {unit}, and {float(contact[k])!r} "
+                f"{unit} once it is broken; where a bond can break they must be the same"
+            )

@@ -1,0 +1,29 @@
+"""The physical effects that a scene may contain: a closed list."""
+
+from __future__ import annotations
+
+import enum
+
+
+class Term(enum.Enum):
+    """A physical effect that a scene contains; a scheme runs a scene only if it declares all."""
+
+    SPHERE = "spheres"
+    SPHERE_CONTACT = "contact between spheres"
+    WALL_CONTACT = "contact with a plane wall"
+    FRICTION = "shear spring capped by Coulomb friction"
+    DRAG = "viscous drag -eta v"
+    GRAVITY = "gravity"
+    LOAD = "dead loads"
+    ROTATION = "free rotation"
+    OBLIQUE_LOCK = "motion locked along directions oblique to the frame"
+    BLOCK = "convex blocks"
+    STRAIN = "blocks that strain uniformly"
+    RIGID_CONTACT = "contact without elasticity"
+    SHAKING = "a body acceleration that varies in time"
+    BASE_MOTION = "walls that move as prescribed"
+    BOND = "bonds between spheres"
+    BOND_SHEAR = "bonds that resist shear"
+    BREAKAGE = "bonds that break"
+    CARRIED = "locked bodies that move steadily"
+    CONTACT_VISCOSITY = "contact that is viscous along its normal"

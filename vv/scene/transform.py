@@ -1,0 +1,191 @@
+"""Scenes made from scenes: the same physics, turned, renumbered or held differently."""
+
+import dataclasses
+
+import numpy as np
+
+from vv.scene.arrays import Mask, Vector
+from vv.scene.block import Block
+from vv.scene.bodies import Harmonic, Spheres, Wall
+from vv.scene.scene import Scene
+from vv.scene.terms import Term
+
+DRIFT = 1e-9  # of the largest displacement; rounding gives 1e-11, a lost balance far more
+REST = 1e-12  # of a radius: a sphere at rest under a dead load trembles by rounding
+Group = Spheres | Wall | Block
+
+
+def about_z(angle: float) -> Vector:
+    """The (3, 3) rotation by an angle [rad] about z."""
+    c, s = np.cos(angle), np.sin(angle)
+    return np.array([[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]])
+
+
+def rotated(scene: Scene, rotation: Vector) -> Scene:
+    """The scene turned as a whole, about the origin, by a (3, 3) rotation matrix."""
+    bodies = tuple(_rotated_group(group, rotation) for group in scene.bodies)
+    return dataclasses.replace(
+        scene,
+        bodies=bodies,
+        gravity=rotation @ scene.gravity,
+        axes=scene.axes @ rotation.T,
+        shaking=_rotated_motion(scene.shaking, rotation),
+    )
+
+
+def _rotated_group(group: Group, rotation: Vector) -> Group:
+    if isinstance(group, Wall):
+        normal = rotation @ group.normal
+        motion = _rotated_motion(group.motion, rotation)
+        return Wall(rotation @ group.point, normal / np.linalg.norm(normal), motion)
+    place = "vertices" if isinstance(group, Block) else "position"
+    names = (place, "velocity", "spin", "load")
+    turned = {name: getattr(group, name) @ rotation.T for name in names}
+    if isinstance(group, Block):
+        inertia = rotation @ group.inertia @ rotation.T
+        turned["inertia"] = (inertia + inertia.T) / 2
+    return dataclasses.replace(group, **turned)
+
+
+def _rotated_motion(motion: Harmonic | None, rotation: Vector) -> Harmonic | None:
+    return motion and dataclasses.replace(motion, axes=motion.axes @ rotation.T)
+
+
+def swapped(scene: Scene) -> Scene:
+    """The scene with its bodies in the opposite order: body i becomes body n - 1 - i."""
+    names = [field.name for field in dataclasses.fields(Spheres)]
+    bodies = tuple(
+        Spheres(**{name: getattr(group, name)[::-1] for name in names})
+        if isinstance(group, Spheres)
+        else group
+        for group in reversed(scene.bodies)
+    )
+    last = sum(len(group) for group in bodies) - 1
+    bonds = scene.bonds and dataclasses.replace(scene.bonds, pairs=last - scene.bonds.pairs)
+    return dataclasses.replace(scene, bodies=bodies, bonds=bonds)
+
+
+def initial_normal_forces(scene: Scene) -> Vector:
+    """The (n, 3) normal forces [N] of contacts and bonds on the spheres as they start."""
+    spheres, kn = scene.spheres, scene.contact.kn
+    force = _pull(scene)
+    partners: list[list[int]] = [[] for _ in range(len(spheres))]
+    for i, j in scene.bonded.tolist():
+        partners[i].append(j)
+        partners[j].append(i)
+    for wall in scene.walls:
+        gap = (spheres.position - wall.point) @ wall.normal - spheres.radius
+        force += kn * np.maximum(-gap, 0.0)[:, None] * wall.normal
+    for i in range(len(spheres)):
+        offset = spheres.position - spheres.position[i]
+        distance = np.linalg.norm(offset, axis=1)
+        overlap = np.maximum(spheres.radius + spheres.radius[i] - distance, 0.0)
+        overlap[i], distance[i] = 0.0, 1.0
+        overlap[partners[i]] = 0.0
+        force += kn * (overlap / distance)[:, None] * offset
+    return force
+
+
+def _pull(scene: Scene) -> Vector:
+    """The (n, 3) forces [N] of bonds on the spheres as they start."""
+    force = np.zeros((len(scene.spheres), 3))
+    if scene.bonds is not None:
+        i, j = scene.bonded.T
+        offset = scene.spheres.position[j] - scene.spheres.position[i]
+        distance = np.linalg.norm(offset, axis=1)
+        pull = scene.bonds.kn * (distance - scene.bonds.length) / distance
+        np.add.at(force, i, pull[:, None] * offset)
+        np.add.at(force, j, -pull[:, None] * offset)
+    return force
+
+
+def released(scene: Scene) -> Scene:
+    """The scene with its oblique locks replaced by dead loads, for codes that lock frame axes.
+
+    A body held along a direction oblique to the frame is let go there and carries instead the
+    constant reaction that balances the forces of the starting configuration. It stays at rest
+    along that direction as long as those forces do not change, as in contacts of constant
+    overlap. Raises ValueError if a body moves along such a direction.
+    """
+    spheres = scene.spheres
+    applied = spheres.mass[:, None] * scene.gravity + spheres.load
+    if Term.OBLIQUE_LOCK in scene.terms():  # or else nothing below wants them
+        applied = applied + initial_normal_forces(scene)
+    load, free = spheres.load.copy(), np.array(spheres.free)
+    for i in np.flatnonzero(_partly_locked(spheres)):
+        locked = scene.axes[~spheres.free[i]]
+        held = np.linalg.norm(locked, axis=0) > 1 - 1e-12
+        if scene.carried[i][~held].any():
+            raise ValueError(f"Spheres.velocity[{i}] has a part along an oblique locked direction")
+        free[i] = ~held
+        load[i] -= np.where(held, 0.0, locked.T @ (locked @ applied[i]))
+    loose = dataclasses.replace(spheres, free=free, load=load)
+    return dataclasses.replace(scene, bodies=_regrouped(scene, loose), axes=np.eye(3))
+
+
+def drifting(scene: Scene) -> list[int]:
+    """The numbers of the spheres on which dead loads stand for oblique locks: to be watched."""
+    if Term.OBLIQUE_LOCK not in scene.terms():
+        return []
+    partly = _partly_locked(scene.spheres)
+    return [body for body, one in zip(scene.numbers(Spheres), partly, strict=True) if one]
+
+
+def strayed(scene: Scene, sphere: int, moved: Vector) -> str | None:
+    """How displacements (k, 3) [m] of a sphere left the directions it is free in; else None.
+
+    They are those of a run of the scene as `released`.
+    """
+    free = scene.spheres.free[sphere]
+    if not free.any():
+        return None
+    along = np.abs(moved @ scene.axes.T).max(axis=0)
+    away = float(along[~free].max(initial=0.0))
+    if not away > max(DRIFT * along.max(), REST * scene.spheres.radius[sphere]):
+        return None
+    return (
+        f"moved {away:.3g} m along a locked direction, where a dead load stands for the lock: "
+        "the forces there did not stay what they were"
+    )
+
+
+def why_not_released(scene: Scene) -> str | None:
+    """Why dead loads cannot stand for a scene's oblique locks; None if they can.
+
+    What varies in time along such a lock, a body acceleration or a wall that slides, calls for a
+    reaction that varies too; so does a bond, whose pull is not that of the start.
+    """
+    if scene.bonds is not None and Term.OBLIQUE_LOCK in scene.terms():
+        return "a bonded body is locked along a direction oblique to the frame; its pull varies"
+    if Term.CARRIED in scene.terms() and Term.OBLIQUE_LOCK in scene.terms():
+        return "a body moves along directions it is locked in, and locks are oblique to the frame"
+    partly = _partly_locked(scene.spheres)
+    locked = scene.axes[(~scene.spheres.free[partly]).any(axis=0)]
+    oblique = locked[np.abs(locked).max(axis=1) < 1 - 1e-15]
+    drives = (scene.shaking, *(wall.motion for wall in scene.walls))
+    for amplitude, _, _ in (sine for drive in drives if drive for sine in drive.sines()):
+        if np.abs(oblique @ amplitude).max(initial=0.0) > 1e-12 * np.linalg.norm(amplitude):
+            return (
+                "a body is locked along a direction oblique to the frame, and driven along it; a "
+                "dead load, which would stand for the lock, does not vary"
+            )
+    return None
+
+
+def _partly_locked(spheres: Spheres) -> Mask:
+    return np.asarray(spheres.free.any(axis=1) & ~spheres.free.all(axis=1))
+
+
+def _regrouped(scene: Scene, spheres: Spheres) -> tuple[Group, ...]:
+    """The scene's groups again, with the spheres' data taken from one joined group."""
+    names = [field.name for field in dataclasses.fields(Spheres)]
+    bodies: list[Group] = []
+    first = 0
+    for group in scene.bodies:
+        if isinstance(group, Spheres):
+            part = slice(first, first + len(group))
+            bodies.append(Spheres(**{name: getattr(spheres, name)[part] for name in names}))
+            first += len(group)
+        else:
+            bodies.append(group)
+    return tuple(bodies)

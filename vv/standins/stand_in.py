@@ -1,0 +1,128 @@
+"""Rigid scenes as the springs and spheres that stand in for them."""
+
+from __future__ import annotations
+
+import dataclasses
+import functools
+from dataclasses import dataclass
+
+import numpy as np
+
+from vv.ask import Ask
+from vv.scene import Block, Scene, Term, Vector
+from vv.standins.soften import (
+    TOUCHING,
+    as_spheres,
+    base_velocity,
+    fastest,
+    friction_at_start,
+    softened,
+    why_no_point,
+)
+
+SHEAR = 25.0
+"""ks over kn of springs that stand in for rigid contact, which says nothing of ks.
+
+The normal spring leaves an error of order 1/kn. The shear spring lags each time slip turns back,
+by a time sqrt(mu N/(ks a)), and leaves one of order ks^-1/2: the larger one, so it is made stiffer.
+"""
+STANDS_IN = frozenset({Term.BLOCK, Term.RIGID_CONTACT})
+
+
+@dataclass(frozen=True, eq=False)
+class Stood:
+    """A scene of spheres and springs, and how it came about.
+
+    charged: friction (n, 3) [N] that the shear springs hold at t = 0; None: none. terms: those
+    of the original scene that it stands for; notes: how, one fact each.
+    """
+
+    scene: Scene
+    charged: Vector | None
+    terms: frozenset[Term]
+    notes: tuple[str, ...]
+
+
+@functools.lru_cache(maxsize=32)  # it is wanted several times for each of a ladder's rungs
+def sprung(ask: Ask) -> Stood:
+    """What a code with springs and spheres solves for an ask; `why_not` must not object.
+
+    Springs kn, ks = SHEAR kn stand in for rigid contact. They start as they are in the
+    limit of rigid contact: pressed in by what presses the bodies on their wall at t = 0, and
+    charged with its friction. Springs that belong to a scene start without shear.
+    """
+    scene, kn = ask.scene, ask.knobs.kn
+    terms = scene.terms() & STANDS_IN
+    notes = []
+    charged = None
+    if Term.BLOCK in terms:
+        scene = _spheres(scene)
+        notes.append("a sphere of its mass stands for a block that cannot turn")
+    if Term.RIGID_CONTACT in terms and kn is not None:
+        if scene.walls:
+            charged = friction_at_start(scene)
+        scene = softened(scene, kn, SHEAR)
+        notes.append(
+            f"springs kn = {kn:g}, ks = {SHEAR * kn:g} N/m, charged as rigid contact is at t = 0"
+        )
+    return Stood(scene, charged, terms, tuple(notes))
+
+
+def stood_for(ask: Ask) -> Stood:
+    """As `sprung`, where a block may turn too: what stands for it does not.
+
+    A code that makes a rigid body of it adds the rotations.
+    """
+    return sprung(held(ask))
+
+
+def held(ask: Ask) -> Ask:
+    """The ask with its blocks locked against rotation, as spheres in their place would be."""
+    turning = any(block.free_spin.any() for block in ask.scene.blocks)
+    return _held(ask) if turning else ask
+
+
+@functools.lru_cache(maxsize=32)
+def _held(ask: Ask) -> Ask:
+    still = np.zeros(3, bool)
+    bodies = tuple(
+        dataclasses.replace(g, free_spin=still) if isinstance(g, Block) else g
+        for g in ask.scene.bodies
+    )
+    return dataclasses.replace(ask, scene=dataclasses.replace(ask.scene, bodies=bodies))
+
+
+def why_not(ask: Ask) -> str | None:
+    """Why neither springs nor spheres can stand in for what an ask has; else None."""
+    reason = why_no_point(ask.scene) if ask.scene.blocks else None
+    if reason is not None or Term.RIGID_CONTACT not in ask.scene.terms():
+        return reason
+    if ask.knobs.kn is None:
+        return "Knobs.kn is None; rigid contact needs a stiffness to stand in for it"
+    return _bounces(_spheres(ask.scene) if ask.scene.blocks else ask.scene)
+
+
+@functools.lru_cache(maxsize=32)  # a scene is that of all rungs
+def _spheres(scene: Scene) -> Scene:
+    return as_spheres(scene)
+
+
+def _bounces(scene: Scene) -> str | None:
+    """Why springs would not do as rigid contact does: at an impact, or pressed by a lock."""
+    s = scene.spheres
+    if len(s) > 1 or len(scene.walls) > 1:
+        return "springs stand in for rigid contact between one body and one wall only"
+    for wall in scene.walls:
+        gap = float((s.position[0] - wall.point) @ wall.normal - s.radius[0])
+        if abs(gap) > TOUCHING * s.radius[0]:
+            return (
+                f"the body is {gap:.3g} m off its wall at t = 0; rigid contact says nothing of a "
+                "rebound, springs would give back all energy"
+            )
+        closing = float((s.velocity[0] - base_velocity(wall.motion)) @ wall.normal)
+        if abs(closing) > TOUCHING * (np.linalg.norm(s.velocity[0]) + fastest(wall.motion)):
+            return f"the body leaves its wall at {closing:.3g} m/s at t = 0; springs would swing"
+        locked = scene.axes[~s.free[0]]
+        if np.abs(locked @ wall.normal).max(initial=0.0) > TOUCHING:
+            return "the body is locked along the normal of its wall; what presses it is not known"
+    return None

@@ -1,0 +1,85 @@
+"""Where a result comes from: commit, machine, versions, command, time."""
+
+from __future__ import annotations
+
+import datetime
+import functools
+import hashlib
+import json
+import os
+import platform
+from collections.abc import Iterable, Sequence
+from importlib import metadata
+from pathlib import Path
+from typing import Any
+
+import vv
+from vv.base.digest import digest
+from vv.base.files import write
+from vv.store.checkout import commit
+
+LIBRARIES = ("numpy", "scipy", "numba")
+
+
+def provenance(root: Path, command: Sequence[str], now: datetime.datetime) -> dict[str, Any]:
+    """What a reader needs to know about the circumstances of a result."""
+    revision, dirty = commit(root)
+    return {
+        "utc": now.isoformat(timespec="seconds"),
+        "commit": revision,
+        "dirty": dirty,
+        "command": " ".join(command),
+        "machine": machine(),
+        "versions": {"vv": vv.__version__, "python": platform.python_version(), **_versions()},
+        "threads": 1,
+    }
+
+
+@functools.cache
+def machine() -> dict[str, Any]:
+    """The processor, its cores and the system: times of one machine never mix with another's."""
+    return {
+        "processor": _processor(),
+        "cores": os.cpu_count(),
+        "system": f"{platform.system()} {platform.release()}",
+        "fingerprint": digest(_processor(), os.cpu_count(), platform.node())[:12],
+    }
+
+
+def _processor() -> str:
+    try:
+        lines = Path("/proc/cpuinfo").read_text().splitlines()
+    except OSError:
+        return platform.processor() or platform.machine()
+    names = [line.partition(":")[2].strip() for line in lines if line.startswith("model name")]
+    return names[0] if names else platform.machine()
+
+
+def _versions() -> dict[str, str]:
+    found = {}
+    for library in LIBRARIES:
+        try:
+            found[library] = metadata.version(library)
+        except metadata.PackageNotFoundError:
+            continue
+    return found
+
+
+def file_digests(files: Iterable[Path], memory: Path) -> dict[str, str]:
+    """SHA-256 of large files, remembered in `memory` by path, size and time of change.
+
+    The time is that of the inode: unlike that of the content it cannot be set back.
+    """
+    try:
+        known: dict[str, str] = json.loads(memory.read_text())
+    except (OSError, ValueError):
+        known = {}
+    found = {}
+    for path in files:
+        state = path.stat()
+        label = f"{path} {state.st_size} {state.st_ctime_ns}"
+        if label not in known:
+            known[label] = hashlib.sha256(path.read_bytes()).hexdigest()
+            write(memory, json.dumps(known, indent=0, sort_keys=True).encode())
+        found[str(path)] = known[label]
+    return found
