@@ -11,7 +11,7 @@ from jsonschema import Draft202012Validator, FormatChecker
 import vv
 from tests.conftest import Tiny
 
-SCHEMA = json.loads((Path(vv.__file__).parent / "record.schema.json").read_text())
+SCHEMA = json.loads((Path(vv.__file__).parent / "records" / "record.schema.json").read_text())
 VALIDATOR = Draft202012Validator(SCHEMA, format_checker=FormatChecker())
 
 
