@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-TINY = Path(__file__).parent / "tiny"
+TINY = Path(__file__).parent / "support" / "tiny"
 
 
 def _without_vv() -> dict[str, str]:
