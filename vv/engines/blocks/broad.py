@@ -6,7 +6,9 @@ import numpy as np
 
 from vv.engines.blocks.geometry import Index, Shapes
 from vv.engines.blocks.sorting import ordered
+from vv.engines.kernels.arrays import counts, larger, rows, smaller
 from vv.engines.kernels.compiled import called
+from vv.engines.kernels.triples import put
 from vv.scene import Mask, Vector
 
 
@@ -14,19 +16,21 @@ from vv.scene import Mask, Vector
 def bounds(shapes: Shapes, vertex: Vector) -> tuple[Vector, Vector]:
     """The least and greatest coordinates (n, 3) of each block [m]."""
     n = len(shapes.size)
-    low, high = np.full((n, 3), np.inf), np.full((n, 3), -np.inf)
+    low, high = rows(n), rows(n)
     for i in range(n):
+        put(low, i, (np.inf, np.inf, np.inf))
+        put(high, i, (-np.inf, -np.inf, -np.inf))
         for k in range(shapes.vertex_start[i], shapes.vertex_start[i + 1]):
             for c in range(3):
-                low[i, c] = min(low[i, c], vertex[k, c])
-                high[i, c] = max(high[i, c], vertex[k, c])
+                low[i, c] = smaller(low[i, c], vertex[k, c])
+                high[i, c] = larger(high[i, c], vertex[k, c])
     return low, high
 
 
 @called
 def longer(found: Index) -> Index:
     """Twice the room, with what is there."""
-    room = np.empty(2 * len(found), np.int64)
+    room = counts(2 * len(found))
     for k in range(len(found)):
         room[k] = found[k]
     return room
@@ -35,7 +39,7 @@ def longer(found: Index) -> Index:
 @called
 def ascending(found: Index, count: int) -> Index:
     """The first so many, in ascending order."""
-    order, result = ordered(found[:count]), np.empty(count, np.int64)
+    order, result = ordered(found[:count]), counts(count)
     for k in range(count):
         result[k] = found[order[k]]
     return result
@@ -48,7 +52,7 @@ def close_pairs(shapes: Shapes, vertex: Vector, moves: Mask, margin: float) -> I
     Pairs of which neither block moves are left out.
     """
     n = len(shapes.size)
-    found, count = np.empty(4 * n, np.int64), 0 * n
+    found, count = counts(4 * n), 0 * n
     if n < 2:
         return found[:0]
     low, high = bounds(shapes, vertex)
@@ -59,11 +63,12 @@ def close_pairs(shapes: Shapes, vertex: Vector, moves: Mask, margin: float) -> I
             j = order[q]
             if low[j, 0] > high[i, 0] + margin:
                 break
-            apart = max(low[j, 1] - high[i, 1], low[i, 1] - high[j, 1])
-            apart = max(apart, low[j, 2] - high[i, 2], low[i, 2] - high[j, 2])
+            apart = larger(low[j, 1] - high[i, 1], low[i, 1] - high[j, 1])
+            apart = larger(apart, low[j, 2] - high[i, 2])
+            apart = larger(apart, low[i, 2] - high[j, 2])
             if apart <= margin and (moves[i] or moves[j]):
                 if count == len(found):
                     found = longer(found)
-                found[count] = min(i, j) * n + max(i, j)
+                found[count] = smaller(i, j) * n + larger(i, j)
                 count += 1
     return ascending(found, count)

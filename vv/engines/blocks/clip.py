@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from vv.engines.blocks.geometry import Index, Shapes
+from vv.engines.kernels.arrays import counts, larger, numbers, rows, smaller
 from vv.engines.kernels.compiled import called, inlined
 from vv.engines.kernels.triples import Triple, at, cross, dot, plus, put
 from vv.scene import Vector
@@ -78,8 +79,8 @@ def face_points(
     first, last = shapes.corner_start[face], shapes.corner_start[face + 1]
     begin, end = shapes.corner_start[incident], shapes.corner_start[incident + 1]
     room = 2 * (last - first + end - begin)
-    polygon, next_polygon = np.empty((room, 3)), np.empty((room, 3))
-    label, next_label = np.empty(room, np.int64), np.empty(room, np.int64)
+    polygon, next_polygon = rows(room), rows(room)
+    label, next_label = counts(room), counts(room)
     count = end - begin
     for k in range(count):
         put(polygon, k, at(vertex, shapes.corner[begin + k]))
@@ -94,7 +95,7 @@ def face_points(
         polygon, next_polygon = next_polygon, polygon
         label, next_label = next_label, label
     area = area_of(polygon, count, n)
-    height = np.empty(count)
+    height = numbers(count)
     origin = at(vertex, shapes.corner[first])
     for k in range(count):
         height[k] = dot(n, plus(at(polygon, k), -1.0, origin))
@@ -110,6 +111,6 @@ def crossing(one: int, two: int, shapes: Shapes, vertex: Vector) -> Triple:
     w = plus(q, -1.0, p)
     uu, uv, vv = dot(u, u), dot(u, v), dot(v, v)
     determinant = uu * vv - uv * uv
-    s = min(max((dot(w, u) * vv - dot(w, v) * uv) / determinant, 0.0), 1.0)
-    t = min(max((dot(w, u) * uv - dot(w, v) * uu) / determinant, 0.0), 1.0)
+    s = smaller(larger((dot(w, u) * vv - dot(w, v) * uv) / determinant, 0.0), 1.0)
+    t = smaller(larger((dot(w, u) * uv - dot(w, v) * uu) / determinant, 0.0), 1.0)
     return plus(plus((0.0, 0.0, 0.0), 0.5, plus(p, s, u)), 0.5, plus(q, t, v))

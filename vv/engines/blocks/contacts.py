@@ -22,20 +22,24 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-import numpy as np
-
 from vv.engines.blocks.broad import close_pairs
 from vv.engines.blocks.clip import area_of, crossing, face_points, facing
 from vv.engines.blocks.geometry import Index, Planes, Shapes
 from vv.engines.blocks.overlap import EDGES, FACE_OF_FIRST, separation
 from vv.engines.blocks.sorting import ordered
+from vv.engines.kernels.arrays import counts, numbers, rows, smaller
+from vv.engines.kernels.bundles import bundle
 from vv.engines.kernels.compiled import called, compiled, inlined
 from vv.engines.kernels.triples import Triple, at, dot, plus, put
 from vv.scene import Mask, Vector
 
+bundle(Shapes)
+bundle(Planes)
+
 SAME = 1e-6  # of a block's size: points of a prism no farther apart in its plane are one
 
 
+@bundle
 class Contacts(NamedTuple):
     """Contacts in rows of arrays that may be longer than their number.
 
@@ -59,13 +63,13 @@ class Contacts(NamedTuple):
 def empty_contacts(room: int) -> Contacts:
     """Room for so many contacts."""
     return Contacts(
-        np.empty(room, np.int64),
-        np.empty(room, np.int64),
-        np.empty((room, 3)),
-        np.empty((room, 3)),
-        np.empty(room),
-        np.empty(room),
-        np.empty(room, np.int64),
+        counts(room),
+        counts(room),
+        rows(room),
+        rows(room),
+        numbers(room),
+        numbers(room),
+        counts(room),
     )
 
 
@@ -104,7 +108,7 @@ def merge_depth(contacts: Contacts, begin: int, count: int, depth: Vector, near:
             )  # fmt: skip
         else:
             contacts.area[same] += contacts.area[k]
-            contacts.key[same] = min(contacts.key[same], contacts.key[k])
+            contacts.key[same] = smaller(contacts.key[same], contacts.key[k])
     return kept
 
 
@@ -121,7 +125,7 @@ def touch_blocks(
     if kind == EDGES:
         key = pair + len(normal) * labels + one * len(shapes.edge) + two
         return add(contacts, count, a, b, crossing(one, two, shapes, vertex), way, gap, 0.0, key)
-    size, begin = min(shapes.size[a], shapes.size[b]), count
+    size, begin = smaller(shapes.size[a], shapes.size[b]), count
     other, sign = (b, 1.0) if kind == FACE_OF_FIRST else (a, -1.0)
     points, polygon, height, label, area = face_points(one, other, shapes, vertex, normal, size)
     n = at(normal, one)
@@ -161,7 +165,7 @@ def share_face(
 ) -> None:  # fmt: skip
     """Share the area of a face, seen along the normal, among the contacts at its vertices."""
     first, last = shapes.corner_start[face], shapes.corner_start[face + 1]
-    polygon = np.empty((last - first, 3))
+    polygon = rows(last - first)
     for c in range(first, last):
         put(polygon, c - first, at(vertex, shapes.corner[c]))
     area = area_of(polygon, last - first, at(contacts.normal, begin)) / (last - first)
@@ -184,7 +188,7 @@ def detect(
     """
     blocks, walls = len(shapes.size), len(planes.point)
     labels = len(vertex) + 2 * len(shapes.corner)
-    span = len(normal) * labels + len(shapes.edge) ** 2
+    span = len(normal) * labels + len(shapes.edge) * len(shapes.edge)
     # a literal would be a type of its own, for which all that takes it is compiled once more
     along, count = (depth[0], depth[1], depth[2]), 0 * blocks
     for wall in range(walls):
@@ -216,7 +220,7 @@ def detect_contacts(
 def matched(key: Index, count: int, old: Index) -> Index:
     """For each of the first so many keys the row in `old` that has it, or -1."""
     now, then = ordered(key[:count]), ordered(old)
-    found, m = np.empty(count, np.int64), 0
+    found, m = counts(count), 0
     for k in now:
         while m < len(old) and old[then[m]] < key[k]:
             m += 1

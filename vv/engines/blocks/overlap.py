@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from vv.engines.blocks.geometry import Index, Shapes
+from vv.engines.kernels.arrays import larger, smaller
 from vv.engines.kernels.compiled import called, inlined
 from vv.engines.kernels.triples import Triple, at, cross, dot, plus
 from vv.scene import Vector
@@ -19,7 +20,7 @@ def nearest(shapes: Shapes, vertex: Vector, i: int, n: Triple) -> float:
     """The least n . x over the vertices x of block i [m]."""
     least = np.inf
     for k in range(shapes.vertex_start[i], shapes.vertex_start[i + 1]):
-        least = min(least, dot(n, at(vertex, k)))
+        least = smaller(least, dot(n, at(vertex, k)))
     return least
 
 
@@ -113,7 +114,7 @@ def separation(
     of a. Faces are preferred to edges, and those of a to those of b. Separating axes: faces of
     both and, in space, all pairs of edges (Gottschalk et al. 1996).
     """
-    likely = LIKELY * min(shapes.size[a], shapes.size[b])
+    likely = LIKELY * smaller(shapes.size[a], shapes.size[b])
     nowhere = (0.0, 0.0, 0.0)
     face, far = face_apart(a, b, shapes, vertex, normal, depth, margin)
     if far > margin:
@@ -123,7 +124,7 @@ def separation(
     if farther > far + likely:
         kind, face, far = FACE_OF_SECOND, other, farther
     if farther > margin or depth[0] != 0.0 or depth[1] != 0.0 or depth[2] != 0.0:
-        return kind, face, -1, max(far, farther), nowhere
+        return kind, face, -1, larger(far, farther), nowhere
     one, two, apart, way = edges_apart(
         a, b, shapes, vertex, normal, middle(shapes, vertex, a), margin
     )

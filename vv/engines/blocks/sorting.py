@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-import numpy as np
-
 from vv.engines.blocks.geometry import Index
+from vv.engines.kernels.arrays import counts, smaller
 from vv.engines.kernels.compiled import called
 from vv.scene import Vector
 
@@ -13,10 +12,12 @@ from vv.scene import Vector
 def ordered(key: Vector | Index) -> Index:
     """The order (n,) in which keys (n,) ascend, equal ones as they come: a merge sort."""
     n, run = len(key), 1
-    order, spare = np.arange(n), np.empty(n, np.int64)
+    order, spare = counts(n), counts(n)
+    for k in range(n):
+        order[k] = k
     while run < n:
         for low in range(0, n, 2 * run):
-            middle, high = min(low + run, n), min(low + 2 * run, n)
+            middle, high = smaller(low + run, n), smaller(low + 2 * run, n)
             i, j = low, middle
             for k in range(low, high):
                 if i < middle and (j >= high or key[order[i]] <= key[order[j]]):

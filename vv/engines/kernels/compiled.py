@@ -12,6 +12,7 @@ import numba
 from numba.core.registry import cpu_target
 
 from vv.base.closure import closure, source_digest
+from vv.engines.kernels.parts import PartCompiler, WholeCompiler
 
 Kernel = TypeVar("Kernel", bound=Callable[..., object])
 HERE = Path(__file__).resolve()
@@ -31,7 +32,7 @@ def compiled(function: Kernel) -> Kernel:
     source = Path(function.__code__.co_filename)
     config.CACHE_DIR = str(cache_folder(source))  # numba reads it once, as it wraps a function
     try:
-        kernel: Kernel = numba.njit(cache=True, **ROUNDING)(function)
+        kernel: Kernel = numba.njit(cache=True, pipeline_class=WholeCompiler, **ROUNDING)(function)
     finally:
         config.CACHE_DIR = before
     return kernel
@@ -42,13 +43,15 @@ def inlined(function: Kernel) -> Kernel:
 
     A call would pass each array as seven words, which costs more than most of these compute.
     """
-    part: Kernel = numba.njit(forceinline=True, **HIDDEN, **ROUNDING)(function)
+    part: Kernel = numba.njit(forceinline=True, pipeline_class=PartCompiler, **HIDDEN, **ROUNDING)(
+        function
+    )
     return part
 
 
 def called(function: Kernel) -> Kernel:
     """A function for kernels to call that is too long to become part of each of them."""
-    part: Kernel = numba.njit(**HIDDEN, **ROUNDING)(function)
+    part: Kernel = numba.njit(pipeline_class=PartCompiler, **HIDDEN, **ROUNDING)(function)
     return part
 
 

@@ -7,6 +7,7 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
+from vv.engines.kernels.bundles import bundle
 from vv.engines.kernels.compiled import called
 from vv.engines.kernels.triples import Triple, at, plus
 from vv.scene import Harmonic, Vector
@@ -15,6 +16,7 @@ Starts = npt.NDArray[np.int64]
 NO_MOTION = Harmonic(np.zeros(3), np.zeros(3))
 
 
+@bundle
 class Drive(NamedTuple):
     """k sines: direction (k, 3) times amplitude, omega (k,) [rad/s], phase (k,) [rad].
 

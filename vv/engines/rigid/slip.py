@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from vv.engines.kernels.arrays import larger, smaller
 from vv.engines.kernels.compiled import called, inlined
 from vv.engines.kernels.triples import Triple, cross, dot, plus
 from vv.engines.rigid.limits import STILL
@@ -15,7 +16,7 @@ SLOW = 2.0  # times the pull of friction in a step: a slower slip has its direct
 @inlined
 def slow(span: float, tolerance: float) -> float:
     """A speed [m/s] that a contact solved to a tolerance has without slip, after a step [s]."""
-    return max(STILL * span, 10.0 * tolerance)
+    return larger(STILL * span, 10.0 * tolerance)
 
 
 @called
@@ -53,7 +54,7 @@ def bend(before: Triple, sag: Triple, after: Triple, pull: float) -> Triple:
     halfway = plus(straight, 1.0, sag)
     first, last = dot(before, before), dot(after, after)
     one, two = cross(before, after), cross(before, halfway)
-    slowest = min(first, dot(halfway, halfway), last)
+    slowest = smaller(smaller(first, dot(halfway, halfway)), last)
     if not slowest > (SLOW * pull) ** 2:
         return nil
     if not (dot(one, one) > STRAIGHT * first * last or dot(two, two) > STRAIGHT * first * first):

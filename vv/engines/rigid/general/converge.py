@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from vv.engines.blocks.geometry import Index
+from vv.engines.kernels.arrays import smaller
 from vv.engines.kernels.compiled import called
 from vv.engines.kernels.triples import at, plus
 from vv.engines.rigid.general.setting import Setting
@@ -36,7 +37,7 @@ def converged(
     patience = STALLED if small or apart <= CHAIN else setting.most
     free_v, free_w = without(p, joints, bodies, v, w)
     while sweeps < setting.most and left > setting.tolerance:
-        few = min(patience, setting.most - sweeps)
+        few = smaller(patience, setting.most - sweeps)
         more, left = solve_contacts(
             p, joints, bodies, friction, v, w, setting.tolerance, fewest, few
         )

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-import numpy as np
-
+from vv.engines.kernels.arrays import nil_rows, squares
 from vv.engines.kernels.compiled import called
 from vv.engines.kernels.drive import mean
 from vv.engines.kernels.triples import Triple, at, dot, plus, put
@@ -37,7 +36,7 @@ def book(
 ) -> None:
     """Add to account (6,) [J] what contacts, walls, shaking and forces did in a step."""
     n, b = len(setting.mass), len(trial.v)
-    v_mid, w_mid = np.zeros((b, 3)), np.zeros((b, 3))
+    v_mid, w_mid = nil_rows(b), nil_rows(b)
     wall_rates(setting, now, v_mid)
     for i in range(b):
         had = at(state.v, i) if i < n else at(v_mid, i)
@@ -58,7 +57,7 @@ def book(
 @called
 def kinetic(setting: Setting, state: State) -> float:
     """The kinetic energy [J]."""
-    total, world = 0.0, np.empty((3, 3))
+    total, world = 0.0, squares(1)[0]
     for i in range(len(setting.mass)):
         total += 0.5 * setting.mass[i] * dot(at(state.v, i), at(state.v, i))
         turned_inertia(setting.inertia[i], state.rotation[i], world)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from vv.engines.blocks.contacts import Contacts, matched
+from vv.engines.kernels.arrays import larger, least_of, marked, nil_rows, smaller, unmarked
 from vv.engines.kernels.compiled import called
 from vv.engines.kernels.triples import at, dot, plus, put
 from vv.engines.rigid.general.setting import Past, Setting, State, wall_rates
@@ -44,7 +45,7 @@ def ends_after(
     sides; where to look is told by how the slowest slip slows down.
     """
     n, b = len(setting.mass), len(trial.v)
-    v, w = np.zeros((b, 3)), np.zeros((b, 3))
+    v, w = nil_rows(b), nil_rows(b)
     wall_rates(setting, now, v)
     for i in range(n):
         put(v, i, at(state.v, i))
@@ -57,7 +58,7 @@ def ends_after(
         if not low < span < high or look % 4 == 3:
             span = 0.5 * (low + high)
         trial = attempt(setting, state, now, span, contacts, past)
-        if trial.ended.any():
+        if marked(trial.ended):
             high, late, guess = span, trial, guess - 0.5 * CLOSE * dt
         else:
             left = slowest(trial, trial.v, trial.w)
@@ -82,19 +83,19 @@ def lands_after(
     a blow, blocks would go on into one another for up to half a step.
     """
     n, b = len(setting.mass), len(trial.v)
-    v, w = np.zeros((b, 3)), np.zeros((b, 3))
+    v, w = nil_rows(b), nil_rows(b)
     wall_rates(setting, now, v)
     for i in range(n):
         put(v, i, at(state.v, i))
         put(w, i, at(state.w, i))
-    deep, first = LANDS * setting.shapes.size.min(), whole
+    deep, first = LANDS * least_of(setting.shapes.size), whole
     for c in range(len(trial.p)):
         m = at(trial.joints.normal, c)
         if dot(at(trial.p, c), m) > 0.0:
             speed = -dot(m, relative(trial.joints, c, v, w))
-            gap = max(trial.gap[c] - setting.slack, 0.0)
+            gap = larger(trial.gap[c] - setting.slack, 0.0)
             if speed * whole - gap > deep:
-                first = min(first, gap / speed)
+                first = smaller(first, gap / speed)
     return first
 
 
@@ -105,7 +106,7 @@ def slowest(trial: Trial, v: Vector, w: Vector) -> float:
     for c in range(len(trial.p)):
         d = at(trial.friction.d, c)
         if dot(d, d) > 0.0 and dot(at(trial.p, c), at(trial.joints.normal, c)) > 0.0:
-            least = min(least, dot(d, relative(trial.joints, c, v, w)))
+            least = smaller(least, dot(d, relative(trial.joints, c, v, w)))
     return least
 
 
@@ -140,13 +141,13 @@ def rests_for(
         if span > 0.0:
             if look > 0:
                 trial = attempt(setting, state, now, span, contacts, past)
-            late = bool(trial.begun.any())
+            late = marked(trial.begun)
             then = State(state.centre.copy(), state.rotation.copy(), state.v.copy(), state.w.copy())
             move(setting, then, trial, span)
             known = remembered(trial, span, slow(span, setting.tolerance))
         if not late:
             glimpse = attempt(setting, then, now + span, GLIMPSE * dt, contacts, known)
-            late = bool(glimpse.begun.any())
+            late = marked(glimpse.begun)
         if look < 2 and late == (look == 1):
             return whole
         low, high = (low, span) if late else (span, high)
@@ -157,7 +158,7 @@ def rests_for(
 @called
 def remembered(trial: Trial, span: float, least: float) -> Past:
     """What the next step must know of this one; slower slip than `least` [m/s] is none."""
-    still = np.zeros(len(trial.p), np.bool_)
+    still = unmarked(len(trial.p))
     for c in range(len(still)):
         n = at(trial.joints.normal, c)
         u = relative(trial.joints, c, trial.v, trial.w)

@@ -6,6 +6,16 @@ import numpy as np
 
 from vv.engines.blocks.contacts import empty_contacts
 from vv.engines.blocks.geometry import Index
+from vv.engines.kernels.arrays import (
+    clear,
+    larger,
+    marked,
+    nil_numbers,
+    nil_rows,
+    nil_squares,
+    numbers,
+    smaller,
+)
 from vv.engines.kernels.compiled import called, compiled
 from vv.engines.kernels.triples import at, dot, plus, put
 from vv.engines.rigid.general.energy import DRIVEN, SHOVED, book, kinetic
@@ -36,7 +46,7 @@ def separate(
 ) -> float:  # fmt: skip
     """Push blocks out of what they penetrate; return the deepest penetration [m]."""
     n, b = len(setting.mass), len(trial.v)
-    x, turn = np.zeros((b, 3)), np.zeros((b, 3))
+    x, turn = nil_rows(b), nil_rows(b)
     start, end = shift_at(setting, now), shift_at(setting, now + span)
     for i in range(b):
         if i < n:
@@ -44,12 +54,12 @@ def separate(
             put(turn, i, plus(plus(NIL, 0.5 * span, at(before.w, i)), 0.5 * span, at(trial.w, i)))
         else:
             put(x, i, plus(at(end, i - n), -1.0, at(start, i - n)))
-    gap, deepest = np.empty(len(trial.gap)), 0.0
+    gap, deepest = numbers(len(trial.gap)), 0.0
     for c in range(len(gap)):
         moved = relative(trial.joints, c, x, turn)
         gap[c] = trial.gap[c] + dot(at(trial.joints.normal, c), moved)
         if trial.joints.across[c] > 0.0:
-            deepest = max(deepest, -gap[c])
+            deepest = larger(deepest, -gap[c])
     if deepest > setting.slack:
         push_out(trial.joints, trial.bodies, gap, x, turn, PUSHES)
         for i in range(n):
@@ -64,7 +74,7 @@ def separate(
 @called
 def press(reaction: Vector, trial: Trial, span: float, blocks: int) -> None:
     """Sum the forces (w, 3) [N] of the walls on the blocks."""
-    reaction[:] = 0.0
+    clear(reaction)
     for c in range(len(trial.p)):
         wall = trial.joints.first[c] - blocks
         if wall >= 0:
@@ -102,16 +112,17 @@ def move_rigid(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its 
     forces [N] of the walls on the blocks as the row is reached.
     """
     n = len(setting.mass)
-    rotation = np.zeros((n, 3, 3))
+    rotation = nil_squares(n)
     for i in range(n):
         rotation[i, 0, 0] = rotation[i, 1, 1] = rotation[i, 2, 2] = 1.0
     state = State(centre.copy(), rotation, v.copy(), w.copy())
-    account, contacts = np.zeros(6), empty_contacts(64)
+    account, contacts = nil_numbers(6), empty_contacts(64 + 0 * n)
     past = nothing(contacts, setting)
     parts = SPLITS if n <= SMALL else 1
-    pressed, done = np.zeros_like(reaction[0]), 0
+    pressed, done = nil_rows(reaction.shape[1]), 0
     for row in range(len(path)):
-        report[row] = 0.0
+        for c in range(report.shape[1]):
+            report[row, c] = 0.0
         for _ in range(stride if row else 0):
             begin, looked = 0.0, False
             for part in range(parts):
@@ -121,19 +132,19 @@ def move_rigid(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its 
                 if part + 1 < parts:
                     whole = lands_after(setting, state, trial, now, rest)
                     blow = whole <= CLOSE * dt
-                    whole = min(BLOW * dt, rest) if blow else whole
+                    whole = smaller(BLOW * dt, rest) if blow else whole
                 if whole < rest:
                     trial = attempt(setting, state, now, whole, contacts, past)
                 span, least = whole, slow(whole, setting.tolerance)
                 if blow:
                     least = slow(dt, setting.tolerance)
-                elif part + 1 < parts and trial.ended.any():
+                elif part + 1 < parts and marked(trial.ended):
                     span = ends_after(setting, state, past, now, whole, dt, contacts, trial)
-                    least = max(least, NEARLY * whole)
+                    least = larger(least, NEARLY * whole)
                     if span == 0.0:
                         continue
                 elif (part + 1 < parts and not looked) and (
-                    trial.begun.any() or strained(setting, trial)
+                    marked(trial.begun) or strained(setting, trial)
                 ):
                     looked = True
                     span = rests_for(setting, state, past, now, whole, dt, contacts, trial)
@@ -143,12 +154,12 @@ def move_rigid(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its 
                 book(account, setting, state, trial, now, span)
                 move(setting, state, trial, span)
                 deepest = separate(account, setting, state, trial, before, now, span)
-                lasting = dt / CUTS if blow else max(span, BRIEF * dt)  # of a blow nothing lasts
+                lasting = dt / CUTS if blow else larger(span, BRIEF * dt)  # of a blow nothing lasts
                 past = remembered(trial, lasting, least)
                 press(pressed, trial, span, n)
-                report[row, 0] = max(report[row, 0], trial.residual)
-                report[row, 1] = max(report[row, 1], trial.sweeps)
-                report[row, 2] = max(report[row, 2], deepest)
+                report[row, 0] = larger(report[row, 0], trial.residual)
+                report[row, 1] = larger(report[row, 1], float(trial.sweeps))
+                report[row, 2] = larger(report[row, 2], deepest)
                 if not np.isfinite(kinetic(setting, state)):  # nothing can be found to touch
                     return row
                 begin += span
@@ -158,9 +169,10 @@ def move_rigid(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its 
             done += 1
         keep(reaction[row], pressed)
         watch(path[row], watched, state, centre)
-        energy[row, 0] = kinetic(setting, state)
+        energy[row, 0] = total = kinetic(setting, state)
         for c in range(len(account)):
             energy[row, 1 + c] = account[c]
-        if not np.isfinite(energy[row].sum()):
+            total += account[c]
+        if not np.isfinite(total):
             return row
     return len(path)

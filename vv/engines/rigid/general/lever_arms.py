@@ -9,6 +9,7 @@ from __future__ import annotations
 import numpy as np
 
 from vv.engines.blocks.geometry import Index
+from vv.engines.kernels.arrays import larger, nil_rows, rows
 from vv.engines.kernels.compiled import called, inlined
 from vv.engines.kernels.triples import Triple, at, cross, dot, plus, put
 from vv.engines.rigid.solver.assembly import Bodies, Joints, load_on
@@ -25,8 +26,8 @@ def halfway(joints: Joints, before: Index, began: Joints) -> tuple[Joints, Vecto
     whose arms and normals are taken not to have changed.
     """
     count = len(before)
-    normal, one, two = np.empty((count, 3)), np.empty((count, 3)), np.empty((count, 3))
-    turn = np.zeros((count, 3))
+    normal, one, two = rows(count), rows(count), rows(count)
+    turn = nil_rows(count)
     for c in range(count):
         n, a, b = at(joints.normal, c), at(joints.arm_first, c), at(joints.arm_second, c)
         row = before[c]
@@ -68,8 +69,8 @@ def relever(
             load_on(middle, c, bodies, v, w, turned_back(turn, c, change))
             load_on(joints, c, bodies, v, w, plus(NIL, -1.0, change))
             one, two = at(joints.arm_first, c), at(joints.arm_second, c)
-            worst = max(worst, apart(before[0], at(v, a), before[1], at(w, a), one))
-            worst = max(worst, apart(before[2], at(v, b), before[3], at(w, b), two))
+            worst = larger(worst, apart(before[0], at(v, a), before[1], at(w, a), one))
+            worst = larger(worst, apart(before[2], at(v, b), before[3], at(w, b), two))
             put(acted, c, at(p, c))
     return worst
 

@@ -7,6 +7,8 @@ from typing import NamedTuple
 import numpy as np
 
 from vv.engines.blocks.geometry import Index, Planes, Shapes
+from vv.engines.kernels.arrays import larger, least_of, nil_rows, squares
+from vv.engines.kernels.bundles import bundle
 from vv.engines.kernels.compiled import called
 from vv.engines.kernels.drive import Drive, mean, one_of, rate, travel
 from vv.engines.kernels.triples import at, dot, plus, put
@@ -18,6 +20,7 @@ NIL = (0.0, 0.0, 0.0)
 FORECASTS = 3  # rounds in which free rotation keeps its moment of momentum
 
 
+@bundle
 class Setting(NamedTuple):
     """What stays: n blocks, w walls, b = n + w bodies.
 
@@ -48,6 +51,7 @@ class Setting(NamedTuple):
     shaking: Drive
 
 
+@bundle
 class State(NamedTuple):
     """centre (n, 3) [m], rotation (n, 3, 3), v, w (n, 3) [m/s, 1/s]."""
 
@@ -57,6 +61,7 @@ class State(NamedTuple):
     w: Vector
 
 
+@bundle
 class Past(NamedTuple):
     """Contacts of the step before: key, force (k, 3) [N], and at its end joints and what stuck.
 
@@ -80,7 +85,7 @@ def wall_rates(setting: Setting, time: float, v: Vector) -> None:
 @called
 def shift_at(setting: Setting, time: float) -> Vector:
     """The displacements (w, 3) of the walls [m]."""
-    shift = np.zeros((len(setting.planes.point), 3))
+    shift = nil_rows(len(setting.planes.point))
     for k in range(len(setting.planes.point)):
         put(shift, k, travel(one_of(setting.drives, setting.drive_start, k), time))
     return shift
@@ -94,7 +99,7 @@ def forecast(
 
     The moment of momentum about free axes is kept.
     """
-    world, start = np.empty((3, 3)), np.empty((1, 3, 3))
+    world, start = squares(1)[0], squares(1)
     for i in range(len(setting.mass)):
         spin = at(state.w, i)
         turned_inertia(setting.inertia[i], state.rotation[i], start[0])
@@ -129,8 +134,8 @@ def reach(setting: Setting, state: State, now: float, span: float) -> float:
         speed = np.sqrt(dot(at(state.v, i), at(state.v, i)))
         spin = np.sqrt(dot(at(state.w, i), at(state.w, i)))
         push = np.sqrt(dot(at(setting.force, i), at(setting.force, i))) / setting.mass[i]
-        fastest = max(fastest, speed + spin * setting.shapes.size[i] + span * push)
+        fastest = larger(fastest, speed + spin * setting.shapes.size[i] + span * push)
     for k in range(len(setting.planes.point)):
         moving = rate(one_of(setting.drives, setting.drive_start, k), now)
-        fastest = max(fastest, np.sqrt(dot(moving, moving)))
-    return float(2.0 * span * fastest + 1e-6 * setting.shapes.size.min())
+        fastest = larger(fastest, np.sqrt(dot(moving, moving)))
+    return float(2.0 * span * fastest + 1e-6 * least_of(setting.shapes.size))

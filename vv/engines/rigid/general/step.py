@@ -9,6 +9,17 @@ import numpy as np
 from vv.engines.blocks.contacts import Contacts, detect, empty_contacts, matched
 from vv.engines.blocks.geometry import Index
 from vv.engines.blocks.placement import place_rigid
+from vv.engines.kernels.arrays import (
+    counts,
+    larger,
+    nil_rows,
+    nil_squares,
+    numbers,
+    rows,
+    squares,
+    unmarked,
+)
+from vv.engines.kernels.bundles import bundle
 from vv.engines.kernels.compiled import called
 from vv.engines.kernels.triples import at, dot, plus, put
 from vv.engines.rigid.general.bends import bent
@@ -33,6 +44,7 @@ from vv.scene import Mask, Vector
 NIL = (0.0, 0.0, 0.0)
 
 
+@bundle
 class Trial(NamedTuple):
     """What a step of a given length came to.
 
@@ -76,9 +88,9 @@ def detected(
 @called
 def nothing(contacts: Contacts, setting: Setting) -> Past:
     """No contacts, as before the first step."""
-    none = np.empty((0, 3, 3))
-    joints = assemble(contacts, 0 * len(setting.mass), Bodies(none, none, none[:, 0]))
-    return Past(np.empty(0, np.int64), np.empty((0, 3)), np.empty(0, np.bool_), joints)
+    none = squares(0)
+    joints = assemble(contacts, 0 * len(setting.mass), Bodies(none, none, rows(0)))
+    return Past(counts(0), rows(0), unmarked(0), joints)
 
 
 @called
@@ -87,9 +99,9 @@ def attempt(
 ) -> Trial:  # fmt: skip
     """Step from state at `now` by span [s]; the state is left as it is."""
     n, b = len(setting.mass), len(setting.inverse)
-    rotation, turned = np.empty((n, 3, 3)), np.zeros((b, 3, 3))
-    centre, w, w_old = np.zeros((b, 3)), np.zeros((b, 3)), np.zeros((b, 3))
-    v, v_old, v_mean = np.zeros((b, 3)), np.zeros((b, 3)), np.zeros((b, 3))
+    rotation, turned = squares(n), nil_squares(b)
+    centre, w, w_old = nil_rows(b), nil_rows(b), nil_rows(b)
+    v, v_old, v_mean = nil_rows(b), nil_rows(b), nil_rows(b)
     forecast(setting, state, span, rotation, w, turned)
     free_velocities(setting, state, now, span, v)
     shift, here = shift_at(setting, now + span), shift_at(setting, now)
@@ -101,20 +113,20 @@ def attempt(
         put(w_old, i, plus(plus(NIL, 0.5, at(state.w, i)), 0.5, at(w, i)))
     for k in range(b - n):
         put(v_mean, n + k, plus(plus(NIL, 1.0 / span, at(shift, k)), -1.0 / span, at(here, k)))
-    vertex, normal = np.empty_like(setting.shapes.vertex), np.empty_like(setting.shapes.normal)
+    vertex, normal = rows(len(setting.shapes.vertex)), rows(len(setting.shapes.normal))
     place_rigid(vertex, normal, setting.shapes, centre[:n], rotation)
     margin = reach(setting, state, now, span)
     found, count = detected(contacts, setting, vertex, normal, shift, margin)
     bodies = Bodies(setting.inverse, turned, centre)
     joints = assemble(found, count, bodies)
     before = matched(found.key, count, past.key)
-    friction = Friction(setting.mu, np.empty(count), np.zeros((count, 3)), np.zeros((count, 3)))
-    p, gap = np.zeros((count, 3)), np.empty(count)
-    known = np.zeros(count, np.bool_)
+    friction = Friction(setting.mu, numbers(count), nil_rows(count), nil_rows(count))
+    p, gap = nil_rows(count), numbers(count)
+    known = unmarked(count)
     for c in range(count):
         m = at(joints.normal, c)
         gap[c] = found.gap[c] - span * dot(m, relative(joints, c, v_mean, w_old))
-        friction.need[c] = -max(gap[c] - setting.slack, 0.0) / span
+        friction.need[c] = -larger(gap[c] - setting.slack, 0.0) / span
         u = relative(joints, c, v_old, w_old)
         slip = plus(u, -dot(u, m), m)
         speed = np.sqrt(dot(slip, slip))
@@ -137,14 +149,14 @@ def solved(
     v_old: Vector, w_old: Vector, v: Vector, w: Vector, known: Mask,
 ) -> Trial:  # fmt: skip
     """Solve the contacts of a step, friction following the slip that it decides."""
-    count, acted = len(p), np.zeros_like(p)
+    count, acted = len(p), nil_rows(len(p))
     for c in range(count):
         load_on(joints, c, bodies, v, w, at(p, c))
     relever(p, acted, joints, middle, turn, bodies, v, w)
     sweeps, left = converged(setting, joints, bodies, friction, p, v, w, setting.fewest)
-    begun, ended = np.zeros(count, np.bool_), np.zeros(count, np.bool_)
+    begun, ended = unmarked(count), unmarked(count)
     any_ended, least = False, slow(span, setting.tolerance)
-    most = max(least, NEARLY * span)
+    most = larger(least, NEARLY * span)
     for c in range(count):
         n, d = at(joints.normal, c), at(friction.d, c)
         if known[c] and dot(at(p, c), n) > 0.0:

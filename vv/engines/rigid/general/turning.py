@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from vv.engines.kernels.arrays import nil_squares
 from vv.engines.kernels.compiled import called
 from vv.engines.kernels.triples import Triple, dot
 from vv.scene import Vector
@@ -64,7 +65,7 @@ def held_inverse(inertia: Vector, hold: Vector, out: Vector) -> None:
     of these again.
     """
     trace = inertia[0, 0] + inertia[1, 1] + inertia[2, 2]
-    a = np.zeros((3, 3))
+    a = nil_squares(1)[0]
     for i in range(3):
         for j in range(3):
             for k in range(3):

@@ -6,6 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from vv.engines.kernels.bundles import bundle
 from vv.engines.kernels.compiled import called
 from vv.engines.kernels.drive import Drive, mean, rate, travel
 from vv.engines.kernels.triples import Triple, dot, plus
@@ -16,6 +17,7 @@ from vv.scene import Vector
 NIL = (0.0, 0.0, 0.0)
 
 
+@bundle
 class Ground(NamedTuple):
     """What acts on a unit mass: accelerations of gravity and load [m/s2], a plane, drives.
 

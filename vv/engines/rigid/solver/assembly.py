@@ -15,6 +15,8 @@ import numpy as np
 
 from vv.engines.blocks.contacts import Contacts
 from vv.engines.blocks.geometry import Index
+from vv.engines.kernels.arrays import numbers, rows
+from vv.engines.kernels.bundles import bundle
 from vv.engines.kernels.compiled import called, inlined
 from vv.engines.kernels.triples import Triple, at, cross, dot, plus, put
 from vv.scene import Vector
@@ -22,6 +24,7 @@ from vv.scene import Vector
 MOBILE = 1e-12  # ratio of mobilities below which the less mobile direction is a locked one
 
 
+@bundle
 class Bodies(NamedTuple):
     """inverse, inverse_spin: (b, 3, 3), in the scene's frame; centre: (b, 3) [m], nil for walls."""
 
@@ -30,6 +33,7 @@ class Bodies(NamedTuple):
     centre: Vector
 
 
+@bundle
 class Joints(NamedTuple):
     """c contacts as a solver sees them.
 
@@ -115,11 +119,11 @@ def assemble(contacts: Contacts, count: int, bodies: Bodies) -> Joints:
         contacts.first[:count].copy(),
         contacts.second[:count].copy(),
         contacts.normal[:count].copy(),
-        np.empty((count, 3)),
-        np.empty((count, 3)),
-        np.empty((count, 3)),
-        np.empty(count),
-        np.empty(count),
+        rows(count),
+        rows(count),
+        rows(count),
+        numbers(count),
+        numbers(count),
     )
     for c in range(count):
         point = at(contacts.point, c)

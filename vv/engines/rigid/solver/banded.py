@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-import numpy as np
-
 from vv.engines.blocks.geometry import Index
+from vv.engines.kernels.arrays import counts, larger, smaller
 from vv.engines.kernels.compiled import called
 from vv.engines.rigid.solver.assembly import Joints
 from vv.scene import Vector
@@ -13,14 +12,16 @@ from vv.scene import Vector
 @called
 def neighbours(joints: Joints, blocks: int) -> tuple[Index, Index]:
     """The blocks that each block touches: they are other[start[i]:start[i + 1]], some repeated."""
-    start = np.zeros(blocks + 1, np.int64)
+    start = counts(blocks + 1)
+    for i in range(blocks + 1):
+        start[i] = 0
     for c in range(len(joints.first)):
         if joints.first[c] < blocks:
             start[joints.first[c] + 1] += 1
             start[joints.second[c] + 1] += 1
     for i in range(blocks):
         start[i + 1] += start[i]
-    other, filled = np.empty(start[blocks], np.int64), start[:blocks].copy()
+    other, filled = counts(start[blocks]), start[:blocks].copy()
     for c in range(len(joints.first)):
         a, b = joints.first[c], joints.second[c]
         if a < blocks:
@@ -37,7 +38,7 @@ def layers(place: Index, start: Index, other: Index, root: int, count: int) -> t
     Nearest first; place: (n,) -1 where a block has no number. Returns how many have one now, and
     the last that got it.
     """
-    queue, done, last = np.empty(len(place), np.int64), 0, root
+    queue, done, last = counts(len(place)), 0, root
     queue[0], place[root] = root, count
     many = done + 1
     while done < many:
@@ -58,7 +59,9 @@ def arranged(joints: Joints, blocks: int) -> tuple[Index, int]:
     In layers from a block that is as far from another as any (Cuthill and McKee 1969).
     """
     start, other = neighbours(joints, blocks)
-    place, count = np.full(blocks, -1, np.int64), 0 * blocks
+    place, count = counts(blocks), 0 * blocks
+    for i in range(blocks):
+        place[i] = -1
     for root in range(blocks):
         if place[root] < 0:
             trial = place.copy()
@@ -67,7 +70,7 @@ def arranged(joints: Joints, blocks: int) -> tuple[Index, int]:
     apart = 0 * blocks
     for c in range(len(joints.first)):
         if joints.first[c] < blocks:
-            apart = max(apart, abs(place[joints.first[c]] - place[joints.second[c]]))
+            apart = larger(apart, abs(place[joints.first[c]] - place[joints.second[c]]))
     return place, apart
 
 
@@ -80,7 +83,7 @@ def eliminate(matrix: Vector, right: Vector, half: int) -> None:
     """
     m = len(right)
     for k in range(m):
-        best, low, most = k, min(k + half, m - 1), min(k + 2 * half, m - 1)
+        best, low, most = k, smaller(k + half, m - 1), smaller(k + 2 * half, m - 1)
         for i in range(k + 1, low + 1):
             if abs(matrix[i, k - i + half]) > abs(matrix[best, k - best + half]):
                 best = i
@@ -97,6 +100,6 @@ def eliminate(matrix: Vector, right: Vector, half: int) -> None:
                     row[j + k - i] -= part * pivot[j]
                 right[i] -= part * right[k]
     for k in range(m - 1, -1, -1):
-        for j in range(k + 1, min(k + 2 * half, m - 1) + 1):
+        for j in range(k + 1, smaller(k + 2 * half, m - 1) + 1):
             right[k] -= matrix[k, j - k + half] * right[j]
         right[k] /= matrix[k, half]

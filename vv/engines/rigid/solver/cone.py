@@ -14,12 +14,15 @@ from typing import NamedTuple
 
 import numpy as np
 
+from vv.engines.kernels.arrays import clear, larger, nil_numbers, nil_rows, rows
+from vv.engines.kernels.bundles import bundle
 from vv.engines.kernels.compiled import called, inlined
 from vv.engines.kernels.triples import Triple, at, dot, plus, put
 from vv.engines.rigid.solver.assembly import Bodies, Joints, apply, relative
 from vv.scene import Vector
 
 
+@bundle
 class Friction(NamedTuple):
     """mu; need: (c,) [m/s]; d, turn: (c, 3), see above."""
 
@@ -65,7 +68,7 @@ def sweep(
             continue
         u = relative(joints, c, v, w)
         had = dot(before, n)
-        normal = max(0.0, had - (dot(u, n) - friction.need[c]) / joints.across[c])
+        normal = larger(0.0, had - (dot(u, n) - friction.need[c]) / joints.across[c])
         u = plus(u, normal - had, at(joints.pull, c))
         d, turn = at(friction.d, c), at(friction.turn, c)
         along = projected(joints.along[c], n, u, before, friction.mu * normal, d, turn)
@@ -83,12 +86,12 @@ def residual(p: Vector, joints: Joints, friction: Friction, v: Vector, w: Vector
             continue
         n, u, now = at(joints.normal, c), relative(joints, c, v, w), at(p, c)
         had = dot(now, n)
-        normal = max(0.0, had - (dot(u, n) - friction.need[c]) / joints.across[c])
-        worst = max(worst, abs(normal - had) * joints.across[c])
+        normal = larger(0.0, had - (dot(u, n) - friction.need[c]) / joints.across[c])
+        worst = larger(worst, abs(normal - had) * joints.across[c])
         d, turn = at(friction.d, c), at(friction.turn, c)
         along = projected(joints.along[c], n, u, now, friction.mu * had, d, turn)
         change = plus(along, -1.0, plus(now, -had, n))
-        worst = max(worst, np.sqrt(dot(change, change)) * joints.along[c])
+        worst = larger(worst, np.sqrt(dot(change, change)) * joints.along[c])
     return worst
 
 
@@ -102,12 +105,12 @@ def solve_contacts(
     At least `fewest` sweeps are made, unless there is nothing left to improve. Returns the sweeps
     made and the residual reached, which is larger if `most` sweeps were not enough.
     """
-    way, before = np.zeros_like(p), np.empty_like(p)
+    way, before = nil_rows(len(p)), rows(len(p))
     way_v, before_v, way_w, before_w = (
-        np.zeros_like(v),
-        np.empty_like(v),
-        np.zeros_like(w),
-        np.empty_like(w),
+        nil_rows(len(v)),
+        rows(len(v)),
+        nil_rows(len(w)),
+        rows(len(w)),
     )
     last, left = 0.0, residual(p, joints, friction, v, w)
     sweeps = 0
@@ -122,7 +125,7 @@ def solve_contacts(
             change = plus(at(p, c), -1.0, at(before, c))
             square = dot(change, change)
             size += square
-            largest = max(largest, square * max(joints.across[c], joints.along[c]) ** 2)
+            largest = larger(largest, square * larger(joints.across[c], joints.along[c]) ** 2)
         if (largest <= tolerance * tolerance and sweeps >= fewest) or sweeps == most:
             left = residual(p, joints, friction, v, w)
             if left <= tolerance or sweeps == most:
@@ -169,13 +172,14 @@ def push_out(
     The least displacement in the sense of the masses, found by so many sweeps; velocities have
     no part in it.
     """
-    pushed = np.zeros(len(gap))
-    x[:], turn[:] = 0.0, 0.0
+    pushed = nil_numbers(len(gap))
+    clear(x)
+    clear(turn)
     for _ in range(sweeps):
         for c in range(len(gap)):
             if joints.across[c] > 0.0:
                 n = at(joints.normal, c)
                 left = gap[c] + dot(n, relative(joints, c, x, turn))
-                more = max(-pushed[c], -left / joints.across[c])
+                more = larger(-pushed[c], -left / joints.across[c])
                 pushed[c] += more
                 apply(joints, c, bodies, x, turn, plus((0.0, 0.0, 0.0), more, n))

@@ -11,6 +11,7 @@ from __future__ import annotations
 import numpy as np
 
 from vv.engines.blocks.geometry import Index
+from vv.engines.kernels.arrays import clear, larger, nil_squares, numbers, rows
 from vv.engines.kernels.compiled import called
 from vv.engines.kernels.triples import Triple, at, cross, dot, plus, put
 from vv.engines.rigid.limits import INNER
@@ -31,7 +32,7 @@ def allowed(
     n, cap = at(joints.normal, c), friction.mu
     stiff = stiffness / joints.across[c]
     along = stiffness / joints.along[c] if joints.along[c] > 0.0 else 0.0
-    slope[:] = 0.0
+    clear(slope)
     un = dot(u, n)
     normal = dot(q, n) - stiff * (un - friction.need[c])
     if normal <= 0.0:
@@ -104,10 +105,10 @@ def balanced(
     """
     blocks, half = len(place), 6 * apart + 5
     m = 6 * blocks
-    x, y, z, o = v.copy(), w.copy(), np.empty_like(v), np.empty_like(w)
-    slope, right, matrix = np.zeros((3, 3)), np.empty(m), np.empty((m, 3 * half + 1))
+    x, y, z, o = v.copy(), w.copy(), rows(len(v)), rows(len(w))
+    slope, right, matrix = nil_squares(1)[0], numbers(m), np.empty((m, 3 * half + 1))
     for _ in range(INNER):
-        matrix[:] = 0.0
+        clear(matrix)
         keep(z, v)
         keep(o, w)
         for c in range(len(p)):
@@ -129,7 +130,7 @@ def balanced(
             for r in range(3):
                 x[i, r] += right[row + r]
                 y[i, r] += right[row + 3 + r]
-                most = max(most, abs(right[row + r]))
+                most = larger(most, abs(right[row + r]))
         if most <= 0.1 * tolerance:
             return True
     return False
