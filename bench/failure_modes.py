@@ -1,7 +1,7 @@
-"""How a block on an incline moves first, in `rigid`, at random points of the published chart.
+"""Whether `rigid` starts a block on an incline as the published chart of first motions says.
 
 `python -m bench.failure_modes` asks 400 points, in the plane and in space; `--seed` and `--points`
-choose others. The bar is that every answer is the chart's.
+choose others. The bar: every answer agrees with the chart.
 """
 
 import argparse
@@ -12,7 +12,7 @@ from tests.scenes.failure_modes import NEAR, charted, points, seen
 
 
 def main() -> None:
-    """Ask, count and judge."""
+    """Solve all points, count agreements and judge."""
     parser = argparse.ArgumentParser()
     parser.add_argument("--seed", type=int, default=2016)
     parser.add_argument("--points", type=int, default=400)

@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import NamedTuple
 
-from vv.base.closure import closure
+from vv.base.closure import import_closure
 from vv.plan.keys import roots
 from vv.plan.project import find
 
@@ -63,7 +63,7 @@ def kernels() -> dict[str, tuple[str, ...]]:
     exact = [f"vv/engines/exact/{name}.py" for name in BY_EVENTS]
     found: dict[str, tuple[str, ...]] = dict.fromkeys(exact, ("exact",))
     for code in ("dem", "rigid", "dda"):
-        for path in closure(project.adapter_files(code), roots(project)):
+        for path in import_closure(project.adapter_files(code), roots(project)):
             if path.suffix == ".py" and COMPILED.search(path.read_text()):
                 name = path.relative_to(ROOT).as_posix()
                 found[name] = (*found.get(name, ()), code)

@@ -27,7 +27,7 @@ from bench.schemata import build, copied, sources
 from bench.seeded_bugs import BUGS, Bug
 from bench.switch import NUMBER
 from vv.base.closure import source_digest
-from vv.base.files import write
+from vv.base.files import write_whole
 from vv.records.finding import Bit
 
 HANGS = "hangs"
@@ -185,7 +185,7 @@ def _asked_once(question: Question) -> str:
         return kept.read_text()
     answer = question.ask()
     if answer != HANGS:
-        write(kept, answer.encode())
+        write_whole(kept, answer.encode())
     return answer
 
 

@@ -13,7 +13,7 @@ from pathlib import Path
 
 from bench.mutants import COMPILED, ROOT, Mutant, parsed, turned
 from vv.base.closure import source_digest
-from vv.base.files import write
+from vv.base.files import write_whole
 
 CONTENT = ("vv", "adapters", "cases", "reference_solutions", "reports", "pyproject.toml")
 KERNEL = ("compiled", "called", "inlined", "shared")
@@ -54,7 +54,7 @@ def copied(folder: Path, changed: Mapping[str, bytes]) -> None:
     for name, content in wanted.items():
         path = folder / name
         if not path.is_file() or path.read_bytes() != content:
-            write(path, content)
+            write_whole(path, content)
 
 
 def switchable(mutant: Mutant) -> bool:

@@ -1,4 +1,4 @@
-"""How far a code's own energy ledger is from closing, for cases to judge."""
+"""The quantity `balance`: the energy that a code's own ledger leaves unexplained."""
 
 from __future__ import annotations
 
@@ -10,14 +10,27 @@ from vv.case import Exact, Scalar, Tolerance
 
 
 def balance(within: Mapping[Method, Tolerance]) -> Scalar:
-    """Energy that no term of the ledger explains, over the largest held; told by codes with one."""
-    what = "energy that no term explains, over the largest held"
-    return Scalar("balance", "|E - W|/W", "", what, _open_by, 0.0, 1.0, Exact(within), told=_kept)
+    """Energy that no term of the ledger explains, over the largest energy stored.
+
+    Judged only in codes that report a ledger.
+    """
+    what = "energy that no term of the ledger explains, over the largest energy stored"
+    return Scalar(
+        "balance",
+        "|E - W|/W",
+        "",
+        what,
+        _unaccounted,
+        0.0,
+        1.0,
+        Exact(within),
+        is_reported=_has_ledger,
+    )
 
 
-def _open_by(run: Run) -> float:
+def _unaccounted(run: Run) -> float:
     return run.ledger.unaccounted / run.ledger.peak if run.ledger else math.nan
 
 
-def _kept(run: Run) -> bool:
+def _has_ledger(run: Run) -> bool:
     return run.ledger is not None

@@ -1,10 +1,10 @@
-"""The rungs at which codes with springs meet rigid contact: stiffnesses, and steps at each."""
+"""Settings for scenes with rigid contact: stiffnesses of the springs, and steps for each."""
 
 from vv.ask import Knobs
 from vv.case import Level
 
 # w dt is 0.2 at most, where w = sqrt(kn/m) of a cubic metre of rock; three steps to each stiffness,
-# so that the limit of small steps can be told from that of stiff springs
+# so that errors of the step and of the stiffness can be separated
 STEPS = {
     1e8: (1e-3, 5e-4, 2.5e-4),
     1e9: (1e-4, 5e-5, 2.5e-5),
@@ -17,5 +17,5 @@ LEVELS = {
     Level.DEFAULT: (*RUNGS[:3], *COARSEST[1:]),  # three steps where they are cheapest
     Level.PAPER: RUNGS,
 }
-# of variants that are not timed, which differ little in what the stiffest springs cost and gain
+# for variants that are not timed: the stiffest springs are left out
 FEWER = {**LEVELS, Level.DEFAULT: RUNGS[:4]}

@@ -1,4 +1,4 @@
-"""Sines of closed forms as the motions of a scene."""
+"""Turns the sines of closed forms into the prescribed motion of a scene."""
 
 from collections.abc import Mapping
 

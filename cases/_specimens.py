@@ -1,4 +1,4 @@
-"""Close-packed blocks side by side between smooth platens, which are rigid or yield."""
+"""Scenes of close-packed blocks between smooth platens, which are rigid or on springs."""
 
 from __future__ import annotations
 
@@ -26,9 +26,9 @@ def block_of(size: int, d: float) -> Lattice:
 
 
 def specimen(p: Parameters, block: Lattice, rates: tuple[float, ...] = RATES) -> Scene:
-    """Blocks side by side between smooth platens that carry their ends apart, at steady rates.
+    """Blocks side by side, whose ends are moved apart by smooth platens at constant rates.
 
-    All elements start as they would go on in the infinite lattice.
+    All elements start with the velocities of the infinite lattice under that strain rate.
     """
     n, x = len(block.position), block.position - block.position.mean(axis=0)
     free = np.ones_like(x, bool)
@@ -53,9 +53,10 @@ def specimen(p: Parameters, block: Lattice, rates: tuple[float, ...] = RATES) ->
 
 
 def yielding(p: Parameters, block: Lattice) -> Scene:
-    """The specimen with each element of its ends on a spring of its own, `platen` [N/m].
+    """The specimen with a spring of stiffness `platen` [N/m] on each element of its ends.
 
-    The far ends of the springs are carried in their stead; they come last, in the order of `_ends`.
+    The far ends of the springs are moved instead of the elements; they are the last bodies, in the
+    order of `_ends`.
     """
     rigid = specimen(p, block)
     blocks, ends = rigid.spheres, _ends(block)
@@ -85,19 +86,19 @@ def yielding(p: Parameters, block: Lattice) -> Scene:
 
 
 def on_tops(block: Lattice) -> list[list[Reaction]]:
-    """The forces on the top of each block of a specimen."""
+    """The reactions of the elements on top of each block."""
     top = np.flatnonzero(block.at(2, 1)).tolist()
     return [[Reaction(i + k * len(block.position)) for i in top] for k in range(len(RATES))]
 
 
 def on_springs(block: Lattice) -> list[list[Reaction]]:
-    """The forces on the springs over each block whose platens yield."""
+    """The reactions of the springs on top of each block between platens on springs."""
     first, many = len(RATES) * len(block.position), len(_ends(block))
     return [[Reaction(first + k * many + i) for i in range(many // 2)] for k in range(len(RATES))]
 
 
 def _ends(block: Lattice) -> npt.NDArray[np.intp]:
-    """The elements of the last layer, then those of the first, as many."""
+    """Numbers of the elements of the last layer, then of the first."""
     return np.concatenate([np.flatnonzero(block.at(2, side)) for side in (1, 0)])
 
 

@@ -25,7 +25,7 @@ from vv.case import (
     Trial,
     Variant,
 )
-from vv.scene import Contact, Scene, Spheres, Vector, Wall, about_z, rotated
+from vv.scene import Contact, Scene, Spheres, Vector, Wall, rotated, rotation_about_z
 
 Path = Callable[[Vector], Vector]  # times (k,) -> displacements (k, directions)
 
@@ -69,7 +69,7 @@ def _two(p: Parameters) -> Scene:
         load=np.array([p["load"] * X, -p["load"] * X]),
     )
     scene = Scene((spheres,), Contact(p["kn"], p["ks"], p["mu"]))
-    return rotated(scene, about_z(ANGLE))
+    return rotated(scene, rotation_about_z(ANGLE))
 
 
 def _floor_path(p: Parameters, t: Vector) -> Vector:
@@ -104,7 +104,7 @@ def _motion(what: Displacement, scene: Scene, directions: int, path: Path) -> Mo
 def _of_sphere(motion: Motion) -> tuple[Quantity, ...]:
     words = ("along the throw", "across the throw, level", "up")
     parts = [
-        motion.part(i, axis, f"displacement of the sphere {how}", ON_FLOOR)
+        motion.component(i, axis, f"displacement of the sphere {how}", ON_FLOOR)
         for i, (axis, how) in enumerate(zip("xyz", words, strict=True))
     ]
     return (*parts, motion.distance(ON_FLOOR))
@@ -113,7 +113,7 @@ def _of_sphere(motion: Motion) -> tuple[Quantity, ...]:
 def _of_pair(motions: list[Motion]) -> tuple[Quantity, ...]:
     parts = (("x", "along the first line of centres", ALONG), ("y", "across it", ACROSS))
     return tuple(
-        motion.part(i, f"{axis}{n}", f"displacement of sphere {n} {how}", judge)
+        motion.component(i, f"{axis}{n}", f"displacement of sphere {n} {how}", judge)
         for n, motion in enumerate(motions, 1)
         for i, (axis, how, judge) in enumerate(parts)
     )

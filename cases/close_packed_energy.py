@@ -1,4 +1,4 @@
-"""What becomes of the work that pulls or presses blocks of bonded elements to failure."""
+"""The energy balance of blocks of bonded elements that are pulled or pressed to failure."""
 
 from __future__ import annotations
 
@@ -81,7 +81,7 @@ def energy(forms: tuple[Form, ...], run: Run) -> Vector:
 
 
 def work(run: Run) -> Vector:
-    """What the platens have put in (k,) [J]."""
+    """The work of the platens (k,) [J]."""
     return -run.energies[Form.CARRYING]
 
 
@@ -108,7 +108,7 @@ def _histories() -> Iterator[Series]:
 
 
 def _held(p: Parameters, block: Lattice, E: float, strain: float) -> Scalar:
-    """The elastic energy of a block that no bond has left yet, E eps^2/2 a unit of volume."""
+    """The elastic energy of a block before any bond breaks, E eps^2/2 per unit of volume."""
     exact = E * strain**2 / 2 * block.area * block.height
 
     def observe(run: Run) -> float:
@@ -120,14 +120,15 @@ def _held(p: Parameters, block: Lattice, E: float, strain: float) -> Scalar:
 
 
 def _beside_fig_6(variant: str) -> Iterator[Scalar]:
-    """What the paper tells of its block of 2166 elements that is pulled in two."""
+    """Quantities that the paper reports of its block of 2166 elements that is pulled in two."""
     share, time = (0.162, 2.83e-6) if variant == "pulled-2166" else (None, None)
     yield Scalar(
-        "kinetic share", "max E_k/W", "", "the largest kinetic energy over the work by then",
+        "kinetic share", "max E_k/W", "", "largest kinetic energy over the work done until then",
         _share, share, 0.162, Shown(f"{OTHER_RATE}; the paper's block of 2166 has 16.2 %"),
     )  # fmt: skip
     yield Scalar(
-        "crack time", "t_c", "s", "from 1 % to 99 % of the breaking heat",
+        "crack time", "t_c", "s",
+        "time in which the breaking heat grows from 1 % to 99 % of its final value",
         _crossing, time, 2.83e-6, Shown(f"{OTHER_RATE}; the paper's block of 2166 has 2.83e-6 s"),
     )  # fmt: skip
 
@@ -139,7 +140,7 @@ def _share(run: Run) -> float:
 
 
 def _crossing(run: Run) -> float:
-    """How long bonds part [s], told between outputs."""
+    """The time in which bonds break [s], interpolated between outputs."""
     heat = energy(BROKEN, run)
     if not heat[-1] > 0.0:
         return float("nan")
@@ -162,23 +163,23 @@ def _strength(p: Parameters, block: Lattice, name: str, printed: float, beside: 
     return Scalar(name, name, "", f"{name}, less 1; {beside}", observe, None, 1.0, Shown(AS_SEEN))
 
 
-UNKNOWN = "no exact answer is known through failure; what is judged is that all forms balance"
-OPEN = "its largest is judged as the balance; this shows when it comes"
-OTHER_RATE = "the paper loads in steps, 25 times slower on the whole"
-AS_SEEN = "at this rate, to which viscosity adds; close-packed-strength tells it at no rate"
+UNKNOWN = "no exact answer is known through failure; the balance of all forms is judged instead"
+OPEN = "its largest value is judged as `balance`; this shows at which time it occurs"
+OTHER_RATE = "the paper loads in steps, 25 times more slowly on average"
+AS_SEEN = "viscosity adds to it at this rate; close-packed-strength has it at zero rate"
 CLASSES = (Method.SECOND_ORDER, Method.FIRST_ORDER)
 BOOKED = (
-    "what bonds hold as they part is booked as the scheme sees it, as are drag and friction; what "
-    "is left over comes of bonds that turn and contacts that close within a step"
+    "the energy of a bond when it breaks, drag and friction are recorded as the scheme computes "
+    "them; the rest is due to bonds that turn and contacts that close within a step"
 )
 CLOSED = {
     "pulled": Tolerance(1e-6, BOOKED, dt=1e-8, order=2),
     "pressed": Tolerance(
-        1e-5, f"{BOOKED}, of which a block that slides has many", dt=1e-8, order=2
+        1e-5, f"{BOOKED}, which are many in a block that slides", dt=1e-8, order=2
     ),
 }
 SIGNS = {"pulled": 1.0, "pressed": -1.0}
-SOON = "the answer is linear; viscosity at this rate and finite strain of 1e-4 change it"
+SOON = "the answer is linear; viscosity at this rate and a finite strain of 1e-4 change it"
 LINEAR: Judge = Exact(dict.fromkeys(CLASSES, Tolerance(2e-4, SOON)))
 RUNGS = tuple(Knobs(dt=8e-8 / 2**i) for i in range(4))
 LEVELS = {Level.QUICK: RUNGS[:2], Level.DEFAULT: RUNGS, Level.PAPER: RUNGS}

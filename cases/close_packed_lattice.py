@@ -31,8 +31,8 @@ from vv.case import (
 from vv.scene import Bonds, Contact, Mask, Scene, Spheres, Vector
 
 SIDES = ((0, 0), (0, 1), (1, 0), (1, 1))  # axis and side of the extreme rows across the load
-LOADING = 5.0  # over the lowest frequency: for so long what changes is measured
-SETTLED = {False: 4, True: 80}  # how many times that is waited first; True: elements turn
+LOADING = 5.0  # over the lowest frequency: the interval over which changes are measured
+SETTLED = {False: 4, True: 80}  # how many such intervals pass before; True: elements rotate
 
 
 @functools.lru_cache(maxsize=16)
@@ -144,11 +144,16 @@ def _judge(strain: float, turning: bool) -> Judge:
     return Exact(dict.fromkeys((Method.SECOND_ORDER, Method.FIRST_ORDER), tolerance))
 
 
-LEFT = "at a steady rate no step counts; to first order in the strain lies what turns with it"
-LEFT_TURNING = (
-    "turning is slowed by the centres only, and 1e-5 of it is left; the strain counts as well"
+LEFT = (
+    "at a constant rate the step has no effect; the rest is of first order in the strain, since "
+    "bonds turn with it"
 )
-FACES: Judge = Shown("elements at the faces lack bonds, and the area of a block is a convention")
+LEFT_TURNING = (
+    "rotation is damped through the centres only, and 1e-5 of it is left; bonds turn as well"
+)
+FACES: Judge = Shown(
+    "elements at the faces have fewer bonds, and the area of a block is a convention"
+)
 RUNGS = {
     Level.QUICK: (Knobs(dt=1e-7), Knobs(dt=5e-8)),
     Level.DEFAULT: (Knobs(dt=1e-7), Knobs(dt=5e-8)),

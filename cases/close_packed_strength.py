@@ -67,11 +67,11 @@ def _declare(variant: str, p: Parameters) -> Trial:
     watched: tuple[Observable, ...] = tuple(what for top in tops for what in top)
     quantities = (*_strength(expected, whole), _hurry(expected, seen), _balance(way, int(size)))
     rungs = dict.fromkeys(Level, RUNGS[:1]) if int(size) > LARGE else LEVELS
-    return Trial(Ladder(scene, goal, watched, rungs, patience=PATIENCE), quantities)
+    return Trial(Ladder(scene, goal, watched, rungs, cpu_limit=PATIENCE), quantities)
 
 
 def _balance(way: str, size: int) -> Scalar:
-    """The more bonds part at once, the more is left, in blocks that slide more than in others."""
+    """The error grows with the number of bonds that break at once, most in blocks that slide."""
     if size > LARGE:
         return booked(1e-3, dt=COARSEST)
     if way == "yielding":
@@ -112,7 +112,7 @@ def _largest(tops: list[list[Reaction]], area: float, which: int, run: Run) -> f
 
 
 def _slower(seen: Callable[[int, Run], float], run: Run) -> float:
-    """Where bonds slide one after the other, how far they get differs with the rate at random."""
+    """The strength [Pa] at the slower rate; bonds that slide one by one allow no extrapolation."""
     return seen(1, run)
 
 
@@ -131,8 +131,11 @@ def _strength(expected: Expected, whole: Callable[[Run], float]) -> tuple[Quanti
 
 
 def _hurry(expected: Expected, seen: Callable[[int, Run], float]) -> Scalar:
-    """How much of a strength comes of the slower rate: the error of loading no slower."""
-    name, what = f"{expected.name} at the rate", "the slower block over that at no rate, less 1"
+    """The part of a strength that is due to the slower rate: the error without extrapolation."""
+    name, what = (
+        f"{expected.name} at the rate",
+        "strength of the slower block over that extrapolated to zero rate, less 1",
+    )
 
     def more(run: Run) -> float:
         return seen(1, run) / unhurried(seen, run) - 1.0
@@ -146,11 +149,13 @@ PUBLISHED = {
     "T_u": "the paper's mean over its blocks is -8.89 %",
     "C_u": "the paper's mean over its blocks is -18.51 %, which rigid smooth platens do not give",
 }
-TOLD = "the strength is told of two rates; this is what one would add to it"
-FACES = "the equation knows no faces; it stands beside what the paper reports"
-APART_BY = "outputs are 5e-4 of the strength apart, which is seen three times in what is told of "
-OPENS = f"the answer is linear, which finite strain changes by 1e-4; {APART_BY}a rate of zero"
-SLIDES = f"the answer takes bonds to open at the unit's strain; {APART_BY}a rate of zero"
+TOLD = "the strength is extrapolated from two rates; this is the error that one rate would leave"
+FACES = "the equation is for a lattice without faces; shown for comparison with the paper"
+APART_BY = (
+    "outputs are 5e-4 of the strength apart, which enters three times in the extrapolation to "
+)
+OPENS = f"the answer is linear, which finite strain changes by 1e-4; {APART_BY}zero rate"
+SLIDES = f"the answer takes bonds to open at the unit's strain; {APART_BY}zero rate"
 CLASSES = (Method.SECOND_ORDER, Method.FIRST_ORDER)
 FIRST: Judge = Exact(dict.fromkeys(CLASSES, Tolerance(2e-3, OPENS)))
 AT_ONCE: Judge = Exact(dict.fromkeys(CLASSES, Tolerance(2e-3, SLIDES)))

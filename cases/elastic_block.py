@@ -34,7 +34,7 @@ Z = np.array([0.0, 0.0, 1.0])
 STEPS, STIFF = (0.02, 0.01, 0.005, 0.0025), 1e4  # steps times w, springs over E a b/L
 SEEN, OUTPUTS = 4 * STEPS[0], 118  # between outputs, times w, and how many: a period and a half
 QUICK = 2.0  # of a free block: the part of a mode that is 2.3 times as quick is small
-APART = 12  # outputs: about a radian of the swing
+APART = 12  # outputs: about one radian of the oscillation
 SLOW, SOFT, LONG = (1.0, 0.5), 50.0, 200.0  # steps, springs and duration of what comes to rest
 
 
@@ -119,7 +119,7 @@ def _spun(p: Parameters, w: float) -> tuple[Quantity, ...]:
     def path(t: Vector) -> Vector:
         return exact.seen_from_rest(exact.spinning(t, **_law(p), spin=p["spin"]), p["spin"] * t)
 
-    judge = Exact(_swing(QUICK, w).tolerances, shown={Method.LAGGING: NO_PULL})
+    judge = Exact(_swing(QUICK, w).tolerances, not_judged={Method.LAGGING: NO_PULL})
     return tuple(_along(axis, path, p, judge) for axis in range(3))
 
 
@@ -177,7 +177,7 @@ HIGH = (
     "the continuum's first mode is pi/sqrt(12) as quick, a quarter of a sine; with one strain for "
     "all a block is stiffer, by 10 % in frequency"
 )
-NO_PULL = "formulations of this class may leave out inertia that turns, which alone strains it here"
+NO_PULL = "formulations of this class may lack the centrifugal force, the only cause of strain here"
 MEASURED = {"pressed": _pressed, "ringing": _ringing, "coupled": _coupled, "spun": _spun}
 HELD = "m s_i^2/12 e_i'' + V sum_j C_ij e_j = F_i"
 CASE = Case(

@@ -38,7 +38,7 @@ def _axes(alpha: float) -> Vector:
 
 
 def _scene(variant: str, p: Parameters) -> Scene:
-    """A cube that cannot turn, or a plate that does not, on a plane that falls towards +x."""
+    """A cube that cannot rotate, or a plate that need not, on a plane that dips towards +x."""
     axes = _axes(p["alpha"])
     half = np.array([SIDE, SIDE, FLAT if variant == FREE else SIDE]) / 2
     vertices, faces = box_geometry(half[2] * axes[2], half, axes)
@@ -86,7 +86,7 @@ def _down(p: Parameters, scene: Scene, goal: History) -> tuple[Quantity, ...]:
 
 
 def _both(p: Parameters, scene: Scene, goal: History) -> tuple[Quantity, ...]:
-    """The motion along dip and strike, which turns."""
+    """The motion along dip and strike, whose direction rotates."""
     if p["v0"]:
         raise ValueError(
             f"v0 = {p['v0']!r} m/s; shaken along the strike too, the block starts at rest"
@@ -101,8 +101,8 @@ def _both(p: Parameters, scene: Scene, goal: History) -> tuple[Quantity, ...]:
     turning = SWEPT if scene.unknowns() > len(scene.axes) else TURNING
     judge = Exact({**TOLERANCES, Method.SECOND_ORDER: turning})
     return (
-        motion.part(0, "d", "displacement down the dip", judge),
-        motion.part(1, "s", "displacement along the strike", judge),
+        motion.component(0, "d", "displacement down the dip", judge),
+        motion.component(1, "s", "displacement along the strike", judge),
         motion.distance(judge),
     )
 
@@ -110,29 +110,29 @@ def _both(p: Parameters, scene: Scene, goal: History) -> tuple[Quantity, ...]:
 TOLERANCES = {
     Method.EXACT: Tolerance(
         1e-12,
-        "rounding of a few hundred located events",
-        slack="gravity alone has no event, the sine has one or two a cycle; one bound serves all",
+        "rounding errors of a few hundred located events",
+        slack="gravity alone has no event, the sine one or two per cycle; one bound for all",
     ),
     Method.SECOND_ORDER: Tolerance(
         5e-5,
-        "the trapezoidal rule integrates gravity exactly and the sine to (w dt)^2/12 a cycle; "
-        "events are located within the step",
+        "the trapezoidal rule integrates gravity exactly, and the sine with an error of "
+        "(w dt)^2/12 per cycle; events are located within the step",
         dt=1e-3,
         order=2,
         floor=1e-7,
     ),
     Method.PENALTY: Tolerance(
         1e-3,
-        "the shear spring lags each time slip begins and ends; gravity alone, whose springs start "
-        "charged, has no such time",
-        slack="one bound serves all: two slips a second err by 1e-4 of their way, none by rounding",
+        "the shear spring delays every beginning and end of slip; under gravity alone, with "
+        "springs charged at the start, there is none",
+        slack="one bound is used for all: two slips per second cause 1e-4, no slip rounding only",
         kn=1e10,
         softness=0.5,
     ),
     Method.LAGGING: Tolerance(
         1e-2,
-        "on springs without shear at the start a block at phi = 25 gains mu g cos(alpha) "
-        "sqrt(m/ks), 7 % of its way at 1e8 N/m; less where it slides faster",
+        "with uncharged shear springs at the start a block at phi = 25 gains the speed mu g "
+        "cos(alpha) sqrt(m/ks), 7 % of its displacement at 1e8 N/m; less where it slides faster",
         slack="at phi = 5 the same gain is 0.2 %",
         kn=1e10,
         softness=0.5,
@@ -140,14 +140,14 @@ TOLERANCES = {
 }
 TURNING = Tolerance(
     1e-4,
-    "where the slip turns, friction takes the mean of its directions over a step",
+    "where the direction of slip rotates, friction acts along its mean direction over a step",
     dt=1e-3,
     order=2,
     floor=1e-7,
 )
 SWEPT = Tolerance(
     TURNING.value,
-    f"{TURNING.reason}; sweeps over four contacts leave a residual in each of 240 000 steps",
+    f"{TURNING.reason}; iterations over four contacts leave a residual in each of 240 000 steps",
     dt=TURNING.dt,
     order=TURNING.order,
     floor=3e-7,
@@ -192,7 +192,7 @@ def _variants() -> tuple[Variant, ...]:
                 {**sine, "phi": 30.0, "A": 20.0}, one_way),
         Variant("two-directions", "a sine along the dip and one along the strike", TURN,
                 {"alpha": 45.0, "phi": 50.0, "A": 2.0, "Ay": 1.0, "fy": 2.0, "duration": 6.0}),
-        Variant(FREE, "the same for a plate that can turn, and does not", TURN,
+        Variant(FREE, "the same for a plate that may rotate, but by the physics does not", TURN,
                 {"alpha": 45.0, "phi": 50.0, "A": 2.0, "Ay": 1.0, "fy": 2.0, "duration": 3.0}),
         Variant("at-yield", "phi = alpha: the velocity touches zero once a cycle", NEWMARK,
                 {**sine, "phi": 20.0}, one_way | {"g"}),

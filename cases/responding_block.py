@@ -24,7 +24,7 @@ from vv.case import (
     Tolerance,
     Trial,
     Variant,
-    grid,
+    knob_grid,
 )
 from vv.scene import Block, Contact, Harmonic, Scene, Vector, Wall, box_geometry, polyhedron_inertia
 
@@ -39,9 +39,10 @@ REST = np.full(3, -np.pi / 2)  # the phase at which 1 - cos stands still
 
 
 def _scene(variant: str, p: Parameters) -> Scene:
-    """A cube that cannot turn, on a level wall that moves by D (1 - cos 2 pi f t) along axes.
+    """A cube that cannot rotate, on a level wall that moves by D (1 - cos 2 pi f t) along axes.
 
-    A plate that can turn does not: pressure leans along the friction, which so does not twist it.
+    A plate that can rotate stays level: the contact pressure shifts along the direction of
+    friction and balances its moment.
     """
     moved = np.array([p["D"], p["Dy"], p["Dz"]])
     motion = Harmonic(moved, np.array([p["f"], p["fy"], p["fz"]]), REST)
@@ -59,7 +60,7 @@ def _scene(variant: str, p: Parameters) -> Scene:
 
 
 def _directions(p: Parameters) -> int:
-    """How many axes the block moves along: those behind the last that shakes are not there."""
+    """Number of axes along which the block is free: up to the last one that is shaken."""
     for name in ("Dy", "Dz"):
         if p[name] < 0:
             raise ValueError(f"{name} = {p[name]!r} m; an amplitude must be zero or more")
@@ -91,7 +92,7 @@ def _declare(variant: str, p: Parameters) -> Trial:
         return Trial(Ladder(_scene(variant, p), goal, (BLOCK,), MAP), (motion.distance(EXPLORED),))
     judge = Exact(_tolerances(p))
     parts = tuple(
-        motion.part(i, f"d2{axis}", f"displacement of the block along {axis}", judge)
+        motion.component(i, f"d2{axis}", f"displacement of the block along {axis}", judge)
         for i, axis in enumerate("xyz"[:directions])
     )
     whole = (motion.distance(judge),) if directions > 1 else ()
@@ -102,45 +103,45 @@ def _declare(variant: str, p: Parameters) -> Trial:
 
 STIFFNESSES = (1e7, 2.4e7, 5.6e7, 1.3e8, 3.2e8, 7.5e8, 1.8e9, 4.2e9, 1e10)
 STEPS = (5e-4, 2e-4, 1e-4, 5e-5, 2e-5, 1e-5)  # at 1e-3 explicit codes diverge on the stiffest
-THIN = grid((5e-4, 2e-4), (1e7, 1.3e8, 7.5e8))  # stable in explicit codes too
+THIN = knob_grid((5e-4, 2e-4), (1e7, 1.3e8, 7.5e8))  # stable in explicit codes too
 MAP = {
     Level.QUICK: THIN[-1:],
     Level.DEFAULT: THIN,
-    Level.PAPER: grid(STEPS, STIFFNESSES),
+    Level.PAPER: knob_grid(STEPS, STIFFNESSES),
 }
 EXPLORED = Shown(
-    "a map of where springs that stand in for rigid contact serve: soft ones rock and creep, "
-    "stiff ones call for small steps, and which is best is what is asked"
+    "a map over stiffness and step of springs that stand for rigid contact: soft springs rock and "
+    "creep, stiff ones need small steps; it shows which are best, and none is judged"
 )
 
 
 def _tolerances(p: Parameters) -> dict[Method, Tolerance]:
-    """Slip that turns about twice a cycle, and slip that turns round, cost a code accuracy."""
+    """Tolerances that depend on how often slip reverses, and whether its direction rotates."""
     second = {1: 2e-4 if p["f"] <= 3 else 1e-3, 2: 5e-4, 3: 1e-3}[_directions(p)]
     return {
         Method.EXACT: Tolerance(
             1e-12,
-            "rounding of a few hundred located events",
+            "rounding errors of a few hundred located events",
         ),
         Method.SECOND_ORDER: Tolerance(
             second,
-            "slip begins and ends within steps, at every shake of the base; where it turns round "
-            "the direction of friction is that of a mean",
+            "slip begins and ends within steps, in every cycle of the base; where its direction "
+            "rotates, friction acts along the mean direction of a step",
             dt=1e-3,
             order=2,
             floor=1e-7,
         ),
         Method.PENALTY: Tolerance(
             5e-3,
-            "the shear spring lags each time slip turns back by sqrt(mu N/(ks a)), so that the "
+            "each time slip reverses, the shear spring delays it by sqrt(mu N/(ks a)); so the "
             "error falls as kn^-1/2 once the step resolves the contact",
             kn=1e10,
             softness=0.5,
         ),
         Method.LAGGING: Tolerance(
             1e-2,
-            "as with other springs, and friction that is an iteration late may choose the wrong "
-            "side at a turn: twice as much was seen at 5 Hz",
+            "as with other springs; besides, friction that is one iteration late may point the "
+            "wrong way where slip reverses: twice that error was seen at 5 Hz",
             kn=1e10,
             softness=0.5,
         ),
@@ -179,7 +180,7 @@ def _variants() -> tuple[Variant, ...]:
                 {"D": 0.3, "f": 2.0, "Dy": 0.2, "fy": 4.0}, inert=frozenset({"fz"})),
         Variant("3d", "along x, y and z: 0.1 m at 2, 4 and 1 Hz", MORE,
                 {"D": 0.1, "f": 2.0, "Dy": 0.1, "fy": 4.0, "Dz": 0.1, "fz": 1.0}),
-        Variant(FREE, "the same for a plate that can turn, and does not", MORE,
+        Variant(FREE, "the same for a plate that may rotate, but by the physics does not", MORE,
                 {"D": 0.1, "f": 2.0, "Dy": 0.1, "fy": 4.0, "Dz": 0.1, "fz": 1.0, "duration": 2.0}),
         Variant("map", "3d over contact stiffness and step, as in Fig. 23", MORE,
                 {"D": 0.1, "f": 2.0, "Dy": 0.1, "fy": 4.0, "Dz": 0.1, "fz": 1.0},

@@ -30,10 +30,10 @@ from vv.scene import (
     Spheres,
     Vector,
     Wall,
-    about_z,
     initial_normal_forces,
     rotated,
-    swapped,
+    rotation_about_z,
+    with_bodies_reversed,
 )
 
 ANGLE = 0.9  # rad; arbitrary, far from every axis and diagonal
@@ -84,16 +84,16 @@ def _scene(variant: str, p: Parameters) -> tuple[Scene, int, Vector]:
     eta = p["eta"] if test in ("T2", "T4") else 0.0
     scene = _normal_scene(p, eta) if test in ("T1", "T2") else _shear_scene(p, eta)
     if change == "swapped":
-        return swapped(scene), 0, scene.axes[1]
+        return with_bodies_reversed(scene), 0, scene.axes[1]
     if change == "free":
         scene = _let_go(scene)
     if change == "rotated":
-        scene = rotated(scene, about_z(ANGLE))
+        scene = rotated(scene, rotation_about_z(ANGLE))
     return scene, 1, scene.axes[1]
 
 
 def _let_go(scene: Scene) -> Scene:
-    """The scene free to move in every direction: a dead load holds the contact, not a lock."""
+    """The scene without locks on the moving body; a dead load keeps its contact closed instead."""
     free = np.array([body.any() for body in scene.spheres.free])[:, None] & np.ones(3, bool)
     load = np.where(free, -initial_normal_forces(scene), 0.0)
     let_go = dataclasses.replace(scene.spheres, free=free, load=load)
@@ -128,21 +128,21 @@ LEVELS = {Level.QUICK: RUNGS[1:5:2], Level.DEFAULT: RUNGS, Level.PAPER: RUNGS}
 TOLERANCES = {
     Method.EXACT: Tolerance(
         1e-13,
-        "rounding: some hundred operations of eps = 2.2e-16 each",
-        slack="T1 and T2 come within a few eps; T3 and T4 lose two digits where slip begins and "
-        "ends, and one bound serves all four",
+        "rounding errors of about a hundred operations, eps = 2.2e-16 each",
+        slack="T1 and T2 are exact to a few eps; T3 and T4 lose two digits where slip begins and "
+        "ends, and one bound is used for all four",
     ),
     Method.SECOND_ORDER: Tolerance(
         1e-4,
-        "the leapfrog's own error is (k dt)^2/24 a period, 2e-5 at 1e-3 s; the events at the "
-        "ends of contact and slip add a part of a step of the same order",
+        "the phase error of a leapfrog, (k dt)^2/24 per period, is 2e-5 at 1e-3 s; where contact "
+        "and slip begin or end within a step, errors of the same order are added",
         dt=1e-3,
         order=2,
     ),
     Method.FIRST_ORDER: Tolerance(
         2.5e-2,
-        "drag taken half a step late changes its coefficient by n dt = 0.7 % at 1e-3 s, a "
-        "start half a step late the velocity by as much; T4 collects both over three stages",
+        "drag half a step late changes its coefficient by n dt = 0.7 % at 1e-3 s, and a start half "
+        "a step late changes the velocity by as much; both add up over the three stages of T4",
         dt=1e-3,
         order=1,
         slack="a dead load lowers a scheme to first order; where it only balances the contact, "
@@ -152,7 +152,7 @@ TOLERANCES = {
 
 
 def _variants() -> tuple[Variant, ...]:
-    """T1-T4, then each mirrored, renumbered and turned: the same answer is due every time."""
+    """T1-T4, then each mirrored, renumbered, unlocked and rotated, with the same exact answer."""
     plain = [Variant(test, *words, inert=INERT[test]) for test, words in WORDS.items()]
     changed = [
         Variant(f"{v.name}-{change}", f"{v.summary}; {how}", v.formula, defaults, v.inert)
@@ -193,8 +193,8 @@ INERT = {
 CHANGES: tuple[tuple[str, str, Parameters], ...] = (
     ("mirrored", "thrown the other way", {"v_b": -1.0}),
     ("swapped", "bodies in the opposite order", {}),
-    ("free", "no direction locked: a dead load holds the contact", {}),
-    ("rotated", f"the whole scene turned by {ANGLE} rad", {}),
+    ("free", "no direction locked: a dead load keeps the contact closed", {}),
+    ("rotated", f"the whole scene rotated by {ANGLE} rad", {}),
 )
 CASE = Case(
     name="single-contact",

@@ -112,7 +112,7 @@ def _slid(p: Parameters, unit: int, run: Run) -> float:
 
 
 def _at(stress: Vector, borne: Vector, peak: int) -> float:
-    """The stress [Pa] where bonds part, told from the last two outputs before they did.
+    """The stress [Pa] at which bonds break, extrapolated from the last two outputs before that.
 
     It is where what they bear, over their strength, gets to 1: less than an output later, and two
     at most before the stress is seen to fall. Bonds that part elsewhere give another stress.
@@ -123,7 +123,7 @@ def _at(stress: Vector, borne: Vector, peak: int) -> float:
 
 
 def unhurried(seen: Callable[[int, Run], float], run: Run) -> float:
-    """The strength [Pa] at no rate of loading, from those of specimens at both RATES."""
+    """The strength [Pa] extrapolated to zero rate of loading, from specimens at both RATES."""
     fast, slow = (seen(unit, run) for unit in range(len(RATES)))
     return slow + (slow - fast) / (RATES[0] / RATES[1] - 1.0)
 
@@ -132,7 +132,7 @@ def _strength(
     name: str, meaning: str, seen: Callable[[Parameters, int, Run], float], p: Parameters,
     exact: float, equation: str, printed: float, bound: float,
 ) -> tuple[Quantity, ...]:  # fmt: skip
-    """A strength at no rate of loading, what the rate adds, and how far the equation is off."""
+    """A strength at zero rate, its value at the slower rate, and the error of the equation."""
     told = functools.partial(seen, p)
     whole = functools.partial(unhurried, told)
     return (
@@ -151,7 +151,7 @@ def _strength(
 
 
 def booked(bound: float, slack: str = "", dt: float = 1e-8) -> Scalar:
-    """How far the ledger is from closing; bound: what is allowed at a step dt [s]."""
+    """The quantity `balance`, judged with a bound at the step dt [s]."""
     orders = {Method.SECOND_ORDER: 2, Method.FIRST_ORDER: 1}
     return balance(
         {m: Tolerance(bound, BOOKED, dt=dt, order=n, slack=slack) for m, n in orders.items()}
@@ -190,13 +190,13 @@ OWN = {
     "C_u": "the paper's own run is 1.73 % below, with its viscosity at its rate",
 }
 BOOKED = (
-    "what bonds hold as they part is booked as the scheme sees it; what is left over comes of "
+    "the energy of a bond when it breaks is recorded as the scheme computes it; the rest is due to "
     "bonds that turn and contacts that close within a step"
 )
 FEW = "pulled apart, the unit hardly turns its bonds"
 RATE = (
-    "of two rates of loading one at rest is told; what is left is of second order in them, more "
-    "of it on the longer way under pressure; no step counts"
+    "the strength at zero rate is extrapolated from two rates; the error is of second order in the "
+    "rates, larger on the longer way under pressure, and does not depend on the step"
 )
 
 

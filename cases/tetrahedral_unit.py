@@ -1,4 +1,4 @@
-"""Four bonded elements: at rest under an axial force, breathing, and turned as a whole."""
+"""Four bonded elements: at rest under an axial force, breathing, and rotating as a whole."""
 
 from __future__ import annotations
 
@@ -44,12 +44,14 @@ EDGES = np.array([[0, 1], [0, 2], [0, 3], [1, 2], [2, 3], [3, 1]])
 BASE = np.array([[True, True, True], *[[True, True, False]] * 3])
 SEEN = tuple(Displacement(i) for i in range(4))
 REST = History(duration=6e-5, interval=6e-6)
-LONG = History(duration=2.4e-4, interval=2.4e-5)  # what turns is slowed by its centres only
+LONG = History(
+    duration=2.4e-4, interval=2.4e-5
+)  # rotation is damped only through the motion of the centres
 SWING = History(duration=2e-6, interval=2e-8)
 
 
 def unit(p: Parameters, eta: float, **motion: Vector) -> Scene:
-    """The unit on unbreakable bonds; elements do not turn."""
+    """The unit with unbreakable bonds; elements rotate only if `motion` frees their spin."""
     data = {"velocity": np.zeros((4, 3)), "free": np.ones((4, 3), bool), **motion}
     spheres = Spheres(
         p["d"] * CORNERS, radius=np.full(4, p["d"] / 2), mass=np.full(4, p["m"]), **data
@@ -65,7 +67,7 @@ def _force(p: Parameters, ks: float) -> float:
 
 
 def _loaded(p: Parameters, turning: bool) -> Trial:
-    """Under a dead load; where elements turn, they do until no shear spring holds any force."""
+    """The unit under a dead load; free elements rotate until all shear springs are slack."""
     kn, d = p["kn"], p["d"]
     ks = 0.0 if turning else p["gamma"] * kn
     fz = _force(p, ks)
@@ -78,7 +80,7 @@ def _loaded(p: Parameters, turning: bool) -> Trial:
 
 
 def _measured(kn: float, ks: float, d: float, state: State, fz: float) -> tuple[Quantity, ...]:
-    """What is seen at rest, on the equilibrium path, and to first order in the strain."""
+    """E, nu and displacements at rest: at finite strain, and to first order in the strain."""
     E, nu = lattice_material.youngs_modulus(kn, ks, d), lattice_material.poissons_ratio(kn, ks)
     small = tetrahedral_unit.small_strain(fz, kn, ks)
     small = small._replace(xs1=abs(small.xs1))
@@ -109,9 +111,9 @@ MEASURED = (
 
 
 def _across(x: Displacements, d: float) -> float:
-    """The displacement [m] of the top against the base, across the inclined bond as it now is.
+    """Displacement [m] of the top relative to the base, across the deformed inclined bond.
 
-    The spring's own X_s1, which it has gathered on its way, is another to first order in strain.
+    It differs, at first order in the strain, from the X_s1 that the shear spring accumulates.
     """
     out, up = x.xn2 / np.sqrt(3), x.dz
     angle = np.arctan2(d / np.sqrt(3) + out, d * np.sqrt(2 / 3) + up)
@@ -129,7 +131,7 @@ def as_it_is(name: str, fz: float, d: float, u: Vector) -> float:
     length = np.linalg.norm(offset + moved, axis=1)
     stretch = np.einsum("bk,bk->b", 2 * offset + moved, moved) / (length + 1)
     n = (offset + moved) / length[:, None]
-    return _told(name, fz, d, float(u[0, 2]) / d, stretch, _beside(moved, n))
+    return _quantity(name, fz, d, float(u[0, 2]) / d, stretch, _beside(moved, n))
 
 
 def _to_first_order(name: str, fz: float, d: float, run: Run) -> float:
@@ -137,7 +139,7 @@ def _to_first_order(name: str, fz: float, d: float, run: Run) -> float:
     u = seen_at(run, -1)
     n, moved = _moved(d, u)
     stretch = np.einsum("bk,bk->b", n, moved)
-    return _told(name, fz, d, float(u[0, 2]) / d, stretch, _beside(moved, n))
+    return _quantity(name, fz, d, float(u[0, 2]) / d, stretch, _beside(moved, n))
 
 
 def seen_at(run: Run, output: int) -> Vector:
@@ -155,8 +157,8 @@ def _beside(moved: Vector, n: Vector) -> Vector:
     return np.asarray(np.linalg.norm(moved - np.einsum("bk,bk->b", n, moved)[:, None] * n, axis=1))
 
 
-def _told(name: str, fz: float, d: float, dz: float, stretch: Vector, across: Vector) -> float:
-    """A quantity from numbers over d; bonds of a kind are averaged."""
+def _quantity(name: str, fz: float, d: float, dz: float, stretch: Vector, across: Vector) -> float:
+    """A quantity from dimensionless displacements (over d), averaged over bonds of a kind."""
     strain = dz / np.sqrt(2 / 3)
     told = {
         "E": fz / (np.sqrt(3) / 2 * d * d * strain),
@@ -211,15 +213,13 @@ def _levels(coarsest: float) -> dict[Level, tuple[Knobs, ...]]:
 
 
 SETTLED = (
-    "at rest no step counts; on its way to rest the unit leaves the path of a slow load, which the "
-    "incremental shear spring remembers to first order in the strain, a tenth of it at most"
+    "the state of rest does not depend on the step; on the way to it the unit leaves the path of a "
+    "slow load, and the incremental shear spring keeps an error of at most a tenth of the strain"
 )
-BY_DESIGN = (
-    "the strain, 1e-6 or 1e-5, is what lies between the equilibrium path and its first order in it"
-)
+BY_DESIGN = "the equilibrium path and its linearisation differ by about the strain, 1e-6 or 1e-5"
 LEANING = (
-    "contacts that stand in for bonds overlap by 1e-4, and their push turns with them: 0.66 times "
-    "that in E, 1.4 times in nu"
+    "contacts that stand for bonds overlap by 1e-4, and their normal force turns with them, which "
+    "changes E by 0.66 times that and nu by 1.4 times"
 )
 
 
@@ -235,18 +235,18 @@ def _at_rest(strain: float) -> Judge:
             Method.FIRST_ORDER: settled,
             Method.PENALTY: Tolerance(2e-4, LEANING),
         },
-        shown={Method.LINEARISED: BY_DESIGN},
+        not_judged={Method.LINEARISED: BY_DESIGN},
     )
 
 
 SMALL: Judge = Exact(
     {Method.LINEARISED: Tolerance(1e-12, "Eqs. 2a-d, 4 and 6 are the linear answer, to rounding")},
-    shown=dict.fromkeys(set(Method) - {Method.LINEARISED}, BY_DESIGN),
+    not_judged=dict.fromkeys(set(Method) - {Method.LINEARISED}, BY_DESIGN),
 )
 SWUNG: Judge = Exact(
     {
-        Method.EXACT: Tolerance(1e-12, "a sine, whose rate is known to rounding"),
-        Method.LINEARISED: Tolerance(1e-12, "no bond turns: what is linear is exact"),
+        Method.EXACT: Tolerance(1e-12, "the answer is a sine whose frequency is known to rounding"),
+        Method.LINEARISED: Tolerance(1e-12, "no bond turns, so that the linear answer is exact"),
         Method.SECOND_ORDER: Tolerance(
             1.5e-2, "the phase (w dt)^2/24 w t of a leapfrog after 20 radians at 0.1 radian a step "
             "is 8.3e-3", dt=1e-8, order=2,
@@ -255,7 +255,7 @@ SWUNG: Judge = Exact(
             0.1, "a start half a step late shifts the phase by w dt/2", dt=1e-8, order=1
         ),
     },
-    shown={Method.PENALTY: "contacts that stand in for bonds would part at such amplitudes"},
+    not_judged={Method.PENALTY: "contacts that stand in for bonds would part at such amplitudes"},
 )  # fmt: skip
 
 PATH = "3 (Fn1 cos a + Fs1 sin a) = Fz, Fn1 sin a - Fs1 cos a + sqrt3 Fn2 = 0, S' = -L a'"
@@ -295,7 +295,7 @@ VARIANTS = (
         inert=frozenset({"gamma"}),
     ),
     Variant(
-        "turned", "turned as a whole: elements that do not turn resist it, an artefact",
+        "turned", "rotating as a whole: elements that cannot rotate resist it, an artefact",
         "2 ks d^2 a^2 of energy at an angle a, which swings at 2 sqrt(ks/m)",
         {"eta": 0.0},
     ),

@@ -1,4 +1,4 @@
-"""How an arch falls that is thinner than the thinnest: a mechanism of five hinges, from rest.
+"""The fall from rest of an arch too thin to stand, as a mechanism with five hinges.
 
 Half of a symmetric arch of n voussoirs with straight edges is two bodies: the lower turns about
 the outer edge of the springing, the upper about the inner edge of the joint between them, and at

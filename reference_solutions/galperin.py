@@ -1,4 +1,4 @@
-"""How often two balls and a wall collide when a heavy ball drives a light one against the wall.
+"""The number of collisions of two balls and a wall when the heavy ball drives the light one.
 
 All move along one line without friction and loss. In the plane of (sqrt(M) X, sqrt(m) x) the state
 is a point that moves straight and is mirrored at the sides of a wedge: at x = 0, the wall, and at

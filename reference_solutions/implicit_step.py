@@ -1,4 +1,4 @@
-"""What the implicit step of DDA makes of a swing, and of a block that a constant force drives.
+"""The implicit step of DDA on a harmonic oscillator and on a block under a constant force.
 
 d'' = (2/D^2)(d - D v0), v = (2/D) d - v0 for a step D (Yagoda-Biran and Hatzor 2016, Eq. 5,
 corrected), the spring taken at the step's end. For m x'' = -K x a step of the angle a = w D,

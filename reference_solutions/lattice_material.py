@@ -1,4 +1,4 @@
-"""What a close-packed lattice of bonded elements is as a material, and back (Liu et al. 2017).
+"""Elastic constants and strengths of a close-packed lattice, and back (Liu et al. 2017).
 
 Identical elements of diameter d [m] are bonded to their twelve neighbours by a normal spring kn and
 a shear spring ks [N/m]. A bond opens when it is stretched by xb [m] and slides when its shear force

@@ -1,4 +1,4 @@
-"""Where close-packed blocks between smooth rigid platens fail (after Liu et al. 2017, section 5.2).
+"""Strengths of close-packed blocks between smooth rigid platens (Liu et al. 2017, section 5.2).
 
 Pulled, a block answers linearly, so that the most stretched of its bonds opens at a strain xb over
 its stretch at the strain 1. It lies at a face, where elements have fewer bonds than inside: this is

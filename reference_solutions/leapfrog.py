@@ -1,4 +1,4 @@
-"""What a leapfrog makes of a swing: it turns too fast, and keeps an energy of its own exactly.
+"""The leapfrog on a harmonic oscillator: its phase is too fast, its own energy is conserved.
 
 m x'' = -k x, w^2 = k/m: v+ = v- - w^2 x dt, x+ = x + v+ dt. A step turns the phase by
 2 asin(w dt/2), and m v- v+/2 + k x^2/2 stays as it is (Hairer, Lubich and Wanner 2003, Geometric

@@ -1,4 +1,4 @@
-"""Refuses times and parameters that a formula does not cover, by name, value and rule."""
+"""Checks parameters of formulas: raises ValueError with the name, the value and the rule."""
 
 from math import isfinite
 

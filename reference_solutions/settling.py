@@ -1,4 +1,4 @@
-"""A sphere that drag brings to rest on a floor, bounce by bounce, until it no longer leaves it.
+"""A sphere with drag that bounces on a floor until it no longer leaves it, stage by stage.
 
 Dropped at rest from a height above the floor: z'' = -g - c z' in flight and z'' = -g - c z' - k^2 z
 while z < 0, z its height over the floor; c = eta/m, k^2 = kn/m. Both are solved in closed form, and

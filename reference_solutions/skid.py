@@ -1,4 +1,4 @@
-"""A body that cannot turn skids over a spring that pushes and lets go, in closed form.
+"""A body that cannot rotate slides over a spring contact and leaves it, in closed form.
 
 Thrown at t = 0 with vn [m/s] into the spring kn [N/m] and vt along it, on friction mu whose shear
 spring ks is at its cap all the time: from t = 0 on as ks vt > mu kn vn, and up to the end. Until

@@ -19,7 +19,7 @@ from reports.charts import Chart, Curve, Rim
 from reports.maps import HeatMap, draw_map
 from reports.marks import Mark
 from vv.base.digest import digest
-from vv.base.files import write
+from vv.base.files import write_whole
 from vv.insight import stability_summary
 
 SIZE = (4.7, 3.2)  # inches; a viewer scales it
@@ -58,7 +58,7 @@ def draw_missing(charts: Iterable[Chart | HeatMap], folder: Path) -> None:
 
 
 def _keep(chart: Chart | HeatMap, path: Path) -> None:
-    write(path, draw(chart, salt=path.stem[:8]).encode())
+    write_whole(path, draw(chart, salt=path.stem[:8]).encode())
 
 
 def drawn_before(chart: Chart | HeatMap, folder: Path) -> str:

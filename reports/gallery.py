@@ -14,7 +14,7 @@ from reports.collect import History, Ladder
 from reports.maps import NO_CRITICAL, Critical, HeatMap, error_map
 from reports.tables import NORMS
 from reports.text import brief, listed, sci
-from vv.base.metrics import MASK
+from vv.base.metrics import POINTWISE_THRESHOLD
 
 Draw = Callable[[Chart | HeatMap], str]
 
@@ -98,7 +98,7 @@ def _relative(over_time: Sequence[History], draw: Draw) -> list[Figure]:
     largest = [f"{c.mark.label} {sci(float(np.nanmax(c.y)))}" for c in chart.curves]
     caption = (
         f"{_finest(over_time)}; the paper's norm at each time, left out where |reference| is "
-        f"below {100 * MASK:g} % of its maximum.{below}"
+        f"below {100 * POINTWISE_THRESHOLD:g} % of its maximum.{below}"
     )
     alt = f"Relative error over time; largest: {', '.join(largest + low)}"
     return [Figure(draw(chart), "Relative error over time", caption, alt)]

@@ -14,7 +14,7 @@ from reports.gallery import Draw
 from reports.maps import HeatMap
 from reports.views import Page
 from vv.base import closure
-from vv.base.files import deliver
+from vv.base.files import write_output
 from vv.insight import history as histories
 from vv.insight.history import Point
 from vv.store.store import Store
@@ -72,7 +72,7 @@ def _built(
         folder, series = store.root / "figures", functools.cache(store.series)
         drawing(lambda draw: page(manifest, series, draw, past, stamp), folder)
         view = page(manifest, series, functools.partial(drawn_before, folder=folder), past, stamp)
-        deliver(output, str(_template(store.templates()).render(page=view)).encode())
+        write_output(output, str(_template(store.templates()).render(page=view)).encode())
     return output
 
 
@@ -126,4 +126,4 @@ def _stamp_of(output: Path) -> str:
 def _sources() -> str:
     """Digest of the sources that decide how a report looks."""
     own = [p for p in HERE.rglob("*") if p.suffix in (".py", ".j2", ".css")]
-    return closure.source_digest(closure.closure(own, (HERE.parent, TOOL)))
+    return closure.source_digest(closure.import_closure(own, (HERE.parent, TOOL)))

@@ -8,7 +8,7 @@ import pytest
 
 from tests.answer_table import TABLE, answers
 from vv.ask import Method
-from vv.case import Case, Exact, Level, Parameters, Series, put_in
+from vv.case import Case, Exact, Level, Parameters, Series, knobs_in_scene
 from vv.codes import Adapter
 from vv.plan.project import find
 from vv.scene import Term, Vector
@@ -39,9 +39,9 @@ def test_every_quantity_has_a_tolerance_with_its_reason(case: Case) -> None:
                 terms = trial.study.scene.terms()
                 schemes = [s for a in ADAPTERS for s in a.schemes if terms <= s.terms]
                 needed = {scheme.method_for(terms) for scheme in schemes}
-                assert needed <= set(judge.tolerances) | set(judge.shown)
+                assert needed <= set(judge.tolerances) | set(judge.not_judged)
                 reasons = [t.reason for t in judge.tolerances.values()]
-                assert all(len(reason) > 20 for reason in [*reasons, *judge.shown.values()])
+                assert all(len(reason) > 20 for reason in [*reasons, *judge.not_judged.values()])
             else:
                 assert len(judge.reason) > 20
 
@@ -62,7 +62,7 @@ def test_a_level_adds_rungs_and_never_changes_the_scene(case: Case) -> None:
         study = case.declare(variant.name, case.defaults(variant.name)).study
         quick, default, paper = (set(study.rungs[level]) for level in Level)
         assert quick <= default <= paper
-        own = {tuple(getattr(knobs, name) for name in put_in(study)) for knobs in paper}
+        own = {tuple(getattr(knobs, name) for name in knobs_in_scene(study)) for knobs in paper}
         assert len({study.ask(knobs).scene.digest() for knobs in paper}) == len(own)
         assert set(study.timed) <= default
 

@@ -12,7 +12,7 @@ import numpy as np
 from adapters.liggghts.deck import COUNTED, UNCOUNTED
 from adapters.liggghts.translate import moving, spinning, watched
 from vv.ask import Ask, Displacement, Model, Run, Status
-from vv.scene import Scene, Vector, strayed
+from vv.scene import Scene, Vector, why_load_is_no_lock
 from vv.standins.stand_in import stood_for
 
 LOOP = re.compile(r"^Loop time of (\S+)", re.MULTILINE)
@@ -103,7 +103,9 @@ def _drift(values: Vector, ask: Ask) -> str | None:
     """How far a sphere left the directions it is free in: a lock that became a dead load."""
     scene = stood_for(ask).scene
     for k, (observable, i) in enumerate(watched(ask)):
-        if isinstance(observable, Displacement) and (how := strayed(scene, i, values[:, k])):
+        if isinstance(observable, Displacement) and (
+            how := why_load_is_no_lock(scene, i, values[:, k])
+        ):
             return f"sphere {i} {how}"
     return None
 

@@ -40,7 +40,7 @@ def why_not_overlapped(scene: Scene) -> str | None:
     bonds, place = scene.bonds, scene.spheres.position
     if bonds is None:
         return "the scene has no bonds, for which overlaps would stand in"
-    i, j = scene.bonded.T
+    i, j = scene.bonded_pairs.T
     distance = np.linalg.norm(place[j] - place[i], axis=1)
     for name, values in (("kn", bonds.kn), ("ks", bonds.ks), ("length", bonds.length)):
         if np.ptp(values) > ALIKE * values[0]:

@@ -150,7 +150,7 @@ def _contact(scene: Scene) -> Iterator[str]:
     if scene.bonds is not None:
         yield from bond_commands(scene)
         return
-    ks, mu = (scene.contact.ks, scene.contact.mu) if scene.contact.rubs else (0.0, 0.0)
+    ks, mu = (scene.contact.ks, scene.contact.mu) if scene.contact.carries_shear else (0.0, 0.0)
     damping = "_abs" if scene.contact.eta_n > 0 else ""
     values = {"kn": scene.contact.kn, "kt": ks}
     values |= {f"gamman{damping}": scene.contact.eta_n, f"gammat{damping}": 0.0}
@@ -161,7 +161,7 @@ def _contact(scene: Scene) -> Iterator[str]:
 
 
 def _model(scene: Scene) -> str:
-    return f"model hooke/stiffness tangential {'history' if scene.contact.rubs else 'off'}"
+    return f"model hooke/stiffness tangential {'history' if scene.contact.carries_shear else 'off'}"
 
 
 def _damping(scene: Scene) -> str:

@@ -61,5 +61,7 @@ def _data(scene: Scene, outer: tuple[Vector, Vector]) -> Iterator[str]:
     for i, place in enumerate(scene.spheres.position):
         yield f"{i + 1} 1 {numbers(place)} 1.0 1.0 1"  # then its diameter, density and molecule
     yield from ("", "Bonds", "")
-    for b, ((i, j), kind) in enumerate(zip(scene.bonded.tolist(), which.tolist(), strict=True)):
+    for b, ((i, j), kind) in enumerate(
+        zip(scene.bonded_pairs.tolist(), which.tolist(), strict=True)
+    ):
         yield f"{b + 1} {kind + 1} {i + 1} {j + 1}"

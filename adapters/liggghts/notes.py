@@ -44,7 +44,7 @@ def notes(ask: Ask, scheme: str) -> list[str]:
             not scene.spheres.free[moved].all() and not rigid
         ),
         "spheres without any freedom are not integrated": not moved.all(),
-        "shear springs of model history, without tangential damping": scene.contact.rubs,
+        "shear springs of model history, without tangential damping": scene.contact.carries_shear,
         "drag by fix viscous from the velocity half a step ago": scene.eta > 0,
         "masses are m + eta dt/2, weight a dead load": scheme == HALF_STEP and scene.eta > 0,
         "a mesh wall, one triangle far larger than the scene, instead of a primitive one": (

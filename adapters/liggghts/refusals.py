@@ -18,7 +18,7 @@ from adapters.liggghts.translate import (
 )
 from vv.ask import Ask
 from vv.codes import behind_wall, no_drag, no_sphere, no_steps, turned_spin_lock
-from vv.scene import Scene, why_not_released
+from vv.scene import Scene, why_locks_need_more_than_loads
 from vv.standins.clump import why_no_clump
 from vv.standins.stand_in import stood_for, why_not
 
@@ -38,7 +38,7 @@ def refusal(ask: Ask, scheme: str) -> str | None:
         no_sphere(ask, scene)
         or _no_steps(ask)
         or _locked_motion(scene)
-        or why_not_released(scene)
+        or why_locks_need_more_than_loads(scene)
         or _nothing_free(scene)
         or _spin(scene, scheme)
         or turned_spin_lock(ask.scene, "fix rigid locks its own only")

@@ -11,7 +11,15 @@ from adapters.liggghts.bonds import overlapped
 from adapters.liggghts.clumps import as_atoms
 from adapters.liggghts.walls import is_mesh, travel, triangle
 from vv.ask import Ask, Displacement, Observable
-from vv.scene import Mask, Scene, Spheres, Vector, drifting, initial_normal_forces, released
+from vv.scene import (
+    Mask,
+    Scene,
+    Spheres,
+    Vector,
+    initial_normal_forces,
+    spheres_held_by_loads,
+    with_loads_for_locks,
+)
 from vv.standins.clump import clump
 from vv.standins.soften import fastest
 from vv.standins.stand_in import stood_for
@@ -25,7 +33,7 @@ def represented(ask: Ask, scheme: str) -> Scene:
 
     Raises ValueError for an ask without dt, or one that `released` cannot release.
     """
-    scene = released(stood_for(ask).scene)
+    scene = with_loads_for_locks(stood_for(ask).scene)
     if scheme == OVERLAPPED:
         return overlapped(scene)
     if scheme == CLUMP:
@@ -106,7 +114,7 @@ def watched(ask: Ask) -> list[tuple[Observable, int]]:
     The displacements of spheres whose oblique locks became dead loads are watched as well.
     """
     scene = stood_for(ask).scene
-    more = [d for d in map(Displacement, drifting(scene)) if d not in ask.observables]
+    more = [d for d in map(Displacement, spheres_held_by_loads(scene)) if d not in ask.observables]
     return [(o, scene.sphere_index(o.body)) for o in (*ask.observables, *more)]
 
 

@@ -34,7 +34,7 @@ def triangle(wall: Wall, low: Vector, high: Vector) -> Vector:
     centre, half = (low + high) / 2, (high - low) / 2
     foot = centre - ((centre - wall.point) @ wall.normal) * wall.normal
     inscribed = float(np.linalg.norm(half) + np.linalg.norm(foot - centre))
-    return np.asarray(foot + 2 * inscribed * wall.triangle)
+    return np.asarray(foot + 2 * inscribed * wall.facet_corners)
 
 
 def wall_commands(

@@ -22,7 +22,7 @@ from adapters.yade.translate import (
 )
 from vv.ask import Ask, Displacement, Method, Model, Reaction, Run, Status, Velocity
 from vv.codes import Found, Scheme, external
-from vv.scene import Term, released
+from vv.scene import Term, with_loads_for_locks
 from vv.standins.stand_in import STANDS_IN, stood_for
 
 TERMS = frozenset(
@@ -107,7 +107,7 @@ class Yade:
 
     def describe(self, ask: Ask, scheme: str) -> Model:
         """The freedoms YADE integrates, and how the scene is put to it."""
-        scene = released(stood_for(put(ask, scheme)[0]).scene)
+        scene = with_loads_for_locks(stood_for(put(ask, scheme)[0]).scene)
         turning = sum(int(block.free_spin.sum()) for block in ask.scene.blocks)
         terms = ask.scene.terms() | scene.terms()
         return Model(scene.unknowns() + turning, terms, "; ".join(notes(ask, scheme)))

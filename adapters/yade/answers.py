@@ -10,7 +10,7 @@ import numpy as np
 
 from adapters.yade.translate import watched
 from vv.ask import Ask, Cost, Displacement, Model, Run, Status
-from vv.scene import Term, Vector, strayed
+from vv.scene import Term, Vector, why_load_is_no_lock
 from vv.standins.stand_in import stood_for
 
 COSTS = ("setup", "solve_cpu", "solve_wall", "output", "repeats", "spread")
@@ -54,7 +54,9 @@ def _drift(values: Vector, ask: Ask) -> str | None:
         return None
     for observable, moved in zip(watched(ask), values, strict=True):
         sphere = scene.sphere_index(observable.body)
-        if isinstance(observable, Displacement) and (how := strayed(scene, sphere, moved)):
+        if isinstance(observable, Displacement) and (
+            how := why_load_is_no_lock(scene, sphere, moved)
+        ):
             return f"body {observable.body} {how}"
     return None
 

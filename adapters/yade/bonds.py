@@ -19,7 +19,7 @@ def bonds(scene: Scene) -> list[dict[str, Any]]:
     """
     if scene.bonds is None:
         return []
-    reach = scene.spheres.radius[scene.bonded].sum(axis=1)
+    reach = scene.spheres.radius[scene.bonded_pairs].sum(axis=1)
     columns = {
         "pair": scene.bonds.pairs,
         "kn": scene.bonds.kn,
@@ -36,7 +36,7 @@ def sheared(scene: Scene) -> Mask:
     """Which spheres, (n,), are on a bond that resists shear."""
     on = np.zeros(len(scene.spheres), bool)
     if scene.bonds is not None:
-        on[scene.bonded[scene.bonds.ks > 0]] = True
+        on[scene.bonded_pairs[scene.bonds.ks > 0]] = True
     return on
 
 

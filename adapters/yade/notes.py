@@ -7,7 +7,7 @@ import numpy as np
 from adapters.yade.bonds import sheared
 from adapters.yade.translate import CLUMP, HALF_STEP, POLYHEDRA, initial_contacts, put
 from vv.ask import Ask, Reaction
-from vv.scene import Term, released
+from vv.scene import Term, with_loads_for_locks
 from vv.standins.clump import clump
 from vv.standins.stand_in import stood_for
 
@@ -15,16 +15,18 @@ from vv.standins.stand_in import stood_for
 def notes(ask: Ask, scheme: str) -> list[str]:
     """How the scene is represented, one fact each."""
     stood = stood_for(put(ask, scheme)[0])
-    scene = released(stood.scene)
+    scene = with_loads_for_locks(stood.scene)
     loaded = not np.array_equal(scene.spheres.load, stood.scene.spheres.load)
     charged = stood.charged is not None and bool(stood.charged.any())
     oblique = [wall for wall in scene.walls if np.abs(wall.normal).max() < 1.0]
     said = {
         "NewtonIntegrator without damping, velocities started at -dt/2": True,
         "every step an O.step(); O.run costs as much and rounds wall time up to 40 ms": True,
-        "shear increments without YADE's corrections against ratcheting": scene.contact.rubs,
+        "shear increments without YADE's corrections against ratcheting": (
+            scene.contact.carries_shear
+        ),
         "touching spheres start at rest and get their velocity as an impulse in the first step": (
-            scene.contact.rubs and bool(initial_contacts(scene)[1])
+            scene.contact.carries_shear and bool(initial_contacts(scene)[1])
         ),
         "bonds are contacts of CohFrictMat, made before the first step, brittle where they break": (
             scene.bonds is not None

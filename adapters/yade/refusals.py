@@ -9,7 +9,7 @@ from adapters.yade.polyhedra import why_no_polyhedron
 from adapters.yade.translate import CLUMP, HALF_STEP, POLYHEDRA, put
 from vv.ask import Ask, Reaction
 from vv.codes import behind_wall, no_drag, no_sphere, turned_spin_lock
-from vv.scene import Scene, Term, why_not_released
+from vv.scene import Scene, Term, why_locks_need_more_than_loads
 from vv.standins.clump import why_no_clump
 from vv.standins.stand_in import stood_for, why_not
 
@@ -25,7 +25,7 @@ def refusal(ask: Ask, scheme: str) -> str | None:
     return (
         no_sphere(ask, scene)
         or _locked_spin(scene)
-        or why_not_released(scene)
+        or why_locks_need_more_than_loads(scene)
         or turned_spin_lock(ask.scene, "YADE locks its own axes only")
         or behind_wall(scene)
         or why_no_bonds(scene)

@@ -12,7 +12,16 @@ from adapters.yade.clumps import clumped
 from adapters.yade.drives import driven, sines
 from adapters.yade.polyhedra import laid, polyhedral, turn_of
 from vv.ask import Ask, Displacement, Observable
-from vv.scene import Mask, Scene, Spheres, Vector, Wall, drifting, initial_normal_forces, released
+from vv.scene import (
+    Mask,
+    Scene,
+    Spheres,
+    Vector,
+    Wall,
+    initial_normal_forces,
+    spheres_held_by_loads,
+    with_loads_for_locks,
+)
 from vv.standins.clump import clump
 from vv.standins.soften import acceleration_of, fastest
 from vv.standins.stand_in import Stood, stood_for
@@ -32,7 +41,7 @@ def plan(ask: Ask, scheme: str) -> Plan:
     stays m g. Raises ValueError for an ask without dt, or one that `released` cannot release.
     """
     stood, goal, dt = stood_for(ask), ask.goal, ask.dt
-    scene = released(stood.scene)
+    scene = with_loads_for_locks(stood.scene)
     extra = scene.eta * dt / 2 if scheme == HALF_STEP else 0.0
     touching, contacts = initial_contacts(scene)
     columns = _columns(scene, dt, extra, touching, stood.charged)
@@ -41,7 +50,7 @@ def plan(ask: Ask, scheme: str) -> Plan:
         "steps": goal.steps(dt),
         "stride": goal.stride(dt),
         "kn": float(scene.contact.kn),
-        "ks": float(scene.contact.ks) if scene.contact.rubs else 0.0,
+        "ks": float(scene.contact.ks) if scene.contact.carries_shear else 0.0,
         "mu": float(scene.contact.mu),
         "eta_n": float(scene.contact.eta_n),
         "gravity": [0.0, 0.0, 0.0] if extra else scene.gravity.tolist(),
@@ -50,7 +59,7 @@ def plan(ask: Ask, scheme: str) -> Plan:
         "charged": _charges(stood),
         "bonds": bonds(scene),
         "observe": [[_quantity(seen), seen.body] for seen in watched(ask)],
-        "contacts": contacts + len(scene.bonded),
+        "contacts": contacts + len(scene.bonded_pairs),
         "moves": bool(scene.spheres.velocity.any()),
         "volumes": False,
         "bodies": _bodies(scene, columns, FACET * _reach(ask), dt),
@@ -83,9 +92,9 @@ def _columns(
     force = force if charged is None else force + charged
     early = spheres.velocity - force / spheres.mass[:, None] * (dt / 2)
     early = np.where(spheres.free, early, 0.0)
-    carried = scene.carried
+    carried = scene.locked_velocity
     mass = spheres.mass + extra
-    pushed = np.reshape((touching & scene.contact.rubs) | sheared(scene), (-1, 1))
+    pushed = np.reshape((touching & scene.contact.carries_shear) | sheared(scene), (-1, 1))
     return {
         "position": spheres.position,
         "initial": spheres.velocity,
@@ -107,7 +116,7 @@ def _charges(stood: Stood) -> list[Plan]:
     """The friction [N] of each wall on a sphere that its shear spring holds at the start."""
     if stood.charged is None:
         return []
-    wall, spheres = stood.scene.numbers(Wall)[0], stood.scene.numbers(Spheres)
+    wall, spheres = stood.scene.body_numbers(Wall)[0], stood.scene.body_numbers(Spheres)
     return [
         {"wall": wall, "body": sphere, "forces": [force.tolist()]}
         for sphere, force in zip(spheres, stood.charged, strict=True)
@@ -117,7 +126,7 @@ def _charges(stood: Stood) -> list[Plan]:
 
 def watched(ask: Ask) -> tuple[Observable, ...]:
     """The observables asked for; then displacements of spheres under a dead load for a lock."""
-    more = map(Displacement, drifting(stood_for(ask).scene))
+    more = map(Displacement, spheres_held_by_loads(stood_for(ask).scene))
     return ask.observables + tuple(d for d in more if d not in ask.observables)
 
 
@@ -133,7 +142,7 @@ def initial_contacts(scene: Scene) -> tuple[Mask, int]:
     spheres = scene.spheres
     free: Mask = np.hstack([spheres.free, spheres.free_spin])
     moving = [bool(row.any()) for row in free]
-    bonded = {(min(pair), max(pair)) for pair in scene.bonded.tolist()}
+    bonded = {(min(pair), max(pair)) for pair in scene.bonded_pairs.tolist()}
     pairs = [(i, j) for i, j in _overlapping(scene) if moving[i] or moving[j]]
     pairs = [pair for pair in pairs if pair not in bonded]
     touching = np.zeros(len(spheres), bool)
@@ -190,4 +199,4 @@ def wall_body(wall: Wall, size: float) -> Plan:
     common = {"point": wall.point.tolist(), "normal": wall.normal.tolist()}
     if np.abs(wall.normal).max() == 1.0:
         return {"kind": "wall", **common}
-    return {"kind": "facet", **common, "corners": (size * wall.triangle).tolist()}
+    return {"kind": "facet", **common, "corners": (size * wall.facet_corners).tolist()}

@@ -1,4 +1,4 @@
-"""A hundred spheres in a row on a base: how they swing, how fast waves go, what a jump returns."""
+"""A hundred spheres in a row on a base: modes, speed of a pulse, reflection at a jump of mass."""
 
 from __future__ import annotations
 
@@ -151,19 +151,19 @@ def _judge(bound: float, coarsest: float, reason: str) -> Exact:
     second = Tolerance(1.05 * bound, reason, dt=coarsest, order=2, floor=floor)
     first = Tolerance(1.05 * bound, BALANCED + reason, dt=coarsest, order=2, floor=floor)
     return Exact({
-        Method.EXACT: Tolerance(1e-8, "places in the row round to 1e-9 of a swing"),
+        Method.EXACT: Tolerance(1e-8, "positions in the row are rounded to 1e-9 of the amplitude"),
         Method.SECOND_ORDER: second,
         Method.FIRST_ORDER: first,
     })  # fmt: skip
 
 
 BALANCED = "the load balances the contacts at the start, and costs no order; "
-TURNS = "a leapfrog turns by (w dt)^2/24 too fast"
+TURNS = "the phase of a leapfrog is too fast by (w dt)^2/24"
 LATE = (
     "waves of a phase q a sphere are ahead by (q w0 dt)^2/24 of the q x they have gone: a pulse of "
     "eight spheres, mostly q < 0.25, by 1e-3 of a radian and of its size at w0 dt = 0.2"
 )
-PASSED = "the part that returns depends on the phase a sphere, of which (w dt)^2/24 is wrong"
+PASSED = "the reflected part depends on the phase per sphere, whose error is (w dt)^2/24"
 RETURNED = (5e-10, 2e-6)  # without a jump and with one
 SPREADS = "a leapfrog's waves go faster by (w dt)^2/8, 3e-4 at the phase 0.25 a sphere"
 MODE = "w_j = 2 sqrt(kn/m) sin((2j - 1) pi/(2 (2N + 1))), N = 100"

@@ -1,4 +1,4 @@
-"""Pairs of spheres fly together all over a box, meet head-on and part: does a code see them all?"""
+"""Pairs of spheres collide head-on all over a box: a code must detect every contact."""
 
 from __future__ import annotations
 
@@ -96,11 +96,11 @@ def _declare(variant: str, p: Parameters) -> Trial:
 def _judged(unit: float) -> dict[Method, Tolerance]:
     """unit: 1/w [s]."""
     return {
-        Method.EXACT: Tolerance(1e-12, "two events a pair, located to rounding"),
+        Method.EXACT: Tolerance(1e-12, "two events per pair, located to rounding"),
         Method.SECOND_ORDER: Tolerance(
             STEPS[0] ** 2 / 5,
-            "a contact closes and opens within a step, which leaves a part of (w dt)^2/2 in the "
-            "speeds after it",
+            "a contact closes and opens within a step, which changes the speeds after it by a part "
+            "of (w dt)^2/2",
             dt=STEPS[0] * unit,
             order=2,
         ),

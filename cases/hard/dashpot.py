@@ -79,11 +79,11 @@ def _declare(variant: str, p: Parameters) -> Trial:
         dashpot.restitution(p["z"]), judge,
     )  # fmt: skip
     lasted = Scalar(
-        "lasting", "tc", "s", "how long the contact pushes, as the outputs show it",
+        "lasting", "tc", "s", "time for which the contact force acts, from the outputs",
         lambda run: _lasted(run.times, speed(run)), lasting, lasting, _in_outputs(unit),
     )  # fmt: skip
     path = Series(
-        "overlap", "u", "m", "overlap, less than nothing once it is off",
+        "overlap", "u", "m", "overlap, negative after the contact",
         lambda run: -away(run),
         functools.partial(dashpot.overlap, **law, v=p["v"]), judge,
     )  # fmt: skip
@@ -116,8 +116,8 @@ def _judge(z: float, unit: float) -> Exact:
         ),
         Method.FIRST_ORDER: Tolerance(
             quick * step,
-            "viscous force is that of half a step before, and begins half a step late, where it "
-            "jumps: each costs z w dt",
+            "the viscous force is that of half a step before, and begins half a step late where it "
+            "jumps: each causes an error of z w dt",
             dt=step * unit, order=1,
         ),
     })  # fmt: skip
@@ -127,10 +127,10 @@ def _balance(unit: float) -> Scalar:
     """unit: 1/w [s]."""
     step = Tolerance(
         0.5 * STEPS[0] ** 2,
-        "a contact that closes or opens within a step leaves some of (w dt)^2/2",
+        "a contact that closes or opens within a step causes an error of up to (w dt)^2/2",
         dt=STEPS[0] * unit, order=2,
     )  # fmt: skip
-    exact = Tolerance(1e-12, "one event: what is left is rounding")
+    exact = Tolerance(1e-12, "one event; only rounding errors remain")
     return balance({Method.EXACT: exact, Method.SECOND_ORDER: step, Method.FIRST_ORDER: step})
 
 

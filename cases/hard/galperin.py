@@ -9,7 +9,7 @@ import numpy as np
 from reference_solutions import galperin
 from vv.ask import History, Knobs, Method, Run, Velocity
 from vv.case import (
-    LOOSEST,
+    LARGEST_TOLERANCE,
     Case,
     Count,
     Exact,
@@ -87,7 +87,9 @@ def _number(due: int, spread: float, coarsest: float) -> Count:
         reference=due,
         judge=Exact({
             Method.EXACT: Tolerance(1e-6, "a number of collisions is right or wrong"),
-            Method.SECOND_ORDER: Tolerance(min(spread, LOOSEST), BLURRED, dt=coarsest, order=2),
+            Method.SECOND_ORDER: Tolerance(
+                min(spread, LARGEST_TOLERANCE), BLURRED, dt=coarsest, order=2
+            ),
         }),
     )  # fmt: skip
 
@@ -110,9 +112,9 @@ RUNGS = {
     "314": {Level.QUICK: LONG[:1], Level.DEFAULT: LONG[:1], Level.PAPER: LONG},
 }
 BLURRED = (
-    "a contact that begins and ends within a step errs by up to (w dt)^2/8 in speed, at random: "
-    "that turns the path by sqrt(n/8) times as much; where this is less than one collision, the "
-    "number must be right"
+    "a contact that begins and ends within a step changes the speed by up to (w dt)^2/8, randomly; "
+    "n contacts change the direction by sqrt(n/8) times that; where this is less than one "
+    "collision, the number must be right"
 )
 INERT = frozenset({"m", "x", "X", "v", "kn"})
 UNFOLDED = "n = ceil(pi/theta) - 1, theta = atan(sqrt(m/M))"

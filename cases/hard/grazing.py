@@ -1,4 +1,4 @@
-"""T3 for 20 s: a spring that swings up to the limit of friction and never beyond it."""
+"""T3 for 20 s: a shear spring that oscillates exactly up to the limit of friction."""
 
 from __future__ import annotations
 
@@ -48,23 +48,27 @@ def _declare(variant: str, p: Parameters) -> Trial:
     slips = Count(
         name="slips",
         symbol="n",
-        meaning="times it slips: the middle of a swing differs from that of the one before",
+        meaning="number of slips: the centre of an oscillation differs from that of the one before",
         observe=lambda run: int(np.count_nonzero(steps(run) > SEEN)),
         reference=1,
         judge=Exact(
-            {Method.EXACT: Tolerance(1e-6, "it slips once, as it is thrown; a count is whole")},
-            shown={Method.SECOND_ORDER: GRAZES},
+            {
+                Method.EXACT: Tolerance(
+                    1e-6, "it slips once, at the beginning; a number of slips is right or wrong"
+                )
+            },
+            not_judged={Method.SECOND_ORDER: GRAZES},
         ),
     )
     crept = Scalar(
         name="crept",
         symbol="sum |c|",
         unit="",
-        meaning="what the middles moved in all after the first slip, over the largest stretch",
+        meaning="total shift of the centres after the first slip, over the largest stretch",
         observe=lambda run: float(steps(run)[1:].sum()),
         reference=None,
         scale=1.0,
-        judge=Shown("how far the slips that should not be carry it; none in the exact motion"),
+        judge=Shown("the displacement by spurious slips; there is none in the exact motion"),
     )
     return Trial(Ladder(scene, GOAL, (SPHERE,), LEVELS), (slips, crept))
 
@@ -88,8 +92,8 @@ def _middles(y: Vector) -> Iterator[float]:
 RUNGS = tuple(Knobs(dt=dt) for dt in (4e-3, 2e-3, 1e-3, 5e-4, 1e-4))
 LEVELS = {Level.QUICK: RUNGS[:3:2], Level.DEFAULT: RUNGS, Level.PAPER: RUNGS}
 GRAZES = (
-    "the swing ends where friction would give way, to the last digit: an error of either sign "
-    "decides whether it slips, so that a number of slips has no order in the step"
+    "the largest shear force equals the limit of friction to the last digit: the sign of an error "
+    "decides whether it slips, so that the number of slips does not converge with the step"
 )
 CASE = Case(
     name="grazing",

@@ -1,4 +1,4 @@
-"""A block swings on its contact in implicit steps, from a thousandth to ten thousand radians."""
+"""A block oscillates on its contact in implicit steps of 1e-3 to 1e4 radians."""
 
 from __future__ import annotations
 
@@ -57,7 +57,7 @@ def _declare(variant: str, p: Parameters) -> Trial:
     levels = {Level.QUICK: rungs[:2], Level.DEFAULT: rungs, Level.PAPER: rungs}
     study = Ladder(_scene(p), History(STEPS * dt[-1], dt[0]), (MOVED, MOVING), levels)
     radius = _over_theory(
-        "radius", "rho/rho_O", "what a step makes of a swing, over theory", w, _radius,
+        "radius", "rho/rho_O", "spectral radius of a step, over theory", w, _radius,
         theory.spectral_radius, RADIUS,
     )  # fmt: skip
     if variant == "real":
@@ -115,23 +115,24 @@ ANGLES = {
     "near-four": (1.0, 2.0, 3.0, 3.9),
     "real": (4.1, 10.0, 1e2, 1e3, 1e4),
 }
-OTHERS = "contact without a spring: what is thrown up falls, and stays where it falls"
+OTHERS = "rigid contact has no spring: the block is thrown up, falls, and stays down"
 SHOWN = dict.fromkeys((Method.EXACT, Method.SECOND_ORDER, Method.FIRST_ORDER), OTHERS)
 BOTH = (Method.PENALTY, Method.LAGGING)
 RADIUS = Exact(
-    dict.fromkeys(BOTH, Tolerance(1e-12, "the step is linear, and fitted from eight outputs")),
-    shown=SHOWN,
+    dict.fromkeys(BOTH, Tolerance(1e-12, "the step is a linear map, fitted to eight outputs")),
+    not_judged=SHOWN,
 )
 DAMPING = Exact(
     dict.fromkeys(
         BOTH,
         Tolerance(
             1e-7,
-            "a swing is damped by w dt/4, and a step of 1e-3 decays by its square: six digits less",
-            slack="where steps are large no digits are lost; one bound serves all",
+            "the damping ratio is w dt/4; at w dt = 1e-3 a step decays by its square, which "
+            "costs six digits",
+            slack="no digits are lost at large steps; one bound is used for all",
         ),
     ),
-    shown=SHOWN,
+    not_judged=SHOWN,
 )
 RINGS = Shown(
     "beyond w dt = 4 it is real and negative, and tends to -1: a stiff contact is no longer damped "

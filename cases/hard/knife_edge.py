@@ -102,7 +102,7 @@ def _declare(variant: str, p: Parameters) -> Trial:
     motion = Motion(PRISM, scene.axes, path, goal.times(None), "m")
     judge = Exact(JUDGED)
     parts = tuple(
-        motion.part(i, name, f"displacement of the centre {where}", judge)
+        motion.component(i, name, f"displacement of the centre {where}", judge)
         for i, (name, where) in enumerate(
             (("x", "along the lower edge"), ("y", "across it"), ("z", "upwards"))
         )

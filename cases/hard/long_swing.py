@@ -136,7 +136,7 @@ def _second(reason: str) -> Exact:
         Method.LINEARISED: Tolerance(1e-11, "a bond that does not turn is linear, to rounding"),
         Method.SECOND_ORDER: bound,
         Method.FIRST_ORDER: dataclasses.replace(bound, reason=BALANCED + reason),
-    }, shown={Method.PENALTY: ONLY_NEAR})  # fmt: skip
+    }, not_judged={Method.PENALTY: ONLY_NEAR})  # fmt: skip
 
 
 ONLY_NEAR = "springs that stand in for a bond do so for small stretches only"
@@ -151,7 +151,7 @@ KEPT = Invariant(1e-11, "rounding of up to a million steps; nothing else takes e
 THEORY = Tolerance(1e-12, "a leapfrog's phase is known; rounding moves it by 1e-14")
 TURNS = Exact(
     {Method.SECOND_ORDER: THEORY, Method.FIRST_ORDER: THEORY},
-    shown=dict.fromkeys((Method.EXACT, Method.LINEARISED), "it takes no steps of known phase")
+    not_judged=dict.fromkeys((Method.EXACT, Method.LINEARISED), "it takes no steps of known phase")
     | {Method.PENALTY: ONLY_NEAR},
 )
 # m/s: the faster, the smaller the part of a swing that is lost as places round

@@ -60,8 +60,8 @@ def _declare(variant: str, p: Parameters) -> Trial:
     jams, near = p["mu"] >= painleve_rod.critical(p["slope"]), p["mu"] > 0.75 * CRITICAL
     judge = JAMS if jams else STOPS if near else SLIDES
     parts = (
-        motion.part(0, "x", "displacement of the middle along the floor", judge),
-        motion.part(1, "z", "displacement of the middle upwards", judge),
+        motion.component(0, "x", "displacement of the middle along the floor", judge),
+        motion.component(1, "z", "displacement of the middle upwards", judge),
     )
     return Trial(Ladder(_scene(p), GOAL, (ROD,), LEVELS), (*parts, motion.distance(judge)))
 
@@ -103,8 +103,8 @@ SLIDES = Exact({
         dt=1e-3, order=1, floor=1e-2,
     ),
 })  # fmt: skip
-STOPS = Exact({Method.SECOND_ORDER: SLIDING}, shown=SHOWN)
-JAMS = Exact({Method.SECOND_ORDER: JAMMED}, shown=SHOWN)
+STOPS = Exact({Method.SECOND_ORDER: SLIDING}, not_judged=SHOWN)
+JAMS = Exact({Method.SECOND_ORDER: JAMMED}, not_judged=SHOWN)
 CASE = Case(
     name="painleve",
     title="Painleve's paradox",

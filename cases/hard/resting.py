@@ -1,4 +1,4 @@
-"""A sheet of spheres with friction, at rest in a box, left alone and knocked."""
+"""A sheet of spheres with friction at rest in a box, left undisturbed or given velocities."""
 
 from __future__ import annotations
 
@@ -26,14 +26,17 @@ from vv.case import (
 )
 from vv.scene import Contact, Form, Scene, Spheres, Vector, Wall
 
-RADIUS = 0.05  # m; with m, it decides how spheres roll
+RADIUS = 0.05  # m; enters the moment of inertia
 X, Z = np.eye(3)[[0, 2]]
 FIRST = 3  # walls stand before the spheres
-GOAL, EVERY = History(0.1, 1e-3), History(0.1, 2e-4)  # the second at each of the longest steps
+GOAL, EVERY = (
+    History(0.1, 1e-3),
+    History(0.1, 2e-4),
+)  # EVERY: an output at each of the longest steps
 
 
 def _scene(p: Parameters) -> Scene:
-    """The sheet in the plane of x and z, which no sphere leaves; all may turn."""
+    """The sheet in the plane of x and z, in which the spheres move; all may rotate."""
     place, width = resting_lattice.at_rest(
         n=int(p["n"]), rows=int(p["rows"]), r=RADIUS,
         m=p["m"], kn=p["kn"], g=p["g"], squeeze=p["squeeze"],
@@ -53,7 +56,7 @@ def _scene(p: Parameters) -> Scene:
 
 
 def _knock(count: int) -> Vector:
-    """Directions (count, 2) that repeat nowhere, one after the other by the golden angle."""
+    """Unit vectors (count, 2), all different: each is turned by the golden angle from the last."""
     angle = np.pi * (3 - np.sqrt(5)) * np.arange(count)
     return np.stack([np.cos(angle), np.sin(angle)], axis=1)
 
@@ -84,52 +87,53 @@ def _at_rest(moved: tuple[Displacement, ...], p: Parameters) -> tuple[Quantity, 
 
 
 def _knocked(scene: Scene, p: Parameters) -> tuple[Quantity, ...]:
-    """Springs of shear and spins are not seen: what they give back is seen as a gain."""
-    put_in, held = _put_in(scene, p), functools.partial(_held, scene)
+    """Shear springs and spins are not observed: energy that they return counts as a gain."""
+    initial, held = _initial_energy(scene, p), functools.partial(_held, scene)
     return (
         Scalar(
             "gained", "max(E(t) - E(s))", "J",
-            "the largest rise, over any time s before, of what motion, weight and normal springs "
-            "hold", lambda run: _rise(held(run)), 0.0, put_in, RETURNS,
+            "largest increase, since any earlier time s, of the energy of motion, weight and "
+            "normal springs", lambda run: _rise(held(run)), 0.0, initial, RETURNS,
         ),
         Scalar(
-            "left", "E - Er", "J", "what they hold at the end above the sheet at rest, as a mean",
-            lambda run: float(held(run)[len(run.times) // 2 :].mean() - held(run)[0]) + put_in,
-            None, put_in, LEFT,
+            "left", "E - Er", "J",
+            "mean of that energy over the second half of the run, above that of the sheet at rest",
+            lambda run: float(held(run)[len(run.times) // 2 :].mean() - held(run)[0]) + initial,
+            None, initial, LEFT,
         ),
     )  # fmt: skip
 
 
 def _booked(scene: Scene, p: Parameters) -> tuple[Quantity, ...]:
-    """All that there is, by a code's own books: friction only takes, so no loss hides a gain."""
-    put_in = _put_in(scene, p)
+    """All energy, as the code reports it: friction only dissipates, so no loss hides a gain."""
+    initial = _initial_energy(scene, p)
     return (
         Scalar(
             "gained", "max(E(t) - E(s))", "J",
-            "the largest rise, over any time s before, of all energy held",
+            "largest increase, since any earlier time s, of all stored energy",
             lambda run: _rise(sum((run.energies[form] for form in HELD), np.zeros(1))),
-            0.0, put_in, GAINS,
+            0.0, initial, GAINS,
         ),
         Scalar(
             "returned", "max(Q(s) - Q(t))", "J",
-            "the largest fall, below any time s before, of what friction has taken",
-            lambda run: _rise(-run.energies[LOST]), 0.0, put_in, NOTHING,
+            "largest decrease, since any earlier time s, of the energy dissipated by friction",
+            lambda run: _rise(-run.energies[LOST]), 0.0, initial, NOTHING,
         ),
     )  # fmt: skip
 
 
-def _put_in(scene: Scene, p: Parameters) -> float:
-    """The energy of the knock [J]."""
+def _initial_energy(scene: Scene, p: Parameters) -> float:
+    """The kinetic energy at the start [J]."""
     return float(0.5 * p["m"] * p["v"] ** 2 * len(scene.spheres))
 
 
 def _rise(energy: Vector) -> float:
-    """How far a history (k,) rises at most above what it was at any time before."""
+    """The largest increase of a history (k,) above any of its earlier values."""
     return float((energy - np.minimum.accumulate(energy)).max())
 
 
 def _held(scene: Scene, run: Run) -> Vector:
-    """The energy (k,) [J] in motion without spin, in height, and in normal springs."""
+    """Translational kinetic energy, potential of gravity and normal springs, (k,) [J]."""
     spheres, law = scene.spheres, scene.contact
     bodies = range(FIRST, FIRST + len(spheres))
     u = np.stack([run.values[Displacement(body)] for body in bodies], axis=1)
@@ -146,39 +150,41 @@ def _held(scene: Scene, run: Run) -> Vector:
 STEPS = (2e-4, 1e-4, 5e-5)  # s; the quickest swing takes about 2e-3 s
 STILL = Tolerance(
     1e-9,
-    "forces balance to the rounding of places, kn eps x = 1e-10 N where a weight is 13 N, and what "
-    "that moves is not damped",
-    slack="codes round places in their own ways",
+    "forces balance to the rounding of positions, kn eps x = 1e-10 N beside a weight of 13 N, and "
+    "the motion that this starts is not damped",
+    slack="codes round positions differently",
 )
 HELD = (Form.KINETIC, Form.NORMAL, Form.SHEAR, Form.GRAVITY)
 LOST = Form.FRICTION
 BOTH = Method.SECOND_ORDER, Method.FIRST_ORDER
 RETURNS = Exact(dict.fromkeys(BOTH, Tolerance(
     2e-2,
-    "shear springs and spins, which are not seen, hold 0.18 of what was put in at most and give "
-    "back 7e-3 of it where they are booked, whatever the step",
+    "shear springs and spins, which are not observed, store at most 0.18 of the initial energy and "
+    "return 7e-3 of it where a code reports them, at any step",
 )))  # fmt: skip
 GAINS = Exact({
     method: Tolerance(
         1e-8,
-        "no contact opens, and a leapfrog keeps m v- v+/2 and closed springs together but for "
-        "normals that turn, by 1e-4 rad in a swing",
+        "no contact opens, and a leapfrog conserves m v- v+/2 plus the energy of closed springs, "
+        "except that normals turn, by 1e-4 rad in a swing",
         dt=STEPS[0], order=order,
     )
     for method, order in ((Method.SECOND_ORDER, 2), (Method.FIRST_ORDER, 1))
 })  # fmt: skip
 NOTHING = Exact(dict.fromkeys(BOTH, Tolerance(
-    1e-12, "what friction takes in a step is more than nothing, or added as nothing: rounding"
+    1e-12, "friction dissipates a positive amount or nothing in each step: only rounding is left"
 )))  # fmt: skip
-LEFT = Shown("friction takes what slips, which hangs on each slip; codes may be compared")
+LEFT = Shown(
+    "the energy dissipated depends on every single slip; codes may be compared with each other"
+)
 KNOCKED = "E(t) <= E(s) for any s < t, E of motion, weight and springs"
 CASE = Case(
     name="resting",
     title="A frictional lattice at rest",
     source=Source(
         *LI_2018,
-        "The contact law is that of Eqs. 4-8. The sheet is chosen: 33 spheres, all contacts of "
-        "which are closed and their shear springs slack at t = 0. It is put where it is at rest.",
+        "The contact law is that of Eqs. 4-8. The sheet is chosen: 33 spheres, with all "
+        "contacts closed and shear springs slack at t = 0, in the positions of equilibrium.",
     ),
     parameters=(
         Parameter("n", 6.0, "", "spheres in a long row"),
@@ -192,14 +198,15 @@ CASE = Case(
         Parameter("v", 0.0, "m/s", "speed of each sphere at the start"),
     ),
     variants=(
-        Variant("still", "left alone for 0.1 s", "u = 0"),
+        Variant("still", "left undisturbed for 0.1 s", "u = 0"),
         Variant(
-            "knocked", "every sphere is knocked another way, for 0.1 s",
+            "knocked", "every sphere is given a velocity in another direction, for 0.1 s",
             KNOCKED, {"v": 0.02},
         ),
         Variant(
-            "booked", "the same by a code's own books of energy, with spins and shear springs",
-            f"{KNOCKED}; Q(t) >= Q(s), Q what friction has taken", {"v": 0.02},
+            "booked",
+            "the same, judged by the energies that the code reports, with spins and shear springs",
+            f"{KNOCKED}; Q(t) >= Q(s), Q the energy dissipated by friction", {"v": 0.02},
         ),
     ),
     declare=_declare,

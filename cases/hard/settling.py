@@ -77,7 +77,9 @@ def _leaves(z: Vector) -> int:
 RUNGS = tuple(Knobs(dt=dt) for dt in (1e-4, 5e-5, 2.5e-5, 1.25e-5))
 LEVELS = {Level.QUICK: RUNGS[:3:2], Level.DEFAULT: RUNGS, Level.PAPER: RUNGS}
 PATH = {
-    Method.EXACT: Tolerance(5e-13, "rounding of sixty events, each of which moves the next"),
+    Method.EXACT: Tolerance(
+        5e-13, "rounding errors of sixty events, each of which shifts the next"
+    ),
     Method.SECOND_ORDER: Tolerance(
         4e-3,
         "a contact lasts 30 steps of 1e-4 s: (k dt)^2/24 = 4e-4 for its swing, as much for each of "

@@ -116,7 +116,7 @@ def _declare(variant: str, p: Parameters) -> Trial:
     )
     judge = _judge(p, unit)
     parts = [
-        motion.part(i, f"q{i + 1}", f"displacement along the {word} axis", judge)
+        motion.component(i, f"q{i + 1}", f"displacement along the {word} axis", judge)
         for i, word in enumerate(("first", "second", "third")[: 2 if one else 3])
     ]
     levels = {

@@ -1,4 +1,4 @@
-"""The responding block on a base that shakes so fast that the block hardly stirs."""
+"""The responding block on a base that shakes so fast that the block hardly moves."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ def _declare(variant: str, p: Parameters) -> Trial:
     study = Ladder(one.study.scene, goal, (BLOCK,), LEVELS[variant])
     path = one.quantities[0]
     assert isinstance(path, Series)
-    d2 = dataclasses.replace(path, judge=Exact(PATH, shown=SPRINGS))
+    d2 = dataclasses.replace(path, judge=Exact(PATH, not_judged=SPRINGS))
     slow = 2 * p["mu"] * p["g"] / (math.pi * p["D"] * 2 * math.pi * p["f"])
     settled = p["duration"] * slow > 10 * (1 - 1e-9)
     return Trial(study, (d2, _mean(p)) if settled else (d2,))
@@ -59,7 +59,7 @@ def _mean(p: Parameters) -> Scalar:
         observe=last,
         reference=limit,
         scale=limit,
-        judge=Exact(MEAN, shown=SPRINGS),
+        judge=Exact(MEAN, not_judged=SPRINGS),
     )
 
 

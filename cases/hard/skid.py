@@ -60,7 +60,7 @@ def _declare(variant: str, p: Parameters) -> Trial:
         for i, (what, size) in enumerate(zip(seen, ("m", "m/s"), strict=True))
     ]
     parts = [
-        motion.part(k, f"{name}_{where}", f"{meaning} {where} the wall", judge)
+        motion.component(k, f"{name}_{where}", f"{meaning} {where} the wall", judge)
         for motion, name, meaning in zip(motions, "dv", ("displacement", "velocity"), strict=True)
         for k, where in enumerate(("across", "along"))
     ]

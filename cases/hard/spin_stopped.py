@@ -80,7 +80,8 @@ def _declare(variant: str, p: Parameters) -> Trial:
         dt=STEPS[0] / p["V"], order=2, floor=1e-8,
     )  # fmt: skip
     judge = Exact(
-        {Method.SECOND_ORDER: second}, shown=dict.fromkeys((Method.PENALTY, Method.LAGGING), SPRUNG)
+        {Method.SECOND_ORDER: second},
+        not_judged=dict.fromkeys((Method.PENALTY, Method.LAGGING), SPRUNG),
     )
 
     def path(t: Vector) -> Vector:
@@ -91,7 +92,9 @@ def _declare(variant: str, p: Parameters) -> Trial:
         for i, name in enumerate(("below", "above"))
     }
     parts = tuple(
-        motion.part(k, f"{name}{where}", f"displacement of the prism {name} along {line}", judge)
+        motion.component(
+            k, f"{name}{where}", f"displacement of the prism {name} along {line}", judge
+        )
         for name, motion in motions.items()
         for k, where, line in ((2, "", "n"), (0, "_across", "the lower edge"))
     )
@@ -117,7 +120,7 @@ def _middle(p: Parameters, speed: float, seen: tuple[Observable, ...]) -> Series
 
 
 STEPS = (2e-3, 1e-3, 5e-4)  # times V, over a metre
-SPRUNG = "springs give back what they took: how much is a matter of their damping"
+SPRUNG = "springs return a part of the energy of the impact that depends on their damping"
 CASE = Case(
     name="spin-stopped",
     title="An impact that stops two spins",

@@ -38,7 +38,7 @@ def _pressed(trial: Trial) -> Grid:
 
     goal = History(SECONDS, SECONDS / SAMPLES)
     return Grid(
-        scene, goal, trial.study.observables, STEPS, critical, STIFFNESSES, patience=PATIENCE
+        scene, goal, trial.study.observables, STEPS, critical, STIFFNESSES, cpu_limit=PATIENCE
     )
 
 
@@ -58,7 +58,7 @@ def _swung(trial: Trial) -> Grid:
     goal = History(PERIODS * math.pi * step, PERIODS * math.pi * step / SAMPLES)
     return Grid(
         scene, goal, trial.study.observables, ALL_STEPS, lambda _: step, STIFFNESSES,
-        own=own, patience=PATIENCE,
+        scene_with_kn=own, cpu_limit=PATIENCE,
     )  # fmt: skip
 
 

@@ -128,14 +128,14 @@ SHARP = Tolerance(
 EVERY = Exact(dict.fromkeys(Method, SHARP))
 CENTRED = Exact(
     {method: SHARP for method in Method if method is not Method.FIRST_ORDER},
-    shown={
-        Method.FIRST_ORDER: "first order is drag at the velocity before, whose limit is the other"
+    not_judged={
+        Method.FIRST_ORDER: "such a scheme takes drag at the earlier velocity; its limit is `late`"
     },
 )
 LATE = Exact(
     {Method.FIRST_ORDER: SHARP},
-    shown={
-        method: "not first order is drag at the middle, which leaves 2/w as it is"
+    not_judged={
+        method: "a scheme of this class takes drag at the middle of the step; its limit is `limit`"
         for method in Method
         if method is not Method.FIRST_ORDER
     },

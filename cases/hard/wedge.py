@@ -88,11 +88,14 @@ def _judge(xi: float) -> Exact:
         "groove magnifies by 1/sin(xi/2) more than once",
         dt=1e-2,
         order=0,
-        slack="rounding decides in wide grooves",
+        slack="in wide grooves only rounding errors remain",
     )
-    rigid = {Method.EXACT: Tolerance(1e-12, "a parabola, to rounding"), Method.SECOND_ORDER: second}
+    rigid = {
+        Method.EXACT: Tolerance(1e-12, "the answer is a parabola, known to rounding"),
+        Method.SECOND_ORDER: second,
+    }
     if xi < 0.05:
-        return Exact(rigid, shown={Method.PENALTY: SUNK, Method.LAGGING: SUNK})
+        return Exact(rigid, not_judged={Method.PENALTY: SUNK, Method.LAGGING: SUNK})
     return Exact({
         **rigid,
         Method.PENALTY: Tolerance(

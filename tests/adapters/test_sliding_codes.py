@@ -27,15 +27,15 @@ from vv.scene import (
     Term,
     Vector,
     Wall,
-    about_z,
     box_geometry,
     polyhedron_inertia,
     rotated,
+    rotation_about_z,
 )
 
 CODES: dict[str, Adapter] = {"yade": adapters.yade.ADAPTER, "liggghts": adapters.liggghts.ADAPTER}
 TILT = np.array([[0.0, 0.0, 1.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]])
-TURN = about_z(0.7) @ TILT
+TURN = rotation_about_z(0.7) @ TILT
 BLOCK = Displacement(1)
 Path = Callable[[Vector], Vector]
 

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from tests import ROOT
-from vv.base.closure import _names, closure, imported
+from vv.base.closure import _names_in_tree, import_closure, imported_names
 
 FOLDERS = ("vv", "adapters", "cases", "reference_solutions", "reports", "bench", "tests")
 SOURCES = [path for folder in FOLDERS for path in sorted((ROOT / folder).rglob("*.py"))]
@@ -17,7 +17,7 @@ SOURCES = [path for folder in FOLDERS for path in sorted((ROOT / folder).rglob("
 def test_nothing_that_parsing_finds_is_missed_in_any_of_our_sources() -> None:
     for path in SOURCES:
         text = path.read_text()
-        assert set(_names(ast.parse(text))) <= set(imported(text)), path
+        assert set(_names_in_tree(ast.parse(text))) <= set(imported_names(text)), path
 
 
 @pytest.mark.parametrize(
@@ -41,12 +41,12 @@ def test_nothing_that_parsing_finds_is_missed_in_any_of_our_sources() -> None:
     ],
 )
 def test_a_name_is_found_however_it_is_imported(text: str) -> None:
-    assert {"vv.a", "vv.b"} <= set(imported(text))
+    assert {"vv.a", "vv.b"} <= set(imported_names(text))
 
 
 def test_a_closure_follows_an_import_inside_a_function(tmp_path: Path) -> None:
     for name, text in {"__init__": "", "a": "def f():\n    from cases import b", "b": ""}.items():
         (tmp_path / "cases").mkdir(exist_ok=True)
         (tmp_path / "cases" / f"{name}.py").write_text(text)
-    found = closure([tmp_path / "cases" / "a.py"], [tmp_path])
+    found = import_closure([tmp_path / "cases" / "a.py"], [tmp_path])
     assert {path.name for path in found} == {"__init__.py", "a.py", "b.py"}

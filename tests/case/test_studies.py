@@ -54,17 +54,19 @@ def test_what_diverges_in_a_map_is_no_fault_and_is_kept(tiny: Tiny) -> None:
 
 
 def test_a_point_of_a_map_that_takes_too_long_is_left_out_and_says_so(tiny: Tiny) -> None:
-    posed(tiny, GRID.replace("lambda kn: 0.1", "lambda kn: 0.1, patience=0.15"))
+    posed(tiny, GRID.replace("lambda kn: 0.1", "lambda kn: 0.1, cpu_limit=0.15"))
     tiny.edit("adapters/fake.py", "ORDER, GRAVITY)", "ORDER, GRAVITY, pace=(0.0, 0.01))")
     code, told, asked = ran(tiny, "fake/good")
     assert (code, asked) == (0, 1)
     short, long = sorted(told["records"], key=lambda r: -r["rung"]["dt"])
     assert (short["status"], long["status"]) == ("ran", "too-long")
-    assert long["reason"] == ("not run: 20 steps of some 0.01 s each; it is given 0.15 s, 15 steps")
+    assert long["reason"] == (
+        "not run: 20 steps of about 0.01 s each; the limit is 0.15 s, 15 steps"
+    )
 
 
 def test_a_rung_that_takes_too_long_is_left_out_and_the_others_are_judged(tiny: Tiny) -> None:
-    posed(tiny, f"{LADDER[:-1]}, patience=0.25)")
+    posed(tiny, f"{LADDER[:-1]}, cpu_limit=0.25)")
     tiny.edit("adapters/fake.py", "ORDER, GRAVITY)", "ORDER, GRAVITY, pace=(0.0, 0.01))")
     code, told, _ = ran(tiny, "fake/good", "--level", "default")
     steps = {round(1.0 / r["rung"]["dt"]): r["status"] for r in told["records"]}

@@ -11,7 +11,7 @@ import pytest
 
 from cases.close_packed_energy import CASE
 from vv.ask import Knobs, Method, Run, Status
-from vv.case import Exact, Level, Scalar, Trial, number
+from vv.case import Exact, Level, Scalar, Trial, evaluated
 from vv.engines import dem
 from vv.plan.plan import Options, make_plan
 from vv.plan.project import find
@@ -65,7 +65,7 @@ def test_elastic_energy_is_that_of_the_static_lattice_and_sees_wrong_springs() -
     bound = half.judge.tolerances[Method.SECOND_ORDER].value
     p = CASE.defaults("pulled-82")
     stiff = ran(CASE.declare("pulled-82", {**p, "kn": 1.001 * p["kn"]}), COARSE)
-    exact = number(half.reference)
+    exact = evaluated(half.reference)
     errors = [abs(half.observe(run) / exact - 1) for run in (pulled(COARSE), stiff)]
     assert errors[0] < bound < errors[1]
 

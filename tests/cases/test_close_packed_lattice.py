@@ -9,7 +9,7 @@ import pytest
 
 from cases.close_packed_lattice import CASE
 from vv.ask import Ask, Knobs, Method, Run, Status
-from vv.case import Exact, Level, Scalar, Trial, number
+from vv.case import Exact, Level, Scalar, Trial, evaluated
 from vv.engines import dem
 from vv.plan.plan import Options, make_plan
 from vv.plan.project import find
@@ -29,8 +29,8 @@ def off(trial: Trial, run: Run) -> dict[str, float]:
     for q in trial.quantities:
         if isinstance(q, Scalar) and isinstance(q.judge, Exact) and q.reference is not None:
             allowed = q.judge.tolerances[Method.SECOND_ORDER].value
-            gap = abs(q.observe(run) - number(q.reference))
-            errors[q.name] = gap / number(q.scale) / allowed
+            gap = abs(q.observe(run) - evaluated(q.reference))
+            errors[q.name] = gap / evaluated(q.scale) / allowed
     return errors
 
 

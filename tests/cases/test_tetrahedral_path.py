@@ -5,7 +5,7 @@ import pytest
 
 from reference_solutions import tetrahedral_unit
 from vv.ask import Method, Run
-from vv.case import Exact, Parameters, Scalar, Trial, judge_of, number
+from vv.case import Exact, Parameters, Scalar, Trial, evaluated, judge_for_method
 from vv.engines import dem
 from vv.plan.project import find
 
@@ -26,13 +26,13 @@ def solved(of: Trial) -> Run:
 
 
 def judged(q: Scalar) -> bool:
-    return isinstance(judge_of(q.judge, Method.SECOND_ORDER), Exact)
+    return isinstance(judge_for_method(q.judge, Method.SECOND_ORDER), Exact)
 
 
 def errors(of: Trial, run: Run) -> dict[str, float]:
     """Of every quantity that is judged."""
     return {
-        q.name: abs(q.observe(run) - number(q.reference)) / number(q.scale)
+        q.name: abs(q.observe(run) - evaluated(q.reference)) / evaluated(q.scale)
         for q in of.quantities
         if isinstance(q, Scalar) and q.reference is not None and judged(q)
     }

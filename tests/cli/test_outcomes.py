@@ -174,7 +174,7 @@ def test_what_a_code_does_not_tell_is_not_judged_in_it_and_in_others_is() -> Non
 
     bound = Exact({Method.SECOND_ORDER: Tolerance(1e-9, "rounding")})
     kept = Scalar("balance", "E", "J", "left over", left_over, 0.0, 1.0, bound,
-                  told=lambda run: run.ledger is not None)  # fmt: skip
+                  is_reported=lambda run: run.ledger is not None)  # fmt: skip
     silent = Run(Status.RAN, times=np.array([0.0, 1.0]))
     booked = dataclasses.replace(silent, ledger=Ledger({}, 1.0, 1.0, 0.0))
     for run, verdict in ((silent, "no-reference"), (booked, "fail")):

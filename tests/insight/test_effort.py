@@ -11,7 +11,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from vv.base.metrics import before_floor
+from vv.base.metrics import count_before_floor
 from vv.insight.accuracy_cost import duels, front, profile, reach
 from vv.insight.effort import Effort, efforts, untimed
 from vv.records.rungs import told
@@ -102,7 +102,7 @@ def test_a_ladder_that_is_at_its_floor_from_the_start_has_no_order() -> None:
 def test_what_lies_before_a_floor_is_all_or_leaves_three_that_gain_nothing(
     errors: list[float],
 ) -> None:
-    free = before_floor(errors)
+    free = count_before_floor(errors)
     assert free == len(errors) or len(errors) - free >= 3
     tail = errors[free:]
     assert all(a < 1.5 * b for a, b in itertools.pairwise(tail))

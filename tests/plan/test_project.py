@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from tests import ROOT
-from vv.base.closure import CONTENT
+from vv.base.closure import CONTENT_PACKAGES
 from vv.plan import imports
 from vv.plan.content import ProjectError
 from vv.plan.project import Project, find
@@ -37,7 +37,7 @@ def apart(monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
 
 
 def is_content(module: str) -> bool:
-    return module.partition(".")[0] in CONTENT
+    return module.partition(".")[0] in CONTENT_PACKAGES
 
 
 def forget_content() -> None:

@@ -14,7 +14,7 @@ from hypothesis import strategies as st
 
 from tests.scenes.small_scenes import ball
 from vv.ask import Ask, Bracket, Displacement, Knobs, Method, Model, Observable, Run, Status
-from vv.case import Interval, Level, Search, largest_step, last_stable
+from vv.case import Interval, Level, Search, largest_step, last_stable_step
 from vv.codes import Found, no_steps
 from vv.records.record import Verdict, checked, measured
 from vv.run.search import answers
@@ -84,7 +84,7 @@ def test_it_ends_at_the_limit_as_sharply_as_it_says(
     (run,) = found(Limited(limit, beyond), bracket)
     gaps = (tries - 1) * (tries + 1) ** (rounds - 1)  # between the steps of a single long round
     least = limit / bracket.span ** (1.0 / gaps) * (1 - 1e-12)
-    assert least <= last_stable(run, bracket) <= limit
+    assert least <= last_stable_step(run, bracket) <= limit
 
 
 def test_several_searches_take_their_rounds_together() -> None:
@@ -98,7 +98,7 @@ def test_several_searches_take_their_rounds_together() -> None:
 def test_where_nothing_is_unstable_the_longest_step_is_the_answer() -> None:
     code, bracket = Limited(1e9), Bracket(8.0, BOUND, 5)
     (run,) = found(code, bracket)
-    assert last_stable(run, bracket) == pytest.approx(8.0)
+    assert last_stable_step(run, bracket) == pytest.approx(8.0)
     assert run.reason == "every step tried is stable"
 
 
@@ -125,7 +125,7 @@ def test_a_code_that_cannot_take_the_first_step_has_failed() -> None:
 def test_a_first_step_that_is_unstable_leaves_no_stable_one() -> None:
     bracket = Bracket(8.0, BOUND, 5)
     (run,) = found(Limited(0.5), bracket)
-    assert last_stable(run, bracket) == 0.0
+    assert last_stable_step(run, bracket) == 0.0
 
 
 def test_the_store_gives_back_what_was_tried(tmp_path: Path) -> None:

@@ -15,11 +15,11 @@ from vv.scene import (
     Scene,
     Term,
     Vector,
-    about_z,
     box_geometry,
     polyhedron_inertia,
     rotated,
-    swapped,
+    rotation_about_z,
+    with_bodies_reversed,
 )
 
 Faces = tuple[tuple[int, ...], ...]
@@ -63,30 +63,34 @@ def test_an_inertia_must_be_positive() -> None:
 @pytest.mark.parametrize("number", range(6))
 def test_one_face_turned_inwards_is_named(number: int) -> None:
     faces = tuple(f[::-1] if i == number else f for i, f in enumerate(FACES))
-    with pytest.raises(ValueError, match=f"block 'odd', face {number}: .* turned inwards"):
+    with pytest.raises(ValueError, match=f"block 'odd', face {number}: .* clockwise"):
         made(faces=faces)
 
 
 def test_all_faces_turned_inwards_are_an_error_too() -> None:
-    with pytest.raises(ValueError, match="block 'odd', face 0: it is turned inwards"):
+    with pytest.raises(ValueError, match="block 'odd', face 0: it points inwards"):
         made(faces=tuple(face[::-1] for face in FACES))
 
 
 def test_a_face_that_is_missing_is_an_error() -> None:
-    with pytest.raises(ValueError, match=r"block 'odd', face \d: the faces do not close round it"):
+    with pytest.raises(ValueError, match=r"block 'odd', face \d: the faces do not enclose"):
         made(faces=FACES[1:])
 
 
 def test_a_dented_block_is_not_convex() -> None:
     vertices, faces = prism([(0, 0), (2, 0), (2, 1), (1, 1), (1, 2), (0, 2)])
-    with pytest.raises(ValueError, match=r"block 'odd', face \d: vertex \d+ lies beyond; not conv"):
+    with pytest.raises(
+        ValueError, match=r"block 'odd', face \d: vertex \d+ lies outside; not conv"
+    ):
         made(vertices, faces)
 
 
 def test_a_warped_face_is_named() -> None:
     vertices = CUBE.copy()
     vertices[7] += [0.0, 0.0, 0.1]
-    with pytest.raises(ValueError, match="block 'odd', face 1: its vertices lie in no plane"):
+    with pytest.raises(
+        ValueError, match="block 'odd', face 1: its vertices do not lie in one plane"
+    ):
         made(vertices)
 
 
@@ -125,7 +129,11 @@ def test_a_block_strains_where_the_scene_says_so_along_what_it_is_free_in() -> N
 def test_elasticity_goes_with_a_block_that_is_moved_turned_renumbered_or_in_other_units() -> None:
     law = Elastic(3e9, 0.2)
     scene = alone(elastic=law)
-    for other in (shifted(scene, np.ones(3)), rotated(scene, about_z(0.3)), swapped(scene)):
+    for other in (
+        shifted(scene, np.ones(3)),
+        rotated(scene, rotation_about_z(0.3)),
+        with_bodies_reversed(scene),
+    ):
         assert other.blocks[0].elastic == law
     small = rescaled(scene, length=1e-3, time=10.0, mass=1e2).blocks[0].elastic
     assert small is not None

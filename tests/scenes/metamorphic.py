@@ -18,7 +18,7 @@ from tests.scenes import stacked_blocks
 from tests.scenes.other_worlds import rescaled, shifted
 from vv.ask import Ask, Displacement, History, Knobs, Run, Velocity
 from vv.case import Case
-from vv.scene import Scene, Spheres, Vector, rotated, swapped
+from vv.scene import Scene, Spheres, Vector, rotated, with_bodies_reversed
 
 EPS = float(np.finfo(float).eps)
 FAR = 1e6  # m
@@ -134,7 +134,7 @@ def _with(ask: Ask, scene: Scene) -> Ask:
 
 def _renumbered(ask: Ask, n: int) -> Ask:
     seen = tuple(dataclasses.replace(what, body=n - 1 - what.body) for what in ask.observables)
-    return dataclasses.replace(ask, scene=swapped(ask.scene), observables=seen)
+    return dataclasses.replace(ask, scene=with_bodies_reversed(ask.scene), observables=seen)
 
 
 def _as_is(u: Vector) -> Vector:

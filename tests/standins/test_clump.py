@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 from tests.scenes.block_scenes import incline, responding
 from vv.ask import Ask, Displacement, History, Knobs
-from vv.scene import Contact, Scene, Term, about_z, initial_normal_forces, rotated
+from vv.scene import Contact, Scene, Term, initial_normal_forces, rotated, rotation_about_z
 from vv.standins.clump import clump, why_no_clump
 
 KN = 1e9
@@ -24,7 +24,9 @@ def asked(scene: Scene, kn: float | None = KN) -> Ask:
 
 
 def turned(scene: Scene, angle: float) -> Scene:
-    return rotated(scene, about_z(angle) @ np.array([[1, 0, 0], [0, 0.8, -0.6], [0, 0.6, 0.8]]))
+    return rotated(
+        scene, rotation_about_z(angle) @ np.array([[1, 0, 0], [0, 0.8, -0.6], [0, 0.6, 0.8]])
+    )
 
 
 @given(SIDES, st.floats(0, 6.3))

@@ -15,7 +15,7 @@ import pytest
 
 from tests.conftest import Tiny
 from vv.ask import Cost, Displacement, Ledger, Model, Observable, Run, Status, Velocity
-from vv.base.files import write
+from vv.base.files import write_whole
 from vv.records.finding import Bit
 from vv.scene import Term
 from vv.store.store import OBSERVABLES, Store
@@ -294,12 +294,12 @@ def test_a_failed_write_leaves_the_old_file_and_nothing_else(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     target = tmp_path / "file"
-    write(target, b"old")
+    write_whole(target, b"old")
 
     def fails(*_: object) -> None:
         raise OSError("disk full")
 
     monkeypatch.setattr(os, "replace", fails)
     with pytest.raises(OSError, match="disk full"):
-        write(target, b"new")
+        write_whole(target, b"new")
     assert [(p.name, p.read_bytes()) for p in tmp_path.iterdir()] == [("file", b"old")]

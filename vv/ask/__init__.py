@@ -1,4 +1,4 @@
-"""What a case asks of a code, and what comes back.
+"""The question put to a code (Ask) and its answer (Run).
 
 May import: base, scene.
 """

@@ -1,4 +1,4 @@
-"""One question to a code: a scene, what is observed of it, and at which settings."""
+"""One question to a code: a scene, the observables wanted, a duration and a setting."""
 
 from __future__ import annotations
 
@@ -12,11 +12,11 @@ from vv.scene import Form, Scene
 
 @dataclass(frozen=True, eq=False)
 class Ask:
-    """One question to a code: this scene, with these knobs, observed so.
+    """One question to a code: solve this scene with these knobs and report these observables.
 
-    search: None, or where to look for the largest stable step; the ask is then that of the first
-    step tried, and the goal of any other is as many steps long. energies: forms of energy of the
-    whole scene that are wanted over time, beside the observables.
+    search: None, or the bracket in which the largest stable step is searched; knobs and goal are
+    then those of the first step tried, and runs at other steps take as many steps. energies:
+    forms of energy of the whole scene that are to be reported over time.
     """
 
     scene: Scene
@@ -27,19 +27,19 @@ class Ask:
     energies: tuple[Form, ...] = ()
 
     def digest(self) -> str:
-        """Fingerprint of everything that decides the answer."""
+        """SHA-256 digest of everything that the answer depends on."""
         asked = self.observables, self.knobs, self.search, self.energies
         return digest(self.scene.digest(), self.goal, *asked)
 
     @property
     def dt(self) -> float:
-        """The step [s], for what cannot do without; raises ValueError if there is none."""
+        """The step [s]; raises ValueError if there is none."""
         if self.knobs.dt is None:
-            raise ValueError("Knobs.dt is None; a step is needed")
+            raise ValueError("Knobs.dt = None; this scheme needs a step")
         return float(self.knobs.dt)  # a numpy scalar would be written with its type
 
     def at(self, dt: float) -> Ask:
-        """The same question at another step [s], over as many steps; no search."""
+        """The same question at another step [s], over as many steps and without a search."""
         ratio = dt / (self.knobs.dt or dt)
         goal = History(self.goal.duration * ratio, self.goal.interval * ratio)
         knobs = Knobs(dt, self.knobs.kn)

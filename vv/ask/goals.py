@@ -1,4 +1,4 @@
-"""How long a run lasts, at which numerical settings, and where a largest step is searched."""
+"""Duration and output times of a run, its numerical setting, and the bracket of a search."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from vv.scene import Vector
 
 @dataclass(frozen=True)
 class History:
-    """Goal: observables over `duration` [s], about every `interval` [s].
+    """Report observables from 0 to `duration` [s], about every `interval` [s].
 
     Raises ValueError unless 0 < interval <= duration.
     """
@@ -27,16 +27,16 @@ class History:
             )
 
     def stride(self, dt: float) -> int:
-        """How many steps of dt [s] lie between two outputs."""
+        """Number of steps of dt [s] between two outputs."""
         return max(1, round(self.interval / dt))
 
     def steps(self, dt: float) -> int:
-        """How many steps are taken: the last output is the last one within the duration."""
+        """Number of steps of dt [s] up to the last output within the duration."""
         stride = self.stride(dt)
         return int((self.duration / dt) * (1 + 1e-12) + 1e-9) // stride * stride
 
     def times(self, dt: float | None) -> Vector:
-        """Output times [s], from 0, at whole steps; dt None gives the plain grid."""
+        """Output times (k,) [s] from 0, at whole steps of dt, or every `interval` if dt is None."""
         if dt is None:
             outputs = int(self.duration / self.interval * (1 + 1e-12))
             return np.asarray(self.interval * np.arange(outputs + 1), float)
@@ -45,9 +45,10 @@ class History:
 
 @dataclass(frozen=True)
 class Knobs:
-    """Numerical settings of a run: dt [s]; kn [N/m] where the scene's contact is rigid.
+    """One numerical setting: step dt [s], and stiffness kn [N/m] if the contact is rigid.
 
-    None means that the scheme has no such knob. Raises ValueError unless positive.
+    None means that the scheme has no such knob. Raises ValueError for a value that is not
+    positive and finite.
     """
 
     dt: float | None = None
@@ -62,12 +63,12 @@ class Knobs:
 
 @dataclass(frozen=True)
 class Bracket:
-    """Where to search for the largest stable step: from Knobs.dt to `span` times as much.
+    """The steps among which the largest stable one is searched: Knobs.dt to `span` times that.
 
-    A step is stable if the run comes to its end and no component of an observable exceeds
-    `bound`, in the observable's unit. `tries` steps at once are spread over the bracket, and then
-    over the gap between the last stable and the first unstable one, `rounds` times in all.
-    Raises ValueError.
+    A step is stable if the run reaches its end and no component of an observable exceeds `bound`,
+    in the observable's unit. In each of `rounds` rounds, `tries` steps are tried: first over the
+    bracket, then between the last stable step and the first unstable one.
+    Raises ValueError unless span > 1, bound > 0, tries >= 2 and rounds >= 1.
     """
 
     span: float
@@ -85,10 +86,10 @@ class Bracket:
                 f"Bracket.tries = {self.tries}, rounds = {self.rounds}; at least 2 and 1 are needed"
             )
 
-    def limits(self, tried: Vector) -> tuple[float, float | None]:
-        """The last step [s] below all unstable ones, 0 for none, and the least unstable one.
+    def stability_limits(self, tried: Vector) -> tuple[float, float | None]:
+        """The largest step [s] below all unstable ones (0 if none), and the smallest unstable one.
 
-        tried: as in a Run.
+        tried: (n, 2), as in Run.tried. The second value is None if all steps were stable.
         """
         lost = np.flatnonzero(~(tried[:, 1] <= self.bound))
         first = int(lost[0]) if len(lost) else len(tried)

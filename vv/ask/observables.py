@@ -1,4 +1,4 @@
-"""What may be observed of a body over time."""
+"""What a code can be asked to report of a body over time."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ class Velocity:
 
 @dataclass(frozen=True)
 class Reaction:
-    """Observable: the force on a body by what locks its translation, (3,) per time [N]."""
+    """Observable: the force of the locks of its translations on a body, (3,) per time [N]."""
 
     body: int
 
@@ -30,7 +30,7 @@ class Reaction:
 class Strain:
     """Observable: the normal strains of a block along the scene's axes, (3,) per time.
 
-    They turn with the block, as its stress does, where a scheme does not say otherwise.
+    Strains and stresses turn with the block, unless a scheme says otherwise.
     """
 
     body: int

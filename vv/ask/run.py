@@ -1,4 +1,4 @@
-"""What comes back from a code: observables, cost, model, energy, or why there are none."""
+"""The answer of a code: observables, cost, model and energy, or the reason why it has none."""
 
 from __future__ import annotations
 
@@ -14,10 +14,10 @@ from vv.scene import Form, Term, Vector
 
 @dataclass(frozen=True)
 class Cost:
-    """Seconds spent, part by part; solve_cpu is the stepping loop alone, of one solve.
+    """Time spent on a run [s], by part; solve_cpu is the CPU time of the stepping loop alone.
 
-    repeats: how many solves were timed; spread: (maximum - minimum)/minimum of their
-    solve_cpu, whose minimum is what solve_cpu states.
+    repeats: how many solves were timed; solve_cpu is the least of them and spread is
+    (maximum - minimum)/minimum. Raises ValueError for a negative cost.
     """
 
     startup: float = 0.0
@@ -36,7 +36,7 @@ class Cost:
 
 @dataclass(frozen=True)
 class Model:
-    """What a scheme really built: its unknowns, the terms it carries, and how in words."""
+    """What a scheme actually solved: number of unknowns, terms modelled, and a note in words."""
 
     unknowns: int
     terms: frozenset[Term]
@@ -45,11 +45,12 @@ class Model:
 
 @dataclass(frozen=True)
 class Ledger:
-    """Energy at the end of a run [J], by name, and what no term explains.
+    """The energy balance of a run: terms at its end [J] by name, and what no term explains.
 
-    unaccounted: the largest |sum of terms - energy put in| seen; peak: the largest total held;
-    bound: what the scheme promises for unaccounted, None where it promises nothing. audits: name
-    of a law, such as momentum, Coulomb or penetration -> (largest breach seen, breach allowed).
+    unaccounted: the largest |sum of terms - initial energy| over the run [J]; peak: the largest
+    energy stored [J]; bound: the limit that the scheme promises for unaccounted, or None.
+    audits: name of a law (momentum, Coulomb, penetration) -> (largest violation, violation
+    allowed).
     """
 
     terms: Mapping[str, float]
@@ -61,12 +62,12 @@ class Ledger:
 
 @dataclass(frozen=True, eq=False)
 class Run:
-    """What came of an ask: a status with its reason and, if it ran, the observables.
+    """The outcome of an ask: a status with its reason and, if it ran, the observables.
 
-    times: (k,) [s]; values: observable -> (k, 3), in the scene's frame; energies: form -> (k,)
-    [J], where they were asked. tried: of a search, (n, 2)
-    the steps tried, ascending [s], and the largest component of an observable in each run, inf
-    where it did not come to its end; the times and values are then those of the first step.
+    times: (k,) [s]; values: observable -> (k, 3) in the scene's frame; energies: form -> (k,) [J]
+    if they were asked for. tried: (n, 2), of a search: the steps tried [s], ascending, and the
+    largest component of an observable at each, inf if the run did not reach its end. Times and
+    values of a search are those of its first step.
     """
 
     status: Status

@@ -1,4 +1,4 @@
-"""What became of a job, and to which class a method belongs."""
+"""The status of a job, and the classes of method."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ class Status(enum.Enum):
 
 
 class Method(enum.Enum):
-    """The class of a method: it decides which tolerance of a quantity applies."""
+    """How exact a scheme claims to be; decides which tolerance of a quantity applies."""
 
     EXACT = "exact to rounding"
     LINEARISED = "exact to first order in the displacements"

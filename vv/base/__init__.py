@@ -1,4 +1,4 @@
-"""What knows nothing of mechanics: digests, files, what a source imports, norms, errors.
+"""Helpers without mechanics: digests, writing files, imports of a source, norms, errors.
 
 May import: nothing of ours.
 """

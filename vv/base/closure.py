@@ -1,4 +1,4 @@
-"""What a result depends on: the import closure of our sources and the versions they use."""
+"""Finds the sources that a file imports, directly or not, and the versions of libraries."""
 
 import ast
 import functools
@@ -9,21 +9,26 @@ from collections.abc import Iterable, Iterator
 from importlib import metadata
 from pathlib import Path
 
-CONTENT = ("adapters", "cases", "reference_solutions", "reports")  # the packages of a project
-OURS = ("vv", *CONTENT)
-WORD = re.compile(r"import\b")  # begins with plain letters: found ten times as fast
-PLAIN = re.compile(  # on lines of their own, and without what may hide a name
+CONTENT_PACKAGES = (
+    "adapters",
+    "cases",
+    "reference_solutions",
+    "reports",
+)  # the packages of a project
+OUR_PACKAGES = ("vv", *CONTENT_PACKAGES)
+IMPORT_WORD = re.compile(r"import\b")  # no \b before it: the search is ten times as fast
+PLAIN_IMPORT = re.compile(  # statements on lines of their own, in their simple forms
     r"^[ \t]*(?:from[ \t]+([.\w]+)[ \t]+import[ \t]*(?:\(([^()#;\\]*)\)|([^()#;\\\n]+))"
     r"|import[ \t]+(?!.*(?:[ \t]\.|\.[ \t]))([^()#;\\\n]+))(?:#.*)?$",
     re.MULTILINE,
 )
 
 
-def closure(files: Iterable[Path], roots: Iterable[Path]) -> tuple[Path, ...]:
-    """The files, and every file of ours below `roots` that they import, however indirectly.
+def import_closure(files: Iterable[Path], roots: Iterable[Path]) -> tuple[Path, ...]:
+    """The files and all files of OUR_PACKAGES below `roots` that they import, also indirectly.
 
-    Imports are read from the text, inside functions too; nothing is executed. Data files that
-    lie in the folder of a package count with it.
+    Imports are read from the source text, also inside functions; nothing is executed. A package
+    brings the data files of its folder with it. Returns resolved paths, sorted.
     """
     places, seen = tuple(roots), set[Path]()
     waiting = [path.resolve() for path in files]
@@ -33,13 +38,13 @@ def closure(files: Iterable[Path], roots: Iterable[Path]) -> tuple[Path, ...]:
             continue
         seen.add(path)
         if path.suffix == ".py":
-            ours = (name for name in _imports(path) if name.partition(".")[0] in OURS)
-            waiting += [p for name in ours for p in _locate(name, places)]
+            ours = (name for name in _imports(path) if name.partition(".")[0] in OUR_PACKAGES)
+            waiting += [p for name in ours for p in _module_files(name, places)]
     return tuple(sorted(seen))
 
 
-def libraries(files: Iterable[Path]) -> dict[str, str]:
-    """The third-party libraries that these sources import, with their installed versions."""
+def library_versions(files: Iterable[Path]) -> dict[str, str]:
+    """Name -> installed version of the third-party libraries that these sources import."""
     tops = {
         name.partition(".")[0] for path in files if path.suffix == ".py" for name in _imports(path)
     }
@@ -48,38 +53,38 @@ def libraries(files: Iterable[Path]) -> dict[str, str]:
 
 
 def source_digest(files: Iterable[Path]) -> str:
-    """SHA-256 of names and contents, independent of where the files lie."""
+    """SHA-256 of the files' names and contents, independent of the folders they lie in."""
     ordered = sorted(files, key=lambda path: (path.name, str(path)))
-    named = "".join(f"{path.name}\0{_content(path)}\0" for path in ordered)
+    named = "".join(f"{path.name}\0{_content_digest(path)}\0" for path in ordered)
     return hashlib.sha256(named.encode()).hexdigest()
 
 
 @functools.cache
-def _content(path: Path) -> str:
-    """Digest of a file as it was when first asked for: most are part of many closures."""
+def _content_digest(path: Path) -> str:
+    """Digest of a file, read once a process: most files are part of many closures."""
     return hashlib.sha256(path.read_bytes()).hexdigest()
 
 
 @functools.cache
 def _imports(path: Path) -> tuple[str, ...]:
     text = path.read_text(encoding="utf-8")
-    return tuple(sorted(set(imported(text, str(path)))))
+    return tuple(sorted(set(imported_names(text, str(path)))))
 
 
-def imported(text: str, filename: str = "") -> list[str]:
-    """What a source imports, at least: modules, and what it takes from them as if modules too.
+def imported_names(text: str, filename: str = "") -> list[str]:
+    """Dotted names that a source imports: modules, and `module.name` for each imported name.
 
-    It is only parsed where the word stands anywhere but in plain import statements, since parsing
-    takes ten times as long as looking for these.
+    Simple import statements are found by a regular expression, which is ten times as fast as
+    parsing. The source is parsed if the word `import` also occurs elsewhere, as in a comment.
     """
-    plain = list(PLAIN.finditer(text))
-    if len(plain) < len(WORD.findall(text)) or not text.isascii():
-        return list(_names(ast.parse(text, filename)))
-    return [name for statement in plain for name in _named(*statement.groups())]
+    plain = list(PLAIN_IMPORT.finditer(text))
+    if len(plain) < len(IMPORT_WORD.findall(text)) or not text.isascii():
+        return list(_names_in_tree(ast.parse(text, filename)))
+    return [name for statement in plain for name in _names_in_statement(*statement.groups())]
 
 
-def _named(module: str | None, *lists: str | None) -> Iterator[str]:
-    """The names in the parts of a plain statement: what it takes from a module, or modules."""
+def _names_in_statement(module: str | None, *lists: str | None) -> Iterator[str]:
+    """The dotted names in the groups of PLAIN_IMPORT: `from module import names`, or modules."""
     parts = ",".join(filter(None, lists)).split(",")
     names = [part.split()[0] for part in parts if part.strip()]
     if module is None:
@@ -89,8 +94,8 @@ def _named(module: str | None, *lists: str | None) -> Iterator[str]:
         yield from (f"{above}.{name}" for name in names)
 
 
-def _names(tree: ast.AST) -> Iterator[str]:
-    """What the statements below a node import; expressions, which cannot, are not looked at."""
+def _names_in_tree(tree: ast.AST) -> Iterator[str]:
+    """The dotted names that the statements below a syntax node import."""
     for node in ast.iter_child_nodes(tree):
         if isinstance(node, ast.Import):
             yield from (alias.name for alias in node.names)
@@ -98,32 +103,35 @@ def _names(tree: ast.AST) -> Iterator[str]:
             yield node.module
             yield from (f"{node.module}.{alias.name}" for alias in node.names)
         elif isinstance(node, ast.stmt | ast.excepthandler | ast.match_case):
-            yield from _names(node)
+            yield from _names_in_tree(node)
 
 
 @functools.cache
-def _locate(name: str, roots: tuple[Path, ...]) -> list[Path]:
-    """The files of a dotted module of ours: the module and its packages' __init__."""
+def _module_files(name: str, roots: tuple[Path, ...]) -> list[Path]:
+    """The files that importing a dotted name executes: the module and its packages' __init__."""
     package, _, last = name.rpartition(".")
     for root in roots:
         base = os.path.join(root, *package.split("."), last)
         if os.path.isfile(f"{base}.py"):
-            return [Path(f"{base}.py").resolve(), *_packages(package, root)]
+            return [Path(f"{base}.py").resolve(), *_package_files(package, root)]
         if os.path.isfile(os.path.join(base, "__init__.py")):
-            return [*_data(Path(base).resolve()), *_packages(name, root)]
+            return [*_data_files(Path(base).resolve()), *_package_files(name, root)]
     return []
 
 
 @functools.cache
-def _packages(name: str, root: Path) -> list[Path]:
-    """The __init__ of a dotted package, where it has one, and of those it is in."""
+def _package_files(name: str, root: Path) -> list[Path]:
+    """The __init__ files of a dotted package and of the packages that contain it."""
     if not name:
         return []
     own = root.joinpath(*name.split("."), "__init__.py")
-    return [*([own.resolve()] if own.is_file() else []), *_packages(name.rpartition(".")[0], root)]
+    return [
+        *([own.resolve()] if own.is_file() else []),
+        *_package_files(name.rpartition(".")[0], root),
+    ]
 
 
-def _data(folder: Path) -> list[Path]:
+def _data_files(folder: Path) -> list[Path]:
     return [p for p in folder.iterdir() if p.is_file() and p.suffix not in (".py", ".pyc")]
 
 

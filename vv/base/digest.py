@@ -1,4 +1,4 @@
-"""The fingerprint of a frozen value: equal data gives an equal digest, on every machine."""
+"""SHA-256 digests of frozen data: equal data has an equal digest on every machine."""
 
 import dataclasses
 import enum
@@ -9,26 +9,27 @@ from typing import Any
 
 import numpy as np
 
-PLAIN = frozenset({bool, int, float, str, type(None)})
+PLAIN_TYPES = frozenset({bool, int, float, str, type(None)})
 
 
 def digest(*values: Any) -> str:
     """SHA-256, as 64 hexadecimal digits, of frozen data.
 
-    Dataclasses, arrays, mappings, sets, tuples, enumeration members and plain scalars are
-    understood. Raises TypeError for anything else: a value without a stable form has no digest.
+    Accepts dataclasses, arrays, mappings, frozen sets, tuples, lists, enumeration members and
+    plain scalars. Names of dataclasses, of their fields and of enumeration members are part of
+    the digest. Raises TypeError for a value of any other type.
     """
     chunks: list[bytes] = []
     for value in values:
-        _collect(value, chunks)
+        _append_chunks(value, chunks)
     sizes = (len(chunk).to_bytes(8, "little") for chunk in chunks)
     whole = itertools.chain.from_iterable(zip(sizes, chunks, strict=True))
     return hashlib.sha256(b"".join(whole)).hexdigest()
 
 
-def _collect(value: Any, chunks: list[bytes]) -> None:
-    """Append what tells a value from every other; plain scalars, the most common, come first."""
-    if type(value) in PLAIN:
+def _append_chunks(value: Any, chunks: list[bytes]) -> None:
+    """Append the bytes that identify a value; plain scalars, the most common, are tried first."""
+    if type(value) in PLAIN_TYPES:
         chunks.append(f"{type(value).__name__}:{value!r}".encode())
     elif isinstance(value, enum.Enum):
         chunks.append(f"{type(value).__name__}.{value.name}".encode())
@@ -36,22 +37,22 @@ def _collect(value: Any, chunks: list[bytes]) -> None:
         chunks.append(type(value).__name__.encode())
         for field in dataclasses.fields(value):
             chunks.append(field.name.encode())
-            _collect(getattr(value, field.name), chunks)
+            _append_chunks(getattr(value, field.name), chunks)
     elif isinstance(value, np.ndarray):
         chunks.append(f"array{value.dtype.str}{value.shape}".encode())
         chunks.append(value.tobytes())
     elif isinstance(value, Mapping):
         chunks.append(f"map{len(value)}".encode())
         for key in sorted(value, key=str):
-            _collect(key, chunks)
-            _collect(value[key], chunks)
+            _append_chunks(key, chunks)
+            _append_chunks(value[key], chunks)
     elif isinstance(value, frozenset):
         chunks.append(f"set{len(value)}".encode())
         chunks += sorted(digest(member).encode() for member in value)
     elif isinstance(value, tuple | list):
         chunks.append(f"list{len(value)}".encode())
         for member in value:
-            _collect(member, chunks)
+            _append_chunks(member, chunks)
     elif isinstance(value, bool | int | float | str):
         chunks.append(f"{type(value).__name__}:{value!r}".encode())
     else:

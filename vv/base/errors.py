@@ -1,5 +1,5 @@
-"""Errors that are told to the user as they are."""
+"""The error whose message is shown to the user without a traceback."""
 
 
 class UsageError(ValueError):
-    """What the user asked for cannot be understood; one line names the thing and the rule."""
+    """The user asked for something invalid; the message names the thing, the value and the rule."""

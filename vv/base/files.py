@@ -1,4 +1,4 @@
-"""Writes files whole or not at all, and delivers what a user asked for where they said."""
+"""Writes files atomically, and writes output to the place that a user named."""
 
 from __future__ import annotations
 
@@ -9,8 +9,11 @@ import tempfile
 from pathlib import Path
 
 
-def write(path: Path, content: bytes) -> None:
-    """Put a whole file in its place in one step."""
+def write_whole(path: Path, content: bytes) -> None:
+    """Write bytes to a temporary file beside `path` and rename it: no reader sees half a file.
+
+    Makes missing folders. Raises OSError.
+    """
     path.parent.mkdir(parents=True, exist_ok=True)
     handle, temporary = tempfile.mkstemp(dir=path.parent, prefix=".part-")
     try:
@@ -23,11 +26,11 @@ def write(path: Path, content: bytes) -> None:
         raise
 
 
-def deliver(path: Path, content: bytes) -> None:
-    """Write what a user asked for where they said: `-` is standard output, links are followed.
+def write_output(path: Path, content: bytes) -> None:
+    """Write bytes to the place that a user named; `-` is standard output, links are followed.
 
-    A regular file is replaced in one step; a device or pipe is written into. Raises OSError,
-    also where the folder is missing: a mistyped path must not make one.
+    A regular file is replaced as a whole; a device or pipe is written to. Raises OSError, also if
+    the folder does not exist: a mistyped path must not create one.
     """
     if str(path) == "-":
         sys.stdout.buffer.write(content)
@@ -39,4 +42,4 @@ def deliver(path: Path, content: bytes) -> None:
     target = path.resolve()
     if not target.parent.is_dir():
         raise FileNotFoundError(errno.ENOENT, "no such folder", str(target.parent))
-    write(target, content)
+    write_whole(target, content)

@@ -1,4 +1,4 @@
-"""How results are compared with references: norms, relative errors, observed order."""
+"""Compares results with references: norms, relative errors, observed order of convergence."""
 
 import itertools
 import math
@@ -9,7 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 Vector = npt.NDArray[np.float64]
-MASK = 0.01  # the pointwise error is taken where |ref| is at least this part of its maximum
+POINTWISE_THRESHOLD = 0.01  # of max|ref|: points with a smaller |ref| are left out
 
 
 def max_error(value: Vector, reference: Vector) -> float:
@@ -35,14 +35,14 @@ def final_error(value: Vector, reference: Vector) -> float:
 
 
 def pointwise_error(value: Vector, reference: Vector) -> float:
-    """max |value/reference - 1| over the points where |reference| >= MASK max|reference|."""
-    kept = np.abs(reference) >= MASK * _scale(reference)
+    """max |value/reference - 1| where |reference| >= POINTWISE_THRESHOLD max|reference|."""
+    kept = np.abs(reference) >= POINTWISE_THRESHOLD * _scale(reference)
     return float(np.abs((value[kept] - reference[kept]) / reference[kept]).max())
 
 
 def pointwise_history(value: Vector, reference: Vector) -> Vector:
-    """(k,) value/reference - 1, NaN where |reference| < MASK max|reference|."""
-    kept = np.abs(reference) >= MASK * _scale(reference)
+    """(k,) value/reference - 1; NaN where |reference| < POINTWISE_THRESHOLD max|reference|."""
+    kept = np.abs(reference) >= POINTWISE_THRESHOLD * _scale(reference)
     history = np.full(len(reference), np.nan)
     history[kept] = (value[kept] - reference[kept]) / reference[kept]
     return history
@@ -57,7 +57,7 @@ def _scale(reference: Vector) -> float:
 
 @dataclass(frozen=True)
 class Order:
-    """An observed order of convergence: the slope, its standard error, and the points used."""
+    """An observed order of convergence: slope, its standard error `spread`, number of points."""
 
     order: float
     spread: float
@@ -65,9 +65,10 @@ class Order:
 
 
 def observed_order(steps: list[float], errors: list[float]) -> Order | None:
-    """Slope of log error against log step by least squares; None below two usable points.
+    """Slope of log error against log step by least squares; None with fewer than two steps.
 
-    spread is the standard error of the slope, zero when two points leave no freedom.
+    Errors that are zero or not finite are left out. The standard error of the slope is zero if
+    there are only two points.
     """
     usable = [(h, e) for h, e in zip(steps, errors, strict=True) if math.isfinite(e) and e > 0]
     if len({h for h, _ in usable}) < 2:
@@ -81,36 +82,37 @@ def observed_order(steps: list[float], errors: list[float]) -> Order | None:
     return Order(slope, spread, len(x))
 
 
-STALLED = 1.5  # refinements that improve by less, twice in a row, have met a floor
+LEAST_IMPROVEMENT = 1.5  # factor; the error has reached a floor after two smaller improvements
 
 
-def before_floor(errors: Sequence[float]) -> int:
-    """How many errors of a ladder, coarsest first, lie before its floor; all if it has none.
+def count_before_floor(errors: Sequence[float]) -> int:
+    """How many errors of a ladder, coarsest first, come before its floor; all if it has none.
 
-    A floor is where the last two refinements, or more, each improved less than STALLED times.
+    The floor begins where the last two or more refinements each reduced the error by a factor
+    of less than LEAST_IMPROVEMENT.
     """
-    gains = [before >= STALLED * after for before, after in itertools.pairwise(errors)]
+    gains = [before >= LEAST_IMPROVEMENT * after for before, after in itertools.pairwise(errors)]
     stalls = len(list(itertools.takewhile(lambda gain: not gain, reversed(gains))))
     return len(errors) if stalls < 2 else len(gains) - stalls
 
 
 def order_before_floor(steps: list[float], errors: list[float]) -> Order | None:
-    """The observed order over the rungs, coarsest first, that lie before their floor."""
-    free = before_floor(errors)
+    """The observed order over the settings, coarsest first, that come before the floor."""
+    free = count_before_floor(errors)
     return observed_order(steps[:free], errors[:free])
 
 
-NOISE = 1e-12  # relative: differences below that are rounding, of which no order is told
-SAFETY = 1.25  # the factor of the grid convergence index for three grids
-ODD = 8.0  # no method here is of such an order: three values that show it have no law
+ROUNDING = 1e-12  # relative: smaller differences are rounding, from which no order is fitted
+GCI_SAFETY_FACTOR = 1.25  # the factor of the grid convergence index for three grids
+HIGHEST_ORDER = 8.0  # a larger apparent order is accidental: no method here has one
 
 
 @dataclass(frozen=True)
 class Convergence:
-    """What three resolutions say without an exact answer (Celik et al. 2008, J. Fluids Eng. 130).
+    """Result of Richardson extrapolation (Celik et al. 2008, J. Fluids Eng. 130).
 
-    order: apparent; limit: extrapolated to zero size. SAFETY times the distance to it of a value
-    is that value's grid convergence index.
+    order: the apparent order; limit: the value extrapolated to zero size. The grid convergence
+    index of a value is GCI_SAFETY_FACTOR times its distance to the limit.
     """
 
     order: float
@@ -118,47 +120,47 @@ class Convergence:
 
 
 @dataclass(frozen=True)
-class Unsettled:
-    """Why three resolutions have no limit to speak of."""
+class NoLimit:
+    """Why three resolutions do not determine a limit of small sizes."""
 
-    why: str
+    reason: str
 
 
 def convergence(
     sizes: tuple[float, float, float], values: tuple[float, float, float]
-) -> Convergence | Unsettled:
-    """Richardson's limit; sizes and values finest first.
+) -> Convergence | NoLimit:
+    """Apparent order and limit of three values at three sizes, finest first.
 
-    Unsettled where the values swing, hardly differ, do not close in, or do so at an odd order.
-    Solved for the order by iteration (Celik et al. 2008, Eqs. 3-7).
+    The order solves Celik et al. (2008), Eqs. 3-7, by bisection. Returns NoLimit if the values
+    oscillate, differ by rounding only, do not converge, or show an order above HIGHEST_ORDER.
     """
     (h1, h2, h3), (f1, f2, f3) = sizes, values
     r21, r32, e21, e32 = h2 / h1, h3 / h2, f2 - f1, f3 - f2
-    if why := _lawless(sizes, values):
-        return Unsettled(why)
+    if why := _why_no_limit(sizes, values):
+        return NoLimit(why)
     order = _apparent_order(r21, r32, e32 / e21)
-    if order > ODD:
-        return Unsettled(f"an order above {ODD:g} is none that a method has")
+    if order > HIGHEST_ORDER:
+        return NoLimit(f"an order above {HIGHEST_ORDER:g}; no method has one")
     return Convergence(order, f1 - e21 / (r21**order - 1))
 
 
-def _lawless(sizes: tuple[float, float, float], values: tuple[float, float, float]) -> str:
-    """Why no power of the size with a positive exponent goes through three values; else ''."""
+def _why_no_limit(sizes: tuple[float, float, float], values: tuple[float, float, float]) -> str:
+    """Why limit + c size^p with p > 0 fits no three such values; empty if it does."""
     (h1, h2, h3), (f1, f2, f3) = sizes, values
     e21, e32 = f2 - f1, f3 - f2
     if not h1 < h2 < h3:
-        return f"sizes {h1:g}, {h2:g}, {h3:g} do not grow"
-    if not min(abs(e21), abs(e32)) > NOISE * max(abs(f1), abs(f2), abs(f3)):
+        return f"sizes {h1:g}, {h2:g}, {h3:g} do not increase; list them finest first"
+    if not min(abs(e21), abs(e32)) > ROUNDING * max(abs(f1), abs(f2), abs(f3)):
         return "the values differ by rounding alone"
     if e21 * e32 < 0:
-        return "the values swing"
+        return "the values oscillate"
     closing = e32 / e21 > math.log(h3 / h2) / math.log(h2 / h1)
-    return "" if closing else "the values do not close in"
+    return "" if closing else "the values do not converge"
 
 
 def _apparent_order(r21: float, r32: float, ratio: float) -> float:
-    """p > 0 of ratio = r21^p (r32^p - 1)/(r21^p - 1), or a little more than ODD if beyond it."""
-    low, high = 0.0, 1.01 * ODD
+    """p > 0 of ratio = r21^p (r32^p - 1)/(r21^p - 1), at most 1.01 HIGHEST_ORDER."""
+    low, high = 0.0, 1.01 * HIGHEST_ORDER
     for _ in range(60):
         p = 0.5 * (low + high)
         made = p * math.log(r21) + math.log((r32**p - 1) / (r21**p - 1))

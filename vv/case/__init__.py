@@ -1,12 +1,12 @@
-"""What a benchmark is: variants, what is done with their scenes, what is judged, and how.
+"""The words to declare a benchmark: cases, variants, studies, quantities, judges, tolerances.
 
 May import: base, scene, ask.
 """
 
 from vv.case.case import Case, Check, Parameter, Parameters, Source, Trial, Variant
-from vv.case.common_quantities import Motion, largest_step, last_stable
+from vv.case.common_quantities import Motion, largest_step, last_stable_step
 from vv.case.judges import (
-    LOOSEST,
+    LARGEST_TOLERANCE,
     Exact,
     Interval,
     Invariant,
@@ -14,13 +14,22 @@ from vv.case.judges import (
     Norm,
     Shown,
     Tolerance,
-    judge_of,
+    judge_for_method,
 )
-from vv.case.quantity import Count, Quantity, Scalar, Series, number, size_of
-from vv.case.study import Grid, Ladder, Level, Search, Study, grid, put_in, too_long
+from vv.case.quantity import Count, Quantity, Scalar, Series, error_scale, evaluated
+from vv.case.study import (
+    Grid,
+    Ladder,
+    Level,
+    Search,
+    Study,
+    knob_grid,
+    knobs_in_scene,
+    why_too_long,
+)
 
 __all__ = [
-    "LOOSEST",
+    "LARGEST_TOLERANCE",
     "Case",
     "Check",
     "Count",
@@ -45,12 +54,12 @@ __all__ = [
     "Tolerance",
     "Trial",
     "Variant",
-    "grid",
-    "judge_of",
+    "error_scale",
+    "evaluated",
+    "judge_for_method",
+    "knob_grid",
+    "knobs_in_scene",
     "largest_step",
-    "last_stable",
-    "number",
-    "put_in",
-    "size_of",
-    "too_long",
+    "last_stable_step",
+    "why_too_long",
 ]

@@ -1,4 +1,4 @@
-"""What a benchmark is: a Case with its variants, parameters, quantities and source."""
+"""The benchmark: a Case with its source, parameters and variants."""
 
 from __future__ import annotations
 
@@ -16,9 +16,9 @@ NO_DEFAULTS: Parameters = MappingProxyType({})
 
 @dataclass(frozen=True)
 class Source:
-    """Where a benchmark comes from; note: what the paper misprints or leaves out.
+    """The publication that a benchmark comes from.
 
-    doi: without a prefix, empty if there is none.
+    doi: without a prefix, empty if there is none. note: misprints, omissions and our choices.
     """
 
     citation: str
@@ -28,7 +28,7 @@ class Source:
 
 @dataclass(frozen=True)
 class Parameter:
-    """A physical parameter that `--set` may change: its default value in `unit`."""
+    """A physical parameter that `--set` may change, with its default value in `unit`."""
 
     name: str
     value: float
@@ -38,10 +38,11 @@ class Parameter:
 
 @dataclass(frozen=True)
 class Variant:
-    """A named change of a case's scene; the functions receive its name.
+    """A named version of a case; `Case.declare` receives its name.
 
-    defaults: parameters that differ from the case's. inert: parameters that, by the physics,
-    do not enter the answer. level: the least at which it runs.
+    formula: the equations of the exact answer, as text. defaults: parameters whose default
+    differs from the case's. inert: parameters that do not affect the exact answer. level: the
+    lowest level at which the variant runs.
     """
 
     name: str
@@ -52,20 +53,20 @@ class Variant:
     level: Level = Level.QUICK
 
     def runs_at(self, level: Level) -> bool:
-        """Whether it is among the variants of a level."""
+        """Whether the variant runs at a level."""
         return self.level.rank <= level.rank
 
 
 @dataclass(frozen=True, eq=False)
 class Trial:
-    """A variant with its parameters put in: what to run and what to judge."""
+    """A variant with values for all parameters: the study to run and the quantities to judge."""
 
     study: Study
     quantities: tuple[Quantity, ...]
 
 
 class Check(enum.Enum):
-    """What the gate judges a case by; the value is the word shown to people."""
+    """A kind of check of the gate; the value is the word shown to people."""
 
     ACCURACY = "accuracy"
     REGRESSION = "regression"
@@ -75,10 +76,10 @@ class Check(enum.Enum):
 
 @dataclass(frozen=True, eq=False)
 class Case:
-    """A benchmark, declared once. declare(variant name, parameters) -> Trial.
+    """A benchmark. declare(variant name, parameters) returns its Trial.
 
-    published: what the source itself reports, as text, to stand beside our results. enforced:
-    the checks that turn the gate red; what the others find is reported only.
+    published: name -> text, the results that the source reports, shown beside ours. enforced: the
+    checks that can turn the gate red; findings of the others are only reported.
     """
 
     name: str
@@ -95,6 +96,6 @@ class Case:
         return next(v for v in self.variants if v.name == name)
 
     def defaults(self, variant: str) -> dict[str, float]:
-        """The parameters of a variant when nothing is set."""
+        """Name -> default value of all parameters of a variant."""
         own = self.variant(variant).defaults
         return {p.name: own.get(p.name, p.value) for p in self.parameters}

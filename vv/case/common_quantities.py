@@ -1,4 +1,4 @@
-"""Quantities that several cases measure: a motion in several directions, a largest step."""
+"""Quantities that several cases share: motion along several axes, largest stable step."""
 
 from __future__ import annotations
 
@@ -16,9 +16,9 @@ from vv.scene import Vector
 
 @dataclass(frozen=True, eq=False)
 class Motion:
-    """An observable [unit] along axes (d, 3), and its exact path: times (k,) [s] -> (k, d).
+    """An observable [unit] along axes (d, 3), and its exact course: path(t (k,) [s]) -> (k, d).
 
-    times: of the outputs, which the whole path is measured at.
+    times: (k,) [s], at which the size of the exact course is taken.
     """
 
     observable: Observable
@@ -29,11 +29,11 @@ class Motion:
 
     @functools.cached_property
     def size(self) -> float:
-        """What every error is relative to: a part that hardly moves has no scale of its own."""
+        """The scale of all errors: the largest norm of the exact vector over time."""
         return float(np.linalg.norm(self.path(self.times), axis=1).max())
 
-    def part(self, i: int, name: str, meaning: str, judge: Judge) -> Series:
-        """The motion along the i-th axis."""
+    def component(self, i: int, name: str, meaning: str, judge: Judge) -> Series:
+        """The history along the i-th axis as a quantity."""
         return Series(
             name=name,
             symbol=name,
@@ -46,7 +46,7 @@ class Motion:
         )
 
     def distance(self, judge: Judge) -> Scalar:
-        """How far the whole is off, at most over time: max|e| of vectors."""
+        """The largest norm of the error vector over time as a quantity."""
         return Scalar(
             name="distance",
             symbol="max|e|",
@@ -64,19 +64,22 @@ class Motion:
 
 
 def largest_step(name: str, theory: float, what: str, bracket: Bracket, judge: Judge) -> Scalar:
-    """The largest step of a search that was stable, as all below it were, over `theory` [s]."""
+    """The largest stable step of a search, below all unstable ones, over `theory` [s].
+
+    what: the name of `theory`, such as `2/w`.
+    """
     return Scalar(
         name=name,
         symbol=f"dt_max/({what})",
         unit="",
         meaning=f"largest stable step over {what}",
-        observe=lambda run: last_stable(run, bracket) / theory,
+        observe=lambda run: last_stable_step(run, bracket) / theory,
         reference=1.0,
         scale=1.0,
         judge=judge,
     )
 
 
-def last_stable(run: Run, bracket: Bracket) -> float:
-    """The last step [s] before the least that was not stable; 0 if that was the first."""
-    return bracket.limits(run.tried)[0]
+def last_stable_step(run: Run, bracket: Bracket) -> float:
+    """The largest step [s] below all unstable ones; 0 if the first was unstable."""
+    return bracket.stability_limits(run.tried)[0]

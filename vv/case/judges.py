@@ -1,4 +1,4 @@
-"""How a quantity is judged: norms, tolerances and judges, each with its reason."""
+"""How a quantity is judged: norms of errors, tolerances and judges, with their reasons."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from vv.ask import Knobs, Method
 
 
 class Norm(enum.Enum):
-    """How a series is compared with its reference."""
+    """The norm in which a series is compared with its reference."""
 
     MAX = "max|e| / max|ref|"
     FINAL = "|e| / |ref| at the final time"
@@ -19,18 +19,18 @@ class Norm(enum.Enum):
     L2 = "||e||_2 / ||ref||_2"
 
 
-LOOSEST = 0.1  # relative error that no tolerance exceeds, however coarse the step
+LARGEST_TOLERANCE = 0.1  # relative error; a larger one is wrong at any step
 
 
 @dataclass(frozen=True)
 class Tolerance:
-    """A bound on an error and why: value at the step dt [s], growing as dt**order above floor.
+    """A bound on a relative error and the reason for it.
 
-    With kn [N/m], it is the value at that stiffness of springs that stand in for rigid contact,
-    and falls as kn**-softness. It grows to LOOSEST at most: an answer farther off than that is
-    wrong at any step.
-
-    slack: why the bound is more than a hundred times what codes reach, where it is.
+    value: the bound at the step dt [s] and at the stiffness kn [N/m] of springs that stand for
+    rigid contact. It scales as dt**order and kn**-softness with the setting, but is never below
+    floor nor above LARGEST_TOLERANCE. slack: the reason, if the bound is more than a hundred
+    times the error that codes reach.
+    Raises ValueError naming the field, the value and the rule.
     """
 
     value: float
@@ -43,9 +43,10 @@ class Tolerance:
     softness: float = 0.0
 
     def __post_init__(self) -> None:
-        if not 0 < self.value <= LOOSEST:
+        if not 0 < self.value <= LARGEST_TOLERANCE:
             raise ValueError(
-                f"Tolerance.value = {self.value!r}; it must be positive and {LOOSEST:g} at most"
+                f"Tolerance.value = {self.value!r}; it must be positive and at most "
+                f"{LARGEST_TOLERANCE:g}"
             )
         for name, unit in (("dt", "s"), ("kn", "N/m")):
             at = getattr(self, name)
@@ -54,7 +55,7 @@ class Tolerance:
         for power, knob in (("order", "dt"), ("softness", "kn")):
             exponent, given = getattr(self, power), getattr(self, knob) is not None
             if not (exponent == 0 or (exponent > 0 and given)):
-                rule = f"it must not be negative, and needs the {knob} it grows from"
+                rule = f"it must not be negative, and needs the {knob} it refers to"
                 raise ValueError(f"Tolerance.{power} = {exponent!r}; {rule}")
         if not 0 <= self.floor <= self.value:
             raise ValueError(
@@ -62,25 +63,25 @@ class Tolerance:
             )
 
     def at(self, knobs: Knobs) -> float:
-        """The bound for a run with these knobs."""
+        """The bound at a setting."""
         bound = self.value
         if self.dt is not None and knobs.dt is not None:
             bound *= (knobs.dt / self.dt) ** self.order
         if self.kn is not None and knobs.kn is not None:
             bound *= (self.kn / knobs.kn) ** self.softness
-        return min(LOOSEST, max(self.floor, bound))
+        return min(LARGEST_TOLERANCE, max(self.floor, bound))
 
 
 @dataclass(frozen=True)
 class Exact:
-    """Judge: the error against a reference, in a norm, within the tolerance of the method.
+    """Judge: the error against the reference must be within the tolerance of the class of method.
 
-    shown: why methods that promise no answer here are not judged; their result is shown.
+    not_judged: class of method -> the reason why its result is shown and not judged.
     """
 
     tolerances: Mapping[Method, Tolerance]
     norm: Norm = Norm.MAX
-    shown: Mapping[Method, str] = field(default_factory=dict)
+    not_judged: Mapping[Method, str] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -94,7 +95,7 @@ class Interval:
 
 @dataclass(frozen=True)
 class Invariant:
-    """Judge: the value must be conserved: |value - reference| <= bound times the scale."""
+    """Judge: a conserved value, |value - reference| <= bound times the scale."""
 
     bound: float
     reason: str
@@ -102,7 +103,7 @@ class Invariant:
 
 @dataclass(frozen=True)
 class Shown:
-    """No judge: the value is shown, with the reason why it is not judged."""
+    """No judgement: the value is only shown, with the reason."""
 
     reason: str
 
@@ -110,8 +111,8 @@ class Shown:
 Judge = Exact | Interval | Invariant | Shown
 
 
-def judge_of(judge: Judge, method: Method) -> Judge:
-    """How a quantity with that judge is judged in a method."""
-    if isinstance(judge, Exact) and method in judge.shown:
-        return Shown(judge.shown[method])
+def judge_for_method(judge: Judge, method: Method) -> Judge:
+    """The judge of a quantity for one class of method: `Shown` if it is not judged there."""
+    if isinstance(judge, Exact) and method in judge.not_judged:
+        return Shown(judge.not_judged[method])
     return judge

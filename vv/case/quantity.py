@@ -1,4 +1,4 @@
-"""What is judged of a run: a series over time, a number, or a count."""
+"""Quantities that are computed from a run and judged: a series over time, a number, a count."""
 
 from __future__ import annotations
 
@@ -10,17 +10,17 @@ from vv.ask import Run
 from vv.case.judges import Exact, Interval, Invariant, Judge
 from vv.scene import Vector
 
-Number = float | Callable[[], float]  # a function is called where a run is measured, not before
+Number = float | Callable[[], float]  # a function is called only when a run is measured
 
 
-def number(value: Number) -> float:
-    """A number that may take its time to be found."""
+def evaluated(value: Number) -> float:
+    """The value of a number that may be given as a function, because it is costly to compute."""
     return value() if callable(value) else value
 
 
-def size_of(name: str, scale: Number) -> float:
-    """What errors of a quantity are relative to; raises ValueError if it is not positive."""
-    size = number(scale)
+def error_scale(name: str, scale: Number) -> float:
+    """The scale that errors of a quantity are relative to; raises ValueError unless positive."""
+    size = evaluated(scale)
     if not (math.isfinite(size) and size > 0):
         raise ValueError(f"quantity '{name}' has scale = {size!r}; it must be positive")
     return size
@@ -28,9 +28,9 @@ def size_of(name: str, scale: Number) -> float:
 
 @dataclass(frozen=True)
 class Series:
-    """A quantity over time: observe(run) -> (k,) values at run.times; reference(t) -> (k,).
+    """A quantity over time: observe(run) -> (k,) at run.times; reference(t (k,) [s]) -> (k,).
 
-    scale: what errors are relative to where the reference itself may be zero throughout.
+    scale: what errors are relative to, needed if the reference may be zero throughout.
     """
 
     name: str
@@ -45,17 +45,17 @@ class Series:
     def __post_init__(self) -> None:
         _require_answer(self.name, self.reference, self.judge)
         if isinstance(self.judge, Interval):
-            raise ValueError(f"quantity '{self.name}': a series has no single value to bound")
+            raise ValueError(f"quantity '{self.name}': a series cannot be judged by an interval")
         if self.scale is not None and not callable(self.scale):
-            size_of(self.name, self.scale)
+            error_scale(self.name, self.scale)
 
 
 @dataclass(frozen=True)
 class Scalar:
-    """A number from a run; scale (never zero) turns its error into a relative one.
+    """A number computed from a run; its error is relative to `scale`, which is positive.
 
-    told(run): whether a code tells what it is taken from, such as a ledger; where it does not, the
-    quantity is not judged.
+    is_reported(run): whether the code reported what the number is computed from, such as a ledger;
+    if not, the quantity is not judged.
     """
 
     name: str
@@ -66,17 +66,17 @@ class Scalar:
     reference: Number | None
     scale: Number
     judge: Judge
-    told: Callable[[Run], bool] = lambda run: True
+    is_reported: Callable[[Run], bool] = lambda run: True
 
     def __post_init__(self) -> None:
         _require_answer(self.name, self.reference, self.judge)
         if not callable(self.scale):
-            size_of(self.name, self.scale)
+            error_scale(self.name, self.scale)
 
 
 @dataclass(frozen=True)
 class Count:
-    """A whole number from a run, such as collisions; compared exactly."""
+    """A whole number from a run, such as a number of collisions; compared exactly."""
 
     name: str
     symbol: str
@@ -93,6 +93,6 @@ Quantity = Series | Scalar | Count
 
 
 def _require_answer(name: str, reference: object, judge: Judge) -> None:
-    """A quantity that is judged by its error must have something to be compared with."""
+    """Raise ValueError for a quantity that is judged by its error but has no reference."""
     if reference is None and isinstance(judge, Exact | Invariant):
         raise ValueError(f"quantity '{name}' is judged by its error and has no reference")

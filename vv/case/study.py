@@ -1,4 +1,4 @@
-"""What a case does with its scenes: a study expands, at a level, to the asks it needs."""
+"""Studies: what a variant does with its scene, as a list of settings for each level."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from vv.scene.energy import Form
 
 
 class Level(enum.Enum):
-    """How much of a case runs; a level never changes a scene, a tolerance or a reference."""
+    """How much of a case runs; scenes, tolerances and references are the same at all levels."""
 
     QUICK = "quick"
     DEFAULT = "default"
@@ -21,22 +21,23 @@ class Level(enum.Enum):
 
     @property
     def rank(self) -> int:
-        """0 for the least; a level runs what those below it run, and more."""
+        """0 for the lowest level; each level runs all that the levels below it run."""
         return list(Level).index(self)
 
 
-def grid(dt: Sequence[float], kn: Sequence[float]) -> tuple[Knobs, ...]:
-    """Rungs at every stiffness [N/m] and every step [s]: an error over both makes a map."""
+def knob_grid(dt: Sequence[float], kn: Sequence[float]) -> tuple[Knobs, ...]:
+    """Settings for every stiffness [N/m] and every step [s], for a map of errors over both."""
     return tuple(Knobs(step, stiffness) for stiffness in kn for step in dt)
 
 
 @dataclass(frozen=True, eq=False)
 class Ladder:
-    """One scene at rungs of finer and finer knobs, each judged against a reference.
+    """One scene at finer and finer settings, each judged against the reference.
 
-    rungs: level -> knobs, coarsest first. timed: the rungs that the timing phase measures.
-    energies: forms of energy of the scene that are wanted over time. patience: CPU seconds for a
-    rung, by the pace that a scheme states; one that would take longer is left out, and says so.
+    rungs: level -> settings, coarsest first. timed: the settings that timing sessions measure.
+    energies: forms of energy of the scene to be reported over time. cpu_limit: CPU time allowed
+    for a setting [s]; one that would take longer, by the pace that a scheme states, is not run
+    and its record says so.
     """
 
     scene: Scene
@@ -45,24 +46,26 @@ class Ladder:
     rungs: Mapping[Level, tuple[Knobs, ...]]
     timed: tuple[Knobs, ...] = ()
     energies: tuple[Form, ...] = ()
-    patience: float = math.inf
+    cpu_limit: float = math.inf
 
     def __post_init__(self) -> None:
         missing = [level.value for level in Level if not self.rungs.get(level)]
         if missing:
-            raise ValueError(f"Ladder.rungs has none at level {missing[0]}; each level needs one")
+            raise ValueError(
+                f"Ladder.rungs is empty at level {missing[0]}; each level needs a setting"
+            )
 
     def ask(self, knobs: Knobs) -> Ask:
-        """The question put at one rung."""
+        """The ask at one setting."""
         return Ask(self.scene, self.goal, self.observables, knobs, energies=self.energies)
 
 
 @dataclass(frozen=True, eq=False)
 class Search:
-    """One scene at steps from dt [s] on, for the largest that keeps it within a bound.
+    """A search for the largest stable step of one scene, from dt [s] upwards.
 
-    What diverges is data here: it is what the search is for. Each run takes `steps` steps;
-    kn [N/m]: what stands in for rigid contact, if anything must.
+    A run that diverges is a result here, not a failure. Each run takes `steps` steps. kn: the
+    stiffness of springs that stand for rigid contact [N/m], if the contact is rigid.
     """
 
     scene: Scene
@@ -74,37 +77,40 @@ class Search:
     timed: tuple[Knobs, ...] = ()
 
     def __post_init__(self) -> None:
-        if self.steps < OUTPUTS:
-            raise ValueError(f"Search.steps = {self.steps}; there must be at least {OUTPUTS}")
+        if self.steps < SEARCH_OUTPUTS:
+            raise ValueError(
+                f"Search.steps = {self.steps}; there must be at least {SEARCH_OUTPUTS}"
+            )
 
     @property
     def rungs(self) -> Mapping[Level, tuple[Knobs, ...]]:
-        """Where the search begins, the same at all levels."""
+        """The setting at which the search begins, the same at all levels."""
         return dict.fromkeys(Level, (Knobs(self.dt, self.kn),))
 
     @property
     def goal(self) -> History:
-        """What the first step is run over."""
-        return History(self.steps * self.dt, self.steps * self.dt / OUTPUTS)
+        """Duration and output interval of the run at the first step."""
+        return History(self.steps * self.dt, self.steps * self.dt / SEARCH_OUTPUTS)
 
     def ask(self, knobs: Knobs) -> Ask:
-        """The question put to a scheme that has these knobs; it begins at their dt."""
+        """The ask to a scheme with these knobs; the search begins at their dt."""
         first = Ask(self.scene, self.goal, self.observables, Knobs(self.dt, knobs.kn))
         goal = first.at(knobs.dt or self.dt).goal
         return Ask(self.scene, goal, self.observables, knobs, self.bracket)
 
 
-OUTPUTS = 20  # of a run of a search, over which what it reaches is taken
+SEARCH_OUTPUTS = 20  # in each run of a search; a step is judged by the largest value among them
 
 
 @dataclass(frozen=True, eq=False)
 class Grid:
-    """One scene at steps in units of its critical step, and at several stiffnesses: a map.
+    """A map: one scene at several stiffnesses, and at steps in units of its critical step.
 
-    What diverges is data here, and a step that a code refuses while it takes shorter ones is run
-    all the same. steps: level -> dt over `critical` of the stiffness [s]; kn: level -> stiffnesses
-    [N/m] that stand in for rigid contact, None for a scene that has its own. own: the scene at
-    a stiffness of its own, for which no scheme needs a knob. patience: as in Ladder.
+    A run that diverges is a result here, not a failure; a step that a code refuses only because it
+    is long is run all the same. steps: level -> steps over critical(kn) [s]; kn: level ->
+    stiffnesses of springs that stand for rigid contact [N/m], None for a scene with elastic
+    contact. scene_with_kn: kn -> the scene with that stiffness, if kn is part of the scene and no
+    knob. cpu_limit: as in Ladder.
     """
 
     scene: Scene
@@ -113,18 +119,20 @@ class Grid:
     steps: Mapping[Level, tuple[float, ...]]
     critical: Callable[[float | None], float]
     kn: Mapping[Level, tuple[float | None, ...]] = field(default_factory=lambda: OWN_STIFFNESS)
-    own: Callable[[float], Scene] | None = None
-    patience: float = math.inf
+    scene_with_kn: Callable[[float], Scene] | None = None
+    cpu_limit: float = math.inf
     timed: tuple[Knobs, ...] = ()
 
     def __post_init__(self) -> None:
         missing = [level.value for level in Level if not (self.steps[level] and self.kn[level])]
         if missing:
-            raise ValueError(f"Grid has no steps or no kn at level {missing[0]}; each needs some")
+            raise ValueError(
+                f"Grid.steps or Grid.kn is empty at level {missing[0]}; each level needs values"
+            )
 
     @property
     def rungs(self) -> Mapping[Level, tuple[Knobs, ...]]:
-        """Every step at every stiffness; equal steps of several stiffnesses are equal to a bit."""
+        """Every step at every stiffness, rounded to 12 digits so that equal steps compare equal."""
         return {
             level: tuple(
                 Knobs(float(f"{step * self.critical(kn):.12g}"), kn)
@@ -135,28 +143,33 @@ class Grid:
         }
 
     def ask(self, knobs: Knobs) -> Ask:
-        """The question put at one point of the map."""
-        scene = self.own(knobs.kn) if self.own and knobs.kn else self.scene
+        """The ask at one point of the map."""
+        scene = self.scene_with_kn(knobs.kn) if self.scene_with_kn and knobs.kn else self.scene
         return Ask(scene, self.goal, self.observables, knobs)
 
 
-def too_long(study: Ladder | Search | Grid, knobs: Knobs, pace: tuple[float, float]) -> str | None:
-    """Why a scheme of that pace [s a step, s a step of a body] is not put to a rung, or None."""
+def why_too_long(
+    study: Ladder | Search | Grid, knobs: Knobs, pace: tuple[float, float]
+) -> str | None:
+    """Why a setting is not run, because it would exceed `cpu_limit`; None if it is run.
+
+    pace: CPU time of the scheme per step, and per step and body [s].
+    """
     if isinstance(study, Search) or knobs.dt is None:
         return None
     steps = study.goal.steps(knobs.dt)
     each = pace[0] + pace[1] * (len(study.scene.spheres) + len(study.scene.blocks))
-    if steps * each <= study.patience:
+    if steps * each <= study.cpu_limit:
         return None
     return (
-        f"not run: {steps:.2g} steps of some {each:g} s each; it is given {study.patience:g} s, "
-        f"{study.patience / each:.2g} steps"
+        f"not run: {steps:.2g} steps of about {each:g} s each; the limit is {study.cpu_limit:g} s, "
+        f"{study.cpu_limit / each:.2g} steps"
     )
 
 
-def put_in(study: Ladder | Search | Grid) -> tuple[str, ...]:
-    """The names of the knobs that a study puts into its scene, whatever knobs a scheme has."""
-    return ("kn",) if isinstance(study, Grid) and study.own else ()
+def knobs_in_scene(study: Ladder | Search | Grid) -> tuple[str, ...]:
+    """Names of the knobs that change the scene itself, whether or not a scheme has them."""
+    return ("kn",) if isinstance(study, Grid) and study.scene_with_kn else ()
 
 
 OWN_STIFFNESS: Mapping[Level, tuple[float | None, ...]] = dict.fromkeys(Level, (None,))

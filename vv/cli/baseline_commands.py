@@ -10,12 +10,12 @@ from typing import Annotated, Any
 import typer
 
 from vv.base.errors import UsageError
-from vv.base.files import write
+from vv.base.files import write_whole
 from vv.case import Level
 from vv.cli import options
 from vv.cli.invocation import LATER, carried_out, tell
 from vv.output import terminal
-from vv.plan.plan import EmptyPlanError, Options, Plan, joined, restricted
+from vv.plan.plan import EmptyPlanError, Options, Plan, merge_plans, with_jobs_kept
 from vv.plan.project import Project, find
 from vv.store.store import Store
 
@@ -60,7 +60,7 @@ def accept(
         external,
     )
     path = folder / f"{case}.json"
-    write(path, baseline.render(document).encode())
+    write_whole(path, baseline.render(document).encode())
     terminal.say(f"{len(document['results'])} results in {path}")
 
 
@@ -82,7 +82,7 @@ def record(
             raise UsageError(f"record writes whole cases of whole codes, not '{part}'")
     plan = _both_levels(project, selection, codes)
     external = {code for code, found in plan.found.items() if found.files}
-    plan = restricted(plan, lambda job: job.code in external)
+    plan = with_jobs_kept(plan, lambda job: job.code in external)
     if not plan.jobs:
         raise UsageError(f"'{codes}' names no external code that is installed here")
     manifest = carried_out(project, plan, Limits(options.workers(0), options.TIMEOUT))
@@ -115,7 +115,7 @@ def _both_levels(project: Project, selection: list[str] | str | None, codes: str
             plans.append(options.plan_of(project, names, Options(level, options.codes(codes))))
     if not plans:
         raise UsageError(f"nothing of {', '.join(names)} runs at level {levels[-1].value}")
-    return functools.reduce(joined, plans)
+    return functools.reduce(merge_plans, plans)
 
 
 def _writable(project: Project) -> None:

@@ -9,7 +9,7 @@ import typer
 
 from vv.ask import Status
 from vv.base.errors import UsageError
-from vv.base.files import deliver
+from vv.base.files import write_output
 from vv.cli import options
 from vv.output.terminal import note
 from vv.plan.plan import Options, make_plan
@@ -38,5 +38,5 @@ def export(
     if job.settled is not None and job.settled.status is Status.REFUSED:
         raise UsageError(f"{code} refuses {selection}: {job.settled.reason}")
     adapter, scheme = choose_schemes(named_adapters(project, [code]), [code])[0]
-    deliver(output or Path("-"), adapter.native(job.ask, scheme.name).encode())
+    write_output(output or Path("-"), adapter.native(job.ask, scheme.name).encode())
     note(f"written: {job.label}")

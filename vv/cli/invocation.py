@@ -8,7 +8,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from vv.base.files import deliver
+from vv.base.files import write_output
 from vv.output import terminal
 from vv.output.progress import progress
 from vv.plan.plan import Plan
@@ -79,7 +79,7 @@ def tell(project: Project, manifest: dict[str, Any], json_file: Path | None, rep
         from vv.output.export import document
 
         told = document(manifest, Store(project.data()))
-        deliver(json_file, json.dumps(told, allow_nan=False).encode())
+        write_output(json_file, json.dumps(told, allow_nan=False).encode())
     terminal.print_refusals(manifest["records"])
     terminal.print_counts(manifest["records"], report)
 

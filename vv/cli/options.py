@@ -14,7 +14,7 @@ from vv.case import Level
 from vv.plan.plan import Options, Plan, make_plan
 from vv.plan.project import Project
 from vv.plan.selection import choose_schemes, named_adapters
-from vv.plan.settings import knobs_from
+from vv.plan.settings import parse_knobs
 
 TIMEOUT = 300.0  # s for one job, unless said otherwise; its kernels may have to be compiled
 Selection = Annotated[
@@ -70,7 +70,7 @@ def codes(text: str) -> tuple[str, ...]:
 
 def knobs(texts: list[str] | None) -> tuple[Knobs, ...]:
     """What --rung says."""
-    return tuple(knobs_from(text) for text in texts or ())
+    return tuple(parse_knobs(text) for text in texts or ())
 
 
 def workers(jobs: int) -> int:

@@ -14,7 +14,7 @@ from vv.output.explain import tell
 from vv.plan.plan import Options, make_plan
 from vv.plan.project import find
 from vv.plan.selection import select
-from vv.plan.settings import near
+from vv.plan.settings import name_hint
 from vv.store.store import Store
 
 PAST = 20  # invocations in which a last result is looked for
@@ -46,7 +46,7 @@ def report(
     store = Store(project.data())
     names = store.manifests()
     if not names or (run_name and run_name not in names):
-        unknown = f"no run '{run_name}'{near(run_name, names[-5:])}"
+        unknown = f"no run '{run_name}'{name_hint(run_name, names[-5:])}"
         raise UsageError(unknown if run_name else "there is no run yet")
     name = run_name or names[-1]
     manifest = {**store.manifest(name), "name": name}

@@ -13,7 +13,7 @@ from vv.cli import options
 from vv.cli.invocation import answered, carried_out, reported, tell
 from vv.gate.judgement import RUN_BITS, record_findings
 from vv.output import terminal
-from vv.plan.plan import Options, Plan, restricted
+from vv.plan.plan import Options, Plan, with_jobs_kept
 from vv.plan.project import Project, find
 from vv.records.finding import bits
 from vv.store.store import Store
@@ -124,7 +124,7 @@ def _narrowed(
 
     if last is not None:
         wanted = narrowing.troubled(last)
-        plan = restricted(plan, lambda job: narrowing.key(job) in wanted)
+        plan = with_jobs_kept(plan, lambda job: narrowing.key(job) in wanted)
     if since:
         plan = narrowing.affected(project, plan, changed_since(project.root, since))
     if budget:

@@ -12,7 +12,7 @@ from typing import Annotated, Any
 import typer
 
 from vv.base.errors import UsageError
-from vv.base.files import deliver
+from vv.base.files import write_output
 from vv.case import Level
 from vv.cli import options, speed_text
 from vv.cli.invocation import LATER, answered, tell
@@ -20,7 +20,7 @@ from vv.gate.judgement import RUN_BITS, exit_bits
 from vv.insight.accuracy_cost import TARGETS, Duel, duels, profile, reach
 from vv.insight.effort import Effort, efforts, untimed
 from vv.output.terminal import say
-from vv.plan.plan import Job, Options, Plan, restricted
+from vv.plan.plan import Job, Options, Plan, with_jobs_kept
 from vv.plan.project import find
 
 
@@ -53,7 +53,7 @@ def speed(
             return whole
         if not timed:
             raise UsageError("nothing is timed at this level; --level paper times all there is")
-        return restricted(whole, lambda job: (job.case, job.variant) in timed)
+        return with_jobs_kept(whole, lambda job: (job.case, job.variant) in timed)
 
     limits = Limits(options.workers(jobs), options.positive(timeout), fresh, Timing.STORED)
     asked = "speed", tuple(selection or ()), chosen
@@ -75,7 +75,7 @@ def speed(
         say(line)
     if json_file:
         document = _document(every, rest, fights)
-        deliver(json_file, json.dumps(document, allow_nan=False).encode())
+        write_output(json_file, json.dumps(document, allow_nan=False).encode())
     raise typer.Exit(exit_bits(manifest["records"]) & RUN_BITS)
 
 

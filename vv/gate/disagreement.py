@@ -13,7 +13,7 @@ from typing import Any
 
 from vv.base.errors import UsageError
 from vv.base.metrics import Order
-from vv.case import LOOSEST
+from vv.case import LARGEST_TOLERANCE
 from vv.records.finding import Bit, Finding
 from vv.records.reading import error_of
 from vv.records.record import Verdict
@@ -61,10 +61,10 @@ class Disagreement:
             raise ValueError(
                 f"error = [{low:g}, {high:g}]; a band must end within a factor of {WIDEST:g}"
             )
-        if high > LOOSEST and any(self.order):
+        if high > LARGEST_TOLERANCE and any(self.order):
             raise ValueError(
                 f"error = [{low:g}, {high:g}] at dt = {self.dt:g} s; a band that is moved with the "
-                f"step must end at {LOOSEST:g}"
+                f"step must end at {LARGEST_TOLERANCE:g}"
             )
         if self.order[1] - self.order[0] > BROADEST:
             raise ValueError(
@@ -157,7 +157,7 @@ def _turned(
     if entry["note"]:
         return entry  # nothing moves, or the like: worse than any disagreement
     if record["modified"]:  # bands were measured at the case's own parameters
-        in_band = error is not None and error <= max(LOOSEST, high)
+        in_band = error is not None and error <= max(LARGEST_TOLERANCE, high)
     slope = order.order if order else math.nan
     in_order = order is None or known.order[0] <= slope <= known.order[1]
     if verdict is Verdict.FAIL and in_band and in_order:

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Any
 
-from vv.base.closure import closure
+from vv.base.closure import import_closure
 from vv.plan.keys import PACKAGE, roots
 from vv.plan.plan import Plan
 from vv.plan.project import Project
@@ -21,12 +21,14 @@ def shared(project: Project, plan: Plan) -> dict[tuple[str, str], Path]:
     """
     places = roots(project)
     codes = {
-        code: {f for f in closure(project.adapter_files(code), places) if not _of_the_tool(f)}
+        code: {
+            f for f in import_closure(project.adapter_files(code), places) if not _of_the_tool(f)
+        }
         for code in {job.code for job in plan.jobs}
     }
     found = {}
     for case in plan.cases:
-        files = closure([project.case_file(case)], places)
+        files = import_closure([project.case_file(case)], places)
         for code, own in codes.items():
             if common := own.intersection(files):
                 found[case, code] = min(common)

@@ -16,7 +16,7 @@ import numpy as np
 
 from vv.ask import Status
 from vv.base.errors import UsageError
-from vv.base.files import write
+from vv.base.files import write_whole
 from vv.gate.baseline import name_of, render
 from vv.records.reading import fineness, label, ran, rung, status_of
 
@@ -53,7 +53,7 @@ def keep(
                 for r in pile
             },
         }
-        write(path, render(document).encode())
+        write_whole(path, render(document).encode())
         written.append(path)
     return written
 

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from vv.base.metrics import STALLED, before_floor
+from vv.base.metrics import LEAST_IMPROVEMENT, count_before_floor
 from vv.records.reading import Record, fineness, label, tried
 from vv.records.rungs import Floor, Point, Row, row_of
 
@@ -106,13 +106,13 @@ def _floor(rows: Sequence[Row]) -> Floor | None:
         return None
     if len(rows) == 1:
         return rows[at].floor
-    if before_floor(least) == len(least):
+    if count_before_floor(least) == len(least):
         return None
     why = f"two refinements each of dt, at kn = {rows[at].kn:g}, and of kn"
-    return Floor(min(least), f"{why} improved less than {STALLED:g} times")
+    return Floor(min(least), f"{why} improved less than {LEAST_IMPROVEMENT:g} times")
 
 
 def _gains(row: Row) -> bool:
     """Whether the last smaller step of a row was worth it."""
     last = row.errors[-2:]
-    return len(last) == 2 and last[0] >= STALLED * last[1]
+    return len(last) == 2 and last[0] >= LEAST_IMPROVEMENT * last[1]

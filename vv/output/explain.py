@@ -70,7 +70,7 @@ def _explain_quantity(quantity: Quantity) -> None:
         if tolerance.kn:
             step += f" at kn = {tolerance.kn:g} N/m, as kn^-{tolerance.softness:g}"
         say(f"    {method.value}: {tolerance.value:g}{step}: {tolerance.reason}")
-    for method, reason in judge.shown.items():
+    for method, reason in judge.not_judged.items():
         say(f"    {method.value}: shown: {reason}")
 
 

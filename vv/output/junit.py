@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Any
 
-from vv.base.files import write
+from vv.base.files import write_whole
 from vv.records.finding import Bit, Finding
 from vv.records.reading import label, rung, tried
 
@@ -46,7 +46,7 @@ def write_junit(path: Path, manifest: Mapping[str, Any], findings: Iterable[Find
         suite.timestamp = manifest["provenance"]["utc"]
         document.add_testsuite(suite)
     document.update_statistics()
-    write(path, document.tostring())
+    write_whole(path, document.tostring())
 
 
 def _place(finding: Finding) -> Place:

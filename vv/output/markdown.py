@@ -6,7 +6,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from vv.base.files import write
+from vv.base.files import write_whole
 from vv.gate.judgement import counted
 from vv.output.wording import listed
 from vv.records.finding import Bit, Finding, bits, worst_first
@@ -32,7 +32,7 @@ def headline(findings: Sequence[Finding]) -> str:
 
 def write_markdown(path: Path, manifest: Mapping[str, Any], findings: Sequence[Finding]) -> None:
     """Write the summary."""
-    write(path, summary(manifest, findings).encode())
+    write_whole(path, summary(manifest, findings).encode())
 
 
 def summary(manifest: Mapping[str, Any], findings: Sequence[Finding]) -> str:

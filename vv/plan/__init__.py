@@ -1,4 +1,4 @@
-"""From what a user selects to the jobs to run: project, content, settings, keys.
+"""Expands a selection of cases and codes into jobs, and makes the keys of their results.
 
 May import: base, scene, ask, case, codes, store.
 """

@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 import vv
-from vv.base.closure import CONTENT
+from vv.base.closure import CONTENT_PACKAGES
 from vv.plan.content import ProjectError
 
 SOURCES = Path(vv.__file__).resolve().parents[1]  # the folder that holds the vv which is running
@@ -25,7 +25,7 @@ def activate(root: Path) -> None:
     """
     if sys.path[0] != str(root):
         sys.path[:0] = dict.fromkeys((str(root), str(OWN)))
-    for name in CONTENT:
+    for name in CONTENT_PACKAGES:
         folder = root / name
         if (folder / "__init__.py").is_file() and (origin := _origin(name)) != folder.resolve():
             raise ProjectError(
@@ -60,7 +60,7 @@ def raised_within(error: Exception) -> str:
 
 def _in_content(file: Path) -> bool:
     """Whether a file lies in a package of a project that is active."""
-    active = [Path(entry) / name for entry in sys.path[:2] for name in CONTENT]
+    active = [Path(entry) / name for entry in sys.path[:2] for name in CONTENT_PACKAGES]
     return any(folder in file.parents for folder in active)
 
 

@@ -1,4 +1,4 @@
-"""The keys of stored results: a run by all a solver sees, a record by all that judges it."""
+"""Keys of stored results: a run by all that its solver reads, a record by all that judges it."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import platform
 from pathlib import Path
 
 import vv
-from vv.base.closure import closure, libraries, source_digest
+from vv.base.closure import import_closure, library_versions, source_digest
 from vv.base.digest import digest
 from vv.plan import imports
 from vv.plan.plan import Plan
@@ -19,7 +19,7 @@ PACKAGE = Path(vv.__file__).parent
 def run_keys(project: Project, plan: Plan) -> dict[int, str]:
     """Job number -> key of its run: ask, scheme, sources, libraries and executables.
 
-    What a search comes to depends on how it is done, too.
+    The key of a search also contains the source of the search.
     """
     codes = {job.code for job in plan.jobs}
     prints = {code: code_digest(project, plan, code) for code in codes}
@@ -35,7 +35,7 @@ def run_keys(project: Project, plan: Plan) -> dict[int, str]:
 
 
 def record_keys(project: Project, plan: Plan, runs: dict[int, str]) -> dict[int, str]:
-    """Job number -> key of its record: the run, the parameters, and the sources that judge."""
+    """Job number -> key of its record: the run, parameters, class of method and case's sources."""
     prints = {name: case_digest(project, name) for name in plan.cases}
     return {
         number: digest(
@@ -46,25 +46,29 @@ def record_keys(project: Project, plan: Plan, runs: dict[int, str]) -> dict[int,
 
 
 def code_digest(project: Project, plan: Plan, code: str) -> str:
-    """Fingerprint of a code: import closure, what refuses for it, libraries, executable files."""
+    """Digest of a code: sources of the adapter and all it imports, libraries, executables."""
     files = [*project.adapter_files(code), PACKAGE / "codes" / "adapter.py"]
-    sources = closure(files, roots(project))
+    sources = import_closure(files, roots(project))
     external = executables(project, plan, code)
     python = platform.python_version()
-    return digest(source_digest(sources), libraries(sources), python, sorted(external.values()))
+    return digest(
+        source_digest(sources), library_versions(sources), python, sorted(external.values())
+    )
 
 
 def executables(project: Project, plan: Plan, code: str) -> dict[str, str]:
-    """Path -> digest of the files that a code's results depend on besides our sources."""
+    """Path -> digest of the files of an external code that its results depend on."""
     return file_digests(plan.found[code].files, project.data() / "digests.json")
 
 
 def case_digest(project: Project, case: str) -> str:
-    """Fingerprint of what judges a case: its import closure and that of the measuring."""
-    files = closure([project.case_file(case), PACKAGE / "records" / "record.py"], roots(project))
-    return digest(source_digest(files), libraries(files))
+    """Digest of what judges a case: sources of the case and of the measuring, and libraries."""
+    files = import_closure(
+        [project.case_file(case), PACKAGE / "records" / "record.py"], roots(project)
+    )
+    return digest(source_digest(files), library_versions(files))
 
 
 def roots(project: Project) -> tuple[Path, ...]:
-    """The folders below which a source is ours: the project's content, the tool's, the tool."""
+    """The folders that hold our sources: the project, the bundled content, and vv itself."""
     return project.root, imports.OWN, PACKAGE.parent

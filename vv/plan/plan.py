@@ -1,4 +1,4 @@
-"""From a selection of cases, codes and settings to the jobs to run."""
+"""Makes the plan: one job for each selected variant, scheme and setting."""
 
 from __future__ import annotations
 
@@ -19,23 +19,23 @@ from vv.case import (
     Quantity,
     Series,
     Trial,
-    number,
-    put_in,
-    size_of,
-    too_long,
+    error_scale,
+    evaluated,
+    knobs_in_scene,
+    why_too_long,
 )
 from vv.codes.adapter import Adapter, Found, Scheme, no_steps, settled
 from vv.plan.project import Project
 from vv.plan.selection import choose_schemes, named_adapters, select
-from vv.plan.settings import with_settings
+from vv.plan.settings import parameters_with_settings
 
 
 @dataclass(frozen=True)
 class Options:
-    """What a user may ask of a run besides the selection.
+    """Options of an invocation beside the selection of cases.
 
-    codes: patterns CODE or CODE/SCHEME. settings: NAME=VALUE[UNIT] texts. rungs: knobs that
-    replace the case's own.
+    codes: patterns CODE or CODE/SCHEME. settings: texts NAME=VALUE[UNIT] that change parameters.
+    rungs: settings that replace those of the case, if there are any.
     """
 
     level: Level = Level.DEFAULT
@@ -46,7 +46,11 @@ class Options:
 
 @dataclass(frozen=True, eq=False)
 class Job:
-    """One ask put to one scheme, with where it comes from."""
+    """One ask to one scheme, with the case and variant that it comes from.
+
+    modified: whether parameters differ from their defaults. timed: whether timing sessions
+    measure it. settle(): the outcome, if it is known without running, or None.
+    """
 
     case: str
     variant: str
@@ -61,23 +65,26 @@ class Job:
 
     @functools.cached_property
     def settled(self) -> Run | None:
-        """The outcome if it is known without running: refused or not installed."""
+        """The outcome if known without running, such as refused or not installed; else None."""
         return self.settle()
 
     @property
     def label(self) -> str:
-        """The job in one word, as people read it."""
+        """The job as shown to people: case:variant code/scheme knobs."""
         knobs = ",".join(f"{k}={v:g}" for k, v in dataclasses.asdict(self.ask.knobs).items() if v)
         return f"{self.case}:{self.variant} {self.code}/{self.scheme} {knobs}".rstrip()
 
 
 class EmptyPlanError(UsageError):
-    """What was selected holds nothing at the level asked for."""
+    """The selection has no variant at the level asked for."""
 
 
 @dataclass(frozen=True, eq=False)
 class Plan:
-    """The jobs of an invocation, with the cases, trials and codes they belong to."""
+    """The jobs of an invocation, with their cases, trials and adapters.
+
+    trials: (case, variant) -> trial; found: code -> where it is, or how to install it.
+    """
 
     jobs: tuple[Job, ...]
     cases: Mapping[str, Case]
@@ -87,13 +94,13 @@ class Plan:
 
 
 def make_plan(project: Project, selection: Sequence[str], options: Options) -> Plan:
-    """Expand a selection; raises UsageError for names, units and values that make no sense."""
+    """The plan for a selection; raises UsageError for unknown names and invalid values."""
     chosen = select(project, selection)
     adapters = named_adapters(project, options.codes)
     found = {name: adapter.found() for name, adapter in adapters.items()}
     schemes = choose_schemes(adapters, options.codes)
     posed = [
-        _pose(case, variant, options)
+        _declared(case, variant, options)
         for case, variant in chosen
         if case.variant(variant).runs_at(options.level)
     ]
@@ -111,21 +118,23 @@ def make_plan(project: Project, selection: Sequence[str], options: Options) -> P
 
 
 def _no_jobs(chosen: Sequence[tuple[Case, str]], level: Level) -> str:
-    """Why a selection comes to nothing."""
+    """Why a selection has no job."""
     later = [case.variant(variant).level for case, variant in chosen]
     if not later:
-        return "the selection holds nothing"
+        return "the selection is empty"
     first = min(later, key=lambda one: one.rank)
-    return f"the selection holds nothing at level {level.value}; --level {first.value} has some"
+    return (
+        f"the selection is empty at level {level.value}; --level {first.value} has variants of it"
+    )
 
 
-def restricted(plan: Plan, keep: Callable[[Job], bool]) -> Plan:
-    """The plan with only the jobs to keep, and only their cases and trials."""
+def with_jobs_kept(plan: Plan, keep: Callable[[Job], bool]) -> Plan:
+    """The plan with only the jobs for which keep(job) holds, and their cases and trials."""
     return _with_jobs(plan, tuple(job for job in plan.jobs if keep(job)))
 
 
-def joined(one: Plan, other: Plan) -> Plan:
-    """Both plans as one, each job once; they must be of one project and the same settings."""
+def merge_plans(one: Plan, other: Plan) -> Plan:
+    """The union of two plans of one project and the same parameters; `one` wins over `other`."""
     jobs = {_identity(job): job for plan in (other, one) for job in plan.jobs}
     whole = dataclasses.replace(
         one, cases={**other.cases, **one.cases}, trials={**other.trials, **one.trials}
@@ -148,8 +157,8 @@ def _with_jobs(plan: Plan, jobs: tuple[Job, ...]) -> Plan:
 
 
 @dataclass(frozen=True, eq=False)
-class _Posed:
-    """A variant with its parameters put in, and the asks of its rungs."""
+class _Declared:
+    """A variant with its parameters, trial and settings, and the ask at each setting."""
 
     case: Case
     variant: str
@@ -159,48 +168,49 @@ class _Posed:
     ask: Callable[[Knobs], Ask]
 
 
-def _pose(case: Case, variant: str, options: Options) -> _Posed:
-    parameters = with_settings(case, variant, options.settings)
-    trial = declare(case, variant, parameters)
+def _declared(case: Case, variant: str, options: Options) -> _Declared:
+    parameters = parameters_with_settings(case, variant, options.settings)
+    trial = declare_trial(case, variant, parameters)
     if not trial.study.scene.contact.rigid and any(rung.kn for rung in options.rungs):
         raise UsageError(f"{case.name}:{variant} has a contact stiffness of its own; leave out kn")
     rungs = options.rungs or trial.study.rungs[options.level]
-    return _Posed(case, variant, parameters, trial, rungs, functools.cache(trial.study.ask))
+    return _Declared(case, variant, parameters, trial, rungs, functools.cache(trial.study.ask))
 
 
-def declare(case: Case, variant: str, parameters: Mapping[str, float]) -> Trial:
-    """The trial; bad parameters are the user's, so their errors are usage errors.
+def declare_trial(case: Case, variant: str, parameters: Mapping[str, float]) -> Trial:
+    """The trial of a variant; raises UsageError for parameters that the case rejects.
 
-    What the answer makes of a user's parameters is seen beforehand; of the case's own it is not
-    asked until a run is measured, since some answers take their time.
+    With parameters changed by the user, references are evaluated now, so that their errors are
+    found early. With default parameters they are left until a run is measured, because some are
+    costly.
     """
     try:
         trial = case.declare(variant, parameters)
         if dict(parameters) != case.defaults(variant):
-            _answer(trial.quantities)
+            _evaluate_references(trial.quantities)
         return trial
     except ValueError as error:
         raise UsageError(f"{case.name}:{variant}: {error}") from error
 
 
-def _answer(quantities: Iterable[Quantity]) -> None:
-    """Ask every quantity for its reference and its scale."""
+def _evaluate_references(quantities: Iterable[Quantity]) -> None:
+    """Evaluate the reference and scale of every quantity; raises what they raise."""
     for quantity in quantities:
         if isinstance(quantity, Series):
             if quantity.reference is not None:
                 quantity.reference(np.zeros(1))
         elif quantity.reference is not None:
-            number(quantity.reference)
+            evaluated(quantity.reference)
         if not isinstance(quantity, Count) and quantity.scale is not None:
-            size_of(quantity.name, quantity.scale)
+            error_scale(quantity.name, quantity.scale)
 
 
-def _jobs(posed: _Posed, adapter: Adapter, scheme: Scheme, found: Found) -> list[Job]:
-    """One job per rung, as projected on the knobs the scheme has."""
+def _jobs(posed: _Declared, adapter: Adapter, scheme: Scheme, found: Found) -> list[Job]:
+    """The jobs of a variant in a scheme: one for each setting that differs in its knobs."""
     terms = posed.trial.study.scene.terms()
-    own = put_in(posed.trial.study)
+    own = knobs_in_scene(posed.trial.study)
     timed = {project_knobs(knobs, scheme, own) for knobs in posed.trial.study.timed}
-    settle = _mapped if isinstance(posed.trial.study, Grid) else _settled
+    settle = _known_outcome_on_map if isinstance(posed.trial.study, Grid) else _known_outcome
     return [
         Job(
             case=posed.case.name,
@@ -218,16 +228,20 @@ def _jobs(posed: _Posed, adapter: Adapter, scheme: Scheme, found: Found) -> list
     ]
 
 
-def _settled(posed: _Posed, adapter: Adapter, scheme: Scheme, ask: Ask, found: Found) -> Run | None:
-    """What is known of a rung beforehand: `settled`, or that it would take too long."""
+def _known_outcome(
+    posed: _Declared, adapter: Adapter, scheme: Scheme, ask: Ask, found: Found
+) -> Run | None:
+    """The outcome known without running: that of `settled`, or TOO_LONG; else None."""
     run = settled(adapter, scheme, ask, found)
-    why = too_long(posed.trial.study, ask.knobs, scheme.pace)
+    why = why_too_long(posed.trial.study, ask.knobs, scheme.pace)
     return Run(Status.TOO_LONG, why) if why and run is None else run
 
 
-def _mapped(posed: _Posed, adapter: Adapter, scheme: Scheme, ask: Ask, found: Found) -> Run | None:
-    """As `_settled`, for a point of a map: what is refused for a long step alone is run."""
-    run, own = _settled(posed, adapter, scheme, ask, found), put_in(posed.trial.study)
+def _known_outcome_on_map(
+    posed: _Declared, adapter: Adapter, scheme: Scheme, ask: Ask, found: Found
+) -> Run | None:
+    """As `_known_outcome`, for a map: steps refused only because they are long are run."""
+    run, own = _known_outcome(posed, adapter, scheme, ask, found), knobs_in_scene(posed.trial.study)
     if run is None or run.status is not Status.REFUSED or no_steps(ask) is not None:
         return run
     row = [k for k in (project_knobs(k, scheme, own) for k in posed.rungs) if k.kn == ask.knobs.kn]
@@ -237,5 +251,5 @@ def _mapped(posed: _Posed, adapter: Adapter, scheme: Scheme, ask: Ask, found: Fo
 
 
 def project_knobs(knobs: Knobs, scheme: Scheme, own: Collection[str] = ()) -> Knobs:
-    """The knobs without those the scheme lacks, but for those that are put into the scene."""
+    """The knobs that a scheme has, and those in `own`, which change the scene; others None."""
     return Knobs(**{name: getattr(knobs, name) for name in {*scheme.knobs, *own}})

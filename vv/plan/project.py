@@ -11,7 +11,7 @@ from vv.case import Case
 from vv.codes.adapter import Adapter
 from vv.plan import content, imports
 from vv.plan.content import ProjectError
-from vv.plan.settings import near
+from vv.plan.settings import name_hint
 
 REQUIRED = ("adapters/__init__.py", "cases/__init__.py")
 
@@ -124,7 +124,7 @@ def _marked(folder: Path) -> bool:
 
 def _pick(kind: str, name: str, known: dict[str, Path]) -> Path:
     if name not in known:
-        raise ProjectError(f"no {kind} '{name}'{near(name, known)}")
+        raise ProjectError(f"no {kind} '{name}'{name_hint(name, known)}")
     return known[name]
 
 

@@ -1,4 +1,4 @@
-"""What patterns name: cases and variants, codes and schemes."""
+"""Finds the cases and variants, or the codes and schemes, that patterns select."""
 
 from __future__ import annotations
 
@@ -10,14 +10,14 @@ from vv.base.errors import UsageError
 from vv.case import Case
 from vv.codes.adapter import Adapter, Scheme
 from vv.plan.project import Project
-from vv.plan.settings import near
+from vv.plan.settings import name_hint
 
 
 def select(project: Project, selection: Sequence[str]) -> list[tuple[Case, str]]:
     """(case, variant name) pairs for patterns FAMILY, CASE or CASE:VARIANT, in file order."""
     wanted: dict[str, set[str]] = {}
     for pattern in selection:
-        for name, variants in _named(project, pattern).items():
+        for name, variants in _matching_variants(project, pattern).items():
             wanted.setdefault(name, set()).update(variants)
     return [
         (case, variant.name)
@@ -27,24 +27,24 @@ def select(project: Project, selection: Sequence[str]) -> list[tuple[Case, str]]
     ]
 
 
-def _named(project: Project, pattern: str) -> dict[str, list[str]]:
-    """Case -> those of its variants that a pattern names; raises UsageError if there are none."""
+def _matching_variants(project: Project, pattern: str) -> dict[str, list[str]]:
+    """Case -> its variants that match a pattern; raises UsageError if nothing matches."""
     case_pattern, _, variant_pattern = pattern.partition(":")
     families = {name: project.family(name) for name in project.case_names()}
     hits = [n for n, f in families.items() if fnmatch.filter((n, f), case_pattern)]
     if not hits:
         every = {*families, *families.values()}
-        raise UsageError(f"no case '{case_pattern}'{near(case_pattern, every)}")
+        raise UsageError(f"no case '{case_pattern}'{name_hint(case_pattern, every)}")
     known = {name: [v.name for v in project.load_case(name).variants] for name in hits}
     found = {name: fnmatch.filter(own, variant_pattern or "*") for name, own in known.items()}
     if not any(found.values()):
         names = itertools.chain.from_iterable(known.values())
-        raise UsageError(f"no variant '{variant_pattern}'{near(variant_pattern, names)}")
+        raise UsageError(f"no variant '{variant_pattern}'{name_hint(variant_pattern, names)}")
     return found
 
 
 def named_adapters(project: Project, patterns: Iterable[str]) -> dict[str, Adapter]:
-    """The codes that patterns CODE or CODE/SCHEME name; all, where one of them names none."""
+    """Adapters that match patterns CODE or CODE/SCHEME; all of them if a pattern matches none."""
     names = project.adapter_names()
     hits = [fnmatch.filter(names, pattern.partition("/")[0]) for pattern in patterns]
     wanted = {name for hit in hits for name in hit} if hits and all(hits) else set(names)
@@ -54,7 +54,10 @@ def named_adapters(project: Project, patterns: Iterable[str]) -> dict[str, Adapt
 def choose_schemes(
     adapters: Mapping[str, Adapter], patterns: Iterable[str]
 ) -> list[tuple[Adapter, Scheme]]:
-    """The pairs that patterns CODE or CODE/SCHEME name; CODE alone means all its schemes."""
+    """Pairs of adapter and scheme that match CODE or CODE/SCHEME; CODE means all its schemes.
+
+    Raises UsageError for a pattern that matches nothing.
+    """
     labels = {f"{a.name}/{s.name}": (a, s) for a in adapters.values() for s in a.schemes}
     chosen: dict[str, tuple[Adapter, Scheme]] = {}
     for pattern in patterns:
@@ -62,6 +65,6 @@ def choose_schemes(
         hits = [label for label in labels if fnmatch.fnmatchcase(label, full)]
         if not hits:
             known = [*labels, *adapters]
-            raise UsageError(f"no code '{pattern}'{near(pattern, known)}")
+            raise UsageError(f"no code '{pattern}'{name_hint(pattern, known)}")
         chosen.update((label, labels[label]) for label in hits)
     return [pair for label, pair in labels.items() if label in chosen]

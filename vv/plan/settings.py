@@ -1,4 +1,4 @@
-"""Parameters as users type them: NAME=VALUE[UNIT], with conversion, and names that nearly fit."""
+"""Parses parameters and knobs as users type them, converts units, and suggests names."""
 
 from __future__ import annotations
 
@@ -15,8 +15,8 @@ from vv.case import Case, Parameter
 KNOBS = tuple(field.name for field in dataclasses.fields(Knobs))
 
 
-def with_settings(case: Case, variant: str, settings: Sequence[str]) -> dict[str, float]:
-    """The parameters of a variant with NAME=VALUE[UNIT] texts applied."""
+def parameters_with_settings(case: Case, variant: str, settings: Sequence[str]) -> dict[str, float]:
+    """Parameters of a variant, changed by texts NAME=VALUE[UNIT]; raises UsageError."""
     parameters = case.defaults(variant)
     by_name = {p.name: p for p in case.parameters}
     for text in settings:
@@ -24,16 +24,16 @@ def with_settings(case: Case, variant: str, settings: Sequence[str]) -> dict[str
         if not equals:
             raise UsageError(f"--set {text}: it must read NAME=VALUE[UNIT]")
         if name not in by_name:
-            raise UsageError(f"{case.name} has no parameter '{name}'{near(name, by_name)}")
-        parameters[name] = quantity(value, by_name[name])
+            raise UsageError(f"{case.name} has no parameter '{name}'{name_hint(name, by_name)}")
+        parameters[name] = parse_value(value, by_name[name])
     return parameters
 
 
 NUMBER = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?|[+-]?nan|[+-]?inf)\s*(.*?)\s*")
 
 
-def quantity(text: str, parameter: Parameter) -> float:
-    """A value as typed, in the parameter's unit; another unit is converted or refused by name."""
+def parse_value(text: str, parameter: Parameter) -> float:
+    """A typed value, converted to the parameter's unit; raises UsageError naming the parameter."""
     match = NUMBER.fullmatch(text)
     if match is None:
         raise UsageError(f"{parameter.name} = '{text}': not a number with an optional unit")
@@ -60,8 +60,8 @@ def _converted(value: float, unit: str, parameter: Parameter) -> float:
         ) from error
 
 
-def near(name: str, known: Iterable[str]) -> str:
-    """A tail for an error message that lists the names like this one, or all of them."""
+def name_hint(name: str, known: Iterable[str]) -> str:
+    """The end of an error message: the known names similar to `name`, or all of them."""
     names = sorted(set(known))
     by_folded = {n.lower(): n for n in names}
     close = difflib.get_close_matches(name.lower(), by_folded, n=2, cutoff=0.6)
@@ -70,7 +70,7 @@ def near(name: str, known: Iterable[str]) -> str:
     return f"; there is {', '.join(names)}" if names else "; there is none"
 
 
-def knobs_from(text: str) -> Knobs:
+def parse_knobs(text: str) -> Knobs:
     """Knobs from a text such as dt=1e-4,kn=1e9; raises UsageError."""
     values: dict[str, float] = {}
     for part in text.split(","):

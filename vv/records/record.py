@@ -23,9 +23,9 @@ from vv.case import (
     Scalar,
     Series,
     Shown,
-    judge_of,
-    number,
-    size_of,
+    error_scale,
+    evaluated,
+    judge_for_method,
 )
 from vv.records.reading import error_of
 from vv.scene import Vector
@@ -98,15 +98,15 @@ def _energetic(run: Run, ask: Ask) -> Run:
 def _energies(ledger: Ledger) -> Iterator[float]:
     """Every number of a ledger."""
     yield from (*ledger.terms.values(), ledger.unaccounted, ledger.peak, ledger.bound or 0.0)
-    yield from (number for pair in ledger.audits.values() for number in pair)
+    yield from (evaluated for pair in ledger.audits.values() for evaluated in pair)
 
 
 def measured(
     run: Run, quantity: Quantity, method: Method, knobs: Knobs
 ) -> tuple[dict[str, Any], dict[str, Vector]]:
     """A quantity of a run as a record entry, and the arrays of its series."""
-    judge = judge_of(quantity.judge, method)
-    if isinstance(quantity, Scalar) and not quantity.told(run):
+    judge = judge_for_method(quantity.judge, method)
+    if isinstance(quantity, Scalar) and not quantity.is_reported(run):
         judge = UNTOLD
     entry: dict[str, Any] = {
         "name": quantity.name,
@@ -154,7 +154,7 @@ def _measure_series(run: Run, quantity: Series, entry: dict[str, Any]) -> dict[s
     if quantity.reference is None:
         return arrays
     reference = np.asarray(quantity.reference(run.times), float)
-    scale = None if quantity.scale is None else size_of(quantity.name, quantity.scale)
+    scale = None if quantity.scale is None else error_scale(quantity.name, quantity.scale)
     entry["scale"] = _finite(scale or np.abs(reference).max()) or 1.0
     entry["end"] = _finite(reference[-1])
     entry["errors"] = _errors(value, reference, scale)
@@ -188,11 +188,11 @@ def _measure_number(
     """Value, scale and errors; a count that is only shown has none, and so no order in dt."""
     value = quantity.observe(run)
     entry["value"] = _finite(value)
-    reference = None if quantity.reference is None else number(quantity.reference)
+    reference = None if quantity.reference is None else evaluated(quantity.reference)
     entry["reference"] = reference
     entry["figures"] = {"value": entry["value"]}
     if isinstance(quantity, Scalar):
-        scale = size_of(quantity.name, quantity.scale)
+        scale = error_scale(quantity.name, quantity.scale)
     else:
         scale = float(max(1, abs(reference or 0)))
     entry["scale"] = scale

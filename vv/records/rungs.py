@@ -6,13 +6,13 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 from vv.base.metrics import (
-    SAFETY,
-    STALLED,
+    GCI_SAFETY_FACTOR,
+    LEAST_IMPROVEMENT,
     Convergence,
+    NoLimit,
     Order,
-    Unsettled,
-    before_floor,
     convergence,
+    count_before_floor,
     observed_order,
     order_before_floor,
 )
@@ -56,7 +56,7 @@ class Limit:
     """
 
     dt: float
-    found: Convergence | Unsettled
+    found: Convergence | NoLimit
     model: float | None = None
     step: float | None = None
     known: float | None = None
@@ -87,8 +87,8 @@ def row_of(kn: float | None, pile: Sequence[Record]) -> Row:
     known = [(p.dt, p.error) for p in points if p.dt and p.error]
     errors = [error for _, error in known]
     order = order_before_floor([dt for dt, _ in known], errors)
-    why = f"two refinements of dt improved less than {STALLED:g} times"
-    floor = Floor(min(errors), why) if before_floor(errors) < len(errors) else None
+    why = f"two refinements of dt improved less than {LEAST_IMPROVEMENT:g} times"
+    floor = Floor(min(errors), why) if count_before_floor(errors) < len(errors) else None
     return Row(kn, points, order, floor, _limit(pile))
 
 
@@ -125,12 +125,12 @@ def _limit(pile: Sequence[Record]) -> Limit | None:
         entries[0].get("end"),
         entries[0]["scale"],
     )
-    if isinstance(found, Unsettled) or not scale:
+    if isinstance(found, NoLimit) or not scale:
         return Limit(steps[0], found)
     model = None if end is None else abs(found.limit - end) / scale
     ratio = (steps[1] / steps[0]) ** min(found.order, FORMAL)
     step = abs(finals[1] - finals[0]) / (ratio - 1) / scale
-    return Limit(steps[0], found, model, step, SAFETY * step)
+    return Limit(steps[0], found, model, step, GCI_SAFETY_FACTOR * step)
 
 
 def told(row: Row) -> str:
@@ -142,8 +142,8 @@ def told(row: Row) -> str:
 
 
 def _told(limit: Limit) -> str:
-    if isinstance(limit.found, Unsettled):
-        return f"final value: no limit of small steps, {limit.found.why}"
+    if isinstance(limit.found, NoLimit):
+        return f"final value: no limit of small steps, {limit.found.reason}"
     step = (
         f"the step's part {limit.step:.1e} at dt = {limit.dt:g}, of order {limit.found.order:.2f}"
     )

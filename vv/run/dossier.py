@@ -59,7 +59,7 @@ def _quantity(quantity: Quantity) -> dict[str, Any]:
     }
     if isinstance(judge, Exact):
         tolerances = {m.value: dataclasses.asdict(t) for m, t in judge.tolerances.items()}
-        shown = {m.value: reason for m, reason in judge.shown.items()}
+        shown = {m.value: reason for m, reason in judge.not_judged.items()}
         unjudged = {"shown": shown} if shown else {}
         return {**entry, "norm": judge.norm.value, "tolerances": tolerances, **unjudged}
     return {**entry, "reason": judge.reason}

@@ -8,11 +8,11 @@ from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from vv.base.closure import closure
+from vv.base.closure import import_closure
 from vv.base.errors import UsageError
 from vv.gate.judgement import record_findings
 from vv.plan.keys import PACKAGE, roots
-from vv.plan.plan import Job, Plan, restricted
+from vv.plan.plan import Job, Plan, with_jobs_kept
 from vv.plan.project import Project
 from vv.records.reading import error_of, label, ran, rung
 
@@ -57,14 +57,14 @@ def affected(project: Project, plan: Plan, changed: Iterable[Path]) -> Plan:
     cases = {
         name
         for name in plan.cases
-        if _touched(closure([project.case_file(name), judging], places), files)
+        if _touched(import_closure([project.case_file(name), judging], places), files)
     }
     codes = {
         name
         for name in plan.adapters
-        if _touched([*closure(project.adapter_files(name), places)], files)
+        if _touched([*import_closure(project.adapter_files(name), places)], files)
     }
-    return restricted(plan, lambda job: job.case in cases or job.code in codes)
+    return with_jobs_kept(plan, lambda job: job.case in cases or job.code in codes)
 
 
 def _touched(sources: Iterable[Path], changed: frozenset[Path]) -> bool:
@@ -104,7 +104,7 @@ def within(plan: Plan, budget: float, manifests: Sequence[Mapping[str, Any]]) ->
         if spent + cost <= budget:
             spent += cost
             kept.add(id(plan.jobs[number]))
-    return restricted(plan, lambda job: id(job) in kept)
+    return with_jobs_kept(plan, lambda job: id(job) in kept)
 
 
 def _past(manifests: Iterable[Mapping[str, Any]]) -> dict[Key, Mapping[str, Any]]:

@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import Any
 
 from vv.ask import Status
-from vv.base.closure import CONTENT
+from vv.base.closure import CONTENT_PACKAGES
 from vv.base.digest import digest
 from vv.plan import imports
 from vv.plan.content import written
@@ -115,7 +115,7 @@ def _sources(project: Project) -> dict[str, str]:
     roots = dict.fromkeys((project.root, imports.OWN))
     folders = [
         ("vv", PACKAGE),
-        *((f"{i}/{c}", r / c) for i, r in enumerate(roots) for c in CONTENT),
+        *((f"{i}/{c}", r / c) for i, r in enumerate(roots) for c in CONTENT_PACKAGES),
     ]
     return {
         f"{name}/{path.relative_to(folder)}": _content(path)

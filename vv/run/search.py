@@ -53,7 +53,7 @@ class _Search:
         if not self.runs:
             low = self.ask.dt
             return list(np.geomspace(low, low * self.bracket.span, self.bracket.tries))
-        stable, lost = self.bracket.limits(self.tried())
+        stable, lost = self.bracket.stability_limits(self.tried())
         if not stable or lost is None:
             return []
         return list(np.geomspace(stable, lost, self.bracket.tries + 2)[1:-1])
@@ -75,7 +75,7 @@ class _Search:
 
     def _beyond(self) -> str:
         """What comes of the least step that is unstable."""
-        lost = self.bracket.limits(self.tried())[1]
+        lost = self.bracket.stability_limits(self.tried())[1]
         if lost is None:
             return "every step tried is stable"
         reach, bound = _reach(self.runs[lost]), self.bracket.bound

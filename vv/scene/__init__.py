@@ -1,4 +1,4 @@
-"""What is simulated: frozen data in SI units that checks itself at birth.
+"""What is simulated: scenes as frozen data in SI units, checked when they are created.
 
 May import: base.
 """
@@ -19,14 +19,14 @@ from vv.scene.energy import Form
 from vv.scene.scene import Scene
 from vv.scene.terms import Term
 from vv.scene.transform import (
-    about_z,
-    drifting,
     initial_normal_forces,
-    released,
     rotated,
-    strayed,
-    swapped,
-    why_not_released,
+    rotation_about_z,
+    spheres_held_by_loads,
+    why_load_is_no_lock,
+    why_locks_need_more_than_loads,
+    with_bodies_reversed,
+    with_loads_for_locks,
 )
 
 __all__ = [
@@ -43,16 +43,16 @@ __all__ = [
     "Term",
     "Vector",
     "Wall",
-    "about_z",
     "box_geometry",
-    "drifting",
     "face_normal",
     "initial_normal_forces",
     "polyhedron_inertia",
-    "released",
     "rotated",
-    "strayed",
-    "swapped",
+    "rotation_about_z",
+    "spheres_held_by_loads",
     "volume_and_centroid",
-    "why_not_released",
+    "why_load_is_no_lock",
+    "why_locks_need_more_than_loads",
+    "with_bodies_reversed",
+    "with_loads_for_locks",
 ]

@@ -1,4 +1,4 @@
-"""Arrays in frozen data: read-only, of the right shape, and finite."""
+"""Checks the array fields of frozen dataclasses and makes them read-only."""
 
 from __future__ import annotations
 
@@ -12,7 +12,10 @@ Mask = npt.NDArray[np.bool_]
 
 
 def freeze(owner: Any, name: str, shape: tuple[int, ...], unit: str, kind: type = float) -> None:
-    """Replace a field by a read-only array; raises ValueError if its shape or a value is wrong."""
+    """Replace field `name` of `owner` by a read-only array of the given shape and type.
+
+    Raises ValueError naming the field if its shape differs or a value is not finite.
+    """
     array: npt.NDArray[Any] = np.array(getattr(owner, name), dtype=kind)
     label = f"{type(owner).__name__}.{name}"
     if array.shape != shape:

@@ -1,4 +1,4 @@
-"""Convex blocks, rigid or elastic: polyhedra that check themselves, and common shapes."""
+"""Convex blocks, rigid or elastic: polyhedra, their mass properties, and boxes."""
 
 from __future__ import annotations
 
@@ -11,12 +11,12 @@ import numpy.typing as npt
 
 from vv.scene.arrays import Mask, Vector, freeze
 
-FLAT = 1e-9  # of a block's size: how far a vertex may lie off its face, or beyond another
+FLATNESS = 1e-9  # of a block's size: how far a vertex may lie off the plane of a face
 
 
 @dataclass(frozen=True)
 class Elastic:
-    """An isotropic law of a block, which checks it: young [Pa], poisson."""
+    """Isotropic elasticity: Young's modulus [Pa] and Poisson's ratio, checked by the Block."""
 
     young: float
     poisson: float
@@ -24,16 +24,17 @@ class Elastic:
 
 @dataclass(frozen=True, eq=False)
 class Block:
-    """One convex polyhedron, rigid unless it has a law of elasticity.
+    """One convex polyhedron, rigid unless `elastic` is given.
 
     vertices: (k, 3) [m] in the scene's frame; faces: vertex numbers, counter-clockwise seen from
     outside; mass [kg]; inertia: (3, 3) about the centroid [kg m2]; velocity, spin: (3,)
-    [m/s, 1/s]; load: (3,) dead force at the centroid [N]. free, free_spin: (3,) booleans along
-    the scene's axes. A plane scene's block is a prism whose masks leave motion in the plane.
+    [m/s, 1/s]; load: (3,) dead load at the centroid [N]. free, free_spin: (3,) booleans, the free
+    translations and rotations along the scene's axes. In a plane scene a block is a prism that
+    is free in the plane only.
 
-    elastic: None for a rigid block; else it strains uniformly, from none at t = 0, along the
-    directions it is free in, and bears no stress along the others (Shi 1992: u is linear in x).
-    Raises ValueError naming the block, and the face that is wrong.
+    elastic: None for a rigid block. Otherwise the block strains uniformly (Shi 1992: u is linear
+    in x) along the directions in which it is free, with no strain at t = 0 and no stress along
+    the locked ones. Raises ValueError naming the block, and the face or value that is wrong.
     """
 
     name: str
@@ -44,8 +45,8 @@ class Block:
     velocity: Vector
     free: Mask
     free_spin: Mask
-    spin: Vector = (0.0, 0.0, 0.0)  # type: ignore[assignment]  # frozen to an array at birth
-    load: Vector = (0.0, 0.0, 0.0)  # type: ignore[assignment]  # frozen to an array at birth
+    spin: Vector = (0.0, 0.0, 0.0)  # type: ignore[assignment]  # becomes an array (3,)
+    load: Vector = (0.0, 0.0, 0.0)  # type: ignore[assignment]  # becomes an array (3,)
     elastic: Elastic | None = None
 
     def __post_init__(self) -> None:
@@ -68,7 +69,7 @@ class Block:
         return 1
 
     def centroid(self) -> Vector:
-        """The centre of volume (3,) [m]."""
+        """The centre of the volume, (3,) [m]."""
         return self._centroid
 
     @functools.cached_property
@@ -77,7 +78,7 @@ class Block:
 
     @property
     def strains(self) -> tuple[tuple[int, int], ...]:
-        """Pairs i <= j of the scene's axes: the strains (i, i) and shear angles (i, j) it has."""
+        """Pairs i <= j of the scene's axes along which it has a strain (i = j) or shear angle."""
         along = np.flatnonzero(self.free).tolist() if self.elastic else []
         return tuple((i, j) for i in along for j in along if i <= j)
 
@@ -100,30 +101,30 @@ class Block:
         if any(open_edges):
             number = open_edges.index(max(open_edges))
             raise ValueError(
-                f"block '{self.name}', face {number}: the faces do not close round it; one may be "
-                "missing, or this one turned inwards"
+                f"block '{self.name}', face {number}: the faces do not enclose a volume; one is "
+                "missing, or this one is listed clockwise"
             )
         for number, face in enumerate(self.faces):
             normal = face_normal(self.vertices, face)
             height = (self.vertices - self.vertices[face[0]]) @ normal
             where = f"block '{self.name}', face {number}"
-            if np.abs(height[list(face)]).max() > FLAT * size:
-                raise ValueError(f"{where}: its vertices lie in no plane")
-            if height.min() >= -FLAT * size:
-                raise ValueError(f"{where}: it is turned inwards; list it counter-clockwise")
-            if height.max() > FLAT * size:
-                raise ValueError(f"{where}: vertex {int(height.argmax())} lies beyond; not convex")
+            if np.abs(height[list(face)]).max() > FLATNESS * size:
+                raise ValueError(f"{where}: its vertices do not lie in one plane")
+            if height.min() >= -FLATNESS * size:
+                raise ValueError(f"{where}: it points inwards; list it counter-clockwise")
+            if height.max() > FLATNESS * size:
+                raise ValueError(f"{where}: vertex {int(height.argmax())} lies outside; not convex")
 
 
 def face_normal(vertices: Vector, face: Sequence[int]) -> Vector:
-    """The outward unit normal (3,) of a face, by Newell's sum over its edges."""
+    """The outward unit normal (3,) of a face, from Newell's sum over its edges."""
     corners = vertices[list(face)] - vertices[face[0]]  # far from the origin products lose digits
     area = _cross(corners, np.roll(corners, -1, axis=0)).sum(axis=0)
     return np.asarray(area / np.linalg.norm(area))
 
 
 def volume_and_centroid(vertices: Vector, faces: Sequence[Sequence[int]]) -> tuple[float, Vector]:
-    """Volume [m3] and centroid (3,) [m] of a closed polyhedron, from tetrahedra to its mean."""
+    """Volume [m3] and centroid (3,) [m] of a closed polyhedron, as a sum of tetrahedra."""
     apex = vertices.mean(axis=0)
     a, b, c = (vertices[corner] - apex for corner in _triangles(faces).T)
     parts = np.einsum("ti,ti->t", a, _cross(b, c)) / 6
@@ -146,13 +147,13 @@ def polyhedron_inertia(
 
 
 def _triangles(faces: Sequence[Sequence[int]]) -> npt.NDArray[np.intp]:
-    """The corners (t, 3) of triangles that make up the faces."""
+    """Vertex numbers (t, 3) of triangles into which the faces are divided."""
     fans = [(f[0], f[i], f[i + 1]) for f in faces for i in range(1, len(f) - 1)]
     return np.array(fans, np.intp)
 
 
 def _cross(a: Vector, b: Vector) -> Vector:
-    """Row by row, as np.cross, which takes ten times as long for a few rows."""
+    """Cross products of rows (k, 3); np.cross takes ten times as long for a few rows."""
     x, y, z = a.T
     u, v, w = b.T
     return np.stack((y * w - z * v, z * u - x * w, x * v - y * u), axis=-1)
@@ -161,7 +162,7 @@ def _cross(a: Vector, b: Vector) -> Vector:
 def box_geometry(
     centre: Vector, half: Vector, axes: Vector
 ) -> tuple[Vector, tuple[tuple[int, ...], ...]]:
-    """Vertices (8, 3) and faces of a box: half sides (3,) [m] along the rows of axes (3, 3)."""
+    """Vertices (8, 3) [m] and faces of a box; half: (3,) half sides [m] along rows of axes."""
     signs = np.array([[x, y, z] for z in (-1, 1) for y in (-1, 1) for x in (-1, 1)], float)
     faces = ((0, 2, 3, 1), (4, 5, 7, 6), (0, 1, 5, 4), (2, 6, 7, 3), (0, 4, 6, 2), (1, 3, 7, 5))
     return np.asarray(centre) + (signs * np.asarray(half)) @ np.asarray(axes), faces

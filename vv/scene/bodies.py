@@ -1,4 +1,4 @@
-"""Spheres, walls and their prescribed motion: frozen data that checks itself at birth."""
+"""Spheres, walls and prescribed motion: frozen data, checked when it is created."""
 
 from __future__ import annotations
 
@@ -16,10 +16,10 @@ class Spheres:
     """A group of n spheres (discs of unit thickness in a plane scene).
 
     position, velocity, spin: (n, 3) [m, m/s, 1/s]; radius, mass, inertia: (n,)
-    [m, kg, kg m2]; load: (n, 3) dead forces [N]. free, free_spin: (n, 3) booleans: the
-    translations and rotations left free, along the scene's axes; a locked translation keeps the
-    velocity that it has. Mass and inertia are data,
-    never derived from the radius. Raises ValueError for data no sphere can have.
+    [m, kg, kg m2]; load: (n, 3) dead loads, constant in time and direction [N].
+    free, free_spin: (n, 3) booleans, the translations and rotations along the scene's axes that
+    are free; along a locked direction a sphere keeps its initial velocity. The mass is never
+    derived from the radius. Raises ValueError naming the field and the value that is wrong.
     """
 
     position: Vector
@@ -27,10 +27,10 @@ class Spheres:
     radius: Vector
     mass: Vector
     free: Mask
-    inertia: Vector = None  # type: ignore[assignment]  # filled at birth: 2/5 m r2
-    spin: Vector = None  # type: ignore[assignment]  # filled at birth: zeros
-    free_spin: Mask = None  # type: ignore[assignment]  # filled at birth: none
-    load: Vector = None  # type: ignore[assignment]  # filled at birth: zeros
+    inertia: Vector = None  # type: ignore[assignment]  # default: 2/5 m r2
+    spin: Vector = None  # type: ignore[assignment]  # default: zeros
+    free_spin: Mask = None  # type: ignore[assignment]  # default: none free
+    load: Vector = None  # type: ignore[assignment]  # default: zeros
 
     def __post_init__(self) -> None:
         n = len(np.atleast_1d(self.radius))
@@ -57,14 +57,15 @@ class Spheres:
 
 @dataclass(frozen=True, eq=False)
 class Harmonic:
-    """A sum of one sine per direction: amplitude_i sin(2 pi frequency_i t + phase_i) axes_i.
+    """Sum over i of amplitude_i sin(2 pi frequency_i t + phase_i) axes_i.
 
-    amplitude, frequency [Hz], phase [rad]: (3,); axes: (3, 3), the directions as rows.
+    amplitude (in the unit of what varies), frequency [Hz], phase [rad]: (3,); axes: (3, 3), the
+    directions as rows. Raises ValueError for a negative frequency.
     """
 
     amplitude: Vector
     frequency: Vector
-    phase: Vector = (0.0, 0.0, 0.0)  # type: ignore[assignment]  # frozen to an array at birth
+    phase: Vector = (0.0, 0.0, 0.0)  # type: ignore[assignment]  # becomes an array (3,)
     axes: Vector = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))  # type: ignore[assignment]
 
     def __post_init__(self) -> None:
@@ -75,7 +76,7 @@ class Harmonic:
             raise ValueError(f"Harmonic.frequency = {self.frequency} Hz; it must not be negative")
 
     def sines(self) -> Iterator[tuple[Vector, float, float]]:
-        """Each sine that is not nil: amplitude (3,) in the frame, frequency [Hz], phase [rad]."""
+        """Sines of non-zero amplitude: amplitude (3,) in the frame, frequency [Hz], phase [rad]."""
         for k in np.flatnonzero(self.amplitude):
             along = self.amplitude[k] * self.axes[k]
             yield along, float(self.frequency[k]), float(self.phase[k])
@@ -83,9 +84,10 @@ class Harmonic:
 
 @dataclass(frozen=True, eq=False)
 class Wall:
-    """A half-space bounded by a plane: point (3,) [m] on it, unit normal (3,) outward.
+    """A half-space bounded by a plane through point (3,) [m] with outward unit normal (3,).
 
-    motion: None for a fixed wall, else its displacement [m] is motion(t) - motion(0).
+    motion: None for a fixed wall; otherwise its displacement [m] is motion(t) - motion(0).
+    Raises ValueError if the normal is not of unit length.
     """
 
     point: Vector
@@ -103,10 +105,11 @@ class Wall:
         return 1
 
     @property
-    def triangle(self) -> Vector:
-        """(3, 3) the corners of an equilateral triangle across the normal, which they run round.
+    def facet_corners(self) -> Vector:
+        """(3, 3) corners of an equilateral triangle in the plane of the wall, about the origin.
 
-        They lie at distance 1 about the origin: the shape of a facet that stands for the wall.
+        They lie at distance 1 from it, counter-clockwise about the normal: the shape of a mesh
+        facet that stands for the wall.
         """
         first = np.cross(self.normal, np.eye(3)[np.abs(self.normal).argmin()])
         first /= np.linalg.norm(first)

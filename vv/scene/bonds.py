@@ -1,4 +1,4 @@
-"""Bonds between spheres: frozen data that checks itself at birth."""
+"""Bonds between spheres: frozen data, checked when it is created."""
 
 from __future__ import annotations
 
@@ -17,23 +17,24 @@ class Bonds:
     """b pairs of spheres, each held together by a normal and a shear spring until it breaks.
 
     pairs: (b, 2) body numbers; length: (b,) [m] of the unstretched bond; kn, ks: (b,) [N/m];
-    tension: (b,) [N] that opens a bond; shear: (b,) [N] that slides it under no normal force. A
-    scalar stands for all bonds; an infinite strength never breaks.
+    tension: (b,) [N], the normal force that opens a bond; shear: (b,) [N], the shear force that
+    breaks it at zero normal force. A scalar applies to all bonds; an infinite strength means that
+    a bond never breaks.
 
     Fn = kn (L - length), tension positive. The shear force ks S starts at zero, grows with the
     motion of the two surfaces across the bond, and turns with the bond (Cundall and Strack 1979);
     where a sphere cannot spin that is the motion of its centre. A bond breaks for good when
     Fn > tension or |Fs| > shear - mu Fn, with the mu of the scene's contact (Liu et al. 2017,
-    Eq. 1). From then on, and never before, its pair may touch as any other two spheres do.
-    Raises ValueError.
+    Eq. 1). Only after that may its two spheres be in contact as any others.
+    Raises ValueError naming the first pair or value that is wrong.
     """
 
     pairs: Pairs
     length: Vector
     kn: Vector
     ks: Vector
-    tension: Vector = np.inf  # type: ignore[assignment]  # an array from birth on
-    shear: Vector = np.inf  # type: ignore[assignment]  # an array from birth on
+    tension: Vector = np.inf  # type: ignore[assignment]  # becomes an array (b,)
+    shear: Vector = np.inf  # type: ignore[assignment]  # becomes an array (b,)
 
     def __post_init__(self) -> None:
         given = np.asarray(self.pairs)
@@ -69,11 +70,13 @@ def _check_pairs(pairs: Pairs) -> None:
         raise ValueError(f"Bonds.pairs[{k}] = {pairs[k].tolist()}; a bond joins two bodies")
     _, first, times = np.unique(np.sort(pairs), axis=0, return_index=True, return_counts=True)
     for k in first[times > 1][:1]:
-        raise ValueError(f"Bonds.pairs[{k}] = {pairs[k].tolist()} comes again; one bond a pair")
+        raise ValueError(
+            f"Bonds.pairs[{k}] = {pairs[k].tolist()} is listed twice; a pair has one bond"
+        )
 
 
 def _freeze_strength(bonds: Bonds, name: str) -> None:
-    """As `freeze`, but for infinite values, which mean that a bond never breaks."""
+    """Like `freeze`, but infinite values are allowed: the bond never breaks."""
     array = np.array(np.broadcast_to(getattr(bonds, name), len(bonds)), dtype=float)
     array.flags.writeable = False
     object.__setattr__(bonds, name, array)

@@ -1,4 +1,4 @@
-"""The law of contact between bodies: stiffnesses, friction, and viscosity along the normal."""
+"""The contact law between bodies: stiffnesses, Coulomb friction and normal viscosity."""
 
 from __future__ import annotations
 
@@ -11,14 +11,17 @@ import numpy as np
 class Contact:
     """Linear contact without tension: kn, ks [N/m], Coulomb coefficient mu, eta_n [N s/m].
 
-    kn = inf is rigid contact: no elasticity, for which ks says nothing and the knob kn of a
-    penalty scheme stands in.
+    kn = inf is rigid contact without elasticity. Then ks has no effect, and a penalty scheme uses
+    the stiffness of its knob kn instead.
 
     Fn = kn U for an overlap U > 0; the shear spring ks is charged by the tangential motion and
     capped at mu Fn (Li et al. 2018, Eqs. 4-8). ks = 0 or mu = 0 means no shear force.
 
-    With eta_n, Fn = max(0, kn U + eta_n U'): it ends where it would pull, before the overlap does
-    (Schwager and Poeschel 2007). What caps friction then is not stated, and raises ValueError.
+    With eta_n > 0, Fn = max(0, kn U + eta_n U'): the force never pulls and ends before the overlap
+    does (Schwager and Poeschel 2007). Friction on such a contact is not defined here.
+
+    Raises ValueError for a kn that is not positive, for other values that are negative or not
+    finite, and for eta_n > 0 together with friction or rigid contact.
     """
 
     kn: float
@@ -41,10 +44,10 @@ class Contact:
 
     @property
     def rigid(self) -> bool:
-        """Whether it has no elasticity: a penalty scheme must be told a stiffness."""
+        """Whether the contact has no elasticity; a penalty scheme then needs its knob kn."""
         return not np.isfinite(self.kn)
 
     @property
-    def rubs(self) -> bool:
-        """Whether it can carry shear."""
+    def carries_shear(self) -> bool:
+        """Whether the contact can transmit a shear force."""
         return self.mu > 0 and (self.ks > 0 or self.rigid)

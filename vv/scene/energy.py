@@ -1,13 +1,13 @@
-"""The forms of energy of a whole scene: a closed list, of which balances and histories are made."""
+"""The closed list of forms of energy of a scene, for energy balances and histories."""
 
 import enum
 
 
 class Form(enum.Enum):
-    """A term of the balance of energy [J]; the value is the phrase shown to people.
+    """A term of the energy balance [J]; the value is the phrase shown to people.
 
-    What a scene holds or has lost counts as positive, work done on it as negative: the sum of all
-    forms does not change.
+    Energy that the scene holds or has lost is positive, work done on it is negative, so that the
+    sum of all forms is constant in time.
     """
 
     KINETIC = "kinetic"

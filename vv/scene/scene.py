@@ -1,4 +1,4 @@
-"""What is simulated: frozen data in SI units that checks itself at birth."""
+"""The scene: bodies, contact law, gravity, shaking and bonds, in SI units."""
 
 from __future__ import annotations
 
@@ -19,15 +19,15 @@ from vv.scene.terms import Term
 
 @dataclass(frozen=True, eq=False)
 class Scene:
-    """Groups of bodies, how they touch, and what acts on them.
+    """Bodies, their contact law, and the loads on them.
 
-    bodies: groups in order; body numbers run through them, a wall counting one. eta: drag
-    [N s/m] on every sphere. gravity: (3,) [m/s2]. shaking: a further acceleration of every free
-    body [m/s2], None for none. axes: (3, 3) rows are the orthonormal
-    directions along which `free` and `free_spin` are stated. bonds: None for none; a bonded pair
-    feels its bond and no contact. A bond that can break must have the contact's kn and ks and a
-    length that is the sum of the radii, so that its pair goes over into contact without a jump.
-    Raises ValueError.
+    bodies: groups in order; bodies are numbered through all groups, a wall or block is one body.
+    eta: drag [N s/m], a force -eta v on every sphere. gravity: (3,) [m/s2]. shaking: an additional
+    acceleration of every free body [m/s2] that varies in time, or None. axes: (3, 3), the rows are
+    the orthonormal directions to which `free` and `free_spin` refer. bonds: None, or the bonds; a
+    bonded pair has no contact. A bond that can break must have the contact's kn and ks, and the
+    sum of the radii as its length, so that forces do not jump when contact replaces it.
+    Raises ValueError naming the field and the value that is wrong.
     """
 
     bodies: tuple[Spheres | Wall | Block, ...]
@@ -46,7 +46,7 @@ class Scene:
         if np.abs(self.axes @ self.axes.T - np.eye(3)).max() > 1e-12:
             raise ValueError("Scene.axes is not orthonormal; rows must be unit and perpendicular")
         if not any(isinstance(group, Spheres | Block) for group in self.bodies):
-            raise ValueError("Scene.bodies holds walls only; a body must be there to move")
+            raise ValueError("Scene.bodies has walls only; at least one sphere or block is needed")
         if self.bonds is not None:
             _check_bonds(self, self.bonds)
 
@@ -59,11 +59,11 @@ class Scene:
         return Spheres(**joined)
 
     @functools.cached_property
-    def carried(self) -> Vector:
-        """(n, 3) the velocity [m/s] of spheres along their locked directions, which they keep."""
+    def locked_velocity(self) -> Vector:
+        """(n, 3) velocity [m/s] of the spheres along their locked directions, constant in time."""
         parts = np.where(self.spheres.free, 0.0, self.spheres.velocity @ self.axes.T)
         size = np.abs(self.spheres.velocity).max(axis=1, keepdims=True, initial=0.0)
-        return np.asarray(np.where(np.abs(parts) > LOCKED * size, parts, 0.0) @ self.axes)
+        return np.asarray(np.where(np.abs(parts) > LOCKED_SPEED * size, parts, 0.0) @ self.axes)
 
     @functools.cached_property
     def walls(self) -> tuple[Wall, ...]:
@@ -76,24 +76,24 @@ class Scene:
         return tuple(group for group in self.bodies if isinstance(group, Block))
 
     @functools.cached_property
-    def bonded(self) -> Pairs:
-        """(b, 2) the indices within `spheres` of the bonded pairs."""
+    def bonded_pairs(self) -> Pairs:
+        """(b, 2) indices within `spheres` of the bonded pairs."""
         empty = np.zeros((0, 2), np.int64)
         return empty if self.bonds is None else self._indices()[self.bonds.pairs]
 
     def _indices(self) -> Pairs:
-        """The index within `spheres` of every body, -1 for those that are no sphere."""
+        """Index within `spheres` of every body, -1 for walls and blocks."""
         kinds = [np.full(len(group), isinstance(group, Spheres)) for group in self.bodies]
         sphere = np.concatenate(kinds)
         return np.where(sphere, np.cumsum(sphere) - 1, -1)
 
-    def numbers(self, kind: type[Spheres] | type[Wall] | type[Block]) -> list[int]:
-        """The numbers of the bodies of a kind, in order."""
+    def body_numbers(self, kind: type[Spheres] | type[Wall] | type[Block]) -> list[int]:
+        """Body numbers of all bodies of a kind, ascending."""
         kinds = [isinstance(group, kind) for group in self.bodies for _ in range(len(group))]
         return [number for number, fits in enumerate(kinds) if fits]
 
     def sphere_index(self, body: int) -> int:
-        """The index within `spheres` of a body number; raises ValueError if it is no sphere."""
+        """Index within `spheres` of a body number; raises ValueError if the body is no sphere."""
         first = sphere = 0
         for group in self.bodies:
             if first <= body < first + len(group) and isinstance(group, Spheres):
@@ -103,7 +103,7 @@ class Scene:
         raise ValueError(f"body {body} is no sphere of this scene, which has {first} bodies")
 
     def terms(self) -> frozenset[Term]:
-        """The effects present, derived from the data."""
+        """The physical effects in the scene, derived from its data."""
         return self._terms
 
     @functools.cached_property
@@ -113,7 +113,7 @@ class Scene:
             Term.SPHERE: len(spheres) > 0,
             Term.SPHERE_CONTACT: self._may_touch(),
             Term.WALL_CONTACT: bool(self.walls),
-            Term.FRICTION: self.contact.rubs,
+            Term.FRICTION: self.contact.carries_shear,
             Term.DRAG: self.eta > 0,
             Term.GRAVITY: bool(self.gravity.any()),
             Term.LOAD: bool(spheres.load.any() or any(b.load.any() for b in blocks)),
@@ -127,19 +127,19 @@ class Scene:
             Term.BOND: bonds is not None,
             Term.BOND_SHEAR: bonds is not None and bool(bonds.ks.any()),
             Term.BREAKAGE: bonds is not None and bool(bonds.breakable.any()),
-            Term.CARRIED: bool(self.carried.any()),
+            Term.CARRIED: bool(self.locked_velocity.any()),
             Term.CONTACT_VISCOSITY: self.contact.eta_n > 0,
         }
         return frozenset(term for term, there in present.items() if there)
 
     def unknowns(self) -> int:
-        """How many freedoms the scene leaves."""
+        """Number of degrees of freedom: free translations and rotations, and strains of blocks."""
         masks = [self.spheres.free, self.spheres.free_spin]
         masks += [mask for block in self.blocks for mask in (block.free, block.free_spin)]
         return int(sum(mask.sum() for mask in masks)) + sum(len(b.strains) for b in self.blocks)
 
     def digest(self) -> str:
-        """Fingerprint of everything a solver can see."""
+        """SHA-256 digest of all data of the scene."""
         return self._digest
 
     @functools.cached_property
@@ -147,7 +147,7 @@ class Scene:
         return digest(self)
 
     def _may_touch(self) -> bool:
-        """Whether some pair of spheres is not bonded for good."""
+        """Whether some two spheres can be in contact: not held by an unbreakable bond."""
         n = len(self.spheres)
         held = 0 if self.bonds is None else int((~self.bonds.breakable).sum())
         return held < n * (n - 1) // 2
@@ -158,12 +158,14 @@ class Scene:
         return not aligned and any(mask.any() and not mask.all() for mask in masks)
 
 
-LOCKED = 1e-12  # part of a speed below which its component in a locked direction is rounding
-SEAMLESS = 1e-9  # of kn, ks and the length of a bond: how well contact takes over from it
+LOCKED_SPEED = 1e-12  # of the speed: a smaller component along a locked direction is rounding
+SAME_LAW = (
+    1e-9  # relative: by how much kn, ks and length of a breakable bond may differ from contact
+)
 
 
 def _check_bonds(scene: Scene, bonds: Bonds) -> None:
-    """Raises ValueError for a bond between what are no spheres, without a direction, or a jump."""
+    """Raise ValueError for a bond on a wall or block, of no direction, or unlike its contact."""
     index = scene._indices()
     known = index[np.minimum(bonds.pairs, len(index) - 1)] >= 0
     for k in np.flatnonzero((~known | (bonds.pairs >= len(index))).any(axis=1))[:1]:
@@ -177,7 +179,7 @@ def _check_bonds(scene: Scene, bonds: Bonds) -> None:
     wanted = {"kn": np.full(len(i), law.kn), "ks": np.full(len(i), law.ks), "length": reach}
     for name, unit in (("kn", "N/m"), ("ks", "N/m"), ("length", "m")):
         values, contact = getattr(bonds, name), wanted[name]
-        jumps = bonds.breakable & ~(np.abs(values - contact) <= SEAMLESS * values)
+        jumps = bonds.breakable & ~(np.abs(values - contact) <= SAME_LAW * values)
         for k in np.flatnonzero(jumps)[:1]:
             raise ValueError(
                 f"Bonds.{name}[{k}] = {float(values[k])!r} {unit}, and {float(contact[k])!r} "

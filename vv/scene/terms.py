@@ -1,4 +1,4 @@
-"""The physical effects that a scene may contain: a closed list."""
+"""The closed list of physical effects that a scene may contain."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import enum
 
 
 class Term(enum.Enum):
-    """A physical effect that a scene contains; a scheme runs a scene only if it declares all."""
+    """A physical effect; a scheme is given only scenes all of whose terms it declares."""
 
     SPHERE = "spheres"
     SPHERE_CONTACT = "contact between spheres"

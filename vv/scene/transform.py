@@ -1,4 +1,4 @@
-"""Scenes made from scenes: the same physics, turned, renumbered or held differently."""
+"""Transforms scenes: rotation, reversed order of bodies, dead loads in place of locks."""
 
 import dataclasses
 
@@ -10,19 +10,21 @@ from vv.scene.bodies import Harmonic, Spheres, Wall
 from vv.scene.scene import Scene
 from vv.scene.terms import Term
 
-DRIFT = 1e-9  # of the largest displacement; rounding gives 1e-11, a lost balance far more
-REST = 1e-12  # of a radius: a sphere at rest under a dead load trembles by rounding
+DRIFT_TOLERANCE = (
+    1e-9  # of the largest displacement; rounding causes 1e-11, a wrong reaction far more
+)
+REST_TOLERANCE = 1e-12  # of a radius: rounding moves a sphere at rest under a dead load by less
 Group = Spheres | Wall | Block
 
 
-def about_z(angle: float) -> Vector:
+def rotation_about_z(angle: float) -> Vector:
     """The (3, 3) rotation by an angle [rad] about z."""
     c, s = np.cos(angle), np.sin(angle)
     return np.array([[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]])
 
 
 def rotated(scene: Scene, rotation: Vector) -> Scene:
-    """The scene turned as a whole, about the origin, by a (3, 3) rotation matrix."""
+    """The whole scene rotated about the origin by a (3, 3) rotation matrix."""
     bodies = tuple(_rotated_group(group, rotation) for group in scene.bodies)
     return dataclasses.replace(
         scene,
@@ -51,8 +53,8 @@ def _rotated_motion(motion: Harmonic | None, rotation: Vector) -> Harmonic | Non
     return motion and dataclasses.replace(motion, axes=motion.axes @ rotation.T)
 
 
-def swapped(scene: Scene) -> Scene:
-    """The scene with its bodies in the opposite order: body i becomes body n - 1 - i."""
+def with_bodies_reversed(scene: Scene) -> Scene:
+    """The scene with its n bodies in reversed order: body i becomes body n - 1 - i."""
     names = [field.name for field in dataclasses.fields(Spheres)]
     bodies = tuple(
         Spheres(**{name: getattr(group, name)[::-1] for name in names})
@@ -66,11 +68,11 @@ def swapped(scene: Scene) -> Scene:
 
 
 def initial_normal_forces(scene: Scene) -> Vector:
-    """The (n, 3) normal forces [N] of contacts and bonds on the spheres as they start."""
+    """(n, 3) normal forces [N] of contacts and bonds on the spheres at t = 0."""
     spheres, kn = scene.spheres, scene.contact.kn
-    force = _pull(scene)
+    force = _initial_bond_forces(scene)
     partners: list[list[int]] = [[] for _ in range(len(spheres))]
-    for i, j in scene.bonded.tolist():
+    for i, j in scene.bonded_pairs.tolist():
         partners[i].append(j)
         partners[j].append(i)
     for wall in scene.walls:
@@ -86,11 +88,11 @@ def initial_normal_forces(scene: Scene) -> Vector:
     return force
 
 
-def _pull(scene: Scene) -> Vector:
-    """The (n, 3) forces [N] of bonds on the spheres as they start."""
+def _initial_bond_forces(scene: Scene) -> Vector:
+    """(n, 3) forces [N] of bonds on the spheres at t = 0."""
     force = np.zeros((len(scene.spheres), 3))
     if scene.bonds is not None:
-        i, j = scene.bonded.T
+        i, j = scene.bonded_pairs.T
         offset = scene.spheres.position[j] - scene.spheres.position[i]
         distance = np.linalg.norm(offset, axis=1)
         pull = scene.bonds.kn * (distance - scene.bonds.length) / distance
@@ -99,23 +101,23 @@ def _pull(scene: Scene) -> Vector:
     return force
 
 
-def released(scene: Scene) -> Scene:
-    """The scene with its oblique locks replaced by dead loads, for codes that lock frame axes.
+def with_loads_for_locks(scene: Scene) -> Scene:
+    """The scene with dead loads in place of oblique locks, for codes that lock frame axes only.
 
-    A body held along a direction oblique to the frame is let go there and carries instead the
-    constant reaction that balances the forces of the starting configuration. It stays at rest
-    along that direction as long as those forces do not change, as in contacts of constant
-    overlap. Raises ValueError if a body moves along such a direction.
+    A sphere that is locked along a direction oblique to the frame becomes free there, and gets
+    the constant reaction of the lock at t = 0 as a dead load. It stays at rest along that
+    direction as long as the other forces do not change, as in contacts of constant overlap.
+    Raises ValueError if a sphere moves along such a direction.
     """
     spheres = scene.spheres
     applied = spheres.mass[:, None] * scene.gravity + spheres.load
-    if Term.OBLIQUE_LOCK in scene.terms():  # or else nothing below wants them
+    if Term.OBLIQUE_LOCK in scene.terms():  # otherwise they are not used below
         applied = applied + initial_normal_forces(scene)
     load, free = spheres.load.copy(), np.array(spheres.free)
     for i in np.flatnonzero(_partly_locked(spheres)):
         locked = scene.axes[~spheres.free[i]]
         held = np.linalg.norm(locked, axis=0) > 1 - 1e-12
-        if scene.carried[i][~held].any():
+        if scene.locked_velocity[i][~held].any():
             raise ValueError(f"Spheres.velocity[{i}] has a part along an oblique locked direction")
         free[i] = ~held
         load[i] -= np.where(held, 0.0, locked.T @ (locked @ applied[i]))
@@ -123,25 +125,25 @@ def released(scene: Scene) -> Scene:
     return dataclasses.replace(scene, bodies=_regrouped(scene, loose), axes=np.eye(3))
 
 
-def drifting(scene: Scene) -> list[int]:
-    """The numbers of the spheres on which dead loads stand for oblique locks: to be watched."""
+def spheres_held_by_loads(scene: Scene) -> list[int]:
+    """Body numbers of the spheres whose oblique locks `with_loads_for_locks` replaces by loads."""
     if Term.OBLIQUE_LOCK not in scene.terms():
         return []
     partly = _partly_locked(scene.spheres)
-    return [body for body, one in zip(scene.numbers(Spheres), partly, strict=True) if one]
+    return [body for body, one in zip(scene.body_numbers(Spheres), partly, strict=True) if one]
 
 
-def strayed(scene: Scene, sphere: int, moved: Vector) -> str | None:
-    """How displacements (k, 3) [m] of a sphere left the directions it is free in; else None.
+def why_load_is_no_lock(scene: Scene, sphere: int, moved: Vector) -> str | None:
+    """How a sphere moved along a direction in which it should be locked; None if it did not.
 
-    They are those of a run of the scene as `released`.
+    moved: (k, 3) [m], its displacements in a run of `with_loads_for_locks(scene)`.
     """
     free = scene.spheres.free[sphere]
     if not free.any():
         return None
     along = np.abs(moved @ scene.axes.T).max(axis=0)
     away = float(along[~free].max(initial=0.0))
-    if not away > max(DRIFT * along.max(), REST * scene.spheres.radius[sphere]):
+    if not away > max(DRIFT_TOLERANCE * along.max(), REST_TOLERANCE * scene.spheres.radius[sphere]):
         return None
     return (
         f"moved {away:.3g} m along a locked direction, where a dead load stands for the lock: "
@@ -149,11 +151,11 @@ def strayed(scene: Scene, sphere: int, moved: Vector) -> str | None:
     )
 
 
-def why_not_released(scene: Scene) -> str | None:
-    """Why dead loads cannot stand for a scene's oblique locks; None if they can.
+def why_locks_need_more_than_loads(scene: Scene) -> str | None:
+    """Why constant dead loads cannot replace a scene's oblique locks; None if they can.
 
-    What varies in time along such a lock, a body acceleration or a wall that slides, calls for a
-    reaction that varies too; so does a bond, whose pull is not that of the start.
+    The reaction of such a lock varies in time if the body acceleration or the motion of a wall
+    has a component along it, or if the body is bonded.
     """
     if scene.bonds is not None and Term.OBLIQUE_LOCK in scene.terms():
         return "a bonded body is locked along a direction oblique to the frame; its pull varies"
@@ -177,7 +179,7 @@ def _partly_locked(spheres: Spheres) -> Mask:
 
 
 def _regrouped(scene: Scene, spheres: Spheres) -> tuple[Group, ...]:
-    """The scene's groups again, with the spheres' data taken from one joined group."""
+    """The scene's groups of bodies, with the data of all spheres replaced by those given."""
     names = [field.name for field in dataclasses.fields(Spheres)]
     bodies: list[Group] = []
     first = 0

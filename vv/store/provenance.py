@@ -15,7 +15,7 @@ from typing import Any
 
 import vv
 from vv.base.digest import digest
-from vv.base.files import write
+from vv.base.files import write_whole
 from vv.store.checkout import commit
 
 LIBRARIES = ("numpy", "scipy", "numba")
@@ -80,6 +80,6 @@ def file_digests(files: Iterable[Path], memory: Path) -> dict[str, str]:
         label = f"{path} {state.st_size} {state.st_ctime_ns}"
         if label not in known:
             known[label] = hashlib.sha256(path.read_bytes()).hexdigest()
-            write(memory, json.dumps(known, indent=0, sort_keys=True).encode())
+            write_whole(memory, json.dumps(known, indent=0, sort_keys=True).encode())
         found[str(path)] = known[label]
     return found

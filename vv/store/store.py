@@ -35,7 +35,7 @@ from vv.ask import (
     Strain,
     Velocity,
 )
-from vv.base.files import write
+from vv.base.files import write_whole
 from vv.scene import Form, Term, Vector
 from vv.store import manifest
 
@@ -87,7 +87,7 @@ class Store:
         """Store a record, and beside it the arrays of its series."""
         self._keep_arrays("records", key, series)
         text = json.dumps({**record, "key": key}, allow_nan=False)
-        write(self._path("records", key, "json"), text.encode())
+        write_whole(self._path("records", key, "json"), text.encode())
 
     def series(self, key: str) -> dict[str, Vector]:
         """The arrays kept beside a record; empty if there are none."""
@@ -102,7 +102,7 @@ class Store:
 
     def keep_manifest(self, name: str, what: Mapping[str, Any]) -> None:
         """Store what one invocation did under a name that sorts by time."""
-        write(self._manifest(name), manifest.render(what).encode())
+        write_whole(self._manifest(name), manifest.render(what).encode())
 
     def manifests(self) -> list[str]:
         """The names of past invocations, oldest first."""
@@ -134,7 +134,7 @@ class Store:
 
     def keep_timings(self, session: str, timings: Mapping[str, Any]) -> None:
         """Store a timing session."""
-        write(self._path("timings", session, "json"), json.dumps(timings).encode())
+        write_whole(self._path("timings", session, "json"), json.dumps(timings).encode())
 
     def last_timings(self) -> tuple[str, dict[str, Any]] | None:
         """The newest timing session and its name; None if there is none."""
@@ -148,7 +148,7 @@ class Store:
 
     def keep_answer(self, key: str, answer: Mapping[str, Any]) -> None:
         """Note what an invocation came to."""
-        write(self._path("answers", key, "json"), json.dumps(answer).encode())
+        write_whole(self._path("answers", key, "json"), json.dumps(answer).encode())
 
     def scratch(self) -> Path:
         """A new, empty folder for one worker."""
@@ -195,7 +195,7 @@ class Store:
     def _keep_arrays(self, layer: str, key: str, arrays: Mapping[str, Any]) -> None:
         buffer = io.BytesIO()
         np.savez(buffer, **arrays)
-        write(self._path(layer, key, "npz"), buffer.getvalue())
+        write_whole(self._path(layer, key, "npz"), buffer.getvalue())
 
     def _path(self, layer: str, key: str, suffix: str) -> Path:
         return self.root / layer / key[:2] / f"{key}.{suffix}"

@@ -15,7 +15,7 @@ from adapters.liggghts.translate import space
 from adapters.liggghts.walls import triangle
 from tests.support.adapter_asks import DT, UP, case_ask
 from tests.support.liggghts_asks import HALF_STEP, PLAIN, ball, ball_ask, words
-from vv.scene import Contact, Harmonic, Wall, about_z, rotated
+from vv.scene import Contact, Harmonic, Wall, rotated, rotation_about_z
 from vv.standins.soften import acceleration_of
 
 NUMBER = st.floats(-1e3, 1e3)
@@ -75,7 +75,9 @@ def test_a_raised_mass_leaves_the_weight_as_it_was() -> None:
 
 def test_a_wall_across_an_axis_is_a_plane_and_an_oblique_one_a_mesh_the_deck_writes() -> None:
     quarter = ball_ask(ball(), UP)
-    quarter = dataclasses.replace(quarter, scene=rotated(quarter.scene, about_z(np.pi / 2)))
+    quarter = dataclasses.replace(
+        quarter, scene=rotated(quarter.scene, rotation_about_z(np.pi / 2))
+    )
     assert "primitive type 1 xplane" in deck(quarter, PLAIN, "rows.txt")
     ask = case_ask("T3-rotated")
     text = deck(ask, PLAIN, "rows.txt")
@@ -119,7 +121,9 @@ def valued(text: str, name: str, step: int) -> float:
 @given(st.floats(0.1, 50.0), st.floats(-3.0, 3.0), st.floats(-3.0, 3.0))
 @settings(max_examples=30)
 def test_a_mesh_is_where_it_must_be_after_every_step(f: float, phase: float, turn: float) -> None:
-    motion = Harmonic(np.array([0.2, 0.0, 0.1]), np.full(3, f), np.full(3, phase), about_z(turn))
+    motion = Harmonic(
+        np.array([0.2, 0.0, 0.1]), np.full(3, f), np.full(3, phase), rotation_about_z(turn)
+    )
     wall = Wall(np.zeros(3), np.array([0.0, 1.0, 0.0]), motion)
     text = deck(ball_ask(wall, ball(), body=1), PLAIN, "rows.txt")
     speeds = [[valued(text, f"wall0_v_{a}", n) for a in "xyz"] for n in range(1, 51)]
@@ -129,7 +133,9 @@ def test_a_mesh_is_where_it_must_be_after_every_step(f: float, phase: float, tur
 
 
 def test_a_body_acceleration_is_a_force_on_the_scene_s_masses() -> None:
-    shaking = Harmonic(np.array([5.0, 0.0, 2.0]), np.full(3, 3.0), np.full(3, 0.4), about_z(0.7))
+    shaking = Harmonic(
+        np.array([5.0, 0.0, 2.0]), np.full(3, 3.0), np.full(3, 0.4), rotation_about_z(0.7)
+    )
     ask = ball_ask(ball(), shaking=shaking, eta=40.0)
     for scheme in (PLAIN, HALF_STEP):
         text = deck(ask, scheme, "rows.txt")

@@ -38,7 +38,7 @@ from tests.support.live_asks import (
 )
 from vv.ask import Ask, Displacement, History, Knobs, Status
 from vv.codes import external
-from vv.scene import Contact, Harmonic, Scene, about_z, rotated
+from vv.scene import Contact, Harmonic, Scene, rotated, rotation_about_z
 
 HERE = ADAPTER.found()
 pytestmark = only_with(ADAPTER)
@@ -84,7 +84,7 @@ def test_a_mesh_and_a_dead_load_give_what_a_plane_and_a_lock_give(half_step: Run
 def test_a_scene_may_be_turned_about_any_axis(tmp_path: Path, half_step: Runs) -> None:
     tilt = np.array([[1, 0, 0], [0, 0.8, -0.6], [0, 0.6, 0.8]])
     ask = TRIALS["T4"].study.ask(COARSE)
-    turn = about_z(2.2) @ tilt @ about_z(-0.7)
+    turn = rotation_about_z(2.2) @ tilt @ rotation_about_z(-0.7)
     (run,) = ran(
         [dataclasses.replace(ask, scene=rotated(ask.scene, turn))], "half-step-mass", tmp_path
     )
@@ -103,7 +103,7 @@ def test_gravity_load_and_drag(tmp_path: Path) -> None:
 
 
 def test_a_thrown_sphere_slides_and_then_rolls(tmp_path: Path) -> None:
-    asks = [history(rolling(), 1e-4), history(rotated(rolling(), about_z(0.9)), 1e-4)]
+    asks = [history(rolling(), 1e-4), history(rotated(rolling(), rotation_about_z(0.9)), 1e-4)]
     for run in ran(asks, "default", tmp_path):
         speed = np.linalg.norm(run.values[SEEN[1]], axis=1)
         assert speed[5] == pytest.approx(1 - 0.3 * G * 0.05, rel=2e-3)

@@ -17,7 +17,16 @@ from tests.scenes.bonded_scenes import CORNERS, EDGES, KN, KS, D, M, elements, t
 from tests.support.installed import only_with
 from vv.ask import Ask, Displacement, History, Knobs, Reaction, Run, Status
 from vv.engines import dem
-from vv.scene import Bonds, Contact, Scene, Vector, Wall, initial_normal_forces, rotated, swapped
+from vv.scene import (
+    Bonds,
+    Contact,
+    Scene,
+    Vector,
+    Wall,
+    initial_normal_forces,
+    rotated,
+    with_bodies_reversed,
+)
 
 live = only_with(ADAPTER)
 TIME = 4e-6
@@ -94,7 +103,7 @@ def test_bonds_beside_walls_and_oblique_locks_are_refused() -> None:
 @live
 def test_bonds_that_turn_and_differ_move_as_in_the_in_house_code(tmp_path: Path) -> None:
     """Both are of second order, with errors that are all but the same."""
-    for number, scene in enumerate((thrown(), thrown(ODD), swapped(thrown(ODD)))):
+    for number, scene in enumerate((thrown(), thrown(ODD), with_bodies_reversed(thrown(ODD)))):
         folder = tmp_path / str(number)
         folder.mkdir()
         coarse, fine = ran([ask(scene), ask(scene, 5e-9)], folder)

@@ -13,7 +13,7 @@ from cases.single_contact import CASE
 from tests.support.adapter_asks import UP, ball, ball_ask, case_ask
 from tests.support.yade_asks import HALF_STEP, PLAIN
 from vv.ask import Status
-from vv.scene import Spheres, Term, Wall, about_z, rotated
+from vv.scene import Spheres, Term, Wall, rotated, rotation_about_z
 
 
 def test_every_variant_is_run() -> None:
@@ -36,13 +36,13 @@ def refusal(*bodies: Spheres | Wall, **more: Any) -> str:
 
 def test_what_yade_would_get_wrong_is_refused_with_the_reason() -> None:
     carried = ball(velocity=[[1, 0, 0]], free=[[False, True, True]])
-    turned = rotated(ball_ask(carried).scene, about_z(0.3))
+    turned = rotated(ball_ask(carried).scene, rotation_about_z(0.3))
     reason = ADAPTER.refuses(dataclasses.replace(ball_ask(carried), scene=turned), PLAIN)
     assert "locks are oblique" in (reason or "")
     assert "locked freedom" in refusal(ball(spin=[[1, 0, 0]]))
     assert "behind wall 0" in refusal(UP, ball(position=[[0, -0.01, 0]]), body=1)
     partly = ball(free_spin=[[True, False, False]])
-    turned = rotated(ball_ask(partly).scene, about_z(0.3))
+    turned = rotated(ball_ask(partly).scene, rotation_about_z(0.3))
     reason = ADAPTER.refuses(dataclasses.replace(ball_ask(partly), scene=turned), PLAIN)
     assert "turned frame" in (reason or "")
     assert "body 0 is no sphere" in refusal(UP, ball(position=[[0, 1, 0]]))

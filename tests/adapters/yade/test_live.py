@@ -36,7 +36,7 @@ from tests.support.live_asks import (
     undamped,
 )
 from vv.ask import Ask, Displacement, History, Knobs, Status
-from vv.scene import Contact, Scene, about_z, rotated, swapped
+from vv.scene import Contact, Scene, rotated, rotation_about_z, with_bodies_reversed
 
 HERE = ADAPTER.found()
 pytestmark = only_with(ADAPTER)
@@ -93,7 +93,7 @@ def test_a_rotated_scene_gives_what_the_straight_one_gives(half_step: Runs) -> N
 
 
 def test_gravity_load_drag_and_rotation(tmp_path: Path) -> None:
-    turned = rotated(rolling(), about_z(0.9))
+    turned = rotated(rolling(), rotation_about_z(0.9))
     asks = [history(flight(3.0), 1e-3), history(rolling(), 1e-4), history(turned, 1e-4)]
     flying, straight, oblique = ran(asks, "half-step-mass", tmp_path, repeat=1e-2)
     place, speed = flown(flying.times, 1.5)
@@ -125,7 +125,9 @@ def test_friction_between_spheres_is_a_plain_spring(tmp_path: Path) -> None:
     )
     goal = History(0.01, 1e-4)
     ask = Ask(pair, goal, (Displacement(1),), Knobs(dt=1e-6))
-    swapped_ask = dataclasses.replace(ask, scene=swapped(pair), observables=(Displacement(0),))
+    swapped_ask = dataclasses.replace(
+        ask, scene=with_bodies_reversed(pair), observables=(Displacement(0),)
+    )
     runs = ran([ask, swapped_ask], "default", tmp_path)
     k = np.sqrt((ks - kn * dx / (0.2 - dx)) / 2.0)
     for run, seen in zip(runs, (Displacement(1), Displacement(0)), strict=True):

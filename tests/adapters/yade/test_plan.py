@@ -14,7 +14,7 @@ from adapters.yade import ADAPTER
 from adapters.yade.translate import plan, wall_body
 from tests.support.adapter_asks import DT, FREE, UP, ball, ball_ask, case_ask
 from tests.support.yade_asks import HALF_STEP, PLAIN, sphere_of
-from vv.scene import Harmonic, Wall, about_z
+from vv.scene import Harmonic, Wall, rotation_about_z
 
 
 def test_velocities_start_half_a_step_early() -> None:
@@ -107,7 +107,9 @@ def test_contacts_expected_at_the_start_are_counted() -> None:
 def test_a_driven_wall_is_where_it_must_be_after_every_step(
     f: float, phase: float, turn: float
 ) -> None:
-    motion = Harmonic(np.array([0.2, 0.0, 0.1]), np.full(3, f), np.full(3, phase), about_z(turn))
+    motion = Harmonic(
+        np.array([0.2, 0.0, 0.1]), np.full(3, f), np.full(3, phase), rotation_about_z(turn)
+    )
     wall = Wall(np.zeros(3), np.array([0.0, 0.0, 1.0]), motion)
     above = ball(position=[[0, 0, 0.5]])
     told = plan(ball_ask(wall, above, body=1), PLAIN)["bodies"][0]["motion"]

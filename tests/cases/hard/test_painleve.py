@@ -12,7 +12,7 @@ from reference_solutions import painleve_rod as closed
 from reference_solutions.checks import painleve_rod as stepped
 from tests.support.turned_signs import caught, signs, turned
 from vv.ask import Run
-from vv.case import Level, Scalar, size_of
+from vv.case import Level, Scalar, error_scale
 from vv.engines import rigid
 from vv.plan.project import find
 
@@ -62,7 +62,7 @@ def shown(variant: str, mu: float) -> tuple[float, Run]:
     other = CASE.declare(variant, {**CASE.defaults(variant), "mu": mu}).study
     run = rigid.solve(other.ask(trial.study.rungs[Level.DEFAULT][-1]))
     (distance,) = (q for q in trial.quantities if isinstance(q, Scalar))
-    return distance.observe(run) / size_of(distance.name, distance.scale), run
+    return distance.observe(run) / error_scale(distance.name, distance.scale), run
 
 
 def test_rigid_contact_by_impulses_has_the_solution_and_says_it_converged() -> None:

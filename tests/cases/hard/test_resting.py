@@ -14,7 +14,7 @@ from reference_solutions import resting_lattice as balanced
 from reference_solutions.checks import resting_lattice as lowest
 from tests.support.turned_signs import caught, signs, turned
 from vv.ask import Knobs, Method, Run, Velocity
-from vv.case import Level, Scalar, number
+from vv.case import Level, Scalar, evaluated
 from vv.engines import dem
 from vv.plan.project import find
 from vv.records.record import measured
@@ -120,7 +120,7 @@ def test_a_gain_is_seen_after_a_loss_that_would_hide_it() -> None:
 def test_friction_that_gives_back_a_thousandth_for_once_is_seen_in_the_books(name: str) -> None:
     run, numbers = ran("booked")
     assert judged(numbers[name], run) == "pass"
-    given = 1e-3 * number(numbers[name].scale) * (run.times > 0.08)
+    given = 1e-3 * evaluated(numbers[name].scale) * (run.times > 0.08)
     energies = dict(run.energies)
     energies[Form.FRICTION] = energies[Form.FRICTION] - given
     energies[Form.KINETIC] = energies[Form.KINETIC] + given
@@ -130,7 +130,7 @@ def test_friction_that_gives_back_a_thousandth_for_once_is_seen_in_the_books(nam
 
 def test_friction_takes_nearly_all_of_a_knock() -> None:
     run, numbers = ran("knocked")
-    scale = number(numbers["gained"].scale)
+    scale = evaluated(numbers["gained"].scale)
     assert run.ledger is not None
     assert 0.95 < run.ledger.terms["friction dissipation"] / scale < 1.0
     assert run.ledger.unaccounted < 1e-3 * scale
@@ -144,4 +144,4 @@ def test_a_sheet_a_thousandth_of_a_weight_off_its_rest_is_seen_to_move() -> None
     heavier = dataclasses.replace(ask.scene, gravity=1.001 * ask.scene.gravity)
     for scene, low, high in ((ask.scene, 0.0, 1e-10), (heavier, 1e-4, 1e-1)):
         run = dem.solve_default(dataclasses.replace(ask, scene=scene))
-        assert low <= moved.observe(run) / number(moved.scale) <= high
+        assert low <= moved.observe(run) / evaluated(moved.scale) <= high

@@ -25,7 +25,7 @@ from tests.scenes.dda_scenes import (
 )
 from vv.ask import Velocity
 from vv.engines.dda import DEFAULT, PUBLISHED, Formulation, prepare
-from vv.scene import Contact, Mask, Scene, about_z, rotated, swapped
+from vv.scene import Contact, Mask, Scene, rotated, rotation_about_z, with_bodies_reversed
 
 
 @pytest.mark.parametrize("way", [PUBLISHED, DEFAULT], ids=["published", "default"])
@@ -74,9 +74,9 @@ def test_friction_does_not_know_the_frame(angle: float) -> None:
     body = dataclasses.replace(scene.blocks[0], velocity=diagonal)
     scene = dataclasses.replace(scene, bodies=(scene.walls[0], body))
     ask = asked(scene, 1e-3, 1e8, 0.3)
-    turned = dataclasses.replace(ask, scene=rotated(scene, about_z(angle)))
+    turned = dataclasses.replace(ask, scene=rotated(scene, rotation_about_z(angle)))
     one, two = moved(run(ask, DEFAULT)), moved(run(turned, DEFAULT))
-    assert np.abs(one @ about_z(angle).T - two).max() <= 1e-9 * np.abs(one).max()
+    assert np.abs(one @ rotation_about_z(angle).T - two).max() <= 1e-9 * np.abs(one).max()
     assert np.abs(one @ scene.axes[1]).max() > 0.01
 
 
@@ -87,7 +87,7 @@ def test_the_order_of_blocks_does_not_matter_and_runs_repeat_bit_by_bit(
     """Between blocks that turn it decides whose face gives the normal, which is a little askew."""
     scene = stack(free_spin)
     one, again = (run(watching(scene, (1, 2), 0.2), DEFAULT) for _ in range(2))
-    other = run(watching(swapped(scene), (1, 0), 0.2), DEFAULT)
+    other = run(watching(with_bodies_reversed(scene), (1, 0), 0.2), DEFAULT)
     assert np.array_equal(one.values[Velocity(2)], again.values[Velocity(2)])
     for here, there in ((1, 1), (2, 0)):
         difference = one.values[Velocity(here)] - other.values[Velocity(there)]
@@ -97,7 +97,7 @@ def test_the_order_of_blocks_does_not_matter_and_runs_repeat_bit_by_bit(
 def test_blocks_pass_momentum_on_and_lose_none() -> None:
     """Two boxes meet in free flight, edge on face, with friction."""
     one = box((0.5, 0.5, 0.5), 1000.0, np.zeros(3), free_spin=ALL, velocity=np.array([1.0, 0, 0]))
-    turned = about_z(0.3)
+    turned = rotation_about_z(0.3)
     two = box((0.3, 0.3, 0.3), 3000.0, np.array([0.9, 0.2, 0.1]), turned.T, free_spin=ALL)
     scene = Scene((one, two), ROUGH)
     done = run(watching(scene, (0, 1), 0.2), DEFAULT)

@@ -21,7 +21,7 @@ from vv.engines.dda import DEFAULT, PUBLISHED, Formulation, prepare, solve
 from vv.engines.dda.general.bodies import Bodies, Motion, followed
 from vv.engines.dda.general.model import General
 from vv.plan.project import find
-from vv.scene import Block, Contact, Elastic, Scene, Term, Vector, about_z, rotated
+from vv.scene import Block, Contact, Elastic, Scene, Term, Vector, rotated, rotation_about_z
 from vv.standins.clump import why_no_clump
 from vv.standins.soften import as_spheres
 from vv.standins.stand_in import why_not
@@ -52,7 +52,7 @@ def strains(done: Run) -> Vector:
 
 def test_a_block_under_its_own_weight_shows_e_and_nu() -> None:
     """Its mean stress is rho g h/2; turned askew, scene and all, it says the same."""
-    turn = about_z(0.4) @ np.array([[1, 0, 0], [0, 0.8, -0.6], [0, 0.6, 0.8]])
+    turn = rotation_about_z(0.4) @ np.array([[1, 0, 0], [0, 0.8, -0.6], [0, 0.6, 0.8]])
     stress = RHO * G * HALF[2]
     for scene in (standing(), rotated(standing(), turn)):
         done = solved(scene, STATIC, 1e-3, 0.2)
@@ -191,7 +191,7 @@ turned: Any = numba.njit(_turned)  # not kept on disk, where it would outlive wh
 
 @pytest.mark.parametrize("axis", range(3))
 def test_strain_turns_with_a_step_as_a_tensor_does(axis: int) -> None:
-    turn = about_z(0.4) @ np.array([[1, 0, 0], [0, 0.8, -0.6], [0, 0.6, 0.8]])
+    turn = rotation_about_z(0.4) @ np.array([[1, 0, 0], [0, 0.8, -0.6], [0, 0.6, 0.8]])
     rod = soft(box(ROD, RHO, np.zeros(3), free_spin=ALL))
     system = General(Scene((rod,), Contact(math.inf), axes=turn), DEFAULT)
     bodies, motion = system.bodies(), system.motion()

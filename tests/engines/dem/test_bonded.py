@@ -12,7 +12,7 @@ from tests.scenes.bonded_scenes import CORNERS, EDGES, KN, KS, D, M, elements, t
 from vv.ask import Ask, Displacement, History, Knobs, Run, Status, Velocity
 from vv.engines import dem
 from vv.engines.dem.space.model import space
-from vv.scene import Contact, Scene, Term, Vector, Wall, rotated, swapped
+from vv.scene import Contact, Scene, Term, Vector, Wall, rotated, with_bodies_reversed
 
 HEIGHT = D * np.sqrt(2 / 3)
 BASE = np.array([[1, 1, 1], [1, 1, 0], [1, 1, 0], [1, 1, 0]], bool)
@@ -115,7 +115,7 @@ def test_a_turned_scene_has_the_answer_turned() -> None:
 
 def test_the_order_of_the_elements_does_not_matter() -> None:
     scene = thrown()
-    one, two = (at_end(moved(s, 2e-6)) for s in (scene, swapped(scene)))
+    one, two = (at_end(moved(s, 2e-6)) for s in (scene, with_bodies_reversed(scene)))
     assert np.abs(one - two[::-1]).max() < 1e-11 * np.abs(one).max()
 
 

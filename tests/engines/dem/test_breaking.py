@@ -13,7 +13,7 @@ from vv.ask import Ask, Displacement, History, Knobs, Observable, Reaction, Run,
 from vv.case import Scalar
 from vv.engines import dem
 from vv.engines.dem.solve import GAINED
-from vv.scene import Bonds, Contact, Scene, Term, Vector, rotated, swapped
+from vv.scene import Bonds, Contact, Scene, Term, Vector, rotated, with_bodies_reversed
 
 HEIGHT = D * np.sqrt(2 / 3)
 MU = 0.396446609
@@ -147,7 +147,7 @@ def test_the_energy_of_colliding_fragments_is_of_second_order() -> None:
 @pytest.mark.parametrize("twin", ["turned", "swapped"])
 def test_breaking_is_the_same_in_a_turned_frame_and_in_another_order(twin: str) -> None:
     scene, goal = fragments(), History(1e-5, 1e-7)
-    other = rotated(scene, TURN) if twin == "turned" else swapped(scene)
+    other = rotated(scene, TURN) if twin == "turned" else with_bodies_reversed(scene)
     one, two = (solved(s, goal, *SEEN, dt=2e-9) for s in (scene, other))
     for i in range(4):
         a, b = one.values[SEEN[i]], two.values[SEEN[i if twin == "turned" else 3 - i]]

@@ -18,7 +18,7 @@ from vv.codes import Scheme, unsupported
 from vv.engines import dem
 from vv.engines.dem.pressed.model import Pressed, pressed
 from vv.engines.dem.space.model import Space, space
-from vv.scene import Contact, Harmonic, Scene, Term, about_z, rotated
+from vv.scene import Contact, Harmonic, Scene, Term, rotated, rotation_about_z
 from vv.standins.stand_in import SHEAR
 
 KN = 1e10
@@ -177,7 +177,7 @@ def test_a_ledger_without_drives_does_not_name_their_work() -> None:
 def test_a_turned_scene_gives_the_turned_answer() -> None:
     tilt = np.array([[0.0, 0.0, 1.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]])
     for scene in (DIPPING, TURNING, DRAGGED):
-        turn = about_z(0.7) @ tilt
+        turn = rotation_about_z(0.7) @ tilt
         one = solved(scene, duration=0.5).values[BLOCK]
         two = solved(rotated(scene, turn), duration=0.5).values[BLOCK]
         assert off(two, one @ turn.T) < 1e-8

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from vv.ask import Ask, Displacement, History, Knobs, Run
 from vv.engines import dem
 from vv.engines.dem.solve import Program
-from vv.scene import Contact, Scene, Spheres, Vector, Wall, about_z, rotated
+from vv.scene import Contact, Scene, Spheres, Vector, Wall, rotated, rotation_about_z
 
 FAR = Wall(np.array([0.0, 0.0, -1e9]), np.array([0.0, 0.0, 1.0]))
 RADIUS = np.array([1.0, 0.6, 0.8])
@@ -94,7 +94,7 @@ def test_the_energy_error_of_the_general_kernel_is_second_order(mu: float) -> No
 @given(seed=st.integers(0, 10**6))
 def test_a_turned_scene_gives_the_turned_answer(seed: int) -> None:
     scene = colliding(seed)
-    turn = about_z(0.7) @ np.array([[0.0, 0.0, 1.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]])
+    turn = rotation_about_z(0.7) @ np.array([[0.0, 0.0, 1.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]])
     far = dataclasses.replace(scene, bodies=(*scene.bodies[:1], FAR))
     twin = rotated(far, turn)
     one, two = solved(scene, 1e-3)[1], solved(twin, 1e-3)[1]

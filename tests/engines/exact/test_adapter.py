@@ -28,14 +28,14 @@ def asked(variant: str, duration: float = 0.4) -> Ask:
 
 
 def test_accumulating_events_are_an_answer(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("vv.engines.exact.flow.EVENTS", 100)
+    monkeypatch.setattr("vv.engines.exact.flow.MOST_EVENTS", 100)
     run = solve(Ask(crowded(1e4), History(3.0, 0.1), (Displacement(1),)))
     assert run.status is Status.DIVERGED
     assert "events accumulate: more than 100 by t = 0.496" in run.reason
 
 
 def test_too_many_steps_are_an_answer(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
-    monkeypatch.setattr("vv.engines.exact.flow.STEPS", 100)
+    monkeypatch.setattr("vv.engines.exact.flow.MOST_STEPS", 100)
     (run,) = ADAPTER.run([asked("T3", 20.0)], "default", tmp_path, 0.0)
     assert run.status is Status.DIVERGED
     assert "more than 100 steps" in run.reason

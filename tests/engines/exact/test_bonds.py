@@ -12,7 +12,7 @@ from tests.scenes.bonded_scenes import CORNERS, EDGES, KN, KS, D, M, elements, t
 from vv.ask import Ask, Displacement, History, Knobs, Run, Status
 from vv.engines import dem
 from vv.engines.exact import assemble_bonded, refusal, solve, solve_linearised
-from vv.scene import Contact, Scene, Spheres, Vector, rotated, swapped
+from vv.scene import Contact, Scene, Spheres, Vector, rotated, with_bodies_reversed
 
 OUT = CORNERS - CORNERS.mean(axis=0)
 RATE = 2 * np.sqrt(KN / M)  # of the breathing mode [1/s]
@@ -90,7 +90,7 @@ def pair(speed: float, length: float) -> Scene:
 def test_small_motions_are_those_of_the_matrix(eta: float) -> None:
     springs = tied(kn=KN * np.linspace(0.5, 1.5, 6), ks=KS * np.linspace(0, 2, 6))
     scene = unit(unlike(), springs, eta=eta, gravity=np.array([1e4, 0.0, -1e5]))
-    for some in (scene, rotated(scene, TURN), swapped(scene)):
+    for some in (scene, rotated(scene, TURN), with_bodies_reversed(scene)):
         ask = asked(some)
         run = solve_linearised(ask)
         exact = linear(some, run.times)
@@ -171,4 +171,4 @@ def test_what_is_not_linear_to_first_order_is_refused(scene: Scene, words: str) 
 
 def test_springs_that_cannot_act_are_left_out() -> None:
     system = assemble_bonded(unit(elements(velocity=RATE * OUT)))
-    assert (len(system.mass), len(system.ties.rows)) == (4, 6)
+    assert (len(system.mass), len(system.bond_springs.rows)) == (4, 6)

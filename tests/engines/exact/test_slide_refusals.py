@@ -86,7 +86,7 @@ def test_a_block_that_would_fly_is_refused_unless_the_run_ends_before() -> None:
 
 
 def test_events_that_accumulate_are_an_answer(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("vv.engines.exact.slide.flow.CHATTER", 0)
+    monkeypatch.setattr("vv.engines.exact.slide.flow.MOST_EVENTS", 0)
     run = solve(Ask(incline(Frame(20), 22.0, 5.0), History(1.0, 0.1), (BOX,)))
     assert run.status is Status.DIVERGED
     assert "events accumulate" in run.reason
@@ -94,7 +94,7 @@ def test_events_that_accumulate_are_an_answer(monkeypatch: pytest.MonkeyPatch) -
 
 
 def test_too_many_steps_are_an_answer(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("vv.engines.exact.slide.flow.STEPS", 10)
+    monkeypatch.setattr("vv.engines.exact.slide.flow.MOST_STEPS", 10)
     run = solve(Ask(responding(0.2, 2.0, 0.6), History(5.0, 0.1), (BOX,)))
     assert run.status is Status.DIVERGED
     assert "more than 10 steps" in run.reason

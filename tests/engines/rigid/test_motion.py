@@ -13,7 +13,16 @@ from tests.scenes.failure_modes import charted, points, seen
 from vv.ask import Ask, Displacement, History, Knobs, Status, Velocity
 from vv.engines import rigid
 from vv.engines.rigid import Program
-from vv.scene import Block, Contact, Scene, Vector, Wall, about_z, rotated, swapped
+from vv.scene import (
+    Block,
+    Contact,
+    Scene,
+    Vector,
+    Wall,
+    rotated,
+    rotation_about_z,
+    with_bodies_reversed,
+)
 
 
 def solved(scene: Scene, duration: float, dt: float = 1e-3, interval: float = 0.01) -> Program:
@@ -80,7 +89,7 @@ def test_a_diagonal_push_is_opposed_along_the_push_whatever_the_frame(angle: flo
     block = dataclasses.replace(scene.blocks[0], velocity=0.7 * axes[0] + 0.7 * axes[1])
     still = DOWN @ axes[2] * axes[2]  # gravity without its part down the dip
     scene = dataclasses.replace(scene, bodies=(scene.walls[0], block), gravity=still)
-    turned = about_z(angle)
+    turned = rotation_about_z(angle)
     program = solved(rotated(scene, turned), 0.05)
     moved = axes @ turned.T @ ends(program)[0]
     t, mu = 0.05, np.tan(np.radians(35))
@@ -109,10 +118,10 @@ def test_the_motion_turns_with_the_frame(seed: int) -> None:
 def test_the_order_of_the_blocks_does_not_matter() -> None:
     scene = stack()
     scene = dataclasses.replace(scene, gravity=np.array([2.0, 1.0, -G]))
-    plain, other = solved(scene, 0.3), solved(swapped(scene), 0.3)
+    plain, other = solved(scene, 0.3), solved(with_bodies_reversed(scene), 0.3)
     assert np.abs(ends(plain)).max() <= 1e-9
     assert np.abs(ends(plain) - ends(other)[::-1]).max() <= 1e-9
-    plain, other = solved(colliding(), 0.3), solved(swapped(colliding()), 0.3)
+    plain, other = solved(colliding(), 0.3), solved(with_bodies_reversed(colliding()), 0.3)
     assert np.abs(ends(plain) - ends(other)[::-1]).max() <= 1e-9
 
 

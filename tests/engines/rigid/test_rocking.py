@@ -11,7 +11,7 @@ from scipy.integrate import solve_ivp
 
 from tests.engines.rigid.test_motion import solved
 from tests.scenes.block_scenes import ACROSS, DOWN, FLOOR, IN_PLANE, G, box
-from vv.scene import Block, Contact, Scene, about_z, rotated
+from vv.scene import Block, Contact, Scene, rotated, rotation_about_z
 
 B, H, TILT, SWING = 0.2, 0.6, 0.2, 0.4  # half sides [m], rad, s: before it meets its other edge
 RADIUS, SLENDER = np.hypot(B, H), np.arctan(B / H)
@@ -39,7 +39,7 @@ def fallen() -> float:
 def error(dt: float, azimuth: float = 0.0, **given: Any) -> float:
     """Of the sinking, in metres; energy must close meanwhile."""
     scene = Scene((FLOOR, tilted(**given)), Contact(np.inf, mu=2.0), gravity=DOWN)
-    program = solved(rotated(scene, about_z(azimuth)), SWING, dt)
+    program = solved(rotated(scene, rotation_about_z(azimuth)), SWING, dt)
     assert np.abs(program.energies.sum(axis=1)).max() <= 1e-9 * program.energies[-1, 0]
     assert program.report[:, 0].max() <= 1e-12  # m/s
     return abs(float(program.arguments[0][-1, 0, 2]) - fallen())

@@ -19,7 +19,7 @@ from vv.engines.dem.pressed.model import Pressed, pressed
 from vv.engines.dem.safe_step import PACKED
 from vv.engines.dem.space.model import Space, SpaceState, space
 from vv.scene import Form, Scene, Term, Vector
-from vv.scene.scene import LOCKED
+from vv.scene.scene import LOCKED_SPEED
 from vv.standins.stand_in import Stood, sprung
 from vv.standins.stand_in import why_not as why_not_rigid
 
@@ -239,7 +239,7 @@ def _spins_where_locked(scene: Scene) -> str | None:
     spheres = scene.spheres
     parts = spheres.spin @ scene.axes.T
     size = np.abs(parts).max(axis=1, keepdims=True, initial=0.0)
-    for i, axis in np.argwhere(~spheres.free_spin & (np.abs(parts) > LOCKED * size))[:1]:
+    for i, axis in np.argwhere(~spheres.free_spin & (np.abs(parts) > LOCKED_SPEED * size))[:1]:
         along = f"{parts[i, axis]:.6g} 1/s along a locked axis"
         return f"Spheres.spin[{i}] has {along}; a locked body must not turn there"
     return None
@@ -286,6 +286,6 @@ def _unknown_reaction(ask: Ask, scene: Scene) -> str | None:
         if isinstance(what, Reaction):
             i = scene.sphere_index(what.body)
             moving = scene.spheres.free[i].any() or scene.spheres.free_spin[i].any()
-            if not (moving or scene.carried[i].any()):
+            if not (moving or scene.locked_velocity[i].any()):
                 return f"the reaction on body {what.body}, which cannot move, is not modelled"
     return None

@@ -1,4 +1,4 @@
-"""Exact engine: small scenes whose normals and bonds do not turn, solved from event to event.
+"""Exact engine: solves small scenes with constant contact normals, from event to event.
 
 May import: base, scene, ask, standins.
 """
@@ -52,25 +52,25 @@ Prepare = Callable[[Ask], System | Slider]
 
 
 def prepare(ask: Ask) -> System | Slider:
-    """The equations to solve for an ask, of springs or of rigid contact; raises RefusedError."""
+    """The equations of an ask with bonds, spring contact or rigid contact; raises RefusedError."""
     problem: System | Slider
     if ask.scene.bonds is not None:
         problem = assemble_bonded(ask.scene)
     else:
-        problem = _pressed(ask) if ask.scene.contact.rigid else assemble(ask.scene)
+        problem = _slider_held_on_wall(ask) if ask.scene.contact.rigid else assemble(ask.scene)
     _check_observed(ask)
     return problem
 
 
 def prepare_linearised(ask: Ask) -> System | Slider:
-    """The equations of bonds to first order in the displacements; raises RefusedError."""
+    """The equations of an ask with bonds, to first order in u; raises RefusedError."""
     problem = assemble_linearised(ask.scene)
     _check_observed(ask)
     return problem
 
 
 def refusal(ask: Ask, prepare: Prepare = prepare) -> str | None:
-    """Why an ask is outside the engine's class, or None."""
+    """Why the engine cannot solve an ask exactly, or None if it can."""
     try:
         prepare(ask)
     except RefusedError as reason:
@@ -79,21 +79,21 @@ def refusal(ask: Ask, prepare: Prepare = prepare) -> str | None:
 
 
 def move(problem: System | Slider, duration: float) -> Path | Slide:
-    """The motion over a duration [s]; raises StoppedError if it cannot be followed."""
+    """The exact motion over a duration [s]; raises StoppedError if it cannot be followed."""
     if isinstance(problem, Slider):
         return follow_slider(problem, duration)
     return follow(problem, duration)
 
 
 def model(scene: Scene, problem: System | Slider) -> Model:
-    """What was built for a scene."""
+    """The model that was built for a scene: unknowns, terms and a note."""
     if isinstance(problem, Slider):
         return describe_slider(scene, problem)
     return describe(scene, problem)
 
 
 def solve(ask: Ask, prepare: Prepare = prepare) -> Run:
-    """The run of an ask, without cost: refused, diverged, or exact to rounding."""
+    """The run of an ask, without cost: refused, diverged, or exact to rounding errors."""
     try:
         problem = prepare(ask)
     except RefusedError as reason:
@@ -111,12 +111,12 @@ def solve_linearised(ask: Ask) -> Run:
 
 
 def duration(ask: Ask) -> float:
-    """The last time asked for [s]."""
+    """The last output time of an ask [s]."""
     return float(ask.goal.times(ask.knobs.dt)[-1])
 
 
 def answer(ask: Ask, path: Path | Slide) -> Run:
-    """What an ask wants to know of a path."""
+    """The run of an ask, with its observables and ledger taken from an exact motion."""
     times = ask.goal.times(ask.knobs.dt)
     values = {}
     for observable in ask.observables:
@@ -132,8 +132,8 @@ def answer(ask: Ask, path: Path | Slide) -> Run:
     )
 
 
-def _pressed(ask: Ask) -> Slider:
-    """The slider of a scene whose body stays on its wall as long as the ask lasts."""
+def _slider_held_on_wall(ask: Ask) -> Slider:
+    """The slider of a scene; raises RefusedError if its body leaves the wall within the ask."""
     slider = assemble_slider(ask.scene)
     end = lift_off(slider, duration(ask))
     wall, body = slider.names
@@ -152,7 +152,7 @@ def _check_observed(ask: Ask) -> None:
 
 
 def _index(scene: Scene, body: int) -> int:
-    """The index of a body that moves; raises RefusedError for any other."""
+    """The sphere index of a body; raises RefusedError if the body is no sphere or block."""
     try:
         return (as_spheres(scene) if scene.contact.rigid else scene).sphere_index(body)
     except ValueError as reason:

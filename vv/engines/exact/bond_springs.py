@@ -1,4 +1,4 @@
-"""The springs of bonds, as an exact system carries them beside its contacts."""
+"""The normal and shear springs of bonds in the exact equations of motion."""
 
 from __future__ import annotations
 
@@ -13,11 +13,11 @@ Owners = npt.NDArray[np.intp]
 
 
 @dataclass(frozen=True, eq=False)
-class Ties:
-    """h springs that pull and push, whose stretches are stretch + rows @ q, (h,) + (h, n) [m].
+class BondSprings:
+    """h linear springs with the stretches stretch + rows @ q [m]; stretch (h,), rows (h, n).
 
-    stiffness: (h,) [N/m]. The first b of them act along bonds of given length (b,) [m] at t = 0
-    between the bodies in names, the others across bonds.
+    stiffness: (h,) [N/m]. The first b springs act along the bonds, which have the given length
+    (b,) [m] at t = 0 and join the bodies in names; the others act across bonds.
     """
 
     rows: Vector
@@ -27,6 +27,6 @@ class Ties:
     names: tuple[tuple[int, int], ...]
 
 
-def untied(owner: Owners, direction: Vector) -> Ties:
-    """No ties."""
-    return Ties(np.zeros((0, len(owner))), np.zeros(0), np.zeros(0), np.zeros(0), ())
+def no_bond_springs(owner: Owners, direction: Vector) -> BondSprings:
+    """The springs of a scene without bonds: none."""
+    return BondSprings(np.zeros((0, len(owner))), np.zeros(0), np.zeros(0), np.zeros(0), ())

@@ -1,8 +1,8 @@
-"""Builds the equations of spheres on bonds: linear while no bond turns, or for small motions.
+"""Builds the equations of bonded spheres, exact while no bond turns, or to first order in u.
 
-Bonds couple what moves: the motions that a scene can come to are those that its velocities and
-forces start and its bonds pass on, a space that is carried into itself (Krylov's). It is often
-smaller than what the spheres taken one by one may do: a unit that breathes has one such motion.
+The motions that can occur span the Krylov space of the initial velocities and forces under the
+mass, drag and stiffness matrices. Its dimension is often much smaller than the number of degrees
+of freedom: a unit that breathes has one such motion.
 """
 
 from __future__ import annotations
@@ -12,9 +12,14 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from vv.engines.exact.bond_springs import Owners, Ties
+from vv.engines.exact.bond_springs import BondSprings, Owners
 from vv.engines.exact.modelled import check_spheres, check_terms
-from vv.engines.exact.reachability import BLUR, RefusedError, Touch, moved
+from vv.engines.exact.reachability import (
+    DIRECTION_ROUNDING,
+    PossibleContact,
+    RefusedError,
+    directions_of_motion,
+)
 from vv.engines.exact.system import System, equations, rows_of
 from vv.scene import Scene, Vector
 
@@ -22,7 +27,7 @@ from vv.scene import Scene, Vector
 def assemble_bonded(scene: Scene) -> System:
     """The equations of bonds that keep their directions, at any amplitude.
 
-    Raises RefusedError if a bond turns in a motion that the scene can come to.
+    Raises RefusedError if a bond would turn in a motion that can occur.
     """
     bonds = list(_checked(scene))
     slack = np.zeros(len(bonds))
@@ -30,7 +35,7 @@ def assemble_bonded(scene: Scene) -> System:
     for bond in bonds:
         way = motions[:, bond.second] - motions[:, bond.spheres[0]]
         across = way - np.outer(way @ bond.normal, bond.normal)
-        if np.abs(across).max(initial=0.0) > bond.blur:
+        if np.abs(across).max(initial=0.0) > bond.rounding:
             raise RefusedError("the bond between bodies {} and {} turns".format(*bond.names))
     return _tied(scene, bonds, motions, slack)
 
@@ -38,39 +43,39 @@ def assemble_bonded(scene: Scene) -> System:
 def assemble_linearised(scene: Scene) -> System:
     """The equations to first order in the displacements, for which bonds keep their directions.
 
-    Raises RefusedError for a scene without bonds, or with bonds that pull at t = 0: when they
-    turn, that pull turns too, which is of the same order.
+    Raises RefusedError for a scene without bonds, and for bonds under tension or compression at
+    t = 0: that force turns with the bond, an effect of first order that is not modelled.
     """
     if scene.bonds is None:
         raise RefusedError("a scene without bonds has nothing to linearise")
     bonds = list(_checked(scene))
     for bond in bonds:
-        if abs(bond.gap) > bond.blur * bond.depth:
+        if abs(bond.gap) > bond.rounding * bond.depth:
             raise RefusedError(
                 "the bond between bodies {} and {} pulls at t = 0".format(*bond.names)
             )
     return _tied(scene, bonds, _motions(scene, bonds, scene.bonds.ks), scene.bonds.ks)
 
 
-def _checked(scene: Scene) -> Iterator[Touch]:
-    """The bonds: depth is the length at t = 0 and gap the stretch then, 0 within rounding."""
+def _checked(scene: Scene) -> Iterator[PossibleContact]:
+    """The bonds as contacts: depth is the length and gap the stretch at t = 0 [m]."""
     check_terms(scene)
     check_spheres(scene)
     assert scene.bonds is not None
     place = scene.spheres.position
     size = float(np.abs(place).max())
     for (i, j), names, free in zip(
-        scene.bonded.tolist(), scene.bonds.pairs.tolist(), scene.bonds.length, strict=True
+        scene.bonded_pairs.tolist(), scene.bonds.pairs.tolist(), scene.bonds.length, strict=True
     ):
         offset = place[j] - place[i]
         length = float(np.linalg.norm(offset))
-        blur = BLUR * (1 + size / length)
-        stretch = length - float(free) if abs(length - free) > blur * length else 0.0
-        yield Touch(i, j, tuple(names), offset / length, stretch, length, blur)
+        rounding = DIRECTION_ROUNDING * (1 + size / length)
+        stretch = length - float(free) if abs(length - free) > rounding * length else 0.0
+        yield PossibleContact(i, j, tuple(names), offset / length, stretch, length, rounding)
 
 
-def _motions(scene: Scene, bonds: list[Touch], ks: Vector) -> Vector:
-    """Orthonormal motions (k, n, 3) that span all the scene can come to."""
+def _motions(scene: Scene, bonds: list[PossibleContact], ks: Vector) -> Vector:
+    """Orthonormal motions (k, n, 3) that span all motions that can occur."""
     spheres = scene.spheres
     hold = np.einsum("ka,nk,kb->nab", scene.axes, spheres.free, scene.axes)
     push = functools.partial(_push, scene, bonds, ks)
@@ -78,14 +83,14 @@ def _motions(scene: Scene, bonds: list[Touch], ks: Vector) -> Vector:
     stretched = push(0 * weight, np.array([bond.gap for bond in bonds]))
     light = hold / spheres.mass[:, None, None]
     most = 6 * float((scene.bonds.kn + ks).max() / spheres.mass.min())  # type: ignore[union-attr]
-    blur = max(bond.blur for bond in bonds)
+    rounding = max(bond.rounding for bond in bonds)
     found = np.zeros((0, *weight.shape))
     waiting = [_unit(spheres.velocity), _unit(np.einsum("nab,nb->na", light, weight + stretched))]
     while waiting:
         new = np.einsum("nab,nb->na", hold, waiting.pop(0))
         for _ in range(2):  # again, against rounding
             new = new - np.tensordot(np.tensordot(found, new, 2), found, 1)
-        if np.abs(new).max() <= blur:
+        if np.abs(new).max() <= rounding:
             continue
         found = np.concatenate((found, [_unit(new)]))
         slowed = found[-1] * (spheres.mass.min() / spheres.mass)[:, None]
@@ -95,11 +100,11 @@ def _motions(scene: Scene, bonds: list[Touch], ks: Vector) -> Vector:
 
 
 def _push(
-    scene: Scene, bonds: list[Touch], ks: Vector, q: Vector, stretch: Vector | float
+    scene: Scene, bonds: list[PossibleContact], ks: Vector, q: Vector, stretch: Vector | float
 ) -> Vector:
-    """The forces (n, 3) [N] of bonds at small displacements q, each stretched so besides [m]."""
+    """Forces (n, 3) [N] of bonds at small displacements q (n, 3), plus a given stretch [m]."""
     assert scene.bonds is not None
-    i, j = scene.bonded.T
+    i, j = scene.bonded_pairs.T
     n = np.array([bond.normal for bond in bonds])
     way = q[j] - q[i]
     along = np.einsum("bk,bk->b", way, n)
@@ -115,15 +120,15 @@ def _unit(motion: Vector) -> Vector:
     return motion / size if size > 0 else motion
 
 
-def _tied(scene: Scene, bonds: list[Touch], motions: Vector, ks: Vector) -> System:
-    """The system in the directions in which spheres come to move."""
-    blur = max(bond.blur for bond in bonds)
+def _tied(scene: Scene, bonds: list[PossibleContact], motions: Vector, ks: Vector) -> System:
+    """The system with one unknown for each direction in which a sphere can move."""
+    rounding = max(bond.rounding for bond in bonds)
     spaces = [
-        moved(scene.axes[free], list(motions[:, i]), blur)
+        directions_of_motion(scene.axes[free], list(motions[:, i]), rounding)
         for i, free in enumerate(scene.spheres.free)
     ]
 
-    def ties(owner: Owners, direction: Vector) -> Ties:
+    def bond_springs(owner: Owners, direction: Vector) -> BondSprings:
         assert scene.bonds is not None
         across = [np.linalg.svd(bond.normal[None])[2][1:] for bond in bonds]
         sheared = [
@@ -134,7 +139,7 @@ def _tied(scene: Scene, bonds: list[Touch], motions: Vector, ks: Vector) -> Syst
         ]
         kept = [*bonds, *(bond for bond, _, _ in sheared)]
         along = [*(bond.normal for bond in bonds), *(way for _, way, _ in sheared)]
-        return Ties(
+        return BondSprings(
             rows=rows_of(kept, along, owner, direction),
             stiffness=np.array([*scene.bonds.kn, *(k for _, _, k in sheared)]),
             stretch=np.array([*(bond.gap for bond in bonds), *(0.0 for _ in sheared)]),
@@ -142,4 +147,4 @@ def _tied(scene: Scene, bonds: list[Touch], motions: Vector, ks: Vector) -> Syst
             names=tuple(bond.names for bond in bonds),
         )
 
-    return equations(scene, spaces, [], (), [], ties)
+    return equations(scene, spaces, [], (), [], bond_springs)

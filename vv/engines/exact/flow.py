@@ -1,4 +1,4 @@
-"""Follows a system from event to event, in Taylor steps that end where a contact changes."""
+"""Integrates a system from event to event, by Taylor steps that end where a contact changes."""
 
 from __future__ import annotations
 
@@ -9,14 +9,14 @@ import numpy as np
 
 from vv.engines.exact.modes import ORDER, Guard, Mode, State, States, make_mode, quickest_step
 from vv.engines.exact.path import Path, Piece
-from vv.engines.exact.roots import EPS, first_fall
+from vv.engines.exact.roots import EPS, first_descent_below_zero
 from vv.engines.exact.system import System
 from vv.scene import Vector
 
-BAND = 512 * EPS  # a guard negative by less, over the lengths it is made of, is still zero
-EVENTS = 50_000  # in one run; more means that events accumulate
-STEPS = 200_000  # in one run
-RANK = np.arange(1.0, ORDER + 1)
+GUARD_ROUNDING = 512 * EPS  # of the lengths in a guard: one that is negative by less is zero
+MOST_EVENTS = 50_000  # in one run; more are taken for an accumulation
+MOST_STEPS = 200_000  # in one run
+POWER = np.arange(1.0, ORDER + 1)
 
 
 class StoppedError(Exception):
@@ -24,12 +24,13 @@ class StoppedError(Exception):
 
 
 @dataclass(frozen=True)
-class Now:
+class Moment:
     """The state between two pieces of a motion.
 
     time [s]; q, v: (n,) [m, m/s]; states of the contacts; lengths: (c + s + h,) gaps and
-    stretches of springs and ties [m], carried on their own so that small overlaps do not drown
-    in large displacements; scale: the largest deflection met or to be expected [m].
+    stretches of shear and bond springs [m], integrated on their own so that small overlaps are
+    not lost in the rounding of large displacements; scale: the largest deflection so far or
+    expected [m].
     """
 
     time: float
@@ -64,14 +65,16 @@ def follow(system: System, duration: float) -> Path:
         _check(now, len(pieces), events)
 
 
-def _start(system: System) -> Now:
+def _start(system: System) -> Moment:
     """The state at t = 0, with slack shear springs."""
     states = tuple(State.STUCK if gap < 0 else State.OPEN for gap in system.gap)
-    lengths = np.concatenate((system.gap, np.zeros(len(system.springs)), system.ties.stretch))
-    return Now(0.0, np.zeros(len(system.mass)), system.velocity, states, lengths, 0.0)
+    lengths = np.concatenate(
+        (system.gap, np.zeros(len(system.springs)), system.bond_springs.stretch)
+    )
+    return Moment(0.0, np.zeros(len(system.mass)), system.velocity, states, lengths, 0.0)
 
 
-def _expand(system: System, mode: Mode, now: Now, quick: float) -> tuple[Vector, Now]:
+def _expand(system: System, mode: Mode, now: Moment, quick: float) -> tuple[Vector, Moment]:
     """Taylor coefficients (ORDER + 1, n) [m] of the displacements over a step of the mode."""
     force = system.weight + system.load - mode.drag @ now.v + mode.push @ now.lengths
     first, second = mode.h * now.v, (mode.h * mode.h / 2) * force / system.mass
@@ -83,28 +86,28 @@ def _expand(system: System, mode: Mode, now: Now, quick: float) -> tuple[Vector,
     return series, dataclasses.replace(now, scale=max(now.scale, float(sizes.max())))
 
 
-def _moved(system: System, now: Now, mode: Mode, series: Vector, x: float) -> Now:
-    """The state at x in the step's own time."""
-    powers = x**RANK
+def _moved(system: System, now: Moment, mode: Mode, series: Vector, x: float) -> Moment:
+    """The state after the part x of a step."""
+    powers = x**POWER
     travel = powers @ series[1:]
     return dataclasses.replace(
         now,
         time=now.time + x * mode.h,
         q=now.q + travel,
-        v=(RANK * powers / x) @ series[1:] / mode.h,
+        v=(POWER * powers / x) @ series[1:] / mode.h,
         lengths=now.lengths + system.rows @ travel,
     )
 
 
-def _changed(system: System, now: Now, guard: Guard) -> Now:
-    """The state after a guard fell, with what it watched put to its exact value.
+def _changed(system: System, now: Moment, guard: Guard) -> Moment:
+    """The state after an event, with the length that its guard watched set to the exact value.
 
-    That is a gap of zero in a contact that closes or opens, and a stretch of zero or of the cap
-    mu kn U/ks in a spring that begins to stick.
+    A contact that closes or opens has a gap of zero; a spring that begins to stick has the
+    stretch mu kn U/ks of the friction limit, or zero.
     """
     c, after = guard.contact, guard.after
     if after is None:
-        bodies = "bodies {} and {}".format(*(system.names + system.ties.names)[c])
+        bodies = "bodies {} and {}".format(*(system.names + system.bond_springs.names)[c])
         raise StoppedError(f"the centres of {bodies} meet at t = {now.time:.6g} s")
     before = now.states[c]
     lengths = now.lengths.copy()
@@ -117,21 +120,23 @@ def _changed(system: System, now: Now, guard: Guard) -> Now:
     return dataclasses.replace(now, states=states, lengths=lengths)
 
 
-def _check(now: Now, steps: int, events: int) -> None:
-    """Raise StoppedError if the events or the steps have become too many."""
+def _check(now: Moment, steps: int, events: int) -> None:
+    """Raise StoppedError if there are too many events or steps."""
     at = f"by t = {now.time:.6g} s"
-    if events > EVENTS:
-        raise StoppedError(f"events accumulate: more than {EVENTS} {at}")
-    if steps > STEPS:
+    if events > MOST_EVENTS:
+        raise StoppedError(f"events accumulate: more than {MOST_EVENTS} {at}")
+    if steps > MOST_STEPS:
         raise StoppedError(
-            f"the motion is too quick for its duration: more than {STEPS} steps {at}"
+            f"the duration is too long for so fast a motion: more than {MOST_STEPS} steps {at}"
         )
 
 
 def _next_event(
-    system: System, mode: Mode, now: Now, series: Vector, end: float
+    system: System, mode: Mode, now: Moment, series: Vector, end: float
 ) -> tuple[int | None, float]:
-    """The guard that falls first and when, or None and `end`; x in the step's own time."""
+    """The number of the guard that first becomes negative and the part x of the step, or None
+    and `end`.
+    """
     lengths = system.rows @ series.T
     lengths[:, 0] = now.lengths
     reach = np.abs(system.rows).sum(axis=1)
@@ -139,18 +144,18 @@ def _next_event(
     guards[:, 0] += mode.offset
     bands = np.abs(mode.values) @ (reach * now.scale + np.abs(now.lengths))
     pace = max(now.scale, float(np.abs(series[1:3]).max()))
-    if mode.late.any():
-        late = mode.late / mode.h
-        guards[:, :-1] += late[:, None] * (mode.values @ (lengths[:, 1:] * RANK))
-        bands += late * (np.abs(mode.values) @ reach * pace)
+    if mode.delay.any():
+        delay = mode.delay / mode.h
+        guards[:, :-1] += delay[:, None] * (mode.values @ (lengths[:, 1:] * POWER))
+        bands += delay * (np.abs(mode.values) @ reach * pace)
     if len(mode.rates):
-        rates = mode.rates @ (lengths[:, 1:] * RANK)
+        rates = mode.rates @ (lengths[:, 1:] * POWER)
         guards = np.vstack((guards, np.pad(rates, ((0, 0), (0, 1)))))
         bands = np.concatenate((bands, np.abs(mode.rates) @ reach * pace))
-    bands *= BAND
+    bands *= GUARD_ROUNDING
     found = None
     for g in np.flatnonzero(np.abs(guards[:, 1:]).sum(axis=1) > guards[:, 0] + bands):
-        fall = first_fall(guards[g].tolist(), float(bands[g]), end)
+        fall = first_descent_below_zero(guards[g].tolist(), float(bands[g]), end)
         if fall is not None:
             found, end = int(g), fall
     return found, end

@@ -1,4 +1,4 @@
-"""The energy of a path, each term integrated by itself, exactly for its polynomials."""
+"""The energy ledger of an exact motion; every term is integrated by itself, exactly."""
 
 from __future__ import annotations
 
@@ -8,19 +8,19 @@ import numpy as np
 import numpy.typing as npt
 
 from vv.ask import Ledger
-from vv.engines.exact.modes import APART, State
+from vv.engines.exact.modes import WITHOUT_FORCE, State
 from vv.engines.exact.path import Path, taylor_sum
 from vv.engines.exact.roots import EPS
 from vv.scene import Vector
 
-ROUNDINGS = 16  # of the largest energies, allowed for each piece
+ROUNDINGS = 16  # of the largest sum of |terms|, allowed per piece
 
 
 def ledger(path: Path) -> Ledger:
-    """Energies at the end of a path; their sum is the energy at t = 0.
+    """The energies [J] at the end of a path, whose sum must equal the energy at t = 0.
 
-    The potentials of gravity and of dead loads are zero at t = 0. The sum is formed at the end of
-    every piece; its bound is ROUNDINGS eps of the largest sum of moduli, for each piece.
+    Potentials of gravity and dead loads are zero at t = 0. The sum is checked at the end of every
+    piece; its bound is ROUNDINGS eps per piece, times the largest sum of absolute values.
     """
     system = path.system
     q, rate = taylor_sum(path.series, path.end)
@@ -31,18 +31,18 @@ def ledger(path: Path) -> Ledger:
         "kinetic": 0.5 * v**2 @ system.mass,
         "normal elastic": normal,
         "shear elastic": shear,
-        "friction dissipation": running(_friction(path, lengths)),
-        "drag dissipation": running(_drag(path) + _parting(path, lengths)),
+        "friction dissipation": sum_so_far(_friction(path, lengths)),
+        "drag dissipation": sum_so_far(_drag(path) + _parting(path, lengths)),
         "gravity potential": -q @ system.weight,
         "load potential": -q @ system.load,
     }
-    return balanced(terms, 3)
+    return ledger_of_terms(terms, 3)
 
 
-def balanced(terms: dict[str, Vector], stored: int) -> Ledger:
-    """The ledger of terms (p + 1,) [J], the first few of which are stored in motion and springs.
+def ledger_of_terms(terms: dict[str, Vector], stored: int) -> Ledger:
+    """The ledger of terms given at t = 0 and at the end of every piece, (p + 1,) each [J].
 
-    They are stated at t = 0 and at the end of every piece; their sum should not change.
+    stored: how many of the first terms are energy stored in motion and springs.
     """
     held = np.array(list(terms.values()))
     total = held.sum(axis=0)
@@ -69,15 +69,15 @@ def _springs(path: Path, lengths: Vector) -> tuple[Vector, Vector]:
     closed, sign = _from_start(closed), _from_start(_signs(path))
     overlap = np.where(closed, -at[:, :count], 0.0)
     cap, own = system.ratio * overlap[:, list(system.springs)], closed[:, list(system.springs)]
-    first, bonds = count + len(system.springs), len(system.ties.names)
+    first, bonds = count + len(system.springs), len(system.bond_springs.names)
     stretch = np.where(sign == 0, np.where(own, at[:, count:first], 0.0), sign * cap)
-    tied = 0.5 * system.ties.stiffness * at[:, first:] ** 2
+    tied = 0.5 * system.bond_springs.stiffness * at[:, first:] ** 2
     normal = 0.5 * system.kn * (overlap**2).sum(axis=1) + tied[:, :bonds].sum(axis=1)
     return normal, 0.5 * system.ks * (stretch**2).sum(axis=1) + tied[:, bonds:].sum(axis=1)
 
 
 def _from_start(rows: npt.NDArray[Any]) -> npt.NDArray[Any]:
-    """What holds in each piece, (p, ...), at t = 0 and at the end of each piece."""
+    """Values that hold for each piece (p, ...), at t = 0 and at the end of each piece."""
     return np.concatenate((rows[:1], rows))
 
 
@@ -89,7 +89,7 @@ def _signs(path: Path) -> Vector:
 
 
 def _friction(path: Path, lengths: Vector) -> Vector:
-    """Work of slip (p,) [J]: the integral of mu kn U times the rate sigma x' - r U'."""
+    """Frictional work (p,) [J]: the integral of mu kn U (sigma x' - r U'), r = mu kn/ks."""
     system, sign = path.system, _signs(path)
     overlap = -lengths[:, :, list(system.springs)]
     first = len(system.gap)
@@ -116,7 +116,7 @@ def _parting(path: Path, lengths: Vector) -> Vector:
         return np.zeros(len(path.start))
     gap = lengths[:, :, :count]
     rate = derivative(gap)
-    moving = [[state not in APART for state in states] for states in path.states]
+    moving = [[state not in WITHOUT_FORCE for state in states] for states in path.states]
     parted = [[state is State.PARTED for state in states] for states in path.states]
     slowed = system.eta_n / path.h[:, None] * product_integral(path.end, rate, rate) * moving
     relaxed = system.kn * product_integral(path.end, gap, rate) * parted
@@ -124,7 +124,7 @@ def _parting(path: Path, lengths: Vector) -> Vector:
 
 
 def derivative(series: Vector) -> Vector:
-    """Polynomials (p, k, n) derived in their own time."""
+    """Derivatives of polynomials (p, k, n) with respect to their variable x."""
     derived = np.zeros_like(series)
     derived[:, :-1] = series[:, 1:] * np.arange(1.0, series.shape[1])[:, None]
     return derived
@@ -139,6 +139,6 @@ def product_integral(end: Vector, a: Vector, b: Vector) -> Vector:
     return np.asarray(end[:, None] * products.sum(axis=1))
 
 
-def running(work: Vector) -> Vector:
-    """The sum so far, (p + 1,), from zero."""
+def sum_so_far(work: Vector) -> Vector:
+    """Cumulative sum of (p,) values, starting with 0: (p + 1,)."""
     return np.concatenate(((0.0,), np.cumsum(work)))

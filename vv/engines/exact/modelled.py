@@ -1,13 +1,13 @@
-"""States which terms are modelled on which contact, and refuses scenes that have others."""
+"""The terms that the exact engine models on each kind of contact; refuses other scenes."""
 
 from __future__ import annotations
 
 import numpy as np
 
-from vv.engines.exact.reachability import LARGEST, RefusedError
+from vv.engines.exact.reachability import MOST_SPHERES, RefusedError
 from vv.scene import Scene, Term
 
-EITHER = {
+ON_ANY_CONTACT = {
     Term.SPHERE,
     Term.WALL_CONTACT,
     Term.FRICTION,
@@ -16,14 +16,14 @@ EITHER = {
     Term.OBLIQUE_LOCK,
 }
 CONTACT = {Term.SPHERE_CONTACT, Term.WALL_CONTACT, Term.CONTACT_VISCOSITY}
-SPRINGS = frozenset(EITHER | CONTACT | {Term.DRAG})
+SPRINGS = frozenset(ON_ANY_CONTACT | CONTACT | {Term.DRAG})
 BONDS = (SPRINGS | {Term.BOND, Term.BOND_SHEAR}) - CONTACT
-RIGID = frozenset(EITHER | {Term.RIGID_CONTACT, Term.BLOCK, Term.SHAKING, Term.BASE_MOTION})
+RIGID = frozenset(ON_ANY_CONTACT | {Term.RIGID_CONTACT, Term.BLOCK, Term.SHAKING, Term.BASE_MOTION})
 TERMS = SPRINGS | BONDS | RIGID
 
 
 def check_terms(scene: Scene) -> None:
-    """Refuse a scene with a term that is not modelled on its kind of contact, or on bonds."""
+    """Raise RefusedError for a term that is not modelled with the scene's kind of contact."""
     modelled, contact = (RIGID, "rigid contact") if scene.contact.rigid else (SPRINGS, "springs")
     if scene.bonds is not None:
         modelled, contact = BONDS, "bonds"
@@ -33,14 +33,16 @@ def check_terms(scene: Scene) -> None:
 
 
 def check_spheres(scene: Scene) -> None:
-    """Refuse too many spheres, and spin."""
+    """Raise RefusedError for more than MOST_SPHERES spheres, and for spheres that spin."""
     spheres = scene.spheres
-    if len(spheres) > LARGEST:
-        raise RefusedError(f"the scene has {len(spheres)} spheres; at most {LARGEST} are solved")
+    if len(spheres) > MOST_SPHERES:
+        raise RefusedError(
+            f"the scene has {len(spheres)} spheres; at most {MOST_SPHERES} are solved"
+        )
     for i in np.flatnonzero(spheres.spin.any(axis=1))[:1]:
         raise RefusedError(f"sphere {i} spins; spin is not modelled")
 
 
-def counted(number: int, noun: str) -> str:
-    """A number of things in words."""
+def count_in_words(number: int, noun: str) -> str:
+    """A number and its noun, in the plural unless the number is 1: `3 contacts`."""
     return f"{number} {noun}{'' if number == 1 else 's'}"

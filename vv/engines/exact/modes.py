@@ -1,4 +1,4 @@
-"""States of contacts, and what follows from them: stiffness, Taylor maps and guards."""
+"""The linear system for given states of all contacts: stiffness, Taylor maps and guards."""
 
 from __future__ import annotations
 
@@ -15,9 +15,9 @@ ORDER = 28  # of the Taylor series, whose terms fall like 2^k/k!: the last is 1e
 
 
 class State(enum.Enum):
-    """What a contact does; STUCK is also the closed state of a contact without friction.
+    """The state of a contact; STUCK is also the closed state of a contact without friction.
 
-    PARTED: the overlap is still there, and the viscous force would pull.
+    PARTED: bodies still overlap, but the viscous force would pull and is zero.
     """
 
     OPEN = "open"
@@ -33,14 +33,14 @@ class State(enum.Enum):
 
 
 States = tuple[State, ...]
-APART = frozenset({State.OPEN, State.PARTED})  # without force
+WITHOUT_FORCE = frozenset({State.OPEN, State.PARTED})  # without force
 
 
 @dataclass(frozen=True)
 class Guard:
-    """What a guard watches: the contact, and its state after; None if no state is left.
+    """The contact that a guard watches, and its next state; None if the motion ends there.
 
-    A bond, of which no state is left when its centres meet, is numbered after the contacts.
+    It ends where two centres coincide. Bonds are numbered after the contacts.
     """
 
     contact: int
@@ -51,12 +51,12 @@ class Guard:
 class Mode:
     """The linear system that holds while all contacts keep their states.
 
-    drag: (n, n) [N s/m], forces are -drag @ v.
+    drag: (n, n) [N s/m], forces are -drag @ v. h: step [s].
 
-    lengths: (c + s + h,) gaps, and stretches of springs and ties [m]. h: step [s]. All push with
-    push @ lengths, (n, c + s + h) [N/m]. series: (ORDER n, 2n), from the first two Taylor
+    lengths: (c + s + h,) gaps, and stretches of shear and bond springs [m]. The springs' forces
+    are push @ lengths, (n, c + s + h) [N/m]. series: (ORDER n, 2n), from the first two Taylor
     coefficients of the displacements to those of order 1 to ORDER. Guards are positive:
-    values @ lengths + offset, (g, c + s + h) and (g,), to which late times the derivatives of
+    values @ lengths + offset, (g, c + s + h) and (g,), to which delay times the time derivative of
     values @ lengths is added, (g,) [s]; and rates @ (derivatives of the lengths), (r, c + s + h);
     guards: what these g + r rows watch.
     """
@@ -68,7 +68,7 @@ class Mode:
     series: Vector
     values: Vector
     offset: Vector
-    late: Vector
+    delay: Vector
     rates: Vector
     guards: tuple[Guard, ...]
 
@@ -105,14 +105,16 @@ def _push(system: System, states: States) -> Vector:
     count = len(states)
     push = np.zeros((len(system.mass), len(system.rows)))
     for c, state in enumerate(states):
-        if state not in APART:
+        if state not in WITHOUT_FORCE:
             push[:, c] -= system.kn * system.normal[c]
     for s, c in enumerate(system.springs):
         if states[c] is State.STUCK:
             push[:, count + s] -= system.ks * system.tangent[s]
         else:
             push[:, c] += states[c].sign * system.mu * system.kn * system.tangent[s]
-    push[:, count + len(system.springs) :] = -system.ties.stiffness * system.ties.rows.T
+    push[:, count + len(system.springs) :] = (
+        -system.bond_springs.stiffness * system.bond_springs.rows.T
+    )
     return push
 
 
@@ -120,7 +122,7 @@ def _drag(system: System, states: States) -> Vector:
     """Drag of all unknowns and along the normals of closed contacts: see Mode."""
     drag = system.eta * np.eye(len(system.mass))
     if system.eta_n > 0:
-        normal = system.normal[[state not in APART for state in states]]
+        normal = system.normal[[state not in WITHOUT_FORCE for state in states]]
         drag += system.eta_n * normal.T @ normal
     return drag
 
@@ -178,14 +180,14 @@ def _guards(system: System, states: States) -> Guards:
         elif c in spring:
             rates.append((Guard(c, State.STUCK), {c: r, spring[c]: float(state.sign)}, 0.0))
     first = len(states) + len(spring)
-    for b, length in enumerate(system.ties.length.tolist()):
+    for b, length in enumerate(system.bond_springs.length.tolist()):
         values.append((Guard(len(states) + b, None), {first + b: 1.0}, length))
     width = len(system.rows)
     offset = np.array([row[2] for row in values])
-    late = np.zeros(len(values))
-    late[pushing] = system.eta_n / system.kn
+    delay = np.zeros(len(values))
+    delay[pushing] = system.eta_n / system.kn
     guards = tuple(row[0] for row in (*values, *rates))
-    return _matrix(values, width), offset, late, _matrix(rates, width), guards
+    return _matrix(values, width), offset, delay, _matrix(rates, width), guards
 
 
 def _matrix(rows: list[Row], width: int) -> Vector:

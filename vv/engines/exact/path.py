@@ -1,4 +1,4 @@
-"""A motion in pieces, each a Taylor polynomial in time, and the events between them."""
+"""An exact motion as a sequence of Taylor polynomials in time, with its events."""
 
 from __future__ import annotations
 
@@ -17,8 +17,8 @@ from vv.scene import Vector
 class Piece:
     """One step: q = sum over k of series[k] x^k, x = (t - start)/h in [0, end].
 
-    start, h [s]; series: (order + 1, n) [m]; states of the contacts; lengths: (c + s + h,) gaps
-    and stretches of springs and ties at its start [m].
+    start, h [s]; series: (order + 1, n) [m]; states of the contacts; lengths: (c + s + h,)
+    gaps and stretches of shear springs and bond springs at its start [m].
     """
 
     start: float
@@ -31,7 +31,7 @@ class Piece:
 
 @dataclass(frozen=True)
 class Event:
-    """A contact, named by its bodies, changes its state at a time [s]."""
+    """The change of a contact's state at a time [s]; bodies: the numbers of its two bodies."""
 
     time: float
     bodies: tuple[int, int]
@@ -41,7 +41,7 @@ class Event:
 
 @dataclass(frozen=True, eq=False)
 class Path:
-    """A motion as p pieces, their data stacked: see Piece. series: (p, order + 1, n)."""
+    """An exact motion of p pieces, with the fields of Piece stacked; series: (p, order + 1, n)."""
 
     system: System
     start: Vector
@@ -53,7 +53,7 @@ class Path:
 
     @classmethod
     def joined(cls, system: System, pieces: Sequence[Piece]) -> Path:
-        """The path that pieces make, in order of time."""
+        """The path made of pieces in order of time."""
         return cls(
             system=system,
             start=np.array([piece.start for piece in pieces]),

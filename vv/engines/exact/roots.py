@@ -1,4 +1,4 @@
-"""Finds where a polynomial first falls below zero, and not where it only touches zero."""
+"""Finds the first time at which a polynomial becomes negative, not where it only touches 0."""
 
 from __future__ import annotations
 
@@ -22,29 +22,34 @@ def bernstein(order: int) -> Vector:
     return np.array(rows)
 
 
-def first_fall(c: Sequence[float], band: float, end: float) -> float | None:
-    """The last zero before c[0] + c[1] x + ... first leaves [-band, inf) in [0, end], or None.
+def first_descent_below_zero(c: Sequence[float], band: float, end: float) -> float | None:
+    """The zero after which p(x) = c[0] + c[1] x + ... first falls below -band in [0, end].
 
-    It is 0 if the polynomial leaves at once. band > 0 must exceed the rounding of the values: a
-    minimum that is negative by less is a grazing contact, and no event.
+    None if it never does; 0 if it does so at once. band > 0 must exceed the rounding error of p:
+    a minimum between -band and 0 is a grazing contact and no event.
 
-    The search marches. Where |p'''| <= J, p'' >= p''(x) - J r as far as x + r; so p + band stays
-    positive for a step s <= r with p + band + p' s - M s^2/2 = 0, M = J r - p''(x). No zero is
-    skipped, however close to the next. Each r is a few times the step before.
+    Method: steps along x that cannot skip a zero. With |p'''| <= J, p'' >= p''(x) - J r on
+    [x, x + r]; hence p + band > 0 up to the step s <= r that solves
+    p + band + p' s - M s^2/2 = 0, M = J r - p''(x). Each look-ahead r is four times the last step.
     """
-    jolt = sum(k * (k - 1) * (k - 2) * abs(ck) * end ** (k - 3) for k, ck in enumerate(c) if k > 2)
-    x, positive, reach = 0.0, 0.0, end
+    third_derivative_bound = sum(
+        k * (k - 1) * (k - 2) * abs(ck) * end ** (k - 3) for k, ck in enumerate(c) if k > 2
+    )
+    x, positive, look_ahead = 0.0, 0.0, end
     while True:
         p, slope, curve = _value(c, x)
         if p > 0:
             positive = x
         elif p <= -band / 2:
-            return _zero(c, positive, x)
-        step = min(_safe_step(p + band, slope, max(jolt * reach - curve, 0.0)), reach)
+            return _zero_of_descent(c, positive, x)
+        step = min(
+            _safe_step(p + band, slope, max(third_derivative_bound * look_ahead - curve, 0.0)),
+            look_ahead,
+        )
         if x + step >= end:
             return None
         x += max(step, EPS * x)
-        reach = 4 * step
+        look_ahead = 4 * step
 
 
 def _safe_step(height: float, slope: float, bend: float) -> float:
@@ -55,8 +60,8 @@ def _safe_step(height: float, slope: float, bend: float) -> float:
     return 2 * height / (root - slope) if root > slope else math.inf
 
 
-def _zero(c: Sequence[float], low: float, high: float) -> float:
-    """The zero on the falling branch that ends at `high`, where p < 0; `low` if there is none."""
+def _zero_of_descent(c: Sequence[float], low: float, high: float) -> float:
+    """The zero in [low, high] after which p stays negative to `high`; `low` if there is none."""
     x = high
     for _ in range(60):
         p, slope, _ = _value(c, x)

@@ -11,7 +11,7 @@ from typing import Any, TypeVar
 import numba
 from numba.core.registry import cpu_target
 
-from vv.base.closure import closure, source_digest
+from vv.base.closure import import_closure, source_digest
 from vv.engines.kernels.parts import PartCompiler, WholeCompiler
 
 Kernel = TypeVar("Kernel", bound=Callable[..., object])
@@ -83,7 +83,7 @@ def kernel_sources(source: Path, root: Path) -> list[Path]:
     """
     engines = root / "vv" / "engines"
     compiler = engines / "kernels" / HERE.name
-    return [path for path in closure([source, compiler], [root]) if engines in path.parents]
+    return [path for path in import_closure([source, compiler], [root]) if engines in path.parents]
 
 
 def _writable_root() -> Path:

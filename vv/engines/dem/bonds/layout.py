@@ -62,7 +62,7 @@ def near(scene: Scene, moves: Mask, row: Index) -> Near | None:
 
 def _held(scene: Scene, moves: Mask) -> tuple[Index, Index]:
     """The bonded pairs i < j (b, 2) of which one moves, sorted, and which bonds these are (b,)."""
-    pairs = np.sort(scene.bonded, axis=1)
+    pairs = np.sort(scene.bonded_pairs, axis=1)
     order = np.lexsort((pairs[:, 1], pairs[:, 0]))
     order = order[moves[pairs[order]].any(axis=1)]
     return np.asarray(pairs[order], np.intp), order

@@ -99,7 +99,7 @@ def pressed(scene: Scene, charged: Vector | None = None) -> Pressed | None:
     (1, 3) [N] at t = 0.
     """
     s = scene.spheres
-    if scene.carried.any() or scene.contact.eta_n > 0:
+    if scene.locked_velocity.any() or scene.contact.eta_n > 0:
         return None
     if len(s) != 1 or len(scene.walls) != 1 or s.free.sum() != 2 or s.free_spin.any():
         return None

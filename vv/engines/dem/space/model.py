@@ -115,7 +115,7 @@ def space(scene: Scene, charged: Vector | None = None) -> Space:
     charged: friction (n, 3) [N] of each sphere with its wall, of which there is one, at t = 0.
     Rotation is left out where no friction or bond can change it: no observable shows it.
     """
-    spheres, contact, carried = scene.spheres, scene.contact, scene.carried
+    spheres, contact, carried = scene.spheres, scene.contact, scene.locked_velocity
     moves: Mask = np.any([spheres.free, spheres.free_spin, carried != 0.0], axis=(0, 2))
     row = np.where(moves, np.cumsum(moves) - 1, moves.sum())
     close, bonds = near(scene, moves, row), bonded(scene, moves, row)

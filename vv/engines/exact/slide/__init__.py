@@ -1,1 +1,1 @@
-"""One body that slips along a line on rigid contact, followed from event to event."""
+"""Exact motion of one body that slips along a line on rigid contact, from event to event."""

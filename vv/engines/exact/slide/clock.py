@@ -1,4 +1,4 @@
-"""Keeps the time of a scene driven by sines in quarter periods, so that no phase grows blurred."""
+"""Counts time in quarter periods of the fastest sine, so that phases do not lose digits."""
 
 from __future__ import annotations
 
@@ -11,9 +11,9 @@ import numpy.typing as npt
 
 from vv.scene import Vector
 
-CELLS = 4  # to a period of the quickest sine: angles of at most pi/2, where series are short
+CELLS = 4  # in a period of the fastest sine: angles of at most pi/2, where series are short
 ORDER = 24  # of the Taylor series of a sine over a cell; the last term is (pi/2)^24/24! = 1e-19
-Instant = tuple[int, float]  # whole cells passed, and the part of the one under way
+Instant = tuple[int, float]  # number of whole cells, and the fraction of the present one
 
 
 @dataclass(frozen=True, eq=False)
@@ -21,7 +21,7 @@ class Clock:
     """Cells of 1/rate [s], and what k sines of given phase (k,) [rad] do in them.
 
     rate [1/s]; turns: for each sine a/b, the turns it makes in a cell, as integers (a, b). An
-    instant is as sharp after a million periods as at t = 0.
+    instant is as accurate after a million periods as at t = 0.
     """
 
     rate: float

@@ -1,11 +1,11 @@
-"""The energy of a slide: each term and each work put in integrated by itself."""
+"""The energy ledger of a slide; every energy and work is integrated by itself, exactly."""
 
 from __future__ import annotations
 
 import numpy as np
 
 from vv.ask import Ledger
-from vv.engines.exact.ledger import balanced, derivative, product_integral, running
+from vv.engines.exact.ledger import derivative, ledger_of_terms, product_integral, sum_so_far
 from vv.engines.exact.path import taylor_sum
 from vv.engines.exact.slide.path import Slide
 from vv.scene import Vector
@@ -18,17 +18,17 @@ def slide_ledger(path: Slide) -> Ledger:
     the energy at t = 0. The wall works with the contact force on its own velocity.
     """
     slider = path.slider
-    displacement, velocity = path.composed(*_ends(path), path.waves)
+    displacement, velocity = path.motion_in_space(*_ends(path), path.waves)
     friction, shaking, base = _works(path)
     terms = {
         "kinetic": 0.5 * slider.mass * (velocity**2).sum(axis=1),
-        "friction dissipation": running(friction),
+        "friction dissipation": sum_so_far(friction),
         "gravity potential": -slider.mass * displacement @ slider.gravity,
         "load potential": -displacement @ slider.load,
-        "work left to shaking": -running(shaking),
-        "work left to the wall": -running(base),
+        "work left to shaking": -sum_so_far(shaking),
+        "work left to the wall": -sum_so_far(base),
     }
-    return balanced(terms, 1)
+    return ledger_of_terms(terms, 1)
 
 
 def _ends(path: Slide) -> tuple[Vector, Vector]:
@@ -44,15 +44,20 @@ def _works(path: Slide) -> tuple[Vector, Vector, Vector]:
     """Works (p,) [J] against friction, of the shaking and of the wall, in each piece."""
     slider = path.slider
     sign = np.array([state.sign for state in path.states], float)[:, None]
-    press, pull = _waved(path, slider.press), _waved(path, slider.pull)
-    wall, lift = (_rate(path, _waved(path, _row(slider.base, a))) for a in _axes(path))
+    pressing, relative_drive = (
+        _series_of_row(path, slider.pressing),
+        _series_of_row(path, slider.relative_drive),
+    )
+    wall, lift = (_rate(path, _series_of_row(path, _row(slider.base, a))) for a in _axes(path))
     speed = _rate(path, path.series)
-    shaken, lifted = (_waved(path, _row(slider.shaking, a)) for a in _axes(path))
-    rub = np.where(sign == 0, -pull if slider.mu > 0 else 0.0, -sign * slider.mu * press)
+    shaken, lifted = (_series_of_row(path, _row(slider.shaking, a)) for a in _axes(path))
+    rub = np.where(
+        sign == 0, -relative_drive if slider.mu > 0 else 0.0, -sign * slider.mu * pressing
+    )
     return (
-        _integral(path, slider.mu * press, sign * (speed - wall)),
+        _integral(path, slider.mu * pressing, sign * (speed - wall)),
         _integral(path, shaken, speed) + _integral(path, lifted, lift),
-        _integral(path, rub, wall) + _integral(path, press, lift),
+        _integral(path, rub, wall) + _integral(path, pressing, lift),
     )
 
 
@@ -66,7 +71,7 @@ def _row(amplitude: Vector, axis: Vector) -> Vector:
     return np.concatenate(((0.0,), amplitude @ axis))
 
 
-def _waved(path: Slide, row: Vector) -> Vector:
+def _series_of_row(path: Slide, row: Vector) -> Vector:
     """Taylor coefficients (p, order + 1) of row[0] + row[1:] @ sines in each piece."""
     return np.asarray(path.waves[:-1] @ path.clock.taylor(row).T)
 

@@ -1,4 +1,4 @@
-"""The motion of a slider in pieces, each a Taylor polynomial, and the events between them."""
+"""The exact motion of a slider as a sequence of Taylor polynomials, with its events."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ class SlidePiece(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class Slide:
-    """A motion as p pieces, their data stacked: see SlidePiece.
+    """A motion of p pieces, with the fields of SlidePiece stacked.
 
     cell, part, end: (p,); series: (p, order + 1); waves: (p + 1, 1 + 2k), the last at the end.
     """
@@ -88,9 +88,9 @@ class Slide:
 
     def of(self, sphere: int, times: Vector) -> tuple[Vector, Vector]:
         """Displacement and velocity (t, 3) [m, m/s] of the body at times (t,) [s]."""
-        return self.composed(*self.at(times), self.clock.waves_at(times))
+        return self.motion_in_space(*self.at(times), self.clock.waves_at(times))
 
-    def composed(self, place: Vector, speed: Vector, waves: Vector) -> tuple[Vector, Vector]:
+    def motion_in_space(self, place: Vector, speed: Vector, waves: Vector) -> tuple[Vector, Vector]:
         """Displacement and velocity (t, 3), of which the wall alone decides the normal parts."""
         slider, k = self.slider, len(self.slider.phase)
         lift = slider.base @ slider.normal

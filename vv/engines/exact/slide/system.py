@@ -1,4 +1,4 @@
-"""Builds the equation of a body that rigid contact keeps on a wall and that slips along a line."""
+"""Builds the equation of motion of a body that slips along a line on a rigid wall."""
 
 from __future__ import annotations
 
@@ -8,8 +8,15 @@ from dataclasses import dataclass
 import numpy as np
 
 from vv.ask import Model
-from vv.engines.exact.modelled import check_spheres, check_terms, counted
-from vv.engines.exact.reachability import BLUR, RefusedError, Touch, scaled, span, touches
+from vv.engines.exact.modelled import check_spheres, check_terms, count_in_words
+from vv.engines.exact.reachability import (
+    DIRECTION_ROUNDING,
+    PossibleContact,
+    RefusedError,
+    possible_contacts,
+    scaled,
+    span,
+)
 from vv.scene import Harmonic, Scene, Vector
 from vv.standins.soften import as_spheres
 
@@ -25,8 +32,8 @@ class Slider:
     moves the wall, as far as the body feels it, by base (k, 3) [m].
 
     Rows (1 + k,) [m/s2] stand for row[0] + row[1:] @ sines. In slip along sigma the body has the
-    acceleration push - sigma mu press; to stay with the wall it needs |pull| <= mu press, where
-    pull is push less the acceleration of the wall.
+    acceleration drive - sigma mu pressing; it sticks to the wall while
+    |relative_drive| <= mu pressing, where relative_drive is drive less the wall's acceleration.
     """
 
     names: tuple[int, int]
@@ -44,18 +51,18 @@ class Slider:
     base: Vector
 
     @functools.cached_property
-    def push(self) -> Vector:
-        """What drives the body along the slip, friction apart: a row."""
+    def drive(self) -> Vector:
+        """Acceleration of the body along the slip without friction, as a row."""
         return self._forces() @ self.along
 
     @functools.cached_property
-    def pull(self) -> Vector:
-        """The same less the acceleration of the wall: a row."""
+    def relative_drive(self) -> Vector:
+        """The same relative to the wall, as a row."""
         return (self._forces() - self._ground()) @ self.along
 
     @functools.cached_property
-    def press(self) -> Vector:
-        """What presses the body on the wall: a row."""
+    def pressing(self) -> Vector:
+        """Contact pressure over the mass of the body, as a row."""
         return (self._ground() - self._forces()) @ self.normal
 
     def _forces(self) -> Vector:
@@ -76,22 +83,22 @@ def assemble_slider(scene: Scene) -> Slider:
     except ValueError as reason:
         raise RefusedError(str(reason)) from None
     check_spheres(scene)
-    touch = _touch(scene)
+    contact = _closed_contact(scene)
     spheres, wall = scene.spheres, scene.walls[0]
     free = scene.axes[spheres.free[0]]
     shaking, base = _sines(scene.shaking), _sines(wall.motion)
-    along = _along(scene, touch, shaking[2], base[2])
-    felt = [touch.normal, along] if scene.contact.mu > 0 else [touch.normal]
-    _check_held(touch, along, free, base[2])
+    along = _along(scene, contact, shaking[2], base[2])
+    felt = [contact.normal, along] if scene.contact.mu > 0 else [contact.normal]
+    _check_held(contact, along, free, base[2])
     carried = base[2] @ np.transpose(felt) @ np.array(felt)
     return Slider(
-        names=touch.names,
+        names=contact.names,
         mass=float(spheres.mass[0]),
         mu=scene.contact.mu,
-        normal=touch.normal,
+        normal=contact.normal,
         along=along,
         speed=float(spheres.velocity[0] @ along),
-        sign=_sign(scene, touch, along, base, carried),
+        sign=_sign(scene, contact, along, base, carried),
         gravity=scene.gravity,
         load=spheres.load[0],
         frequency=np.concatenate((shaking[0], base[0])),
@@ -104,8 +111,9 @@ def assemble_slider(scene: Scene) -> Slider:
 def describe_slider(scene: Scene, slider: Slider) -> Model:
     """What was built, read off the slider."""
     note = (
-        f"1 displacement along a fixed direction, out of {counted(scene.unknowns(), 'freedom')}; "
-        f"1 rigid contact with constant normal; {counted(len(slider.phase), 'sine')}"
+        "1 displacement along a fixed direction, out of "
+        f"{count_in_words(scene.unknowns(), 'freedom')}; 1 rigid contact with constant normal; "
+        f"{count_in_words(len(slider.phase), 'sine')}"
     )
     return Model(1, scene.terms(), note)
 
@@ -122,7 +130,7 @@ def _sines(motion: Harmonic | None) -> Sines:
     return motion.frequency[there], motion.phase[there], amplitude[there]
 
 
-def _touch(scene: Scene) -> Touch:
+def _closed_contact(scene: Scene) -> PossibleContact:
     """The one contact, closed at t = 0."""
     bodies, walls = len(scene.spheres), len(scene.walls)
     if (bodies, walls) != (1, 1):
@@ -130,16 +138,16 @@ def _touch(scene: Scene) -> Touch:
             "rigid contact is solved for one body on one wall; the scene has "
             f"bodies: {bodies}, walls: {walls}"
         )
-    (touch,) = touches(scene)
-    pair = "bodies {} and {}".format(*touch.names)
-    if touch.gap > 0:
-        raise RefusedError(f"{pair} are {touch.gap:.6g} m apart at t = 0; they must touch")
-    if touch.gap < 0:
-        raise RefusedError(f"{pair} overlap by {-touch.gap:.6g} m at t = 0; rigid ones cannot")
-    return touch
+    (contact,) = possible_contacts(scene)
+    pair = "bodies {} and {}".format(*contact.names)
+    if contact.gap > 0:
+        raise RefusedError(f"{pair} are {contact.gap:.6g} m apart at t = 0; they must touch")
+    if contact.gap < 0:
+        raise RefusedError(f"{pair} overlap by {-contact.gap:.6g} m at t = 0; rigid ones cannot")
+    return contact
 
 
-def _along(scene: Scene, touch: Touch, shaking: Vector, base: Vector) -> Vector:
+def _along(scene: Scene, contact: PossibleContact, shaking: Vector, base: Vector) -> Vector:
     """The (3,) unit direction in which the body can slip, any tangent if nothing drives it.
 
     Raises RefusedError if there are two. Without friction a wall that slides drives nothing.
@@ -152,48 +160,50 @@ def _along(scene: Scene, touch: Touch, shaking: Vector, base: Vector) -> Vector:
     causes = np.array([scaled(weight + load, size), *map(scaled, pulls)]) @ free.T @ free
     if scene.contact.mu > 0:
         causes = np.vstack((causes, *map(scaled, base)))
-    across = causes - np.outer(causes @ touch.normal, touch.normal)
-    found = span(across, touch.blur)
+    across = causes - np.outer(causes @ contact.normal, contact.normal)
+    found = span(across, contact.rounding)
     if len(found) > 1:
         verb = "can turn" if scene.contact.mu > 0 else "has two directions"
-        raise RefusedError("the slip between bodies {} and {} {}".format(*touch.names, verb))
+        raise RefusedError("the slip between bodies {} and {} {}".format(*contact.names, verb))
     if len(found):
         return np.asarray(found[0])
-    if _nil(base @ touch.normal, base):
+    if _negligible(base @ contact.normal, base):
         raise RefusedError("nothing in the scene moves")
-    return np.asarray(np.linalg.svd(touch.normal[None])[2][1])
+    return np.asarray(np.linalg.svd(contact.normal[None])[2][1])
 
 
-def _check_held(touch: Touch, along: Vector, free: Vector, base: Vector) -> None:
+def _check_held(contact: PossibleContact, along: Vector, free: Vector, base: Vector) -> None:
     """Refuse a body whose locks carry what the contact should, or that a sliding wall drags."""
     names = "body {1} is locked {what} body {0}; how hard they {verb} is not determined"
-    if _outside(touch.normal, free, touch.blur):
-        raise RefusedError(names.format(*touch.names, what="normal to", verb="press"))
-    if _outside(along, free, touch.blur) and not _nil(base @ along, base):
-        raise RefusedError(names.format(*touch.names, what="along the slip of", verb="rub"))
+    if _outside(contact.normal, free, contact.rounding):
+        raise RefusedError(names.format(*contact.names, what="normal to", verb="press"))
+    if _outside(along, free, contact.rounding) and not _negligible(base @ along, base):
+        raise RefusedError(names.format(*contact.names, what="along the slip of", verb="rub"))
 
 
-def _outside(vector: Vector, free: Vector, blur: float) -> bool:
+def _outside(vector: Vector, free: Vector, rounding: float) -> bool:
     """Whether a unit vector leaves the span of orthonormal rows."""
-    return bool(np.linalg.norm(vector - vector @ free.T @ free) > blur)
+    return bool(np.linalg.norm(vector - vector @ free.T @ free) > rounding)
 
 
-def _nil(parts: Vector, vectors: Vector) -> bool:
+def _negligible(parts: Vector, vectors: Vector) -> bool:
     """Whether parts (k,) of vectors (k, 3) are no more than rounding."""
-    return bool((np.abs(parts) <= BLUR * np.linalg.norm(vectors, axis=1)).all())
+    return bool((np.abs(parts) <= DIRECTION_ROUNDING * np.linalg.norm(vectors, axis=1)).all())
 
 
-def _sign(scene: Scene, touch: Touch, along: Vector, base: Sines, carried: Vector) -> int:
+def _sign(
+    scene: Scene, contact: PossibleContact, along: Vector, base: Sines, carried: Vector
+) -> int:
     """The sign of the slip at t = 0, 0 if within rounding; the body must stay on the wall."""
     velocity, rates = scene.spheres.velocity[0], 2 * np.pi * base[0][:, None] * carried
     relative = velocity - np.cos(base[1]) @ rates
-    blur = BLUR * (np.abs(velocity).sum() + np.abs(rates).sum())
-    leaving, slip = float(relative @ touch.normal), float(relative @ along)
-    if abs(leaving) > blur:
+    rounding = DIRECTION_ROUNDING * (np.abs(velocity).sum() + np.abs(rates).sum())
+    leaving, slip = float(relative @ contact.normal), float(relative @ along)
+    if abs(leaving) > rounding:
         how = "leave each other" if leaving > 0 else "meet"
         raise RefusedError(
             "bodies {} and {} {how} at {:.6g} m/s at t = 0".format(
-                *touch.names, abs(leaving), how=how
+                *contact.names, abs(leaving), how=how
             )
         )
-    return int(np.sign(slip)) if abs(slip) > blur else 0
+    return int(np.sign(slip)) if abs(slip) > rounding else 0
