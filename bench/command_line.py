@@ -31,9 +31,9 @@ def alone(folder: Path, case: str) -> Path:
         kept = shutil.ignore_patterns("__pycache__", "baselines", "recorded")
         shutil.copytree(ROOT / content, folder / content, ignore=kept)
     for path in (folder / "cases").rglob("*.py"):
-        if path.stem not in ("__init__", case.replace("-", "_")):
+        if path.name[0] != "_" and path.stem != case.replace("-", "_"):
             path.unlink()
-    (folder / "vv.toml").touch()
+    (folder / "vv.toml").write_text("alone = true\n")
     return folder
 
 

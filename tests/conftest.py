@@ -57,7 +57,7 @@ def tiny_project(root: Path) -> Tiny:
         target.parent.mkdir(exist_ok=True)
         target.write_text(source.read_text())
         (target.parent / "__init__.py").write_text('"""Part of the tiny project."""\n')
-    (root / "vv.toml").write_text("")
+    (root / "vv.toml").write_text("alone = true\n")
     return Tiny(root)
 
 

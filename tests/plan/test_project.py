@@ -55,11 +55,11 @@ def write(root: Path, files: dict[str, str]) -> Path:
 
 @pytest.fixture
 def root(tmp_path: Path) -> Path:
-    """A project with a case, a family of one, and two codes; a helper is neither."""
+    """A project alone, with a case, a family of one, and two codes; a helper is neither."""
     return write(
         tmp_path / "project",
         {
-            "vv.toml": "",
+            "vv.toml": "alone = true",
             "cases/__init__.py": "",
             "cases/_helper.py": "",
             "cases/free_fall.py": CASE.format("free-fall"),
@@ -91,8 +91,7 @@ def test_this_checkout_is_a_project() -> None:
 
 
 def test_a_nearer_project_wins(root: Path) -> None:
-    inner = write(root / "inner", {"vv.toml": "", "cases/__init__.py": ""})
-    write(inner, {"adapters/__init__.py": ""})
+    inner = write(root / "inner", {"vv.toml": "", "cases/free_fall.py": ""})
     assert find(inner) == Project(inner)
 
 
@@ -105,14 +104,27 @@ def test_the_environment_overrides_the_place_and_a_choice_overrides_both(
 
 
 def test_what_is_no_project_is_refused_by_name(root: Path) -> None:
-    with pytest.raises(ProjectError, match=r"cases is no project: it has no adapters/__init__\.py"):
+    with pytest.raises(ProjectError, match="cases is no project: it has neither cases/ nor adap"):
         find(chosen=root / "cases")
 
 
 def test_a_marked_folder_without_cases_is_not_passed_over(tmp_path: Path) -> None:
-    write(tmp_path, {"vv.toml": "", "adapters/__init__.py": ""})
-    with pytest.raises(ProjectError, match=r"no cases/__init__\.py"):
+    write(tmp_path, {"vv.toml": "", "readme": ""})
+    with pytest.raises(ProjectError, match="neither cases/ nor adapters/"):
         find(tmp_path)
+
+
+def test_a_project_that_stands_alone_needs_both_packages(root: Path) -> None:
+    (root / "cases/__init__.py").unlink()
+    with pytest.raises(ProjectError, match=r"no cases/__init__\.py"):
+        find(root)
+
+
+@pytest.mark.parametrize("text", ["alone = 1", "lone = true"])
+def test_a_setting_that_there_is_not_is_refused_by_name(root: Path, text: str) -> None:
+    write(root, {"vv.toml": text})
+    with pytest.raises(ProjectError, match=r"vv\.toml: a?lone = .*; there is only alone, true or"):
+        find(root)
 
 
 def test_a_broken_pyproject_matters_only_beside_cases(root: Path) -> None:

@@ -112,7 +112,9 @@ Judge = Exact | Interval | Invariant | Shown
 
 
 def judge_for_method(judge: Judge, method: Method) -> Judge:
-    """The judge of a quantity for one class of method: `Shown` if it is not judged there."""
-    if isinstance(judge, Exact) and method in judge.not_judged:
-        return Shown(judge.not_judged[method])
-    return judge
+    """How a quantity with that judge is judged in a method: not, where it has no tolerance."""
+    if not isinstance(judge, Exact):
+        return judge
+    untold = "" if method in judge.tolerances else f"no tolerance for what is {method.value}"
+    why = judge.not_judged.get(method, untold)
+    return Shown(why) if why else judge

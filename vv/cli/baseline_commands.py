@@ -33,8 +33,8 @@ def accept(
     dry_run: Annotated[bool, typer.Option("--dry-run", help="Only show the difference.")] = False,
 ) -> None:
     """Show what moved since a case's baseline, and make the present results the new one."""
-    from vv.gate import acceptance, baseline
-    from vv.gate.all_checks import baselines_of
+    from vv.gate import acceptance, answers, baseline
+    from vv.gate.all_checks import baseline_of, baselines_of
     from vv.run.session import Limits, Timing
 
     project = find()
@@ -54,7 +54,7 @@ def accept(
     external = {code for code, told in manifest["codes"].items() if told["files"]}
     document = acceptance.accepted(
         case,
-        baseline.read(folder, case),
+        baseline_of(project, case),
         manifest["records"],
         {"reason": reason.strip(), **_circumstances(manifest)},
         external,
@@ -62,6 +62,7 @@ def accept(
     path = folder / f"{case}.json"
     write_whole(path, baseline.render(document).encode())
     terminal.say(f"{len(document['results'])} results in {path}")
+    terminal.say(f"what runs and what is refused, in {answers.accept(project, case)}")
 
 
 def record(

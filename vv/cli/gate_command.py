@@ -87,7 +87,7 @@ def _write_outputs(
         from vv.output.markdown import workflow_commands
 
         files = {
-            case: project.case_file(case).relative_to(project.root).as_posix()
+            case: os.path.relpath(project.case_file(case), project.root)
             for case in manifest["cases"]
         }
         for line in workflow_commands(findings, files):

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from vv.case import Check
-from vv.gate import baseline, disagreement, independence, recorded, regression, speed
+from vv.gate import answers, baseline, disagreement, independence, recorded, regression, speed
 from vv.plan.plan import Plan
 from vv.plan.project import Project
 from vv.records.finding import Bit, Finding
@@ -35,6 +35,12 @@ def baselines_of(project: Project) -> Path:
     return project.root / "cases" / "baselines"
 
 
+def baseline_of(project: Project, case: str) -> Record | None:
+    """The baseline of a case: the project's own, else that which came with the case, or None."""
+    found = (baseline.read(root / "cases" / "baselines", case) for root in project.roots)
+    return next((one for one in found if one is not None), None)
+
+
 def recorded_of(project: Project) -> Path:
     """The folder of a project's recorded results."""
     return project.root / "cases" / "recorded"
@@ -42,11 +48,14 @@ def recorded_of(project: Project) -> Path:
 
 def judged(project: Project, plan: Plan, records: Sequence[Record], terms: Terms) -> dict[str, Any]:
     """The parts of a manifest that judge: records, findings, baselines, recorded results."""
-    known = disagreement.read_disagreements(project.root / "cases" / "disagreements.toml")
+    ledgers = [root / "cases" / "disagreements.toml" for root in project.roots]
+    known = tuple(entry for path in ledgers for entry in disagreement.read_disagreements(path))
     independent = independence.disowned(records, independence.shared(project, plan))
     final = disagreement.judge(independent, known, terms.today)
-    folder = terms.against or baselines_of(project)
-    accepted = {case: baseline.read(folder, case) for case in plan.cases}
+    accepted = {
+        case: baseline.read(terms.against, case) if terms.against else baseline_of(project, case)
+        for case in plan.cases
+    }
     findings = [
         *disagreement.dated(final, known, terms.today),
         *_since(project, plan, final, accepted, terms),
@@ -56,7 +65,11 @@ def judged(project: Project, plan: Plan, records: Sequence[Record], terms: Terms
         "records": final,
         "findings": [finding.as_data() for finding in findings],
         "baselines": {case: _acceptances(found) for case, found in accepted.items() if found},
-        "recorded": recorded.shown(recorded_of(project), final, terms.today),
+        "recorded": [
+            one
+            for root in project.roots
+            for one in recorded.shown(root / "cases" / "recorded", final, terms.today)
+        ],
     }
 
 
@@ -79,6 +92,7 @@ def _since(
         found += regression.compare(name, records, was, external, enforced, demanded)
         variants = {variant.name for variant in case.variants}
         found += regression.gone(name, was, variants, labels, asked, enforced)
+        found += answers.compare(name, records, answers.accepted(project, name) or {}, enforced)
         strict = terms.timing and Check.SPEED in case.enforced
         found += speed.compare(name, records, was, machine()["processor"], strict)
     return found

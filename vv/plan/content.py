@@ -1,8 +1,13 @@
-"""The names of a project's cases and adapters, read from its files without importing them."""
+"""The names of a project's cases and adapters, read from its files without importing them.
+
+A project may have several roots: its own folder, and that of the content which came with vv.
+"""
 
 from __future__ import annotations
 
 import re
+import tomllib
+from collections.abc import Iterable, Mapping
 from pathlib import Path
 
 from vv.base.errors import UsageError
@@ -14,35 +19,86 @@ class ProjectError(UsageError):
     """A project, or a file of it, is not as it must be; one line names it and the rule."""
 
 
-def cases(root: Path) -> dict[str, Path]:
+def cases(roots: Iterable[Path]) -> dict[str, Path]:
     """Every case's file by name; a leading underscore marks a helper, no other is passed over."""
-    folder = root / "cases"
-    found: dict[str, Path] = {}
-    for file in sorted(folder.rglob("*.py")):
-        if file.name.startswith("_") or not written(file, folder):
-            continue
-        name = name_of(file)
-        if name in found:
-            raise ProjectError(f"{file} and {found[name]}: a case's name must be unique")
-        found[name] = file
+    folders = [root / "cases" for root in roots]
+    found = _unique("case", (file for folder in folders for file in _case_files(folder)))
     for path in found.values():
+        folder = home(path, folders)
         family = path.relative_to(folder).parts[0]
         if family != path.name and name_of(Path(family)) in found:
             raise ProjectError(f"{folder / family}: a family must not have the name of a case")
     return found
 
 
-def adapters(root: Path) -> dict[str, Path]:
-    """Every adapter's file or folder by name; a leading underscore marks a helper."""
-    places = [
-        path
-        for path in sorted((root / "adapters").iterdir())
-        if path.name[0] not in "._" and (path.suffix == ".py" or any(path.glob("*.py")))
+def _case_files(folder: Path) -> list[Path]:
+    return [
+        file
+        for file in sorted(folder.rglob("*.py"))
+        if not file.name.startswith("_") and written(file, folder)
     ]
-    found = {name_of(path): path for path in places}
-    if len(found) < len(places):
-        raise ProjectError(f"{root / 'adapters'}: a file and a folder have the same name")
+
+
+def adapters(roots: Iterable[Path]) -> dict[str, Path]:
+    """Every adapter's file or folder by name; a leading underscore marks a helper."""
+    folders = [root / "adapters" for root in roots]
+    return _unique(
+        "code",
+        (
+            path
+            for folder in folders
+            for path in sorted(folder.glob("*"))
+            if path.name[0] not in "._" and (path.suffix == ".py" or any(path.glob("*.py")))
+        ),
+    )
+
+
+def _unique(kind: str, places: Iterable[Path]) -> dict[str, Path]:
+    """Name -> its place; raises ProjectError that names both places of a name."""
+    found: dict[str, Path] = {}
+    for place in places:
+        name = name_of(place)
+        if name in found:
+            raise ProjectError(f"{place} and {found[name]}: a {kind}'s name must be unique")
+        found[name] = place
     return found
+
+
+def home(file: Path, folders: Iterable[Path]) -> Path:
+    """The folder that a file lies in, the innermost where one lies in another."""
+    return max((f for f in folders if f in file.parents), key=lambda folder: len(folder.parts))
+
+
+def settings(root: Path) -> Mapping[str, object] | None:
+    """What marks a folder as a project: its vv.toml, or [tool.vv] in its pyproject.toml; or None.
+
+    alone = true: nothing that came with vv is added to it. Raises ProjectError for a file that
+    cannot be read, a pyproject.toml only beside cases/, and for a setting that there is not.
+    """
+    own, shared = root / "vv.toml", root / "pyproject.toml"
+    if own.is_file():
+        return _settings(own, _table(own))
+    try:
+        found = _table(shared).get("tool", {}) if shared.is_file() else {}
+    except ProjectError:
+        if (root / "cases").is_dir():
+            raise
+        return None
+    return _settings(shared, found["vv"]) if isinstance(found, dict) and "vv" in found else None
+
+
+def _table(file: Path) -> dict[str, object]:
+    try:
+        return tomllib.loads(file.read_text(encoding="utf-8"))
+    except (OSError, ValueError) as error:
+        raise ProjectError(f"{file}: {error}") from error
+
+
+def _settings(file: Path, table: Mapping[str, object]) -> Mapping[str, object]:
+    for name, value in table.items():
+        if name != "alone" or not isinstance(value, bool):
+            raise ProjectError(f"{file}: {name} = {value!r}; there is only alone, true or false")
+    return table
 
 
 def name_of(path: Path) -> str:

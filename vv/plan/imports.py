@@ -6,46 +6,86 @@ import importlib
 import importlib.util
 import sys
 import traceback
+from collections.abc import Iterator, Sequence
 from pathlib import Path
+from types import ModuleType
 from typing import Any
 
 import vv
 from vv.base.closure import CONTENT_PACKAGES
-from vv.plan.content import ProjectError
+from vv.plan.content import ProjectError, home, written
 
 SOURCES = Path(vv.__file__).resolve().parents[1]  # the folder that holds the vv which is running
 BUNDLE = SOURCES / "vv" / "_project"  # in an installed wheel
 OWN = BUNDLE if BUNDLE.is_dir() else SOURCES  # the content that came with this vv
+ADDED = ("adapters", "cases", "reference_solutions")  # packages that a project adds to
 
 
-def activate(root: Path) -> None:
+def activate(roots: Sequence[Path]) -> None:
     """Make the content of a project importable; what it lacks comes from this vv's own.
 
-    Raises ProjectError where another package has the name of one of its folders.
+    Where there are two roots, a package of the first also holds what the second has, its own
+    modules first. Raises ProjectError where another package has the name of one of its folders,
+    or where both roots have a module of the same name.
     """
-    if sys.path[0] != str(root):
-        sys.path[:0] = dict.fromkeys((str(root), str(OWN)))
+    if sys.path[0] != str(roots[0]):
+        sys.path[:0] = dict.fromkeys((str(roots[0]), str(OWN)))
     for name in CONTENT_PACKAGES:
-        folder = root / name
-        if (folder / "__init__.py").is_file() and (origin := _origin(name)) != folder.resolve():
+        places = [(root / name).resolve() for root in roots]
+        folder = roots[0] / name
+        if (folder / "__init__.py").is_file() and (origin := _origin(name)) not in places:
             raise ProjectError(
                 f"{folder} cannot be imported: in this process '{name}' is "
                 f"{origin or 'another module'}; run vv in an environment without it"
             )
+    for folder in _shared(*roots) if len(roots) > 1 else ():
+        _join(folder, roots)
 
 
-def attribute(root: Path, file: Path, name: str) -> Any:
+def _shared(own: Path, added: Path) -> Iterator[Path]:
+    """The packages of which both roots have a part, as paths below them, outer ones first."""
+    for name in ADDED:
+        inner = [path for path in sorted((own / name).rglob("*")) if path.is_dir()]
+        for path in ((own / name), *inner):
+            folder = path.relative_to(own)
+            packages = [root for root in (own, added) if (root / folder / "__init__.py").is_file()]
+            if packages and path.is_dir() and (added / folder).is_dir():
+                yield folder
+
+
+def _join(folder: Path, roots: Sequence[Path]) -> None:
+    """Let a package hold the modules of several roots; raises ProjectError if two have one."""
+    package = _module(".".join(folder.parts), roots[0] / folder / "__init__.py")
+    places = [str(root / folder) for root in roots]
+    if list(package.__path__) != places:
+        _require_apart(*(root / folder for root in roots))
+        package.__path__ = places
+
+
+def _require_apart(own: Path, added: Path) -> None:
+    """Raise ProjectError, naming both files, where a module of a project hides one of vv's."""
+    for file in sorted(own.glob("*.py")):
+        if file.name != "__init__.py" and written(file, own) and (added / file.name).is_file():
+            raise ProjectError(f"{file} and {added / file.name}: a module's name must be unique")
+
+
+def attribute(roots: Sequence[Path], file: Path, name: str) -> Any:
     """What a file of a project calls `name`; raises ProjectError if it fails or has none."""
-    activate(root)
-    parts = file.relative_to(root).with_suffix("").parts
-    try:
-        module = importlib.import_module(".".join(p for p in parts if p != "__init__"))
-    except Exception as error:
-        text = " ".join(str(error).split())
-        raise ProjectError(f"{file}{_line(error, file)}: {type(error).__name__}: {text}") from error
+    activate(roots)
+    parts = file.relative_to(home(file, roots)).with_suffix("").parts
+    module = _module(".".join(p for p in parts if p != "__init__"), file)
     if not hasattr(module, name):
         raise ProjectError(f"{file} has no {name}; it must end in {name} = ...")
     return getattr(module, name)
+
+
+def _module(dotted: str, file: Path) -> ModuleType:
+    """A module by its name; raises ProjectError, naming its file, if that fails."""
+    try:
+        return importlib.import_module(dotted)
+    except Exception as error:
+        text = " ".join(str(error).split())
+        raise ProjectError(f"{file}{_line(error, file)}: {type(error).__name__}: {text}") from error
 
 
 def raised_within(error: Exception) -> str:

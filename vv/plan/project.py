@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+import functools
 import os
-import tomllib
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -20,11 +20,18 @@ REQUIRED = ("adapters/__init__.py", "cases/__init__.py")
 class Project:
     """A folder of cases and adapters; bundled: it came with the installed package.
 
-    Nothing is imported to list names. A name has `-` where its file has `_`.
+    What came with vv is added to it, unless its settings say that it stands alone. Nothing is
+    imported to list names. A name has `-` where its file has `_`.
     """
 
     root: Path
     bundled: bool = False
+
+    @functools.cached_property
+    def roots(self) -> tuple[Path, ...]:
+        """The folders of its content: its own, and that which came with this vv if it is added."""
+        alone = self.root == imports.OWN or (content.settings(self.root) or {}).get("alone")
+        return (self.root,) if alone else (self.root, imports.OWN)
 
     def data(self) -> Path:
         """The folder of generated things: VV_DATA, or .vv, never inside an installed package."""
@@ -34,24 +41,25 @@ class Project:
 
     def case_names(self) -> tuple[str, ...]:
         """The names of all cases, sorted."""
-        return tuple(sorted(content.cases(self.root)))
+        return tuple(sorted(content.cases(self.roots)))
 
     def adapter_names(self) -> tuple[str, ...]:
         """The names of all codes that have an adapter, sorted."""
-        return tuple(sorted(content.adapters(self.root)))
+        return tuple(sorted(content.adapters(self.roots)))
 
     def family(self, case: str) -> str:
         """The subfolder of cases/ that a case lies in; a file beside them is its own family."""
-        first = self.case_file(case).relative_to(self.root / "cases").parts[0]
-        return content.name_of(Path(first))
+        file = self.case_file(case)
+        within = content.home(file, (root / "cases" for root in self.roots))
+        return content.name_of(Path(file.relative_to(within).parts[0]))
 
     def case_file(self, name: str) -> Path:
         """The file of a case; raises ProjectError for an unknown name."""
-        return _pick("case", name, content.cases(self.root))
+        return _pick("case", name, content.cases(self.roots))
 
     def adapter_files(self, name: str) -> tuple[Path, ...]:
         """The file of an adapter, or all files of its folder, decks and drivers included."""
-        place = _pick("code", name, content.adapters(self.root))
+        place = _pick("code", name, content.adapters(self.roots))
         if place.is_file():
             return (place,)
         return tuple(
@@ -61,7 +69,7 @@ class Project:
     def load_case(self, name: str) -> Case:
         """Import a case; raises ProjectError if its file fails or its CASE is not right."""
         file = self.case_file(name)
-        case = imports.attribute(self.root, file, "CASE")
+        case = imports.attribute(self.roots, file, "CASE")
         if not isinstance(case, Case):
             raise ProjectError(
                 f"{file}: CASE is a {type(case).__name__}; it must be a vv.case.Case"
@@ -71,15 +79,15 @@ class Project:
 
     def load_adapter(self, name: str) -> Adapter:
         """Import an adapter; raises ProjectError if it fails or its ADAPTER is not right."""
-        place = _pick("code", name, content.adapters(self.root))
+        place = _pick("code", name, content.adapters(self.roots))
         file = place if place.is_file() else place / "__init__.py"
-        adapter: Adapter = imports.attribute(self.root, file, "ADAPTER")
+        adapter: Adapter = imports.attribute(self.roots, file, "ADAPTER")
         _agree(file, "ADAPTER", getattr(adapter, "name", None), name)
         return adapter
 
     def activate(self) -> None:
         """Make the content importable; raises ProjectError where a name of it is taken."""
-        imports.activate(self.root)
+        imports.activate(self.roots)
 
 
 def find(start: Path | None = None, chosen: str | Path | None = None) -> Project:
@@ -88,38 +96,28 @@ def find(start: Path | None = None, chosen: str | Path | None = None) -> Project
     It is, in this order: `chosen`; what the environment's VV_PROJECT names; the nearest marked
     folder from `start` (the working directory) upwards; the content that came with this vv.
     A folder is marked by a file vv.toml or a table [tool.vv] in its pyproject.toml. Raises
-    ProjectError if the folder so found has no packages cases and adapters.
+    ProjectError if the folder so found has neither cases nor adapters, or stands alone and lacks
+    the package of either.
     """
     named = chosen or os.environ.get("VV_PROJECT")
     if named:
         return _project(Path(named).expanduser().resolve())
     here = (start or Path.cwd()).resolve()
     for folder in (here, *here.parents):
-        if _marked(folder):
+        if content.settings(folder) is not None:
             return _project(folder)
     return Project(imports.OWN, bundled=imports.OWN == imports.BUNDLE)
 
 
 def _project(root: Path) -> Project:
-    for name in REQUIRED:
-        if not (root / name).is_file():
-            raise ProjectError(f"{root} is no project: it has no {name}")
-    return Project(root)
-
-
-def _marked(folder: Path) -> bool:
-    """Whether a folder says that it is a project; an unreadable file says so beside cases/."""
-    settings = folder / "pyproject.toml"
-    if (folder / "vv.toml").is_file():
-        return True
-    if not settings.is_file():
-        return False
-    try:
-        return "vv" in tomllib.loads(settings.read_text(encoding="utf-8")).get("tool", {})
-    except (OSError, ValueError) as error:
-        if (folder / "cases").is_dir():
-            raise ProjectError(f"{settings}: {error}") from error
-        return False
+    project = Project(root)
+    if project.roots == (root,):
+        lacking = [name for name in REQUIRED if not (root / name).is_file()]
+        if lacking:
+            raise ProjectError(f"{root} is no project: it has no {lacking[0]}")
+    elif not any((root / Path(name).parent).is_dir() for name in REQUIRED):
+        raise ProjectError(f"{root} is no project: it has neither cases/ nor adapters/")
+    return project
 
 
 def _pick(kind: str, name: str, known: dict[str, Path]) -> Path:

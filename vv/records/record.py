@@ -119,7 +119,7 @@ def measured(
         "scale": None,
         "figures": {},
         "judge": type(judge).__name__.lower(),
-        **_stated(quantity.name, judge, method, knobs),
+        **_stated(judge, method, knobs),
     }
     if isinstance(quantity, Series):
         arrays = _measure_series(run, quantity, entry)
@@ -133,12 +133,10 @@ def measured(
     return entry, arrays
 
 
-def _stated(name: str, judge: Judge, method: Method, knobs: Knobs) -> dict[str, Any]:
+def _stated(judge: Judge, method: Method, knobs: Knobs) -> dict[str, Any]:
     """How the quantity is judged: norm, bound and the reason for it."""
     if isinstance(judge, Exact):
-        tolerance = judge.tolerances.get(method)
-        if tolerance is None:
-            raise ValueError(f"quantity '{name}' has no tolerance for {method.value}")
+        tolerance = judge.tolerances[method]
         bound = tolerance.at(knobs)
         norm = judge.norm.name.lower()
         return {"norm": norm, "tolerance": bound, "why": tolerance.reason, "note": ""}

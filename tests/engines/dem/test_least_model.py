@@ -20,7 +20,7 @@ from vv.engines.dem.solve import Program, solve
 from vv.engines.dem.space.model import space
 from vv.scene import Term
 
-ANSWERS = json.loads((ROOT / "tests" / "answers.json").read_text())
+ANSWERS = json.loads((ROOT / "cases" / "answers" / "single-contact.json").read_text())
 
 
 def test_t1_with_all_freedoms_and_terms_is_the_same_to_rounding() -> None:
@@ -77,7 +77,7 @@ def test_unknowns_are_those_of_the_committed_table(scheme: Scheme) -> None:
         ask = asked(variant, 1e-3)
         program = dem.prepare(ask, LEAPFROGS[name])
         passed = [a for a in program.arguments for u in program.system.unknowns if a is u]
-        count = ANSWERS[f"dem/{name}"][f"single-contact:{variant}"]
+        count = ANSWERS[f"dem/{name}"][variant]
         assert sum(array.size for array in passed) == count, variant
         assert ADAPTER.describe(ask, name).unknowns == count
         assert unsupported(scheme, ask.scene.terms()) == frozenset()

@@ -1,0 +1,27 @@
+"""Claims about a class of methods that a case states no tolerance for: shown, not judged."""
+
+from tests.conftest import Tiny
+from vv.ask import Method
+from vv.case import Exact, Shown, Tolerance, judge_for_method
+
+JUDGE = Exact(
+    {Method.EXACT: Tolerance(1e-12, "rounding")}, not_judged={Method.PENALTY: "it sinks in"}
+)
+
+
+def test_a_class_with_a_tolerance_is_judged() -> None:
+    assert judge_for_method(JUDGE, Method.EXACT) is JUDGE
+
+
+def test_a_class_without_one_is_shown_and_the_reason_names_the_class() -> None:
+    assert judge_for_method(JUDGE, Method.PENALTY) == Shown("it sinks in")
+    shown = judge_for_method(JUDGE, Method.FIRST_ORDER)
+    assert shown == Shown("no tolerance for what is first order in dt")
+
+
+def test_a_code_of_such_a_class_runs_and_is_no_crash(tiny: Tiny) -> None:
+    tiny.edit("cases/fall.py", "for method in Method}", "for method in (Method.EXACT,)}")
+    done = tiny.vv("gate", "fall:up", "--codes", "fake/good")
+    assert done.returncode == 0, done.stderr
+    said = tiny.vv("explain", "fall:up").stdout
+    assert "no tolerance for what is second order in dt" in said

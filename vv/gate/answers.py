@@ -1,0 +1,98 @@
+"""What every scheme answers to a case: how large a model it builds, or why it refuses.
+
+One file per case, `cases/answers/CASE.json`, is written where results are accepted. A change of a
+code or a scene that lets it run what it refused, or refuse what it ran, is seen against it. What
+is not in the file, a new code or variant, is not compared.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator, Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+from vv.ask import Status
+from vv.base.errors import UsageError
+from vv.base.files import write_whole
+from vv.case import Level
+from vv.plan.plan import Job, Options, Plan, make_plan
+from vv.plan.project import Project
+from vv.records.finding import Bit, Finding
+from vv.records.reading import label, rung, status_of
+
+Answers = dict[str, dict[str, int | str]]  # scheme -> variant -> unknowns, or why it refuses
+
+
+def given(project: Project, case: str) -> Answers:
+    """What the schemes of all codes that are installed answer to a case, at every level.
+
+    A scheme that takes one rung of a variant answers with its model; codes that are not here,
+    which might refuse only when they run, are left out.
+    """
+    plan = make_plan(project, [case], Options(Level.PAPER))
+    table: Answers = {}
+    for job in plan.jobs:
+        if not plan.found[job.code].installed:
+            continue
+        row = table.setdefault(f"{job.code}/{job.scheme}", {})
+        if not isinstance(row.get(job.variant), int):
+            row[job.variant] = _answer(plan, job)
+    return table
+
+
+def _answer(plan: Plan, job: Job) -> int | str:
+    if job.settled is not None:
+        return job.settled.reason
+    return plan.adapters[job.code].describe(job.ask, job.scheme).unknowns
+
+
+def accepted(project: Project, case: str) -> Answers | None:
+    """The answers on record: the project's own, else those that came with the case, or None."""
+    places = (_place(root, case) for root in project.roots)
+    path = next((path for path in places if path.is_file()), None)
+    if path is None:
+        return None
+    try:
+        found: Answers = json.loads(path.read_text(encoding="utf-8"))
+    except ValueError as error:
+        raise UsageError(f"{path}: {error}") from error
+    return found
+
+
+def accept(project: Project, case: str) -> Path:
+    """Put the present answers on record; those of codes that are not here stay as they were."""
+    absent = [n for n in project.adapter_names() if not project.load_adapter(n).found().installed]
+    was = accepted(project, case) or {}
+    kept = {name: row for name, row in was.items() if name.partition("/")[0] in absent}
+    path = _place(project.root, case)
+    text = json.dumps({**kept, **given(project, case)}, indent=1, sort_keys=True)
+    write_whole(path, f"{text}\n".encode())
+    return path
+
+
+def _place(root: Path, case: str) -> Path:
+    return root / "cases" / "answers" / f"{case}.json"
+
+
+def compare(
+    case: str, records: Sequence[Mapping[str, Any]], known: Answers, enforced: bool
+) -> Iterator[Finding]:
+    """What ran though it is on record as refused, and what is refused for another reason.
+
+    That a result is refused which was not, its baseline tells.
+    """
+    for record in records:
+        was = known.get(label(record), {}).get(record["variant"])
+        if record["case"] != case or record["modified"] or not isinstance(was, str):
+            continue
+        place = {"case": case, "variant": record["variant"], "label": label(record)}
+        if status_of(record) is Status.RAN:
+            text = f"was refused: {was}; to accept that it runs: vv accept {case} --reason ..."
+            yield Finding(
+                "regression", "no longer refused", text, **place, rung=rung(record),
+                bit=Bit.ACCURACY, enforced=enforced,
+            )  # fmt: skip
+        elif status_of(record) is Status.REFUSED and record["reason"] != was:
+            text = f"was refused: {was}; now: {record['reason']}"
+            yield Finding("regression", "refused otherwise", text, **place, rung=rung(record))
