@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import functools
-from collections.abc import Iterator, Mapping, Sequence
-from pathlib import Path
+from collections.abc import Mapping
 
-from vv.ask import Ask, Displacement, Method, Model, Run, Strain, Velocity
-from vv.codes import Found, Scheme, python_script, run_timed
-from vv.codes.in_house import part_of_vv
+from vv.ask import Displacement, Method, Strain, Velocity
+from vv.codes import Scheme
+from vv.codes.in_house import InHouse, compiled, part_of_vv
 from vv.engines import dda
 from vv.scene import Term
 
@@ -66,34 +65,13 @@ FORMULATIONS: Mapping[str, dda.Formulation] = {
     "published": dda.PUBLISHED,
     "lagged": dda.LAGGED,
 }
-
-
-class Dda:
-    """The adapter; it holds no state."""
-
-    name = "dda"
-    schemes = SCHEMES
-
-    def found(self) -> Found:
-        """Part of vv, if numba is there to compile it."""
-        return part_of_vv()
-
-    def refuses(self, ask: Ask, scheme: str) -> str | None:
-        """Why no formulation can run an ask though it has every term."""
-        return dda.refuses(ask)
-
-    def describe(self, ask: Ask, scheme: str) -> Model:
-        """The smallest model of the scene, its springs and how it starts."""
-        return dda.prepare(ask, FORMULATIONS[scheme]).model
-
-    def native(self, ask: Ask, scheme: str) -> str:
-        """A Python script that calls the engine."""
-        return python_script(ask, "vv.engines.dda", f"solve_{scheme}")
-
-    def run(self, asks: Sequence[Ask], scheme: str, scratch: Path, repeat: float) -> Iterator[Run]:
-        """Solve the asks in this process; steps of settling count. Cost: see `run_timed`."""
-        for ask in asks:
-            yield run_timed(functools.partial(dda.prepare, ask, FORMULATIONS[scheme]), repeat)
-
-
-ADAPTER = Dda()
+SOLVERS = tuple(
+    compiled(
+        scheme,
+        f"solve_{scheme.name}",
+        dda.refuses,
+        functools.partial(dda.prepare, formulation=FORMULATIONS[scheme.name]),
+    )
+    for scheme in SCHEMES
+)
+ADAPTER = InHouse("dda", "vv.engines.dda", SOLVERS, part_of_vv)

@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import functools
-from collections.abc import Iterator, Mapping, Sequence
-from pathlib import Path
+from collections.abc import Mapping
 
-from vv.ask import Ask, Displacement, Method, Model, Reaction, Run, Velocity
-from vv.codes import Found, Scheme, python_script, run_timed
-from vv.codes.in_house import part_of_vv
+from vv.ask import Ask, Displacement, Method, Reaction, Velocity
+from vv.codes import Scheme
+from vv.codes.in_house import InHouse, Solver, compiled, part_of_vv
 from vv.engines import dem
 from vv.scene import Form, Term
 
@@ -70,32 +69,15 @@ SCHEMES = (
 LEAPFROGS: Mapping[str, dem.Leapfrog] = {"default": dem.CENTRED, "published": dem.LAGGED}
 
 
-class Dem:
-    """The adapter; it holds no state."""
+def _solver(scheme: Scheme) -> Solver:
+    """A leapfrog, which is refused a step beyond its largest stable one."""
+    leapfrog = LEAPFROGS[scheme.name]
 
-    name = "dem"
-    schemes = SCHEMES
+    def refuses(ask: Ask) -> str | None:
+        return dem.refuses(ask) or dem.unstable(ask, leapfrog)
 
-    def found(self) -> Found:
-        """Part of vv, if numba is there to compile it."""
-        return part_of_vv()
-
-    def refuses(self, ask: Ask, scheme: str) -> str | None:
-        """Why no leapfrog can run an ask though it has every term, or none with its step."""
-        return dem.refuses(ask) or dem.unstable(ask, LEAPFROGS[scheme])
-
-    def describe(self, ask: Ask, scheme: str) -> Model:
-        """The smallest model of the scene, and its largest stable step."""
-        return dem.prepare(ask, LEAPFROGS[scheme]).model
-
-    def native(self, ask: Ask, scheme: str) -> str:
-        """A Python script that calls the engine."""
-        return python_script(ask, "vv.engines.dem", f"solve_{scheme}")
-
-    def run(self, asks: Sequence[Ask], scheme: str, scratch: Path, repeat: float) -> Iterator[Run]:
-        """Solve the asks in this process; see `run_timed` for the cost."""
-        for ask in asks:
-            yield run_timed(functools.partial(dem.prepare, ask, LEAPFROGS[scheme]), repeat)
+    prepare = functools.partial(dem.prepare, leapfrog=leapfrog)
+    return compiled(scheme, f"solve_{scheme.name}", refuses, prepare)
 
 
-ADAPTER = Dem()
+ADAPTER = InHouse("dem", "vv.engines.dem", tuple(map(_solver, SCHEMES)), part_of_vv)

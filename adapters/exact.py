@@ -5,12 +5,12 @@ from __future__ import annotations
 import dataclasses
 import functools
 import time
-from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 
 import vv
 from vv.ask import Ask, Cost, Method, Model, Run, Status
-from vv.codes import Found, Scheme, python_script, timed
+from vv.codes import Found, Scheme, timed
+from vv.codes.in_house import InHouse, Solver
 from vv.engines import exact
 
 SCHEMES = (
@@ -30,50 +30,32 @@ SCHEMES = (
         knobs=(),
     ),
 )
-PREPARE: Mapping[str, exact.Prepare] = {
-    "default": exact.prepare,
-    "linearised": exact.prepare_linearised,
-}
-SOLVE = {"default": "solve", "linearised": "solve_linearised"}
 
 
-class Exact:
-    """The adapter; it holds no state."""
+def _solver(scheme: Scheme, function: str, prepare: exact.Prepare) -> Solver:
+    """The engine with the equations that `prepare` makes of an ask, or refuses to make."""
 
-    name = "exact"
-    schemes = SCHEMES
+    def refuses(ask: Ask) -> str | None:
+        return exact.refusal(ask, prepare)
 
-    def found(self) -> Found:
-        """Part of vv: always there."""
-        return Found(True, vv.__version__, str(Path(exact.__file__).parent))
+    def describe(ask: Ask) -> Model:
+        return exact.model(ask.scene, prepare(ask))
 
-    def refuses(self, ask: Ask, scheme: str) -> str | None:
-        """Why a scene is outside the engine's class."""
-        return exact.refusal(ask, PREPARE[scheme])
+    def solve(ask: Ask, repeat: float) -> Run:
+        try:
+            return _run(ask, prepare, repeat)
+        except exact.RefusedError as reason:
+            return Run(Status.REFUSED, str(reason))
 
-    def describe(self, ask: Ask, scheme: str) -> Model:
-        """The smallest model of the scene; raises RefusedError if it has none."""
-        return exact.model(ask.scene, PREPARE[scheme](ask))
-
-    def native(self, ask: Ask, scheme: str) -> str:
-        """A Python script that calls the engine."""
-        return python_script(ask, "vv.engines.exact", SOLVE[scheme])
-
-    def run(self, asks: Sequence[Ask], scheme: str, scratch: Path, repeat: float) -> Iterator[Run]:
-        """Solve the asks in this process.
-
-        Cost: setup is building the equations; solve is following the motion from event to event;
-        output is evaluating the observables and the energies.
-        """
-        for ask in asks:
-            try:
-                yield _run(ask, PREPARE[scheme], repeat)
-            except exact.RefusedError as reason:
-                yield Run(Status.REFUSED, str(reason))
+    return Solver(scheme, function, refuses, describe, solve)
 
 
 def _run(ask: Ask, prepare: exact.Prepare, repeat: float) -> Run:
-    """One ask, part by part on the clock."""
+    """One ask, part by part on the clock.
+
+    Cost: setup is building the equations; solve is following the motion from event to event;
+    output is evaluating the observables and the energies. Raises exact.RefusedError.
+    """
     started = time.process_time()
     problem = prepare(ask)
     setup = time.process_time() - started
@@ -88,4 +70,13 @@ def _run(ask: Ask, prepare: exact.Prepare, repeat: float) -> Run:
     return dataclasses.replace(run, cost=dataclasses.replace(cost, setup=setup, output=output))
 
 
-ADAPTER = Exact()
+def found() -> Found:
+    """Part of vv: always there."""
+    return Found(True, vv.__version__, str(Path(exact.__file__).parent))
+
+
+SOLVERS = (
+    _solver(SCHEMES[0], "solve", exact.prepare),
+    _solver(SCHEMES[1], "solve_linearised", exact.prepare_linearised),
+)
+ADAPTER = InHouse("exact", "vv.engines.exact", SOLVERS, found)

@@ -5,44 +5,28 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
-from adapters.liggghts.answers import unknowns
-from adapters.liggghts.batch import solved, timed
-from adapters.liggghts.bonds import NO_STRENGTH, OVERLAP
-from adapters.liggghts.deck import deck
-from adapters.liggghts.harmonic import LASTING
+from adapters.liggghts.batch import Batch, solved, timed
+from adapters.liggghts.deck import deck, notes
 from adapters.liggghts.installed import find
-from adapters.liggghts.notes import notes
+from adapters.liggghts.overlaps import NO_STRENGTH, OVERLAP
 from adapters.liggghts.refusals import refusal
-from adapters.liggghts.translate import (
-    CLUMP,
-    HALF_STEP,
-    OVERLAPPED,
-    PLAIN,
-    represented,
-)
+from adapters.liggghts.setup import CLUMP, HALF_STEP, OVERLAPPED, PLAIN, Setup, set_up
+from adapters.liggghts.terms.bonds import LASTING
+from adapters.liggghts.terms.table import TRANSLATIONS
 from vv.ask import Ask, Method, Model, Run, Status
 from vv.codes import Found, Scheme
 from vv.scene import Term
 from vv.standins.stand_in import STANDS_IN
 
-TERMS = frozenset(
-    {
-        Term.SPHERE,
-        Term.SPHERE_CONTACT,
-        Term.WALL_CONTACT,
-        Term.FRICTION,
-        Term.DRAG,
-        Term.GRAVITY,
-        Term.LOAD,
-        Term.ROTATION,
-        Term.OBLIQUE_LOCK,
-        Term.SHAKING,
-        Term.BASE_MOTION,
-        Term.BOND,
-    }
-)
-DASHPOTS = {Term.CONTACT_VISCOSITY}
-ON_CORNERS = (TERMS | STANDS_IN) - {Term.SPHERE, Term.SPHERE_CONTACT, Term.DRAG, Term.BOND}
+UNRAISED = STANDS_IN | {Term.CONTACT_VISCOSITY}  # what raised masses were not verified with
+TERMS = frozenset(TRANSLATIONS) - {Term.BOND_SHEAR}
+ON_CORNERS = TERMS - {
+    Term.SPHERE,
+    Term.SPHERE_CONTACT,
+    Term.DRAG,
+    Term.BOND,
+    Term.CONTACT_VISCOSITY,
+}
 ON_BONDS = frozenset({Term.SPHERE, Term.DRAG, Term.GRAVITY, Term.LOAD, Term.BOND, Term.BOND_SHEAR})
 KNOBS = ("dt", "kn")
 SCHEMES = (
@@ -50,7 +34,7 @@ SCHEMES = (
         PLAIN,
         "velocity Verlet with the scene's masses; drag is taken from the velocity half a step ago",
         Method.SECOND_ORDER,
-        TERMS | STANDS_IN | DASHPOTS,
+        TERMS,
         KNOBS,
         lowered={
             Term.RIGID_CONTACT: Method.PENALTY,
@@ -63,7 +47,7 @@ SCHEMES = (
         HALF_STEP,
         "velocity Verlet with masses m + eta dt/2, which makes drag that of the mean velocity",
         Method.SECOND_ORDER,
-        TERMS,
+        TERMS - UNRAISED,
         why_not=LASTING,
         pace=(6e-6, 2e-7),
     ),
@@ -103,27 +87,29 @@ class Liggghts:
 
     def describe(self, ask: Ask, scheme: str) -> Model:
         """The freedoms LIGGGHTS integrates, and how the scene is put to it."""
-        scene = represented(ask, OVERLAPPED if scheme == OVERLAPPED else PLAIN)
-        terms = ask.scene.terms() | scene.terms()
-        return Model(
-            6 if scheme == CLUMP else unknowns(scene), terms, "; ".join(notes(ask, scheme))
-        )
+        return _described(set_up(ask, scheme))
 
     def native(self, ask: Ask, scheme: str) -> str:
         """A deck for `liggghts -in`; it writes history.txt, and the files it reads itself."""
-        heading = "".join(f"# {note}\n" for note in notes(ask, scheme))
-        return f"{heading}{deck(ask, scheme, 'history.txt')}"
+        setup = set_up(ask, scheme)
+        heading = "".join(f"# {note}\n" for note in notes(setup))
+        return f"{heading}{deck(setup, 'history.txt')}"
 
     def run(self, asks: Sequence[Ask], scheme: str, scratch: Path, repeat: float) -> Iterator[Run]:
         """Run all asks in one LIGGGHTS process; vv.codes.external says what happens if it dies."""
         if not (here := find()).installed:
             yield from [Run(Status.NOT_INSTALLED, here.how_to_install)] * len(asks)
             return
-        models = [self.describe(ask, scheme) for ask in asks]
-        if repeat:
-            yield from timed(asks, models, scheme, scratch, here.path, repeat)
-        else:
-            yield from solved(asks, models, scheme, scratch, here.path)
+        setups = [set_up(ask, scheme) for ask in asks]
+        batch = Batch(setups, [_described(setup) for setup in setups], scratch, here.path)
+        yield from timed(batch, repeat) if repeat else solved(batch)
+
+
+def _described(setup: Setup) -> Model:
+    """Three or six freedoms for each sphere that moves, locked or not, and how that is put."""
+    integrated = 3 * int(setup.moving.sum()) + 3 * int(setup.turning.sum())
+    unknowns = 6 if setup.clump is not None else integrated
+    return Model(unknowns, setup.terms, "; ".join(notes(setup)))
 
 
 ADAPTER = Liggghts()

@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from dataclasses import replace
+from dataclasses import fields, replace
 
 import numpy as np
 
-from vv.scene import Block, Contact, Scene, Spheres, Wall
+from vv.scene import Block, Scene, Spheres, Wall
 from vv.standins.clump import Clump
 
 WEIGHTLESS = 1e-18  # of the block's mass: what its centre and its corners weigh each
@@ -20,8 +19,8 @@ def as_atoms(scene: Scene, made: Clump) -> Scene:
     """
     count = len(made.corners)
     bodies = tuple(g if isinstance(g, Wall) else _atoms(g, made) for g in scene.bodies)
-    law = scene.contact
-    return replace(scene, bodies=bodies, contact=Contact(law.kn / count, law.ks / count, law.mu))
+    law = replace(scene.contact, kn=scene.contact.kn / count, ks=scene.contact.ks / count)
+    return replace(scene, bodies=bodies, contact=law)
 
 
 def _atoms(sphere: Spheres | Block, made: Clump) -> Spheres:
@@ -34,20 +33,8 @@ def _atoms(sphere: Spheres | Block, made: Clump) -> Spheres:
     radius[1 : 1 + corners] = made.radius
     load = np.zeros((atoms, 3))
     load[1 + corners :] = sphere.load / points
-    return Spheres(
-        position=np.vstack([sphere.position, made.corners, made.points]),
-        velocity=np.repeat(sphere.velocity, atoms, axis=0),
-        radius=radius,
-        mass=mass,
-        free=np.repeat(sphere.free, atoms, axis=0),
-        load=load,
-    )
-
-
-def rigid_commands(scene: Scene, block: Block) -> Iterator[str]:
-    """The commands that move all atoms as one body, in the freedoms it has."""
-    free, free_spin = (
-        " ".join("on" if loose else "off" for loose in mask)
-        for mask in (scene.spheres.free[0], block.free_spin)
-    )
-    yield f"fix body all rigid single force 1 {free} torque 1 {free_spin}"
+    alike = {field.name: getattr(sphere, field.name).repeat(atoms, 0) for field in fields(sphere)}
+    places = np.vstack([sphere.position, made.corners, made.points])
+    own = {"position": places, "radius": radius, "mass": mass, "load": load}
+    by_default = dict.fromkeys(("inertia", "spin", "free_spin"))  # the body's own, not an atom's
+    return replace(sphere, **{**alike, **own, **by_default})

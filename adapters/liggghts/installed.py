@@ -43,8 +43,8 @@ def _version(program: Path, libraries: tuple[Path, ...]) -> str:
     """The package's version if the program is the package's; else that in a library's name."""
     if program == Path("/usr/bin/liggghts") and PACKAGES.is_file():
         text = PACKAGES.read_text(errors="replace")
-        said = re.search(r"^Package: liggghts\n(?:.+\n)*?Version: (\S+)", text, re.MULTILINE)
-        if said:
-            return said.group(1)
+        found = re.search(r"^Package: liggghts\n(?:.+\n)*?Version: (\S+)", text, re.MULTILINE)
+        if found:
+            return found.group(1)
     names = [re.search(r"\.so\.(\d+\.\d+\S*)$", library.name) for library in libraries]
     return next((name.group(1) for name in names if name), "")

@@ -4,33 +4,24 @@ from __future__ import annotations
 
 import numpy as np
 
-from adapters.liggghts.bonds import why_not_overlapped
-from adapters.liggghts.harmonic import why_not_harmonic
-from adapters.liggghts.translate import (
-    CLUMP,
-    HALF_STEP,
-    OVERLAPPED,
-    loads,
-    locks,
-    represented,
-    shaken,
-    spinning,
-)
+from adapters.liggghts.overlaps import why_not_overlapped
+from adapters.liggghts.setup import CLUMP, HALF_STEP, OVERLAPPED, Setup, set_up
+from adapters.liggghts.terms.bonds import why_not_harmonic
 from vv.ask import Ask
 from vv.codes import behind_wall, no_drag, no_sphere, no_steps, turned_spin_lock
 from vv.scene import Scene, why_locks_need_more_than_loads
 from vv.standins.clump import why_no_clump
-from vv.standins.stand_in import stood_for, why_not
+from vv.standins.stand_in import spring_scene, why_no_spring_scene, without_rotations
 
 GROUPS = 32 - 3  # LIGGGHTS has 32; all, shifted and turned are taken
 
 
 def refusal(ask: Ask, scheme: str) -> str | None:
     """The first reason that holds, else None."""
-    reason = why_no_clump(ask) if scheme == CLUMP else why_not(ask)
+    reason = why_no_clump(ask) if scheme == CLUMP else why_no_spring_scene(ask)
     if reason is not None:
         return reason
-    scene = stood_for(ask).scene
+    scene = spring_scene(without_rotations(ask)).scene
     why = why_not_overlapped if scheme == OVERLAPPED else why_not_harmonic
     if (reason := why(scene)) is not None:
         return reason
@@ -43,7 +34,7 @@ def refusal(ask: Ask, scheme: str) -> str | None:
         or _spin(scene, scheme)
         or turned_spin_lock(ask.scene, "fix rigid locks its own only")
         or behind_wall(scene)
-        or _too_many_groups(ask, scheme)
+        or _too_many_groups(set_up(ask, scheme))
         or (no_drag(scene) if scheme == HALF_STEP else None)
     )
 
@@ -69,7 +60,7 @@ def _nothing_free(scene: Scene) -> str | None:
 
 def _spin(scene: Scene, scheme: str) -> str | None:
     """fix nve/sphere turns all three axes or none, with the inertia 2/5 m r2."""
-    spheres, turning = scene.spheres, spinning(scene.spheres)
+    spheres, turning = scene.spheres, scene.spheres.free_spin.any(axis=1)
     if not turning.any():
         return None
     if (turning & ~spheres.free_spin.all(axis=1)).any():
@@ -83,9 +74,8 @@ def _spin(scene: Scene, scheme: str) -> str | None:
     return None
 
 
-def _too_many_groups(ask: Ask, scheme: str) -> str | None:
-    scene = represented(ask, scheme)
-    groups = len(loads(scene.spheres)) + len(locks(scene.spheres)) + len(shaken(ask, scheme))
+def _too_many_groups(setup: Setup) -> str | None:
+    groups = len(setup.loads) + len(setup.locks) + len(setup.shaken)
     if groups > GROUPS:
         return (
             f"{groups} different dead loads, locks and shaken masses; LIGGGHTS has {GROUPS} "

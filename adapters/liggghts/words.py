@@ -30,3 +30,8 @@ def printed(file: str, lines: Iterable[str]) -> Iterator[str]:
     """Commands that write a file of these lines."""
     for number, line in enumerate(lines):
         yield f'print "{line}" {"append" if number else "file"} {file} screen no'
+
+
+def parts(name: str, vector: Iterable[float]) -> str:
+    """A vector as the command `set` takes it."""
+    return " ".join(f"{name}{a} {x!r}" for a, x in zip(AXES, vector, strict=True))

@@ -10,44 +10,20 @@ from pathlib import Path
 from adapters.yade.answers import parse
 from adapters.yade.inside import script
 from adapters.yade.installed import PYTHON, find
-from adapters.yade.notes import notes
+from adapters.yade.plan import notes, plan
 from adapters.yade.refusals import refusal
-from adapters.yade.translate import (
-    CLUMP,
-    HALF_STEP,
-    PLAIN,
-    POLYHEDRA,
-    plan,
-    put,
-)
+from adapters.yade.setup import CLUMP, HALF_STEP, PLAIN, POLYHEDRA, Setup, set_up
+from adapters.yade.terms.table import TRANSLATIONS
 from vv.ask import Ask, Displacement, Method, Model, Reaction, Run, Status, Velocity
 from vv.codes import Found, Scheme, external
-from vv.scene import Term, with_loads_for_locks
-from vv.standins.stand_in import STANDS_IN, stood_for
+from vv.scene import Term
+from vv.standins.stand_in import STANDS_IN
 
-TERMS = frozenset(
-    {
-        Term.SPHERE,
-        Term.SPHERE_CONTACT,
-        Term.WALL_CONTACT,
-        Term.FRICTION,
-        Term.DRAG,
-        Term.GRAVITY,
-        Term.LOAD,
-        Term.ROTATION,
-        Term.OBLIQUE_LOCK,
-        Term.SHAKING,
-        Term.BASE_MOTION,
-        Term.BOND,
-        Term.BOND_SHEAR,
-        Term.BREAKAGE,
-        Term.CARRIED,
-    }
-)
-DASHPOTS = {Term.CONTACT_VISCOSITY}
+TERMS = frozenset(TRANSLATIONS)
+UNRAISED = STANDS_IN | {Term.CONTACT_VISCOSITY}  # what raised masses were not verified with
 BONDED = {Term.BOND, Term.BOND_SHEAR, Term.BREAKAGE}
 ONLY_SPHERES = {Term.SPHERE, Term.SPHERE_CONTACT, Term.DRAG, Term.CARRIED} | BONDED
-ONE_BLOCK = (TERMS | STANDS_IN) - ONLY_SPHERES
+ONE_BLOCK = TERMS - ONLY_SPHERES - {Term.CONTACT_VISCOSITY}
 KNOBS = ("dt", "kn")
 OBSERVABLES = frozenset({Displacement, Velocity, Reaction})
 SCHEMES = (
@@ -55,7 +31,7 @@ SCHEMES = (
         PLAIN,
         "leapfrog with the scene's masses; drag is taken from the velocity half a step ago",
         Method.SECOND_ORDER,
-        TERMS | STANDS_IN | DASHPOTS,
+        TERMS,
         KNOBS,
         lowered={
             Term.RIGID_CONTACT: Method.PENALTY,
@@ -68,7 +44,7 @@ SCHEMES = (
         HALF_STEP,
         "leapfrog with masses m + eta dt/2, which makes drag that of the mean velocity",
         Method.SECOND_ORDER,
-        TERMS,
+        TERMS - UNRAISED,
         observables=OBSERVABLES,
         pace=(2e-6, 1.1e-6),
     ),
@@ -107,15 +83,13 @@ class Yade:
 
     def describe(self, ask: Ask, scheme: str) -> Model:
         """The freedoms YADE integrates, and how the scene is put to it."""
-        scene = with_loads_for_locks(stood_for(put(ask, scheme)[0]).scene)
-        turning = sum(int(block.free_spin.sum()) for block in ask.scene.blocks)
-        terms = ask.scene.terms() | scene.terms()
-        return Model(scene.unknowns() + turning, terms, "; ".join(notes(ask, scheme)))
+        return _described(set_up(ask, scheme))
 
     def native(self, ask: Ask, scheme: str) -> str:
         """A script for `yade -n -x` or the system's python3: the program with the ask filled in."""
-        heading = "".join(f"# {note}\n" for note in notes(ask, scheme))
-        literal = pprint.pformat(plan(put(ask, scheme)[0], scheme), width=99, sort_dicts=False)
+        setup = set_up(ask, scheme)
+        heading = "".join(f"# {note}\n" for note in notes(setup))
+        literal = pprint.pformat(plan(setup), width=99, sort_dicts=False)
         return script(f"{heading}ASK: dict[str, Any] | None = {literal}\n")
 
     def run(self, asks: Sequence[Ask], scheme: str, scratch: Path, repeat: float) -> Iterator[Run]:
@@ -127,20 +101,26 @@ class Yade:
         files = [scratch / f"ask-{number}.json" for number in range(len(asks))]
         source = scratch / "in-yade.py"
         source.write_text(script())
-        framed = [put(ask, scheme) for ask in asks]
-        models = [self.describe(ask, scheme) for ask in asks]
-        for file, (ask, _) in zip(files, framed, strict=True):
-            file.write_text(json.dumps({**plan(ask, scheme), "repeat": repeat}))
+        setups = [set_up(ask, scheme) for ask in asks]
+        models = [_described(setup) for setup in setups]
+        for file, setup in zip(files, setups, strict=True):
+            file.write_text(json.dumps({**plan(setup), "repeat": repeat}))
 
-        def launch(indices: Sequence[int]) -> external.Program:
+        def launch(indices: Sequence[int]) -> external.Process:
             # -E: variables meant for our own Python must not reach this one
             command = [str(PYTHON), "-E", str(source), *(str(files[i]) for i in indices)]
             return external.start(command, scratch, {"VV_YADE": here.path})
 
-        def collect(index: int, program: external.Program) -> Run | None:
-            return parse(files[index], *framed[index], models[index], program.started)
+        def collect(index: int, program: external.Process) -> Run | None:
+            return parse(files[index], setups[index], models[index], program.started)
 
         yield from external.run_batch(len(asks), launch, collect)
+
+
+def _described(setup: Setup) -> Model:
+    """The freedoms of spheres, and the rotations of a block that they stand for."""
+    turning = sum(int(block.free_spin.sum()) for block in setup.asked.scene.blocks)
+    return Model(setup.scene.unknowns() + turning, setup.terms, "; ".join(notes(setup)))
 
 
 ADAPTER = Yade()

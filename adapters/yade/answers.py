@@ -3,56 +3,57 @@
 from __future__ import annotations
 
 import json
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from adapters.yade.translate import watched
-from vv.ask import Ask, Cost, Displacement, Model, Run, Status
+from adapters.yade.setup import Setup
+from vv.ask import Cost, Displacement, Model, Run, Status
 from vv.scene import Term, Vector, why_load_is_no_lock
-from vv.standins.stand_in import stood_for
 
 COSTS = ("setup", "solve_cpu", "solve_wall", "output", "repeats", "spread")
 
 
-def parse(path: Path, ask: Ask, frame: Vector, model: Model, started: float) -> Run | None:
+def parse(path: Path, setup: Setup, model: Model, started: float) -> Run | None:
     """The Run in the answer to the ask in the file `path`; None if there is no answer yet.
 
-    ask: as it was put to YADE, in a frame (3, 3) whose rows are its axes in the scene's.
     model: what was described; its unknowns are replaced by YADE's own count. started: when the
     program was [s, monotonic]. An answer whose shape is not what was asked is an error.
     """
-    said = path.with_name(path.name + ".answer")
-    if not said.exists():
+    answer, ask = path.with_name(path.name + ".answer"), setup.ask
+    if not answer.exists():
         return None
-    facts = json.loads(said.read_text())
+    facts = json.loads(answer.read_text())
     cost = _cost(facts, started)
     if facts["status"] != "ran":
         return Run(Status(facts["status"]), facts["reason"], cost=cost)
     values = np.load(path.with_name(path.name + ".npy"))
     times = ask.goal.times(ask.knobs.dt)
-    due = (len(watched(ask)), len(times), 3)
+    due = (len(setup.watched), len(times), 3)
     if values.shape != due:
         return Run(Status.ERROR, f"the answer has shape {values.shape}; {due} was asked for")
-    if fault := _drift(values, ask):
+    if fault := _drift(values, setup):
         return Run(Status.ERROR, fault)
     return Run(
         Status.RAN,
         times=times,
-        values=dict(zip(ask.observables, values @ frame, strict=False)),  # then what was watched
+        values=dict(
+            zip(ask.observables, values @ setup.frame, strict=False)
+        ),  # then what was watched
         cost=cost,
         steps=facts["steps"],
-        model=Model(facts["unknowns"], model.terms, model.note),
+        model=replace(model, unknowns=facts["unknowns"]),
     )
 
 
-def _drift(values: Vector, ask: Ask) -> str | None:
+def _drift(values: Vector, setup: Setup) -> str | None:
     """Say if a sphere left the directions it is free in, where a dead load stands for the lock."""
-    scene = stood_for(ask).scene
+    scene = setup.springs.scene
     if Term.OBLIQUE_LOCK not in scene.terms():
         return None
-    for observable, moved in zip(watched(ask), values, strict=True):
+    for observable, moved in zip(setup.watched, values, strict=True):
         sphere = scene.sphere_index(observable.body)
         if isinstance(observable, Displacement) and (
             how := why_load_is_no_lock(scene, sphere, moved)

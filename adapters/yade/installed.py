@@ -46,5 +46,5 @@ def _version(folder: Path) -> str:
     """The version YADE was built as, from its configuration module; empty if it says none."""
     config = folder / "yade/config.py"
     text = config.read_text(errors="replace") if config.is_file() else ""
-    said = re.search(r"^version\s*=\s*['\"]([^'\"]+)", text, re.MULTILINE)
-    return said.group(1) if said else ""
+    found = re.search(r"^version\s*=\s*['\"]([^'\"]+)", text, re.MULTILINE)
+    return found.group(1) if found else ""

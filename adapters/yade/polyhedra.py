@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import functools
 from dataclasses import replace
 from typing import Any
 
@@ -11,7 +10,7 @@ import numpy as np
 from vv.ask import Ask
 from vv.scene import Block, Scene, Vector, Wall, rotated
 from vv.standins.soften import TOUCHING
-from vv.standins.stand_in import sprung, why_not
+from vv.standins.stand_in import why_no_spring_scene
 
 MOST_STEPS = 10_000  # of some 0.1 ms each, thirty times those of a sphere
 THINNEST = 0.1  # thickness over size below which YADE's polyhedra may pass each other unnoticed
@@ -28,7 +27,7 @@ def why_no_polyhedron(ask: Ask) -> str | None:
             f"block '{block.name}' may turn; the force on its overlap acts in one point, and no "
             "spring can be charged to carry the moment of friction: it would start to rock"
         )
-    return why_not(ask) or _no_face(block, scene.walls[0]) or _too_long(ask)
+    return why_no_spring_scene(ask) or _no_face(block, scene.walls[0]) or _too_long(ask)
 
 
 def _no_face(block: Block, wall: Wall) -> str | None:
@@ -69,7 +68,6 @@ def turn_of(scene: Scene) -> Vector:
     return np.array([first, np.cross(normal, first), normal])
 
 
-@functools.lru_cache(maxsize=32)  # it is wanted several times for each of a ladder's rungs
 def laid(ask: Ask) -> Ask:
     """The ask in the frame of `turn_of`, where the wall's normal is z to the last bit."""
     scene = rotated(ask.scene, turn_of(ask.scene))
@@ -78,15 +76,16 @@ def laid(ask: Ask) -> Ask:
     return replace(ask, scene=replace(scene, bodies=bodies))
 
 
-def polyhedral(plan: dict[str, Any], ask: Ask) -> dict[str, Any]:
-    """The driver's ask with the one sphere as a polyhedron; `ask` is `laid` already.
+def polyhedral(plan: dict[str, Any], scene: Scene, charged: Vector | None) -> dict[str, Any]:
+    """The driver's ask with the one sphere as a polyhedron, of a scene that is `laid` already.
+
+    charged: the friction (1, 3) [N] that its shear spring holds at t = 0.
 
     YADE presses with kn/area times the overlap's volume. It drops the shear of a contact as it
     makes it, and then lets it take the whole of the first step: in that step the block moves as
     fast as charges the spring, and its push gives it the right momentum after it.
     """
-    (block,), (wall,) = ask.scene.blocks, ask.scene.walls
-    charged = sprung(ask).charged
+    (block,), (wall,) = scene.blocks, scene.walls
     ks, dt = plan["ks"], plan["dt"]
     sliding = np.zeros(3) if charged is None or ks == 0 else -charged[0] / ks / dt
     (sphere,) = (body for body in plan["bodies"] if body["kind"] == "sphere")

@@ -4,24 +4,24 @@ from __future__ import annotations
 
 import numpy as np
 
-from adapters.yade.bonds import why_no_bonds
 from adapters.yade.polyhedra import why_no_polyhedron
-from adapters.yade.translate import CLUMP, HALF_STEP, POLYHEDRA, put
+from adapters.yade.setup import CLUMP, HALF_STEP, POLYHEDRA, framed
+from adapters.yade.terms.bonds import why_no_bonds
 from vv.ask import Ask, Reaction
 from vv.codes import behind_wall, no_drag, no_sphere, turned_spin_lock
 from vv.scene import Scene, Term, why_locks_need_more_than_loads
 from vv.standins.clump import why_no_clump
-from vv.standins.stand_in import stood_for, why_not
+from vv.standins.stand_in import spring_scene, why_no_spring_scene, without_rotations
 
 NO_BLOCK = {CLUMP: why_no_clump, POLYHEDRA: why_no_polyhedron}
 
 
 def refusal(ask: Ask, scheme: str) -> str | None:
     """The first reason that holds, else None."""
-    reason = NO_BLOCK.get(scheme, why_not)(ask)
+    reason = NO_BLOCK.get(scheme, why_no_spring_scene)(ask)
     if reason is not None:
         return reason
-    scene = stood_for(put(ask, scheme)[0]).scene
+    scene = spring_scene(without_rotations(framed(ask, scheme))).scene
     return (
         no_sphere(ask, scene)
         or _locked_spin(scene)

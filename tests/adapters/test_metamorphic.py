@@ -20,7 +20,7 @@ from tests.scenes.metamorphic import Twin, apart, backwards, elastic, known, twi
 from tests.scenes.other_worlds import rescaled
 from tests.support.installed import require
 from vv.ask import Ask, Displacement, Run, Status, Velocity
-from vv.codes import Adapter, Scheme, settled
+from vv.codes import Adapter, Scheme, known_beforehand
 from vv.plan.plan import project_knobs
 from vv.plan.project import find
 
@@ -90,10 +90,10 @@ def answers(tmp_path_factory: pytest.TempPathFactory) -> Answers:
 def ran(adapter: Adapter, scheme: Scheme, asks: Sequence[Ask], folder: Path) -> list[Run]:
     """The runs of asks, in order; refusals are among them."""
     mine = [dataclasses.replace(a, knobs=project_knobs(a.knobs, scheme)) for a in asks]
-    refused = [settled(adapter, scheme, ask, adapter.found()) for ask in mine]
+    refused = [known_beforehand(adapter, scheme, ask, adapter.found()) for ask in mine]
     todo = [ask for ask, run in zip(mine, refused, strict=True) if run is None]
-    told = iter(list(adapter.run(todo, scheme.name, folder, 0.0)) if todo else [])
-    return [next(told) if run is None else run for run in refused]
+    done = iter(list(adapter.run(todo, scheme.name, folder, 0.0)) if todo else [])
+    return [next(done) if run is None else run for run in refused]
 
 
 KINDS = list(dict.fromkeys(twin.kind for twin in TWINS))

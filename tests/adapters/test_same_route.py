@@ -10,7 +10,7 @@ import pytest
 
 from vv.ask import Ask, Status
 from vv.case import Case, Level
-from vv.codes import Adapter, settled
+from vv.codes import Adapter, known_beforehand
 from vv.plan.plan import project_knobs
 from vv.plan.project import find
 from vv.scene import Block, Scene, Spheres, Wall
@@ -33,7 +33,7 @@ def test_a_timed_solve_gives_the_bits_of_the_judged_one(
     study = case.declare(variant, case.defaults(variant)).study
     for scheme in adapter.schemes:
         ask = study.ask(project_knobs(study.rungs[Level.QUICK][0], scheme))
-        if settled(adapter, scheme, ask, adapter.found()) is not None:
+        if known_beforehand(adapter, scheme, ask, adapter.found()) is not None:
             continue
         (judged,) = adapter.run([ask], scheme.name, tmp_path, 0.0)
         (timed,) = adapter.run([ask], scheme.name, tmp_path, 1e-3)
@@ -52,7 +52,7 @@ def test_a_scene_that_is_no_case_takes_the_same_route(
     study = case.declare(variant, case.defaults(variant)).study
     for scheme in adapter.schemes:
         ask = study.ask(project_knobs(study.rungs[Level.QUICK][0], scheme))
-        if settled(adapter, scheme, ask, adapter.found()) is not None:
+        if known_beforehand(adapter, scheme, ask, adapter.found()) is not None:
             continue
         other = dataclasses.replace(ask, scene=heavier(ask.scene))
         known, unknown = (adapter.describe(a, scheme.name) for a in (ask, other))

@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 
 from vv.ask import Run, Status
-from vv.codes.external import Program, how_it_ended, run_batch, start, stop
+from vv.codes.external import Process, how_it_ended, run_batch, start, stop
 
 ANSWERING = "open('{i}.half', 'w').write('{i}'); os.rename('{i}.half', '{i}.answer')"
 
@@ -17,12 +17,12 @@ ANSWERING = "open('{i}.half', 'w').write('{i}'); os.rename('{i}.half', '{i}.answ
 def batch(folder: Path, count: int, fate: Callable[[int], str]) -> Iterator[Run]:
     """A batch whose program does, for ask i, what the Python text fate(i) says."""
 
-    def launch(indices: Sequence[int]) -> Program:
+    def launch(indices: Sequence[int]) -> Process:
         (folder / f"launched-{len(list(folder.glob('launched-*')))}").write_text(str(indices))
         lines = ["import os, time", *(fate(i).format(i=i) for i in indices)]
         return start([sys.executable, "-c", "\n".join(lines)], folder)
 
-    def collect(index: int, program: Program) -> Run | None:
+    def collect(index: int, program: Process) -> Run | None:
         answer = folder / f"{index}.answer"
         return Run(Status.RAN, answer.read_text()) if answer.exists() else None
 
@@ -76,7 +76,7 @@ def test_half_an_answer_is_none(tmp_path: Path) -> None:
 
 
 def test_a_program_that_cannot_start_is_an_error_with_its_name(tmp_path: Path) -> None:
-    def launch(indices: Sequence[int]) -> Program:
+    def launch(indices: Sequence[int]) -> Process:
         return start([str(tmp_path / "nowhere")], tmp_path)
 
     runs = list(run_batch(2, launch, lambda index, program: None))
@@ -90,8 +90,8 @@ def test_an_empty_batch_starts_nothing(tmp_path: Path) -> None:
 
 
 def test_a_program_lives_in_its_folder_and_in_our_process_group(tmp_path: Path) -> None:
-    told = "import os; print(os.getcwd(), os.environ['HOME'], os.environ['TMPDIR'], os.getpgid(0))"
-    program = start([sys.executable, "-c", told], tmp_path)
+    text = "import os; print(os.getcwd(), os.environ['HOME'], os.environ['TMPDIR'], os.getpgid(0))"
+    program = start([sys.executable, "-c", text], tmp_path)
     stop(program, patience=10.0)
     assert program.log.read_text().split() == [str(tmp_path)] * 3 + [str(os.getpgid(0))]
 

@@ -11,7 +11,7 @@ import pytest
 from tests.scenes.bonded_scenes import CORNERS, EDGES, KN, KS, D, elements, tied, unit
 from vv.ask import Ask, Displacement, History, Knobs, Status
 from vv.base.digest import digest
-from vv.codes import python_script, settled, source, unsupported
+from vv.codes import known_beforehand, python_script, source, unsupported
 from vv.plan.project import find
 from vv.scene import (
     Bonds,
@@ -166,7 +166,7 @@ def test_a_scheme_that_does_not_declare_bonds_refuses_them() -> None:
         for scheme in adapter.schemes:
             missing = unsupported(scheme, scene.terms()) & BONDED
             if missing:
-                run = settled(adapter, scheme, ask, adapter.found())
+                run = known_beforehand(adapter, scheme, ask, adapter.found())
                 assert run is not None
                 assert run.status is Status.REFUSED
                 assert all(term.value in run.reason for term in missing)

@@ -12,7 +12,8 @@ from hypothesis import strategies as st
 from tests.scenes.block_scenes import incline, responding
 from vv.ask import Ask, Displacement, History, Knobs
 from vv.scene import Contact, Scene, Term, initial_normal_forces, rotated, rotation_about_z
-from vv.standins.clump import clump, why_no_clump
+from vv.standins.clump import Clump, clump, why_no_clump
+from vv.standins.stand_in import spring_scene, without_rotations
 
 KN = 1e9
 HELD, FREE = np.zeros(3, bool), np.ones(3, bool)
@@ -21,6 +22,10 @@ SIDES = st.tuples(*[st.floats(0.2, 2.0)] * 3)
 
 def asked(scene: Scene, kn: float | None = KN) -> Ask:
     return Ask(scene, History(1.0, 0.1), (Displacement(1),), Knobs(1e-4, kn))
+
+
+def clumped(ask: Ask) -> Clump:
+    return clump(ask, spring_scene(without_rotations(ask)))
 
 
 def turned(scene: Scene, angle: float) -> Scene:
@@ -34,11 +39,11 @@ def test_points_have_the_mass_centre_and_inertia_of_the_block(
     half: tuple[float, ...], angle: float
 ) -> None:
     scene = turned(incline(20.0, 30.0, half=half, free_spin=HELD), angle)
-    made, block = clump(asked(scene)), scene.blocks[0]
+    made, block = clumped(asked(scene)), scene.blocks[0]
     arms = made.points - made.points.mean(axis=0)
     inertia = block.mass / 8 * ((arms**2).sum() * np.eye(3) - arms.T @ arms)
     assert inertia == pytest.approx(block.inertia, rel=1e-9, abs=1e-12 * block.mass)
-    place = made.stood.scene.spheres.position[0]
+    place = made.springs.scene.spheres.position[0]
     assert made.points.mean(axis=0) == pytest.approx(place, abs=1e-12)
 
 
@@ -49,10 +54,10 @@ def test_corners_press_and_rub_as_much_as_the_block_and_turn_it_nowhere(
     phi, v0 = law
     half = (2 * half[0] + half[2], *half[1:])  # low enough not to tip
     ask = asked(turned(incline(20.0, phi, v0=v0, half=half), angle))
-    made, (wall,), block = clump(ask), ask.scene.walls, ask.scene.blocks[0]
+    made, (wall,), block = clumped(ask), ask.scene.walls, ask.scene.blocks[0]
     overlap = made.radius - (made.corners - wall.point) @ wall.normal
     pressed = KN / 4 * np.outer(overlap, wall.normal)
-    (normal,), charged = initial_normal_forces(made.stood.scene), made.stood.charged
+    (normal,), charged = initial_normal_forces(made.springs.scene), made.springs.charged
     assert charged is not None
     assert pressed.sum(axis=0) == pytest.approx(normal, rel=1e-6, abs=1e-6 * block.mass)
     assert made.friction.sum(axis=0) == pytest.approx(charged[0], abs=1e-9 * block.mass)
@@ -63,7 +68,7 @@ def test_corners_press_and_rub_as_much_as_the_block_and_turn_it_nowhere(
 
 
 def test_a_block_that_cannot_turn_presses_alike_on_all_corners() -> None:
-    made = clump(asked(incline(20.0, 30.0, half=(0.2, 0.3, 0.9), free_spin=HELD)))
+    made = clumped(asked(incline(20.0, 30.0, half=(0.2, 0.3, 0.9), free_spin=HELD)))
     assert made.shares == pytest.approx([0.25] * 4, rel=1e-15)
 
 

@@ -6,6 +6,8 @@ import dataclasses
 from typing import Any
 
 from adapters.liggghts import ADAPTER
+from adapters.liggghts.deck import deck
+from adapters.liggghts.setup import set_up
 from tests.support import adapter_asks
 from tests.support.adapter_asks import DT
 from vv.ask import Ask, Displacement, Knobs, Velocity
@@ -23,6 +25,11 @@ def ball_ask(*bodies: Spheres | Wall, body: int = 0, dt: float | None = DT, **sc
     ask = adapter_asks.ball_ask(*bodies, body=body, **scene)
     seen = (Displacement(body), Velocity(body))
     return dataclasses.replace(ask, observables=seen, knobs=Knobs(dt=dt))
+
+
+def deck_of(ask: Ask, scheme: str) -> str:
+    """The deck of an ask, which writes rows.txt."""
+    return deck(set_up(ask, scheme), "rows.txt")
 
 
 def words(text: str, *start: str) -> list[list[str]]:

@@ -1,17 +1,24 @@
-"""The schemes of the YADE adapter by name, and what YADE is told of a sphere."""
+"""The schemes of the YADE adapter by name, and what YADE is given."""
 
 from __future__ import annotations
 
 from typing import Any
 
 from adapters.yade import ADAPTER
-from adapters.yade.translate import plan
+from adapters.yade.given import Plan
+from adapters.yade.plan import plan
+from adapters.yade.setup import set_up
 from vv.ask import Ask
 
 PLAIN, HALF_STEP, CLUMP, POLYHEDRA = (scheme.name for scheme in ADAPTER.schemes)
 
 
+def plan_of(ask: Ask, scheme: str = PLAIN) -> Plan:
+    """What YADE is given for an ask."""
+    return plan(set_up(ask, scheme))
+
+
 def sphere_of(ask: Ask, scheme: str = PLAIN) -> dict[str, Any]:
-    """What YADE is told of the last sphere."""
-    spheres = [body for body in plan(ask, scheme)["bodies"] if body["kind"] == "sphere"]
+    """What YADE is given of the last sphere."""
+    spheres = [body for body in plan_of(ask, scheme)["bodies"] if body["kind"] == "sphere"]
     return dict(spheres[-1])

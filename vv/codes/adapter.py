@@ -75,7 +75,7 @@ class Adapter(Protocol):
         """Look for the code on this machine; cheap, no imports of heavy libraries."""
 
     def refuses(self, ask: Ask, scheme: str) -> str | None:
-        """Why an ask whose terms are all supported still cannot be run honestly; else None."""
+        """Why an ask whose terms are all supported is not supported all the same; else None."""
 
     def describe(self, ask: Ask, scheme: str) -> Model:
         """What would be built for an ask: unknowns, terms, and the mapping in words."""
@@ -92,7 +92,7 @@ class Adapter(Protocol):
         """
 
 
-def settled(adapter: Adapter, scheme: Scheme, ask: Ask, found: Found) -> Run | None:
+def known_beforehand(adapter: Adapter, scheme: Scheme, ask: Ask, found: Found) -> Run | None:
     """Refused or not installed, if that is known beforehand; refusals come first."""
     missing = unsupported(scheme, ask.scene.terms())
     if missing:

@@ -21,7 +21,7 @@ FAREWELL = 2.0  # s that a program may take to end after its last answer
 
 
 @dataclass(frozen=True)
-class Program:
+class Process:
     """A started program: its process, the file that takes its output, its start [s, monotonic]."""
 
     process: subprocess.Popen[bytes]
@@ -29,7 +29,7 @@ class Program:
     started: float
 
 
-def start(command: Sequence[str], folder: Path, extra: Mapping[str, str] | None = None) -> Program:
+def start(command: Sequence[str], folder: Path, extra: Mapping[str, str] | None = None) -> Process:
     """Start a command in a folder, on one thread, with home and temporary folder there too.
 
     Standard output and error go to a log file of its own in the folder, program-N.log. extra:
@@ -47,10 +47,10 @@ def start(command: Sequence[str], folder: Path, extra: Mapping[str, str] | None 
             stdout=output,
             stderr=subprocess.STDOUT,
         )
-    return Program(process, log, started)
+    return Process(process, log, started)
 
 
-def stop(program: Program, patience: float = 0.0) -> None:
+def stop(program: Process, patience: float = 0.0) -> None:
     """Wait `patience` seconds for a program to end by itself, then end it."""
     try:
         program.process.wait(patience)
@@ -59,7 +59,7 @@ def stop(program: Program, patience: float = 0.0) -> None:
         program.process.wait()
 
 
-def how_it_ended(program: Program, lines: int = 5) -> str:
+def how_it_ended(program: Process, lines: int = 5) -> str:
     """How an ended program ended, with the last lines of its log."""
     code = program.process.returncode
     ending = f"exit code {code}" if code >= 0 else f"signal {signal.Signals(-code).name}"
@@ -73,8 +73,8 @@ def last_lines(log: Path, count: int) -> str:
     return "last output: " + " | ".join(kept) if kept else "no output"
 
 
-Launch = Callable[[Sequence[int]], Program]
-Collect = Callable[[int, Program], Run | None]
+Launch = Callable[[Sequence[int]], Process]
+Collect = Callable[[int, Process], Run | None]
 
 
 def run_batch(count: int, launch: Launch, collect: Collect) -> Iterator[Run]:
@@ -114,7 +114,7 @@ def _answers(indices: Sequence[int], launch: Launch, collect: Collect) -> Iterat
         stop(program, patience)
 
 
-def _awaited(index: int, program: Program, collect: Collect) -> Run | None:
+def _awaited(index: int, program: Process, collect: Collect) -> Run | None:
     """The answer to an ask as soon as it is there; None if the program ended without it."""
     while True:
         ended = program.process.poll() is not None  # looked at first: a last answer still counts

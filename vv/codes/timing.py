@@ -5,7 +5,7 @@ import time
 from collections.abc import Callable
 from typing import Protocol, TypeVar
 
-from vv.ask import Cost, Run
+from vv.ask import Cost, Model, Run
 
 T = TypeVar("T")
 
@@ -39,8 +39,12 @@ def timed(solve: Callable[[], T], repeat: float) -> tuple[T, Cost]:
     )
 
 
-class Program(Protocol[T]):
+class Prepared(Protocol[T]):
     """An ask that an engine of ours is ready to solve."""
+
+    @property
+    def model(self) -> Model:
+        """What was built for it."""
 
     def warm(self) -> None:
         """Load the kernel, or compile it."""
@@ -52,20 +56,20 @@ class Program(Protocol[T]):
         """Collect the results of a solve."""
 
 
-def run_timed(prepare: Callable[[], Program[T]], repeat: float) -> Run:
+def run_timed(prepare: Callable[[], Prepared[T]], repeat: float) -> Run:
     """The answer of an engine of ours, part by part on the clock.
 
     Cost: setup is building the model; startup is loading the kernel, or compiling it once per
     machine; output is collecting the results.
     """
     clock = [time.process_time()]
-    program = prepare()
+    prepared = prepare()
     clock.append(time.process_time())
-    program.warm()
+    prepared.warm()
     clock.append(time.process_time())
-    rows, cost = timed(program.solve, repeat)
+    rows, cost = timed(prepared.solve, repeat)
     clock.append(time.process_time())
-    run = program.run(rows)
+    run = prepared.run(rows)
     output = time.process_time() - clock[3]
     setup, startup = clock[1] - clock[0], clock[2] - clock[1]
     return dataclasses.replace(

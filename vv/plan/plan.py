@@ -24,7 +24,7 @@ from vv.case import (
     knobs_in_scene,
     why_too_long,
 )
-from vv.codes.adapter import Adapter, Found, Scheme, no_steps, settled
+from vv.codes.adapter import Adapter, Found, Scheme, known_beforehand, no_steps
 from vv.plan.project import Project
 from vv.plan.selection import choose_schemes, named_adapters, select
 from vv.plan.settings import parameters_with_settings
@@ -231,8 +231,8 @@ def _jobs(posed: _Declared, adapter: Adapter, scheme: Scheme, found: Found) -> l
 def _known_outcome(
     posed: _Declared, adapter: Adapter, scheme: Scheme, ask: Ask, found: Found
 ) -> Run | None:
-    """The outcome known without running: that of `settled`, or TOO_LONG; else None."""
-    run = settled(adapter, scheme, ask, found)
+    """The outcome known without running, as `known_beforehand` or TOO_LONG says; else None."""
+    run = known_beforehand(adapter, scheme, ask, found)
     why = why_too_long(posed.trial.study, ask.knobs, scheme.pace)
     return Run(Status.TOO_LONG, why) if why and run is None else run
 
@@ -246,7 +246,7 @@ def _known_outcome_on_map(
         return run
     row = [k for k in (project_knobs(k, scheme, own) for k in posed.rungs) if k.kn == ask.knobs.kn]
     shorter = [k for k in row if (k.dt or 0.0) < (ask.knobs.dt or 0.0)]
-    taken = (settled(adapter, scheme, posed.ask(k), found) for k in shorter)
+    taken = (known_beforehand(adapter, scheme, posed.ask(k), found) for k in shorter)
     return None if any(one is None for one in taken) else run
 
 

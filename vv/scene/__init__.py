@@ -17,9 +17,9 @@ from vv.scene.bonds import Bonds, Pairs
 from vv.scene.contact import Contact
 from vv.scene.energy import Form
 from vv.scene.scene import Scene
+from vv.scene.start import initial_normal_forces
 from vv.scene.terms import Term
 from vv.scene.transform import (
-    initial_normal_forces,
     rotated,
     rotation_about_z,
     spheres_held_by_loads,

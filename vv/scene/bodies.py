@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, fields, replace
 from typing import Any
 
 import numpy as np
@@ -53,6 +53,11 @@ class Spheres:
 
     def __len__(self) -> int:
         return len(self.radius)
+
+    def part(self, rows: slice) -> Spheres:
+        """The spheres of these rows, with all that is stated of them."""
+        rest = {field.name: getattr(self, field.name)[rows] for field in fields(self)}
+        return replace(self, **rest)
 
 
 @dataclass(frozen=True, eq=False)

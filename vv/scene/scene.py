@@ -54,9 +54,9 @@ class Scene:
     def spheres(self) -> Spheres:
         """All spheres as one group, in body order."""
         groups = [group for group in self.bodies if isinstance(group, Spheres)] or [NO_SPHERES]
-        names = [field.name for field in dataclasses.fields(Spheres)]
+        names = [field.name for field in dataclasses.fields(groups[0])]
         joined = {name: np.concatenate([getattr(g, name) for g in groups]) for name in names}
-        return Spheres(**joined)
+        return dataclasses.replace(groups[0], **joined)
 
     @functools.cached_property
     def locked_velocity(self) -> Vector:

@@ -8,6 +8,7 @@ from vv.scene.arrays import Mask, Vector
 from vv.scene.block import Block
 from vv.scene.bodies import Harmonic, Spheres, Wall
 from vv.scene.scene import Scene
+from vv.scene.start import initial_normal_forces
 from vv.scene.terms import Term
 
 DRIFT_TOLERANCE = (
@@ -38,8 +39,12 @@ def rotated(scene: Scene, rotation: Vector) -> Scene:
 def _rotated_group(group: Group, rotation: Vector) -> Group:
     if isinstance(group, Wall):
         normal = rotation @ group.normal
-        motion = _rotated_motion(group.motion, rotation)
-        return Wall(rotation @ group.point, normal / np.linalg.norm(normal), motion)
+        return dataclasses.replace(
+            group,
+            point=rotation @ group.point,
+            normal=normal / np.linalg.norm(normal),
+            motion=_rotated_motion(group.motion, rotation),
+        )
     place = "vertices" if isinstance(group, Block) else "position"
     names = (place, "velocity", "spin", "load")
     turned = {name: getattr(group, name) @ rotation.T for name in names}
@@ -55,50 +60,13 @@ def _rotated_motion(motion: Harmonic | None, rotation: Vector) -> Harmonic | Non
 
 def with_bodies_reversed(scene: Scene) -> Scene:
     """The scene with its n bodies in reversed order: body i becomes body n - 1 - i."""
-    names = [field.name for field in dataclasses.fields(Spheres)]
     bodies = tuple(
-        Spheres(**{name: getattr(group, name)[::-1] for name in names})
-        if isinstance(group, Spheres)
-        else group
+        group.part(slice(None, None, -1)) if isinstance(group, Spheres) else group
         for group in reversed(scene.bodies)
     )
     last = sum(len(group) for group in bodies) - 1
     bonds = scene.bonds and dataclasses.replace(scene.bonds, pairs=last - scene.bonds.pairs)
     return dataclasses.replace(scene, bodies=bodies, bonds=bonds)
-
-
-def initial_normal_forces(scene: Scene) -> Vector:
-    """(n, 3) normal forces [N] of contacts and bonds on the spheres at t = 0."""
-    spheres, kn = scene.spheres, scene.contact.kn
-    force = _initial_bond_forces(scene)
-    partners: list[list[int]] = [[] for _ in range(len(spheres))]
-    for i, j in scene.bonded_pairs.tolist():
-        partners[i].append(j)
-        partners[j].append(i)
-    for wall in scene.walls:
-        gap = (spheres.position - wall.point) @ wall.normal - spheres.radius
-        force += kn * np.maximum(-gap, 0.0)[:, None] * wall.normal
-    for i in range(len(spheres)):
-        offset = spheres.position - spheres.position[i]
-        distance = np.linalg.norm(offset, axis=1)
-        overlap = np.maximum(spheres.radius + spheres.radius[i] - distance, 0.0)
-        overlap[i], distance[i] = 0.0, 1.0
-        overlap[partners[i]] = 0.0
-        force += kn * (overlap / distance)[:, None] * offset
-    return force
-
-
-def _initial_bond_forces(scene: Scene) -> Vector:
-    """(n, 3) forces [N] of bonds on the spheres at t = 0."""
-    force = np.zeros((len(scene.spheres), 3))
-    if scene.bonds is not None:
-        i, j = scene.bonded_pairs.T
-        offset = scene.spheres.position[j] - scene.spheres.position[i]
-        distance = np.linalg.norm(offset, axis=1)
-        pull = scene.bonds.kn * (distance - scene.bonds.length) / distance
-        np.add.at(force, i, pull[:, None] * offset)
-        np.add.at(force, j, -pull[:, None] * offset)
-    return force
 
 
 def with_loads_for_locks(scene: Scene) -> Scene:
@@ -180,13 +148,11 @@ def _partly_locked(spheres: Spheres) -> Mask:
 
 def _regrouped(scene: Scene, spheres: Spheres) -> tuple[Group, ...]:
     """The scene's groups of bodies, with the data of all spheres replaced by those given."""
-    names = [field.name for field in dataclasses.fields(Spheres)]
     bodies: list[Group] = []
     first = 0
     for group in scene.bodies:
         if isinstance(group, Spheres):
-            part = slice(first, first + len(group))
-            bodies.append(Spheres(**{name: getattr(spheres, name)[part] for name in names}))
+            bodies.append(spheres.part(slice(first, first + len(group))))
             first += len(group)
         else:
             bodies.append(group)

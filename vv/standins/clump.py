@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import functools
 from dataclasses import dataclass
 
 import numpy as np
@@ -10,7 +9,12 @@ import numpy as np
 from vv.ask import Ask
 from vv.scene import Block, Term, Vector, Wall, initial_normal_forces
 from vv.standins.soften import TOUCHING
-from vv.standins.stand_in import Stood, held, stood_for, why_not
+from vv.standins.stand_in import (
+    SpringScene,
+    spring_scene,
+    why_no_spring_scene,
+    without_rotations,
+)
 
 SMALL = 0.01  # of a block's size: the radius of the spheres at its corners
 SIGNS = np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)], float)
@@ -20,13 +24,13 @@ SIGNS = np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)],
 class Clump:
     """A block on one wall, as a rigid body of spheres.
 
-    stood: the scene in which a single sphere stands for the block, with springs kn, ks of the
+    springs: the scene in which a single sphere stands for the block, with springs kn, ks of the
     whole. corners: centres (k, 3) [m] of the spheres, of one radius [m], that touch the wall;
     each has springs kn/k, ks/k, and shares (k,) is its part of the normal force and friction at
     t = 0. points: (8, 3) [m], each an eighth of the mass; they have the block's inertia.
     """
 
-    stood: Stood
+    springs: SpringScene
     block: Block
     corners: Vector
     radius: float
@@ -36,8 +40,8 @@ class Clump:
     @property
     def friction(self) -> Vector:
         """The friction (k, 3) [N] that the shear spring of each corner holds at t = 0."""
-        assert self.stood.charged is not None
-        return np.outer(self.shares, self.stood.charged[0])
+        assert self.springs.charged is not None
+        return np.outer(self.shares, self.springs.charged[0])
 
     @property
     def words(self) -> str:
@@ -48,25 +52,25 @@ class Clump:
         )
 
 
-@functools.lru_cache(maxsize=32)  # it is wanted several times for each of a ladder's rungs
-def clump(ask: Ask) -> Clump:
+def clump(ask: Ask, springs: SpringScene) -> Clump:
     """The clump for an ask about one block on a wall; `why_no_clump` must not object.
+
+    springs: the scene in which a sphere stands for the block, with its rotations locked.
 
     Spheres stand on the corners, pressed in by what their springs carry. Where the block may
     turn, the corners share the load so that nothing turns it at t = 0: friction acts below the
     centroid. Where it may not, its lock does that, and all share alike.
     """
     (block,), (wall,) = ask.scene.blocks, ask.scene.walls
-    stood = stood_for(ask)
     size = float(np.ptp(block.vertices, axis=0).max())
     feet = _feet(block, wall, size)
-    (force,) = initial_normal_forces(stood.scene)
-    shares = _shares(block, wall, feet, force, stood)
-    overlap = shares * len(feet) * float(force @ wall.normal) / stood.scene.contact.kn
+    (force,) = initial_normal_forces(springs.scene)
+    shares = _shares(block, wall, feet, force, springs.charged)
+    overlap = shares * len(feet) * float(force @ wall.normal) / springs.scene.contact.kn
     radius = SMALL * size
     corners = feet + np.outer(radius - overlap, wall.normal)
-    lowered = stood.scene.spheres.position[0] - block.centroid()
-    return Clump(stood, block, corners, radius, shares, _points(block) + lowered)
+    lowered = springs.scene.spheres.position[0] - block.centroid()
+    return Clump(springs, block, corners, radius, shares, _points(block) + lowered)
 
 
 def why_no_clump(ask: Ask) -> str | None:
@@ -78,24 +82,34 @@ def why_no_clump(ask: Ask) -> str | None:
         return "a block whose contact has a stiffness of its own does not say how corners share it"
     if scene.blocks[0].spin.any():
         return f"block '{scene.blocks[0].name}' spins as it starts: corners slip their own ways"
-    return why_not(held(ask)) or _tips(ask) or _sinks(ask)
+    locked = without_rotations(ask)
+    reason = why_no_spring_scene(locked) or _no_face(scene.blocks[0], scene.walls[0])
+    if reason is not None:
+        return reason
+    made = clump(ask, spring_scene(locked))
+    return _tips(made) or _sinks(made, ask)
 
 
-def _tips(ask: Ask) -> str | None:
-    """Why a block would not begin on all corners of a face."""
-    (block,), (wall,) = ask.scene.blocks, ask.scene.walls
+def _no_face(block: Block, wall: Wall) -> str | None:
+    """Why a block would not stand on corners that span a face."""
     feet = _feet(block, wall, float(np.ptp(block.vertices, axis=0).max()))
     across = feet - feet.mean(axis=0)
     if np.linalg.matrix_rank(across, 1e-6 * float(np.abs(across).max(initial=0.0))) < 2:
         return f"block '{block.name}' stands on no face, but on {len(feet)} corners"
-    if (clump(ask).shares < 0).any():
-        return f"block '{block.name}' begins to tip: not all corners of its face are pressed"
     return None
 
 
-def _sinks(ask: Ask) -> str | None:
+def _tips(made: Clump) -> str | None:
+    """Why a block would not begin on all corners of its face."""
+    if (made.shares < 0).any():
+        name = made.block.name
+        return f"block '{name}' begins to tip: not all corners of its face are pressed"
+    return None
+
+
+def _sinks(made: Clump, ask: Ask) -> str | None:
     """Why springs would be too soft for spheres so small: their centres must stay off the wall."""
-    made, (wall,) = clump(ask), ask.scene.walls
+    (wall,) = ask.scene.walls
     lowest = float(((made.corners - wall.point) @ wall.normal).min())
     if lowest > 0:
         return None
@@ -111,17 +125,19 @@ def _feet(block: Block, wall: Wall, size: float) -> Vector:
     return np.asarray(block.vertices[np.abs(gap) < TOUCHING * size])
 
 
-def _shares(block: Block, wall: Wall, feet: Vector, force: Vector, stood: Stood) -> Vector:
+def _shares(
+    block: Block, wall: Wall, feet: Vector, force: Vector, friction: Vector | None
+) -> Vector:
     """Each corner's part (k,) of the normal force: linear over the face, as of a rigid body."""
     alike = np.full(len(feet), 1 / len(feet))
     total = float(force @ wall.normal)
-    if not block.free_spin.any() or total == 0 or stood.charged is None:
+    if not block.free_spin.any() or total == 0 or friction is None:
         return alike
     arms = feet - block.centroid()
     # sum of shares is one, and the moment of all forces about the centroid along the wall nil
     rows = np.column_stack([np.ones(len(feet)), arms - np.outer(arms @ wall.normal, wall.normal)])
     centre = (arms @ wall.normal).mean() * wall.normal
-    tipping = np.cross(centre, stood.charged[0])
+    tipping = np.cross(centre, friction[0])
     moments = np.cross(arms, total * wall.normal).T @ rows
     system = np.vstack([rows.sum(axis=0), moments])
     wanted = np.concatenate([[1.0], -tipping])

@@ -3,18 +3,17 @@
 from __future__ import annotations
 
 import dataclasses
-import functools
 
 import numpy as np
 
-from vv.scene import Block, Contact, Harmonic, Scene, Spheres, Vector
+from vv.scene import Block, Harmonic, Scene, Spheres, Vector
 
 TOUCHING = 1e-9  # of a block's size: a gap below that is a contact
 STILL = 1e-12  # of the speeds of a body and its wall: a slip below that is rounding
 
 
 def why_no_point(scene: Scene) -> str | None:
-    """Why a scene's blocks cannot be stood for by spheres that do not turn; None if they can."""
+    """Why spheres that do not turn cannot stand for a scene's blocks; None if they can."""
     for block in scene.blocks:
         if block.free_spin.any():
             return f"block '{block.name}' may turn; a sphere would roll"
@@ -29,7 +28,6 @@ def why_no_point(scene: Scene) -> str | None:
     return None
 
 
-@functools.lru_cache(maxsize=64)  # asked once a rung for one scene
 def as_spheres(scene: Scene) -> Scene:
     """The scene with each block as a sphere at its centroid, with the block's gap to the wall.
 
@@ -68,7 +66,8 @@ def softened(scene: Scene, kn: float, shear: float = 1.0) -> Scene:
     """
     if not scene.contact.rigid:
         return scene
-    contact = Contact(kn, shear * kn if scene.contact.mu > 0 else 0.0, scene.contact.mu)
+    ks = shear * kn if scene.contact.mu > 0 else 0.0
+    contact = dataclasses.replace(scene.contact, kn=kn, ks=ks)
     bodies = tuple(
         _pressed(group, scene, kn) if isinstance(group, Spheres) else group
         for group in scene.bodies

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import dataclasses
-import functools
 from dataclasses import dataclass
 
 import numpy as np
@@ -30,7 +29,7 @@ STANDS_IN = frozenset({Term.BLOCK, Term.RIGID_CONTACT})
 
 
 @dataclass(frozen=True, eq=False)
-class Stood:
+class SpringScene:
     """A scene of spheres and springs, and how it came about.
 
     charged: friction (n, 3) [N] that the shear springs hold at t = 0; None: none. terms: those
@@ -43,9 +42,8 @@ class Stood:
     notes: tuple[str, ...]
 
 
-@functools.lru_cache(maxsize=32)  # it is wanted several times for each of a ladder's rungs
-def sprung(ask: Ask) -> Stood:
-    """What a code with springs and spheres solves for an ask; `why_not` must not object.
+def spring_scene(ask: Ask) -> SpringScene:
+    """What a code with springs and spheres solves; `why_no_spring_scene` must not object.
 
     Springs kn, ks = SHEAR kn stand in for rigid contact. They start as they are in the
     limit of rigid contact: pressed in by what presses the bodies on their wall at t = 0, and
@@ -56,7 +54,7 @@ def sprung(ask: Ask) -> Stood:
     notes = []
     charged = None
     if Term.BLOCK in terms:
-        scene = _spheres(scene)
+        scene = as_spheres(scene)
         notes.append("a sphere of its mass stands for a block that cannot turn")
     if Term.RIGID_CONTACT in terms and kn is not None:
         if scene.walls:
@@ -65,46 +63,31 @@ def sprung(ask: Ask) -> Stood:
         notes.append(
             f"springs kn = {kn:g}, ks = {SHEAR * kn:g} N/m, charged as rigid contact is at t = 0"
         )
-    return Stood(scene, charged, terms, tuple(notes))
+    return SpringScene(scene, charged, terms, tuple(notes))
 
 
-def stood_for(ask: Ask) -> Stood:
-    """As `sprung`, where a block may turn too: what stands for it does not.
+def without_rotations(ask: Ask) -> Ask:
+    """The ask with its blocks locked against rotation, as spheres in their place would be.
 
-    A code that makes a rigid body of it adds the rotations.
+    A code that makes a rigid body of a block adds the rotations itself.
     """
-    return sprung(held(ask))
-
-
-def held(ask: Ask) -> Ask:
-    """The ask with its blocks locked against rotation, as spheres in their place would be."""
-    turning = any(block.free_spin.any() for block in ask.scene.blocks)
-    return _held(ask) if turning else ask
-
-
-@functools.lru_cache(maxsize=32)
-def _held(ask: Ask) -> Ask:
-    still = np.zeros(3, bool)
+    if not any(block.free_spin.any() for block in ask.scene.blocks):
+        return ask
     bodies = tuple(
-        dataclasses.replace(g, free_spin=still) if isinstance(g, Block) else g
+        dataclasses.replace(g, free_spin=np.zeros(3, bool)) if isinstance(g, Block) else g
         for g in ask.scene.bodies
     )
     return dataclasses.replace(ask, scene=dataclasses.replace(ask.scene, bodies=bodies))
 
 
-def why_not(ask: Ask) -> str | None:
+def why_no_spring_scene(ask: Ask) -> str | None:
     """Why neither springs nor spheres can stand in for what an ask has; else None."""
     reason = why_no_point(ask.scene) if ask.scene.blocks else None
     if reason is not None or Term.RIGID_CONTACT not in ask.scene.terms():
         return reason
     if ask.knobs.kn is None:
         return "Knobs.kn is None; rigid contact needs a stiffness to stand in for it"
-    return _bounces(_spheres(ask.scene) if ask.scene.blocks else ask.scene)
-
-
-@functools.lru_cache(maxsize=32)  # a scene is that of all rungs
-def _spheres(scene: Scene) -> Scene:
-    return as_spheres(scene)
+    return _bounces(as_spheres(ask.scene) if ask.scene.blocks else ask.scene)
 
 
 def _bounces(scene: Scene) -> str | None:

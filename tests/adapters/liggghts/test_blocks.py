@@ -8,15 +8,14 @@ import numpy as np
 import pytest
 
 from adapters.liggghts import ADAPTER
-from adapters.liggghts.deck import deck
 from cases.incline import CASE as INCLINE
 from cases.responding_block import CASE as RESPONDING
 from tests.scenes.sliding_blocks import Frame, incline
 from tests.support.adapter_asks import DT, block_ask, case_ask
-from tests.support.liggghts_asks import CLUMP, PLAIN, words
+from tests.support.liggghts_asks import CLUMP, PLAIN, deck_of, words
 from vv.ask import Knobs
 from vv.case import Case
-from vv.standins.stand_in import sprung
+from vv.standins.stand_in import spring_scene
 
 
 @pytest.mark.parametrize("case", [INCLINE, RESPONDING], ids=lambda case: case.name)
@@ -39,26 +38,26 @@ def test_every_variant_with_a_block_is_run_as_a_sphere_if_it_cannot_turn(case: C
 
 def test_a_charge_is_a_step_before_time_starts_that_ends_where_the_sphere_begins() -> None:
     ask = block_ask(incline(Frame(28.0, turn=0.4), 15.0, v0=0.2))
-    text, stood = deck(ask, PLAIN, "rows.txt"), sprung(ask)
-    assert stood.charged is not None
+    text, springs = deck_of(ask, PLAIN), spring_scene(ask)
+    assert springs.charged is not None
     (created,) = words(text, "create_atoms")
     (slid,) = (line for line in words(text, "fix", "slid0") if "move" in line)
     way = DT * np.array(slid[3:6], float)
     start = np.array(created[2:5], float)
-    assert start + way == pytest.approx(stood.scene.spheres.position[0], abs=1e-15)
-    assert -stood.scene.contact.ks * way == pytest.approx(stood.charged[0], rel=1e-12)
+    assert start + way == pytest.approx(springs.scene.spheres.position[0], abs=1e-15)
+    assert -springs.scene.contact.ks * way == pytest.approx(springs.charged[0], rel=1e-12)
     after = text[text.index("unfix slid0") :]
     (speeds,) = words(after, "set", "atom")
     assert np.array(speeds[2::2], float) == pytest.approx(0.2 * Frame(28.0, turn=0.4).dip)
     assert after.index("reset_timestep") < after.index("nve") < after.index("run  ")
-    assert "slid" not in deck(case_ask("T3"), PLAIN, "rows.txt")
+    assert "slid" not in deck_of(case_ask("T3"), PLAIN)
 
 
 def test_a_rigid_body_has_the_sphere_s_springs_and_the_rotations_of_the_block() -> None:
     scene = incline(Frame(28.0), 15.0, A=2.0)
     turning = dataclasses.replace(scene.blocks[0], free_spin=np.array([False, True, False]))
     ask = block_ask(dataclasses.replace(scene, bodies=(*scene.walls, turning)))
-    text, alone = deck(ask, CLUMP, "rows.txt"), deck(block_ask(scene), PLAIN, "rows.txt")
+    text, alone = deck_of(ask, CLUMP), deck_of(block_ask(scene), PLAIN)
     for name in ("kn", "kt"):
         springs = [float(words(deck, "fix", name)[0][-1]) for deck in (text, alone)]
         assert springs[0] * 4 == springs[1]

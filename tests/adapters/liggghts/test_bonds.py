@@ -9,12 +9,12 @@ import numpy as np
 import pytest
 
 from adapters.liggghts import ADAPTER
-from adapters.liggghts.bonds import OVERLAP, overlapped
+from adapters.liggghts.overlaps import OVERLAP, overlapped
 from tests.scenes.bonded_scenes import CORNERS, EDGES, KN, KS, D, elements, tied, unit
 from tests.support.installed import only_with
 from vv.ask import Ask, Displacement, History, Knobs, Status
 from vv.case import Grid, Level
-from vv.codes import settled, unsupported
+from vv.codes import known_beforehand, unsupported
 from vv.engines import dem
 from vv.plan.project import find
 from vv.scene import Bonds, Scene, Spheres, Term, initial_normal_forces
@@ -72,9 +72,9 @@ def test_what_contacts_cannot_be_is_refused() -> None:
 def test_it_says_in_its_own_words_why_bonds_do_not_break() -> None:
     frail = ask(pulled(bonds=tied(tension=1.0, shear=1.0)))
     for scheme in ADAPTER.schemes:
-        said = settled(ADAPTER, scheme, frail, ADAPTER.found())
-        assert said is not None
-        assert ("bonds that break (" in said.reason) is (Term.BOND in scheme.terms), scheme.name
+        run = known_beforehand(ADAPTER, scheme, frail, ADAPTER.found())
+        assert run is not None
+        assert ("bonds that break (" in run.reason) is (Term.BOND in scheme.terms), scheme.name
 
 
 def test_words_on_a_term_that_a_scheme_has_are_refused() -> None:

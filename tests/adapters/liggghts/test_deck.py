@@ -10,11 +10,11 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from adapters.liggghts.deck import deck, silent_deck
-from adapters.liggghts.translate import space
-from adapters.liggghts.walls import triangle
+from adapters.liggghts.deck import silent_deck
+from adapters.liggghts.setup import set_up
+from adapters.liggghts.space import triangle
 from tests.support.adapter_asks import DT, UP, case_ask
-from tests.support.liggghts_asks import HALF_STEP, PLAIN, ball, ball_ask, words
+from tests.support.liggghts_asks import HALF_STEP, PLAIN, ball, ball_ask, deck_of, words
 from vv.scene import Contact, Harmonic, Wall, rotated, rotation_about_z
 from vv.standins.soften import acceleration_of
 
@@ -28,7 +28,7 @@ def test_a_deck_holds_the_scene_to_the_last_bit(
     sphere = ball(position=[place], radius=[radius], mass=[mass], velocity=[place])
     ask = ball_ask(sphere)
     scene = dataclasses.replace(ask.scene, contact=Contact(mass))
-    text = deck(dataclasses.replace(ask, scene=scene), PLAIN, "rows.txt")
+    text = deck_of(dataclasses.replace(ask, scene=scene), PLAIN)
     assert float(words(text, "fix", "kn")[0][-1]) == mass
     ((created,), (sizes, *_)) = words(text, "create_atoms"), words(text, "set", "atom")
     assert [float(word) for word in created[2:5]] == list(place)
@@ -38,18 +38,18 @@ def test_a_deck_holds_the_scene_to_the_last_bit(
 
 
 def test_kn_and_ks_are_the_springs_and_nothing_is_damped() -> None:
-    text = deck(case_ask("T3"), PLAIN, "rows.txt")
-    told = {line[0]: float(line[-1]) for line in words(text, "fix") if "property/global" in line}
-    assert told == {"kn": 5.5e9, "kt": 5.5e9, "gamman": 0, "gammat": 0, "coefficientFriction": 0.1}
+    text = deck_of(case_ask("T3"), PLAIN)
+    given = {line[0]: float(line[-1]) for line in words(text, "fix") if "property/global" in line}
+    assert given == {"kn": 5.5e9, "kt": 5.5e9, "gamman": 0, "gammat": 0, "coefficientFriction": 0.1}
     assert text.count("tangential history") == 2
     assert text.count("tangential_damping off") == 2
-    assert "history" not in silent_deck(case_ask("T1"), PLAIN)
+    assert "history" not in silent_deck(set_up(case_ask("T1"), PLAIN))
 
 
 def test_ids_follow_the_order_of_spheres_and_locks_come_last() -> None:
-    fixed_last = deck(case_ask("T1-swapped"), PLAIN, "rows.txt")
+    fixed_last = deck_of(case_ask("T1-swapped"), PLAIN)
     assert words(fixed_last, "group", "shifted") == [["id", "1"]]
-    wall_first = deck(case_ask("T4"), PLAIN, "rows.txt")
+    wall_first = deck_of(case_ask("T4"), PLAIN)
     assert words(wall_first, "variable", "o0y") == [["equal", "y[1]-(0.0)"]]
     fixes = [line[2] for line in words(wall_first, "fix")]
     assert fixes[-5:] == ["wall/gran", "nve", "viscous", "setforce", "print"]
@@ -58,7 +58,7 @@ def test_ids_follow_the_order_of_spheres_and_locks_come_last() -> None:
 
 def test_a_raised_mass_leaves_the_weight_as_it_was() -> None:
     ask = ball_ask(ball(load=[[3, 0, 0]]), eta=40.0, gravity=np.array([0, -10.0, 0]))
-    plain, raised = deck(ask, PLAIN, "rows.txt"), deck(ask, HALF_STEP, "rows.txt")
+    plain, raised = deck_of(ask, PLAIN), deck_of(ask, HALF_STEP)
     assert float(words(plain, "set", "atom", "1")[0][-1]) == 2.0
     assert words(plain, "fix", "weight", "all", "gravity")[0] == [
         "10.0",
@@ -70,7 +70,9 @@ def test_a_raised_mass_leaves_the_weight_as_it_was() -> None:
     assert float(words(raised, "set", "atom", "1")[0][-1]) == 2.0 + 40.0 * DT / 2
     assert not words(raised, "fix", "weight")
     assert words(raised, "fix", "load0", "load0", "addforce") == [["3.0", "-20.0", "0.0"]]
-    assert silent_deck(case_ask("T3"), PLAIN) == silent_deck(case_ask("T3"), HALF_STEP)
+    assert silent_deck(set_up(case_ask("T3"), PLAIN)) == silent_deck(
+        set_up(case_ask("T3"), HALF_STEP)
+    )
 
 
 def test_a_wall_across_an_axis_is_a_plane_and_an_oblique_one_a_mesh_the_deck_writes() -> None:
@@ -78,9 +80,9 @@ def test_a_wall_across_an_axis_is_a_plane_and_an_oblique_one_a_mesh_the_deck_wri
     quarter = dataclasses.replace(
         quarter, scene=rotated(quarter.scene, rotation_about_z(np.pi / 2))
     )
-    assert "primitive type 1 xplane" in deck(quarter, PLAIN, "rows.txt")
+    assert "primitive type 1 xplane" in deck_of(quarter, PLAIN)
     ask = case_ask("T3-rotated")
-    text = deck(ask, PLAIN, "rows.txt")
+    text = deck_of(ask, PLAIN)
     corners = np.array([v.split() for v in re.findall(r'print "vertex (.*?)"', text)], float)
     across = np.cross(corners[1] - corners[0], corners[2] - corners[0])
     normal = ask.scene.walls[0].normal
@@ -93,7 +95,7 @@ def test_all_meshes_share_a_command_as_liggghts_wants() -> None:
     ask = case_ask("T3-rotated")
     further = Wall(np.full(3, -99.0), np.array([0.6, 0.0, 0.8]))
     scene = dataclasses.replace(ask.scene, bodies=(*ask.scene.bodies, further))
-    text = deck(dataclasses.replace(ask, scene=scene), PLAIN, "rows.txt")
+    text = deck_of(dataclasses.replace(ask, scene=scene), PLAIN)
     (meshes,) = words(text, "fix", "meshes")
     assert meshes[-6:-2] == ["2", "meshes", "wall0_mesh", "wall1_mesh"]
 
@@ -125,7 +127,7 @@ def test_a_mesh_is_where_it_must_be_after_every_step(f: float, phase: float, tur
         np.array([0.2, 0.0, 0.1]), np.full(3, f), np.full(3, phase), rotation_about_z(turn)
     )
     wall = Wall(np.zeros(3), np.array([0.0, 1.0, 0.0]), motion)
-    text = deck(ball_ask(wall, ball(), body=1), PLAIN, "rows.txt")
+    text = deck_of(ball_ask(wall, ball(), body=1), PLAIN)
     speeds = [[valued(text, f"wall0_v_{a}", n) for a in "xyz"] for n in range(1, 51)]
     moved = np.sin(2 * np.pi * f * DT * 50 + phase) - np.sin(phase)
     place = DT * np.sum(speeds, axis=0)
@@ -138,14 +140,14 @@ def test_a_body_acceleration_is_a_force_on_the_scene_s_masses() -> None:
     )
     ask = ball_ask(ball(), shaking=shaking, eta=40.0)
     for scheme in (PLAIN, HALF_STEP):
-        text = deck(ask, scheme, "rows.txt")
+        text = deck_of(ask, scheme)
         force = [valued(text, f"shake0_{a}", 70) for a in "xyz"]
         assert force == pytest.approx(2.0 * acceleration_of(shaking, 70 * DT), rel=1e-12)
 
 
 def test_the_box_holds_the_longest_free_path() -> None:
     ask = ball_ask(ball(velocity=[[0, 300, 0]]), gravity=np.array([0, 0, -1e3]))
-    room = space(ask, PLAIN)
+    room = set_up(ask, PLAIN).room
     assert room.high[1] > 0.1 + 30.0
     assert (room.outer[0] < room.low).all()
     assert (room.high < room.outer[1]).all()

@@ -44,12 +44,12 @@ def test_every_variant_is_run_and_says_all_its_terms() -> None:
     turned = ADAPTER.describe(case_ask("T4-rotated"), HALF_STEP)
     assert turned.unknowns == 3  # LIGGGHTS integrates locked translations too
     assert Term.OBLIQUE_LOCK in turned.terms
-    for said in (
+    for words in (
         "a dead load along the normal instead of a locked axis",
         "a mesh wall",
         "eta dt/2",
     ):
-        assert said in turned.note
+        assert words in turned.note
 
 
 def test_an_absent_liggghts_is_said_to_be_absent(

@@ -6,7 +6,6 @@ import dataclasses
 import functools
 import os
 import subprocess
-from collections.abc import Sequence
 from pathlib import Path
 
 import numpy as np
@@ -14,9 +13,7 @@ import pytest
 
 from adapters.liggghts import ADAPTER
 from adapters.liggghts.batch import MPI
-from adapters.liggghts.deck import deck, silent_deck
-from cases.single_contact import CASE
-from tests.scenes.sliding_blocks import Frame, incline, responding
+from tests.scenes.sliding_blocks import responding
 from tests.support import live_asks
 from tests.support.installed import only_with
 from tests.support.live_asks import (
@@ -37,7 +34,6 @@ from tests.support.live_asks import (
     undamped,
 )
 from vv.ask import Ask, Displacement, History, Knobs, Status
-from vv.codes import external
 from vv.scene import Contact, Harmonic, Scene, rotated, rotation_about_z
 
 HERE = ADAPTER.found()
@@ -112,33 +108,6 @@ def test_a_thrown_sphere_slides_and_then_rolls(tmp_path: Path) -> None:
         assert run.model.unknowns == 6
 
 
-def test_a_timed_run_is_the_cost_of_the_loop_alone_and_of_long_ones_taken_once(
-    tmp_path: Path,
-) -> None:
-    asks = [TRIALS["T3"].study.ask(Knobs(dt=dt)) for dt in (1e-3, 1e-4, 1e-5)]
-    short, longer, longest = ran(asks, "default", tmp_path, 1e-3)
-    assert (short.cost.startup > 0, longer.cost.startup, longest.cost.startup) == (True, 0.0, 0.0)
-    assert (short.cost.repeats >= 3, longest.cost.repeats) == (True, 1)
-    for run in (short, longer, longest):
-        assert min(run.cost.setup, run.cost.solve_cpu) > 0
-        assert (run.model, dict(run.values)) == (ADAPTER.describe(asks[0], "default"), {})
-    assert longer.cost.solve_cpu > 3 * short.cost.solve_cpu  # ten times the steps
-    assert longest.cost.solve_cpu > 3 * longer.cost.solve_cpu
-
-
-def test_a_death_in_timing_costs_the_ask_in_flight(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    def poisoned(ask: Ask, scheme: str, around: Sequence[str] = ()) -> str:
-        text = silent_deck(ask, scheme, around)
-        return text.replace(" mass ", " mass -") if ask is STEPS[1] else text
-
-    monkeypatch.setattr("adapters.liggghts.batch.silent_deck", poisoned)
-    runs = list(ADAPTER.run(STEPS, "default", tmp_path, 1e-3))
-    assert [run.status for run in runs] == [Status.RAN, Status.ERROR, Status.RAN]
-    assert [run.cost.repeats >= 3 for run in runs] == [True, False, True]
-
-
 def test_what_failed_is_no_result_and_the_next_ask_still_runs(tmp_path: Path) -> None:
     through = Scene((ball(0.05, [0, -100, 0]), FLOOR), Contact(10.0))
     slanted = np.array([[0.6, -0.8, 0], [0.8, 0.6, 0], [0, 0, 1]])
@@ -151,45 +120,6 @@ def test_what_failed_is_no_result_and_the_next_ask_still_runs(tmp_path: Path) ->
     assert "through a wall" in fallen.reason
     assert (drifted.status, "dead load" in drifted.reason) == (Status.ERROR, True)
     assert flying.status is Status.RAN
-
-
-STEPS = [TRIALS["T1"].study.ask(Knobs(dt=dt)) for dt in (1e-3, 1e-7, 5e-4)]
-
-
-def test_a_poisoned_deck_in_a_batch_fails_alone_and_says_why(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    def poisoned(ask: Ask, scheme: str, rows: str) -> str:
-        text = deck(ask, scheme, rows)
-        return text.replace(" mass ", " mass -") if ask is STEPS[1] else text
-
-    monkeypatch.setattr("adapters.liggghts.batch.deck", poisoned)
-    runs = list(ADAPTER.run(STEPS, "default", tmp_path, 0.0))
-    assert [run.status for run in runs] == [Status.RAN, Status.ERROR, Status.RAN]
-    assert "exit code 1" in runs[1].reason
-    assert "Invalid mass" in runs[1].reason
-    assert runs[2].cost.startup > 0  # a program of its own
-    assert error(runs[2], "T1") < 1e-4
-
-
-def test_a_killed_program_costs_the_ask_in_flight(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    programs: list[external.Program] = []
-    start = external.start
-
-    def noted(*call: object) -> external.Program:
-        programs.append(start(*call))  # type: ignore[arg-type]
-        return programs[-1]
-
-    monkeypatch.setattr(external, "start", noted)
-    answers = iter(ADAPTER.run(STEPS, "default", tmp_path, 0.0))
-    first = next(answers)
-    programs[0].process.kill()
-    second, third = answers
-    assert [run.status for run in (first, second, third)] == [Status.RAN, Status.ERROR, Status.RAN]
-    assert "SIGKILL" in second.reason
-    assert len(programs) == 2
 
 
 def test_an_exported_deck_runs_alone_to_the_same_digits(tmp_path: Path, half_step: Runs) -> None:
@@ -218,19 +148,3 @@ def test_an_exported_deck_slides_a_block_alone_to_the_same_digits(
     rows = np.loadtxt(tmp_path / "history.txt")
     assert (rows[:, 2:] == run.values[Displacement(1)][1:]).all()
     assert np.abs(rows[-1, 2:]).max() > 0.01
-
-
-def test_the_step_that_charges_springs_is_no_part_of_the_loop_s_time(tmp_path: Path) -> None:
-    scene = incline(Frame(20.0), 30.0)
-    ask = Ask(scene, History(2.0, 0.02), (Displacement(1),), Knobs(1e-4, 1e9))
-    (run,) = ran([ask], "default", tmp_path, repeat=0.01)
-    assert run.cost.solve_cpu > 2e-3  # 20 000 steps; the charge takes one
-
-
-def test_a_long_solve_states_less_than_its_elapsed_time_and_most_of_it(tmp_path: Path) -> None:
-    """On a core of its own it is what LIGGGHTS' own timer says; on a shared one it is its share."""
-    ask = CASE.declare("T1", CASE.defaults("T1")).study.ask(Knobs(dt=1e-6))
-    (run,) = ADAPTER.run([ask], "default", tmp_path, 0.05)
-    assert 0.05 * run.cost.solve_wall < run.cost.solve_cpu <= 1.01 * run.cost.solve_wall
-    told = np.loadtxt(next(tmp_path.glob("time-*.cpu")), usecols=0)
-    assert (np.diff(told) > 0).all()

@@ -11,9 +11,9 @@ import numpy as np
 import pytest
 
 from adapters.yade.answers import parse
-from adapters.yade.translate import plan
+from adapters.yade.setup import set_up
 from tests.support.adapter_asks import ball, ball_ask, case_ask
-from tests.support.yade_asks import PLAIN
+from tests.support.yade_asks import PLAIN, plan_of
 from vv.ask import Displacement, Model, Status, Velocity
 
 FACTS = {
@@ -21,7 +21,6 @@ FACTS = {
     "solve_cpu": 0.2, "solve_wall": 0.3, "output": 0.4, "repeats": 5, "spread": 0.6,
 }  # fmt: skip
 MODEL = Model(0, frozenset(), "as described")
-FRAME = np.eye(3)
 
 
 def answered(folder: Path, values: Any, **changes: Any) -> Path:
@@ -34,7 +33,7 @@ def answered(folder: Path, values: Any, **changes: Any) -> Path:
 def test_an_answer_becomes_a_run(tmp_path: Path) -> None:
     ask = ball_ask(ball())
     values = np.arange(33.0).reshape(1, 11, 3)
-    run = parse(answered(tmp_path, values), ask, FRAME, MODEL, started=11.0)
+    run = parse(answered(tmp_path, values), set_up(ask, PLAIN), MODEL, started=11.0)
     assert run is not None
     assert run.status is Status.RAN
     assert (run.values[Displacement(0)] == values[0]).all()
@@ -45,14 +44,14 @@ def test_an_answer_becomes_a_run(tmp_path: Path) -> None:
 
 def test_only_the_first_answer_of_a_program_carries_its_start(tmp_path: Path) -> None:
     path = answered(tmp_path, np.zeros((1, 11, 3)), ready=0.0)
-    run = parse(path, ball_ask(ball()), FRAME, MODEL, started=11.0)
+    run = parse(path, set_up(ball_ask(ball()), PLAIN), MODEL, started=11.0)
     assert run is not None
     assert run.cost.startup == 0.0
 
 
 def test_a_quantity_missing_from_an_answer_is_an_error(tmp_path: Path) -> None:
     ask = dataclasses.replace(ball_ask(ball()), observables=(Displacement(0), Velocity(0)))
-    run = parse(answered(tmp_path, np.zeros((1, 11, 3))), ask, FRAME, MODEL, started=0.0)
+    run = parse(answered(tmp_path, np.zeros((1, 11, 3))), set_up(ask, PLAIN), MODEL, started=0.0)
     assert run is not None
     assert run.status is Status.ERROR
     assert "(2, 11, 3) was asked for" in run.reason
@@ -62,8 +61,12 @@ def test_a_sphere_that_drifts_where_it_was_locked_is_an_error(tmp_path: Path) ->
     ask = case_ask("T3-rotated", dt=0.1)
     along, across = ask.scene.axes[1], ask.scene.axes[0]
     moved = np.array([[0.0, 0.0, 0.0], 0.1 * along, 0.2 * along, 0.3 * along, 0.4 * along])
-    kept = parse(answered(tmp_path, moved[None] + 1e-13 * across), ask, FRAME, MODEL, started=0.0)
-    lost = parse(answered(tmp_path, moved[None] + 1e-9 * across), ask, FRAME, MODEL, started=0.0)
+    kept = parse(
+        answered(tmp_path, moved[None] + 1e-13 * across), set_up(ask, PLAIN), MODEL, started=0.0
+    )
+    lost = parse(
+        answered(tmp_path, moved[None] + 1e-9 * across), set_up(ask, PLAIN), MODEL, started=0.0
+    )
     assert kept is not None
     assert lost is not None
     assert kept.status is Status.RAN
@@ -72,13 +75,13 @@ def test_a_sphere_that_drifts_where_it_was_locked_is_an_error(tmp_path: Path) ->
 
 def test_a_sphere_under_a_dead_load_is_watched_though_nobody_asked() -> None:
     ask = dataclasses.replace(case_ask("T3-rotated"), observables=(Velocity(1),))
-    assert plan(ask, PLAIN)["observe"] == [["velocity", 1], ["displacement", 1]]
-    assert plan(case_ask("T3"), PLAIN)["observe"] == [["displacement", 1]]
+    assert plan_of(ask, PLAIN)["observe"] == [["velocity", 1], ["displacement", 1]]
+    assert plan_of(case_ask("T3"), PLAIN)["observe"] == [["displacement", 1]]
 
 
 def test_a_failure_keeps_its_status_and_reason(tmp_path: Path) -> None:
     path = answered(tmp_path, np.zeros(0), status="diverged", reason="not finite at t = 1 s")
-    run = parse(path, ball_ask(ball()), FRAME, MODEL, started=0.0)
+    run = parse(path, set_up(ball_ask(ball()), PLAIN), MODEL, started=0.0)
     assert run is not None
     assert (run.status, run.reason) == (Status.DIVERGED, "not finite at t = 1 s")
 
@@ -86,4 +89,4 @@ def test_a_failure_keeps_its_status_and_reason(tmp_path: Path) -> None:
 def test_values_without_their_facts_are_no_answer_yet(tmp_path: Path) -> None:
     path = answered(tmp_path, np.zeros((1, 11, 3)))
     Path(f"{path}.answer").unlink()
-    assert parse(path, ball_ask(ball()), FRAME, MODEL, started=0.0) is None
+    assert parse(path, set_up(ball_ask(ball()), PLAIN), MODEL, started=0.0) is None

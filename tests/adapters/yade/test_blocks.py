@@ -10,15 +10,15 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from adapters.yade import ADAPTER
-from adapters.yade.translate import plan, put
+from adapters.yade.setup import set_up
 from cases.incline import CASE as INCLINE
 from cases.responding_block import CASE as RESPONDING
 from tests.scenes.sliding_blocks import Frame, incline, responding
 from tests.support.adapter_asks import DT, block_ask, case_ask
-from tests.support.yade_asks import CLUMP, PLAIN, POLYHEDRA
+from tests.support.yade_asks import CLUMP, PLAIN, POLYHEDRA, plan_of
 from vv.ask import History, Knobs
 from vv.case import Case
-from vv.standins.stand_in import sprung
+from vv.standins.stand_in import spring_scene
 
 
 @pytest.mark.parametrize("case", [INCLINE, RESPONDING], ids=lambda case: case.name)
@@ -46,11 +46,11 @@ def test_a_clump_has_the_sphere_s_springs_and_the_rotations_of_the_block() -> No
     for block, blocked in ((scene.blocks[0], "XYZ"), (turning, "XZ")):
         ask = block_ask(dataclasses.replace(scene, bodies=(*scene.walls, block)))
         assert ADAPTER.refuses(ask, CLUMP) is None
-        told, alone = plan(ask, CLUMP), plan(block_ask(scene), PLAIN)
-        assert (4 * told["kn"], 4 * told["ks"]) == (alone["kn"], alone["ks"])
-        forces = np.array(told["charged"][0]["forces"])
+        given, alone = plan_of(ask, CLUMP), plan_of(block_ask(scene), PLAIN)
+        assert (4 * given["kn"], 4 * given["ks"]) == (alone["kn"], alone["ks"])
+        forces = np.array(given["charged"][0]["forces"])
         assert forces.sum(axis=0) == pytest.approx(alone["charged"][0]["forces"][0])
-        clump, sphere = told["bodies"][1], alone["bodies"][1]
+        clump, sphere = given["bodies"][1], alone["bodies"][1]
         assert clump["blocked"] == blocked
         assert [clump[name] for name in ("mass", "push", "force")] == [
             sphere[name] for name in ("mass", "push", "force")
@@ -63,19 +63,20 @@ def test_a_polyhedron_lies_level_and_is_charged_by_its_first_step(
     alpha: float, turn: float, phi: float
 ) -> None:
     ask = block_ask(incline(Frame(alpha, turn), phi, A=2.0, v0=0.1))
-    flat, frame = put(ask, POLYHEDRA)
-    told, alone = plan(flat, POLYHEDRA), plan(flat, PLAIN)
-    (wall, made), (_, sphere) = told["bodies"], alone["bodies"]
+    setup = set_up(ask, POLYHEDRA)
+    flat, frame = setup.ask, setup.frame
+    given, alone = plan_of(ask, POLYHEDRA), plan_of(flat, PLAIN)
+    (wall, made), (_, sphere) = given["bodies"], alone["bodies"]
     assert (wall["kind"], wall["normal"]) == ("wall", [0.0, 0.0, 1.0])
     assert frame @ frame.T == pytest.approx(np.eye(3), abs=1e-12)
     assert flat.scene.gravity @ frame == pytest.approx(ask.scene.gravity, abs=1e-12)
     slid = np.array(made["velocity"]) * DT
-    assert -told["ks"] * slid == pytest.approx(alone["charged"][0]["forces"][0], abs=1e-9)
+    assert -given["ks"] * slid == pytest.approx(alone["charged"][0]["forces"][0], abs=1e-9)
     after = np.array(made["velocity"]) + np.array(made["push"]) / made["mass"] * DT
     assert after == pytest.approx(np.array(sphere["push"]) / sphere["mass"] * DT, abs=1e-12)
-    assert told["kn"] * 1.0 * 0.6 == pytest.approx(alone["kn"], rel=1e-9)  # its face: 1 m by 0.6 m
+    assert given["kn"] * 1.0 * 0.6 == pytest.approx(alone["kn"], rel=1e-9)  # its face: 1 m by 0.6 m
     corners = np.array(made["vertices"]) + made["position"]
-    assert corners[:, 2].min() * told["kn"] * 0.6 == pytest.approx(
+    assert corners[:, 2].min() * given["kn"] * 0.6 == pytest.approx(
         -2500.0 * 0.48 * 9.81 * np.cos(np.radians(alpha)), rel=1e-5
     )
 
@@ -100,24 +101,24 @@ def test_the_limits_of_polyhedra_are_refusals() -> None:
 
 def test_a_contact_starts_with_the_friction_of_rigid_contact() -> None:
     ask = block_ask(incline(Frame(28.0, turn=0.4), 15.0))
-    told, stood = plan(ask, PLAIN), sprung(ask)
-    assert stood.charged is not None
-    assert told["charged"] == [{"wall": 0, "body": 1, "forces": stood.charged.tolist()}]
-    assert (told["kn"], told["ks"]) == (1e9, stood.scene.contact.ks)
-    sphere = told["bodies"][1]
-    pull = np.array(ask.scene.gravity) + stood.charged[0] / sphere["mass"]
+    given, springs = plan_of(ask, PLAIN), spring_scene(ask)
+    assert springs.charged is not None
+    assert given["charged"] == [{"wall": 0, "body": 1, "forces": springs.charged.tolist()}]
+    assert (given["kn"], given["ks"]) == (1e9, springs.scene.contact.ks)
+    sphere = given["bodies"][1]
+    pull = np.array(ask.scene.gravity) + springs.charged[0] / sphere["mass"]
     down = Frame(28.0, turn=0.4).dip
     early = np.array(sphere["push"]) @ down / sphere["mass"] * DT
     assert early == pytest.approx(-(pull @ down) * DT / 2, rel=1e-12)
-    assert plan(case_ask("T3"), PLAIN)["charged"] == []
+    assert plan_of(case_ask("T3"), PLAIN)["charged"] == []
 
 
 def test_a_body_acceleration_is_told_in_the_frame() -> None:
-    told = plan(block_ask(incline(Frame(20.0, turn=0.4), 30.0, A=5.0)), PLAIN)
-    (sine,) = told["shaking"]
+    given = plan_of(block_ask(incline(Frame(20.0, turn=0.4), 30.0, A=5.0)), PLAIN)
+    (sine,) = given["shaking"]
     assert sine["A"] == pytest.approx(5.0 * Frame(0.0, turn=0.4).level)
     assert (sine["f"], sine["fi"]) == (1.0, 0.0)
-    assert told["bodies"][1]["shaken"] == told["bodies"][1]["mass"]
+    assert given["bodies"][1]["shaken"] == given["bodies"][1]["mass"]
 
 
 def test_blocks_that_no_sphere_stands_for_are_refused_with_the_reason() -> None:

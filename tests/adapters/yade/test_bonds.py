@@ -1,4 +1,4 @@
-"""Claims about bonds in YADE: what it is told, and that it moves as the in-house code does."""
+"""Claims about bonds in YADE: what it is given, and that it moves as the in-house code does."""
 
 from __future__ import annotations
 
@@ -12,9 +12,9 @@ import pytest
 
 from adapters.yade import ADAPTER
 from adapters.yade.inside import script
-from adapters.yade.translate import plan
 from tests.scenes.bonded_scenes import CORNERS, EDGES, KN, KS, D, M, elements, tied, unit
 from tests.support.installed import only_with
+from tests.support.yade_asks import plan_of
 from vv.ask import Ask, Displacement, History, Knobs, Reaction, Run, Status
 from vv.engines import dem
 from vv.scene import (
@@ -52,16 +52,16 @@ def ran(asks: Sequence[Ask], folder: Path) -> list[Vector]:
 
 
 def test_a_bond_is_told_with_its_springs_and_where_it_does_not_pull() -> None:
-    told = plan(ask(unit(bonds=ODD)), "default")
-    assert [bond["pair"] for bond in told["bonds"]] == EDGES.tolist()
-    assert [bond["kn"] for bond in told["bonds"]] == ODD.kn.tolist()
-    assert told["bonds"][0]["overlap"] == pytest.approx(0.002 * D, rel=1e-9)
-    assert told["bonds"][0]["tension"] == 1e300  # infinite, as a literal can say it
-    assert told["contacts"] == 6  # touching pairs are bonds, and no contacts besides
+    given = plan_of(ask(unit(bonds=ODD)), "default")
+    assert [bond["pair"] for bond in given["bonds"]] == EDGES.tolist()
+    assert [bond["kn"] for bond in given["bonds"]] == ODD.kn.tolist()
+    assert given["bonds"][0]["overlap"] == pytest.approx(0.002 * D, rel=1e-9)
+    assert given["bonds"][0]["tension"] == 1e300  # infinite, as a literal can say it
+    assert given["contacts"] == 6  # touching pairs are bonds, and no contacts besides
 
 
 def test_what_is_carried_and_sheared_waits_for_the_end_of_the_first_step() -> None:
-    body = plan(carried(np.array([0.3, 9.0, 0.0])), "default")["bodies"][1]
+    body = plan_of(carried(np.array([0.3, 9.0, 0.0])), "default")["bodies"][1]
     assert (body["carried"], body["held"]) == ([0.3, 9.0, 0.0], [0.0, 0.0, 0.0])
     assert (body["velocity"], body["push"]) == ([0.0, 0.0, 0.0], [0.0, 0.0, 0.0])
 
@@ -77,8 +77,8 @@ def test_the_parts_of_the_program_share_no_names_by_chance() -> None:
 
 
 def test_only_spheres_on_a_bond_with_shear_are_pushed() -> None:
-    pushed = [any(body["push"]) for body in plan(ask(thrown()), "default")["bodies"]]
-    free = [any(body["push"]) for body in plan(ask(thrown(tied(ks=0.0))), "default")["bodies"]]
+    pushed = [any(body["push"]) for body in plan_of(ask(thrown()), "default")["bodies"]]
+    free = [any(body["push"]) for body in plan_of(ask(thrown(tied(ks=0.0))), "default")["bodies"]]
     assert (pushed, free) == ([True] * 4, [False] * 4)
 
 

@@ -1,4 +1,4 @@
-"""Claims, without YADE, that it is told what a scene says of spheres, walls and their motions."""
+"""Claims, without YADE, that it is given what a scene says of spheres, walls and their motions."""
 
 from __future__ import annotations
 
@@ -11,9 +11,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from adapters.yade import ADAPTER
-from adapters.yade.translate import plan, wall_body
+from adapters.yade.terms.walls import wall_body
 from tests.support.adapter_asks import DT, FREE, UP, ball, ball_ask, case_ask
-from tests.support.yade_asks import HALF_STEP, PLAIN, sphere_of
+from tests.support.yade_asks import HALF_STEP, PLAIN, plan_of, sphere_of
 from vv.scene import Harmonic, Wall, rotation_about_z
 
 
@@ -28,11 +28,11 @@ def test_velocities_start_half_a_step_early() -> None:
 def test_a_push_gives_a_touching_sphere_the_speed_it_would_have_after_a_step(scheme: str) -> None:
     ask = case_ask("T4")
     eta, m, v0 = ask.scene.eta, ask.scene.spheres.mass[0], ask.scene.spheres.velocity[0, 1]
-    told = sphere_of(ask, scheme)
+    given = sphere_of(ask, scheme)
     early = v0 + eta * v0 / m * DT / 2
-    assert told["velocity"] == [0.0, 0.0, 0.0]
-    after = early - eta * early / told["mass"] * DT
-    assert told["push"][1] / told["mass"] * DT == pytest.approx(after, rel=1e-14)
+    assert given["velocity"] == [0.0, 0.0, 0.0]
+    after = early - eta * early / given["mass"] * DT
+    assert given["push"][1] / given["mass"] * DT == pytest.approx(after, rel=1e-14)
 
 
 def test_without_friction_or_overlap_nothing_is_pushed() -> None:
@@ -43,14 +43,14 @@ def test_without_friction_or_overlap_nothing_is_pushed() -> None:
 
 def test_spin_of_a_touching_sphere_becomes_a_twist() -> None:
     spinning = ball(position=[[0, 0.09, 0]], spin=[[0, 0, 3]], free_spin=FREE)
-    told = sphere_of(ball_ask(UP, spinning))
-    assert told["spin"] == [0.0, 0.0, 0.0]
-    assert told["twist"][2] * DT / told["inertia"] == pytest.approx(3.0, rel=1e-15)
+    given = sphere_of(ball_ask(UP, spinning))
+    assert given["spin"] == [0.0, 0.0, 0.0]
+    assert given["twist"][2] * DT / given["inertia"] == pytest.approx(3.0, rel=1e-15)
 
 
 def test_only_half_step_mass_changes_the_mass_and_then_not_the_weight() -> None:
     ask = ball_ask(ball(), gravity=np.array([0.0, -9.81, 0.0]), eta=3.0)
-    plain, half = plan(ask, PLAIN), plan(ask, HALF_STEP)
+    plain, half = plan_of(ask, PLAIN), plan_of(ask, HALF_STEP)
     assert (plain["bodies"][0]["mass"], plain["gravity"][1]) == (2.0, -9.81)
     assert half["bodies"][0]["mass"] == 2.0 + 3.0 * DT / 2
     assert half["gravity"] == [0.0, 0.0, 0.0]
@@ -58,21 +58,21 @@ def test_only_half_step_mass_changes_the_mass_and_then_not_the_weight() -> None:
 
 
 def test_schemes_agree_on_a_scene_without_drag() -> None:
-    assert plan(case_ask("T3"), PLAIN) == plan(case_ask("T3"), HALF_STEP)
+    assert plan_of(case_ask("T3"), PLAIN) == plan_of(case_ask("T3"), HALF_STEP)
 
 
 def test_locks_become_blocked_freedoms() -> None:
-    told = sphere_of(ball_ask(ball(free=[[True, False, True]], free_spin=[[False, True, False]])))
-    assert told["blocked"] == "yXZ"
+    given = sphere_of(ball_ask(ball(free=[[True, False, True]], free_spin=[[False, True, False]])))
+    assert given["blocked"] == "yXZ"
 
 
 def test_bodies_keep_the_order_of_the_scene() -> None:
-    kinds = [body["kind"] for body in plan(case_ask("T3-swapped"), PLAIN)["bodies"]]
+    kinds = [body["kind"] for body in plan_of(case_ask("T3-swapped"), PLAIN)["bodies"]]
     assert kinds == ["sphere", "wall"]
 
 
 def test_the_frame_given_reaches_yade() -> None:
-    bodies = plan(case_ask("T3-rotated"), PLAIN)["bodies"]
+    bodies = plan_of(case_ask("T3-rotated"), PLAIN)["bodies"]
     scene = case_ask("T3-rotated").scene
     assert bodies[0]["kind"] == "facet"
     assert bodies[0]["normal"] == scene.walls[0].normal.tolist()
@@ -91,16 +91,18 @@ def test_a_facet_lies_in_the_plane_of_its_wall_about_its_point(tilt: float, turn
 
 @pytest.mark.parametrize("scheme", [PLAIN, HALF_STEP])
 def test_a_file_carries_every_number_exactly(scheme: str) -> None:
-    told = plan(case_ask("T4-rotated"), scheme)
-    assert json.loads(json.dumps(told)) == told
+    given = plan_of(case_ask("T4-rotated"), scheme)
+    assert json.loads(json.dumps(given)) == given
 
 
 def test_contacts_expected_at_the_start_are_counted() -> None:
-    assert plan(case_ask("T1"), PLAIN)["contacts"] == 0
-    assert plan(case_ask("T3"), PLAIN)["contacts"] == 1
-    assert plan(ball_ask(ball(), ball(position=[[0, 0.15, 0]])), PLAIN)["contacts"] == 1
+    assert plan_of(case_ask("T1"), PLAIN)["contacts"] == 0
+    assert plan_of(case_ask("T3"), PLAIN)["contacts"] == 1
+    assert plan_of(ball_ask(ball(), ball(position=[[0, 0.15, 0]])), PLAIN)["contacts"] == 1
     held = ball(free=~FREE)
-    assert plan(ball_ask(held, ball(position=[[0, 0.15, 0]], free=~FREE)), PLAIN)["contacts"] == 0
+    assert (
+        plan_of(ball_ask(held, ball(position=[[0, 0.15, 0]], free=~FREE)), PLAIN)["contacts"] == 0
+    )
 
 
 @given(st.floats(0.1, 50.0), st.floats(-3.0, 3.0), st.floats(-3.0, 3.0))
@@ -112,9 +114,9 @@ def test_a_driven_wall_is_where_it_must_be_after_every_step(
     )
     wall = Wall(np.zeros(3), np.array([0.0, 0.0, 1.0]), motion)
     above = ball(position=[[0, 0, 0.5]])
-    told = plan(ball_ask(wall, above, body=1), PLAIN)["bodies"][0]["motion"]
+    given = plan_of(ball_ask(wall, above, body=1), PLAIN)["bodies"][0]["motion"]
     steps, place = np.arange(50), np.zeros(3)
-    for sine in told:  # YADE: v = -A w sin(wt + fi) for a whole step
+    for sine in given:  # YADE: v = -A w sin(wt + fi) for a whole step
         rate = 2 * np.pi * sine["f"]
         place = (
             place - np.array(sine["A"]) * rate * DT * np.sin(rate * DT * steps + sine["fi"]).sum()
@@ -126,8 +128,8 @@ def test_a_driven_wall_is_where_it_must_be_after_every_step(
 
 def test_a_shaken_sphere_starts_half_a_step_of_its_acceleration_early() -> None:
     shaking = Harmonic(np.array([4.0, 0.0, 0.0]), np.full(3, 2.0), np.full(3, 0.5))
-    told = sphere_of(ball_ask(ball(), shaking=shaking))
-    assert told["velocity"] == pytest.approx([-4.0 * np.sin(0.5) * DT / 2, 0.0, 0.0])
+    given = sphere_of(ball_ask(ball(), shaking=shaking))
+    assert given["velocity"] == pytest.approx([-4.0 * np.sin(0.5) * DT / 2, 0.0, 0.0])
 
 
 def test_an_exported_script_is_the_driver_with_the_ask_filled_in() -> None:
@@ -135,4 +137,4 @@ def test_an_exported_script_is_the_driver_with_the_ask_filled_in() -> None:
     tree = ast.parse(ADAPTER.native(ask, HALF_STEP))
     written = next(n for n in tree.body if isinstance(n, ast.AnnAssign))
     assert written.value is not None
-    assert ast.literal_eval(written.value) == plan(ask, HALF_STEP)
+    assert ast.literal_eval(written.value) == plan_of(ask, HALF_STEP)

@@ -15,7 +15,7 @@ from adapters.dda import ADAPTER, FORMULATIONS
 from tests.scenes.dda_scenes import ALL, DOWN, FLOOR, NONE, G, asked, box, slope
 from tests.scenes.other_worlds import rescaled
 from vv.ask import Ask, Displacement, History, Knobs, Run, Status, Strain, Velocity
-from vv.codes import settled
+from vv.codes import known_beforehand
 from vv.engines import dem, rigid
 from vv.engines.dda import DEFAULT, PUBLISHED, Formulation, prepare, solve
 from vv.engines.dda.general.bodies import Bodies, Motion, followed
@@ -24,7 +24,7 @@ from vv.plan.project import find
 from vv.scene import Block, Contact, Elastic, Scene, Term, Vector, rotated, rotation_about_z
 from vv.standins.clump import why_no_clump
 from vv.standins.soften import as_spheres
-from vv.standins.stand_in import why_not
+from vv.standins.stand_in import why_no_spring_scene
 
 RHO, HALF, E, NU, KN = 2000.0, (0.3, 0.2, 0.5), 1e9, 0.2, 1e11
 SEEN = (Displacement(1), Strain(1))
@@ -223,18 +223,18 @@ def test_every_other_code_refuses_a_block_that_strains_by_its_terms(code: str) -
     adapter, scene = find().load_adapter(code), standing(free_spin=NONE)
     hard = dataclasses.replace(scene, bodies=(FLOOR, box(HALF, RHO)))
     for scheme in adapter.schemes:
-        told = settled(adapter, scheme, asked(scene, 1e-4, KN, 0.1), adapter.found())
+        told = known_beforehand(adapter, scheme, asked(scene, 1e-4, KN, 0.1), adapter.found())
         assert told is not None
         assert told.status is Status.REFUSED
         assert Term.STRAIN.value in told.reason
-        known = settled(adapter, scheme, asked(hard, 1e-4, KN, 0.1), adapter.found())
+        known = known_beforehand(adapter, scheme, asked(hard, 1e-4, KN, 0.1), adapter.found())
         assert known is None or Term.STRAIN.value not in known.reason
 
 
 def test_nothing_stands_in_for_a_block_that_strains_even_where_terms_are_not_looked_at() -> None:
     ask = asked(standing(), 1e-4, KN, 0.1)
     words = "block 'box' strains"
-    for why in (why_not, why_no_clump, rigid.refuses, dem.refuses):
+    for why in (why_no_spring_scene, why_no_clump, rigid.refuses, dem.refuses):
         assert words in (why(ask) or "")
     with pytest.raises(ValueError, match=words):
         as_spheres(ask.scene)

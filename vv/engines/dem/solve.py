@@ -20,8 +20,9 @@ from vv.engines.dem.safe_step import PACKED
 from vv.engines.dem.space.model import Space, SpaceState, space
 from vv.scene import Form, Scene, Term, Vector
 from vv.scene.scene import LOCKED_SPEED
-from vv.standins.stand_in import Stood, sprung
-from vv.standins.stand_in import why_not as why_not_rigid
+from vv.standins.stand_in import SpringScene as Stood
+from vv.standins.stand_in import spring_scene as sprung
+from vv.standins.stand_in import why_no_spring_scene as why_not_rigid
 
 FORMS = tuple(Form)  # the columns of a ledger, in their order
 EPS = float(np.finfo(float).eps)

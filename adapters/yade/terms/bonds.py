@@ -2,20 +2,37 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 
+from adapters.yade.given import Given
+from adapters.yade.setup import Setup
 from vv.scene import Mask, Scene
 
 STRONG = 1e300  # N
 
 
-def bonds(scene: Scene) -> list[dict[str, Any]]:
+def bonds(given: Given, setup: Setup) -> Given:
+    """Contacts that hold in tension, which make no further contacts at the start."""
+    note = "bonds are contacts of CohFrictMat, made before the first step, brittle where they break"
+    contacts = given.numbers["contacts"] + len(setup.scene.bonded_pairs)
+    return given.with_more(note, bonds=_rows(setup.scene), contacts=contacts)
+
+
+def sheared_bonds(given: Given, setup: Setup) -> Given:
+    """Shear springs of bonds, which like those of contacts meet no velocity in the first step."""
+    likewise = "spheres on a bond that resists shear likewise start by an impulse"
+    notes = [likewise] if setup.scene.spheres.velocity.any() else []
+    return replace(given.with_more(*notes), pushed=given.pushed | sheared(setup.scene))
+
+
+def _rows(scene: Scene) -> list[dict[str, Any]]:
     """The bonds of a scene as the program in YADE takes them: see its `driver`.
 
     A bond of another length than the sum of the radii pulls from another overlap than none. An
-    infinite strength is told as one that no force comes near.
+    infinite strength is given as one that no force comes near.
     """
     if scene.bonds is None:
         return []

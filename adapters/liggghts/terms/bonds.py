@@ -1,12 +1,16 @@
-"""Writes bonds without shear springs as LIGGGHTS' harmonic bonds, in a data file a deck makes."""
+"""Puts bonds to LIGGGHTS: as harmonic bonds, in a data file a deck makes, or as overlaps."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 
 import numpy as np
 import numpy.typing as npt
 
+from adapters.liggghts.overlaps import OVERLAP
+from adapters.liggghts.sections import Deck
+from adapters.liggghts.setup import Setup
 from adapters.liggghts.words import numbers, printed
 from vv.scene import Scene, Term, Vector
 
@@ -15,20 +19,36 @@ LASTING = {
     Term.BREAKAGE: "harmonic, its only style of bonds, has no strength; no fix here parts bonds",
     Term.BOND_SHEAR: "harmonic, its only style of bonds, acts along them",
 }
-BONDED_STYLE = "hybrid granular molecular"
 
 
-def bonded_atoms(scene: Scene, outer: tuple[Vector, Vector]) -> Iterator[str]:
-    """Commands that write the box, the spheres and their bonds to a file, and read it.
+def harmonic(deck: Deck, setup: Setup) -> Deck:
+    """Bonds without shear springs; a scheme may have contacts stand in for bonds instead.
 
-    No command makes bonds by name. Sizes and masses are set later, as for spheres without.
+    No command makes bonds by name: a data file holds the box, the spheres and their bonds. Sizes
+    and masses are set later, as for spheres without.
     """
-    yield from printed(FILE, _data(scene, outer))
-    yield f"read_data       {FILE}"
+    if setup.scene.bonds is None:
+        note = (
+            f"bonds as contacts that overlap by {OVERLAP:g} of their length at t = 0, when dead "
+            "loads cancel their push: a surrogate, right to about that part in E"
+        )
+        return deck.with_more(notes=[note])
+    made = [*printed(FILE, _data(setup.scene, setup.room.outer)), f"read_data       {FILE}"]
+    bonds = tuple(_springs(setup.scene))
+    law_note = (
+        "bond_style harmonic, which has no shear spring, of the coefficient kn/2; no pair_style"
+    )
+    return replace(
+        deck,
+        style="hybrid granular molecular",
+        box=tuple(made),
+        created=(),
+        law=replace(deck.law, bonds=bonds, note=law_note),
+    )
 
 
-def bond_commands(scene: Scene) -> Iterator[str]:
-    """The springs: a harmonic bond holds the energy K (L - length)^2, so K is kn/2."""
+def _springs(scene: Scene) -> Iterator[str]:
+    """A harmonic bond holds the energy K (L - length)^2, so K is kn/2."""
     yield "pair_style      none"
     yield "bond_style      harmonic"
     for number, (kn, length) in enumerate(_kinds(scene)[0].tolist()):

@@ -6,18 +6,42 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from adapters.liggghts.words import AXES
+from adapters.liggghts.sections import Deck
+from adapters.liggghts.setup import Setup
+from adapters.liggghts.words import AXES, group
 from vv.scene import Harmonic
 
 
-def shake_commands(name: str, shaking: Harmonic, mass: float, dt: float) -> Iterator[str]:
+def shaken(deck: Deck, setup: Setup) -> Deck:
+    """A body acceleration as the force mass a(t) [N] on each group of like masses."""
+    commands: list[str] = []
+    for number, ((mass,), those) in enumerate(setup.shaken.items()):
+        name = f"shake{number}"
+        commands.append(group(name, those))
+        if setup.scene.shaking is not None:
+            commands += _force(name, setup.scene.shaking, mass, setup.ask.dt)
+    note = "body accelerations by fix addforce at the time of the positions"
+    return deck.with_more(forces=commands, notes=[note])
+
+
+def _force(name: str, shaking: Harmonic, mass: float, dt: float) -> Iterator[str]:
     """The commands for the force mass a(t) [N] on the group `name`, at the time of positions."""
     yield from _variables(name, shaking, mass, "sin", f"step*{dt!r}")
     forces = " ".join(f"v_{name}_{axis}" for axis in AXES)
     yield f"fix {name} {name} addforce {forces}"
 
 
-def move_commands(name: str, motion: Harmonic, dt: float) -> Iterator[str]:
+def moving_walls(deck: Deck, setup: Setup) -> Deck:
+    """Walls that move as prescribed, which are meshes, from step 0 on."""
+    commands: list[str] = []
+    for number, wall in enumerate(setup.scene.walls):
+        if wall.motion is not None:
+            commands += _move(f"wall{number}", wall.motion, setup.ask.dt)
+    note = "meshes moved by fix move/mesh, with each step's mean velocity"
+    return deck.with_more(moves=commands, notes=[note])
+
+
+def _move(name: str, motion: Harmonic, dt: float) -> Iterator[str]:
     """The commands that move a wall's mesh, for steps from 0 on.
 
     LIGGGHTS moves a mesh by v dt in a step, and takes v from the variables at the step's end.

@@ -12,7 +12,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from vv.scene import Bonds, Contact, Scene, Term, initial_normal_forces
+from vv.scene import Bonds, Scene, Term, initial_normal_forces
 
 OVERLAP = 1e-4  # of the length of a bond
 STICKING = 1e9  # friction coefficient that no force reaches
@@ -28,7 +28,8 @@ def overlapped(scene: Scene) -> Scene:
     """The scene, spheres alone, with bonds as contacts; `why_not_overlapped` must not object."""
     assert scene.bonds is not None
     radius = float(scene.bonds.length[0]) * (1 + OVERLAP) / 2
-    law = Contact(float(scene.bonds.kn[0]), float(scene.bonds.ks[0]), STICKING)
+    kn, ks = float(scene.bonds.kn[0]), float(scene.bonds.ks[0])
+    law = replace(scene.contact, kn=kn, ks=ks, mu=STICKING)
     spheres = replace(scene.spheres, radius=np.full(len(scene.spheres), radius))
     touching = replace(scene, bodies=(spheres,), contact=law, bonds=None)
     held = replace(spheres, load=spheres.load - initial_normal_forces(touching))

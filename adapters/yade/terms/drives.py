@@ -2,11 +2,30 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 
+from adapters.yade.given import Given
+from adapters.yade.setup import Setup
 from vv.scene import Harmonic
+from vv.standins.soften import acceleration_of
+
+
+def shaken(given: Given, setup: Setup) -> Given:
+    """A body acceleration as forces, from t = 0 on."""
+    scene = setup.scene
+    note = "body accelerations by HarmonicForceEngine at the time of the positions"
+    force = scene.spheres.mass[:, None] * acceleration_of(scene.shaking)
+    return given.with_more(note, force=force, shaking=sines(scene.shaking))
+
+
+def moving_walls(given: Given, setup: Setup) -> Given:
+    """Walls that move as prescribed."""
+    note = "walls driven by HarmonicMotionEngine, its velocity that which meets u after each step"
+    motions = (driven(wall.motion, setup.ask.dt) for wall in setup.scene.walls)
+    return replace(given.with_more(note), motion=dict(enumerate(motions)))
 
 
 def sines(motion: Harmonic | None) -> list[dict[str, Any]]:

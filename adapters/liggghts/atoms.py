@@ -1,0 +1,94 @@
+"""The deck of spheres that nothing acts on: box, atoms, a spring between them, what moves them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from adapters.liggghts.sections import Deck, Law
+from adapters.liggghts.setup import Setup
+from adapters.liggghts.words import AXES, bounds, group, numbers, parts
+from vv.scene import Mask
+
+
+def bare(setup: Setup) -> Deck:
+    """The sections that every deck has, to which terms add theirs."""
+    frozen = "spheres without any freedom are not integrated"
+    zeros = {"kt": 0.0, "gamman": 0.0, "gammat": 0.0, "coefficientFriction": 0.0}
+    return Deck(
+        box=(
+            f"region          box block {bounds(*setup.room.outer)} units box",
+            "create_box      1 box",
+        ),
+        neighbours=tuple(_neighbours(setup)),
+        created=tuple(_created(setup)),
+        sized=tuple(_sized(setup)),
+        law=Law({"kn": setup.scene.contact.kn, **zeros}),
+        integrated=tuple(_integrated(setup)),
+        last=tuple(_locks(setup)),
+        motion_notes=tuple(_motion_notes(setup)),
+        notes=() if setup.moving.all() else (frozen,),
+    )
+
+
+def _neighbours(setup: Setup) -> Iterator[str]:
+    """In a box far larger than the scene; sought anew when half the skin is used up."""
+    radius = float(setup.spheres.radius.max())
+    longest = float((setup.room.outer[1] - setup.room.outer[0]).max())
+    yield f"neighbor        {0.2 * radius!r} bin"
+    # few bins for so large a box
+    yield f"neigh_modify    delay 0 binsize {max(2 * radius, longest / 20)!r}"
+
+
+def _created(setup: Setup) -> Iterator[str]:
+    """Atoms in body order, so that ids are sphere numbers from 1."""
+    places = np.array(setup.spheres.position)
+    for i, way in setup.slides.items():
+        places[i] -= way
+    for place in places.tolist():
+        yield f"create_atoms    1 single {numbers(place)} units box"
+
+
+def _sized(setup: Setup) -> Iterator[str]:
+    """Radii, masses, which override densities, and what moves at t = 0."""
+    spheres = setup.spheres
+    yield "set             group all density 1"
+    sizes, masses = (2 * spheres.radius).tolist(), spheres.mass.tolist()
+    for number, (size, mass) in enumerate(zip(sizes, masses, strict=True), 1):
+        yield f"set             atom {number} diameter {size!r} mass {mass!r}"
+    for name, rows in (("v", spheres.velocity), ("omega", spheres.spin)):
+        given = np.flatnonzero(rows.any(axis=1))
+        for row, vector in zip(given.tolist(), rows[given].tolist(), strict=True):
+            yield f"set             atom {row + 1} {parts(name, vector)}"
+
+
+def _kinds(setup: Setup) -> tuple[tuple[str, str, Mask], ...]:
+    """The group, the style of integration and the members (n,) of spheres that move alike."""
+    shifted = setup.moving & ~setup.turning
+    return ("shifted", "nve", shifted), ("turned", "nve/sphere", setup.turning)
+
+
+def _integrated(setup: Setup) -> Iterator[str]:
+    for name, style, members in _kinds(setup):
+        if members.any():
+            yield group(name, np.flatnonzero(members).tolist())
+            yield f"fix {name} {name} {style}"
+
+
+def _locks(setup: Setup) -> Iterator[str]:
+    """A force of zero along locked axes, which cancels all others."""
+    for pattern, held in setup.locks.items():
+        name = "lock_" + "".join(a for a, locked in zip(AXES, pattern, strict=True) if locked)
+        yield group(name, held)
+        zeros = " ".join("0" if locked else "NULL" for locked in pattern)
+        yield f"fix {name} {name} setforce {zeros}"
+
+
+def _motion_notes(setup: Setup) -> Iterator[str]:
+    if (setup.moving & ~setup.turning).any():
+        yield "fix nve: all three translations, no rotation"
+    if setup.turning.any():
+        yield "fix nve/sphere for spheres that turn, with the inertia 2/5 m r2"
+    if setup.locks:
+        yield "a locked axis is a force of zero on it (fix setforce)"

@@ -1,0 +1,72 @@
+"""The sections of a deck, to which each term of a scene adds its commands."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass, field, replace
+
+SPRINGS = "pair gran, hooke/stiffness: kn is the contact's stiffness, nothing is damped"
+
+
+@dataclass(frozen=True)
+class Law:
+    """How spheres press and rub.
+
+    style: LIGGGHTS' contact model; tangential: of its shear spring; damping: its switches.
+    properties: values of a pair of types, by name: kn and kt are the springs themselves [N/m].
+    bonds: commands that take the place of all that; note: the law in words.
+    """
+
+    properties: Mapping[str, float]
+    style: str = "hooke/stiffness"
+    tangential: str = "off"
+    damping: str = "tangential_damping off"
+    bonds: tuple[str, ...] = ()
+    note: str = SPRINGS
+
+    @property
+    def model(self) -> str:
+        """The contact model as commands for pairs and walls take it."""
+        return f"model {self.style} tangential {self.tangential}"
+
+    def commands(self) -> Iterator[str]:
+        """What makes it the law of all pairs of spheres."""
+        yield from self.bonds
+        if self.bonds:
+            return
+        for name, value in self.properties.items():
+            yield f"fix {name} all property/global {name} peratomtypepair 1 {float(value)!r}"
+        yield f"pair_style      gran {self.model} {self.damping}"
+        yield "pair_coeff      * *"
+
+
+@dataclass(frozen=True)
+class Deck:
+    """The sections of a deck, in the order in which LIGGGHTS must be given them.
+
+    style: of atoms. box: what makes the box; neighbours: how they are sought; created: what makes
+    the atoms; sized: their masses, radii and motion. law and walls: contact. charging: what fills
+    shear springs before t = 0. moves: of walls. integrated: what moves atoms; forces: on them;
+    last: what must see, or cancel, all other forces. notes: how terms are put, one fact each;
+    motion_notes: how atoms are moved.
+    """
+
+    box: tuple[str, ...]
+    neighbours: tuple[str, ...]
+    created: tuple[str, ...]
+    sized: tuple[str, ...]
+    law: Law
+    integrated: tuple[str, ...]
+    last: tuple[str, ...]
+    motion_notes: tuple[str, ...]
+    notes: tuple[str, ...]
+    style: str = "granular"
+    walls: tuple[str, ...] = field(default=())
+    charging: tuple[str, ...] = field(default=())
+    moves: tuple[str, ...] = field(default=())
+    forces: tuple[str, ...] = field(default=())
+
+    def with_more(self, **sections: Iterable[str]) -> Deck:
+        """The deck with lines added to these sections."""
+        longer = {name: (*getattr(self, name), *lines) for name, lines in sections.items()}
+        return replace(self, **longer)  # type: ignore[arg-type]  # sections of lines only

@@ -1,0 +1,146 @@
+"""An ask as LIGGGHTS is given it: made once, and read by all that refuses, writes and answers."""
+
+from __future__ import annotations
+
+import functools
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from adapters.liggghts.clumps import as_atoms
+from adapters.liggghts.overlaps import overlapped
+from adapters.liggghts.space import Space, space
+from vv.ask import Ask, Displacement, Observable
+from vv.scene import Mask, Scene, Spheres, Term, Vector, spheres_held_by_loads, with_loads_for_locks
+from vv.standins.clump import Clump, clump
+from vv.standins.stand_in import SpringScene, spring_scene, without_rotations
+
+Alike = dict[tuple[float, ...], list[int]]  # what spheres have in common: their indices
+PLAIN, HALF_STEP, CLUMP, OVERLAPPED = "default", "half-step-mass", "clump", "pre-overlapped"
+
+
+@dataclass(frozen=True, eq=False)
+class Setup:
+    """An ask as LIGGGHTS is given it under a scheme.
+
+    springs: its scene with spheres and springs in place of blocks and rigid contact. released:
+    that with dead loads in place of oblique locks. scene: that with the masses, the atoms or the
+    overlaps of the scheme, which is what LIGGGHTS holds. clump: the block as a rigid body, in
+    the scheme of that name. watched: what is written, each with the index of its sphere: first
+    what was asked, then the displacements of spheres on which a dead load stands for a lock.
+    """
+
+    ask: Ask
+    scheme: str
+    springs: SpringScene
+    released: Scene
+    scene: Scene
+    clump: Clump | None
+    watched: tuple[tuple[Observable, int], ...]
+
+    @property
+    def spheres(self) -> Spheres:
+        """What LIGGGHTS calls atoms, in their order."""
+        return self.scene.spheres
+
+    @property
+    def terms(self) -> frozenset[Term]:
+        """The terms of the ask's scene, and of what stands in for some of them."""
+        overlaps = self.scheme == OVERLAPPED
+        return self.ask.scene.terms() | (self.scene if overlaps else self.released).terms()
+
+    @functools.cached_property
+    def turning(self) -> Mask:
+        """Which spheres are integrated with their rotations, (n,)."""
+        return np.asarray(self.spheres.free_spin.any(axis=1))
+
+    @functools.cached_property
+    def moving(self) -> Mask:
+        """Which spheres are integrated at all, (n,)."""
+        return np.asarray(self.spheres.free.any(axis=1)) | self.turning
+
+    @functools.cached_property
+    def room(self) -> Space:
+        """Where spheres may be; a rigid body needs as much as the sphere in its place."""
+        scene = self.released if self.scheme == CLUMP else self.scene
+        return space(scene, self.ask.goal.duration)
+
+    @functools.cached_property
+    def slides(self) -> dict[int, Vector]:
+        """How far (3,) [m] each sphere must slide to charge its shear spring as it starts."""
+        charged, ks = self.springs.charged, self.springs.scene.contact.ks
+        if charged is None or not charged.any():
+            return {}
+        if self.clump is None:
+            return {i: -row / ks for i, row in enumerate(charged) if row.any()}
+        friction = self.clump.friction
+        return {1 + i: -row * len(friction) / ks for i, row in enumerate(friction)}
+
+    @functools.cached_property
+    def loads(self) -> Alike:
+        """The dead loads [N] on spheres that move, each with the indices that carry it."""
+        return _alike(self.spheres.load, self.moving & self.spheres.load.any(axis=1))
+
+    @functools.cached_property
+    def locks(self) -> Alike:
+        """The patterns of locked axes of spheres that move, each with the indices that have it."""
+        return _alike(~self.spheres.free, self.moving & ~self.spheres.free.all(axis=1))
+
+    @functools.cached_property
+    def shaken(self) -> Alike:
+        """The masses [kg] that a body acceleration acts on, each with the spheres that have it.
+
+        They are those of the scene, where a scheme integrates raised ones.
+        """
+        scene = self.released if self.scheme == HALF_STEP else self.scene
+        present = self.moving & (scene.shaking is not None)
+        return _alike(scene.spheres.mass[:, None], present)
+
+
+def set_up(ask: Ask, scheme: str) -> Setup:
+    """What LIGGGHTS is given for an ask, to which `refusals` must not object.
+
+    Raises ValueError for an ask without dt, or one that `with_loads_for_locks` refuses.
+    """
+    springs = spring_scene(without_rotations(ask))
+    loose = with_loads_for_locks(springs.scene)
+    body = clump(ask, springs) if scheme == CLUMP else None
+    scene = loose
+    if scheme == OVERLAPPED:
+        scene = overlapped(loose)
+    elif scheme == HALF_STEP:
+        scene = heavier(loose, loose.eta * ask.dt / 2)
+    elif body is not None:
+        scene = as_atoms(loose, body)
+    return Setup(ask, scheme, springs, loose, scene, body, _watched(ask, springs.scene))
+
+
+def heavier(scene: Scene, extra: float) -> Scene:
+    """The scene with `extra` [kg] on every mass, and the weight kept as a dead load.
+
+    With extra = eta dt/2 the drag of LIGGGHTS, M (v+ - v-)/dt = F - eta v-, becomes that of the
+    mean velocity, m (v+ - v-)/dt = F - eta (v+ + v-)/2, which is second order.
+    """
+    if extra == 0.0:
+        return scene
+    bodies = tuple(
+        replace(g, mass=g.mass + extra, load=g.load + g.mass[:, None] * scene.gravity)
+        if isinstance(g, Spheres)
+        else g
+        for g in scene.bodies
+    )
+    return replace(scene, bodies=bodies, gravity=np.zeros(3))
+
+
+def _watched(ask: Ask, scene: Scene) -> tuple[tuple[Observable, int], ...]:
+    more = [d for d in map(Displacement, spheres_held_by_loads(scene)) if d not in ask.observables]
+    return tuple((o, scene.sphere_index(o.body)) for o in (*ask.observables, *more))
+
+
+def _alike(rows: Vector | Mask, present: Mask) -> Alike:
+    """The different rows among those present, each with its indices, as they come."""
+    groups: Alike = {}
+    indices = np.flatnonzero(present)
+    for i, row in zip(indices.tolist(), rows[indices].tolist(), strict=True):
+        groups.setdefault(tuple(row), []).append(i)
+    return groups

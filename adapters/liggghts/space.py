@@ -1,0 +1,72 @@
+"""The space that LIGGGHTS simulates: what spheres may reach, the meshes of walls, a box around."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from vv.scene import Scene, Vector, Wall, initial_normal_forces
+from vv.standins.soften import fastest
+
+
+@dataclass(frozen=True, eq=False)
+class Space:
+    """Where things are: low, high (3,) [m] bound what spheres may reach and walls span.
+
+    triangles: wall number -> (3, 3) corners [m] of the walls that are meshes; outer: low and high
+    of the simulation box, which holds the region and all corners, wherever walls move to.
+    """
+
+    low: Vector
+    high: Vector
+    triangles: dict[int, Vector]
+    outer: tuple[Vector, Vector]
+
+
+def space(scene: Scene, time: float) -> Space:
+    """The space for a run of `time` [s]: ten radii and twice the longest free path on all sides.
+
+    A wall that moves may carry what lies on it for as long at its highest speed.
+    """
+    spheres = scene.spheres
+    forces = initial_normal_forces(scene) / spheres.mass[:, None] + scene.gravity
+    pulls = np.linalg.norm(forces, axis=1) + np.linalg.norm(spheres.load, axis=1) / spheres.mass
+    pulls += np.abs(scene.shaking.amplitude).sum() if scene.shaking else 0.0
+    speeds = np.linalg.norm(spheres.velocity, axis=1)
+    speeds += sum(fastest(wall.motion) for wall in scene.walls)
+    paths = speeds * time + pulls * time**2 / 2
+    moving = spheres.free.any(axis=1) | spheres.free_spin.any(axis=1)
+    reach = 10 * spheres.radius.max() + 2 * np.where(moving, paths, 0.0).max()
+    low, high = spheres.position.min(axis=0) - reach, spheres.position.max(axis=0) + reach
+    triangles = {n: triangle(w, low, high) for n, w in enumerate(scene.walls) if is_mesh(w)}
+    points = np.vstack([low, high, *triangles.values()])
+    margin = 0.01 * reach + max((travel(wall) for wall in scene.walls), default=0.0)
+    return Space(low, high, triangles, (points.min(axis=0) - margin, points.max(axis=0) + margin))
+
+
+def oblique(wall: Wall) -> bool:
+    """Whether a wall lies across no axis of the frame, and needs a mesh; rounding is no tilt."""
+    return int((np.abs(wall.normal) > 1e-15).sum()) > 1
+
+
+def is_mesh(wall: Wall) -> bool:
+    """Whether a wall is put as a mesh: LIGGGHTS has planes across axes, which do not move."""
+    return oblique(wall) or wall.motion is not None
+
+
+def travel(wall: Wall) -> float:
+    """A distance [m] from its place at t = 0 that a wall does not exceed."""
+    return 0.0 if wall.motion is None else 2 * float(np.abs(wall.motion.amplitude).sum())
+
+
+def triangle(wall: Wall, low: Vector, high: Vector) -> Vector:
+    """The (3, 3) corners [m] of a triangle in the wall's plane, larger than its cut with a box.
+
+    One triangle has no inner edges, at which a mesh may hand contacts over. The corners run
+    round the outward normal. The inscribed circle reaches beyond the farthest corner of the box.
+    """
+    centre, half = (low + high) / 2, (high - low) / 2
+    foot = centre - ((centre - wall.point) @ wall.normal) * wall.normal
+    inscribed = float(np.linalg.norm(half) + np.linalg.norm(foot - centre))
+    return np.asarray(foot + 2 * inscribed * wall.facet_corners)

@@ -1,0 +1,64 @@
+"""Puts to LIGGGHTS what contacts do besides pressing: rub, damp, and start charged."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+from adapters.liggghts.sections import Deck
+from adapters.liggghts.setup import Setup
+from adapters.liggghts.words import group, numbers, parts
+
+UNCOUNTED, COUNTED = "charging shear springs", "shear springs are charged"
+
+
+def friction(deck: Deck, setup: Setup) -> Deck:
+    """A shear spring ks [N/m] capped by Coulomb friction."""
+    contact = setup.scene.contact
+    springs = {**deck.law.properties, "kt": contact.ks, "coefficientFriction": contact.mu}
+    law = replace(deck.law, properties=springs, tangential="history")
+    note = "shear springs of model history, without tangential damping"
+    return replace(deck, law=law).with_more(notes=[note])
+
+
+def viscosity(deck: Deck, setup: Setup) -> Deck:
+    """A viscous contact is given its coefficient [N s/m] itself, and may not pull."""
+    properties = {
+        {"gamman": "gamman_abs", "gammat": "gammat_abs"}.get(name, name): value
+        for name, value in deck.law.properties.items()
+    }
+    properties["gamman_abs"] = setup.scene.contact.eta_n
+    law = replace(
+        deck.law,
+        properties=properties,
+        damping=f"{deck.law.damping} absolute_damping on limitForce on",
+        note="pair gran, hooke/stiffness with absolute damping from the velocity half a step ago, "
+        "its force limited to what pushes",
+    )
+    return replace(deck, law=law)
+
+
+def charged(deck: Deck, setup: Setup) -> Deck:
+    """Shear springs that hold at t = 0 the friction of the rigid contact they stand in for."""
+    if not setup.slides:
+        return deck
+    note = "shear springs charged by a step, before t = 0, that slides the sphere to its start"
+    return deck.with_more(charging=_charging(setup), notes=[note])
+
+
+def _charging(setup: Setup) -> Iterator[str]:
+    """A step in which spheres are slid to where they start, their walls at rest.
+
+    It puts into shear springs what they hold at t = 0, which no command can; then time starts.
+    """
+    yield f'print "{UNCOUNTED}"'
+    for i, way in setup.slides.items():
+        yield group(f"slid{i}", [i])
+        yield f"fix slid{i} slid{i} move linear {numbers(way / setup.ask.dt)} units box"
+    yield "run             1"
+    for i in setup.slides:
+        yield f"unfix slid{i}"
+        yield f"group slid{i} delete"
+        yield f"set             atom {i + 1} {parts('v', setup.spheres.velocity[i].tolist())}"
+    yield "reset_timestep  0"
+    yield f'print "{COUNTED}"'

@@ -1,0 +1,89 @@
+"""What YADE is given, to which the terms of a scene add what is theirs: numbers, columns, notes."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from adapters.yade.setup import Setup
+from vv.ask import Reaction
+from vv.scene import Mask, Vector, initial_normal_forces
+
+Plan = dict[str, Any]
+
+
+@dataclass(frozen=True, eq=False)
+class Given:
+    """The driver's ask in parts: see `adapters.yade.inside.driver` for what each is.
+
+    numbers: what is stated once, by name. mass (n,) [kg], load and carried (n, 3) [N, m/s]: of each
+    sphere. motion: the sines of walls that move, by the number of the wall. force: (n, 3) [N] on
+    the spheres at t = 0. pushed: (n,) which start at rest, and get their velocity as an impulse
+    in the first step. notes: how terms are put, one fact each.
+    """
+
+    numbers: Plan
+    mass: Vector
+    load: Vector
+    carried: Vector
+    force: Vector
+    pushed: Mask
+    motion: Mapping[int, list[Plan]]
+    notes: tuple[str, ...]
+
+    def with_more(self, *notes: str, force: Vector | float = 0.0, **numbers: Any) -> Given:
+        """With these numbers in place of the former ones, and forces and notes added."""
+        return replace(
+            self,
+            numbers={**self.numbers, **numbers},
+            force=self.force + force,
+            notes=(*self.notes, *notes),
+        )
+
+
+def bare(setup: Setup) -> Given:
+    """Spheres that press on each other, and that nothing else acts on."""
+    ask, contact, spheres = setup.ask, setup.scene.contact, setup.scene.spheres
+    zeros = np.zeros((len(spheres), 3))
+    numbers: Plan = {
+        "dt": ask.dt,
+        "steps": ask.goal.steps(ask.dt),
+        "stride": ask.goal.stride(ask.dt),
+        "kn": float(contact.kn),
+        "ks": 0.0,
+        "mu": float(contact.mu),
+        "eta_n": 0.0,
+        "gravity": [0.0, 0.0, 0.0],
+        "drag": 0.0,
+        "shaking": [],
+        "charged": [],
+        "bonds": [],
+        "observe": [[type(seen).__name__.lower(), seen.body] for seen in setup.watched],
+        "contacts": setup.contacts,
+        "moves": bool(spheres.velocity.any()),
+        "volumes": False,
+    }
+    return Given(
+        numbers=numbers,
+        mass=spheres.mass,
+        load=zeros,
+        carried=zeros,
+        force=initial_normal_forces(setup.scene),
+        pushed=np.zeros(len(spheres), bool),
+        motion={},
+        notes=tuple(_always(setup)),
+    )
+
+
+def _always(setup: Setup) -> Sequence[str]:
+    """What holds whatever terms a scene has."""
+    notes = [
+        "NewtonIntegrator without damping, velocities started at -dt/2",
+        "every step an O.step(); O.run costs as much and rounds wall time up to 40 ms",
+    ]
+    if any(isinstance(what, Reaction) for what in setup.ask.observables):
+        notes.append("reactions from the forces of one step more")
+    return notes

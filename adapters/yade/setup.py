@@ -1,0 +1,95 @@
+"""An ask as YADE is given it: made once, and read by all that refuses, writes and answers."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from adapters.yade.polyhedra import laid, turn_of
+from vv.ask import Ask, Displacement, Observable
+from vv.scene import Mask, Scene, Term, Vector, spheres_held_by_loads, with_loads_for_locks
+from vv.scene.neighbours import overlapping
+from vv.scene.start import unbonded
+from vv.standins.clump import Clump, clump
+from vv.standins.stand_in import SpringScene, spring_scene, without_rotations
+
+PLAIN, HALF_STEP, CLUMP, POLYHEDRA = "default", "half-step-mass", "clump", "polyhedra"
+LEAST_GAP = 1e-12  # of a radius: less than that overlaps by rounding only
+
+
+@dataclass(frozen=True, eq=False)
+class Setup:
+    """An ask as YADE is given it under a scheme.
+
+    asked: the ask as it came; ask: in the frame in which YADE is given it, whose axes in the
+    scene's are the rows of frame (3, 3). springs: its scene with spheres and springs in place of
+    blocks and rigid contact; scene: that with dead loads in place of oblique locks. extra: what
+    the scheme adds to every mass [kg]. clump: the block as a clump, in the scheme of that name.
+    watched: the observables asked for; then displacements of spheres under a dead load for a lock.
+    touching: which spheres overlap something at the start, (n,), which makes so many contacts.
+    """
+
+    asked: Ask
+    ask: Ask
+    frame: Vector
+    scheme: str
+    springs: SpringScene
+    scene: Scene
+    extra: float
+    clump: Clump | None
+    watched: tuple[Observable, ...]
+    touching: Mask
+    contacts: int
+
+    @property
+    def terms(self) -> frozenset[Term]:
+        """The terms of the ask's scene, and of what stands in for some of them."""
+        return self.asked.scene.terms() | self.scene.terms()
+
+
+def set_up(asked: Ask, scheme: str) -> Setup:
+    """What YADE is given for an ask, to which `refusals` must not object.
+
+    The scheme half-step-mass gives YADE the mass m + eta dt/2, with which drag taken from the
+    last half step, m (v+ - v-)/dt = F - eta v-, becomes drag of the mean velocity; the weight
+    stays m g. Raises ValueError for an ask without dt, or one that `with_loads_for_locks` refuses.
+    """
+    ask = framed(asked, scheme)
+    frame = turn_of(asked.scene) if scheme == POLYHEDRA else np.eye(3)
+    springs = spring_scene(without_rotations(ask))
+    scene = with_loads_for_locks(springs.scene)
+    extra = scene.eta * ask.dt / 2 if scheme == HALF_STEP else 0.0
+    body = clump(ask, springs) if scheme == CLUMP else None
+    more = [
+        d
+        for d in map(Displacement, spheres_held_by_loads(springs.scene))
+        if d not in ask.observables
+    ]
+    watched = (*ask.observables, *more)
+    start = initial_contacts(scene)
+    return Setup(asked, ask, frame, scheme, springs, scene, extra, body, watched, *start)
+
+
+def framed(ask: Ask, scheme: str) -> Ask:
+    """The ask in the frame in which YADE is given it."""
+    return laid(ask) if scheme == POLYHEDRA else ask
+
+
+def initial_contacts(scene: Scene) -> tuple[Mask, int]:
+    """Which spheres overlap something at the start, (n,), and how many contacts that makes.
+
+    Contacts between bodies without any freedom do not count; bonds are none.
+    """
+    spheres = scene.spheres
+    moving = np.asarray(spheres.free.any(axis=1) | spheres.free_spin.any(axis=1))
+    pairs = unbonded(scene, overlapping(spheres, LEAST_GAP))
+    pairs = pairs[moving[pairs].any(axis=1)]
+    touching, contacts = np.zeros(len(spheres), bool), len(pairs)
+    touching[pairs] = True
+    for wall in scene.walls:
+        gap = (spheres.position - wall.point) @ wall.normal - spheres.radius
+        pressed = moving & (gap < -LEAST_GAP * spheres.radius)
+        touching |= pressed
+        contacts += int(pressed.sum())
+    return touching, contacts

@@ -1,0 +1,1 @@
+"""What YADE is given of each term of a scene: see `table`."""

@@ -1,0 +1,51 @@
+"""Which function puts which term of a scene to YADE: a new term is a function and a line."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+
+from adapters.yade.given import Given, bare
+from adapters.yade.setup import Setup
+from adapters.yade.terms.bonds import bonds, sheared_bonds
+from adapters.yade.terms.contact import charged, friction, viscosity
+from adapters.yade.terms.drives import moving_walls, shaken
+from adapters.yade.terms.forces import carried, dead_loads, drag, gravity, oblique_locks
+from adapters.yade.terms.walls import walls
+from vv.scene import Term
+
+
+def in_every_plan(given: Given, setup: Setup) -> Given:
+    """Nothing more than what is given of any scene of spheres, or of the body for a block."""
+    return given
+
+
+TRANSLATIONS: Mapping[Term, Callable[[Given, Setup], Given]] = {
+    Term.SPHERE: in_every_plan,
+    Term.SPHERE_CONTACT: in_every_plan,
+    Term.ROTATION: in_every_plan,
+    Term.BLOCK: in_every_plan,
+    Term.GRAVITY: gravity,
+    Term.LOAD: dead_loads,
+    Term.FRICTION: friction,
+    Term.BOND: bonds,
+    Term.CARRIED: carried,
+    Term.BOND_SHEAR: sheared_bonds,
+    Term.BREAKAGE: in_every_plan,
+    Term.CONTACT_VISCOSITY: viscosity,
+    Term.DRAG: drag,
+    Term.WALL_CONTACT: walls,
+    Term.OBLIQUE_LOCK: oblique_locks,
+    Term.RIGID_CONTACT: charged,
+    Term.SHAKING: shaken,
+    Term.BASE_MOTION: moving_walls,
+}
+"""In this order: forces are summed, and notes stand, as they come."""
+
+
+def translated(setup: Setup) -> Given:
+    """What YADE is given of the spheres and walls of a setup, term by term."""
+    given = bare(setup)
+    for term, translation in TRANSLATIONS.items():
+        if term in setup.terms:
+            given = translation(given, setup)
+    return given

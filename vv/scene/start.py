@@ -1,0 +1,47 @@
+"""The forces of contacts and bonds on spheres as they start."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from vv.scene.arrays import Vector
+from vv.scene.bonds import Pairs
+from vv.scene.neighbours import overlapping
+from vv.scene.scene import Scene
+
+
+def initial_normal_forces(scene: Scene) -> Vector:
+    """The (n, 3) normal forces [N] of contacts and bonds on the spheres as they start."""
+    spheres, kn = scene.spheres, scene.contact.kn
+    force = _pull(scene)
+    for wall in scene.walls:
+        gap = (spheres.position - wall.point) @ wall.normal - spheres.radius
+        force += kn * np.maximum(-gap, 0.0)[:, None] * wall.normal
+    pairs = unbonded(scene, overlapping(spheres))
+    pairs = np.concatenate([pairs, pairs[:, ::-1]])
+    i, j = pairs[np.argsort(pairs[:, 0], kind="stable")].T  # sums in the order of the spheres
+    offset = spheres.position[j] - spheres.position[i]
+    distance = np.linalg.norm(offset, axis=1)
+    overlap = spheres.radius[j] + spheres.radius[i] - distance
+    np.add.at(force, j, kn * (overlap / distance)[:, None] * offset)
+    return force
+
+
+def unbonded(scene: Scene, pairs: Pairs) -> Pairs:
+    """Those of the pairs i < j (k, 2) of spheres that no bond joins."""
+    count = len(scene.spheres)
+    low, high = np.sort(scene.bonded_pairs, axis=1).T
+    return pairs[~np.isin(pairs[:, 0] * count + pairs[:, 1], low * count + high)]
+
+
+def _pull(scene: Scene) -> Vector:
+    """The (n, 3) forces [N] of bonds on the spheres as they start."""
+    force = np.zeros((len(scene.spheres), 3))
+    if scene.bonds is not None:
+        i, j = scene.bonded_pairs.T
+        offset = scene.spheres.position[j] - scene.spheres.position[i]
+        distance = np.linalg.norm(offset, axis=1)
+        pull = scene.bonds.kn * (distance - scene.bonds.length) / distance
+        np.add.at(force, i, pull[:, None] * offset)
+        np.add.at(force, j, -pull[:, None] * offset)
+    return force
