@@ -8,9 +8,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from reports.marks import Mark
-from reports.outcomes import outcome_of
+from reports.outcomes import shown_outcome
 from vv.base.metrics import Vector
-from vv.records.reading import Record, error_of, fineness, label, too_long, tried
+from vv.records.job_record import Record
+from vv.records.reading import by_fineness, too_long, tried
 
 Arrays = Callable[[str], Mapping[str, Vector]]
 
@@ -54,12 +55,12 @@ def histories(
     """Each scheme's series at its finest rung that ran, where the store still has it."""
     found = []
     for name, pile in _by_label(records).items():
-        ran = [r for r in pile if any(e["name"] == quantity for e in r["quantities"])]
-        kept = arrays(ran[-1]["key"]) if ran else {}
+        ran = [r for r in pile if r.quantity(quantity)]
+        kept = arrays(ran[-1].key) if ran else {}
         value, t = kept.get(f"{quantity}.value"), kept.get("t")
         if value is not None and t is not None:
             reference = kept.get(f"{quantity}.reference")
-            found.append(History(marks[name], ran[-1]["rung"]["dt"], t, value, reference))
+            found.append(History(marks[name], ran[-1].rung.dt, t, value, reference))
     return found
 
 
@@ -67,8 +68,8 @@ def ladders(records: Sequence[Record], quantity: str, marks: Mapping[str, Mark])
     """Each scheme's errors on its way to small steps; one ladder per contact stiffness."""
     found = []
     for name, pile in _by_label(records).items():
-        for kn in dict.fromkeys(record["rung"]["kn"] for record in pile):
-            rungs = [record for record in pile if record["rung"]["kn"] == kn]
+        for kn in dict.fromkeys(record.rung.kn for record in pile):
+            rungs = [record for record in pile if record.rung.kn == kn]
             points = tuple(_point(record, quantity) for record in rungs)
             found.append(Ladder(marks[name], kn, points))
     return found
@@ -85,20 +86,19 @@ def same_curve(one: Sequence[History], other: Sequence[History]) -> bool:
 
 def _by_label(records: Iterable[Record]) -> dict[str, list[Record]]:
     piles: dict[str, list[Record]] = {}
-    for record in sorted(records, key=fineness):
-        piles.setdefault(label(record), []).append(record)
+    for record in sorted(records, key=by_fineness):
+        piles.setdefault(record.label, []).append(record)
     return dict(sorted(piles.items()))
 
 
 def _point(record: Record, quantity: str) -> Point:
-    entry = next((e for e in record["quantities"] if e["name"] == quantity), None)
-    cost = record["cost"]
+    one = record.quantity(quantity)
     return Point(
-        record["rung"]["dt"],
-        error_of(entry) if entry else None,
-        cost["solve_cpu"],
-        cost["kind"] == "timed",
-        outcome_of(record).troubling,
+        record.rung.dt,
+        one.error if one else None,
+        record.cost.solve_cpu,
+        record.cost.timed,
+        shown_outcome(record).troubling,
         not tried(record),
         too_long(record),
     )

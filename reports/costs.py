@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
 
 from reports.charts import shares as shares_chart
 from reports.gallery import Draw, Figure
@@ -12,7 +11,8 @@ from reports.marks import Mark
 from reports.text import brief, sci, short
 from vv.insight.accuracy_cost import TARGETS, Reach, cheapest, profile, reach, shares
 from vv.insight.effort import Effort, efforts
-from vv.records.rungs import Point, told
+from vv.records.manifest import Manifest
+from vv.records.rungs import Point, describe
 
 
 @dataclass(frozen=True)
@@ -43,7 +43,7 @@ class Profile:
 
 
 def costs(
-    manifest: Mapping[str, Any], marks: Mapping[str, Mark], draw: Draw
+    manifest: Manifest, marks: Mapping[str, Mark], draw: Draw
 ) -> tuple[dict[tuple[str, str], Costs], list[Profile]]:
     """(case, variant) -> its costs, and the profiles over all of them."""
     every = efforts(manifest)
@@ -67,8 +67,8 @@ def _notes(one: Effort) -> Iterator[str]:
     if one.floor:
         yield f"{sci(one.floor.error, 1)}: {one.floor.why}"
     for row in one.rows:
-        if row.kn and (said := told(row)):
-            yield f"kn = {brief(row.kn)}: {said}"
+        if row.kn and (text := describe(row)):
+            yield f"kn = {brief(row.kn)}: {text}"
 
 
 def _advice(here: Sequence[Effort], target: float) -> str:
@@ -88,11 +88,11 @@ def _profile(
     named = [(marks[name], row) for name, row in ratios.items() if row]
     chart = shares_chart(named, f"share solved to {brief(target)}")
     within = [(mark, shares(row)) for mark, row in named]
-    said = ", ".join(f"{mark.label} {100 * row[-1]:.0f} %" for mark, row in within)
+    text = ", ".join(f"{mark.label} {100 * row[-1]:.0f} %" for mark, row in within)
     title = f"Profile at an error of {brief(target)}"
     caption = "Share of the timed variants solved within a factor of the cheapest scheme's cost."
     drawn = (
-        [Figure(draw(chart), title, caption, f"{title}; solved at all: {said}")] if chart else []
+        [Figure(draw(chart), title, caption, f"{title}; solved at all: {text}")] if chart else []
     )
     return Profile(
         target, sorted(within, key=lambda pair: tuple(pair[1][::-1]), reverse=True), drawn

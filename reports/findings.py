@@ -5,13 +5,16 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
 
 from reports.marks import Mark
-from reports.outcomes import RANKS, Outcome, outcome_of
-from reports.tables import NORMS, anchor
+from reports.outcomes import RANKS, ShownOutcome, shown_outcome
+from reports.tables import NORM_NAMES, anchor
 from reports.text import brief, short
-from vv.records.reading import Record, label
+from vv.case import Norm
+from vv.gate.judgement import breach_in_words, breaches
+from vv.records.job_record import Record
+from vv.records.outcomes import Outcome
+from vv.records.quantity import MeasuredQuantity
 
 DECIMAL = re.compile(r"(?<![\w.])-?\d+(?:\.\d+(?:e[+-]?\d+)?|e[+-]?\d+)\b")
 
@@ -20,7 +23,7 @@ DECIMAL = re.compile(r"(?<![\w.])-?\d+(?:\.\d+(?:e[+-]?\d+)?|e[+-]?\d+)\b")
 class Finding:
     """Records of one scheme with the same outcome for the same reason. where: links to them."""
 
-    outcome: Outcome
+    outcome: ShownOutcome
     mark: Mark
     text: str
     where: Mapping[str, Sequence[tuple[str, str]]]
@@ -36,12 +39,12 @@ def findings(
     wanted = frozenset(looks)
     piles: dict[tuple[int, str, str], list[Record]] = {}
     for record in records:
-        found = outcome_of(record)
+        found = shown_outcome(record)
         if found.look in wanted:
-            key = (RANKS[found.key], label(record), DECIMAL.sub("#", said(record)))
+            key = (RANKS[found.key], record.label, DECIMAL.sub("#", reason_of(record)))
             piles.setdefault(key, []).append(record)
     return [
-        Finding(outcome_of(pile[0]), marks[name], _merged([said(r) for r in pile]), _where(pile))
+        Finding(shown_outcome(pile[0]), marks[name], _merged([*map(reason_of, pile)]), _where(pile))
         for (_, name, _), pile in sorted(piles.items())
     ]
 
@@ -53,26 +56,29 @@ def _merged(texts: Sequence[str]) -> str:
     return DECIMAL.sub(lambda _: " to ".join(next(ranges)), texts[0])
 
 
-def said(record: Record) -> str:
-    """The reason of a record's outcome: its own, or what its quantities note."""
-    look = outcome_of(record)
-    entries = [e for e in record["quantities"] if e["verdict"] == look.key]
-    notes = [f"{e['name']}: {e['note'] or _exceeds(e)}" for e in entries]
-    reason = "; ".join([record["reason"], *notes] if record["reason"] else notes)
-    return reason or look.meaning
+def reason_of(record: Record) -> str:
+    """The reason of a record's outcome: its own, what its quantities note, or its energy."""
+    shown = shown_outcome(record)
+    if shown.key is Outcome.NOT_CONSERVED:
+        notes = list(map(breach_in_words, breaches(record.ledger)))
+    else:
+        ill = [one for one in record.quantities if one.verdict.value == shown.key.value]
+        notes = [f"{one.name}: {one.note or _exceeds(one)}" for one in ill]
+    reason = "; ".join([record.reason, *notes] if record.reason else notes)
+    return reason or shown.meaning
 
 
-def _exceeds(entry: Mapping[str, Any]) -> str:
-    return f"error above the tolerance in the norm {NORMS[entry['norm'] or 'max']}"
+def _exceeds(one: MeasuredQuantity) -> str:
+    return f"error above the tolerance in the norm {NORM_NAMES[one.norm or Norm.MAX]}"
 
 
 def _where(pile: Sequence[Record]) -> dict[str, list[tuple[str, str]]]:
     by_variant: dict[tuple[str, str], list[Record]] = {}
     for record in pile:
-        by_variant.setdefault((record["case"], record["variant"]), []).append(record)
+        by_variant.setdefault((record.case, record.variant), []).append(record)
     found: dict[str, list[tuple[str, str]]] = {}
     for (case, variant), members in by_variant.items():
-        steps = [brief(r["rung"]["dt"]) for r in members if r["rung"]["dt"]]
+        steps = [brief(r.rung.dt) for r in members if r.rung.dt]
         some = f" at dt = {', '.join(steps)} s" if 0 < len(steps) < 3 else ""
         many = f" ({len(steps)} steps)" if len(steps) >= 3 else ""
         found.setdefault(case, []).append((anchor(members[0]), f"{variant}{some or many}"))

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
@@ -12,9 +11,11 @@ from reports import charts
 from reports.charts import Chart
 from reports.collect import History, Ladder
 from reports.maps import NO_CRITICAL, Critical, HeatMap, error_map
-from reports.tables import NORMS
+from reports.tables import NORM_NAMES
 from reports.text import brief, listed, sci
 from vv.base.metrics import POINTWISE_THRESHOLD
+from vv.case import Norm
+from vv.records.case_facts import QuantityFacts
 
 Draw = Callable[[Chart | HeatMap], str]
 
@@ -32,8 +33,8 @@ class Figure:
 def figures(
     over_time: Sequence[History],
     steps: Sequence[Ladder],
-    quantity: Mapping[str, Any],
-    norm: str,
+    quantity: QuantityFacts,
+    norm: Norm,
     draw: Draw,
     critical: Critical = NO_CRITICAL,
 ) -> list[Figure]:
@@ -42,10 +43,8 @@ def figures(
     Errors at every stiffness and every step of a few make a map instead of curves; critical:
     stiffness -> what the steps of such a map are multiples of.
     """
-    symbol = (
-        f"{quantity['symbol']} [{quantity['unit']}]" if quantity["unit"] else quantity["symbol"]
-    )
-    error = f"error of {quantity['symbol']}, norm {NORMS[norm]}"
+    symbol = f"{quantity.symbol} [{quantity.unit}]" if quantity.unit else quantity.symbol
+    error = f"error of {quantity.symbol}, norm {NORM_NAMES[norm]}"
     both = [*_trajectory(over_time, symbol, draw), *_relative(over_time, draw)]
     heat = error_map(steps, critical)
     if heat is not None:

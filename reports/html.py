@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
+import dataclasses
 import functools
 import hashlib
-import json
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
@@ -17,6 +17,9 @@ from vv.base import closure
 from vv.base.files import write_output
 from vv.insight import history as histories
 from vv.insight.history import Point
+from vv.output.terminal import note
+from vv.records import codec
+from vv.records.manifest import Manifest
 from vv.store.store import Store
 
 HERE = Path(__file__).parent
@@ -24,7 +27,7 @@ TOOL = Path(closure.__file__).parents[2]  # below which the modules that a repor
 HEAD = 4096  # characters within which a report names the digest of its inputs
 
 
-def build(manifest: dict[str, Any], store: Store, output: Path) -> Path:
+def build(manifest: Manifest, store: Store, output: Path) -> Path:
     """Write the report of a manifest (with its `name`) to `output`, and return that path.
 
     Reads the manifest, and the series of its records through the store. A file that was made
@@ -34,7 +37,7 @@ def build(manifest: dict[str, Any], store: Store, output: Path) -> Path:
     return _built(manifest, store, output, drawing=_all_drawn)
 
 
-def build_quickly(manifest: dict[str, Any], store: Store, output: Path) -> Path:
+def build_quickly(manifest: Manifest, store: Store, output: Path) -> Path:
     """As `build`, but with those figures only that were drawn before: drawing costs seconds."""
     return _built(manifest, store, output, drawing=_none_drawn)
 
@@ -45,11 +48,11 @@ def _all_drawn(view: Callable[[Draw], Page], folder: Path) -> None:
 
     shown: list[Chart | HeatMap] = []
 
-    def note(chart: Chart | HeatMap) -> str:
+    def collect(chart: Chart | HeatMap) -> str:
         shown.append(chart)
         return ""
 
-    view(note)
+    view(collect)
     draw_missing(shown, folder)
 
 
@@ -58,12 +61,12 @@ def _none_drawn(view: Callable[[Draw], Page], folder: Path) -> None:
 
 
 def _built(
-    manifest: dict[str, Any],
+    manifest: Manifest,
     store: Store,
     output: Path,
     drawing: Callable[[Callable[[Draw], Page], Path], None],
 ) -> Path:
-    past = histories.histories(store, manifest["cases"], {manifest["name"]: manifest})
+    past = histories.histories(store, manifest.cases, {manifest.name: manifest}, note)
     stamp = _stamp(manifest, past, drawing.__name__)
     if _stamp_of(output) != stamp:
         from reports.figures import drawn_before
@@ -91,23 +94,24 @@ def _template(folder: Path) -> Any:
         trim_blocks=True,
         lstrip_blocks=True,
     )
-    for name in (text.sci, text.brief, text.short, text.ratio, text.slug, text.told):
+    for name in (text.sci, text.brief, text.short, text.ratio, text.slug, text.known_columns):
         environment.filters[name.__name__] = name
     for piece in (pieces.glyph, pieces.tag, pieces.numbers):
         environment.globals[piece.__name__] = piece
     return environment.get_template("report.html.j2")
 
 
-def _stamp(manifest: Mapping[str, Any], past: Mapping[str, Sequence[Point]], drawing: str) -> str:
+def _stamp(manifest: Manifest, past: Mapping[str, Sequence[Point]], drawing: str) -> str:
     """Digest of all a report shows but the time and the name of the invocation."""
-    circumstances = {k: v for k, v in manifest["provenance"].items() if k != "utc"}
-    parts = [manifest[part] for part in ("cases", "records", "findings", "baselines", "recorded")]
+    circumstances = dataclasses.replace(manifest.provenance, utc="")
+    names = ("cases", "records", "findings", "baselines", "recorded")
+    parts = [getattr(manifest, name) for name in names]
     before = [
         (case, point.name, point.closeness, point.cost, point.outcomes)
         for case, points in past.items()
         for point in points
     ]
-    text = json.dumps((circumstances, parts, before), sort_keys=True)
+    text = codec.render((circumstances, parts, before), sort_keys=True)
     return hashlib.sha256(f"{_sources()}{drawing}{text}".encode()).hexdigest()
 
 

@@ -5,16 +5,17 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 
-from vv.gate.judgement import counted as counted_by_word
+from vv.gate.judgement import counted as counted_by_outcome
 from vv.gate.judgement import outcome
-from vv.records.reading import Record
+from vv.records.job_record import Record
+from vv.records.outcomes import Outcome
 
 
 @dataclass(frozen=True)
-class Outcome:
+class ShownOutcome:
     """How an outcome is shown. look: good, known, idle, odd or bad; bad and odd need attention."""
 
-    key: str
+    key: Outcome
     symbol: str
     word: str
     look: str
@@ -27,32 +28,56 @@ class Outcome:
 
 
 WORST_FIRST = (
-    Outcome("error", "‼", "error", "bad", "the code or its adapter stopped with an error"),
-    Outcome("diverged", "∞", "diverged", "bad", "the result is not finite"),
-    Outcome("timeout", "◷", "timeout", "bad", "stopped after its time was over"),
-    Outcome("not reported", "?", "not reported", "bad", "it ran, but reported nothing to judge"),
-    Outcome("fail", "✗", "fail", "bad", "outside the tolerance, or outside a known band"),
-    Outcome("not conserved", "≠", "not conserved", "bad", "its energy ledger breaks a law"),
-    Outcome("xpass", "!", "unexpected pass", "odd", "passes, though a disagreement is on record"),
-    Outcome("not run", "·", "not run", "odd", "planned, but it never ran"),
-    Outcome("xfail", "≈", "known disagreement", "known", "fails inside the band on record"),
-    Outcome("refused", "⊘", "refused", "idle", "the code cannot do this honestly, and says so"),
-    Outcome("too long", "…", "too long", "idle", "left out: it would take the code too many steps"),
-    Outcome("not installed", "○", "not installed", "idle", "the code was not found"),
-    Outcome("blow-up", "✸", "blow-up", "shown", "diverged in a map, which shows where codes do"),
-    Outcome("no-reference", "◇", "no reference", "shown", "shown, with nothing to judge it by"),
-    Outcome("pass", "✓", "pass", "good", "within the tolerance of its class of method"),
+    ShownOutcome(
+        Outcome.ERROR, "‼", "error", "bad", "the code or its adapter stopped with an error"
+    ),
+    ShownOutcome(Outcome.DIVERGED, "∞", "diverged", "bad", "the result is not finite"),
+    ShownOutcome(Outcome.TIMEOUT, "◷", "timeout", "bad", "stopped after its time was over"),
+    ShownOutcome(
+        Outcome.NOT_REPORTED, "?", "not reported", "bad", "it ran, but reported nothing to judge"
+    ),
+    ShownOutcome(
+        Outcome.FAIL, "✗", "fail", "bad", "outside the tolerance, or outside a known band"
+    ),
+    ShownOutcome(
+        Outcome.NOT_CONSERVED,
+        "≠",
+        "not conserved",
+        "bad",
+        "its energy ledger shows energy made, or a law broken",
+    ),
+    ShownOutcome(
+        Outcome.XPASS, "!", "unexpected pass", "odd", "passes, though a disagreement is on record"
+    ),
+    ShownOutcome(Outcome.NOT_RUN, "·", "not run", "odd", "planned, but it never ran"),
+    ShownOutcome(
+        Outcome.XFAIL, "≈", "known disagreement", "known", "fails inside the band on record"
+    ),
+    ShownOutcome(
+        Outcome.REFUSED, "⊘", "refused", "idle", "the code cannot do this honestly, and says so"
+    ),
+    ShownOutcome(
+        Outcome.TOO_LONG, "…", "too long", "idle", "left out: it would take the code too many steps"
+    ),
+    ShownOutcome(Outcome.NOT_INSTALLED, "○", "not installed", "idle", "the code was not found"),
+    ShownOutcome(
+        Outcome.BLOW_UP, "✸", "blow-up", "shown", "diverged in a map, which shows where codes do"
+    ),
+    ShownOutcome(
+        Outcome.NO_REFERENCE, "◇", "no reference", "shown", "shown, with nothing to judge it by"
+    ),
+    ShownOutcome(Outcome.PASS, "✓", "pass", "good", "within the tolerance of its class of method"),
 )
 OUTCOMES = {known.key: known for known in WORST_FIRST}
 RANKS = {known.key: rank for rank, known in enumerate(WORST_FIRST)}
 
 
-def outcome_of(record: Record) -> Outcome:
+def shown_outcome(record: Record) -> ShownOutcome:
     """The outcome of a record, as it is shown."""
     return OUTCOMES[outcome(record)]
 
 
-def counted(records: Iterable[Record]) -> list[tuple[Outcome, int]]:
+def counted(records: Iterable[Record]) -> list[tuple[ShownOutcome, int]]:
     """(outcome, how many) for the outcomes there are, worst first."""
-    counts = counted_by_word(records)
+    counts = counted_by_outcome(records)
     return [(OUTCOMES[key], counts[key]) for key in sorted(counts, key=RANKS.__getitem__)]

@@ -7,10 +7,10 @@ import functools
 from markupsafe import Markup, escape
 
 from reports.marks import Mark
-from reports.outcomes import Outcome
-from reports.tables import Rung
+from reports.outcomes import ShownOutcome
+from reports.tables import NORM_NAMES, Rung
 from reports.text import NONE, brief, ratio, sci, short
-from vv.records.record import NORMS
+from vv.case import Norm
 
 
 @functools.cache
@@ -26,7 +26,7 @@ def glyph(mark: Mark) -> Markup:
 
 
 @functools.cache
-def tag(outcome: Outcome, count: int | None = None) -> Markup:
+def tag(outcome: ShownOutcome, count: int | None = None) -> Markup:
     """An outcome as symbol and word, and how many of it there are."""
     symbol = f'<span class="symbol" aria-hidden="true">{escape(outcome.symbol)}</span>'
     many = "" if count is None else f" {count}"
@@ -35,22 +35,21 @@ def tag(outcome: Outcome, count: int | None = None) -> Markup:
 
 def numbers(rung: Rung, stiffness: bool, values: bool) -> Markup:
     """The cells of a rung that hold numbers. stiffness, values: whether there are columns of it."""
-    knobs, entry, cost = rung.record["rung"], rung.entry, rung.record["cost"]
-    first = [knobs["dt"], *([knobs["kn"]] if stiffness else [])]
-    first += [entry["value"], entry["reference"]] if values else []
-    errors = [(norm.name.lower(), entry["errors"].get(norm.name.lower())) for norm in NORMS]
-    judges = entry["norm"] or "max"
-    repeated = 1 + cost["spread"] if cost["repeats"] > 1 else None
-    times = (cost[part] for part in ("startup", "setup", "solve_wall", "output"))
+    knobs, one, cost = rung.record.rung, rung.quantity, rung.record.cost
+    first = [knobs.dt, *([knobs.kn] if stiffness else [])]
+    first += [one.value, one.reference] if values else []
+    judging = one.norm or Norm.MAX
+    repeated = 1 + cost.spread if cost.repeats > 1 else None
+    times = (cost.startup, cost.setup, cost.solve_wall, cost.output)
     order = NONE if rung.order is None else f"{rung.order:.2f}"
     cells = [
         *(("n", brief(number)) for number in first),
-        *(("n judged" if norm == judges else "n", sci(error)) for norm, error in errors),
-        *(("n", text) for text in (sci(entry["tolerance"], 1), ratio(rung.margin), order)),
-        ("n", short(cost["solve_cpu"])),
-        ("name", f"● {cost['repeats']}" if cost["kind"] == "timed" else "○"),
+        *(("n judged" if n is judging else "n", sci(one.errors.get(n))) for n in NORM_NAMES),
+        *(("n", text) for text in (sci(one.tolerance, 1), ratio(rung.margin), order)),
+        ("n", short(cost.solve_cpu)),
+        ("name", f"● {cost.repeats}" if cost.timed else "○"),
         ("n", ratio(repeated)),
         *(("n", short(time)) for time in times),
-        ("n", rung.record["steps"]),
+        ("n", rung.record.steps),
     ]
     return Markup("".join(f'<td class="{kind}">{text}</td>' for kind, text in cells))

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import Any
 
 from reports.marks import Mark
 from reports.text import slug
 from reports.views import Stable
-from vv.insight.stability_summary import Kind, Told, stability
+from vv.insight.stability_summary import Kind, StabilityStatement, stability
+from vv.records.manifest import Manifest
 
 KINDS = {
     Kind.STEP: (
@@ -32,25 +32,25 @@ KINDS = {
 }
 
 
-def sections(manifest: Mapping[str, Any], marks: Mapping[str, Mark]) -> list[Stable]:
+def sections(manifest: Manifest, marks: Mapping[str, Mark]) -> list[Stable]:
     """A section for each kind there is anything of."""
-    told = stability(manifest)
+    statements = stability(manifest)
     return [
-        Stable(title, caption, _lines([one for one in told if one.kind == kind], marks))
+        Stable(title, caption, _lines([one for one in statements if one.kind is kind], marks))
         for kind, (title, caption) in KINDS.items()
-        if any(one.kind == kind for one in told)
+        if any(one.kind is kind for one in statements)
     ]
 
 
 def _lines(
-    told: Sequence[Told], marks: Mapping[str, Mark]
+    statements: Sequence[StabilityStatement], marks: Mapping[str, Mark]
 ) -> list[tuple[str, str, list[tuple[list[Mark], str]]]]:
     """(anchor, case: variant, what is said and by which schemes), in the order found."""
     places: dict[tuple[str, str], dict[str, list[Mark]]] = {}
-    for one in told:
-        said = places.setdefault((one.case, one.variant), {})
-        said.setdefault(one.text, []).append(marks[one.label])
+    for one in statements:
+        texts = places.setdefault((one.case, one.variant), {})
+        texts.setdefault(one.text, []).append(marks[one.label])
     return [
-        (slug(case, variant), f"{case}: {variant}", [(who, text) for text, who in said.items()])
-        for (case, variant), said in places.items()
+        (slug(case, variant), f"{case}: {variant}", [(who, text) for text, who in texts.items()])
+        for (case, variant), texts in places.items()
     ]

@@ -2,29 +2,38 @@
 
 from __future__ import annotations
 
+import dataclasses
 import itertools
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
 
 from reports.marks import Mark
-from reports.outcomes import Outcome, counted, outcome_of
+from reports.outcomes import ShownOutcome, counted, shown_outcome
 from reports.text import slug
 from vv.base.metrics import Order, order_before_floor
-from vv.records.reading import Record, error_of, fineness, label
+from vv.case import Norm
+from vv.records.job_record import Record
+from vv.records.outcomes import QuantityKind
+from vv.records.quantity import MeasuredQuantity
+from vv.records.reading import by_fineness
 
-NORMS = {"max": "max", "final": "final", "pointwise": "pointwise", "l2": "L2"}
+NORM_NAMES = {
+    Norm.MAX: "max",
+    Norm.FINAL: "final",
+    Norm.POINTWISE: "pointwise",
+    Norm.L2: "L2",
+}
+Measured = tuple[Record, MeasuredQuantity]
 
 
 def anchor(record: Record) -> str:
     """The place in the page where the rungs of a record's scheme stand."""
-    return slug(record["case"], record["variant"], label(record))
+    return slug(record.case, record.variant, record.label)
 
 
-def margin(entry: Mapping[str, Any]) -> float | None:
+def margin(one: MeasuredQuantity) -> float | None:
     """Tolerance over error; None where either is missing or the error is zero."""
-    error = error_of(entry)
-    return entry["tolerance"] / error if error and entry["tolerance"] else None
+    return one.tolerance / one.error if one.error and one.tolerance else None
 
 
 @dataclass(frozen=True)
@@ -34,23 +43,23 @@ class Cell:
     anchor: str
     error: float | None
     quantity: str
-    outcomes: Sequence[tuple[Outcome, int]]
+    outcomes: Sequence[tuple[ShownOutcome, int]]
 
     @property
-    def worst(self) -> Outcome:
+    def worst(self) -> ShownOutcome:
         """What colours the cell."""
         return self.outcomes[0][0]
 
 
 def cell(records: Sequence[Record]) -> Cell:
     """One scheme's cell for one variant; records of its rungs, at least one."""
-    finest = sorted(records, key=fineness)[-1]
-    entries = finest["quantities"]
-    worst = min(entries, key=lambda e: margin(e) or float("inf")) if entries else None
+    finest = sorted(records, key=by_fineness)[-1]
+    measured = finest.quantities
+    worst = min(measured, key=lambda one: margin(one) or float("inf")) if measured else None
     return Cell(
         anchor(finest),
-        error_of(worst) if worst else None,
-        worst["name"] if worst and len(entries) > 1 else "",
+        worst.error if worst else None,
+        worst.name if worst and len(measured) > 1 else "",
         counted(records),
     )
 
@@ -60,15 +69,15 @@ class Rung:
     """A row of a table of rungs; order: observed from the rung before to this one."""
 
     record: Record
-    entry: Mapping[str, Any]
-    outcome: Outcome
+    quantity: MeasuredQuantity
+    outcome: ShownOutcome
     order: float | None
     note: str
 
     @property
     def margin(self) -> float | None:
         """Tolerance over error."""
-        return margin(self.entry)
+        return margin(self.quantity)
 
 
 @dataclass(frozen=True)
@@ -90,7 +99,7 @@ class Group:
     @property
     def is_number(self) -> bool:
         """Whether the quantity has a single value, not a series."""
-        return bool(self.rungs[0].entry["kind"] != "series")
+        return self.rungs[0].quantity.kind is not QuantityKind.SERIES
 
 
 @dataclass(frozen=True)
@@ -99,40 +108,40 @@ class Absent:
 
     anchor: str
     mark: Mark
-    outcome: Outcome
+    outcome: ShownOutcome
     steps: Sequence[float]
     reason: str
 
 
 def groups(records: Sequence[Record], marks: Mapping[str, Mark]) -> list[Group]:
     """The tables of a variant's runs that ran: per scheme, quantity and contact stiffness."""
-    piles: dict[tuple[str, str, float | None], list[tuple[Record, Mapping[str, Any]]]] = {}
-    for record in sorted(records, key=fineness):
-        for entry in record["quantities"]:
-            key = (label(record), entry["name"], record["rung"]["kn"])
-            piles.setdefault(key, []).append((record, entry))
+    piles: dict[tuple[str, str, float | None], list[Measured]] = {}
+    for record in sorted(records, key=by_fineness):
+        for one in record.quantities:
+            key = (record.label, one.name, record.rung.kn)
+            piles.setdefault(key, []).append((record, one))
     keys = sorted(piles, key=lambda key: (key[0], key[1], key[2] or 0.0))
     return [_group(marks[key[0]], key[2], piles[key]) for key in keys]
 
 
-def _group(mark: Mark, kn: float | None, rows: Sequence[tuple[Record, Mapping[str, Any]]]) -> Group:
-    points = [(r["rung"]["dt"], error_of(e)) for r, e in rows]
-    notes = [[text for text in (r["reason"], e["note"]) if text] for r, e in rows]
-    shared = notes[0] if all(said == notes[0] for said in notes) else []
+def _group(mark: Mark, kn: float | None, rows: Sequence[Measured]) -> Group:
+    points = [(r.rung.dt, one.error) for r, one in rows]
+    notes = [[text for text in (r.reason, one.note) if text] for r, one in rows]
+    shared = notes[0] if all(texts == notes[0] for texts in notes) else []
     local = [None, *(_order(list(pair)) for pair in itertools.pairwise(points))]
     rungs = [
         Rung(
             record=record,
-            entry=entry,
-            outcome=outcome_of({**record, "quantities": [entry]}),
+            quantity=one,
+            outcome=shown_outcome(dataclasses.replace(record, quantities=(one,))),
             order=step.order if step else None,
-            note="" if shared else "; ".join(said),
+            note="" if shared else "; ".join(texts),
         )
-        for (record, entry), said, step in zip(rows, notes, local, strict=True)
+        for (record, one), texts, step in zip(rows, notes, local, strict=True)
     ]
-    record, entry = rows[0]
+    record, one = rows[0]
     place = anchor(record)
-    return Group(place, mark, entry["name"], entry["unit"], kn, rungs, _order(points), shared)
+    return Group(place, mark, one.name, one.unit, kn, rungs, _order(points), shared)
 
 
 def _order(points: Sequence[tuple[float | None, float | None]]) -> Order | None:
@@ -144,16 +153,16 @@ def _order(points: Sequence[tuple[float | None, float | None]]) -> Order | None:
 def absent(records: Sequence[Record], marks: Mapping[str, Mark]) -> list[Absent]:
     """What gave no quantity: one row per scheme, outcome and reason."""
     piles: dict[tuple[str, str, str], list[Record]] = {}
-    for record in sorted(records, key=fineness):
-        if not record["quantities"]:
-            key = (label(record), outcome_of(record).key, record["reason"])
+    for record in sorted(records, key=by_fineness):
+        if not record.quantities:
+            key = (record.label, shown_outcome(record).key.value, record.reason)
             piles.setdefault(key, []).append(record)
     return [
         Absent(
             anchor(pile[0]),
             marks[name],
-            outcome_of(pile[0]),
-            [r["rung"]["dt"] for r in pile if r["rung"]["dt"]],
+            shown_outcome(pile[0]),
+            [r.rung.dt for r in pile if r.rung.dt],
             reason,
         )
         for (name, _, reason), pile in sorted(piles.items())

@@ -54,7 +54,7 @@ def slug(*names: str) -> str:
     return "--".join(re.sub(r"[^A-Za-z0-9_]+", "-", name) for name in names)
 
 
-def told(names: Iterable[str], rows: Iterable[Mapping[str, float | None]]) -> list[str]:
+def known_columns(names: Iterable[str], rows: Iterable[Mapping[str, float | None]]) -> list[str]:
     """The names, in order, of which some row has a number: a table needs no other columns."""
     known = {name for row in rows for name, value in row.items() if value is not None}
     return [name for name in names if name in known]

@@ -4,16 +4,20 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
 
 from reports.costs import Costs, Profile
 from reports.findings import Finding
 from reports.gallery import Figure
 from reports.marks import Mark
-from reports.outcomes import Outcome
+from reports.outcomes import ShownOutcome
 from reports.tables import Absent, Cell, Group
+from vv.ask import Ledger
 from vv.insight.history import Point
+from vv.records.accepted import BaselineSummary
+from vv.records.case_facts import CaseFacts, QuantityFacts, VariantFacts
 from vv.records.finding import Finding as Change
+from vv.records.job_record import ModelSummary
+from vv.records.provenance import Provenance
 
 
 @dataclass(frozen=True)
@@ -34,9 +38,9 @@ class Scheme:
     cell: Cell
     version: str
     method: str
-    model: Mapping[str, Any] | None
+    model: ModelSummary | None
     orders: Sequence[Group]
-    ledger: Mapping[str, Any] | None
+    ledger: Ledger | None
     reason: str
 
 
@@ -49,7 +53,7 @@ class Variant:
 
     name: str
     anchor: str
-    facts: Mapping[str, Any]
+    facts: VariantFacts
     settings: Mapping[str, float]
     modified: bool
     cells: Mapping[str, Cell]
@@ -73,12 +77,12 @@ class Case:
 
     name: str
     anchor: str
-    facts: Mapping[str, Any]
-    quantities: Sequence[tuple[Mapping[str, Any], Sequence[str]]]
+    facts: CaseFacts
+    quantities: Sequence[tuple[QuantityFacts, Sequence[str]]]
     variants: Sequence[Variant]
     beside: Mapping[str, Mapping[str, float | None]]
     beside_dt: float | None
-    baseline: Mapping[str, Any] | None
+    baseline: BaselineSummary | None
     past: Sequence[Point]
 
 
@@ -97,16 +101,16 @@ class Page:
 
     digest: str
     name: str
-    provenance: Mapping[str, Any]
+    provenance: Provenance
     marks: Mapping[str, Mark]
     versions: Mapping[str, str]
-    counts: Sequence[tuple[Outcome, int]]
+    counts: Sequence[tuple[ShownOutcome, int]]
     cases: Sequence[Case]
     since: Sequence[Change]
     trouble: Sequence[Finding]
     known: Sequence[Finding]
     idle: Sequence[Finding]
-    legend: Sequence[Outcome]
+    legend: Sequence[ShownOutcome]
     norms: Mapping[str, str]
     profiles: Sequence[Profile]
     stability: Sequence[Stable]

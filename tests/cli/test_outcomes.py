@@ -179,4 +179,4 @@ def test_what_a_code_does_not_tell_is_not_judged_in_it_and_in_others_is() -> Non
     booked = dataclasses.replace(silent, ledger=Ledger({}, 1.0, 1.0, 0.0))
     for run, verdict in ((silent, "no-reference"), (booked, "fail")):
         entry, _ = measured(run, kept, Method.SECOND_ORDER, Knobs(1e-3))
-        assert entry["verdict"] == verdict
+        assert entry.verdict.value == verdict

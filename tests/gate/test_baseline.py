@@ -1,36 +1,39 @@
 """How results are compared with those accepted, without running anything."""
 
-import copy
-import json
 from typing import Any
 
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from tests.support.fabricated import entry, record
-from vv.gate import acceptance, baseline, regression, speed
-from vv.gate.regression import EXTERNAL, IN_HOUSE
+from tests.support.fabricated import changed, entry, record, requantified
+from vv.gate import acceptance, regression, speed
+from vv.gate.regression import EXTERNAL, IN_HOUSE, Band, Strictness
+from vv.records import codec
+from vv.records.accepted import Acceptance, Baseline, Place
 from vv.records.finding import Bit, Finding
+from vv.records.job_record import Record
+from vv.records.sorted_text import render
 
-ACCEPTANCE = {"reason": "r", "utc": "u", "machine": {"processor": "P", "system": "S"}}
+ACCEPTANCE = Acceptance("c", False, Place("P", "S"), "r", "u", {})
 FIGURES = {"final": 3.0, "mean": 1.0}
 
 
-def ran(error: float | None = 1e-4, final: float = 3.0, **changes: Any) -> dict[str, Any]:
+def ran(error: float | None = 1e-4, final: float = 3.0, **changes: Any) -> Record:
     figures = {**FIGURES, "final": final}
     quantity = entry("pass", {"max": error}, scale=2.0, figures=figures)
-    return {**record("dem/default", "T1", 1e-3, quantities=[quantity]), **changes}
+    return changed(record("dem/default", "T1", 1e-3, quantities=[quantity]), **changes)
 
 
-def accepted(*records: dict[str, Any], old: Any = None) -> dict[str, Any]:
+def accepted(*records: Record, old: Baseline | None = None) -> Baseline:
     return acceptance.accepted("bounce", old, records or (ran(),), ACCEPTANCE, ())
 
 
 def compared(
-    now: dict[str, Any], external: tuple[str, ...] = (), then: Any = None, demanded: bool = False
+    now: Record, external: tuple[str, ...] = (), then: Baseline | None = None
 ) -> list[Finding]:
-    return regression.compare("bounce", [now], then or accepted(), external, True, demanded)
+    strictness = Strictness(external, enforced=True, demanded=False)
+    return regression.compare("bounce", [now], then or accepted(), strictness)
 
 
 def test_the_same_result_is_no_finding() -> None:
@@ -38,7 +41,7 @@ def test_the_same_result_is_no_finding() -> None:
 
 
 @given(st.floats(1e-12, 1e-2), st.sampled_from([IN_HOUSE, EXTERNAL]))
-def test_errors_are_compared_within_the_band_of_the_code(change: float, band: Any) -> None:
+def test_errors_are_compared_within_the_band_of_the_code(change: float, band: Band) -> None:
     external = ("dem",) if band is EXTERNAL else ()
     kinds = [finding.kind for finding in compared(ran(1e-4 + change), external)]
     if not 0.99 < change / band.width < 1.01:
@@ -55,6 +58,13 @@ def test_rounding_in_a_tiny_error_is_noise() -> None:
     assert compared(ran(5e-16), then=accepted(ran(1e-16))) == []
 
 
+def test_the_last_bits_of_an_answer_that_has_blown_up_are_no_change() -> None:
+    then = accepted(ran(8.2e34, final=8.2e34))
+    assert compared(ran(8.2e34 * (1 + 1e-15), final=8.2e34 * (1 + 1e-15)), then=then) == []
+    (found,) = compared(ran(8.1e34, final=8.1e34), then=then)
+    assert found.kind == "better"
+
+
 def test_a_better_error_is_no_failure_and_a_lost_one_is() -> None:
     (found,) = compared(ran(1e-5))
     assert (found.kind, found.red) == ("better", False)
@@ -63,9 +73,7 @@ def test_a_better_error_is_no_failure_and_a_lost_one_is() -> None:
 
 
 def test_a_quantity_no_longer_reported_is_red_and_a_new_one_is_noted() -> None:
-    now = ran()
-    now["quantities"][0]["name"] = "z"
-    gone, new = compared(now)
+    gone, new = compared(requantified(ran(), name="z"))
     assert (gone.kind, gone.red, new.kind, new.red) == ("gone", True, "new", False)
 
 
@@ -75,9 +83,7 @@ def test_a_modified_run_is_neither_compared_nor_accepted() -> None:
 
 
 def test_a_failure_is_not_acceptable() -> None:
-    bad = ran()
-    bad["quantities"][0]["verdict"] = "fail"
-    assert not acceptance.acceptable(bad)
+    assert not acceptance.acceptable(requantified(ran(), verdict="fail"))
     assert not acceptance.acceptable(ran(status="error"))
     assert not acceptance.acceptable(ran(quantities=[]))
 
@@ -93,23 +99,23 @@ def test_small_changes_cannot_add_up_unseen() -> None:
 def test_what_is_not_installed_keeps_its_results_and_what_refuses_loses_them() -> None:
     kept = accepted()
     absent = accepted(ran(status="not-installed", quantities=[]), old=kept)
-    assert absent["results"] == kept["results"]
+    assert absent.results == kept.results
     refused = accepted(ran(status="refused", quantities=[]), old=kept)
-    assert refused["results"] == {}
-    assert refused["acceptances"] == {}
+    assert refused.results == {}
+    assert refused.acceptances == {}
 
 
 def test_rendered_text_reads_back_and_has_a_result_a_line() -> None:
     kept = accepted(ran(), ran(variant="T0"))
-    text = baseline.render(kept)
-    assert json.loads(text) == kept
+    text = render(kept)
+    assert codec.read(Baseline, codec.parse(text), "baseline") == kept
     assert text.index('"T0 dem/default dt=0.001"') < text.index('"T1 dem/default dt=0.001"')
     assert max(map(len, text.splitlines())) < 200
 
 
-def timed(low: float, high: float) -> dict[str, Any]:
+def timed(low: float, high: float) -> Record:
     made = ran()
-    return {**made, "cost": {**made["cost"], "relative": [low, high]}}
+    return changed(made, cost=changed(made.cost, relative=[low, high]))
 
 
 @pytest.mark.parametrize(
@@ -133,7 +139,7 @@ def test_speed_is_judged_by_intervals_apart(
 
 def test_costs_once_accepted_stay_when_results_are_accepted_without_timing() -> None:
     kept = accepted(timed(1.0, 1.2))
-    again = accepted(ran(2e-4), old=copy.deepcopy(kept))
-    (result,) = again["results"].values()
-    assert result["cost"] == [1.0, 1.2]
-    assert result["y"]["error"] == 2e-4
+    again = accepted(ran(2e-4), old=kept)
+    (result,) = again.results.values()
+    assert result.cost == (1.0, 1.2)
+    assert result.quantities["y"].error == 2e-4

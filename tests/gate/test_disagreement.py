@@ -6,10 +6,12 @@ from typing import Any
 
 import pytest
 
-from tests.support.fabricated import entry, record
+from tests.support.fabricated import entry, record, requantified
 from vv.base.errors import UsageError
 from vv.gate.disagreement import Disagreement, dated, judge, read_disagreements
 from vv.records.finding import bits
+from vv.records.job_record import Record
+from vv.records.outcomes import Verdict
 from vv.records.rungs import orders
 
 TODAY = datetime.date(2027, 1, 1)
@@ -20,42 +22,39 @@ KNOWN: dict[str, Any] = {
 }  # fmt: skip
 
 
-def ladder(slope: float = 1.0, verdict: str = "fail", kn: float | None = None) -> list[Any]:
+def ladder(slope: float = 1.0, verdict: str = "fail", kn: float | None = None) -> list[Record]:
     """Records of two rungs with an error of 1e-2 at the finer step."""
     made = []
     for dt in (2e-3, 1e-3):
         error = 1e-2 * (dt / 1e-3) ** slope
         quantity = entry(verdict, {"max": error})
         rung = {"dt": dt, "kn": kn}
-        made.append({**record("dem/default", "T1", dt, quantities=[quantity]), "rung": rung})
+        made.append(record("dem/default", "T1", dt, quantities=[quantity], rung=rung))
     return made
 
 
-def passing(tolerance: float) -> list[Any]:
+def passing(tolerance: float) -> list[Record]:
     """The same two rungs where that is the tolerance."""
-    made = ladder(verdict="pass")
-    for one in made:
-        one["quantities"][0]["tolerance"] = tolerance
-    return made
+    return [requantified(one, tolerance=tolerance) for one in ladder(verdict="pass")]
 
 
-def verdicts(records: list[Any], **changes: Any) -> set[str]:
+def verdicts(records: list[Record], **changes: Any) -> set[Verdict]:
     known = Disagreement(**{**KNOWN, **changes})
-    return {r["quantities"][0]["verdict"] for r in judge(records, [known], TODAY)}
+    return {record.quantities[0].verdict for record in judge(records, [known], TODAY)}
 
 
 def test_a_failure_inside_its_bands_is_known() -> None:
-    assert verdicts(ladder()) == {"xfail"}
+    assert verdicts(ladder()) == {Verdict.XFAIL}
 
 
 def test_a_pass_inside_a_band_that_reaches_below_the_tolerance_is_a_pass() -> None:
-    assert verdicts(passing(1.9e-2)) == {"pass"}
+    assert verdicts(passing(1.9e-2)) == {Verdict.PASS}
 
 
 def test_a_band_moves_with_the_stiffness() -> None:
     change = {"kn": 1e9, "softness": 0.5, "error": (1.8e-2, 2.8e-2)}
-    assert verdicts(ladder(kn=4e9), **change) == {"xfail"}
-    assert verdicts(ladder(kn=1e9), **change) == {"fail"}
+    assert verdicts(ladder(kn=4e9), **change) == {Verdict.XFAIL}
+    assert verdicts(ladder(kn=1e9), **change) == {Verdict.FAIL}
 
 
 @pytest.mark.parametrize(
@@ -74,16 +73,14 @@ def test_a_band_moves_with_the_stiffness() -> None:
     ],
 )
 def test_outside_of_it_on_either_side_it_is_news(
-    records: list[Any], change: dict[str, Any], verdict: str
+    records: list[Record], change: dict[str, Any], verdict: str
 ) -> None:
-    assert verdicts(records, **change) == {verdict}
+    assert verdicts(records, **change) == {Verdict(verdict)}
 
 
 def test_an_unmoving_result_is_never_a_known_disagreement() -> None:
-    records = ladder()
-    for made in records:
-        made["quantities"][0]["note"] = "nothing moves, though the reference does"
-    assert verdicts(records) == {"fail"}
+    note = "nothing moves, though the reference does"
+    assert verdicts([requantified(one, note=note) for one in ladder()]) == {Verdict.FAIL}
 
 
 def test_orders_are_fitted_along_dt_at_one_stiffness_each() -> None:

@@ -11,8 +11,9 @@ import pytest
 
 from tests.conftest import Tiny, tiny_project
 from tests.support.fabricated import entry, record
+from vv.case import Check
 from vv.gate.judgement import exit_bits, record_findings
-from vv.records.finding import Bit
+from vv.records.finding import Aspect, Bit
 
 GOOD = ("fall:up", "--codes", "fake/good")
 BASELINE = "cases/baselines/fall.json"
@@ -164,7 +165,7 @@ def test_rounding_is_no_regression_and_keeps_the_old_acceptance(accepted: Tiny) 
     before = baseline(accepted)
     accepted.edit("adapters/fake.py", "FACTOR = 1.0", "FACTOR = 1.0 + 1e-11")
     assert gate(accepted)[0] == 0
-    assert "fall: nothing moved since its baseline" in accept(accepted, reason="again")
+    assert "fall: no change since its baseline" in accept(accepted, reason="again")
     assert baseline(accepted) == before
 
 
@@ -200,9 +201,9 @@ def test_checks_that_a_case_does_not_enforce_are_reported_only(accepted: Tiny) -
 def test_a_law_that_a_case_does_not_enforce_is_reported_only() -> None:
     gained = {"terms": {}, "unaccounted": 1.0, "peak": 1.0, "bound": 1e-9, "audits": {}}
     broken = record("fake/good", "up", 0.1, ledger=gained, quantities=[entry("pass", {})])
-    for checks, red in ((["accuracy", "conservation"], True), (["accuracy"], False)):
+    for checks, red in (([Check.ACCURACY, Check.CONSERVATION], True), ([Check.ACCURACY], False)):
         (found,) = record_findings([broken], enforced={"bounce": checks})
-        assert found.check == "conservation"
+        assert found.check is Aspect.CONSERVATION
         assert found.red is red
     assert exit_bits([broken]) == Bit.CONSERVATION
 

@@ -1,35 +1,44 @@
-"""What moved between two runs, and a case over commits."""
+"""How two runs compare, and a case over commits."""
 
-import copy
+import dataclasses
 from pathlib import Path
-from typing import Any
 
 import pytest
 
 from reports import html
 from tests.conftest import Tiny
-from tests.support.fabricated import STEPS, entry, manifest_of_all, record
+from tests.support.fabricated import (
+    NOWHERE,
+    STEPS,
+    changed,
+    entry,
+    manifest,
+    manifest_of_all,
+    record,
+    requantified,
+)
 from vv.base.errors import UsageError
 from vv.insight.compare import changes, manifest_of
 from vv.insight.history import history
+from vv.records.job_record import Record
 from vv.store.store import Store
 
 
-def ladder(factor: float = 1.0, slope: float = 2.0, cpu: float = 1.0) -> list[dict[str, Any]]:
+def ladder(factor: float = 1.0, slope: float = 2.0, cpu: float = 1.0) -> list[Record]:
     made = []
     for dt in STEPS:
         error = factor * 1e-4 * (dt / 1e-3) ** slope
         one = record("dem/default", "T1", dt, quantities=[entry("pass", {"max": error})])
-        made.append({**one, "cost": {**one["cost"], "relative": [cpu, 1.1 * cpu]}})
+        made.append(changed(one, cost=changed(one.cost, relative=[cpu, 1.1 * cpu])))
     return made
 
 
-def kinds(one: list[Any], other: list[Any]) -> list[str]:
-    return [change.kind for change in changes({"records": one}, {"records": other})]
+def kinds(one: list[Record], other: list[Record]) -> list[str]:
+    return [change.kind for change in changes(manifest(*one), manifest(*other))]
 
 
 def test_nothing_moved_between_equal_runs() -> None:
-    assert kinds(ladder(), copy.deepcopy(ladder())) == []
+    assert kinds(ladder(), ladder()) == []
 
 
 def test_errors_orders_and_costs_move_by_themselves() -> None:
@@ -40,18 +49,18 @@ def test_errors_orders_and_costs_move_by_themselves() -> None:
 
 
 def test_outcomes_and_what_one_of_them_lacks_are_told_first() -> None:
-    other = ladder()[:1]
-    other[0]["quantities"][0]["verdict"] = "fail"
-    found = changes({"records": ladder()}, {"records": other})
+    other = requantified(ladder()[0], verdict="fail")
+    found = changes(manifest(*ladder()), manifest(other))
     assert [(c.kind, c.text) for c in found] == [
         ("outcome", "pass -> fail"),
         ("only in A", "2 rungs"),
     ]
 
 
-def kept(store: Store, name: str, commit: str, records: list[Any], dirty: bool = False) -> None:
-    told = {"utc": f"2025-01-{name}T00:00:00+00:00", "commit": commit, "dirty": dirty}
-    store.keep_manifest(name, {"provenance": told, "records": records})
+def kept(store: Store, name: str, commit: str, records: list[Record], dirty: bool = False) -> None:
+    utc = f"2025-01-{name}T00:00:00+00:00"
+    circumstances = dataclasses.replace(NOWHERE, utc=utc, commit=commit, dirty=dirty)
+    store.keep_manifest(manifest(*records, provenance=circumstances, name=name))
 
 
 def test_a_run_is_found_by_its_name_or_the_beginning_of_its_commit(tmp_path: Path) -> None:
@@ -60,8 +69,8 @@ def test_a_run_is_found_by_its_name_or_the_beginning_of_its_commit(tmp_path: Pat
     kept(store, "02", "abcdef", ladder(2.0))
     known = {"HEAD": "abcdef"}
 
-    def found(name: str) -> Any:
-        return manifest_of(store, name, lambda asked: known.get(asked, ""))["records"]
+    def found(name: str) -> list[Record]:
+        return [*manifest_of(store, name, lambda asked: known.get(asked, "")).records]
 
     assert found("01") == ladder()
     assert found("abcd") == found("HEAD") == ladder(2.0)
@@ -74,23 +83,23 @@ def test_history_has_the_newest_run_of_each_commit_over_shared_rungs(tmp_path: P
     kept(store, "01", "a" * 40, ladder(2.0, cpu=4.0))
     kept(store, "02", "b" * 40, ladder(9.0))
     kept(store, "03", "b" * 40, ladder(1.0)[1:])  # without its coarsest rung
-    modified = [{**one, "modified": True} for one in ladder(50.0)]
+    modified = [changed(one, modified=True) for one in ladder(50.0)]
     kept(store, "04", "b" * 40, modified)
     kept(store, "05", "b" * 40, ladder(3.0), dirty=True)
-    points = history(store, "bounce")
+    points = history(store, "bounce", pytest.fail)
     assert [point.name for point in points] == ["a" * 9, "b" * 9, "b" * 9 + "+"]
     near = [point.closeness["dem/default"] for point in points]
     assert near == pytest.approx([0.8, 0.4, 1.2])  # at 2e-3, the coarsest they share
     assert points[0].cost["dem/default"] == pytest.approx(4 * 1.1**0.5)
-    assert history(store, "other") == []
+    assert history(store, "other", pytest.fail) == []
 
 
 def test_the_report_shows_a_case_over_commits(tmp_path: Path) -> None:
     store = Store(tmp_path)
     kept(store, "01", "a" * 40, ladder(2.0))
     kept(store, "02", "b" * 40, ladder())
-    manifest = manifest_of_all(store)
-    page = html.build_quickly(manifest, store, tmp_path / "r.html").read_text()
+    whole = manifest_of_all(store)
+    page = html.build_quickly(whole, store, tmp_path / "r.html").read_text()
     assert "Over commits" in page
     assert page.index("aaaaaaaaa</code>") < page.index("bbbbbbbbb</code>")
 

@@ -2,55 +2,49 @@
 
 from __future__ import annotations
 
+import dataclasses
 import itertools
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from typing import Any
 
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from tests.support import fabricated
 from vv.base.metrics import count_before_floor
 from vv.insight.accuracy_cost import duels, front, profile, reach
 from vv.insight.effort import Effort, efforts, untimed
-from vv.records.rungs import told
+from vv.records.job_record import Record
+from vv.records.manifest import CodeFound, Manifest
+from vv.records.rungs import describe
 
 Row = tuple[float | None, float | None, float | None, float | None]  # dt, kn, error, cpu
 
 
-def record(code: str, row: Row, variant: str = "a", final: float = 1.0) -> dict[str, Any]:
+def record(code: str, row: Row, variant: str = "a", final: float = 1.0, **changes: Any) -> Record:
     dt, kn, error, cpu = row
-    entry = {
-        "name": "y",
-        "judge": "exact",
-        "norm": "max",
-        "errors": {"max": error},
-        "figures": {"final": final + (error or 0.0)},
-        "end": 1.0,
-        "scale": 1.0,
-    }
-    return {
-        "case": "made-up",
-        "variant": variant,
-        "code": code,
-        "scheme": "default",
-        "status": "ran",
-        "rung": {"dt": dt, "kn": kn},
-        "quantities": [entry],
-        "cost": {
-            "kind": "timed" if cpu is not None else "indicative",
-            "solve_cpu": 1e-3 if cpu is None else cpu,
-            "spread": 0.1,
-            "session": "one",
-        },
-    }
+    figures = {"final": final + (error or 0.0)}
+    seen = fabricated.entry("pass", {"max": error}, figures=figures, end=1.0)
+    spent = fabricated.cost(timed=cpu is not None, cpu=1e-3 if cpu is None else cpu)
+    session = changes.pop("session", "one")
+    return fabricated.record(
+        f"{code}/default",
+        variant,
+        dt,
+        case="made-up",
+        rung={"dt": dt, "kn": kn},
+        quantities=[seen],
+        cost=dataclasses.replace(spent, session=session),
+        **changes,
+    )
 
 
-def manifest(*records: Mapping[str, Any]) -> dict[str, Any]:
+def manifest(*records: Record) -> Manifest:
     files = {"theirs": {"/usr/bin/theirs": "digest"}}
-    codes = {r["code"]: {"files": files.get(r["code"], {})} for r in records}
-    return {"records": list(records), "codes": codes}
+    codes = {r.code: CodeFound("1", True, files.get(r.code, {})) for r in records}
+    return fabricated.manifest(*records, codes=codes)
 
 
 def one(rows: Sequence[Row], code: str = "ours") -> Effort:
@@ -172,9 +166,9 @@ def test_the_floor_of_dt_at_a_stiffness_is_the_model_s_and_told_from_the_step_s(
     assert row.limit
     assert row.limit.model == pytest.approx(1e-3)
     assert row.limit.step == pytest.approx(1e-6)
-    assert "floor 1.0e-03" in told(row)
-    assert "limit of small steps 1.0e-03 off the exact" in told(row)
-    assert "the step's part 1.0e-06 at dt = 0.001, of order 2.00" in told(row)
+    assert "floor 1.0e-03" in describe(row)
+    assert "limit of small steps 1.0e-03 off the exact" in describe(row)
+    assert "the step's part 1.0e-06 at dt = 0.001, of order 2.00" in describe(row)
 
 
 def test_the_step_s_part_is_not_made_small_by_an_order_that_no_scheme_has() -> None:
@@ -186,12 +180,12 @@ def test_the_step_s_part_is_not_made_small_by_an_order_that_no_scheme_has() -> N
 
 def test_no_model_error_is_claimed_below_what_the_limit_is_known_to() -> None:
     rows: list[Row] = [(h, 1e8, h * h, 1.0) for h in (4e-3, 2e-3, 1e-3)]
-    assert "the model's part below 1.2e-06" in told(one(rows).rows[0])
+    assert "the model's part below 1.2e-06" in describe(one(rows).rows[0])
 
 
 def test_costs_of_two_sessions_are_never_in_one_table() -> None:
-    rows = [record("ours", row) for row in SECOND]
-    rows[1]["cost"]["session"] = "two"
+    sessions = ("one", "two", "one")
+    rows = [record("ours", row, session=s) for row, s in zip(SECOND, sessions, strict=True)]
     with pytest.raises(ValueError, match=r"2 timing sessions \(one, two\)"):
         efforts(manifest(*rows))
 
@@ -242,7 +236,7 @@ def test_a_duel_is_between_the_best_of_both_sides_and_tells_steppers_apart() -> 
 def test_an_external_code_that_cannot_get_there_is_told_from_one_that_was_not_let() -> None:
     ours = [record("ours", row) for row in SECOND]
     stuck = [record("theirs", (2.0**-i, None, 1e-3, 1.0)) for i in range(3)]
-    going = [{**record("theirs", row), "scheme": "other"} for row in SECOND[:2]]
+    going = [record("theirs", row, scheme="other") for row in SECOND[:2]]
     for theirs, floored in ((stuck, True), (stuck + going, False)):
         found = duels(efforts(manifest(*ours, *theirs)), (1e-5,))
         assert [(duel.ratio, duel.floored) for duel in found] == [(None, floored)] * 2

@@ -2,31 +2,42 @@
 
 from __future__ import annotations
 
+import dataclasses
 from pathlib import Path
 
 import pytest
 
 from reports import figures, html
-from tests.support.fabricated import Json, case, entry, manifest_of_all, record
-from vv.insight.stability_summary import Told, as_data, stability
+from tests.support import fabricated
+from tests.support.fabricated import case, changed, entry, manifest_of_all, record
+from vv.insight.stability_summary import StabilityStatement, stability
+from vv.records import codec
+from vv.records.job_record import Record
+from vv.records.manifest import Manifest
+from vv.records.outcomes import StudyKind
 from vv.store.store import Store
 
 
-def manifest(*records: Json, critical: dict[float, float] | None = None) -> Json:
-    """What stability looks at of a manifest: records of the fabricated case."""
-    told = case()
-    for variant in told["variants"].values():
-        variant |= {"critical": list((critical or {}).items())}
-        variant["quantities"] = [{"name": "y", "meaning": "what is seen"}]
-    return {"cases": {"bounce": told}, "records": list(records)}
+def manifest(*records: Record, critical: dict[float, float] | None = None) -> Manifest:
+    """Records of the fabricated case, whose steps are multiples of these."""
+    steps = tuple((critical or {}).items())
+    variants = {
+        name: changed(
+            facts,
+            critical=steps,
+            quantities=[changed(one, meaning="what is seen") for one in facts.quantities],
+        )
+        for name, facts in case().variants.items()
+    }
+    return fabricated.manifest(*records, cases={"bounce": changed(case(), variants=variants)})
 
 
-def only(*records: Json, critical: dict[float, float] | None = None) -> Told:
+def only(*records: Record, critical: dict[float, float] | None = None) -> StabilityStatement:
     (told,) = stability(manifest(*records, critical=critical))
     return told
 
 
-def sought(verdict: str, value: float | None, note: str = "") -> Json:
+def sought(verdict: str, value: float | None, note: str = "") -> Record:
     number = {"kind": "scalar", "value": value, "reference": 1.0, "note": note}
     return record(
         "dem/default", "T1", 1e-3, study="search", reason="at dt = 0.2 s: it blew up",
@@ -50,7 +61,7 @@ def test_a_limit_that_is_only_shown_is_told_by_the_quantity_that_is_judged() -> 
     assert stability(manifest(sought("no-reference", 0.5))) == []
 
 
-def point(dt: float, kn: float, error: float | None, status: str = "ran") -> Json:
+def point(dt: float, kn: float, error: float | None, status: str = "ran") -> Record:
     entries = [entry("no-reference", {"max": error}, judge="shown")] if error is not None else []
     rung = {"dt": dt, "kn": kn}
     return record("dem/default", "T1", dt, study="grid", status=status, rung=rung,
@@ -88,7 +99,7 @@ def test_a_code_that_refuses_a_whole_map_says_nothing_of_it() -> None:
 
 
 def test_drift_is_the_largest_breach_at_any_rung() -> None:
-    def kept(dt: float, error: float) -> Json:
+    def kept(dt: float, error: float) -> Record:
         conserved = {"kind": "scalar", "judge": "invariant", "tolerance": 1e-11, "value": 0.0}
         made = entry("pass", {"max": error}, **conserved)
         return record("dem/default", "T1", dt, quantities=[made])
@@ -99,7 +110,7 @@ def test_drift_is_the_largest_breach_at_any_rung() -> None:
     assert "drifts by 2e-06" in only(kept(1e-3, 2e-6)).text
 
 
-def counted(dt: float | None, value: int) -> Json:
+def counted(dt: float | None, value: int) -> Record:
     whole = {"kind": "count", "value": float(value), "reference": 1}
     return record("dem/default", "T1", dt, quantities=[entry("pass", {}, **whole)])
 
@@ -113,7 +124,8 @@ def test_counts_are_told_from_the_longest_step_to_the_shortest() -> None:
 
 
 def test_kinds_come_in_one_order_and_as_plain_data() -> None:
-    told = as_data(manifest(counted(1e-4, 1), point(0.1, 1e4, 0.1), sought("pass", 1.0)))
+    found = stability(manifest(counted(1e-4, 1), point(0.1, 1e4, 0.1), sought("pass", 1.0)))
+    told = codec.to_data(found)
     assert [one["kind"] for one in told] == ["step", "map", "count"]
     assert told[0]["label"] == "dem/default"
 
@@ -124,13 +136,14 @@ def test_the_report_has_a_section_in_which_schemes_that_say_the_same_share_a_lin
     monkeypatch.setattr(figures, "draw", lambda chart, salt: "<svg></svg>")
     store = Store(tmp_path)
     whole = manifest_of_all(store)
-    whole["records"] = [r for r in whole["records"] if r["study"] == "ladder"]
-    assert 'id="stability"' not in built(whole, store)
-    whole["records"] += [sought("pass", 0.9996), {**sought("pass", 0.9996), "code": "exact"}]
-    text = built(whole, store)
+    ladders = tuple(r for r in whole.records if r.study is StudyKind.LADDER)
+    assert 'id="stability"' not in built(dataclasses.replace(whole, records=ladders), store)
+    found = sought("pass", 0.9996)
+    records = (*ladders, found, changed(found, code="exact"))
+    text = built(dataclasses.replace(whole, records=records), store)
     assert '<a href="#stability">' in text
     assert text.count("0.9996, as due; at dt = 0.2 s: it blew up") == 1
 
 
-def built(manifest: Json, store: Store) -> str:
+def built(manifest: Manifest, store: Store) -> str:
     return html.build(manifest, store, store.root / "report.html").read_text(encoding="utf-8")

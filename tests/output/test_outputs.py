@@ -1,5 +1,6 @@
 """What a gate writes for others: JUnit XML, Markdown, annotations."""
 
+import dataclasses
 from pathlib import Path
 from typing import Any
 
@@ -8,28 +9,30 @@ import pytest
 
 from tests.conftest import Tiny
 from tests.support.fabricated import entry, manifest_of_all, record
+from vv.ask import Knobs
 from vv.gate.judgement import judgement
 from vv.output.junit import write_junit
 from vv.output.markdown import summary, workflow_commands
-from vv.records.finding import Bit, Finding
+from vv.records.finding import Aspect, Bit, Finding
+from vv.records.manifest import Manifest
+from vv.records.recorded import RecordedResult
 from vv.store.store import Store
 
 
 @pytest.fixture
-def manifest(tmp_path: Path) -> dict[str, Any]:
+def manifest(tmp_path: Path) -> Manifest:
     made = manifest_of_all(Store(tmp_path))
     worse = Finding(
-        "regression", "worse", "error 1e-5, now 2e-5 | band", "bounce", "T1", "dem/default",
+        Aspect.REGRESSION, "worse", "error 1e-5, now 2e-5 | band", "bounce", "T1", "dem/default",
         "dt=0.001", "y", Bit.ACCURACY, size=1e4,
     )  # fmt: skip
-    better = Finding("regression", "better", "error 1e-5", "bounce", "T2", "dem/default",
+    better = Finding(Aspect.REGRESSION, "better", "error 1e-5", "bounce", "T2", "dem/default",
                      "dt=0.001", "y", size=3.0)  # fmt: skip
-    made["findings"] = [better.as_data(), worse.as_data()]
-    made["recorded"] = [{"code": "fate", "version": "7", "days": 12}]
-    return made
+    shown = RecordedResult("bounce", "T1", "fate", "z", Knobs(), "", "7", "2025", 12, None, {})
+    return dataclasses.replace(made, findings=(better, worse), recorded=(shown,))
 
 
-def suite_of(manifest: dict[str, Any], path: Path, required: tuple[str, ...] = ()) -> list[Any]:
+def suite_of(manifest: Manifest, path: Path, required: tuple[str, ...] = ()) -> list[Any]:
     write_junit(path, manifest, judgement(manifest, required))
     return [test for suite in junitparser.JUnitXml.fromfile(str(path)) for test in suite]
 
@@ -38,9 +41,7 @@ def kinds(test: Any) -> list[str]:
     return [type(result).__name__ for result in test.result]
 
 
-def test_junit_tells_failures_errors_and_skips_apart(
-    manifest: dict[str, Any], tmp_path: Path
-) -> None:
+def test_junit_tells_failures_errors_and_skips_apart(manifest: Manifest, tmp_path: Path) -> None:
     tests = {t.name: t for t in suite_of(manifest, tmp_path / "out.xml", ("nobody",))}
     assert {t.classname for t in tests.values()} == {"bounce", "vv"}
     assert kinds(tests["other/default y T1 dt=0.001"]) == ["Failure"]
@@ -53,9 +54,9 @@ def test_junit_tells_failures_errors_and_skips_apart(
     assert kinds(tests["nobody/*"]) == ["Error"]
 
 
-def test_junit_carries_figures_and_changes(manifest: dict[str, Any], tmp_path: Path) -> None:
+def test_junit_carries_figures_and_changes(manifest: Manifest, tmp_path: Path) -> None:
     tests = {t.name: t for t in suite_of(manifest, tmp_path / "out.xml")}
-    assert len(tests) == sum(max(1, len(r["quantities"])) for r in manifest["records"])
+    assert len(tests) == sum(max(1, len(r.quantities)) for r in manifest.records)
     worse = tests["dem/default y T1 dt=0.001"]
     assert worse.result[0].message == "error 1e-5, now 2e-5 | band"
     told = {p.name: p.value for p in next(iter(worse.iterchildren(junitparser.Properties)))}
@@ -67,7 +68,7 @@ def test_junit_carries_figures_and_changes(manifest: dict[str, Any], tmp_path: P
 
 
 def test_the_summary_says_what_moved_worst_first_and_stays_short(
-    manifest: dict[str, Any],
+    manifest: Manifest,
 ) -> None:
     text = summary(manifest, judgement(manifest))
     first, *_ = text.splitlines()
@@ -78,23 +79,25 @@ def test_the_summary_says_what_moved_worst_first_and_stays_short(
     assert "fate is not installed: the report shows results of 7 recorded 12 days ago" in text
     many = [record("a/a", f"V{i}", 1e-3, quantities=[entry("fail", {"max": 1e-2 * i})])
             for i in range(1, 200)]  # fmt: skip
-    told = summary({**manifest, "records": many}, judgement({**manifest, "records": many}))
+    crowd = dataclasses.replace(manifest, records=tuple(many))
+    told = summary(crowd, judgement(crowd))
     assert len(told.splitlines()) < 50
     assert told.index("bounce:V199 ") < told.index("bounce:V198 ")
     assert "and 184 more" in told
 
 
-def test_a_green_summary_says_so(manifest: dict[str, Any]) -> None:
-    fine = [r for r in manifest["records"] if r["code"] == "dem"]
-    quiet = {**manifest, "records": fine, "findings": []}
+def test_a_green_summary_says_so(manifest: Manifest) -> None:
+    fine = tuple(r for r in manifest.records if r.code == "dem")
+    quiet = dataclasses.replace(manifest, records=fine, findings=())
     assert summary(quiet, judgement(quiet)).startswith("### Verification: green\n")
 
 
 def test_annotations_are_escaped_placed_and_limited() -> None:
     red = [
-        Finding("run", "error", f"100%\nof {i}", "bounce", bit=Bit.CRASH, size=i) for i in range(30)
+        Finding(Aspect.RUN, "error", f"100%\nof {i}", "bounce", bit=Bit.CRASH, size=i)
+        for i in range(30)
     ]
-    note = Finding("accuracy", "expiring", "soon", "bounce", "T1,T2")
+    note = Finding(Aspect.ACCURACY, "expiring", "soon", "bounce", "T1,T2")
     lines = workflow_commands([note, *red], {"bounce": "cases/bounce.py"})
     assert len(lines) == 11
     assert lines[0] == "::error file=cases/bounce.py,title=run error%3A bounce::100%25%0Aof 29"

@@ -113,7 +113,7 @@ def solved(variant: str, scene: Scene | None = None, way: Any = dda.DEFAULT) -> 
 def verdicts(trial: Trial, run: Run, method: Method = Method.PENALTY) -> set[str]:
     rung = trial.study.rungs[Level.DEFAULT][1]
     judged = [q for q in trial.quantities if isinstance(q.judge, Exact)]
-    return {measured(run, q, method, rung)[0]["verdict"] for q in judged}
+    return {measured(run, q, method, rung)[0].verdict.value for q in judged}
 
 
 VARIANTS = [variant.name for variant in CASE.variants]

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import dataclasses
-from typing import Any
 
 import numpy as np
 
@@ -15,14 +14,17 @@ from reports.figures import draw
 from reports.gallery import figures
 from reports.maps import HeatMap, error_map
 from reports.marks import marks
-from reports.outcomes import outcome_of
+from reports.outcomes import shown_outcome
+from tests.support.fabricated import changed, entry, record
 from vv.ask import Knobs
-from vv.case import Grid, Level
+from vv.case import Grid, Level, Norm
 from vv.gate.judgement import exit_bits
+from vv.records.case_facts import QuantityFacts
 from vv.records.finding import Bit
+from vv.records.outcomes import JudgeKind, Outcome
 
 LOOKS = marks(["one", "two"])
-QUANTITY = {"name": "d", "symbol": "d", "unit": "m"}
+QUANTITY = QuantityFacts("d", "d", "m", "distance", JudgeKind.EXACT)
 
 
 def ladder(name: str, kn: float, errors: dict[float, float | None]) -> Ladder:
@@ -61,7 +63,7 @@ def test_a_map_stands_instead_of_curves_and_names_the_best_stiffness_of_each_cod
         return ""
 
     two = [dataclasses.replace(one, mark=LOOKS["two"]) for one in FULL]
-    (figure,) = figures([], [*FULL, *two], QUANTITY, "max", note)
+    (figure,) = figures([], [*FULL, *two], QUANTITY, Norm.MAX, note)
     assert [type(chart) for chart in drawn] == [HeatMap]
     assert "one 1e9 N/m and two 1e9 N/m" in figure.caption
     assert "Crossed: no result" in figure.caption
@@ -118,7 +120,7 @@ def test_steps_that_follow_the_stiffness_make_a_map_over_the_critical_step() -> 
     assert panel.lost().tolist() == [[False, False], [False, True], [False, True]]
     svg = draw(heat, "salt")
     assert ">dt / critical step<" in svg
-    (figure,) = figures([], rows, QUANTITY, "max", lambda chart: "", CRITICAL)
+    (figure,) = figures([], rows, QUANTITY, Norm.MAX, lambda chart: "", CRITICAL)
     assert "off by as much as the answer. Dash: refused." in figure.caption
     assert "one 1e12 N/m" in figure.caption
 
@@ -132,7 +134,7 @@ def test_a_point_too_long_to_run_is_a_dot_and_neither_lost_nor_refused() -> None
     (panel,) = heat.panels
     assert panel.too_long.tolist() == [[False] * 2, [False] * 2, [True, False]]
     assert not panel.lost().any()
-    (figure,) = figures([], rows, QUANTITY, "max", lambda chart: "", CRITICAL)
+    (figure,) = figures([], rows, QUANTITY, Norm.MAX, lambda chart: "", CRITICAL)
     assert figure.caption.endswith(" Dot: not run, it would take too many steps.")
     dots = draw(heat, "salt")
     bare = dataclasses.replace(panel, too_long=np.zeros((3, 2), bool))
@@ -164,17 +166,12 @@ def test_the_unit_has_each_stiffness_itself_and_swings_at_one_rate() -> None:
 
 
 def test_what_diverges_in_a_map_is_shown_and_turns_nothing_red() -> None:
-    told: dict[str, Any] = {
-        "case": "m",
-        "variant": "v",
-        "code": "one",
-        "scheme": "s",
-        "reason": "it blew up",
-    }
-    told |= {"rung": {"dt": 1.0, "kn": None}, "ledger": None}
-    lost = {**told, "status": "diverged", "quantities": []}
-    good = {**lost, "status": "ran", "quantities": [{"verdict": "pass", "name": "y"}]}
-    for study, bit, key in (("grid", Bit(0), "blow-up"), ("ladder", Bit.CRASH, "diverged")):
-        record = {**lost, "study": study}
-        assert exit_bits([record, {**good, "study": study}]) == bit
-        assert outcome_of(record).key == key
+    good = record("one/s", "v", 1.0, quantities=[entry("pass", {})])
+    lost = record("one/s", "v", 1.0, status="diverged", reason="it blew up")
+    for study, bit, key in (
+        ("grid", Bit(0), Outcome.BLOW_UP),
+        ("ladder", Bit.CRASH, Outcome.DIVERGED),
+    ):
+        blown = changed(lost, study=study)
+        assert exit_bits([blown, changed(good, study=study)]) == bit
+        assert shown_outcome(blown).key is key

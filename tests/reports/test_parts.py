@@ -14,7 +14,7 @@ from reports.findings import findings
 from reports.marks import COLOURS, SHAPES, marks
 from reports.outcomes import counted
 from tests.support.fabricated import STEPS, cost, entry, manifest_of_all, ran, record
-from vv.output import terminal
+from vv.output import result_lines
 from vv.output.wording import in_words
 from vv.store.store import Store
 
@@ -58,9 +58,9 @@ def test_looks_repeat_only_after_every_pair_of_colour_and_shape() -> None:
 def test_the_terminal_and_the_report_count_alike(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    records = manifest_of_all(Store(tmp_path))["records"]
+    records = manifest_of_all(Store(tmp_path)).records
     shown = {in_words(found.key, n): n for found, n in counted(records)}
-    terminal.print_counts(records, "report.html")
+    result_lines.print_counts(records, "report.html")
     told = capsys.readouterr().out.partition(";")[0].split(", ")
     pairs = [text.split(" ", 1) for text in told]
     assert {word: int(n) for n, word in pairs} == shown
@@ -106,4 +106,4 @@ def test_the_order_of_a_table_leaves_out_rungs_at_a_floor() -> None:
 
 def test_a_table_has_columns_only_for_what_some_row_tells() -> None:
     rows: list[dict[str, float | None]] = [{"dem": 1.0, "yade": None}, {"exact": 2.0}]
-    assert text.told(["yade", "exact", "rigid", "dem"], rows) == ["exact", "dem"]
+    assert text.known_columns(["yade", "exact", "rigid", "dem"], rows) == ["exact", "dem"]

@@ -1,14 +1,16 @@
 """What a narrowed run holds: what failed, what a change can affect, what fits a budget."""
 
-from typing import Any
+import dataclasses
 
 import pytest
 
 from tests import ROOT
 from tests.conftest import Tiny
+from tests.support.fabricated import cost, entry, manifest, record
 from vv.base.errors import UsageError
 from vv.plan.plan import Options, Plan, make_plan
 from vv.plan.project import Project
+from vv.records.manifest import Manifest
 from vv.run import narrowing
 
 
@@ -81,23 +83,25 @@ def test_a_deleted_file_affects_what_lies_beside_it(plan: Plan) -> None:
     assert {job.code for job in found.jobs} == {"yade"}
 
 
-def past(plan: Plan, seconds: float) -> dict[str, Any]:
+def past(plan: Plan, seconds: float) -> Manifest:
     """A manifest in which every job took so long and passed with ease, but exact closely."""
-    records = []
-    for job in plan.jobs:
-        case, variant, _, _ = narrowing.key(job)
-        entry: dict[str, Any] = {
-            "name": "y",
-            "errors": {"max": 0.9 if job.code == "exact" else 0.1},
-        }
-        entry |= {"norm": "max", "tolerance": 1.0, "verdict": "pass", "judge": "exact"}
-        records.append({
-            "case": case, "variant": variant, "code": job.code, "scheme": job.scheme,
-            "rung": vars(job.ask.knobs), "status": "ran", "reason": "", "ledger": None,
-            "quantities": [entry],
-            "cost": {"startup": 0.0, "setup": 0.0, "solve_wall": seconds, "output": 0.0},
-        })  # fmt: skip
-    return {"records": records}
+    spent = dataclasses.replace(cost(), startup=0.0, setup=0.0, solve_wall=seconds, output=0.0)
+    return manifest(
+        *(
+            record(
+                f"{job.code}/{job.scheme}",
+                job.variant,
+                None,
+                case=job.case,
+                rung=job.ask.knobs,
+                quantities=[
+                    entry("pass", {"max": 0.9 if job.code == "exact" else 0.1}, tolerance=1.0)
+                ],
+                cost=spent,
+            )
+            for job in plan.jobs
+        )
+    )
 
 
 def test_a_budget_takes_the_closest_first_and_two_rungs_of_all_before_a_third(plan: Plan) -> None:

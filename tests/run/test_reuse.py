@@ -7,9 +7,10 @@ from pathlib import Path
 import pytest
 
 from tests.conftest import Tiny
+from tests.support.fabricated import record
 from vv.ask import Status
 from vv.records.finding import Bit
-from vv.run.reuse import lasts
+from vv.run.reuse import is_reusable
 
 SELECTION = ("run", "fall:up", "--codes", "fake/good")
 SAYS = "nothing has changed since"
@@ -212,7 +213,8 @@ def test_a_timing_session_with_gaps_does_not_stand_and_names_them(tiny: Tiny) ->
 def test_only_what_no_second_try_would_change_lets_an_invocation_stand(
     study: str, status: Status, lasting: bool
 ) -> None:
-    assert lasts({"study": study, "status": status.value.replace(" ", "-")}) is lasting
+    word = status.value.replace(" ", "-")
+    assert is_reusable(record("a/b", "v", 1.0, study=study, status=word)) is lasting
 
 
 def test_a_gate_leaves_the_report_to_its_command_and_says_so(tiny: Tiny) -> None:

@@ -16,7 +16,8 @@ from tests.scenes.small_scenes import ball
 from vv.ask import Ask, Bracket, Displacement, Knobs, Method, Model, Observable, Run, Status
 from vv.case import Interval, Level, Search, largest_step, last_stable_step
 from vv.codes import Found, no_steps
-from vv.records.record import Verdict, checked, measured
+from vv.records.outcomes import Verdict
+from vv.records.record import checked, measured
 from vv.run.search import answers
 from vv.scene import Contact, Scene, Vector
 from vv.store.store import Store
@@ -147,7 +148,7 @@ def test_the_largest_step_is_judged_over_theory() -> None:
     for theory, verdict in ((3.0, Verdict.PASS), (3.1, Verdict.FAIL)):
         quantity = largest_step("limit", theory, "2/w", bracket, judge)
         entry, _ = measured(run, quantity, Method.SECOND_ORDER, ask.knobs)
-        assert entry["verdict"] == verdict.value
+        assert entry.verdict is verdict
 
 
 def test_a_run_that_tried_nothing_is_no_answer_to_a_search() -> None:

@@ -14,9 +14,12 @@ import numpy as np
 import pytest
 
 from tests.conftest import Tiny
+from tests.support.fabricated import manifest, record
 from vv.ask import Cost, Displacement, Ledger, Model, Observable, Run, Status, Velocity
 from vv.base.files import write_whole
+from vv.insight.history import history
 from vv.records.finding import Bit
+from vv.records.job_record import Record
 from vv.scene import Term
 from vv.store.store import OBSERVABLES, Store
 
@@ -36,23 +39,27 @@ def test_every_kind_of_observable_can_be_kept() -> None:
     assert set(OBSERVABLES.values()) == set(typing.get_args(Observable))
 
 
+def jobs(*cases: str) -> list[Record]:
+    """A record of each of these cases, which number tells apart."""
+    return [record("dem/default", "T1", 1e-3, case=case, steps=n) for n, case in enumerate(cases)]
+
+
 def test_a_past_run_can_be_read_in_part(tmp_path: Path) -> None:
-    store = Store(tmp_path)
-    records = [{"case": case, "number": n} for n, case in enumerate(("b", "b", "a"))]
-    kept = {"provenance": {"utc": "2026", "commit": "c"}, "cases": {}, "records": records}
-    store.keep_manifest("01", kept)
+    store, records = Store(tmp_path), jobs("b", "b", "a")
+    kept = manifest(*records, name="01")
+    store.keep_manifest(kept)
     assert store.manifest("01") == kept
-    assert store.head("01") == (["b", "a"], kept["provenance"])
-    assert store.records_of("01", "b") == records[:2]
-    assert store.records_of("01", "c") == []
+    assert store.head("01") == (("b", "a"), kept.provenance)
+    assert store.records_of("01", "b") == tuple(records[:2])
+    assert store.records_of("01", "c") == ()
 
 
 def test_a_damaged_manifest_fails_where_it_is_damaged_only(tmp_path: Path) -> None:
     store, path = Store(tmp_path), tmp_path / "manifests" / "01.json"
-    records = [{"case": "a", "number": 1}, {"case": "b", "number": 2}]
-    store.keep_manifest("01", {"provenance": {}, "records": records})
-    path.write_text(path.read_text().replace('"number": 1', '"number": 1 1'))
-    assert store.records_of("01", "b") == records[1:]
+    records = jobs("b", "a")
+    store.keep_manifest(manifest(*records, name="01"))
+    path.write_text(path.read_text().replace('"steps": 1', '"steps": 1 1'))
+    assert store.records_of("01", "b") == (records[0],)
     with pytest.raises(OSError, match="no whole manifest"):
         store.manifest("01")
     with pytest.raises(OSError, match="no whole manifest"):
@@ -62,8 +69,25 @@ def test_a_damaged_manifest_fails_where_it_is_damaged_only(tmp_path: Path) -> No
         store.manifest("01")
     with pytest.raises(OSError, match="its first line names no cases"):
         store.head("01")
-    store.keep_manifest("02", {"provenance": {}, "records": records[::-1] + records})
-    assert [len(one["records"]) for one in store.newest(5)] == [4]
+
+
+def test_what_is_damaged_is_passed_over_with_a_word(tmp_path: Path) -> None:
+    store = Store(tmp_path)
+    said: list[str] = []
+    for name in ("01", "02"):
+        store.keep_manifest(manifest(*jobs("a"), name=name))
+    path = tmp_path / "manifests" / "01.json"
+    path.write_text(path.read_text().replace('"solve_cpu": 0.0001', '"solve_cpu": "x"'))
+    assert [one.name for one in store.newest(5, said.append)] == ["02"]
+    assert said == [
+        "past run 01: no whole manifest: manifest.records[0].cost.solve_cpu = 'x'; "
+        "must be a number; passed over"
+    ]
+    assert history(store, "a", said.append)[0].name.startswith("c0ffee")
+    assert len(said) == 1  # another run of the same commit was whole, and came first
+    path.with_name("02.json").unlink()
+    assert history(store, "a", said.append) == []
+    assert "records[0].cost.solve_cpu = 'x'" in said[1]
 
 
 def test_what_all_workers_need_is_loaded_once(tiny: Tiny) -> None:
@@ -216,7 +240,7 @@ def test_terminating_an_invocation_ends_a_worker_that_hears_nothing(tiny: Tiny) 
 
 BORN_AN_ORPHAN = """
 import multiprocessing, os, time
-from vv import runner
+from vv.run import runner
 
 def child(parent):
     os.setpgid(0, 0)

@@ -2,27 +2,55 @@
 
 from __future__ import annotations
 
-from typing import Any
+from collections.abc import Mapping
+from typing import Any, TypeVar
 
 import numpy as np
 
 from vv.base import metrics
+from vv.case import Parameter, Source
+from vv.records import codec
+from vv.records.case_facts import CaseFacts, QuantityFacts, ToleranceFacts, VariantFacts
+from vv.records.job_record import JobCost, Record, summary_of
+from vv.records.manifest import CodeFound, Manifest
+from vv.records.outcomes import CostKind, JudgeKind
+from vv.records.provenance import Machine, Provenance
+from vv.records.quantity import MeasuredQuantity
 from vv.store.store import Store
 
 STEPS = (4e-3, 2e-3, 1e-3)
 VERDICTS = {"dem/default": "pass", "dem/published": "xfail", "other/default": "fail"}
-Json = dict[str, Any]
+Thing = TypeVar("Thing")
+NOWHERE = Provenance(
+    utc="2025-01-01T00:00:00+00:00",
+    commit="c0ffee" * 7,
+    dirty=True,
+    command="vv run --all",
+    machine=Machine("P", 2, "S", "f00"),
+    versions={"vv": "0.1"},
+    threads=1,
+)
 
 
-def cost(timed: bool = False, cpu: float = 1e-4) -> Json:
-    parts = dict.fromkeys(("startup", "setup", "solve_wall", "output"), 1e-3)
-    kind = "timed" if timed else "indicative"
-    return {**parts, "solve_cpu": cpu, "repeats": 9, "spread": 0.1, "kind": kind}
+def changed(thing: Thing, **changes: Any) -> Thing:
+    """A record, or a part of one, with changes as JSON has them: members of enums as words."""
+    data = {**codec.to_data(thing), **{name: codec.to_data(one) for name, one in changes.items()}}
+    return codec.read(type(thing), data, "changed")
 
 
-def record(label: str, variant: str, dt: float | None, **changes: Any) -> Json:
+def requantified(record: Record, **changes: Any) -> Record:
+    """A record with changes of all its quantities."""
+    return changed(record, quantities=[changed(one, **changes) for one in record.quantities])
+
+
+def cost(timed: bool = False, cpu: float = 1e-4) -> JobCost:
+    kind = CostKind.TIMED if timed else CostKind.INDICATIVE
+    return JobCost(1e-3, 1e-3, cpu, 1e-3, 1e-3, repeats=9, spread=0.1, kind=kind)
+
+
+def record(label: str, variant: str, dt: float | None, **changes: Any) -> Record:
     code, _, scheme = label.partition("/")
-    return {
+    data = {
         "case": "bounce",
         "variant": variant,
         "study": "ladder",
@@ -43,15 +71,17 @@ def record(label: str, variant: str, dt: float | None, **changes: Any) -> Json:
         "quantities": [],
         **changes,
     }
+    return codec.read(Record, codec.to_data(data), "record")
 
 
-def entry(verdict: str, errors: Json, **changes: Any) -> Json:
-    return {
+def entry(verdict: str, errors: Mapping[str, float | None], **changes: Any) -> MeasuredQuantity:
+    data = {
         "name": "y",
         "kind": "series",
         "unit": "m",
         "value": None,
         "reference": None,
+        "end": None,
         "errors": errors,
         "scale": 1.0,
         "figures": {},
@@ -63,55 +93,73 @@ def entry(verdict: str, errors: Json, **changes: Any) -> Json:
         "verdict": verdict,
         **changes,
     }
+    return codec.read(MeasuredQuantity, codec.to_data(data), "quantity")
 
 
-def ran(store: Store, label: str, variant: str, dt: float | None, verdict: str) -> Json:
+def ran(store: Store, label: str, variant: str, dt: float | None, verdict: str) -> Record:
     """A record with its series in the store: a wave, wrong by as much as its step."""
     t = np.linspace(0.0, 1.0, 41)
     reference = np.cos(5 * t) if variant == "T2" else np.sin(3 * t)
     value = reference * (1 + 10 * (dt or 1e-9) ** 2 * np.cos(7 * t))
     errors = {
-        "max": metrics.max_error(value, reference),
-        "final": metrics.final_error(value, reference),
-        "pointwise": metrics.pointwise_error(value, reference),
-        "l2": metrics.l2_error(value, reference),
+        "max": float(metrics.max_error(value, reference)),
+        "final": float(metrics.final_error(value, reference)),
+        "pointwise": float(metrics.pointwise_error(value, reference)),
+        "l2": float(metrics.l2_error(value, reference)),
     }
     known = entry(verdict, errors, note="drag is late" if verdict == "xfail" else "")
     made = record(label, variant, dt, quantities=[known], cost=cost(timed=dt == 2e-3))
-    store.keep_record(made["key"], made, {"t": t, "y.value": value, "y.reference": reference})
+    series = {"t": t, "y.value": value, "y.reference": reference}
+    store.keep_summary(made.key, summary_of(made), series)
     return made
 
 
-def case() -> Json:
-    tolerance = {"value": 1e-3, "reason": "why", "dt": 1e-3, "order": 2, "floor": 0, "slack": ""}
-    quantity = {
-        "name": "y",
-        "symbol": "y",
-        "unit": "m",
-        "meaning": "height",
-        "judge": "exact",
-        "norm": "max",
-        "tolerances": {"second order in dt": tolerance},
-    }
-    variant = {
-        "summary": "a ball bounces",
-        "formula": "y = sin 3t",
-        "inert": [],
-        "terms": ["gravity"],
-        "unknowns": 1,
-        "quantities": [quantity],
-    }
-    return {
-        "title": "Bounces",
-        "source": {"citation": "Someone (2001)", "doi": "10.1/(x)", "note": "misprint"},
-        "enforced": ["accuracy", "conservation", "regression", "speed"],
-        "published": {"Fig. 4": "grows with time"},
-        "parameters": [{"name": "m", "value": 1.0, "unit": "kg", "meaning": "mass"}],
-        "variants": {"T1": variant, "T2": variant},
-    }
+def case() -> CaseFacts:
+    quantity = QuantityFacts(
+        name="y",
+        symbol="y",
+        unit="m",
+        meaning="height",
+        judge=JudgeKind.EXACT,
+        norm="max",
+        tolerances={"second order in dt": ToleranceFacts(1e-3, "why", 1e-3, 2)},
+    )
+    variant = VariantFacts(
+        summary="a ball bounces",
+        formula="y = sin 3t",
+        inert=(),
+        terms=("gravity",),
+        unknowns=1,
+        quantities=(quantity,),
+    )
+    facts = CaseFacts(
+        title="Bounces",
+        source=Source("Someone (2001)", "10.1/(x)", "misprint"),
+        published={"Fig. 4": "grows with time"},
+        enforced=(),
+        parameters=(Parameter("m", 1.0, "kg", "mass"),),
+        variants={"T1": variant, "T2": variant},
+    )
+    return changed(facts, enforced=["accuracy", "conservation", "regression", "speed"])
 
 
-def manifest_of_all(store: Store) -> Json:
+def manifest(*records: Record, **parts: Any) -> Manifest:
+    """A manifest of these records, and of the fabricated case; parts: as its fields have them."""
+    whole: dict[str, Any] = {
+        "provenance": NOWHERE,
+        "codes": {one.code: CodeFound("1", True, {}) for one in records},
+        "cases": {"bounce": case()},
+        "untimed": (),
+        "records": records,
+        "findings": (),
+        "baselines": {},
+        "recorded": (),
+        "name": "20250101",
+    }
+    return Manifest(**{**whole, **parts})
+
+
+def manifest_of_all(store: Store) -> Manifest:
     """Two variants in seven schemes: everything that may come of a job, once at least."""
     runs = [
         ran(store, label, variant, dt, verdict)
@@ -133,17 +181,5 @@ def manifest_of_all(store: Store) -> Json:
     runs.append(ran(store, "fate/h", "T1", 1e-3, "xpass"))
     runs.append(ran(store, "fate/i", "T1", 1e-3, "no-reference"))
     energy = {"terms": {}, "unaccounted": 2.0, "peak": 9.0, "bound": 1.0, "audits": {}}
-    runs.append({**ran(store, "fate/j", "T1", 1e-3, "pass"), "ledger": energy})
-    machine = {"processor": "P", "cores": 2, "system": "S", "fingerprint": "f00"}
-    told = {"utc": "2025-01-01T00:00:00+00:00", "commit": "c0ffee" * 7, "dirty": True}
-    told |= {"command": "vv run --all", "versions": {"vv": "0.1"}, "threads": 1}
-    return {
-        "name": "20250101",
-        "provenance": {**told, "machine": machine},
-        "codes": {r["code"]: {"version": "1", "installed": True, "files": {}} for r in runs},
-        "cases": {"bounce": case()},
-        "findings": [],
-        "baselines": {},
-        "recorded": [],
-        "records": runs,
-    }
+    runs.append(changed(ran(store, "fate/j", "T1", 1e-3, "pass"), ledger=energy))
+    return manifest(*runs)

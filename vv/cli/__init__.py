@@ -24,8 +24,6 @@ from vv.cli import (
     speed_command,
 )
 from vv.output import terminal
-from vv.plan.imports import raised_within
-from vv.records.finding import Bit
 
 BITS = (
     "Exit status, a sum of bits: 0 all is well; 1 accuracy or regression; 2 conservation; "
@@ -41,6 +39,7 @@ app = typer.Typer(
     pretty_exceptions_enable=False,
     rich_markup_mode="markdown",
 )
+CRASHED = 8  # the exit bit of a crash, vv.records.finding.Bit.CRASH
 INTERRUPTED = 130  # what shells use for a program ended by Ctrl-C
 GROUPS: dict[str, dict[str, Callable[..., None]]] = {
     "Run": {"run": run_command.run, "speed": speed_command.speed},
@@ -66,6 +65,8 @@ for group, commands in GROUPS.items():
 
 def _message(error: Exception) -> str:
     """What the option parser complains of, or a project's own files; empty for our own faults."""
+    from vv.plan.imports import raised_within
+
     parser = getattr(error, "format_message", None)
     return raised_within(error) if parser is None else str(parser()) or "a command is missing"
 
@@ -94,7 +95,7 @@ def main() -> None:
             code = terminal.complain(message)
         else:
             traceback.print_exc()
-            code = int(Bit.CRASH)  # and not 1, with which Python ends and which would say accuracy
+            code = CRASHED  # and not 1, with which Python ends and which would say accuracy
     if code == INTERRUPTED:  # which the option parser may have made of it
         terminal.complain("interrupted; what has finished is kept")
     sys.exit(code or 0)

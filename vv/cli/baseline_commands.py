@@ -5,7 +5,7 @@ from __future__ import annotations
 import contextlib
 import functools
 from pathlib import Path
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
@@ -13,11 +13,13 @@ from vv.base.errors import UsageError
 from vv.base.files import write_whole
 from vv.case import Level
 from vv.cli import options
-from vv.cli.invocation import LATER, carried_out, tell
 from vv.output import terminal
-from vv.plan.plan import EmptyPlanError, Options, Plan, merge_plans, with_jobs_kept
 from vv.plan.project import Project, find
-from vv.store.store import Store
+
+if TYPE_CHECKING:
+    from vv.plan.plan import Plan
+    from vv.records.accepted import Circumstances
+    from vv.records.manifest import Manifest
 
 Reason = Annotated[
     str, typer.Option("--reason", metavar="TEXT", help="Why these results are right.")
@@ -32,9 +34,13 @@ def accept(
     ] = False,
     dry_run: Annotated[bool, typer.Option("--dry-run", help="Only show the difference.")] = False,
 ) -> None:
-    """Show what moved since a case's baseline, and make the present results the new one."""
-    from vv.gate import acceptance, answers, baseline
+    """Show what changed since a case's baseline, and make the present results the new one."""
+    from vv.cli import invocation
+    from vv.gate import acceptance, answers
     from vv.gate.all_checks import baseline_of, baselines_of
+    from vv.output import result_lines
+    from vv.records.accepted import Acceptance
+    from vv.records.sorted_text import render
     from vv.run.session import Limits, Timing
 
     project = find()
@@ -43,25 +49,30 @@ def accept(
     if not (reason.strip() or dry_run):
         raise UsageError('--reason is missing; say why the results are right: --reason "..."')
     when = Timing.NEW if timing else Timing.NONE
-    manifest = carried_out(project, plan, Limits(options.workers(0), options.TIMEOUT, timing=when))
-    tell(project, manifest, None, LATER)
-    terminal.print_difference(manifest, case)
-    refused = [r for r in manifest["records"] if not acceptance.acceptable(r)]
-    terminal.print_unacceptable(refused)
+    limits = Limits(options.workers(0), options.TIMEOUT, timing=when)
+    manifest = invocation.carried_out(project, plan, limits)
+    invocation.print_summary(project, manifest, None, invocation.LATER)
+    result_lines.print_difference(manifest, case)
+    refused = [r for r in manifest.records if not acceptance.acceptable(r)]
+    result_lines.print_unacceptable(refused)
     if dry_run:
         return
+    circumstances = _circumstances(manifest)
+    taken = Acceptance(
+        circumstances.commit,
+        circumstances.dirty,
+        circumstances.machine,
+        reason.strip(),
+        circumstances.utc,
+        circumstances.versions,
+    )
     folder = baselines_of(project)
-    external = {code for code, told in manifest["codes"].items() if told["files"]}
-    document = acceptance.accepted(
-        case,
-        baseline_of(project, case),
-        manifest["records"],
-        {"reason": reason.strip(), **_circumstances(manifest)},
-        external,
+    new = acceptance.accepted(
+        case, baseline_of(project, case), manifest.records, taken, manifest.external()
     )
     path = folder / f"{case}.json"
-    write_whole(path, baseline.render(document).encode())
-    terminal.say(f"{len(document['results'])} results in {path}")
+    write_whole(path, render(new).encode())
+    terminal.say(f"{len(new.results)} results in {path}")
     terminal.say(f"what runs and what is refused, in {answers.accept(project, case)}")
 
 
@@ -72,9 +83,13 @@ def record(
     ] = "*",
 ) -> None:
     """Write down results of external codes, to be shown where these are not installed."""
+    from vv.cli import invocation
     from vv.gate import recorded
     from vv.gate.all_checks import recorded_of
+    from vv.plan.plan import with_jobs_kept
+    from vv.records.recorded import RecordedFile
     from vv.run.session import Limits
+    from vv.store.store import Store
 
     project = find()
     _writable(project)
@@ -86,26 +101,33 @@ def record(
     plan = with_jobs_kept(plan, lambda job: job.code in external)
     if not plan.jobs:
         raise UsageError(f"'{codes}' names no external code that is installed here")
-    manifest = carried_out(project, plan, Limits(options.workers(0), options.TIMEOUT))
-    tell(project, manifest, None, LATER)
-    told = _circumstances(manifest)
-    circumstances = {
-        code: {
-            **{name: told[name] for name in ("utc", "commit", "dirty", "machine")},
-            "version": manifest["codes"][code]["version"],
-            "executables": {
-                Path(path).name: digest for path, digest in manifest["codes"][code]["files"].items()
-            },
-        }
-        for code in external & set(manifest["codes"])
+    limits = Limits(options.workers(0), options.TIMEOUT)
+    manifest = invocation.carried_out(project, plan, limits)
+    invocation.print_summary(project, manifest, None, invocation.LATER)
+    circumstances = _circumstances(manifest)
+    empty = {
+        code: RecordedFile(
+            code=code,
+            case="",
+            version=found.version,
+            utc=circumstances.utc,
+            commit=circumstances.commit,
+            dirty=circumstances.dirty,
+            machine=circumstances.machine,
+            executables={Path(path).name: digest for path, digest in found.files.items()},
+        )
+        for code, found in manifest.codes.items()
+        if code in external
     }
     series = Store(project.data()).series
-    for path in recorded.keep(recorded_of(project), manifest["records"], series, circumstances):
+    for path in recorded.keep(recorded_of(project), manifest.records, series, empty):
         terminal.say(str(path))
 
 
 def _both_levels(project: Project, selection: list[str] | str | None, codes: str) -> Plan:
     """What the levels quick and default run, each job once."""
+    from vv.plan.plan import EmptyPlanError, Options, merge_plans
+
     names = [selection] if isinstance(selection, str) else selection or []
     levels = (Level.QUICK, Level.DEFAULT)
     if isinstance(selection, str) and selection not in project.case_names():
@@ -124,16 +146,17 @@ def _writable(project: Project) -> None:
         raise UsageError("the cases that came with vv stay as they are; copy them to a project")
 
 
-def _circumstances(manifest: dict[str, Any]) -> dict[str, Any]:
+def _circumstances(manifest: Manifest) -> Circumstances:
     """What a baseline says of where its results come from."""
-    told = manifest["provenance"]
-    versions = {**told["versions"]}
-    versions |= {code: found["version"] for code, found in manifest["codes"].items()}
-    machine = {name: told["machine"][name] for name in ("processor", "system")}
-    return {
-        "utc": told["utc"],
-        "commit": told["commit"],
-        "dirty": told["dirty"],
-        "machine": machine,
-        "versions": {name: version for name, version in versions.items() if version},
-    }
+    from vv.records.accepted import Circumstances, Place
+
+    provenance = manifest.provenance
+    versions = dict(provenance.versions)
+    versions |= {code: found.version for code, found in manifest.codes.items()}
+    return Circumstances(
+        commit=provenance.commit,
+        dirty=provenance.dirty,
+        machine=Place(provenance.machine.processor, provenance.machine.system),
+        utc=provenance.utc,
+        versions={name: version for name, version in versions.items() if version},
+    )

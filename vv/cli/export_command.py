@@ -12,9 +12,7 @@ from vv.base.errors import UsageError
 from vv.base.files import write_output
 from vv.cli import options
 from vv.output.terminal import note
-from vv.plan.plan import Options, make_plan
 from vv.plan.project import find
-from vv.plan.selection import choose_schemes, named_adapters, select
 
 
 def export(
@@ -27,6 +25,9 @@ def export(
     ] = None,
 ) -> None:
     """Write the native script or deck of one variant for one code; it runs alone."""
+    from vv.plan.plan import Options, make_plan
+    from vv.plan.selection import choose_schemes, named_adapters, select
+
     project = find()
     chosen = select(project, [selection])
     if len(rungs or ()) > 1:

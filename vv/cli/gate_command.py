@@ -4,19 +4,20 @@ from __future__ import annotations
 
 import os
 from pathlib import Path
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from vv.base.errors import UsageError
 from vv.case import Level
 from vv.cli import options
-from vv.cli.invocation import LATER, answered, tell
-from vv.gate.judgement import judgement
 from vv.output import terminal
-from vv.plan.plan import Options, Plan
 from vv.plan.project import Project, find
-from vv.records.finding import Finding, bits
+
+if TYPE_CHECKING:
+    from vv.plan.plan import Plan
+    from vv.records.finding import Finding
+    from vv.records.manifest import Manifest
 
 
 def gate(
@@ -45,6 +46,11 @@ def gate(
     json_file: options.JsonFile = None,
 ) -> None:
     """Run what is not stored and judge it: every exit bit counts. `vv report` shows it all."""
+    from vv.cli import invocation
+    from vv.gate.judgement import judgement
+    from vv.output.result_lines import print_findings
+    from vv.plan.plan import Options
+    from vv.records.finding import bits
     from vv.run.session import Limits, Timing
 
     project = find()
@@ -60,17 +66,17 @@ def gate(
     when = Timing.NEW if timing else Timing.LAST
     limits = Limits(options.workers(jobs), options.positive(timeout), fresh, when, against)
     asked = "gate", tuple(selection or ()), chosen
-    manifest = answered(project, asked, plan, limits)
-    tell(project, manifest, json_file, LATER)
+    manifest = invocation.answered(project, asked, plan, limits)
+    invocation.print_summary(project, manifest, json_file, invocation.LATER)
     findings = judgement(manifest, required)
     _write_outputs(project, manifest, findings, junit, markdown)
-    terminal.print_findings(findings)
+    print_findings(findings)
     raise typer.Exit(bits(findings))
 
 
 def _write_outputs(
     project: Project,
-    manifest: dict[str, Any],
+    manifest: Manifest,
     findings: list[Finding],
     junit: Path | None,
     markdown: Path | None,
@@ -87,8 +93,7 @@ def _write_outputs(
         from vv.output.markdown import workflow_commands
 
         files = {
-            case: os.path.relpath(project.case_file(case), project.root)
-            for case in manifest["cases"]
+            case: os.path.relpath(project.case_file(case), project.root) for case in manifest.cases
         }
         for line in workflow_commands(findings, files):
             terminal.say(line)

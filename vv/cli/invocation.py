@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
-import json
 import sys
 from collections.abc import Callable
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from vv.base.files import write_output
-from vv.output import terminal
+from vv.output import result_lines, terminal
 from vv.output.progress import progress
 from vv.plan.plan import Plan
 from vv.plan.project import Project
+from vv.records.manifest import Manifest
 from vv.store.store import Store
 
 if TYPE_CHECKING:
@@ -23,7 +23,7 @@ LATER = "vv report"  # what writes the report of an invocation that leaves it
 
 def answered(
     project: Project, asked: tuple[object, ...], make_plan: Callable[[], Plan], limits: Limits
-) -> dict[str, Any]:
+) -> Manifest:
     """As `carried_out`, but an invocation that stands unchanged is answered with its manifest.
 
     asked: frozen data that the plan is made of. How many processes may be used, and where else
@@ -42,7 +42,7 @@ def answered(
     store, before = Store(project.data()), identity()
     stands = reuse.recall(store, before)
     if stands is not None:
-        terminal.note(f"nothing has changed since {stands['name']}")
+        terminal.note(f"nothing has changed since {stands.name}")
         return stands
     manifest = carried_out(project, make_plan(), limits)
     if identity() == before:  # nobody edited anything meanwhile
@@ -50,7 +50,7 @@ def answered(
     return manifest
 
 
-def carried_out(project: Project, plan: Plan, limits: Limits) -> dict[str, Any]:
+def carried_out(project: Project, plan: Plan, limits: Limits) -> Manifest:
     """Carry out a plan and show how far it is; returns the manifest."""
     from vv.run.session import carry_out
 
@@ -58,7 +58,7 @@ def carried_out(project: Project, plan: Plan, limits: Limits) -> dict[str, Any]:
         return carry_out(project, plan, limits, shown, ["vv", *sys.argv[1:]])
 
 
-def reported(project: Project, manifest: dict[str, Any], limits: Limits) -> Path:
+def reported(project: Project, manifest: Manifest, limits: Limits) -> Path:
     """Write the report, with all figures where everything that should be was timed.
 
     One that lies there as it was left is not made again.
@@ -67,24 +67,25 @@ def reported(project: Project, manifest: dict[str, Any], limits: Limits) -> Path
     from vv.run.session import MEASURED
 
     store, path = Store(project.data()), project.data() / "report.html"
-    if not reuse.untouched(store, manifest["name"], path):
+    if not reuse.untouched(store, manifest.name, path):
         builder(project, limits.timing in MEASURED)(manifest, store, path)
-        reuse.leave(store, manifest["name"], path)
+        reuse.note_report(store, manifest.name, path)
     return path
 
 
-def tell(project: Project, manifest: dict[str, Any], json_file: Path | None, report: str) -> None:
+def print_summary(
+    project: Project, manifest: Manifest, json_file: Path | None, report: str
+) -> None:
     """Write the records if asked to, and say how it went and where the report is."""
     if json_file:
         from vv.output.export import document
 
-        told = document(manifest, Store(project.data()))
-        write_output(json_file, json.dumps(told, allow_nan=False).encode())
-    terminal.print_refusals(manifest["records"])
-    terminal.print_counts(manifest["records"], report)
+        write_output(json_file, document(manifest, Store(project.data())).encode())
+    result_lines.print_refusals(manifest.records)
+    result_lines.print_counts(manifest.records, report)
 
 
-def builder(project: Project, drawing: bool) -> Callable[[dict[str, Any], Store, Path], Path]:
+def builder(project: Project, drawing: bool) -> Callable[[Manifest, Store, Path], Path]:
     """What writes a report; without drawing, figures are left to `vv report`."""
     project.activate()
     from reports import html

@@ -4,17 +4,17 @@ from __future__ import annotations
 
 import os
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from vv.ask import Knobs
 from vv.base.errors import UsageError
 from vv.case import Level
-from vv.plan.plan import Options, Plan, make_plan
 from vv.plan.project import Project
-from vv.plan.selection import choose_schemes, named_adapters
-from vv.plan.settings import parse_knobs
+
+if TYPE_CHECKING:
+    from vv.plan.plan import Options, Plan
 
 TIMEOUT = 300.0  # s for one job, unless said otherwise; its kernels may have to be compiled
 Selection = Annotated[
@@ -46,11 +46,15 @@ JsonFile = Annotated[
 
 def plan_of(project: Project, selection: list[str], options: Options) -> Plan:
     """The plan of a selection; nothing selected means every case."""
+    from vv.plan.plan import make_plan
+
     return make_plan(project, selection or ["*"], options)
 
 
 def known(project: Project, required: tuple[str, ...]) -> None:
     """Check the codes of --require; raises UsageError for one that does not exist."""
+    from vv.plan.selection import choose_schemes, named_adapters
+
     if required:
         choose_schemes(named_adapters(project, required), required)
 
@@ -70,6 +74,8 @@ def codes(text: str) -> tuple[str, ...]:
 
 def knobs(texts: list[str] | None) -> tuple[Knobs, ...]:
     """What --rung says."""
+    from vv.plan.settings import parse_knobs
+
     return tuple(parse_knobs(text) for text in texts or ())
 
 

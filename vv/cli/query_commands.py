@@ -10,26 +10,25 @@ import typer
 
 from vv.base.errors import UsageError
 from vv.output import terminal
-from vv.output.explain import tell
-from vv.plan.plan import Options, make_plan
 from vv.plan.project import find
-from vv.plan.selection import select
-from vv.plan.settings import name_hint
-from vv.store.store import Store
 
 PAST = 20  # invocations in which a last result is looked for
 
 
 def list_cases() -> None:
     """List cases and their variants."""
+    from vv.output.listing import print_cases
+
     project = find()
-    terminal.print_cases([project.load_case(name) for name in project.case_names()])
+    print_cases([project.load_case(name) for name in project.case_names()])
 
 
 def list_codes() -> None:
     """List codes: found or not, version, path, schemes, how to install what is missing."""
+    from vv.output.listing import print_codes
+
     project = find()
-    terminal.print_codes([project.load_adapter(name) for name in project.adapter_names()])
+    print_codes([project.load_adapter(name) for name in project.adapter_names()])
 
 
 def report(
@@ -38,9 +37,15 @@ def report(
     ] = "",
     output: Annotated[Path | None, typer.Option("--output", help="The file to write.")] = None,
     show: Annotated[bool, typer.Option("--open", help="Open it in a browser.")] = False,
+    csv: Annotated[
+        Path | None,
+        typer.Option("--csv", metavar="FILE", help="Write its results as a table, too."),
+    ] = None,
 ) -> None:
     """Write the report of a past run."""
     from vv.cli.invocation import builder
+    from vv.plan.settings import name_hint
+    from vv.store.store import Store
 
     project = find()
     store = Store(project.data())
@@ -48,20 +53,28 @@ def report(
     if not names or (run_name and run_name not in names):
         unknown = f"no run '{run_name}'{name_hint(run_name, names[-5:])}"
         raise UsageError(unknown if run_name else "there is no run yet")
-    name = run_name or names[-1]
-    manifest = {**store.manifest(name), "name": name}
+    manifest = store.manifest(run_name or names[-1])
     path = output or project.data() / "report.html"
-    terminal.say(str(builder(project, drawing=True)(manifest, store, path)))
+    say = terminal.note if csv else terminal.say  # the table may be asked for on standard output
+    say(str(builder(project, drawing=True)(manifest, store, path)))
+    if csv:
+        from vv.base.files import write_output
+        from vv.output.table import table
+
+        write_output(csv, table(manifest.records).to_csv(index=False).encode())
     if show:
         typer.launch(str(path))
 
 
 def explain(selection: Annotated[list[str], typer.Argument(help="CASE or CASE:VARIANT.")]) -> None:
     """Say what a case is: formula, source, parameters, mapping into codes, tolerances, result."""
+    from vv.output.explain import print_explanation
+    from vv.plan.plan import Options, make_plan
+    from vv.store.store import Store
+
     project = find()
-    store = Store(project.data())
     plan = make_plan(project, selection, Options())
-    tell(plan, store.newest(PAST))
+    print_explanation(plan, Store(project.data()).newest(PAST, terminal.note))
 
 
 def diff(
@@ -71,9 +84,11 @@ def diff(
     other: Annotated[str, typer.Argument(metavar="B", help="Another; the latest run.")] = "",
     rows: Annotated[int, typer.Option("--rows", min=1, help="Lines of each kind.")] = 15,
 ) -> None:
-    """Say what moved between two runs, or the last runs of two commits: error, order, cost."""
+    """Compare two runs, or the last runs of two commits: outcome, error, order, cost."""
     from vv.insight import compare
+    from vv.output.result_lines import print_changes
     from vv.store import checkout
+    from vv.store.store import Store
 
     project = find()
     store = Store(project.data())
@@ -83,7 +98,7 @@ def diff(
     known = functools.partial(checkout.named, project.root)
     first = compare.manifest_of(store, one, known)
     second = compare.manifest_of(store, other or names[-1], known)
-    terminal.print_changes(compare.changes(first, second), first, second, rows)
+    print_changes(compare.changes(first, second), first, second, rows)
 
 
 def history(
@@ -91,9 +106,12 @@ def history(
 ) -> None:
     """Show error over tolerance and relative cost of a case over the last commits."""
     from vv.insight.history import history as read
+    from vv.output.result_lines import print_history
+    from vv.plan.selection import select
+    from vv.store.store import Store
 
     project = find()
     names = {found.name for found, _ in select(project, [case])}
     store = Store(project.data())
     for name in sorted(names):
-        terminal.print_history(name, read(store, name))
+        print_history(name, read(store, name, terminal.note))

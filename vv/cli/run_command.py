@@ -2,23 +2,38 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Any
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from vv.ask import Knobs
 from vv.base.errors import UsageError
 from vv.case import Level
 from vv.cli import options
-from vv.cli.invocation import answered, carried_out, reported, tell
-from vv.gate.judgement import RUN_BITS, record_findings
 from vv.output import terminal
-from vv.plan.plan import Options, Plan, with_jobs_kept
 from vv.plan.project import Project, find
-from vv.records.finding import bits
-from vv.store.store import Store
+
+if TYPE_CHECKING:
+    from vv.ask import Knobs
+    from vv.plan.plan import Plan
+    from vv.records.manifest import Manifest
+    from vv.run.session import Limits
+    from vv.store.store import Store
 
 PAST = 10  # manifests that a budget looks at
+
+
+@dataclass(frozen=True)
+class Narrowing:
+    """What of a plan is wanted only: --failed, --since and --budget; false if all of it is."""
+
+    failed: bool
+    since: str
+    budget: str
+
+    def __bool__(self) -> bool:
+        return bool(self.failed or self.since or self.budget)
 
 
 def run(
@@ -45,10 +60,14 @@ def run(
     json_file: options.JsonFile = None,
 ) -> None:
     """Run cases in codes and write the report; exits non-zero if something could not run."""
-    narrowed = bool(failed or since or budget)
+    from vv.cli import invocation
+    from vv.plan.plan import Options
+    from vv.store.store import Store
+
+    narrowing = Narrowing(failed, since, budget)
     if selection and everything:
         raise UsageError("name cases or say --all, not both")
-    if not (selection or everything or narrowed):
+    if not (selection or everything or narrowing):
         raise UsageError("name a case or say --all; `vv list` shows the cases")
     project = find()
     store = Store(project.data())
@@ -60,81 +79,96 @@ def run(
 
     def make_plan() -> Plan:
         plan = options.plan_of(project, selection or [], chosen)
-        return _narrowed(project, store, plan, last, since, budget)
+        return _narrowed(project, store, plan, last, narrowing)
 
     if dry_run:
         _list_jobs(project, store, make_plan(), fresh)
         return
-    from vv.run.session import Limits, Timing
-
-    timing = everything and level is not Level.QUICK and not narrowed
-    limits = Limits(
-        options.workers(jobs),
-        options.positive(timeout),
-        fresh,
-        Timing.STORED if timing else Timing.NONE,
-    )
-    if narrowed:  # depends on past runs, which change with each
+    timed = everything and level is not Level.QUICK and not narrowing
+    limits = _limits(jobs, timeout, fresh, timed)
+    if narrowing:  # depends on past runs, which change with each
         plan = make_plan()
         if not plan.jobs:
-            terminal.say(_nothing(failed, since, budget))
+            terminal.say(_nothing(narrowing))
             return
-        manifest = carried_out(project, plan, limits)
+        manifest = invocation.carried_out(project, plan, limits)
     else:
         asked = "run", tuple(selection or ()), chosen
-        manifest = answered(project, asked, make_plan, limits)
-    tell(project, manifest, json_file, str(reported(project, manifest, limits)))
-    findings = record_findings(manifest["records"], required)
-    terminal.print_failures(findings)
+        manifest = invocation.answered(project, asked, make_plan, limits)
+    _conclude(project, manifest, limits, json_file, required)
+
+
+def _limits(jobs: int, timeout: float, fresh: bool, timed: bool) -> Limits:
+    from vv.run.session import Limits, Timing
+
+    timing = Timing.STORED if timed else Timing.NONE
+    return Limits(options.workers(jobs), options.positive(timeout), fresh, timing)
+
+
+def _conclude(
+    project: Project,
+    manifest: Manifest,
+    limits: Limits,
+    json_file: Path | None,
+    required: tuple[str, ...],
+) -> None:
+    """Write the records and the report, say how it went, and exit with what could not run."""
+    from vv.cli import invocation
+    from vv.gate.judgement import RUN_BITS, record_findings
+    from vv.output.result_lines import print_failures
+    from vv.records.finding import bits
+
+    report = invocation.reported(project, manifest, limits)
+    invocation.print_summary(project, manifest, json_file, str(report))
+    findings = record_findings(manifest.records, required)
+    print_failures(findings)
     raise typer.Exit(bits(findings) & RUN_BITS)
 
 
 def _list_jobs(project: Project, store: Store, plan: Plan, fresh: bool) -> None:
     """Say of each job whether it would run or is stored."""
+    from vv.output.listing import print_jobs
     from vv.plan import keys
 
     found = {} if fresh else keys.run_keys(project, plan)
-    terminal.print_jobs(plan, {n for n, key in found.items() if store.has_run(key)})
+    print_jobs(plan, {n for n, key in found.items() if store.has_run(key)})
 
 
-def _last(store: Store) -> dict[str, Any]:
+def _last(store: Store) -> Manifest:
     names = store.manifests()
     if not names:
         raise UsageError("--failed: there is no last run")
     return store.manifest(names[-1])
 
 
-def _rungs_that_failed(last: dict[str, Any]) -> tuple[Knobs, ...]:
+def _rungs_that_failed(last: Manifest) -> tuple[Knobs, ...]:
     """The knobs of what did not do well: they need not be of the level asked for."""
     from vv.run.narrowing import troubled_records
 
-    return tuple(dict.fromkeys(Knobs(**record["rung"]) for record in troubled_records(last)))
+    return tuple(dict.fromkeys(record.rung for record in troubled_records(last)))
 
 
 def _narrowed(
-    project: Project,
-    store: Store,
-    plan: Plan,
-    last: dict[str, Any] | None,
-    since: str,
-    budget: str,
+    project: Project, store: Store, plan: Plan, last: Manifest | None, narrowing: Narrowing
 ) -> Plan:
-    from vv.run import narrowing
+    from vv.plan.plan import with_jobs_kept
+    from vv.run import narrowing as narrow
     from vv.store.checkout import changed_since
 
     if last is not None:
-        wanted = narrowing.troubled(last)
-        plan = with_jobs_kept(plan, lambda job: narrowing.key(job) in wanted)
-    if since:
-        plan = narrowing.affected(project, plan, changed_since(project.root, since))
-    if budget:
-        plan = narrowing.within(plan, narrowing.seconds(budget), store.newest(PAST))
+        wanted = narrow.troubled(last)
+        plan = with_jobs_kept(plan, lambda job: narrow.key(job) in wanted)
+    if narrowing.since:
+        plan = narrow.affected(project, plan, changed_since(project.root, narrowing.since))
+    if narrowing.budget:
+        past = store.newest(PAST, terminal.note)
+        plan = narrow.within(plan, narrow.seconds(narrowing.budget), past)
     return plan
 
 
-def _nothing(failed: bool, since: str, budget: str) -> str:
-    if failed:
+def _nothing(narrowing: Narrowing) -> str:
+    if narrowing.failed:
         return "nothing to run: all did well in the last run"
-    if since:
-        return f"nothing to run: no change since {since} can affect a result"
-    return f"nothing to run: no job fits {budget}"
+    if narrowing.since:
+        return f"nothing to run: no change since {narrowing.since} can affect a result"
+    return f"nothing to run: no job fits {narrowing.budget}"

@@ -3,25 +3,22 @@
 from __future__ import annotations
 
 import dataclasses
-import json
-import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from pathlib import Path
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from vv.base.errors import UsageError
 from vv.base.files import write_output
 from vv.case import Level
-from vv.cli import options, speed_text
-from vv.cli.invocation import LATER, answered, tell
-from vv.gate.judgement import RUN_BITS, exit_bits
-from vv.insight.accuracy_cost import TARGETS, Duel, duels, profile, reach
-from vv.insight.effort import Effort, efforts, untimed
+from vv.cli import options
 from vv.output.terminal import say
-from vv.plan.plan import Job, Options, Plan, with_jobs_kept
-from vv.plan.project import find
+from vv.plan.project import Project, find
+
+if TYPE_CHECKING:
+    from vv.plan.plan import Job, Plan
+    from vv.records.manifest import Manifest
 
 
 def speed(
@@ -39,6 +36,9 @@ def speed(
 
     At level paper all that is selected is timed, which takes minutes.
     """
+    from vv.cli import invocation
+    from vv.gate.judgement import RUN_BITS, exit_bits
+    from vv.plan.plan import Options, with_jobs_kept
     from vv.run.session import Limits, Timing
 
     project = find()
@@ -57,16 +57,26 @@ def speed(
 
     limits = Limits(options.workers(jobs), options.positive(timeout), fresh, Timing.STORED)
     asked = "speed", tuple(selection or ()), chosen
-    manifest = answered(project, asked, make_plan, limits)
-    tell(project, manifest, None, LATER)
+    manifest = invocation.answered(project, asked, make_plan, limits)
+    invocation.print_summary(project, manifest, None, invocation.LATER)
+    _show(project, manifest, bool(selection), json_file)
+    raise typer.Exit(exit_bits(manifest.records) & RUN_BITS)
+
+
+def _show(project: Project, manifest: Manifest, selected: bool, json_file: Path | None) -> None:
+    """Print what an error costs, and write it to a file if one is named."""
+    from vv.cli import speed_text
+    from vv.insight.accuracy_cost import TARGETS, duels
+    from vv.insight.effort import efforts, untimed
+    from vv.output.cost_document import document
+
     every, rest = efforts(manifest), untimed(manifest)
     fights = duels(every, TARGETS)
-    failed = [f"not timed, it failed: {name}" for name in manifest["untimed"]]
-    cases = {record["case"] for record in manifest["records"]}
-    left = [] if selection else [name for name in project.case_names() if name not in cases]
+    cases = {record.case for record in manifest.records}
+    left = [] if selected else [name for name in project.case_names() if name not in cases]
     for line in (
         *speed_text.tables(every),
-        *failed,
+        *(f"not timed, it failed: {name}" for name in manifest.untimed),
         *speed_text.fought(fights),
         *(speed_text.profiles(every) if every else ()),
         *speed_text.indicative(rest),
@@ -74,9 +84,7 @@ def speed(
     ):
         say(line)
     if json_file:
-        document = _document(every, rest, fights)
-        write_output(json_file, json.dumps(document, allow_nan=False).encode())
-    raise typer.Exit(exit_bits(manifest["records"]) & RUN_BITS)
+        write_output(json_file, document(every, rest, fights).encode())
 
 
 def _all_timed(plan: Plan) -> Iterator[Job]:
@@ -85,34 +93,6 @@ def _all_timed(plan: Plan) -> Iterator[Job]:
     for job in plan.jobs:
         place = job.case, job.variant
         rungs = [] if place in own else plan.trials[place].study.rungs[Level.DEFAULT]
-        given = [name for name, value in vars(job.ask.knobs).items() if value]
-        wanted = any(
-            all(getattr(rung, name) == getattr(job.ask.knobs, name) for name in given)
-            for rung in rungs
-        )
+        knobs = job.ask.knobs
+        wanted = any(knobs.dt in (None, rung.dt) and knobs.kn in (None, rung.kn) for rung in rungs)
         yield dataclasses.replace(job, timed=job.timed or wanted)
-
-
-def _document(
-    every: Sequence[Effort], rest: Sequence[Effort], fights: Sequence[Duel]
-) -> dict[str, Any]:
-    """All of it as plain data, without infinities."""
-    return {
-        "targets": list(TARGETS),
-        "efforts": [
-            {
-                **dataclasses.asdict(one),
-                "reach": {f"{t:g}": dataclasses.asdict(reach(one, t)) for t in TARGETS},
-            }
-            for one in every
-        ],
-        "indicative": [dataclasses.asdict(one) for one in rest],
-        "duels": [dataclasses.asdict(one) for one in fights],
-        "profiles": {
-            f"{t:g}": {
-                name: [r if math.isfinite(r) else None for r in ratios]
-                for name, ratios in profile(every, t).items()
-            }
-            for t in TARGETS
-        },
-    }

@@ -16,7 +16,7 @@ from vv.insight.accuracy_cost import (
     shares,
 )
 from vv.insight.effort import Effort
-from vv.records.rungs import Point, Row, told
+from vv.records.rungs import Point, Row, describe
 
 
 def tables(every: Sequence[Effort]) -> Iterator[str]:
@@ -44,7 +44,7 @@ def _cost(reached: Reach) -> str:
 
 def _orders(one: Effort) -> str:
     """The fitted orders, of each stiffness where there are several; of a floor there is none."""
-    return ", ".join(said for row in one.rows if (said := _order(row)))
+    return ", ".join(text for row in one.rows if (text := _order(row)))
 
 
 def _order(row: Row) -> str:
@@ -59,8 +59,8 @@ def _parts(one: Effort) -> Iterator[str]:
     if one.floor:
         yield f"  {one.label}: floor {one.floor.error:.1e}, {one.floor.why}"
     for row in one.rows:
-        if row.kn and (said := told(row)):
-            yield f"  {one.label} at kn {row.kn:g}: {said}"
+        if row.kn and (text := describe(row)):
+            yield f"  {one.label} at kn {row.kn:g}: {text}"
 
 
 def _setting(name: str, point: Point) -> str:
@@ -97,8 +97,8 @@ def profiles(every: Sequence[Effort]) -> Iterator[str]:
         yield f"\nshare of variants solved to {target:g} within a factor of the cheapest"
         yield f"  {'':<{wide}}{''.join(f'{factor:>8g}' for factor in FACTORS)}"
         for name, ratios in profile(every, target).items():
-            told = "".join(f"{100 * share:>7.0f}%" for share in shares(ratios))
-            yield f"  {name:<{wide}}{told}"
+            cells = "".join(f"{100 * share:>7.0f}%" for share in shares(ratios))
+            yield f"  {name:<{wide}}{cells}"
 
 
 def indicative(every: Sequence[Effort]) -> Iterator[str]:

@@ -2,24 +2,26 @@
 
 from __future__ import annotations
 
+import dataclasses
 import datetime
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
 from vv.case import Check
 from vv.gate import answers, baseline, disagreement, independence, recorded, regression, speed
+from vv.gate.regression import Strictness
 from vv.plan.plan import Plan
 from vv.plan.project import Project
-from vv.records.finding import Bit, Finding
+from vv.records.accepted import AcceptanceSummary, Baseline, BaselineSummary
+from vv.records.finding import Aspect, Bit, Finding
+from vv.records.job_record import Record
+from vv.records.recorded import RecordedResult
 from vv.store.provenance import machine
-
-Record = dict[str, Any]
 
 
 @dataclass(frozen=True)
-class Terms:
+class GateOptions:
     """What a judgement depends on besides records and project: the day, and what was demanded.
 
     against: a folder of baselines that must have every result. timing: speed is enforced.
@@ -30,12 +32,22 @@ class Terms:
     timing: bool = False
 
 
+@dataclass(frozen=True)
+class Judged:
+    """The parts of a manifest that judge, named as there."""
+
+    records: tuple[Record, ...]
+    findings: tuple[Finding, ...]
+    baselines: Mapping[str, BaselineSummary]
+    recorded: tuple[RecordedResult, ...]
+
+
 def baselines_of(project: Project) -> Path:
     """The folder of a project's own baselines."""
     return project.root / "cases" / "baselines"
 
 
-def baseline_of(project: Project, case: str) -> Record | None:
+def baseline_of(project: Project, case: str) -> Baseline | None:
     """The baseline of a case: the project's own, else that which came with the case, or None."""
     found = (baseline.read(root / "cases" / "baselines", case) for root in project.roots)
     return next((one for one in found if one is not None), None)
@@ -46,72 +58,78 @@ def recorded_of(project: Project) -> Path:
     return project.root / "cases" / "recorded"
 
 
-def judged(project: Project, plan: Plan, records: Sequence[Record], terms: Terms) -> dict[str, Any]:
-    """The parts of a manifest that judge: records, findings, baselines, recorded results."""
-    ledgers = [root / "cases" / "disagreements.toml" for root in project.roots]
-    known = tuple(entry for path in ledgers for entry in disagreement.read_disagreements(path))
+def judged(project: Project, plan: Plan, records: Sequence[Record], options: GateOptions) -> Judged:
+    """Records with their final verdicts, and all that baselines and known disagreements say."""
+    folders = [root / "cases" for root in project.roots]
+    known = tuple(
+        entry
+        for folder in folders
+        for entry in disagreement.read_disagreements(folder / "disagreements.toml")
+    )
     independent = independence.disowned(records, independence.shared(project, plan))
-    final = disagreement.judge(independent, known, terms.today)
+    final = disagreement.judge(independent, known, options.today)
+    against = options.against
     accepted = {
-        case: baseline.read(terms.against, case) if terms.against else baseline_of(project, case)
+        case: baseline.read(against, case) if against else baseline_of(project, case)
         for case in plan.cases
     }
-    findings = [
-        *disagreement.dated(final, known, terms.today),
-        *_since(project, plan, final, accepted, terms),
-        *_untimed(final, terms),
+    findings = (
+        *disagreement.dated(final, known, options.today),
+        *_since(project, plan, final, accepted, options),
+        *_untimed(final, options),
+    )
+    summaries = {case: _summary(found) for case, found in accepted.items() if found}
+    past = [
+        one
+        for folder in folders
+        for one in recorded.shown(folder / "recorded", final, options.today)
     ]
-    return {
-        "records": final,
-        "findings": [finding.as_data() for finding in findings],
-        "baselines": {case: _acceptances(found) for case, found in accepted.items() if found},
-        "recorded": [
-            one
-            for root in project.roots
-            for one in recorded.shown(root / "cases" / "recorded", final, terms.today)
-        ],
-    }
+    return Judged(final, findings, summaries, tuple(past))
 
 
 def _since(
     project: Project,
     plan: Plan,
     records: Sequence[Record],
-    accepted: Mapping[str, Record | None],
-    terms: Terms,
+    accepted: Mapping[str, Baseline | None],
+    options: GateOptions,
 ) -> list[Finding]:
-    """What moved since the baselines were accepted: results and speed of each case."""
+    """What changed since the baselines were accepted: results and speed of each case."""
     external = {code for code, found in plan.found.items() if found.files}
     adapters = {name: project.load_adapter(name) for name in project.adapter_names()}
     labels = {f"{name}/{s.name}" for name, adapter in adapters.items() for s in adapter.schemes}
-    asked = {record["code"] for record in records}
+    asked = {record.code for record in records}
+    demanded = options.against is not None
     found: list[Finding] = []
     for name, case in plan.cases.items():
         was, enforced = accepted[name], Check.REGRESSION in case.enforced
-        demanded = terms.against is not None
-        found += regression.compare(name, records, was, external, enforced, demanded)
+        found += regression.compare(name, records, was, Strictness(external, enforced, demanded))
         variants = {variant.name for variant in case.variants}
-        found += regression.gone(name, was, variants, labels, asked, enforced)
+        removed = regression.removed_results(name, was, variants, labels, asked)
+        found += [dataclasses.replace(one, enforced=enforced) for one in removed]
         found += answers.compare(name, records, answers.accepted(project, name) or {}, enforced)
-        strict = terms.timing and Check.SPEED in case.enforced
-        found += speed.compare(name, records, was, machine()["processor"], strict)
+        strict = options.timing and Check.SPEED in case.enforced
+        found += speed.compare(name, records, was, machine().processor, strict)
     return found
 
 
-def _untimed(records: Sequence[Record], terms: Terms) -> list[Finding]:
+def _untimed(records: Sequence[Record], options: GateOptions) -> list[Finding]:
     """A timing session was asked for and nothing was timed: that must not look like success."""
-    if not terms.timing or any(r["cost"]["kind"] == "timed" for r in records):
+    if not options.timing or any(record.cost.timed for record in records):
         return []
-    return [Finding("speed", "nothing timed", "nothing was timed", bit=Bit.INCOMPLETE)]
+    return [Finding(Aspect.SPEED, "nothing timed", "nothing was timed", bit=Bit.INCOMPLETE)]
 
 
-def _acceptances(found: Record) -> dict[str, Any]:
-    """Why a baseline is as it is, newest last: reason, date, commit, platform, how many results."""
+def _summary(found: Baseline) -> BaselineSummary:
+    """Why a baseline is as it is, newest acceptance last, and how many results each has."""
     counts: dict[str, int] = {}
-    for result in found["results"].values():
-        counts[result["by"]] = counts.get(result["by"], 0) + 1
-    order = sorted(found["acceptances"], key=int)
-    return {
-        "results": len(found["results"]),
-        "acceptances": [{**found["acceptances"][n], "results": counts[n]} for n in order],
-    }
+    for result in found.results.values():
+        counts[result.by] = counts.get(result.by, 0) + 1
+    taken = [(found.acceptances[n], counts[n]) for n in sorted(found.acceptances, key=int)]
+    return BaselineSummary(
+        len(found.results),
+        tuple(
+            AcceptanceSummary(a.commit, a.dirty, a.machine, a.reason, a.utc, a.versions, count)
+            for a, count in taken
+        ),
+    )

@@ -8,9 +8,8 @@ is not in the file, a new code or variant, is not compared.
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from pathlib import Path
-from typing import Any
 
 from vv.ask import Status
 from vv.base.errors import UsageError
@@ -18,8 +17,9 @@ from vv.base.files import write_whole
 from vv.case import Level
 from vv.plan.plan import Job, Options, Plan, make_plan
 from vv.plan.project import Project
-from vv.records.finding import Bit, Finding
-from vv.records.reading import label, rung, status_of
+from vv.records.finding import NOTICE, Aspect, Bit, Finding
+from vv.records.job_record import Record
+from vv.records.reading import rung
 
 Answers = dict[str, dict[str, int | str]]  # scheme -> variant -> unknowns, or why it refuses
 
@@ -76,23 +76,27 @@ def _place(root: Path, case: str) -> Path:
 
 
 def compare(
-    case: str, records: Sequence[Mapping[str, Any]], known: Answers, enforced: bool
+    case: str, records: Sequence[Record], known: Answers, enforced: bool
 ) -> Iterator[Finding]:
     """What ran though it is on record as refused, and what is refused for another reason.
 
     That a result is refused which was not, its baseline tells.
     """
     for record in records:
-        was = known.get(label(record), {}).get(record["variant"])
-        if record["case"] != case or record["modified"] or not isinstance(was, str):
+        was = known.get(record.label, {}).get(record.variant)
+        if record.case != case or record.modified or not isinstance(was, str):
             continue
-        place = {"case": case, "variant": record["variant"], "label": label(record)}
-        if status_of(record) is Status.RAN:
+        if record.status is Status.RAN:
             text = f"was refused: {was}; to accept that it runs: vv accept {case} --reason ..."
-            yield Finding(
-                "regression", "no longer refused", text, **place, rung=rung(record),
-                bit=Bit.ACCURACY, enforced=enforced,
-            )  # fmt: skip
-        elif status_of(record) is Status.REFUSED and record["reason"] != was:
-            text = f"was refused: {was}; now: {record['reason']}"
-            yield Finding("regression", "refused otherwise", text, **place, rung=rung(record))
+            yield _finding(record, "no longer refused", text, Bit.ACCURACY, enforced)
+        elif record.status is Status.REFUSED and record.reason != was:
+            text = f"was refused: {was}; now: {record.reason}"
+            yield _finding(record, "refused otherwise", text, NOTICE, enforced)
+
+
+def _finding(record: Record, kind: str, text: str, bit: Bit, enforced: bool) -> Finding:
+    """A finding on a whole record."""
+    return Finding(
+        Aspect.REGRESSION, kind, text, record.case, record.variant, record.label, rung(record),
+        bit=bit, enforced=enforced,
+    )  # fmt: skip

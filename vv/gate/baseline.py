@@ -7,69 +7,50 @@ the value, their scale, and the error.
 
 from __future__ import annotations
 
-import json
-from collections.abc import Mapping
 from pathlib import Path
-from typing import Any
 
 from vv.base.errors import UsageError
-from vv.records.reading import error_of, label, rung
+from vv.records import codec
+from vv.records.accepted import AcceptedQuantity, AcceptedResult, Baseline
+from vv.records.job_record import Record
+from vv.records.reading import rung
 
-Json = dict[str, Any]
 DIGITS = 12  # significant digits kept of a figure: a thousandth of the narrowest band
 
 
-def read(folder: Path, case: str) -> Json | None:
+def read(folder: Path, case: str) -> Baseline | None:
     """The baseline of a case; None if it has none. Raises UsageError for a file that is broken."""
     path = folder / f"{case}.json"
     if not path.is_file():
         return None
     try:
-        found: Json = json.loads(path.read_text(encoding="utf-8"))
-        missing = {"acceptances", "parameters", "results"} - found.keys()
-    except (ValueError, AttributeError) as error:
-        raise UsageError(f"{path}: {error}") from error
-    if missing or found.get("case") != case:
+        found = codec.read(Baseline, codec.parse(path.read_text(encoding="utf-8")), "baseline")
+    except ValueError as error:
+        raise UsageError(f"{path}: {error}; `vv accept {case}` writes a new one") from error
+    if found.case != case:
         raise UsageError(f"{path}: not a baseline of {case}; `vv accept {case}` writes one")
     return found
 
 
-def render(baseline: Mapping[str, Any]) -> str:
-    """The text of a baseline's file."""
-    parts = []
-    for name in sorted(baseline):
-        value = baseline[name]
-        if isinstance(value, Mapping) and value:
-            lines = (f"  {json.dumps(k)}: {_line(value[k])}" for k in sorted(value))
-            parts.append(f" {json.dumps(name)}: {{\n" + ",\n".join(lines) + "\n }")
-        else:
-            parts.append(f" {json.dumps(name)}: {_line(value)}")
-    return "{\n" + ",\n".join(parts) + "\n}\n"
-
-
-def _line(value: Any) -> str:
-    return json.dumps(value, sort_keys=True, allow_nan=False)
-
-
-def name_of(record: Mapping[str, Any]) -> str:
+def name_of(record: Record) -> str:
     """What a record's result is called in a baseline."""
-    return f"{record['variant']} {label(record)} {rung(record)}".rstrip()
+    return f"{record.variant} {record.label} {rung(record)}".rstrip()
 
 
-def result_of(record: Mapping[str, Any]) -> Json:
+def result_of(record: Record, by: str) -> AcceptedResult:
     """What a baseline keeps of a record: figures, scale and error of each quantity."""
-    kept: Json = {
-        entry["name"]: {
-            "error": _rounded(error_of(entry)),
-            "scale": _rounded(entry["scale"]),
-            **{name: _rounded(value) for name, value in entry["figures"].items()},
-        }
-        for entry in record["quantities"]
+    kept = {
+        one.name: AcceptedQuantity(
+            _rounded(one.error),
+            _rounded(one.scale),
+            {name: _rounded(value) for name, value in one.figures.items()},
+        )
+        for one in record.quantities
     }
-    if relative := record["cost"].get("relative"):
-        kept["cost"] = [_rounded(value, 3) for value in relative]
-    return kept
+    relative = record.cost.relative
+    cost = relative and (float(f"{relative[0]:.3g}"), float(f"{relative[1]:.3g}"))
+    return AcceptedResult(by, cost, kept)
 
 
-def _rounded(value: float | None, digits: int = DIGITS) -> float | None:
-    return None if value is None else float(f"{value:.{digits}g}")
+def _rounded(value: float | None) -> float | None:
+    return None if value is None else float(f"{value:.{DIGITS}g}")

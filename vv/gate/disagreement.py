@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import datetime
 import fnmatch
 import math
@@ -11,13 +12,15 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
+from vv.ask import Knobs
 from vv.base.errors import UsageError
 from vv.base.metrics import Order
 from vv.case import LARGEST_TOLERANCE
-from vv.records.finding import Bit, Finding
-from vv.records.reading import error_of
-from vv.records.record import Verdict
-from vv.records.rungs import ladder, orders
+from vv.records.finding import Aspect, Bit, Finding
+from vv.records.job_record import Record
+from vv.records.outcomes import JudgeKind, Verdict
+from vv.records.quantity import MeasuredQuantity
+from vv.records.rungs import Key, ladder, orders
 
 WARNING = 30  # days before an entry expires in which the gate says so
 WIDEST = 10.0  # largest over smallest error of a band: more than a decade says nothing
@@ -56,6 +59,13 @@ class Disagreement:
                 raise ValueError(f"{name} = [{low:g}, {high:g}]; a band must not be empty")
         if not (self.dt > 0 and self.error[0] > 0):
             raise ValueError(f"dt = {self.dt:g} s, error from {self.error[0]:g}; both must be > 0")
+        self._check_widths()
+        if not self.reason.strip():
+            raise ValueError("reason is empty; say what the code does otherwise")
+        datetime.date.fromisoformat(self.expires)
+
+    def _check_widths(self) -> None:
+        """Raise ValueError for bands that exclude nothing."""
         low, high = self.error
         if high > WIDEST * low:
             raise ValueError(
@@ -71,28 +81,25 @@ class Disagreement:
                 f"order = [{self.order[0]:g}, {self.order[1]:g}]; a band wider than {BROADEST:g} "
                 "excludes nothing"
             )
-        if not self.reason.strip():
-            raise ValueError("reason is empty; say what the code does otherwise")
-        datetime.date.fromisoformat(self.expires)
 
-    def covers(self, record: Mapping[str, Any], quantity: str) -> bool:
+    def covers(self, record: Record, quantity: str) -> bool:
         """Whether this entry speaks of a quantity of a record."""
         pairs = (
-            (record["code"], self.code),
-            (record["scheme"], self.schemes),
-            (record["code_version"], self.versions),
-            (record["case"], self.case),
+            (record.code, self.code),
+            (record.scheme, self.schemes),
+            (record.code_version, self.versions),
+            (record.case, self.case),
             (quantity, self.quantity),
         )
-        if not any(fnmatch.fnmatchcase(record["variant"], glob) for glob in self.variants):
+        if not any(fnmatch.fnmatchcase(record.variant, glob) for glob in self.variants):
             return False
         return all(fnmatch.fnmatchcase(name, glob) for name, glob in pairs)
 
-    def band(self, rung: Mapping[str, float | None]) -> tuple[float, float]:
+    def band(self, rung: Knobs) -> tuple[float, float]:
         """The least and the largest error expected at a rung."""
-        scale = float(((rung["dt"] or self.dt) / self.dt) ** (sum(self.order) / 2))
-        if self.kn and rung["kn"]:
-            scale *= (self.kn / rung["kn"]) ** self.softness
+        scale = float(((rung.dt or self.dt) / self.dt) ** (sum(self.order) / 2))
+        if self.kn and rung.kn:
+            scale *= (self.kn / rung.kn) ** self.softness
         return self.error[0] * scale, self.error[1] * scale
 
 
@@ -121,8 +128,8 @@ def _frozen(value: Any) -> Any:
 
 
 def judge(
-    records: Iterable[dict[str, Any]], disagreements: Iterable[Disagreement], today: datetime.date
-) -> list[dict[str, Any]]:
+    records: Iterable[Record], disagreements: Iterable[Disagreement], today: datetime.date
+) -> tuple[Record, ...]:
     """The records with the verdicts that the ledger of known disagreements turns.
 
     A failure inside its bands is known (xfail); outside them, and a pass, are news (fail, xpass).
@@ -131,67 +138,71 @@ def judge(
     given = list(records)
     entries = tuple(entry for entry in disagreements if entry.expires >= today.isoformat())
     fitted = orders(given)
-    judged = []
-    for record in given:
-        quantities = []
-        for entry in record["quantities"]:
-            speaks = entries if entry["judge"] == "exact" else ()
-            known = next((d for d in speaks if d.covers(record, entry["name"])), None)
-            order = fitted.get(ladder(record, entry["name"]))
-            quantities.append(_turned(record, entry, known, order) if known else entry)
-        judged.append({**record, "quantities": quantities})
-    return judged
+    return tuple(_judged(record, entries, fitted) for record in given)
+
+
+def _judged(record: Record, entries: Iterable[Disagreement], fitted: Mapping[Key, Order]) -> Record:
+    quantities = []
+    for one in record.quantities:
+        speaks = entries if one.judge is JudgeKind.EXACT else ()
+        known = next((d for d in speaks if d.covers(record, one.name)), None)
+        order = fitted.get(ladder(record, one.name))
+        quantities.append(_turned(record, one, known, order) if known else one)
+    if all(new is old for new, old in zip(quantities, record.quantities, strict=True)):
+        return record
+    return dataclasses.replace(record, quantities=tuple(quantities))
 
 
 def _turned(
-    record: Mapping[str, Any], entry: dict[str, Any], known: Disagreement, order: Order | None
-) -> dict[str, Any]:
-    verdict = Verdict(entry["verdict"])
-    error = error_of(entry)
-    low, high = known.band(record["rung"])
-    in_band = error is not None and low <= error <= high
-    if verdict is Verdict.PASS:
-        if in_band and entry["tolerance"] < high:  # the band reaches to both sides
-            return entry
-        return {**entry, "verdict": Verdict.XPASS.value, "note": f"passes, though {known.reason}"}
-    if entry["note"]:
-        return entry  # nothing moves, or the like: worse than any disagreement
-    if record["modified"]:  # bands were measured at the case's own parameters
-        in_band = error is not None and error <= max(LARGEST_TOLERANCE, high)
+    record: Record, one: MeasuredQuantity, known: Disagreement, order: Order | None
+) -> MeasuredQuantity:
+    low, high = known.band(record.rung)
+    in_band = one.error is not None and low <= one.error <= high
+    if one.verdict is Verdict.PASS:
+        if in_band and one.tolerance is not None and one.tolerance < high:
+            return one  # the band reaches to both sides
+        note = f"passes, though {known.reason}"
+        return dataclasses.replace(one, verdict=Verdict.XPASS, note=note)
+    if one.note:
+        return one  # nothing moves, or the like: worse than any disagreement
+    if record.modified:  # bands were measured at the case's own parameters
+        in_band = one.error is not None and one.error <= max(LARGEST_TOLERANCE, high)
     slope = order.order if order else math.nan
     in_order = order is None or known.order[0] <= slope <= known.order[1]
-    if verdict is Verdict.FAIL and in_band and in_order:
-        return {**entry, "verdict": Verdict.XFAIL.value, "note": known.reason}
-    what = f"order {slope:.3f}" if in_band else f"error {error}"
-    return {**entry, "note": f"{what} lies outside the band of the known disagreement"}
+    if one.verdict is Verdict.FAIL and in_band and in_order:
+        return dataclasses.replace(one, verdict=Verdict.XFAIL, note=known.reason)
+    what = f"order {slope:.3f}" if in_band else f"error {one.error}"
+    note = f"{what} lies outside the band of the known disagreement"
+    return dataclasses.replace(one, note=note)
 
 
 def dated(
-    records: Sequence[Mapping[str, Any]],
-    disagreements: Iterable[Disagreement],
-    today: datetime.date,
+    records: Sequence[Record], disagreements: Iterable[Disagreement], today: datetime.date
 ) -> list[Finding]:
     """What there is to say of entries that speak of these records and expire or have expired."""
-    found = []
-    for known in disagreements:
-        left = (datetime.date.fromisoformat(known.expires) - today).days
-        if left <= WARNING and _is_used(known, records):
-            over = left < 0
-            when = f"expired {-left} days ago" if over else f"expires in {left} days"
-            found.append(
-                Finding(
-                    check="accuracy",
-                    kind="expired" if over else "expiring",
-                    text=f"the known disagreement '{known.reason}' {when}: renew or remove it",
-                    case=known.case,
-                    variant=", ".join(known.variants),
-                    label=f"{known.code}/{known.schemes}",
-                    quantity=known.quantity,
-                    bit=Bit.ACCURACY if over else Bit(0),
-                )
-            )
-    return found
+    left = {d: (datetime.date.fromisoformat(d.expires) - today).days for d in disagreements}
+    return [
+        _expiry(known, days)
+        for known, days in left.items()
+        if days <= WARNING and _is_used(known, records)
+    ]
 
 
-def _is_used(known: Disagreement, records: Iterable[Mapping[str, Any]]) -> bool:
-    return any(known.covers(r, entry["name"]) for r in records for entry in r["quantities"])
+def _expiry(known: Disagreement, days: int) -> Finding:
+    """That an entry expires in so many days, or has expired where these are negative."""
+    over = days < 0
+    when = f"expired {-days} days ago" if over else f"expires in {days} days"
+    return Finding(
+        check=Aspect.ACCURACY,
+        kind="expired" if over else "expiring",
+        text=f"the known disagreement '{known.reason}' {when}: renew or remove it",
+        case=known.case,
+        variant=", ".join(known.variants),
+        label=f"{known.code}/{known.schemes}",
+        quantity=known.quantity,
+        bit=Bit.ACCURACY if over else Bit(0),
+    )
+
+
+def _is_used(known: Disagreement, records: Iterable[Record]) -> bool:
+    return any(known.covers(r, one.name) for r in records for one in r.quantities)

@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
+import dataclasses
 from collections.abc import Iterable, Mapping
 from pathlib import Path
-from typing import Any
 
 from vv.base.closure import import_closure
 from vv.plan.keys import PACKAGE, roots
 from vv.plan.plan import Plan
 from vv.plan.project import Project
-from vv.records.record import Verdict
+from vv.records.job_record import Record
+from vv.records.outcomes import Verdict
 
 
 def shared(project: Project, plan: Plan) -> dict[tuple[str, str], Path]:
@@ -40,22 +41,20 @@ def _of_the_tool(file: Path) -> bool:
     return PACKAGE in file.parents and PACKAGE / "engines" not in file.parents
 
 
-def disowned(
-    records: Iterable[dict[str, Any]], common: Mapping[tuple[str, str], Path]
-) -> list[dict[str, Any]]:
+def disowned(records: Iterable[Record], common: Mapping[tuple[str, str], Path]) -> list[Record]:
     """The records, where those whose reference is made of the code itself fail."""
     return [
         _failed(record, common[pair]) if pair in common else record
         for record in records
-        for pair in [(record["case"], record["code"])]
+        for pair in [(record.case, record.code)]
     ]
 
 
-def _failed(record: dict[str, Any], file: Path) -> dict[str, Any]:
+def _failed(record: Record, file: Path) -> Record:
     note = f"the reference is made of {file.name}, and so is the code"
-    judged = (Verdict.PASS.value, Verdict.FAIL.value)
-    entries = [
-        {**e, "verdict": Verdict.FAIL.value, "note": note} if e["verdict"] in judged else e
-        for e in record["quantities"]
-    ]
-    return {**record, "quantities": entries}
+    judged = (Verdict.PASS, Verdict.FAIL)
+    quantities = tuple(
+        dataclasses.replace(one, verdict=Verdict.FAIL, note=note) if one.verdict in judged else one
+        for one in record.quantities
+    )
+    return dataclasses.replace(record, quantities=quantities)

@@ -1,19 +1,22 @@
 """How a run compares with the results that were accepted: what moved, and beyond what band.
 
 Bands apply to figures over the scale that was accepted, and to errors, which are relative
-already: a tiny error may multiply without leaving them, since that is rounding.
+already: a tiny error may multiply without leaving them, since that is rounding. Where an answer
+is off by more than its scale, its last bits are worth as much more, and bands are as much wider.
 """
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass
-from typing import Any
 
 from vv.ask import Status
-from vv.gate.baseline import Json, name_of
-from vv.records.finding import Bit, Finding
-from vv.records.reading import error_of, label, ran, rung, status_of
+from vv.gate.baseline import name_of
+from vv.records.accepted import AcceptedQuantity, AcceptedResult, Baseline
+from vv.records.finding import Aspect, Bit, Change, Finding
+from vv.records.job_record import Record
+from vv.records.quantity import MeasuredQuantity
+from vv.records.reading import ran, rung
 
 LARGE = 1e99  # stands for an infinite change
 
@@ -30,161 +33,184 @@ IN_HOUSE = Band(1e-9, "our own arithmetic: only the last bits may differ between
 EXTERNAL = Band(
     1e-6, "an external program: another build of it may round otherwise in each of many steps"
 )
+RED = (Change.WORSE, Change.MOVED, Change.GONE)
 
 
-def compare(
-    case: str,
-    records: Sequence[Mapping[str, Any]],
-    baseline: Json | None,
-    external: Collection[str],
-    enforced: bool,
-    demanded: bool,
-) -> list[Finding]:
-    """What moved between the baseline of a case and its records, quantity by quantity.
+@dataclass(frozen=True)
+class Strictness:
+    """What a change of a result is taken for.
 
     external: codes that are programs of others. enforced: whether a change is red. demanded:
     whether a result without a baseline is red too.
     """
-    given = [r for r in records if r["case"] == case and not r["modified"]]
+
+    external: Collection[str]
+    enforced: bool
+    demanded: bool
+
+
+@dataclass(frozen=True)
+class Moved:
+    """A quantity that left its band: what became of it, in words, and by how many bands."""
+
+    quantity: str
+    change: Change
+    text: str
+    size: float = 0.0
+
+
+def compare(
+    case: str, records: Sequence[Record], baseline: Baseline | None, strictness: Strictness
+) -> list[Finding]:
+    """What changed between the baseline of a case and its records, quantity by quantity."""
+    given = [r for r in records if r.case == case and not r.modified]
     if baseline is None:
-        bit = Bit.INCOMPLETE if demanded else Bit(0)
+        bit = Bit.INCOMPLETE if strictness.demanded else Bit(0)
         text = f"no baseline; to accept one: vv accept {case} --reason ..."
-        found = [Finding("regression", "no baseline", text, case, bit=bit)]
+        found = [Finding(Aspect.REGRESSION, Change.NO_BASELINE.value, text, case, bit=bit)]
         return found if any(map(ran, given)) else []
     others = _other_parameters(given, baseline)
     found = [_moved_parameters(case, variant, text) for variant, text in others.items()]
     for record in given:
-        if record["variant"] not in others:
-            found += _compared(record, baseline, external, enforced, demanded)
+        if record.variant not in others:
+            found += _compared(record, baseline, strictness)
     return found
 
 
-def _other_parameters(
-    records: Iterable[Mapping[str, Any]], baseline: Mapping[str, Any]
-) -> dict[str, str]:
+def _other_parameters(records: Iterable[Record], baseline: Baseline) -> dict[str, str]:
     """Variant -> how its parameters differ from those its baseline was taken with."""
     found = {}
     for record in records:
-        now, then = record["parameters"], baseline["parameters"].get(record["variant"])
+        now, then = record.parameters, baseline.parameters.get(record.variant)
         if then is not None and then != now:
             names = sorted(n for n in now.keys() | then.keys() if now.get(n) != then.get(n))
-            found[record["variant"]] = ", ".join(
+            found[record.variant] = ", ".join(
                 f"{n} = {then.get(n)}, now {now.get(n)}" for n in names
             )
     return found
 
 
 def _moved_parameters(case: str, variant: str, text: str) -> Finding:
-    said = f"the baseline was taken with {text}"
-    return Finding("regression", "other parameters", said, case, variant, bit=Bit.INCOMPLETE)
+    return Finding(
+        check=Aspect.REGRESSION,
+        kind=Change.OTHER_PARAMETERS.value,
+        text=f"the baseline was taken with {text}",
+        case=case,
+        variant=variant,
+        bit=Bit.INCOMPLETE,
+    )
 
 
-def _compared(
-    record: Mapping[str, Any],
-    baseline: Json,
-    external: Collection[str],
-    enforced: bool,
-    demanded: bool,
-) -> Iterator[Finding]:
-    about = {"case": record["case"], "variant": record["variant"], "label": label(record)}
-    then = baseline["results"].get(name_of(record))
-    status = status_of(record)
+def _compared(record: Record, baseline: Baseline, strictness: Strictness) -> Iterator[Finding]:
+    then = baseline.results.get(name_of(record))
     if then is None:
-        if status is Status.RAN:
-            bit = Bit.INCOMPLETE if demanded else Bit(0)
-            text = "has no baseline yet"
-            yield Finding("regression", "new", text, **about, rung=rung(record), bit=bit)
+        if ran(record):
+            bit = Bit.INCOMPLETE if strictness.demanded else Bit(0)
+            yield _finding(record, Moved("", Change.NEW, "has no baseline yet"), bit, True)
         return
-    if status in (Status.REFUSED, Status.NOT_RUN, Status.TOO_LONG):
-        text = f"has a baseline, but now: {status.value}: {record['reason']}"
-        yield Finding(
-            "regression", "gone", text, **about, rung=rung(record), bit=Bit.ACCURACY,
-            enforced=enforced,
-        )  # fmt: skip
-    if status is not Status.RAN:
-        return
-    for name, kind, text, size in _changes(then, record, external):
-        red = kind in ("worse", "moved", "gone")
-        yield Finding(
-            "regression", kind, text, **about, rung=rung(record), quantity=name,
-            bit=Bit.ACCURACY if red else Bit(0), enforced=enforced, size=size,
-        )  # fmt: skip
+    if record.status in (Status.REFUSED, Status.NOT_RUN, Status.TOO_LONG):
+        text = f"has a baseline, but now: {record.status.value}: {record.reason}"
+        moved = Moved("", Change.GONE, text)
+        yield _finding(record, moved, Bit.ACCURACY, strictness.enforced)
+    for moved in _changes(then, record, strictness.external) if ran(record) else ():
+        bit = Bit.ACCURACY if moved.change in RED else Bit(0)
+        yield _finding(record, moved, bit, strictness.enforced)
 
 
-def _changes(
-    then: Json, record: Mapping[str, Any], external: Collection[str]
-) -> Iterator[tuple[str, str, str, float]]:
-    """(name, kind, text, size in bands) of each quantity of a record that left its band."""
-    band = EXTERNAL if record["code"] in external else IN_HOUSE
-    now = {entry["name"]: entry for entry in record["quantities"]}
-    for name in sorted((then.keys() | now.keys()) - {"by", "cost"}):
-        kind, text, size = _change(then.get(name), now.get(name), band)
-        if kind:
-            yield name, kind, text, size
+def _finding(record: Record, moved: Moved, bit: Bit, enforced: bool) -> Finding:
+    return Finding(
+        check=Aspect.REGRESSION,
+        kind=moved.change.value,
+        text=moved.text,
+        case=record.case,
+        variant=record.variant,
+        label=record.label,
+        rung=rung(record),
+        quantity=moved.quantity,
+        bit=bit,
+        enforced=enforced,
+        size=moved.size,
+    )
+
+
+def _changes(then: AcceptedResult, record: Record, external: Collection[str]) -> Iterator[Moved]:
+    """Each quantity of a record that left its band."""
+    band = EXTERNAL if record.code in external else IN_HOUSE
+    now = {one.name: one for one in record.quantities}
+    for name in sorted(then.quantities.keys() | now.keys()):
+        moved = _change(name, then.quantities.get(name), now.get(name), band)
+        if moved:
+            yield moved
 
 
 def _change(
-    then: Mapping[str, Any] | None, now: Mapping[str, Any] | None, band: Band
-) -> tuple[str, str, float]:
-    """(kind, text, size in bands) of a quantity's change; kind is empty within the band."""
+    name: str, then: AcceptedQuantity | None, now: MeasuredQuantity | None, band: Band
+) -> Moved | None:
+    """How a quantity left its band; None within it."""
     if then is None:
-        return "new", "has no baseline yet", 0.0
+        return Moved(name, Change.NEW, "has no baseline yet")
     if now is None:
-        return "gone", "has a baseline, but is no longer reported", 0.0
-    before, error = then["error"], error_of(now)
+        return Moved(name, Change.GONE, "has a baseline, but is no longer reported")
+    before, error = then.error, now.error
     if (before is None) != (error is None):
-        kind = "worse" if error is None else "better"
-        return kind, f"error {_said(before)}, now {_said(error)}", 0.0
+        change = Change.WORSE if error is None else Change.BETTER
+        return Moved(name, change, f"error {_in_words(before)}, now {_in_words(error)}")
     drift = (error or 0.0) - (before or 0.0)
     shift = _shift(then, now)
-    size = min(max(abs(drift), shift) / band.width, LARGE)
-    if abs(drift) > band.width:
-        text = f"error {_said(before)}, now {_said(error)}; band {band.width:g}: {band.reason}"
-        return ("worse" if drift > 0 else "better"), text, size
-    if not shift <= band.width:
-        text = f"value moved by {shift:.3g} of its scale; band {band.width:g}: {band.reason}"
-        return "moved", text, size
-    return "", "", size
+    width = band.width * max(1.0, before or 0.0, error or 0.0)
+    size = min(max(abs(drift), shift) / width, LARGE)
+    if abs(drift) > width:
+        text = f"error {_in_words(before)}, now {_in_words(error)}; band {width:g}: {band.reason}"
+        change = Change.WORSE if drift > 0 else Change.BETTER
+        return Moved(name, change, text, size)
+    if not shift <= width:
+        text = f"value moved by {shift:.3g} of its scale; band {width:g}: {band.reason}"
+        return Moved(name, Change.MOVED, text, size)
+    return None
 
 
-def _shift(then: Mapping[str, Any], now: Mapping[str, Any]) -> float:
+def _shift(then: AcceptedQuantity, now: MeasuredQuantity) -> float:
     """The largest change of a figure over the scale that was accepted."""
-    names = (then.keys() | now["figures"].keys()) - {"error", "scale"}
-    pairs = [(then.get(name), now["figures"].get(name)) for name in names]
+    names = then.figures.keys() | now.figures.keys()
+    pairs = [(then.figures.get(name), now.figures.get(name)) for name in names]
     if any((a is None) != (b is None) for a, b in pairs):
         return float("inf")
-    return max((abs(a - b) / then["scale"] for a, b in pairs if a is not None), default=0.0)
+    changes = [abs(a - b) for a, b in pairs if a is not None and b is not None]
+    return max(changes, default=0.0) / (then.scale or 1.0)
 
 
-def _said(error: float | None) -> str:
+def _in_words(error: float | None) -> str:
     return "none" if error is None else f"{error:.3g}"
 
 
-def gone(
+def removed_results(
     case: str,
-    baseline: Json | None,
+    baseline: Baseline | None,
     variants: Collection[str],
     labels: Collection[str],
     codes: Collection[str],
-    enforced: bool,
 ) -> list[Finding]:
     """Results in a baseline whose variant or scheme is no more.
 
     variants: those of the case. labels: the schemes of the codes there are. codes: those looked at.
     """
     found = {}
-    for name in baseline["results"] if baseline else ():
+    for name in baseline.results if baseline else ():
         variant, scheme = name.split(" ")[:2]
         lost = variant not in variants or scheme not in labels
         if lost and scheme.partition("/")[0] in codes:
-            text = "has a baseline, but is no longer there"
             found[variant, scheme] = Finding(
-                "regression", "gone", text, case, variant, scheme, bit=Bit.ACCURACY,
-                enforced=enforced,
-            )  # fmt: skip
+                check=Aspect.REGRESSION,
+                kind=Change.GONE.value,
+                text="has a baseline, but is no longer there",
+                case=case,
+                variant=variant,
+                label=scheme,
+                bit=Bit.ACCURACY,
+            )
     return list(found.values())
 
 
-def holds(then: Json, record: Mapping[str, Any], external: Collection[str]) -> bool:
+def holds(then: AcceptedResult, record: Record, external: Collection[str]) -> bool:
     """Whether no quantity of a record has left its band."""
     return next(_changes(then, record, external), None) is None

@@ -7,14 +7,15 @@ loop: like the stepping loop of a small scene, it waits for one floating-point u
 from __future__ import annotations
 
 import time
-from collections.abc import Mapping, Sequence
-from typing import Any
+from collections.abc import Sequence
 
 import numpy as np
 
 from vv.gate.baseline import name_of
-from vv.records.finding import Bit, Finding
-from vv.records.reading import label, rung
+from vv.records.accepted import Baseline
+from vv.records.finding import Aspect, Bit, Change, Finding
+from vv.records.job_record import Record
+from vv.records.reading import rung
 
 TERMS = np.full(200_000, 1.0)
 REPEATS = 5
@@ -36,8 +37,8 @@ def calibration() -> float:
 
 def compare(
     case: str,
-    records: Sequence[Mapping[str, Any]],
-    baseline: Mapping[str, Any] | None,
+    records: Sequence[Record],
+    baseline: Baseline | None,
     processor: str,
     enforced: bool,
 ) -> list[Finding]:
@@ -48,44 +49,45 @@ def compare(
     """
     if baseline is None:
         return []
-    timed = [r for r in records if r["case"] == case and r["cost"].get("relative")]
-    found = (_moved(r, baseline, processor, enforced) for r in timed if not r["modified"])
+    given = [r for r in records if r.case == case and not r.modified]
+    found = (_moved(record, baseline, processor, enforced) for record in given)
     return [finding for finding in found if finding]
 
 
-def _moved(
-    record: Mapping[str, Any], baseline: Mapping[str, Any], processor: str, enforced: bool
-) -> Finding | None:
+def _moved(record: Record, baseline: Baseline, processor: str, enforced: bool) -> Finding | None:
     """What there is to say of a timed record; None within the factor, or without a ratio to it."""
-    then, now = baseline["results"].get(name_of(record), {}), record["cost"]["relative"]
-    if "cost" not in then:
+    then, now = baseline.results.get(name_of(record)), record.cost.relative
+    if then is None or then.cost is None or now is None:
         return None
-    same = baseline["acceptances"][then["by"]]["machine"]["processor"] == processor
+    same = baseline.acceptances[then.by].machine.processor == processor
     factor = FACTOR if same else ELSEWHERE
-    kind, size = _change(then["cost"], now, factor)
+    change, size = _change(then.cost, now, factor)
+    if change is None:
+        return None
     text = (
         f"solve takes {now[0]:.3g} to {now[1]:.3g} calibration kernels, accepted "
-        f"{then['cost'][0]:.3g} to {then['cost'][1]:.3g}; factor {factor:g} allowed "
+        f"{then.cost[0]:.3g} to {then.cost[1]:.3g}; factor {factor:g} allowed "
         f"on {'the same' if same else 'another'} processor"
     )
-    finding = Finding(
-        check="speed",
-        kind=kind,
+    return Finding(
+        check=Aspect.SPEED,
+        kind=change.value,
         text=text,
-        case=record["case"],
-        variant=record["variant"],
-        label=label(record),
+        case=record.case,
+        variant=record.variant,
+        label=record.label,
         rung=rung(record),
-        bit=Bit.SPEED if kind == "slower" else Bit(0),
+        bit=Bit.SPEED if change is Change.SLOWER else Bit(0),
         enforced=enforced,
         size=size,
     )
-    return finding if kind else None
 
 
-def _change(then: Sequence[float], now: Sequence[float], factor: float) -> tuple[str, float]:
+def _change(
+    then: Sequence[float], now: Sequence[float], factor: float
+) -> tuple[Change | None, float]:
     if now[0] > factor * then[1]:
-        return "slower", now[0] / then[1]
+        return Change.SLOWER, now[0] / then[1]
     if now[1] * factor < then[0]:
-        return "faster", then[0] / now[1]
-    return "", 0.0
+        return Change.FASTER, then[0] / now[1]
+    return None, 0.0

@@ -1,4 +1,4 @@
-"""What moved between two invocations: outcomes, errors, observed orders, costs."""
+"""Compares two invocations: outcomes, errors, observed orders, costs."""
 
 from __future__ import annotations
 
@@ -6,11 +6,13 @@ import contextlib
 import math
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
-from typing import Any
 
 from vv.base.errors import UsageError
+from vv.base.metrics import Order
 from vv.gate.judgement import outcome
-from vv.records.reading import error_of, label, rung
+from vv.records.job_record import Record
+from vv.records.manifest import Manifest
+from vv.records.reading import rung
 from vv.records.rungs import Key, orders
 from vv.store.store import Store
 
@@ -23,7 +25,7 @@ COST = 1.25  # ratio of costs that is not worth a line: rounds differ by as much
 
 @dataclass(frozen=True)
 class Change:
-    """One thing that moved. size: how far, for the order within its kind."""
+    """One difference between two invocations. size: how far, for the order within its kind."""
 
     kind: str
     where: str
@@ -31,7 +33,7 @@ class Change:
     size: float = 0.0
 
 
-def manifest_of(store: Store, name: str, known: Callable[[str], str]) -> dict[str, Any]:
+def manifest_of(store: Store, name: str, known: Callable[[str], str]) -> Manifest:
     """The run of that name, or the newest at a commit.
 
     A commit is given by its beginning, or by a name that `known` tells the commit of, or ''.
@@ -42,30 +44,30 @@ def manifest_of(store: Store, name: str, known: Callable[[str], str]) -> dict[st
     commit = known(name) or (name if len(name) >= 4 else "")
     for run in reversed(names if commit else []):
         with contextlib.suppress(OSError):  # damaged from outside: it has no commit
-            if store.head(run)[1]["commit"].startswith(commit):
+            if store.head(run)[1].commit.startswith(commit):
                 return store.manifest(run)
     last = ", ".join(names[: -LISTED - 1 : -1])
     raise UsageError(f"no run and no commit '{name}' in the store; the last runs are {last}")
 
 
-def changes(one: Mapping[str, Any], other: Mapping[str, Any]) -> list[Change]:
-    """What moved from one invocation to the other: outcomes, errors, orders and costs."""
-    before, after = _by_place(one["records"]), _by_place(other["records"])
+def changes(one: Manifest, other: Manifest) -> list[Change]:
+    """How the other invocation differs from the one: outcomes, errors, orders and costs."""
+    before, after = _by_place(one.records), _by_place(other.records)
     shared = [place for place in before if place in after]
     found = [*_presence(before, after)]
     for place in shared:
         found += _record_changes(" ".join(p for p in place if p), before[place], after[place])
-    found += _order_changes(orders(one["records"]), orders(other["records"]))
+    found += _order_changes(orders(one.records), orders(other.records))
     kinds = ("outcome", "only in A", "only in B", "error", "order", "cost")
     return sorted(found, key=lambda change: (kinds.index(change.kind), -change.size, change.where))
 
 
-def _by_place(records: Iterable[Mapping[str, Any]]) -> dict[tuple[str, ...], Mapping[str, Any]]:
-    return {(f"{r['case']}:{r['variant']}", label(r), rung(r)): r for r in records}
+def _by_place(records: Iterable[Record]) -> dict[tuple[str, ...], Record]:
+    return {(f"{r.case}:{r.variant}", r.label, rung(r)): r for r in records}
 
 
 def _presence(
-    before: Mapping[tuple[str, ...], Any], after: Mapping[tuple[str, ...], Any]
+    before: Mapping[tuple[str, ...], Record], after: Mapping[tuple[str, ...], Record]
 ) -> Iterator[Change]:
     """What only one of the two has, one line a scheme and variant."""
     for kind, own, others in (("only in A", before, after), ("only in B", after, before)):
@@ -77,12 +79,11 @@ def _presence(
             yield Change(kind, where, f"{count} rung{'s' if count > 1 else ''}")
 
 
-def _record_changes(
-    where: str, one: Mapping[str, Any], other: Mapping[str, Any]
-) -> Iterator[Change]:
-    if outcome(one) != outcome(other):
-        yield Change("outcome", where, f"{outcome(one)} -> {outcome(other)}")
-    errors = [{e["name"]: error_of(e) for e in r["quantities"]} for r in (one, other)]
+def _record_changes(where: str, one: Record, other: Record) -> Iterator[Change]:
+    was, now = outcome(one), outcome(other)
+    if was is not now:
+        yield Change("outcome", where, f"{was.value} -> {now.value}")
+    errors = [{q.name: q.error for q in record.quantities} for record in (one, other)]
     for name in errors[0].keys() & errors[1].keys():
         a, b = errors[0][name] or 0.0, errors[1][name] or 0.0
         if max(a, b) > NOISE and abs(a - b) > SAME * max(a, b):
@@ -94,13 +95,12 @@ def _record_changes(
         yield Change("cost", where, text, abs(math.log(later / cost)))
 
 
-def _cost(record: Mapping[str, Any]) -> float | None:
+def _cost(record: Record) -> float | None:
     """The timed cost over that of the calibration kernel, so that sessions may be compared."""
-    relative = record["cost"].get("relative")
-    return relative and float(relative[0])
+    return record.cost.relative[0] if record.cost.relative else None
 
 
-def _order_changes(one: Mapping[Key, Any], other: Mapping[Key, Any]) -> Iterator[Change]:
+def _order_changes(one: Mapping[Key, Order], other: Mapping[Key, Order]) -> Iterator[Change]:
     for key in one.keys() & other.keys():
         a, b = one[key].order, other[key].order
         if abs(a - b) > ORDER:

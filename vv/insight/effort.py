@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
 
 from vv.base.metrics import LEAST_IMPROVEMENT, count_before_floor
-from vv.records.reading import Record, fineness, label, tried
+from vv.records.job_record import Record
+from vv.records.manifest import CodeFound, Manifest
+from vv.records.reading import by_fineness, tried
 from vv.records.rungs import Floor, Point, Row, row_of
 
 PATIENCE = 60.0  # CPU seconds after which a code has had its chance
@@ -45,14 +46,14 @@ class Effort:
         return min((p.error for p in self.points if p.error is not None), default=None)
 
 
-def efforts(manifest: Mapping[str, Any]) -> list[Effort]:
+def efforts(manifest: Manifest) -> list[Effort]:
     """Every scheme that ran on a variant of which something was timed, in the order of records."""
     every = _efforts(manifest)
     timed = _timed(every)
     return [effort for effort in every if (effort.case, effort.variant) in timed]
 
 
-def untimed(manifest: Mapping[str, Any]) -> list[Effort]:
+def untimed(manifest: Manifest) -> list[Effort]:
     """Every scheme with an error on a variant of which nothing was timed."""
     every = _efforts(manifest)
     timed = _timed(every)
@@ -64,10 +65,10 @@ def _timed(every: Iterable[Effort]) -> set[tuple[str, str]]:
     return {(effort.case, effort.variant) for effort in every if effort.timed}
 
 
-def _efforts(manifest: Mapping[str, Any]) -> list[Effort]:
+def _efforts(manifest: Manifest) -> list[Effort]:
     """All of them; raises ValueError where costs are of several timing sessions."""
-    records = manifest["records"]
-    sessions = {r["cost"].get("session", "") for r in records if r["cost"]["kind"] == "timed"}
+    records = manifest.records
+    sessions = {r.cost.session for r in records if r.cost.timed}
     if len(sessions) > 1:
         raise ValueError(
             f"costs are of {len(sessions)} timing sessions ({', '.join(sorted(sessions))}); they "
@@ -75,18 +76,20 @@ def _efforts(manifest: Mapping[str, Any]) -> list[Effort]:
         )
     piles: dict[tuple[str, str, str], list[Record]] = {}
     for record in filter(tried, records):
-        key = (record["case"], record["variant"], label(record))
+        key = (record.case, record.variant, record.label)
         piles.setdefault(key, []).append(record)
-    return [_effort(key, pile, manifest["codes"]) for key, pile in piles.items()]
+    return [_effort(key, pile, manifest.codes) for key, pile in piles.items()]
 
 
-def _effort(key: tuple[str, str, str], pile: Sequence[Record], codes: Mapping[str, Any]) -> Effort:
-    pile = sorted(pile, key=fineness)
+def _effort(
+    key: tuple[str, str, str], pile: Sequence[Record], codes: Mapping[str, CodeFound]
+) -> Effort:
+    pile = sorted(pile, key=by_fineness)
     rows = tuple(
-        row_of(kn, [r for r in pile if r["rung"]["kn"] == kn])
-        for kn in dict.fromkeys(record["rung"]["kn"] for record in pile)
+        row_of(kn, [r for r in pile if r.rung.kn == kn])
+        for kn in dict.fromkeys(record.rung.kn for record in pile)
     )
-    return Effort(*key, bool(codes[pile[0]["code"]]["files"]), rows, _floor(rows))
+    return Effort(*key, bool(codes[pile[0].code].files), rows, _floor(rows))
 
 
 def _floor(rows: Sequence[Row]) -> Floor | None:

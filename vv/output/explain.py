@@ -4,16 +4,17 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Mapping
-from typing import Any
 
 from vv.case import Case, Exact, Quantity
 from vv.gate.judgement import outcome
 from vv.output.terminal import say
 from vv.plan.plan import Plan
-from vv.records.reading import error_of
+from vv.records.job_record import Record
+from vv.records.manifest import Manifest
+from vv.records.quantity import MeasuredQuantity
 
 
-def tell(plan: Plan, manifests: Iterable[Mapping[str, Any]]) -> None:
+def print_explanation(plan: Plan, manifests: Iterable[Manifest]) -> None:
     """All there is to know of the planned variants, and their last results."""
     results = _last_results(manifests)
     for name, case in plan.cases.items():
@@ -52,9 +53,9 @@ def _explain_variant(
             else plan.adapters[code].describe(job.ask, scheme).note
         )
         say(f"  {code}/{scheme}: {how}")
-        said = results.get((case.name, name, code, scheme), ["none yet"])
-        say(f"    last result: {said[0]}")
-        for line in said[1:]:
+        when, *rungs = results.get((case.name, name, code, scheme), ["none yet"])
+        say(f"    last result: {when}")
+        for line in rungs:
             say(f"      {line}")
 
 
@@ -74,29 +75,31 @@ def _explain_quantity(quantity: Quantity) -> None:
         say(f"    {method.value}: shown: {reason}")
 
 
-def _last_results(manifests: Iterable[Mapping[str, Any]]) -> dict[tuple[str, ...], list[str]]:
+def _last_results(manifests: Iterable[Manifest]) -> dict[tuple[str, ...], list[str]]:
     """The newest result of each (case, variant, code, scheme): when, then each rung in words."""
     found: dict[tuple[str, ...], list[str]] = {}
     for manifest in manifests:
         newest: dict[tuple[str, ...], list[str]] = {}
-        for record in manifest["records"]:
-            key = tuple(record[part] for part in ("case", "variant", "code", "scheme"))
-            newest.setdefault(key, [manifest["provenance"]["utc"]]).append(_in_words(record))
+        for r in manifest.records:
+            key = r.case, r.variant, r.code, r.scheme
+            newest.setdefault(key, [manifest.provenance.utc]).append(_in_words(r))
         found = {**newest, **found}
     return found
 
 
-def _in_words(record: Mapping[str, Any]) -> str:
-    errors = "; ".join(_entry_in_words(entry) for entry in record["quantities"])
-    at = " ".join(f"{knob} {value:g}" for knob, value in record["rung"].items() if value)
-    changed = ", modified parameters" if record["modified"] else ""
-    return f"{at}{': ' if at else ''}{outcome(record)}{changed}: {errors or record['reason']}"
+def _in_words(record: Record) -> str:
+    errors = "; ".join(map(_quantity_in_words, record.quantities))
+    knobs = (("dt", record.rung.dt), ("kn", record.rung.kn))
+    at = " ".join(f"{knob} {value:g}" for knob, value in knobs if value)
+    changed = ", modified parameters" if record.modified else ""
+    came = outcome(record).value
+    return f"{at}{': ' if at else ''}{came}{changed}: {errors or record.reason}"
 
 
-def _entry_in_words(entry: Mapping[str, Any]) -> str:
-    error, bound = error_of(entry), entry["tolerance"]
-    if bound is None:
-        said = f"{entry['name']}: {entry['value']}, {entry['why']}"
+def _quantity_in_words(one: MeasuredQuantity) -> str:
+    if one.tolerance is None:
+        text = f"{one.name}: {one.value}, {one.why}"
     else:
-        said = f"{entry['name']}: error {math.nan if error is None else error:.3g} of {bound:.3g}"
-    return f"{said}, {entry['note']}" if entry["note"] else said
+        error = math.nan if one.error is None else one.error
+        text = f"{one.name}: error {error:.3g} of {one.tolerance:.3g}"
+    return f"{text}, {one.note}" if one.note else text

@@ -1,15 +1,15 @@
-"""Writes the summary of a gate for a pull request: the colour, what moved, worst first."""
+"""Writes the summary of a gate for a pull request: the colour, what changed, worst first."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
-from typing import Any
 
 from vv.base.files import write_whole
 from vv.gate.judgement import counted
 from vv.output.wording import listed
 from vv.records.finding import Bit, Finding, bits, worst_first
+from vv.records.manifest import Manifest
 
 ROWS = 15  # of each table; the report has the rest
 WORDS = {
@@ -30,19 +30,19 @@ def headline(findings: Sequence[Finding]) -> str:
     return f"red ({int(wrong)}): {', '.join(WORDS[bit] for bit in WORDS if bit & wrong)}"
 
 
-def write_markdown(path: Path, manifest: Mapping[str, Any], findings: Sequence[Finding]) -> None:
+def write_markdown(path: Path, manifest: Manifest, findings: Sequence[Finding]) -> None:
     """Write the summary."""
     write_whole(path, summary(manifest, findings).encode())
 
 
-def summary(manifest: Mapping[str, Any], findings: Sequence[Finding]) -> str:
-    """The summary as Markdown: colour, counts, what is red, what moved, what is worth knowing."""
-    told = manifest["provenance"]
-    commit = f"commit `{told['commit'][:9]}`{' with changes' if told['dirty'] else ''}, "
+def summary(manifest: Manifest, findings: Sequence[Finding]) -> str:
+    """The summary as Markdown: colour, counts, what is red, what changed, what is worth knowing."""
+    where = manifest.provenance
+    commit = f"commit `{where.commit[:9]}`{' with changes' if where.dirty else ''}, "
     lines = [
         f"### Verification: {headline(findings)}",
         "",
-        f"{listed(counted(manifest['records']))}. {commit if told['commit'] else ''}{told['utc']}.",
+        f"{listed(counted(manifest.records))}. {commit if where.commit else ''}{where.utc}.",
     ]
     ranked = worst_first(findings)
     moved = [f for f in ranked if f.compares]
@@ -84,15 +84,15 @@ def _counted_notices(findings: Sequence[Finding]) -> list[str]:
 
 def _asked(findings: Iterable[Finding]) -> list[str]:
     """What to type where results became better."""
-    better = sorted({f.case for f in findings if f.kind in ("better", "faster")})
+    better = sorted({f.case for f in findings if f.improves})
     return [f'{case} became better: `vv accept {case} --reason "..."` keeps it' for case in better]
 
 
-def _recorded(manifest: Mapping[str, Any]) -> list[str]:
+def _recorded(manifest: Manifest) -> list[str]:
     """Which absent codes are shown from recorded results; they count for nothing."""
     ages: dict[tuple[str, str], int] = {}
-    for shown in manifest["recorded"]:
-        ages[shown["code"], shown["version"]] = shown["days"]
+    for shown in manifest.recorded:
+        ages[shown.code, shown.version] = shown.days
     return [
         f"{code} is not installed: the report shows results of {version} recorded {days} days "
         "ago, which count for nothing here"
@@ -114,7 +114,7 @@ def workflow_commands(findings: Iterable[Finding], files: Mapping[str, str]) -> 
     for f in worst_first(findings):
         level = "error" if f.red else "warning"
         place = f"file={_escaped(files[f.case], True)}," if f.case in files else ""
-        title = _escaped(f"{f.check} {f.kind}: {f.where}".strip(), True)
+        title = _escaped(f"{f.check.value} {f.kind}: {f.where}".strip(), True)
         lines[level].append(f"::{level} {place}title={title}::{_escaped(f.text)}")
     return [line for level in lines.values() for line in level[:10]]
 

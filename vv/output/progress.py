@@ -6,15 +6,15 @@ import contextlib
 import sys
 import time
 from collections import Counter
-from collections.abc import Callable, Iterator, Mapping
-from typing import Any
+from collections.abc import Callable, Iterator
 
 from vv.ask import Status
 from vv.gate.judgement import blew_up, outcome
-from vv.records.reading import label, rung, status_of
+from vv.records.job_record import Record
+from vv.records.reading import rung
 
 EVERY = 2.0  # s between two plain lines
-Shown = Callable[[Mapping[str, Any]], None]
+Shown = Callable[[Record], None]
 
 
 @contextlib.contextmanager
@@ -33,8 +33,8 @@ def _bar(total: int) -> Iterator[Shown]:
     with Progress(*columns, auto_refresh=False, transient=True) as bars:
         task = bars.add_task("running", total=total)
 
-        def shown(record: Mapping[str, Any]) -> None:
-            counts[status_of(record).value] += 1
+        def shown(record: Record) -> None:
+            counts[record.status.value] += 1
             bars.update(task, advance=1, description=_counted(counts, total), refresh=True)
 
         yield shown
@@ -45,13 +45,13 @@ def _lines(total: int) -> Iterator[Shown]:
     counts: Counter[str] = Counter()
     last = time.monotonic()
 
-    def shown(record: Mapping[str, Any]) -> None:
+    def shown(record: Record) -> None:
         nonlocal last
-        counts[status_of(record).value] += 1
-        lost = status_of(record) in (Status.ERROR, Status.TIMEOUT, Status.DIVERGED)
+        counts[record.status.value] += 1
+        lost = record.status in (Status.ERROR, Status.TIMEOUT, Status.DIVERGED)
         if lost and not blew_up(record):
-            job = f"{record['case']}:{record['variant']} {label(record)} {rung(record)}".rstrip()
-            print(f"{job}: {outcome(record)}: {record['reason']}", file=sys.stderr)
+            job = f"{record.case}:{record.variant} {record.label} {rung(record)}".rstrip()
+            print(f"{job}: {outcome(record).value}: {record.reason}", file=sys.stderr)
         if time.monotonic() - last > EVERY:
             last = time.monotonic()
             print(_counted(counts, total), file=sys.stderr, flush=True)

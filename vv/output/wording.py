@@ -4,23 +4,24 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from vv.gate.judgement import NOT_CONSERVED
+from vv.records.outcomes import Outcome
 
 WORDS = {  # of one, and of many
-    "blow-up": ("blow-up to show", "blow-ups to show"),
-    "xfail": ("known disagreement", "known disagreements"),
-    "xpass": ("unexpected pass", "unexpected passes"),
-    "no-reference": ("shown only", "shown only"),
+    Outcome.BLOW_UP: ("blow-up to show", "blow-ups to show"),
+    Outcome.XFAIL: ("known disagreement", "known disagreements"),
+    Outcome.XPASS: ("unexpected pass", "unexpected passes"),
+    Outcome.NO_REFERENCE: ("shown only", "shown only"),
 }
-ORDER = ("pass", "fail", NOT_CONSERVED, "xpass", "xfail", "no-reference")
+FIRST = (Outcome.PASS, Outcome.FAIL, Outcome.NOT_CONSERVED, Outcome.XPASS, Outcome.XFAIL)
+ORDER = {outcome: rank for rank, outcome in enumerate((*FIRST, Outcome.NO_REFERENCE))}
 
 
-def in_words(outcome: str, count: int = 1) -> str:
+def in_words(outcome: Outcome, count: int = 1) -> str:
     """What an outcome is called, of one result or of several."""
-    return WORDS.get(outcome, (outcome, outcome))[count != 1]
+    return WORDS.get(outcome, (outcome.value, outcome.value))[count != 1]
 
 
-def listed(counts: Mapping[str, int]) -> str:
+def listed(counts: Mapping[Outcome, int]) -> str:
     """Outcomes with how often each came, what was judged first."""
-    ranked = sorted(counts, key=lambda word: (ORDER.index(word) if word in ORDER else 9, word))
-    return ", ".join(f"{counts[word]} {in_words(word, counts[word])}" for word in ranked)
+    ranked = sorted(counts, key=lambda one: (ORDER.get(one, len(ORDER)), one.value))
+    return ", ".join(f"{counts[one]} {in_words(one, counts[one])}" for one in ranked)

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import dataclasses
 import enum
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from dataclasses import dataclass
-from typing import Any
+
+from vv.case import Check
 
 
 class Bit(enum.IntFlag):
@@ -21,19 +21,44 @@ class Bit(enum.IntFlag):
     USAGE = 64
 
 
+class Aspect(enum.Enum):
+    """What is judged: that jobs ran, or one of the checks of a case; the value is the word."""
+
+    RUN = "run"
+    ACCURACY = Check.ACCURACY.value
+    REGRESSION = Check.REGRESSION.value
+    SPEED = Check.SPEED.value
+    CONSERVATION = Check.CONSERVATION.value
+
+
+class Change(enum.Enum):
+    """What became of a result since it was accepted; the value is the word."""
+
+    NEW = "new"
+    GONE = "gone"
+    WORSE = "worse"
+    BETTER = "better"
+    MOVED = "moved"
+    SLOWER = "slower"
+    FASTER = "faster"
+    NO_BASELINE = "no baseline"
+    OTHER_PARAMETERS = "other parameters"
+
+
+IMPROVED = (Change.BETTER.value, Change.FASTER.value)
 NOTICE = Bit(0)  # what a finding sets that is only worth knowing
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, slots=True)
 class Finding:
     """One thing worth saying of an invocation.
 
-    check: what was judged. kind: what came of it, in a word. label: CODE/SCHEME. rung: knobs as
-    text. bit: what it sets when enforced; none: a notice. size: how bad, for the order in lists:
-    how many times the band or the tolerance.
+    check: what was judged. kind: what came of it, in a word, such as that of a Change. label:
+    CODE/SCHEME. rung: knobs as text. bit: what it sets when enforced; none: a notice. size: how
+    bad, for the order in lists: how many times the band or the tolerance.
     """
 
-    check: str
+    check: Aspect
     kind: str
     text: str
     case: str = ""
@@ -53,7 +78,12 @@ class Finding:
     @property
     def compares(self) -> bool:
         """Whether it says what changed since a baseline."""
-        return self.check in ("regression", "speed")
+        return self.check in (Aspect.REGRESSION, Aspect.SPEED)
+
+    @property
+    def improves(self) -> bool:
+        """Whether it says that something is better than accepted."""
+        return self.compares and self.kind in IMPROVED
 
     @property
     def where(self) -> str:
@@ -62,19 +92,10 @@ class Finding:
         parts = (f"{self.case}{variant}", self.label, self.rung, self.quantity)
         return " ".join(part for part in parts if part)
 
-    def as_data(self) -> dict[str, Any]:
-        """The finding as plain data, for a manifest."""
-        return {**dataclasses.asdict(self), "bit": int(self.bit)}
-
-
-def from_data(data: Mapping[str, Any]) -> Finding:
-    """The finding that `as_data` wrote."""
-    return Finding(**{**data, "bit": Bit(data["bit"])})
-
 
 def worst_first(findings: Iterable[Finding]) -> list[Finding]:
     """Red ones first, then those with a bit, then notices; the largest first in each."""
-    return sorted(findings, key=lambda f: (not f.red, not f.bit, -f.size, f.where, f.check))
+    return sorted(findings, key=lambda f: (not f.red, not f.bit, -f.size, f.where, f.check.value))
 
 
 def bits(findings: Iterable[Finding]) -> Bit:

@@ -3,14 +3,13 @@
 from __future__ import annotations
 
 import dataclasses
-import enum
 import math
-from collections.abc import Iterator
-from typing import Any
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
 
 import numpy as np
 
-from vv.ask import Ask, Knobs, Ledger, Method, Run, Status
+from vv.ask import Ask, Knobs, Ledger, Method, Model, Run, Status
 from vv.base import metrics
 from vv.case import (
     Count,
@@ -27,26 +26,18 @@ from vv.case import (
     evaluated,
     judge_for_method,
 )
-from vv.records.reading import error_of
+from vv.records.job_record import JobCost, ModelSummary, RunSummary
+from vv.records.outcomes import JudgeKind, QuantityKind, Verdict
+from vv.records.quantity import MeasuredQuantity
 from vv.scene import Vector
 
-UNTOLD = Shown("this code tells nothing to take it from")
+NOT_REPORTED = Shown("this code tells nothing to take it from")
 NORMS = {
     Norm.MAX: metrics.max_error,
     Norm.FINAL: metrics.final_error,
     Norm.POINTWISE: metrics.pointwise_error,
     Norm.L2: metrics.l2_error,
 }
-
-
-class Verdict(enum.Enum):
-    """What a quantity of a run is worth; the value is the word in records."""
-
-    PASS = "pass"
-    FAIL = "fail"
-    XFAIL = "xfail"
-    XPASS = "xpass"
-    NO_REFERENCE = "no-reference"
 
 
 def checked(run: Run, ask: Ask) -> Run:
@@ -101,117 +92,135 @@ def _energies(ledger: Ledger) -> Iterator[float]:
     yield from (evaluated for pair in ledger.audits.values() for evaluated in pair)
 
 
+@dataclass(frozen=True)
+class _Figures:
+    """The numbers of a quantity, named as in MeasuredQuantity, and the arrays of its series."""
+
+    value: float | None = None
+    reference: float | None = None
+    end: float | None = None
+    errors: Mapping[Norm, float | None] = field(default_factory=dict)
+    scale: float | None = None
+    figures: Mapping[str, float | None] = field(default_factory=dict)
+    note: str = ""
+    arrays: Mapping[str, Vector] = field(default_factory=dict)
+
+
 def measured(
     run: Run, quantity: Quantity, method: Method, knobs: Knobs
-) -> tuple[dict[str, Any], dict[str, Vector]]:
-    """A quantity of a run as a record entry, and the arrays of its series."""
+) -> tuple[MeasuredQuantity, Mapping[str, Vector]]:
+    """A quantity of a run as a record has it, and the arrays of its series."""
     judge = judge_for_method(quantity.judge, method)
     if isinstance(quantity, Scalar) and not quantity.is_reported(run):
-        judge = UNTOLD
-    entry: dict[str, Any] = {
-        "name": quantity.name,
-        "kind": type(quantity).__name__.lower(),
-        "unit": getattr(quantity, "unit", ""),
-        "value": None,
-        "reference": None,
-        "end": None,
-        "errors": {},
-        "scale": None,
-        "figures": {},
-        "judge": type(judge).__name__.lower(),
-        **_stated(judge, method, knobs),
-    }
-    if isinstance(quantity, Series):
-        arrays = _measure_series(run, quantity, entry)
-        if method is not Method.EXACT and _copied(arrays, quantity.name):
-            entry["note"] = "bit by bit the reference itself, which no approximate method can be"
-    else:
-        arrays = {}
-        if judge is not UNTOLD:
-            _measure_number(run, quantity, judge, entry)
-    entry["verdict"] = _verdict(quantity, judge, entry).value
-    return entry, arrays
+        judge = NOT_REPORTED
+    norm, tolerance, why = _bound(judge, method, knobs)
+    found = _figures(run, quantity, judge, method)
+    made = MeasuredQuantity(
+        name=quantity.name,
+        kind=QuantityKind(type(quantity).__name__.lower()),
+        unit="" if isinstance(quantity, Count) else quantity.unit,
+        value=found.value,
+        reference=found.reference,
+        end=found.end,
+        errors=found.errors,
+        scale=found.scale,
+        figures=found.figures,
+        judge=JudgeKind(type(judge).__name__.lower()),
+        norm=norm,
+        tolerance=tolerance,
+        why=why,
+        note=found.note,
+        verdict=Verdict.NO_REFERENCE,
+    )
+    return dataclasses.replace(made, verdict=_verdict(quantity, judge, made)), found.arrays
 
 
-def _stated(judge: Judge, method: Method, knobs: Knobs) -> dict[str, Any]:
+def _bound(judge: Judge, method: Method, knobs: Knobs) -> tuple[Norm | None, float | None, str]:
     """How the quantity is judged: norm, bound and the reason for it."""
-    if isinstance(judge, Exact):
-        tolerance = judge.tolerances[method]
-        bound = tolerance.at(knobs)
-        norm = judge.norm.name.lower()
-        return {"norm": norm, "tolerance": bound, "why": tolerance.reason, "note": ""}
-    limit = judge.bound if isinstance(judge, Invariant) else None
-    return {"norm": None, "tolerance": limit, "why": judge.reason, "note": ""}
+    if not isinstance(judge, Exact):
+        return None, judge.bound if isinstance(judge, Invariant) else None, judge.reason
+    tolerance = judge.tolerances[method]
+    return judge.norm, tolerance.at(knobs), tolerance.reason
 
 
-def _measure_series(run: Run, quantity: Series, entry: dict[str, Any]) -> dict[str, Vector]:
+def _figures(run: Run, quantity: Quantity, judge: Judge, method: Method) -> _Figures:
+    if not isinstance(quantity, Series):
+        return _Figures() if judge is NOT_REPORTED else _figures_of_number(run, quantity, judge)
+    found = _figures_of_series(run, quantity)
+    if method is not Method.EXACT and _copied(found.arrays, quantity.name):
+        note = "bit by bit the reference itself, which no approximate method can be"
+        return dataclasses.replace(found, note=note)
+    return found
+
+
+def _figures_of_series(run: Run, quantity: Series) -> _Figures:
     value = np.asarray(quantity.observe(run), float)
     arrays = {"t": run.times, f"{quantity.name}.value": value}
-    entry["figures"] = {"final": _finite(value[-1]), "mean": _finite(value.mean())}
-    entry["scale"] = _finite(np.abs(value).max()) or 1.0
+    figures = {"final": _finite(value[-1]), "mean": _finite(value.mean())}
     if quantity.reference is None:
-        return arrays
+        size = _finite(np.abs(value).max()) or 1.0
+        return _Figures(scale=size, figures=figures, arrays=arrays)
     reference = np.asarray(quantity.reference(run.times), float)
     scale = None if quantity.scale is None else error_scale(quantity.name, quantity.scale)
-    entry["scale"] = _finite(scale or np.abs(reference).max()) or 1.0
-    entry["end"] = _finite(reference[-1])
-    entry["errors"] = _errors(value, reference, scale)
-    if not entry["errors"]:
-        entry["note"] = "the reference is zero throughout, and the quantity states no scale"
+    errors = _errors(value, reference, scale)
+    note = "" if errors else "the reference is zero throughout, and the quantity states no scale"
     if np.ptp(value) == 0 and np.ptp(reference) > 0:
-        entry["note"] = "nothing moves, though the reference does"
-    return {**arrays, f"{quantity.name}.reference": reference}
+        note = "nothing moves, though the reference does"
+    return _Figures(
+        end=_finite(reference[-1]),
+        errors=errors,
+        scale=_finite(scale or np.abs(reference).max()) or 1.0,
+        figures=figures,
+        note=note,
+        arrays={**arrays, f"{quantity.name}.reference": reference},
+    )
 
 
-def _copied(arrays: dict[str, Vector], name: str) -> bool:
+def _copied(arrays: Mapping[str, Vector], name: str) -> bool:
     """Whether a series that moves equals its reference to the last bit."""
     value, reference = arrays[f"{name}.value"], arrays.get(f"{name}.reference")
     same = reference is not None and np.array_equal(value, reference)
     return bool(same and np.ptp(value) > 0)
 
 
-def _errors(value: Vector, reference: Vector, scale: float | None) -> dict[str, float | None]:
+def _errors(value: Vector, reference: Vector, scale: float | None) -> dict[Norm, float | None]:
     """The errors by norm; against a reference of zeros only those that the scale gives."""
-    errors: dict[str, float | None] = {}
+    errors: dict[Norm, float | None] = {}
     if np.abs(reference).max() > 0:
-        errors = {norm.name.lower(): _finite(f(value, reference)) for norm, f in NORMS.items()}
+        errors = {norm: _finite(f(value, reference)) for norm, f in NORMS.items()}
     if scale is not None:
-        errors[Norm.MAX.name.lower()] = _finite(metrics.scaled_error(value, reference, scale))
+        errors[Norm.MAX] = _finite(metrics.scaled_error(value, reference, scale))
     return errors
 
 
-def _measure_number(
-    run: Run, quantity: Scalar | Count, judge: Judge, entry: dict[str, Any]
-) -> None:
+def _figures_of_number(run: Run, quantity: Scalar | Count, judge: Judge) -> _Figures:
     """Value, scale and errors; a count that is only shown has none, and so no order in dt."""
     value = quantity.observe(run)
-    entry["value"] = _finite(value)
     reference = None if quantity.reference is None else evaluated(quantity.reference)
-    entry["reference"] = reference
-    entry["figures"] = {"value": entry["value"]}
     if isinstance(quantity, Scalar):
         scale = error_scale(quantity.name, quantity.scale)
     else:
         scale = float(max(1, abs(reference or 0)))
-    entry["scale"] = scale
+    errors: dict[Norm, float | None] = {}
     only_shown = isinstance(quantity, Count) and isinstance(judge, Shown)
     if reference is not None and not only_shown:
-        error = _finite(abs(value - reference) / scale)
-        entry["errors"] = {norm.name.lower(): error for norm in (Norm.MAX, Norm.FINAL)}
+        errors = dict.fromkeys((Norm.MAX, Norm.FINAL), _finite(abs(value - reference) / scale))
+    kept = _finite(value)
+    return _Figures(
+        value=kept, reference=reference, errors=errors, scale=scale, figures={"value": kept}
+    )
 
 
-def _verdict(quantity: Quantity, judge: Judge, entry: dict[str, Any]) -> Verdict:
+def _verdict(quantity: Quantity, judge: Judge, found: MeasuredQuantity) -> Verdict:
     if isinstance(judge, Shown):
         return Verdict.NO_REFERENCE
     if isinstance(judge, Interval):
-        value = entry["value"]
-        good = value is not None and judge.low <= value <= judge.high
+        good = found.value is not None and judge.low <= found.value <= judge.high
         return Verdict.PASS if good else Verdict.FAIL
     if quantity.reference is None:
         return Verdict.NO_REFERENCE
-    error = error_of(entry)
-    bound = judge.bound if isinstance(judge, Invariant) else entry["tolerance"]
-    good = error is not None and error <= bound and not entry["note"]
+    error, bound = found.error, found.tolerance
+    good = error is not None and bound is not None and error <= bound and not found.note
     return Verdict.PASS if good else Verdict.FAIL
 
 
@@ -219,26 +228,13 @@ def _finite(value: float) -> float | None:
     return float(value) if math.isfinite(value) else None
 
 
-def described(run: Run) -> dict[str, Any]:
-    """What a record says of a run besides its quantities."""
-    model, ledger = run.model, run.ledger
-    return {
-        "status": run.status.name.lower().replace("_", "-"),
-        "reason": run.reason,
-        "cost": {**dataclasses.asdict(run.cost), "kind": "indicative"},
-        "steps": run.steps,
-        "model": model
-        and {
-            "unknowns": model.unknowns,
-            "terms": sorted(term.name.lower().replace("_", "-") for term in model.terms),
-            "note": model.note,
-        },
-        "ledger": ledger
-        and {
-            "terms": dict(ledger.terms),
-            "unaccounted": ledger.unaccounted,
-            "peak": ledger.peak,
-            "bound": ledger.bound,
-            "audits": {name: list(pair) for name, pair in ledger.audits.items()},
-        },
-    }
+def summarised(run: Run, quantities: tuple[MeasuredQuantity, ...]) -> RunSummary:
+    """What a record says of a run whose quantities are these."""
+    cost = JobCost(**dataclasses.asdict(run.cost))
+    model = None if run.model is None else _model(run.model)
+    return RunSummary(run.status, run.reason, cost, run.steps, model, run.ledger, quantities)
+
+
+def _model(model: Model) -> ModelSummary:
+    terms = sorted(term.name.lower().replace("_", "-") for term in model.terms)
+    return ModelSummary(model.unknowns, tuple(terms), model.note)

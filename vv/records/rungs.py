@@ -16,7 +16,8 @@ from vv.base.metrics import (
     observed_order,
     order_before_floor,
 )
-from vv.records.reading import Record, error_of
+from vv.records.job_record import Record
+from vv.records.outcomes import JudgeKind
 
 FORMAL = 2.0  # no stepping scheme here is of higher order: what more was seen promises is chance
 
@@ -93,55 +94,44 @@ def row_of(kn: float | None, pile: Sequence[Record]) -> Row:
 
 
 def _point(record: Record) -> Point:
-    cost = record["cost"]
-    timed = cost["kind"] == "timed" and cost["solve_cpu"] > 0
-    return Point(
-        record["rung"]["dt"],
-        record["rung"]["kn"],
-        _error(record),
-        cost["solve_cpu"] if timed else None,
-        cost["spread"],
-        cost["solve_cpu"],
-    )
+    cost = record.cost
+    cpu = cost.solve_cpu if cost.timed and cost.solve_cpu > 0 else None
+    dt, kn = record.rung.dt, record.rung.kn
+    return Point(dt, kn, _error(record), cpu, cost.spread, cost.solve_cpu)
 
 
 def _error(record: Record) -> float | None:
     """The largest error that is judged; None where one of them is missing."""
-    errors = [error_of(entry) for entry in record["quantities"] if entry["judge"] == "exact"]
+    errors = [one.error for one in record.quantities if one.judge is JudgeKind.EXACT]
     finite = [error for error in errors if error is not None]
     return max(finite) if finite and len(finite) == len(errors) else None
 
 
 def _limit(pile: Sequence[Record]) -> Limit | None:
     """What the final values of the three finest steps say, and how that meets the exact one."""
-    ran = [r for r in pile if r["rung"]["dt"] and r["quantities"]][-3:]
-    entries = [record["quantities"][0] for record in reversed(ran)]
-    finals = [entry["figures"].get("final") for entry in entries]
-    if len(finals) < 3 or None in finals:
+    ran = [(r.rung.dt, r.quantities[0]) for r in pile if r.rung.dt and r.quantities][:-4:-1]
+    rows = [(dt, final) for dt, one in ran if (final := one.figures.get("final")) is not None]
+    if len(rows) < 3:
         return None
-    steps = tuple(record["rung"]["dt"] for record in reversed(ran))
-    found, end, scale = (
-        convergence(steps, tuple(finals)),
-        entries[0].get("end"),
-        entries[0]["scale"],
-    )
+    (h1, f1), (h2, f2), (h3, f3) = rows
+    found, finest = convergence((h1, h2, h3), (f1, f2, f3)), ran[0][1]
+    end, scale = finest.end, finest.scale
     if isinstance(found, NoLimit) or not scale:
-        return Limit(steps[0], found)
+        return Limit(h1, found)
     model = None if end is None else abs(found.limit - end) / scale
-    ratio = (steps[1] / steps[0]) ** min(found.order, FORMAL)
-    step = abs(finals[1] - finals[0]) / (ratio - 1) / scale
-    return Limit(steps[0], found, model, step, GCI_SAFETY_FACTOR * step)
+    step = abs(f2 - f1) / ((h2 / h1) ** min(found.order, FORMAL) - 1) / scale
+    return Limit(h1, found, model, step, GCI_SAFETY_FACTOR * step)
 
 
-def told(row: Row) -> str:
+def describe(row: Row) -> str:
     """What a row shows of the model's error and of the step's, in words; empty if nothing."""
-    said = [f"floor {row.floor.error:.1e}, {row.floor.why}"] if row.floor else []
+    parts = [f"floor {row.floor.error:.1e}, {row.floor.why}"] if row.floor else []
     if row.limit and row.kn:
-        said.append(_told(row.limit))
-    return "; ".join(said)
+        parts.append(_describe_limit(row.limit))
+    return "; ".join(parts)
 
 
-def _told(limit: Limit) -> str:
+def _describe_limit(limit: Limit) -> str:
     if isinstance(limit.found, NoLimit):
         return f"final value: no limit of small steps, {limit.found.reason}"
     step = (
@@ -161,11 +151,10 @@ def orders(records: Iterable[Record]) -> dict[Key, Order]:
     """Observed order in dt on each ladder, where its rungs allow a fit."""
     points: dict[Key, list[tuple[float, float]]] = {}
     for record in records:
-        dt = record["rung"]["dt"]
-        for entry in record["quantities"]:
-            error = error_of(entry)
-            if dt and error:
-                points.setdefault(ladder(record, entry["name"]), []).append((dt, error))
+        dt = record.rung.dt
+        for one in record.quantities:
+            if dt and one.error:
+                points.setdefault(ladder(record, one.name), []).append((dt, one.error))
     fitted = {
         key: observed_order(*map(list, zip(*pairs, strict=True))) for key, pairs in points.items()
     }
@@ -174,5 +163,4 @@ def orders(records: Iterable[Record]) -> dict[Key, Order]:
 
 def ladder(record: Record, quantity: str) -> Key:
     """What the rungs that differ in dt alone have in common: all but dt, for one quantity."""
-    names = ("case", "variant", "code", "scheme")
-    return (*(record[name] for name in names), quantity, record["rung"]["kn"])
+    return record.case, record.variant, record.code, record.scheme, quantity, record.rung.kn

@@ -1,65 +1,71 @@
-"""What a case says of itself, as plain data for the report and for people."""
+"""What a case says of itself, as a manifest keeps it for the report and for people."""
 
 from __future__ import annotations
 
 import dataclasses
-from typing import Any
 
 from vv.case import Case, Exact, Grid, Quantity, Study, Trial, Variant
 from vv.plan.plan import Plan
+from vv.records.case_facts import CaseFacts, QuantityFacts, ToleranceFacts, VariantFacts
+from vv.records.outcomes import JudgeKind
 
 
-def dossiers(plan: Plan) -> dict[str, Any]:
+def dossiers(plan: Plan) -> dict[str, CaseFacts]:
     """Case name -> its prose, parameters, variants and quantities, for the variants planned."""
     return {name: dossier(case, plan) for name, case in plan.cases.items()}
 
 
-def dossier(case: Case, plan: Plan) -> dict[str, Any]:
-    """One case as plain data."""
+def dossier(case: Case, plan: Plan) -> CaseFacts:
+    """What one case says of itself."""
     trials = {v: trial for (name, v), trial in plan.trials.items() if name == case.name}
-    return {
-        "title": case.title,
-        "source": dataclasses.asdict(case.source),
-        "published": dict(case.published),
-        "enforced": sorted(check.value for check in case.enforced),
-        "parameters": [dataclasses.asdict(parameter) for parameter in case.parameters],
-        "variants": {name: _variant(case.variant(name), trial) for name, trial in trials.items()},
-    }
+    return CaseFacts(
+        title=case.title,
+        source=case.source,
+        published=case.published,
+        enforced=tuple(sorted(case.enforced, key=lambda check: check.value)),
+        parameters=case.parameters,
+        variants={name: _variant(case.variant(name), trial) for name, trial in trials.items()},
+    )
 
 
-def _variant(variant: Variant, trial: Trial) -> dict[str, Any]:
+def _variant(variant: Variant, trial: Trial) -> VariantFacts:
     scene = trial.study.scene
-    return {
-        "summary": variant.summary,
-        "formula": variant.formula,
-        "inert": sorted(variant.inert),
-        "terms": sorted(term.value for term in scene.terms()),
-        "unknowns": scene.unknowns(),
-        "quantities": [_quantity(quantity) for quantity in trial.quantities],
-        **_critical(trial.study),
-    }
+    return VariantFacts(
+        summary=variant.summary,
+        formula=variant.formula,
+        inert=tuple(sorted(variant.inert)),
+        terms=tuple(sorted(term.value for term in scene.terms())),
+        unknowns=scene.unknowns(),
+        quantities=tuple(_quantity(quantity) for quantity in trial.quantities),
+        critical=_critical(trial.study),
+    )
 
 
-def _critical(study: Study) -> dict[str, Any]:
-    """What the steps of a map are multiples of: [kn or none, step] at every stiffness."""
+def _critical(study: Study) -> tuple[tuple[float | None, float], ...]:
+    """What the steps of a map are multiples of: (kn or none, step) at every stiffness."""
     if not isinstance(study, Grid):
-        return {}
+        return ()
     stiffnesses = dict.fromkeys(kn for level in study.kn.values() for kn in level)
-    return {"critical": [[kn, study.critical(kn)] for kn in stiffnesses]}
+    return tuple((kn, study.critical(kn)) for kn in stiffnesses)
 
 
-def _quantity(quantity: Quantity) -> dict[str, Any]:
+def _quantity(quantity: Quantity) -> QuantityFacts:
     judge = quantity.judge
-    entry = {
-        "name": quantity.name,
-        "symbol": quantity.symbol,
-        "unit": getattr(quantity, "unit", ""),
-        "meaning": quantity.meaning,
-        "judge": type(judge).__name__.lower(),
-    }
-    if isinstance(judge, Exact):
-        tolerances = {m.value: dataclasses.asdict(t) for m, t in judge.tolerances.items()}
-        shown = {m.value: reason for m, reason in judge.not_judged.items()}
-        unjudged = {"shown": shown} if shown else {}
-        return {**entry, "norm": judge.norm.value, "tolerances": tolerances, **unjudged}
-    return {**entry, "reason": judge.reason}
+    facts = QuantityFacts(
+        name=quantity.name,
+        symbol=quantity.symbol,
+        unit=getattr(quantity, "unit", ""),
+        meaning=quantity.meaning,
+        judge=JudgeKind(type(judge).__name__.lower()),
+    )
+    if not isinstance(judge, Exact):
+        return dataclasses.replace(facts, reason=judge.reason)
+    return dataclasses.replace(
+        facts,
+        norm=judge.norm.value,
+        tolerances={
+            method.value: ToleranceFacts(**dataclasses.asdict(tolerance))
+            for method, tolerance in judge.tolerances.items()
+        },
+        shown={method.value: reason for method, reason in judge.not_judged.items()} or None,
+    )

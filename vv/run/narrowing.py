@@ -6,7 +6,6 @@ import math
 import re
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
-from typing import Any
 
 from vv.base.closure import import_closure
 from vv.base.errors import UsageError
@@ -14,7 +13,9 @@ from vv.gate.judgement import record_findings
 from vv.plan.keys import PACKAGE, roots
 from vv.plan.plan import Job, Plan, with_jobs_kept
 from vv.plan.project import Project
-from vv.records.reading import error_of, label, ran, rung
+from vv.records.job_record import Record
+from vv.records.manifest import Manifest
+from vv.records.reading import in_words, ran, rung
 
 EVERYTHING = ("pyproject.toml", "requirements.lock")  # they decide the versions of libraries
 SECONDS = {"s": 1.0, "min": 60.0, "h": 3600.0}
@@ -22,29 +23,28 @@ UNKNOWN = 1.0  # s that a job is taken to need that never ran
 Key = tuple[str, str, str, str]
 
 
-def troubled(manifest: Mapping[str, Any]) -> set[Key]:
+def troubled(manifest: Manifest) -> set[Key]:
     """The jobs of an invocation that did not do well, by their keys."""
     return {_key_of(record) for record in troubled_records(manifest)}
 
 
-def troubled_records(manifest: Mapping[str, Any]) -> list[Mapping[str, Any]]:
+def troubled_records(manifest: Manifest) -> list[Record]:
     """The records of an invocation that by themselves turn a gate red."""
-    return [record for record in manifest["records"] if _wrong(record)]
+    return [record for record in manifest.records if _wrong(record)]
 
 
-def _wrong(record: Mapping[str, Any]) -> bool:
+def _wrong(record: Record) -> bool:
     """Whether a record is in trouble; that nothing else ran is none of its own."""
     return any(finding.case for finding in record_findings([record]))
 
 
 def key(job: Job) -> Key:
     """A job by case, variant, scheme and knobs."""
-    record = {"rung": vars(job.ask.knobs)}
-    return job.case, job.variant, f"{job.code}/{job.scheme}", rung(record)
+    return job.case, job.variant, f"{job.code}/{job.scheme}", in_words(job.ask.knobs)
 
 
-def _key_of(record: Mapping[str, Any]) -> Key:
-    return record["case"], record["variant"], label(record), rung(record)
+def _key_of(record: Record) -> Key:
+    return record.case, record.variant, record.label, rung(record)
 
 
 def affected(project: Project, plan: Plan, changed: Iterable[Path]) -> Plan:
@@ -82,7 +82,7 @@ def seconds(text: str) -> float:
     return float(match[1]) * SECONDS[match[2] or "s"]
 
 
-def within(plan: Plan, budget: float, manifests: Sequence[Mapping[str, Any]]) -> Plan:
+def within(plan: Plan, budget: float, manifests: Sequence[Manifest]) -> Plan:
     """The most telling jobs that fit a budget [s], by the costs of past runs, newest first.
 
     What is new or did not do well comes first, then what was closest to its tolerance; of each
@@ -107,27 +107,27 @@ def within(plan: Plan, budget: float, manifests: Sequence[Mapping[str, Any]]) ->
     return with_jobs_kept(plan, lambda job: id(job) in kept)
 
 
-def _past(manifests: Iterable[Mapping[str, Any]]) -> dict[Key, Mapping[str, Any]]:
-    found: dict[Key, Mapping[str, Any]] = {}
+def _past(manifests: Iterable[Manifest]) -> dict[Key, Record]:
+    found: dict[Key, Record] = {}
     for manifest in manifests:
-        for record in manifest["records"]:
+        for record in manifest.records:
             found.setdefault(_key_of(record), record)
     return found
 
 
-def _cost(job: Job, past: Mapping[Key, Mapping[str, Any]]) -> float:
+def _cost(job: Job, past: Mapping[Key, Record]) -> float:
     if job.settled is not None:
         return 0.0
     record = past.get(key(job))
     if record is None or not ran(record):
         return UNKNOWN
-    return sum(float(record["cost"][part]) for part in ("startup", "setup", "solve_wall", "output"))
+    return record.cost.elapsed
 
 
-def _telling(job: Job, past: Mapping[Key, Mapping[str, Any]]) -> float:
+def _telling(job: Job, past: Mapping[Key, Record]) -> float:
     """How close to its tolerance a job was; infinite if it is new or did not do well."""
     record = past.get(key(job))
     if record is None or _wrong(record):
         return math.inf
-    pairs = ((error_of(e), e["tolerance"]) for e in record["quantities"])
+    pairs = ((one.error, one.tolerance) for one in record.quantities)
     return max((error / bound for error, bound in pairs if error and bound), default=0.0)

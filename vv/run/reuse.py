@@ -11,7 +11,6 @@ import sys
 from collections.abc import Iterator
 from importlib import metadata
 from pathlib import Path
-from typing import Any
 
 from vv.ask import Status
 from vv.base.closure import CONTENT_PACKAGES
@@ -20,7 +19,9 @@ from vv.plan import imports
 from vv.plan.content import written
 from vv.plan.keys import PACKAGE
 from vv.plan.project import Project
-from vv.records.reading import status_of
+from vv.records.job_record import Record
+from vv.records.manifest import Answer, Manifest
+from vv.records.outcomes import StudyKind
 from vv.store.checkout import commit
 from vv.store.provenance import machine
 from vv.store.store import Store
@@ -65,49 +66,48 @@ def identity(
     )
 
 
-def remember(store: Store, identity: str, manifest: dict[str, Any]) -> None:
+def remember(store: Store, identity: str, manifest: Manifest) -> None:
     """Note what an invocation came to, unless something in it may go better another time.
 
     A timing session with gaps may: what it failed to time is timed again.
     """
-    if all(map(lasts, manifest["records"])) and not manifest["untimed"]:
-        store.keep_answer(_key(store, identity), {"manifest": manifest["name"]})
+    if all(map(is_reusable, manifest.records)) and not manifest.untimed:
+        store.keep_answer(_key(store, identity), Answer(manifest=manifest.name))
 
 
-def lasts(record: dict[str, Any]) -> bool:
+def is_reusable(record: Record) -> bool:
     """Whether a job is not run again as long as nothing changes; in a map blow-ups are results."""
-    status = status_of(record)
-    return status in LASTING or (status is Status.DIVERGED and record["study"] == "grid")
+    status = record.status
+    return status in LASTING or (status is Status.DIVERGED and record.study is StudyKind.GRID)
 
 
-def recall(store: Store, identity: str) -> dict[str, Any] | None:
+def recall(store: Store, identity: str) -> Manifest | None:
     """The manifest of an invocation that stands; else None."""
     answer = store.answer(_key(store, identity))
     if answer is None:
         return None
     try:
-        manifest = store.manifest(answer["manifest"])
+        manifest = store.manifest(answer.manifest)
     except OSError:
         return None
-    measured = [record["key"] for record in manifest["records"] if record["quantities"]]
-    whole = all(map(store.has_series, measured))  # which `--json` writes out
-    return {**manifest, "name": answer["manifest"]} if whole else None
+    measured = [record.key for record in manifest.records if record.quantities]
+    return manifest if all(map(store.has_series, measured)) else None  # `--json` writes them out
 
 
-def leave(store: Store, name: str, report: Path) -> None:
+def note_report(store: Store, name: str, report: Path) -> None:
     """Note the report of a manifest as it lies there."""
-    store.keep_answer(digest("report", name), {"report": _state(report)})
+    store.keep_answer(digest("report", name), Answer(report=_state(report)))
 
 
 def untouched(store: Store, name: str, report: Path) -> bool:
     """Whether the report is that of a manifest, as it was left."""
     answer = store.answer(digest("report", name))
-    return answer is not None and answer["report"] == _state(report)
+    return answer is not None and answer.report == _state(report)
 
 
 def _key(store: Store, identity: str) -> str:
     """The identity and the timing session of now, which the invocation itself may have made."""
-    return digest(identity, (store.last_timings() or ("", {}))[0])
+    return digest(identity, store.last_session())
 
 
 def _sources(project: Project) -> dict[str, str]:
@@ -149,10 +149,10 @@ def _libraries() -> list[str]:
     return [platform.python_version(), sys.prefix, *sorted(installed)]
 
 
-def _state(path: Path) -> list[int]:
+def _state(path: Path) -> tuple[int, ...]:
     """Size and times of change of a file, which cannot be set back; empty where there is none."""
     try:
         state = path.stat()
     except OSError:
-        return []
-    return [state.st_size, state.st_mtime_ns, state.st_ctime_ns]
+        return ()
+    return state.st_size, state.st_mtime_ns, state.st_ctime_ns

@@ -9,22 +9,25 @@ import os
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
 from vv.ask import Run, Status
 from vv.case import Grid
-from vv.gate.all_checks import Terms, judged
+from vv.gate.all_checks import GateOptions, judged
 from vv.plan import keys
 from vv.plan.plan import Job, Plan
 from vv.plan.project import Project
-from vv.records.record import checked, described, measured
+from vv.records.job_record import JobCost, Record, RunSummary
+from vv.records.manifest import CodeFound, Manifest
+from vv.records.outcomes import StudyKind
+from vv.records.quantity import MeasuredQuantity
+from vv.records.record import checked, measured, summarised
 from vv.run.dossier import dossiers
 from vv.run.runner import Batch, failed, run_batches
 from vv.run.timing_phase import gaps, last_costs, timed_costs
+from vv.scene import Vector
 from vv.store.provenance import provenance
 from vv.store.store import Store
 
-Record = dict[str, Any]
 Progress = Callable[[Record], None]
 
 
@@ -67,76 +70,83 @@ def carry_out(
     progress: Progress,
     command: Sequence[str],
     clock: Callable[[], datetime.datetime] = now_utc,
-) -> Record:
-    """Run what is not stored, judge all, keep the manifest; returns it with its name."""
+) -> Manifest:
+    """Run what is not stored, judge all, keep the manifest and return it."""
     store = Store(project.data())
     store.clear_scratch()
-    run_keys = keys.run_keys(project, plan)
-    record_keys = keys.record_keys(project, plan, run_keys)
+    stored = _Keys.of(project, plan, store)
     records: dict[int, Record] = {}
-    for number, record in _records(plan, limits, store, run_keys, record_keys):
+    for number, record in _records(plan, limits, stored):
         records[number] = record
         progress(record)
     ordered = [records[number] for number in range(len(plan.jobs))]
-    costs = _costs(plan, ordered, run_keys, store, limits)
-    ordered = [_with_cost(record, costs.get(i)) for i, record in enumerate(ordered)]
+    costs = _costs(plan, ordered, stored, limits)
+    timed = [
+        dataclasses.replace(record, cost=costs.get(i, record.cost))
+        for i, record in enumerate(ordered)
+    ]
     now = clock()
-    terms = Terms(now.date(), limits.against, limits.timing is Timing.NEW)
-    manifest = {
-        "provenance": provenance(project.root, command, now),
-        "codes": {
-            code: _code(project, plan, code) for code in sorted({job.code for job in plan.jobs})
-        },
-        "cases": dossiers(plan),
-        "untimed": gaps(plan, ordered, costs) if limits.timing in MEASURED else [],
-        **judged(project, plan, ordered, terms),
-    }
-    name = f"{now:%Y%m%dT%H%M%S.%f}Z-{os.getpid()}"
-    store.keep_manifest(name, manifest)
-    return {**manifest, "name": name}
+    options = GateOptions(now.date(), limits.against, limits.timing is Timing.NEW)
+    found = judged(project, plan, timed, options)
+    manifest = Manifest(
+        provenance=provenance(project.root, command, now),
+        codes={code: _code(project, plan, code) for code in sorted({j.code for j in plan.jobs})},
+        cases=dossiers(plan),
+        untimed=gaps(plan, ordered, costs) if limits.timing in MEASURED else (),
+        records=found.records,
+        findings=found.findings,
+        baselines=found.baselines,
+        recorded=found.recorded,
+        name=f"{now:%Y%m%dT%H%M%S.%f}Z-{os.getpid()}",
+    )
+    store.keep_manifest(manifest)
+    return manifest
+
+
+@dataclass(frozen=True)
+class _Keys:
+    """Where results are kept, and the keys of each job's run and record by its number."""
+
+    store: Store
+    runs: Mapping[int, str]
+    records: Mapping[int, str]
+
+    @classmethod
+    def of(cls, project: Project, plan: Plan, store: Store) -> _Keys:
+        runs = keys.run_keys(project, plan)
+        return cls(store, runs, keys.record_keys(project, plan, runs))
 
 
 def _costs(
-    plan: Plan,
-    records: Sequence[Record],
-    run_keys: Mapping[int, str],
-    store: Store,
-    limits: Limits,
-) -> dict[int, dict[str, Any]]:
+    plan: Plan, records: Sequence[Record], stored: _Keys, limits: Limits
+) -> dict[int, JobCost]:
     """Job number -> timed cost, from the session that the limits ask for."""
     if limits.timing is Timing.NONE:
         return {}
     if limits.timing is Timing.LAST:
-        return last_costs(plan, run_keys, store)
+        return last_costs(plan, stored.runs, stored.store)
     new = limits.fresh or limits.timing is Timing.NEW
-    return timed_costs(plan, records, run_keys, store, limits.timeout, new)
+    return timed_costs(plan, records, stored.runs, stored.store, limits.timeout, new)
 
 
-def _code(project: Project, plan: Plan, code: str) -> Record:
+def _code(project: Project, plan: Plan, code: str) -> CodeFound:
     """What was found of a code. files: names and digests, none for what is only source."""
     found = plan.found[code]
-    digests = keys.executables(project, plan, code)
-    return {"version": found.version, "installed": found.installed, "files": digests}
+    return CodeFound(found.version, found.installed, keys.executables(project, plan, code))
 
 
-def _records(
-    plan: Plan,
-    limits: Limits,
-    store: Store,
-    run_keys: Mapping[int, str],
-    record_keys: Mapping[int, str],
-) -> Iterator[tuple[int, Record]]:
+def _records(plan: Plan, limits: Limits, stored: _Keys) -> Iterator[tuple[int, Record]]:
     """Yield (job number, record): first those that need no running, then as runs come in.
 
     What stands of a code that is here was not refused: its key holds all that a refusal hangs on.
     """
-    waiting = {}
+    waiting, store = {}, stored.store
     for number, job in enumerate(plan.jobs):
-        key = record_keys[number]
-        stored = not limits.fresh and plan.found[job.code].installed
-        if stored and (record := store.record(key)) is not None:
-            yield number, {**_identity(plan, job, key), **record}
-        elif (run := _known(job, run_keys[number], store if stored else None)) is not None:
+        key = stored.records[number]
+        usable = not limits.fresh and plan.found[job.code].installed
+        if usable and (summary := store.summary(key)) is not None:
+            yield number, _record(plan, job, key, summary)
+        elif (run := _known(job, stored.runs[number], store if usable else None)) is not None:
             yield number, _kept(plan, job, run, key, store)
         else:
             waiting[number] = job
@@ -148,8 +158,8 @@ def _records(
     ):
         job = plan.jobs[number]
         whole = checked(run, job.ask)
-        store.keep_run(run_keys[number], whole)
-        yield number, _kept(plan, job, whole, record_keys[number], store)
+        store.keep_run(stored.runs[number], whole)
+        yield number, _kept(plan, job, whole, stored.records[number], store)
 
 
 def _known(job: Job, key: str, store: Store | None) -> Run | None:
@@ -186,43 +196,46 @@ def batches(waiting: Mapping[int, Job], plan: Plan, workers: int) -> list[Batch]
 
 
 def _kept(plan: Plan, job: Job, run: Run, key: str, store: Store) -> Record:
-    """Measure a run, keep the record if it says something, and return it with its identity.
+    """Measure a run, keep what there is to say of it if it says something, and return the record.
 
     A run of which a quantity cannot be measured has failed: it may be what the case is to show.
     """
     trial = plan.trials[job.case, job.variant]
-    entries: list[Record] = []
-    arrays: dict[str, Any] = {}
+    quantities: list[MeasuredQuantity] = []
+    arrays: dict[str, Vector] = {}
     try:
         for quantity in trial.quantities if run.status is Status.RAN else ():
-            entry, series = measured(run, quantity, job.method, job.ask.knobs)
-            entries.append(entry)
+            one, series = measured(run, quantity, job.method, job.ask.knobs)
+            quantities.append(one)
             arrays.update(series)
     except Exception as error:
-        run, entries = failed(error), []
-    record = {**described(run), "quantities": entries}
+        run, quantities = failed(error), []
+    summary = summarised(run, tuple(quantities))
     says = (Status.RAN, Status.DIVERGED) if isinstance(trial.study, Grid) else (Status.RAN,)
     if run.status in says:
-        store.keep_record(key, record, arrays)
-    return {**_identity(plan, job, key), **record}
+        store.keep_summary(key, summary, arrays)
+    return _record(plan, job, key, summary)
 
 
-def _identity(plan: Plan, job: Job, key: str) -> Record:
-    """What a record is about; `key` leads to the arrays of its series."""
-    return {
-        "case": job.case,
-        "variant": job.variant,
-        "study": type(plan.trials[job.case, job.variant].study).__name__.lower(),
-        "parameters": dict(job.parameters),
-        "modified": job.modified,
-        "code": job.code,
-        "scheme": job.scheme,
-        "code_version": plan.found[job.code].version,
-        "method": job.method.name.lower().replace("_", "-"),
-        "rung": dataclasses.asdict(job.ask.knobs),
-        "key": key,
-    }
-
-
-def _with_cost(record: Record, cost: Mapping[str, Any] | None) -> Record:
-    return record if cost is None else {**record, "cost": {**cost, "kind": "timed"}}
+def _record(plan: Plan, job: Job, key: str, run: RunSummary) -> Record:
+    """What came of a job, with what it was; `key` leads to the arrays of its series."""
+    return Record(
+        case=job.case,
+        variant=job.variant,
+        study=StudyKind(type(plan.trials[job.case, job.variant].study).__name__.lower()),
+        parameters=job.parameters,
+        modified=job.modified,
+        code=job.code,
+        scheme=job.scheme,
+        code_version=plan.found[job.code].version,
+        method=job.method,
+        rung=job.ask.knobs,
+        key=key,
+        status=run.status,
+        reason=run.reason,
+        cost=run.cost,
+        steps=run.steps,
+        model=run.model,
+        ledger=run.ledger,
+        quantities=run.quantities,
+    )

@@ -3,17 +3,19 @@
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Mapping, Sequence
-from typing import Any
+from collections.abc import Collection, Mapping, Sequence
 
 from vv.ask import Cost, Status
 from vv.base.digest import digest
 from vv.gate.speed import calibration
 from vv.plan.plan import Plan
+from vv.records.job_record import JobCost, Record
+from vv.records.manifest import TimedRun
+from vv.records.outcomes import CostKind
 from vv.records.reading import ran
 from vv.run.runner import Batch, run_batches
 from vv.store.provenance import machine
-from vv.store.store import Store
+from vv.store.store import Session, Store
 
 # CPU seconds spent on each point over all rounds: eighty blocks of a millisecond, of which the
 # least counts; 0.2 s lowered none of 13 figures by more than 6 %, and cost half a minute more
@@ -23,12 +25,12 @@ ROUNDS = 2  # every code is visited that often, so that drift of the machine hit
 
 def timed_costs(
     plan: Plan,
-    records: Sequence[Mapping[str, Any]],
+    records: Sequence[Record],
     run_keys: Mapping[int, str],
     store: Store,
     timeout: float,
     fresh: bool,
-) -> dict[int, dict[str, Any]]:
+) -> dict[int, JobCost]:
     """Job number -> cost, for the jobs to be timed that ran; all from one session.
 
     A stored session answers if it timed the very same runs on this machine. `relative` is
@@ -36,7 +38,7 @@ def timed_costs(
     """
     numbers = _due(plan, records)
     keys = {run_keys[n]: n for n in numbers}
-    session = digest(sorted(keys), machine()["fingerprint"], REPEAT, ROUNDS)
+    session = digest(sorted(keys), machine().fingerprint, REPEAT, ROUNDS)
     stored = None if fresh else store.timings(session)
     if stored is None and numbers:
         stored = _measure(plan, numbers, run_keys, store, timeout)
@@ -44,36 +46,41 @@ def timed_costs(
             store.keep_timings(session, stored)
     costs = stored or {}
     return {
-        n: {**_written(costs[run_keys[n]], records[n]), "session": session}
+        n: _cost(_with_output(costs[run_keys[n]], records[n]), session)
         for n in numbers
         if run_keys[n] in costs
     }
 
 
-def gaps(plan: Plan, records: Sequence[Mapping[str, Any]], costs: Mapping[int, Any]) -> list[str]:
+def gaps(plan: Plan, records: Sequence[Record], costs: Collection[int]) -> tuple[str, ...]:
     """The jobs that were to be timed and ran, but could not be timed."""
-    return [plan.jobs[n].label for n in _due(plan, records) if n not in costs]
+    return tuple(plan.jobs[n].label for n in _due(plan, records) if n not in costs)
 
 
-def _due(plan: Plan, records: Sequence[Mapping[str, Any]]) -> list[int]:
+def _due(plan: Plan, records: Sequence[Record]) -> list[int]:
     return [n for n, job in enumerate(plan.jobs) if job.timed and ran(records[n])]
 
 
-def last_costs(plan: Plan, run_keys: Mapping[int, str], store: Store) -> dict[int, dict[str, Any]]:
+def last_costs(plan: Plan, run_keys: Mapping[int, str], store: Store) -> dict[int, JobCost]:
     """Job number -> cost as the last session found it, for the very same runs."""
-    session, costs = store.last_timings() or ("", {})
+    session = store.last_session()
+    costs = (store.timings(session) if session else None) or {}
     jobs = range(len(plan.jobs))
-    return {n: {**costs[run_keys[n]], "session": session} for n in jobs if run_keys[n] in costs}
+    return {n: _cost(costs[run_keys[n]], session) for n in jobs if run_keys[n] in costs}
 
 
-def _written(cost: Mapping[str, Any], record: Mapping[str, Any]) -> dict[str, Any]:
+def _cost(timed: TimedRun, session: str) -> JobCost:
+    return JobCost(**dataclasses.asdict(timed), session=session, kind=CostKind.TIMED)
+
+
+def _with_output(timed: TimedRun, record: Record) -> TimedRun:
     """The cost, with the output of the judged run where the timed one wrote less."""
-    return {**cost, "output": max(cost["output"], record["cost"]["output"])}
+    return dataclasses.replace(timed, output=max(timed.output, record.cost.output))
 
 
 def _measure(
     plan: Plan, numbers: Sequence[int], run_keys: Mapping[int, str], store: Store, timeout: float
-) -> dict[str, Any]:
+) -> Session:
     groups: dict[tuple[str, str], list[int]] = {}
     for number in numbers:
         job = plan.jobs[number]
@@ -91,13 +98,12 @@ def _measure(
                 if run.status is Status.RAN and run.cost.solve_cpu > 0:
                     seen.setdefault(number, []).append(run.cost)
                     ratios.setdefault(number, []).append(run.cost.solve_cpu / unit)
-    return {
-        run_keys[n]: {
-            **dataclasses.asdict(_best(costs)),
-            "relative": [min(ratios[n]), max(ratios[n])],
-        }
-        for n, costs in seen.items()
-    }
+    return {run_keys[n]: _timed(costs, ratios[n]) for n, costs in seen.items()}
+
+
+def _timed(costs: Sequence[Cost], ratios: Sequence[float]) -> TimedRun:
+    best = dataclasses.asdict(_best(costs))
+    return TimedRun(**best, relative=(min(ratios), max(ratios)))
 
 
 def _best(costs: Sequence[Cost]) -> Cost:

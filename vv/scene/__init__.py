@@ -15,7 +15,7 @@ from vv.scene.block import (
 from vv.scene.bodies import Harmonic, Spheres, Wall
 from vv.scene.bonds import Bonds, Pairs
 from vv.scene.contact import Contact
-from vv.scene.energy import Form
+from vv.scene.energy import DISSIPATED, Form, Loss
 from vv.scene.scene import Scene
 from vv.scene.start import initial_normal_forces
 from vv.scene.terms import Term
@@ -30,12 +30,14 @@ from vv.scene.transform import (
 )
 
 __all__ = [
+    "DISSIPATED",
     "Block",
     "Bonds",
     "Contact",
     "Elastic",
     "Form",
     "Harmonic",
+    "Loss",
     "Mask",
     "Pairs",
     "Scene",

@@ -22,3 +22,24 @@ class Form(enum.Enum):
     CARRYING = "less work of carried bodies"
     BROKEN_NORMAL = "breaking dissipation, normal"
     BROKEN_SHEAR = "breaking dissipation, shear"
+
+    @property
+    def dissipated(self) -> bool:
+        """Whether it is heat, which can only grow."""
+        return self in _HEAT
+
+
+_HEAT = frozenset((Form.FRICTION, Form.DRAG, Form.BROKEN_NORMAL, Form.BROKEN_SHEAR))
+
+
+class Loss(enum.Enum):
+    """What a method dissipates beside the forms of its scene, which can only grow either."""
+
+    NUMERICAL = "numerical dissipation"
+    KINETIC_DAMPING = "kinetic damping dissipation"
+    IMPACT = "impact dissipation"
+
+
+DISSIPATED = frozenset(  # the names of these in a balance
+    one.value for one in (*(form for form in Form if form.dissipated), *Loss)
+)

@@ -15,7 +15,8 @@ class GitError(Exception):
 def commit(root: Path) -> tuple[str, bool]:
     """The commit of a checkout and whether files differ from it; ('', False) outside one."""
     try:
-        return _git(root, "rev-parse", "HEAD")[0], bool(_git(root, "status", "--porcelain"))
+        revision = _git(root, "rev-parse", "HEAD").strip()
+        return revision, bool(_git(root, "status", "--porcelain", "-z"))
     except GitError:
         return "", False
 
@@ -23,7 +24,7 @@ def commit(root: Path) -> tuple[str, bool]:
 def named(root: Path, revision: str) -> str:
     """The commit that git knows by a name such as HEAD~1 or a tag; empty if there is none."""
     try:
-        return _git(root, "rev-parse", "--verify", "--quiet", f"{revision}^{{commit}}")[0]
+        return _git(root, "rev-parse", "--verify", "--quiet", f"{revision}^{{commit}}").strip()
     except GitError:
         return ""
 
@@ -33,22 +34,24 @@ def changed_since(root: Path, revision: str) -> frozenset[Path]:
 
     Raises UsageError if git does not know the revision or this is no checkout.
     """
-    words = ("diff", "--name-only", "--no-renames", "--relative", revision, "--")
+    differing = ("diff", "--name-only", "--no-renames", "--relative", "-z", revision, "--")
+    new = ("ls-files", "--others", "--exclude-standard", "-z")
     try:
-        listed = [*_git(root, *words), *_git(root, "ls-files", "--others", "--exclude-standard")]
+        listed = (_git(root, *differing) + _git(root, *new)).split("\0")
     except GitError as error:
         raise UsageError(f"--since: {error}") from error
-    return frozenset((root / name).resolve() for name in listed)
+    return frozenset((root / name).resolve() for name in listed if name)
 
 
-def _git(root: Path, *words: str) -> list[str]:
-    """The lines that git prints."""
+def _git(root: Path, *words: str) -> str:
+    """What git prints; names of files, which git quotes elsewhere, are asked for with -z."""
+    command = ["git", "-C", str(root), *words]
     try:
         done = subprocess.run(
-            ["git", "-C", str(root), *words], capture_output=True, text=True, check=False
+            command, capture_output=True, check=False, encoding="utf-8", errors="surrogateescape"
         )
     except OSError as error:
         raise GitError(f"git cannot be run: {error}") from error
     if done.returncode:
         raise GitError(f"git says: {done.stderr.strip().partition(chr(10))[0]}")
-    return done.stdout.splitlines()
+    return done.stdout

@@ -5,45 +5,45 @@ from __future__ import annotations
 import datetime
 import functools
 import hashlib
-import json
 import os
 import platform
 from collections.abc import Iterable, Sequence
 from importlib import metadata
 from pathlib import Path
-from typing import Any
 
 import vv
 from vv.base.digest import digest
 from vv.base.files import write_whole
+from vv.records import codec
+from vv.records.provenance import Machine, Provenance
 from vv.store.checkout import commit
 
 LIBRARIES = ("numpy", "scipy", "numba")
 
 
-def provenance(root: Path, command: Sequence[str], now: datetime.datetime) -> dict[str, Any]:
+def provenance(root: Path, command: Sequence[str], now: datetime.datetime) -> Provenance:
     """What a reader needs to know about the circumstances of a result."""
     revision, dirty = commit(root)
-    return {
-        "utc": now.isoformat(timespec="seconds"),
-        "commit": revision,
-        "dirty": dirty,
-        "command": " ".join(command),
-        "machine": machine(),
-        "versions": {"vv": vv.__version__, "python": platform.python_version(), **_versions()},
-        "threads": 1,
-    }
+    return Provenance(
+        utc=now.isoformat(timespec="seconds"),
+        commit=revision,
+        dirty=dirty,
+        command=" ".join(command),
+        machine=machine(),
+        versions={"vv": vv.__version__, "python": platform.python_version(), **_versions()},
+        threads=1,
+    )
 
 
 @functools.cache
-def machine() -> dict[str, Any]:
+def machine() -> Machine:
     """The processor, its cores and the system: times of one machine never mix with another's."""
-    return {
-        "processor": _processor(),
-        "cores": os.cpu_count(),
-        "system": f"{platform.system()} {platform.release()}",
-        "fingerprint": digest(_processor(), os.cpu_count(), platform.node())[:12],
-    }
+    return Machine(
+        processor=_processor(),
+        cores=os.cpu_count(),
+        system=f"{platform.system()} {platform.release()}",
+        fingerprint=digest(_processor(), os.cpu_count(), platform.node())[:12],
+    )
 
 
 def _processor() -> str:
@@ -71,7 +71,7 @@ def file_digests(files: Iterable[Path], memory: Path) -> dict[str, str]:
     The time is that of the inode: unlike that of the content it cannot be set back.
     """
     try:
-        known: dict[str, str] = json.loads(memory.read_text())
+        known = codec.read(dict[str, str], codec.parse(memory.read_text()), "digests")
     except (OSError, ValueError):
         known = {}
     found = {}
@@ -80,6 +80,6 @@ def file_digests(files: Iterable[Path], memory: Path) -> dict[str, str]:
         label = f"{path} {state.st_size} {state.st_ctime_ns}"
         if label not in known:
             known[label] = hashlib.sha256(path.read_bytes()).hexdigest()
-            write_whole(memory, json.dumps(known, indent=0, sort_keys=True).encode())
+            write_whole(memory, codec.render(known, indent=0, sort_keys=True).encode())
         found[str(path)] = known[label]
     return found

@@ -8,16 +8,14 @@ the key they belong to, so that a file that got into the wrong place answers not
 from __future__ import annotations
 
 import contextlib
-import dataclasses
 import errno
 import io
-import json
 import shutil
 import tempfile
 import time
 import zipfile
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, TextIO, TypeVar
 
@@ -36,15 +34,42 @@ from vv.ask import (
     Velocity,
 )
 from vv.base.files import write_whole
+from vv.records import codec
+from vv.records.fields import SPREAD
+from vv.records.job_record import ModelSummary, Record, RunSummary
+from vv.records.manifest import Answer, Manifest, TimedRun
+from vv.records.provenance import Provenance
 from vv.scene import Form, Term, Vector
 from vv.store import manifest
 
 Found = TypeVar("Found")
+Session = dict[str, TimedRun]  # what a timing session measured, by the keys of the runs
 STALE = 7 * 86400.0  # s that the logs of a failure are kept
 UNREADABLE = (OSError, ValueError, KeyError, EOFError, zipfile.BadZipFile)
 OBSERVABLES: Mapping[str, type[Displacement | Velocity | Reaction | Strain]] = {
     kind.__name__: kind for kind in (Displacement, Velocity, Reaction, Strain)
 }
+
+
+@dataclass(frozen=True, slots=True)
+class _Kept:
+    """What a record says of a run, and the key it belongs to."""
+
+    run: RunSummary = field(metadata={SPREAD: True})  # its fields stand beside the key
+    key: str
+
+
+@dataclass(frozen=True, slots=True)
+class _Meta:
+    """All of a run but its arrays, and the key it belongs to; terms and observables by name."""
+
+    observables: tuple[tuple[str, int], ...]
+    cost: Cost
+    model: ModelSummary | None
+    ledger: Ledger | None
+    steps: int
+    reason: str
+    key: str
 
 
 @dataclass(frozen=True)
@@ -57,8 +82,8 @@ class Store:
         """The stored run of that key; None if there is none or it cannot be read."""
         try:
             arrays = self._arrays("runs", key)
-            meta = json.loads(str(arrays["meta"]))
-            return _run_from(meta, arrays) if meta["key"] == key else None
+            meta = codec.read(_Meta, codec.parse(str(arrays["meta"])), "run")
+            return _run_from(meta, arrays) if meta.key == key else None
         except UNREADABLE:
             return None
 
@@ -71,23 +96,20 @@ class Store:
         if run.status is Status.RAN:
             arrays = {f"value{i}": value for i, value in enumerate(run.values.values())}
             arrays |= {f"energy {form.name}": value for form, value in run.energies.items()}
-            meta = np.array(_meta(run, key))
+            meta = np.array(codec.render(_meta(run, key)))
             self._keep_arrays(
                 "runs", key, {"meta": meta, "t": run.times, "tried": run.tried, **arrays}
             )
 
-    def record(self, key: str) -> dict[str, Any] | None:
-        """The stored record of that key, without its series; None if there is none."""
-        found = self._json("records", key)
-        return found if found and found.pop("key", None) == key else None
+    def summary(self, key: str) -> RunSummary | None:
+        """What is stored of a run under that key of a record; None if there is nothing."""
+        kept = self._read(_Kept, "records", key)
+        return kept.run if kept and kept.key == key else None
 
-    def keep_record(
-        self, key: str, record: Mapping[str, Any], series: Mapping[str, Vector]
-    ) -> None:
-        """Store a record, and beside it the arrays of its series."""
+    def keep_summary(self, key: str, run: RunSummary, series: Mapping[str, Vector]) -> None:
+        """Store what a record says of a run, and beside it the arrays of its series."""
         self._keep_arrays("records", key, series)
-        text = json.dumps({**record, "key": key}, allow_nan=False)
-        write_whole(self._path("records", key, "json"), text.encode())
+        self._write("records", key, _Kept(run, key))
 
     def series(self, key: str) -> dict[str, Vector]:
         """The arrays kept beside a record; empty if there are none."""
@@ -100,55 +122,56 @@ class Store:
         """Whether there is a file of the arrays kept beside a record."""
         return self._path("records", key, "npz").is_file()
 
-    def keep_manifest(self, name: str, what: Mapping[str, Any]) -> None:
-        """Store what one invocation did under a name that sorts by time."""
-        write_whole(self._manifest(name), manifest.render(what).encode())
+    def keep_manifest(self, what: Manifest) -> None:
+        """Store what one invocation did under its name, which sorts by time."""
+        write_whole(self._manifest(what.name), manifest.render(what).encode())
 
     def manifests(self) -> list[str]:
         """The names of past invocations, oldest first."""
         return sorted(path.stem for path in (self.root / "manifests").glob("*.json"))
 
-    def manifest(self, name: str) -> dict[str, Any]:
+    def manifest(self, name: str) -> Manifest:
         """A past invocation; raises FileNotFoundError with the name, OSError if it is damaged."""
-        return self._of_manifest(name, lambda file: manifest.whole(file.read()))
+        return self._of_manifest(name, lambda file: manifest.whole(file.read(), name))
 
-    def newest(self, most: int) -> list[dict[str, Any]]:
-        """The newest past invocations, newest first; what is damaged is passed over."""
+    def newest(self, most: int, passed_over: Callable[[str], None]) -> list[Manifest]:
+        """The newest past invocations, newest first; `passed_over` is told of damaged ones."""
         found = []
         for name in reversed(self.manifests()[-most:]):
-            with contextlib.suppress(OSError):
+            try:
                 found.append(self.manifest(name))
+            except OSError as error:
+                passed_over(f"past run {name}: {error.strerror}; passed over")
         return found
 
-    def head(self, name: str) -> tuple[list[str], dict[str, Any]]:
+    def head(self, name: str) -> tuple[tuple[str, ...], Provenance]:
         """The cases a past invocation holds, and its provenance; raises as `manifest`."""
         return self._of_manifest(name, manifest.head)
 
-    def records_of(self, name: str, case: str) -> list[dict[str, Any]]:
+    def records_of(self, name: str, case: str) -> tuple[Record, ...]:
         """The records of one case in a past invocation; raises as `manifest`."""
         return self._of_manifest(name, lambda file: manifest.records(file, case))
 
-    def timings(self, session: str) -> dict[str, Any] | None:
+    def timings(self, session: str) -> Session | None:
         """A timing session, by the digest of what it timed and where."""
-        return self._json("timings", session)
+        return self._read(Session, "timings", session)
 
-    def keep_timings(self, session: str, timings: Mapping[str, Any]) -> None:
+    def keep_timings(self, session: str, timings: Session) -> None:
         """Store a timing session."""
-        write_whole(self._path("timings", session, "json"), json.dumps(timings).encode())
+        self._write("timings", session, timings)
 
-    def last_timings(self) -> tuple[str, dict[str, Any]] | None:
-        """The newest timing session and its name; None if there is none."""
+    def last_session(self) -> str:
+        """The name of the newest timing session; empty if there is none."""
         files = sorted((self.root / "timings").glob("*/*.json"), key=lambda p: p.stat().st_mtime_ns)
-        stored = self.timings(files[-1].stem) if files else None
-        return (files[-1].stem, stored) if stored else None
+        return files[-1].stem if files else ""
 
-    def answer(self, key: str) -> dict[str, Any] | None:
+    def answer(self, key: str) -> Answer | None:
         """What is noted of an invocation, by the digest of all it depends on."""
-        return self._json("answers", key)
+        return self._read(Answer, "answers", key)
 
-    def keep_answer(self, key: str, answer: Mapping[str, Any]) -> None:
+    def keep_answer(self, key: str, answer: Answer) -> None:
         """Note what an invocation came to."""
-        write_whole(self._path("answers", key, "json"), json.dumps(answer).encode())
+        self._write("answers", key, answer)
 
     def scratch(self) -> Path:
         """A new, empty folder for one worker."""
@@ -181,11 +204,16 @@ class Store:
         except ValueError as error:
             raise OSError(errno.EIO, f"no whole manifest: {error}", str(path)) from error
 
-    def _json(self, layer: str, key: str) -> dict[str, Any] | None:
+    def _read(self, kind: type[Found], layer: str, key: str) -> Found | None:
+        """What a file holds; None where there is none, or it is damaged."""
         try:
-            return dict(json.loads(self._path(layer, key, "json").read_text()))
+            text = self._path(layer, key, "json").read_text(encoding="utf-8")
+            return codec.read(kind, codec.parse(text), layer)
         except (OSError, ValueError):
             return None
+
+    def _write(self, layer: str, key: str, what: object) -> None:
+        write_whole(self._path(layer, key, "json"), codec.render(what).encode())
 
     def _arrays(self, layer: str, key: str) -> dict[str, Any]:
         path = self._path(layer, key, "npz")
@@ -201,37 +229,39 @@ class Store:
         return self.root / layer / key[:2] / f"{key}.{suffix}"
 
 
-def _meta(run: Run, key: str) -> str:
-    """All of a run but its arrays, as JSON, and the key it belongs to."""
-    model = run.model and {
-        "unknowns": run.model.unknowns,
-        "terms": sorted(term.name for term in run.model.terms),
-        "note": run.model.note,
-    }
-    ledger = run.ledger and dataclasses.asdict(run.ledger)
-    observables = [[type(o).__name__, o.body] for o in run.values]
-    cost = dataclasses.asdict(run.cost)
-    parts = {"observables": observables, "cost": cost, "model": model, "ledger": ledger}
-    return json.dumps({**parts, "steps": run.steps, "reason": run.reason, "key": key})
+def _meta(run: Run, key: str) -> _Meta:
+    model = run.model
+    names = tuple(sorted(term.name for term in model.terms)) if model else ()
+    return _Meta(
+        observables=tuple((type(o).__name__, o.body) for o in run.values),
+        cost=run.cost,
+        model=None if model is None else ModelSummary(model.unknowns, names, model.note),
+        ledger=run.ledger,
+        steps=run.steps,
+        reason=run.reason,
+        key=key,
+    )
 
 
-def _run_from(meta: dict[str, Any], arrays: dict[str, Vector]) -> Run:
-    model, ledger = meta["model"], meta["ledger"]
-    if model:
-        model = Model(**{**model, "terms": frozenset(Term[name] for name in model["terms"])})
+def _run_from(meta: _Meta, arrays: dict[str, Vector]) -> Run:
+    model = meta.model
     values: dict[Observable, Vector] = {
         OBSERVABLES[kind](body): arrays[f"value{i}"]
-        for i, (kind, body) in enumerate(meta["observables"])
+        for i, (kind, body) in enumerate(meta.observables)
     }
     return Run(
         Status.RAN,
-        meta["reason"],
+        meta.reason,
         times=arrays["t"],
         values=values,
-        cost=Cost(**meta["cost"]),
-        steps=meta["steps"],
-        model=model,
-        ledger=Ledger(**ledger) if ledger else None,
+        cost=meta.cost,
+        steps=meta.steps,
+        model=None if model is None else _model_from(model),
+        ledger=meta.ledger,
         energies={form: arrays[name] for form in Form if (name := f"energy {form.name}") in arrays},
         tried=arrays["tried"],
     )
+
+
+def _model_from(summary: ModelSummary) -> Model:
+    return Model(summary.unknowns, frozenset(Term[name] for name in summary.terms), summary.note)

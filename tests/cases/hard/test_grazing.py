@@ -79,7 +79,7 @@ def test_methods_of_second_order_are_shown_and_only_exact_ones_judged() -> None:
     wrong = run_of(closed.t3(T, **OVERLAP) + 1e-3 * LIMIT * (10.0 * pi / 3.0 < T))
     for method, verdict in ((Method.EXACT, "fail"), (Method.SECOND_ORDER, "no-reference")):
         entry, _ = measured(wrong, SLIPS, method, Knobs())
-        assert entry["verdict"] == verdict
-        assert entry["judge"] == ("exact" if verdict == "fail" else "shown")
-        assert bool(entry["errors"]) == (verdict == "fail")  # and so no order in the step
-    assert measured(run, SLIPS, Method.EXACT, Knobs())[0]["verdict"] == "pass"
+        assert entry.verdict.value == verdict
+        assert entry.judge.value == ("exact" if verdict == "fail" else "shown")
+        assert bool(entry.errors) == (verdict == "fail")  # and so no order in the step
+    assert measured(run, SLIPS, Method.EXACT, Knobs())[0].verdict.value == "pass"

@@ -69,7 +69,7 @@ def pushed(dt: float, steps: int) -> float:
 
 def judged(trial: Trial, run: Run) -> list[str]:
     rung = trial.study.rungs[Level.DEFAULT][1]
-    return [measured(run, q, Method.PENALTY, rung)[0]["verdict"] for q in trial.quantities]
+    return [measured(run, q, Method.PENALTY, rung)[0].verdict.value for q in trial.quantities]
 
 
 @pytest.mark.parametrize("variant", ["complex", "near-four"])

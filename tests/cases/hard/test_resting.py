@@ -98,7 +98,7 @@ def ran(variant: str) -> tuple[Run, dict[str, Scalar]]:
 
 
 def judged(quantity: Scalar, run: Run) -> object:
-    return measured(run, quantity, Method.SECOND_ORDER, Knobs(5e-5))[0]["verdict"]
+    return measured(run, quantity, Method.SECOND_ORDER, Knobs(5e-5))[0].verdict.value
 
 
 def test_a_gain_is_seen_after_a_loss_that_would_hide_it() -> None:

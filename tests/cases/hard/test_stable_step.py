@@ -175,7 +175,7 @@ def test_with_drag_a_scheme_is_judged_by_the_limit_of_the_class_it_declares_and_
 ) -> None:
     run, numbers = searched("stable-step", "viscous", scheme, tmp_path)
     told = [measured(run, quantity, declared, Knobs())[0] for quantity in numbers]
-    assert [entry["verdict"] for entry in told] == verdicts
+    assert [entry.verdict.value for entry in told] == verdicts
 
 
 @pytest.mark.parametrize("scheme", ["default", "published"])

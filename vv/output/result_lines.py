@@ -1,0 +1,114 @@
+"""Prints what an invocation came to: counts, what was refused, what failed, what changed."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterable, Sequence
+from typing import TYPE_CHECKING
+
+from vv.gate.judgement import counted, outcome
+from vv.output.terminal import note, say
+from vv.output.wording import in_words, listed
+from vv.records.finding import Aspect, Finding, worst_first
+from vv.records.job_record import Record
+from vv.records.manifest import Manifest
+from vv.records.reading import tried
+
+if TYPE_CHECKING:
+    from vv.insight.compare import Change
+    from vv.insight.history import Point
+
+REASONS = 6  # why codes refused: the most frequent ones
+SHOWN = 12  # findings of a gate; the report and the files have all
+
+
+def print_refusals(records: Iterable[Record]) -> None:
+    """Each reason why something was refused or is not installed, once, with how often."""
+    reasons = Counter(
+        f"{record.label}: {outcome(record).value}: {record.reason}"
+        for record in records
+        if not tried(record)
+    )
+    for reason, times in reasons.most_common(REASONS):
+        note(f"{reason} ({times} times)" if times > 1 else reason)
+    if len(reasons) > REASONS:
+        rest = len(reasons) - REASONS
+        note(f"and {rest} more reasons to refuse; the report has them all")
+
+
+def print_failures(findings: Sequence[Finding]) -> None:
+    """What did not run, and the results farthest outside their tolerances, as the gate says it."""
+    found = [one for one in worst_first(findings) if one.check in (Aspect.ACCURACY, Aspect.RUN)]
+    for finding in found[:REASONS]:
+        note(f"{finding.kind}: {finding.where}: {finding.text}")
+    if len(found) > REASONS:
+        note(f"and {len(found) - REASONS} more like these; the report has them all")
+
+
+def print_counts(records: Iterable[Record], report: str) -> None:
+    """The last line of a run: outcomes counted, where the report is, where to read why.
+
+    report: its path, or what writes it.
+    """
+    say(f"{listed(counted(records))}; report: {report}; why: vv explain CASE")
+
+
+def print_findings(findings: Sequence[Finding]) -> None:
+    """The verdict of a gate: its colour, then what is red, worst first, and what is new."""
+    from vv.output.markdown import headline
+
+    ranked = worst_first(findings)
+    for finding in ranked[:SHOWN]:
+        mark = "red" if finding.red else "reported only" if finding.bit else "note"
+        say(f"{mark}: {finding.check.value} {finding.kind}: {finding.where}: {finding.text}")
+    if len(ranked) > SHOWN:
+        say(f"and {len(ranked) - SHOWN} more")
+    say(f"gate: {headline(findings)}")
+
+
+def print_difference(manifest: Manifest, case: str) -> None:
+    """What changed since the baseline of a case, worst first."""
+    moved = [f for f in manifest.findings if f.compares]
+    for finding in worst_first(moved):
+        say(f"{finding.kind}: {finding.where}: {finding.text}")
+    if not moved:
+        say(f"{case}: no change since its baseline")
+
+
+def print_unacceptable(records: Iterable[Record]) -> None:
+    """Which results do not enter a baseline, counted by scheme and outcome."""
+    counts = Counter((record.label, outcome(record)) for record in records)
+    for (scheme, came), number in counts.items():
+        say(f"not accepted: {number} of {scheme}: {in_words(came, number)}")
+
+
+def print_changes(changes: Sequence[Change], one: Manifest, other: Manifest, rows: int) -> None:
+    """How two invocations differ, the largest difference of each kind first."""
+    for name, manifest in (("A", one), ("B", other)):
+        where = manifest.provenance
+        dirty = " with uncommitted changes" if where.dirty else ""
+        commit = f"commit {where.commit[:9]}{dirty}" if where.commit else "no commit"
+        say(f"{name}: {where.utc}, {commit}, {len(manifest.records)} results")
+    for kind in dict.fromkeys(change.kind for change in changes):
+        own = [change for change in changes if change.kind == kind]
+        for change in own[:rows]:
+            say(f"{kind}: {change.where}: {change.text}")
+        if len(own) > rows:
+            say(f"{kind}: and {len(own) - rows} more")
+    if not changes:
+        say("no difference")
+
+
+def print_history(case: str, points: Sequence[Point]) -> None:
+    """A case over commits: for each scheme its error over tolerance and its relative cost."""
+    if not points:
+        say(f"{case}: no run is stored")
+    for point in points:
+        say(f"{case} at {point.name}, {point.utc}")
+        for scheme, counts in sorted(point.outcomes.items()):
+            near = point.closeness.get(scheme)
+            cost = point.cost.get(scheme)
+            parts = [listed(counts)]
+            parts += [f"error {near:.3g} of the tolerance"] if near is not None else []
+            parts += [f"cost {cost:.3g} calibration kernels"] if cost is not None else []
+            say(f"  {scheme}: {', '.join(parts)}")

@@ -1,0 +1,91 @@
+"""Accepted results of a case: what was accepted, when, where and why."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+from vv.records.fields import optional, spread
+
+
+@dataclass(frozen=True, slots=True)
+class Place:
+    """The processor and the system that results were made on."""
+
+    processor: str
+    system: str
+
+
+@dataclass(frozen=True, slots=True)
+class Circumstances:
+    """Where results that are written down come from."""
+
+    commit: str
+    dirty: bool
+    machine: Place
+    utc: str
+    versions: Mapping[str, str]
+
+
+@dataclass(frozen=True, slots=True)
+class Acceptance:
+    """One time that results were accepted, and why they are right."""
+
+    commit: str
+    dirty: bool
+    machine: Place
+    reason: str
+    utc: str
+    versions: Mapping[str, str]
+
+
+@dataclass(frozen=True, slots=True)
+class AcceptedQuantity:
+    """What a baseline keeps of a quantity: its error, its scale, and a few figures of its value."""
+
+    error: float | None
+    scale: float | None
+    figures: Mapping[str, float | None] = spread()
+
+
+@dataclass(frozen=True, slots=True)
+class AcceptedResult:
+    """What a baseline keeps of a record. by: the number of the acceptance that it came by.
+
+    cost: in calibration kernels, the least and the largest of the rounds.
+    """
+
+    by: str
+    cost: tuple[float, float] | None = optional(None)
+    quantities: Mapping[str, AcceptedQuantity] = spread()
+
+
+@dataclass(frozen=True, slots=True)
+class Baseline:
+    """The accepted results of a case, by name; parameters: variant -> those it was run with."""
+
+    case: str
+    acceptances: Mapping[str, Acceptance] = field(default_factory=dict)
+    parameters: Mapping[str, Mapping[str, float]] = field(default_factory=dict)
+    results: Mapping[str, AcceptedResult] = field(default_factory=dict)
+
+
+@dataclass(frozen=True, slots=True)
+class AcceptanceSummary:
+    """An acceptance, and how many of a baseline's results came by it."""
+
+    commit: str
+    dirty: bool
+    machine: Place
+    reason: str
+    utc: str
+    versions: Mapping[str, str]
+    results: int
+
+
+@dataclass(frozen=True, slots=True)
+class BaselineSummary:
+    """Why a baseline is as it is: how many results, by which acceptances, newest last."""
+
+    results: int
+    acceptances: tuple[AcceptanceSummary, ...]

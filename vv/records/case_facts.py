@@ -1,0 +1,71 @@
+"""What a case says of itself, in words: for the report, and for who reads a past invocation."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from vv.case import Check, Parameter, Source
+from vv.records.fields import optional
+from vv.records.outcomes import JudgeKind
+
+
+@dataclass(frozen=True, slots=True)
+class ToleranceFacts:
+    """A tolerance as it was when it judged; its parts are those of `vv.case.Tolerance`."""
+
+    value: float
+    reason: str
+    dt: float | None = None
+    order: int = 0
+    floor: float = 0.0
+    slack: str = ""
+    kn: float | None = None
+    softness: float = 0.0
+
+
+@dataclass(frozen=True, slots=True)
+class QuantityFacts:
+    """A quantity, and how it is judged.
+
+    norm, tolerances by class of method, and reasons of the methods that are shown only: where it
+    is judged by its error; reason: where it is not.
+    """
+
+    name: str
+    symbol: str
+    unit: str
+    meaning: str
+    judge: JudgeKind
+    norm: str | None = optional(None)
+    tolerances: Mapping[str, ToleranceFacts] | None = optional(None)
+    shown: Mapping[str, str] | None = optional(None)
+    reason: str | None = optional(None)
+
+
+@dataclass(frozen=True, slots=True)
+class VariantFacts:
+    """A variant: its physics in words, its terms, and what is judged.
+
+    critical: (kn [N/m] or None, step [s]) what the steps of a map are multiples of.
+    """
+
+    summary: str
+    formula: str
+    inert: tuple[str, ...]
+    terms: tuple[str, ...]
+    unknowns: int
+    quantities: tuple[QuantityFacts, ...]
+    critical: tuple[tuple[float | None, float], ...] = optional(())
+
+
+@dataclass(frozen=True, slots=True)
+class CaseFacts:
+    """A case: title, source, published results, enforced checks, parameters and variants."""
+
+    title: str
+    source: Source
+    published: Mapping[str, str]
+    enforced: tuple[Check, ...]
+    parameters: tuple[Parameter, ...]
+    variants: Mapping[str, VariantFacts]

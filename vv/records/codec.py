@@ -1,0 +1,281 @@
+"""The one place where records are written as JSON and read again, each field checked.
+
+How a class is read and written follows from its fields, once for each class: an object with a
+member per field, in their order; enums as their names in small letters, with hyphens.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+import enum
+import functools
+import json
+import types
+import typing
+from collections.abc import Callable, Hashable, Mapping
+from typing import Any, NoReturn, TypeVar
+
+from vv.records.fields import OMITTED, SPREAD
+
+Json = dict[str, Any]  # what is on its way to or from a file, and nowhere else
+Reader = Callable[[Any], Any]
+Kind = TypeVar("Kind")
+PLAIN = frozenset((str, int, float, bool, type(None)))
+MISSING = object()
+
+
+class DamagedError(ValueError):
+    """Data that is not what its class demands; names the field, the value and the rule."""
+
+    def __init__(self, value: object, rule: str, place: str = "") -> None:
+        super().__init__(value, rule, place)
+        self.value, self.rule, self.place = value, rule, place
+
+    def __str__(self) -> str:
+        shown = "" if self.value is MISSING else f" = {self.value!r:.60}"
+        return f"{self.place.removeprefix('.')}{shown}; {self.rule}"
+
+    def within(self, name: str) -> DamagedError:
+        """The same error, seen from one level up."""
+        return DamagedError(self.value, self.rule, f"{name}{self.place}")
+
+
+def parse(text: str) -> Any:
+    """JSON as plain data; raises ValueError for what is none, and for numbers that are not finite.
+
+    For what is no record; records are read with `read`.
+    """
+    return json.loads(text, parse_constant=_not_finite)
+
+
+def render(value: object, **style: Any) -> str:
+    """Records, or what holds some, as a text in JSON; style: as of `json.dumps`."""
+    return json.dumps(to_data(value), allow_nan=False, **style)
+
+
+def read(kind: type[Kind], data: object, name: str) -> Kind:
+    """Plain data as an object of that class; raises DamagedError, in which `name` stands for it."""
+    try:
+        found: Kind = _reader(typing.cast(Hashable, kind))(data)
+    except DamagedError as error:
+        raise error.within(name) from None
+    return found
+
+
+def to_data(value: Any) -> Any:
+    """Records, or what holds some, as plain data."""
+    kind = type(value)
+    return value if kind in PLAIN else _writer(typing.cast(Hashable, kind))(value)
+
+
+def names(kind: type) -> tuple[str, ...]:
+    """The names of the fields of a class, in the order in which they are written."""
+    return tuple(name for name, _, _ in _written(kind))
+
+
+def word(member: enum.Enum) -> str:
+    """The name of a member of a closed list, as records have it."""
+    return _words(type(member))[member]
+
+
+@functools.cache
+def _writer(kind: Any) -> Callable[[Any], Any]:
+    """What makes plain data of a value of a type."""
+    if dataclasses.is_dataclass(kind):
+        return _object_of(kind)
+    if issubclass(kind, Mapping):
+        return _members
+    if issubclass(kind, tuple | list):
+        return lambda value: [one if type(one) in PLAIN else to_data(one) for one in value]
+    if issubclass(kind, enum.IntFlag):
+        return int
+    if issubclass(kind, enum.Enum) and not issubclass(kind, int | str):
+        return _words(kind).__getitem__
+    return lambda value: value  # a number of numpy, which is a float
+
+
+def _object_of(kind: Any) -> Callable[[Any], Json]:
+    written = _written(kind)
+
+    def write(value: Any) -> Json:
+        data: Json = {}
+        for name, default, is_spread in written:
+            part = getattr(value, name)
+            if is_spread:
+                data.update(to_data(part))
+            elif default is MISSING or part != default:
+                data[name] = part if type(part) in PLAIN else to_data(part)
+        return data
+
+    return write
+
+
+def _members(value: Mapping[Any, Any]) -> Json:
+    return {
+        word(key) if isinstance(key, enum.Enum) else key: one
+        if type(one) in PLAIN
+        else to_data(one)
+        for key, one in value.items()
+    }
+
+
+@functools.cache
+def _words(kind: Any) -> dict[enum.Enum, str]:
+    return {member: member.name.lower().replace("_", "-") for member in kind}
+
+
+@functools.cache
+def _written(kind: Any) -> tuple[tuple[str, Any, bool], ...]:
+    """(name, value at which it is left out, whether its entries stand in its place) of fields."""
+    return tuple(
+        (f.name, f.default if OMITTED in f.metadata else MISSING, SPREAD in f.metadata)
+        for f in dataclasses.fields(kind)
+    )
+
+
+@functools.cache
+def _reader(kind: Any) -> Reader:
+    """What reads a value of a type."""
+    origin, arguments = typing.get_origin(kind), typing.get_args(kind)
+    if origin in (types.UnionType, typing.Union):
+        return _or_none(next(one for one in arguments if one is not type(None)))
+    if origin is tuple:
+        return _items(arguments)
+    if origin is not None:
+        return _entries(*arguments)
+    if dataclasses.is_dataclass(kind):
+        return _fields(kind)
+    if isinstance(kind, type) and issubclass(kind, enum.Enum):
+        return _member_of(kind)
+    return PLAIN_READERS[kind]
+
+
+def _or_none(kind: Any) -> Reader:
+    inner = _reader(kind)
+    if inner is _number:  # of which there are most
+        return lambda data: data if data is None or type(data) is float else _number(data)
+    return lambda data: None if data is None else inner(data)
+
+
+def _items(kinds: tuple[Any, ...]) -> Reader:
+    """A tuple of any length, tuple[X, ...], or of a length that is given."""
+    readers = tuple(_reader(kind) for kind in kinds if kind is not ...)
+
+    def items(data: Any) -> tuple[Any, ...]:
+        if type(data) is not list:
+            _refuse(data, "must be a list")
+        if kinds[-1] is not ... and len(readers) != len(data):
+            _refuse(data, f"must be a list of {len(readers)}")
+        each = readers if kinds[-1] is not ... else readers * len(data)
+        try:
+            return tuple([reader(one) for reader, one in zip(each, data, strict=True)])
+        except DamagedError:
+            for number, one in enumerate(data):
+                _inside(f"[{number}]", each[number], one)
+            raise
+
+    return items
+
+
+def _entries(key_kind: Any, kind: Any) -> Reader:
+    key_reader, inner = _reader(key_kind), _reader(kind)
+
+    def entries(data: Any) -> dict[Any, Any]:
+        if type(data) is not dict:
+            _refuse(data, "must be an object")
+        try:
+            return {key_reader(key): inner(one) for key, one in data.items()}
+        except DamagedError:
+            for key, one in data.items():
+                _inside(f".{key}", inner, one)
+            raise
+
+    return entries
+
+
+def _fields(kind: Any) -> Reader:
+    """A class by its fields; a member that is none of them goes to the field that is spread."""
+    hints = typing.get_type_hints(kind)
+    spread = next((f.name for f in dataclasses.fields(kind) if SPREAD in f.metadata), None)
+    readers = {name: _reader(hint) for name, hint in hints.items()}
+
+    def build(data: Any) -> Any:
+        try:
+            return kind(**{name: readers[name](one) for name, one in data.items()})
+        except (AttributeError, KeyError, TypeError, ValueError):
+            _diagnose(kind, readers, data)
+            raise
+
+    def gather(data: Any) -> Any:
+        own = {name: one for name, one in data.items() if name in readers and name != spread}
+        rest = {name: one for name, one in data.items() if name not in own}
+        return build({**own, spread: rest})
+
+    return build if spread is None else gather
+
+
+def _diagnose(kind: Any, readers: Mapping[str, Reader], data: Any) -> None:
+    """Raise DamagedError for what it is that makes no object of a class."""
+    if type(data) is not dict:
+        _refuse(data, "must be an object")
+    for field in dataclasses.fields(kind):
+        bare = field.default is field.default_factory is dataclasses.MISSING
+        if field.name in data:
+            _inside(f".{field.name}", readers[field.name], data[field.name])
+        elif bare:
+            raise DamagedError(MISSING, "is missing", f".{field.name}")
+    for name in data.keys() - readers.keys():
+        raise DamagedError(data[name], f"is no field of {kind.__name__}", f".{name}")
+    try:
+        kind(**{name: readers[name](one) for name, one in data.items()})
+    except ValueError as error:
+        raise DamagedError(MISSING, str(error)) from error
+
+
+def _member_of(kind: type[enum.Enum]) -> Reader:
+    if issubclass(kind, enum.IntFlag):
+        return lambda data: kind(_whole(data))
+    members = {name: member for member, name in _words(kind).items()}
+
+    def member(data: Any) -> enum.Enum:
+        found = members.get(data) if type(data) is str else None
+        return found if found is not None else _refuse(data, f"must be of {', '.join(members)}")
+
+    return member
+
+
+def _inside(place: str, inner: Reader, data: Any) -> Any:
+    try:
+        return inner(data)
+    except DamagedError as error:
+        raise error.within(place) from None
+
+
+def _text(data: Any) -> str:
+    return data if type(data) is str else _refuse(data, "must be a text")
+
+
+def _truth(data: Any) -> bool:
+    return data if type(data) is bool else _refuse(data, "must be true or false")
+
+
+def _whole(data: Any) -> int:
+    return data if type(data) is int else _refuse(data, "must be a whole number")
+
+
+def _number(data: Any) -> float:
+    if type(data) is not float and type(data) is not int:
+        _refuse(data, "must be a number")
+    number: float = data
+    return number
+
+
+PLAIN_READERS: Mapping[Any, Reader] = {str: _text, bool: _truth, int: _whole, float: _number}
+
+
+def _refuse(data: Any, rule: str) -> NoReturn:
+    raise DamagedError(data, rule)
+
+
+def _not_finite(constant: str) -> NoReturn:
+    raise DamagedError(constant, "a number must be finite", "JSON")

@@ -1,0 +1,18 @@
+"""How a field of a record's classes is written where that is not under its own name, always."""
+
+from __future__ import annotations
+
+import dataclasses
+from typing import Any
+
+OMITTED, SPREAD = "omitted", "spread"  # what the metadata of such fields says
+
+
+def optional(default: Any) -> Any:
+    """A field that is not written where it has its default, which is empty or None."""
+    return dataclasses.field(default=default, metadata={OMITTED: True})
+
+
+def spread() -> Any:
+    """A field whose entries stand beside the other fields, under their own names."""
+    return dataclasses.field(default_factory=dict, metadata={SPREAD: True})

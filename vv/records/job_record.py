@@ -1,0 +1,105 @@
+"""The record of a job: what was asked of which code, what came of it, and what that cost."""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from vv.ask import Knobs, Ledger, Method, Status
+from vv.records.fields import optional
+from vv.records.outcomes import CostKind, StudyKind
+from vv.records.quantity import MeasuredQuantity
+
+
+@dataclass(frozen=True, slots=True)
+class JobCost:
+    """Seconds spent on a job, part by part, as `vv.ask.Cost` has them, and how they were measured.
+
+    relative: solve_cpu over that of the calibration kernel, the least and the largest of the
+    rounds; session: the timing session, within one of which costs may be compared.
+    """
+
+    startup: float
+    setup: float
+    solve_cpu: float
+    solve_wall: float
+    output: float
+    repeats: int
+    spread: float
+    relative: tuple[float, float] | None = optional(None)
+    session: str = optional("")
+    kind: CostKind = CostKind.INDICATIVE
+
+    @property
+    def timed(self) -> bool:
+        """Whether it was measured alone on one core."""
+        return self.kind is CostKind.TIMED
+
+    @property
+    def elapsed(self) -> float:
+        """Seconds by the clock from the start of the program to the last output."""
+        return self.startup + self.setup + self.solve_wall + self.output
+
+
+@dataclass(frozen=True, slots=True)
+class ModelSummary:
+    """What a code built of a scene: its unknowns, the names of its terms, and how in words."""
+
+    unknowns: int
+    terms: tuple[str, ...]
+    note: str
+
+
+@dataclass(frozen=True, slots=True)
+class RunSummary:
+    """What a record says of a run: its status and why, cost, model, energy [J], quantities."""
+
+    status: Status
+    reason: str
+    cost: JobCost
+    steps: int
+    model: ModelSummary | None
+    ledger: Ledger | None
+    quantities: tuple[MeasuredQuantity, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Record:
+    """A job and what came of it. modified: parameters were changed; key: leads to its series."""
+
+    case: str
+    variant: str
+    study: StudyKind
+    parameters: Mapping[str, float]
+    modified: bool
+    code: str
+    scheme: str
+    code_version: str
+    method: Method
+    rung: Knobs
+    key: str
+    status: Status
+    reason: str
+    cost: JobCost
+    steps: int
+    model: ModelSummary | None
+    ledger: Ledger | None
+    quantities: tuple[MeasuredQuantity, ...]
+
+    @property
+    def label(self) -> str:
+        """The code and scheme as CODE/SCHEME."""
+        return f"{self.code}/{self.scheme}"
+
+    def quantity(self, name: str) -> MeasuredQuantity | None:
+        """The quantity of that name; None if it reports none."""
+        return next((one for one in self.quantities if one.name == name), None)
+
+
+SUMMARY = tuple(field.name for field in dataclasses.fields(RunSummary))
+
+
+def summary_of(record: Record) -> RunSummary:
+    """What a record says of its run."""
+    return RunSummary(*(getattr(record, name) for name in SUMMARY))

@@ -1,0 +1,69 @@
+"""What one invocation did: its records, and what is said of cases, codes and circumstances."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from vv.records.accepted import BaselineSummary
+from vv.records.case_facts import CaseFacts
+from vv.records.fields import optional
+from vv.records.finding import Finding
+from vv.records.job_record import Record
+from vv.records.provenance import Provenance
+from vv.records.recorded import RecordedResult
+
+
+@dataclass(frozen=True, slots=True)
+class CodeFound:
+    """What was found of a code. files: path -> digest, empty for what is only source."""
+
+    version: str
+    installed: bool
+    files: Mapping[str, str]
+
+
+@dataclass(frozen=True, slots=True)
+class Manifest:
+    """One invocation, all in all.
+
+    untimed: the jobs that were to be timed and could not be. findings: what the gate found beside
+    the records. baselines, recorded: what these were compared with and stand beside. name: in the
+    store; not written with the rest.
+    """
+
+    provenance: Provenance
+    codes: Mapping[str, CodeFound]
+    cases: Mapping[str, CaseFacts]
+    untimed: tuple[str, ...]
+    records: tuple[Record, ...]
+    findings: tuple[Finding, ...]
+    baselines: Mapping[str, BaselineSummary]
+    recorded: tuple[RecordedResult, ...]
+    name: str = optional("")
+
+    def external(self) -> set[str]:
+        """The codes that are programs of others."""
+        return {code for code, found in self.codes.items() if found.files}
+
+
+@dataclass(frozen=True, slots=True)
+class TimedRun:
+    """What a timing session measured of a run: seconds, and the ratios to the calibration."""
+
+    startup: float
+    setup: float
+    solve_cpu: float
+    solve_wall: float
+    output: float
+    repeats: int
+    spread: float
+    relative: tuple[float, float]
+
+
+@dataclass(frozen=True, slots=True)
+class Answer:
+    """What is noted of an invocation: its manifest; or of a report: the state of its file."""
+
+    manifest: str = optional("")
+    report: tuple[int, ...] = optional(())

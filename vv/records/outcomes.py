@@ -1,0 +1,75 @@
+"""The closed lists of what a record may say: outcomes, verdicts, kinds of study, quantity, cost.
+
+In JSON a member is its name in small letters, with hyphens.
+"""
+
+from __future__ import annotations
+
+import enum
+
+
+class Verdict(enum.Enum):
+    """What a quantity of a run is worth; the value is the word shown to people."""
+
+    PASS = "pass"
+    FAIL = "fail"
+    XFAIL = "xfail"
+    XPASS = "xpass"
+    NO_REFERENCE = "no-reference"
+
+
+class Outcome(enum.Enum):
+    """What a job came to, as every summary counts it; the value is the word shown to people.
+
+    A status unless it ran, else the worst verdict of its quantities. BLOW_UP: it diverged in a
+    map, which is there to show where codes do. NOT_REPORTED, NOT_CONSERVED: of what ran.
+    """
+
+    ERROR = "error"
+    DIVERGED = "diverged"
+    TIMEOUT = "timeout"
+    NOT_RUN = "not run"
+    REFUSED = "refused"
+    NOT_INSTALLED = "not installed"
+    TOO_LONG = "too long"
+    BLOW_UP = "blow-up"
+    NOT_REPORTED = "not reported"
+    NOT_CONSERVED = "not conserved"
+    FAIL = "fail"
+    XPASS = "xpass"
+    XFAIL = "xfail"
+    PASS = "pass"
+    NO_REFERENCE = "no-reference"
+
+
+class StudyKind(enum.Enum):
+    """What was done with a scene: rungs against a reference, the largest stable step, a map."""
+
+    LADDER = "ladder"
+    SEARCH = "search"
+    GRID = "grid"
+
+
+class QuantityKind(enum.Enum):
+    """The form of a quantity: a number, values over time, a whole number, values over two axes."""
+
+    SCALAR = "scalar"
+    SERIES = "series"
+    COUNT = "count"
+    MAP = "map"
+
+
+class JudgeKind(enum.Enum):
+    """How a quantity is judged: by its error, by its value, as conserved, or not at all."""
+
+    EXACT = "exact"
+    INTERVAL = "interval"
+    INVARIANT = "invariant"
+    SHOWN = "shown"
+
+
+class CostKind(enum.Enum):
+    """Whether a cost was measured alone on one core, or while other jobs ran."""
+
+    INDICATIVE = "indicative"
+    TIMED = "timed"

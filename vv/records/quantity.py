@@ -1,0 +1,43 @@
+"""What one quantity of a run was measured to be, and how that was judged."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from vv.case import Norm
+from vv.records.outcomes import JudgeKind, QuantityKind, Verdict
+
+
+@dataclass(frozen=True, slots=True)
+class MeasuredQuantity:
+    """A quantity of a run: value, errors, and what it is worth.
+
+    unit: of the value, empty for a plain number. value, reference: of a number; those of a series
+    are kept as arrays beside the record. end: the reference of a series at the last time. errors:
+    relative, None where one is not finite; scale: what they are relative to. figures: a few
+    numbers that stand for the value. norm: of the error that is judged; None: the maximum.
+    tolerance: the bound on that error at this rung, and why it is that; note: what the judge has
+    to add.
+    """
+
+    name: str
+    kind: QuantityKind
+    unit: str
+    value: float | None
+    reference: float | None
+    end: float | None
+    errors: Mapping[Norm, float | None]
+    scale: float | None
+    figures: Mapping[str, float | None]
+    judge: JudgeKind
+    norm: Norm | None
+    tolerance: float | None
+    why: str
+    note: str
+    verdict: Verdict
+
+    @property
+    def error(self) -> float | None:
+        """The error in the norm that judges; None if it has none."""
+        return self.errors.get(self.norm or Norm.MAX)
