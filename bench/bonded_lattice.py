@@ -15,7 +15,7 @@ import numpy as np
 
 from adapters.yade.installed import PYTHON, find
 from bench.evidence import conclude
-from reference_solutions.close_packed_lattice import SIZES, Lattice, lattice
+from reference_solutions.bonds.close_packed_lattice import SIZES, Lattice, lattice
 from vv.engines.dem.space.model import space
 from vv.scene import Bonds, Contact, Scene, Spheres
 

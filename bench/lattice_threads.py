@@ -11,7 +11,7 @@ import numpy as np
 
 from bench.bonded_lattice import DT, KINDS, scene
 from bench.evidence import conclude
-from reference_solutions.close_packed_lattice import SIZES, lattice
+from reference_solutions.bonds.close_packed_lattice import SIZES, lattice
 from vv.ask import Ask, Displacement, History, Knobs
 from vv.engines import dem
 

@@ -5,7 +5,7 @@ import time
 import numpy as np
 
 from bench.evidence import conclude
-from cases.single_contact import CASE
+from cases.contact.single_contact import CASE
 from tests.scenes.dem_contacts import forced
 from vv.ask import Ask, Displacement, Knobs
 from vv.engines import dem

@@ -18,9 +18,10 @@ SPACE = "vv/engines/dem/space/forces.py"
 LAW = "vv/engines/dem/terms/contact_law.py"
 FRICTION = "vv/engines/dem/terms/friction.py"
 ADVANCE = "vv/engines/dem/space/advance.py"
-TRANSLATE = "adapters/yade/translate.py"
+PLAN = "adapters/yade/plan.py"
 ENGINES = "adapters/yade/inside/engines.py"
-DECK = "adapters/liggghts/deck.py"
+FORCES = "adapters/liggghts/terms/forces.py"
+CONTACT = "adapters/liggghts/terms/contact.py"
 DASHPOTS = "vv/engines/dem/terms/dashpots.py"
 
 BUGS = (
@@ -47,10 +48,10 @@ BUGS = (
     Bug("locks ignored", ADVANCE, "dem", "    if hold is None:", "    if True:"),
     Bug("wrong mass", ADVANCE, "dem", "carried_on(old, push, mass[i], dt", "carried_on(old, push, 1.01 * mass[i], dt"),
     Bug("wrong lever arm", LAW, "dem", "put(turn, j, plus(at(turn, j), radius[p, 1] - 0.5 * overlap, torque))", "put(turn, j, plus(at(turn, j), radius[p, 1] + 0.5 * overlap, torque))"),
-    Bug("velocity not set back half a step", TRANSLATE, "yade", "* (dt / 2)", "* 0.0"),
-    Bug("push at the start forgotten", TRANSLATE, "yade", "(mass[:, None] / dt - eta) * early", "0.0 * early"),
+    Bug("velocity not set back half a step", PLAN, "yade", "* (dt / 2)", "* 0.0"),
+    Bug("push at the start forgotten", PLAN, "yade", "(given.mass[:, None] / dt - scene.eta) * early", "0.0 * early"),
     Bug("ratcheting correction left on", ENGINES, "yade", "noRatch=False", "noRatch=True"),
     Bug("numerical damping left on", ENGINES, "yade", "NewtonIntegrator(damping=0,", "NewtonIntegrator(damping=0.2,"),
-    Bug("drag forgotten in the deck", DECK, "liggghts", 'yield f"fix drag all viscous {float(scene.eta)!r}"', 'yield ""'),
-    Bug("shear spring as stiff as the normal one", DECK, "liggghts", '"kt": ks', '"kt": scene.contact.kn'),
+    Bug("drag forgotten in the deck", FORCES, "liggghts", 'f"fix drag all viscous {float(setup.scene.eta)!r}"', '""'),
+    Bug("shear spring as stiff as the normal one", CONTACT, "liggghts", '"kt": contact.ks', '"kt": contact.kn'),
 )  # fmt: skip

@@ -4,7 +4,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from reference_solutions.shaken_spring import Sine
+from reference_solutions.contact.shaken_spring import Sine
 from vv.scene import Harmonic, Vector
 
 STILL = Sine(0.0, 0.0, 0.0)

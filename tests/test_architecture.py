@@ -16,8 +16,7 @@ HEAVY = {"scipy", "numba", "pandas", "matplotlib", "jinja2", "junitparser", "ric
 LOADED = {"engines": {"numba"}, "reports": HEAVY}  # what modules of a folder may load at once
 MODULES = 15  # in a folder
 CROWDED = {"reports": 17}
-# by a file with each case or code
-GROWING = {"adapters", "cases", "reference_solutions", "reference_solutions.checks"}
+GROWING = {"adapters", "cases", "reference_solutions"}  # by a file with each case or code
 
 
 def dotted(path: Path) -> str:

@@ -92,7 +92,7 @@ def test_the_wheel_holds_the_tool_and_all_content_below_it(shipped: set[str]) ->
     [
         "vv/py.typed",
         "vv/_project/adapters/yade/inside/driver.py",
-        "vv/_project/cases/single_contact.py",
+        "vv/_project/cases/contact/single_contact.py",
         "vv/_project/cases/disagreements.toml",
     ],
 )

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from cases._papers import YAGODA_BIRAN_2016
-from cases.incline import CASE as INCLINE
+from cases.blocks.incline import CASE as INCLINE
 from vv.case import Case, Parameters, Source, Trial, Variant
 
 YIELD = INCLINE.variant("at-yield")

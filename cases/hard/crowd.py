@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 
-from reference_solutions import dashpot
+from reference_solutions.contact import dashpot
 from vv.ask import Displacement, History, Knobs, Method, Observable, Run
 from vv.case import (
     Case,

@@ -8,7 +8,7 @@ import math
 import numpy as np
 
 from cases._books import balance
-from reference_solutions import dashpot
+from reference_solutions.contact import dashpot
 from vv.ask import Displacement, History, Knobs, Method, Run, Velocity
 from vv.case import (
     Case,

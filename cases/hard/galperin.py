@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 
-from reference_solutions import galperin
+from reference_solutions.contact import galperin
 from vv.ask import History, Knobs, Method, Run, Velocity
 from vv.case import (
     LARGEST_TOLERANCE,

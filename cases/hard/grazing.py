@@ -8,8 +8,8 @@ from collections.abc import Iterator
 import numpy as np
 
 from cases._papers import LI_2018
-from cases.single_contact import CASE as SINGLE_CONTACT
-from reference_solutions import single_contact as closed
+from cases.contact.single_contact import CASE as SINGLE_CONTACT
+from reference_solutions.contact import single_contact as closed
 from vv.ask import Displacement, History, Knobs, Method, Run
 from vv.case import (
     Case,

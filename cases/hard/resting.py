@@ -7,7 +7,7 @@ import functools
 import numpy as np
 
 from cases._papers import LI_2018
-from reference_solutions import resting_lattice
+from reference_solutions.contact import resting_lattice
 from vv.ask import Displacement, History, Knobs, Method, Run, Velocity
 from vv.case import (
     Case,

@@ -7,7 +7,7 @@ import functools
 import numpy as np
 
 from cases._papers import LI_2018
-from reference_solutions import settling
+from reference_solutions.contact import settling
 from vv.ask import Displacement, History, Knobs, Method, Run
 from vv.case import (
     Case,

@@ -9,8 +9,8 @@ import numpy as np
 
 from cases._books import balance
 from cases._sines import harmonic
-from reference_solutions import shaken_spring
-from reference_solutions.shaken_spring import Sine
+from reference_solutions.contact import shaken_spring
+from reference_solutions.contact.shaken_spring import Sine
 from vv.ask import Displacement, History, Knobs, Method
 from vv.case import (
     Case,

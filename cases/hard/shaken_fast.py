@@ -8,7 +8,7 @@ import math
 import numpy as np
 
 from cases._papers import YAGODA_BIRAN_2016
-from cases.responding_block import CASE as RESPONDING_BLOCK
+from cases.blocks.responding_block import CASE as RESPONDING_BLOCK
 from vv.ask import Displacement, History, Knobs, Method, Run
 from vv.case import (
     Case,

@@ -8,7 +8,7 @@ import math
 import numpy as np
 
 from cases._books import balance
-from reference_solutions import skid
+from reference_solutions.contact import skid
 from vv.ask import Displacement, History, Knobs, Method, Observable, Velocity
 from vv.case import (
     Case,

@@ -8,7 +8,7 @@ import math
 import numpy as np
 
 from cases._papers import YAGODA_BIRAN_2016
-from reference_solutions import wedge
+from reference_solutions.blocks import wedge
 from vv.ask import Displacement, History, Knobs, Method
 from vv.case import (
     Case,

@@ -9,7 +9,7 @@ from tests import ROOT
 
 FIRST_CALL = """
 import sys
-from cases.single_contact import CASE
+from cases.contact.single_contact import CASE
 from vv.ask import Knobs
 from vv.engines import dem
 from vv.codes.in_house import part_of_vv

@@ -45,7 +45,7 @@ def test_an_init_of_one_s_own_is_allowed_and_hides_nothing(root: Path) -> None:
     inits = ("cases", "adapters", "reference_solutions", "reference_solutions/checks", "cases/hard")
     write(root, {f"{folder}/__init__.py": "" for folder in inits})
     write(root, {"cases/hard/zeno.py": f"import cases.hard.settling\n{CASE.format('zeno')}"})
-    route = "from reference_solutions.checks import skid\n"
+    route = "from reference_solutions.checks.contact import skid\n"
     write(root, {"reference_solutions/checks/zeno.py": route})
     write(root, {"cases/fall.py": f"import reference_solutions.checks.zeno\n{CASE}"})
     project = find(root)
@@ -82,7 +82,11 @@ def test_a_code_s_name_that_both_have_names_both_files(root: Path) -> None:
 
 @pytest.mark.parametrize(
     "file",
-    ["cases/_papers.py", "reference_solutions/skid.py", "reference_solutions/checks/skid.py"],
+    [
+        "cases/_papers.py",
+        "reference_solutions/contact/skid.py",
+        "reference_solutions/checks/contact/skid.py",
+    ],
 )
 def test_a_helper_or_a_reference_that_would_hide_one_of_vv_s_names_both(
     root: Path, file: str

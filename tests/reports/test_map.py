@@ -6,8 +6,8 @@ import dataclasses
 
 import numpy as np
 
-from cases.hard.stability_map import CASE as STABILITY
-from cases.responding_block import CASE
+from cases.blocks.responding_block import CASE
+from cases.stability.stability_map import CASE as STABILITY
 from reports.charts import Chart
 from reports.collect import Ladder, Point
 from reports.figures import draw

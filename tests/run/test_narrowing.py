@@ -61,7 +61,7 @@ def plan() -> Plan:
         ("adapters/dem.py", {"dem"}),
         ("README.md", set()),
         ("tests/conftest.py", set()),
-        ("reference_solutions/checks/single_contact.py", set()),
+        ("reference_solutions/checks/contact/single_contact.py", set()),
     ],
 )
 def test_a_change_affects_the_codes_that_are_made_of_it(
@@ -71,8 +71,9 @@ def test_a_change_affects_the_codes_that_are_made_of_it(
     assert {job.code for job in found.jobs} == codes
 
 
-@pytest.mark.parametrize("file", ["reference_solutions/single_contact.py", "vv/scene/scene.py",
-                                  "requirements.lock", "vv/records/record.py"])  # fmt: skip
+@pytest.mark.parametrize("file", ["reference_solutions/contact/single_contact.py",
+                                  "vv/scene/scene.py", "requirements.lock",
+                                  "vv/records/record.py"])  # fmt: skip
 def test_a_change_of_what_all_are_made_of_affects_all(plan: Plan, file: str) -> None:
     found = narrowing.affected(Project(ROOT), plan, [ROOT / file])
     assert len(found.jobs) == len(plan.jobs)

@@ -6,7 +6,7 @@ import dataclasses
 
 import numpy as np
 
-from cases.single_contact import CASE
+from cases.contact.single_contact import CASE
 from vv.ask import Ask, Run
 from vv.case import Series
 from vv.scene import Contact, Harmonic, Scene, Vector, Wall

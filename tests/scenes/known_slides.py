@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from reference_solutions import incline, responding_block
+from reference_solutions.blocks import incline, responding_block
 from tests.scenes.driven_blocks import THREE, UP, G, carried, off, sines, slope
 from vv.ask import Ask, Displacement, History, Knobs, Run
 from vv.scene import (

@@ -9,11 +9,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from cases.bounce import CASE as BOUNCE
+from cases.blocks.incline import CASE as INCLINE
+from cases.blocks.responding_block import CASE as RESPONDING
+from cases.contact.bounce import CASE as BOUNCE
+from cases.contact.single_contact import CASE as SINGLE_CONTACT
 from cases.hard.wedge import CASE as WEDGE
-from cases.incline import CASE as INCLINE
-from cases.responding_block import CASE as RESPONDING
-from cases.single_contact import CASE as SINGLE_CONTACT
 from tests.scenes import stacked_blocks
 from tests.scenes.other_worlds import rescaled, shifted
 from vv.ask import Ask, Displacement, History, Knobs, Run, Velocity

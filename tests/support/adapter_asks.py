@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from cases.single_contact import CASE
+from cases.contact.single_contact import CASE
 from vv.ask import Ask, Displacement, History, Knobs
 from vv.scene import Contact, Scene, Spheres, Wall
 

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from cases.single_contact import CASE
+from cases.contact.single_contact import CASE
 from vv.ask import Ask, Displacement, History, Knobs, Run, Status, Velocity
 from vv.case import Series
 from vv.codes import Adapter

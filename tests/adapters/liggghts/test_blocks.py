@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 from adapters.liggghts import ADAPTER
-from cases.incline import CASE as INCLINE
-from cases.responding_block import CASE as RESPONDING
+from cases.blocks.incline import CASE as INCLINE
+from cases.blocks.responding_block import CASE as RESPONDING
 from tests.scenes.sliding_blocks import Frame, incline
 from tests.support.adapter_asks import DT, block_ask, case_ask
 from tests.support.liggghts_asks import CLUMP, PLAIN, deck_of, words

@@ -11,8 +11,8 @@ from hypothesis import strategies as st
 
 from adapters.yade import ADAPTER
 from adapters.yade.setup import set_up
-from cases.incline import CASE as INCLINE
-from cases.responding_block import CASE as RESPONDING
+from cases.blocks.incline import CASE as INCLINE
+from cases.blocks.responding_block import CASE as RESPONDING
 from tests.scenes.sliding_blocks import Frame, incline, responding
 from tests.support.adapter_asks import DT, block_ask, case_ask
 from tests.support.yade_asks import CLUMP, PLAIN, POLYHEDRA, plan_of

@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 from adapters.yade import ADAPTER
-from cases.single_contact import CASE
+from cases.contact.single_contact import CASE
 from tests.support.adapter_asks import UP, ball, ball_ask, case_ask
 from tests.support.yade_asks import HALF_STEP, PLAIN
 from vv.ask import Status

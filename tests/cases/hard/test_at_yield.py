@@ -5,8 +5,8 @@ from math import cos, pi, radians
 import numpy as np
 import pytest
 
-from reference_solutions import incline as closed
-from reference_solutions.checks import incline as integrated
+from reference_solutions.blocks import incline as closed
+from reference_solutions.checks.blocks import incline as integrated
 from vv.ask import Displacement, Knobs
 from vv.engines import exact
 from vv.plan.project import find

@@ -5,8 +5,8 @@ from math import pi
 import numpy as np
 import pytest
 
-from reference_solutions import single_contact as closed
-from reference_solutions.checks import single_contact as integrated
+from reference_solutions.checks.contact import single_contact as integrated
+from reference_solutions.contact import single_contact as closed
 from vv.ask import Displacement, Knobs, Method, Run, Status
 from vv.case import Level
 from vv.engines import dem, exact

@@ -10,8 +10,8 @@ import numpy as np
 import pytest
 
 from cases.hard.resting import _held
-from reference_solutions import resting_lattice as balanced
-from reference_solutions.checks import resting_lattice as lowest
+from reference_solutions.checks.contact import resting_lattice as lowest
+from reference_solutions.contact import resting_lattice as balanced
 from tests.support.turned_signs import caught, signs, turned
 from vv.ask import Knobs, Method, Run, Velocity
 from vv.case import Level, Scalar, evaluated

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from reference_solutions import responding_block as closed
-from reference_solutions.checks import responding_block as followed
+from reference_solutions.blocks import responding_block as closed
+from reference_solutions.checks.blocks import responding_block as followed
 from vv.ask import Displacement, Knobs
 from vv.case import Scalar, Series
 from vv.engines import dem, exact

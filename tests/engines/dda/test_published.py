@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from adapters.dda import FORMULATIONS
-from reference_solutions import incline, responding_block
+from reference_solutions.blocks import incline, responding_block
 from tests.scenes.dda_scenes import (
     G,
     asked,

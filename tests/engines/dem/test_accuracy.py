@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from adapters.dem import LEAPFROGS, SCHEMES
-from cases.single_contact import CASE
+from cases.contact.single_contact import CASE
 from tests.scenes.dem_contacts import PLAIN, STEPS, VARIANTS, error
 from tests.support.adapter_asks import case_ask as asked
 from vv.ask import Ask, Displacement, History, Knobs, Method, Run, Status, Velocity

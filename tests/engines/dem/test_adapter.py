@@ -71,7 +71,8 @@ def test_the_native_script_runs_alone(tmp_path: Path) -> None:
 
 def test_describing_and_refusing_need_no_numba() -> None:
     code = (
-        "import sys; from adapters.dem import ADAPTER; from cases.single_contact import CASE;"
+        "import sys; from adapters.dem import ADAPTER;"
+        "from cases.contact.single_contact import CASE;"
         "from vv.ask import Knobs;"
         "ask = CASE.declare('T1', CASE.defaults('T1')).study.ask(Knobs(dt=1e-3));"
         "ADAPTER.found(), ADAPTER.describe(ask, 'default'), ADAPTER.native(ask, 'default');"

@@ -7,7 +7,7 @@ import dataclasses
 import numpy as np
 import pytest
 
-from reference_solutions import close_packed_lattice, lattice_material, tetrahedral_unit
+from reference_solutions.bonds import close_packed_lattice, lattice_material, tetrahedral_unit
 from tests.scenes.bonded_scenes import CORNERS, EDGES, KN, KS, D, M, elements, tied, unit
 from vv.ask import Ask, Displacement, History, Knobs, Run, Status, Velocity
 from vv.engines import dem

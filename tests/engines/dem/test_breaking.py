@@ -7,7 +7,7 @@ import dataclasses
 import numpy as np
 import pytest
 
-from cases.tetrahedral_strength import CASE
+from cases.bonds.tetrahedral_strength import CASE
 from tests.scenes.bonded_scenes import CORNERS, EDGES, KN, KS, D, M, elements, tied, unit
 from vv.ask import Ask, Displacement, History, Knobs, Observable, Reaction, Run, Status, Velocity
 from vv.case import Scalar

@@ -11,7 +11,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from reference_solutions import dashpot as closed
+from reference_solutions.contact import dashpot as closed
 from tests.scenes.event_located import event_located
 from vv.ask import Ask, Displacement, History, Knobs, Observable, Reaction, Run, Status, Velocity
 from vv.engines import dem

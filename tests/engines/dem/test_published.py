@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from cases.single_contact import CASE
+from cases.contact.single_contact import CASE
 from tests.scenes.dem_contacts import PLAIN, STEPS, displacement, error
 from tests.support.adapter_asks import case_ask as asked
 from vv.ask import History

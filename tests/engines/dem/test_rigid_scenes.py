@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from adapters.dem import ADAPTER, LEAPFROGS, SCHEMES
-from reference_solutions import incline, responding_block
+from reference_solutions.blocks import incline, responding_block
 from tests.scenes.driven_blocks import THREE, UP, G, carried, off, sines, slope
 from tests.scenes.small_scenes import FLOOR, ball
 from vv.ask import Ask, Displacement, History, Knobs, Method, Run, Status

@@ -7,8 +7,8 @@ from math import sqrt
 import numpy as np
 import pytest
 
-from reference_solutions.checks.bonded_modes import square
-from reference_solutions.close_packed_lattice import lattice
+from reference_solutions.bonds.close_packed_lattice import lattice
+from reference_solutions.checks.bonds.bonded_modes import square
 from vv.ask import Ask, Displacement, History, Knobs, Status
 from vv.engines import dem
 from vv.engines.dem.safe_step import PACKED

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from adapters.exact import ADAPTER
-from cases.single_contact import CASE
+from cases.contact.single_contact import CASE
 from tests import ROOT
 from tests.scenes.small_scenes import DOWN, FLOOR, ball, crowded
 from vv.ask import Ask, Displacement, History, Knobs, Status

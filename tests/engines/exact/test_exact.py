@@ -7,7 +7,7 @@ import dataclasses
 import numpy as np
 import pytest
 
-from cases.single_contact import CASE
+from cases.contact.single_contact import CASE
 from tests.scenes.event_located import event_located
 from tests.scenes.exact_slides import apart
 from tests.scenes.small_scenes import DOWN, FLOOR, KINDS, ball, crowded, small_scene

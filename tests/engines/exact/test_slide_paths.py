@@ -7,8 +7,8 @@ import dataclasses
 import numpy as np
 import pytest
 
-from reference_solutions import incline as slopes
-from reference_solutions import responding_block
+from reference_solutions.blocks import incline as slopes
+from reference_solutions.blocks import responding_block
 from tests.scenes.exact_slides import BOX, DOWN, EXACT, LEVEL, apart, ran, slid
 from tests.scenes.sliding_blocks import (
     Frame,

@@ -8,8 +8,8 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
-from reference_solutions import incline as slides
-from reference_solutions import responding_block as responds
+from reference_solutions.blocks import incline as slides
+from reference_solutions.blocks import responding_block as responds
 from tests.scenes.block_scenes import FREE, HELD, incline, responding, slope
 from vv.ask import Ask, Displacement, History, Knobs, Run, Status
 from vv.engines import rigid

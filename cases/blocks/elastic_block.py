@@ -1,0 +1,235 @@
+"""A block that strains uniformly: at rest, swinging as its weight sets in, and spinning."""
+
+from __future__ import annotations
+
+import functools
+import math
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+
+from reference_solutions.blocks import elastic_block as exact
+from vv.ask import Displacement, History, Knobs, Method, Run, Strain
+from vv.case import (
+    Case,
+    Exact,
+    Ladder,
+    Level,
+    Parameter,
+    Parameters,
+    Quantity,
+    Scalar,
+    Series,
+    Shown,
+    Source,
+    Tolerance,
+    Trial,
+    Variant,
+)
+from vv.scene import Block, Contact, Elastic, Scene, Vector, Wall, box_geometry, polyhedron_inertia
+
+STRAIN, MOVED = Strain(0), Displacement(0)
+Z = np.array([0.0, 0.0, 1.0])
+STEPS, STIFF = (0.02, 0.01, 0.005, 0.0025), 1e4  # steps times w, springs over E a b/L
+SEEN, OUTPUTS = 4 * STEPS[0], 118  # between outputs, times w, and how many: a period and a half
+QUICK = 2.0  # of a free block: the part of a mode that is 2.3 times as quick is small
+APART = 12  # outputs: about one radian of the oscillation
+SLOW, SOFT, LONG = (1.0, 0.5), 50.0, 200.0  # steps, springs and duration of what comes to rest
+
+
+def _scene(variant: str, p: Parameters) -> Scene:
+    """The block, on a smooth base unless it spins."""
+    sides, spins = np.array(_sides(p)), variant == "spun"
+    vertices, faces = box_geometry(sides[2] / 2 * Z, sides / 2, np.eye(3))
+    mass, inertia = polyhedron_inertia(vertices, faces, p["rho"])
+    across = variant != "ringing"
+    block = Block(
+        "block", vertices, faces, mass, inertia, np.zeros(3),
+        free=np.array([across, across, True]),
+        free_spin=np.array([False, False, spins]),
+        spin=p["spin"] * Z * spins,
+        elastic=Elastic(p["E"], p["nu"]),
+    )  # fmt: skip
+    bodies = (block,) if spins else (block, Wall(np.zeros(3), Z))
+    return Scene(bodies, Contact(np.inf), gravity=-p["g"] * Z * (not spins))
+
+
+def _sides(p: Parameters) -> exact.Sides:
+    return p["a"], p["b"], p["L"]
+
+
+def _law(p: Parameters) -> dict[str, Any]:
+    return {"sides": _sides(p), "rho": p["rho"], "young": p["E"], "poisson": p["nu"]}
+
+
+def _declare(variant: str, p: Parameters) -> Trial:
+    w = exact.first(side=p["L"], rho=p["rho"], young=p["E"])
+    bar = p["E"] * p["a"] * p["b"] / p["L"]
+    if variant == "pressed":
+        rungs = tuple(Knobs(step / w, SOFT * bar) for step in SLOW)
+        goal = History(LONG / w, LONG / w / 10)
+    else:
+        rungs = tuple(Knobs(step / w, STIFF * bar) for step in STEPS)
+        goal = History(OUTPUTS * SEEN / w, SEEN / w)
+    levels = {Level.QUICK: rungs[:2], Level.DEFAULT: rungs[:3], Level.PAPER: rungs}
+    study = Ladder(_scene(variant, p), goal, (STRAIN, MOVED), levels)
+    return Trial(study, MEASURED[variant](p, w))
+
+
+def _pressed(p: Parameters, w: float) -> tuple[Quantity, ...]:
+    strain = exact.resting(**_law(p), g=p["g"])
+    size, sunk = abs(strain[2]), -strain[2] * p["L"] / 2
+    return (
+        Scalar("axial", "e_z", "", "strain along z at the end: half the weight over E",
+               lambda run: _last(run, 2), strain[2], size, RESTS),
+        Scalar("lateral", "e_x", "", "strain along x at the end: nu times as much, outwards",
+               lambda run: _last(run, 0), strain[0], size, RESTS),
+        Scalar("sunk", "d", "m", "by how much the centroid has sunk", _sunk, sunk, sunk, RESTS),
+        Scalar("sunk-continuum", "d/d_c", "", "the same over rho g L^2/(3 E), a column's own",
+               lambda run: 0.75 * _sunk(run) / sunk, None, 1.0, Shown(SHORT)),
+    )  # fmt: skip
+
+
+def _last(run: Run, axis: int) -> float:
+    return float(run.values[STRAIN][-1, axis])
+
+
+def _sunk(run: Run) -> float:
+    return float(-run.values[MOVED][-1] @ Z)
+
+
+def _ringing(p: Parameters, w: float) -> tuple[Quantity, ...]:
+    path = functools.partial(exact.standing, **_law(p), g=p["g"], along=(2,))
+    return (
+        _along(2, path, p, _swing(1.0, w)),
+        Scalar("frequency", "w_e/w", "", "frequency over sqrt(3 E/rho)/L",
+               lambda run: _frequency(run) / w, 1.0, 1.0, _frequencies(w)),
+        Scalar("frequency-continuum", "w_e/w_c", "", "the same over (pi/2) sqrt(E/rho)/L",
+               lambda run: exact.STIFFER * _frequency(run) / w, None, 1.0, Shown(HIGH)),
+    )  # fmt: skip
+
+
+def _coupled(p: Parameters, w: float) -> tuple[Quantity, ...]:
+    path = functools.partial(exact.standing, **_law(p), g=p["g"])
+    return tuple(_along(axis, path, p, _swing(1.0, w)) for axis in (2, 0, 1))
+
+
+def _spun(p: Parameters, w: float) -> tuple[Quantity, ...]:
+    def path(t: Vector) -> Vector:
+        return exact.seen_from_rest(exact.spinning(t, **_law(p), spin=p["spin"]), p["spin"] * t)
+
+    judge = Exact(_swing(QUICK, w).tolerances, not_judged={Method.LAGGING: NO_PULL})
+    return tuple(_along(axis, path, p, judge) for axis in range(3))
+
+
+def _along(axis: int, path: Callable[[Vector], Vector], p: Parameters, judge: Exact) -> Series:
+    """The strain along an axis; every error is relative to the largest strain of all."""
+    name = f"e_{'xyz'[axis]}"
+    period = np.linspace(0.0, 2 * math.pi, 200) / exact.first(
+        side=p["L"], rho=p["rho"], young=p["E"]
+    )
+    return Series(
+        name, name, "", f"strain along {name[-1]}",
+        lambda run: np.asarray(run.values[STRAIN][:, axis]),
+        lambda t: path(t)[:, axis], judge, lambda: float(np.abs(path(period)).max()),
+    )  # fmt: skip
+
+
+def _frequency(run: Run) -> float:
+    """That of the swing [1/s] about a mean, from the linear map over APART outputs, fitted."""
+    e = run.values[STRAIN][:, 2]
+    now, before = e[APART:-APART], e[: -2 * APART]
+    known = np.stack([now, before, np.full(len(now), np.abs(e).max())], axis=1)
+    trace, det, _ = np.linalg.lstsq(known, e[2 * APART :])[0]
+    return float(np.abs(np.angle(np.roots([1.0, -trace, -det]))).max() / run.times[APART])
+
+
+def _swing(quick: float, w: float) -> Exact:
+    """quick: how many times more than the first mode of a bar, w [1/s], all modes are damped."""
+    step = Tolerance(
+        1.3 * quick * STEPS[0],
+        "DDA's step damps a mode by w dt/4: (1 - exp(-w dt w t/4))/2 of the largest strain, 1.2 "
+        "w dt after a period and a half; quicker modes by the square of their frequency",
+        dt=STEPS[0] / w, order=1, floor=5 / STIFF,
+    )  # fmt: skip
+    return Exact({Method.PENALTY: step, Method.LAGGING: step})
+
+
+def _frequencies(w: float) -> Exact:
+    step = Tolerance(
+        STEPS[0] ** 2,
+        "(w dt)^2, and at least what springs at two edges take, 9/16 of E a b/(L kn)",
+        dt=STEPS[0] / w, order=2, floor=1 / STIFF,
+    )  # fmt: skip
+    return Exact({Method.PENALTY: step, Method.LAGGING: step})
+
+
+STILL = Tolerance(
+    1e-5, "the step's damping has brought it to rest, where strains of a millionth are not nil"
+)
+RESTS = Exact({Method.PENALTY: STILL, Method.LAGGING: STILL})
+SHORT = (
+    "a column under its own weight strains from none at its top to rho g L/E at its foot; its "
+    "centroid sinks by rho g L^2/(3 E), a third more than with one strain, while its top agrees"
+)
+HIGH = (
+    "the continuum's first mode is pi/sqrt(12) as quick, a quarter of a sine; with one strain for "
+    "all a block is stiffer, by 10 % in frequency"
+)
+NO_PULL = "formulations of this class may lack the centrifugal force, the only cause of strain here"
+MEASURED = {"pressed": _pressed, "ringing": _ringing, "coupled": _coupled, "spun": _spun}
+HELD = "m s_i^2/12 e_i'' + V sum_j C_ij e_j = F_i"
+CASE = Case(
+    name="elastic-block",
+    title="A block that strains uniformly",
+    source=Source(
+        "Shi (1992), Discontinuous deformation analysis: a new numerical model for the statics and "
+        "dynamics of deformable block structures, Engineering Computations 9(2), 157-168",
+        "10.1108/eb023855",
+        "Displacements linear in x are the paper's; scenes and answers are ours. The answers are "
+        "those of a block whose strain is uniform, not of a continuum: its first mode is "
+        "sqrt(12)/pi = 1.103 times as fast, which is shown beside. Base and sides are smooth.",
+    ),
+    parameters=(
+        Parameter("L", 1.0, "m", "height"),
+        Parameter("a", 2.0, "m", "side along x"),
+        Parameter("b", 1.5, "m", "side along y"),
+        Parameter("rho", 2500.0, "kg/m3", "density"),
+        Parameter("E", 1e10, "Pa", "Young's modulus"),
+        Parameter("nu", 0.25, "", "Poisson's ratio"),
+        Parameter("g", 9.81, "m/s2", "gravity, which sets in at t = 0"),
+        Parameter("spin", 5.0, "1/s", "spin about z"),
+    ),
+    variants=(
+        Variant(
+            "pressed",
+            "at rest on its base, free to widen",
+            "e_z = -rho g L/(2 E), e_x = -nu e_z, d = rho g L^2/(4 E)",
+            {},
+            frozenset({"spin"}),
+        ),
+        Variant(
+            "ringing",
+            "weight sets in on a block held across: one strain",
+            "e_z = -(rho g L/(2 E)) (1 - cos w t), w^2 = 3 E/(rho L^2)",
+            {},
+            frozenset({"a", "b", "nu", "spin"}),
+        ),
+        Variant(
+            "coupled",
+            "weight sets in on a block free to widen: three strains",
+            f"{HELD}, 4 times the inertia along z, F_z = -m g L/2",
+            {},
+            frozenset({"spin"}),
+        ),
+        Variant(
+            "spun",
+            "a free block as it begins to spin: a bar alone has w^2 = 12 E/(rho L^2)",
+            f"{HELD}, F_i = m spin^2 s_i^2/12 along x and y",
+            {},
+            frozenset({"g"}),
+        ),
+    ),
+    declare=_declare,
+)

@@ -1,0 +1,242 @@
+"""A block on an incline: gravity, an initial velocity, and Newmark's harmonic accelerations."""
+
+from __future__ import annotations
+
+import functools
+
+import numpy as np
+
+from cases._papers import YAGODA_BIRAN_2016
+from cases._penalty import COARSEST, FEWER, LEVELS
+from reference_solutions.blocks import incline
+from vv.ask import Displacement, History, Method
+from vv.case import (
+    Case,
+    Exact,
+    Ladder,
+    Motion,
+    Parameter,
+    Parameters,
+    Quantity,
+    Series,
+    Source,
+    Tolerance,
+    Trial,
+    Variant,
+)
+from vv.scene import Block, Contact, Harmonic, Scene, Vector, Wall, box_geometry, polyhedron_inertia
+
+SIDE, DENSITY = 1.0, 2500.0  # m, kg/m3 times m of height: neither enters the answer
+FREE, FLAT = "two-directions-turning", 0.2  # a plate [m high] that can turn
+BLOCK = Displacement(1)
+
+
+def _axes(alpha: float) -> Vector:
+    """Rows: down the dip, along the strike, out of the slope; x is horizontal, z up."""
+    c, s = np.cos(np.radians(alpha)), np.sin(np.radians(alpha))
+    return np.array([[c, 0.0, -s], [0.0, 1.0, 0.0], [s, 0.0, c]])
+
+
+def _scene(variant: str, p: Parameters) -> Scene:
+    """A cube that cannot rotate, or a plate that need not, on a plane that dips towards +x."""
+    axes = _axes(p["alpha"])
+    half = np.array([SIDE, SIDE, FLAT if variant == FREE else SIDE]) / 2
+    vertices, faces = box_geometry(half[2] * axes[2], half, axes)
+    mass, inertia = polyhedron_inertia(vertices, faces, DENSITY / (2 * half[2]))
+    block = Block(
+        "block", vertices, faces, mass, inertia,
+        velocity=p["v0"] * axes[0],
+        free=np.array([True, p["Ay"] > 0, True]),
+        free_spin=np.full(3, variant == FREE),
+    )  # fmt: skip
+    wall = Wall(np.zeros(3), axes[2])
+    amplitude, frequency = np.array([p["A"], p["Ay"], 0.0]), np.array([p["f"], p["fy"], 0.0])
+    shaking = Harmonic(amplitude, frequency) if amplitude.any() else None
+    contact = Contact(np.inf, mu=float(np.tan(np.radians(p["phi"]))))
+    gravity = np.array([0.0, 0.0, -p["g"]])
+    return Scene((wall, block), contact, gravity=gravity, axes=axes, shaking=shaking)
+
+
+def _declare(variant: str, p: Parameters) -> Trial:
+    if p["Ay"] < 0:
+        raise ValueError(f"Ay = {p['Ay']!r} m/s2; an amplitude must be zero or more")
+    if variant == FREE and not np.tan(np.radians(p["phi"])) * FLAT < SIDE:
+        raise ValueError(f"phi = {p['phi']!r} deg; the plate would tip")
+    scene, goal = _scene(variant, p), History(p["duration"], p["duration"] / 400)
+    quantities = (_both if p["Ay"] > 0 else _down)(p, scene, goal)
+    timed = COARSEST if variant in ("newmark-30", "two-directions") else ()
+    levels = LEVELS if timed else FEWER
+    return Trial(Ladder(scene, goal, (BLOCK,), levels, timed), quantities)
+
+
+def _down(p: Parameters, scene: Scene, goal: History) -> tuple[Quantity, ...]:
+    """The motion along the dip."""
+    names = ("alpha", "phi", "A", "f", "g", "v0")
+    return (
+        Series(
+            name="d",
+            symbol="d",
+            unit="m",
+            meaning="displacement down the dip",
+            observe=lambda run: np.asarray(run.values[BLOCK] @ scene.axes[0]),
+            reference=functools.partial(incline.newmark, **{name: p[name] for name in names}),
+            judge=Exact(TOLERANCES),
+        ),
+    )
+
+
+def _both(p: Parameters, scene: Scene, goal: History) -> tuple[Quantity, ...]:
+    """The motion along dip and strike, whose direction rotates."""
+    if p["v0"]:
+        raise ValueError(
+            f"v0 = {p['v0']!r} m/s; shaken along the strike too, the block starts at rest"
+        )
+    drive = {"ax": p["A"], "fx": p["f"], "ay": p["Ay"], "fy": p["fy"]}
+    law = {name: p[name] for name in ("alpha", "phi", "g")}
+
+    def path(t: Vector) -> Vector:
+        return incline.two_directions(t, **drive, **law)
+
+    motion = Motion(BLOCK, scene.axes[:2], path, goal.times(None), "m")
+    turning = SWEPT if scene.unknowns() > len(scene.axes) else TURNING
+    judge = Exact({**TOLERANCES, Method.SECOND_ORDER: turning})
+    return (
+        motion.component(0, "d", "displacement down the dip", judge),
+        motion.component(1, "s", "displacement along the strike", judge),
+        motion.distance(judge),
+    )
+
+
+TOLERANCES = {
+    Method.EXACT: Tolerance(
+        1e-12,
+        "rounding errors of a few hundred located events",
+        slack="gravity alone has no event, the sine one or two per cycle; one bound for all",
+    ),
+    Method.SECOND_ORDER: Tolerance(
+        5e-5,
+        "the trapezoidal rule integrates gravity exactly, and the sine with an error of "
+        "(w dt)^2/12 per cycle; events are located within the step",
+        dt=1e-3,
+        order=2,
+        floor=1e-7,
+    ),
+    Method.PENALTY: Tolerance(
+        1e-3,
+        "the shear spring delays every beginning and end of slip; under gravity alone, with "
+        "springs charged at the start, there is none",
+        slack="one bound is used for all: two slips per second cause 1e-4, no slip rounding only",
+        kn=1e10,
+        softness=0.5,
+    ),
+    Method.LAGGING: Tolerance(
+        1e-2,
+        "with uncharged shear springs at the start a block at phi = 25 gains the speed mu g "
+        "cos(alpha) sqrt(m/ks), 7 % of its displacement at 1e8 N/m; less where it slides faster",
+        slack="at phi = 5 the same gain is 0.2 %",
+        kn=1e10,
+        softness=0.5,
+    ),
+}
+TURNING = Tolerance(
+    1e-4,
+    "where the direction of slip rotates, friction acts along its mean direction over a step",
+    dt=1e-3,
+    order=2,
+    floor=1e-7,
+)
+SWEPT = Tolerance(
+    TURNING.value,
+    f"{TURNING.reason}; iterations over four contacts leave a residual in each of 240 000 steps",
+    dt=TURNING.dt,
+    order=TURNING.order,
+    floor=3e-7,
+)
+
+
+def _variants() -> tuple[Variant, ...]:
+    """Gravity at several friction angles, a launch, and Newmark's sine."""
+    still = {"A": 0.0, "duration": 1.0}
+    launched = {**still, "alpha": 45.0, "phi": 20.0}
+    sine = {"alpha": 20.0, "A": 5.0}
+    undriven, one_way = frozenset({"f", "fy"}), frozenset({"fy"})
+    found = [
+        Variant(
+            f"gravity-{phi}", f"gravity alone, alpha 28, phi {phi}", FALL,
+            {**still, "phi": phi}, undriven,
+        )
+        for phi in (5, 10, 15, 20, 25)
+    ]  # fmt: skip
+    found += [
+        Variant(f"gravity-45-{phi}", f"gravity alone, alpha 45, phi {phi}", FALL,
+                {**still, "alpha": 45.0, "phi": phi}, undriven)
+        for phi in (10, 20, 30)
+    ]  # fmt: skip
+    found += [
+        Variant(
+            f"launch-{v0:g}", f"thrown down the dip at {v0:g} m/s", FALL,
+            {**launched, "v0": v0}, undriven,
+        )
+        for v0 in (0.01, 0.1, 1.0)
+    ]  # fmt: skip
+    found += [
+        Variant(f"newmark-{phi}", f"horizontal sine, phi {phi}", NEWMARK,
+                {**sine, "phi": phi}, one_way)
+        for phi in (22, 30, 35)
+    ]  # fmt: skip
+    return (
+        *found,
+        Variant("newmark-3d", "horizontal sine on a steep slope", NEWMARK,
+                {"alpha": 45.0, "phi": 50.0, "A": 2.0}, one_way),
+        Variant("two-way", "a sine strong enough to drive the block uphill too", NEWMARK,
+                {**sine, "phi": 30.0, "A": 20.0}, one_way),
+        Variant("two-directions", "a sine along the dip and one along the strike", TURN,
+                {"alpha": 45.0, "phi": 50.0, "A": 2.0, "Ay": 1.0, "fy": 2.0, "duration": 6.0}),
+        Variant(FREE, "the same for a plate that may rotate, but by the physics does not", TURN,
+                {"alpha": 45.0, "phi": 50.0, "A": 2.0, "Ay": 1.0, "fy": 2.0, "duration": 3.0}),
+        Variant("at-yield", "phi = alpha: the velocity touches zero once a cycle", NEWMARK,
+                {**sine, "phi": 20.0}, one_way | {"g"}),
+    )  # fmt: skip
+
+
+FALL = "d = v0 t + (g/2)(sin alpha - cos alpha tan phi) t^2"
+NEWMARK = (
+    "d'' = g (sin alpha - cos alpha tan phi) + A sin(wt) (cos alpha + sin alpha tan phi) while it "
+    "slides down; at rest until A sin(wt) > g tan(phi - alpha)"
+)
+TURN = (
+    "w' = T - F w/|w|, w the slip, T = (g sin alpha + ax cos alpha, ay), "
+    "F = tan phi (g cos alpha - ax sin alpha); at rest while |T| <= F"
+)
+CASE = Case(
+    name="incline",
+    title="Block on an incline",
+    source=Source(
+        *YAGODA_BIRAN_2016,
+        "A and f of Fig. 3 are not given: A = 5 m/s2 and 1 Hz are chosen. Eq. 8 lacks "
+        "(A/w)(cos alpha + sin alpha tan phi) t. The horizontal launch of Sec. 4.1.2 would leave "
+        "the plane: the velocity is taken down the dip, with phi = 20 chosen. The motion of Fig. "
+        "15 is not given either: two sines are chosen. g = 9.81 m/s2.",
+    ),
+    parameters=(
+        Parameter("alpha", 28.0, "deg", "slope"),
+        Parameter("phi", 30.0, "deg", "friction angle"),
+        Parameter("A", 5.0, "m/s2", "amplitude of the horizontal acceleration"),
+        Parameter("f", 1.0, "Hz", "its frequency"),
+        Parameter("Ay", 0.0, "m/s2", "amplitude of the acceleration along the strike"),
+        Parameter("fy", 1.0, "Hz", "its frequency"),
+        Parameter("v0", 0.0, "m/s", "initial velocity down the dip"),
+        Parameter("g", 9.81, "m/s2", "gravity"),
+        Parameter("duration", 5.0, "s", "time simulated"),
+    ),
+    variants=_variants(),
+    declare=_declare,
+    published={
+        "Fig. 2": "2D-DDA under gravity: relative error 0.05 % at phi = 5, rising to just below "
+        "8 % at phi = 25.",
+        "Fig. 3": "2D-DDA under the sine: below 1 % most of the time.",
+        "Figs. 13, 14": "3D-DDA: below 1 % after 0.5 s of a launch; below 3 % most of the time "
+        "under the sine.",
+        "Fig. 15": "3D-DDA under sines in two directions: about 8 % at the end.",
+    },
+)

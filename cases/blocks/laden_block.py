@@ -1,0 +1,215 @@
+"""A loaded block that slips without stopping along a shaking slope, under all drives at once."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from cases._books import balance
+from cases._penalty import FEWER
+from cases._sines import harmonic
+from reference_solutions.blocks import laden_block
+from reference_solutions.contact.shaken_spring import Sine
+from vv.ask import Displacement, History, Method, Observable, Velocity
+from vv.case import (
+    Case,
+    Exact,
+    Ladder,
+    Motion,
+    Parameter,
+    Parameters,
+    Source,
+    Tolerance,
+    Trial,
+    Variant,
+)
+from vv.scene import Block, Contact, Scene, Vector, Wall, box_geometry, polyhedron_inertia
+
+HALF = {"level": 0.5, "turning": 0.1}  # m: of the height; a plate does not tip
+SIDE, DENSITY = 1.0, 2500.0  # m, kg/m3, which do not enter the answer
+UP = np.array([0.0, 0.0, 1.0])
+HEADING = np.radians(25)  # of the slip from x: along no axis of the frame
+SAMPLES = 100
+FINE = 200.0  # points a second, 40 a cycle of the quickest drive, at which slip is made sure of
+APART = 1e-10  # m at t = 0: shows in no figure, and is no matter of rounding
+SEEN: tuple[Observable, ...] = (Displacement(1), Velocity(1))
+
+
+def _axes(p: Parameters) -> Vector:
+    """Rows: along the slip, which is level; the wall's normal; and the third."""
+    slip = np.array([np.cos(HEADING), np.sin(HEADING), 0.0])
+    dip = np.cross(UP, slip)
+    alpha = np.radians(p["alpha"])
+    normal = np.cos(alpha) * UP + np.sin(alpha) * dip
+    return np.stack([slip, normal, np.cross(slip, normal)])
+
+
+def _sines(p: Parameters) -> tuple[Sine, Sine, Sine, Sine]:
+    """What shakes the block along the slip and the normal, and how the wall moves along these."""
+    turn = 2 * np.pi
+    return (
+        Sine(p["a"], turn * 2.0, 0.7),
+        Sine(0.6 * p["a"], turn * 5.0, -1.9),
+        Sine(p["D"], turn * 3.0, 2.4),
+        Sine(0.2 * p["D"], turn * 4.0, 1.0),
+    )
+
+
+def _scene(variant: str, p: Parameters) -> Scene:
+    """A block on a slope; a load takes the place of what would hold it up."""
+    axes, gravity = _axes(p), -p["g"] * UP
+    one, other, slid, lifted = _sines(p)
+    half = np.array([SIDE / 2, HALF[variant], SIDE / 2])
+    vertices, faces = box_geometry((half[1] + APART) * axes[1], half, axes)
+    mass, inertia = polyhedron_inertia(vertices, faces, DENSITY)
+    down = gravity @ axes[2] * axes[2]
+    rising = lifted.amplitude * lifted.omega * np.cos(lifted.phase)
+    block = Block(
+        "block", vertices, faces, mass, inertia,
+        velocity=p["v"] * axes[0] + rising * axes[1],
+        load=mass * (p["push"] * axes[0] - p["press"] * axes[1] - down),
+        free=np.ones(3, bool),
+        free_spin=np.full(3, variant == "turning"),
+    )  # fmt: skip
+    wall = Wall(np.zeros(3), axes[1], harmonic({0: slid, 1: lifted}, axes))
+    shaking = harmonic({0: one, 1: other}, axes)
+    return Scene((wall, block), Contact(np.inf, mu=p["mu"]), gravity=gravity, shaking=shaking)
+
+
+def _motion(p: Parameters, t: Vector) -> tuple[Vector, Vector]:
+    """Displacements and velocities (k, 3) along the axes."""
+    found = laden_block.motion(t, v=p["v"], mu=p["mu"], **_drives(p))
+    none = np.zeros((len(t), 1))
+    place, speed = (np.concatenate([part, none], axis=1) for part in found)
+    return place, speed
+
+
+def _drives(p: Parameters) -> laden_block.Drives:
+    """What presses and drives the block."""
+    one, other, _, lifted = _sines(p)
+    pressed = -p["press"] - p["g"] * np.cos(np.radians(p["alpha"]))
+    return {"constant": (p["push"], pressed), "shaking": (one, other), "lifting": lifted}
+
+
+def _check(variant: str, p: Parameters) -> None:
+    """Raise ValueError for a block that would stop, lift off or tip."""
+    fine = np.linspace(0, p["duration"], 1 + int(np.ceil(FINE * p["duration"])))
+    press = laden_block.pressure(fine, **_drives(p))
+    past = _motion(p, fine)[1][:, 0] - laden_block.wall_speed(fine, _sines(p)[2])
+    for what, left, unit in (("pressure", press, "m/s2"), ("slip", past, "m/s")):
+        if not left.min() > 0:
+            at = f"{left.min():.6g} {unit} at t = {fine[left.argmin()]:.6g} s"
+            raise ValueError(f"{what} = {at}; the block must press and slip on")
+    if variant == "turning" and not p["mu"] * HALF[variant] < SIDE / 2:
+        raise ValueError(f"mu = {p['mu']!r}; the plate would tip")
+
+
+def _declare(variant: str, p: Parameters) -> Trial:
+    goal = History(p["duration"], p["duration"] / SAMPLES)
+    axes, times = _axes(p), goal.times(None)
+    _check(variant, p)
+    ways, speeds = Exact(WAYS), Exact(SPEEDS)
+    late = {Method.LAGGING: LATE} if variant == "turning" else {}
+    way = Motion(SEEN[0], axes, lambda t: _motion(p, t)[0], times, "m")
+    speed = Motion(SEEN[1], axes, lambda t: _motion(p, t)[1], times, "m/s")
+    parts = (
+        way.component(0, "slip", "displacement along the slip", Exact({**WAYS, **late})),
+        way.component(1, "rise", "displacement along the normal of the slope", ways),
+        way.component(2, "drift", "displacement down the slope, which the load prevents", ways),
+        speed.component(0, "slipping", "velocity along the slip", Exact({**SPEEDS, **late})),
+        speed.component(1, "rising", "velocity along the normal of the slope", speeds),
+        balance(BOOKS),
+    )
+    return Trial(Ladder(_scene(variant, p), goal, SEEN, FEWER), parts)
+
+
+SINKS = Tolerance(
+    5e-4,
+    "the block sinks as the pressure changes, by 1e-4 of its displacement; forces that begin half "
+    "a step late add 4e-4 at the steps taken, and no less than 2e-5 at the shortest",
+    kn=1e8,
+    softness=1,
+    floor=3e-5,
+)
+RATES = Tolerance(
+    1.5e-3,
+    "the block sinks at 1e-3 of its speed as the pressure changes; with implicit "
+    "steps its speed oscillates by 1e-4 on the stiffest springs",
+    kn=1e8,
+    softness=1,
+    floor=1.5e-4,
+)
+LATE = Tolerance(
+    2e-2,
+    "friction that is one iteration late may point the wrong way in a step: at one setting of nine "
+    "this changed the displacement by 1.2 %",
+    kn=1e10,
+)
+WAYS = {
+    Method.EXACT: Tolerance(
+        1e-12, "there is no event; only rounding errors of Taylor series remain"
+    ),
+    Method.SECOND_ORDER: Tolerance(
+        1e-6,
+        "forces are taken at the ends of steps: an error of (w dt)^2/12 in the part of the "
+        "displacement that the drives cause, which is 1 %",
+        dt=1e-3,
+        order=2,
+        floor=1e-11,
+    ),
+    Method.PENALTY: SINKS,
+    Method.LAGGING: SINKS,
+}
+SPEEDS = {
+    Method.EXACT: WAYS[Method.EXACT],
+    Method.SECOND_ORDER: Tolerance(
+        4e-6,
+        "a velocity is the mean of two steps: (w dt)^2/6 of that of the lift, 2 % of the whole",
+        dt=1e-3,
+        order=2,
+    ),
+    Method.PENALTY: RATES,
+    Method.LAGGING: RATES,
+}
+BOOKS = {
+    Method.EXACT: Tolerance(1e-12, "there is no event; only rounding errors remain"),
+    Method.SECOND_ORDER: Tolerance(
+        1e-12, "the ledger uses the same forces as the motion: only rounding errors remain"
+    ),
+    Method.PENALTY: Tolerance(
+        6e-4, "a start half a step late, over the largest energy held", dt=1e-3, order=1
+    ),
+    Method.LAGGING: Tolerance(
+        1e-10, "the ledger uses the forces of the motion: rounding of 40 000 steps"
+    ),
+}
+SLIP = (
+    "s'' = a_s - mu (D'' - a_n), a the accelerations by weight, load and shaking, D the lift of "
+    "the slope"
+)
+CASE = Case(
+    name="laden-block",
+    title="A laden block on a shaking slope",
+    source=Source(
+        "Newmark (1965), Effects of earthquakes on dams and embankments, Geotechnique 15(2), "
+        "139-160",
+        "10.1680/geot.1965.15.2.139",
+        "A block that slips under changing pressure, all the time one way, so that every drive has "
+        "its part in a closed form: dead load, shaking and a wall that lifts, each with a phase.",
+    ),
+    parameters=(
+        Parameter("alpha", 30.0, "deg", "slope"),
+        Parameter("mu", 0.3, "", "friction coefficient"),
+        Parameter("v", 3.0, "m/s", "velocity along the slope, level"),
+        Parameter("push", 0.5, "m/s2", "dead load along the slip, over mass"),
+        Parameter("press", 2.0, "m/s2", "dead load into the slope, over mass"),
+        Parameter("a", 1.5, "m/s2", "amplitude of the shaking along the slip"),
+        Parameter("D", 0.02, "m", "amplitude of the slope along the slip"),
+        Parameter("g", 9.81, "m/s2", "gravity"),
+        Parameter("duration", 0.5, "s", "time simulated"),
+    ),
+    variants=(
+        Variant("level", "a cube that cannot turn, thrown level along the slope", SLIP),
+        Variant("turning", "a plate that is free to rotate, but by the physics does not", SLIP),
+    ),
+    declare=_declare,
+)  # fmt: skip

@@ -1,0 +1,214 @@
+"""Spheres that turn freely and bounce: on a floor, and on each other, with stick and slip."""
+
+from __future__ import annotations
+
+import functools
+from collections.abc import Callable
+
+import numpy as np
+
+from cases._papers import LI_2018
+from reference_solutions.contact import bounce, bouncing_pair
+from vv.ask import Displacement, History, Knobs, Method
+from vv.case import (
+    Case,
+    Exact,
+    Judge,
+    Ladder,
+    Level,
+    Motion,
+    Parameter,
+    Parameters,
+    Quantity,
+    Source,
+    Tolerance,
+    Trial,
+    Variant,
+)
+from vv.scene import Contact, Scene, Spheres, Vector, Wall, rotated, rotation_about_z
+
+Path = Callable[[Vector], Vector]  # times (k,) -> displacements (k, directions)
+
+ANGLE = 0.9  # rad; arbitrary, far from every axis and diagonal
+GOAL = History(duration=0.036, interval=1e-4)
+X, Y, Z = np.eye(3)
+
+
+def _mass(p: Parameters, r: float) -> float:
+    return float(p["rho"] * 4 / 3 * np.pi * r**3)
+
+
+def _on_floor(p: Parameters, held: bool) -> Scene:
+    """A sphere thrown along x over a floor; held: locked along y, where a load pushes it."""
+    r = p["r1"]
+    sphere = Spheres(
+        position=(r + p["gap"]) * Z[None],
+        velocity=(p["v_t"] * X - p["v_n"] * Z)[None],
+        radius=np.array([r]),
+        mass=np.array([_mass(p, r)]),
+        free=np.array([[True, not held, True]]),
+        spin=p["w1"] * Y[None],
+        free_spin=np.array([[not held, True, not held]]),
+        load=p["load"] * Y[None],
+    )
+    contact = Contact(p["kn"], p["ks"], p["mu"])
+    return Scene((Wall(np.zeros(3), Z), sphere), contact, gravity=-p["g"] * Z)
+
+
+def _two(p: Parameters) -> Scene:
+    """Two free spheres along a line oblique to the frame, pressed on each other by the load."""
+    r = np.array([p["r1"], p["r2"]])
+    spheres = Spheres(
+        position=np.array([np.zeros(3), (r.sum() + p["gap"]) * X]),
+        velocity=np.array([np.zeros(3), p["v_t"] * Y - p["v_n"] * X]),
+        radius=r,
+        mass=np.array([_mass(p, one) for one in r]),
+        free=np.ones((2, 3), bool),
+        spin=np.array([p["w1"] * Z, p["w2"] * Z]),
+        free_spin=np.ones((2, 3), bool),
+        load=np.array([p["load"] * X, -p["load"] * X]),
+    )
+    scene = Scene((spheres,), Contact(p["kn"], p["ks"], p["mu"]))
+    return rotated(scene, rotation_about_z(ANGLE))
+
+
+def _floor_path(p: Parameters, t: Vector) -> Vector:
+    same = {name: p[name] for name in ("rho", "kn", "ks", "mu", "g", "gap", "v_n", "v_t")}
+    moved = bounce.floor(t, r=p["r1"], w=p["w1"], **same)
+    return np.stack([moved[:, 0], np.zeros(len(t)), moved[:, 1]], axis=1)
+
+
+def _pair_path(p: Parameters, body: int, t: Vector) -> Vector:
+    return bouncing_pair.pair(t, **{k: v for k, v in p.items() if k != "g"})[:, 2 * body :][:, :2]
+
+
+def _declare(variant: str, p: Parameters) -> Trial:
+    if variant in ("floor", "held"):
+        scene, step = _on_floor(p, variant == "held"), FLOOR_STEP
+        path = functools.partial(_floor_path, p)
+        seen: tuple[Displacement, ...] = (Displacement(1),)
+        quantities = _of_sphere(_motion(seen[0], scene, 3, path))
+    else:
+        scene, step = _two(p), PAIR_STEP
+        seen = (Displacement(0), Displacement(1))
+        paths = [functools.partial(_pair_path, p, what.body) for what in seen]
+        motions = [_motion(w, scene, 2, path) for w, path in zip(seen, paths, strict=True)]
+        quantities = _of_pair(motions)
+    return Trial(Ladder(scene, GOAL, seen, _levels(step)), quantities)
+
+
+def _motion(what: Displacement, scene: Scene, directions: int, path: Path) -> Motion:
+    return Motion(what, scene.axes[:directions], path, GOAL.times(None), "m")
+
+
+def _of_sphere(motion: Motion) -> tuple[Quantity, ...]:
+    words = ("along the throw", "across the throw, level", "up")
+    parts = [
+        motion.component(i, axis, f"displacement of the sphere {how}", ON_FLOOR)
+        for i, (axis, how) in enumerate(zip("xyz", words, strict=True))
+    ]
+    return (*parts, motion.distance(ON_FLOOR))
+
+
+def _of_pair(motions: list[Motion]) -> tuple[Quantity, ...]:
+    parts = (("x", "along the first line of centres", ALONG), ("y", "across it", ACROSS))
+    return tuple(
+        motion.component(i, f"{axis}{n}", f"displacement of sphere {n} {how}", judge)
+        for n, motion in enumerate(motions, 1)
+        for i, (axis, how, judge) in enumerate(parts)
+    )
+
+
+def _levels(coarsest: float) -> dict[Level, tuple[Knobs, ...]]:
+    rungs = tuple(Knobs(dt=coarsest / 2**i) for i in range(4))
+    return {Level.QUICK: rungs[:3:2], Level.DEFAULT: rungs, Level.PAPER: rungs}
+
+
+def _judge(coarsest: float, second: float, first: float, arm: float = 0.0) -> Judge:
+    """second, first: bounds at the coarsest step [s]; arm: what half of U/r makes of the force."""
+    return Exact({
+        Method.EXACT: Tolerance(
+            1e-11,
+            "the two routes to the answer agree to 1e-12, over a dozen located events",
+        ),
+        Method.SECOND_ORDER: Tolerance(
+            second,
+            "a contact lasts for more than a hundred steps: (k dt)^2/24 = 3e-5 for its swings, as "
+            "much again for each of its ends and those of slip, over up to four bounces; on the "
+            "floor codes differ by the arm of the shear force, r - U/2 for r, with U/r = 1e-5",
+            dt=coarsest,
+            order=2,
+            floor=arm,
+        ),
+        Method.FIRST_ORDER: Tolerance(
+            first,
+            "weight and load a taken half a step late at the start change the speed v of the first "
+            "impact by a dt/2v, 6e-5 on the floor and 2e-3 between two, and what follows as much",
+            dt=coarsest,
+            order=1,
+        ),
+    })  # fmt: skip
+
+
+FLOOR_STEP, PAIR_STEP = 5e-7, 2e-5  # s
+ON_FLOOR = _judge(FLOOR_STEP, 2e-4, 5e-4, 1.5e-5)
+# only friction acts across the line of centres, a part of what acts along it
+ALONG, ACROSS = _judge(PAIR_STEP, 2e-4, 2.5e-3), _judge(PAIR_STEP, 5e-5, 6e-4)
+
+LAW = (
+    "U'' = g - kn U/m in contact; F' = -ks s while |F| <= mu kn U, s = v_x - r w, "
+    "m v_x' = F, 2/5 m r^2 w' = -r F; F = 0 where they part"
+)
+BOTH = (
+    "m_i u_i'' = -+(kn U n + F e) +- P, 2/5 m_i r_i^2 w_i' = -a_i F; F' = -ks s while "
+    "|F| <= mu kn U, s = (v_2 - v_1).e - (a_1 w_1 + a_2 w_2), a_i = r_i - U/2; F = 0 where they "
+    "part"
+)
+OF_ONE = frozenset({"r2", "w2"})
+VARIANTS = (
+    Variant(
+        "floor", "a sphere thrown on a floor bounces four times; stick and slip in each contact",
+        LAW, inert=OF_ONE,
+    ),
+    Variant(
+        "held", "the same, locked along a level direction in which a load pushes it, spinning back",
+        LAW, {"mu": 0.3, "ks": 1.6e10, "v_t": 0.005, "w1": 0.15, "load": 50.0},
+        inert=OF_ONE | {"load"},
+    ),
+    Variant(
+        "pair", "two spheres collide obliquely in no gravity, and part: slip, stick, slip",
+        BOTH, PAIR := {"kn": 5e6, "ks": 4e6, "mu": 0.3, "g": 0.0, "v_n": 0.04, "v_t": 0.03,
+                       "w1": 0.2, "w2": -0.4},
+    ),
+    Variant(
+        "again", "dead loads press them together: they bounce on each other three times",
+        BOTH, {**PAIR, "load": 26.0},
+    ),
+)  # fmt: skip
+CASE = Case(
+    name="bounce",
+    title="Spheres that spin and bounce",
+    source=Source(
+        *LI_2018,
+        "The contact law is that of Eqs. 4-8; bounces and spin are not in the paper. On the "
+        "floor the shear force acts at the radius, between two in the middle of the overlap. "
+        "The spring starts uncharged at every contact.",
+    ),
+    parameters=(
+        Parameter("rho", 2500.0, "kg/m3", "density"),
+        Parameter("r1", 0.1, "m", "radius of the sphere, or of the first"),
+        Parameter("r2", 0.07, "m", "radius of the second"),
+        Parameter("kn", 2e10, "N/m", "normal contact stiffness"),
+        Parameter("ks", 3e10, "N/m", "shear contact stiffness"),
+        Parameter("mu", 0.5, "", "friction coefficient"),
+        Parameter("g", 9.81, "m/s2", "gravity"),
+        Parameter("gap", 1e-4, "m", "gap at the start"),
+        Parameter("v_n", 0.0, "m/s", "velocity at the start, towards the floor or the first"),
+        Parameter("v_t", 0.02, "m/s", "velocity at the start, across that"),
+        Parameter("w1", 0.5, "1/s", "spin at the start, of the sphere or the first"),
+        Parameter("w2", 0.0, "1/s", "spin at the start, of the second"),
+        Parameter("load", 0.0, "N", "dead load: along the lock, or on each of two"),
+    ),
+    variants=VARIANTS,
+    declare=_declare,
+)

@@ -1,0 +1,226 @@
+"""Single contacts T1-T4 of Li et al. (2018): a normal and a shear spring, with and without drag."""
+
+from __future__ import annotations
+
+import dataclasses
+import functools
+from collections.abc import Callable, Mapping
+
+import numpy as np
+
+from cases._papers import LI_2018
+from reference_solutions.contact import single_contact as closed
+from vv.ask import Displacement, History, Knobs, Method, Run
+from vv.case import (
+    Case,
+    Exact,
+    Ladder,
+    Level,
+    Parameter,
+    Parameters,
+    Series,
+    Source,
+    Tolerance,
+    Trial,
+    Variant,
+)
+from vv.scene import (
+    Contact,
+    Scene,
+    Spheres,
+    Vector,
+    Wall,
+    initial_normal_forces,
+    rotated,
+    rotation_about_z,
+    with_bodies_reversed,
+)
+
+ANGLE = 0.9  # rad; arbitrary, far from every axis and diagonal
+# what decides the overlap of the shear tests
+OVERLAP = ("rho", "r", "kn", "ks", "mu", "eta", "v_b")
+FIXED = [False, False, False]
+ALONG_Y = [False, True, False]
+
+
+def _normal_scene(p: Parameters, eta: float) -> Scene:
+    """Particle 2 falls on particle 1, which is fixed (Li 2018, Fig. 3)."""
+    m = closed.mass(p["rho"], p["r"])
+    spheres = Spheres(
+        position=np.array([[0.0, -2 * p["r"], 0.0], [0.0, 0.0, 0.0]]),
+        velocity=np.array([[0.0, 0.0, 0.0], [0.0, p["v_a"], 0.0]]),
+        radius=np.full(2, p["r"]),
+        mass=np.full(2, m),
+        free=np.array([FIXED, ALONG_Y]),
+    )
+    return Scene((spheres,), Contact(p["kn"]), eta)
+
+
+def _shear_scene(p: Parameters, eta: float) -> Scene:
+    """Particle 4 is pressed into wall 3 by dx and slides along it (Li 2018, Fig. 5)."""
+    dx = closed.overlap(**{name: p[name] for name in OVERLAP})
+    wall = Wall(np.array([dx - p["r"], 0.0, 0.0]), np.array([1.0, 0.0, 0.0]))
+    sphere = Spheres(
+        position=np.zeros((1, 3)),
+        velocity=np.array([[0.0, p["v_b"], 0.0]]),
+        radius=np.array([p["r"]]),
+        mass=np.array([closed.mass(p["rho"], p["r"])]),
+        free=np.array([ALONG_Y]),
+    )
+    return Scene((wall, sphere), Contact(p["kn"], p["ks"], p["mu"]), eta)
+
+
+REFERENCES: Mapping[str, tuple[Callable[..., Vector], tuple[str, ...]]] = {
+    "T1": (closed.t1, ("rho", "r", "kn", "v_a")),
+    "T2": (closed.t2, ("rho", "r", "kn", "eta", "v_a")),
+    "T3": (closed.t3, OVERLAP),
+    "T4": (closed.t4, OVERLAP),
+}
+
+
+def _scene(variant: str, p: Parameters) -> tuple[Scene, int, Vector]:
+    """The scene of a variant, the body that moves in it, and the direction of its motion."""
+    test, _, change = variant.partition("-")
+    eta = p["eta"] if test in ("T2", "T4") else 0.0
+    scene = _normal_scene(p, eta) if test in ("T1", "T2") else _shear_scene(p, eta)
+    if change == "swapped":
+        return with_bodies_reversed(scene), 0, scene.axes[1]
+    if change == "free":
+        scene = _let_go(scene)
+    if change == "rotated":
+        scene = rotated(scene, rotation_about_z(ANGLE))
+    return scene, 1, scene.axes[1]
+
+
+def _let_go(scene: Scene) -> Scene:
+    """The scene without locks on the moving body; a dead load keeps its contact closed instead."""
+    free = np.array([body.any() for body in scene.spheres.free])[:, None] & np.ones(3, bool)
+    load = np.where(free, -initial_normal_forces(scene), 0.0)
+    let_go = dataclasses.replace(scene.spheres, free=free, load=load)
+    return dataclasses.replace(scene, bodies=(*scene.walls, let_go))
+
+
+def _declare(variant: str, p: Parameters) -> Trial:
+    scene, body, along = _scene(variant, p)
+    solve, names = REFERENCES[variant[:2]]
+    shown = Displacement(body)
+
+    def observe(run: Run) -> Vector:
+        return run.values[shown] @ along
+
+    y = Series(
+        name="y",
+        symbol="y",
+        unit="m",
+        meaning="displacement of the free particle along its line of motion",
+        observe=observe,
+        reference=functools.partial(solve, **{name: p[name] for name in names}),
+        judge=Exact(TOLERANCES),
+    )
+    goal = History(duration=0.4, interval=1e-3)
+    timed = TIMED if variant in REFERENCES else ()
+    return Trial(Ladder(scene, goal, (shown,), LEVELS, timed), (y,))
+
+
+RUNGS = tuple(Knobs(dt=dt) for dt in (4e-3, 2e-3, 1e-3, 5e-4, 1e-4, 1e-5))
+TIMED = (RUNGS[0], *RUNGS[3:5])
+LEVELS = {Level.QUICK: RUNGS[1:5:2], Level.DEFAULT: RUNGS, Level.PAPER: RUNGS}
+TOLERANCES = {
+    Method.EXACT: Tolerance(
+        1e-13,
+        "rounding errors of about a hundred operations, eps = 2.2e-16 each",
+        slack="T1 and T2 are exact to a few eps; T3 and T4 lose two digits where slip begins and "
+        "ends, and one bound is used for all four",
+    ),
+    Method.SECOND_ORDER: Tolerance(
+        1e-4,
+        "the phase error of a leapfrog, (k dt)^2/24 per period, is 2e-5 at 1e-3 s; where contact "
+        "and slip begin or end within a step, errors of the same order are added",
+        dt=1e-3,
+        order=2,
+    ),
+    Method.FIRST_ORDER: Tolerance(
+        2.5e-2,
+        "drag half a step late changes its coefficient by n dt = 0.7 % at 1e-3 s, and a start half "
+        "a step late changes the velocity by as much; both add up over the three stages of T4",
+        dt=1e-3,
+        order=1,
+        slack="a dead load lowers a scheme to first order; where it only balances the contact, "
+        "as in T3-free, it leaves no such error",
+    ),
+}
+
+
+def _variants() -> tuple[Variant, ...]:
+    """T1-T4, then each mirrored, renumbered, unlocked and rotated, with the same exact answer."""
+    plain = [Variant(test, *words, inert=INERT[test]) for test, words in WORDS.items()]
+    changed = [
+        Variant(f"{v.name}-{change}", f"{v.summary}; {how}", v.formula, defaults, v.inert)
+        for change, how, defaults in CHANGES
+        for v in plain
+        if change != "mirrored" or v.name in ("T3", "T4")
+    ]
+    return (*plain, *changed)
+
+
+WORDS = {
+    "T1": (
+        "normal contact of two particles, no drag",
+        "y = (v_a/k) sin kt to t = pi/k, then -v_a (t - pi/k); k^2 = kn/m, m = 2 sqrt3 rho r^2",
+    ),
+    "T2": (
+        "normal contact of two particles with drag",
+        "y = (v_a/wd) e^{-nt} sin wd t to pi/wd, then (v_n2/2n)(1 - e^{-2n(t - pi/wd)}); "
+        "n = eta/2m, wd^2 = k^2 - n^2, v_n2 = -v_a e^{-n pi/wd}",
+    ),
+    "T3": (
+        "shear contact of a particle with a wall, no drag: stick, slip, stick",
+        "y = (v_b/k) sin kt | y1 + v_s1 s - a s^2/2 | b + y1 cos k(t - t_s4); k^2 = ks/m, "
+        "y1 = mu kn dx/ks, a = k^2 y1, b = v_s1^2/2a",
+    ),
+    "T4": (
+        "shear contact of a particle with a wall, with drag: stick, slip, stick",
+        "y = (v_b/wd) e^{-nt} sin wd t | y1 + (B/2n)(1 - e^{-2ns}) - (a/2n) s | "
+        "d + y1 e^{-ns}(cos wd s + (n/wd) sin wd s); B = v_s2 + a/2n",
+    ),
+}
+INERT = {
+    "T1": frozenset({"ks", "mu", "eta", "v_b"}),
+    "T2": frozenset({"ks", "mu", "v_b"}),
+    "T3": frozenset({"v_a", "kn", "mu"}),  # dx is made such that y1 = mu kn dx/ks stays
+    "T4": frozenset({"v_a", "kn", "mu"}),
+}
+CHANGES: tuple[tuple[str, str, Parameters], ...] = (
+    ("mirrored", "thrown the other way", {"v_b": -1.0}),
+    ("swapped", "bodies in the opposite order", {}),
+    ("free", "no direction locked: a dead load keeps the contact closed", {}),
+    ("rotated", f"the whole scene rotated by {ANGLE} rad", {}),
+)
+CASE = Case(
+    name="single-contact",
+    title="Single contacts T1-T4",
+    source=Source(
+        *LI_2018,
+        "v_a is -0.1 m/s: the -0.01 of Eq. 27 contradicts Eqs. 29 and 31. Eq. 3 is the root of "
+        "a sum of squares. Eq. 8 must cap |F_s| and keep its sign. Eqs. 9 and 11 use the "
+        "previous mean velocity.",
+    ),
+    parameters=(
+        Parameter("rho", 2500.0, "kg/m3", "density"),
+        Parameter("r", 50.0, "m", "radius"),
+        Parameter("kn", 5.5e9, "N/m", "normal contact stiffness"),
+        Parameter("ks", 5.5e9, "N/m", "shear contact stiffness"),
+        Parameter("mu", 0.1, "", "friction coefficient"),
+        Parameter("eta", 3e8, "N s/m", "artificial viscosity"),
+        Parameter("v_a", -0.1, "m/s", "initial velocity in the normal tests"),
+        Parameter("v_b", 1.0, "m/s", "initial velocity in the shear tests"),
+    ),
+    variants=_variants(),
+    declare=_declare,
+    published={
+        "Figs. 3-6": "VBOX and PFC2D at dt = 1e-3 s agree with each other and follow the "
+        "analytical curves. The relative errors, printed as figures without numbers, grow with "
+        "viscosity (T2 above T1, T4 above T3), and the shear tests are said to be less exact "
+        "than the normal ones. Both codes use Eqs. 4-12, first order in dt with drag.",
+    },
+)

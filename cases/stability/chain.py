@@ -1,0 +1,195 @@
+"""A hundred spheres in a row on a base: modes, speed of a pulse, reflection at a jump of mass."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+
+import numpy as np
+
+from reference_solutions.contact import chain as closed
+from vv.ask import History, Knobs, Method, Observable, Run, Velocity
+from vv.case import (
+    Case,
+    Exact,
+    Ladder,
+    Level,
+    Parameter,
+    Parameters,
+    Quantity,
+    Scalar,
+    Series,
+    Source,
+    Tolerance,
+    Trial,
+    Variant,
+)
+from vv.scene import Contact, Scene, Spheres, Vector, Wall
+
+N, RADIUS = 100, 0.1  # spheres; m, which does not enter the answer
+X = np.array([1.0, 0.0, 0.0])
+NEAR, FAR = 25, 75  # the spheres watched, of which one lies before and one beyond the jump
+CROSSED = 100.0  # 1/w0 = sqrt(m/kn): how long a wave takes to go along the chain
+WIDTH = 8.0  # spheres: the width of a pulse
+COARSE = 0.2  # w0 dt
+
+
+def _scene(p: Parameters, thrown: Vector, masses: Vector) -> Scene:
+    """A wall, the spheres on it in a row, and a load that keeps all contacts closed."""
+    depth = p["load"] / p["kn"]
+    load = np.zeros((N, 3))
+    load[-1] = -p["load"] * X
+    row = Spheres(
+        position=np.outer(RADIUS - depth + (2 * RADIUS - depth) * np.arange(N), X),
+        velocity=np.outer(thrown, X),
+        radius=np.full(N, RADIUS),
+        mass=masses,
+        free=np.tile(X > 0, (N, 1)),
+        load=load,
+    )
+    return Scene((Wall(np.zeros(3), X), row), Contact(p["kn"]))
+
+
+def _declare(variant: str, p: Parameters) -> Trial:
+    if not 0 < p["part"] < 0.2:
+        raise ValueError(f"part = {p['part']!r}; beyond 0.2 contacts may open")
+    kind, _, mode = variant.partition("-")
+    return _mode(int(mode), p) if kind == "mode" else _pulse(p)
+
+
+def _mode(j: int, p: Parameters) -> Trial:
+    """The chain thrown in the shape of a mode, in which it stays."""
+    w, shape = closed.frequency(j, N, p["m"], p["kn"]), closed.shape(j, N)
+    scene = _scene(p, p["part"] * p["load"] / p["kn"] * w * shape, np.full(N, p["m"]))
+    seen = Velocity(int(np.argmax(np.abs(shape))) + 1)
+    levels = _levels(p)
+    frequency = Scalar(
+        "frequency", f"w/w_{j}", "", "frequency from the outputs, over that of the mode",
+        lambda run: _rate(run, seen) / w, 1.0, 1.0,
+        _judge((w * _coarsest(p)) ** 2 / 24, _coarsest(p), TURNS),
+    )  # fmt: skip
+    return Trial(Ladder(scene, History(12.0 / w, 1.0 / w), (seen,), levels), (frequency,))
+
+
+def _rate(run: Run, seen: Observable) -> float:
+    """Frequency of what obeys v_(n+1) + v_(n-1) = 2 cos(w dt) v_n at equal intervals."""
+    v = run.values[seen] @ X
+    inner = v[1:-1]
+    cosine = float(inner @ (v[2:] + v[:-2]) / (2 * inner @ inner))
+    return math.acos(cosine) / float(run.times[1])
+
+
+def _pulse(p: Parameters) -> Trial:
+    """The chain thrown near its base: one pulse goes along it, and a part of it comes back."""
+    place = np.arange(1.0, N + 1.0)
+    w0 = math.sqrt(p["kn"] / p["m"])
+    shape = place / WIDTH * np.exp(-((place / WIDTH) ** 2))
+    thrown = p["part"] * p["load"] / p["kn"] * w0 * shape
+    masses = np.where(place > N / 2, p["jump"], 1.0) * p["m"]
+    scene, seen = _scene(p, thrown, masses), (Velocity(NEAR), Velocity(FAR))
+    goal = History(CROSSED / w0, 0.5 / w0)
+
+    def path(t: Vector) -> Vector:
+        return closed.motion(t, thrown, masses, p["kn"])[1][:, [NEAR - 1, FAR - 1]]
+
+    t = goal.times(None)
+    exact = path(t)
+
+    def told(measure: Callable[[Vector, Vector], float]) -> tuple[Callable[[Run], float], float]:
+        return lambda run: measure(run.times, _seen(run, seen)), measure(t, exact)
+
+    def part(i: int, body: int) -> Series:
+        return Series(
+            f"v{body}", f"v_{body}", "m/s", f"velocity of the sphere {body} from the base",
+            lambda run: _seen(run, seen)[:, i], lambda t: path(t)[:, i],
+            _judge(2.4e-3, _coarsest(p), LATE), scale=float(np.abs(thrown).max()),
+        )  # fmt: skip
+
+    returned = Scalar(
+        "returned", "R^2", "", "energy that comes back past the sphere 25, over what went",
+        *told(_returned), 1.0, _judge(RETURNED[p["jump"] != 1], _coarsest(p), PASSED),
+    )  # fmt: skip
+    quantities: tuple[Quantity, ...] = (part(0, NEAR), part(1, FAR), returned)
+    if p["jump"] == 1.0:
+        speed = Scalar(
+            "speed", "c/w0", "", "spheres that the pulse's middle passes in 1/w0",
+            *told(lambda t, v: _speed(t, v) / w0), 1.0, _judge(4e-4, _coarsest(p), SPREADS),
+        )  # fmt: skip
+        quantities = (*quantities, speed)
+    return Trial(Ladder(scene, goal, seen, _levels(p)), quantities)
+
+
+def _seen(run: Run, seen: tuple[Observable, ...]) -> Vector:
+    return np.stack([run.values[what] @ X for what in seen], axis=1)
+
+
+def _returned(t: Vector, v: Vector) -> float:
+    """From the velocities (k, 2): the sums of squares before and after half of the time."""
+    late = t > t[-1] / 2
+    squares = v[:, 0] ** 2
+    return float(squares[late].sum() / squares[~late].sum())
+
+
+def _speed(t: Vector, v: Vector) -> float:
+    """Spheres a second, from the mean times at which the energy passes the two watched."""
+    near, far = (t @ v**2 / (v**2).sum(axis=0)).tolist()
+    return float((FAR - NEAR) / (far - near))
+
+
+def _coarsest(p: Parameters) -> float:
+    return COARSE * math.sqrt(p["m"] / p["kn"])
+
+
+def _levels(p: Parameters) -> dict[Level, tuple[Knobs, ...]]:
+    rungs = tuple(Knobs(_coarsest(p) / 2**i) for i in range(4))
+    return {Level.QUICK: rungs[:2], Level.DEFAULT: rungs[:3], Level.PAPER: rungs}
+
+
+def _judge(bound: float, coarsest: float, reason: str) -> Exact:
+    """bound: at the coarsest step [s]; rounding of places leaves a part 1e-5 of most of them."""
+    floor = min(1e-8, bound / 20)
+    second = Tolerance(1.05 * bound, reason, dt=coarsest, order=2, floor=floor)
+    first = Tolerance(1.05 * bound, BALANCED + reason, dt=coarsest, order=2, floor=floor)
+    return Exact({
+        Method.EXACT: Tolerance(1e-8, "positions in the row are rounded to 1e-9 of the amplitude"),
+        Method.SECOND_ORDER: second,
+        Method.FIRST_ORDER: first,
+    })  # fmt: skip
+
+
+BALANCED = "the load balances the contacts at the start, and costs no order; "
+TURNS = "the phase of a leapfrog is too fast by (w dt)^2/24"
+LATE = (
+    "waves of a phase q a sphere are ahead by (q w0 dt)^2/24 of the q x they have gone: a pulse of "
+    "eight spheres, mostly q < 0.25, by 1e-3 of a radian and of its size at w0 dt = 0.2"
+)
+PASSED = "the reflected part depends on the phase per sphere, whose error is (w dt)^2/24"
+RETURNED = (5e-10, 2e-6)  # without a jump and with one
+SPREADS = "a leapfrog's waves go faster by (w dt)^2/8, 3e-4 at the phase 0.25 a sphere"
+MODE = "w_j = 2 sqrt(kn/m) sin((2j - 1) pi/(2 (2N + 1))), N = 100"
+WAVE = "m_i u_i'' = kn (u_(i-1) - 2 u_i + u_(i+1)), u_0 = 0, v_i(0) ~ i exp(-(i/8)^2); "
+CASE = Case(
+    name="chain",
+    title="A chain on a base",
+    source=Source(
+        "Brillouin (1946), Wave propagation in periodic structures, McGraw-Hill, chapter 3",
+        "",
+        "The springs are contacts, which a load on the last sphere keeps closed; the base is fixed "
+        "and the other end free. At a jump of the mass |R| = |sin((q - Q)/2)/sin((q + Q)/2)|, with "
+        "the phases a sphere q before it and Q beyond.",
+    ),
+    parameters=(
+        Parameter("m", 1.0, "kg", "mass of a sphere"),
+        Parameter("jump", 1.0, "", "mass beyond the middle of the chain over that before"),
+        Parameter("kn", 1e6, "N/m", "contact stiffness"),
+        Parameter("load", 100.0, "N", "what keeps the contacts closed"),
+        Parameter("part", 0.05, "", "size of the motion, in overlaps at rest"),
+    ),
+    variants=(
+        *(Variant(f"mode-{j}", f"thrown in mode {j} of 100", MODE) for j in (3, 50, 100)),
+        Variant("pulse", "a pulse along equal masses", WAVE + "c = sqrt(kn/m) cos(q/2)"),
+        Variant("jump", "a pulse that meets masses four times as large", WAVE + "R = -1/3 for "
+                "long waves", {"jump": 4.0}),
+    ),
+    declare=_declare,
+)  # fmt: skip

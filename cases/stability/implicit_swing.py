@@ -1,0 +1,168 @@
+"""A block oscillates on its contact in implicit steps of 1e-3 to 1e4 radians."""
+
+from __future__ import annotations
+
+import cmath
+import math
+from collections.abc import Callable
+
+import numpy as np
+
+from cases._papers import YAGODA_BIRAN_2016
+from reference_solutions.blocks import implicit_step as theory
+from vv.ask import Displacement, History, Knobs, Method, Run, Velocity
+from vv.case import (
+    Case,
+    Check,
+    Exact,
+    Ladder,
+    Level,
+    Parameter,
+    Parameters,
+    Scalar,
+    Shown,
+    Source,
+    Tolerance,
+    Trial,
+    Variant,
+)
+from vv.scene import Block, Contact, Scene, Vector, Wall, polyhedron_inertia
+
+MOVED, MOVING = Displacement(1), Velocity(1)
+Z = np.array([0.0, 0.0, 1.0])
+TIP = np.array([[0, 0, 0], [-1, -1, 2], [1, -1, 2], [1, 1, 2], [-1, 1, 2]], float) / 2  # m
+FACES = ((0, 2, 1), (0, 3, 2), (0, 4, 3), (0, 1, 4), (1, 2, 3, 4))
+STEPS = 8  # of the largest step of a variant
+FADED = 1e-6  # of the first swing: what has faded more is rounding
+
+
+def _scene(p: Parameters) -> Scene:
+    """A pyramid on its tip, which keeps upright: one point of contact, pressed by its weight."""
+    _, inertia = polyhedron_inertia(TIP, FACES, p["m"] / (1 / 3))
+    block = Block(
+        "block", TIP, FACES, p["m"], inertia,
+        velocity=p["v"] * Z,
+        free=np.array([False, False, True]),
+        free_spin=np.zeros(3, bool),
+    )  # fmt: skip
+    return Scene((Wall(np.zeros(3), Z), block), Contact(np.inf), gravity=-p["g"] * Z)
+
+
+def _declare(variant: str, p: Parameters) -> Trial:
+    w = math.sqrt(p["kn"] / p["m"])
+    if not p["v"] * w < p["g"]:
+        raise ValueError(f"v = {p['v']!r} m/s; from g/w = {p['g'] / w:.6g} m/s on, it leaves")
+    dt = [angle / w for angle in ANGLES[variant]]
+    rungs = tuple(Knobs(one, p["kn"]) for one in dt[::-1])
+    levels = {Level.QUICK: rungs[:2], Level.DEFAULT: rungs, Level.PAPER: rungs}
+    study = Ladder(_scene(p), History(STEPS * dt[-1], dt[0]), (MOVED, MOVING), levels)
+    radius = _over_theory(
+        "radius", "rho/rho_O", "spectral radius of a step, over theory", w, _radius,
+        theory.spectral_radius, RADIUS,
+    )  # fmt: skip
+    if variant == "real":
+        return Trial(study, (radius, _ringing(w)))
+    ratio = _over_theory(
+        "damping", "zeta/zeta_O", "damping ratio over theory, which is w dt/4 for small steps", w,
+        _damping, theory.damping_ratio, DAMPING,
+    )  # fmt: skip
+    return Trial(study, (radius, ratio))
+
+
+def _over_theory(
+    name: str,
+    symbol: str,
+    meaning: str,
+    w: float,
+    seen: Callable[[Vector], float],
+    due: Callable[[float], float],
+    judge: Exact,
+) -> Scalar:
+    """What the roots of a run's step say, over what they should at its w dt."""
+    observe = lambda run: seen(_roots(run, w)) / due(w * float(run.times[1]))  # noqa: E731
+    return Scalar(name, symbol, "", meaning, observe, 1.0, 1.0, judge)
+
+
+def _ringing(w: float) -> Scalar:
+    return Scalar(
+        "ringing", "lambda", "", "the root of larger size",
+        lambda run: float(max(_roots(run, w), key=abs).real), None, 1.0, RINGS,
+    )  # fmt: skip
+
+
+def _roots(run: Run, w: float) -> Vector:
+    """The two roots of the linear map from one output's (w x, v) to the next, fitted."""
+    state = np.array([w * (run.values[MOVED] @ Z), run.values[MOVING] @ Z])
+    size = np.linalg.norm(state, axis=0)
+    last = max(3, int(np.argmax(np.append(size < FADED * size[0], True))))
+    made = np.linalg.lstsq(state[:, : last - 1].T, state[:, 1:last].T, rcond=None)[0]
+    return np.asarray(np.linalg.eigvals(made))
+
+
+def _radius(roots: Vector) -> float:
+    return float(np.abs(roots).max())
+
+
+def _damping(roots: Vector) -> float:
+    """That of the motion with these roots; what is at rest after a step has all there can be."""
+    one = complex(roots[0])
+    rate = cmath.log(one) if one else -1.0
+    return -rate.real / abs(rate)
+
+
+ANGLES = {
+    "complex": (1e-3, 1e-2, 1e-1, 1.0),
+    "near-four": (1.0, 2.0, 3.0, 3.9),
+    "real": (4.1, 10.0, 1e2, 1e3, 1e4),
+}
+OTHERS = "rigid contact has no spring: the block is thrown up, falls, and stays down"
+SHOWN = dict.fromkeys((Method.EXACT, Method.SECOND_ORDER, Method.FIRST_ORDER), OTHERS)
+BOTH = (Method.PENALTY, Method.LAGGING)
+RADIUS = Exact(
+    dict.fromkeys(BOTH, Tolerance(1e-12, "the step is a linear map, fitted to eight outputs")),
+    not_judged=SHOWN,
+)
+DAMPING = Exact(
+    dict.fromkeys(
+        BOTH,
+        Tolerance(
+            1e-7,
+            "the damping ratio is w dt/4; at w dt = 1e-3 a step decays by its square, which "
+            "costs six digits",
+            slack="no digits are lost at large steps; one bound is used for all",
+        ),
+    ),
+    not_judged=SHOWN,
+)
+RINGS = Shown(
+    "beyond w dt = 4 it is real and negative, and tends to -1: a stiff contact is no longer damped "
+    "but rings at every other step"
+)
+ROOTS = "2 (x+ - x - v dt)/dt^2 = -w^2 x+, v+ = 2 (x+ - x)/dt - v; "
+CASE = Case(
+    name="implicit-swing",
+    title="Numerical damping of implicit steps",
+    source=Source(
+        *YAGODA_BIRAN_2016,
+        "The step is Eq. 5, corrected: d'' = (2/D^2)(d - D v0). Its roots are not in the paper. "
+        "They say why contacts that the step does not resolve neither blow up nor come to rest. "
+        "Contact is rigid; the penalty spring that stands in for it swings.",
+    ),
+    parameters=(
+        Parameter("m", 1000.0, "kg", "mass"),
+        Parameter("kn", 1e7, "N/m", "penalty stiffness at the tip"),
+        Parameter("g", 9.81, "m/s2", "gravity, which keeps the contact closed"),
+        Parameter("v", 0.05, "m/s", "velocity at the start, upwards"),
+    ),
+    variants=(
+        Variant("complex", "w dt from 1e-3 to 1", ROOTS + "rho^2 = 1/(1 + (w dt)^2/2)"),
+        Variant("near-four", "w dt from 1 to 3.9", ROOTS + "rho^2 = 1/(1 + (w dt)^2/2)"),
+        Variant(
+            "real", "w dt from 4.1 to 1e4",
+            ROOTS + "rho = (O^2 - 4 + O sqrt(O^2 - 16))/(2 (2 + O^2)), O = w dt",
+        ),
+    ),
+    declare=_declare,
+    # codes that take the contact for rigid see a throw, which steps as long as these make too high
+    enforced=frozenset(Check) - {Check.CONSERVATION},
+)  # fmt: skip

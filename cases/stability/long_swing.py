@@ -1,0 +1,176 @@
+"""T1's spring bound both ways: a swing without loss over thousands of periods."""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from cases._papers import LI_2018
+from cases.contact.single_contact import CASE as SINGLE_CONTACT
+from reference_solutions.contact import leapfrog
+from reference_solutions.contact import single_contact as closed
+from vv.ask import Displacement, History, Knobs, Method, Run, Velocity
+from vv.case import (
+    Case,
+    Exact,
+    Invariant,
+    Ladder,
+    Level,
+    Parameters,
+    Quantity,
+    Scalar,
+    Source,
+    Tolerance,
+    Trial,
+    Variant,
+)
+from vv.scene import Bonds, Contact, Scene, Spheres, Vector, Wall
+
+MOVED, MOVING = Displacement(1), Velocity(1)
+OWN = ("rho", "r", "kn", "v_a")
+X = np.array([1.0, 0.0, 0.0])
+SUNK = 2.0  # overlap at rest, in amplitudes: the contact stays closed
+FREE = X > 0
+
+
+def _pressed(p: Parameters, m: float, amplitude: float) -> Scene:
+    """A sphere that a dead load presses into a wall, thrown along the normal."""
+    depth = SUNK * amplitude
+    sphere = Spheres(
+        position=np.zeros((1, 3)),
+        velocity=p["v_a"] * X[None],
+        radius=np.array([p["r"]]),
+        mass=np.array([m]),
+        free=FREE[None],
+        load=-p["kn"] * depth * X[None],
+    )
+    return Scene((Wall((depth - p["r"]) * X, X), sphere), Contact(p["kn"]))
+
+
+def _bonded(p: Parameters, m: float, amplitude: float) -> Scene:
+    """A sphere on a bond to another, which is fixed."""
+    spheres = Spheres(
+        position=np.array([np.zeros(3), 2 * p["r"] * X]),
+        velocity=np.array([np.zeros(3), p["v_a"] * X]),
+        radius=np.full(2, p["r"]),
+        mass=np.full(2, m),
+        free=np.array([~FREE & FREE, FREE]),
+    )
+    bond = Bonds(np.array([[0, 1]]), 2 * p["r"], p["kn"], 0.0)  # type: ignore[arg-type]  # for all
+    return Scene((spheres,), Contact(p["kn"]), bonds=bond)
+
+
+def _declare(variant: str, p: Parameters) -> Trial:
+    m = closed.mass(p["rho"], p["r"])
+    w = math.sqrt(p["kn"] / m)
+    scene = (_pressed if variant == "pressed" else _bonded)(p, m, abs(p["v_a"]) / w)
+    rungs = tuple(Knobs(angle / w) for angle in ANGLES)
+    levels = {Level.QUICK: rungs[:2], Level.DEFAULT: rungs[:2], Level.PAPER: rungs}
+    period = 2 * math.pi / w
+    goal = History(PERIODS[variant] * period, BETWEEN * period)
+    return Trial(Ladder(scene, goal, (MOVED, MOVING), levels), _quantities(w))
+
+
+def _quantities(w: float) -> tuple[Quantity, ...]:
+    rate = Scalar(
+        "rate", "phase/wt", "", "phase over that of the exact swing",
+        lambda run: _swing(run, w).phase / (w * float(run.times[-1])), 1.0, 1.0, _second(SWIFT),
+    )  # fmt: skip
+    return (
+        Scalar(
+            "drift", "max|I/I_0 - 1|", "", "how far v^2 + kappa w^2 x^2 strays, kappa fitted",
+            lambda run: _swing(run, w).drift, 0.0, 1.0, KEPT,
+        ),
+        Scalar(
+            "kappa", "kappa", "", "stiffness in the energy that is kept, over the spring's",
+            lambda run: _swing(run, w).kappa, 1.0, 1.0, _second(SOFT),
+        ),
+        rate,
+        dataclasses.replace(
+            rate, name="leapfrog", symbol="phase/(2 n asin(w dt/2))",
+            meaning="phase over that of a leapfrog of as many steps",
+            observe=lambda run: _swing(run, w).phase / _theory(run, w), judge=TURNS,
+        ),
+    )  # fmt: skip
+
+
+class Swing(NamedTuple):
+    """What the outputs say: phase at the end [rad], kappa, and the drift of what is kept."""
+
+    phase: float
+    kappa: float
+    drift: float
+
+
+def _swing(run: Run, w: float) -> Swing:
+    """From the outputs; between two of them the phase strays from wt by less than half a turn."""
+    x, v = w * (run.values[MOVED] @ X), run.values[MOVING] @ X
+    rows = np.stack([np.ones_like(x), -(x**2)], axis=1)
+    kept, kappa = np.linalg.lstsq(rows, v**2, rcond=None)[0].tolist()
+    strayed = np.abs(v**2 + kappa * x**2 - kept).max() / kept
+    ahead = np.unwrap(_turned(x, v, kappa) - w * run.times)
+    return Swing(float(ahead[-1] - ahead[0] + w * run.times[-1]), kappa, float(strayed))
+
+
+def _turned(x: Vector, v: Vector, kappa: float) -> Vector:
+    return np.asarray(np.arctan2(math.sqrt(kappa) * x, v))
+
+
+def _theory(run: Run, w: float) -> float:
+    """The phase [rad] of a leapfrog; where there is no step to speak of, that of the swing."""
+    outputs, span = len(run.times) - 1, w * float(run.times[-1])
+    steps = outputs * max(1, round(run.steps / outputs))  # a code may take one more at the end
+    return steps * leapfrog.turn(span / steps) if span < steps else span
+
+
+def _second(reason: str) -> Exact:
+    """Errors that are known: phase (w dt)^2/24, kappa (w dt)^2/4, at w dt = 0.4."""
+    known = ANGLES[0] ** 2 / (24 if reason == SWIFT else 4)
+    w = math.sqrt(K)
+    bound = Tolerance(1.02 * known, reason, dt=ANGLES[0] / w, order=2)
+    return Exact({
+        Method.EXACT: Tolerance(1e-11, "rounding of three thousand pieces"),
+        Method.LINEARISED: Tolerance(1e-11, "a bond that does not turn is linear, to rounding"),
+        Method.SECOND_ORDER: bound,
+        Method.FIRST_ORDER: dataclasses.replace(bound, reason=BALANCED + reason),
+    }, not_judged={Method.PENALTY: ONLY_NEAR})  # fmt: skip
+
+
+ONLY_NEAR = "springs that stand in for a bond do so for small stretches only"
+ANGLES = (0.4, 0.2, 0.1, 0.05)  # w dt [rad]
+PERIODS = {"pressed": 1000.25, "bonded": 2000.25, "bonded-long": 100_000.25}
+BETWEEN = 5.05  # periods between two outputs
+K = 5.5e9 / closed.mass(2500.0, 50.0)  # 1/s2, of the default parameters
+SWIFT = "a leapfrog turns by 2 asin(w dt/2) a step: (w dt)^2/24 too fast, and 2 % for what follows"
+SOFT = "a leapfrog keeps m v^2/2 + k (1 - (w dt/2)^2) x^2/2, no more and no less"
+BALANCED = "the load balances the contact at the start, and costs no order; "
+KEPT = Invariant(1e-11, "rounding of up to a million steps; nothing else takes energy or gives any")
+THEORY = Tolerance(1e-12, "a leapfrog's phase is known; rounding moves it by 1e-14")
+TURNS = Exact(
+    {Method.SECOND_ORDER: THEORY, Method.FIRST_ORDER: THEORY},
+    not_judged=dict.fromkeys((Method.EXACT, Method.LINEARISED), "it takes no steps of known phase")
+    | {Method.PENALTY: ONLY_NEAR},
+)
+# m/s: the faster, the smaller the part of a swing that is lost as places round
+FAST, FASTER, FASTEST = ({"v_a": -v} for v in (1.0, 10.0, 100.0))
+LAW = "x = (v_a/w) sin wt, w^2 = kn/m; a leapfrog: x_n = (v_a dt/sin a) sin na, a = 2 asin(w dt/2)"
+CASE = Case(
+    name="long-swing",
+    title="Thousands of swings",
+    source=Source(
+        *LI_2018,
+        "The spring of T1 is bound both ways here, by a load that keeps the contact closed or by a "
+        "bond, and swings on. What a leapfrog makes of it is in Hairer, Lubich and Wanner (2003), "
+        "Acta Numerica 12, 399-450.",
+    ),
+    parameters=tuple(one for one in SINGLE_CONTACT.parameters if one.name in OWN),
+    variants=(
+        Variant("pressed", "a contact that a load keeps closed, 1000 periods", LAW, FAST),
+        Variant("bonded", "a bond, 2000 periods", LAW, FASTER),
+        Variant("bonded-long", "a bond, 100 000 periods", LAW, FASTEST, level=Level.PAPER),
+    ),
+    declare=_declare,
+)

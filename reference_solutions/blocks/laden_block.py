@@ -1,0 +1,82 @@
+"""A block that slips one way along a wall while both are shaken, in closed form.
+
+Along the slip and along the wall's normal, by rows: the block is driven by constant accelerations
+(weight and dead load over mass), a [m/s2], and by shaking, a sine of amplitude A [m/s2] in each;
+the wall moves by D (sin(w t + phi) - sin phi) along its normal. While the block slips it has
+
+s'' = a_s + A_s sin(w_s t + phi_s) - mu p,  p = D'' - a_n - A_n sin(w_n t + phi_n) > 0,
+
+where mu p is friction per mass (Coulomb), D'' the acceleration of the wall, and along the normal
+the block is where the wall is. How the wall slides along itself does not enter while the block
+slips faster. Every function raises ValueError for parameters outside their ranges.
+"""
+
+from typing import TypedDict
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from reference_solutions.contact.shaken_spring import Sine
+from reference_solutions.parameters import require_at_least_0, require_times
+
+Array = NDArray[np.float64]
+
+
+class Drives(TypedDict):
+    """Accelerations along the slip and the normal, and how the wall lifts."""
+
+    constant: tuple[float, float]
+    shaking: tuple[Sine, Sine]
+    lifting: Sine
+
+
+def motion(
+    t: ArrayLike,
+    *,
+    v: float,
+    mu: float,
+    constant: tuple[float, float],
+    shaking: tuple[Sine, Sine],
+    lifting: Sine,
+) -> tuple[Array, Array]:
+    """Displacement [m] and velocity [m/s], (k, 2), along the slip and the normal at times (k,) [s].
+
+    v [m/s] is the velocity along the slip at t = 0; along the normal it is that of the wall.
+    """
+    t = require_times(t)
+    require_at_least_0("[-]", mu=mu)
+    size, omega, phase = lifting
+    rise = size * (np.sin(omega * t + phase) - np.sin(phase))
+    rising = size * omega * np.cos(omega * t + phase)
+    from_start = size * omega * np.cos(phase)
+    steady = constant[0] + mu * constant[1]
+    (place, speed), (lean, leaning) = (_integrals(t, sine) for sine in shaking)
+    slip = v * t + steady * t**2 / 2.0 + place + mu * (lean - rise + from_start * t)
+    slipping = v + steady * t + speed + mu * (leaning - rising + from_start)
+    return np.stack([slip, rise], axis=1), np.stack([slipping, rising], axis=1)
+
+
+def pressure(
+    t: ArrayLike, *, constant: tuple[float, float], shaking: tuple[Sine, Sine], lifting: Sine
+) -> Array:
+    """p [m/s2] at times t [s], which must stay above 0 for the block to stay on the wall."""
+    t = require_times(t)
+    return np.asarray(-(lifting.omega**2) * _at(t, lifting) - constant[1] - _at(t, shaking[1]))
+
+
+def wall_speed(t: ArrayLike, sliding: Sine) -> Array:
+    """How fast the wall slides along itself [m/s], which the block must surpass to slip on."""
+    turned = sliding.omega * require_times(t) + sliding.phase
+    return np.asarray(sliding.amplitude * sliding.omega * np.cos(turned))
+
+
+def _at(t: Array, sine: Sine) -> Array:
+    return np.asarray(sine.amplitude * np.sin(sine.omega * t + sine.phase))
+
+
+def _integrals(t: Array, sine: Sine) -> tuple[Array, Array]:
+    """A sine integrated twice and once from nothing."""
+    size, omega, phase = sine
+    turned = omega * t + phase
+    swung = np.sin(phase) + omega * t * np.cos(phase) - np.sin(turned)
+    return size / omega**2 * swung, size / omega * (np.cos(phase) - np.cos(turned))

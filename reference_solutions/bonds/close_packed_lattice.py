@@ -1,0 +1,173 @@
+"""Blocks of close-packed bonded elements between smooth platens, solved statically (Liu 2017).
+
+Layers of elements of diameter d [m] follow each other along z as ABAB: hexagonal close packing. An
+A layer has 2p + 1 rows along x of n, n - 1, ..., n elements, a B layer 2p rows; there are 2q + 1
+layers, the first and the last of kind A, and N = (q + 1)((p + 1) n + p (n - 1)) + q p (2n - 1).
+Touching elements are bonded by springs kn, ks [N/m], and do not turn.
+
+The platens hold the z of the first and last layers and nothing else. To first order in the strain
+the block is a linear system; its only motions without force are shifts along the platens, which a
+descent along conjugate gradients from a state without them never enters. Stress is on the area of
+the hull of the centres, (n - 1) d x p sqrt3 d. The modulus depends on that choice: an infinite
+lattice has that of Eq. 6 exactly, a finite one lacks bonds at its faces and has area in excess.
+"""
+
+from math import sqrt
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from reference_solutions.bonds.lattice_material import poissons_ratio, require_springs
+
+Array = NDArray[np.float64]
+Pairs = NDArray[np.int64]
+
+SIZES = {
+    82: (4, 2, 2),
+    255: (6, 3, 3),
+    580: (8, 4, 4),
+    1105: (10, 5, 5),
+    2166: (12, 6, 7),
+    5461: (16, 9, 9),
+    10985: (20, 11, 12),
+    18079: (24, 13, 14),
+    37681: (30, 17, 18),
+}
+"""N: (n, p, q) of the blocks of the paper (section 5.1)."""
+
+RESIDUAL = 1e-12  # of the forces that the start leaves; E and nu are then good to 1e-11
+
+
+class Lattice(NamedTuple):
+    """A block: centres (N, 3) [m] and bonded pairs (B, 2); area [m2] and height [m] of its hull."""
+
+    position: Array
+    bonds: Pairs
+    area: float
+    height: float
+
+    def at(self, axis: int, side: int) -> NDArray[np.bool_]:
+        """(N,) which elements are the extreme ones along an axis; side 0 is the low one, or 1."""
+        x = self.position[:, axis]
+        edge = x.max() if side else x.min()
+        extreme: NDArray[np.bool_] = np.abs(x - edge) < 1e-6 * self.height
+        return extreme
+
+
+class Static(NamedTuple):
+    """E [Pa], nu and its parts from the widths along x and y, u (N, 3) [m] at the strain 1."""
+
+    E: float
+    nu: float
+    nu_x: float
+    nu_y: float
+    u: Array
+
+
+def count(n: int, p: int, q: int) -> int:
+    """N, how many elements a block has."""
+    return (q + 1) * ((p + 1) * n + p * (n - 1)) + q * p * (2 * n - 1)
+
+
+def lattice(n: int, p: int, q: int, d: float) -> Lattice:
+    """The block of elements of diameter d; raises ValueError unless n >= 2, p >= 1, q >= 1, d > 0.
+
+    Elements are ordered by layer, row and column.
+    """
+    if not (n >= 2 and p >= 1 and q >= 1 and d > 0):
+        raise ValueError(f"n, p, q, d = {n}, {p}, {q}, {d}; they must be at least 2, 1, 1, above 0")
+    layers = [_layer(n, p, kind=k % 2) for k in range(2 * q + 1)]
+    rise = d * sqrt(2.0 / 3.0)
+    position = np.concatenate(
+        [np.column_stack([d * xy, np.full(len(xy), k * rise)]) for k, xy in enumerate(layers)]
+    )
+    area = (n - 1) * d * p * sqrt(3.0) * d
+    layer = np.repeat(np.arange(len(layers)), [len(xy) for xy in layers])
+    return Lattice(position, _touching(position, layer, d), area, 2 * q * rise)
+
+
+def static(block: Lattice, kn: float, ks: float) -> Static:
+    """The linear answer of a block to an axial strain between smooth platens.
+
+    nu is the mean of nu_x and nu_y: the difference of the mean displacements of the extreme rows
+    over their distance, over the strain, negated.
+    """
+    require_springs(kn, ks, 1.0)
+    matrix = _stiffness(block, kn, ks)
+    free = np.ones_like(block.position, bool)
+    free[:, 2] = ~(block.at(2, 0) | block.at(2, 1))
+    start = block.position * np.array([-poissons_ratio(kn, ks)] * 2 + [1.0])
+    u = relaxed(matrix, start, free)
+    force = (matrix @ u.ravel()).reshape(-1, 3)[block.at(2, 1), 2].sum()
+    nu_x, nu_y = (narrowing(block, u, axis) for axis in (0, 1))
+    return Static(float(force / block.area), (nu_x + nu_y) / 2.0, nu_x, nu_y, u)
+
+
+def _layer(n: int, p: int, kind: int) -> Array:
+    """(x, y) of a layer in diameters; rows of kind B lie over the gaps between those of A."""
+    rows = []
+    for row in range(2 * p + 1 - kind):
+        short = (row + kind) % 2
+        x = np.arange(n - short) + short / 2.0
+        y = np.full(n - short, row * sqrt(3.0) / 2.0 + kind / sqrt(12.0))
+        rows.append(np.column_stack([x, y]))
+    return np.concatenate(rows)
+
+
+def _touching(position: Array, layer: Pairs, d: float) -> Pairs:
+    """(B, 2) the pairs at the distance d, the lower number first, in order.
+
+    layer: (N,) of each element, in order; what it touches lies there or in the next one.
+    """
+    found = []
+    for k in range(layer[-1] + 1):
+        first, last = np.searchsorted(layer, (k, k + 2))
+        here, near = position[first : first + int((layer == k).sum())], position[first:last]
+        gaps = np.linalg.norm(near - here[:, None], axis=2)
+        i, j = np.nonzero(gaps < 1.1 * d)
+        found.append(np.column_stack([i, j])[i < j] + first)
+    return np.concatenate(found)
+
+
+def _stiffness(block: Lattice, kn: float, ks: float):  # type: ignore[no-untyped-def]  # scipy's
+    """The sparse (3N, 3N) matrix of the bonds: kn along each and ks across it."""
+    from scipy.sparse import bsr_array, csr_array
+
+    i, j = block.bonds.T
+    offset = block.position[j] - block.position[i]
+    n = offset / np.linalg.norm(offset, axis=1)[:, None]
+    spring = (kn - ks) * n[:, :, None] * n[:, None, :] + ks * np.eye(3)
+    rows, columns = np.concatenate([i, j, i, j]), np.concatenate([i, j, j, i])
+    order = np.lexsort((columns, rows))
+    starts = np.searchsorted(rows[order], np.arange(len(block.position) + 1))
+    size = 3 * len(block.position)
+    blocks = np.concatenate([spring, spring, -spring, -spring])[order]
+    matrix = csr_array(bsr_array((blocks, columns[order], starts), shape=(size, size)))
+    matrix.sum_duplicates()
+    return matrix
+
+
+def relaxed(matrix, start: Array, free: NDArray[np.bool_]) -> Array:  # type: ignore[no-untyped-def]
+    """Displacements in balance on the free coordinates, `start` on the others."""
+    from scipy.sparse import diags_array
+    from scipy.sparse.linalg import cg
+
+    chosen = np.flatnonzero(free)
+    u = start.ravel().copy()
+    pull = -(matrix @ u)[chosen]
+    inner = matrix[chosen][:, chosen]
+    change, failed = cg(
+        inner, pull, rtol=RESIDUAL, maxiter=5000, M=diags_array(1.0 / inner.diagonal())
+    )
+    if failed:
+        raise ValueError("no balance after 5000 iterations; the bonds do not hold the block")
+    u[chosen] += change
+    relaxed: Array = u.reshape(-1, 3)
+    return relaxed
+
+
+def narrowing(block: Lattice, u: Array, axis: int) -> float:
+    low, high = block.at(axis, 0), block.at(axis, 1)
+    width = np.ptp(block.position[:, axis])
+    return float((u[low, axis].mean() - u[high, axis].mean()) / width)

@@ -1,0 +1,45 @@
+"""Strengths of close-packed blocks between smooth rigid platens (Liu et al. 2017, section 5.2).
+
+Pulled, a block answers linearly, so that the most stretched of its bonds opens at a strain xb over
+its stretch at the strain 1. It lies at a face, where elements have fewer bonds than inside: this is
+why blocks are weaker than Eq. 7 says, by 5.8 % at 82 elements and 9.7 % at 37681. A block whose
+platens are carried apart fails with it. Finite strain adds some 1e-4.
+
+Pressed, a block widens until all its horizontal bonds are open, long before any inclined one
+slides. Each element then has the same neighbours above and below, and a uniform widening under
+which every inclined bond bears the same upright force leaves all in balance, at any strain. That
+force is a third of what a unit without its base bears: all of them slide together, where the unit
+does. A block of n elements a row has 6n - 5 for each 6n - 6 of the infinite lattice on its hull,
+whatever p and q: C_u is 1 + 1/(6n - 6) times the unit's.
+"""
+
+import numpy as np
+
+from reference_solutions.bonds.close_packed_lattice import Lattice, Static
+from reference_solutions.bonds.lattice_material import Element
+from reference_solutions.bonds.tetrahedral_unit import sliding_failure
+from reference_solutions.parameters import require_positive
+
+
+def first_opening(block: Lattice, answer: Static, xb: float) -> float:
+    """The stress [Pa] on the hull's area at which a bond is first stretched by xb [m].
+
+    Raises ValueError unless xb is positive.
+    """
+    require_positive("m", xb=xb)
+    i, j = block.bonds.T
+    offset = block.position[j] - block.position[i]
+    n = offset / np.linalg.norm(offset, axis=1)[:, None]
+    stretch = np.einsum("bk,bk->b", n, answer.u[j] - answer.u[i])
+    return float(answer.E * xb / stretch.max())
+
+
+def sliding(block: Lattice, element: Element, d: float) -> float:
+    """The pressure [Pa] on the hull's area at which all inclined bonds of length d [m] slide.
+
+    Raises ValueError where the unit's does.
+    """
+    force = -sliding_failure(element, d).fz / 3.0  # of one bond
+    lowest = block.at(2, 0)[block.bonds]
+    crossing = int((lowest[:, 0] != lowest[:, 1]).sum())
+    return crossing * force / block.area

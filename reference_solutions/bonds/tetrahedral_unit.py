@@ -1,0 +1,227 @@
+"""Four bonded elements under an axial force: small strains, equilibrium path, strengths (Liu 2017).
+
+Three elements stand on a smooth base, free to move in its plane; the fourth, bonded to them, is
+displaced along the axis. Elements do not turn, and shear forces act at their centres. Bonds are
+springs kn, ks [N/m] of length d [m]; tension is positive, stress is on the original area
+sqrt3 d^2/2 of a unit (Eq. 5), strain is dz over the original height d sqrt(2/3).
+
+At finite strain an inclined bond has length L and makes the angle a with the axis, sin a0 =
+1/sqrt3; the radius of the base is L sin a. With lengths in d, forces in kn d and g = ks/kn, a base
+element is in balance if (L - 1) sin a - g S cos a + sqrt3 (sqrt3 L sin a - 1) = 0 (Eq. A2), linear
+in L. S is the shear displacement. The spring of Cundall and Strack (1979) grows with the motion
+across the bond and turns with it, S' = -L da: with L from the balance a linear equation in a, whose
+solution is an integral of sines. Bases without bonds have no last term, and a path of their own.
+`total` is the other spring in use, S = sin(a0 - a): the whole displacement across the bond.
+Every function raises ValueError outside its range.
+"""
+
+from collections.abc import Callable
+from math import asin, cos, sin, sqrt, tan
+from typing import NamedTuple
+
+import numpy as np
+
+from reference_solutions.bonds.lattice_material import Element, require_springs, sliding_strength
+from reference_solutions.parameters import require_finite
+
+A0 = asin(1.0 / sqrt(3.0))
+LARGEST = 0.02  # strains and angles beyond are no quartzite
+_X, _W = np.polynomial.legendre.leggauss(10)  # exact to rounding on arcs of 0.05
+Spring = Callable[[float, float], float]
+
+
+class Displacements(NamedTuple):
+    """dz, X_n1, X_s1, X_n2 [m]: of the top element, of an inclined bond and across it, of a
+    horizontal bond.
+    """
+
+    dz: float
+    xn1: float
+    xs1: float
+    xn2: float
+
+
+class State(NamedTuple):
+    """A point of a path: axial strain, lateral strain, stress [Pa], force Fz [N], displacements."""
+
+    strain: float
+    lateral: float
+    stress: float
+    fz: float
+    x: Displacements
+
+    @property
+    def modulus(self) -> float:
+        """The secant modulus [Pa]."""
+        return self.stress / self.strain
+
+    @property
+    def poisson(self) -> float:
+        """The secant ratio of the strains, negated."""
+        return -self.lateral / self.strain
+
+
+def small_strain(fz: float, kn: float, ks: float) -> Displacements:
+    """Eqs. 2a-d: displacements [m] under a force Fz [N], to first order."""
+    require_springs(kn, ks, 1.0)
+    require_finite("N", fz=fz)
+    c = fz / (kn * (kn + ks))
+    return Displacements(
+        (5.0 * kn + ks) / 9.0 * c,
+        sqrt(6.0) * (3.0 * kn + ks) / 18.0 * c,
+        2.0 * sqrt(3.0) * kn / 9.0 * c,
+        -sqrt(6.0) * (kn - ks) / 18.0 * c,
+    )
+
+
+def modulus_slope(gamma: float) -> float:
+    """cE of the secant E (1 + cE strain), gamma = ks/kn, with the incremental spring."""
+    g = gamma
+    return -6.0 * (g - 1.0) * (g + 3.0) / ((g + 1.0) * (g + 5.0) ** 2)
+
+
+def poisson_slope(gamma: float) -> float:
+    """c of the secant nu + c strain with the incremental spring, nu of Eq. 4."""
+    g = gamma
+    return 3.0 * (g - 4.0) * (g + 1.0) / (g + 5.0) ** 3
+
+
+def incremental(turn: float, gamma: float) -> float:
+    """S of a base that is bonded, after the angle a turned from a0: of Cundall and Strack (1979).
+
+    S' + (g/4) cot(a) S = -1/4 - (sqrt3/4)/sin a, solved by the factor sin^(g/4) a.
+    """
+    q = gamma / 4.0
+    sines = np.sin(A0 + turn * (_X + 1.0) / 2.0)
+    summed = turn / 2.0 * float(_W @ (sines**q + sqrt(3.0) * sines ** (q - 1.0))) / 4.0
+    return float(-summed / sin(A0 + turn) ** q)
+
+
+def total(turn: float, gamma: float) -> float:
+    """S of the whole displacement since the start, across the bond as it is now."""
+    return -sin(turn)
+
+
+def equilibrium(
+    strain: float, *, kn: float, ks: float, d: float, spring: Spring = incremental
+) -> State:
+    """The unit in balance at an axial strain, reached from zero without reversal; no bond breaks.
+
+    Raises ValueError unless 0 < |strain| <= 0.02.
+    """
+    require_springs(kn, ks, d)
+    if not 0.0 < abs(strain) <= LARGEST:
+        raise ValueError(f"strain = {strain}; it must be within +-{LARGEST} and not 0")
+    turn = _root(lambda a: _bonded(a, kn, ks, d, spring).strain / strain - 1.0, -strain)
+    return _bonded(turn, kn, ks, d, spring)
+
+
+def loaded(fz: float, *, kn: float, ks: float, d: float, spring: Spring = incremental) -> State:
+    """The unit in balance under a force Fz [N] that grew from zero; no bond breaks.
+
+    Raises ValueError unless Fz is not 0 and Eq. 2a says a strain of at most 0.01.
+    """
+    strain = small_strain(fz, kn, ks).dz / (d * cos(A0))
+    if not 0.0 < abs(strain) <= LARGEST / 2.0:
+        raise ValueError(f"fz = {fz} N; it must not be 0 nor strain the unit by more than 0.01")
+    turn = _root(lambda a: _bonded(a, kn, ks, d, spring).fz / fz - 1.0, -strain)
+    return _bonded(turn, kn, ks, d, spring)
+
+
+def tension_failure(element: Element, d: float) -> State:
+    """The state at which the inclined bonds open, X_n1 = xb: its stress is Tu, against Eq. 7."""
+    kn, ks, xb, *_ = element
+    turn = _root(lambda a: _bonded(a, kn, ks, d).x.xn1 / xb - 1.0, -xb / d)
+    return _bonded(turn, kn, ks, d)
+
+
+def opening_failure(element: Element, d: float) -> State:
+    """Where horizontal bonds open under pressure, X_n2 = xb: the stress is -C_open, of Eq. 8."""
+    return _bonded(_opening(element, d), *element[:2], d)
+
+
+def sliding_failure(element: Element, d: float) -> State:
+    """The state at which the inclined bonds slide: its stress is -Cu, against Eq. 14.
+
+    The horizontal bonds open on the way, at a fixed height: the base widens to its new balance, and
+    the shear springs with it, S' = -(z/cos a) da. From there on S' + g cot(a) S = -1.
+    """
+    kn, ks, _, fs0, mu_p = element
+    sliding_strength(fs0, mu_p, d)
+    begin, shear = _widened(element, d)
+
+    def margin(turn: float) -> float:
+        state = _open(turn, begin, shear, kn, ks, d)
+        return ks * abs(state.x.xs1) / (fs0 - mu_p * kn * state.x.xn1) - 1.0
+
+    return _open(_root(margin, 2.0 * begin), begin, shear, kn, ks, d)
+
+
+def _bonded(turn: float, kn: float, ks: float, d: float, spring: Spring = incremental) -> State:
+    """The state at which inclined bonds have turned by an angle; no term is a small difference."""
+    g, a = ks / kn, A0 + turn
+    shear = spring(turn, g)
+    wider = 2.0 * cos(A0 + turn / 2.0) * sin(turn / 2.0)  # sin a - sin a0
+    stretch = (g * shear * cos(a) - 3.0 * wider) / (4.0 * sin(a))
+    return _state(turn, stretch, shear, kn, ks, d)
+
+
+def _open(turn: float, begin: float, shear: float, kn: float, ks: float, d: float) -> State:
+    """The state without horizontal bonds, of a path from `begin` where the springs hold `shear`."""
+    g, a = ks / kn, A0 + turn
+    sines = np.sin(A0 + begin + (turn - begin) * (_X + 1.0) / 2.0)
+    summed = (turn - begin) / 2.0 * float(_W @ sines**g)
+    now = (shear * sin(A0 + begin) ** g - summed) / sin(a) ** g
+    return _state(turn, g * now / tan(a), now, kn, ks, d)
+
+
+def _state(turn: float, stretch: float, shear: float, kn: float, ks: float, d: float) -> State:
+    a = A0 + turn
+    half = 2.0 * sin(turn / 2.0)
+    height = stretch * cos(a) - half * sin(A0 + turn / 2.0)
+    radius = stretch * sin(a) + half * cos(A0 + turn / 2.0)
+    fz = 3.0 * d * (kn * stretch * cos(a) + ks * shear * sin(a))
+    x = Displacements(d * height, d * stretch, d * shear, d * sqrt(3.0) * radius)
+    return State(height / cos(A0), sqrt(3.0) * radius, 2.0 * fz / (sqrt(3.0) * d * d), fz, x)
+
+
+def _opening(element: Element, d: float) -> float:
+    kn, ks, xb, *_ = element
+    if not ks < kn:
+        raise ValueError(f"ks = {ks} N/m; it must be below kn = {kn} N/m for a bond to open")
+    return _root(lambda a: _bonded(a, kn, ks, d).x.xn2 / xb - 1.0, 3.0 * xb / d)
+
+
+def _widened(element: Element, d: float) -> tuple[float, float]:
+    """How far bonds have turned when the base came to rest after it opened, and their S."""
+    kn, ks, *_ = element
+    begin = _opening(element, d)
+    before = _bonded(begin, kn, ks, d)
+    z, held = cos(A0) * (1.0 + before.strain), before.x.xs1 / d
+
+    def shear(turn: float) -> float:
+        angles = A0 + begin + (turn - begin) * (_X + 1.0) / 2.0
+        return held - z * (turn - begin) / 2.0 * float(_W @ (1.0 / np.cos(angles)))
+
+    def force(turn: float) -> float:
+        a = A0 + turn
+        return (z / cos(a) - 1.0) * tan(a) - ks / kn * shear(turn)
+
+    end = _root(force, 1.1 * begin)
+    return end, shear(end)
+
+
+def _root(f: Callable[[float], float], guess: float) -> float:
+    """A root of a smooth function near `guess`, by secants until a step of 1e-11: what it leaves
+    is rounding.
+    """
+    x, y = 0.999 * guess, guess
+    fx, fy = f(x), f(y)
+    for _ in range(60):
+        if fy == fx or abs(y - x) <= 1e-11 * abs(y):
+            return y
+        x, fx, y = y, fy, y - fy * (y - x) / (fy - fx)
+        if not abs(y) <= LARGEST * 4:
+            break
+        fy = f(y)
+    raise ValueError(f"no balance within strains of {LARGEST}; the springs are too weak")

@@ -1,0 +1,65 @@
+"""Claims about the case of close-packed blocks: it loads to rest, and sees wrong springs."""
+
+from __future__ import annotations
+
+import dataclasses
+from pathlib import Path
+
+import pytest
+
+from cases.bonds.close_packed_lattice import CASE
+from vv.ask import Ask, Knobs, Method, Run, Status
+from vv.case import Exact, Level, Scalar, Trial, evaluated
+from vv.engines import dem
+from vv.plan.plan import Options, make_plan
+from vv.plan.project import find
+
+TRIAL = CASE.declare("82", CASE.defaults("82"))
+
+
+def ran(ask: Ask) -> Run:
+    run = dem.solve_default(ask)
+    assert run.status is Status.RAN, run.reason
+    return run
+
+
+def off(trial: Trial, run: Run) -> dict[str, float]:
+    """Errors over their tolerances, by name."""
+    errors = {}
+    for q in trial.quantities:
+        if isinstance(q, Scalar) and isinstance(q.judge, Exact) and q.reference is not None:
+            allowed = q.judge.tolerances[Method.SECOND_ORDER].value
+            gap = abs(q.observe(run) - evaluated(q.reference))
+            errors[q.name] = gap / evaluated(q.scale) / allowed
+    return errors
+
+
+@pytest.mark.parametrize("dt", [1e-7, 2.5e-8])
+def test_no_step_counts_at_a_steady_rate(dt: float) -> None:
+    assert max(off(TRIAL, ran(TRIAL.study.ask(Knobs(dt=dt)))).values()) < 0.3
+
+
+def test_springs_that_are_wrong_by_a_ten_thousandth_are_seen() -> None:
+    ask = TRIAL.study.ask(Knobs(dt=1e-7))
+    bonds = ask.scene.bonds
+    assert bonds is not None
+    stiff = dataclasses.replace(bonds, kn=1.0001 * bonds.kn)
+    for wrong in (stiff, dataclasses.replace(bonds, ks=1.001 * bonds.ks)):
+        scene = dataclasses.replace(ask.scene, bonds=wrong)
+        assert max(off(TRIAL, ran(dataclasses.replace(ask, scene=scene))).values()) > 5
+
+
+def test_a_heavier_element_changes_nothing() -> None:
+    heavy = CASE.declare("82", {**CASE.defaults("82"), "m": 4e-6})
+    assert max(off(heavy, ran(heavy.study.ask(Knobs(dt=1e-7)))).values()) < 0.3
+
+
+def test_the_costly_blocks_wait_for_the_level_paper() -> None:
+    project = find(Path(__file__))
+    shown = {
+        level: {job.variant for job in make_plan(project, [CASE.name], Options(level)).jobs}
+        for level in (Level.QUICK, Level.DEFAULT)
+    }
+    assert shown[Level.QUICK] == {"82"}
+    assert shown[Level.DEFAULT] == {"82", "255", "580", "1105", "82-turning"}
+    assert all(v.runs_at(Level.PAPER) for v in CASE.variants)

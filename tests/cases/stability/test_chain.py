@@ -1,0 +1,144 @@
+"""Claims about a chain on a base: its modes, its waves, and what comes back from a jump."""
+
+import math
+from types import ModuleType
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from reference_solutions.checks.contact import chain as stepped
+from reference_solutions.contact import chain as closed
+from tests.support.turned_signs import caught, signs, turned
+from vv.ask import Ask
+from vv.case import Level
+from vv.engines import dem
+from vv.plan.project import find
+from vv.scene import Scene
+
+CASE = find().load_case("chain")
+N, M, K = 100, 1.0, 1e6
+PLACE = np.arange(1.0, N + 1.0)
+PULSE = PLACE * np.exp(-((PLACE / 8) ** 2))
+TIMES = np.linspace(0.0, 0.1, 11)
+
+
+@pytest.mark.parametrize("j", [1, 3, 50, 99, 100])
+def test_a_wave_at_the_frequency_of_a_mode_leaves_the_free_end_at_rest(j: int) -> None:
+    w = closed.frequency(j, N, M, K)
+    assert abs(stepped.residual(w, N, M, K)) < 1e-11
+    assert abs(stepped.residual(1.0001 * w, N, M, K)) > 1e-6
+
+
+def test_a_chain_thrown_in_a_mode_stays_in_it() -> None:
+    w, shape = closed.frequency(7, N, M, K), closed.shape(7, N)
+    u, v = stepped.motion(TIMES, shape, np.full(N, M), K)
+    assert u == pytest.approx(np.outer(np.sin(w * TIMES) / w, shape), abs=1e-12 / w)
+    assert v == pytest.approx(np.outer(np.cos(w * TIMES), shape), abs=1e-12)
+
+
+@pytest.mark.parametrize("jump", [1.0, 4.0])
+def test_the_two_routes_agree_on_a_pulse(jump: float) -> None:
+    masses = np.where(PLACE > 50, jump, 1.0)
+    routes = [route.motion(TIMES, PULSE, masses, K) for route in (closed, stepped)]
+    for one, other in zip(*routes, strict=True):
+        assert np.abs(one - other).max() < 1e-12 * np.abs(one).max()
+
+
+@given(st.floats(1e-3, 0.9), st.floats(1.1, 9.0))
+@settings(max_examples=60, deadline=None)
+def test_the_two_routes_agree_on_what_a_jump_sends_back(q: float, M: float) -> None:
+    if math.sqrt(M) * math.sin(q / 2) < 0.999:
+        assert stepped.reflected(q, 1.0, M) == pytest.approx(closed.reflected(q, 1.0, M, K))
+
+
+def test_long_waves_leave_a_ninth_behind_and_short_ones_all() -> None:
+    assert closed.reflected(1e-4, 1.0, 4.0, K) == pytest.approx(1 / 9, rel=1e-6)
+    assert closed.reflected(1.5, 1.0, 4.0, K) == 1.0
+
+
+def test_the_pulse_leaves_behind_what_its_waves_do() -> None:
+    """Its energy at each phase a sphere, times what a jump sends back of it."""
+    trial = CASE.declare("jump", CASE.defaults("jump"))
+    (due,) = (q.reference for q in trial.quantities if q.name == "returned")
+    q = np.linspace(1e-3, 1.0, 2000)
+    part = np.abs(np.sin(np.outer(q, PLACE)) @ PULSE) ** 2
+    back = np.array([closed.reflected(one, 1.0, 4.0, K) for one in q])
+    passed = np.cos(q / 2)  # of the energy at q, what passes a place in a second
+    assert due == pytest.approx((part * back * passed).sum() / (part * passed).sum(), rel=2e-3)
+
+
+def test_the_pulse_goes_as_fast_as_its_waves_do() -> None:
+    trial = CASE.declare("pulse", CASE.defaults("pulse"))
+    (due,) = (q.reference for q in trial.quantities if q.name == "speed")
+    q = np.linspace(1e-3, 1.0, 2000)
+    part = np.abs(np.sin(np.outer(q, PLACE)) @ PULSE) ** 2
+    speed = np.cos(q / 2)  # in sqrt(K/m) masses a second
+    assert due == pytest.approx((part * speed).sum() / part.sum(), rel=2e-3)
+
+
+def _largest(scene: Scene) -> float:
+    """The largest stable step over that of two masses' spring, by the engine."""
+    return dem.critical_step(scene, dem.CENTRED) * math.sqrt(K / M)
+
+
+def test_the_engine_knows_the_highest_mode() -> None:
+    scene = CASE.declare("mode-100", CASE.defaults("mode-100")).study.scene
+    due = 2 / closed.frequency(N, N, M, K) * math.sqrt(K / M)
+    assert _largest(scene) == pytest.approx(due, rel=5e-5)  # an iteration finds it to that
+
+
+def test_a_wrong_mass_at_the_jump_is_seen() -> None:
+    trial = CASE.declare("jump", CASE.defaults("jump"))
+    wrong = CASE.declare("jump", {**CASE.defaults("jump"), "jump": 4.01}).study
+    rung = trial.study.rungs[Level.DEFAULT][-1]
+    run = dem.solve_default(Ask(wrong.scene, wrong.goal, wrong.observables, rung))
+    (due,) = (q for q in trial.quantities if q.name == "returned")
+    assert due.observe(run) - due.reference > 1e-4  # type: ignore[operator]  # it has one
+
+
+def same(route: ModuleType) -> bool:
+    """Whether a route gives what is known of a chain of seven with a jump."""
+    masses, thrown = np.where(np.arange(7) > 3, 2.0, 1.0), np.arange(7.0) ** 2
+    t = np.linspace(0.0, 3.0, 4)
+    due = stepped.motion(t, thrown, masses, 1.0)
+    found = route.motion(t, thrown, masses, 1.0)
+    good = all(np.allclose(one, other, atol=1e-9) for one, other in zip(found, due, strict=True))
+    if hasattr(route, "residual"):
+        modes = [route.residual(closed.frequency(j, 7, 2.0, 3.0), 7, 2.0, 3.0) for j in (1, 7)]
+        back = route.reflected(0.3, 1.0, 4.0) - 0.1218105725752977
+        return good and bool(np.abs([*modes, back]).max() < 1e-9)
+    modes = [stepped.residual(route.frequency(j, 7, 2.0, 3.0), 7, 2.0, 3.0) for j in (1, 7)]
+    shape = route.shape(5, 7) / route.shape(5, 7)[0]
+    bent = shape[1] - 2 + route.frequency(5, 7, 1.0, 1.0) ** 2  # the first mass's equation
+    back = route.reflected(0.3, 1.0, 4.0, 1.0) - stepped.reflected(0.3, 1.0, 4.0)
+    good = good and len(route.shape(5, 7)) == 7
+    return good and bool(np.abs([*modes, bent, back]).max() < 1e-9)
+
+
+@pytest.mark.parametrize("sign", signs(closed))
+def test_any_wrong_sign_in_the_closed_forms_is_caught(sign: int) -> None:
+    assert caught(lambda: same(turned(closed, sign)))
+
+
+ONLY_ITS_SIZE_COUNTS = ("-np.array([np.exp(1j * q), 1.0])",)
+
+
+@pytest.mark.parametrize("sign", signs(stepped, (), ONLY_ITS_SIZE_COUNTS))
+def test_any_wrong_sign_in_the_second_route_is_caught(sign: int) -> None:
+    assert caught(lambda: same(turned(stepped, sign)))
+
+
+@pytest.mark.parametrize(
+    ("call", "message"),
+    [
+        (lambda: closed.frequency(0, 5, 1.0, 1.0), "j = 0; a chain of 5 has modes 1 to 5"),
+        (lambda: closed.reflected(3.2, 1.0, 4.0, 1.0), r"q = 3.2 rad; .*between 0 and pi"),
+        (lambda: closed.motion(0.0, np.ones(3), np.ones(2), 1.0), r"masses has shape \(2,\)"),
+        (lambda: CASE.declare("pulse", {**CASE.defaults("pulse"), "part": 0.3}), "part = 0.3"),
+    ],
+)
+def test_what_is_out_of_range_is_refused(call: object, message: str) -> None:
+    with pytest.raises(ValueError, match=message):
+        call()  # type: ignore[operator]

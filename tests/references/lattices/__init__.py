@@ -1,1 +1,0 @@
-"""Claims about the references of bonded lattices."""
