@@ -156,7 +156,8 @@ def test_the_fingerprint_of_a_code_in_the_wheel_covers_no_library(
     script = (
         "from vv.base import closure; from vv.plan import keys, project\n"
         "found = project.find()\n"
-        "for file in closure.closure(found.adapter_files('dem'), keys.roots(found)): print(file)"
+        "files = closure.import_closure(found.adapter_files('dem'), keys.roots(found))\n"
+        "for file in files: print(file)"
     )
     files = call(elsewhere / "python", "-c", script, cwd=tmp_path).splitlines()
     assert files

@@ -66,7 +66,7 @@ def moved(run: Run, bodies: tuple[int, ...]) -> Vector:
 
 
 @pytest.mark.parametrize("solve", SCHEMES)
-@pytest.mark.parametrize("gap", [0.0, 0.003, -1e-4])
+@pytest.mark.parametrize("gap", [-1e-12, 0.003, -1e-4])  # at 0 rounding decides if they touch
 def test_two_free_spheres_meet_as_the_model_of_one_unknown_does(solve: Solve, gap: float) -> None:
     dt = 0.013 / W
     single = ran(solve(asked(one(gap, 0.0), dt, range(1, 2))))
