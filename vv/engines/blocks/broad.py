@@ -6,7 +6,7 @@ import numpy as np
 
 from vv.engines.blocks.geometry import Index, Shapes
 from vv.engines.blocks.sorting import ordered
-from vv.engines.kernels.arrays import counts, larger, rows, smaller
+from vv.engines.kernels.arrays import counts, larger, numbers, rows, smaller
 from vv.engines.kernels.compiled import called
 from vv.engines.kernels.triples import put
 from vv.scene import Mask, Vector
@@ -39,7 +39,7 @@ def longer(found: Index) -> Index:
 @called
 def ascending(found: Index, count: int) -> Index:
     """The first so many, in ascending order."""
-    order, result = ordered(found[:count]), counts(count)
+    order, result = ordered(found, count), counts(count)
     for k in range(count):
         result[k] = found[order[k]]
     return result
@@ -54,9 +54,12 @@ def close_pairs(shapes: Shapes, vertex: Vector, moves: Mask, margin: float) -> I
     n = len(shapes.size)
     found, count = counts(4 * n), 0 * n
     if n < 2:
-        return found[:0]
+        return counts(count)
     low, high = bounds(shapes, vertex)
-    order = ordered(low[:, 0])
+    least = numbers(n)
+    for i in range(n):
+        least[i] = low[i, 0]
+    order = ordered(least, n)
     for p in range(n):
         i = order[p]
         for q in range(p + 1, n):

@@ -6,7 +6,7 @@ import numpy as np
 
 from vv.engines.blocks.geometry import Index, Shapes
 from vv.engines.kernels.arrays import counts, larger, numbers, rows, smaller
-from vv.engines.kernels.compiled import called, inlined
+from vv.engines.kernels.compiled import called, inlined, lent
 from vv.engines.kernels.triples import Triple, at, cross, dot, plus, put
 from vv.scene import Vector
 
@@ -25,7 +25,7 @@ def facing(shapes: Shapes, normal: Vector, i: int, n: Triple) -> int:
     return best
 
 
-@called
+@lent
 def cut(
     new: Vector, new_label: Index, old: Vector, label: Index, count: int,
     p: Triple, inward: Triple, slack: float, fresh: int,
@@ -102,7 +102,7 @@ def face_points(
     return (count if area > SLIVER * size * size else 0), polygon, height, label, area
 
 
-@called
+@lent
 def crossing(one: int, two: int, shapes: Shapes, vertex: Vector) -> Triple:
     """The point halfway between two edges where they are closest [m]."""
     p, q = at(vertex, shapes.edge[one, 0]), at(vertex, shapes.edge[two, 0])

@@ -29,7 +29,7 @@ from vv.engines.blocks.overlap import EDGES, FACE_OF_FIRST, separation
 from vv.engines.blocks.sorting import ordered
 from vv.engines.kernels.arrays import counts, numbers, rows, smaller
 from vv.engines.kernels.bundles import bundle
-from vv.engines.kernels.compiled import called, compiled, inlined
+from vv.engines.kernels.compiled import called, compiled, inlined, lent
 from vv.engines.kernels.triples import Triple, at, dot, plus, put
 from vv.scene import Mask, Vector
 
@@ -87,7 +87,7 @@ def add(
     return count + 1
 
 
-@called
+@lent
 def merge_depth(contacts: Contacts, begin: int, count: int, depth: Vector, near: float) -> int:
     """Make one contact of those from `begin` on that lie behind one another along the depth."""
     if count > len(contacts.gap) or depth[0] == depth[1] == depth[2] == 0.0:
@@ -138,7 +138,7 @@ def touch_blocks(
     return merge_depth(contacts, begin, count, depth, SAME * size)
 
 
-@called
+@lent
 def touch_wall(
     contacts: Contacts, count: int, wall: int, block: int, body: int, pair: int,
     shapes: Shapes, vertex: Vector, normal: Vector,
@@ -219,7 +219,7 @@ def detect_contacts(
 @called
 def matched(key: Index, count: int, old: Index) -> Index:
     """For each of the first so many keys the row in `old` that has it, or -1."""
-    now, then = ordered(key[:count]), ordered(old)
+    now, then = ordered(key, count), ordered(old, len(old))
     found, m = counts(count), 0
     for k in now:
         while m < len(old) and old[then[m]] < key[k]:

@@ -6,7 +6,7 @@ import numpy as np
 
 from vv.engines.blocks.geometry import Index, Shapes
 from vv.engines.kernels.arrays import larger, smaller
-from vv.engines.kernels.compiled import called, inlined
+from vv.engines.kernels.compiled import inlined, lent
 from vv.engines.kernels.triples import Triple, at, cross, dot, plus
 from vv.scene import Vector
 
@@ -24,7 +24,7 @@ def nearest(shapes: Shapes, vertex: Vector, i: int, n: Triple) -> float:
     return least
 
 
-@called
+@lent
 def face_apart(
     a: int, b: int, shapes: Shapes, vertex: Vector, normal: Vector, depth: Vector, enough: float
 ) -> tuple[int, float]:
@@ -61,7 +61,7 @@ def support(normal: Vector, edge: Index, k: int, m: int) -> bool:
     return one * two < 0.0 and three * four < 0.0 and one * four > 0.0
 
 
-@called
+@lent
 def edges_apart(
     a: int, b: int, shapes: Shapes, vertex: Vector, normal: Vector, centre: Triple, enough: float
 ) -> tuple[int, int, float, Triple]:
@@ -104,7 +104,7 @@ def middle(shapes: Shapes, vertex: Vector, i: int) -> Triple:
     return total
 
 
-@called
+@lent
 def separation(
     a: int, b: int, shapes: Shapes, vertex: Vector, normal: Vector, depth: Vector, margin: float
 ) -> tuple[int, int, int, float, Triple]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from vv.engines.blocks.geometry import Shapes
-from vv.engines.kernels.compiled import called, inlined
+from vv.engines.kernels.compiled import inlined, lent
 from vv.engines.kernels.triples import Triple, at, cross, dot, plus, put
 from vv.scene import Vector
 
@@ -21,7 +21,7 @@ def turned(rotation: Vector, i: int, a: Triple) -> Triple:
     )
 
 
-@called
+@lent
 def place_rigid(
     vertex: Vector, normal: Vector, shapes: Shapes, centre: Vector, rotation: Vector
 ) -> None:
@@ -33,7 +33,7 @@ def place_rigid(
             put(normal, k, turned(rotation, i, at(shapes.normal, k)))
 
 
-@called
+@lent
 def find_normals(normal: Vector, shapes: Shapes, vertex: Vector) -> None:
     """Fill normal (f, 3) for given vertices (v, 3) by Newell's sum: for blocks with strains."""
     for f in range(len(normal)):

@@ -9,9 +9,9 @@ from vv.scene import Vector
 
 
 @called
-def ordered(key: Vector | Index) -> Index:
-    """The order (n,) in which keys (n,) ascend, equal ones as they come: a merge sort."""
-    n, run = len(key), 1
+def ordered(key: Vector | Index, n: int) -> Index:
+    """The order (n,) in which the first n keys ascend, equal ones as they come: a merge sort."""
+    run = 1
     order, spare = counts(n), counts(n)
     for k in range(n):
         order[k] = k

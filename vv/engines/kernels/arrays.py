@@ -10,7 +10,7 @@ from typing import TypeVar
 import numpy as np
 import numpy.typing as npt
 
-from vv.engines.kernels.compiled import called, inlined
+from vv.engines.kernels.compiled import called, inlined, lent
 from vv.scene import Mask, Vector
 
 Index = npt.NDArray[np.int64]
@@ -31,9 +31,15 @@ def counts(n: int) -> Index:
 
 
 @called
+def table(n: int, m: int) -> Vector:
+    """Room for numbers (n, m)."""
+    return np.empty((n, m))
+
+
+@called
 def rows(n: int) -> Vector:
     """Room for n vectors (n, 3)."""
-    return np.empty((n, 3))
+    return table(n, 3)
 
 
 @called
@@ -48,6 +54,23 @@ def nil_numbers(n: int) -> Vector:
     made = numbers(n)
     for i in range(n):
         made[i] = 0.0
+    return made
+
+
+@called
+def nil_counts(n: int) -> Index:
+    """n integers, all nil."""
+    made = counts(n)
+    for i in range(n):
+        made[i] = 0
+    return made
+
+
+@called
+def nil_table(n: int, m: int) -> Vector:
+    """Zeros (n, m)."""
+    made = table(n, m)
+    clear(made)
     return made
 
 
@@ -78,6 +101,43 @@ def unmarked(n: int) -> Mask:
 
 
 @called
+def in_order(n: int) -> Index:
+    """0 to n - 1."""
+    made = counts(n)
+    for i in range(n):
+        made[i] = i
+    return made
+
+
+@called
+def same_numbers(source: Vector, n: int) -> Vector:
+    """The first n numbers, in an array of their own."""
+    made = numbers(n)
+    for i in range(n):
+        made[i] = source[i]
+    return made
+
+
+@called
+def same_counts(source: Index, n: int) -> Index:
+    """The first n integers, in an array of their own."""
+    made = counts(n)
+    for i in range(n):
+        made[i] = source[i]
+    return made
+
+
+@called
+def same_rows(source: Vector, n: int) -> Vector:
+    """The first n vectors (n, 3), in an array of their own."""
+    made = rows(n)
+    for i in range(n):
+        for c in range(3):
+            made[i, c] = source[i, c]
+    return made
+
+
+@lent
 def clear(table: Vector) -> None:
     """Fill a table (n, m) with zeros."""
     for i in range(table.shape[0]):
@@ -85,7 +145,7 @@ def clear(table: Vector) -> None:
             table[i, j] = 0.0
 
 
-@called
+@lent
 def marked(mask: Mask) -> bool:
     """Whether any is True."""
     found = False
@@ -94,13 +154,19 @@ def marked(mask: Mask) -> bool:
     return found
 
 
-@called
+@lent
 def least_of(values: Vector) -> float:
     """The least of numbers, infinity if there are none."""
     least = np.inf
     for value in values:
         least = smaller(least, value)
     return least
+
+
+@inlined
+def square_of(a: float) -> float:
+    """a times a."""
+    return a * a
 
 
 @inlined

@@ -2,7 +2,9 @@
 
 A named tuple of twenty arrays is 150 words, which numba takes apart and puts together wherever
 it is passed on or kept, and so that much code to compile. To kernels a `bundle` is a pointer to
-its fields, which never change; from Python it is the named tuple that it was.
+its fields, which never change; from Python it is the named tuple that it was. Its memory is that
+of numba's structref, whose fields only code that counts references can read; ours are read by
+parts that are `lent` what they take, too.
 """
 
 from __future__ import annotations
@@ -10,16 +12,24 @@ from __future__ import annotations
 import hashlib
 from typing import Any, TypeVar, cast
 
-from numba.core import cgutils, types
-from numba.core.typing.templates import AbstractTemplate, signature
-from numba.experimental import structref
+from numba.core import cgutils, imputils, types
+from numba.core.datamodel import models
+from numba.core.typing.templates import AbstractTemplate, AttributeTemplate, signature
 from numba.experimental.jitclass.base import imp_dtor
-from numba.extending import NativeValue, lower_builtin, typeof_impl, unbox
+from numba.extending import (
+    NativeValue,
+    infer_getattr,
+    lower_builtin,
+    lower_getattr_generic,
+    register_model,
+    typeof_impl,
+    unbox,
+)
 
 Fields = TypeVar("Fields", bound=type)
+DATA = 3  # words of numba's MemInfo before the pointer to what it holds: refct, dtor, dtor_info
 
 
-@structref.register
 class Bundle(types.StructRef):
     """What numba knows of a bundle: the named tuple and the types of its fields."""
 
@@ -33,6 +43,9 @@ class Bundle(types.StructRef):
     def get_data_type(self) -> Any:
         """The type of what it points at."""
         return types.StructRefPayload(typename=self.name, fields=self._fields)
+
+
+register_model(Bundle)(cast(Any, models).StructRefModel)
 
 
 class Bundled(type):
@@ -92,6 +105,32 @@ def filled(context: Any, builder: Any, kind: Bundle, fields: list[Any]) -> Any:
     reference = context.make_helper(builder, kind)
     reference.meminfo = memory
     return reference._getvalue()
+
+
+@infer_getattr
+class Read(AttributeTemplate):
+    """What numba knows of the fields that code reads."""
+
+    key = Bundle
+
+    def generic_resolve(self, kind: Bundle, name: str) -> Any:  # type: ignore[override]
+        """The type of a field; None if there is none of this name."""
+        return kind.field_dict.get(name)
+
+
+@lower_getattr_generic(Bundle)
+def read(context: Any, builder: Any, kind: Bundle, value: Any, name: str) -> Any:
+    """The code that reads a field; it counts the new reference if it counts references at all."""
+    word = context.get_value_type(types.voidptr)
+    memory = builder.bitcast(builder.extract_value(value, 0), word.as_pointer())
+    data = builder.load(
+        builder.gep(memory, [context.get_constant(types.intp, DATA)], inbounds=True)
+    )
+    payload = context.get_value_type(kind.get_data_type()).as_pointer()
+    index = list(kind.field_dict).index(name)
+    place = cgutils.gep_inbounds(builder, builder.bitcast(data, payload), 0, index)
+    wanted = kind.field_dict[name]
+    return imputils.impl_ret_borrowed(context, builder, wanted, builder.load(place))
 
 
 @unbox(Bundle)

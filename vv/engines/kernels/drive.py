@@ -8,7 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 from vv.engines.kernels.bundles import bundle
-from vv.engines.kernels.compiled import called
+from vv.engines.kernels.compiled import called, lent
 from vv.engines.kernels.triples import Triple, at, plus
 from vv.scene import Harmonic, Vector
 
@@ -52,7 +52,7 @@ def one_of(drive: Drive, start: Starts, k: int) -> Drive:
     return Drive(drive.direction[part], drive.omega[part], drive.phase[part], drive.start[part])
 
 
-@called
+@lent
 def value(drive: Drive, time: float) -> Triple:
     """The motion at a time [s]."""
     total = (0.0, 0.0, 0.0)
@@ -62,7 +62,7 @@ def value(drive: Drive, time: float) -> Triple:
     return total
 
 
-@called
+@lent
 def travel(drive: Drive, time: float) -> Triple:
     """motion(time) - motion(0)."""
     total = (0.0, 0.0, 0.0)
@@ -72,7 +72,7 @@ def travel(drive: Drive, time: float) -> Triple:
     return total
 
 
-@called
+@lent
 def rate(drive: Drive, time: float) -> Triple:
     """The time derivative of the motion."""
     total = (0.0, 0.0, 0.0)
@@ -82,7 +82,7 @@ def rate(drive: Drive, time: float) -> Triple:
     return total
 
 
-@called
+@lent
 def mean(drive: Drive, time: float, step: float) -> Triple:
     """The mean of the motion from time to time + step."""
     total = (0.0, 0.0, 0.0)

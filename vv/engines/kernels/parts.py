@@ -11,15 +11,30 @@ import gc
 from collections.abc import Iterator
 from typing import Any
 
-from numba.core import codegen, compiler, typed_passes
+from llvmlite import ir
+from numba.core import codegen, compiler, imputils, typed_passes
 from numba.core.compiler_machinery import LoweringPass, register_pass
 from numba.core.environment import lookup_environment
+
+from vv.engines.kernels.lean import Lean
+from vv.engines.kernels.lowering import Write
+from vv.engines.kernels.passes import Settled, front_end
 
 ENVIRONMENT = "_ZN08NumbaEnv"  # how numba begins the names of what functions refer to at run time
 
 
 class Part(codegen.JITCodeLibrary):
-    """A function to be linked, and what it calls."""
+    """A function to be linked, and what it calls.
+
+    succeeds: whether it cannot raise, so that those who call it need not ask whether it did.
+    """
+
+    succeeds = True
+
+    def add_ir_module(self, module: Any) -> None:
+        """Take in the code of a function."""
+        self.succeeds = self.succeeds and all(map(returns_nil, module.functions))
+        super().add_ir_module(module)
 
     def _optimize_functions(self, ll_module: Any) -> None:
         ll_module.data_layout = self._codegen._data_layout
@@ -49,12 +64,47 @@ class Whole(codegen.JITCodeLibrary):
     """A function that becomes machine code, together with all its parts."""
 
     def finalize(self) -> None:
-        """Link each part once, then do what numba does."""
-        for library in linked(self._linking_libraries, set()):
+        """Link each part once, then do what numba does; that alone where threads share work.
+
+        What threads run is linked by numba before, and must not be once more.
+        """
+        libraries = list(linked(self._linking_libraries, set()))
+        if any(calls_parts(library) for library in libraries if not isinstance(library, Part)):
+            super().finalize()
+            return
+        for library in libraries:
             self._reload_init.update(library._reload_init)
             self._final_module.link_in(module_of(library), preserve=True)
         self._linking_libraries = []
         super().finalize()
+
+
+def returns_nil(function: Any) -> bool:
+    """Whether the status that a function returns, if any, is nil wherever it ends."""
+    for block in function.blocks:
+        if isinstance(block.terminator, ir.Ret) and block.terminator.operands:
+            status = block.terminator.operands[0]
+            if not (isinstance(status, ir.Constant) and status.constant == 0):
+                return False
+    return True
+
+
+def plain_call(described: Any, library: Part) -> Any:
+    """What writes the code that calls a part which cannot raise: numba's, less its questions."""
+
+    def call(context: Any, builder: Any, signature: Any, args: Any) -> Any:
+        function = context.declare_function(builder.module, described)
+        convention, kind = context.call_conv, described.restype
+        with builder.goto_entry_block():
+            place = builder.alloca(convention.get_return_type(kind).pointee)
+        words = convention._get_arg_packer(described.argtypes).as_arguments(builder, args)
+        builder.call(function, [place, ir.Constant(function.args[1].type, None), *words])
+        value = context.get_returned_value(builder, kind, builder.load(place))
+        return imputils.impl_ret_new_ref(context, builder, kind, value)
+
+    made: Any = call
+    made.signature, made.libs = described.argtypes, (library,)
+    return made
 
 
 def linked(libraries: list[Any], seen: set[Any]) -> Iterator[Any]:
@@ -67,12 +117,27 @@ def linked(libraries: list[Any], seen: set[Any]) -> Iterator[Any]:
                 yield from linked(library._linking_libraries, seen)
 
 
+def calls_parts(library: Any) -> bool:
+    """Whether a library is a part, or calls any."""
+    return isinstance(library, Part) or any(map(calls_parts, library._linking_libraries))
+
+
 def module_of(library: Any) -> Any:
     """The code of a part alone, or of any other library with all that it calls."""
     if not isinstance(library, Part):
         return library._get_module_for_linking()
     library._ensure_finalized()
     return library._final_module
+
+
+def pipeline(name: str, last: type) -> Any:
+    """All passes, with one of ours once there is code."""
+    manager = front_end(name)
+    manager.add_pass(Write, Write.__name__)
+    manager.add_pass(last, last.__name__)
+    manager.add_pass(typed_passes.NoPythonBackend, "backend")
+    manager.finalize()
+    return manager
 
 
 @register_pass(mutates_CFG=True, analysis_only=False)
@@ -87,7 +152,11 @@ class HandOver(LoweringPass):
     def run_pass(self, state: Any) -> bool:
         # numba knows a function by a builtin, which runs its machine code; any of its own will do
         lowered, key = state["cr"], [state.library].append
-        state.targetctx.insert_user_function(key, lowered.fndesc, [state.library])
+        if state.library.succeeds:
+            call = plain_call(lowered.fndesc, state.library)
+            state.targetctx._defns[key].append(call, call.signature)
+        else:
+            state.targetctx.insert_user_function(key, lowered.fndesc, [state.library])
         state["cr"] = lowered._replace(cfunc=key)
         return True
 
@@ -110,32 +179,36 @@ class Refer(LoweringPass):
         return True
 
 
-class PartCompiler(compiler.CompilerBase):
-    """numba's pipeline, but for its end."""
+class Settling(compiler.CompilerBase):
+    """numba's compiler, with flags that are quick to compare."""
+
+    def __init__(
+        self, typing: Any, target: Any, library: Any, args: Any, kind: Any, flags: Any, local: Any
+    ) -> None:
+        super().__init__(typing, target, library, args, kind, Settled(flags), local)
+        self.state.targetctx.__class__ = Lean  # a copy for these flags, which nobody else has
+
+
+class PartCompiler(Settling):
+    """Compiles a part."""
 
     def define_pipelines(self) -> list[Any]:
         """As numba wants them."""
         state = self.state
         state.library = Part(state.targetctx.codegen(), state.func_id.func_qualname)
         state.flags.no_compile = True
-        pipeline = compiler.DefaultPassBuilder.define_nopython_pipeline(state)
-        pipeline.add_pass_after(HandOver, typed_passes.NativeLowering)
-        pipeline.finalize()
-        return [pipeline]
+        return [pipeline("part", HandOver)]
 
 
-class WholeCompiler(compiler.CompilerBase):
-    """numba's pipeline, but for the library."""
+class WholeCompiler(Settling):
+    """Compiles a whole."""
 
     def define_pipelines(self) -> list[Any]:
         """As numba wants them."""
         state = self.state
         state.library = Whole(state.targetctx.codegen(), state.func_id.func_qualname)
         state.library.enable_object_caching()
-        pipeline = compiler.DefaultPassBuilder.define_nopython_pipeline(state)
-        pipeline.add_pass_after(Refer, typed_passes.NativeLowering)
-        pipeline.finalize()
-        return [pipeline]
+        return [pipeline("whole", Refer)]
 
     def _compile_core(self) -> Any:
         """Compile without looking for garbage, of which there is little among very much else."""

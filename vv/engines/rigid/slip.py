@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from vv.engines.kernels.arrays import larger, smaller
-from vv.engines.kernels.compiled import called, inlined
+from vv.engines.kernels.arrays import larger, smaller, square_of
+from vv.engines.kernels.compiled import inlined, lent
 from vv.engines.kernels.triples import Triple, cross, dot, plus
 from vv.engines.rigid.limits import STILL
 
@@ -19,7 +19,7 @@ def slow(span: float, tolerance: float) -> float:
     return larger(STILL * span, 10.0 * tolerance)
 
 
-@called
+@lent
 def heading(before: Triple, after: Triple) -> Triple:
     """The mean of u/|u| as u goes straight, at a constant rate, from `before` to `after`.
 
@@ -29,7 +29,7 @@ def heading(before: Triple, after: Triple) -> Triple:
     nil = (0.0, 0.0, 0.0)
     first, last = np.sqrt(dot(before, before)), np.sqrt(dot(after, after))
     across = cross(before, after)
-    if not dot(across, across) > STRAIGHT * (first * last) ** 2:
+    if not dot(across, across) > STRAIGHT * square_of(first * last):
         return plus(plus(nil, 0.5 / first, before), 0.5 / last, after)
     way = plus(after, -1.0, before)
     length = np.sqrt(dot(way, way))
@@ -41,7 +41,7 @@ def heading(before: Triple, after: Triple) -> Triple:
     return plus(mean, (np.arcsinh(x1 / far) - np.arcsinh(x0 / far)) / length, out)
 
 
-@called
+@lent
 def bend(before: Triple, sag: Triple, after: Triple, pull: float) -> Triple:
     """The mean direction of slip over a step less the mean of its first and last directions.
 
@@ -55,7 +55,7 @@ def bend(before: Triple, sag: Triple, after: Triple, pull: float) -> Triple:
     first, last = dot(before, before), dot(after, after)
     one, two = cross(before, after), cross(before, halfway)
     slowest = smaller(smaller(first, dot(halfway, halfway)), last)
-    if not slowest > (SLOW * pull) ** 2:
+    if not slowest > square_of(SLOW * pull):
         return nil
     if not (dot(one, one) > STRAIGHT * first * last or dot(two, two) > STRAIGHT * first * first):
         return nil

@@ -6,12 +6,13 @@ from vv.engines.blocks.geometry import Index
 from vv.engines.dda.general.bodies import Bodies
 from vv.engines.dda.general.contact import Touch
 from vv.engines.dda.law import OPEN, SLIDE, STICK
-from vv.engines.kernels.compiled import called
+from vv.engines.kernels.arrays import smaller
+from vv.engines.kernels.compiled import lent
 from vv.engines.kernels.triples import NOWHERE, Triple, at, dot, plus
 from vv.scene import Vector
 
 
-@called
+@lent
 def profile(first: Index, bodies: Bodies, touch: Touch) -> None:
     """Fill first (q,): the first column of each row of the matrix that can differ from zero."""
     for i in range(len(bodies.mass)):
@@ -20,13 +21,13 @@ def profile(first: Index, bodies: Bodies, touch: Touch) -> None:
     for k in range(len(touch.key)):
         least = len(first)
         for m in range(touch.columns[k]):
-            least = min(least, touch.column[k, m])
+            least = smaller(least, touch.column[k, m])
         for m in range(touch.columns[k]):
             a = touch.column[k, m]
-            first[a] = min(first[a], least)
+            first[a] = smaller(first[a], least)
 
 
-@called
+@lent
 def stiffness(
     matrix: Vector, first: Index, mass: Vector, bodies: Bodies, touch: Touch, state: Index,
     step: float, kn: float, ks: float, elastic: Vector,
@@ -56,7 +57,7 @@ def stiffness(
                         matrix[a, b] += part + shear * dot(one, two)
 
 
-@called
+@lent
 def pushed(outer: Vector, bodies: Bodies, shake: Triple) -> None:
     """Fill outer (q,) with weight, dead loads and a body acceleration [m/s2]."""
     for i in range(len(bodies.mass)):
@@ -66,7 +67,7 @@ def pushed(outer: Vector, bodies: Bodies, shake: Triple) -> None:
             outer[a] = dot(at(bodies.line, a), load)
 
 
-@called
+@lent
 def contact_pull(
     k: int, touch: Touch, state: int, force: float, way: Triple, moved: Triple,
     kn: float, ks: float, mu: float,

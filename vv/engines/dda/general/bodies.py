@@ -8,16 +8,17 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-import numpy as np
-
 from vv.engines.blocks.geometry import Index, Shapes
 from vv.engines.blocks.placement import find_normals
 from vv.engines.dda.general.matrices import exponential, mapped, product, reshaped
-from vv.engines.kernels.compiled import called
+from vv.engines.kernels.arrays import rows
+from vv.engines.kernels.bundles import bundle
+from vv.engines.kernels.compiled import called, lent
 from vv.engines.kernels.triples import NOWHERE, Triple, at, dot, plus, put
 from vv.scene import Vector
 
 
+@bundle
 class Bodies(NamedTuple):
     """n blocks with q unknowns, and what never changes of them.
 
@@ -35,6 +36,7 @@ class Bodies(NamedTuple):
     load: Vector
 
 
+@bundle
 class Motion(NamedTuple):
     """Where blocks are: what a step changes.
 
@@ -51,14 +53,14 @@ class Motion(NamedTuple):
     strain: Vector
 
 
-@called
+@lent
 def copy_rows(to: Vector, source: Vector) -> None:
     """Make one (k, 3) array equal to another; slices would take seconds to compile."""
     for k in range(len(to)):
         put(to, k, at(source, k))
 
 
-@called
+@lent
 def copied(to: Motion, source: Motion) -> None:
     """Make one motion equal to another."""
     copy_rows(to.vertex, source.vertex)
@@ -70,7 +72,7 @@ def copied(to: Motion, source: Motion) -> None:
         to.velocity[a], to.strain[a] = source.velocity[a], source.strain[a]
 
 
-@called
+@lent
 def masses(mass: Vector, bodies: Bodies, motion: Motion) -> None:
     """Fill mass (q, 12): the products of each unknown with those of its body, in order.
 
@@ -84,7 +86,7 @@ def masses(mass: Vector, bodies: Bodies, motion: Motion) -> None:
                 mass[a, b - first] = total + product(second, bodies.slope[a], bodies.slope[b])
 
 
-@called
+@lent
 def applied(result: Vector, matrix: Vector, bodies: Bodies, vector: Vector) -> float:
     """Fill result (q,) with a matrix (q, 12) of blocks times vector (q,); return vector . it."""
     whole = 0.0
@@ -99,7 +101,7 @@ def applied(result: Vector, matrix: Vector, bodies: Bodies, vector: Vector) -> f
     return whole
 
 
-@called
+@lent
 def travelled(bodies: Bodies, i: int, d: Vector) -> Triple:
     """The displacement of the centre of block i for unknowns d (q,)."""
     line = NOWHERE
@@ -108,7 +110,7 @@ def travelled(bodies: Bodies, i: int, d: Vector) -> Triple:
     return line
 
 
-@called
+@lent
 def gradient(out: Vector, bodies: Bodies, first: int, last: int, d: Vector) -> None:
     """Fill out (3, 3): the gradient that unknowns first to last - 1 of a block have in d (q,)."""
     for r in range(3):
@@ -121,7 +123,7 @@ def gradient(out: Vector, bodies: Bodies, first: int, last: int, d: Vector) -> N
 @called
 def stretched(whole: Vector, bodies: Bodies, i: int, d: Vector, terms: int) -> None:
     """Fill whole (3, 3): exp of the displacement gradient of block i, to so many terms."""
-    slope = np.empty((3, 3))
+    slope = rows(3)
     gradient(slope, bodies, bodies.start[i], bodies.start[i + 1], d)
     exponential(whole, slope, terms)
 
@@ -129,7 +131,7 @@ def stretched(whole: Vector, bodies: Bodies, i: int, d: Vector, terms: int) -> N
 @called
 def followed(motion: Motion, bodies: Bodies, i: int, d: Vector, terms: int) -> None:
     """Turn the strains of block i as d (q,) turns it: E becomes R E R^T, R = exp of its spin."""
-    spin, turn, tensor = np.empty((3, 3)), np.empty((3, 3)), np.empty((3, 3))
+    spin, turn, tensor = rows(3), rows(3), rows(3)
     begin, end = bodies.strains[i], bodies.start[i + 1]
     gradient(spin, bodies, bodies.start[i], begin, d)
     exponential(turn, spin, terms)
@@ -148,7 +150,7 @@ def displace(
     motion: Motion, bodies: Bodies, shapes: Shapes, d: Vector, terms: int, follow: int
 ) -> None:
     """Move the blocks by unknowns d (q,); terms: see `stretched`; follow: see Formulation."""
-    whole = np.empty((3, 3))
+    whole = rows(3)
     for i in range(len(bodies.mass)):
         stretched(whole, bodies, i, d, terms)
         before = at(motion.centre, i)

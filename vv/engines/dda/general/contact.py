@@ -11,13 +11,16 @@ from vv.engines.blocks.geometry import Index, Planes, Shapes
 from vv.engines.dda.general.bodies import Bodies, Motion
 from vv.engines.dda.general.matrices import mapped
 from vv.engines.dda.law import STICK
-from vv.engines.kernels.compiled import called
+from vv.engines.kernels.arrays import counts, nil_counts, nil_numbers, nil_rows
+from vv.engines.kernels.bundles import bundle
+from vv.engines.kernels.compiled import called, lent
 from vv.engines.kernels.triples import NOWHERE, Triple, at, dot, plus, put
 from vv.scene import Mask, Vector
 
 MOST = 24  # unknowns that a contact can touch: twelve of either block
 
 
+@bundle
 class Touch(NamedTuple):
     """c points of contact, in the order in which they are found.
 
@@ -46,15 +49,15 @@ class Touch(NamedTuple):
 def touch_room(count: int) -> Touch:
     """Room for so many points, none of which has been in touch."""
     return Touch(
-        np.zeros(count, np.int64), np.zeros(count, np.int64), np.zeros((count, 3)),
-        np.zeros(count), np.zeros((count, 3)), np.zeros(count), np.zeros((count, 3)),
-        np.zeros(count, np.int64), np.zeros((count, MOST), np.int64),
-        np.zeros((count, MOST, 3)), np.zeros(count, np.int64),
-        np.zeros(count, np.int64), np.zeros(count, np.int64),
+        nil_counts(count), nil_counts(count), nil_rows(count),
+        nil_numbers(count), nil_rows(count), nil_numbers(count), nil_rows(count),
+        nil_counts(count), np.empty((count, MOST), np.int64),
+        np.empty((count, MOST, 3)), nil_counts(count),
+        counts(count), counts(count),
     )  # fmt: skip
 
 
-@called
+@lent
 def closed(touch: Touch, went: Vector, kn: float, ks: float, mu: float, hold: float) -> None:
     """Let the points that overlap at the start stick, pressed by their springs.
 
@@ -73,7 +76,7 @@ def closed(touch: Touch, went: Vector, kn: float, ks: float, mu: float, hold: fl
             put(touch.spring, k, plus(NOWHERE, hold * part, spring))
 
 
-@called
+@lent
 def add_columns(
     touch: Touch, k: int, body: int, sign: float, point: Vector, bodies: Bodies, motion: Motion
 ) -> None:
@@ -87,7 +90,7 @@ def add_columns(
         touch.columns[k] = m + 1
 
 
-@called
+@lent
 def laid_down(a: Triple, n: Triple) -> Triple:
     """A vector turned into the plane across n, its length kept."""
     flat = plus(a, -dot(a, n), n)
@@ -95,7 +98,7 @@ def laid_down(a: Triple, n: Triple) -> Triple:
     return plus(NOWHERE, before / after, flat) if after > 0.0 else NOWHERE
 
 
-@called
+@lent
 def carried_over(touch: Touch, k: int, old: Touch, m: int) -> None:
     """Give point k what point m of the step before knew; its spring turns into the new plane."""
     n = at(touch.normal, k)

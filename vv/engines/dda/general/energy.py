@@ -8,7 +8,8 @@ from vv.engines.blocks.geometry import Index
 from vv.engines.dda.general.bodies import Bodies, Motion, applied
 from vv.engines.dda.general.contact import Touch
 from vv.engines.dda.law import OPEN, SLIDE, STICK
-from vv.engines.kernels.compiled import called
+from vv.engines.kernels.arrays import larger, numbers
+from vv.engines.kernels.compiled import called, lent
 from vv.engines.kernels.triples import NOWHERE, at, dot, plus, put
 from vv.scene import Vector
 
@@ -25,17 +26,17 @@ def held(
     kn: float, ks: float, elastic: Vector,
 ) -> None:  # fmt: skip
     """Set what motion, springs and strains hold now [J]."""
-    flow = np.empty(len(motion.velocity))
+    flow = numbers(len(motion.velocity))
     ledger[KINETIC] = 0.5 * applied(flow, mass, bodies, motion.velocity)
     ledger[STRAIN] = 0.5 * applied(flow, elastic, bodies, motion.strain)
     ledger[NORMAL] = ledger[SHEAR] = 0.0
     for k in range(len(touch.key)):
-        over = max(-touch.gap[k], 0.0)
+        over = larger(-touch.gap[k], 0.0)
         ledger[NORMAL] += 0.5 * kn * over * over
         ledger[SHEAR] += 0.5 * ks * dot(at(touch.spring, k), at(touch.spring, k))
 
 
-@called
+@lent
 def close_step(
     ledger: Vector, worst: Vector, pull: Vector, touch: Touch, used: Index, rub: Vector,
     relative: Vector, moved: Vector, kn: float, ks: float, mu: float, hold: float,
@@ -53,11 +54,12 @@ def close_step(
         opened = dot(at(relative, k), n)
         slip = plus(at(relative, k), -opened, n)
         before, after = touch.gap[k], touch.gap[k] + opened
-        sprung = 0.5 * kn * (max(-before, 0.0) ** 2 - max(-after, 0.0) ** 2)
+        deep, deeper = larger(-before, 0.0), larger(-after, 0.0)
+        sprung = 0.5 * kn * (deep * deep - deeper * deeper)
         push = -kn * after if used[k] != OPEN else 0.0
         left = sprung - push * opened
         ledger[NUMERICAL] += left
-        ledger[CREATED] += max(0.0, -left)
+        ledger[CREATED] += larger(0.0, -left)
         rubs, spring = NOWHERE, at(touch.spring, k)
         stretch = 0.5 * ks * dot(spring, spring)
         if used[k] == STICK:
@@ -78,20 +80,20 @@ def close_step(
             taken = at(rub, k)
             gained = -dot(taken, slip)
             ledger[FRICTION] -= gained
-            ledger[CREATED] += max(0.0, gained)
+            ledger[CREATED] += larger(0.0, gained)
             rubs = plus(NOWHERE, -1.0, taken)
             if touch.state[k] == SLIDE:
                 off = plus(plus(NOWHERE, mu * touch.push[k], at(touch.way, k)), -1.0, taken)
-                worst[RESIDUAL] = max(worst[RESIDUAL], np.sqrt(dot(off, off)))
+                worst[RESIDUAL] = larger(worst[RESIDUAL], np.sqrt(dot(off, off)))
         force = plus(rubs, push, n)
         for m in range(touch.columns[k]):
             pull[touch.column[k, m]] += dot(at(touch.field[k], m), force)
-        worst[EXCESS] = max(worst[EXCESS], np.sqrt(dot(rubs, rubs)) - mu * max(push, 0.0))
-        worst[PEAK] = max(worst[PEAK], push)
+        worst[EXCESS] = larger(worst[EXCESS], np.sqrt(dot(rubs, rubs)) - mu * larger(push, 0.0))
+        worst[PEAK] = larger(worst[PEAK], push)
         if touch.wall[k] >= 0:
             ledger[BASE] += dot(force, at(moved, touch.wall[k]))
         touch.gap[k] = after
-        worst[DEEPEST] = max(worst[DEEPEST], -after)
+        worst[DEEPEST] = larger(worst[DEEPEST], -after)
 
 
 @called
@@ -104,8 +106,8 @@ def audit(
     pull, outer: generalised forces (q,) of contacts and of all else at the end of a step [s].
     """
     q = len(d)
-    change, strain = np.empty(q), np.empty(q)
-    gain, held_back = np.empty(q), np.empty(q)
+    change, strain = numbers(q), numbers(q)
+    gain, held_back = numbers(q), numbers(q)
     for a in range(q):
         change[a] = 2.0 / step * (d[a] / step - motion.velocity[a])
         strain[a] = motion.strain[a] + d[a]
@@ -115,5 +117,5 @@ def audit(
         line = at(bodies.line, a)
         if dot(line, line) > 0.0:
             off = gain[a] + held_back[a] - outer[a] - pull[a]
-            worst[ADRIFT] = max(worst[ADRIFT], abs(off))
-            worst[PEAK] = max(worst[PEAK], abs(gain[a]), abs(outer[a]))
+            worst[ADRIFT] = larger(worst[ADRIFT], abs(off))
+            worst[PEAK] = larger(larger(worst[PEAK], abs(gain[a])), abs(outer[a]))

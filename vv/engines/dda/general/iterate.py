@@ -10,6 +10,7 @@ from vv.engines.dda.general.bodies import Bodies, Motion, applied
 from vv.engines.dda.general.contact import Touch
 from vv.engines.dda.general.linear import factorise, substitute
 from vv.engines.dda.law import OPEN, SLIDE, respond
+from vv.engines.kernels.arrays import counts, larger, nil_numbers, nil_rows, numbers, table
 from vv.engines.kernels.compiled import called
 from vv.engines.kernels.triples import NOWHERE, at, dot, plus, put
 from vv.scene import Vector
@@ -18,19 +19,19 @@ from vv.scene import Vector
 @called
 def lightness(touch: Touch, state: Index, bodies: Bodies, step: float) -> Vector:
     """Per contact the stiffness [N/m] by which inertia resists slip (c,): 2 m/D^2 per point."""
-    closed = np.zeros(len(bodies.mass))
+    closed = nil_numbers(len(bodies.mass))
     for k in range(len(touch.key)):
         if state[k] != OPEN:
             closed[touch.second[k]] += 1.0
             if touch.wall[k] < 0:
                 closed[touch.first[k]] += 1.0
-    ease = np.zeros(len(touch.key))
+    ease = nil_numbers(len(touch.key))
     for k in range(len(touch.key)):
         two = touch.second[k]
-        compliance = max(closed[two], 1.0) / bodies.mass[two]
+        compliance = larger(closed[two], 1.0) / bodies.mass[two]
         if touch.wall[k] < 0:
             one = touch.first[k]
-            compliance += max(closed[one], 1.0) / bodies.mass[one]
+            compliance += larger(closed[one], 1.0) / bodies.mass[one]
         ease[k] = 2.0 / (step * step * compliance)
     return ease
 
@@ -49,10 +50,10 @@ def iterate(  # noqa: PLR0912 - a branch per contact state
     (c, 3) [m]. touch: its states, pushes and ways become the ones that the law now calls for.
     """
     q, count = len(d), len(touch.key)
-    first, matrix = np.empty(q, np.int64), np.empty((q, q))
-    right, constant = np.empty(q), np.empty(q)
-    used, rub = np.empty(count, np.int64), np.zeros((count, 3))
-    relative, shut = np.zeros((count, 3)), np.zeros((count, 3))
+    first, matrix = counts(q), table(q, q)
+    right, constant = numbers(q), numbers(q)
+    used, rub = counts(count), nil_rows(count)
+    relative, shut = nil_rows(count), nil_rows(count)
     profile(first, bodies, touch)
     applied(constant, mass, bodies, motion.velocity)
     applied(right, elastic, bodies, motion.strain)

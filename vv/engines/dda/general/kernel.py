@@ -44,7 +44,16 @@ from vv.engines.dda.general.iterate import iterate
 from vv.engines.dda.general.rows import lost, note
 from vv.engines.dda.general.turning import convected
 from vv.engines.dda.limits import CUTS, GAIN
-from vv.engines.kernels.compiled import called, compiled
+from vv.engines.kernels.arrays import (
+    larger,
+    nil_numbers,
+    nil_rows,
+    nil_table,
+    same_counts,
+    same_numbers,
+    same_rows,
+)
+from vv.engines.kernels.compiled import called, compiled, lent
 from vv.engines.kernels.drive import Drive, Starts, one_of, travel, value
 from vv.engines.kernels.triples import NOWHERE, at, dot, plus, put
 from vv.scene import Mask, Vector
@@ -60,7 +69,7 @@ def shifted(
         put(moved, wall, plus(at(ahead, wall), -1.0, at(shift, wall)))
 
 
-@called
+@lent
 def forget(touch: Touch, state: Index, push: Vector, way: Vector) -> None:
     """Undo what an iteration that did not end has made of the contacts."""
     for k in range(len(touch.key)):
@@ -113,17 +122,17 @@ def move_blocks(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
     of strain of the watched blocks (b,); energy (k, 13) and report (k, 9): see `dda_energy`.
     """
     walls, q = len(planes.point), len(begun.velocity)
-    shift, ahead, moved = np.zeros((walls, 3)), np.zeros((walls, 3)), np.zeros((walls, 3))
-    mass, outer, flow = np.zeros((q, 12)), np.zeros(q), np.zeros(q)
-    d, pull, turn = np.zeros(q), np.zeros(q), np.zeros(q)
-    ledger, worst, done = np.zeros(TERMS), np.zeros(REPORTS), -settling
+    shift, ahead, moved = nil_rows(walls), nil_rows(walls), nil_rows(walls)
+    mass, outer, flow = nil_table(q, 12), nil_numbers(q), nil_numbers(q)
+    d, pull, turn = nil_numbers(q), nil_numbers(q), nil_numbers(q)
+    ledger, worst, done = nil_numbers(TERMS), nil_numbers(REPORTS), -settling
     put_in, ever, most = 0.0, 0.0, np.inf
     copied(motion, begun)
     touch = found(touch_room(0 * walls), bodies, motion, shapes, moves, planes, shift, depth, reach)
     closed(touch, motion.strain, kn, ks, mu, hold)
     masses(mass, bodies, motion)
     held(ledger, touch, bodies, motion, mass, kn, ks, elastic)
-    origin = motion.centre.copy()
+    origin = same_rows(motion.centre, len(motion.centre))
 
     for row in range(len(path)):
         for _ in range((stride if row else 0) + (settling if row == 0 else 0)):
@@ -133,7 +142,9 @@ def move_blocks(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
                 if done >= 0:
                     shifted(ahead, moved, shift, base, starts, done * dt + begin + part)
                     shake = value(shaking, done * dt + begin + part)
-                state, push, way = touch.state.copy(), touch.push.copy(), touch.way.copy()
+                count = len(touch.key)
+                state, push = same_counts(touch.state, count), same_numbers(touch.push, count)
+                way = same_rows(touch.way, count)
                 pushed(outer, bodies, shake)
                 convected(turn, bodies, motion, mass, elastic, part, terms, turns)
                 for a in range(q):
@@ -143,7 +154,7 @@ def move_blocks(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
                     hold, tolerance, iterations, elastic,
                 )  # fmt: skip
                 worst[SOLVED] += solved
-                worst[ITERATIONS] = max(worst[ITERATIONS], solved)
+                worst[ITERATIONS] = larger(worst[ITERATIONS], float(solved))
                 if not ended and part > dt / CUTS:
                     forget(touch, state, push, way)
                     part *= 0.5
@@ -164,7 +175,7 @@ def move_blocks(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
                 held(ledger, touch, bodies, motion, mass, kn, ks, elastic)
                 if row > 0:
                     works = ledger[GRAVITY] + ledger[LOAD] + ledger[BASE] + ledger[SHAKING]
-                    ever = max(ever, works)
+                    ever = larger(ever, works)
                     most = GAIN * (put_in + ever)
                 if lost(ledger, most):  # contact cannot be looked for between blocks that are so
                     note(path[row], energy[row], report[row], watched, origin,
@@ -182,7 +193,7 @@ def move_blocks(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
                 held(ledger, touch, bodies, motion, mass, kn, ks, elastic)
                 anew = ledger[KINETIC] + ledger[NORMAL] + ledger[SHEAR] - kept
                 ledger[FOUND] += anew
-                ledger[CREATED] += max(0.0, anew)
+                ledger[CREATED] += larger(0.0, anew)
                 begin += part
                 if begin + part > dt * (1.0 + 1e-12):
                     begin = dt

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from vv.engines.blocks.geometry import Index
-from vv.engines.kernels.compiled import called
+from vv.engines.kernels.arrays import larger
+from vv.engines.kernels.compiled import lent
 from vv.scene import Vector
 
 
-@called
+@lent
 def factorise(matrix: Vector, first: Index) -> None:
     """L D L^T in place of the lower half of matrix (q, q); first: (q,) first column of each row.
 
@@ -18,7 +19,7 @@ def factorise(matrix: Vector, first: Index) -> None:
         for j in range(first[i], i):
             other = matrix[j]
             total = row[j]
-            for k in range(max(first[i], first[j]), j):
+            for k in range(larger(first[i], first[j]), j):
                 total -= row[k] * other[k]
             row[j] = total
         pivot = row[i]
@@ -29,7 +30,7 @@ def factorise(matrix: Vector, first: Index) -> None:
         row[i] = pivot
 
 
-@called
+@lent
 def substitute(matrix: Vector, first: Index, right: Vector, solution: Vector) -> None:
     """Fill solution (q,) for a right-hand side (q,), given the factors in matrix."""
     n = len(first)

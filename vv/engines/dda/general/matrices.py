@@ -2,20 +2,19 @@
 
 from __future__ import annotations
 
-import numpy as np
-
-from vv.engines.kernels.compiled import called
+from vv.engines.kernels.arrays import rows
+from vv.engines.kernels.compiled import called, lent
 from vv.engines.kernels.triples import Triple, at, dot, put
 from vv.scene import Vector
 
 
-@called
+@lent
 def mapped(matrix: Vector, a: Triple) -> Triple:
     """A matrix (3, 3) times a."""
     return dot(at(matrix, 0), a), dot(at(matrix, 1), a), dot(at(matrix, 2), a)
 
 
-@called
+@lent
 def product(second: Vector, one: Vector, two: Vector) -> float:
     """tr(one second two^T) of slopes (3, 3): the integral of rho (one r) . (two r) [kg m2]."""
     total = 0.0
@@ -27,7 +26,7 @@ def product(second: Vector, one: Vector, two: Vector) -> float:
 @called
 def reshaped(out: Vector, whole: Vector, second: Vector) -> None:
     """out = whole second whole^T, all (3, 3); out may be second, which is symmetric."""
-    half = np.empty((3, 3))
+    half = rows(3)
     for r in range(3):
         put(half, r, mapped(whole, at(second, r)))
     for r in range(3):
@@ -37,7 +36,7 @@ def reshaped(out: Vector, whole: Vector, second: Vector) -> None:
 @called
 def exponential(whole: Vector, slope: Vector, terms: int) -> None:
     """Fill whole (3, 3): exp of slope (3, 3), to so many terms."""
-    old = np.empty((3, 3))
+    old = rows(3)
     for r in range(3):
         for c in range(3):
             whole[r, c] = 1.0 if r == c else 0.0

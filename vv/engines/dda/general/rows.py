@@ -7,12 +7,12 @@ import numpy as np
 from vv.engines.blocks.geometry import Index
 from vv.engines.dda.general.bodies import Bodies, Motion, gradient, travelled
 from vv.engines.dda.general.energy import KINETIC, NORMAL, REPORTS, SHEAR, STRAIN, TERMS
-from vv.engines.kernels.compiled import called
-from vv.engines.kernels.triples import at, put
+from vv.engines.kernels.arrays import rows
+from vv.engines.kernels.compiled import called, lent
 from vv.scene import Vector
 
 
-@called
+@lent
 def lost(ledger: Vector, most: float) -> bool:
     """Whether motion, springs and strains hold more than `most` [J], or no finite energy."""
     total = ledger[KINETIC] + ledger[NORMAL] + ledger[SHEAR] + ledger[STRAIN]
@@ -25,7 +25,7 @@ def note(
     bodies: Bodies, motion: Motion, ledger: Vector, worst: Vector,
 ) -> None:  # fmt: skip
     """Write a row: path (b, 15), energy (13,) and report (9,)."""
-    tensor = np.empty((3, 3))
+    tensor = rows(3)
     for b in range(len(watched)):
         i = watched[b]
         rate = travelled(bodies, i, motion.velocity)
@@ -33,7 +33,8 @@ def note(
         for c in range(3):
             path[b, c] = motion.centre[i, c] - origin[i, c]
             path[b, 3 + c] = rate[c]
-            put(path[b, 6:].reshape(3, 3), c, at(tensor, c))
+            for j in range(3):
+                path[b, 6 + 3 * c + j] = tensor[c, j]
     for term in range(TERMS):
         energy[term] = ledger[term]
     for term in range(REPORTS):

@@ -9,17 +9,23 @@ whole step, it lets what spins without contact keep its moment of momentum.
 
 from __future__ import annotations
 
-import numpy as np
-
 from vv.engines.dda.general.bodies import Bodies, Motion, applied, gradient, stretched
 from vv.engines.dda.general.linear import factorise, substitute
 from vv.engines.dda.general.matrices import product, reshaped
-from vv.engines.kernels.compiled import called
+from vv.engines.kernels.arrays import (
+    nil_counts,
+    nil_numbers,
+    nil_table,
+    numbers,
+    rows,
+    same_numbers,
+)
+from vv.engines.kernels.compiled import called, lent
 from vv.engines.kernels.triples import at, dot
 from vv.scene import Vector
 
 
-@called
+@lent
 def turns_freely(bodies: Bodies, i: int, rate: Vector) -> bool:
     """Whether block i turns and has more to it than a lone rotation, which goes on by itself."""
     several, moves = 0, False
@@ -40,10 +46,11 @@ def convected(
     mass, elastic: (q, 12), see `masses`; terms: see `stretched`; rounds: in which the loads and
     the end of the step, to which they lead, are found; after none there are no loads.
     """
-    begin, whole, second = np.empty((3, 3)), np.empty((3, 3)), np.empty((3, 3))
-    flow, end, matrix = np.empty((3, 3)), np.empty((3, 3)), np.zeros((12, 12))
-    ahead, d, load, gain = motion.velocity.copy(), np.zeros(len(turn)), np.zeros(12), np.zeros(12)
-    reached, borne = np.empty(len(turn)), np.empty(len(turn))
+    q = len(turn)
+    begin, whole, second, flow, end = rows(3), rows(3), rows(3), rows(3), rows(3)
+    matrix, load, gain = nil_table(12, 12), nil_numbers(12), nil_numbers(12)
+    ahead, d = same_numbers(motion.velocity, q), nil_numbers(q)
+    reached, borne = numbers(q), numbers(q)
     for a in range(len(turn)):
         reached[a] = motion.strain[a] + step * motion.velocity[a]
     applied(borne, elastic, bodies, reached)
@@ -58,7 +65,7 @@ def convected(
         for a in range(first, last):
             for b in range(a - first + 1):
                 matrix[a - first, b] = mass[a, b] + 0.5 * step * step * elastic[a, b]
-        columns = np.zeros(last - first, np.int64)
+        columns = nil_counts(last - first)
         factorise(matrix, columns)
         for _ in range(rounds):
             for a in range(first, last):

@@ -11,14 +11,14 @@ from vv.engines.dem.bonds.sweep import BREAKS, BROKEN, sweep_all
 from vv.engines.dem.bonds.threads import sweep_shared
 from vv.engines.dem.rows import Index
 from vv.engines.dem.space.neighbours import Slots, State
-from vv.engines.kernels.compiled import called, inlined
+from vv.engines.kernels.compiled import inlined, inlined_called, lent
 from vv.engines.kernels.triples import NOWHERE, Triple, at, cross, dot, plus, put
 from vv.scene import Vector
 
 Shares = tuple[Vector, Vector, Vector, Vector]
 
 
-@inlined
+@inlined_called
 def shares(chunks: int, rows: int) -> Shares:
     """What chunks have for themselves: push and turn (c x rows, 3), scratch, and (c, 3) sums."""
     push, turn = np.zeros((chunks * rows, 3)), np.zeros((chunks * rows, 3))
@@ -84,7 +84,7 @@ def added(push: Vector, pushes: Vector, window: Index, chunks: int) -> None:
             put(push, i, plus(at(push, i), 1.0, at(pushes, c * rows + i)))
 
 
-@called
+@lent
 def parted(
     push: Vector,
     turn: Vector | None,

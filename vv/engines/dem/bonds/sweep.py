@@ -15,14 +15,14 @@ from vv.engines.dem.bonds.blocks import WIDE, Ends
 from vv.engines.dem.bonds.law import Frail
 from vv.engines.dem.rows import Index
 from vv.engines.dem.space.neighbours import State
-from vv.engines.kernels.compiled import called
+from vv.engines.kernels.compiled import lent
 from vv.engines.kernels.triples import NOWHERE, put
 from vv.scene import Vector
 
 BROKEN, BREAKS = 1, 2  # states of a bond; it breaks in the step that is computed
 
 
-@called
+@lent
 def sweep(
     push: Vector,
     turn: Vector,
@@ -69,7 +69,7 @@ def sweep(
     held[c, 0], held[c, 1], held[c, 2] = normal, sheared, breaking
 
 
-@called
+@lent
 def sweep_all(
     push: Vector,
     turn: Vector,

@@ -10,13 +10,13 @@ from vv.engines.dem.bonds.pull import Shares, pull
 from vv.engines.dem.rows import Index
 from vv.engines.dem.space.neighbours import Near, Slots, State
 from vv.engines.dem.terms.contact_law import Pairs, Walls, pair_forces, wall_forces
-from vv.engines.kernels.compiled import inlined
+from vv.engines.kernels.compiled import inlined, inlined_called
 from vv.engines.kernels.drive import Drive
 from vv.engines.kernels.triples import NOWHERE, Triple, at, plus, put
 from vv.scene import Vector
 
 
-@inlined
+@inlined_called
 def rest(rows: int) -> Vector:
     """Zeros (rows, 3)."""
     return np.zeros((rows, 3))

@@ -8,7 +8,7 @@ import numpy as np
 import numpy.typing as npt
 
 from vv.engines.dem.rows import Index
-from vv.engines.kernels.compiled import called, inlined
+from vv.engines.kernels.compiled import called, inlined, inlined_called
 from vv.engines.kernels.triples import at, dot, plus, put
 from vv.scene import Vector
 
@@ -17,7 +17,7 @@ Slots = tuple[Index, Index, Vector, Vector, Vector, Vector]
 State = npt.NDArray[np.uint8]
 
 
-@inlined
+@inlined_called
 def no_slots() -> Slots:
     """No pairs yet."""
     none = np.zeros((0, 2), np.intp)
@@ -35,7 +35,7 @@ def strayed(u: Vector, since: Vector, skin: float) -> bool:
     return False
 
 
-@inlined
+@inlined_called
 def cells(place: Vector, edge: float) -> tuple[Index, Index, Index, Index]:
     """Sort spheres into cells at least `edge` [m] wide, but never many more than spheres.
 

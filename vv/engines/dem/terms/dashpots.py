@@ -11,7 +11,7 @@ import numpy as np
 from vv.engines.dem.rows import Index
 from vv.engines.dem.space.advance import carried_on, held
 from vv.engines.dem.terms.contact_law import Pairs, Walls, apart, off_wall
-from vv.engines.kernels.compiled import inlined
+from vv.engines.kernels.compiled import inlined, inlined_called
 from vv.engines.kernels.triples import NOWHERE, Triple, at, dot, plus, put
 from vv.scene import Vector
 
@@ -24,7 +24,7 @@ Met = tuple[Index, Vector]
 (k, 7) normal, push of the spring [N], coefficient [N s/m], viscous force [N], overlap [m]."""
 
 
-@inlined
+@inlined_called
 def dashpots(pairs: Pairs | None, walls: Walls | None, ground: int) -> Met:
     """No contact met as yet; a wall is the first of two, in the row of the ground."""
     many = 0

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from vv.engines.kernels.compiled import called
+from vv.engines.kernels.compiled import called, lent
 from vv.engines.kernels.drive import mean, one_of, rate
 from vv.engines.kernels.triples import Triple, at, dot, plus, put
 from vv.engines.rigid.general.setting import Setting
@@ -14,7 +14,7 @@ from vv.scene import Vector
 NIL = (0.0, 0.0, 0.0)
 
 
-@called
+@lent
 def bent(
     setting: Setting, now: float, span: float, joints: Joints, friction: Friction, p: Vector,
     v_old: Vector, w_old: Vector, v: Vector, w: Vector,

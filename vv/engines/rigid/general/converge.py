@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 
 from vv.engines.blocks.geometry import Index
-from vv.engines.kernels.arrays import smaller
-from vv.engines.kernels.compiled import called
+from vv.engines.kernels.arrays import in_order, rows, same_rows, smaller
+from vv.engines.kernels.compiled import called, lent
 from vv.engines.kernels.triples import at, plus
 from vv.engines.rigid.general.setting import Setting
 from vv.engines.rigid.limits import CHAIN, OUTER, POLISHED, SMALL, STALLED, STIFF
@@ -30,7 +30,7 @@ def converged(
     the residual asked, for the little that they cost more: what is left adds up along a chain.
     """
     blocks, sweeps, left = len(setting.mass), 0 * fewest, np.inf
-    small, place, apart = blocks <= SMALL, np.arange(blocks), blocks - 1
+    small, place, apart = blocks <= SMALL, in_order(blocks), blocks - 1
     if not small:
         place, apart = arranged(joints, blocks)
     finer = setting.tolerance if small else POLISHED * setting.tolerance
@@ -56,13 +56,13 @@ def without(
     p: Vector, joints: Joints, bodies: Bodies, v: Vector, w: Vector
 ) -> tuple[Vector, Vector]:
     """The velocities (b, 3) that there would be without the impulses p (c, 3)."""
-    free_v, free_w = v.copy(), w.copy()
+    free_v, free_w = same_rows(v, len(v)), same_rows(w, len(w))
     for c in range(len(p)):
         load_on(joints, c, bodies, free_v, free_w, plus(NIL, -1.0, at(p, c)))
     return free_v, free_w
 
 
-@called
+@lent
 def renewed(
     p: Vector, joints: Joints, bodies: Bodies, friction: Friction, v: Vector, w: Vector,
     free_v: Vector, free_w: Vector,
@@ -89,7 +89,7 @@ def polish(
     place, apart: see `arranged`. A round that makes the residual [m/s] no smaller is undone, and
     the next less stiff.
     """
-    before, before_v, before_w = p.copy(), v.copy(), w.copy()
+    before, before_v, before_w = rows(len(p)), rows(len(v)), rows(len(w))
     stiffness = STIFF
     for _ in range(OUTER):
         if left <= tolerance or stiffness < 1.0:

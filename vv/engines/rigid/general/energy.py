@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from vv.engines.kernels.arrays import nil_rows, squares
-from vv.engines.kernels.compiled import called
+from vv.engines.kernels.compiled import called, lent
 from vv.engines.kernels.drive import mean
 from vv.engines.kernels.triples import Triple, at, dot, plus, put
 from vv.engines.rigid.general.lever_arms import turned_back
@@ -17,7 +17,7 @@ NIL = (0.0, 0.0, 0.0)
 RUBBED, HIT, BASE, SHAKEN, DRIVEN, SHOVED = range(6)
 
 
-@called
+@lent
 def work(
     account: Vector, joints: Joints, c: int, p: Triple, v: Vector, w: Vector, blocks: int
 ) -> None:

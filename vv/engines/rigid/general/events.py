@@ -5,10 +5,19 @@ from __future__ import annotations
 import numpy as np
 
 from vv.engines.blocks.contacts import Contacts, matched
-from vv.engines.kernels.arrays import larger, least_of, marked, nil_rows, smaller, unmarked
-from vv.engines.kernels.compiled import called
+from vv.engines.kernels.arrays import (
+    larger,
+    least_of,
+    marked,
+    nil_rows,
+    same_rows,
+    smaller,
+    square_of,
+    unmarked,
+)
+from vv.engines.kernels.compiled import called, lent
 from vv.engines.kernels.triples import at, dot, plus, put
-from vv.engines.rigid.general.setting import Past, Setting, State, wall_rates
+from vv.engines.rigid.general.setting import Past, Setting, State, copied, wall_rates
 from vv.engines.rigid.general.step import Trial, attempt
 from vv.engines.rigid.general.turning import orthonormal, turn_by
 from vv.engines.rigid.limits import BEGINS, CLOSE, ENDS, GLIMPSE, GRIP, LANDS
@@ -28,7 +37,7 @@ def move(setting: Setting, state: State, trial: Trial, span: float) -> None:
                                   0.5 * span, v))  # fmt: skip
         angle = plus(plus(NIL, 0.5 * span, at(state.w, i)), 0.5 * span, w)
         if dot(angle, angle) > 0.0:
-            turn_by(angle, state.rotation[i].copy(), state.rotation[i])
+            turn_by(angle, same_rows(state.rotation[i], 3), state.rotation[i])
             orthonormal(state.rotation[i])
         put(state.v, i, v)
         put(state.w, i, w)
@@ -99,7 +108,7 @@ def lands_after(
     return first
 
 
-@called
+@lent
 def slowest(trial: Trial, v: Vector, w: Vector) -> float:
     """The least speed [m/s], under velocities v, w (b, 3), along any slip there was at first."""
     least = np.inf
@@ -110,7 +119,7 @@ def slowest(trial: Trial, v: Vector, w: Vector) -> float:
     return least
 
 
-@called
+@lent
 def strained(setting: Setting, trial: Trial) -> bool:
     """Whether a contact that sticks under a drive may slip before the step's end."""
     if len(setting.drives.omega) + len(setting.shaking.omega) == 0:
@@ -120,7 +129,7 @@ def strained(setting: Setting, trial: Trial) -> bool:
         normal = dot(p, n)
         square = dot(p, p) - normal * normal
         d = at(trial.friction.d, c)
-        if dot(d, d) == 0.0 and normal > 0.0 and square > (GRIP * setting.mu * normal) ** 2:
+        if dot(d, d) == 0.0 and normal > 0.0 and square > square_of(GRIP * setting.mu * normal):
             return True
     return False
 
@@ -142,7 +151,7 @@ def rests_for(
             if look > 0:
                 trial = attempt(setting, state, now, span, contacts, past)
             late = marked(trial.begun)
-            then = State(state.centre.copy(), state.rotation.copy(), state.v.copy(), state.w.copy())
+            then = copied(state)
             move(setting, then, trial, span)
             known = remembered(trial, span, slow(span, setting.tolerance))
         if not late:

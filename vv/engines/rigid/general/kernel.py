@@ -14,9 +14,10 @@ from vv.engines.kernels.arrays import (
     nil_rows,
     nil_squares,
     numbers,
+    same_rows,
     smaller,
 )
-from vv.engines.kernels.compiled import called, compiled
+from vv.engines.kernels.compiled import called, compiled, lent
 from vv.engines.kernels.triples import at, dot, plus, put
 from vv.engines.rigid.general.energy import DRIVEN, SHOVED, book, kinetic
 from vv.engines.rigid.general.events import (
@@ -65,13 +66,13 @@ def separate(
         for i in range(n):
             put(state.centre, i, plus(at(state.centre, i), 1.0, at(x, i)))
             if dot(at(turn, i), at(turn, i)) > 0.0:
-                turn_by(at(turn, i), state.rotation[i].copy(), state.rotation[i])
+                turn_by(at(turn, i), same_rows(state.rotation[i], 3), state.rotation[i])
             account[DRIVEN] += dot(at(setting.force, i), at(x, i))
             account[SHOVED] += dot(at(setting.force, i), at(x, i))
     return deepest
 
 
-@called
+@lent
 def press(reaction: Vector, trial: Trial, span: float, blocks: int) -> None:
     """Sum the forces (w, 3) [N] of the walls on the blocks."""
     clear(reaction)
@@ -81,7 +82,7 @@ def press(reaction: Vector, trial: Trial, span: float, blocks: int) -> None:
             put(reaction, wall, plus(at(reaction, wall), 1.0 / span, at(trial.p, c)))
 
 
-@called
+@lent
 def watch(path: Vector, watched: Index, state: State, centre: Vector) -> None:
     """Fill path (b, 9) with displacement, velocity and spin of the watched; centre: at t = 0."""
     for k in range(len(watched)):
@@ -115,7 +116,7 @@ def move_rigid(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its 
     rotation = nil_squares(n)
     for i in range(n):
         rotation[i, 0, 0] = rotation[i, 1, 1] = rotation[i, 2, 2] = 1.0
-    state = State(centre.copy(), rotation, v.copy(), w.copy())
+    state = State(same_rows(centre, n), rotation, same_rows(v, n), same_rows(w, n))
     account, contacts = nil_numbers(6), empty_contacts(64 + 0 * n)
     past = nothing(contacts, setting)
     parts = SPLITS if n <= SMALL else 1
@@ -150,7 +151,9 @@ def move_rigid(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its 
                     span = rests_for(setting, state, past, now, whole, dt, contacts, trial)
                 if span < whole:
                     trial = attempt(setting, state, now, span, contacts, past)
-                before = State(state.centre.copy(), state.rotation, state.v, state.w.copy())
+                before = State(
+                    same_rows(state.centre, n), state.rotation, state.v, same_rows(state.w, n)
+                )
                 book(account, setting, state, trial, now, span)
                 move(setting, state, trial, span)
                 deepest = separate(account, setting, state, trial, before, now, span)

@@ -10,7 +10,7 @@ import numpy as np
 
 from vv.engines.blocks.geometry import Index
 from vv.engines.kernels.arrays import larger, nil_rows, rows
-from vv.engines.kernels.compiled import called, inlined
+from vv.engines.kernels.compiled import called, inlined, lent
 from vv.engines.kernels.triples import Triple, at, cross, dot, plus, put
 from vv.engines.rigid.solver.assembly import Bodies, Joints, load_on
 from vv.scene import Vector
@@ -50,7 +50,7 @@ def turned_back(turn: Vector, c: int, p: Triple) -> Triple:
     return plus(p, -1.0, cross(at(turn, c), p))
 
 
-@called
+@lent
 def relever(
     p: Vector, acted: Vector, joints: Joints, middle: Joints, turn: Vector,
     bodies: Bodies, v: Vector, w: Vector,

@@ -7,9 +7,9 @@ from typing import NamedTuple
 import numpy as np
 
 from vv.engines.blocks.geometry import Index, Planes, Shapes
-from vv.engines.kernels.arrays import larger, least_of, nil_rows, squares
+from vv.engines.kernels.arrays import larger, least_of, nil_rows, same_rows, squares
 from vv.engines.kernels.bundles import bundle
-from vv.engines.kernels.compiled import called
+from vv.engines.kernels.compiled import called, lent
 from vv.engines.kernels.drive import Drive, mean, one_of, rate, travel
 from vv.engines.kernels.triples import at, dot, plus, put
 from vv.engines.rigid.general.turning import held_inverse, turn_by, turned_inertia
@@ -75,6 +75,18 @@ class Past(NamedTuple):
 
 
 @called
+def copied(state: State) -> State:
+    """The state, in arrays of its own."""
+    n = len(state.centre)
+    rotation = squares(n)
+    for i in range(n):
+        for j in range(3):
+            for k in range(3):
+                rotation[i, j, k] = state.rotation[i, j, k]
+    return State(same_rows(state.centre, n), rotation, same_rows(state.v, n), same_rows(state.w, n))
+
+
+@called
 def wall_rates(setting: Setting, time: float, v: Vector) -> None:
     """Write the velocities of the walls into the last rows of v (b, 3)."""
     n = len(setting.mass)
@@ -115,7 +127,7 @@ def forecast(
                 put(w, i, times(inverse, i, moment))
 
 
-@called
+@lent
 def free_velocities(setting: Setting, state: State, now: float, span: float, v: Vector) -> None:
     """Fill v (b, 3) after a step without contact."""
     shake = mean(setting.shaking, now, span)

@@ -16,6 +16,7 @@ from vv.engines.kernels.arrays import (
     nil_squares,
     numbers,
     rows,
+    same_counts,
     squares,
     unmarked,
 )
@@ -137,7 +138,7 @@ def attempt(
             put(friction.d, c, plus(NIL, 1.0 / speed, slip))
     middle, turn = halfway(joints, before, past.joints)
     return solved(
-        setting, now, span, joints, middle, turn, bodies, friction, found.key[:count].copy(),
+        setting, now, span, joints, middle, turn, bodies, friction, same_counts(found.key, count),
         p, gap, v_old, w_old, v, w, known,
     )  # fmt: skip
 

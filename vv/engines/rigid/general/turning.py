@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import numpy as np
 
-from vv.engines.kernels.arrays import nil_squares
-from vv.engines.kernels.compiled import called
+from vv.engines.kernels.arrays import nil_squares, same_rows
+from vv.engines.kernels.compiled import called, lent
 from vv.engines.kernels.triples import Triple, dot
 from vv.scene import Vector
 
 
-@called
+@lent
 def turn_by(angle: Triple, rotation: Vector, out: Vector) -> None:
     """out = exp(angle x) rotation, (3, 3), for a rotation vector [rad] (Rodrigues)."""
     square = dot(angle, angle)
@@ -35,7 +35,7 @@ def turn_by(angle: Triple, rotation: Vector, out: Vector) -> None:
 @called
 def orthonormal(rotation: Vector) -> None:
     """Take rounding out of a rotation (3, 3): one Newton step of its polar factor."""
-    r = rotation.copy()
+    r = same_rows(rotation, 3)
     for i in range(3):
         for j in range(3):
             gram = 0.0
@@ -45,7 +45,7 @@ def orthonormal(rotation: Vector) -> None:
             rotation[i, j] = 0.5 * gram
 
 
-@called
+@lent
 def turned_inertia(inertia: Vector, rotation: Vector, out: Vector) -> None:
     """out = rotation inertia rotation^T, all (3, 3)."""
     for i in range(3):

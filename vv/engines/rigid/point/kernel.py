@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from vv.engines.kernels.compiled import called, compiled
+from vv.engines.kernels.compiled import called, compiled, lent
 from vv.engines.kernels.drive import mean, rate
 from vv.engines.kernels.triples import Triple, dot, plus
 from vv.engines.rigid.limits import BEGINS, CUTS, ENDS, FINE, GLIMPSE, GRIP, NEARLY, SPLITS
@@ -13,14 +13,14 @@ from vv.engines.rigid.slip import slow
 from vv.scene import Vector
 
 
-@called
+@lent
 def ends(touch: Touch, touched: bool, d: Triple, span: float) -> bool:
     """Whether a slip along d ended, or turned about, within a trial."""
     slips = touched and touch.p > 0.0 and dot(d, d) > 0.0
     return slips and dot(touch.u, d) <= slow(span, FINE)
 
 
-@called
+@lent
 def begins(ground: Ground, touch: Touch, touched: bool, d: Triple, span: float) -> bool:
     """Whether slip began within a trial that had none at first."""
     along = across(ground, touch.u)
@@ -32,7 +32,7 @@ def begins(ground: Ground, touch: Touch, touched: bool, d: Triple, span: float) 
     )
 
 
-@called
+@lent
 def strained(ground: Ground, touch: Touch, touched: bool, d: Triple) -> bool:
     """Whether a mass that sticks under a drive may slip before the step's end."""
     driven = len(ground.base.omega) + len(ground.shaking.omega) > 0

@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 
 from vv.engines.kernels.bundles import bundle
-from vv.engines.kernels.compiled import called
+from vv.engines.kernels.compiled import called, lent
 from vv.engines.kernels.drive import Drive, mean, rate, travel
 from vv.engines.kernels.triples import Triple, dot, plus
 from vv.engines.rigid.limits import BENDS
@@ -43,13 +43,13 @@ class Touch(NamedTuple):
     rub: Triple
 
 
-@called
+@lent
 def room(ground: Ground, x: Triple, time: float) -> float:
     """The gap [m] under a displacement x."""
     return ground.gap + dot(ground.normal, plus(x, -1.0, travel(ground.base, time)))
 
 
-@called
+@lent
 def across(ground: Ground, u: Triple) -> Triple:
     """The part of a velocity in the plane."""
     return plus(u, -dot(u, ground.normal), ground.normal)
@@ -98,7 +98,7 @@ def tried(ground: Ground, x: Triple, v: Triple, now: float, span: float, d: Trip
     return touch
 
 
-@called
+@lent
 def sagging(ground: Ground, now: float, span: float) -> Triple:
     """How far the drives take the slip halfway from the mean of its first and last [m/s]."""
     sag = plus(NIL, 0.5 * span, mean(ground.shaking, now, 0.5 * span))

@@ -15,9 +15,9 @@ import numpy as np
 
 from vv.engines.blocks.contacts import Contacts
 from vv.engines.blocks.geometry import Index
-from vv.engines.kernels.arrays import numbers, rows
+from vv.engines.kernels.arrays import numbers, rows, same_counts, same_rows
 from vv.engines.kernels.bundles import bundle
-from vv.engines.kernels.compiled import called, inlined
+from vv.engines.kernels.compiled import called, inlined, lent
 from vv.engines.kernels.triples import Triple, at, cross, dot, plus, put
 from vv.scene import Vector
 
@@ -84,7 +84,7 @@ def apply(joints: Joints, c: int, bodies: Bodies, v: Vector, w: Vector, p: Tripl
     put(w, a, plus(at(w, a), -1.0, times(bodies.inverse_spin, a, moment)))
 
 
-@called
+@lent
 def load_on(joints: Joints, c: int, bodies: Bodies, v: Vector, w: Vector, p: Triple) -> None:
     """`apply`, unless there is nothing to apply; compiled once for all who are in no hurry."""
     if dot(p, p) > 0.0:
@@ -116,9 +116,9 @@ def tangents(n: Triple) -> tuple[Triple, Triple]:
 def assemble(contacts: Contacts, count: int, bodies: Bodies) -> Joints:
     """The first `count` contacts as joints, which outlive them."""
     joints = Joints(
-        contacts.first[:count].copy(),
-        contacts.second[:count].copy(),
-        contacts.normal[:count].copy(),
+        same_counts(contacts.first, count),
+        same_counts(contacts.second, count),
+        same_rows(contacts.normal, count),
         rows(count),
         rows(count),
         rows(count),

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from vv.engines.blocks.geometry import Index
-from vv.engines.kernels.arrays import counts, larger, smaller
-from vv.engines.kernels.compiled import called
+from vv.engines.kernels.arrays import counts, larger, same_counts, smaller
+from vv.engines.kernels.compiled import called, lent
 from vv.engines.rigid.solver.assembly import Joints
 from vv.scene import Vector
 
@@ -21,7 +21,7 @@ def neighbours(joints: Joints, blocks: int) -> tuple[Index, Index]:
             start[joints.second[c] + 1] += 1
     for i in range(blocks):
         start[i + 1] += start[i]
-    other, filled = counts(start[blocks]), start[:blocks].copy()
+    other, filled = counts(start[blocks]), same_counts(start, blocks)
     for c in range(len(joints.first)):
         a, b = joints.first[c], joints.second[c]
         if a < blocks:
@@ -64,7 +64,7 @@ def arranged(joints: Joints, blocks: int) -> tuple[Index, int]:
         place[i] = -1
     for root in range(blocks):
         if place[root] < 0:
-            trial = place.copy()
+            trial = same_counts(place, blocks)
             _, far = layers(trial, start, other, root, count)
             count, _ = layers(place, start, other, far, count)
     apart = 0 * blocks
@@ -74,7 +74,7 @@ def arranged(joints: Joints, blocks: int) -> tuple[Index, int]:
     return place, apart
 
 
-@called
+@lent
 def eliminate(matrix: Vector, right: Vector, half: int) -> None:
     """Replace right (m,) by the solution of equations in a band, which are spoilt.
 

@@ -16,7 +16,7 @@ import numpy as np
 
 from vv.engines.kernels.arrays import clear, larger, nil_numbers, nil_rows, rows
 from vv.engines.kernels.bundles import bundle
-from vv.engines.kernels.compiled import called, inlined
+from vv.engines.kernels.compiled import called, inlined, lent
 from vv.engines.kernels.triples import Triple, at, dot, plus, put
 from vv.engines.rigid.solver.assembly import Bodies, Joints, apply, relative
 from vv.scene import Vector
@@ -57,7 +57,7 @@ def projected(
     return plus(centre, radius / size if size > radius else 1.0, left)
 
 
-@called
+@lent
 def sweep(
     p: Vector, joints: Joints, bodies: Bodies, friction: Friction, v: Vector, w: Vector
 ) -> None:
@@ -77,7 +77,7 @@ def sweep(
         put(p, c, after)
 
 
-@called
+@lent
 def residual(p: Vector, joints: Joints, friction: Friction, v: Vector, w: Vector) -> float:
     """The largest step [m/s] that the natural map still makes at any contact."""
     worst = 0.0
@@ -125,7 +125,8 @@ def solve_contacts(
             change = plus(at(p, c), -1.0, at(before, c))
             square = dot(change, change)
             size += square
-            largest = larger(largest, square * larger(joints.across[c], joints.along[c]) ** 2)
+            stiff = larger(joints.across[c], joints.along[c])
+            largest = larger(largest, square * (stiff * stiff))
         if (largest <= tolerance * tolerance and sweeps >= fewest) or sweeps == most:
             left = residual(p, joints, friction, v, w)
             if left <= tolerance or sweeps == most:
@@ -139,14 +140,14 @@ def solve_contacts(
     return sweeps, left
 
 
-@called
+@lent
 def keep(kept: Vector, rows: Vector) -> None:
     """Fill kept with rows (k, 3); a slice would make numba compile its error messages."""
     for k in range(len(rows)):
         put(kept, k, at(rows, k))
 
 
-@called
+@lent
 def follow(way: Vector, before: Vector, now: Vector, share: float, goes_on: bool) -> None:
     """Go on from `now` along a share of the way (k, 3) so far, and add the last change to that.
 

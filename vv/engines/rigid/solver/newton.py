@@ -11,8 +11,8 @@ from __future__ import annotations
 import numpy as np
 
 from vv.engines.blocks.geometry import Index
-from vv.engines.kernels.arrays import clear, larger, nil_squares, numbers, rows
-from vv.engines.kernels.compiled import called
+from vv.engines.kernels.arrays import clear, larger, nil_squares, numbers, rows, same_rows, table
+from vv.engines.kernels.compiled import called, lent
 from vv.engines.kernels.triples import Triple, at, cross, dot, plus, put
 from vv.engines.rigid.limits import INNER
 from vv.engines.rigid.solver.assembly import Bodies, Joints, load_on, relative, times
@@ -23,7 +23,7 @@ from vv.scene import Vector
 NIL = (0.0, 0.0, 0.0)
 
 
-@called
+@lent
 def allowed(
     joints: Joints, c: int, friction: Friction, stiffness: float,
     q: Triple, u: Triple, slope: Vector,
@@ -56,7 +56,7 @@ def allowed(
     return plus(plus(centre, share, left), normal, n)
 
 
-@called
+@lent
 def column(joints: Joints, c: int, side: int, k: int) -> Triple:
     """How the relative velocity at contact c changes with unknown k of six of one of its bodies."""
     axis = (1.0 * (k % 3 == 0), 1.0 * (k % 3 == 1), 1.0 * (k % 3 == 2))
@@ -65,7 +65,7 @@ def column(joints: Joints, c: int, side: int, k: int) -> Triple:
     return axis if side else plus(NIL, -1.0, axis)
 
 
-@called
+@lent
 def spread(
     matrix: Vector, joints: Joints, c: int, bodies: Bodies, place: Index, half: int, slope: Vector
 ) -> None:
@@ -105,8 +105,9 @@ def balanced(
     """
     blocks, half = len(place), 6 * apart + 5
     m = 6 * blocks
-    x, y, z, o = v.copy(), w.copy(), rows(len(v)), rows(len(w))
-    slope, right, matrix = nil_squares(1)[0], numbers(m), np.empty((m, 3 * half + 1))
+    x, y = same_rows(v, len(v)), same_rows(w, len(w))
+    z, o = rows(len(v)), rows(len(w))
+    slope, right, matrix = nil_squares(1)[0], numbers(m), table(m, 3 * half + 1)
     for _ in range(INNER):
         clear(matrix)
         keep(z, v)

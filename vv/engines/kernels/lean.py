@@ -1,0 +1,160 @@
+"""What numba writes of elements of arrays and of `range`, in a third of its words.
+
+Most of what kernels compile is the reading of elements in loops, of which numba makes copies of
+whole arrays in memory and iterators with states, for LLVM to take out again.
+"""
+
+from __future__ import annotations
+
+import functools
+import operator
+from typing import Any
+
+from llvmlite import ir
+from numba.core import cgutils as numba_code
+from numba.core import types
+from numba.core.cpu import CPUContext
+
+CODE: Any = numba_code
+TUPLE: Any = types.BaseTuple
+NUMBA: Any = CPUContext
+BUFFER, SHAPE, STRIDES = 4, 5, 6  # the places of these words of an array
+NUMBERS = (types.Float, types.Integer, types.Boolean)
+
+
+class Lean(CPUContext):
+    """numba's way to write code, but for what this module writes."""
+
+    def get_function(self, function: Any, signature: Any, _firstcall: bool = True) -> Any:
+        """What writes the code of a call."""
+        ours = written(function, signature)
+        if ours is None:
+            return NUMBA.get_function(self, function, signature, _firstcall)
+        return functools.partial(ours, self, signature)
+
+
+def written(function: Any, signature: Any) -> Any:
+    """What of this module writes the code of a call; None if nothing does."""
+    args = signature.args
+    if function == "getiter" and args[0] == types.range_state64_type:
+        return begun
+    if function == "iternext" and args[0] == types.range_iter64_type:
+        return next_one
+    if isinstance(function, types.Function):
+        for key, fits, ours in CALLS:
+            if function.typing_key is key and fits(signature):
+                return ours
+    return None
+
+
+def names_element(array: Any, index: Any) -> bool:
+    """Whether an index names one number of an array."""
+    if not (isinstance(array, types.Array) and array.layout in "CA" and array.aligned):
+        return False
+    kinds = index.types if isinstance(index, TUPLE) else (index,)
+    return (
+        isinstance(array.dtype, NUMBERS)
+        and len(kinds) == array.ndim
+        and all(isinstance(kind, types.Integer) for kind in kinds)
+    )
+
+
+def place_of(context: Any, builder: Any, kinds: Any, array: Any, index: Any) -> Any:
+    """The code for where an element is; negative indices count from the end."""
+    many = kinds[1].types if isinstance(kinds[1], TUPLE) else (kinds[1],)
+    given = CODE.unpack_tuple(builder, index) if isinstance(kinds[1], TUPLE) else [index]
+    at: Any = None
+    for axis, (kind, value) in enumerate(zip(many, given, strict=True)):
+        here = context.cast(builder, value, kind, types.intp)
+        if kind.signed and not (isinstance(kind, types.Literal) and kind.literal_value >= 0):
+            size = builder.extract_value(array, [SHAPE, axis])
+            negative = builder.icmp_signed("<", here, here.type(0))
+            here = builder.select(negative, builder.add(size, here), here)
+        if kinds[0].layout == "A":
+            here = builder.mul(here, builder.extract_value(array, [STRIDES, axis]))
+        elif at is not None:
+            at = builder.mul(at, builder.extract_value(array, [SHAPE, axis]))
+        at = here if at is None else builder.add(at, here)
+    data = builder.extract_value(array, BUFFER)
+    if kinds[0].layout == "A":
+        return CODE.pointer_add(builder, data, at)
+    return builder.gep(data, [at])
+
+
+def element(context: Any, signature: Any, builder: Any, args: Any, loc: Any = None) -> Any:
+    """array[index]."""
+    place = place_of(context, builder, signature.args, *args)
+    return context.unpack_value(builder, signature.args[0].dtype, place)
+
+
+def set_element(context: Any, signature: Any, builder: Any, args: Any, loc: Any = None) -> None:
+    """array[index] = value."""
+    kind = signature.args[0].dtype
+    value = context.cast(builder, args[2], signature.args[2], kind)
+    place = place_of(context, builder, signature.args, *args[:2])
+    context.pack_value(builder, kind, value, place)
+
+
+def length(context: Any, signature: Any, builder: Any, args: Any, loc: Any = None) -> Any:
+    """len(array)."""
+    return builder.extract_value(args[0], [SHAPE, 0])
+
+
+def together(builder: Any, kind: Any, *values: Any) -> Any:
+    """A structure of values."""
+    whole = ir.Constant(kind, ir.Undefined)
+    for place, value in enumerate(values):
+        whole = builder.insert_value(whole, value, place)
+    return whole
+
+
+def counted(context: Any, signature: Any, builder: Any, args: Any, loc: Any = None) -> Any:
+    """range(last) or range(first, last)."""
+    word = args[0].type
+    first = word(0) if len(args) == 1 else args[0]
+    kind = context.get_value_type(signature.return_type)
+    return together(builder, kind, first, args[-1], word(1))
+
+
+def begun(context: Any, signature: Any, builder: Any, args: Any, loc: Any = None) -> Any:
+    """What counts along a range; numba's where the steps may be others than one."""
+    last = args[0]
+    if not (isinstance(last, ir.instructions.InsertValue) and steps_by_one(last)):
+        return NUMBA.get_function(context, "getiter", signature)(builder, args)
+    first, end = (builder.extract_value(last, place) for place in (0, 1))
+    with builder.goto_entry_block():
+        now, left = builder.alloca(first.type), builder.alloca(first.type)
+    builder.store(first, now)
+    some = builder.icmp_signed(">", end, first)
+    builder.store(builder.select(some, builder.sub(end, first), first.type(0)), left)
+    return together(
+        builder, context.get_value_type(signature.return_type), now, end, first.type(1), left
+    )
+
+
+def steps_by_one(made: Any) -> bool:
+    """Whether the last word that was put into a range is one."""
+    step = made.operands[1]
+    return list(made.indices) == [2] and isinstance(step, ir.Constant) and step.constant == 1
+
+
+def next_one(context: Any, signature: Any, builder: Any, args: Any, loc: Any = None) -> Any:
+    """The next number of a range, and whether there was one."""
+    now, step, left = (builder.extract_value(args[0], place) for place in (0, 2, 3))
+    count, value = builder.load(left), builder.load(now)
+    there = builder.icmp_signed(">", count, count.type(0))
+    builder.store(builder.sub(count, count.type(1), flags=["nsw"]), left)
+    builder.store(builder.add(value, step), now)
+    return together(builder, context.get_value_type(signature.return_type), value, there)
+
+
+CALLS: tuple[Any, ...] = (
+    (range, lambda s: len(s.args) < 3 and s.return_type == types.range_state64_type, counted),
+    (len, lambda s: isinstance(s.args[0], types.Array) and s.args[0].ndim, length),
+    (operator.getitem, lambda s: names_element(*s.args), element),
+    (
+        operator.setitem,
+        lambda s: names_element(*s.args[:2]) and isinstance(s.args[2], NUMBERS),
+        set_element,
+    ),
+)

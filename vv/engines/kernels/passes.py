@@ -1,0 +1,144 @@
+"""The passes by which numba compiles functions of kernels: its own, less those that find nothing.
+
+Functions of kernels hold no closures, comprehensions of arrays, `with`, raises of values found at
+run time, nor loops over tuples of several types.
+"""
+
+from __future__ import annotations
+
+import operator
+from typing import Any
+
+from numba.core import compiler, typed_passes, types, untyped_passes
+from numba.core.compiler_machinery import FunctionPass, PassManager, register_pass
+from numba.core.errors import NumbaTypeError
+
+SCALARS = (types.Integer, types.Float, types.Boolean, types.IntegerLiteral, types.BooleanLiteral)
+ARITHMETIC = frozenset(
+    {operator.add, operator.sub, operator.mul, operator.truediv, operator.neg,
+     operator.iadd, operator.isub, operator.imul, operator.itruediv,
+     operator.lt, operator.le, operator.gt, operator.ge, operator.eq, operator.ne}
+)  # fmt: skip
+
+
+class Settled(compiler.Flags):
+    """Flags that numba compares hundreds of times a function: what they are is worked out once."""
+
+    def __init__(self, copy_from: Any = None) -> None:
+        super().__init__(copy_from)  # type: ignore[no-untyped-call]
+        self._seen: Any = None
+
+    def values(self) -> Any:
+        """All options and their values."""
+        now = tuple(self._values.items())
+        if self._seen is None or self._seen[0] != now:
+            self._seen = now, super().values()  # type: ignore[no-untyped-call]
+        return self._seen[1]
+
+    def __eq__(self, other: object) -> bool:
+        if isinstance(other, Settled) and self._values == other._values:
+            return True
+        return bool(super().__eq__(other))  # type: ignore[no-untyped-call]
+
+    __hash__ = compiler.Flags.__hash__
+
+
+class Remembering:
+    """numba's typing context, which remembers the types of arithmetic and of elements of arrays."""
+
+    def __init__(self, context: Any, known: dict[Any, Any]) -> None:
+        self._context, self._known = context, known
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(self._context, name)
+
+    def resolve_function_type(self, function: Any, args: Any, keywords: Any) -> Any:
+        """The signature of a call."""
+        if keywords or not plain(function, args):
+            return self._context.resolve_function_type(function, args, keywords)
+        key = (function, *args)
+        if key not in self._known:
+            self._known[key] = self._context.resolve_function_type(function, args, keywords)
+        return self._known[key]
+
+    def resolve_getitem(self, target: Any, index: Any) -> Any:
+        """The signature of reading an element."""
+        return self._resolved("resolve_getitem", (target, index))
+
+    def resolve_setitem(self, target: Any, index: Any, value: Any) -> Any:
+        """The signature of setting an element."""
+        return self._resolved("resolve_setitem", (target, index, value))
+
+    def _resolved(self, how: str, args: Any) -> Any:
+        key = (how, *args)
+        if key not in self._known:
+            self._known[key] = getattr(self._context, how)(*args)
+        return self._known[key]
+
+
+def plain(function: Any, args: Any) -> bool:
+    """Whether a call is arithmetic of numbers, or reads an element of an array."""
+    if not isinstance(function, types.Function):
+        return False
+    if function.typing_key in ARITHMETIC:
+        return all(isinstance(arg, SCALARS) for arg in args)
+    return function.typing_key is operator.getitem and isinstance(args[0], types.Array)
+
+
+KNOWN: dict[Any, Any] = {}
+
+
+@register_pass(mutates_CFG=True, analysis_only=False)  # type: ignore[no-untyped-call]
+class Types(FunctionPass):
+    """Find the types of all variables; see that what counts no references is handed none."""
+
+    _name = "types"
+
+    def __init__(self) -> None:
+        FunctionPass.__init__(self)  # type: ignore[no-untyped-call]
+
+    def run_pass(self, state: Any) -> bool:
+        context = state.typingctx
+        state.typingctx = Remembering(context, KNOWN)
+        try:
+            inference: Any = typed_passes.NopythonTypeInference()  # type: ignore[no-untyped-call]
+            inference.run_pass(state)
+        finally:
+            state.typingctx = context
+        if not state.flags.nrt:
+            refuse_gifts(state)
+        return True
+
+
+def refuse_gifts(state: Any) -> None:
+    """Raise NumbaTypeError if a function that counts no references is returned one by another."""
+    for call, signature in state.calltypes.items():
+        gift = getattr(signature, "return_type", None)
+        if getattr(call, "op", None) != "call" or gift is None:
+            continue
+        called = state.typemap[call.func.name]
+        model = state.targetctx.data_model_manager[gift]
+        if isinstance(called, types.Dispatcher) and model.contains_nrt_meminfo():
+            raise NumbaTypeError(
+                f"{state.func_id.func_qualname} is lent arrays, but is given one by {called}: "
+                "nobody would free it"
+            )
+
+
+def front_end(name: str) -> Any:
+    """All passes before code is written."""
+    manager: Any = PassManager(name)  # type: ignore[no-untyped-call]
+    for made in (
+        untyped_passes.TranslateByteCode,
+        untyped_passes.FixupArgs,
+        untyped_passes.IRProcessing,
+        untyped_passes.DeadBranchPrune,
+        untyped_passes.GenericRewrites,
+        untyped_passes.ReconstructSSA,
+        Types,
+        typed_passes.PreLowerStripPhis,
+        typed_passes.IRLegalization,
+        typed_passes.AnnotateTypes,
+    ):
+        manager.add_pass(made, made.__name__)
+    return manager
