@@ -184,4 +184,4 @@ def test_each_part_is_linked_once() -> None:
     make: Any = Part
     one, two = make(made, "one"), make(made, "two")
     one._linking_libraries, two._linking_libraries = [two], [one]
-    assert list(linked([one, two], set())) == [one, two]
+    assert linked([one, two]) == [one, two]

@@ -8,7 +8,6 @@ only linked; a `Whole`, which can be called from Python, links each of its parts
 from __future__ import annotations
 
 import gc
-from collections.abc import Iterator
 from typing import Any
 
 from llvmlite import ir
@@ -55,7 +54,7 @@ class Part(codegen.JITCodeLibrary):
         self._ensure_finalized()
         if self._shared_module is None:
             self._shared_module = self._final_module.clone()
-            for library in linked(self._linking_libraries, set()):
+            for library in linked(self._linking_libraries):
                 self._shared_module.link_in(module_of(library), preserve=True)
         return self._shared_module
 
@@ -64,15 +63,8 @@ class Whole(codegen.JITCodeLibrary):
     """A function that becomes machine code, together with all its parts."""
 
     def finalize(self) -> None:
-        """Link each part once, then do what numba does; that alone where threads share work.
-
-        What threads run is linked by numba before, and must not be once more.
-        """
-        libraries = list(linked(self._linking_libraries, set()))
-        if any(calls_parts(library) for library in libraries if not isinstance(library, Part)):
-            super().finalize()
-            return
-        for library in libraries:
+        """Link each part once, then do what numba does."""
+        for library in linked(self._linking_libraries):
             self._reload_init.update(library._reload_init)
             self._final_module.link_in(module_of(library), preserve=True)
         self._linking_libraries = []
@@ -107,19 +99,24 @@ def plain_call(described: Any, library: Part) -> Any:
     return made
 
 
-def linked(libraries: list[Any], seen: set[Any]) -> Iterator[Any]:
-    """Libraries, and those that parts among them link, each once."""
+def linked(libraries: list[Any]) -> list[Any]:
+    """Libraries, and those that parts among them call, each once and after all that call it.
+
+    A function that nobody needs as it is linked is left out, for good.
+    """
+    found: dict[Any, None] = {}
+    entered = set()
+
+    def enter(library: Any) -> None:
+        if library not in entered:
+            entered.add(library)
+            for called in library._linking_libraries if isinstance(library, Part) else ():
+                enter(called)
+            found[library] = None
+
     for library in libraries:
-        if library not in seen:
-            seen.add(library)
-            yield library
-            if isinstance(library, Part):
-                yield from linked(library._linking_libraries, seen)
-
-
-def calls_parts(library: Any) -> bool:
-    """Whether a library is a part, or calls any."""
-    return isinstance(library, Part) or any(map(calls_parts, library._linking_libraries))
+        enter(library)
+    return [*reversed(found)]
 
 
 def module_of(library: Any) -> Any:
