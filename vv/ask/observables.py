@@ -21,7 +21,7 @@ class Velocity:
 
 @dataclass(frozen=True)
 class Reaction:
-    """Observable: the force of the locks of its translations on a body, (3,) per time [N]."""
+    """Observable: the force on a body of the locks of its translations, (3,) per time [N]."""
 
     body: int
 

@@ -45,10 +45,10 @@ class Model:
 
 @dataclass(frozen=True)
 class Ledger:
-    """The energy balance of a run: terms at its end [J] by name, and what no term explains.
+    """The energy balance of a run: its summands at the end [J] by name, and what they leave.
 
-    unaccounted: the largest |sum of terms - initial energy| over the run [J]; peak: the largest
-    energy stored [J]; bound: the limit that the scheme promises for unaccounted, or None.
+    terms: name -> energy or work; unaccounted: the largest |sum of them - initial energy| over
+    the run [J]; peak: the largest energy stored [J]; bound: the limit that the scheme promises for unaccounted, or None.
     audits: name of a law (momentum, Coulomb, penetration) -> (largest violation, violation
     allowed).
     """

@@ -1,4 +1,4 @@
-"""The words to declare a benchmark: cases, variants, studies, quantities, judges, tolerances.
+"""What a benchmark is declared with: cases, variants, studies, quantities, judges, tolerances.
 
 May import: base, scene, ask.
 """

@@ -16,9 +16,9 @@ from vv.scene import Vector
 
 @dataclass(frozen=True, eq=False)
 class Motion:
-    """An observable [unit] along axes (d, 3), and its exact course: path(t (k,) [s]) -> (k, d).
+    """An observable [unit] along axes (d, 3), and its exact history: path(t (k,) [s]) -> (k, d).
 
-    times: (k,) [s], at which the size of the exact course is taken.
+    times: (k,) [s], at which the largest norm of the exact history is looked for.
     """
 
     observable: Observable

@@ -112,7 +112,7 @@ Judge = Exact | Interval | Invariant | Shown
 
 
 def judge_for_method(judge: Judge, method: Method) -> Judge:
-    """How a quantity with that judge is judged in a method: not, where it has no tolerance."""
+    """The judge for a class of method: Shown, where `judge` has no tolerance for that class."""
     if not isinstance(judge, Exact):
         return judge
     untold = "" if method in judge.tolerances else f"no tolerance for what is {method.value}"

@@ -1,4 +1,4 @@
-"""Quantities that are computed from a run and judged: a series over time, a number, a count."""
+"""Quantities that are computed from a run and judged: Series over time, Scalar, Count."""
 
 from __future__ import annotations
 

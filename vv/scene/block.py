@@ -30,7 +30,7 @@ class Block:
     outside; mass [kg]; inertia: (3, 3) about the centroid [kg m2]; velocity, spin: (3,)
     [m/s, 1/s]; load: (3,) dead load at the centroid [N]. free, free_spin: (3,) booleans, the free
     translations and rotations along the scene's axes. In a plane scene a block is a prism that
-    is free in the plane only.
+    can move in the plane only.
 
     elastic: None for a rigid block. Otherwise the block strains uniformly (Shi 1992: u is linear
     in x) along the directions in which it is free, with no strain at t = 0 and no stress along

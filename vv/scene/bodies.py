@@ -18,8 +18,8 @@ class Spheres:
     position, velocity, spin: (n, 3) [m, m/s, 1/s]; radius, mass, inertia: (n,)
     [m, kg, kg m2]; load: (n, 3) dead loads, constant in time and direction [N].
     free, free_spin: (n, 3) booleans, the translations and rotations along the scene's axes that
-    are free; along a locked direction a sphere keeps its initial velocity. The mass is never
-    derived from the radius. Raises ValueError naming the field and the value that is wrong.
+    are free; along a locked direction a sphere keeps its initial velocity. The mass is given and
+    never derived from the radius. Raises ValueError naming the field and the value that is wrong.
     """
 
     position: Vector

@@ -4,7 +4,7 @@ import enum
 
 
 class Form(enum.Enum):
-    """A term of the energy balance [J]; the value is the phrase shown to people.
+    """One summand of the energy balance [J]; the value is the phrase shown to people.
 
     Energy that the scene holds or has lost is positive, work done on it is negative, so that the
     sum of all forms is constant in time.
@@ -14,7 +14,7 @@ class Form(enum.Enum):
     NORMAL = "normal elastic"
     SHEAR = "shear elastic"
     FRICTION = "friction dissipation"
-    DRAG = "drag dissipation"  # by viscous contacts, too
+    DRAG = "drag dissipation"  # drag by viscous contacts included
     GRAVITY = "gravity potential"
     LOAD = "load potential"
     SHAKING = "less work of shaking"
@@ -33,7 +33,7 @@ _HEAT = frozenset((Form.FRICTION, Form.DRAG, Form.BROKEN_NORMAL, Form.BROKEN_SHE
 
 
 class Loss(enum.Enum):
-    """What a method dissipates beside the forms of its scene, which can only grow either."""
+    """What a method dissipates besides the forms of its scene; these losses too can only grow."""
 
     NUMERICAL = "numerical dissipation"
     KINETIC_DAMPING = "kinetic damping dissipation"
