@@ -14,7 +14,7 @@ from vv.records.finding import Bit
 
 BAD = {
     "run": "name a case or say --all",
-    "run fal": "no case 'fal'; did you mean fall?",
+    "run fal": "no case or family 'fal'; did you mean fall?",
     "run fall:upp": "no variant 'upp'; did you mean up?",
     "run fall --codes ,": "--codes ',' names no code",
     "run fall --codes fke": "no code 'fke'; did you mean fake",
@@ -26,12 +26,12 @@ BAD = {
     "gate fall --timeout -1": "it must be positive",
     "accept fall": "--reason is missing",
     "diff x": "there are no runs to compare",
-    "history nothing": "no case 'nothing'",
+    "history nothing": "no case or family 'nothing'",
     "run fall --set radius=-0.1": "Spheres.radius[0] = -0.1 m; radii must be positive",
     "run fall --set speed=nan": "speed = nan m/s; it must be finite",
     "run fall --set speed=inf": "speed = inf m/s; it must be finite",
     "run fall --set sped=1": "fall has no parameter 'sped'; did you mean speed?",
-    "run fall --set speed=5kg": "speed = 5 'kg': not convertible to m/s",
+    "run fall --set speed=5kg": "speed = 5 'kg': not a unit that converts to m/s",
     "run fall --set speed=fast": "speed = 'fast': not a number",
     "run fall --set speed": "it must read NAME=VALUE[UNIT]",
     "run fall --rung dt=-1": "dt = -1.0 s; a knob must be positive",
@@ -42,7 +42,7 @@ BAD = {
     "run fall --level huge": "'huge' is not one of",
     "run fall --timeout 0": "--timeout = 0.0 s; it must be positive",
     "rnu": "No such command 'rnu'",
-    "explain nothing": "no case 'nothing'",
+    "explain nothing": "no case or family 'nothing'",
     "export fall --code fake/good": "'fall' names 2 variants; export takes one",
     "report": "there is no run yet",
 }
@@ -73,7 +73,7 @@ def test_the_last_line_counts_outcomes_and_says_where_to_look(tiny: Tiny) -> Non
     codes = "fake/good,fake/coarse,fake/refuses"
     done = tiny.vv("run", "fall:up", "--codes", codes, "--level", "quick")
     report = tiny.root / ".vv" / "report.html"
-    line = f"1 pass, 1 fail, 1 refused; report: {report}; why: vv explain CASE"
+    line = f"1 pass, 1 fail, 1 refused; report: {report}; details: vv explain CASE"
     assert done.stdout.splitlines()[-1] == line
     assert report.is_file()
     assert done.returncode == 0  # a failure is the gate's to judge

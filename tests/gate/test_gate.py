@@ -112,7 +112,7 @@ def test_only_results_that_are_right_are_accepted(tiny: Tiny) -> None:
     assert tiny.vv("accept", "fal", "--reason", "x").returncode == Bit.USAGE
     tiny.edit("adapters/fake.py", '"killed", "hangs", ', "")
     said = accept(tiny)
-    assert "not accepted: 6 of fake/coarse: fail" in said
+    assert "not in the baseline: 6 of fake/coarse: fail" in said
     schemes = {name.split()[1] for name in baseline(tiny)["results"]}
     assert "fake/good" in schemes
     assert schemes.isdisjoint({"fake/coarse", "fake/zeros", "fake/nan", "fake/copies"})

@@ -30,7 +30,7 @@ def accept(
     case: Annotated[str, typer.Argument(metavar="CASE", help="The case whose results to accept.")],
     reason: Reason = "",
     timing: Annotated[
-        bool, typer.Option("--timing", help="Time anew and accept the ratios too.")
+        bool, typer.Option("--timing", help="Time the codes anew and accept their speeds too.")
     ] = False,
     dry_run: Annotated[bool, typer.Option("--dry-run", help="Only show the difference.")] = False,
 ) -> None:
@@ -73,16 +73,19 @@ def accept(
     path = folder / f"{case}.json"
     write_whole(path, render(new).encode())
     terminal.say(f"{len(new.results)} results in {path}")
-    terminal.say(f"what runs and what is refused, in {answers.accept(project, case)}")
+    terminal.say(f"which schemes run it, and why others refuse, in {answers.accept(project, case)}")
 
 
 def record(
     selection: options.Selection = None,
     codes: Annotated[
-        str, typer.Option("--codes", metavar="CODES", help="External codes; all if not given.")
+        str,
+        typer.Option(
+            "--codes", metavar="CODES", help="External codes, CODE,...; all if not given."
+        ),
     ] = "*",
 ) -> None:
-    """Write down results of external codes, to be shown where these are not installed."""
+    """Store results of external codes with the cases, to be shown where these are not installed."""
     from vv.cli import invocation
     from vv.gate import recorded
     from vv.gate.all_checks import recorded_of
@@ -143,7 +146,9 @@ def _both_levels(project: Project, selection: list[str] | str | None, codes: str
 
 def _writable(project: Project) -> None:
     if project.bundled:
-        raise UsageError("the cases that came with vv stay as they are; copy them to a project")
+        raise UsageError(
+            "the cases that came with vv cannot be written to; work in a project of your own"
+        )
 
 
 def _circumstances(manifest: Manifest) -> Circumstances:

@@ -21,10 +21,11 @@ def export(
     rungs: options.Rungs = None,
     settings: options.Sets = None,
     output: Annotated[
-        Path | None, typer.Option("--output", help="The file; else standard output.")
+        Path | None,
+        typer.Option("--output", help="The file to write; standard output if not given."),
     ] = None,
 ) -> None:
-    """Write the native script or deck of one variant for one code; it runs alone."""
+    """Write the input of one variant for one code: a script or deck that can be run by itself."""
     from vv.plan.plan import Options, make_plan
     from vv.plan.selection import choose_schemes, named_adapters, select
 

@@ -29,12 +29,12 @@ def gate(
         Path | None,
         typer.Option(
             metavar="DIR",
-            help="Baselines that every result must be in; if not given, those of the project, "
-            "where a result without one is only noted.",
+            help="Folder of baselines; a result that is not in them is an error. If not "
+            "given: those of the project, and a result that is not in them is only noted.",
         ),
     ] = None,
     timing: Annotated[
-        bool, typer.Option("--timing", help="Time anew and enforce speed too.")
+        bool, typer.Option("--timing", help="Time the codes anew and judge speed too.")
     ] = False,
     fresh: options.Fresh = False,
     jobs: options.Jobs = 0,
@@ -45,7 +45,10 @@ def gate(
     ] = None,
     json_file: options.JsonFile = None,
 ) -> None:
-    """Run what is not stored and judge it: every exit bit counts. `vv report` shows it all."""
+    """Run what is not stored and judge all results: the exit status sums up what is wrong.
+
+    `vv report` writes the report of it.
+    """
     from vv.cli import invocation
     from vv.gate.judgement import judgement
     from vv.output.result_lines import print_findings

@@ -18,13 +18,13 @@ from vv.store.store import Store
 if TYPE_CHECKING:
     from vv.run.session import Limits
 
-LATER = "vv report"  # what writes the report of an invocation that leaves it
+LATER = "vv report"  # what writes the report where a command does not
 
 
 def answered(
     project: Project, asked: tuple[object, ...], make_plan: Callable[[], Plan], limits: Limits
 ) -> Manifest:
-    """As `carried_out`, but an invocation that stands unchanged is answered with its manifest.
+    """As `carried_out`, but if nothing has changed since the same call, its manifest is returned.
 
     asked: frozen data that the plan is made of. How many processes may be used, and where else
     results are to be written, does not decide them.
@@ -51,7 +51,7 @@ def answered(
 
 
 def carried_out(project: Project, plan: Plan, limits: Limits) -> Manifest:
-    """Carry out a plan and show how far it is; returns the manifest."""
+    """Carry out a plan and show the progress; returns the manifest."""
     from vv.run.session import carry_out
 
     with progress(len(plan.jobs)) as shown:
@@ -61,7 +61,7 @@ def carried_out(project: Project, plan: Plan, limits: Limits) -> Manifest:
 def reported(project: Project, manifest: Manifest, limits: Limits) -> Path:
     """Write the report, with all figures where everything that should be was timed.
 
-    One that lies there as it was left is not made again.
+    A report that is already there and still belongs to the manifest is not written again.
     """
     from vv.run import reuse
     from vv.run.session import MEASURED

@@ -22,7 +22,9 @@ Selection = Annotated[
 ]
 Codes = Annotated[
     str,
-    typer.Option("--codes", metavar="CODES", help="CODE[/SCHEME],... to ask; all if not given."),
+    typer.Option(
+        "--codes", metavar="CODES", help="Codes to run, CODE[/SCHEME],...; all if not given."
+    ),
 ]
 Required = Annotated[
     str, typer.Option("--require", metavar="CODES", help="Codes whose absence is an error.")
@@ -33,14 +35,21 @@ Sets = Annotated[
 ]
 Rungs = Annotated[
     list[str] | None,
-    typer.Option("--rung", metavar="dt=..[,kn=..]", help="Use these knobs; repeatable."),
+    typer.Option(
+        "--rung",
+        metavar="dt=..[,kn=..]",
+        help="Run at this setting only, dt in s and kn in N/m; repeatable.",
+    ),
 ]
 Levels = Annotated[Level, typer.Option("--level", help="How much of each case to run.")]
-Jobs = Annotated[int, typer.Option("--jobs", min=0, help="Processes; 0: one a core.")]
-Fresh = Annotated[bool, typer.Option("--fresh", help="Use nothing stored.")]
-Timeout = Annotated[float, typer.Option("--timeout", help="Seconds for a job.")]
+Jobs = Annotated[
+    int, typer.Option("--jobs", min=0, help="Number of processes; 0 means one per core.")
+]
+Fresh = Annotated[bool, typer.Option("--fresh", help="Run all again, without the stored results.")]
+Timeout = Annotated[float, typer.Option("--timeout", help="Seconds that one job may take.")]
 JsonFile = Annotated[
-    Path | None, typer.Option("--json", metavar="FILE", help="Write all records, with series.")
+    Path | None,
+    typer.Option("--json", metavar="FILE", help="Write all records, histories included, as JSON."),
 ]
 
 

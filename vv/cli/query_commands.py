@@ -33,13 +33,13 @@ def list_codes() -> None:
 
 def report(
     run_name: Annotated[
-        str, typer.Argument(metavar="[RUN]", help="A run's name; the latest.")
+        str, typer.Argument(metavar="[RUN]", help="A run's name; the latest if not given.")
     ] = "",
     output: Annotated[Path | None, typer.Option("--output", help="The file to write.")] = None,
     show: Annotated[bool, typer.Option("--open", help="Open it in a browser.")] = False,
     csv: Annotated[
         Path | None,
-        typer.Option("--csv", metavar="FILE", help="Write its results as a table, too."),
+        typer.Option("--csv", metavar="FILE", help="Also write its results as a table."),
     ] = None,
 ) -> None:
     """Write the report of a past run."""
@@ -67,7 +67,7 @@ def report(
 
 
 def explain(selection: Annotated[list[str], typer.Argument(help="CASE or CASE:VARIANT.")]) -> None:
-    """Say what a case is: formula, source, parameters, mapping into codes, tolerances, result."""
+    """Explain a case: source, formula, parameters, tolerances, mapping into codes, results."""
     from vv.output.explain import print_explanation
     from vv.plan.plan import Options, make_plan
     from vv.store.store import Store
@@ -81,8 +81,12 @@ def diff(
     one: Annotated[
         str, typer.Argument(metavar="A", help="A run's name, or a commit as git knows it.")
     ],
-    other: Annotated[str, typer.Argument(metavar="B", help="Another; the latest run.")] = "",
-    rows: Annotated[int, typer.Option("--rows", min=1, help="Lines of each kind.")] = 15,
+    other: Annotated[
+        str, typer.Argument(metavar="B", help="Another run or commit; the latest run if not given.")
+    ] = "",
+    rows: Annotated[
+        int, typer.Option("--rows", min=1, help="At most so many lines for each kind of change.")
+    ] = 15,
 ) -> None:
     """Compare two runs, or the last runs of two commits: outcome, error, order, cost."""
     from vv.insight import compare
@@ -104,7 +108,7 @@ def diff(
 def history(
     case: Annotated[str, typer.Argument(metavar="CASE", help="The case to look at.")],
 ) -> None:
-    """Show error over tolerance and relative cost of a case over the last commits."""
+    """Show errors over tolerances, and relative costs, of a case over the last commits."""
     from vv.insight.history import history as read
     from vv.output.result_lines import print_history
     from vv.plan.selection import select

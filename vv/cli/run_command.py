@@ -26,7 +26,7 @@ PAST = 10  # manifests that a budget looks at
 
 @dataclass(frozen=True)
 class Narrowing:
-    """What of a plan is wanted only: --failed, --since and --budget; false if all of it is."""
+    """Options that select part of a plan: --failed, --since, --budget; false if none is given."""
 
     failed: bool
     since: str
@@ -38,15 +38,20 @@ class Narrowing:
 
 def run(
     selection: options.Selection = None,
-    everything: Annotated[bool, typer.Option("--all", help="Every case, with timing.")] = False,
+    everything: Annotated[
+        bool, typer.Option("--all", help="Run every case, and time those that ask for it.")
+    ] = False,
     failed: Annotated[
-        bool, typer.Option("--failed", help="Only what did not do well in the last run.")
+        bool, typer.Option("--failed", help="Only what failed in the last run.")
     ] = False,
     since: Annotated[
-        str, typer.Option(metavar="REV", help="Only what changes since a commit can affect.")
+        str, typer.Option(metavar="REV", help="Only what the changes since this commit can affect.")
     ] = "",
     budget: Annotated[
-        str, typer.Option(metavar="60s", help="Only the most telling jobs that fit this time.")
+        str,
+        typer.Option(
+            metavar="60s", help="Only as many jobs as fit this time, the most informative first."
+        ),
     ] = "",
     codes: options.Codes = "*",
     require: options.Required = "",
@@ -56,10 +61,14 @@ def run(
     jobs: options.Jobs = 0,
     fresh: options.Fresh = False,
     timeout: options.Timeout = options.TIMEOUT,
-    dry_run: Annotated[bool, typer.Option("--dry-run", help="Say what would run.")] = False,
+    dry_run: Annotated[bool, typer.Option("--dry-run", help="Only list what would run.")] = False,
     json_file: options.JsonFile = None,
 ) -> None:
-    """Run cases in codes and write the report; exits non-zero if something could not run."""
+    """Run cases in codes and write the report.
+
+    Exits with 0 even if results are wrong, which `vv gate` judges; non-zero if a code crashed,
+    diverged, hung or is required and missing.
+    """
     from vv.cli import invocation
     from vv.plan.plan import Options
     from vv.store.store import Store
@@ -142,7 +151,7 @@ def _last(store: Store) -> Manifest:
 
 
 def _rungs_that_failed(last: Manifest) -> tuple[Knobs, ...]:
-    """The knobs of what did not do well: they need not be of the level asked for."""
+    """The knobs of what failed: they need not belong to the level asked for."""
     from vv.run.narrowing import troubled_records
 
     return tuple(dict.fromkeys(record.rung for record in troubled_records(last)))

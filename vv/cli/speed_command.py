@@ -29,12 +29,13 @@ def speed(
     jobs: options.Jobs = 0,
     timeout: options.Timeout = options.TIMEOUT,
     json_file: Annotated[
-        Path | None, typer.Option("--json", metavar="FILE", help="Write all that is shown.")
+        Path | None,
+        typer.Option("--json", metavar="FILE", help="Write all that is shown, as JSON."),
     ] = None,
 ) -> None:
-    """Time the cases that ask for it, and say what an error costs in each code.
+    """Time the cases that ask for it, and show what CPU time each code needs for what error.
 
-    At level paper all that is selected is timed, which takes minutes.
+    At level paper everything selected is timed, which takes minutes.
     """
     from vv.cli import invocation
     from vv.gate.judgement import RUN_BITS, exit_bits

@@ -107,8 +107,9 @@ def indicative(every: Sequence[Effort]) -> Iterator[str]:
         here = [e for e in every if (e.case, e.variant) == place]
         wide = max(len(e.label) for e in here)
         yield (
-            f"\n{place[0]}:{place[1]}: not timed; errors, and indicative seconds of runs "
-            "beside others, elapsed where a code states no more: no ground for ratios"
+            f"\n{place[0]}:{place[1]}: not timed; errors, and indicative seconds, "
+            "measured while other jobs ran: do not form ratios of them; the last column is the "
+            "order in dt"
         )
         for one in here:
             rungs = "; ".join(map(_indicative, one.points))

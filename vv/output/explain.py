@@ -1,4 +1,4 @@
-"""What people are told of a case: formula, parameters, tolerances, mapping, last results."""
+"""What `vv explain` prints of a case: formula, parameters, tolerances, mapping, last results."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from vv.records.quantity import MeasuredQuantity
 
 
 def print_explanation(plan: Plan, manifests: Iterable[Manifest]) -> None:
-    """All there is to know of the planned variants, and their last results."""
+    """Explain the planned variants, and show their last results."""
     results = _last_results(manifests)
     for name, case in plan.cases.items():
         doi = f", doi:{case.source.doi}" if case.source.doi else ""

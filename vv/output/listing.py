@@ -49,6 +49,6 @@ def print_codes(adapters: Sequence[Adapter]) -> None:
             say(f"  to install: {found.how_to_install}")
         for scheme in adapter.schemes:
             knobs = ", ".join(scheme.knobs) or "none"
-            lowered = [f"; {m.value} with {t.value}" for t, m in scheme.lowered.items()]
+            lowered = [f"; {m.value} in scenes with {t.value}" for t, m in scheme.lowered.items()]
             how = f"[{scheme.method.value}{''.join(lowered)}; knobs: {knobs}]"
             say(f"  {adapter.name}/{scheme.name}: {scheme.summary} {how}")

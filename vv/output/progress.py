@@ -1,4 +1,4 @@
-"""How far an invocation is: a bar on a terminal, plain lines elsewhere."""
+"""Shows how far an invocation has got: a bar on a terminal, plain lines elsewhere."""
 
 from __future__ import annotations
 

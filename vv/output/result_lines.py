@@ -1,4 +1,4 @@
-"""Prints what an invocation came to: counts, what was refused, what failed, what changed."""
+"""Prints the results of an invocation: counts, refusals, failures, changes."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def print_refusals(records: Iterable[Record]) -> None:
         note(f"{reason} ({times} times)" if times > 1 else reason)
     if len(reasons) > REASONS:
         rest = len(reasons) - REASONS
-        note(f"and {rest} more reasons to refuse; the report has them all")
+        note(f"and {rest} more reasons; the report has them all")
 
 
 def print_failures(findings: Sequence[Finding]) -> None:
@@ -50,11 +50,11 @@ def print_counts(records: Iterable[Record], report: str) -> None:
 
     report: its path, or what writes it.
     """
-    say(f"{listed(counted(records))}; report: {report}; why: vv explain CASE")
+    say(f"{listed(counted(records))}; report: {report}; details: vv explain CASE")
 
 
 def print_findings(findings: Sequence[Finding]) -> None:
-    """The verdict of a gate: its colour, then what is red, worst first, and what is new."""
+    """The findings of a gate, red ones first and worst first, and then its colour."""
     from vv.output.markdown import headline
 
     ranked = worst_first(findings)
@@ -79,7 +79,7 @@ def print_unacceptable(records: Iterable[Record]) -> None:
     """Which results do not enter a baseline, counted by scheme and outcome."""
     counts = Counter((record.label, outcome(record)) for record in records)
     for (scheme, came), number in counts.items():
-        say(f"not accepted: {number} of {scheme}: {in_words(came, number)}")
+        say(f"not in the baseline: {number} of {scheme}: {in_words(came, number)}")
 
 
 def print_changes(changes: Sequence[Change], one: Manifest, other: Manifest, rows: int) -> None:

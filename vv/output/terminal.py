@@ -1,4 +1,4 @@
-"""Prints lines: what was asked for on standard output, what stands beside it on standard error."""
+"""Prints lines: results on standard output, progress, notes and errors on standard error."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ def say(text: str) -> None:
 
 
 def note(text: str) -> None:
-    """Print a line beside what was asked for, which may be going down a pipe."""
+    """Print a line on standard error, so that results on standard output can be piped."""
     print(text, file=sys.stderr, flush=True)
 
 

@@ -116,7 +116,9 @@ def _project(root: Path) -> Project:
         if lacking:
             raise ProjectError(f"{root} is no project: it has no {lacking[0]}")
     elif not any((root / Path(name).parent).is_dir() for name in REQUIRED):
-        raise ProjectError(f"{root} is no project: it has neither cases/ nor adapters/")
+        raise ProjectError(
+            f"{root} is no project: it has neither cases/ nor adapters/; make one of them"
+        )
     return project
 
 

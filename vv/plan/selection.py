@@ -34,7 +34,7 @@ def _matching_variants(project: Project, pattern: str) -> dict[str, list[str]]:
     hits = [n for n, f in families.items() if fnmatch.filter((n, f), case_pattern)]
     if not hits:
         every = {*families, *families.values()}
-        raise UsageError(f"no case '{case_pattern}'{name_hint(case_pattern, every)}")
+        raise UsageError(f"no case or family '{case_pattern}'{name_hint(case_pattern, every)}")
     known = {name: [v.name for v in project.load_case(name).variants] for name in hits}
     found = {name: fnmatch.filter(own, variant_pattern or "*") for name, own in known.items()}
     if not any(found.values()):

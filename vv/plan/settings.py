@@ -56,18 +56,18 @@ def _converted(value: float, unit: str, parameter: Parameter) -> float:
     except (pint.PintError, ValueError, TypeError, AttributeError, AssertionError) as error:
         target = parameter.unit or "a plain number"
         raise UsageError(
-            f"{parameter.name} = {value:g} '{unit}': not convertible to {target}"
+            f"{parameter.name} = {value:g} '{unit}': not a unit that converts to {target}"
         ) from error
 
 
 def name_hint(name: str, known: Iterable[str]) -> str:
-    """The end of an error message: the known names similar to `name`, or all of them."""
+    """The end of an error message: known names that are similar to `name`, else all known names."""
     names = sorted(set(known))
     by_folded = {n.lower(): n for n in names}
     close = difflib.get_close_matches(name.lower(), by_folded, n=2, cutoff=0.6)
     if close:
         return f"; did you mean {' or '.join(by_folded[c] for c in close)}?"
-    return f"; there is {', '.join(names)}" if names else "; there is none"
+    return f"; known: {', '.join(names)}" if names else "; there is none"
 
 
 def parse_knobs(text: str) -> Knobs:
@@ -77,9 +77,13 @@ def parse_knobs(text: str) -> Knobs:
         name, equals, value = part.partition("=")
         match = NUMBER.fullmatch(value)
         if not equals or name.strip() not in KNOBS:
-            raise UsageError(f"--rung {text}: it must read dt=SECONDS or dt=SECONDS,kn=N/M")
+            raise UsageError(
+                f"--rung {text}: it must read dt=SECONDS, kn=N/M, or dt=SECONDS,kn=N/M"
+            )
         if match is None or match[2]:
-            raise UsageError(f"--rung {text}: {name} = '{value}' is not a plain number")
+            raise UsageError(
+                f"--rung {text}: {name} = '{value}' is not a plain number, in SI units"
+            )
         if name.strip() in values:
             raise UsageError(f"--rung {text}: {name} is given twice; repeat --rung instead")
         values[name.strip()] = float(match[1])
