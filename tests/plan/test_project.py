@@ -192,7 +192,7 @@ def test_cases_and_adapters_are_loaded_by_name(root: Path) -> None:
     ("text", "message"),
     [
         ("", "free_fall.py has no CASE; it must end in CASE = ..."),
-        ("CASE = 1", "free_fall.py: CASE is a int; it must be a vv.case.Case"),
+        ("CASE = 1", "free_fall.py: CASE is of type int; it must be a vv.case.Case"),
         (CASE.format("free_fall"), "CASE.name = 'free_fall'; it must be 'free-fall'"),
         ("x = 1\nimport nowhere", "free_fall.py:2: ModuleNotFoundError: No module named 'nowhere'"),
         ("x = 1\nx = = 2", "free_fall.py:2: SyntaxError: invalid syntax"),

@@ -48,9 +48,9 @@ class Ledger:
     """The energy balance of a run: its summands at the end [J] by name, and what they leave.
 
     terms: name -> energy or work; unaccounted: the largest |sum of them - initial energy| over
-    the run [J]; peak: the largest energy stored [J]; bound: the limit that the scheme promises for unaccounted, or None.
-    audits: name of a law (momentum, Coulomb, penetration) -> (largest violation, violation
-    allowed).
+    the run [J]; peak: the largest energy stored [J]; bound: the limit that the scheme promises for
+    unaccounted, or None. audits: name of a law (momentum, Coulomb, penetration) -> (largest
+    violation, violation allowed).
     """
 
     terms: Mapping[str, float]

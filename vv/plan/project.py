@@ -72,7 +72,7 @@ class Project:
         case = imports.attribute(self.roots, file, "CASE")
         if not isinstance(case, Case):
             raise ProjectError(
-                f"{file}: CASE is a {type(case).__name__}; it must be a vv.case.Case"
+                f"{file}: CASE is of type {type(case).__name__}; it must be a vv.case.Case"
             )
         _agree(file, "CASE", case.name, name)
         return case
