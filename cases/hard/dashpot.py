@@ -71,12 +71,12 @@ def _apart(variant: str, kind: type[Displacement] | type[Velocity], run: Run) ->
 def _declare(variant: str, p: Parameters) -> Trial:
     law = {name: p[name] for name in ("m", "kn", "z")}
     unit, lasting = math.sqrt(p["m"] / p["kn"]), dashpot.lasting(**law)
-    judge = _judge(p["z"], unit)
+    judge = _judge(p["z"], unit, _late(p["z"], unit))
     away, speed = (functools.partial(_apart, variant, kind) for kind in (Displacement, Velocity))
     returned = Scalar(
         "restitution", "e", "", "speed after the contact over that before",
         lambda run: float(speed(run)[-1]) / p["v"], dashpot.restitution(p["z"]),
-        dashpot.restitution(p["z"]), judge,
+        dashpot.restitution(p["z"]), _judge(p["z"], unit, _less_back(p["z"], unit)),
     )  # fmt: skip
     lasted = Scalar(
         "lasting", "tc", "s", "time for which the contact force acts, from the outputs",
@@ -104,7 +104,7 @@ def _lasted(times: Vector, speed: Vector) -> float:
     return float(times[last[0] : last[0] + 2].mean()) if len(last) else math.nan
 
 
-def _judge(z: float, unit: float) -> Exact:
+def _judge(z: float, unit: float, first_order: Tolerance) -> Exact:
     """unit: 1/w [s]; all errors are in parts of the largest height, or of the restitution."""
     step, quick = STEPS[0], 2 * max(z, LIGHT)
     return Exact({
@@ -114,13 +114,29 @@ def _judge(z: float, unit: float) -> Exact:
             "(w dt)^2 for the swing and its end; viscous force is 2 z times as quick as the swing",
             dt=step * unit, order=2,
         ),
-        Method.FIRST_ORDER: Tolerance(
-            quick * step,
-            "the viscous force is that of half a step before, and begins half a step late where it "
-            "jumps: each causes an error of z w dt",
-            dt=step * unit, order=1,
-        ),
+        Method.FIRST_ORDER: first_order,
     })  # fmt: skip
+
+
+def _late(z: float, unit: float) -> Tolerance:
+    """Of the path, for a viscous force half a step late; unit: 1/w [s]."""
+    return Tolerance(
+        math.pi / 2 * max(z, LIGHT) * STEPS[0],
+        "a viscous force from half a step before acts as if the mass were m (1 - z w dt): the "
+        "contact, pi/w long at most, ends earlier by z w dt/2 of that",
+        dt=STEPS[0] * unit, order=1,
+    )  # fmt: skip
+
+
+def _less_back(z: float, unit: float) -> Tolerance:
+    """Of the restitution, for the same; unit: 1/w [s]."""
+    step = STEPS[0]
+    return Tolerance(
+        math.pi / 2 * z**2 * step + step**2,
+        "with a mass of m (1 - z w dt), z is larger by z w dt/2 of itself, and log e falls by no "
+        "more than pi for each of z; beside (w dt)^2 for the swing and its end",
+        dt=step * unit, order=1,
+    )  # fmt: skip
 
 
 def _balance(unit: float) -> Scalar:

@@ -4,9 +4,13 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+import numpy as np
+
 from adapters.yade.given import Given, Plan
-from adapters.yade.setup import POLYHEDRA, Setup
-from vv.scene import Spheres, Wall
+from adapters.yade.setup import LEAST_GAP, POLYHEDRA, Setup
+from vv.scene import Scene, Spheres, Vector, Wall
+from vv.scene.neighbours import overlapping
+from vv.scene.start import unbonded
 
 
 def friction(given: Given, setup: Setup) -> Given:
@@ -25,9 +29,40 @@ def friction(given: Given, setup: Setup) -> Given:
 
 
 def viscosity(given: Given, setup: Setup) -> Given:
-    """A dashpot along the normal of contacts."""
+    """A dashpot along the normal of contacts, which acts in YADE's first step on what touches."""
     note = "viscous contacts by ViscElMat, which never pull, from the velocity half a step ago"
-    return given.with_more(note, eta_n=float(setup.scene.contact.eta_n))
+    force = initial_viscous_forces(setup.scene)
+    return given.with_more(note, force=force, eta_n=float(setup.scene.contact.eta_n))
+
+
+def initial_viscous_forces(scene: Scene) -> Vector:
+    """The (n, 3) forces [N] of dashpots on the spheres as they start, beside those of springs.
+
+    A contact pushes with max(0, kn U + eta_n U'). What touches without overlap is a contact where
+    YADE makes one: of a sphere on a wall always, of two if rounding leaves them an overlap. Walls
+    that move do so from the end of its first step.
+    """
+    spheres, force = scene.spheres, np.zeros((len(scene.spheres), 3))
+    for wall in scene.walls:
+        depth = spheres.radius - (spheres.position - wall.point) @ wall.normal
+        push = _damping(scene, depth, -(spheres.velocity @ wall.normal))
+        force += np.where(depth >= 0, push, 0.0)[:, None] * wall.normal
+    i, j = unbonded(scene, overlapping(spheres, -LEAST_GAP)).T
+    offset, reach = spheres.position[j] - spheres.position[i], spheres.radius[i] + spheres.radius[j]
+    squared = np.einsum("ij,ij->i", offset, offset)
+    distance = np.sqrt(squared)
+    normal = offset / distance[:, None]
+    closing = np.einsum("ij,ij->i", spheres.velocity[i] - spheres.velocity[j], normal)
+    push = np.where(squared < reach**2, _damping(scene, reach - distance, closing), 0.0)
+    np.add.at(force, j, push[:, None] * normal)
+    np.add.at(force, i, -push[:, None] * normal)
+    return force
+
+
+def _damping(scene: Scene, depth: Vector, closing: Vector) -> Vector:
+    """The force [N] of a contact beside its spring, by overlap [m] and its rate [m/s], (k,)."""
+    elastic = scene.contact.kn * np.maximum(depth, 0.0)
+    return np.asarray(np.maximum(scene.contact.eta_n * closing, -elastic))
 
 
 def charged(given: Given, setup: Setup) -> Given:

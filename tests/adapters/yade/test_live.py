@@ -13,6 +13,8 @@ import pytest
 
 from adapters.yade import ADAPTER
 from adapters.yade.installed import PYTHON
+from cases.hard.dashpot import CASE as DASHPOT
+from reference_solutions.contact import dashpot
 from tests.scenes.sliding_blocks import responding
 from tests.support import live_asks
 from tests.support.installed import only_with
@@ -32,6 +34,7 @@ from tests.support.live_asks import (
     rolling,
 )
 from vv.ask import Ask, Displacement, History, Knobs
+from vv.case import Scalar
 from vv.scene import Contact, Scene, rotated, rotation_about_z, with_bodies_reversed
 
 HERE = ADAPTER.found()
@@ -160,3 +163,15 @@ def test_an_exported_script_slides_a_block_alone_to_the_same_bits(
     printed = np.array([line.split() for line in output.splitlines() if line[:1].isdigit()], float)
     assert (printed[:, 1:] == run.values[Displacement(1)]).all()  # its frame is that of the scene
     assert np.abs(printed[-1, 1:]).max() > 0.01
+
+
+@pytest.mark.parametrize("variant", ["z-0.1", "z-0.6", "pair-0.6"])
+def test_a_dashpot_that_acts_from_the_start_returns_what_half_a_step_of_lag_leaves(
+    variant: str, tmp_path: Path
+) -> None:
+    p = DASHPOT.defaults(variant)
+    trial = DASHPOT.declare(variant, p)
+    (run,) = ran([trial.study.ask(Knobs(dt=2e-5))], "default", tmp_path)
+    (back,) = (q for q in trial.quantities if isinstance(q, Scalar) and q.name == "restitution")
+    lag = np.pi / 2 * p["z"] ** 2 * 0.02
+    assert abs(back.observe(run) / dashpot.restitution(p["z"]) - 1) < lag

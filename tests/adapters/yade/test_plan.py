@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ast
+import dataclasses
 import json
 
 import numpy as np
@@ -14,7 +15,7 @@ from adapters.yade import ADAPTER
 from adapters.yade.terms.walls import wall_body
 from tests.support.adapter_asks import DT, FREE, UP, ball, ball_ask, case_ask
 from tests.support.yade_asks import HALF_STEP, PLAIN, plan_of, sphere_of
-from vv.scene import Harmonic, Wall, rotation_about_z
+from vv.scene import Contact, Harmonic, Spheres, Wall, rotation_about_z
 
 
 def test_velocities_start_half_a_step_early() -> None:
@@ -33,6 +34,25 @@ def test_a_push_gives_a_touching_sphere_the_speed_it_would_have_after_a_step(sch
     assert given["velocity"] == [0.0, 0.0, 0.0]
     after = early - eta * early / given["mass"] * DT
     assert given["push"][1] / given["mass"] * DT == pytest.approx(after, rel=1e-14)
+
+
+def early_on_dashpots(*bodies: Spheres | Wall) -> list[float]:
+    ask = ball_ask(*bodies, body=1)
+    viscous = dataclasses.replace(ask.scene, contact=Contact(1e6, eta_n=40.0))
+    return list(sphere_of(dataclasses.replace(ask, scene=viscous))["velocity"])
+
+
+def test_velocities_half_a_step_early_know_the_dashpots_of_what_touches() -> None:
+    falling = ball(position=[[0, 0.1, 0]], velocity=[[0, -3.0, 0]])
+    assert early_on_dashpots(UP, falling)[1] == pytest.approx(-3.0 - 40.0 * 3.0 / 2.0 * DT / 2)
+    meeting = ball(position=[[0.1999, 0, 0]], velocity=[[-3.0, 0, 0]])
+    push = 1e6 * 1e-4 + 40.0 * 3.0
+    assert early_on_dashpots(ball(), meeting)[0] == pytest.approx(-3.0 - push / 2.0 * DT / 2)
+
+
+def test_no_dashpot_pulls_at_the_start() -> None:
+    leaving = ball(position=[[0.1999, 0, 0]], velocity=[[30.0, 0, 0]])
+    assert early_on_dashpots(ball(), leaving)[0] == pytest.approx(30.0)
 
 
 def test_without_friction_or_overlap_nothing_is_pushed() -> None:
