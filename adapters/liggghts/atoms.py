@@ -7,9 +7,12 @@ from collections.abc import Iterator
 import numpy as np
 
 from adapters.liggghts.sections import Deck, Law
-from adapters.liggghts.setup import Setup
+from adapters.liggghts.setup import OVERLAPPED, Setup
 from adapters.liggghts.words import AXES, bounds, group, numbers, parts
-from vv.scene import Mask
+from vv.scene import Mask, Term
+from vv.scene.neighbours import overlapping
+
+STRAIGHT = 1e-12  # of the distance of two: less than that out of line is rounding
 
 
 def bare(setup: Setup) -> Deck:
@@ -33,12 +36,31 @@ def bare(setup: Setup) -> Deck:
 
 
 def _neighbours(setup: Setup) -> Iterator[str]:
-    """In a box far larger than the scene; sought anew when half the skin is used up."""
+    """In a box far larger than the scene; sought anew when half the skin is used up.
+
+    LIGGGHTS forgets the shear spring of a pair that parted only where it seeks neighbours, and
+    else hands it to the next contact of the pair: where there can be one, it seeks in every step.
+    """
     radius = float(setup.spheres.radius.max())
     longest = float((setup.room.outer[1] - setup.room.outer[0]).max())
     yield f"neighbor        {0.2 * radius!r} bin"
     # few bins for so large a box
-    yield f"neigh_modify    delay 0 binsize {max(2 * radius, longest / 20)!r}"
+    often = "every 1 check no " if meets_again(setup) else ""
+    yield f"neigh_modify    delay 0 {often}binsize {max(2 * radius, longest / 20)!r}"
+
+
+def meets_again(setup: Setup) -> bool:
+    """Whether spheres that rub may part and touch again: all but those that locks hold together."""
+    scene = setup.springs.scene
+    spheres = scene.spheres
+    if Term.FRICTION not in scene.terms() or setup.scheme == OVERLAPPED:
+        return False
+    i, j = overlapping(spheres).T
+    if len(i) < len(spheres) * (len(spheres) - 1) // 2:
+        return True
+    along = (spheres.position[j] - spheres.position[i]) @ scene.axes.T
+    along[np.abs(along) < STRAIGHT * np.abs(along).max(axis=1, initial=0.0, keepdims=True)] = 0.0
+    return bool(along[spheres.free[i] | spheres.free[j]].any())
 
 
 def _created(setup: Setup) -> Iterator[str]:

@@ -15,6 +15,7 @@ from adapters.liggghts.setup import set_up
 from adapters.liggghts.space import triangle
 from tests.support.adapter_asks import DT, UP, case_ask
 from tests.support.liggghts_asks import HALF_STEP, PLAIN, ball, ball_ask, deck_of, words
+from vv.ask import Ask
 from vv.scene import Contact, Harmonic, Wall, rotated, rotation_about_z
 from vv.standins.soften import acceleration_of
 
@@ -44,6 +45,17 @@ def test_kn_and_ks_are_the_springs_and_nothing_is_damped() -> None:
     assert text.count("tangential history") == 2
     assert text.count("tangential_damping off") == 2
     assert "history" not in silent_deck(set_up(case_ask("T1"), PLAIN))
+
+
+def test_neighbours_are_sought_in_every_step_only_where_spheres_that_rub_may_meet_again() -> None:
+    def sought(ask: Ask) -> list[str]:
+        return words(deck_of(ask, PLAIN), "neigh_modify")[0]
+
+    pair = ball_ask(ball(), ball(position=[[0.1, 0.2, 0.1]]))
+    smooth = dataclasses.replace(pair, scene=dataclasses.replace(pair.scene, contact=Contact(1e6)))
+    assert sought(pair)[:6] == ["delay", "0", "every", "1", "check", "no"]
+    for other in (smooth, ball_ask(ball()), case_ask("T3-rotated"), case_ask("T4")):
+        assert "every" not in sought(other)
 
 
 def test_ids_follow_the_order_of_spheres_and_locks_come_last() -> None:
