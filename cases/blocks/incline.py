@@ -69,6 +69,11 @@ def _declare(variant: str, p: Parameters) -> Trial:
     return Trial(Ladder(scene, goal, (BLOCK,), levels, timed), quantities)
 
 
+def _fall(p: Parameters) -> float:
+    """How far [m] it would fall freely: the scale of errors where friction holds the block."""
+    return 0.5 * p["g"] * p["duration"] ** 2
+
+
 def _down(p: Parameters, scene: Scene, goal: History) -> tuple[Quantity, ...]:
     """The motion along the dip."""
     names = ("alpha", "phi", "A", "f", "g", "v0")
@@ -81,6 +86,7 @@ def _down(p: Parameters, scene: Scene, goal: History) -> tuple[Quantity, ...]:
             observe=lambda run: np.asarray(run.values[BLOCK] @ scene.axes[0]),
             reference=functools.partial(incline.newmark, **{name: p[name] for name in names}),
             judge=Exact(TOLERANCES),
+            still=_fall(p),
         ),
     )
 
@@ -97,7 +103,7 @@ def _both(p: Parameters, scene: Scene, goal: History) -> tuple[Quantity, ...]:
     def path(t: Vector) -> Vector:
         return incline.two_directions(t, **drive, **law)
 
-    motion = Motion(BLOCK, scene.axes[:2], path, goal.times(None), "m")
+    motion = Motion(BLOCK, scene.axes[:2], path, goal.times(None), "m", _fall(p))
     turning = SWEPT if scene.unknowns() > len(scene.axes) else TURNING
     judge = Exact({**TOLERANCES, Method.SECOND_ORDER: turning})
     return (

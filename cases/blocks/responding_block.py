@@ -87,7 +87,8 @@ def _declare(variant: str, p: Parameters) -> Trial:
         _path(p),
         _directions(p),
     )
-    motion = Motion(BLOCK, np.eye(3)[:directions], path, goal.times(None), "m")
+    fall = 0.5 * p["g"] * p["duration"] ** 2  # the scale of errors where nothing drags the block
+    motion = Motion(BLOCK, np.eye(3)[:directions], path, goal.times(None), "m", fall)
     if variant == "map":
         return Trial(Ladder(_scene(variant, p), goal, (BLOCK,), MAP), (motion.distance(EXPLORED),))
     judge = Exact(_tolerances(p))

@@ -75,6 +75,7 @@ def _declare(variant: str, p: Parameters) -> Trial:
         observe=lambda run: np.asarray(run.values[WEDGE] @ scene.axes[0]),
         reference=functools.partial(wedge.slid, mu=_friction(p), **law),
         judge=_judge(p["xi"]),
+        still=0.5 * p["g"] * GOAL.duration**2,
     )
     return Trial(Ladder(scene, GOAL, (WEDGE,), LEVELS), (s,))
 

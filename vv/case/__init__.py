@@ -16,7 +16,7 @@ from vv.case.judges import (
     Tolerance,
     judge_for_method,
 )
-from vv.case.quantity import Count, Quantity, Scalar, Series, error_scale, evaluated
+from vv.case.quantity import Count, Quantity, Scalar, Series, at_rest, error_scale, evaluated
 from vv.case.study import (
     Grid,
     Ladder,
@@ -54,6 +54,7 @@ __all__ = [
     "Tolerance",
     "Trial",
     "Variant",
+    "at_rest",
     "error_scale",
     "evaluated",
     "judge_for_method",

@@ -10,7 +10,7 @@ import numpy as np
 
 from vv.ask import Bracket, Observable, Run
 from vv.case.judges import Judge
-from vv.case.quantity import Scalar, Series
+from vv.case.quantity import Scalar, Series, at_rest
 from vv.scene import Vector
 
 
@@ -18,7 +18,8 @@ from vv.scene import Vector
 class Motion:
     """An observable [unit] along axes (d, 3), and its exact history: path(t (k,) [s]) -> (k, d).
 
-    times: (k,) [s], at which the largest norm of the exact history is looked for.
+    times: (k,) [s], at which the largest norm of the exact history is looked for. still [unit]: a
+    size in place of that of a history without motion, as parameters may make it; see `Series`.
     """
 
     observable: Observable
@@ -26,11 +27,13 @@ class Motion:
     path: Callable[[Vector], Vector]
     times: Vector
     unit: str
+    still: float | None = None
 
     @functools.cached_property
     def size(self) -> float:
         """The scale of all errors: the largest norm of the exact vector over time."""
-        return float(np.linalg.norm(self.path(self.times), axis=1).max())
+        largest = float(np.linalg.norm(self.path(self.times), axis=1).max())
+        return self.still if self.still is not None and at_rest(largest, self.still) else largest
 
     def component(self, i: int, name: str, meaning: str, judge: Judge) -> Series:
         """The history along the i-th axis as a quantity."""
@@ -43,6 +46,7 @@ class Motion:
             reference=lambda t: self.path(t)[:, i],
             judge=judge,
             scale=lambda: self.size,
+            still=self.still,
         )
 
     def distance(self, judge: Judge) -> Scalar:

@@ -26,11 +26,20 @@ def error_scale(name: str, scale: Number) -> float:
     return size
 
 
+REST = 1e-12  # of the way that stands for none: a reference below it is rest, and its rounding
+
+
+def at_rest(largest: float, still: float | None) -> bool:
+    """Whether a reference of this largest size is none but for rounding; still: see `Series`."""
+    return largest == 0 or (still is not None and largest <= REST * still)
+
+
 @dataclass(frozen=True)
 class Series:
     """A quantity over time: observe(run) -> (k,) at run.times; reference(t (k,) [s]) -> (k,).
 
-    scale: what errors are relative to, needed if the reference may be zero throughout.
+    scale: what errors are relative to, in place of max|reference|. still: what they are relative to
+    where the reference is zero throughout, or rounding of `still`, as parameters may make it.
     """
 
     name: str
@@ -41,9 +50,12 @@ class Series:
     reference: Callable[[Vector], Vector] | None
     judge: Judge
     scale: Number | None = None
+    still: float | None = None
 
     def __post_init__(self) -> None:
         _require_answer(self.name, self.reference, self.judge)
+        if self.still is not None:
+            error_scale(self.name, self.still)
         if isinstance(self.judge, Interval):
             raise ValueError(f"quantity '{self.name}': a series cannot be judged by an interval")
         if self.scale is not None and not callable(self.scale):

@@ -22,6 +22,7 @@ from vv.case import (
     Scalar,
     Series,
     Shown,
+    at_rest,
     error_scale,
     evaluated,
     judge_for_method,
@@ -161,10 +162,12 @@ def _figures_of_series(run: Run, quantity: Series) -> _Figures:
         size = _finite(np.abs(value).max()) or 1.0
         return _Figures(scale=size, figures=figures, arrays=arrays)
     reference = np.asarray(quantity.reference(run.times), float)
-    scale = None if quantity.scale is None else error_scale(quantity.name, quantity.scale)
-    errors = _errors(value, reference, scale)
+    rests = at_rest(float(np.abs(reference).max()), quantity.still)
+    scale = quantity.still if rests and quantity.scale is None else quantity.scale
+    scale = None if scale is None else error_scale(quantity.name, scale)
+    errors = _errors(value, reference, scale, rests)
     note = "" if errors else "the reference is zero throughout, and the quantity states no scale"
-    if np.ptp(value) == 0 and np.ptp(reference) > 0:
+    if np.ptp(value) == 0 and np.ptp(reference) > 0 and not rests:
         note = "nothing moves, though the reference does"
     return _Figures(
         end=_finite(reference[-1]),
@@ -183,10 +186,12 @@ def _copied(arrays: Mapping[str, Vector], name: str) -> bool:
     return bool(same and np.ptp(value) > 0)
 
 
-def _errors(value: Vector, reference: Vector, scale: float | None) -> dict[Norm, float | None]:
-    """The errors by norm; against a reference of zeros only those that the scale gives."""
+def _errors(
+    value: Vector, reference: Vector, scale: float | None, rests: bool
+) -> dict[Norm, float | None]:
+    """The errors by norm; against a reference that rests only those that the scale gives."""
     errors: dict[Norm, float | None] = {}
-    if np.abs(reference).max() > 0:
+    if not rests:
         errors = {norm: _finite(f(value, reference)) for norm, f in NORMS.items()}
     if scale is not None:
         errors[Norm.MAX] = _finite(metrics.scaled_error(value, reference, scale))
