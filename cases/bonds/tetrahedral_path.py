@@ -43,6 +43,12 @@ def _declare(variant: str, p: Parameters) -> Trial:
         raise ValueError(f"rate = {p['rate']!r} 1/s; its size must be positive")
     if strain == 0:
         raise ValueError("strain = 0.0; E and nu are taken at strains, which must not be 0")
+    fastest = abs(strain) / (OUTPUTS * float(RUNGS[0].dt or 0.0))
+    if p["rate"] > fastest * (1 + 1e-9):
+        raise ValueError(
+            f"rate = {p['rate']!r} 1/s; it must not exceed {fastest:g}, at which the outputs, "
+            f"{OUTPUTS} to the largest strain, lie a step of {RUNGS[0].dt:g} s apart"
+        )
     rate = float(np.copysign(p["rate"], strain))
     nu = lattice_material.poissons_ratio(kn, p["gamma"] * kn)
     shape = np.where([[0.0, 0.0, 1.0]], CORNERS[0, 2] * (CORNERS > 0.1), -nu * CORNERS)

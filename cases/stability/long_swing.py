@@ -64,6 +64,8 @@ def _bonded(p: Parameters, m: float, amplitude: float) -> Scene:
 
 
 def _declare(variant: str, p: Parameters) -> Trial:
+    if p["v_a"] == 0:
+        raise ValueError("v_a = 0.0 m/s; the sphere must swing, and its speed not be 0")
     m = closed.mass(p["rho"], p["r"])
     w = math.sqrt(p["kn"] / m)
     scene = (_pressed if variant == "pressed" else _bonded)(p, m, abs(p["v_a"]) / w)

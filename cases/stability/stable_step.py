@@ -81,6 +81,11 @@ def _on_base(p: Parameters) -> Scene:
 
 
 def _declare(variant: str, p: Parameters) -> Trial:
+    for name, unit in (("ks", " N/m"), ("mu", "")) if variant in ("undamped", "viscous") else ():
+        if not p[name] > 0:
+            raise ValueError(
+                f"{name} = {p[name]!r}{unit}; it must be positive: a shear spring swings"
+            )
     return {"undamped": _undamped, "viscous": _viscous, "block": _block}.get(variant, _masses)(p)
 
 

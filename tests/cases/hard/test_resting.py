@@ -13,11 +13,11 @@ from cases.hard.resting import _held
 from reference_solutions.checks.contact import resting_lattice as lowest
 from reference_solutions.contact import resting_lattice as balanced
 from tests.support.turned_signs import caught, signs, turned
-from vv.ask import Knobs, Method, Run, Velocity
+from vv.ask import Knobs, Method, Run, Status, Velocity
 from vv.case import Level, Scalar, evaluated
 from vv.engines import dem
 from vv.plan.project import find
-from vv.records.record import measured
+from vv.records.record import checked, measured
 from vv.scene import Form, Vector
 
 CASE = find().load_case("resting")
@@ -87,6 +87,13 @@ def test_what_catches_wrong_signs_lets_unchanged_copies_pass() -> None:
 def test_a_sheet_of_nothing_is_refused() -> None:
     with pytest.raises(ValueError, match=r"n = 1, rows = 3; at least 2 spheres and 1 row"):
         balanced.packed(1, 3, 0.05)
+
+
+def test_smooth_spheres_that_may_turn_are_run() -> None:
+    for smooth in ({"ks": 0.0}, {"mu": 0.0}):
+        trial = CASE.declare("still", {**CASE.defaults("still"), **smooth})
+        ask = trial.study.ask(trial.study.rungs[Level.DEFAULT][0])
+        assert checked(dem.solve_default(ask), ask).status is Status.RAN
 
 
 def ran(variant: str) -> tuple[Run, dict[str, Scalar]]:

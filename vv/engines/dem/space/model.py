@@ -113,7 +113,8 @@ def space(scene: Scene, charged: Vector | None = None) -> Space:
     """The general model, without what the scene does not have.
 
     charged: friction (n, 3) [N] of each sphere with its wall, of which there is one, at t = 0.
-    Rotation is left out where no friction or bond can change it: no observable shows it.
+    Rotation is left out where no friction or bond can change it: no observable shows it, and of
+    spheres without spin nothing is lost.
     """
     spheres, contact, carried = scene.spheres, scene.contact, scene.locked_velocity
     moves: Mask = np.any([spheres.free, spheres.free_spin, carried != 0.0], axis=(0, 2))
@@ -160,7 +161,7 @@ def space(scene: Scene, charged: Vector | None = None) -> Space:
         Term.SPHERE_CONTACT: not touches,
         Term.WALL_CONTACT: walls is None,
         Term.FRICTION: not rubs,
-        Term.ROTATION: not turns,
+        Term.ROTATION: not turns and bool(spheres.spin.any()),
         Term.BASE_MOTION: base is None,
         Term.CONTACT_VISCOSITY: not viscous,
     }

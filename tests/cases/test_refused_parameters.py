@@ -1,0 +1,24 @@
+"""Claims that parameters which leave a case without an answer are refused with value and rule."""
+
+from __future__ import annotations
+
+import pytest
+
+from vv.plan.project import find
+
+
+@pytest.mark.parametrize(
+    ("case", "variant", "given", "words"),
+    [
+        ("long-swing", "bonded", {"v_a": 0.0}, "v_a = 0.0 m/s; the sphere must swing"),
+        ("stable-step", "undamped", {"mu": 0.0}, "mu = 0.0; it must be positive"),
+        ("stable-step", "viscous", {"ks": 0.0}, "ks = 0.0 N/m; it must be positive"),
+        ("tetrahedral-path", "out", {"rate": 2000.0}, "rate = 2000.0 1/s; it must not exceed 250"),
+    ],
+)
+def test_a_parameter_that_leaves_no_answer_is_refused(
+    case: str, variant: str, given: dict[str, float], words: str
+) -> None:
+    made = find().load_case(case)
+    with pytest.raises(ValueError, match=words):
+        made.declare(variant, {**made.defaults(variant), **given})
