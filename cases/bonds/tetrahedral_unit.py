@@ -43,10 +43,9 @@ ROUND = np.cross([0.0, 0.0, 1.0], OUT)
 EDGES = np.array([[0, 1], [0, 2], [0, 3], [1, 2], [2, 3], [3, 1]])
 BASE = np.array([[True, True, True], *[[True, True, False]] * 3])
 SEEN = tuple(Displacement(i) for i in range(4))
-REST = History(duration=6e-5, interval=6e-6)
-LONG = History(
-    duration=2.4e-4, interval=2.4e-5
-)  # rotation is damped only through the motion of the centres
+REST = 6e-5  # s, or a multiple of it that viscosity needs
+LONGER = 4  # times as long: rotation is damped only through the motion of the centres
+DECAYS = 22.0  # to a part of 3e-10 of what is thrown off balance
 SWING = History(duration=2e-6, interval=2e-8)
 
 
@@ -75,8 +74,31 @@ def _loaded(p: Parameters, turning: bool) -> Trial:
     load[0, 2] = fz
     scene = unit(p, p["eta"], free=BASE, load=load, free_spin=np.full((4, 3), turning))
     state = tetrahedral_unit.loaded(fz, kn=kn, ks=ks, d=d)
-    study = Ladder(scene, LONG if turning else REST, SEEN, _levels(2e-8))
+    duration = REST * _stretch(p, ks) * (LONGER if turning else 1)
+    study = Ladder(scene, History(duration, duration / 10), SEEN, _levels(2e-8))
     return Trial(study, _measured(kn, ks, d, state, fz))
+
+
+def _stretch(p: Parameters, ks: float) -> int:
+    """How many times REST the unit needs to come to rest: until its slowest mode has decayed.
+
+    Its modes under the load, by the rise of the top and the spread of the base: a mode of the rate
+    w decays as n - sqrt(n^2 - w^2), n = eta/(2 m), or as n where it swings.
+    """
+    if not (p["eta"] > 0 and p["m"] > 0 and p["kn"] > 0):
+        raise ValueError(
+            f"m = {p['m']!r} kg, kn = {p['kn']!r} N/m, eta = {p['eta']!r} N s/m; all must be "
+            "positive: without viscosity the unit does not come to rest"
+        )
+    along, across = np.array([[np.sqrt(2 / 3), np.sqrt(1 / 3)], [np.sqrt(1 / 3), -np.sqrt(2 / 3)]])
+    rim = np.array([0.0, np.sqrt(3)])
+    springs = ((p["kn"], along), (ks, across), (p["kn"], rim))
+    stiffness = sum((3 * k * np.outer(way, way) for k, way in springs), np.zeros((2, 2)))
+    moved = np.sqrt(p["m"] * np.array([1.0, 3.0]))
+    w2 = np.linalg.eigvalsh(stiffness / np.outer(moved, moved))
+    n = p["eta"] / (2 * p["m"])
+    slowest = float((w2 / (n + np.sqrt(np.maximum(n**2 - w2, 0.0)))).clip(max=n).min())
+    return max(1, int(np.ceil(DECAYS / slowest / REST)))
 
 
 def _measured(kn: float, ks: float, d: float, state: State, fz: float) -> tuple[Quantity, ...]:

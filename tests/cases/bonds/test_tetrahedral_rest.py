@@ -1,0 +1,33 @@
+"""Claims that the loaded unit is at rest when it is measured, whatever damps it."""
+
+from __future__ import annotations
+
+import pytest
+
+from vv.case import Level, Scalar, evaluated
+from vv.engines import dem
+from vv.plan.project import find
+
+CASE = find().load_case("tetrahedral-unit")
+
+
+@pytest.mark.parametrize("given", [{"m": 1e-3}, {"kn": 1e4}, {"eta": 0.2}, {"eta": 600.0}])
+def test_mass_stiffness_and_viscosity_do_not_enter_the_state_of_rest(
+    given: dict[str, float],
+) -> None:
+    trial = CASE.declare("pulled", {**CASE.defaults("pulled"), **given})
+    run = dem.solve_default(trial.study.ask(trial.study.rungs[Level.QUICK][0]))
+    (modulus,) = (q for q in trial.quantities if isinstance(q, Scalar) and q.name == "E")
+    assert modulus.reference is not None
+    assert modulus.observe(run) == pytest.approx(evaluated(modulus.reference), rel=2e-7)
+
+
+@pytest.mark.parametrize("variant", ["pulled", "gamma-0", "gamma-1-pressed", "turning"])
+def test_the_parameters_of_the_case_keep_their_durations(variant: str) -> None:
+    study = CASE.declare(variant, CASE.defaults(variant)).study
+    assert study.goal.duration == (2.4e-4 if variant == "turning" else 6e-5)
+
+
+def test_a_unit_that_nothing_brings_to_rest_is_refused() -> None:
+    with pytest.raises(ValueError, match=r"eta = 0\.0 N s/m; all must be positive"):
+        CASE.declare("pulled", {**CASE.defaults("pulled"), "eta": 0.0})
