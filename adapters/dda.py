@@ -69,7 +69,7 @@ SOLVERS = tuple(
     compiled(
         scheme,
         f"solve_{scheme.name}",
-        dda.refuses,
+        functools.partial(dda.refuses, formulation=FORMULATIONS[scheme.name]),
         functools.partial(dda.prepare, formulation=FORMULATIONS[scheme.name]),
     )
     for scheme in SCHEMES

@@ -8,7 +8,7 @@ import math
 import numpy as np
 import pytest
 
-from adapters.dda import FORMULATIONS
+from adapters.dda import ADAPTER, FORMULATIONS
 from reference_solutions.blocks import incline, responding_block
 from tests.scenes.dda_scenes import (
     G,
@@ -19,8 +19,9 @@ from tests.scenes.dda_scenes import (
     shaken,
     slope,
 )
-from vv.ask import History
+from vv.ask import History, Knobs
 from vv.engines.dda import DEFAULT, LAGGED, PUBLISHED, Formulation
+from vv.plan.project import find
 from vv.scene import Contact, Scene
 
 
@@ -185,3 +186,13 @@ def test_kinetic_damping_makes_displacement_vanish_with_the_step(dt: float, prin
     assert done.ledger.bound is not None
     assert done.ledger.unaccounted <= done.ledger.bound
     assert done.ledger.terms["kinetic damping dissipation"] > 0
+
+
+def test_a_block_that_would_slide_while_gravity_settles_it_is_refused() -> None:
+    case = find().load_case("incline")
+    for alpha, reason in ((33.0, "would slide for the 2 s of gravity alone"), (20.0, None)):
+        trial = case.declare("newmark-30", {**case.defaults("newmark-30"), "alpha": alpha})
+        ask = trial.study.ask(Knobs(1e-3, 1e8))
+        found = ADAPTER.refuses(ask, "published")
+        assert (reason in (found or "")) if reason else found is None
+        assert ADAPTER.refuses(ask, "default") is None

@@ -6,11 +6,14 @@ import numpy as np
 
 from vv.ask import Ask
 from vv.engines.blocks.checks import moves_where_locked, overlaps, undetermined
+from vv.engines.dda.formulation import DEFAULT, Formulation
 from vv.scene import Scene
 
+YIELDING = 1e-9  # of friction: what a pull may exceed it by and move nothing to speak of
 
-def refuses(ask: Ask) -> str | None:
-    """Why an ask cannot be run honestly; else None."""
+
+def refuses(ask: Ask, formulation: Formulation = DEFAULT) -> str | None:
+    """Why an ask cannot be run honestly by a formulation; else None."""
     dt, goal, scene = ask.knobs.dt, ask.goal, ask.scene
     rigid = not np.isfinite(scene.contact.kn)
     if dt is None:
@@ -25,7 +28,31 @@ def refuses(ask: Ask) -> str | None:
         return "Knobs.kn is None; a penalty scheme needs a stiffness for rigid contact"
     checks = (moves_where_locked, undetermined, _turns_its_strains_away)
     found = next((reason for check in checks if (reason := check(scene))), None)
-    return found or (overlaps(scene) if rigid else None)
+    found = found or (overlaps(scene) if rigid else None)
+    return found or (_slides_off(scene, formulation.settling) if formulation.settling else None)
+
+
+def settles(scene: Scene) -> bool:
+    """Whether gravity may act before t = 0: a drive waits, and all blocks are at rest."""
+    waits = scene.shaking is not None or any(wall.motion for wall in scene.walls)
+    return waits and not any(block.velocity.any() or block.spin.any() for block in scene.blocks)
+
+
+def _slides_off(scene: Scene, settling: float) -> str | None:
+    """How one block on one wall would slide in `settling` [s] of gravity before t = 0."""
+    if not settles(scene) or len(scene.blocks) != 1 or len(scene.walls) != 1:
+        return None
+    (block,), (wall,) = scene.blocks, scene.walls
+    pull = block.mass * scene.gravity + block.load
+    press = -float(pull @ wall.normal)
+    along = (scene.axes @ (pull + press * wall.normal)) * block.free
+    holds = scene.contact.mu * max(press, 0.0)
+    if np.linalg.norm(along) <= holds * (1 + YIELDING):
+        return None
+    return (
+        f"gravity pulls block '{block.name}' with {np.linalg.norm(along):.6g} N, and friction "
+        f"holds {holds:.6g} N: it would slide for the {settling:g} s of gravity alone before t = 0"
+    )
 
 
 def _turns_its_strains_away(scene: Scene) -> str | None:

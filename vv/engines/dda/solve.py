@@ -15,7 +15,7 @@ from vv.engines.dda.formulation import Formulation
 from vv.engines.dda.general.model import General
 from vv.engines.dda.limits import COULOMB, GAIN, MOMENTUM, REACH
 from vv.engines.dda.point.model import Sliding, sliding
-from vv.engines.dda.refusals import refuses
+from vv.engines.dda.refusals import refuses, settles
 from vv.engines.dda.springs import springs
 from vv.scene import Vector
 
@@ -79,10 +79,7 @@ class Program:
     @property
     def settling(self) -> int:
         """Steps of gravity before t = 0: none unless a drive waits and all blocks are at rest."""
-        scene = self.ask.scene
-        waits = scene.shaking is not None or any(wall.motion for wall in scene.walls)
-        rests = not any(block.velocity.any() or block.spin.any() for block in scene.blocks)
-        return round(self.formulation.settling / self.dt) if waits and rests else 0
+        return round(self.formulation.settling / self.dt) if settles(self.ask.scene) else 0
 
     def warm(self) -> None:
         """Load or compile the kernel for these arguments; no step is taken."""
