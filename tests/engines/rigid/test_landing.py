@@ -6,7 +6,9 @@ import numpy as np
 import pytest
 
 from tests.engines.rigid.test_motion import solved
-from tests.scenes.block_scenes import ACROSS, DOWN, FLOOR, IN_PLANE, box
+from tests.scenes.block_scenes import ACROSS, DOWN, FLOOR, HELD, IN_PLANE, G, box
+from vv.ask import Ask, Displacement, History, Knobs
+from vv.engines import rigid
 from vv.engines.rigid import Program
 from vv.scene import Contact, Scene
 
@@ -38,3 +40,17 @@ def test_where_a_toppled_column_lies_hangs_little_on_the_step() -> None:
     """Pushed out of the floor, it lay 2 mm apart."""
     lies = [toppled(2.0, dt).arguments[0][-1, 0, 0] for dt in (5e-3, 2e-3, 1e-3)]
     assert np.ptp(lies) <= 2e-4
+
+
+@pytest.mark.parametrize(("part", "height"), [(0.5, 1.0), (0.6, 1.2), (1.1, 2.2)])
+def test_a_step_beyond_half_a_flight_lifts_a_thrown_block_too_high(
+    part: float, height: float
+) -> None:
+    """A block whose spin is locked, for which no step is cut: it rises for a whole step."""
+    speed = 1.0  # m/s
+    thrown = box("thrown", [0, 0, 0.5], [0.5, 0.5, 0.5], velocity=[0, 0, speed], free_spin=HELD)
+    step = part * 2 * speed / G
+    scene = Scene((FLOOR, thrown), Contact(np.inf, mu=0.5), gravity=DOWN)
+    run = rigid.solve(Ask(scene, History(step, step), (Displacement(1),), Knobs(step)))
+    highest = run.values[Displacement(1)][:, 2].max() / (speed**2 / (2 * G))
+    assert highest == pytest.approx(height, rel=1e-6)
