@@ -7,6 +7,7 @@ from typing import Any
 import pytest
 
 from tests.support.fabricated import entry, record, requantified
+from vv.ask import Knobs
 from vv.base.errors import UsageError
 from vv.gate.disagreement import Disagreement, dated, judge, read_disagreements
 from vv.records.finding import bits
@@ -49,6 +50,15 @@ def test_a_failure_inside_its_bands_is_known() -> None:
 
 def test_a_pass_inside_a_band_that_reaches_below_the_tolerance_is_a_pass() -> None:
     assert verdicts(passing(1.9e-2)) == {Verdict.PASS}
+
+
+def test_an_entry_without_an_order_claims_none_and_its_errors_stay_as_the_step_changes() -> None:
+    known = Disagreement(**{**KNOWN, "order": None})
+    assert {known.band(Knobs(dt=dt)) for dt in (1e-2, 1e-3, 1e-4)} == {known.error}
+    records = ladder()
+    slope = {"order": (5.0, 5.5), "error": KNOWN["error"]}
+    assert verdicts(records, **slope) == {Verdict.FAIL}
+    assert Verdict.XFAIL in verdicts(records, order=None, error=KNOWN["error"])
 
 
 def test_a_band_moves_with_the_stiffness() -> None:
@@ -120,7 +130,8 @@ def test_an_entry_that_speaks_of_nothing_here_says_nothing() -> None:
         ("error = [2.0, 1.0]", "a band must not be empty"),
         ("error = [1e-3, 1.1e-2]", "within a factor of 10"),
         ("error = [0.05, 0.11]", r"must end at 0\.1"),
-        ("order = [-9, 9]", r"order = \[-9, 9\]; a band wider than 2\.5 excludes nothing"),
+        ("order = [-9, 9]", r"order = \[-9, 9\]; a band wider than 1\.5 excludes nothing"),
+        ("order = [-1.1, 1.1]", "excludes nothing"),
         ("reason = ' '", "reason is empty"),
         ("expires = 'soon'", "entry 1"),
     ],

@@ -24,7 +24,7 @@ from vv.records.rungs import Key, ladder, orders
 
 WARNING = 30  # days before an entry expires in which the gate says so
 WIDEST = 10.0  # largest over smallest error of a band: more than a decade says nothing
-BROADEST = 2.5  # width of a band of orders: codes are of order 0, 1 or 2, and one must be excluded
+BROADEST = 1.5  # width of a band of orders: of 0, 1 and 2, and of their negatives, two at most
 
 
 @dataclass(frozen=True)
@@ -36,7 +36,8 @@ class Disagreement:
     [N/m] of springs that stand in for rigid contact to others as kn**-softness. A band that
     reaches below the tolerance expects passes too. Refused is a band so wide that it excludes
     nothing, or that is moved with the step though its errors are such that no tolerance allows; a
-    figure that stays where it is may be as far off as it likes. expires: ISO date.
+    figure that stays where it is may be as far off as it likes. An entry without an order claims
+    none, and its errors stay where they are as the step changes. expires: ISO date.
     """
 
     code: str
@@ -47,14 +48,14 @@ class Disagreement:
     quantity: str
     dt: float
     error: tuple[float, float]
-    order: tuple[float, float]
     reason: str
     expires: str
+    order: tuple[float, float] | None = None
     kn: float | None = None
     softness: float = 0.0
 
     def __post_init__(self) -> None:
-        for name, (low, high) in (("error", self.error), ("order", self.order)):
+        for name, (low, high) in (("error", self.error), ("order", self.order or (0.0, 0.0))):
             if not low <= high:
                 raise ValueError(f"{name} = [{low:g}, {high:g}]; a band must not be empty")
         if not (self.dt > 0 and self.error[0] > 0):
@@ -71,6 +72,8 @@ class Disagreement:
             raise ValueError(
                 f"error = [{low:g}, {high:g}]; a band must end within a factor of {WIDEST:g}"
             )
+        if self.order is None:
+            return
         if high > LARGEST_TOLERANCE and any(self.order):
             raise ValueError(
                 f"error = [{low:g}, {high:g}] at dt = {self.dt:g} s; a band that is moved with the "
@@ -97,7 +100,8 @@ class Disagreement:
 
     def band(self, rung: Knobs) -> tuple[float, float]:
         """The least and the largest error expected at a rung."""
-        scale = float(((rung.dt or self.dt) / self.dt) ** (sum(self.order) / 2))
+        middle = sum(self.order) / 2 if self.order else 0.0
+        scale = float(((rung.dt or self.dt) / self.dt) ** middle)
         if self.kn and rung.kn:
             scale *= (self.kn / rung.kn) ** self.softness
         return self.error[0] * scale, self.error[1] * scale
@@ -168,7 +172,8 @@ def _turned(
     if record.modified:  # bands were measured at the case's own parameters
         in_band = one.error is not None and one.error <= max(LARGEST_TOLERANCE, high)
     slope = order.order if order else math.nan
-    in_order = order is None or known.order[0] <= slope <= known.order[1]
+    claimed = known.order
+    in_order = order is None or claimed is None or claimed[0] <= slope <= claimed[1]
     if one.verdict is Verdict.FAIL and in_band and in_order:
         return dataclasses.replace(one, verdict=Verdict.XFAIL, note=known.reason)
     what = f"order {slope:.3f}" if in_band else f"error {one.error}"
