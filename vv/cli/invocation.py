@@ -82,6 +82,7 @@ def print_summary(
 
         write_output(json_file, document(manifest, Store(project.data())).encode())
     result_lines.print_refusals(manifest.records)
+    result_lines.print_inert(manifest.records)
     result_lines.print_counts(manifest.records, report)
 
 

@@ -14,6 +14,8 @@ from vv.records.job_record import Record
 from vv.records.manifest import Manifest
 from vv.records.reading import tried
 
+INERT = ": inert, "  # as a plan words it in the note of a record
+
 if TYPE_CHECKING:
     from vv.insight.compare import Change
     from vv.insight.history import Point
@@ -43,6 +45,18 @@ def print_failures(findings: Sequence[Finding]) -> None:
         note(f"{finding.kind}: {finding.where}: {finding.text}")
     if len(found) > REASONS:
         note(f"and {len(found) - REASONS} more like these; the report has them all")
+
+
+def print_inert(records: Iterable[Record]) -> None:
+    """Say which parameters were changed that the exact answer does not contain."""
+    for text in dict.fromkeys(
+        f"{record.case}:{record.variant}: {part}"
+        for record in records
+        if record.modified and record.model is not None
+        for part in record.model.note.split("; ")
+        if INERT in part
+    ):
+        note(text)
 
 
 def print_counts(records: Iterable[Record], report: str) -> None:

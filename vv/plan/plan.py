@@ -44,12 +44,16 @@ class Options:
     rungs: tuple[Knobs, ...] = ()
 
 
+INERT = "inert, since the exact answer does not contain it: only a code's way there may change"
+
+
 @dataclass(frozen=True, eq=False)
 class Job:
     """One ask to one scheme, with the case and variant that it comes from.
 
     modified: whether parameters differ from their defaults. timed: whether timing sessions
-    measure it. settle(): the outcome, if it is known without running, or None.
+    measure it. settle(): the outcome, if it is known without running, or None. inert: which
+    changed parameters do not enter the exact answer, in words; empty if there are none.
     """
 
     case: str
@@ -62,6 +66,7 @@ class Job:
     ask: Ask
     timed: bool
     settle: Callable[[], Run | None]
+    inert: str = ""
 
     @functools.cached_property
     def settled(self) -> Run | None:
@@ -223,9 +228,19 @@ def _jobs(posed: _Declared, adapter: Adapter, scheme: Scheme, found: Found) -> l
             ask=posed.ask(knobs),
             timed=knobs in timed,
             settle=functools.partial(settle, posed, adapter, scheme, posed.ask(knobs), found),
+            inert=_changed_in_vain(posed),
         )
         for knobs in dict.fromkeys(project_knobs(knobs, scheme, own) for knobs in posed.rungs)
     ]
+
+
+def _changed_in_vain(posed: _Declared) -> str:
+    """Which parameters were changed that the exact answer does not contain, in words."""
+    usual = posed.case.defaults(posed.variant)
+    inert = posed.case.variant(posed.variant).inert
+    changed = [n for n, value in posed.parameters.items() if n in inert and value != usual[n]]
+    given = ", ".join(f"{name} = {posed.parameters[name]:g}" for name in changed)
+    return f"{given}: {INERT}" if changed else ""
 
 
 def _known_outcome(

@@ -16,7 +16,7 @@ from vv.gate.all_checks import GateOptions, judged
 from vv.plan import keys
 from vv.plan.plan import Job, Plan
 from vv.plan.project import Project
-from vv.records.job_record import JobCost, Record, RunSummary
+from vv.records.job_record import JobCost, ModelSummary, Record, RunSummary
 from vv.records.manifest import CodeFound, Manifest
 from vv.records.outcomes import StudyKind
 from vv.records.quantity import MeasuredQuantity
@@ -217,6 +217,13 @@ def _kept(plan: Plan, job: Job, run: Run, key: str, store: Store) -> Record:
     return _record(plan, job, key, summary)
 
 
+def _annotated(model: ModelSummary | None, inert: str) -> ModelSummary | None:
+    """The model with what is inert of the parameters that were changed in its note."""
+    if model is None or not inert:
+        return model
+    return dataclasses.replace(model, note=f"{model.note}; {inert}" if model.note else inert)
+
+
 def _record(plan: Plan, job: Job, key: str, run: RunSummary) -> Record:
     """What came of a job, with what it was; `key` leads to the arrays of its series."""
     return Record(
@@ -235,7 +242,7 @@ def _record(plan: Plan, job: Job, key: str, run: RunSummary) -> Record:
         reason=run.reason,
         cost=run.cost,
         steps=run.steps,
-        model=run.model,
+        model=_annotated(run.model, job.inert),
         ledger=run.ledger,
         quantities=run.quantities,
     )
