@@ -75,20 +75,22 @@ def _built(
         folder, series = store.root / "figures", functools.cache(store.series)
         drawing(lambda draw: page(manifest, series, draw, past, stamp), folder)
         view = page(manifest, series, functools.partial(drawn_before, folder=folder), past, stamp)
-        write_output(output, str(_template(store.templates()).render(page=view)).encode())
+        write_output(output, str(_template().render(page=view)).encode())
     return output
 
 
 @functools.cache
-def _template(folder: Path) -> Any:
-    """The page's template, compiled in a folder: text is escaped, a misspelt name is an error."""
+def _template() -> Any:
+    """The page's template: text is escaped, a misspelt name is an error.
+
+    It is compiled anew, in a tenth of a second: bytecode kept in a store would be run from there.
+    """
     import jinja2
 
     from reports import pieces, text
 
     environment = jinja2.Environment(
         loader=jinja2.FileSystemLoader(HERE / "templates"),
-        bytecode_cache=jinja2.FileSystemBytecodeCache(str(folder)),
         autoescape=True,
         undefined=jinja2.StrictUndefined,
         trim_blocks=True,

@@ -7,7 +7,6 @@ import subprocess
 import pytest
 
 from tests import ROOT
-from vv.engines.kernels.compiled import cache_folder
 
 FILES = ("docs/ci/github.yml", "docs/ci/gitlab.yml")
 
@@ -23,15 +22,15 @@ def test_both_run_the_same_targets_and_require_the_external_codes() -> None:
         assert "VV_REQUIRE: yade,liggghts" in (ROOT / file).read_text()
 
 
-def test_both_keep_the_kernels_where_a_checkout_has_them(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.delenv("VV_CACHE", raising=False)
-    kept = (
-        cache_folder(ROOT / "vv" / "engines" / "dem" / "line" / "kernel.py")
-        .parent.relative_to(ROOT)
-        .as_posix()
-    )
-    for file in FILES:
-        assert re.search(rf"^\s*(?:path:|-) {re.escape(kept)}$", (ROOT / file).read_text(), re.M)
+def test_both_keep_the_kernels_apart_from_results_and_from_pull_requests() -> None:
+    github, gitlab = ((ROOT / file).read_text() for file in FILES)
+    for text, root in ((github, "${{ github.workspace }}"), (gitlab, "$CI_PROJECT_DIR")):
+        assert f"VV_CACHE: {root}/.kernels" in text
+        assert re.search(r"^\s*(?:path:|-) \.kernels$", text, re.MULTILINE)
+        assert "chmod -R go-w .kernels" in text
+        assert not re.search(r"^\s*(?:path:|-) \.vv/?(numba)?$", text, re.MULTILINE)
+    assert "if: github.event_name == 'push'\n        uses: actions/cache" in github
+    assert "key: kernels-$CI_COMMIT_REF_PROTECTED" in gitlab
 
 
 @pytest.mark.skipif(not shutil.which("make"), reason="make is not installed")

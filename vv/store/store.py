@@ -178,12 +178,6 @@ class Store:
         (self.root / "scratch").mkdir(parents=True, exist_ok=True)
         return Path(tempfile.mkdtemp(dir=self.root / "scratch"))
 
-    def templates(self) -> Path:
-        """Where the report's templates are kept compiled."""
-        folder = self.root / "templates"
-        folder.mkdir(parents=True, exist_ok=True)
-        return folder
-
     def clear_scratch(self) -> None:
         """Remove what workers that failed, or were killed, left behind long ago."""
         for folder in (self.root / "scratch").glob("*"):

@@ -107,4 +107,5 @@ def test_the_cache_goes_where_it_is_told_and_else_where_it_can(
     assert cache_folder(KERNEL).is_relative_to(tmp_path / "chosen" / "numba")
     (tmp_path / "file").write_text("")
     monkeypatch.setenv("VV_CACHE", str(tmp_path / "file" / "under"))
-    assert not cache_folder(KERNEL).is_relative_to(tmp_path)
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "user"))
+    assert cache_folder(KERNEL).is_relative_to(tmp_path / "user" / "vv" / "numba")

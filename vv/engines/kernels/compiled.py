@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 import importlib
-import os
-import tempfile
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any, TypeVar, cast
 
@@ -13,6 +11,7 @@ import numba
 from numba.core.registry import cpu_target
 
 from vv.base.closure import import_closure, source_digest
+from vv.base.private_folder import cache_root
 from vv.engines.kernels.once import once
 from vv.engines.kernels.parts import PartCompiler, WholeCompiler
 
@@ -107,7 +106,7 @@ def cache_folder(source: Path) -> Path:
     numba checks only the file a kernel is in, not those of the functions it calls, and would go
     on using what was compiled before one of these was edited.
     """
-    return _writable_root() / "numba" / source_digest(kernel_sources(source, SOURCES))[:16]
+    return cache_root("numba") / source_digest(kernel_sources(source, SOURCES))[:16]
 
 
 def kernel_sources(source: Path, root: Path) -> list[Path]:
@@ -118,26 +117,3 @@ def kernel_sources(source: Path, root: Path) -> list[Path]:
     engines = root / "vv" / "engines"
     compiler = engines / "kernels" / HERE.name
     return [path for path in import_closure([source, compiler], [root]) if engines in path.parents]
-
-
-def _writable_root() -> Path:
-    """The first place that can be written to; raises OSError if there is none."""
-    for root in _roots():
-        try:
-            root.mkdir(parents=True, exist_ok=True)
-        except OSError:
-            continue
-        if os.access(root, os.W_OK):
-            return root
-    raise OSError("no folder for compiled kernels can be written to; set VV_CACHE to one")
-
-
-def _roots() -> Iterator[Path]:
-    """VV_CACHE, `.vv` of the checkout we are in, the user's cache, the temporary folder."""
-    if chosen := os.environ.get("VV_CACHE"):
-        yield Path(chosen)
-    checkout = SOURCES
-    if (checkout / "pyproject.toml").is_file():
-        yield checkout / ".vv"
-    yield Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache") / "vv"
-    yield Path(tempfile.gettempdir()) / "vv"

@@ -1,0 +1,14 @@
+"""Says on standard error what was passed over, once for each sentence."""
+
+from __future__ import annotations
+
+import functools
+import sys
+
+from vv.base.printable import one_line
+
+
+@functools.cache
+def notice(text: str) -> None:
+    """Print a line on standard error, the first time it is said."""
+    print(f"vv: {one_line(text)}", file=sys.stderr, flush=True)

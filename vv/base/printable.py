@@ -1,0 +1,34 @@
+"""Makes texts of unknown origin fit to be printed: control characters are shown, not obeyed.
+
+A program's output may hold sequences that steer a terminal, that end a line and forge the next
+one, or that no XML may contain; all that prints or writes for others asks here.
+"""
+
+from __future__ import annotations
+
+import re
+
+OBEYED = re.compile(  # controls, marks of direction, halves of pairs, and what is no character
+    "[\x00-\x08\x0b-\x1f\x7f-\x9f\u061c\u200e\u200f\u2028-\u202e\u2066-\u2069\ud800-\udfff"
+    "\ufeff\ufffe\uffff]"
+)
+LINE_ENDS = re.compile("[ \t]*[\r\n\v\f\x1c-\x1e\x85\u2028\u2029][\\s\x1c-\x1e]*")
+
+
+def printable(text: str) -> str:
+    """The text with each character that would be obeyed written as Python writes it, as \\x1b.
+
+    Tabs and ends of lines stay.
+    """
+    return text if text.isascii() and text.isprintable() else OBEYED.sub(_written, text)
+
+
+def one_line(text: str) -> str:
+    """As `printable`, in one line: ends of lines, with the blanks about them, become a blank."""
+    if text.isascii() and text.isprintable():
+        return text
+    return printable(LINE_ENDS.sub(" ", text).replace("\t", " "))
+
+
+def _written(character: re.Match[str]) -> str:
+    return character[0].encode("unicode_escape").decode()
