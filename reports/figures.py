@@ -20,7 +20,9 @@ from reports.maps import HeatMap, draw_map
 from reports.marks import Mark
 from vv.base.digest import digest
 from vv.base.files import write_whole
+from vv.base.notices import notice
 from vv.insight import stability_summary
+from vv.output.safe_svg import is_drawing
 
 SIZE = (4.7, 3.2)  # inches; a viewer scales it
 BOX = (0.145, 0.13, 0.83, 0.84)  # the axes: left, bottom, width, height of the figure
@@ -48,7 +50,7 @@ STYLE: dict[Any, Any] = {
 def draw_missing(charts: Iterable[Chart | HeatMap], folder: Path) -> None:
     """Put the SVG of each chart into the folder, on all cores, but for those that are there."""
     wanted = {f"{digest(chart, _sources())}.svg": chart for chart in charts}
-    missing = [(chart, folder / n) for n, chart in wanted.items() if not (folder / n).is_file()]
+    missing = [(chart, folder / n) for n, chart in wanted.items() if not _kept(folder / n)]
     if len(missing) < FEW:
         for chart, path in missing:
             _keep(chart, path)
@@ -65,8 +67,19 @@ def drawn_before(chart: Chart | HeatMap, folder: Path) -> str:
     """The SVG of a chart if the folder has it, else nothing."""
     if not folder.is_dir():
         return ""
-    path = folder / f"{digest(chart, _sources())}.svg"
-    return path.read_text(encoding="utf-8") if path.is_file() else ""
+    return _kept(folder / f"{digest(chart, _sources())}.svg")
+
+
+def _kept(path: Path) -> str:
+    """What is kept of a figure, if that is a drawing; else nothing, and it is removed."""
+    if not path.is_file():
+        return ""
+    text = path.read_text(encoding="utf-8", errors="replace")
+    if is_drawing(text):
+        return text
+    notice(f"{path}: no drawing of ours; it is removed, and `vv report` draws it anew")
+    path.unlink(missing_ok=True)
+    return ""
 
 
 @functools.cache

@@ -15,6 +15,7 @@ from reports.maps import HeatMap
 from reports.views import Page
 from vv.base import closure
 from vv.base.files import write_output
+from vv.base.printable import printable
 from vv.insight import history as histories
 from vv.insight.history import Point
 from vv.output.terminal import note
@@ -75,7 +76,7 @@ def _built(
         folder, series = store.root / "figures", functools.cache(store.series)
         drawing(lambda draw: page(manifest, series, draw, past, stamp), folder)
         view = page(manifest, series, functools.partial(drawn_before, folder=folder), past, stamp)
-        write_output(output, str(_template().render(page=view)).encode())
+        write_output(output, printable(str(_template().render(page=view))).encode())
     return output
 
 

@@ -29,8 +29,10 @@ def glyph(mark: Mark) -> Markup:
 def tag(outcome: ShownOutcome, count: int | None = None) -> Markup:
     """An outcome as symbol and word, and how many of it there are."""
     symbol = f'<span class="symbol" aria-hidden="true">{escape(outcome.symbol)}</span>'
-    many = "" if count is None else f" {count}"
-    return Markup(f'<span class="tag {outcome.look}">{symbol} {escape(outcome.word)}{many}</span>')
+    many = "" if count is None else f" {escape(count)}"
+    return Markup(
+        f'<span class="tag {escape(outcome.look)}">{symbol} {escape(outcome.word)}{many}</span>'
+    )
 
 
 def numbers(rung: Rung, stiffness: bool, values: bool) -> Markup:
@@ -52,4 +54,4 @@ def numbers(rung: Rung, stiffness: bool, values: bool) -> Markup:
         *(("n", short(time)) for time in times),
         ("n", rung.record.steps),
     ]
-    return Markup("".join(f'<td class="{kind}">{text}</td>' for kind, text in cells))
+    return Markup("".join(f'<td class="{kind}">{escape(text)}</td>' for kind, text in cells))

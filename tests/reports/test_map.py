@@ -19,6 +19,7 @@ from tests.support.fabricated import changed, entry, record
 from vv.ask import Knobs
 from vv.case import Grid, Level, Norm
 from vv.gate.judgement import exit_bits
+from vv.output.safe_svg import is_drawing
 from vv.records.case_facts import QuantityFacts
 from vv.records.finding import Bit
 from vv.records.outcomes import JudgeKind, Outcome
@@ -77,6 +78,7 @@ def test_a_map_is_drawn_with_its_numbers_on_the_axes_and_the_same_each_time() ->
     assert heat is not None
     svg = draw(heat, "salt")
     assert svg == draw(heat, "salt")
+    assert is_drawing(svg)
     for text in ("one", "1e-4", "1e-3", "1e7", "1e9", "1e10", "kn [N/m]", "dt [s]"):
         assert f">{text}<" in svg
 

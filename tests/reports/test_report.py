@@ -107,6 +107,25 @@ def test_nothing_is_fetched_and_every_link_leads_somewhere(
     assert set(re.findall(r"url\(#([^)]*)\)", page)) <= set(ids)
 
 
+def test_a_figure_that_was_planted_in_the_store_is_not_shown(
+    manifest: Manifest, store: Store, capsys: pytest.CaptureFixture[str]
+) -> None:
+    page = built(manifest, store)
+    assert "not drawn yet" not in page  # so all that we draw are drawings
+    kept = sorted((store.root / "figures").glob("*.svg"))
+    assert kept
+    for path in kept:
+        path.write_text(path.read_text().replace("</svg>", "<script>alert(1)</script></svg>"))
+    (store.root / "report.html").unlink()
+    html.build_quickly(manifest, store, store.root / "report.html")
+    tags = Tags((store.root / "report.html").read_text(encoding="utf-8"))
+    assert not {tag for tag, _ in tags.tags} & {"script"}
+    assert "no drawing of ours" in capsys.readouterr().err
+    assert not list((store.root / "figures").glob("*.svg"))
+    kept[0].write_text("<svg><script/></svg>")
+    assert "not drawn yet" not in built(manifest, store)
+
+
 def test_hostile_text_stays_text(manifest: Manifest, store: Store) -> None:
     (facts,) = manifest.cases.values()
     variants = {

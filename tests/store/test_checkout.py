@@ -37,3 +37,16 @@ def test_outside_a_checkout_there_is_no_commit(tmp_path: Path) -> None:
     assert named(tmp_path, "HEAD") == ""
     with pytest.raises(UsageError, match="--since: git says"):
         changed_since(tmp_path, "HEAD")
+
+
+def test_a_revision_is_never_an_option_of_git(tmp_path: Path) -> None:
+    tiny, victim = Tiny(tmp_path), tmp_path / "victim"
+    tiny.git("init", "-q")
+    victim.write_text("kept")
+    tiny.git("add", ".")
+    tiny.git("commit", "-qm", "first")
+    for hostile in (f"--output={victim}", f"-o{victim}", "--help", "HEAD\0", "-"):
+        assert named(tmp_path, hostile) == ""
+        with pytest.raises(UsageError, match="--since: git says"):
+            changed_since(tmp_path, hostile)
+    assert victim.read_text() == "kept"

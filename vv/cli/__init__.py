@@ -92,7 +92,7 @@ def main() -> None:
         code = terminal.complain(f"cannot use {error.filename}: {error.strerror}")
     except Exception as error:
         if message := _message(error):
-            code = terminal.complain(message)
+            code = terminal.complain(*message.splitlines())
         else:
             traceback.print_exc()
             code = CRASHED  # and not 1, with which Python ends and which would say accuracy

@@ -83,7 +83,7 @@ def _show(project: Project, manifest: Manifest, selected: bool, json_file: Path 
         *speed_text.indicative(rest),
         *speed_text.beside(left),
     ):
-        say(line)
+        say(*line.split("\n"))
     if json_file:
         write_output(json_file, document(every, rest, fights).encode())
 

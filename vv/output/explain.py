@@ -19,7 +19,7 @@ def print_explanation(plan: Plan, manifests: Iterable[Manifest]) -> None:
     results = _last_results(manifests)
     for name, case in plan.cases.items():
         doi = f", doi:{case.source.doi}" if case.source.doi else ""
-        say(f"{case.title}\n  source: {case.source.citation}{doi}")
+        say(case.title, f"  source: {case.source.citation}{doi}")
         say(f"  note: {case.source.note}")
         for source, text in case.published.items():
             say(f"  published, {source}: {text}")
@@ -33,12 +33,12 @@ def _explain_variant(
 ) -> None:
     variant, trial = case.variant(name), plan.trials[case.name, name]
     scene, values = trial.study.scene, case.defaults(name)
-    say(f"\n{case.name}:{name}: {variant.summary}\n  formula: {variant.formula}")
+    say("", f"{case.name}:{name}: {variant.summary}", f"  formula: {variant.formula}")
     for p in case.parameters:
         inert = "  (inert)" if p.name in variant.inert else ""
         say(f"  {p.name} = {values[p.name]:g} {p.unit}  {p.meaning}{inert}")
     terms = ", ".join(sorted(term.value for term in scene.terms()))
-    say(f"  terms: {terms}\n  unknowns: {scene.unknowns()}")
+    say(f"  terms: {terms}", f"  unknowns: {scene.unknowns()}")
     for quantity in trial.quantities:
         _explain_quantity(quantity)
     last = {

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from vv.base.files import write_whole
+from vv.base.printable import printable
 from vv.records.codec import word
 from vv.records.finding import Aspect, Bit, Finding
 from vv.records.job_record import Record
@@ -35,9 +36,9 @@ def write_junit(path: Path, manifest: Manifest, findings: Iterable[Finding]) -> 
         tests.setdefault(place[0], []).append(_test(place, others, {}))
     document: Any = junitparser.JUnitXml("vv")
     for name, cases in tests.items():
-        suite: Any = junitparser.TestSuite(name or "vv")
+        suite: Any = junitparser.TestSuite(printable(name) or "vv")
         suite.add_testcases(cases)
-        suite.timestamp = manifest.provenance.utc
+        suite.timestamp = printable(manifest.provenance.utc)
         document.add_testsuite(suite)
     document.update_statistics()
     write_whole(path, document.tostring())
@@ -54,7 +55,8 @@ def _tests_of(record: Record, at: dict[Place, list[Finding]]) -> Iterator[Any]:
         whole = at.pop((*place[:4], ""), []) if name == names[0] else []
         test = _test(place, [*own, *(whole if name else [])], _figures(record, name))
         if not tried(record) and not test.result:
-            test.result = [junitparser.Skipped(f"{word(record.status)}: {record.reason}")]
+            why = printable(f"{word(record.status)}: {record.reason}")
+            test.result = [junitparser.Skipped(why)]
         test.time = record.cost.solve_wall
         yield test
 
@@ -74,20 +76,23 @@ def _test(place: Place, findings: Iterable[Finding], figures: Mapping[str, objec
         else set()
     )
     words = (scheme, quantity, variant, knobs, *sorted(kinds))
-    test: Any = junitparser.TestCase(" ".join(w for w in words if w) or "run", case or "vv")
+    name = printable(" ".join(w for w in words if w))
+    test: Any = junitparser.TestCase(name or "run", printable(case) or "vv")
     results: list[Any] = []
     for finding in (f for f in given if f.red):
         broken = finding.bit & (CRASHES | Bit.INCOMPLETE)
         kind = junitparser.Error if broken else junitparser.Failure
-        results.append(kind(finding.text, f"{finding.check.value}: {finding.kind}"))
+        what = printable(f"{finding.check.value}: {finding.kind}")
+        results.append(kind(printable(finding.text), what))
     if results:
         test.result = results
     notes = {f"{f.check.value}: {f.kind}": f.text for f in given if not f.red}
     if shown := {**figures, **notes}:
         make: Any = junitparser.Properties
         properties = make()
-        for name, value in shown.items():
-            properties.add_property(junitparser.Property(name, str(value)))
+        for label, value in shown.items():
+            told = junitparser.Property(printable(label), printable(str(value)))
+            properties.add_property(told)
         test.append(properties)
     return test
 

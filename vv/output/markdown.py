@@ -6,6 +6,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 
 from vv.base.files import write_whole
+from vv.base.printable import one_line, printable
 from vv.gate.judgement import counted
 from vv.output.wording import listed
 from vv.records.finding import Bit, Finding, bits, worst_first
@@ -38,11 +39,11 @@ def write_markdown(path: Path, manifest: Manifest, findings: Sequence[Finding]) 
 def summary(manifest: Manifest, findings: Sequence[Finding]) -> str:
     """The summary as Markdown: colour, counts, what is red, what changed, what is worth knowing."""
     where = manifest.provenance
-    commit = f"commit `{where.commit[:9]}`{' with changes' if where.dirty else ''}, "
+    commit = f"commit `{_cell(where.commit[:9])}`{' with changes' if where.dirty else ''}, "
     lines = [
         f"### Verification: {headline(findings)}",
         "",
-        f"{listed(counted(manifest.records))}. {commit if where.commit else ''}{where.utc}.",
+        f"{listed(counted(manifest.records))}. {commit if where.commit else ''}{_cell(where.utc)}.",
     ]
     ranked = worst_first(findings)
     moved = [f for f in ranked if f.compares]
@@ -52,7 +53,7 @@ def summary(manifest: Manifest, findings: Sequence[Finding]) -> str:
     lines += _table("Out of tolerance, stopped or missing", others)
     notices = [f for f in ranked if f not in since and f not in others]
     lines += _list([*_counted_notices(notices), *_asked(since), *_recorded(manifest)])
-    return "\n".join(lines) + "\n"
+    return "\n".join(map(one_line, lines)) + "\n"
 
 
 def _table(title: str, findings: Sequence[Finding]) -> list[str]:
@@ -68,7 +69,9 @@ def _table(title: str, findings: Sequence[Finding]) -> list[str]:
 
 
 def _cell(text: str) -> str:
-    return " ".join(text.split()).replace("|", "\\|").replace("<", "&lt;")
+    """A text as it stands: no markup, and no picture or link that it might ask for."""
+    whole = " ".join(one_line(text).split()).replace("&", "&amp;")
+    return whole.replace("|", "\\|").replace("<", "&lt;").replace("[", "\\[")
 
 
 def _counted_notices(findings: Sequence[Finding]) -> list[str]:
@@ -121,6 +124,7 @@ def workflow_commands(findings: Iterable[Finding], files: Mapping[str, str]) -> 
 
 def _escaped(text: str, in_property: bool = False) -> str:
     """Text as a workflow command takes it."""
+    text = printable(text.replace("\r\n", "\n"))
     pairs = [("%", "%25"), ("\r", "%0D"), ("\n", "%0A")]
     for old, new in [*pairs, *([(":", "%3A"), (",", "%2C")] if in_property else [])]:
         text = text.replace(old, new)

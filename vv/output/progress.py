@@ -10,6 +10,7 @@ from collections.abc import Callable, Iterator
 
 from vv.ask import Status
 from vv.gate.judgement import blew_up, outcome
+from vv.output.terminal import note
 from vv.records.job_record import Record
 from vv.records.reading import rung
 
@@ -51,10 +52,10 @@ def _lines(total: int) -> Iterator[Shown]:
         lost = record.status in (Status.ERROR, Status.TIMEOUT, Status.DIVERGED)
         if lost and not blew_up(record):
             job = f"{record.case}:{record.variant} {record.label} {rung(record)}".rstrip()
-            print(f"{job}: {outcome(record).value}: {record.reason}", file=sys.stderr)
+            note(f"{job}: {outcome(record).value}: {record.reason}")
         if time.monotonic() - last > EVERY:
             last = time.monotonic()
-            print(_counted(counts, total), file=sys.stderr, flush=True)
+            note(_counted(counts, total))
 
     yield shown
 

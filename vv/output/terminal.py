@@ -1,23 +1,30 @@
-"""Prints lines: results on standard output, progress, notes and errors on standard error."""
+"""Prints lines: results on standard output, progress, notes and errors on standard error.
+
+Nothing that is printed steers the terminal, and no text forges a line: each is printed as one.
+"""
 
 from __future__ import annotations
 
 import sys
 
+from vv.base.printable import one_line
+
 USAGE = 64  # the exit status of a usage error, vv.records.finding.Bit.USAGE
 
 
-def say(text: str) -> None:
-    """Print a line."""
-    print(text, flush=True)
+def say(*lines: str) -> None:
+    """Print lines."""
+    for line in lines:
+        print(one_line(line), flush=True)
 
 
 def note(text: str) -> None:
     """Print a line on standard error, so that results on standard output can be piped."""
-    print(text, file=sys.stderr, flush=True)
+    print(one_line(text), file=sys.stderr, flush=True)
 
 
-def complain(text: str) -> int:
-    """Print an error line and return the exit status of a usage error."""
-    print(f"vv: {text}", file=sys.stderr)
+def complain(text: str, *more: str) -> int:
+    """Print an error line, and more below it; return the exit status of a usage error."""
+    for line in (f"vv: {text}", *more):
+        print(one_line(line), file=sys.stderr)
     return USAGE

@@ -24,7 +24,7 @@ def commit(root: Path) -> tuple[str, bool]:
 def named(root: Path, revision: str) -> str:
     """The commit that git knows by a name such as HEAD~1 or a tag; empty if there is none."""
     try:
-        return _git(root, "rev-parse", "--verify", "--quiet", f"{revision}^{{commit}}").strip()
+        return _resolved(root, revision)
     except GitError:
         return ""
 
@@ -34,13 +34,23 @@ def changed_since(root: Path, revision: str) -> frozenset[Path]:
 
     Raises UsageError if git does not know the revision or this is no checkout.
     """
-    differing = ("diff", "--name-only", "--no-renames", "--relative", "-z", revision, "--")
+    differing = ("diff", "--name-only", "--no-renames", "--relative", "-z")
     new = ("ls-files", "--others", "--exclude-standard", "-z")
     try:
-        listed = (_git(root, *differing) + _git(root, *new)).split("\0")
+        listed = (_git(root, *differing, _resolved(root, revision), "--") + _git(root, *new)).split(
+            "\0"
+        )
     except GitError as error:
         raise UsageError(f"--since: {error}") from error
     return frozenset((root / name).resolve() for name in listed if name)
+
+
+def _resolved(root: Path, revision: str) -> str:
+    """The commit that a revision names; what is given is never an option of git's."""
+    if "\0" in revision:
+        raise GitError("git says: a revision holds no zero byte")
+    words = ("rev-parse", "--verify", "--end-of-options", f"{revision}^{{commit}}")
+    return _git(root, *words).strip()
 
 
 def _git(root: Path, *words: str) -> str:
