@@ -53,7 +53,9 @@ def report(
     if not names or (run_name and run_name not in names):
         unknown = f"no run '{run_name}'{name_hint(run_name, names[-5:])}"
         raise UsageError(unknown if run_name else "there is no run yet")
-    manifest = store.manifest(run_name or names[-1])
+    manifest = store.manifest(run_name) if run_name else store.latest()
+    if manifest is None:
+        raise UsageError("no past run can be read; `vv run` makes one")
     path = output or project.data() / "report.html"
     say = terminal.note if csv else terminal.say  # the table may be asked for on standard output
     say(str(builder(project, drawing=True)(manifest, store, path)))
@@ -101,7 +103,9 @@ def diff(
         raise UsageError("there are no runs to compare; `vv run` makes one")
     known = functools.partial(checkout.named, project.root)
     first = compare.manifest_of(store, one, known)
-    second = compare.manifest_of(store, other or names[-1], known)
+    second = compare.manifest_of(store, other, known) if other else store.latest()
+    if second is None:
+        raise UsageError("no past run can be read; `vv run` makes one")
     print_changes(compare.changes(first, second), first, second, rows)
 
 

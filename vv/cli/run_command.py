@@ -144,10 +144,10 @@ def _list_jobs(project: Project, store: Store, plan: Plan, fresh: bool) -> None:
 
 
 def _last(store: Store) -> Manifest:
-    names = store.manifests()
-    if not names:
+    last = store.latest()
+    if last is None:
         raise UsageError("--failed: there is no last run")
-    return store.manifest(names[-1])
+    return last
 
 
 def _rungs_that_failed(last: Manifest) -> tuple[Knobs, ...]:

@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import contextlib
 import math
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 
 from vv.base.errors import UsageError
 from vv.base.metrics import Order
+from vv.base.notices import notice
 from vv.gate.judgement import outcome
 from vv.records.job_record import Record
 from vv.records.manifest import Manifest
@@ -43,9 +43,11 @@ def manifest_of(store: Store, name: str, known: Callable[[str], str]) -> Manifes
         return store.manifest(name)
     commit = known(name) or (name if len(name) >= 4 else "")
     for run in reversed(names if commit else []):
-        with contextlib.suppress(OSError):  # damaged from outside: it has no commit
+        try:
             if store.head(run)[1].commit.startswith(commit):
                 return store.manifest(run)
+        except OSError as error:  # damaged from outside
+            notice(f"past run {run}: {error.strerror}; passed over")
     last = ", ".join(names[: -LISTED - 1 : -1])
     raise UsageError(f"no run and no commit '{name}' in the store; the last runs are {last}")
 

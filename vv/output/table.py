@@ -94,10 +94,10 @@ def _of_quantity(quantity: MeasuredQuantity | None) -> Json:
 
 def _latest() -> Iterable[Record]:
     store = Store(find().data())
-    names = store.manifests()
-    if not names:
+    latest = store.latest()
+    if latest is None:
         raise UsageError(f"no results in {store.root}; `vv run` makes some")
-    return store.manifest(names[-1]).records
+    return latest.records
 
 
 def _records_in(path: Path) -> Iterable[Record]:

@@ -10,6 +10,7 @@ import dataclasses
 import enum
 import functools
 import json
+import sys
 import types
 import typing
 from collections.abc import Callable, Hashable, Mapping
@@ -22,6 +23,7 @@ Reader = Callable[[Any], Any]
 Kind = TypeVar("Kind")
 PLAIN = frozenset((str, int, float, bool, type(None)))
 MISSING = object()
+LARGEST = sys.float_info.max
 
 
 class DamagedError(ValueError):
@@ -45,7 +47,10 @@ def parse(text: str) -> Any:
 
     For what is no record; records are read with `read`.
     """
-    return json.loads(text, parse_constant=_not_finite)
+    try:
+        return json.loads(text, parse_constant=_not_finite)
+    except RecursionError:
+        raise DamagedError(MISSING, "must not be nested so deeply", "JSON") from None
 
 
 def render(value: object, **style: Any) -> str:
@@ -153,7 +158,7 @@ def _reader(kind: Any) -> Reader:
 def _or_none(kind: Any) -> Reader:
     inner = _reader(kind)
     if inner is _number:  # of which there are most
-        return lambda data: data if data is None or type(data) is float else _number(data)
+        return lambda data: data if data is None else _number(data)
     return lambda data: None if data is None else inner(data)
 
 
@@ -260,12 +265,17 @@ def _truth(data: Any) -> bool:
 
 
 def _whole(data: Any) -> int:
-    return data if type(data) is int else _refuse(data, "must be a whole number")
+    if type(data) is not int:
+        _refuse(data, "must be a whole number")
+    number: int = data
+    return number if abs(number) < 1 << 63 else _refuse(MISSING, "must be below 2^63")
 
 
 def _number(data: Any) -> float:
     if type(data) is not float and type(data) is not int:
         _refuse(data, "must be a number")
+    if not -LARGEST <= data <= LARGEST:
+        _refuse(MISSING, "must be finite")  # such as 1e999, which JSON reads as infinity
     number: float = data
     return number
 

@@ -144,7 +144,7 @@ def _records(plan: Plan, limits: Limits, stored: _Keys) -> Iterator[tuple[int, R
     for number, job in enumerate(plan.jobs):
         key = stored.records[number]
         usable = not limits.fresh and plan.found[job.code].installed
-        if usable and (summary := store.summary(key)) is not None:
+        if usable and (summary := store.summary(key)) is not None and store.has_series(key):
             yield number, _record(plan, job, key, summary)
         elif (run := _known(job, stored.runs[number], store if usable else None)) is not None:
             yield number, _kept(plan, job, run, key, store)

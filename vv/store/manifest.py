@@ -1,19 +1,24 @@
 """How a manifest, what one invocation did, is written: JSON whose parts can be read on their own.
 
 The first line holds the names of its cases and where it comes from, and the records of a case
-are a line each: past runs are asked for these far more often than for all they hold.
+are a line each: past runs are asked for these far more often than for all they hold. The first
+line has a seal of its own, and those of each case's line and of all lines after the first.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+import dataclasses
+from collections.abc import Iterator
 
 from vv.records import codec
 from vv.records.job_record import Record
 from vv.records.manifest import Manifest
 from vv.records.provenance import Provenance
+from vv.store.seal import BrokenSealError, seal_of
 
 HEAD = ("holds", "provenance")
+ALL = ""  # names the seal of all lines but the first
+OWN = ', "seal": "'  # stands before the seal of the first line
 
 
 def render(manifest: Manifest) -> str:
@@ -21,39 +26,66 @@ def render(manifest: Manifest) -> str:
     records: dict[str, list[Record]] = {}
     for record in manifest.records:
         records.setdefault(record.case, []).append(record)
-    by_case = ",\n".join(f"{_start(case)}{codec.render(own)}" for case, own in records.items())
-    head = codec.render({"holds": [*records], "provenance": manifest.provenance})
+    lines = {case: f"{_start(case)}{codec.render(own)}" for case, own in records.items()}
+    by_case = ",\n".join(lines.values())
     rest = (name for name in codec.names(Manifest) if name not in (*HEAD, "records", "name"))
     others = "".join(f",\n{_start(name)}{codec.render(getattr(manifest, name))}" for name in rest)
-    return f'{head[:-1]},\n"records": {{\n{by_case}\n}}{others}}}\n'
+    body = f'"records": {{\n{by_case}\n}}{others}}}\n'
+    parts = {ALL: body, **lines}
+    seals = {part: seal_of(manifest.name, text.encode()) for part, text in parts.items()}
+    head = codec.render({"holds": [*records], "provenance": manifest.provenance, "seals": seals})
+    own_seal = seal_of(manifest.name, head.encode())
+    return f'{head[:-1]}{OWN}{own_seal}",\n{body}'
 
 
 def whole(text: str, name: str) -> Manifest:
-    """The manifest of a text, of that name; raises ValueError if it is not one."""
+    """The manifest of a text, of that name; raises ValueError if it is not one, or damaged."""
+    first, _, body = text.partition("\n")
+    _check(_head(first, name), ALL, body, name)
     found = codec.parse(text)
     if not isinstance(found, dict) or not isinstance(found.get("records"), dict):
         raise ValueError("its records are not by case")
-    records = [record for own in found["records"].values() for record in own]
-    parts = {part: data for part, data in found.items() if part != "holds"}
-    return codec.read(Manifest, {**parts, "records": records, "name": name}, "manifest")
+    own = codec.read(dict[str, tuple[Record, ...]], found["records"], "manifest.records")
+    records = tuple(record for case in own.values() for record in case)
+    parts = {part: data for part, data in found.items() if part not in ("holds", "seals", "seal")}
+    bare = codec.read(Manifest, {**parts, "records": [], "name": name}, "manifest")
+    return dataclasses.replace(bare, records=records)
 
 
-def head(lines: Iterator[str]) -> tuple[tuple[str, ...], Provenance]:
+def head(lines: Iterator[str], name: str) -> tuple[tuple[str, ...], Provenance]:
     """The cases and the provenance of a manifest; raises ValueError if it is not one."""
-    first = next(lines, "").rstrip()
-    if not first.startswith('{"holds": ') or not first.endswith(","):
-        raise ValueError("its first line names no cases")
-    found = codec.parse(first[:-1] + "}")
-    holds = codec.read(tuple[str, ...], found["holds"], "holds")
+    found = _head(next(lines, "").rstrip("\n"), name)
+    holds = codec.read(tuple[str, ...], found.get("holds"), "holds")
     return holds, codec.read(Provenance, found.get("provenance"), "provenance")
 
 
-def records(lines: Iterable[str], case: str) -> tuple[Record, ...]:
+def records(lines: Iterator[str], case: str, name: str) -> tuple[Record, ...]:
     """The records of one case in a manifest; raises ValueError if they are damaged."""
-    start = _start(case)
-    own = next((line for line in lines if line.startswith(start)), None)
-    data = [] if own is None else codec.parse(own[len(start) :].rstrip(",\n"))
-    return codec.read(tuple[Record, ...], data, "records")
+    seals, start = _head(next(lines, "").rstrip("\n"), name), _start(case)
+    own = next((line for line in lines if line.startswith(start)), "").rstrip(",\n")
+    if not own and case not in seals["seals"]:
+        return ()
+    _check(seals, case, own, name)
+    return codec.read(tuple[Record, ...], codec.parse(own[len(start) :]), "records")
+
+
+def _head(line: str, name: str) -> codec.Json:
+    """What the first line of a manifest holds; raises ValueError if its seal is broken."""
+    text, own, end = line.rpartition(OWN)
+    if not text.startswith('{"holds": ') or not own:
+        raise BrokenSealError("its first line has no seal: it is of an older form, or damaged")
+    if end != f'{seal_of(name, (text + "}").encode())}",':
+        raise BrokenSealError("its first line is not what was kept: the digest differs")
+    found: codec.Json = codec.parse(text + "}")
+    codec.read(dict[str, str], found.get("seals"), "seals")
+    return found
+
+
+def _check(head: codec.Json, part: str, text: str, name: str) -> None:
+    """Raise BrokenSealError unless a part is what was kept."""
+    if head["seals"].get(part) != seal_of(name, text.encode()):
+        what = f"the records of {part}" if part else "what it holds"
+        raise BrokenSealError(f"{what} is not what was kept: the digest differs")
 
 
 def _start(name: str) -> str:

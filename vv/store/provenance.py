@@ -17,6 +17,7 @@ from vv.base.files import write_whole
 from vv.records import codec
 from vv.records.provenance import Machine, Provenance
 from vv.store.checkout import commit
+from vv.store.seal import opened_text, sealed_text
 
 LIBRARIES = ("numpy", "scipy", "numba")
 
@@ -71,7 +72,8 @@ def file_digests(files: Iterable[Path], memory: Path) -> dict[str, str]:
     The time is that of the inode: unlike that of the content it cannot be set back.
     """
     try:
-        known = codec.read(dict[str, str], codec.parse(memory.read_text()), "digests")
+        text = opened_text(memory.name, memory.read_text())
+        known = codec.read(dict[str, str], codec.parse(text), "digests")
     except (OSError, ValueError):
         known = {}
     found = {}
@@ -80,6 +82,7 @@ def file_digests(files: Iterable[Path], memory: Path) -> dict[str, str]:
         label = f"{path} {state.st_size} {state.st_ctime_ns}"
         if label not in known:
             known[label] = hashlib.sha256(path.read_bytes()).hexdigest()
-            write_whole(memory, codec.render(known, indent=0, sort_keys=True).encode())
+            text = sealed_text(memory.name, codec.render(known, indent=0, sort_keys=True))
+            write_whole(memory, text.encode())
         found[str(path)] = known[label]
     return found

@@ -1,8 +1,9 @@
 """Keeps results on disk: runs by what a solver sees, records by what judges them, manifests.
 
 Every file is written beside its place and renamed, so that a killed process leaves whole files
-or none, and two processes at once at worst write the same file twice. A run and a record name
-the key they belong to, so that a file that got into the wrong place answers nothing.
+or none, and two processes at once at worst write the same file twice. Every file is sealed with a
+digest of its place and content: what is damaged or got into the wrong place is named and answers
+nothing. Nothing that is read is code.
 """
 
 from __future__ import annotations
@@ -14,7 +15,7 @@ import shutil
 import tempfile
 import time
 import zipfile
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, TextIO, TypeVar
@@ -34,6 +35,7 @@ from vv.ask import (
     Velocity,
 )
 from vv.base.files import write_whole
+from vv.base.notices import notice
 from vv.records import codec
 from vv.records.fields import SPREAD
 from vv.records.job_record import ModelSummary, Record, RunSummary
@@ -41,11 +43,13 @@ from vv.records.manifest import Answer, Manifest, TimedRun
 from vv.records.provenance import Provenance
 from vv.scene import Form, Term, Vector
 from vv.store import manifest
+from vv.store.seal import opened_bytes, opened_text, sealed_bytes, sealed_text
 
 Found = TypeVar("Found")
 Session = dict[str, TimedRun]  # what a timing session measured, by the keys of the runs
-STALE = 7 * 86400.0  # s that the logs of a failure are kept
-UNREADABLE = (OSError, ValueError, KeyError, EOFError, zipfile.BadZipFile)
+DAY = 86400.0  # s, by which clocks of machines may differ
+STALE = 7 * DAY  # s that the logs of a failure are kept
+UNREADABLE = (OSError, ValueError, KeyError, TypeError, EOFError, zipfile.BadZipFile)
 OBSERVABLES: Mapping[str, type[Displacement | Velocity | Reaction | Strain]] = {
     kind.__name__: kind for kind in (Displacement, Velocity, Reaction, Strain)
 }
@@ -84,7 +88,10 @@ class Store:
             arrays = self._arrays("runs", key)
             meta = codec.read(_Meta, codec.parse(str(arrays["meta"])), "run")
             return _run_from(meta, arrays) if meta.key == key else None
-        except UNREADABLE:
+        except FileNotFoundError:
+            return None
+        except UNREADABLE as error:
+            self._passed_over("runs", key, "npz", error)
             return None
 
     def has_run(self, key: str) -> bool:
@@ -115,29 +122,58 @@ class Store:
         """The arrays kept beside a record; empty if there are none."""
         try:
             return self._arrays("records", key)
-        except UNREADABLE:
+        except FileNotFoundError:
+            return {}
+        except UNREADABLE as error:
+            self._passed_over("records", key, "npz", error)
             return {}
 
     def has_series(self, key: str) -> bool:
-        """Whether there is a file of the arrays kept beside a record."""
-        return self._path("records", key, "npz").is_file()
+        """Whether the arrays kept beside a record are there, and what was kept."""
+        try:
+            self._opened("records", key)
+        except FileNotFoundError:
+            return False
+        except (OSError, ValueError) as error:
+            self._passed_over("records", key, "npz", error)
+            return False
+        return True
 
     def keep_manifest(self, what: Manifest) -> None:
         """Store what one invocation did under its name, which sorts by time."""
         write_whole(self._manifest(what.name), manifest.render(what).encode())
 
     def manifests(self) -> list[str]:
-        """The names of past invocations, oldest first."""
-        return sorted(path.stem for path in (self.root / "manifests").glob("*.json"))
+        """The names of past invocations, oldest first.
+
+        One whose name lies in the future, which would stay the latest until then, is none.
+        """
+        names = sorted(path.stem for path in (self.root / "manifests").glob("*.json"))
+        tomorrow = time.strftime("%Y%m%dT%H%M%S", time.gmtime(time.time() + DAY))
+        for name in names:
+            if name > tomorrow:
+                notice(f"past run {name}: its time has not come; passed over")
+        return [name for name in names if name <= tomorrow]
 
     def manifest(self, name: str) -> Manifest:
         """A past invocation; raises FileNotFoundError with the name, OSError if it is damaged."""
         return self._of_manifest(name, lambda file: manifest.whole(file.read(), name))
 
+    def latest(self) -> Manifest | None:
+        """The newest past invocation that can be read, or None; a word is said of the others."""
+        for name in reversed(self.manifests()):
+            if found := self.newest_of([name], notice):
+                return found[0]
+        return None
+
     def newest(self, most: int, passed_over: Callable[[str], None]) -> list[Manifest]:
         """The newest past invocations, newest first; `passed_over` is told of damaged ones."""
+        return self.newest_of(self.manifests()[-most:], passed_over)
+
+    def newest_of(self, names: Sequence[str], passed_over: Callable[[str], None]) -> list[Manifest]:
+        """Those of these past invocations, oldest first, that can be read, newest first."""
         found = []
-        for name in reversed(self.manifests()[-most:]):
+        for name in reversed(names):
             try:
                 found.append(self.manifest(name))
             except OSError as error:
@@ -146,11 +182,11 @@ class Store:
 
     def head(self, name: str) -> tuple[tuple[str, ...], Provenance]:
         """The cases a past invocation holds, and its provenance; raises as `manifest`."""
-        return self._of_manifest(name, manifest.head)
+        return self._of_manifest(name, lambda file: manifest.head(file, name))
 
     def records_of(self, name: str, case: str) -> tuple[Record, ...]:
         """The records of one case in a past invocation; raises as `manifest`."""
-        return self._of_manifest(name, lambda file: manifest.records(file, case))
+        return self._of_manifest(name, lambda file: manifest.records(file, case, name))
 
     def timings(self, session: str) -> Session | None:
         """A timing session, by the digest of what it timed and where."""
@@ -195,29 +231,43 @@ class Store:
         try:
             with path.open(encoding="utf-8") as file:
                 return read(file)
-        except ValueError as error:
+        except (ValueError, TypeError) as error:
             raise OSError(errno.EIO, f"no whole manifest: {error}", str(path)) from error
 
     def _read(self, kind: type[Found], layer: str, key: str) -> Found | None:
         """What a file holds; None where there is none, or it is damaged."""
         try:
-            text = self._path(layer, key, "json").read_text(encoding="utf-8")
+            whole = self._path(layer, key, "json").read_text(encoding="utf-8")
+            text = opened_text(f"{layer}/{key}", whole)
             return codec.read(kind, codec.parse(text), layer)
-        except (OSError, ValueError):
+        except FileNotFoundError:
+            return None
+        except (OSError, ValueError) as error:
+            self._passed_over(layer, key, "json", error)
             return None
 
+    def _passed_over(self, layer: str, key: str, suffix: str, error: Exception) -> None:
+        """Say that a file is damaged; what it held is made again."""
+        why = error.strerror if isinstance(error, OSError) else error
+        notice(f"{self._path(layer, key, suffix)}: {why}; passed over, and made again")
+
     def _write(self, layer: str, key: str, what: object) -> None:
-        write_whole(self._path(layer, key, "json"), codec.render(what).encode())
+        text = sealed_text(f"{layer}/{key}", codec.render(what))
+        write_whole(self._path(layer, key, "json"), text.encode())
 
     def _arrays(self, layer: str, key: str) -> dict[str, Any]:
-        path = self._path(layer, key, "npz")
-        with path.open("rb") as file, np.load(file, allow_pickle=False) as arrays:
+        content = io.BytesIO(self._opened(layer, key))
+        with np.load(content, allow_pickle=False) as arrays:
             return dict(arrays)
+
+    def _opened(self, layer: str, key: str) -> bytes:
+        return opened_bytes(f"{layer}/{key}", self._path(layer, key, "npz").read_bytes())
 
     def _keep_arrays(self, layer: str, key: str, arrays: Mapping[str, Any]) -> None:
         buffer = io.BytesIO()
         np.savez(buffer, **arrays)
-        write_whole(self._path(layer, key, "npz"), buffer.getvalue())
+        content = sealed_bytes(f"{layer}/{key}", buffer.getvalue())
+        write_whole(self._path(layer, key, "npz"), content)
 
     def _path(self, layer: str, key: str, suffix: str) -> Path:
         return self.root / layer / key[:2] / f"{key}.{suffix}"
