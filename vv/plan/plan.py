@@ -11,6 +11,7 @@ import numpy as np
 
 from vv.ask import Ask, Knobs, Method, Run, Status
 from vv.base.errors import UsageError
+from vv.base.time_limit import time_limit
 from vv.case import (
     Case,
     Count,
@@ -28,6 +29,8 @@ from vv.codes.adapter import Adapter, Found, Scheme, known_beforehand, no_steps
 from vv.plan.project import Project
 from vv.plan.selection import choose_schemes, named_adapters, select
 from vv.plan.settings import parameters_with_settings
+
+PATIENCE = 20.0  # s of the processor for the answers of a variant at parameters of a user
 
 
 @dataclass(frozen=True)
@@ -186,15 +189,21 @@ def declare_trial(case: Case, variant: str, parameters: Mapping[str, float]) -> 
     """The trial of a variant; raises UsageError for parameters that the case rejects.
 
     With parameters changed by the user, references are evaluated now, so that their errors are
-    found early. With default parameters they are left until a run is measured, because some are
-    costly.
+    found early, and within a limit of time: values far from any that the case was made for may
+    take for ever. With default parameters they are left until a run is measured, because some
+    are costly.
     """
     try:
-        trial = case.declare(variant, parameters)
-        if dict(parameters) != case.defaults(variant):
+        if dict(parameters) == case.defaults(variant):
+            return case.declare(variant, parameters)
+    except ValueError as error:
+        raise UsageError(f"{case.name}:{variant}: {error}") from error
+    try:
+        with time_limit(PATIENCE):
+            trial = case.declare(variant, parameters)
             _evaluate_references(trial.quantities)
         return trial
-    except ValueError as error:
+    except (ValueError, ArithmeticError, RuntimeError) as error:
         raise UsageError(f"{case.name}:{variant}: {error}") from error
 
 

@@ -4,13 +4,18 @@ from __future__ import annotations
 
 import dataclasses
 import difflib
+import functools
 import math
 import re
 from collections.abc import Iterable, Sequence
+from typing import TYPE_CHECKING
 
 from vv.ask import Knobs
 from vv.base.errors import UsageError
 from vv.case import Case, Parameter
+
+if TYPE_CHECKING:
+    import pint
 
 KNOBS = tuple(field.name for field in dataclasses.fields(Knobs))
 
@@ -32,6 +37,11 @@ def parameters_with_settings(case: Case, variant: str, settings: Sequence[str]) 
 NUMBER = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?|[+-]?nan|[+-]?inf)\s*(.*?)\s*")
 
 
+LONGEST = 40  # characters of a unit
+_FACTOR = r"[^\W\d_]+(?:(?:\*\*|\^)?-?\d(?:\.\d)?)?|1|%|°"
+UNIT = re.compile(rf"\(?(?:{_FACTOR})(?:\s*[*/·]\s*\(?(?:{_FACTOR})\)?|\s+(?:{_FACTOR}))*\)?")
+
+
 def parse_value(text: str, parameter: Parameter) -> float:
     """A typed value, converted to the parameter's unit; raises UsageError naming the parameter."""
     match = NUMBER.fullmatch(text)
@@ -44,12 +54,17 @@ def parse_value(text: str, parameter: Parameter) -> float:
 
 
 def _converted(value: float, unit: str, parameter: Parameter) -> float:
-    import pint
-
     def readable(text: str) -> str:
         return re.sub(r"([A-Za-z])(\d)", r"\1**\2", text) or "dimensionless"
 
-    units: pint.UnitRegistry[float] = pint.UnitRegistry()
+    shown = unit if len(unit) <= LONGEST else f"{unit[:LONGEST]}..."
+    if shown != unit or not UNIT.fullmatch(unit):  # anything else would be calculated, 9**9**9 too
+        raise UsageError(
+            f"{parameter.name} = {value:g} '{shown}': not a unit, such as kN/m or m/s**2"
+        )
+    import pint
+
+    units = _units()
     try:
         typed = units.Quantity(value, readable(unit))
         return float(typed.to(readable(parameter.unit)).magnitude)
@@ -58,6 +73,14 @@ def _converted(value: float, unit: str, parameter: Parameter) -> float:
         raise UsageError(
             f"{parameter.name} = {value:g} '{unit}': not a unit that converts to {target}"
         ) from error
+
+
+@functools.cache
+def _units() -> pint.UnitRegistry[float]:
+    """All units, which take a third of a second to read."""
+    import pint
+
+    return pint.UnitRegistry()
 
 
 def name_hint(name: str, known: Iterable[str]) -> str:
