@@ -8,7 +8,10 @@ import time
 from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 
+import pytest
+
 from vv.ask import Run, Status
+from vv.codes import external
 from vv.codes.external import Process, how_it_ended, run_batch, start, stop
 
 ANSWERING = "open('{i}.half', 'w').write('{i}'); os.rename('{i}.half', '{i}.answer')"
@@ -100,3 +103,14 @@ def test_a_program_that_will_not_end_is_ended(tmp_path: Path) -> None:
     program = start([sys.executable, "-c", "import time; time.sleep(60)"], tmp_path)
     stop(program)
     assert how_it_ended(program) == "signal SIGKILL; no output"
+
+
+def test_a_program_that_says_too_much_is_ended_and_the_reason_says_so(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(external, "LARGEST_LOG", 1_000_000)
+    talking = "while True: print('x' * 10_000)"
+    runs = list(batch(tmp_path, 3, lambda i: talking if i == 1 else ANSWERING))
+    assert [run.status for run in runs] == [Status.RAN, Status.ERROR, Status.RAN]
+    assert "it wrote more than 1e+06 bytes of output" in runs[1].reason
+    assert max(log.stat().st_size for log in tmp_path.glob("*.log")) <= external.TAIL

@@ -17,6 +17,8 @@ from pathlib import Path
 from vv.ask import Run, Status
 
 POLL = 0.02  # s between two looks for a result; a look costs some 10 us
+LARGEST_LOG = 64_000_000  # bytes that a program may say; more is a fault, and would fill a disk
+TAIL = 65_536  # bytes of a log in which its last lines are looked for
 FAREWELL = 2.0  # s that a program may take to end after its last answer
 
 
@@ -68,9 +70,15 @@ def how_it_ended(program: Process, lines: int = 5) -> str:
 
 def last_lines(log: Path, count: int) -> str:
     """The last lines of a log that hold anything, joined, or a word that there are none."""
-    text = log.read_text(errors="replace") if log.exists() else ""
+    text = _tail(log) if log.exists() else ""
     kept = [line.strip() for line in text.splitlines() if line.strip()][-count:]
     return "last output: " + " | ".join(kept) if kept else "no output"
+
+
+def _tail(log: Path) -> str:
+    with log.open("rb") as file:
+        file.seek(max(0, log.stat().st_size - TAIL))
+        return file.read().decode(errors="replace")
 
 
 Launch = Callable[[Sequence[int]], Process]
@@ -106,12 +114,21 @@ def _answers(indices: Sequence[int], launch: Launch, collect: Collect) -> Iterat
     try:
         for index in indices:
             run = _awaited(index, program, collect)
-            yield run or Run(Status.ERROR, f"the program ended early: {how_it_ended(program)}")
+            yield run or Run(Status.ERROR, _why_no_answer(program))
             if run is None:
                 return
         patience = FAREWELL
     finally:
         stop(program, patience)
+
+
+def _why_no_answer(program: Process) -> str:
+    """Why a program that has ended gave no answer; of an endless log only the beginning is kept."""
+    how = how_it_ended(program)
+    if program.log.stat().st_size <= LARGEST_LOG:
+        return f"the program ended early: {how}"
+    os.truncate(program.log, TAIL)
+    return f"the program was ended, for it wrote more than {LARGEST_LOG:g} bytes of output; {how}"
 
 
 def _awaited(index: int, program: Process, collect: Collect) -> Run | None:
@@ -121,4 +138,7 @@ def _awaited(index: int, program: Process, collect: Collect) -> Run | None:
         run = collect(index, program)
         if run is not None or ended:
             return run
+        if program.log.stat().st_size > LARGEST_LOG:
+            stop(program)
+            return None
         time.sleep(POLL)
