@@ -146,3 +146,20 @@ def test_a_bad_entry_is_named(tmp_path: Path, text: str, said: str) -> None:
     path.write_text(text)
     with pytest.raises(UsageError, match=said):
         read_disagreements(path)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "disagreement = 3",
+        "disagreement = [1]",
+        "[[disagreement]]\ncode = 1",
+        '[[disagreement]]\ncode="a"\nschemes=["*"]\nversions="*"\ncase="c"\nvariants=["*"]\n'
+        'quantity="*"\ndt=0.1\nerror=[0.01,0.02]\norder=[0,1]\nreason="r"\nexpires="2099-01-01"',
+    ],
+)
+def test_a_ledger_of_wrong_types_is_refused_in_a_line(tmp_path: Path, text: str) -> None:
+    (tmp_path / "d.toml").write_text(text)
+    with pytest.raises(UsageError, match=r"d\.toml: ") as refused:
+        read_disagreements(tmp_path / "d.toml")
+    assert "\n" not in str(refused.value)

@@ -16,6 +16,7 @@ from vv.ask import Knobs
 from vv.base.errors import UsageError
 from vv.base.metrics import Order
 from vv.case import LARGEST_TOLERANCE
+from vv.records import codec
 from vv.records.finding import Aspect, Bit, Finding
 from vv.records.job_record import Record
 from vv.records.outcomes import JudgeKind, Verdict
@@ -116,9 +117,12 @@ def read_disagreements(path: Path) -> tuple[Disagreement, ...]:
         entries = tomllib.loads(path.read_text(encoding="utf-8")).get("disagreement", [])
     except (OSError, ValueError) as error:
         raise UsageError(f"{path}: {error}") from error
+    if not isinstance(entries, list) or not all(isinstance(entry, dict) for entry in entries):
+        raise UsageError(f"{path}: disagreement must be a list of tables, [[disagreement]]")
     for number, entry in enumerate(entries, 1):
         try:
-            found.append(Disagreement(**{name: _frozen(value) for name, value in entry.items()}))
+            one = Disagreement(**{name: _frozen(value) for name, value in entry.items()})
+            found.append(codec.read(Disagreement, codec.to_data(one), "it"))  # checks all types
         except (TypeError, ValueError) as error:
             raise UsageError(f"{path}: entry {number}: {error}") from error
     return tuple(found)
