@@ -123,6 +123,11 @@ def test_export_writes_the_native_input(tiny: Tiny) -> None:
     assert (tiny.root / "in.txt").read_text() == "fall 0.5\n"
 
 
+def test_export_takes_the_finest_setting_of_the_first_scheme(tiny: Tiny) -> None:
+    done = tiny.vv("export", "fall:up", "--code", "fake")
+    assert (done.returncode, done.stderr) == (0, "written: fall:up fake/good dt=0.025\n")
+
+
 @pytest.mark.parametrize("command", [name for group in GROUPS.values() for name in group])
 def test_every_command_has_help(command: str) -> None:
     done = CliRunner().invoke(app, [command, "--help"])

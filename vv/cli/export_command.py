@@ -36,9 +36,10 @@ def export(
     if len(chosen) != 1:
         raise UsageError(f"'{selection}' names {len(chosen)} variants; export takes one")
     asked = Options(codes=(code,), settings=tuple(settings or ()), rungs=options.knobs(rungs))
-    job = make_plan(project, [selection], asked).jobs[-1 if not rungs else 0]
+    adapter, scheme = choose_schemes(named_adapters(project, [code]), [code])[0]
+    jobs = make_plan(project, [selection], asked).jobs
+    job = [one for one in jobs if (one.code, one.scheme) == (adapter.name, scheme.name)][-1]
     if job.settled is not None and job.settled.status is Status.REFUSED:
         raise UsageError(f"{code} refuses {selection}: {job.settled.reason}")
-    adapter, scheme = choose_schemes(named_adapters(project, [code]), [code])[0]
     write_output(output or Path("-"), adapter.native(job.ask, scheme.name).encode())
     note(f"written: {job.label}")
