@@ -57,19 +57,17 @@ def unknowns(ask: Ask) -> int:
 def expected(code: str, name: str, times: Vector) -> Vector:
     """What the law says, as far as the code holds to it.
 
-    YADE sees slip on an aligned wall in the wall's plane, not half an overlap above it. LIGGGHTS
-    keeps the shear force of two spheres that part until it next looks for neighbours.
+    YADE sees slip on an aligned wall in the wall's plane, not half an overlap above it.
     """
     scene = SCENES[name].scene
     if name.startswith("rolling"):
         return rolled(scene, times, 1.0 if code == "yade" else 0.5)
-    kept = (code, name) == ("liggghts", "slowly on a sphere")
-    return solved(name, float(kept), tuple(times))
+    return solved(name, tuple(times))
 
 
 @functools.cache
-def solved(name: str, kept: float, times: tuple[float, ...]) -> Vector:
-    return reference(SCENES[name].scene, np.array(times), kept)
+def solved(name: str, times: tuple[float, ...]) -> Vector:
+    return reference(SCENES[name].scene, np.array(times))
 
 
 Runs = Mapping[str, Run]

@@ -90,11 +90,8 @@ class Law:
         return np.concatenate([v.ravel(), rates[0].ravel(), rates[1].ravel(), sheared.ravel()])
 
 
-def reference(scene: Scene, times: Vector, kept: float = 0.0) -> Vector:
-    """Displacements (times, n, 3) [m] at times from 0, by scipy from event to event.
-
-    kept: the part of its shear force with which a contact that opened closes again.
-    """
+def reference(scene: Scene, times: Vector) -> Vector:
+    """Displacements (times, n, 3) [m] at times from 0, by scipy from event to event."""
     law, s = Law(scene), scene.spheres
     shear = np.zeros((len(law.touches), 3))
     y = np.concatenate([0 * s.position, s.velocity, s.spin, shear]).ravel()
@@ -112,5 +109,5 @@ def reference(scene: Scene, times: Vector, kept: float = 0.0) -> Vector:
         t, y = float(part.t[-1]), part.y[:, -1].copy()
         for k in (k for k, when in enumerate(part.t_events) if len(when)):
             shut[k] = not shut[k]
-            y[9 * law.n + 3 * k :][:3] *= kept
+            y[9 * law.n + 3 * k :][:3] = 0.0
     return np.array(found).reshape(len(times), law.n, 3)

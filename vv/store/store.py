@@ -49,6 +49,7 @@ Found = TypeVar("Found")
 Session = dict[str, TimedRun]  # what a timing session measured, by the keys of the runs
 DAY = 86400.0  # s, by which clocks of machines may differ
 STALE = 7 * DAY  # s that the logs of a failure are kept
+ABSENT = (FileNotFoundError, NotADirectoryError)
 UNREADABLE = (OSError, ValueError, KeyError, TypeError, EOFError, zipfile.BadZipFile)
 OBSERVABLES: Mapping[str, type[Displacement | Velocity | Reaction | Strain]] = {
     kind.__name__: kind for kind in (Displacement, Velocity, Reaction, Strain)
@@ -88,7 +89,7 @@ class Store:
             arrays = self._arrays("runs", key)
             meta = codec.read(_Meta, codec.parse(str(arrays["meta"])), "run")
             return _run_from(meta, arrays) if meta.key == key else None
-        except FileNotFoundError:
+        except ABSENT:
             return None
         except UNREADABLE as error:
             self._passed_over("runs", key, "npz", error)
@@ -122,7 +123,7 @@ class Store:
         """The arrays kept beside a record; empty if there are none."""
         try:
             return self._arrays("records", key)
-        except FileNotFoundError:
+        except ABSENT:
             return {}
         except UNREADABLE as error:
             self._passed_over("records", key, "npz", error)
@@ -132,7 +133,7 @@ class Store:
         """Whether the arrays kept beside a record are there, and what was kept."""
         try:
             self._opened("records", key)
-        except FileNotFoundError:
+        except ABSENT:
             return False
         except (OSError, ValueError) as error:
             self._passed_over("records", key, "npz", error)
@@ -240,7 +241,7 @@ class Store:
             whole = self._path(layer, key, "json").read_text(encoding="utf-8")
             text = opened_text(f"{layer}/{key}", whole)
             return codec.read(kind, codec.parse(text), layer)
-        except FileNotFoundError:
+        except ABSENT:
             return None
         except (OSError, ValueError) as error:
             self._passed_over(layer, key, "json", error)
