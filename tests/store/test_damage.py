@@ -20,15 +20,6 @@ from vv.store.store import Store
 SELECTION = ("run", "fall:up", "--codes", "fake/good")
 
 
-def runs(tiny: Tiny, *words: str) -> int:
-    """How many asks the code really answered during an invocation."""
-    log = tiny.root / "log"
-    log.write_text("")
-    done = tiny.vv(*(words or SELECTION), FAKE_LOG=str(log))
-    assert done.returncode == 0, done.stderr
-    return len(log.read_text().splitlines())
-
-
 def jobs(*cases: str) -> list[Record]:
     """A record of each of these cases, which number tells apart."""
     return [record("dem/default", "T1", 1e-3, case=case, steps=n) for n, case in enumerate(cases)]
