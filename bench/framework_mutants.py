@@ -1,0 +1,198 @@
+"""Turns one operator of the framework at a time, and counts what its own tests do not see.
+
+`python -m bench.framework_mutants` takes every place that can be turned in the layers that judge,
+measure, plan and keep; `--files 'vv/gate/*'` some, `--each N` at most N a file, a fixed random
+choice. A mutant is put to the tests of its layer that start no process, and, with `--all`, to the
+others too if it survives those. One process is forked for each from one that has the libraries.
+"""
+
+import argparse
+import ast
+import copy
+import functools
+import importlib
+import os
+import random
+import signal
+import sys
+import tempfile
+from collections.abc import Iterator
+from fnmatch import fnmatch
+from pathlib import Path
+from typing import NamedTuple
+
+import pytest
+
+from bench.evidence import conclude
+from bench.mutants import ROOT, parsed
+from bench.schemata import copied
+
+LAYERS = ("base", "case", "gate", "insight", "plan", "records", "run", "store")
+MORE = {"records": ("insight",), "case": ("records",), "ask": ("records",)}  # layers that test it
+NEEDS = ("numpy", "scipy.optimize", "hypothesis.strategies", "jsonschema", "tomllib")
+PROCESSES = {"tiny", "copy", "accepted", "first", "project", "kept"}  # fixtures that start some
+REWRITTEN = "ignore:Module already imported:pytest.PytestAssertRewriteWarning"
+LIMIT = 120  # s after which a mutant counts as caught: it hangs
+SWAPS: dict[type, type] = {
+    ast.Add: ast.Sub, ast.Sub: ast.Add, ast.Mult: ast.Div, ast.Div: ast.Mult,
+    ast.Lt: ast.GtE, ast.LtE: ast.Gt, ast.Gt: ast.LtE, ast.GtE: ast.Lt,
+    ast.Eq: ast.NotEq, ast.NotEq: ast.Eq, ast.Is: ast.IsNot, ast.IsNot: ast.Is,
+    ast.In: ast.NotIn, ast.NotIn: ast.In, ast.And: ast.Or, ast.Or: ast.And,
+}  # fmt: skip
+NAMES = {"min": "max", "max": "min", "any": "all", "all": "any"}
+
+
+class Mutant(NamedTuple):
+    """A node of a file, by its place in ast.walk."""
+
+    file: str
+    place: int
+
+    @property
+    def what(self) -> str:
+        """Where it is, and what it is."""
+        node = list(ast.walk(parsed(self.file)))[self.place]
+        line = getattr(node, "lineno", 0)
+        return f"{self.file}:{line} {ast.unparse(node)[:90]}  ->  {ast.unparse(_turned(node))[:90]}"
+
+    def text(self) -> str:
+        """The file with this node turned."""
+        tree = copy.deepcopy(parsed(self.file))
+        node = list(ast.walk(tree))[self.place]
+        vars(node).update(vars(_turned(node)))
+        return ast.unparse(tree)
+
+
+def mutants(files: str, each: int) -> Iterator[Mutant]:
+    """At most so many of every file of the layers that the pattern names."""
+    for layer in LAYERS:
+        for path in sorted((ROOT / "vv" / layer).glob("*.py")):
+            file = path.relative_to(ROOT).as_posix()
+            if fnmatch(file, files):
+                sites = [i for i, node in enumerate(ast.walk(parsed(file))) if _turnable(node)]
+                chosen = random.Random(file).sample(sites, min(each, len(sites)))
+                yield from (Mutant(file, place) for place in sorted(chosen))
+
+
+def _turnable(node: ast.AST) -> bool:
+    if isinstance(node, ast.Compare):
+        return type(node.ops[0]) in SWAPS
+    if isinstance(node, ast.BinOp):
+        words = any(isinstance(side, ast.Constant | ast.JoinedStr) and not _is_number(side)
+                    for side in (node.left, node.right))  # fmt: skip
+        return type(node.op) in SWAPS and not words
+    if isinstance(node, ast.Constant):
+        return isinstance(node.value, float) and node.value != 0.0
+    if isinstance(node, ast.Call):
+        return isinstance(node.func, ast.Name) and node.func.id in NAMES
+    return isinstance(node, ast.BoolOp) or (
+        isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.Not)
+    )
+
+
+def _is_number(node: ast.AST) -> bool:
+    return isinstance(node, ast.Constant) and isinstance(node.value, int | float)
+
+
+def _turned(node: ast.AST) -> ast.AST:
+    made = copy.deepcopy(node)
+    if isinstance(made, ast.Compare):
+        made.ops[0] = SWAPS[type(made.ops[0])]()
+    elif isinstance(made, ast.BinOp | ast.BoolOp):
+        made.op = SWAPS[type(made.op)]()
+    elif isinstance(made, ast.Constant):
+        assert isinstance(made.value, float)
+        made.value = 1.5 * made.value
+    elif isinstance(made, ast.Call):
+        assert isinstance(made.func, ast.Name)
+        made.func.id = NAMES[made.func.id]
+    elif isinstance(made, ast.UnaryOp):  # not x: x itself, as a truth
+        made.op, made.operand = ast.Not(), ast.UnaryOp(ast.Not(), made.operand)
+    return made
+
+
+class _Selected:
+    """A plug-in of pytest: only the tests that start no process, or only those that do."""
+
+    def __init__(self, processes: bool) -> None:
+        self.processes = processes
+
+    def pytest_collection_modifyitems(self, items: list[pytest.Item]) -> None:
+        """Keep one of both kinds."""
+        items[:] = [i for i in items if self.processes == bool(_fixtures(i) & PROCESSES)]
+
+
+def _fixtures(item: pytest.Item) -> set[str]:
+    return set(getattr(item, "fixturenames", ()))
+
+
+def seen(project: Path, mutant: Mutant, stages: tuple[bool, ...]) -> bool:
+    """Whether the tests of its layer turn red."""
+    layer = mutant.file.split("/")[1]
+    place = project / mutant.file
+    place.write_text(mutant.text())
+    try:
+        asked = (layer, *MORE.get(layer, ()))
+        return any(not _passes(project, one, processes) for processes in stages for one in asked)
+    finally:
+        place.write_text((ROOT / mutant.file).read_text())
+
+
+def _passes(project: Path, layer: str, processes: bool) -> bool:
+    """Whether pytest is content with a layer, asked in a process of its own."""
+    child = os.fork()
+    if child == 0:
+        try:
+            os._exit(_tested(project, f"tests/{layer}", processes))
+        finally:
+            os._exit(2)
+    return os.waitpid(child, 0)[1] == 0
+
+
+def _tested(project: Path, tests: str, processes: bool) -> int:
+    signal.alarm(LIMIT)
+    os.chdir(project)
+    os.environ["PYTHONPATH"] = str(project)
+    sys.path.insert(0, str(project))
+    for name in [n for n in sys.modules if n.partition(".")[0] in ("vv", "tests", "bench")]:
+        del sys.modules[name]
+    os.dup2(os.open(os.devnull, os.O_WRONLY), 1)
+    os.dup2(1, 2)
+    words = ["-x", "-q", "-p", "no:cacheprovider", "-W", REWRITTEN, tests]
+    status = pytest.main(words, plugins=[_Selected(processes)])
+    return 0 if status in (pytest.ExitCode.OK, pytest.ExitCode.NO_TESTS_COLLECTED) else 1
+
+
+def main() -> None:
+    """Turn, ask, count and judge."""
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--files", default="vv/*", help="such as 'vv/gate/*'")
+    parser.add_argument("--each", type=int, default=1000, help="mutants a file")
+    parser.add_argument("--all", action="store_true", help="tests that start processes too")
+    options = parser.parse_args()
+    for name in NEEDS:
+        importlib.import_module(name)
+    stages = (False, True) if options.all else (False,)
+    every, left = list(mutants(options.files, options.each)), []
+    with tempfile.TemporaryDirectory() as folder:
+        project = Path(folder)
+        copied(project, _tests())
+        red = [layer for layer in LAYERS if not _passes(project, layer, False)]
+        for one in every:
+            if not seen(project, one, stages):
+                left.append(one.what)
+                print(one.what, flush=True)
+    rate = len(left) / max(1, len(every))
+    figures = {"mutants": len(every), "not seen": left, "rate": rate, "red without one": red}
+    conclude("framework_mutants", figures, {"green without": not red, "5 % at most": rate <= 0.05})
+
+
+@functools.cache
+def _tests() -> dict[str, bytes]:
+    """The files of the tests, which the copy needs beside the project's."""
+    wanted = [p for p in (ROOT / "tests").rglob("*") if p.is_file() and p.suffix != ".pyc"]
+    return {path.relative_to(ROOT).as_posix(): path.read_bytes() for path in wanted}
+
+
+if __name__ == "__main__":
+    main()
