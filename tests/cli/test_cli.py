@@ -44,6 +44,8 @@ BAD = {
     "rnu": "No such command 'rnu'",
     "explain nothing": "no case or family 'nothing'",
     "export fall --code fake/good": "'fall' names 2 variants; export takes one",
+    "papers": "no paper; a file of cases/papers/ describes each",
+    "papers nobody": "no paper 'nobody'; a file of cases/papers/ describes each",
     "report": "there is no run yet",
 }
 

@@ -19,6 +19,7 @@ from vv.cli import (
     baseline_commands,
     export_command,
     gate_command,
+    papers_command,
     query_commands,
     run_command,
     speed_command,
@@ -50,6 +51,7 @@ GROUPS: dict[str, dict[str, Callable[..., None]]] = {
         "explain": query_commands.explain,
         "diff": query_commands.diff,
         "history": query_commands.history,
+        "papers": papers_command.papers,
     },
     "Judge": {
         "gate": gate_command.gate,

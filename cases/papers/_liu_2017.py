@@ -1,0 +1,182 @@
+"""What Liu et al. (2017) publish of the close-packed lattice that stands for quartzite."""
+
+from __future__ import annotations
+
+import functools
+from collections.abc import Callable
+from math import sqrt
+
+from cases._papers import LIU_2017
+from reference_solutions.bonds import lattice_material as theory
+from reference_solutions.bonds import tetrahedral_unit
+from reference_solutions.bonds.close_packed_lattice import SIZES, count
+from vv.ask import Knobs
+from vv.case.published import Figure, Paper, Seen, Standing, Statement
+
+D = 1e-3  # m
+ELEMENT = theory.element(theory.QUARTZITE, D)
+KN, KS, XB, FS0, MU_P = ELEMENT
+CU = theory.sliding_strength(FS0, MU_P, D)
+FINEST = Knobs(2e-8)
+MODULI = (  # error of E [%] of the blocks, on the hull's area; of nu
+    (3.64, 2.29, 1.69, 1.34, 1.05, 0.83, 0.65, 0.54, 0.44),
+    (-1.28, -0.80, -0.39, -0.14, 1.10, 0.46, 0.75, 0.62, 0.54),
+)
+
+
+def _number(
+    place: str, what: str, printed: str, unit: str, exact: Callable[[], float], why: str = "",
+    seen: tuple[Seen, ...] = (), close: float | None = None,
+) -> Statement:  # fmt: skip
+    """A number that is printed right, or with `why` a misprint."""
+    standing = Standing.MISPRINT if why else Standing.REPRODUCED
+    return Statement(place, what, printed, standing, why, unit, exact, seen, close)
+
+
+def _over(state: tetrahedral_unit.State, printed: float) -> float:
+    """How far a strength is off the printed formula, in %."""
+    return 100.0 * (abs(state.stress) / printed - 1.0)
+
+
+def _blocks(which: int, signed: bool = True) -> float:
+    errors = MODULI[which]
+    return sum(e if signed else abs(e) for e in errors) / len(errors)
+
+
+def _strength(variant: str, quantity: str) -> Seen:
+    return Seen("tetrahedral-strength", variant, quantity, times=100.0, rung=FINEST)
+
+
+def _of_path(variant: str, quantity: str) -> Seen:
+    return Seen("tetrahedral-path", variant, quantity, times=100.0)
+
+
+REPRODUCED, DIFFERS, MISPRINT, WRONG, OPEN = Standing
+TABLE = (
+    _number("Table 1", "normal stiffness Kn (Eq. B1)", "46.794e6", "N/m", lambda: KN),
+    _number("Table 1", "shear stiffness Ks (Eq. B2)", "8.068e6", "N/m", lambda: KS),
+    _number("Table 1", "breaking displacement Xb (Eq. B3)", "1.704e-7", "m", lambda: XB),
+    _number("Table 1", "initial shear resistance Fs0 (Eq. B4)", "18.452", "N", lambda: FS0),
+    _number("Table 1", "friction coefficient mu_p (Eq. B5)", "0.3964", "", lambda: MU_P),
+    _number(
+        "Table 1", "coefficient of intrinsic friction that mu_p gives", "1", "",
+        lambda: theory.internal_friction(MU_P),
+        "B5 inverts Eq. 15, whose P is half that of the lattice, since Eq. 11a is twice the stress",
+    ),
+    _number("Eq. 27", "element mass", "1.874e-6", "kg",
+            lambda: theory.element_mass(2650.0, D)),
+    _number("Sec. 3.2", "largest Poisson's ratio, at gamma = 0", "0.2", "",
+            lambda: theory.poissons_ratio(1.0, 0.0),
+            seen=(Seen("tetrahedral-unit", "gamma-0", "nu"),)),
+    Statement("Sec. 3.2", "Poisson's ratio at gamma = 1", "0", REPRODUCED,
+              exact=lambda: theory.poissons_ratio(1.0, 1.0),
+              seen=(Seen("tetrahedral-unit", "gamma-1", "nu"),)),
+    *(
+        Statement("Sec. 5.1", f"elements of a block of {n} a row", str(size), REPRODUCED,
+                  exact=functools.partial(count, *parts))
+        for size, parts in SIZES.items() for n in parts[:1]
+    ),
+)  # fmt: skip
+EQUATIONS = (
+    Statement("Eqs. 2-10, 13, 14, A1-A3, B1-B4, 27", "as printed", "", REPRODUCED,
+              "derived again from the balance of four elements; beside it the error of E at a "
+              "strain of 1e-3, against the balance at finite strain",
+              seen=(Seen("tetrahedral-path", "in", "E(-0.001)", Figure.ERROR),)),
+    Statement("Eq. 11a", "sigma_xx = sqrt6 Fx/d^2", "2.449 Fx/d^2", MISPRINT,
+              "a section through the lattice, and the virial, give half as much",
+              exact=lambda: sqrt(6.0) / 2.0),
+    Statement("Eqs. 12 and 15", "P, what a horizontal stress adds to the axial one", "5.828",
+              MISPRINT, "(2 + sqrt2 mu_p)/(1 - sqrt2 mu_p), half of what is, by Eq. 11a",
+              exact=lambda: 2 * (2 + sqrt(2) * MU_P) / (1 - sqrt(2) * MU_P)),
+    Statement("Sec. 4.2.3", "'the maximum shear forces F_smax' of Eq. (4)'", "", MISPRINT,
+              "it is of Eq. 1"),
+    Statement("Eq. 23", "sliding distance: tangential displacement less 'the reduction of spring "
+              "length'", "", MISPRINT, "less its increase, X_s2 - X_s1, as the equation has it"),
+    Statement("Eq. 28", "(8 m Kn)^(1/2) is critical for an element fixed on a rigid boundary", "",
+              WRONG, "it is critical for a spring of 2 Kn; for Kn it is (4 m Kn)^(1/2)"),
+    Statement("Eq. 28", "volume V of a unit", "", OPEN, "the paper does not say which volume a "
+              "single unit has: d^3/sqrt2 is its share of the lattice, d^3/(6 sqrt2) its hull"),
+)  # fmt: skip
+UNIT = (
+    Statement("Sec. 5.2", "E of a unit at a strain of -1e-6 is quartzite's", "90", REPRODUCED,
+              unit="GPa", exact=lambda: 1e-9 * theory.youngs_modulus(KN, KS, D),
+              seen=(Seen("tetrahedral-path", "in", "E(-1e-05)", times=1e-9),)),
+    Statement("Sec. 5.2", "nu of a unit at a strain of -1e-6 is quartzite's", "0.16", REPRODUCED,
+              exact=lambda: theory.poissons_ratio(KN, KS),
+              seen=(Seen("tetrahedral-path", "in", "nu(-1e-05)"),)),
+    Statement("Fig. 4a", "errors of E grow with strain; at -1e-3", "", REPRODUCED,
+              unit="%", exact=lambda: 100 * (
+                  tetrahedral_unit.equilibrium(-1e-3, kn=KN, ks=KS, d=D).modulus / 90e9 - 1),
+              seen=(_of_path("in", "E(-0.001)-small"),)),
+    Statement("Sec. 5.2", "T_u of a unit is 0.011 % lower than Eq. 7", "-0.011", DIFFERS,
+              "a unit pulled slowly is stronger by 0.0057 %; the paper's own step of 1.70e-10 m is "
+              "0.075 % of the strain at failure, more than what it states", "%",
+              lambda: _over(tetrahedral_unit.tension_failure(ELEMENT, D), 25e6),
+              (_strength("pulled", "T_u over Eq. 7"),)),
+    Statement("Sec. 5.2", "C_u of a unit is 1.73 % lower than Eq. 14", "-1.73", DIFFERS,
+              "pressed slowly it is 2.07 % lower; the paper's rate and viscosity add to it", "%",
+              lambda: _over(tetrahedral_unit.sliding_failure(ELEMENT, D), CU),
+              (_strength("pressed", "C_u over Eq. 14"),)),
+    Statement("Sec. 5.2", "strain in the C_u test exceeds 4e-3", ">4e-3", REPRODUCED,
+              exact=lambda: abs(tetrahedral_unit.sliding_failure(ELEMENT, D).strain)),
+    Statement("Eq. 8", "C_open of quartzite's elements", "95.83", REPRODUCED, unit="MPa",
+              exact=lambda: 1e-6 * theory.opening_strength(KN, KS, XB, D),
+              seen=(Seen("tetrahedral-strength", "pressed", "C_open", times=1e-6, rung=FINEST),),
+              why="the paper prints the formula; the number is ours"),
+)  # fmt: skip
+BLOCKS = (
+    Statement("Sec. 5.2", "mean error of E of the blocks", "0.6", OPEN,
+              "E depends on the area that stress is taken on, which is not stated; on the hull of "
+              "the centres it is 3.64 % at 82 elements and 0.44 % at 37 681", "%",
+              lambda: _blocks(0),
+              tuple(Seen("close-packed-lattice", str(n), "E-excess", times=100.0)
+                    for n in (82, 255, 580, 1105))),
+    Statement("Sec. 5.2", "mean error of nu of the blocks", "0.6", REPRODUCED,
+              "mean of the sizes of errors; mean of widths along x and y, which differ by up to "
+              "26 %", "%", lambda: _blocks(1, signed=False), close=0.1,
+              seen=tuple(Seen("close-packed-lattice", str(n), "nu", Figure.VALUE)
+                         for n in (82, 255, 580, 1105))),
+    Statement("Sec. 5.2", "T_u of the blocks is lower than Eq. 7 on average", "8.89", REPRODUCED,
+              "the first bond to open lies at a face: 5.8 % lower at 82 elements, 9.7 % at 37 681, "
+              "8.5 % on average of the nine", "%", lambda: 8.5, close=0.5,
+              seen=(Seen("close-packed-strength", "pulled-82", "T_u over Eq. 7", times=-100.0),)),
+    Statement("Sec. 5.2", "C_u of the blocks is lower than Eq. 14 on average", "18.51", DIFFERS,
+              "between rigid smooth platens all inclined bonds slide at once, 3.4 % above Eq. 14 "
+              "at 82 elements and 1.5 % below at 37 681; platens that yield give 15 to 21 % below, "
+              "and the paper does not tell of such", "%",
+              seen=(Seen("close-packed-energy", "pressed-82", "C_u over Eq. 14", times=-100.0),)),
+    Statement("Sec. 6", "input T_u to be raised, since blocks have 8.89 % less", "9.76",
+              REPRODUCED, unit="%", exact=lambda: 100.0 * (1.0 / (1.0 - 0.0889) - 1.0)),
+    Statement("Sec. 6", "the unit is centrosymmetric, so that its other three axes follow the same "
+              "formulas", "", WRONG, "in hexagonal close packing E along them is 0.8715 of E_z; "
+              "the least of all directions is 0.829"),
+    Statement("Sec. 6", "E is 'a bit lower' along other directions", "", REPRODUCED,
+              "by 9 % in the plane of the base, by up to 17 %"),
+)  # fmt: skip
+FAILURE = (
+    Statement("Fig. 5", "stress falls at A3 before A1", "", MISPRINT,
+              "Fig. 6a has A3 after A2, as the end of the test"),
+    Statement("Fig. 6a", "failure under pressure takes about", "1e-4", OPEN,
+              "the rate of the platen is not given beyond 1.70e-9 m in 100 steps of 1e-8 s, which "
+              "does not fit the 1.072e-2 s of Sec. 5.3", "s"),
+    Statement("Fig. 6b", "the pulled block breaks at", "1.072e-2", OPEN,
+              "1.70e-10 m in 100 steps of 1e-8 s are 1.7e-4 m/s at one end, so a strain of 1.59e-4 "
+              "then, or 3.19e-4 if both ends move; 2.54e-4 is needed", "s"),
+    Statement("Sec. 5.3", "largest kinetic share as the block breaks in two", "16.2", DIFFERS,
+              "a block of 2166 has 13.6 %, and 82 elements have 14.7 %; the rate is not the "
+              "reason", "%", "",
+              (Seen("close-packed-energy", "pulled-82", "kinetic share", times=100.0),)),
+    Statement("Sec. 5.3", "bonds of the block part within", "2.83e-6", DIFFERS,
+              "2.4e-6 s in a block of 2166 at the paper's step, 5.3e-6 s at 4e-8 s", "s", "",
+              (Seen("close-packed-energy", "pulled-82", "crack time"),)),
+    Statement("Sec. 5.3", "speed of the crack, 1.2 cm in 2.83e-6 s", "4240", REPRODUCED,
+              unit="m/s", exact=lambda: 0.012 / 2.83e-6, close=5.0),
+    Statement("Fig. 6", "mechanical energy plus heat equals the external work", "", REPRODUCED,
+              "remainder over the work",
+              seen=(Seen("close-packed-energy", "pulled-82", "balance"),
+                    Seen("close-packed-energy", "pressed-82", "balance"))),
+    Statement("Sec. 5.3", "no frictional heat as the block is pulled in two", "0", REPRODUCED,
+              unit="J", exact=lambda: 0.0,
+              seen=(Seen("close-packed-energy", "pulled-82", "Q_f", Figure.FINAL),)),
+)  # fmt: skip
+PAPER = Paper("Liu et al. (2017)", *LIU_2017, TABLE + EQUATIONS + UNIT + BLOCKS + FAILURE)

@@ -1,0 +1,85 @@
+"""Claims about what the papers publish: numbers are as they are said to be, and nothing is lost."""
+
+import math
+from pathlib import Path
+
+import pytest
+
+from vv.case.published import Paper, Standing, Statement
+from vv.gate.all_checks import baseline_of
+from vv.insight.papers import rows
+from vv.output.papers_page import page
+from vv.plan.project import find
+from vv.plan.published import papers
+from vv.records.accepted import AcceptedResult
+
+PROJECT = find(Path(__file__))
+PAPERS = papers(PROJECT)
+STATEMENTS = [(paper.name, one) for paper in PAPERS for one in paper.statements]
+NUMBERS = [
+    one for _, one in STATEMENTS if one.number is not None and not isinstance(one.exact, str)
+]
+
+
+def accepted(case: str) -> dict[str, AcceptedResult]:
+    baseline = baseline_of(PROJECT, case)
+    return dict(baseline.results) if baseline else {}
+
+
+@pytest.mark.parametrize("one", NUMBERS, ids=lambda one: f"{one.place} {one.what}")
+def test_a_number_is_reproduced_if_it_rounds_to_what_is_printed_and_only_then(
+    one: Statement,
+) -> None:
+    assert one.number is not None
+    assert not isinstance(one.exact, str)
+    same = math.isclose(one.exact(), one.number, rel_tol=0.0, abs_tol=one.allowance)
+    if one.standing in (Standing.REPRODUCED, Standing.MISPRINT, Standing.DIFFERS):
+        assert same == (one.standing is Standing.REPRODUCED), (one.exact(), one.number)
+
+
+def test_what_a_statement_points_to_is_there() -> None:
+    """Its case, variant and quantity, and once the case is accepted a result to show."""
+    for name, one in STATEMENTS:
+        for seen in one.seen:
+            case = PROJECT.load_case(seen.case)
+            trial = case.declare(seen.variant, case.defaults(seen.variant))
+            assert seen.quantity in {q.name for q in trial.quantities}, (name, seen)
+    shown = [row for paper in PAPERS for row in rows(paper, accepted)]
+    for (_, one), row in zip(STATEMENTS, shown, strict=True):
+        known = {s.case for s in one.seen if accepted(s.case)}
+        assert known <= {answer.where.partition(":")[0] for answer in row.answers}, one.what
+
+
+def test_more_than_thirty_contradictions_are_told_with_their_reasons() -> None:
+    false = [one for _, one in STATEMENTS if one.standing in (Standing.MISPRINT, Standing.WRONG)]
+    assert len(false) > 30
+    assert all(len(one.why) > 10 for one in false)
+
+
+def test_the_page_in_the_docs_is_what_vv_papers_writes() -> None:
+    """After a change that is meant: vv papers --accepted --output docs/papers.md."""
+    found = [(paper, rows(paper, accepted)) for paper in PAPERS]
+    assert (PROJECT.root / "docs" / "papers.md").read_text() == page(found)
+
+
+def test_a_statement_that_is_called_wrong_without_a_reason_is_refused() -> None:
+    with pytest.raises(ValueError, match=r"Eq\. 1, a: why = ''; what is wrong has a reason"):
+        Statement("Eq. 1", "a", "1", Standing.WRONG)
+
+
+@pytest.mark.parametrize(
+    ("printed", "number", "allowance"),
+    [("0.1971", 0.1971, 5e-5), ("-0.0005", -5e-4, 5e-5), ("2.1651e7", 2.1651e7, 500.0),
+     ("82", 82.0, 0.5), ("", None, math.inf)],
+)  # fmt: skip
+def test_a_number_is_known_to_half_its_last_place(
+    printed: str, number: float | None, allowance: float
+) -> None:
+    one = Statement("Eq. 1", "a", printed, Standing.REPRODUCED)
+    assert one.number == number
+    assert one.allowance == pytest.approx(allowance, rel=1e-3)
+
+
+def test_papers_are_found_by_their_files() -> None:
+    assert [paper.name.split()[0] for paper in PAPERS] == ["Li", "Liu", "Yagoda-Biran"]
+    assert all(isinstance(paper, Paper) and paper.citation for paper in PAPERS)

@@ -1,0 +1,53 @@
+"""Claims about statements of papers beside results: at which setting, and those that agree."""
+
+from vv.ask import Knobs
+from vv.case.published import Figure, Paper, Seen, Standing, Statement
+from vv.insight.papers import Answer, Row, counted, rows
+from vv.records.accepted import AcceptedQuantity, AcceptedResult
+
+
+def result(value: float, error: float | None = None) -> AcceptedResult:
+    return AcceptedResult("1", None, {"x": AcceptedQuantity(error, 1.0, {"value": value})})
+
+
+RESULTS = {
+    "one a/default dt=0.001,kn=100000000": result(1.0, 0.5),
+    "one a/default dt=0.0001,kn=1000000000": result(2.0, 0.25),
+    "one b/other dt=0.0001": result(2.0000001, 1e-15),
+    "one c/default": result(3.0),
+    "two a/default dt=0.001": result(9.0),
+}
+
+
+def row(seen: Seen, printed: str = "2.0") -> Row:
+    one = Statement("Eq. 1", "what", printed, Standing.REPRODUCED, "", "m", lambda: 2.0, (seen,))
+    return rows(Paper("A", "B", "", (one,)), lambda case: RESULTS if case == "case" else {})[0]
+
+
+def test_codes_that_give_the_same_stand_together_each_at_its_finest() -> None:
+    assert row(Seen("case", "one", "x")).answers == (
+        Answer("case:one", "2", ("a/default", "b/other")),
+        Answer("case:one", "3", ("c/default",)),
+    )
+
+
+def test_a_setting_that_is_asked_for_is_the_one_shown_where_a_code_has_its_knobs() -> None:
+    found = row(Seen("case", "one", "x", rung=Knobs(1e-3, 1e8)))
+    assert [(a.text, a.codes) for a in found.answers] == [
+        ("1", ("a/default",)),
+        ("3", ("c/default",)),
+    ]
+
+
+def test_errors_are_shown_in_per_cent_and_rounding_as_none() -> None:
+    found = row(Seen("case", "one", "x", Figure.ERROR, 100.0))
+    assert [a.text for a in found.answers] == ["25", "0"]
+
+
+def test_what_no_record_has_is_left_out() -> None:
+    assert row(Seen("case", "one", "y")).answers == ()
+    assert row(Seen("other", "one", "x")).answers == ()
+
+
+def test_standings_are_counted_in_their_order() -> None:
+    assert counted([row(Seen("case", "one", "x"))]) == {Standing.REPRODUCED: 1}

@@ -1,0 +1,106 @@
+"""Sets what papers publish beside the exact answers and what each code gives."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import dataclass
+
+from vv.case.published import Figure, Paper, Seen, Standing, Statement
+from vv.records.accepted import AcceptedResult
+
+Results = Mapping[str, AcceptedResult]  # by 'VARIANT CODE/SCHEME RUNG', as a baseline names them
+SHOWN = 5  # significant digits of what codes give
+FEWEST = 1e-12  # a smaller figure is rounding
+
+
+@dataclass(frozen=True)
+class Answer:
+    """A number that codes give, as text, and which: CODE/SCHEME. where: CASE:VARIANT."""
+
+    where: str
+    text: str
+    codes: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class Row:
+    """A published statement with what is known of it; numbers as text, in the statement's unit."""
+
+    place: str
+    what: str
+    printed: str
+    unit: str
+    exact: str
+    answers: tuple[Answer, ...]
+    standing: Standing
+    why: str
+
+
+def rows(paper: Paper, results: Callable[[str], Results]) -> tuple[Row, ...]:
+    """A row for each statement of a paper; results: case -> what is stored of it."""
+    return tuple(_row(one, results) for one in paper.statements)
+
+
+def counted(rows: Iterable[Row]) -> dict[Standing, int]:
+    """How many statements came out in which way, in the order of Standing."""
+    found = [row.standing for row in rows]
+    return {standing: found.count(standing) for standing in Standing if standing in found}
+
+
+def _row(one: Statement, results: Callable[[str], Results]) -> Row:
+    answers = tuple(a for seen in one.seen for a in _answers(seen, results(seen.case)))
+    exact = one.exact if isinstance(one.exact, str) else _beside(one.exact(), one)
+    return Row(
+        one.place, one.what, one.printed, one.unit, exact, answers, one.standing, one.why
+    )  # fmt: skip
+
+
+def _beside(value: float, one: Statement) -> str:
+    """The exact number, with two digits more than are printed, five at least."""
+    given = one.printed.split()[0].partition("e")[0] if one.printed else ""
+    digits = sum(c.isdigit() for c in given.lstrip("-<>~0."))
+    return f"{value:.{max(SHOWN, digits + 2)}g}"
+
+
+def _answers(seen: Seen, results: Results) -> Iterator[Answer]:
+    """What codes give, those together that give the same."""
+    where = f"{seen.case}:{seen.variant}"
+    piles: dict[str, list[str]] = {}
+    for label, result in _chosen(seen, results).items():
+        if (figure := _figure(seen, result)) is not None:
+            shown = 0.0 if abs(figure) < FEWEST else figure * seen.times
+            piles.setdefault(f"{shown:.{SHOWN}g}", []).append(label)
+    for text, labels in piles.items():
+        yield Answer(where, text, tuple(labels))
+
+
+def _chosen(seen: Seen, results: Results) -> dict[str, AcceptedResult]:
+    """CODE/SCHEME -> its result at the rung asked for, else at its finest."""
+    found: dict[str, tuple[tuple[float, float], AcceptedResult]] = {}
+    for name, result in results.items():
+        variant, label, *rest = name.split(" ")
+        knobs = dict(pair.split("=") for pair in rest[0].split(",")) if rest else {}
+        if variant != seen.variant or not _is_at(seen, knobs):
+            continue
+        fine = (float(knobs.get("kn", 0.0)), -float(knobs.get("dt", 0.0)))
+        if label not in found or fine > found[label][0]:
+            found[label] = (fine, result)
+    return {label: found[label][1] for label in sorted(found)}
+
+
+def _is_at(seen: Seen, knobs: Mapping[str, str]) -> bool:
+    """Whether a result is at the rung asked for, as far as its scheme has the knobs."""
+    due = {} if seen.rung is None else {"dt": seen.rung.dt, "kn": seen.rung.kn}
+    return all(
+        value is None or name not in knobs or abs(float(knobs[name]) / value - 1.0) < 1e-9
+        for name, value in due.items()
+    )
+
+
+def _figure(seen: Seen, result: AcceptedResult) -> float | None:
+    quantity = result.quantities.get(seen.quantity)
+    if quantity is None:
+        return None
+    return (
+        quantity.error if seen.figure is Figure.ERROR else quantity.figures.get(seen.figure.value)
+    )
