@@ -21,6 +21,10 @@ def _responding(*variants: str, quantity: str = "d2x") -> tuple[Seen, ...]:
     return _error("responding-block", *variants, quantity=quantity)
 
 
+def _agreeing(*variants: str) -> tuple[Seen, ...]:
+    return tuple(Seen("failure-modes", v, "agree") for v in variants)
+
+
 def _said(
     place: str, what: str, printed: str, standing: Standing, why: str = "",
     seen: tuple[Seen, ...] = (), unit: str = "", exact: Callable[[], float] | str = "",
@@ -75,11 +79,14 @@ SLIDING = (
 )  # fmt: skip
 MODES = (
     _said("Sec. 3.2.2", "points of the chart where 2D-DDA agrees, of 110", "106", OPEN,
-          "the points are not given"),
+          "the points are not given; beside it how many of 22 each, half a degree from the borders "
+          "and all over", _agreeing("2d-10", "2d-20", "2d-30", "2d-40", "2d-60")),
     _said("Sec. 4.3.1", "points where 3D-DDA agrees under gravity, of 51", "49", OPEN,
-          "the points are not given"),
+          "the points are not given; beside it how many of 17 each",
+          _agreeing("gravity-14", "gravity-32", "gravity-50")),
     _said("Sec. 4.3.2", "points where 3D-DDA agrees under a pseudo-static force, of 89", "89", OPEN,
-          "the points are not given"),
+          "the points are not given; beside it how many of 22 each",
+          _agreeing("3d-6", "3d-20", "3d-40", "3d-50")),
 )  # fmt: skip
 ROCKING = (
     _said("Sec. 3.3", "a pulse that does not topple the block", "5.43", WRONG,

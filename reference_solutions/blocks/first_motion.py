@@ -1,0 +1,85 @@
+"""How a block on a slope begins to move: the chart of its modes, and its acceleration in each.
+
+psi is the angle of the slope plus that of the resultant of weight and a level force against the
+vertical, phi the friction angle, and tan(delta) = b/h of the half sides b along the slope and h
+across it [any unit of length]. Everything is over the acceleration g' that the resultant gives.
+With mu = tan(phi), k^2 = (b^2 + h^2)/3 and r = (h, b) from the lower edge to the centre, down the
+slope and out of it:
+
+slides                 a = (sin psi - mu cos psi, 0)
+topples                a = q (h, b), q = (h sin psi - b cos psi)/(4 k^2)
+slides and topples     n = cos psi/(1 - (mu h - b) b/k^2), q = (mu h - b) n/k^2,
+                       a = (sin psi - mu n, n - cos psi)
+
+It slides for phi < psi and phi <= delta, topples for psi > delta and phi >= phi_c, does both for
+psi > delta and delta < phi < phi_c, where toppling alone would need just the friction there is, and
+else it stays (Hoek and Bray, with the borders of Yeung 1991 and of Yagoda-Biran and Hatzor 2013).
+Angles are in degrees. Every function raises ValueError for angles outside their ranges.
+"""
+
+from enum import IntEnum
+from math import atan, cos, degrees, radians, sin, tan
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+
+
+class Mode(IntEnum):
+    """What a block does first."""
+
+    STAYS = 0
+    SLIDES = 1
+    TOPPLES = 2
+    SLIDES_AND_TOPPLES = 3
+
+
+def critical(psi: float, delta: float) -> float:
+    """phi_c [degrees], below which a block that topples slides too; delta <= psi."""
+    _require(psi=psi, delta=delta)
+    if not delta <= psi:
+        raise ValueError(f"delta = {delta} degrees; a block topples for delta <= psi = {psi} only")
+    p, d = radians(psi), radians(delta)
+    pull = sin(p) + 3.0 * sin(d) * cos(p - d)
+    return degrees(atan(pull / (cos(p) + 3.0 * cos(d) * cos(p - d))))
+
+
+def slip_joins(phi: float, delta: float) -> float:
+    """psi [degrees] from which on a block that topples slides too, phi_c = phi; delta < phi.
+
+    tan(phi_c - delta) = tan(psi - delta)/4.
+    """
+    _require(phi=phi, delta=delta)
+    if not delta < phi:
+        raise ValueError(f"delta = {delta} degrees; it must be below phi = {phi}")
+    return delta + degrees(atan(4.0 * tan(radians(phi - delta))))
+
+
+def mode(*, psi: float, phi: float, delta: float) -> Mode:
+    """What the block does first."""
+    _require(psi=psi, phi=phi, delta=delta)
+    if psi <= delta or phi <= delta:
+        return Mode.SLIDES if phi < psi and phi <= delta else Mode.STAYS
+    return Mode.SLIDES_AND_TOPPLES if phi < critical(psi, delta) else Mode.TOPPLES
+
+
+def acceleration(which: Mode, *, psi: float, phi: float, delta: float) -> Array:
+    """a (2,) of the centre over g' in a mode, whether or not it is the one that comes to pass."""
+    _require(psi=psi, phi=phi, delta=delta)
+    p, mu = radians(psi), tan(radians(phi))
+    b, h = sin(radians(delta)), cos(radians(delta))  # of a half diagonal of 1, so k^2 = 1/3
+    if which is Mode.STAYS:
+        return np.zeros(2)
+    if which is Mode.SLIDES:
+        return np.array([sin(p) - mu * cos(p), 0.0])
+    if which is Mode.TOPPLES:
+        return 0.75 * (h * sin(p) - b * cos(p)) * np.array([h, b])
+    n = cos(p) / (1.0 - 3.0 * (mu * h - b) * b)
+    return np.array([sin(p) - mu * n, n - cos(p)])
+
+
+def _require(**angles: float) -> None:
+    for name, value in angles.items():
+        if not 0.0 < value < 90.0:
+            raise ValueError(f"{name} = {value} degrees; it must lie between 0 and 90")

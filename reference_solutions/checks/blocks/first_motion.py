@@ -1,0 +1,81 @@
+"""How a block on a slope begins to move, by trying all modes of its two lower edges: second route.
+
+Each edge is off, sticks, slips down or slips up. Of the 16 pairs the one is looked for whose
+forces push, obey Coulomb, and keep edges from entering the slope. Where both stick, some forces in
+balance are looked for, since these are not unique.
+"""
+
+from itertools import product
+from math import cos, radians, sin, tan
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+SMALL = 1e-12  # of g'
+
+
+def acceleration(*, psi: float, phi: float, delta: float) -> Array:
+    """(down the slope, out of it, forward) of the centre over g', of a half diagonal of 1."""
+    p, mu = radians(psi), tan(radians(phi))
+    b, h = sin(radians(delta)), cos(radians(delta))
+    pull = np.array([sin(p), -cos(p), 0.0])
+    if _may_rest(pull, mu, b, h):
+        return np.zeros(3)
+    for states in product(("off", "stick", "down", "up"), repeat=2):
+        found = None if states == ("stick", "stick") else _tried(states, pull, mu, (b, -b), h)
+        if found is not None:
+            return found
+    raise ValueError(f"psi, phi, delta = {psi}, {phi}, {delta} degrees: no mode is consistent")
+
+
+def _tried(
+    states: tuple[str, ...], pull: Array, mu: float, at: tuple[float, ...], h: float
+) -> Array | None:
+    """The acceleration in a mode; None where it contradicts itself."""
+    rows, right = [np.hstack([np.eye(3), -_levers(at, h)])], [pull]
+    for i, state in enumerate(states):
+        normal, along = np.zeros(7), np.zeros(7)
+        if state == "off":
+            normal[3 + 2 * i] = along[4 + 2 * i] = 1.0
+        else:
+            normal[[1, 2]] = 1.0, -at[i]
+            along[[0, 2]] = 1.0, -h
+            if state != "stick":
+                along = np.zeros(7)
+                along[3 + 2 * i], along[4 + 2 * i] = (mu if state == "down" else -mu), 1.0
+        rows += [normal[None], along[None]]
+        right += [np.zeros(1), np.zeros(1)]
+    matrix = np.vstack(rows)
+    if abs(np.linalg.det(matrix)) < SMALL:
+        return None
+    x: Array = np.linalg.solve(matrix, np.concatenate(right))
+    return x[:3] if all(_holds(s, x, mu, at[i], h, i) for i, s in enumerate(states)) else None
+
+
+def _levers(at: tuple[float, ...], h: float) -> Array:
+    """(3, 4): what (push, rub) of either edge give the centre; its radius of gyration^2 is 1/3."""
+    columns = [column for x in at for column in ((0.0, 1.0, -3.0 * x), (1.0, 0.0, -3.0 * h))]
+    return np.array(columns).T
+
+
+def _holds(state: str, x: Array, mu: float, at: float, h: float, i: int) -> bool:
+    """Whether an edge does what it was taken to do."""
+    rises, slips = x[1] - at * x[2], x[0] - h * x[2]
+    push, rub = x[3 + 2 * i], x[4 + 2 * i]
+    if state == "off":
+        return bool(rises >= -SMALL)
+    if state == "stick":
+        return bool(push >= -SMALL and abs(rub) <= mu * push + SMALL)
+    return bool(push >= -SMALL and (slips >= -SMALL if state == "down" else slips <= SMALL))
+
+
+def _may_rest(pull: Array, mu: float, b: float, h: float) -> bool:
+    """Whether forces within Coulomb's law hold the block: the resultant meets its base and cone."""
+    from scipy.optimize import linprog
+
+    cone = [[-mu, 1.0, 0.0, 0.0], [-mu, -1.0, 0.0, 0.0]]
+    limits = np.array(cone + [row[2:] + row[:2] for row in cone])
+    pushes = [(0.0, None), (None, None)] * 2
+    found = linprog(np.zeros(4), limits, np.zeros(4), _levers((b, -b), h), -pull, pushes)
+    return bool(found.status == 0)
