@@ -23,6 +23,7 @@ from vv.case import (
     Source,
     Tolerance,
     Trial,
+    Unexplained,
     Variant,
 )
 from vv.scene import Block, Contact, Scene, Vector, Wall, polyhedron_inertia
@@ -72,7 +73,11 @@ def _declare(variant: str, p: Parameters) -> Trial:
         if variant == "arch-thin"
         else _moved(seen, p, STANDS if variant == "arch" else _stacked(p["n"]))
     )
-    return Trial(Ladder(scene, GOALS[variant], seen, LEVELS[variant]), (quantity,))
+    study = Ladder(scene, GOALS[variant], seen, LEVELS[variant])
+    weighed = sum(block.mass for block in blocks) * p["g"] * p["size"]
+    least = SINKING if variant == "arch-thin" else RESTS
+    unexplained = Unexplained(weighed, {Method.SECOND_ORDER: least}) if weighed else None
+    return Trial(study, (quantity,), unexplained)
 
 
 def _moved(seen: tuple[Displacement, ...], p: Parameters, judge: Exact) -> Quantity:
@@ -129,6 +134,16 @@ PRESSED = "springs start compressed by the loads; they neither oscillate nor ope
 SETTLES = (
     "springs start compressed by the weights; where a joint opens at one edge, the other "
     "sinks by W/kn, 1e-6 m"
+)
+RESTS = Tolerance(
+    5e-9,
+    "nothing moves, so that rounding of the energies of motion is no measure; what rounding moves "
+    "a stack by, 3e-7 of its size in 10 s at most, gives or takes a part of what its weights could",
+)
+SINKING = Tolerance(
+    2e-8,
+    "contacts are solved to 5e-6 m/s at worst and to about 1e-8 m/s in fact, at which the weights "
+    "would sink by 2e-9 of their size in 0.2 s: friction may give some times that",
 )
 STANDS = Exact(
     {
@@ -193,6 +208,6 @@ CASE = Case(
         ),
     ),
     declare=_declare,
-    # rounding decides how far a stack creeps, and the energy that it gains by that
-    enforced=frozenset({Check.ACCURACY, Check.SPEED}),
+    # rounding decides how far a stack creeps
+    enforced=frozenset(Check) - {Check.REGRESSION},
 )  # fmt: skip

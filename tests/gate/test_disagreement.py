@@ -9,7 +9,8 @@ import pytest
 from tests.support.fabricated import entry, record, requantified
 from vv.ask import Knobs
 from vv.base.errors import UsageError
-from vv.gate.disagreement import Disagreement, dated, judge, read_disagreements
+from vv.gate.disagreement import Disagreement, dated, judge
+from vv.gate.ledger_file import read_disagreements
 from vv.records.finding import bits
 from vv.records.job_record import Record
 from vv.records.outcomes import Verdict

@@ -3,7 +3,16 @@
 May import: base, scene, ask.
 """
 
-from vv.case.case import Case, Check, Parameter, Parameters, Source, Trial, Variant
+from vv.case.case import (
+    Case,
+    Check,
+    Parameter,
+    Parameters,
+    Source,
+    Trial,
+    Unexplained,
+    Variant,
+)
 from vv.case.common_quantities import Motion, largest_step, last_stable_step
 from vv.case.judges import (
     LARGEST_TOLERANCE,
@@ -53,6 +62,7 @@ __all__ = [
     "Study",
     "Tolerance",
     "Trial",
+    "Unexplained",
     "Variant",
     "at_rest",
     "error_scale",

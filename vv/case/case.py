@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 import enum
+import math
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from types import MappingProxyType
 
+from vv.ask import Knobs, Method
+from vv.case.judges import Tolerance
 from vv.case.quantity import Quantity
 from vv.case.study import Level, Study
 
@@ -57,12 +60,35 @@ class Variant:
         return self.level.rank <= level.rank
 
 
+@dataclass(frozen=True)
+class Unexplained:
+    """What energy a code may leave unexplained, or gain by what should dissipate it.
+
+    It takes the place of the bound that a scheme promises, rounding mostly, in the classes of
+    method that have a tolerance, where that is larger; each is a part of `scale` [J].
+    Raises ValueError unless the scale is positive.
+    """
+
+    scale: float
+    tolerances: Mapping[Method, Tolerance]
+
+    def __post_init__(self) -> None:
+        if not 0 < self.scale < math.inf:
+            raise ValueError(f"Unexplained.scale = {self.scale!r} J; it must be positive")
+
+    def at(self, method: Method, knobs: Knobs) -> float:
+        """The energy [J] allowed to a class of method at a setting; 0 without a tolerance."""
+        tolerance = self.tolerances.get(method)
+        return self.scale * tolerance.at(knobs) if tolerance else 0.0
+
+
 @dataclass(frozen=True, eq=False)
 class Trial:
     """A variant with values for all parameters: the study to run and the quantities to judge."""
 
     study: Study
     quantities: tuple[Quantity, ...]
+    unexplained: Unexplained | None = None
 
 
 class Check(enum.Enum):

@@ -9,7 +9,17 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from vv.case import Check
-from vv.gate import answers, baseline, disagreement, independence, recorded, regression, speed
+from vv.gate import (
+    answers,
+    baseline,
+    disagreement,
+    independence,
+    known_breaches,
+    recorded,
+    regression,
+    speed,
+)
+from vv.gate.ledger_file import read_breaches, read_disagreements
 from vv.gate.regression import Strictness
 from vv.plan.plan import Plan
 from vv.plan.project import Project
@@ -61,13 +71,13 @@ def recorded_of(project: Project) -> Path:
 def judged(project: Project, plan: Plan, records: Sequence[Record], options: GateOptions) -> Judged:
     """Records with their final verdicts, and all that baselines and known disagreements say."""
     folders = [root / "cases" for root in project.roots]
-    known = tuple(
-        entry
-        for folder in folders
-        for entry in disagreement.read_disagreements(folder / "disagreements.toml")
-    )
+    ledgers = [folder / "disagreements.toml" for folder in folders]
+    known = tuple(entry for path in ledgers for entry in read_disagreements(path))
+    broken = tuple(entry for path in ledgers for entry in read_breaches(path))
     independent = independence.disowned(records, independence.shared(project, plan))
-    final = disagreement.judge(independent, known, options.today)
+    final = known_breaches.judge(
+        disagreement.judge(independent, known, options.today), broken, options.today
+    )
     against = options.against
     accepted = {
         case: baseline.read(against, case) if against else baseline_of(project, case)
@@ -75,6 +85,7 @@ def judged(project: Project, plan: Plan, records: Sequence[Record], options: Gat
     }
     findings = (
         *disagreement.dated(final, known, options.today),
+        *known_breaches.kept(final, broken, options.today),
         *_since(project, plan, final, accepted, options),
         *_untimed(final, options),
     )

@@ -6,17 +6,12 @@ import dataclasses
 import datetime
 import fnmatch
 import math
-import tomllib
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from pathlib import Path
-from typing import Any
 
 from vv.ask import Knobs
-from vv.base.errors import UsageError
 from vv.base.metrics import Order
 from vv.case import LARGEST_TOLERANCE
-from vv.records import codec
 from vv.records.finding import Aspect, Bit, Finding
 from vv.records.job_record import Record
 from vv.records.outcomes import JudgeKind, Verdict
@@ -106,33 +101,6 @@ class Disagreement:
         if self.kn and rung.kn:
             scale *= (self.kn / rung.kn) ** self.softness
         return self.error[0] * scale, self.error[1] * scale
-
-
-def read_disagreements(path: Path) -> tuple[Disagreement, ...]:
-    """The ledger's entries; none if there is no file. Raises UsageError naming a bad entry."""
-    if not path.is_file():
-        return ()
-    found = []
-    try:
-        entries = tomllib.loads(path.read_text(encoding="utf-8")).get("disagreement", [])
-    except (OSError, ValueError) as error:
-        raise UsageError(f"{path}: {error}") from error
-    if not isinstance(entries, list) or not all(isinstance(entry, dict) for entry in entries):
-        raise UsageError(f"{path}: disagreement must be a list of tables, [[disagreement]]")
-    for number, entry in enumerate(entries, 1):
-        try:
-            one = Disagreement(**{name: _frozen(value) for name, value in entry.items()})
-            found.append(codec.read(Disagreement, codec.to_data(one), "it"))  # checks all types
-        except (TypeError, ValueError) as error:
-            raise UsageError(f"{path}: entry {number}: {error}") from error
-    return tuple(found)
-
-
-def _frozen(value: Any) -> Any:
-    """A list as a tuple, a date as its ISO text, anything else as it is."""
-    if isinstance(value, list):
-        return tuple(value)
-    return value.isoformat() if isinstance(value, datetime.date) else value
 
 
 def judge(

@@ -130,7 +130,7 @@ def _in_words(one: MeasuredQuantity) -> str:
 
 def _of_ledger(record: Record, enforced: Container[Check]) -> Iterator[Finding]:
     """Laws that a run breaks by its own ledger, beyond what its scheme promises."""
-    for law, seen, allowed in breaches(record.ledger):
+    for law, seen, allowed in unknown_breaches(record):
         yield Finding(
             check=Aspect.CONSERVATION,
             kind=law,
@@ -165,6 +165,11 @@ def breaches(ledger: Ledger | None) -> Iterator[Breach]:
             yield law, seen, allowed
 
 
+def unknown_breaches(record: Record) -> Iterator[Breach]:
+    """The laws that a run breaks by its own ledger and is not known to break."""
+    yield from (one for one in breaches(record.ledger) if one[0] not in record.known_breaches)
+
+
 def blew_up(record: Record) -> bool:
     """Whether a run diverged in a map, which is there to show that it does."""
     return record.status is Status.DIVERGED and record.study is StudyKind.GRID
@@ -173,14 +178,17 @@ def blew_up(record: Record) -> bool:
 def outcome(record: Record) -> Outcome:
     """What a record came to: its status unless it ran, else its worst verdict.
 
-    A law that its ledger breaks spoils a record that would be fine.
+    A law that its ledger breaks spoils a record that would be fine; what is known, as elsewhere.
     """
     if not ran(record):
         return Outcome.BLOW_UP if blew_up(record) else OF_STATUS[record.status]
     verdicts = [one.verdict for one in record.quantities]
     worst = OF_VERDICT[min(verdicts, key=RANKS.__getitem__)] if verdicts else Outcome.NOT_REPORTED
-    conserves = next(breaches(record.ledger), None) is None
-    return worst if worst in SPOILED or conserves else Outcome.NOT_CONSERVED
+    if worst in SPOILED:
+        return worst
+    if next(unknown_breaches(record), None) is not None:
+        return Outcome.NOT_CONSERVED
+    return Outcome.XFAIL if record.known_breaches else worst
 
 
 def counted(records: Iterable[Record]) -> Counter[Outcome]:

@@ -66,7 +66,10 @@ class RunSummary:
 
 @dataclass(frozen=True, slots=True)
 class Record:
-    """A job and what came of it. modified: parameters were changed; key: leads to its series."""
+    """A job and what came of it. modified: parameters were changed; key: leads to its series.
+
+    known_breaches: the laws that its ledger breaks, but is known to break.
+    """
 
     case: str
     variant: str
@@ -86,6 +89,7 @@ class Record:
     model: ModelSummary | None
     ledger: Ledger | None
     quantities: tuple[MeasuredQuantity, ...]
+    known_breaches: tuple[str, ...] = optional(())
 
     @property
     def label(self) -> str:

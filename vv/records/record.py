@@ -22,6 +22,7 @@ from vv.case import (
     Scalar,
     Series,
     Shown,
+    Unexplained,
     at_rest,
     error_scale,
     evaluated,
@@ -85,6 +86,15 @@ def _energetic(run: Run, ask: Ask) -> Run:
             first = run.times[int(np.argmin(np.isfinite(energy)))]
             return Run(Status.DIVERGED, f"energy '{form.value}' is not finite from {first:.6g} s")
     return run
+
+
+def within(run: Run, unexplained: Unexplained | None, method: Method, knobs: Knobs) -> Run:
+    """The run with the bound of its ledger as the case has it, where that is the larger one."""
+    ledger = run.ledger
+    if unexplained is None or ledger is None or ledger.bound is None:
+        return run
+    bound = max(ledger.bound, unexplained.at(method, knobs))
+    return dataclasses.replace(run, ledger=dataclasses.replace(ledger, bound=bound))
 
 
 def _energies(ledger: Ledger) -> Iterator[float]:

@@ -20,7 +20,7 @@ from vv.records.job_record import JobCost, ModelSummary, Record, RunSummary
 from vv.records.manifest import CodeFound, Manifest
 from vv.records.outcomes import StudyKind
 from vv.records.quantity import MeasuredQuantity
-from vv.records.record import checked, measured, summarised
+from vv.records.record import checked, measured, summarised, within
 from vv.run.dossier import dossiers
 from vv.run.runner import Batch, failed, run_batches
 from vv.run.timing_phase import gaps, last_costs, timed_costs
@@ -210,6 +210,7 @@ def _kept(plan: Plan, job: Job, run: Run, key: str, store: Store) -> Record:
             arrays.update(series)
     except Exception as error:
         run, quantities = failed(error), []
+    run = within(run, trial.unexplained, job.method, job.ask.knobs)
     summary = summarised(run, tuple(quantities))
     says = (Status.RAN, Status.DIVERGED) if isinstance(trial.study, Grid) else (Status.RAN,)
     if run.status in says:

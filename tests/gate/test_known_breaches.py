@@ -1,0 +1,113 @@
+"""Laws that a ledger shows as broken: known within a band, news outside it and when mended."""
+
+import datetime
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from tests.support.fabricated import entry, record
+from vv.ask import Knobs, Ledger, Method, Run, Status
+from vv.base.errors import UsageError
+from vv.case import Tolerance, Unexplained
+from vv.gate import known_breaches
+from vv.gate.judgement import outcome, record_findings
+from vv.gate.known_breaches import KnownBreach
+from vv.gate.ledger_file import read_breaches
+from vv.records.finding import bits
+from vv.records.job_record import Record
+from vv.records.outcomes import Outcome
+from vv.records.record import within
+
+TODAY = datetime.date(2027, 1, 1)
+LAW = "penetration [m]"
+KNOWN: dict[str, Any] = {
+    "code": "dem", "schemes": "*", "versions": "1.*", "case": "bounce", "variants": ("T1",),
+    "law": "penetration *", "rungs": ("dt=0.001",), "breach": (0.012, 0.014),
+    "reason": "soft springs", "expires": "2027-06-01",
+}  # fmt: skip
+
+
+def broken(seen: float = 0.013, **changes: Any) -> Record:
+    """A record that passes, and whose ledger shows a body that sank by `seen` [m] of 0.01."""
+    audits = {LAW: (seen, 0.01)}
+    ledger = {"terms": {}, "unaccounted": 0.0, "peak": 1.0, "bound": 1e-9, "audits": audits}
+    given = {"ledger": ledger, "quantities": [entry("pass", {"max": 1e-4})], **changes}
+    return record("dem/default", "T1", 1e-3, **given)
+
+
+def judged(one: Record, **changes: Any) -> tuple[Outcome, bool]:
+    """What a record comes to with an entry, and whether the gate is red."""
+    known = [KnownBreach(**{**KNOWN, **changes})]
+    (after,) = known_breaches.judge([one], known, TODAY)
+    found = [*record_findings([after]), *known_breaches.kept([after], known, TODAY)]
+    return outcome(after), bool(bits(found))
+
+
+def test_a_breach_within_its_band_is_a_known_disagreement_and_says_why() -> None:
+    assert judged(broken()) == (Outcome.XFAIL, False)
+    (after,) = known_breaches.judge([broken()], [KnownBreach(**KNOWN)], TODAY)
+    assert after.known_breaches == (LAW,)
+    assert after.reason == f"{LAW}, as is known: soft springs"
+
+
+@pytest.mark.parametrize(
+    ("one", "change"),
+    [
+        (broken(0.015), {}),  # worse than known
+        (broken(), {"breach": (0.0131, 0.014)}),  # better than known
+        (broken(), {"expires": "2026-12-31"}),
+        (broken(), {"versions": "2.*"}),
+        (broken(), {"rungs": ("dt=0.002",)}),
+        (broken(), {"law": "Coulomb*"}),
+        (broken(modified=True), {}),
+    ],
+)
+def test_any_other_breach_is_news(one: Record, change: dict[str, Any]) -> None:
+    assert judged(one, **change) == (Outcome.NOT_CONSERVED, True)
+
+
+def test_a_law_that_is_kept_though_an_entry_says_it_is_broken_is_news() -> None:
+    assert judged(broken(0.009)) == (Outcome.PASS, True)
+    assert judged(broken(0.009), rungs=("dt=0.002",)) == (Outcome.PASS, False)
+
+
+def test_a_known_breach_hides_no_other() -> None:
+    audits = {LAW: (0.013, 0.01), "Coulomb [N]": (2.0, 1.0)}
+    ledger = {"terms": {}, "unaccounted": 0.0, "peak": 1.0, "bound": 1e-9, "audits": audits}
+    assert judged(broken(ledger=ledger)) == (Outcome.NOT_CONSERVED, True)
+
+
+@pytest.mark.parametrize(
+    ("change", "said"),
+    [
+        ("breach = [1.0, 11.0]", "within a factor of 10"),
+        ("breach = [0.0, 1.0]", "must be positive"),
+        ("reason = ' '", "reason is empty"),
+        ("law = 3", "entry 1"),
+    ],
+)
+def test_a_bad_entry_is_named(tmp_path: Path, change: str, said: str) -> None:
+    given = {**KNOWN, "variants": ["T1"], "rungs": ["dt=0.001"], "breach": [0.012, 0.014]}
+    lines = {name: f"{name} = {value!r}" for name, value in given.items()}
+    lines[change.partition(" ")[0]] = change
+    path = tmp_path / "disagreements.toml"
+    path.write_text("\n".join(["[[breach]]", *lines.values()]))
+    with pytest.raises(UsageError, match=said):
+        read_breaches(path)
+
+
+def test_a_case_says_what_energy_may_go_unexplained_where_rounding_is_no_measure() -> None:
+    bound = Unexplained(200.0, {Method.SECOND_ORDER: Tolerance(1e-6, "a step", dt=1e-3, order=2)})
+    ledger = Ledger({}, 0.0, 1.0, 1e-9)
+
+    def allowed(method: Method, dt: float, given: Ledger = ledger) -> float | None:
+        after = within(Run(Status.RAN, ledger=given), bound, method, Knobs(dt=dt)).ledger
+        return after.bound if after else None
+
+    assert allowed(Method.SECOND_ORDER, 1e-3) == pytest.approx(2e-4)
+    assert allowed(Method.SECOND_ORDER, 1e-4) == pytest.approx(2e-6)
+    assert allowed(Method.EXACT, 1e-3) == 1e-9
+    assert allowed(Method.SECOND_ORDER, 1e-3, Ledger({}, 0.0, 1.0, None)) is None
+    with pytest.raises(ValueError, match="must be positive"):
+        Unexplained(0.0, {})

@@ -1,0 +1,116 @@
+"""The ledger of known breaches: the laws that a code is known to break, where, and by how much."""
+
+from __future__ import annotations
+
+import dataclasses
+import datetime
+import fnmatch
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+
+from vv.gate.judgement import Breach, breaches
+from vv.records.finding import Aspect, Bit, Finding
+from vv.records.job_record import Record
+from vv.records.reading import ran, rung
+
+WIDEST = 10.0  # largest over smallest breach of a band: more than a decade says nothing
+
+
+@dataclass(frozen=True)
+class KnownBreach:
+    """A law that the ledger of a code is known to show as broken, with a band on the breach.
+
+    schemes, versions, variants, law and rungs are globs; rungs are written as `--rung` reads them,
+    dt=0.2,kn=1000000. breach: the least and the largest that is known, in the law's unit. At each
+    such rung the law must be broken within the band, or it is news. expires: ISO date.
+    Raises ValueError naming the field, the value and the rule.
+    """
+
+    code: str
+    schemes: str
+    versions: str
+    case: str
+    variants: tuple[str, ...]
+    law: str
+    rungs: tuple[str, ...]
+    breach: tuple[float, float]
+    reason: str
+    expires: str
+
+    def __post_init__(self) -> None:
+        low, high = self.breach
+        if not 0 < low <= high <= WIDEST * low:
+            rule = f"a band must be positive and end within a factor of {WIDEST:g}"
+            raise ValueError(f"breach = [{low:g}, {high:g}]; {rule}")
+        if not self.reason.strip():
+            raise ValueError("reason is empty; say why the law is broken")
+        datetime.date.fromisoformat(self.expires)
+
+    def covers(self, record: Record) -> bool:
+        """Whether this entry speaks of a record, which ran with the case's own parameters."""
+        pairs = (
+            (record.code, self.code),
+            (record.scheme, self.schemes),
+            (record.code_version, self.versions),
+            (record.case, self.case),
+        )
+        several = ((record.variant, self.variants), (rung(record), self.rungs))
+        return (
+            ran(record)
+            and not record.modified
+            and all(fnmatch.fnmatchcase(name, glob) for name, glob in pairs)
+            and all(any(fnmatch.fnmatchcase(n, glob) for glob in globs) for n, globs in several)
+        )
+
+    def knows(self, breach: Breach) -> bool:
+        """Whether a breach is of this law and within the band."""
+        law, seen, _ = breach
+        low, high = self.breach
+        return fnmatch.fnmatchcase(law, self.law) and low <= seen <= high
+
+
+def judge(
+    records: Iterable[Record], known: Sequence[KnownBreach], today: datetime.date
+) -> tuple[Record, ...]:
+    """The records, each with the laws that it is known to break; what has expired knows nothing."""
+    entries = [entry for entry in known if entry.expires >= today.isoformat()]
+    return tuple(_judged(record, entries) for record in records)
+
+
+def _judged(record: Record, known: Iterable[KnownBreach]) -> Record:
+    entries = [entry for entry in known if entry.covers(record)]
+    found = [
+        (breach[0], entry.reason)
+        for breach in (breaches(record.ledger) if entries else ())
+        for entry in entries
+        if entry.knows(breach)
+    ]
+    if not found:
+        return record
+    said = (f"{law}, as is known: {reason}" for law, reason in found)
+    return dataclasses.replace(
+        record,
+        known_breaches=tuple(dict.fromkeys(law for law, _ in found)),
+        reason="; ".join(filter(None, (record.reason, *said))),
+    )
+
+
+def kept(
+    records: Iterable[Record], known: Sequence[KnownBreach], today: datetime.date
+) -> Iterator[Finding]:
+    """A finding for each rung at which a law is not broken as an entry says: the entry is wrong."""
+    entries = [entry for entry in known if entry.expires >= today.isoformat()]
+    for record in records:
+        for entry in entries:
+            if entry.covers(record) and not any(map(entry.knows, breaches(record.ledger))):
+                low, high = entry.breach
+                yield Finding(
+                    check=Aspect.CONSERVATION,
+                    kind="not as known",
+                    text=f"{entry.law} should be {low:g} to {high:g}: {entry.reason}",
+                    case=record.case,
+                    variant=record.variant,
+                    label=record.label,
+                    rung=rung(record),
+                    bit=Bit.CONSERVATION,
+                )

@@ -1,0 +1,52 @@
+"""Reads the ledger of what codes are known to do otherwise: a TOML file of tables of each kind."""
+
+from __future__ import annotations
+
+import datetime
+import tomllib
+from pathlib import Path
+from typing import Any, TypeVar
+
+from vv.base.errors import UsageError
+from vv.gate.disagreement import Disagreement
+from vv.gate.known_breaches import KnownBreach
+from vv.records import codec
+
+Entry = TypeVar("Entry", Disagreement, KnownBreach)
+
+
+def read_disagreements(path: Path) -> tuple[Disagreement, ...]:
+    """The tables [[disagreement]]; none if there is no file. Raises UsageError on a bad entry."""
+    return _entries(path, "disagreement", Disagreement)
+
+
+def read_breaches(path: Path) -> tuple[KnownBreach, ...]:
+    """The tables [[breach]]; none if there is no file. Raises UsageError naming a bad entry."""
+    return _entries(path, "breach", KnownBreach)
+
+
+def _entries(path: Path, name: str, kind: type[Entry]) -> tuple[Entry, ...]:
+    """The tables of a name, each as an object of that kind."""
+    if not path.is_file():
+        return ()
+    found = []
+    try:
+        entries = tomllib.loads(path.read_text(encoding="utf-8")).get(name, [])
+    except (OSError, ValueError) as error:
+        raise UsageError(f"{path}: {error}") from error
+    if not isinstance(entries, list) or not all(isinstance(entry, dict) for entry in entries):
+        raise UsageError(f"{path}: {name} must be a list of tables, [[{name}]]")
+    for number, entry in enumerate(entries, 1):
+        try:
+            one = kind(**{name: _frozen(value) for name, value in entry.items()})
+            found.append(codec.read(kind, codec.to_data(one), "it"))  # checks all types
+        except (TypeError, ValueError) as error:
+            raise UsageError(f"{path}: entry {number}: {error}") from error
+    return tuple(found)
+
+
+def _frozen(value: Any) -> Any:
+    """A list as a tuple, a date as its ISO text, anything else as it is."""
+    if isinstance(value, list):
+        return tuple(value)
+    return value.isoformat() if isinstance(value, datetime.date) else value
