@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import functools
 
 import numpy as np
@@ -11,6 +12,7 @@ from cases._penalty import COARSEST, FEWER, LEVELS
 from reference_solutions.blocks import incline
 from vv.ask import Displacement, History, Method
 from vv.case import (
+    LARGEST_TOLERANCE,
     Case,
     Exact,
     Ladder,
@@ -85,7 +87,7 @@ def _down(p: Parameters, scene: Scene, goal: History) -> tuple[Quantity, ...]:
             meaning="displacement down the dip",
             observe=lambda run: np.asarray(run.values[BLOCK] @ scene.axes[0]),
             reference=functools.partial(incline.newmark, **{name: p[name] for name in names}),
-            judge=Exact(TOLERANCES),
+            judge=Exact(_tolerances(p)),
             still=_fall(p),
         ),
     )
@@ -104,8 +106,9 @@ def _both(p: Parameters, scene: Scene, goal: History) -> tuple[Quantity, ...]:
         return incline.two_directions(t, **drive, **law)
 
     motion = Motion(BLOCK, scene.axes[:2], path, goal.times(None), "m", _fall(p))
-    turning = SWEPT if scene.unknowns() > len(scene.axes) else TURNING
-    judge = Exact({**TOLERANCES, Method.SECOND_ORDER: turning})
+    swept = scene.unknowns() > len(scene.axes)
+    springs = _on_springs(_stopping(p, CORNERS if swept else ONE_WAY))
+    judge = Exact({**springs, Method.SECOND_ORDER: _rotating(p, swept)})
     return (
         motion.component(0, "d", "displacement down the dip", judge),
         motion.component(1, "s", "displacement along the strike", judge),
@@ -113,51 +116,110 @@ def _both(p: Parameters, scene: Scene, goal: History) -> tuple[Quantity, ...]:
     )
 
 
-TOLERANCES = {
-    Method.EXACT: Tolerance(
-        1e-12,
-        "rounding errors of a few hundred located events",
-        slack="gravity alone has no event, the sine one or two per cycle; one bound for all",
-    ),
-    Method.SECOND_ORDER: Tolerance(
-        5e-5,
+def _tolerances(p: Parameters) -> dict[Method, Tolerance]:
+    """What codes can do: a parabola exactly, a sine to the order of the step, and springs lag."""
+    if not p["A"] and (p["alpha"] > p["phi"] or not p["v0"]):
+        return STEADY
+    sine = Tolerance(
+        _of_sine(p["f"] if p["A"] else 0.0),
         "the trapezoidal rule integrates gravity exactly, and the sine with an error of "
-        "(w dt)^2/12 per cycle; events are located within the step",
-        dt=1e-3,
+        "(w dt)^2/12, of which twice is allowed; events are located within the step",
+        dt=STEP,
         order=2,
-        floor=1e-7,
-    ),
-    Method.PENALTY: Tolerance(
-        1e-3,
-        "the shear spring delays every beginning and end of slip; under gravity alone, with "
-        "springs charged at the start, there is none",
-        slack="one bound is used for all: two slips per second cause 1e-4, no slip rounding only",
-        kn=1e10,
+        floor=1e-9,
+    )
+    steep = p["alpha"] + p["phi"]
+    uphill = steep < 90 and p["A"] > p["g"] * np.tan(np.radians(steep))
+    springs = _turning(p) if uphill else _stopping(p, ONE_WAY)
+    return {**_on_springs(springs), Method.SECOND_ORDER: sine}
+
+
+def _of_sine(f: float) -> float:
+    """(w dt)^2/6 at the step STEP for the frequency [Hz], as a tolerance may be."""
+    return float(np.clip((2 * np.pi * f * STEP) ** 2 / 6, 1e-9, LARGEST_TOLERANCE))
+
+
+def _on_springs(late: Tolerance) -> dict[Method, Tolerance]:
+    """The tolerances of a block on springs; friction that lags makes the error twice as large."""
+    lagging = dataclasses.replace(
+        late,
+        value=min(2 * late.value, LARGEST_TOLERANCE),
+        late=2 * late.late,
+        reason=f"twice that: {late.reason}",
+    )
+    return {
+        Method.EXACT: STEADY[Method.EXACT],
+        Method.PENALTY: late,
+        Method.LAGGING: lagging,
+    }
+
+
+def _slid(p: Parameters) -> float:
+    """About how far [m] the block slides, by what shakes it along the dip."""
+    way = {name: p[name] for name in ("alpha", "phi", "A", "f", "g", "v0")}
+    slid = float(np.abs(incline.newmark(np.linspace(0.0, p["duration"], 101), **way)).max())
+    return slid or _fall(p)
+
+
+def _friction(p: Parameters) -> float:
+    """Of the weight alone, over the mass [m/s2]."""
+    normal = p["g"] * np.cos(np.radians(p["alpha"]))
+    return float(normal * np.tan(np.radians(p["phi"])))
+
+
+def _stopping(p: Parameters, times: float) -> Tolerance:
+    """For a block that stops and slips again; times: how many stretches of its spring a cycle."""
+    cycles = max(1.0, max(p["f"], p["fy"] if p["Ay"] else 0.0) * p["duration"])
+    stretch = _friction(p) * MASS / SPRING
+    speed = np.hypot(p["A"] / p["f"], p["Ay"] / p["fy"]) / (2 * np.pi)
+    return Tolerance(
+        float(np.clip(times * cycles * stretch / _slid(p), 1e-9, LARGEST_TOLERANCE)),
+        f"each cycle costs some stretches mu N/ks of the shear spring, {times:g} at most; what "
+        "shakes is taken half a step late, and what stops stops with a step",
+        kn=SPRING,
+        softness=1,
+        late=1.2 * float(speed) / _slid(p),
+    )
+
+
+def _turning(p: Parameters) -> Tolerance:
+    """For a block that slips downhill and uphill in turn."""
+    delayed = _friction(p) * p["duration"] * np.sqrt(MASS / SPRING) / _slid(p)
+    return Tolerance(
+        float(np.clip(REVERSED * delayed, 1e-9, LARGEST_TOLERANCE)),
+        "springs delay each turn of the slip by a part of 1/w, w^2 = kn/m: over the whole duration "
+        f"T that adds up to {REVERSED:g} of mu N T/(m w)",
+        kn=SPRING,
         softness=0.5,
-    ),
-    Method.LAGGING: Tolerance(
-        1e-2,
-        "with uncharged shear springs at the start a block at phi = 25 gains the speed mu g "
-        "cos(alpha) sqrt(m/ks), 7 % of its displacement at 1e8 N/m; less where it slides faster",
-        slack="at phi = 5 the same gain is 0.2 %",
-        kn=1e10,
-        softness=0.5,
+    )
+
+
+STEP = 1e-3  # s
+SPRING, MASS = 1e8, DENSITY * SIDE**2  # N/m, kg
+ONE_WAY, CORNERS, REVERSED = 3.0, 7.0, 0.08  # the second for a plate, on a spring at each corner
+ROUNDED = (
+    "the forces are constant and springs start charged: a parabola, followed to the rounding of "
+    "up to 100 000 steps; no slip begins or ends"
+)
+STEADY = {
+    Method.EXACT: Tolerance(1e-13, "rounding errors of a few hundred located events at most"),
+    **dict.fromkeys(
+        (Method.SECOND_ORDER, Method.PENALTY, Method.LAGGING), Tolerance(1e-11, ROUNDED)
     ),
 }
-TURNING = Tolerance(
-    1e-4,
-    "where the direction of slip rotates, friction acts along its mean direction over a step",
-    dt=1e-3,
-    order=2,
-    floor=1e-7,
-)
-SWEPT = Tolerance(
-    TURNING.value,
-    f"{TURNING.reason}; iterations over four contacts leave a residual in each of 240 000 steps",
-    dt=TURNING.dt,
-    order=TURNING.order,
-    floor=3e-7,
-)
+
+
+def _rotating(p: Parameters, swept: bool) -> Tolerance:
+    """Of second order; swept: contacts are solved by sweeps over the four corners of a plate."""
+    left = "; iterations over four contacts leave a residual in each of 240 000 steps"
+    return Tolerance(
+        _of_sine(max(p["f"], p["fy"])),
+        "where the direction of slip rotates, friction acts along its mean direction over a step: "
+        f"(w dt)^2/12, of which twice is allowed{left if swept else ''}",
+        dt=STEP,
+        order=2,
+        floor=3e-7 if swept else 1e-8,
+    )
 
 
 def _variants() -> tuple[Variant, ...]:

@@ -27,7 +27,8 @@ class Tolerance:
     """A bound on a relative error and the reason for it.
 
     value: the bound at the step dt [s] and at the stiffness kn [N/m] of springs that stand for
-    rigid contact. It scales as dt**order and kn**-softness with the setting, but is never below
+    rigid contact. It scales as dt**order and kn**-softness with the setting; late [1/s] times the
+    step is added to that, for what begins or ends on whole steps; but the bound is never below
     floor nor above LARGEST_TOLERANCE. slack: the reason, if the bound is more than a hundred
     times the error that codes reach.
     Raises ValueError naming the field, the value and the rule.
@@ -41,6 +42,7 @@ class Tolerance:
     slack: str = ""
     kn: float | None = None
     softness: float = 0.0
+    late: float = 0.0
 
     def __post_init__(self) -> None:
         if not 0 < self.value <= LARGEST_TOLERANCE:
@@ -57,6 +59,8 @@ class Tolerance:
             if not (exponent == 0 or (exponent > 0 and given)):
                 rule = f"it must not be negative, and needs the {knob} it refers to"
                 raise ValueError(f"Tolerance.{power} = {exponent!r}; {rule}")
+        if not 0 <= self.late < math.inf:
+            raise ValueError(f"Tolerance.late = {self.late!r} 1/s; it must be zero or more")
         if not 0 <= self.floor <= self.value:
             raise ValueError(
                 f"Tolerance.floor = {self.floor!r}; it must lie in [0, {self.value!r}]"
@@ -69,6 +73,7 @@ class Tolerance:
             bound *= (knobs.dt / self.dt) ** self.order
         if self.kn is not None and knobs.kn is not None:
             bound *= (self.kn / knobs.kn) ** self.softness
+        bound += self.late * (knobs.dt or 0.0)
         return min(LARGEST_TOLERANCE, max(self.floor, bound))
 
 

@@ -16,6 +16,7 @@ from vv.records.finding import Aspect, Bit, Finding
 from vv.records.job_record import Record
 from vv.records.outcomes import JudgeKind, Verdict
 from vv.records.quantity import MeasuredQuantity
+from vv.records.reading import rung
 from vv.records.rungs import Key, ladder, orders
 
 WARNING = 30  # days before an entry expires in which the gate says so
@@ -33,7 +34,8 @@ class Disagreement:
     reaches below the tolerance expects passes too. Refused is a band so wide that it excludes
     nothing, or that is moved with the step though its errors are such that no tolerance allows; a
     figure that stays where it is may be as far off as it likes. An entry without an order claims
-    none, and its errors stay where they are as the step changes. expires: ISO date.
+    none, and its errors stay where they are as the step changes. rungs: globs on the settings that
+    it speaks of, written dt=0.001,kn=100000000. expires: ISO date.
     """
 
     code: str
@@ -49,6 +51,7 @@ class Disagreement:
     order: tuple[float, float] | None = None
     kn: float | None = None
     softness: float = 0.0
+    rungs: tuple[str, ...] = ("*",)
 
     def __post_init__(self) -> None:
         for name, (low, high) in (("error", self.error), ("order", self.order or (0.0, 0.0))):
@@ -90,8 +93,9 @@ class Disagreement:
             (record.case, self.case),
             (quantity, self.quantity),
         )
-        if not any(fnmatch.fnmatchcase(record.variant, glob) for glob in self.variants):
-            return False
+        for name, globs in ((record.variant, self.variants), (rung(record), self.rungs)):
+            if not any(fnmatch.fnmatchcase(name, glob) for glob in globs):
+                return False
         return all(fnmatch.fnmatchcase(name, glob) for name, glob in pairs)
 
     def band(self, rung: Knobs) -> tuple[float, float]:

@@ -22,6 +22,7 @@ class ToleranceFacts:
     slack: str = ""
     kn: float | None = None
     softness: float = 0.0
+    late: float = optional(0.0)
 
 
 @dataclass(frozen=True, slots=True)
