@@ -12,6 +12,7 @@ from cases._penalty import COARSEST, FEWER, LEVELS
 from reference_solutions.blocks import responding_block
 from vv.ask import Displacement, History, Method
 from vv.case import (
+    LARGEST_TOLERANCE,
     Case,
     Exact,
     Ladder,
@@ -87,13 +88,15 @@ def _declare(variant: str, p: Parameters) -> Trial:
         _path(p),
         _directions(p),
     )
-    fall = 0.5 * p["g"] * p["duration"] ** 2  # the scale of errors where nothing drags the block
-    motion = Motion(BLOCK, np.eye(3)[:directions], path, goal.times(None), "m", fall)
+    motion = Motion(BLOCK, np.eye(3)[:directions], path, goal.times(None), "m", _fall(p))
     if variant == "map":
         return Trial(Ladder(_scene(variant, p), goal, (BLOCK,), MAP), (motion.distance(EXPLORED),))
-    judge = Exact(_tolerances(p))
+    judge = Exact(_tolerances(p, path))
+    along = {2: Exact(_lifted(p))}
     parts = tuple(
-        motion.component(i, f"d2{axis}", f"displacement of the block along {axis}", judge)
+        motion.component(
+            i, f"d2{axis}", f"displacement of the block along {axis}", along.get(i, judge)
+        )
         for i, axis in enumerate("xyz"[:directions])
     )
     whole = (motion.distance(judge),) if directions > 1 else ()
@@ -116,39 +119,97 @@ EXPLORED = Shown(
 )
 
 
-def _tolerances(p: Parameters) -> dict[Method, Tolerance]:
-    """Tolerances that depend on how often slip reverses, and whether its direction rotates."""
-    second = {1: 2e-4 if p["f"] <= 3 else 1e-3, 2: 5e-4, 3: 1e-3}[_directions(p)]
+def _tolerances(p: Parameters, path: Path) -> dict[Method, Tolerance]:
+    """What codes can do: turns of the slip located, or late by a part of a step or of 1/w."""
+    directions = _directions(p)
+    if directions == 1:
+        way = float(np.abs(path(np.linspace(0.0, p["duration"], 101))).max())
+    else:
+        way = float(np.sqrt(p["D"] ** 2 + p["Dy"] ** 2 + (2 * p["Dz"]) ** 2))
+    rate = p["mu"] * p["g"] * p["duration"] / (way or _fall(p))
     return {
-        Method.EXACT: Tolerance(
-            1e-12,
-            "rounding errors of a few hundred located events",
-        ),
-        Method.SECOND_ORDER: Tolerance(
-            second,
-            "slip begins and ends within steps, in every cycle of the base; where its direction "
-            "rotates, friction acts along the mean direction of a step",
-            dt=1e-3,
-            order=2,
-            floor=1e-7,
-        ),
-        Method.PENALTY: Tolerance(
-            5e-3,
-            "each time slip reverses, the shear spring delays it by sqrt(mu N/(ks a)); so the "
-            "error falls as kn^-1/2 once the step resolves the contact",
-            kn=1e10,
-            softness=0.5,
-        ),
-        Method.LAGGING: Tolerance(
-            1e-2,
-            "as with other springs; besides, friction that is one iteration late may point the "
-            "wrong way where slip reverses: twice that error was seen at 5 Hz",
-            kn=1e10,
-            softness=0.5,
-        ),
+        Method.EXACT: Tolerance(1e-13 if directions == 1 else 1e-12, LOCATED),
+        Method.SECOND_ORDER: _second(p) if directions == 1 else _rotating(p),
+        Method.PENALTY: _late(rate, 0.07, 0.8),
+        Method.LAGGING: _late(rate, 0.1, 2.0, "; friction that is an iteration late adds to it"),
     }
 
 
+def _fall(p: Parameters) -> float:
+    """How far [m] it would fall freely: the scale of errors where nothing drags the block."""
+    return 0.5 * p["g"] * p["duration"] ** 2
+
+
+def _second(p: Parameters) -> Tolerance:
+    """Along x, where turns are located within the step; whether the block sticks in between."""
+    omega = 2 * np.pi * p["f"]
+    if p["mu"] * p["g"] < STICKS * p["D"] * omega**2:
+        return Tolerance(
+            2e-9,
+            "it slips all the time, at a velocity that is straight between turns, which are "
+            "located within the step; what remains is the tolerance they are located to",
+        )
+    return Tolerance(
+        float(np.clip((omega * STEP) ** 2 / 12, 2e-9, LARGEST_TOLERANCE)),
+        "where it sticks it follows a sine, with an error of (w dt)^2/12",
+        dt=STEP,
+        order=2,
+        floor=2e-9,
+    )
+
+
+def _rotating(p: Parameters) -> Tolerance:
+    """Where the direction of slip rotates."""
+    omega = 2 * np.pi * max(p["f"], p["fy"], p["fz"] if p["Dz"] else 0.0)
+    return Tolerance(
+        float(np.clip(0.6 * (omega * STEP) ** 2, 1e-7, LARGEST_TOLERANCE)),
+        "friction acts along the mean direction of a step; where the slip is short its direction "
+        "turns by more than w dt of the quickest sine, which enters by its square",
+        dt=STEP,
+        order=2,
+        floor=1e-7,
+    )
+
+
+def _late(rate: float, by_springs: float, by_steps: float, more: str = "") -> Tolerance:
+    """rate: mu g T over the way [1/s], of what is late at each turn of the slip."""
+    value = rate * by_springs * np.sqrt(MASS / SPRING)
+    return Tolerance(
+        float(np.clip(value, 1e-9, LARGEST_TOLERANCE)),
+        "springs delay each turn of the slip by a part of 1/w, w^2 = kn/m, and turns come on whole "
+        f"steps: over the whole duration T that adds up to mu g T ({by_springs:g}/w + "
+        f"{by_steps:g} dt){more}",
+        kn=SPRING,
+        softness=0.5,
+        late=by_steps * rate,
+    )
+
+
+def _lifted(p: Parameters) -> dict[Method, Tolerance]:
+    """Upwards, where the block follows the base, and sinks into springs as the base lifts it."""
+    omega = 2 * np.pi * p["fz"]
+    way = np.hypot(2 * p["Dz"], p["D"])
+    sinks = Tolerance(
+        float(np.clip(2 * MASS * p["Dz"] * omega**2 / SPRING / way, 1e-9, LARGEST_TOLERANCE)),
+        "the block sinks by m z''/kn as the base lifts it, twice as far where it starts to swing",
+        kn=SPRING,
+        softness=1,
+        late=2e-2,
+    )
+    rests = Tolerance(
+        1e-7, "contact is rigid: the block follows the base, as the velocity at the end of a step"
+    )
+    return {
+        Method.EXACT: Tolerance(1e-12, LOCATED),
+        Method.SECOND_ORDER: rests,
+        Method.PENALTY: sinks,
+        Method.LAGGING: sinks,
+    }
+
+
+LOCATED = "rounding errors of a few hundred located events"
+STEP, SPRING, MASS = 1e-3, 1e8, DENSITY * SIDE**3  # s, N/m, kg
+STICKS = 0.45  # of the base's acceleration: with less friction than that the block always slips
 ONE = (
     "d_2'' = mu g sign(d_1' - d_2') while it slips; d_2'' = d_1'' while d_2' = d_1' and "
     "|d_1''| <= mu g; d_1 = D (1 - cos 2 pi f t)"
