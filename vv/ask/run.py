@@ -17,7 +17,8 @@ class Cost:
     """Time spent on a run [s], by part; solve_cpu is the CPU time of the stepping loop alone.
 
     repeats: how many solves were timed; solve_cpu is the least of them and spread is
-    (maximum - minimum)/minimum. Raises ValueError for a negative cost.
+    (maximum - minimum)/minimum. whole: solve_cpu and solve_wall are those of the whole process,
+    its start and its output included, for want of better. Raises ValueError for a negative cost.
     """
 
     startup: float = 0.0
@@ -27,6 +28,7 @@ class Cost:
     output: float = 0.0
     repeats: int = 1
     spread: float = 0.0
+    whole: bool = False
 
     def __post_init__(self) -> None:
         for name, value in vars(self).items():

@@ -56,12 +56,11 @@ def gate(
     from vv.records.finding import bits
     from vv.run.session import Limits, Timing
 
-    project = find()
+    project, named = options.with_programs(find(), codes)
     if against is not None and not against.is_dir():
         raise UsageError(f"--against {against}: there is no such folder")
-    required = options.split(require)
-    options.known(project, required)
-    chosen = Options(level, options.codes(codes))
+    required = options.required(project, require)
+    chosen = Options(level, named)
 
     def plan() -> Plan:
         return options.plan_of(project, selection or [], chosen)

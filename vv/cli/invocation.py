@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from vv.base.files import write_output
 from vv.output import result_lines, terminal
 from vv.output.progress import progress
+from vv.plan.content import name_of
 from vv.plan.plan import Plan
 from vv.plan.project import Project
 from vv.records.manifest import Manifest
@@ -81,6 +82,10 @@ def print_summary(
         from vv.output.export import document
 
         write_output(json_file, document(manifest, Store(project.data())).encode())
+    if project.programs:
+        from vv.output.ladder_lines import print_ladders
+
+        print_ladders(manifest.records, [name_of(file) for file in project.programs])
     result_lines.print_refusals(manifest.records)
     result_lines.print_inert(manifest.records)
     result_lines.print_counts(manifest.records, report)

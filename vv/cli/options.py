@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -11,11 +12,13 @@ import typer
 from vv.ask import Knobs
 from vv.base.errors import UsageError
 from vv.case import Level
+from vv.plan.content import name_of
 from vv.plan.project import Project
 
 if TYPE_CHECKING:
     from vv.plan.plan import Options, Plan
 
+PROGRAM = re.compile(r"(?P<file>.+\.toml)(?P<scheme>/[^/]+)?")
 TIMEOUT = 300.0  # s for one job, unless said otherwise; its kernels may have to be compiled
 Selection = Annotated[
     list[str] | None, typer.Argument(help="FAMILY, CASE or CASE:VARIANT; globs allowed.")
@@ -23,7 +26,10 @@ Selection = Annotated[
 Codes = Annotated[
     str,
     typer.Option(
-        "--codes", metavar="CODES", help="Codes to run, CODE[/SCHEME],...; all if not given."
+        "--codes",
+        "--code",
+        metavar="CODES",
+        help="Codes to run, CODE[/SCHEME] or a program's FILE.toml[/SCHEME],...; all if not given.",
     ),
 ]
 Required = Annotated[
@@ -60,14 +66,6 @@ def plan_of(project: Project, selection: list[str], options: Options) -> Plan:
     return make_plan(project, selection or ["*"], options)
 
 
-def known(project: Project, required: tuple[str, ...]) -> None:
-    """Check the codes of --require; raises UsageError for one that does not exist."""
-    from vv.plan.selection import choose_schemes, named_adapters
-
-    if required:
-        choose_schemes(named_adapters(project, required), required)
-
-
 def split(text: str) -> tuple[str, ...]:
     """The parts of a text between commas."""
     return tuple(part.strip() for part in text.split(",") if part.strip())
@@ -79,6 +77,38 @@ def codes(text: str) -> tuple[str, ...]:
     if not named:
         raise UsageError(f"--codes '{text}' names no code; leave it out to ask all")
     return named
+
+
+def with_programs(project: Project, text: str) -> tuple[Project, tuple[str, ...]]:
+    """The project with the programs whose files --codes names, and what it names as patterns.
+
+    Raises UsageError for nothing, and for a file that is not there.
+    """
+    files, patterns = [], []
+    for part in codes(text):
+        named = PROGRAM.fullmatch(part)
+        if named is None:
+            patterns.append(part)
+            continue
+        file = Path(named["file"])
+        if not file.is_file():
+            raise UsageError(f"--codes {part}: there is no file {file}")
+        files.append(file)
+        patterns.append(f"{name_of(file)}{named['scheme'] or ''}")
+    return project.with_programs(files), tuple(patterns)
+
+
+def required(project: Project, text: str) -> tuple[str, ...]:
+    """The codes of --require, and the programs whose files were named: they are meant to run.
+
+    Raises UsageError for a code that does not exist.
+    """
+    from vv.plan.selection import choose_schemes, named_adapters
+
+    asked = (*split(text), *map(name_of, project.programs))
+    if asked:
+        choose_schemes(named_adapters(project, asked), asked)
+    return asked
 
 
 def knobs(texts: list[str] | None) -> tuple[Knobs, ...]:

@@ -43,8 +43,8 @@ def report(
     ] = None,
 ) -> None:
     """Write the report of a past run."""
+    from vv.base.hints import name_hint
     from vv.cli.invocation import builder
-    from vv.plan.settings import name_hint
     from vv.store.store import Store
 
     project = find()

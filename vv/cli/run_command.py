@@ -78,13 +78,12 @@ def run(
         raise UsageError("name cases or say --all, not both")
     if not (selection or everything or narrowing):
         raise UsageError("name a case or say --all; `vv list` shows the cases")
-    project = find()
+    project, named = options.with_programs(find(), codes)
     store = Store(project.data())
     last = _last(store) if failed else None
     knobs = options.knobs(rungs) or (_rungs_that_failed(last) if last else ())
-    chosen = Options(level, options.codes(codes), tuple(settings or ()), knobs)
-    required = options.split(require)
-    options.known(project, required)
+    chosen = Options(level, named, tuple(settings or ()), knobs)
+    required = options.required(project, require)
 
     def make_plan() -> Plan:
         plan = options.plan_of(project, selection or [], chosen)

@@ -42,8 +42,8 @@ def speed(
     from vv.plan.plan import Options, with_jobs_kept
     from vv.run.session import Limits, Timing
 
-    project = find()
-    chosen = Options(level, options.codes(codes))
+    project, named = options.with_programs(find(), codes)
+    chosen = Options(level, named)
 
     def make_plan() -> Plan:
         whole = options.plan_of(project, selection or [], chosen)

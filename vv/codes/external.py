@@ -24,22 +24,32 @@ FAREWELL = 2.0  # s that a program may take to end after its last answer
 
 @dataclass(frozen=True)
 class Process:
-    """A started program: its process, the file that takes its output, its start [s, monotonic]."""
+    """A started program: its process, the file that takes its output, its start [s, monotonic].
+
+    errors: the file that takes its standard error, where that is kept apart from its output.
+    """
 
     process: subprocess.Popen[bytes]
     log: Path
     started: float
+    errors: Path | None = None
 
 
-def start(command: Sequence[str], folder: Path, extra: Mapping[str, str] | None = None) -> Process:
+def start(
+    command: Sequence[str],
+    folder: Path,
+    extra: Mapping[str, str] | None = None,
+    errors: Path | None = None,
+) -> Process:
     """Start a command in a folder, on one thread, with home and temporary folder there too.
 
-    Standard output and error go to a log file of its own in the folder, program-N.log. extra:
-    further environment variables. Raises OSError if the command cannot be started.
+    Standard output and error go to a log file of its own in the folder, program-N.log; errors: a
+    file for the latter, if it is wanted apart. extra: further environment variables. Raises
+    OSError if the command cannot be started.
     """
     log = folder / f"program-{len(list(folder.glob('program-*.log')))}.log"
     own = {"HOME": str(folder), "TMPDIR": str(folder), "OMP_NUM_THREADS": "1"}
-    with log.open("wb") as output:
+    with log.open("wb") as output, (errors or log).open("ab") as complaints:
         started = time.monotonic()
         process = subprocess.Popen(
             command,
@@ -47,9 +57,26 @@ def start(command: Sequence[str], folder: Path, extra: Mapping[str, str] | None 
             env={**os.environ, **own, **(extra or {})},
             stdin=subprocess.DEVNULL,
             stdout=output,
-            stderr=subprocess.STDOUT,
+            stderr=complaints if errors else subprocess.STDOUT,
         )
-    return Process(process, log, started)
+    return Process(process, log, started, errors)
+
+
+def await_end(program: Process, folder: Path) -> str | None:
+    """Wait till a program ends; None, or why it was ended: it wrote too much into its folder."""
+    while True:
+        try:
+            program.process.wait(POLL)
+        except subprocess.TimeoutExpired:
+            pass
+        else:
+            return None
+        if sum(one.stat().st_size for one in os.scandir(folder)) > LARGEST_LOG:
+            stop(program)
+            return (
+                f"the program was ended, for it wrote more than {LARGEST_LOG / 1e6:g} MB of "
+                f"output; {last_lines(program.errors or program.log, 1)}"
+            )
 
 
 def stop(program: Process, patience: float = 0.0) -> None:
@@ -65,14 +92,24 @@ def how_it_ended(program: Process, lines: int = 5) -> str:
     """How an ended program ended, with the last lines of its log."""
     code = program.process.returncode
     ending = f"exit code {code}" if code >= 0 else f"signal {signal.Signals(-code).name}"
-    return f"{ending}; {last_lines(program.log, lines)}"
+    complains = program.errors is not None and program.errors.stat().st_size > 0
+    return f"{ending}; {last_lines((complains and program.errors) or program.log, lines)}"
 
 
 def last_lines(log: Path, count: int) -> str:
     """The last lines of a log that hold anything, joined, or a word that there are none."""
-    text = _tail(log) if log.exists() else ""
-    kept = [line.strip() for line in text.splitlines() if line.strip()][-count:]
+    kept = _lines(log)[-count:]
     return "last output: " + " | ".join(kept) if kept else "no output"
+
+
+def last_line(log: Path) -> str:
+    """The last line of a log that holds anything; empty if there is none."""
+    return "".join(_lines(log)[-1:])
+
+
+def _lines(log: Path) -> list[str]:
+    text = _tail(log) if log.exists() else ""
+    return [line.strip() for line in text.splitlines() if line.strip()]
 
 
 def _tail(log: Path) -> str:

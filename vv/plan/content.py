@@ -13,6 +13,8 @@ from pathlib import Path
 from vv.base.errors import UsageError
 
 FILE_NAME = re.compile("[a-z][a-z0-9_]*")
+PROGRAM = ".toml"  # how the name of a file ends that declares a program
+CODE_FILES = (".py", PROGRAM)
 
 
 class ProjectError(UsageError):
@@ -39,18 +41,19 @@ def _case_files(folder: Path) -> list[Path]:
     ]
 
 
-def adapters(roots: Iterable[Path]) -> dict[str, Path]:
-    """Every adapter's file or folder by name; a leading underscore marks a helper."""
+def adapters(roots: Iterable[Path], programs: Iterable[Path] = ()) -> dict[str, Path]:
+    """Every code's file or folder by name; a leading underscore marks a helper.
+
+    A TOML file declares a program; programs: those that lie elsewhere.
+    """
     folders = [root / "adapters" for root in roots]
-    return _unique(
-        "code",
-        (
-            path
-            for folder in folders
-            for path in sorted(folder.glob("*"))
-            if path.name[0] not in "._" and (path.suffix == ".py" or any(path.glob("*.py")))
-        ),
+    own = (
+        path
+        for folder in folders
+        for path in sorted(folder.glob("*"))
+        if path.name[0] not in "._" and (path.suffix in CODE_FILES or any(path.glob("*.py")))
     )
+    return _unique("code", dict.fromkeys((*own, *programs)))
 
 
 def _unique(kind: str, places: Iterable[Path]) -> dict[str, Path]:

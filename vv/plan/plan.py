@@ -185,6 +185,12 @@ def _declared(case: Case, variant: str, options: Options) -> _Declared:
     return _Declared(case, variant, parameters, trial, rungs, functools.cache(trial.study.ask))
 
 
+def finest_ask(case: Case, variant: str, options: Options) -> Ask:
+    """The question of a variant at its finest setting, put to no scheme in particular."""
+    posed = _declared(case, variant, options)
+    return posed.ask(posed.rungs[-1])
+
+
 def declare_trial(case: Case, variant: str, parameters: Mapping[str, float]) -> Trial:
     """The trial of a variant; raises UsageError for parameters that the case rejects.
 

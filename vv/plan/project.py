@@ -4,15 +4,18 @@ from __future__ import annotations
 
 import functools
 import os
-from dataclasses import dataclass
+from collections.abc import Iterable
+from dataclasses import dataclass, replace
 from pathlib import Path
 
+import vv
+from vv.base.hints import name_hint
 from vv.case import Case
 from vv.codes.adapter import Adapter
 from vv.plan import content, imports
 from vv.plan.content import ProjectError
-from vv.plan.settings import name_hint
 
+PROGRAMS = Path(vv.__file__).parent / "codes" / "program" / "__init__.py"  # what runs programs
 REQUIRED = ("adapters/__init__.py", "cases/__init__.py")
 
 
@@ -21,11 +24,13 @@ class Project:
     """A folder of cases and adapters; bundled: it came with the installed package.
 
     What came with vv is added to it, unless its settings say that it stands alone. Nothing is
-    imported to list names. A name has `-` where its file has `_`.
+    imported to list names. A name has `-` where its file has `_`. programs: TOML files elsewhere
+    that declare further codes.
     """
 
     root: Path
     bundled: bool = False
+    programs: tuple[Path, ...] = ()
 
     @functools.cached_property
     def roots(self) -> tuple[Path, ...]:
@@ -45,7 +50,7 @@ class Project:
 
     def adapter_names(self) -> tuple[str, ...]:
         """The names of all codes that have an adapter, sorted."""
-        return tuple(sorted(content.adapters(self.roots)))
+        return tuple(sorted(self._codes()))
 
     def family(self, case: str) -> str:
         """The subfolder of cases/ that a case lies in; a file beside them is its own family."""
@@ -57,9 +62,16 @@ class Project:
         """The file of a case; raises ProjectError for an unknown name."""
         return _pick("case", name, content.cases(self.roots))
 
+    def with_programs(self, files: Iterable[Path]) -> Project:
+        """The same project with codes that TOML files elsewhere declare."""
+        added = (*self.programs, *(file.resolve() for file in files))
+        return replace(self, programs=tuple(dict.fromkeys(added)))
+
     def adapter_files(self, name: str) -> tuple[Path, ...]:
         """The file of an adapter, or all files of its folder, decks and drivers included."""
-        place = _pick("code", name, content.adapters(self.roots))
+        place = _pick("code", name, self._codes())
+        if place.suffix == content.PROGRAM:
+            return (place, PROGRAMS)
         if place.is_file():
             return (place,)
         return tuple(
@@ -79,15 +91,27 @@ class Project:
 
     def load_adapter(self, name: str) -> Adapter:
         """Import an adapter; raises ProjectError if it fails or its ADAPTER is not right."""
-        place = _pick("code", name, content.adapters(self.roots))
+        place = _pick("code", name, self._codes())
+        if place.suffix == content.PROGRAM:
+            return load_program(place)
         file = place if place.is_file() else place / "__init__.py"
         adapter: Adapter = imports.attribute(self.roots, file, "ADAPTER")
         _agree(file, "ADAPTER", getattr(adapter, "name", None), name)
         return adapter
 
+    def _codes(self) -> dict[str, Path]:
+        return content.adapters(self.roots, self.programs)
+
     def activate(self) -> None:
         """Make the content importable; raises ProjectError where a name of it is taken."""
         imports.activate(self.roots)
+
+
+def load_program(file: Path) -> Adapter:
+    """The code that a TOML file declares; raises UsageError naming the entry and the rule."""
+    from vv.codes import program
+
+    return program.load(file)
 
 
 def find(start: Path | None = None, chosen: str | Path | None = None) -> Project:

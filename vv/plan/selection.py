@@ -7,10 +7,10 @@ import itertools
 from collections.abc import Iterable, Mapping, Sequence
 
 from vv.base.errors import UsageError
+from vv.base.hints import name_hint
 from vv.case import Case
 from vv.codes.adapter import Adapter, Scheme
 from vv.plan.project import Project
-from vv.plan.settings import name_hint
 
 
 def select(project: Project, selection: Sequence[str]) -> list[tuple[Case, str]]:

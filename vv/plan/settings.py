@@ -1,17 +1,17 @@
-"""Parses parameters and knobs as users type them, converts units, and suggests names."""
+"""Parses parameters and knobs as users type them, and converts units."""
 
 from __future__ import annotations
 
 import dataclasses
-import difflib
 import functools
 import math
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from vv.ask import Knobs
 from vv.base.errors import UsageError
+from vv.base.hints import name_hint
 from vv.case import Case, Parameter
 
 if TYPE_CHECKING:
@@ -81,16 +81,6 @@ def _units() -> pint.UnitRegistry[float]:
     import pint
 
     return pint.UnitRegistry()
-
-
-def name_hint(name: str, known: Iterable[str]) -> str:
-    """The end of an error message: known names that are similar to `name`, else all known names."""
-    names = sorted(set(known))
-    by_folded = {n.lower(): n for n in names}
-    close = difflib.get_close_matches(name.lower(), by_folded, n=2, cutoff=0.6)
-    if close:
-        return f"; did you mean {' or '.join(by_folded[c] for c in close)}?"
-    return f"; known: {', '.join(names)}" if names else "; there is none"
 
 
 def parse_knobs(text: str) -> Knobs:

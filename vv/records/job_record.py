@@ -27,6 +27,7 @@ class JobCost:
     output: float
     repeats: int
     spread: float
+    whole: bool = optional(False)
     relative: tuple[float, float] | None = optional(None)
     session: str = optional("")
     kind: CostKind = CostKind.INDICATIVE

@@ -59,6 +59,7 @@ class TimedRun:
     repeats: int
     spread: float
     relative: tuple[float, float]
+    whole: bool = optional(False)
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,0 +1,55 @@
+"""Claims about docs/your-program.md: its commands run, its declaration is the example's."""
+
+from __future__ import annotations
+
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from tests import ROOT
+from vv.codes.program import declared
+from vv.codes.program.process import REFUSED
+
+PAGE = (ROOT / "docs" / "your-program.md").read_text()
+COMMANDS = [line for block in re.findall(r"```sh\n(.*?)```", PAGE, re.DOTALL) for line in
+            block.splitlines()]  # fmt: skip
+
+
+@pytest.mark.skipif(shutil.which("cc") is None, reason="there is no C compiler")
+def test_the_commands_of_the_page_run_one_after_another(tmp_path: Path) -> None:
+    for name in ("first_dem.c", "first_dem.toml"):
+        shutil.copy(ROOT / "examples" / "c" / name, tmp_path)
+    environment = {"PATH": "/usr/bin:/bin", "VV_DATA": str(tmp_path / ".vv"), "HOME": str(tmp_path)}
+    said = ""
+    for command in COMMANDS:
+        words = command.split()
+        if words[0] == "vv":
+            words = [sys.executable, "-m", *words]
+        done = subprocess.run(
+            words,
+            cwd=tmp_path,
+            env={**environment, "PYTHONPATH": str(ROOT)},
+            capture_output=True,
+            text=True,
+            check=False,
+            timeout=120,
+        )
+        assert done.returncode == 0, (command, done.stderr)
+        said += done.stdout
+    assert "first-dem/default claims to be first order in dt" in said
+    assert "single-contact:T4 y: error 8.3e-02 at dt = 0.004 s" in said
+
+
+def test_the_page_shows_the_example_as_it_is() -> None:
+    (shown,) = re.findall(r"```toml\n(.*?)```", PAGE, re.DOTALL)
+    assert shown == (ROOT / "examples" / "c" / "first_dem.toml").read_text()
+
+
+def test_the_page_names_every_entry_of_a_declaration() -> None:
+    named = set(re.findall(r"^\| `([\w-]+)` \|", PAGE, re.MULTILINE))
+    assert {*declared.TOP, *declared.SCHEME} - {"scheme"} <= named
+    assert f"| {REFUSED} | it refuses" in PAGE
