@@ -10,7 +10,7 @@ import numpy as np
 
 from cases._books import balance
 from cases._papers import LIU_2017
-from cases.bonds._quartzite import BRITTLE
+from cases.bonds._quartzite import BRITTLE, KN, D, M
 from cases.bonds.tetrahedral_unit import CORNERS, EDGES
 from reference_solutions.bonds import lattice_material, tetrahedral_unit
 from reference_solutions.bonds.lattice_material import Element
@@ -69,9 +69,10 @@ class Seen(NamedTuple):
     shear: Vector
 
 
-def _seen(p: Parameters, unit: int, run: Run) -> Seen:
+def unit_seen(p: Parameters, unit: int, run: Run) -> Seen:
     """The size of the axial stress on the original area (Eq. 5), and what the bonds bear.
 
+    Units come in pairs at RATES.
     Shear is what the axial force leaves of it, F = 3 (Fn cos a + Fs sin a) + eta v: the top is
     carried at a steady v and no inertia shows.
     """
@@ -81,7 +82,7 @@ def _seen(p: Parameters, unit: int, run: Run) -> Seen:
     force = run.values[Reaction(first)][:, 2]
     inclined, level = (_stretch(d, u, *bond) for bond in ((0, 1), (1, 2)))
     rise = (x[0] - x[1])[:, 2] / np.linalg.norm(x[0] - x[1], axis=1)
-    drag = p["eta"] * RATES[unit] * p["rate"] * d * CORNERS[0, 2]
+    drag = p["eta"] * RATES[unit % len(RATES)] * p["rate"] * d * CORNERS[0, 2]
     shear = ((force - drag) / 3 - p["kn"] * inclined * rise) / np.sqrt(1 - rise**2)
     return Seen(np.abs(force) / (np.sqrt(3) / 2 * d**2), inclined, level, np.abs(shear))
 
@@ -94,19 +95,19 @@ def _stretch(d: float, u: Vector, i: int, j: int) -> Vector:
 
 
 def _pulled_apart(p: Parameters, unit: int, run: Run) -> float:
-    seen = _seen(p, unit, run)
+    seen = unit_seen(p, unit, run)
     return _at(seen.stress, seen.inclined / p["xb"], int(seen.stress.argmax()))
 
 
 def _opened(p: Parameters, unit: int, run: Run) -> float:
-    seen = _seen(p, unit, run)
+    seen = unit_seen(p, unit, run)
     most = np.maximum.accumulate(seen.stress)
     fallen = np.argmax(seen.stress < most - FALL * most[-1])
     return _at(seen.stress, seen.level / p["xb"], int(seen.stress[:fallen].argmax()))
 
 
-def _slid(p: Parameters, unit: int, run: Run) -> float:
-    seen = _seen(p, unit, run)
+def slid(p: Parameters, unit: int, run: Run) -> float:
+    seen = unit_seen(p, unit, run)
     strength = p["fs0"] - p["mu_p"] * p["kn"] * seen.inclined
     return _at(seen.stress, seen.shear / strength, int(seen.stress.argmax()))
 
@@ -122,9 +123,9 @@ def _at(stress: Vector, borne: Vector, peak: int) -> float:
     return float(stress[last] + share * (stress[last] - stress[last - 1]))
 
 
-def unhurried(seen: Callable[[int, Run], float], run: Run) -> float:
+def unhurried(seen: Callable[[int, Run], float], run: Run, first: int = 0) -> float:
     """The strength [Pa] extrapolated to zero rate of loading, from specimens at both RATES."""
-    fast, slow = (seen(unit, run) for unit in range(len(RATES)))
+    fast, slow = (seen(first + unit, run) for unit in range(len(RATES)))
     return slow + (slow - fast) / (RATES[0] / RATES[1] - 1.0)
 
 
@@ -161,27 +162,60 @@ def booked(bound: float, slack: str = "", dt: float = 1e-8) -> Scalar:
 def _declare(variant: str, p: Parameters) -> Trial:
     d, kn, ks, xb, fs0, mu_p = (p[name] for name in ("d", "kn", "ks", "xb", "fs0", "mu_p"))
     element = Element(kn, ks, xb, fs0, mu_p)
-    if variant == "pulled":
+    if variant.startswith("pulled"):
         failed = tetrahedral_unit.tension_failure(element, d)
         strengths = _strength(
             "T_u", "tensile strength", _pulled_apart, p, failed.stress,
             "Eq. 7", lattice_material.tensile_strength(kn, ks, xb, d), 5e-9,
         )  # fmt: skip
     else:
+        pressed = 5e-7 * max(1.0, (p["eta"] * p["rate"] / 45.0) ** 2)
         failed = tetrahedral_unit.sliding_failure(element, d)
         strengths = _strength(
             "C_open", "pressure that opens the base", _opened, p,
             -tetrahedral_unit.opening_failure(element, d).stress,
-            "Eq. 8", lattice_material.opening_strength(kn, ks, xb, d), 5e-7,
+            "Eq. 8", lattice_material.opening_strength(kn, ks, xb, d), pressed,
         ) + _strength(
-            "C_u", "compressive strength", _slid, p, -failed.stress,
-            "Eq. 14", lattice_material.sliding_strength(fs0, mu_p, d), 5e-7,
+            "C_u", "compressive strength", slid, p, -failed.stress,
+            "Eq. 14", lattice_material.sliding_strength(fs0, mu_p, d), pressed,
         )  # fmt: skip
+    if variant in HURRIED:
+        strengths += (_hurried(variant, p),)
     goal = History(BEYOND * abs(failed.strain / p["rate"]), EVERY)
     units = [len(CORNERS) * k for k in range(len(RATES))]
     moved = [Displacement(k + i) for k in units for i in range(3)]
     watched: tuple[Observable, ...] = (*(Reaction(k) for k in units), *moved)
     return Trial(Ladder(_scene(p), goal, watched, LEVELS), (*strengths, booked(2e-7, FEW)))
+
+
+def _hurried(variant: str, p: Parameters) -> Scalar:
+    """The strength at the paper's own rate and viscosity, over the paper's formula, less 1."""
+    seen, name = (_pulled_apart, "T_u") if variant.startswith("pulled") else (slid, "C_u")
+    printed = (
+        lattice_material.tensile_strength(p["kn"], p["ks"], p["xb"], p["d"])
+        if name == "T_u"
+        else lattice_material.sliding_strength(p["fs0"], p["mu_p"], p["d"])
+    )
+    return Scalar(
+        f"{name} at the paper's rate", f"{name}(rate)/{name} - 1", "",
+        f"{name} as it is seen at the paper's rate, over its formula, less 1",
+        lambda run: seen(p, 1, run) / printed - 1.0, None, 1.0, Shown(OWN[name]),
+    )  # fmt: skip
+
+
+HURRIED = {  # the part of V in Eq. 28: a unit's share of the lattice, or its own hull
+    "pulled-share": 1 / np.sqrt(2),
+    "pressed-share": 1 / np.sqrt(2),
+    "pressed-hull": 1 / (6 * np.sqrt(2)),
+}
+
+
+def _of_paper(variant: str) -> dict[str, float]:
+    """The paper's rate, 1.70e-9 or 1.70e-10 m in 100 steps of 1e-8 s, and viscosity, Eq. 28."""
+    moved = 1.70e-10 if variant.startswith("pulled") else -1.70e-9
+    critical = np.sqrt(8 * M.value * KN.value)
+    eta = critical / HURRIED[variant] ** (1 / 3)
+    return {"rate": moved / 1e-6 / (D.value * CORNERS[0, 2]), "eta": float(eta)}
 
 
 OWN = {
@@ -230,6 +264,14 @@ CASE = Case(
             "pressed", "to where the base opens, and on to where the inclined bonds slide",
             "X_n2 = xb; then, without the base, |F_s1| = fs0 - mu_p F_n1", {"rate": -7.5},
             inert=frozenset({"m", "eta", "rate"}),
+        ),
+        *(
+            Variant(
+                name, f"at the paper's rate, with Eq. 28 for V = {HURRIED[name]:.4g} d^3",
+                "as without rate; at it, what viscosity leaves is shown", _of_paper(name),
+                frozenset({"m", "eta", "rate"}), Level.DEFAULT,
+            )
+            for name in HURRIED
         ),
     ),
     declare=_declare,

@@ -123,12 +123,12 @@ def sliding_strength(fs0: float, mu_p: float, d: float) -> float:
 
 def printed_internal_friction(mu_p: float) -> float:
     """mu_i [-] as printed (Eq. 15): P = (2 + sqrt2 mu_p)/(1 - sqrt2 mu_p)."""
-    return _internal_friction(_confinement(mu_p))
+    return _internal_friction(printed_confinement(mu_p))
 
 
 def internal_friction(mu_p: float) -> float:
     """mu_i [-] of the lattice (Eq. 15 with the stress of Eq. 11a halved): P is twice as large."""
-    return _internal_friction(2.0 * _confinement(mu_p))
+    return _internal_friction(2.0 * printed_confinement(mu_p))
 
 
 def require_springs(kn: float, ks: float, d: float) -> None:
@@ -138,7 +138,7 @@ def require_springs(kn: float, ks: float, d: float) -> None:
     require_positive("m", d=d)
 
 
-def _confinement(mu_p: float) -> float:
+def printed_confinement(mu_p: float) -> float:
     """P [-] as printed: how much a horizontal stress adds to the axial one at sliding."""
     _require_friction(mu_p)
     return (2.0 + sqrt(2.0) * mu_p) / (1.0 - sqrt(2.0) * mu_p)

@@ -1,0 +1,139 @@
+"""The unit of four bonded elements under axial pressure, held together by dead loads (Liu 2017).
+
+As in `tetrahedral_unit`, with an inward load Fx [N] on each of the three base elements: bonds are
+springs kn, ks [N/m] of length d [m], and an inclined bond of length L makes the angle a with the
+axis, sin a0 = 1/sqrt3. With lengths in d, forces in kn d, g = ks/kn and f = Fx/(kn d), a base
+element is in balance if
+
+(L - 1) sin a - g S cos a + sqrt3 (sqrt3 L sin a - 1) + f = 0
+
+and without the third term once the base has opened; the shear spring turns with its bond, S' = -L.
+So S sin^q a is an integral of sines: q = g/4 on the way to where the base opens (X_n2 = xb), and
+q = g from there to where inclined bonds slide (Eq. 1). Twice, as the loads set in and as the base
+opens, it finds its balance at a fixed height z, where L = z/cos a and S = -z asinh(tan a) + c.
+
+The loads are the horizontal stress (sqrt6/2) Fx/d^2, by a section and by the virial: half of what
+Eq. 11a has. Every function raises ValueError outside its range.
+"""
+
+from collections.abc import Callable
+from math import asin, asinh, cos, sin, sqrt, tan
+from typing import NamedTuple
+
+import numpy as np
+
+from reference_solutions.bonds.lattice_material import Element, sliding_strength
+from reference_solutions.parameters import require_at_least_0, require_positive
+
+A0 = asin(1.0 / sqrt(3.0))
+LARGEST = 0.04  # of an angle [rad]: how far bonds of quartzite turn before they slide
+_X, _W = np.polynomial.legendre.leggauss(12)  # exact to rounding on such arcs
+
+
+class Failure(NamedTuple):
+    """Where inclined bonds slide: pressure [Pa] on the original area, axial strain."""
+
+    pressure: float
+    strain: float
+
+
+def horizontal_stress(fx: float, d: float) -> float:
+    """What inward loads fx [N] on the base are as a stress [Pa]: half of Eq. 11a."""
+    require_at_least_0("N", fx=fx)
+    require_positive("m", d=d)
+    return sqrt(6.0) / 2.0 * fx / (d * d)
+
+
+def sliding_failure(element: Element, d: float, fx: float) -> Failure:
+    """The pressure at which inclined bonds slide under inward loads fx [N] on the base.
+
+    Raises ValueError where they slide before the base opens, or where it never opens.
+    """
+    kn, ks, xb, fs0, mu_p = element
+    sliding_strength(fs0, mu_p, d)
+    require_at_least_0("N", fx=fx)
+    require_positive("m", xb=xb)
+    force, g = kn * d, ks / kn
+    unit = _Unit(g, fx / force)
+    limit = fs0 / force
+
+    def margin(a: float, length: float, shear: float) -> float:
+        return g * abs(shear) / (limit - mu_p * (length - 1.0)) - 1.0
+
+    loaded = unit.widened(A0, cos(A0), 0.0, sqrt(3.0))
+    opens = _root(lambda a: _base(a, unit.bonded(a, *loaded)[0]) - xb / d, A0, LARGEST)
+    length, shear = unit.bonded(opens, *loaded)
+    rests = unit.widened(opens, length * cos(opens), shear, 0.0)
+    if margin(*_whole(rests, length * cos(opens))) >= 0.0 or margin(opens, length, shear) >= 0.0:
+        raise ValueError(f"fx = {fx} N; inclined bonds slide before the base opens")
+    a = _root(lambda a: margin(a, *unit.open(a, *rests)), rests[0], LARGEST)
+    length, shear = unit.open(a, *rests)
+    fz = 3.0 * force * ((length - 1.0) * cos(a) + g * shear * sin(a))
+    return Failure(-2.0 * fz / (sqrt(3.0) * d * d), length * cos(a) / cos(A0) - 1.0)
+
+
+class _Unit(NamedTuple):
+    """g and f of a unit; its paths give (L, S) at an angle a, from a begin (a, S)."""
+
+    g: float
+    f: float
+
+    def bonded(self, a: float, begin: float, shear: float) -> tuple[float, float]:
+        """With the bonds of the base."""
+        q, pull = self.g / 4.0, sqrt(3.0) - self.f
+        summed = _integral(lambda s: s**q + pull * s ** (q - 1.0), begin, a)
+        now = (shear * sin(begin) ** q - summed / 4.0) / sin(a) ** q
+        return (sin(a) + pull + self.g * now * cos(a)) / (4.0 * sin(a)), now
+
+    def open(self, a: float, begin: float, shear: float) -> tuple[float, float]:
+        """Without the bonds of the base."""
+        summed = _integral(lambda s: s**self.g - self.f * s ** (self.g - 1.0), begin, a)
+        now = (shear * sin(begin) ** self.g - summed) / sin(a) ** self.g
+        return 1.0 + (self.g * now * cos(a) - self.f) / sin(a), now
+
+    def widened(self, begin: float, z: float, shear: float, bonds: float) -> tuple[float, float]:
+        """(a, S) of the balance at the height z, whose base has `bonds` sqrt3 (whole) or 0."""
+
+        def now(a: float) -> float:
+            return shear - z * (asinh(tan(a)) - asinh(tan(begin)))
+
+        def force(a: float) -> float:
+            length = z / cos(a)
+            base = bonds * (sqrt(3.0) * length * sin(a) - 1.0)
+            return (length - 1.0) * sin(a) - self.g * now(a) * cos(a) + base + self.f
+
+        a = _root(force, begin, LARGEST)
+        return a, now(a)
+
+
+def _base(a: float, length: float) -> float:
+    """X_n2: by how much a bond of the base is longer than 1."""
+    return sqrt(3.0) * length * sin(a) - 1.0
+
+
+def _whole(rests: tuple[float, float], z: float) -> tuple[float, float, float]:
+    a, shear = rests
+    return a, z / cos(a), shear
+
+
+def _integral(f: Callable[..., object], begin: float, end: float) -> float:
+    """Of a function of sin a."""
+    sines = np.sin(begin + (end - begin) * (_X + 1.0) / 2.0)
+    return float((end - begin) / 2.0 * (_W @ np.asarray(f(sines))))
+
+
+def _root(f: Callable[[float], float], guess: float, reach: float) -> float:
+    """A root of a smooth function within `reach` of a guess, by secants to rounding."""
+    x, y = guess - 1e-4, guess
+    fx, fy = f(x), f(y)
+    for _ in range(60):
+        if fy == fx or abs(y - x) <= 1e-13:
+            return y
+        x, fx, y = y, fy, y - fy * (y - x) / (fy - fx)
+        if not abs(y - guess) <= reach:
+            break
+        fy = f(y)
+    raise ValueError(
+        f"no balance within {reach} rad of {guess:.6g}; the base never opens, or the springs are "
+        "too weak"
+    )

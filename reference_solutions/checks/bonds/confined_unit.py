@@ -1,0 +1,88 @@
+"""Second route to the confined unit of four bonded elements: rates of its balance, integrated.
+
+Loads grow, then the top sinks, then the bonds of the base let go, then the top sinks further. In
+each stage one number drives the balance of a base element at the radius r, and the rates of r and
+of the shear S follow from F(r, z, S, f, base) = 0 staying so; derivatives of F are differences.
+Lengths are in diameters, forces in kn d.
+"""
+
+from math import atan2, cos, hypot, sin, sqrt
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+STEP = 1e-6
+MOST = 3000  # rates of a stage
+HEIGHT = sqrt(2.0 / 3.0)
+Z, F, BASE = 0, 1, 2  # what may drive
+
+
+def sliding_failure(
+    *, kn: float, ks: float, xb: float, fs0: float, mu_p: float, d: float, fx: float
+) -> tuple[float, float]:
+    """The pressure [Pa] and the strain at which inclined bonds slide, under inward loads fx [N]."""
+    g, limit = ks / kn, fs0 / (kn * d)
+
+    def opens(state: Array, at: Array) -> float:
+        return float(sqrt(3.0) * state[0] - 1.0 - xb / d)
+
+    def slides(state: Array, at: Array) -> float:
+        stretch = hypot(state[0], at[Z]) - 1.0
+        return float(g * abs(state[1]) - limit + mu_p * stretch)
+
+    at, state = np.array([HEIGHT, 0.0, 1.0]), np.array([1.0 / sqrt(3.0), 0.0])
+    at, state = _driven(state, at, F, fx / (kn * d), g)
+    at, state = _driven(state, at, Z, 0.95 * HEIGHT, g, opens)
+    at, state = _driven(state, at, BASE, 0.0, g)
+    at, state = _driven(state, at, Z, 0.95 * HEIGHT, g, slides)
+    angle, stretch = atan2(state[0], at[Z]), hypot(state[0], at[Z]) - 1.0
+    fz = 3.0 * kn * d * (stretch * cos(angle) + g * state[1] * sin(angle))
+    return -2.0 * fz / (sqrt(3.0) * d * d), at[Z] / HEIGHT - 1.0
+
+
+def _unbalanced(r: float, s: float, at: Array, g: float) -> float:
+    """The inward force on a base element."""
+    angle, length = atan2(r, at[Z]), hypot(r, at[Z])
+    rub = (length - 1.0) * sin(angle) - g * s * cos(angle)
+    return float(rub + at[BASE] * sqrt(3.0) * (sqrt(3.0) * r - 1.0) + at[F])
+
+
+def _driven(state, at, which, target, g, until=None):  # type: ignore[no-untyped-def]
+    """(at, state) after one number of `at` went to its target, or to where `until` is 0."""
+    from scipy.integrate import solve_ivp
+
+    begin = float(at[which])
+
+    def placed(part: float) -> Array:
+        now = np.array(at)
+        now[which] = begin + part * (target - begin)
+        return now
+
+    asked = iter(range(MOST))
+
+    def rates(part: float, y: Array) -> list[float]:
+        if next(asked, None) is None:
+            raise ValueError(f"the balance cannot be followed with {MOST} rates")
+        now, (r, s) = placed(part), y
+        slope = np.zeros(3)
+        slope[which] = target - begin
+
+        def along(dr: float, ds: float, dat: Array) -> float:
+            ahead = _unbalanced(r + STEP * dr, s + STEP * ds, now + STEP * dat, g)
+            behind = _unbalanced(r - STEP * dr, s - STEP * ds, now - STEP * dat, g)
+            return (ahead - behind) / (2 * STEP)
+
+        length, sinks = hypot(r, now[Z]), slope[Z]
+        turned, still = -now[Z] / length, r * sinks / length  # S' = turned r' + still
+        speed = -(along(0.0, still, slope)) / along(1.0, turned, np.zeros(3))
+        return [speed, turned * speed + still]
+
+    event = None
+    if until is not None:
+        event = lambda part, y: until(y, placed(part))  # noqa: E731
+        event.terminal = True  # type: ignore[attr-defined]
+    found = solve_ivp(rates, (0.0, 1.0), state, "DOP853", rtol=1e-11, atol=1e-14, events=event)
+    if until is not None and not len(found.t_events[0]):
+        raise ValueError("the stage ends before what it waits for")
+    return placed(found.t[-1]), found.y[:, -1]
