@@ -6,12 +6,14 @@ of the shear S follow from F(r, z, S, f, base) = 0 staying so; derivatives of F 
 Lengths are in diameters, forces in kn d.
 """
 
+from collections.abc import Callable
 from math import atan2, cos, hypot, sin, sqrt
 
 import numpy as np
 from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
+Margin = Callable[[Array, Array], float]
 STEP = 1e-6
 MOST = 3000  # rates of a stage
 HEIGHT = sqrt(2.0 / 3.0)
@@ -38,7 +40,7 @@ def sliding_failure(
     at, state = _driven(state, at, Z, 0.95 * HEIGHT, g, slides)
     angle, stretch = atan2(state[0], at[Z]), hypot(state[0], at[Z]) - 1.0
     fz = 3.0 * kn * d * (stretch * cos(angle) + g * state[1] * sin(angle))
-    return -2.0 * fz / (sqrt(3.0) * d * d), at[Z] / HEIGHT - 1.0
+    return -2.0 * fz / (sqrt(3.0) * d * d), float(at[Z]) / HEIGHT - 1.0
 
 
 def _unbalanced(r: float, s: float, at: Array, g: float) -> float:
@@ -48,7 +50,9 @@ def _unbalanced(r: float, s: float, at: Array, g: float) -> float:
     return float(rub + at[BASE] * sqrt(3.0) * (sqrt(3.0) * r - 1.0) + at[F])
 
 
-def _driven(state, at, which, target, g, until=None):  # type: ignore[no-untyped-def]
+def _driven(
+    state: Array, at: Array, which: int, target: float, g: float, until: Margin | None = None
+) -> tuple[Array, Array]:
     """(at, state) after one number of `at` went to its target, or to where `until` is 0."""
     from scipy.integrate import solve_ivp
 
@@ -78,11 +82,11 @@ def _driven(state, at, which, target, g, until=None):  # type: ignore[no-untyped
         speed = -(along(0.0, still, slope)) / along(1.0, turned, np.zeros(3))
         return [speed, turned * speed + still]
 
-    event = None
-    if until is not None:
-        event = lambda part, y: until(y, placed(part))  # noqa: E731
-        event.terminal = True  # type: ignore[attr-defined]
+    def event(part: float, y: Array) -> float:
+        return until(y, placed(part)) if until else 1.0
+
+    event.terminal = True  # type: ignore[attr-defined]
     found = solve_ivp(rates, (0.0, 1.0), state, "DOP853", rtol=1e-11, atol=1e-14, events=event)
-    if until is not None and not len(found.t_events[0]):
+    if until and not len(found.t_events[0]):
         raise ValueError("the stage ends before what it waits for")
     return placed(found.t[-1]), found.y[:, -1]

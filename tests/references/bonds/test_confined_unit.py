@@ -19,7 +19,7 @@ def apart(route: ModuleType, element: Element, fx: float, second: ModuleType = i
     """The largest relative difference of the two routes, in pressure and strain."""
     due = second.sliding_failure(**element._asdict(), d=D, fx=fx)
     found = route.sliding_failure(element, D, fx)
-    return max(abs(one / other - 1.0) for one, other in zip(found, due, strict=True))
+    return float(max(abs(one / other - 1.0) for one, other in zip(found, due, strict=True)))
 
 
 @given(st.floats(0.0, 30.0), st.floats(0.05, 0.6), st.floats(0.8, 1.5))
