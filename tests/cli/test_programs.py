@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 
 from tests.conftest import Tiny
+from vv.base import processes
 
 DECLARED = """
 command = "sh {script}"
@@ -33,8 +34,8 @@ END {
 }' ask.json > series.csv
 """
 BAD = {
-    "hangs": ("sleep 60", "timeout: no answer in time"),
-    "crashes": ("kill -ABRT $$", "error: signal SIGABRT"),
+    "hangs": ("setsid sleep 71 & sleep 60", "timeout: no answer in time"),
+    "crashes": ("setsid sleep 72 & kill -ABRT $$", "error: signal SIGABRT"),
     "silent": ("true", "error: the program ended well, but wrote no series.csv"),
     "garbage": ("head -c 999 /dev/urandom > series.csv", "error: series.csv has no column 't'"),
     "columns": ("echo 't,y' > series.csv", "error: series.csv has no column 'displacement_0_x'"),
@@ -98,6 +99,15 @@ def test_bad_programs_are_told_what_is_wrong_and_lose_nothing_else(tiny: Tiny, m
     assert {name: said[name][: len(reason)] for name, (_, reason) in BAD.items()} == {
         name: reason for name, (_, reason) in BAD.items()
     }
+
+
+def test_nothing_that_a_program_started_outlives_its_run(tiny: Tiny) -> None:
+    left = "setsid sleep 73 & (setsid sleep 74 &)"
+    for name, script in (("good", EULER + left), ("bad", left), ("slow", f"{left}; sleep 75")):
+        declare(tiny.root, name, script)
+    limits = ("--level", "quick", "--timeout", "1")
+    tiny.vv("run", "fall:up", *limits, "--codes", "good.toml,bad.toml,slow.toml")
+    assert not [pid for pid in processes._pids() if processes._is_in(pid, tiny.root)]
 
 
 def test_a_program_that_is_not_there_is_missed(tiny: Tiny) -> None:

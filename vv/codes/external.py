@@ -1,7 +1,7 @@
 """Runs external programs: start one in a folder, say why it ended, and hold a batch together.
 
-Time limits belong to the runner, which kills the worker's process group; a program is therefore
-started in that same group.
+Time limits belong to the runner, which ends the worker's process group and all descendants; a
+program is therefore started in that same group.
 """
 
 from __future__ import annotations
@@ -15,6 +15,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from vv.ask import Run, Status
+from vv.base.processes import end_with_descendants
 
 POLL = 0.02  # s between two looks for a result; a look costs some 10 us
 LARGEST_LOG = 64_000_000  # bytes that a program may say; more is a fault, and would fill a disk
@@ -80,11 +81,11 @@ def await_end(program: Process, folder: Path) -> str | None:
 
 
 def stop(program: Process, patience: float = 0.0) -> None:
-    """Wait `patience` seconds for a program to end by itself, then end it."""
+    """Wait `patience` seconds for a program to end by itself, then end it and what it started."""
     try:
         program.process.wait(patience)
     except subprocess.TimeoutExpired:
-        program.process.kill()
+        end_with_descendants(program.process.pid)
         program.process.wait()
 
 

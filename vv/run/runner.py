@@ -18,6 +18,13 @@ from multiprocessing.process import BaseProcess
 from pathlib import Path
 
 from vv.ask import Ask, Run, Status
+from vv.base.processes import (
+    adopt_orphans,
+    end_children,
+    end_descendants,
+    end_those_in,
+    end_with_descendants,
+)
 from vv.codes.adapter import Adapter
 from vv.run.search import answers
 
@@ -97,6 +104,7 @@ def _work(batch: Batch, pipe: Connection, scratch: Path) -> None:
     with contextlib.suppress(OSError):
         os.setpgid(0, 0)
     _die_with_parent()
+    adopt_orphans()
     if batch.repeat > 0:  # timed: one core, whatever the program would take
         os.sched_setaffinity(0, {max(os.sched_getaffinity(0))})
     with open(scratch / "worker.log", "wb", buffering=0) as log:
@@ -108,6 +116,7 @@ def _work(batch: Batch, pipe: Connection, scratch: Path) -> None:
     except Exception as error:
         traceback.print_exc()
         pipe.send(failed(error))
+    end_children()  # what a program has left behind
 
 
 def failed(error: Exception) -> Run:
@@ -119,12 +128,18 @@ def failed(error: Exception) -> Run:
 
 def _die_with_parent() -> None:
     """Have the kernel end this worker, and what it started, when the parent is gone."""
-    signal.signal(signal.SIGTERM, lambda *_: os.killpg(0, signal.SIGKILL))
+    signal.signal(signal.SIGTERM, lambda *_: _end_all())
     with contextlib.suppress(OSError, AttributeError):  # only Linux has prctl
         ctypes.CDLL(None).prctl(1, signal.SIGTERM)
     parent = multiprocessing.parent_process()
     if parent is not None and os.getppid() != parent.pid:  # gone before the kernel was told
-        os.killpg(0, signal.SIGKILL)
+        _end_all()
+
+
+def _end_all() -> None:
+    """End what this worker started, and the worker."""
+    end_descendants(os.getpid())
+    os.killpg(0, signal.SIGKILL)
 
 
 def _answers(worker: _Worker) -> Iterator[tuple[int, Run]]:
@@ -174,9 +189,14 @@ def _how_it_died(worker: _Worker) -> str:
 
 
 def _kill(worker: _Worker) -> None:
+    """End a worker with all that it started, whichever process group that is in by now."""
+    if worker.process.is_alive():
+        end_with_descendants(worker.process.pid or 0)
     with contextlib.suppress(ProcessLookupError, PermissionError):
         os.killpg(worker.process.pid or 0, signal.SIGKILL)
     worker.process.join()
+    if worker.hung_up or worker.failed:
+        end_those_in(worker.scratch)
     worker.pipe.close()
 
 

@@ -1,0 +1,122 @@
+"""Ends processes with all that they started, also what has left their process group.
+
+Where there is no /proc, as on systems other than Linux, only process groups are ended.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import ctypes
+import os
+import signal
+from collections.abc import Iterable, Iterator
+from pathlib import Path
+
+PROC = Path("/proc")
+SUBREAPER = 36  # Linux: PR_SET_CHILD_SUBREAPER
+ROUNDS = 20  # of killing: who is killed may just have started another
+
+
+def adopt_orphans() -> None:
+    """Make this process the parent of what its descendants leave behind; only Linux can."""
+    with contextlib.suppress(OSError, AttributeError):
+        ctypes.CDLL(None).prctl(SUBREAPER, 1)
+
+
+def end_children() -> None:
+    """End all that this process has started or adopted; nearly free if there is nothing.
+
+    Only for a process that waits for no child any more.
+    """
+    with contextlib.suppress(ChildProcessError):  # there is none
+        while True:
+            ended, _ = os.waitpid(-1, os.WNOHANG)
+            if ended == 0:
+                end_descendants(os.getpid())
+                os.waitpid(-1, 0)
+
+
+def end_with_descendants(pid: int) -> None:
+    """End a process that still runs, with all that it started; it starts no other meanwhile."""
+    with contextlib.suppress(ProcessLookupError, PermissionError):
+        os.kill(pid, signal.SIGSTOP)
+        end_descendants(pid)
+        os.kill(pid, signal.SIGKILL)
+
+
+def end_descendants(pid: int) -> None:
+    """End all processes that a process started, and those which these started."""
+    for _ in range(ROUNDS):
+        found = _descendants(pid) if _has_children(pid) else []
+        if not found:
+            return
+        _kill(found)
+
+
+def end_those_in(folder: Path) -> None:
+    """End all processes of ours whose home or working folder lies in a folder."""
+    for _ in range(ROUNDS):
+        found = [pid for pid in _pids() if _is_in(pid, folder)]
+        if not found:
+            return
+        _kill(found)
+
+
+def _kill(pids: Iterable[int]) -> None:
+    for pid in pids:
+        with contextlib.suppress(ProcessLookupError, PermissionError):
+            os.kill(pid, signal.SIGKILL)
+
+
+def _pids() -> Iterator[int]:
+    names = os.listdir(PROC) if PROC.is_dir() else []
+    return (int(name) for name in names if name.isdecimal())
+
+
+def _has_children(pid: int) -> bool:
+    """Whether a process has children, zombies included; true where the system does not tell."""
+    try:
+        tasks = [*(PROC / str(pid) / "task").iterdir()]
+        return any((task / "children").read_text() for task in tasks)
+    except OSError:
+        return True
+
+
+def _descendants(pid: int) -> list[int]:
+    """The processes below a process that still run, outer ones first."""
+    children: dict[int, list[int]] = {}
+    for one in _pids():
+        parent = _parent(one)
+        if parent is not None:
+            children.setdefault(parent, []).append(one)
+    found = list(children.get(pid, ()))
+    for one in found:
+        found += children.get(one, ())
+    return found
+
+
+def _parent(pid: int) -> int | None:
+    """The parent of a process; None where it is gone, or a zombie that no signal reaches."""
+    try:
+        text = (PROC / str(pid) / "stat").read_text(errors="replace")
+    except OSError:
+        return None
+    state, parent = text.rpartition(")")[2].split()[:2]
+    return None if state in "ZX" else int(parent)
+
+
+def _is_in(pid: int, folder: Path) -> bool:
+    """Whether a process runs whose home or working folder is a folder or lies in it."""
+    place = PROC / str(pid)
+    try:
+        homes = [
+            entry.removeprefix(b"HOME=")
+            for entry in (place / "environ").read_bytes().split(b"\0")
+            if entry.startswith(b"HOME=")
+        ]
+        here = os.fsencode(os.readlink(place / "cwd"))
+    except OSError:  # gone, or not ours
+        return False
+    own = os.fsencode(folder)
+    inside = any(one == own or one.startswith(own + b"/") for one in (*homes, here))
+    return inside and pid != os.getpid() and _parent(pid) is not None
