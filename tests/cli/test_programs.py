@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import shutil
 from pathlib import Path
 
 import pytest
@@ -156,3 +157,18 @@ def test_a_toml_among_the_adapters_is_a_code_of_the_project(tiny: Tiny, mine: Pa
     )
     done = tiny.vv("gate", "fall:up", "--codes", "mine")
     assert done.returncode == 0, done.stderr
+
+
+def test_a_handshake_says_what_is_right_and_what_is_wrong(tiny: Tiny, mine: Path) -> None:
+    done = tiny.vv("check", "mine.toml")  # it knows of motion along y alone
+    assert done.returncode == 1, done.stderr
+    flight, lock = done.stdout.splitlines()[-2:]
+    assert flight == "  free flight: wrong by 1 of the largest value"
+    assert lock.startswith("  lock: right, error ")
+    (tiny.root / "mine.sh").write_text("echo 'dt is odd' >&2; exit 1")
+    done = tiny.vv("check", "mine.toml")
+    assert done.returncode == 8
+    assert "  lock: error: exit code 1; last output: dt is odd" in done.stdout
+    folder = Path(done.stderr.removeprefix("questions and answers of what failed: ").strip())
+    assert len(list(folder.rglob("ask.json"))) == 6
+    shutil.rmtree(folder)

@@ -17,6 +17,7 @@ import typer
 from vv.base.errors import UsageError
 from vv.cli import (
     baseline_commands,
+    check_command,
     export_command,
     gate_command,
     papers_command,
@@ -58,7 +59,7 @@ GROUPS: dict[str, dict[str, Callable[..., None]]] = {
         "accept": baseline_commands.accept,
         "record": baseline_commands.record,
     },
-    "Extend": {"export": export_command.export},
+    "Extend": {"check": check_command.check, "export": export_command.export},
 }
 for group, commands in GROUPS.items():
     for name, command in commands.items():

@@ -1,0 +1,85 @@
+"""The command that shakes hands with a code before anything serious is asked of it: `vv check`."""
+
+from __future__ import annotations
+
+import tempfile
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from vv.ask import Run, Status
+from vv.base.errors import UsageError
+from vv.cli import options
+from vv.output.terminal import note, say
+from vv.plan.project import find
+
+if TYPE_CHECKING:
+    from vv.codes.adapter import Adapter, Scheme
+    from vv.codes.greetings import Greeting
+
+WRONG, CRASHED, INCOMPLETE = 1, 8, 32  # exit bits, as vv.records.finding.Bit has them
+
+
+def check(
+    code: Annotated[str, typer.Argument(metavar="FILE.toml|CODE", help="The code to greet.")],
+    timeout: Annotated[float, typer.Option("--timeout", help="Seconds that a run may take.")] = 10,
+) -> None:
+    """Ask a code a few tiny scenes, and say in words what is wrong with its answers."""
+    from vv.plan.selection import named_adapters
+
+    project, named = options.with_programs(find(), code)
+    name = named[0].partition("/")[0]
+    if name not in project.adapter_names():
+        raise UsageError(f"no code '{code}'; name a TOML file, or a code that `vv codes` lists")
+    adapter = named_adapters(project, [name])[name]
+    found = adapter.found()
+    if not found.installed:
+        note(f"{name} is not installed: {found.how_to_install}")
+        raise typer.Exit(INCOMPLETE)
+    say(f"{name} {found.version}: {found.path}")
+    scratch = Path(tempfile.mkdtemp(prefix="vv-check-"))
+    status = 0
+    for scheme in adapter.schemes:
+        status |= _greet(adapter, scheme, options.positive(timeout), scratch)
+    if any(scratch.iterdir()):
+        note(f"questions and answers of what failed: {scratch}")
+    else:
+        scratch.rmdir()
+    raise typer.Exit(status)
+
+
+def _greet(adapter: Adapter, scheme: Scheme, timeout: float, scratch: Path) -> int:
+    """Ask one scheme all tiny scenes that it declares; returns exit bits."""
+    from vv.codes.greetings import greetings
+    from vv.codes.handshake import Grip, judged
+
+    say(f"{adapter.name}/{scheme.name} claims to be {scheme.method.value}")
+    status, known = 0, greetings(scheme)
+    for greeting in known:
+        found = judged(scheme, greeting, _answers(adapter, scheme, greeting, timeout, scratch))
+        say(f"  {greeting.name}: {found.words}")
+        status |= {Grip.WRONG: WRONG, Grip.FAILED: CRASHED}.get(found.grip, 0)
+    if not known:
+        say("  nothing to ask: it declares no spheres that fly, bounce, or are slowed by drag")
+    return status
+
+
+def _answers(
+    adapter: Adapter, scheme: Scheme, greeting: Greeting, timeout: float, scratch: Path
+) -> list[Run]:
+    """What comes of the question at each step, in order."""
+    from vv.records.record import checked
+    from vv.run.runner import Batch, run_batches
+
+    asks = greeting.asks(scheme)
+    reason = adapter.refuses(asks[0], scheme.name)
+    if reason is not None:
+        return [Run(Status.REFUSED, reason)]
+    batch = Batch(adapter, scheme.name, tuple(range(len(asks))), tuple(asks))
+
+    def folder() -> Path:
+        return Path(tempfile.mkdtemp(prefix=f"{greeting.name.replace(' ', '-')}-", dir=scratch))
+
+    answered = dict(run_batches([batch], 1, timeout, folder))
+    return [checked(answered[number], ask) for number, ask in enumerate(asks)]
