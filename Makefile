@@ -8,12 +8,13 @@ help:
 	@echo "make setup  the virtual environment in .venv; YADE and LIGGGHTS where apt may"
 	@echo "make lock   renew requirements.lock from pyproject.toml"
 	@echo "make clean  remove .venv and everything generated"
+	@echo "            CODES=lmgc90,pybullet,kratos: these too, in environments of their own"
 	@echo "Variables: PYTHON=/path/to/python   the Python that .venv is made from"
 	@echo "           VV_APT=no                leave the system's packages alone"
 	@echo "           VV_REQUIRE=yade,liggghts fail where these codes are missing"
 
 setup:
-	@./setup.sh
+	@CODES="$(CODES)" ./setup.sh
 
 run: setup
 	@.venv/bin/vv run --all
@@ -32,4 +33,4 @@ lock:
 	@./setup.sh lock
 
 clean:
-	rm -rf .venv .vv .mypy_cache .ruff_cache .pytest_cache .hypothesis
+	rm -rf .venv .codes .vv .mypy_cache .ruff_cache .pytest_cache .hypothesis

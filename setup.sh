@@ -4,6 +4,8 @@
 #   setup.sh         .venv from requirements.lock, this package, YADE and LIGGGHTS through apt
 #   setup.sh lock    requirements.lock anew from the lower bounds in pyproject.toml
 #
+# CODES=lmgc90,pybullet,kratos besides brings these, each into an environment .codes/NAME of its
+# own, from adapters/NAME/requirements.txt; .codes/NAME/installed says what stands there.
 # PYTHON names the interpreter to use, VV_APT=no forbids apt, and the codes that are named in
 # VV_REQUIRE=yade,liggghts must be there in the end. .venv/made-for and .venv/installed say what
 # stands; each is written last, so that a set-up that failed is taken up where it stopped.
@@ -11,6 +13,7 @@ set -euo pipefail
 cd -- "$(dirname -- "${BASH_SOURCE[0]}")"
 export PIP_DISABLE_PIP_VERSION_CHECK=1 PIP_NO_INPUT=1
 REQUIRED=${VV_REQUIRE:-}
+CODES=${CODES:-}
 SCRATCH=$(mktemp -d)
 trap 'rm -rf -- "$SCRATCH"' EXIT
 
@@ -117,6 +120,36 @@ external() { # CODE, by the name of its program and package
     say "$1 is missing and will be left out; to have it: sudo apt-get install $1"
 }
 
+# Bring a code that is a Python package into an environment of its own, by a Python that it is for.
+own_environment() { # CODE
+    local wanted="adapters/$1/requirements.txt" place=".codes/$1" python
+    [ -f "$wanted" ] || fail "CODES has '$1'; there are: $(packaged)"
+    if cmp -s "$wanted" "$place/installed" && version "$place/bin/python" >/dev/null; then return; fi
+    say "installing $1 into $place"
+    for python in ${PYTHON:-python3 python3.11 python3.12 python3.13 python3.14}; do
+        if ! recent "$python" || ! has_venv "$python"; then continue; fi
+        "$python" -m venv --clear "$place"
+        if "$place/bin/python" -m pip install --quiet --no-deps --only-binary :all: \
+            --requirement "$wanted" >"$SCRATCH/pip" 2>&1; then
+            cat "$wanted" >"$place/installed"
+            return
+        fi
+        say "no $1 for $python: $(grep -m 1 '^ERROR' "$SCRATCH/pip" || tail -n 1 "$SCRATCH/pip")"
+    done
+    rm -rf "$place"
+    fail "$1 is not to be had: no Python here fits $(tr '\n' ' ' <"$wanted")"
+}
+
+# The codes that are Python packages, by name.
+packaged() {
+    local file names=()
+    for file in adapters/*/requirements.txt; do
+        file=${file%/requirements.txt}
+        names+=("${file##*/}")
+    done
+    echo "${names[*]}"
+}
+
 lock() {
     make_venv "$SCRATCH/venv"
     "$SCRATCH/venv/bin/python" -m pip install --quiet ".[dev]"
@@ -132,6 +165,8 @@ setup() {
     packages
     external yade
     external liggghts
+    local code
+    for code in ${CODES//,/ }; do own_environment "$code"; done
 }
 
 if command -v flock >/dev/null; then

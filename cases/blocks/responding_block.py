@@ -91,7 +91,7 @@ def _declare(variant: str, p: Parameters) -> Trial:
     motion = Motion(BLOCK, np.eye(3)[:directions], path, goal.times(None), "m", _fall(p))
     if variant == "map":
         return Trial(Ladder(_scene(variant, p), goal, (BLOCK,), MAP), (motion.distance(EXPLORED),))
-    judge = Exact(_tolerances(p, path))
+    judge = _judge(p, path)
     along = {2: Exact(_lifted(p))}
     parts = tuple(
         motion.component(
@@ -117,6 +117,32 @@ EXPLORED = Shown(
     "a map over stiffness and step of springs that stand for rigid contact: soft springs rock and "
     "creep, stiff ones need small steps; it shows which are best, and none is judged"
 )
+
+
+def _judge(p: Parameters, path: Path) -> Exact:
+    """Every class by its tolerance; first order where its error at 1e-3 s is an error at all."""
+    tolerances, first = _tolerances(p, path), _whole_steps(p)
+    if first > LARGEST_TOLERANCE:
+        return Exact(tolerances, not_judged={Method.FIRST_ORDER: WHOLE_STEPS})
+    late = Tolerance(
+        first,
+        "friction of a step is that at its end: a slip that turns back does so a step late, by "
+        "which the block keeps up to D w^2 dt for the time in which friction ends it, pi D w/(2 mu "
+        "g); where slip turns its direction, friction is late by up to w dt",
+        dt=1e-3,
+        order=1,
+        slack="steps that fit into the period turn slip back in time, by chance",
+    )
+    return Exact({**tolerances, Method.FIRST_ORDER: late})
+
+
+def _whole_steps(p: Parameters) -> float:
+    """By how much friction on whole steps of 1e-3 s is off, over twice the base's amplitude."""
+    omega = 2 * np.pi * np.array([p["f"], p["fy"], p["fz"]][: _directions(p)])
+    if len(omega) > 1:
+        return float(omega.max()) * 1e-3
+    ends = np.pi * p["D"] * omega[0] / (2 * p["mu"] * p["g"])
+    return float(omega[0] ** 2 / 2 * min(ends, p["duration"])) * 1e-3
 
 
 def _tolerances(p: Parameters, path: Path) -> dict[Method, Tolerance]:
@@ -210,6 +236,11 @@ def _lifted(p: Parameters) -> dict[Method, Tolerance]:
 LOCATED = "rounding errors of a few hundred located events"
 STEP, SPRING, MASS = 1e-3, 1e8, DENSITY * SIDE**3  # s, N/m, kg
 STICKS = 0.45  # of the base's acceleration: with less friction than that the block always slips
+WHOLE_STEPS = (
+    "friction that turns on whole steps lets the block keep whatever velocity is less than the "
+    "base gains in a step, D w^2 dt, which is a large part of what friction gives it in half a "
+    "period: what comes of it depends on how steps and period fit"
+)
 ONE = (
     "d_2'' = mu g sign(d_1' - d_2') while it slips; d_2'' = d_1'' while d_2' = d_1' and "
     "|d_1''| <= mu g; d_1 = D (1 - cos 2 pi f t)"

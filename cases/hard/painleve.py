@@ -101,8 +101,9 @@ IMPACT = Tolerance(
     dt=1e-3,
     order=2,
 )
+RIGID = Method.SECOND_ORDER, Method.FIRST_ORDER
 SLIDES = Exact({
-    Method.SECOND_ORDER: SLIDING,
+    **dict.fromkeys(RIGID, SLIDING),
     Method.PENALTY: Tolerance(
         2e-3, "the end sinks into its spring by 1e-5 m and swings on it, over 0.07 m", kn=1e8,
         softness=0.5,
@@ -112,8 +113,8 @@ SLIDES = Exact({
         dt=1e-3, order=1, floor=1e-2,
     ),
 })  # fmt: skip
-STOPS = Exact({Method.SECOND_ORDER: SLIDING}, not_judged=SHOWN)
-JAMS = Exact({Method.SECOND_ORDER: JAMMED}, not_judged=SHOWN)
+STOPS = Exact(dict.fromkeys(RIGID, SLIDING), not_judged=SHOWN)
+JAMS = Exact(dict.fromkeys(RIGID, JAMMED), not_judged=SHOWN)
 CASE = Case(
     name="painleve",
     title="Painleve's paradox",

@@ -91,7 +91,7 @@ MEAN = {
     for method in PATH
 }
 SPRINGS = dict.fromkeys(
-    (Method.PENALTY, Method.LAGGING),
+    (Method.FIRST_ORDER, Method.PENALTY, Method.LAGGING),
     "friction that turns on whole steps, or as late as a spring does, lets the block keep whatever "
     "velocity is less than the base gains in that time, D w^2 dt: 0.1 m/s at 5 Hz and 5e-4 s, of "
     "0.3 m/s that friction can give it in half a period, and ten times as much as that at 20 Hz",

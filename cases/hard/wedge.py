@@ -94,6 +94,13 @@ def _judge(xi: float) -> Exact:
     rigid = {
         Method.EXACT: Tolerance(1e-12, "the answer is a parabola, known to rounding"),
         Method.SECOND_ORDER: second,
+        Method.FIRST_ORDER: Tolerance(
+            1e-2,
+            "a start half a step off is one of dt/2 over a second, and as much again",
+            dt=1e-2,
+            order=1,
+            slack="forces are constant: a start that is not off leaves rounding errors only",
+        ),
     }
     if xi < 0.05:
         return Exact(rigid, not_judged={Method.PENALTY: SUNK, Method.LAGGING: SUNK})

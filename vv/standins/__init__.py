@@ -1,4 +1,4 @@
-"""Spheres and springs that stand for blocks and rigid contact in codes that have neither.
+"""What stands for blocks, walls and rigid contact in codes without: spheres, springs, boxes.
 
 May import: base, scene, ask.
 """
