@@ -1,0 +1,93 @@
+"""Kratos' DEM application as a code of the framework: spheres on linear springs."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+
+from adapters.kratos.plan import plan, refusal
+from vv.ask import Ask, Displacement, Method, Model, Run, Status, Velocity
+from vv.codes import Found, Scheme
+from vv.codes.own_python import Driver, Home
+from vv.scene import Term, why_load_is_no_lock, with_loads_for_locks
+
+DEFAULT = Scheme(
+    "default",
+    "velocity Verlet for places, rotation by direct integration; linear springs of given "
+    "stiffness, and Coulomb friction",
+    Method.SECOND_ORDER,
+    frozenset(
+        {
+            Term.SPHERE,
+            Term.SPHERE_CONTACT,
+            Term.WALL_CONTACT,
+            Term.FRICTION,
+            Term.GRAVITY,
+            Term.LOAD,
+            Term.ROTATION,
+            Term.OBLIQUE_LOCK,
+        }
+    ),
+    lowered={Term.ROTATION: Method.FIRST_ORDER},
+    observables=frozenset({Displacement, Velocity}),
+    pace=(2.5e-5, 1.5e-6),
+)
+HOME = Home("kratos", ("kratosdemapplication", "kratosmultiphysics"))
+DRIVER = Driver(HOME, Path(__file__).with_name("driver.py"))
+NOTES = (
+    "law DEM_D_Linear_Custom_Constants, its stiffnesses as properties of the contacts",
+    "masses and inertias as given, weights and loads as one external force on each sphere",
+    "the force at t = 0 stated for the first half step",
+    "each wall a rigid face of four corners, far larger than the scene",
+)
+
+
+class Kratos:
+    """The adapter; it holds no state."""
+
+    name = "kratos"
+    schemes = (DEFAULT,)
+
+    def found(self) -> Found:
+        """Look for its environment."""
+        return HOME.find()
+
+    def refuses(self, ask: Ask, scheme: str) -> str | None:
+        """What Kratos cannot represent though it has every term."""
+        return refusal(ask)
+
+    def describe(self, ask: Ask, scheme: str) -> Model:
+        """The freedoms that it integrates, locks that loads stand for among them."""
+        scene = with_loads_for_locks(ask.scene)
+        terms = ask.scene.terms() | scene.terms()
+        return Model(scene.unknowns(), terms, "; ".join(NOTES))
+
+    def native(self, ask: Ask, scheme: str) -> str:
+        """A script for the Python of its environment: the driver with the ask filled in."""
+        return DRIVER.script(plan(ask), "; ".join(NOTES))
+
+    def run(self, asks: Sequence[Ask], scheme: str, scratch: Path, repeat: float) -> Iterator[Run]:
+        """Run all asks in one process of Kratos."""
+        built = [(plan(ask), self.describe(ask, scheme), np.eye(3)) for ask in asks]
+        for ask, run in zip(asks, DRIVER.run(asks, built, scratch, repeat), strict=True):
+            fault = _drift(ask, run)
+            yield replace(run, status=Status.ERROR, reason=fault) if fault else run
+
+
+def _drift(ask: Ask, run: Run) -> str | None:
+    """Say if a sphere left the directions it is free in, where a dead load stands for the lock."""
+    if Term.OBLIQUE_LOCK not in ask.scene.terms() or run.status is not Status.RAN:
+        return None
+    for seen, moved in run.values.items():
+        sphere = ask.scene.sphere_index(seen.body)
+        if isinstance(seen, Displacement) and (
+            how := why_load_is_no_lock(ask.scene, sphere, moved)
+        ):
+            return f"body {seen.body} {how}"
+    return None
+
+
+ADAPTER = Kratos()

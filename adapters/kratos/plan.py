@@ -1,0 +1,98 @@
+"""An ask as Kratos is given it: spheres, walls as faces, dead loads for oblique locks."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from vv.ask import Ask
+from vv.codes import behind_wall, no_sphere, turned_spin_lock
+from vv.scene import (
+    Scene,
+    Vector,
+    Wall,
+    initial_normal_forces,
+    why_locks_need_more_than_loads,
+    with_loads_for_locks,
+)
+
+LEAST = 100.0  # radii: half a face's sides, at least
+SPAN = 3.0  # times the scene's size, which they must exceed too
+
+
+def refusal(ask: Ask) -> str | None:
+    """Why Kratos cannot represent an ask though it has every term; None if it can."""
+    scene = ask.scene
+    return (
+        no_sphere(ask, scene)
+        or _locked_spin(scene)
+        or why_locks_need_more_than_loads(scene)
+        or turned_spin_lock(scene, "Kratos locks its own axes only")
+        or behind_wall(scene)
+    )
+
+
+def _locked_spin(scene: Scene) -> str | None:
+    spheres = scene.spheres
+    if np.where(spheres.free_spin, 0.0, spheres.spin @ scene.axes.T).any():
+        return "a sphere has a spin in a locked freedom, which Kratos would maintain"
+    return None
+
+
+def plan(ask: Ask) -> dict[str, Any]:
+    """What the driver reads: numbers, lists and strings, in SI units and the scene's frame.
+
+    Without friction shear springs have no effect, and ks may be anything.
+    """
+    scene = with_loads_for_locks(ask.scene)
+    contact, spheres = scene.contact, scene.spheres
+    force = spheres.mass[:, None] * scene.gravity + spheres.load
+    columns = {
+        "position": spheres.position,
+        "velocity": spheres.velocity,
+        "spin": spheres.spin,
+        "radius": spheres.radius,
+        "mass": spheres.mass,
+        "inertia": spheres.inertia,
+        "force": force,
+        "start": force + initial_normal_forces(scene),
+        "free": spheres.free,
+        "free_spin": spheres.free_spin,
+    }
+    rows = zip(*(column.tolist() for column in columns.values()), strict=True)
+    half = _half(ask, scene)
+    return {
+        "dt": ask.dt,
+        "steps": ask.goal.steps(ask.dt),
+        "stride": ask.goal.stride(ask.dt),
+        "kn": float(contact.kn),
+        "ks": float(contact.ks) if contact.carries_shear else float(contact.kn),
+        "mu": float(contact.mu) if contact.carries_shear else 0.0,
+        "spheres": [dict(zip(columns, row, strict=True)) for row in rows],
+        "walls": [_corners(wall, half, scene).tolist() for wall in scene.walls],
+        "observe": [
+            [type(seen).__name__.lower(), scene.sphere_index(seen.body)] for seen in ask.observables
+        ],
+    }
+
+
+def _half(ask: Ask, scene: Scene) -> float:
+    """Half the sides [m] of faces: far more than where spheres may come in free flight."""
+    spheres, t = scene.spheres, ask.goal.duration
+    speed = float(np.linalg.norm(spheres.velocity, axis=1).max())
+    pull = np.linalg.norm(scene.gravity + spheres.load / spheres.mass[:, None], axis=1).max()
+    size = float(np.ptp(spheres.position, axis=0).max()) + LEAST * float(spheres.radius.max())
+    return SPAN * (size + speed * t + 0.5 * float(pull) * t**2)
+
+
+def _corners(wall: Wall, half: float, scene: Scene) -> Vector:
+    """Corners (4, 3) of a face about the place of a wall that is nearest to the spheres."""
+    middle = scene.spheres.position.mean(axis=0)
+    foot = middle - ((middle - wall.point) @ wall.normal) * wall.normal
+    along = np.eye(3)[np.abs(wall.normal).argmin()]
+    first = along - (along @ wall.normal) * wall.normal
+    first /= np.linalg.norm(first)
+    second = np.cross(wall.normal, first)
+    turns = ((-1, -1), (1, -1), (1, 1), (-1, 1))
+    return np.array([foot + half * (a * first + b * second) for a, b in turns])
