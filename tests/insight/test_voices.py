@@ -1,0 +1,88 @@
+"""Claims about voices: who agrees within the errors, who is odd, and when a reference is alone."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import pytest
+
+from tests.support.fabricated import changed, entry, record
+from vv.insight.voices import votes
+from vv.records.job_record import Record
+
+END, SCALE = 1.0, 1.0
+
+
+def said(label: str, *values: float, **changes: object) -> list[Record]:
+    """The records of a scheme that came to these values, from the coarsest step to the finest."""
+    found = []
+    for number, value in enumerate(values):
+        measured = changed(entry("pass", {"max": 1e-4}), figures={"final": value}, end=END)
+        found.append(record(label, "floor", 4e-3 / 2**number, quantities=[measured], **changes))
+    return found
+
+
+def heard(voices: Mapping[str, tuple[float, ...]]) -> list[Record]:
+    return [one for label, values in voices.items() for one in said(label, *values)]
+
+
+CHORUS = {"a/x": (1.03, 1.01), "b/x": (0.97, 0.99), "c/x": (1.02, 1.005)}
+
+
+def test_three_that_lie_within_their_errors_agree() -> None:
+    (vote,) = votes(heard(CHORUS))
+    assert [voice.label for voice in vote.agreeing] == ["a/x", "b/x", "c/x"]
+    assert not vote.odd
+    assert not vote.alone
+    assert vote.in_words() == (
+        "y of bounce:floor (second order in dt): a/x, b/x, c/x agree within their errors"
+    )
+
+
+def test_the_odd_one_is_named_with_its_value() -> None:
+    (vote,) = votes(heard({**CHORUS, "d/x": (1.21, 1.2)}))
+    assert [voice.label for voice in vote.odd] == ["d/x"]
+    assert vote.in_words().endswith("the odd one is d/x, 1.2")
+
+
+def test_a_reference_outside_of_all_errors_stands_alone() -> None:
+    sharp = {name: (1.1 + 2e-4 * k, 1.1 + 1e-4 * k) for k, name in enumerate(("a/x", "b/x", "c/x"))}
+    (vote,) = votes(heard(sharp))
+    assert vote.alone
+    assert "the reference, 1, stands alone" in vote.in_words()
+
+
+@pytest.mark.parametrize(
+    "voices",
+    [
+        {"a/x": (1.0, 1.0), "b/x": (1.0, 1.0)},
+        {"a/x": (1.0, 1.0), "a/y": (1.0, 1.0), "b/x": (1.0, 1.0)},
+        {"lammps/x": (1.0, 1.0), "liggghts/x": (1.0, 1.0), "b/x": (1.0, 1.0)},
+    ],
+    ids=["two", "two schemes of a code", "two of a family"],
+)
+def test_relatives_are_one_voice_and_two_are_too_few(
+    voices: Mapping[str, tuple[float, ...]],
+) -> None:
+    assert votes(heard(voices)) == []
+
+
+def test_a_code_speaks_with_its_scheme_of_the_least_error() -> None:
+    (vote,) = votes(heard({**CHORUS, "a/sharp": (1.0001, 1.0)}))
+    assert vote.voices[0].label == "a/sharp"
+
+
+def test_classes_of_method_are_heard_apart() -> None:
+    records = heard({"a/x": CHORUS["a/x"], "b/x": CHORUS["b/x"]})
+    assert votes([*records, *said("c/x", 1.02, 1.005, method="penalty")]) == []
+
+
+def test_who_ran_at_one_step_alone_has_no_voice_for_nobody_knows_how_far_it_is_off() -> None:
+    assert votes(heard({**CHORUS, "c/x": (1.005,)})) == []
+
+
+def test_without_a_majority_nobody_is_odd() -> None:
+    (vote,) = votes(heard({"a/x": (1.0, 1.0), "b/x": (2.0, 2.0), "c/x": (3.0, 3.0)}))
+    assert not vote.odd
+    assert not vote.alone
+    assert vote.in_words().endswith("no majority of 3 voices agrees")
