@@ -58,7 +58,7 @@ DEM, EXACT = ("--codes", "dem/default"), ("--codes", "exact")
 BREAKAGES = {
     "a perturbed constant of a kernel": (
         "single-contact:T1", DEM, "vv/engines/dem/line/kernel.py",
-        "dt / mass, 1.0", "1.00001 * dt / mass, 1.0", Bit.ACCURACY, "regression worse",
+        "dt / mass, 1.0", "1.00001 * dt / mass, 1.0", Bit.ACCURACY, "worse than accepted",
     ),
     "friction of the wrong sign": (
         "single-contact:T3", DEM, "vv/engines/dem/line/kernel.py",
@@ -67,7 +67,7 @@ BREAKAGES = {
     "energy not booked": (
         "single-contact:T4", EXACT, "vv/engines/exact/ledger.py",
         'np.asarray(path.system.eta *', 'np.asarray(0.999 * path.system.eta *',
-        Bit.CONSERVATION, "energy that no term explains",
+        Bit.CONSERVATION, "energy not conserved: unexplained",
     ),
     "a process that is killed": (
         "single-contact:T1", EXACT, "vv/engines/exact/__init__.py",

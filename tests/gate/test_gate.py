@@ -44,7 +44,7 @@ def only_good(tiny: Tiny) -> None:
 def test_a_gate_without_a_baseline_says_so_and_is_red_where_one_is_demanded(tiny: Tiny) -> None:
     code, said = gate(tiny)
     assert code == 0
-    assert "note: regression no baseline: fall" in said
+    assert "note: fall: no baseline; to accept one: vv accept fall" in said
     (tiny.root / "kept").mkdir()
     code, said = gate(tiny, *GOOD, "--against", "kept")
     assert code == Bit.INCOMPLETE
@@ -87,7 +87,7 @@ def test_a_reference_made_of_the_code_under_test_fails(tiny: Tiny, file: str, te
 def test_dissipation_below_zero_is_a_conservation_finding(tiny: Tiny) -> None:
     code, said = gate(tiny, "fall:up", "--codes", "fake/leaks")
     assert code == Bit.CONSERVATION
-    assert "negative drag dissipation [J]: 0.001 where at most 1e-09" in said
+    assert "energy not conserved: drag dissipation gave 0.001 J, allowed 1e-09 J" in said
 
 
 def test_accepting_writes_a_sorted_file_with_reason_platform_and_versions(
@@ -137,12 +137,12 @@ def test_a_perturbed_constant_is_a_regression_though_within_tolerance(accepted: 
     accepted.edit("adapters/fake.py", "FACTOR = 1.0", "FACTOR = 1.0 + 1e-7")
     code, said = gate(accepted)
     assert code == Bit.ACCURACY
-    assert "red: regression worse: fall:up fake/good dt=0.1 y" in said
+    assert "red: fall:up fake/good dt=0.1 y: worse than accepted: error" in said
     assert "band 1e-09: our own arithmetic" in said
-    assert "red: regression moved: fall:up fake/good dt=0.1 y_end" in said
+    assert "red: fall:up fake/good dt=0.1 y_end: moved since it was accepted: value" in said
     before = baseline(accepted)
     done = accepted.vv("accept", "fall", "--dry-run")
-    assert "worse: fall:slow fake/good" in done.stdout
+    assert "fall:slow fake/good dt=0.025 y: worse than accepted" in done.stdout
     assert baseline(accepted) == before
 
 
@@ -154,9 +154,9 @@ def test_a_better_result_is_green_and_asks_to_be_accepted(tiny: Tiny) -> None:
     tiny.edit("adapters/fake.py", "FACTOR = 1.0 + 1e-5", "FACTOR = 1.0 + 1e-7")
     code, said = gate(tiny, *GOOD, "--markdown", "summary.md")
     assert code == 0
-    assert "note: regression better: fall:up fake/good dt=0.1 y: error 1e-05, now 1e-07" in said
+    assert "fake/good dt=0.1 y: better than accepted: error 1e-05, now 1e-07" in said
     assert 'vv accept fall --reason "..."' in (tiny.root / "summary.md").read_text()
-    assert "better: fall:up" in accept(tiny, reason="the factor was too large")
+    assert "y: better than accepted" in accept(tiny, reason="the factor was too large")
     assert len(baseline(tiny)["acceptances"]) == 1
     assert "regression better" not in gate(tiny)[1]
 
@@ -194,8 +194,8 @@ def test_checks_that_a_case_does_not_enforce_are_reported_only(accepted: Tiny) -
     accepted.edit("adapters/fake.py", "FACTOR = 1.0", "FACTOR = 1.01")
     code, said = gate(accepted)
     assert code == 0
-    assert "reported only: accuracy fail: fall:up fake/good" in said
-    assert "reported only: regression worse: fall:up fake/good" in said
+    assert "reported only: fall:up fake/good dt=0.1 y: error" in said
+    assert "reported only: fall:up fake/good dt=0.1 y: worse than accepted" in said
 
 
 def test_a_law_that_a_case_does_not_enforce_is_reported_only() -> None:
@@ -217,13 +217,13 @@ def test_a_slower_solve_is_red_only_in_a_new_timing_session(tiny: Tiny) -> None:
     assert "speed slower" not in gate(tiny)[1]  # its last session timed other code
     code, said = gate(tiny, *GOOD, "--timing")
     assert code == Bit.SPEED
-    assert "red: speed slower: fall:up fake/good dt=0.1: solve takes" in said
+    assert "red: fall:up fake/good dt=0.1: slower than accepted: solve takes" in said
     code, said = gate(tiny)
     assert code == 0
-    assert "reported only: speed slower" in said
+    assert "reported only: fall:up fake/good dt=0.1: slower" in said
     tiny.edit("adapters/fake.py", "WORK = 40000", "WORK = 100")
     code, said = gate(tiny, *GOOD, "--timing")
-    assert (code, "note: speed faster" in said) == (0, True)
+    assert (code, "dt=0.1: faster than accepted" in said) == (0, True)
 
 
 def test_timing_that_times_nothing_is_incomplete(tiny: Tiny) -> None:

@@ -57,12 +57,13 @@ def test_the_terminal_gets_lines_that_steer_nothing(
     manifest: Manifest, capsys: pytest.CaptureFixture[str]
 ) -> None:
     result_lines.print_refusals(manifest.records)
-    result_lines.print_failures(judgement(manifest))
-    result_lines.print_findings(judgement(manifest))
+    result_lines.print_table(manifest.records, judgement(manifest))
+    result_lines.print_findings(judgement(manifest), manifest.records)
     result_lines.print_changes([], manifest, manifest, 5)
-    with progress.progress(len(manifest.records)) as shown:
+    with progress.progress() as shown:
+        shown.begin(len(manifest.records))
         for record in manifest.records:
-            shown(record)
+            shown.done(record)
     out, err = capsys.readouterr()
     assert (out + err).replace("\n", "").isprintable()
     assert not any(line.startswith("::") for line in (out + err).splitlines())

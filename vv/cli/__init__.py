@@ -11,6 +11,7 @@ import signal
 import sys
 import traceback
 from collections.abc import Callable
+from typing import Annotated
 
 import typer
 
@@ -30,14 +31,13 @@ from vv.output import terminal
 BITS = (
     "Exit status, a sum of bits: 0 all is well; 1 accuracy or regression; 2 conservation; "
     "4 speed; 8 crash or divergence; 16 timeout; 32 incomplete: nothing ran, or a required code "
-    "or result is missing; 64 a mistake in the call, always alone. `vv run` reports 8, 16, 32 and "
-    "64 only; `vv gate` reports all."
+    "or result is missing; 64 a mistake in the call, always alone. `vv run` and `vv gate` say the "
+    "same of the same results; `vv speed` reports 8, 16, 32 and 64 only."
 )
 app = typer.Typer(
     help="Verify contact mechanics codes: one benchmark, many codes, error and cost in a report.",
     epilog=BITS,
     no_args_is_help=True,
-    add_completion=False,
     pretty_exceptions_enable=False,
     rich_markup_mode="markdown",
 )
@@ -61,6 +61,26 @@ GROUPS: dict[str, dict[str, Callable[..., None]]] = {
     },
     "Extend": {"check": check_command.check, "export": export_command.export},
 }
+
+
+def _version(asked: bool) -> None:
+    if asked:
+        from vv import __version__
+
+        terminal.say(f"vv {__version__}")
+        raise typer.Exit
+
+
+@app.callback()
+def _general(
+    version: Annotated[
+        bool,
+        typer.Option("--version", callback=_version, is_eager=True, help="Show the version."),
+    ] = False,
+) -> None:
+    pass
+
+
 for group, commands in GROUPS.items():
     for name, command in commands.items():
         app.command(name, rich_help_panel=group)(command)

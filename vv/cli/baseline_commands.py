@@ -51,7 +51,7 @@ def accept(
     when = Timing.NEW if timing else Timing.NONE
     limits = Limits(options.workers(0), options.TIMEOUT, timing=when)
     manifest = invocation.carried_out(project, plan, limits)
-    invocation.print_summary(project, manifest, None, invocation.LATER)
+    invocation.print_summary(manifest, invocation.LATER)
     result_lines.print_difference(manifest, case)
     refused = [r for r in manifest.records if not acceptance.acceptable(r)]
     result_lines.print_unacceptable(refused)
@@ -106,7 +106,7 @@ def record(
         raise UsageError(f"'{codes}' names no external code that is installed here")
     limits = Limits(options.workers(0), options.TIMEOUT)
     manifest = invocation.carried_out(project, plan, limits)
-    invocation.print_summary(project, manifest, None, invocation.LATER)
+    invocation.print_summary(manifest, invocation.LATER)
     circumstances = _circumstances(manifest)
     empty = {
         code: RecordedFile(

@@ -69,10 +69,11 @@ def gate(
     limits = Limits(options.workers(jobs), options.positive(timeout), fresh, when, against)
     asked = "gate", tuple(selection or ()), chosen
     manifest = invocation.answered(project, asked, plan, limits)
-    invocation.print_summary(project, manifest, json_file, invocation.LATER)
+    invocation.write_records(project, manifest, json_file)
+    invocation.print_summary(manifest, invocation.LATER)
     findings = judgement(manifest, required)
     _write_outputs(project, manifest, findings, junit, markdown)
-    print_findings(findings)
+    print_findings(findings, manifest.records, level)
     raise typer.Exit(bits(findings))
 
 

@@ -17,6 +17,7 @@ from vv.records.manifest import Manifest
 from vv.store.store import Store
 
 if TYPE_CHECKING:
+    from vv.records.job_record import Record
     from vv.run.session import Limits
 
 LATER = "vv report"  # what writes the report where a command does not
@@ -51,12 +52,18 @@ def answered(
     return manifest
 
 
-def carried_out(project: Project, plan: Plan, limits: Limits) -> Manifest:
-    """Carry out a plan and show the progress; returns the manifest."""
+def carried_out(
+    project: Project,
+    plan: Plan,
+    limits: Limits,
+    until: Callable[[Record], bool] | None = None,
+) -> Manifest:
+    """Carry out a plan and show the progress; returns the manifest. until: see `carry_out`."""
     from vv.run.session import carry_out
 
-    with progress(len(plan.jobs)) as shown:
-        return carry_out(project, plan, limits, shown, ["vv", *sys.argv[1:]])
+    command = ["vv", *sys.argv[1:]]
+    with progress() as shown:
+        return carry_out(project, plan, limits, shown, command, until=until)
 
 
 def reported(project: Project, manifest: Manifest, limits: Limits) -> Path:
@@ -74,10 +81,8 @@ def reported(project: Project, manifest: Manifest, limits: Limits) -> Path:
     return path
 
 
-def print_summary(
-    project: Project, manifest: Manifest, json_file: Path | None, report: str
-) -> None:
-    """Write the records if asked to, and say how it went and where the report is."""
+def write_records(project: Project, manifest: Manifest, json_file: Path | None) -> None:
+    """Write the records if asked to."""
     if json_file:
         from vv.output.export import document
 
@@ -86,6 +91,10 @@ def print_summary(
         from vv.output.ladder_lines import print_ladders
 
         print_ladders(manifest.records, [name_of(file) for file in project.programs])
+
+
+def print_summary(manifest: Manifest, report: str) -> None:
+    """Say how it went and where the report is."""
     result_lines.print_refusals(manifest.records)
     result_lines.print_inert(manifest.records)
     result_lines.print_counts(manifest.records, report)

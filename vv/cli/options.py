@@ -19,9 +19,38 @@ if TYPE_CHECKING:
     from vv.plan.plan import Options, Plan
 
 PROGRAM = re.compile(r"(?P<file>.+\.toml)(?P<scheme>/[^/]+)?")
+MOST = 200  # names, --set or --rung in one call
 TIMEOUT = 300.0  # s for one job, unless said otherwise; its kernels may have to be compiled
+
+
+def completed_cases(incomplete: str) -> list[str]:
+    """What a shell offers for a selection: families and cases, behind a colon the variants."""
+    from vv.plan.project import find
+
+    project = find()
+    case, colon, _ = incomplete.partition(":")
+    names = project.case_names()
+    if colon and case in names:
+        known = [f"{case}:{variant.name}" for variant in project.load_case(case).variants]
+    else:
+        known = sorted({*names, *project.families().values()})
+    return [name for name in known if name.startswith(incomplete)]
+
+
+def completed_codes(incomplete: str) -> list[str]:
+    """What a shell offers for the last of the codes, which commas part."""
+    from vv.plan.project import find
+
+    before, comma, last = incomplete.rpartition(",")
+    names = find().adapter_names()
+    return [f"{before}{comma}{name}" for name in names if name.startswith(last)]
+
+
 Selection = Annotated[
-    list[str] | None, typer.Argument(help="FAMILY, CASE or CASE:VARIANT; globs allowed.")
+    list[str] | None,
+    typer.Argument(
+        help="FAMILY, CASE or CASE:VARIANT; globs allowed.", autocompletion=completed_cases
+    ),
 ]
 Codes = Annotated[
     str,
@@ -30,6 +59,7 @@ Codes = Annotated[
         "--code",
         metavar="CODES",
         help="Codes to run, CODE[/SCHEME] or a program's FILE.toml[/SCHEME],...; all if not given.",
+        autocompletion=completed_codes,
     ),
 ]
 Required = Annotated[
@@ -38,6 +68,14 @@ Required = Annotated[
 Sets = Annotated[
     list[str] | None,
     typer.Option("--set", metavar="NAME=VALUE[UNIT]", help="Change a parameter; repeatable."),
+]
+Keyword = Annotated[
+    str,
+    typer.Option(
+        "-k",
+        metavar="EXPR",
+        help="Only names that hold these words: 'T3 and not (rotated or yade)'.",
+    ),
 ]
 Rungs = Annotated[
     list[str] | None,
@@ -59,11 +97,31 @@ JsonFile = Annotated[
 ]
 
 
-def plan_of(project: Project, selection: list[str], options: Options) -> Plan:
-    """The plan of a selection; nothing selected means every case."""
-    from vv.plan.plan import make_plan
+def plan_of(project: Project, selection: list[str], options: Options, keyword: str = "") -> Plan:
+    """The plan of a selection; nothing selected means every case.
 
-    return make_plan(project, selection or ["*"], options)
+    keyword: an expression that the names of jobs must fit, FAMILY CASE:VARIANT CODE/SCHEME.
+    Raises UsageError for one that none fits, and for more words than anybody types.
+    """
+    from vv.plan.expression import matcher
+    from vv.plan.plan import make_plan, with_jobs_kept
+
+    for what, words in (
+        ("names", selection),
+        ("--set", options.settings),
+        ("--rung", options.rungs),
+    ):
+        if len(words) > MOST:
+            raise UsageError(f"{len(words)} times {what}; at most {MOST} are taken")
+    if not keyword:
+        return make_plan(project, selection or ["*"], options)
+    fits = matcher(keyword)
+    families = project.families()
+    whole = make_plan(project, selection or ["*"], options)
+    plan = with_jobs_kept(whole, lambda job: fits(f"{families[job.case]} {job.name}"))
+    if not plan.jobs:
+        raise UsageError(f"-k '{keyword}' fits nothing of {len(whole.jobs)} jobs")
+    return plan
 
 
 def split(text: str) -> tuple[str, ...]:

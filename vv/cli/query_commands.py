@@ -2,25 +2,80 @@
 
 from __future__ import annotations
 
+import fnmatch
 import functools
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
 from vv.base.errors import UsageError
+from vv.case import Level
+from vv.cli import options
 from vv.output import terminal
-from vv.plan.project import find
+from vv.plan.project import Project, find
+
+if TYPE_CHECKING:
+    from vv.case import Case
 
 PAST = 20  # invocations in which a last result is looked for
 
 
-def list_cases() -> None:
-    """List cases and their variants."""
+def list_cases(
+    family: Annotated[
+        str, typer.Option("--family", metavar="FAMILY", help="Only this family; globs allowed.")
+    ] = "*",
+    code: Annotated[
+        str, typer.Option("--code", metavar="CODES", help="Only what one of these codes runs.")
+    ] = "",
+    keyword: options.Keyword = "",
+) -> None:
+    """List families, cases and their variants."""
     from vv.output.listing import print_cases
 
     project = find()
-    print_cases([project.load_case(name) for name in project.case_names()])
+    families = project.families()
+    names = [name for name, own in families.items() if fnmatch.fnmatch(own, family)]
+    if not names:
+        from vv.base.hints import name_hint
+
+        raise UsageError(f"no family '{family}'{name_hint(family, families.values())}")
+    cases = [project.load_case(name) for name in names]
+    shown = {case.name: [v.name for v in case.variants] for case in cases}
+    if keyword:
+        shown = _fitting(families, cases, keyword)
+    if code:
+        runs = _run_by(project, [name for name in names if shown[name]], code)
+        shown = {name: [v for v in own if (name, v) in runs] for name, own in shown.items()}
+    print_cases([case for case in cases if shown[case.name]], shown, families)
+
+
+def _fitting(families: dict[str, str], cases: list[Case], keyword: str) -> dict[str, list[str]]:
+    """Case -> its variants whose names or descriptions fit an expression."""
+    from vv.plan.expression import matcher
+
+    fits = matcher(keyword)
+    return {
+        case.name: [
+            v.name
+            for v in case.variants
+            if fits(f"{families[case.name]} {case.name}:{v.name} {case.title} {v.summary}")
+        ]
+        for case in cases
+    }
+
+
+def _run_by(project: Project, names: list[str], code: str) -> set[tuple[str, str]]:
+    """The (case, variant) that some scheme of the codes supports at some level."""
+    from vv.ask import Status
+    from vv.plan.plan import Options
+
+    plan = options.plan_of(project, names, Options(Level.PAPER, options.codes(code)))
+    return {
+        (job.case, job.variant)
+        for job in plan.jobs
+        if job.settled is None or job.settled.status is not Status.REFUSED
+    }
 
 
 def list_codes() -> None:
@@ -68,14 +123,20 @@ def report(
         typer.launch(str(path))
 
 
-def explain(selection: Annotated[list[str], typer.Argument(help="CASE or CASE:VARIANT.")]) -> None:
+def explain(
+    selection: Annotated[
+        list[str],
+        typer.Argument(help="CASE or CASE:VARIANT.", autocompletion=options.completed_cases),
+    ],
+    codes: options.Codes = "*",
+) -> None:
     """Explain a case: source, formula, parameters, tolerances, mapping into codes, results."""
     from vv.output.explain import print_explanation
     from vv.plan.plan import Options, make_plan
     from vv.store.store import Store
 
     project = find()
-    plan = make_plan(project, selection, Options())
+    plan = make_plan(project, selection, Options(codes=options.codes(codes)))
     print_explanation(plan, Store(project.data()).newest(PAST, terminal.note))
 
 
@@ -100,7 +161,7 @@ def diff(
     store = Store(project.data())
     names = store.manifests()
     if not names:
-        raise UsageError("there are no runs to compare; `vv run` makes one")
+        raise UsageError(f"there are no runs to compare; {compare.how_to_make(one)}")
     known = functools.partial(checkout.named, project.root)
     first = compare.manifest_of(store, one, known)
     second = compare.manifest_of(store, other, known) if other else store.latest()

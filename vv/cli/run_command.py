@@ -36,6 +36,15 @@ class Narrowing:
         return bool(self.failed or self.since or self.budget)
 
 
+@dataclass(frozen=True)
+class Ending:
+    """What to do with results: codes that must have run, the level asked for, open the report."""
+
+    required: tuple[str, ...]
+    level: Level
+    show: bool
+
+
 def run(
     selection: options.Selection = None,
     everything: Annotated[
@@ -53,6 +62,11 @@ def run(
             metavar="60s", help="Only as many jobs as fit this time, the most informative first."
         ),
     ] = "",
+    keyword: options.Keyword = "",
+    first: Annotated[
+        bool,
+        typer.Option("-x", "--exitfirst", help="Stop at the first result that is out of bounds."),
+    ] = False,
     codes: options.Codes = "*",
     require: options.Required = "",
     settings: options.Sets = None,
@@ -63,20 +77,22 @@ def run(
     timeout: options.Timeout = options.TIMEOUT,
     dry_run: Annotated[bool, typer.Option("--dry-run", help="Only list what would run.")] = False,
     json_file: options.JsonFile = None,
+    show: Annotated[bool, typer.Option("--open", help="Open the report in a browser.")] = False,
 ) -> None:
-    """Run cases in codes and write the report.
+    """Run cases in codes, print errors, orders and costs, and write the report.
 
-    Exits with 0 even if results are wrong, which `vv gate` judges; non-zero if a code crashed,
-    diverged, hung or is required and missing.
+    The exit status is that of `vv gate` on the same results: not 0 if an error or a law is out of
+    bounds, a code crashed, diverged, hung, or is required and missing.
     """
     from vv.cli import invocation
     from vv.plan.plan import Options
+    from vv.run.first_failure import fails
     from vv.store.store import Store
 
     narrowing = Narrowing(failed, since, budget)
     if selection and everything:
         raise UsageError("name cases or say --all, not both")
-    if not (selection or everything or narrowing):
+    if not (selection or everything or narrowing or keyword):
         raise UsageError("name a case or say --all; `vv list` shows the cases")
     project, named = options.with_programs(find(), codes)
     store = Store(project.data())
@@ -86,24 +102,25 @@ def run(
     required = options.required(project, require)
 
     def make_plan() -> Plan:
-        plan = options.plan_of(project, selection or [], chosen)
+        plan = options.plan_of(project, selection or [], chosen, keyword)
         return _narrowed(project, store, plan, last, narrowing)
 
     if dry_run:
         _list_jobs(project, store, make_plan(), fresh)
         return
-    timed = everything and level is not Level.QUICK and not narrowing
+    timed = everything and level is not Level.QUICK and not (narrowing or keyword or first)
     limits = _limits(jobs, timeout, fresh, timed)
-    if narrowing:  # depends on past runs, which change with each
+    if narrowing or first:  # depends on past runs, which change with each, or on what comes first
         plan = make_plan()
         if not plan.jobs:
             terminal.say(_nothing(narrowing))
             return
-        manifest = invocation.carried_out(project, plan, limits)
+        until = fails(project) if first else None
+        manifest = invocation.carried_out(project, plan, limits, until)
     else:
-        asked = "run", tuple(selection or ()), chosen
+        asked = "run", tuple(selection or ()), chosen, keyword
         manifest = invocation.answered(project, asked, make_plan, limits)
-    _conclude(project, manifest, limits, json_file, required)
+    _conclude(project, manifest, limits, json_file, Ending(required, level, show))
 
 
 def _limits(jobs: int, timeout: float, fresh: bool, timed: bool) -> Limits:
@@ -114,23 +131,24 @@ def _limits(jobs: int, timeout: float, fresh: bool, timed: bool) -> Limits:
 
 
 def _conclude(
-    project: Project,
-    manifest: Manifest,
-    limits: Limits,
-    json_file: Path | None,
-    required: tuple[str, ...],
+    project: Project, manifest: Manifest, limits: Limits, json_file: Path | None, ending: Ending
 ) -> None:
-    """Write the records and the report, say how it went, and exit with what could not run."""
+    """Write the records and the report, say how it went, and exit as the gate would."""
     from vv.cli import invocation
-    from vv.gate.judgement import RUN_BITS, record_findings
-    from vv.output.result_lines import print_failures
+    from vv.gate.judgement import judgement
+    from vv.output import result_lines
     from vv.records.finding import bits
 
+    invocation.write_records(project, manifest, json_file)
     report = invocation.reported(project, manifest, limits)
-    invocation.print_summary(project, manifest, json_file, str(report))
-    findings = record_findings(manifest.records, required)
-    print_failures(findings)
-    raise typer.Exit(bits(findings) & RUN_BITS)
+    findings = judgement(manifest, ending.required)
+    result_lines.print_table(manifest.records, findings)
+    judged = [one for one in findings if one.bit]
+    result_lines.print_findings(judged, manifest.records, ending.level)
+    invocation.print_summary(manifest, str(report))
+    if ending.show:
+        typer.launch(str(report))
+    raise typer.Exit(bits(findings))
 
 
 def _list_jobs(project: Project, store: Store, plan: Plan, fresh: bool) -> None:

@@ -59,7 +59,7 @@ def speed(
     limits = Limits(options.workers(jobs), options.positive(timeout), fresh, Timing.STORED)
     asked = "speed", tuple(selection or ()), chosen
     manifest = invocation.answered(project, asked, make_plan, limits)
-    invocation.print_summary(project, manifest, None, invocation.LATER)
+    invocation.print_summary(manifest, invocation.LATER)
     _show(project, manifest, bool(selection), json_file)
     raise typer.Exit(exit_bits(manifest.records) & RUN_BITS)
 
@@ -78,8 +78,7 @@ def _show(project: Project, manifest: Manifest, selected: bool, json_file: Path 
     for line in (
         *speed_text.tables(every),
         *(f"not timed, it failed: {name}" for name in manifest.untimed),
-        *speed_text.fought(fights),
-        *(speed_text.profiles(every) if every else ()),
+        *speed_text.profiles(every),
         *speed_text.indicative(rest),
         *speed_text.beside(left),
     ):

@@ -1,130 +1,117 @@
-"""The words of `vv speed`: tables of costs, floors and limits, duels and profiles, line by line."""
+"""The words of `vv speed`: what an error costs in each code, as tables; the JSON has all evidence.
+
+Durations are CPU time of the stepping loop.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 
-from vv.insight.accuracy_cost import (
-    FACTORS,
-    TARGETS,
-    Duel,
-    Reach,
-    cheapest,
-    front,
-    profile,
-    reach,
-    shares,
-)
+from vv.insight.accuracy_cost import FACTORS, TARGETS, Reach, cheapest, profile, reach, shares
 from vv.insight.effort import Effort
-from vv.records.rungs import Point, Row, describe
+from vv.output.wording import duration
+from vv.records.rungs import Point
+
+PROFILED = 1e-3  # the error for which codes are compared over many variants; the JSON has all
+NOTES = (
+    "* cheapest; <: at most, the coarsest timed setting is better already; -: not reached;",
+    "least: smallest error seen; floor: finer settings were tried and gain nothing",
+)
 
 
 def tables(every: Sequence[Effort]) -> Iterator[str]:
-    """Of each timed variant: what errors cost, floors, the front, and what to take for an error."""
+    """Of each timed variant: what errors cost in each scheme, and what to take for an error."""
     for place in dict.fromkeys((e.case, e.variant) for e in every):
         here = [e for e in every if (e.case, e.variant) == place]
-        wide = max(len(e.label) for e in here)
-        yield f"\n{place[0]}:{place[1]}: CPU seconds of the stepping loop to reach an error of"
-        heads = "".join(f"{target:>10.0e}" for target in TARGETS)
-        yield f"  {'':<{wide}}{heads}  {'best':>8}  order in dt"
-        for one in here:
-            costs = "".join(f"{_cost(reach(one, t)):>10}" for t in TARGETS)
-            best = "-" if one.best is None else f"{one.best:.1e}"
-            yield f"  {one.label:<{wide}}{costs}  {best:>8}  {_orders(one)}"
-        yield from (line for one in here for line in _parts(one))
-        yield f"  front: {'; '.join(_setting(name, p) for name, p in front(here))}"
-        yield from (f"  for {target:g}: {_recommended(here, target)}" for target in TARGETS)
+        wide = max(8, *(len(e.label) for e in here))
+        yield ""
+        yield f"{place[0]}:{place[1]}: CPU time of the stepping loop to reach an error of"
+        heads = "".join(f"{target:>11.0e}" for target in TARGETS)
+        yield f"  {'scheme':<{wide}}{heads}{'least':>10}        order in dt"
+        costs = [[reach(one, target) for target in TARGETS] for one in here]
+        best = [_least(column) for column in zip(*costs, strict=True)]
+        for one, row in zip(here, costs, strict=True):
+            cells = "".join(f"{_cost(r, b):>11}" for r, b in zip(row, best, strict=True))
+            least = "-" if one.best is None else f"{one.best:.1e}"
+            floor = "floor" if one.floor else ""
+            yield f"  {one.label:<{wide}}{cells}{least:>10} {floor:<6} {_order(one)}".rstrip()
+        yield from _advice(here)
+    if every:
+        yield from ("", *NOTES)
 
 
-def _cost(reached: Reach) -> str:
+def _least(column: Sequence[Reach]) -> float | None:
+    return min((reached.cpu for reached in column if reached.cpu is not None), default=None)
+
+
+def _cost(reached: Reach, best: float | None) -> str:
     if reached.cpu is None:
         return "-"
-    return f"{'<' if reached.bound else ''}{reached.cpu:.1e}"
+    mark = "*" if reached.cpu == best else ""
+    return f"{'<' if reached.bound else ''}{duration(reached.cpu)}{mark}"
 
 
-def _orders(one: Effort) -> str:
-    """The fitted orders, of each stiffness where there are several; of a floor there is none."""
-    return ", ".join(text for row in one.rows if (text := _order(row)))
+def _order(one: Effort) -> str:
+    """The order fitted, where no stiffness limits the error too; the JSON has that of each."""
+    fitted = [row.order for row in one.rows if row.order and not row.kn]
+    return f"{fitted[-1].order:.2f}" if fitted else "-"
 
 
-def _order(row: Row) -> str:
-    at = f" at kn {row.kn:g}" if row.kn else ""
-    if row.order:
-        return f"{row.order.order:.2f} +- {row.order.spread:.2f}{at}"
-    return f"floor{at}" if row.floor else ""
+def _advice(here: Sequence[Effort]) -> Iterator[str]:
+    """The cheapest timed setting of all for each error; errors with one answer in one line."""
+    told: dict[str, list[str]] = {}
+    for target in TARGETS:
+        for name, point in cheapest(here, target)[:1]:
+            error = "-" if point.error is None else f"{point.error:.1e}"
+            spent = duration(point.cpu or 0.0)
+            text = f"{name}{_setting(point)}: error {error} in {spent}"
+            told.setdefault(text, []).append(f"{target:g}")
+    for text, targets in told.items():
+        yield f"  for {', '.join(targets)} take {text}"
 
 
-def _parts(one: Effort) -> Iterator[str]:
-    """Its floor, and at each stiffness what of the error is the model's and what the step's."""
-    if one.floor:
-        yield f"  {one.label}: floor {one.floor.error:.1e}, {one.floor.why}"
-    for row in one.rows:
-        if row.kn and (text := describe(row)):
-            yield f"  {one.label} at kn {row.kn:g}: {text}"
-
-
-def _setting(name: str, point: Point) -> str:
-    return f"{name} {_knobs(point)}".rstrip() + f", {point.error:.1e} in {point.cpu:.1e} s"
-
-
-def _recommended(here: Sequence[Effort], target: float) -> str:
-    """The cheapest timed rung of each code that is as accurate, cheapest code first."""
-    return "; ".join(_setting(name, point) for name, point in cheapest(here, target)) or "nobody"
-
-
-def fought(fights: Sequence[Duel]) -> Iterator[str]:
-    """How our engines fare beside external codes."""
-    if fights:
-        yield "\nbest in-house engine against best external code: cost over cost"
-    for one in fights:
-        which = "stepping in time" if one.stepping else "any engine"
-        place = f"  {one.case}:{one.variant} at {one.target:g}, {which}"
-        if one.ratio is not None:
-            loose = ", or more: their coarsest timed rung is better than asked" if one.loose else ""
-            yield f"{place}: {one.ours} / {one.theirs} = {one.ratio:.2g}{loose}"
-        elif one.ours:
-            least = f"their least error is {one.least:.1e}" if one.least else "they have no error"
-            can = "can get there: their floor" if one.floored else "gets there at these rungs"
-            yield f"{place}: {one.ours}; no external code {can}, {least}"
-        else:
-            yield f"{place}: none of ours gets there{f'; {one.theirs} does' if one.theirs else ''}"
+def _setting(point: Point) -> str:
+    named = (("dt", point.dt, "s"), ("kn", point.kn, "N/m"))
+    known = [f"{knob} = {value:g} {unit}" for knob, value, unit in named if value]
+    return f" at {', '.join(known)}" if known else ""
 
 
 def profiles(every: Sequence[Effort]) -> Iterator[str]:
     """Of each scheme, the share of variants it solves within factors of the cheapest."""
-    wide = max((len(e.label) for e in every), default=0)
-    for target in TARGETS:
-        yield f"\nshare of variants solved to {target:g} within a factor of the cheapest"
-        yield f"  {'':<{wide}}{''.join(f'{factor:>8g}' for factor in FACTORS)}"
-        for name, ratios in profile(every, target).items():
-            cells = "".join(f"{100 * share:>7.0f}%" for share in shares(ratios))
-            yield f"  {name:<{wide}}{cells}"
+    if len({(e.case, e.variant) for e in every}) < 2:
+        return
+    found = profile(every, PROFILED)
+    count = max(map(len, found.values()), default=0)
+    wide = max(8, *(len(name) for name in found))
+    yield ""
+    yield (
+        f"share of the {count} variants that some scheme solves to {PROFILED:g}, at a cost within "
+        "a factor of the cheapest"
+    )
+    yield f"  {'scheme':<{wide}}{''.join(f'{factor:>8g}' for factor in FACTORS)}"
+    for name, ratios in sorted(found.items(), key=lambda item: [-s for s in shares(item[1])]):
+        cells = "".join(f"{100 * share:>7.0f}%" for share in shares(ratios))
+        yield f"  {name:<{wide}}{cells}"
 
 
 def indicative(every: Sequence[Effort]) -> Iterator[str]:
-    """Of variants that were not timed: each rung's error and what its run took beside others."""
+    """Of variants that were not timed: the error of each scheme's most accurate setting."""
     for place in dict.fromkeys((e.case, e.variant) for e in every):
         here = [e for e in every if (e.case, e.variant) == place]
-        wide = max(len(e.label) for e in here)
+        wide = max(8, *(len(e.label) for e in here))
+        yield ""
         yield (
-            f"\n{place[0]}:{place[1]}: not timed; errors, and indicative seconds, "
-            "measured while other jobs ran: do not form ratios of them; the last column is the "
-            "order in dt"
+            f"{place[0]}:{place[1]}: not timed; errors, and indicative costs, measured while "
+            "other jobs ran"
         )
+        yield f"  {'scheme':<{wide}}{'error':>10}{'cost':>10}  {'order':<6}setting"
         for one in here:
-            rungs = "; ".join(map(_indicative, one.points))
-            yield f"  {one.label:<{wide}}  {rungs}  {_orders(one)}".rstrip()
-        yield from (line for one in here for line in _parts(one))
-
-
-def _indicative(point: Point) -> str:
-    error = "no error" if point.error is None else f"{point.error:.1e}"
-    return f"{_knobs(point)}{error} in ~{point.indicative:.0e} s"
-
-
-def _knobs(point: Point) -> str:
-    named = (("dt", point.dt), ("kn", point.kn))
-    return "".join(f"{knob} {value:g} " for knob, value in named if value)
+            points = [p for p in one.points if p.error is not None]
+            best = min(points, key=lambda p: p.error or 0.0)
+            spent = f"~{duration(best.indicative)}"
+            setting = _setting(best).removeprefix(" at ")
+            row = f"  {one.label:<{wide}}{best.error:>10.1e}{spent:>10}  {_order(one):<6}{setting}"
+            yield row.rstrip()
 
 
 def beside(untimed: Sequence[str]) -> Iterator[str]:

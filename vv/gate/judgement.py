@@ -36,6 +36,12 @@ OF_STATUS: Mapping[Status, Outcome] = {
 OF_VERDICT = {verdict: Outcome(verdict.value) for verdict in Verdict}
 SPOILED = (Outcome.FAIL, Outcome.XPASS, Outcome.NOT_REPORTED)  # without a look at its ledger
 ALL = frozenset(Check)
+UNEXPLAINED = "energy that no term explains"
+LAWS = {  # a law of a ledger -> what is said of its breach, before the number
+    UNEXPLAINED: "energy not conserved: unexplained",
+    "energy created": "energy not conserved: created",
+    **{f"negative {name}": f"energy not conserved: {name} gave" for name in DISSIPATED},
+}
 Breach = tuple[str, float, float]  # a law in words, the largest breach seen, the breach allowed
 
 
@@ -130,11 +136,12 @@ def _in_words(one: MeasuredQuantity) -> str:
 
 def _of_ledger(record: Record, enforced: Container[Check]) -> Iterator[Finding]:
     """Laws that a run breaks by its own ledger, beyond what its scheme promises."""
-    for law, seen, allowed in unknown_breaches(record):
+    for breach in unknown_breaches(record):
+        law, seen, allowed = breach
         yield Finding(
             check=Aspect.CONSERVATION,
             kind=law,
-            text=f"{law}: {seen:.3g} where at most {allowed:.3g} is allowed",
+            text=breach_in_words(breach),
             case=record.case,
             variant=record.variant,
             label=record.label,
@@ -153,7 +160,7 @@ def breaches(ledger: Ledger | None) -> Iterator[Breach]:
     if ledger is None:
         return
     if ledger.bound is not None:
-        laws = {"energy that no term explains [J]": ledger.unaccounted}
+        laws = {f"{UNEXPLAINED} [J]": ledger.unaccounted}
         for name, value in ledger.terms.items():
             if name in DISSIPATED:
                 laws[f"negative {name} [J]"] = -value
@@ -197,6 +204,13 @@ def counted(records: Iterable[Record]) -> Counter[Outcome]:
 
 
 def breach_in_words(breach: Breach) -> str:
-    """A law that a ledger breaks, with the numbers."""
+    """A law that a ledger breaks, with the number and what is allowed."""
     law, seen, allowed = breach
-    return f"{law}: {seen:.3g} where at most {allowed:.3g} is allowed"
+    name, _, unit = law.removesuffix("]").partition(" [")
+    told = LAWS.get(name, f"{name}:")
+    return f"{told} {plain(seen)} {unit}".rstrip() + f", allowed {plain(allowed)} {unit}".rstrip()
+
+
+def plain(value: float) -> str:
+    """A number to three digits, 1390 and not 1.39e+03."""
+    return f"{float(f'{value:.3g}'):g}"

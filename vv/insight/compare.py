@@ -49,7 +49,14 @@ def manifest_of(store: Store, name: str, known: Callable[[str], str]) -> Manifes
         except OSError as error:  # damaged from outside
             notice(f"past run {run}: {error.strerror}; passed over")
     last = ", ".join(names[: -LISTED - 1 : -1])
+    if known(name):
+        raise UsageError(f"nothing was run at {name}; {how_to_make(name)}; last runs: {last}")
     raise UsageError(f"no run and no commit '{name}' in the store; the last runs are {last}")
+
+
+def how_to_make(name: str) -> str:
+    """What to type to have results of a commit in the store."""
+    return f"to make results of a commit: git switch --detach {name} && vv run CASE; git switch -"
 
 
 def changes(one: Manifest, other: Manifest) -> list[Change]:

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import functools
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
-from vv.insight.accuracy_cost import TARGETS, Duel, profile, reach
+from vv.insight.accuracy_cost import TARGETS, Duel, cheapest, front, profile, reach
 from vv.insight.effort import Effort
 from vv.records import codec
+from vv.records.rungs import Point
 
 
 def document(every: Sequence[Effort], rest: Sequence[Effort], fights: Sequence[Duel]) -> str:
@@ -20,10 +22,27 @@ def document(every: Sequence[Effort], rest: Sequence[Effort], fights: Sequence[D
             "targets": TARGETS,
             "efforts": efforts,
             "indicative": rest,
+            "fronts": _of_variants(every, front),
+            "cheapest": {
+                f"{target:g}": _of_variants(every, functools.partial(cheapest, target=target))
+                for target in TARGETS
+            },
             "duels": fights,
             "profiles": {f"{target:g}": _profile(every, target) for target in TARGETS},
         }
     )
+
+
+def _of_variants(
+    every: Sequence[Effort], chosen: Callable[[Sequence[Effort]], list[tuple[str, Point]]]
+) -> dict[str, list[dict[str, object]]]:
+    """CASE:VARIANT -> what is chosen of the schemes that ran it, each with its setting and cost."""
+    found = {}
+    for case, variant in dict.fromkeys((e.case, e.variant) for e in every):
+        here = [e for e in every if (e.case, e.variant) == (case, variant)]
+        picked = [{"scheme": name, **codec.to_data(point)} for name, point in chosen(here)]
+        found[f"{case}:{variant}"] = picked
+    return found
 
 
 def _profile(every: Sequence[Effort], target: float) -> dict[str, list[float | None]]:

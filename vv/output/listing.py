@@ -2,41 +2,56 @@
 
 from __future__ import annotations
 
-from collections.abc import Container, Sequence
+from collections.abc import Container, Mapping, Sequence
 from typing import TYPE_CHECKING
 
+from vv.output.results_table import by_fate
 from vv.output.terminal import say
+from vv.records.outcomes import Outcome
 
 if TYPE_CHECKING:
     from vv.case import Case
     from vv.codes.adapter import Adapter
-    from vv.plan.plan import Job, Plan
-
-STORED = "stored"
+    from vv.plan.plan import Plan
 
 
 def print_jobs(plan: Plan, stored: Container[int]) -> None:
-    """Each job in a line, with why it would not run; stored: the numbers of those answered."""
-    fates = {number: _fate(job, number in stored) for number, job in enumerate(plan.jobs)}
+    """What would run, a line for each scheme and variant; stored: numbers of what is answered."""
+    waiting: dict[tuple[str, str], list[str]] = {}
+    fates: dict[str, Outcome] = {}
     for number, job in enumerate(plan.jobs):
-        say(f"{job.label}{f'  ({fates[number]})' if fates[number] else ''}")
-    run, kept = (sum(fate == which for fate in fates.values()) for which in ("", STORED))
+        if job.settled:
+            fates.setdefault(f"{job.code}/{job.scheme}", Outcome(job.settled.status.value))
+        else:
+            mark = "  (stored)" if number in stored else ""
+            setting = job.label.removeprefix(job.name).strip()
+            waiting.setdefault((job.name, mark), []).append(setting)
+    for (name, mark), settings in waiting.items():
+        say(f"{name}  {' '.join(settings)}".rstrip() + mark)
+    took = {name.split()[1] for name, _ in waiting}
+    if rest := {name: fate for name, fate in fates.items() if name not in took}:
+        say(by_fate(rest))
+    kept = sum(len(own) for (_, mark), own in waiting.items() if mark)
+    run = sum(map(len, waiting.values())) - kept
     say(f"{len(plan.jobs)} jobs, {run} would run, {kept} are stored")
 
 
-def _fate(job: Job, stored: bool) -> str:
-    if job.settled:
-        return f"{job.settled.status.value}: {job.settled.reason}"
-    return STORED if stored else ""
-
-
-def print_cases(cases: Sequence[Case]) -> None:
-    """Cases with their variants."""
+def print_cases(
+    cases: Sequence[Case], shown: Mapping[str, Sequence[str]], families: Mapping[str, str]
+) -> None:
+    """Cases by family, with those of their variants that are to be shown: case -> names."""
+    groups: dict[str, list[Case]] = {}
     for case in cases:
-        say(f"{case.name}  {case.title} [{case.source.doi or case.source.citation}]")
-        width = max((len(variant.name) for variant in case.variants), default=0)
-        for variant in case.variants:
-            say(f"  {case.name}:{variant.name:<{width}}  {variant.summary}")
+        groups.setdefault(families[case.name], []).append(case)
+    for number, (family, own) in enumerate(groups.items()):
+        if [case.name for case in own] != [family]:  # a case outside of any family is its own
+            say(*([""] if number else []), f"family {family}")
+        for case in own:
+            say(f"{case.name}  {case.title} [{case.source.doi or case.source.citation}]")
+            variants = [v for v in case.variants if v.name in shown[case.name]]
+            width = max((len(variant.name) for variant in variants), default=0)
+            for variant in variants:
+                say(f"  {case.name}:{variant.name:<{width}}  {variant.summary}")
 
 
 def print_codes(adapters: Sequence[Adapter]) -> None:

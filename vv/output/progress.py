@@ -1,64 +1,94 @@
-"""Shows how far an invocation has got: a bar on a terminal, plain lines elsewhere."""
+"""Shows how far an invocation has got: a bar on a terminal, plain lines elsewhere.
+
+Only what has to run counts; what is stored or not supported is there at once.
+"""
 
 from __future__ import annotations
 
 import contextlib
 import sys
 import time
-from collections import Counter
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
 from vv.ask import Status
 from vv.gate.judgement import blew_up, outcome
 from vv.output.terminal import note
+from vv.output.wording import in_words
 from vv.records.job_record import Record
 from vv.records.reading import rung
 
+if TYPE_CHECKING:
+    from rich.progress import Progress as Bars
+
 EVERY = 2.0  # s between two plain lines
-Shown = Callable[[Record], None]
+LOST = (Status.ERROR, Status.TIMEOUT, Status.DIVERGED)
+NAMED = 6  # lost jobs that are named as they come; the end of a run tells them all
 
 
 @contextlib.contextmanager
-def progress(total: int) -> Iterator[Shown]:
-    """A function to call with each record: a bar on a terminal, plain lines elsewhere."""
-    with _bar(total) if sys.stderr.isatty() else _lines(total) as shown:
-        yield shown
+def progress() -> Iterator[_Bar | _Lines]:
+    """What shows the progress: a bar on a terminal, plain lines elsewhere."""
+    if not sys.stderr.isatty():
+        yield _Lines()
+        return
+    from rich.progress import BarColumn, Progress, TextColumn, TimeRemainingColumn
 
-
-@contextlib.contextmanager
-def _bar(total: int) -> Iterator[Shown]:
-    from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
-
-    columns = (BarColumn(), TextColumn("{task.description}"), TimeElapsedColumn())
-    counts: Counter[str] = Counter()
+    left = (TimeRemainingColumn(compact=True), TextColumn("left"))
+    columns = (BarColumn(), TextColumn("{task.completed:.0f} of {task.total:.0f} runs"), *left)
     with Progress(*columns, auto_refresh=False, transient=True) as bars:
-        task = bars.add_task("running", total=total)
-
-        def shown(record: Record) -> None:
-            counts[record.status.value] += 1
-            bars.update(task, advance=1, description=_counted(counts, total), refresh=True)
-
-        yield shown
+        yield _Bar(bars)
 
 
-@contextlib.contextmanager
-def _lines(total: int) -> Iterator[Shown]:
-    counts: Counter[str] = Counter()
-    last = time.monotonic()
+class _Bar:
+    """A bar that grows."""
 
-    def shown(record: Record) -> None:
-        nonlocal last
-        counts[record.status.value] += 1
-        lost = record.status in (Status.ERROR, Status.TIMEOUT, Status.DIVERGED)
-        if lost and not blew_up(record):
+    def __init__(self, bars: Bars) -> None:
+        self.bars = bars
+
+    def begin(self, jobs: int) -> None:
+        """Show the bar if there is anything to run."""
+        if jobs:
+            self.bars.add_task("", total=jobs)
+
+    def done(self, record: Record) -> None:
+        """Let it grow by a run."""
+        for task in self.bars.task_ids:
+            self.bars.update(task, advance=1, refresh=True)
+
+
+class _Lines:
+    """A line now and then, and one for each of the first runs that are lost."""
+
+    def __init__(self) -> None:
+        self.jobs = self.count = self.lost = 0
+        self.begun = self.last = time.monotonic()
+
+    def begin(self, jobs: int) -> None:
+        """Count from here."""
+        self.jobs = jobs
+        self.begun = self.last = time.monotonic()
+
+    def done(self, record: Record) -> None:
+        """Count a run; say how far we are if that was not said lately."""
+        if not self.jobs:
+            return
+        self.count += 1
+        if record.status in LOST and not blew_up(record):
+            self.lost += 1
+            self._name(record)
+        now = time.monotonic()
+        if now - self.last > EVERY and self.count < self.jobs:
+            self.last = now
+            left = (now - self.begun) / self.count * (self.jobs - self.count)
+            note(f"{self.count} of {self.jobs} runs, about {_round(left)} left")
+
+    def _name(self, record: Record) -> None:
+        if self.lost <= NAMED:
             job = f"{record.case}:{record.variant} {record.label} {rung(record)}".rstrip()
-            note(f"{job}: {outcome(record).value}: {record.reason}")
-        if time.monotonic() - last > EVERY:
-            last = time.monotonic()
-            note(_counted(counts, total))
-
-    yield shown
+            note(f"{job}: {in_words(outcome(record))}: {record.reason}")
 
 
-def _counted(counts: Counter[str], total: int) -> str:
-    return f"{counts.total()} of {total}: " + ", ".join(f"{n} {w}" for w, n in counts.items())
+def _round(seconds: float) -> str:
+    """A time that is only estimated: 8 s, 3 min."""
+    return f"{seconds:.0f} s" if seconds < 99.5 else f"{seconds / 60:.0f} min"

@@ -6,10 +6,13 @@ from collections import Counter
 from collections.abc import Iterable, Sequence
 from typing import TYPE_CHECKING
 
+from vv.case import Level
 from vv.gate.judgement import counted, outcome
+from vv.output import finding_lines
+from vv.output.results_table import table, unsupported
 from vv.output.terminal import note, say
 from vv.output.wording import in_words, listed
-from vv.records.finding import Aspect, Finding, worst_first
+from vv.records.finding import Finding, worst_first
 from vv.records.job_record import Record
 from vv.records.manifest import Manifest
 from vv.records.reading import tried
@@ -21,15 +24,16 @@ if TYPE_CHECKING:
     from vv.insight.history import Point
 
 REASONS = 6  # why codes refused: the most frequent ones
-SHOWN = 12  # findings of a gate; the report and the files have all
 
 
-def print_refusals(records: Iterable[Record]) -> None:
-    """Each reason why something was refused or is not installed, once, with how often."""
+def print_refusals(records: Sequence[Record]) -> None:
+    """The schemes that took nothing on, in a line; where nobody did, each reason once."""
+    if any(map(tried, records)):
+        if text := unsupported(records):
+            note(f"{text}; `vv explain {_case(records)}` says why")
+        return
     reasons = Counter(
-        f"{record.label}: {outcome(record).value}: {record.reason}"
-        for record in records
-        if not tried(record)
+        f"{record.label}: {in_words(outcome(record))}: {record.reason}" for record in records
     )
     for reason, times in reasons.most_common(REASONS):
         note(f"{reason} ({times} times)" if times > 1 else reason)
@@ -38,13 +42,10 @@ def print_refusals(records: Iterable[Record]) -> None:
         note(f"and {rest} more reasons; the report has them all")
 
 
-def print_failures(findings: Sequence[Finding]) -> None:
-    """What did not run, and the results farthest outside their tolerances, as the gate says it."""
-    found = [one for one in worst_first(findings) if one.check in (Aspect.ACCURACY, Aspect.RUN)]
-    for finding in found[:REASONS]:
-        note(f"{finding.kind}: {finding.where}: {finding.text}")
-    if len(found) > REASONS:
-        note(f"and {len(found) - REASONS} more like these; the report has them all")
+def _case(records: Iterable[Record]) -> str:
+    """The one case that records are of, as it is typed; else CASE."""
+    names = {record.case for record in records}
+    return names.pop() if len(names) == 1 else "CASE"
 
 
 def print_inert(records: Iterable[Record]) -> None:
@@ -67,16 +68,19 @@ def print_counts(records: Iterable[Record], report: str) -> None:
     say(f"{listed(counted(records))}; report: {report}; details: vv explain CASE")
 
 
-def print_findings(findings: Sequence[Finding]) -> None:
+def print_table(records: Sequence[Record], findings: Sequence[Finding]) -> None:
+    """Errors, orders, costs and verdicts of each scheme, if any took something on."""
+    if any(map(tried, records)):
+        say(*table(records, findings))
+
+
+def print_findings(
+    findings: Sequence[Finding], records: Sequence[Record] = (), level: Level = Level.DEFAULT
+) -> None:
     """The findings of a gate, red ones first and worst first, and then its colour."""
     from vv.output.markdown import headline
 
-    ranked = worst_first(findings)
-    for finding in ranked[:SHOWN]:
-        mark = "red" if finding.red else "reported only" if finding.bit else "note"
-        say(f"{mark}: {finding.check.value} {finding.kind}: {finding.where}: {finding.text}")
-    if len(ranked) > SHOWN:
-        say(f"and {len(ranked) - SHOWN} more")
+    say(*finding_lines.lines(findings, records, level))
     say(f"gate: {headline(findings)}")
 
 
@@ -84,7 +88,7 @@ def print_difference(manifest: Manifest, case: str) -> None:
     """What changed since the baseline of a case, worst first."""
     moved = [f for f in manifest.findings if f.compares]
     for finding in worst_first(moved):
-        say(f"{finding.kind}: {finding.where}: {finding.text}")
+        say(finding_lines.since_accepted(finding))
     if not moved:
         say(f"{case}: no change since its baseline")
 

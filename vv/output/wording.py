@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from vv.records.outcomes import Outcome
 
 WORDS = {  # of one, and of many
+    Outcome.REFUSED: ("not supported", "not supported"),
     Outcome.BLOW_UP: ("blow-up to show", "blow-ups to show"),
     Outcome.XFAIL: ("known disagreement", "known disagreements"),
     Outcome.XPASS: ("unexpected pass", "unexpected passes"),
@@ -19,6 +20,16 @@ ORDER = {outcome: rank for rank, outcome in enumerate((*FIRST, Outcome.NO_REFERE
 def in_words(outcome: Outcome, count: int = 1) -> str:
     """What an outcome is called, of one result or of several."""
     return WORDS.get(outcome, (outcome.value, outcome.value))[count != 1]
+
+
+def duration(seconds: float) -> str:
+    """A time to two digits in the unit that suits it: 91 ms, 2.4 s."""
+    if not seconds > 0:
+        return "0 s"
+    for unit, size in (("s", 1.0), ("ms", 1e-3), ("us", 1e-6)):
+        if seconds >= 0.995 * size:
+            return f"{float(f'{seconds / size:.2g}'):g} {unit}"
+    return f"{seconds / 1e-6:.2g} us"
 
 
 def listed(counts: Mapping[Outcome, int]) -> str:

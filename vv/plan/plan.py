@@ -80,7 +80,12 @@ class Job:
     def label(self) -> str:
         """The job as shown to people: case:variant code/scheme knobs."""
         knobs = ",".join(f"{k}={v:g}" for k, v in dataclasses.asdict(self.ask.knobs).items() if v)
-        return f"{self.case}:{self.variant} {self.code}/{self.scheme} {knobs}".rstrip()
+        return f"{self.name} {knobs}".rstrip()
+
+    @property
+    def name(self) -> str:
+        """What is run of the job at each setting: case:variant code/scheme."""
+        return f"{self.case}:{self.variant} {self.code}/{self.scheme}"
 
 
 class EmptyPlanError(UsageError):

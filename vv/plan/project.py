@@ -54,7 +54,14 @@ class Project:
 
     def family(self, case: str) -> str:
         """The subfolder of cases/ that a case lies in; a file beside them is its own family."""
-        file = self.case_file(case)
+        return self._family(self.case_file(case))
+
+    def families(self) -> dict[str, str]:
+        """The family of every case, by the cases' names, sorted."""
+        found = content.cases(self.roots)
+        return {name: self._family(found[name]) for name in sorted(found)}
+
+    def _family(self, file: Path) -> str:
         within = content.home(file, (root / "cases" for root in self.roots))
         return content.name_of(Path(file.relative_to(within).parts[0]))
 

@@ -30,7 +30,7 @@ def select(project: Project, selection: Sequence[str]) -> list[tuple[Case, str]]
 def _matching_variants(project: Project, pattern: str) -> dict[str, list[str]]:
     """Case -> its variants that match a pattern; raises UsageError if nothing matches."""
     case_pattern, _, variant_pattern = pattern.partition(":")
-    families = {name: project.family(name) for name in project.case_names()}
+    families = project.families()
     hits = [n for n, f in families.items() if fnmatch.filter((n, f), case_pattern)]
     if not hits:
         every = {*families, *families.values()}

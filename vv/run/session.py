@@ -9,12 +9,13 @@ import os
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Protocol
 
 from vv.ask import Run, Status
 from vv.case import Grid
 from vv.gate.all_checks import GateOptions, judged
 from vv.plan import keys
-from vv.plan.plan import Job, Plan
+from vv.plan.plan import Job, Plan, with_jobs_kept
 from vv.plan.project import Project
 from vv.records.job_record import JobCost, ModelSummary, Record, RunSummary
 from vv.records.manifest import CodeFound, Manifest
@@ -28,7 +29,15 @@ from vv.scene import Vector
 from vv.store.provenance import provenance
 from vv.store.store import Store
 
-Progress = Callable[[Record], None]
+
+class Progress(Protocol):
+    """Is told how many jobs have to run, once what needs no running is known, and each record."""
+
+    def begin(self, jobs: int) -> None:
+        """So many jobs have to run; the records that are told from here on are theirs."""
+
+    def done(self, record: Record) -> None:
+        """A record is there."""
 
 
 class Timing(enum.Enum):
@@ -70,16 +79,25 @@ def carry_out(
     progress: Progress,
     command: Sequence[str],
     clock: Callable[[], datetime.datetime] = now_utc,
+    until: Callable[[Record], bool] | None = None,
 ) -> Manifest:
-    """Run what is not stored, judge all, keep the manifest and return it."""
+    """Run what is not stored, judge all, keep the manifest and return it.
+
+    until: after a record for which it holds, nothing more is run, and nothing is timed.
+    """
     store = Store(project.data())
     store.clear_scratch()
     stored = _Keys.of(project, plan, store)
     records: dict[int, Record] = {}
-    for number, record in _records(plan, limits, stored):
+    for number, record in _records(plan, limits, stored, progress.begin):
         records[number] = record
-        progress(record)
-    ordered = [records[number] for number in range(len(plan.jobs))]
+        progress.done(record)
+        if until is not None and until(record):
+            break
+    ordered = [records[number] for number in sorted(records)]
+    if len(ordered) < len(plan.jobs):
+        kept = {id(plan.jobs[number]) for number in records}
+        plan, limits = with_jobs_kept(plan, lambda job: id(job) in kept), _untimed(limits)
     costs = _costs(plan, ordered, stored, limits)
     timed = [
         dataclasses.replace(record, cost=costs.get(i, record.cost))
@@ -101,6 +119,10 @@ def carry_out(
     )
     store.keep_manifest(manifest)
     return manifest
+
+
+def _untimed(limits: Limits) -> Limits:
+    return dataclasses.replace(limits, timing=Timing.NONE)
 
 
 @dataclass(frozen=True)
@@ -135,7 +157,9 @@ def _code(project: Project, plan: Plan, code: str) -> CodeFound:
     return CodeFound(found.version, found.installed, keys.executables(project, plan, code))
 
 
-def _records(plan: Plan, limits: Limits, stored: _Keys) -> Iterator[tuple[int, Record]]:
+def _records(
+    plan: Plan, limits: Limits, stored: _Keys, begin: Callable[[int], None]
+) -> Iterator[tuple[int, Record]]:
     """Yield (job number, record): first those that need no running, then as runs come in.
 
     What stands of a code that is here was not refused: its key holds all that a refusal hangs on.
@@ -150,6 +174,7 @@ def _records(plan: Plan, limits: Limits, stored: _Keys) -> Iterator[tuple[int, R
             yield number, _kept(plan, job, run, key, store)
         else:
             waiting[number] = job
+    begin(len(waiting))
     loads = {plan.found[job.code].load for job in waiting.values()}
     for load in filter(None, loads):
         load()

@@ -1,0 +1,85 @@
+"""Claims about the table that ends a run, and about findings that are told as one."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from tests.support.fabricated import STEPS, changed, entry, manifest_of_all, ran, record
+from vv.case import Level
+from vv.gate.judgement import breach_in_words, judgement
+from vv.output import finding_lines
+from vv.output.results_table import ROWS, rows, table, unsupported
+from vv.output.wording import duration
+from vv.records.finding import Aspect, Bit, Finding
+from vv.records.manifest import Manifest
+from vv.store.store import Store
+
+
+@pytest.fixture
+def manifest(tmp_path: Path) -> Manifest:
+    return manifest_of_all(Store(tmp_path))
+
+
+def test_each_scheme_is_shown_at_its_finest_setting_with_order_and_bound(tmp_path: Path) -> None:
+    store = Store(tmp_path)
+    records = [ran(store, "dem/default", "T1", dt, "pass") for dt in STEPS]
+    (row,) = rows(records, [])
+    assert (row.place, row.setting) == (("bounce", "T1", "dem/default"), "dt=0.001")
+    assert row.order == pytest.approx(2.0, abs=0.02)
+    assert (row.claimed, row.allowed, row.verdict) == (2, 1e-3, "pass")
+
+
+def test_the_verdict_of_a_row_is_that_of_the_gate(manifest: Manifest) -> None:
+    found = judgement(manifest)
+    verdicts = {row.place[1:]: row.verdict for row in rows(manifest.records, found)}
+    red = {(one.variant, one.label) for one in found if one.red and one.case}
+    assert {place for place, verdict in verdicts.items() if verdict == "FAIL"} == red
+    assert verdicts["T1", "dem/published"] == "known disagreement"
+
+
+def test_what_was_not_taken_on_is_one_line(manifest: Manifest) -> None:
+    said = unsupported(manifest.records)
+    assert said == "not supported: fate/a; not installed: fate/b; too long: fate/l"[: len(said)]
+
+
+def test_many_variants_are_counted_by_scheme(tmp_path: Path) -> None:
+    good = [entry("pass", {"max": 1e-5})]
+    many = [record("a/a", f"V{i}", 1e-3, quantities=good) for i in range(ROWS + 1)]
+    lines = [line.split() for line in table(many, [])]
+    assert ["a/a", str(ROWS + 1), "-", "-", "-", str(ROWS + 1), "1.0e-05"] in lines
+
+
+def test_findings_at_several_settings_are_one_line_with_the_command_that_shows_it() -> None:
+    bad = [record("a/a", "T1", dt, quantities=[entry("fail", {"max": 1e-2})]) for dt in STEPS]
+    found = [
+        Finding(Aspect.ACCURACY, "fail", "error 0.01", "bounce", "T1", "a/a", f"dt={dt:g}", "y",
+                Bit.ACCURACY, size=dt)
+        for dt in STEPS
+    ]  # fmt: skip
+    assert [*finding_lines.lines(found, bad, Level.DEFAULT)] == [
+        "red: bounce:T1 a/a dt=0.004 y: error 0.01 (and at 2 more settings)",
+        "  again: vv run bounce:T1 --codes a/a --rung dt=0.004",
+    ]
+    other = [changed(one, modified=True) for one in bad]
+    (_, again) = finding_lines.lines(found, other, Level.PAPER)
+    assert again.endswith("--rung dt=0.004 --set m=1.0 --level paper")
+
+
+def test_a_broken_law_is_told_with_the_number_beside_its_bound() -> None:
+    assert breach_in_words(("energy created [J]", 1390.4, 2e-10)) == (
+        "energy not conserved: created 1390 J, allowed 2e-10 J"
+    )
+    assert breach_in_words(("penetration [m]", 1e-3, 1e-4)) == (
+        "penetration: 0.001 m, allowed 0.0001 m"
+    )
+    assert breach_in_words(("clause", 2.0, 1.0)) == "clause: 2, allowed 1"
+
+
+@pytest.mark.parametrize(
+    ("seconds", "told"),
+    [(0.0, "0 s"), (2.44e-6, "2.4 us"), (0.0916, "92 ms"), (0.9999, "1 s"), (75.0, "75 s")],
+)
+def test_a_duration_is_told_in_the_unit_that_suits_it(seconds: float, told: str) -> None:
+    assert duration(seconds) == told

@@ -1,0 +1,94 @@
+"""Words for what a gate finds: alike findings as one line, and the command that shows it again."""
+
+from __future__ import annotations
+
+import shlex
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+
+from vv.case import Level
+from vv.records.finding import Aspect, Change, Finding, worst_first
+from vv.records.job_record import Record
+from vv.records.reading import rung
+
+SHOWN = 12  # lines of findings; the report and the files have all
+THAN = {  # how a change since the baseline is told
+    Change.WORSE.value: "worse than accepted: ",
+    Change.BETTER.value: "better than accepted: ",
+    Change.MOVED.value: "moved since it was accepted: ",
+    Change.SLOWER.value: "slower than accepted: ",
+    Change.FASTER.value: "faster than accepted: ",
+    "refused otherwise": "not supported, for another reason: ",
+}
+Place = tuple[str, str, str, str]  # case, variant, scheme, knobs
+
+
+@dataclass(frozen=True)
+class Folded:
+    """A finding, and how many more say the same of the same scheme and variant."""
+
+    finding: Finding
+    others: int
+
+
+def folded(findings: Iterable[Finding]) -> list[Folded]:
+    """Findings that differ in their setting only as one, the worst; worst first."""
+    piles: dict[tuple[object, ...], list[Finding]] = {}
+    for one in worst_first(findings):
+        bare = one.kind == Change.NO_BASELINE.value
+        whole = () if bare else (one.case, one.variant, one.label, one.quantity)
+        piles.setdefault((one.red, one.check, one.kind, *whole), []).append(one)
+    return [Folded(pile[0], len(pile) - 1) for pile in piles.values()]
+
+
+def lines(findings: Iterable[Finding], records: Iterable[Record], level: Level) -> Iterator[str]:
+    """Red ones first and worst first; below each red one the command that runs it again."""
+    at = {(r.case, r.variant, r.label, rung(r)): r for r in records}
+    ranked = folded(findings)
+    for one in ranked[:SHOWN]:
+        yield _line(one)
+        again = rerun(one.finding, at, level)
+        if one.finding.red and again:
+            yield f"  again: {again}"
+    if len(ranked) > SHOWN:
+        red = sum(one.finding.red for one in ranked[SHOWN:])
+        yield f"and {len(ranked) - SHOWN} more, {red} of them red; the report has them all"
+
+
+def _line(one: Folded) -> str:
+    found = one.finding
+    mark = "red" if found.red else "reported only" if found.bit else "note"
+    if found.kind == Change.NO_BASELINE.value:
+        more = f" and {one.others} more" if one.others else ""
+        return f"{mark}: {found.case}{more}: {found.text}"
+    more = f" (and at {_settings(one.others)})" if one.others else ""
+    return f"{mark}: {since_accepted(found)}{more}"
+
+
+def since_accepted(found: Finding) -> str:
+    """Where a finding is, and what it says; of a change, that it is one."""
+    where = f"{found.where}: " if found.where else ""
+    return f"{where}{THAN.get(found.kind, '')}{found.text}"
+
+
+def _settings(count: int) -> str:
+    return f"{count} more setting{'s' if count > 1 else ''}"
+
+
+def rerun(finding: Finding, at: Mapping[Place, Record], level: Level) -> str:
+    """The command that runs again what a finding is about; empty if it is of no single result."""
+    record = at.get((finding.case, finding.variant, finding.label, finding.rung))
+    if record is None or finding.check is Aspect.SPEED:
+        return ""
+    words = ["vv", "run", f"{record.case}:{record.variant}", "--codes", record.label]
+    words += ["--rung", finding.rung] if finding.rung else []
+    words += _settings_of(record)
+    words += ["--level", level.value] if level is Level.PAPER else []
+    return shlex.join(words)
+
+
+def _settings_of(record: Record) -> Sequence[str]:
+    """Its parameters, where the user changed some: all, since any may be one of these."""
+    if not record.modified:
+        return []
+    return [word for n, value in record.parameters.items() for word in ("--set", f"{n}={value!r}")]

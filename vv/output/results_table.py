@@ -1,0 +1,182 @@
+"""The results of a run as a table: error against its bound, order, cost and verdict of a scheme."""
+
+from __future__ import annotations
+
+import statistics
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+
+from vv.ask import Method
+from vv.gate.judgement import outcome
+from vv.output.wording import duration, in_words
+from vv.records.finding import Finding
+from vv.records.job_record import Record
+from vv.records.outcomes import Outcome
+from vv.records.quantity import MeasuredQuantity
+from vv.records.reading import by_fineness, ran, rung, tried
+from vv.records.rungs import row_of
+
+ROWS = 60  # of schemes on variants; where there are more, variants are counted
+CLAIMED = {Method.SECOND_ORDER: 2, Method.FIRST_ORDER: 1}  # orders in dt
+RANKS = (Outcome.XFAIL, Outcome.BLOW_UP, Outcome.PASS, Outcome.NO_REFERENCE)
+Place = tuple[str, str, str]  # case, variant, scheme
+
+
+@dataclass(frozen=True)
+class Row:
+    """A scheme on a variant, at its finest setting that ran.
+
+    error, allowed: of the quantity closest to its bound, None if it judges none; order: observed
+    in dt; cpu: of the stepping loop [s]; timed: alone on a core; verdict: as the gate judges it,
+    of all settings.
+    """
+
+    place: Place
+    setting: str
+    error: float | None
+    allowed: float | None
+    order: float | None
+    claimed: int | None
+    cpu: float
+    timed: bool
+    verdict: str
+
+
+def rows(records: Iterable[Record], findings: Iterable[Finding]) -> list[Row]:
+    """A row for each scheme on each variant that it took on, in the order of the records."""
+    piles: dict[Place, list[Record]] = {}
+    for record in filter(tried, records):
+        piles.setdefault((record.case, record.variant, record.label), []).append(record)
+    found: dict[Place, list[Finding]] = {}
+    for one in findings:
+        found.setdefault((one.case, one.variant, one.label), []).append(one)
+    return [_row(place, pile, found.get(place, [])) for place, pile in piles.items()]
+
+
+def _row(place: Place, pile: Sequence[Record], findings: Sequence[Finding]) -> Row:
+    done = sorted(filter(ran, pile), key=by_fineness)
+    verdict = _verdict(pile, findings)
+    if not done:
+        return Row(place, "", None, None, None, None, 0.0, False, verdict)
+    finest = done[-1]
+    judged = [one for one in finest.quantities if one.error is not None and one.tolerance]
+    worst = max(judged, key=_closeness, default=None)
+    fitted = row_of(finest.rung.kn, [r for r in done if r.rung.kn == finest.rung.kn]).order
+    return Row(
+        place,
+        rung(finest),
+        worst.error if worst else None,
+        worst.tolerance if worst else None,
+        fitted.order if fitted else None,
+        CLAIMED.get(finest.method) if fitted else None,
+        finest.cost.solve_cpu,
+        finest.cost.timed,
+        verdict,
+    )
+
+
+def _closeness(one: MeasuredQuantity) -> float:
+    return (one.error or 0.0) / (one.tolerance or 1.0)
+
+
+def _verdict(pile: Sequence[Record], findings: Sequence[Finding]) -> str:
+    """As the gate judges: red, else what it only reports, else the worst outcome in words."""
+    if any(one.red for one in findings):
+        return "FAIL"
+    if any(one.bit for one in findings):
+        return "reported only"
+    came = {outcome(record) for record in pile}
+    worst = next((one for one in RANKS if one in came), Outcome.PASS)
+    return in_words(worst)
+
+
+def table(records: Iterable[Record], findings: Iterable[Finding]) -> Iterator[str]:
+    """The lines of the table; of many variants, one row for each scheme of a case."""
+    every = rows(records, findings)
+    if len(every) > ROWS:
+        yield from _summary(every)
+        return
+    for place in dict.fromkeys(row.place[:2] for row in every):
+        here = [row for row in every if row.place[:2] == place]
+        yield from _of_variant(f"{place[0]}:{place[1]}", here)
+
+
+def _of_variant(title: str, here: Sequence[Row]) -> Iterator[str]:
+    wide = max(24, *(len(row.place[2]) + 2 for row in here))
+    far = max(10, *(len(row.setting) + 2 for row in here))
+    claims = any(row.claimed for row in here)
+    yield ""
+    yield title
+    yield (
+        f"  {'scheme':<{wide}}{'setting':<{far}}{'error':>8} {'allowed':>8}"
+        f"  {'order':<13}{'CPU':>9}  verdict"
+    )
+    for row in here:
+        of = f" of {row.claimed}" if row.claimed else ""
+        order = "-" if row.order is None else f"{row.order:.2f}{of}"
+        yield (
+            f"  {row.place[2]:<{wide}}{row.setting or '-':<{far}}{_short(row.error):>8} "
+            f"{_short(row.allowed):>8}  {order:<13}{_cpu(row):>9}  {row.verdict}"
+        ).rstrip()
+    yield f"  {_legend(here, claims)}"
+
+
+def _legend(here: Sequence[Row], claims: bool) -> str:
+    parts = ["finest setting"]
+    parts += ["order in dt: observed of claimed"] if claims else []
+    parts += ["~: beside other jobs"] if any(not row.timed and row.cpu for row in here) else []
+    return f"({'; '.join(parts)})"
+
+
+def _cpu(row: Row) -> str:
+    return f"{'' if row.timed else '~'}{duration(row.cpu)}" if row.cpu else "-"
+
+
+def _short(value: float | None) -> str:
+    return "-" if value is None else f"{value:.1e}"
+
+
+def _summary(every: Sequence[Row]) -> Iterator[str]:
+    """A row for each scheme: how many variants came to what, and the errors of the finest."""
+    counts: dict[str, dict[str, int]] = {}
+    for row in every:
+        own = counts.setdefault(row.place[2], {})
+        own[row.verdict] = own.get(row.verdict, 0) + 1
+    heads = ("FAIL", "reported only", "known disagreement", "pass")
+    wide = max(len(name) + 2 for name in counts)
+    yield ""
+    yield f"  {'scheme':<{wide}}{'variants':>8}{''.join(f'{h:>20}' for h in heads)}{'error':>9}"
+    for name, own in counts.items():
+        cells = "".join(f"{own.get(head, 0) or '-':>20}" for head in heads)
+        errors = [r.error for r in every if r.place[2] == name and r.error is not None]
+        middle = _short(statistics.median(errors)) if errors else "-"
+        yield f"  {name:<{wide}}{sum(own.values()):>8}{cells}{middle:>9}"
+    yield "  error: the median over variants, at the finest setting; `vv run CASE` shows each"
+
+
+def unsupported(records: Iterable[Record]) -> str:
+    """One line on the schemes that took nothing on; empty if every one took something."""
+    given = list(records)
+    took = {record.label for record in filter(tried, given)}
+    return by_fate({r.label: outcome(r) for r in given if r.label not in took})
+
+
+def by_fate(fates: Mapping[str, Outcome]) -> str:
+    """Schemes by what came of them, in a line. fates: CODE/SCHEME -> outcome."""
+    parts = []
+    for why in dict.fromkeys(fates.values()):
+        names = [name for name, one in fates.items() if one is why]
+        parts.append(f"{in_words(why)}: {', '.join(_by_code(names))}")
+    return "; ".join(parts)
+
+
+def _by_code(labels: Iterable[str]) -> list[str]:
+    """Schemes by code: dda/default, dda/lagged as dda/{default,lagged}."""
+    codes: dict[str, list[str]] = {}
+    for label in labels:
+        code, _, scheme = label.partition("/")
+        codes.setdefault(code, []).append(scheme)
+    return [
+        f"{code}/{own[0]}" if len(own) == 1 else f"{code} ({len(own)} schemes)"
+        for code, own in codes.items()
+    ]

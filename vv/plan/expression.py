@@ -1,0 +1,80 @@
+"""Selects by words that a name holds, joined by and, or, not and brackets, as test runners do."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+
+from vv.base.errors import UsageError
+
+Matches = Callable[[str], bool]
+TOKEN = re.compile(r"[()]|[^\s()]+")
+LONGEST = 1000  # characters; each bracket is a level of calls
+OPERATORS = ("and", "or", "not", "(", ")")
+
+
+def matcher(text: str) -> Matches:
+    """Whether a name fits an expression: a word fits where the name holds it, in any case.
+
+    Raises UsageError for an expression that cannot be read.
+    """
+    if len(text) > LONGEST:
+        raise UsageError(f"-k: {len(text)} characters; at most {LONGEST} are taken")
+    reader = _Reader(text)
+    found = reader.either()
+    if reader.next:
+        raise reader.unreadable()
+    return found
+
+
+class _Reader:
+    """Reads an expression from left to right; `next` is the token to come, '' at the end."""
+
+    def __init__(self, text: str) -> None:
+        self.text = text
+        self.tokens = iter(TOKEN.findall(text))
+        self.next = ""
+        self.advance()
+
+    def advance(self) -> None:
+        self.next = next(self.tokens, "")
+
+    def either(self) -> Matches:
+        """Parts joined by `or`."""
+        parts = [self.both()]
+        while self.next == "or":
+            self.advance()
+            parts.append(self.both())
+        return parts[0] if len(parts) == 1 else lambda name: any(part(name) for part in parts)
+
+    def both(self) -> Matches:
+        """Parts joined by `and`."""
+        parts = [self.one()]
+        while self.next == "and":
+            self.advance()
+            parts.append(self.one())
+        return parts[0] if len(parts) == 1 else lambda name: all(part(name) for part in parts)
+
+    def one(self) -> Matches:
+        """A word, a bracket, or what is not one."""
+        token = self.next
+        self.advance()
+        if token == "not":
+            inner = self.one()
+            return lambda name: not inner(name)
+        if token == "(":
+            inner = self.either()
+            if self.next != ")":
+                raise self.unreadable()
+            self.advance()
+            return inner
+        if not token or token in OPERATORS:
+            raise self.unreadable(token)
+        word = token.lower()
+        return lambda name: word in name.lower()
+
+    def unreadable(self, token: str | None = None) -> UsageError:
+        """What to say of a token that must not stand where it does."""
+        at = f"'{self.next if token is None else token}'" if (token or self.next) else "the end"
+        rule = "it must read like: T3 and not (rotated or yade)"
+        return UsageError(f"-k '{self.text}': {at} is not expected; {rule}")
