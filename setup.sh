@@ -15,7 +15,7 @@ export PIP_DISABLE_PIP_VERSION_CHECK=1 PIP_NO_INPUT=1
 REQUIRED=${VV_REQUIRE:-}
 CODES=${CODES:-}
 SCRATCH=$(mktemp -d)
-trap 'rm -rf -- "$SCRATCH"' EXIT
+trap 'wait; rm -rf -- "$SCRATCH"' EXIT
 
 say() { printf 'setup: %s\n' "$*"; }
 
@@ -160,12 +160,18 @@ lock() {
     cp "$SCRATCH/lock" requirements.lock
 }
 
-setup() {
-    environment
-    packages
+externals() {
     external yade
     external liggghts
-    local code
+}
+
+setup() {
+    local code aside
+    environment
+    externals & # while pip works: apt and pip together take as long as the longer one
+    aside=$!
+    packages
+    wait "$aside"
     for code in ${CODES//,/ }; do own_environment "$code"; done
 }
 

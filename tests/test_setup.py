@@ -116,7 +116,8 @@ def test_an_environment_made_elsewhere_is_made_anew(checkout: Path) -> None:
 def test_a_changed_lock_is_installed_without_making_the_environment_anew(checkout: Path) -> None:
     (checkout / "requirements.lock").write_text("nothing==1\n")
     done = setup(checkout)
-    assert done.stdout == "setup: installing the packages of requirements.lock into .venv\n"
+    assert "setup: installing the packages of requirements.lock into .venv\n" in done.stdout
+    assert "making" not in done.stdout
     assert "No module named pip" in done.stderr
 
 
