@@ -108,7 +108,8 @@ def _both(p: Parameters, scene: Scene, goal: History) -> tuple[Quantity, ...]:
     motion = Motion(BLOCK, scene.axes[:2], path, goal.times(None), "m", _fall(p))
     swept = scene.unknowns() > len(scene.axes)
     springs = _on_springs(_stopping(p, CORNERS if swept else ONE_WAY))
-    judge = Exact({**springs, Method.SECOND_ORDER: _rotating(p, swept)})
+    rigid = {Method.SECOND_ORDER: _rotating(p, swept), Method.FIRST_ORDER: _half_steps(p)}
+    judge = Exact({**springs, **rigid})
     return (
         motion.component(0, "d", "displacement down the dip", judge),
         motion.component(1, "s", "displacement along the strike", judge),
@@ -119,7 +120,7 @@ def _both(p: Parameters, scene: Scene, goal: History) -> tuple[Quantity, ...]:
 def _tolerances(p: Parameters) -> dict[Method, Tolerance]:
     """What codes can do: a parabola exactly, a sine to the order of the step, and springs lag."""
     if not p["A"] and (p["alpha"] > p["phi"] or not p["v0"]):
-        return STEADY
+        return {**STEADY, Method.FIRST_ORDER: _half_steps(p)}
     sine = Tolerance(
         _of_sine(p["f"] if p["A"] else 0.0),
         "the trapezoidal rule integrates gravity exactly, and the sine with an error of "
@@ -131,7 +132,20 @@ def _tolerances(p: Parameters) -> dict[Method, Tolerance]:
     steep = p["alpha"] + p["phi"]
     uphill = steep < 90 and p["A"] > p["g"] * np.tan(np.radians(steep))
     springs = _turning(p) if uphill else _stopping(p, ONE_WAY)
-    return {**_on_springs(springs), Method.SECOND_ORDER: sine}
+    rigid = {Method.SECOND_ORDER: sine, Method.FIRST_ORDER: _half_steps(p)}
+    return {**_on_springs(springs), **rigid}
+
+
+def _half_steps(p: Parameters) -> Tolerance:
+    """For rigid contact whose forces or laws are those of one end of a step."""
+    speed = np.hypot(p["A"] / p["f"], p["Ay"] / p["fy"]) / (2 * np.pi)
+    return Tolerance(
+        STEADY[Method.SECOND_ORDER].value,
+        "a start half a step off is dt/T of the way; friction of a step is that at its end, late "
+        "by up to half a step where slip ends or turns, of the speed that shaking gives",
+        late=1.2 * (1 / p["duration"] + float(speed) / _slid(p)),
+        slack="a scheme that starts in the middle of a step follows a parabola to rounding",
+    )
 
 
 def _of_sine(f: float) -> float:
@@ -149,7 +163,6 @@ def _on_springs(late: Tolerance) -> dict[Method, Tolerance]:
     )
     return {
         Method.EXACT: STEADY[Method.EXACT],
-        Method.FIRST_ORDER: WHOLE_STEPS,
         Method.PENALTY: late,
         Method.LAGGING: lagging,
     }
@@ -202,17 +215,8 @@ ROUNDED = (
     "the forces are constant and springs start charged: a parabola, followed to the rounding of "
     "up to 100 000 steps; no slip begins or ends"
 )
-WHOLE_STEPS = Tolerance(
-    2e-4,
-    "friction of a step is that at its end: where slip turns, friction is up to half a step late, "
-    "mu g dt/2 = 3e-3 m/s, of a velocity of metres per second",
-    dt=STEP,
-    order=1,
-    slack="where slip does not turn there is no such error, and under gravity alone none",
-)
 STEADY = {
     Method.EXACT: Tolerance(1e-13, "rounding errors of a few hundred located events at most"),
-    Method.FIRST_ORDER: WHOLE_STEPS,
     **dict.fromkeys(
         (Method.SECOND_ORDER, Method.PENALTY, Method.LAGGING), Tolerance(1e-11, ROUNDED)
     ),
