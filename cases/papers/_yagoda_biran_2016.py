@@ -133,12 +133,13 @@ RESPONDING = (
 )  # fmt: skip
 WEDGE = (
     _said("Sec. 4.4", "error for a wedge under a sine", "< 7", OPEN,
-          "the angle between the sides, amplitude and frequency are not given", unit="%"),
+          "the angle between the sides, amplitude and frequency are not given; with chosen ones, "
+          f"{OURS}", _error("shaken-wedge", "along", "level", quantity="s"), "%"),
     _said("Sec. 4.4", "the sine acts along the line of intersection", "", MISPRINT,
           "Fig. 16 has it level"),
     _said("Sec. 4.4", "there is no analytical solution of a wedge that slides under a sine", "",
           WRONG, "a symmetric wedge slides like a block whose friction is 1/sin(xi/2) times as "
-          "large, phase by phase", _error("wedge", "xi-1", quantity="s")),
+          "large, phase by phase", _error("shaken-wedge", "along", quantity="s")),
 )  # fmt: skip
 DAMPING = (
     _said("Sec. 5.1.3", "damping ratio of a step of 0.001 s", "2.3", WRONG,

@@ -1,0 +1,140 @@
+"""A wedge slides down a groove while a sine shakes it, along the groove or level."""
+
+from __future__ import annotations
+
+import dataclasses
+import functools
+import math
+from collections.abc import Callable
+
+import numpy as np
+
+from cases._papers import YAGODA_BIRAN_2016
+from cases.hard.wedge import CASE as WEDGE
+from cases.hard.wedge import WEDGE as MOVED
+from reference_solutions.blocks import shaken_wedge
+from reference_solutions.blocks.wedge import pressing
+from vv.ask import History, Knobs, Method
+from vv.case import (
+    Case,
+    Exact,
+    Ladder,
+    Level,
+    Parameter,
+    Parameters,
+    Series,
+    Source,
+    Tolerance,
+    Trial,
+    Variant,
+)
+from vv.scene import Contact, Harmonic, Scene, Vector
+
+OUTPUTS = 300
+
+
+def _scene(variant: str, p: Parameters) -> Scene:
+    """The groove and the wedge of the case `wedge`, with this friction and a sine."""
+    still = WEDGE.declare("xi-1", {**WEDGE.defaults("xi-1"), "dip": p["dip"], "xi": p["xi"]})
+    scene = still.study.scene
+    along = scene.axes[0] if variant == "along" else np.array([1.0, 0.0, 0.0])
+    strength, frequency = np.array([p["A"], 0.0, 0.0]), np.array([p["f"], 0.0, 0.0])
+    up = np.array([0.0, 0.0, 1.0])
+    across = np.array([0.0, 1.0, 0.0])
+    axes = np.array([along, across, np.cross(along, across)])
+    return dataclasses.replace(
+        scene,
+        contact=Contact(np.inf, mu=_mu(p)),
+        gravity=-p["g"] * up,
+        shaking=Harmonic(strength, frequency, axes=axes),
+    )
+
+
+def _mu(p: Parameters) -> float:
+    return math.tan(math.radians(p["phi"]))
+
+
+def _declare(variant: str, p: Parameters) -> Trial:
+    held, falls = pressing(p["xi"]) * _mu(p), math.tan(math.radians(p["dip"]))
+    if held >= falls:
+        raise ValueError(
+            f"phi = {p['phi']!r} degrees: friction in the groove, {held:.4g}, holds a wedge whose "
+            f"groove falls by {falls:.4g}; how a wedge that rests shares its friction between the "
+            "sides is not determined"
+        )
+    scene, goal = _scene(variant, p), History(p["duration"], p["duration"] / OUTPUTS)
+    law = {name: p[name] for name in ("dip", "xi", "A", "f", "g")}
+    path = functools.partial(SOLUTIONS[variant], mu=_mu(p), **law)
+    s = Series(
+        name="s",
+        symbol="s",
+        unit="m",
+        meaning="displacement down the groove",
+        observe=lambda run: np.asarray(run.values[MOVED] @ scene.axes[0]),
+        reference=path,
+        judge=_judge(),
+        still=0.5 * p["g"] * p["duration"] ** 2,
+    )
+    return Trial(Ladder(scene, goal, (MOVED,), LEVELS), (s,))
+
+
+SOLUTIONS: dict[str, Callable[..., Vector]] = {
+    "along": shaken_wedge.along,
+    "level": shaken_wedge.level,
+}
+
+
+def _judge() -> Exact:
+    return Exact(
+        {
+            Method.EXACT: Tolerance(1e-12, "rounding errors of a few located events"),
+            Method.SECOND_ORDER: Tolerance(
+                1e-5, "the trapezoidal rule on the sine, with events located within the step",
+                dt=1e-3, order=2, floor=1e-7,
+            ),
+            Method.PENALTY: Tolerance(
+                1e-3, "shear springs of two sides delay each beginning and end of slip",
+                kn=1e10, softness=0.5,
+            ),
+        },
+        not_judged={Method.LAGGING: SETTLES},
+    )  # fmt: skip
+
+
+SETTLES = (
+    "formulations of this class may let gravity act before the drive sets in, and here gravity "
+    "alone makes the wedge slide; friction that lags also misses the pressing of two sides"
+)
+RUNGS = (Knobs(1e-3, 1e9), Knobs(5e-4, 1e9), Knobs(2.5e-4, 1e9), Knobs(1e-4, 1e10))
+LEVELS = {Level.QUICK: RUNGS[:2], Level.DEFAULT: RUNGS, Level.PAPER: RUNGS}
+CASE = Case(
+    name="shaken-wedge",
+    title="A wedge in a groove under a sine",
+    source=Source(
+        *YAGODA_BIRAN_2016,
+        "Sec. 4.4 has the sine along the line of intersection, Fig. 16 has it level: both are "
+        "here. The opening, amplitude and frequency are not given: 1.5 rad, 2 m/s2 and 1 Hz are "
+        "chosen. The wedge is symmetric and cannot turn.",
+    ),
+    parameters=(
+        Parameter("dip", 30.0, "degrees", "how steeply the groove falls"),
+        Parameter("phi", 20.0, "degrees", "friction angle"),
+        Parameter("xi", 1.5, "rad", "angle between the sides of the groove"),
+        Parameter("A", 2.0, "m/s2", "amplitude of the acceleration"),
+        Parameter("f", 1.0, "Hz", "its frequency"),
+        Parameter("g", 9.81, "m/s2", "gravity"),
+        Parameter("duration", 3.0, "s", "time simulated"),
+    ),
+    variants=(
+        Variant(
+            "along", "the sine acts along the groove",
+            "s'' = g (sin i - K mu cos i) + A sin wt, K = 1/sin(xi/2)",
+        ),
+        Variant(
+            "level", "the sine acts level",
+            "s'' = g sin i + a cos i - K mu (g cos i - a sin i), a = A sin wt",
+        ),
+    ),
+    declare=_declare,
+    published={"Fig. 16": "3D-DDA under a sine: below 7 % for the entire simulation."},
+)  # fmt: skip
