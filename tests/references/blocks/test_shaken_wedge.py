@@ -28,7 +28,7 @@ def apart(
         for level, way in ((False, route.along), (True, route.level)):
             s = float(way([2.0], **law)[0])
             off.append(second.slid(2.0, level=level, steps=steps, **law) - s)
-    return max(map(abs, off))
+    return float(max(map(abs, off)))
 
 
 def test_the_two_routes_agree() -> None:
