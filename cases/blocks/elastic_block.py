@@ -72,7 +72,7 @@ def _declare(variant: str, p: Parameters) -> Trial:
     else:
         rungs = tuple(Knobs(step / w, STIFF * bar) for step in STEPS)
         goal = History(OUTPUTS * SEEN / w, SEEN / w)
-    levels = {Level.QUICK: rungs[:2], Level.DEFAULT: rungs[:3], Level.PAPER: rungs}
+    levels = {Level.QUICK: rungs[:3:2], Level.DEFAULT: rungs[:3], Level.PAPER: rungs}
     study = Ladder(_scene(variant, p), goal, (STRAIN, MOVED), levels)
     return Trial(study, MEASURED[variant](p, w))
 
@@ -207,7 +207,7 @@ CASE = Case(
             "at rest on its base, free to widen",
             "e_z = -rho g L/(2 E), e_x = -nu e_z, d = rho g L^2/(4 E)",
             {},
-            frozenset({"spin"}),
+            frozenset({"a", "b", "spin"}),
         ),
         Variant(
             "ringing",

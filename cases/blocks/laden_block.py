@@ -214,10 +214,10 @@ BOOKS = {
         "explicit steps book the work of forces at the ends of steps, (w dt)^2/12 of a part",
         dt=1e-3,
         order=2,
-        floor=1e-11,
+        floor=3e-11,
     ),
     Method.LAGGING: Tolerance(
-        1e-11, "the ledger uses the forces of the motion: rounding of 40 000 steps"
+        3e-11, "the ledger uses the forces of the motion: rounding of 40 000 steps"
     ),
 }
 SLIP = (

@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import functools
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 
 import numpy as np
 
 from cases._papers import YAGODA_BIRAN_2016
 from cases._penalty import COARSEST, FEWER, LEVELS
 from reference_solutions.blocks import responding_block
-from vv.ask import Displacement, History, Method
+from vv.ask import Displacement, History, Knobs, Method
 from vv.case import (
     LARGEST_TOLERANCE,
     Case,
@@ -102,7 +102,7 @@ def _declare(variant: str, p: Parameters) -> Trial:
     )
     whole = (motion.distance(judge),) if directions > 1 else ()
     timed = COARSEST if variant in ("1d", "2d", "3d") else ()
-    levels = LEVELS if timed else FEWER
+    levels = _with_stiff(LEVELS if timed else FEWER)
     return Trial(Ladder(_scene(variant, p), goal, (BLOCK,), levels, timed), (*parts, *whole))
 
 
@@ -118,6 +118,11 @@ EXPLORED = Shown(
     "a map over stiffness and step of springs that stand for rigid contact: soft springs rock and "
     "creep, stiff ones need small steps; it shows which are best, and none is judged"
 )
+
+
+def _with_stiff(levels: Mapping[Level, tuple[Knobs, ...]]) -> dict[Level, tuple[Knobs, ...]]:
+    """The levels, each with springs stiff enough to see 1 % of friction through what they delay."""
+    return {level: tuple(dict.fromkeys((*rungs, COARSEST[-1]))) for level, rungs in levels.items()}
 
 
 def _tolerances(p: Parameters, path: Path) -> dict[Method, Tolerance]:

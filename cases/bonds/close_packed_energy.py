@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import functools
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 import numpy as np
 
@@ -44,7 +44,7 @@ HISTORIES = (
 )
 KEPT = tuple(form for _, _, forms in HISTORIES for form in forms)
 BROKEN = (Form.BROKEN_NORMAL, Form.BROKEN_SHEAR)
-HALF = 0.5  # of the strain at which the first bond opens
+HALF = 0.5  # of the strain at which the first bond opens, if pulled
 
 
 def _declare(variant: str, p: Parameters) -> Trial:
@@ -58,12 +58,13 @@ def _declare(variant: str, p: Parameters) -> Trial:
     kn, ks, d = p["kn"], p["ks"], p["d"]
     E = lattice_material.youngs_modulus(kn, ks, d)
     quantities: list[Quantity] = [_balance(CLOSED[way]), *_histories()]
+    answer = static(block, kn, ks)
+    opening = first_opening(block, answer, p["xb"]) / answer.E
+    quantities.append(_held(p, block, answer.E, HALF * opening))
     if way == "pulled":
-        answer = static(block, kn, ks)
-        opening = first_opening(block, answer, p["xb"]) / answer.E
         printed = lattice_material.tensile_strength(kn, ks, p["xb"], d)
         strain = 1.1 * opening * answer.E / E
-        quantities += [_held(p, block, answer.E, HALF * opening), *_beside_fig_6(variant)]
+        quantities += _beside_fig_6(variant)
         strength = ("T_u over Eq. 7", printed, "the paper's mean over its blocks is -8.89 %")
     else:
         printed = lattice_material.sliding_strength(p["fs0"], p["mu_p"], d)
@@ -113,10 +114,11 @@ def _held(p: Parameters, block: Lattice, E: float, strain: float) -> Scalar:
 
     def observe(run: Run) -> float:
         held = energy((Form.NORMAL, Form.SHEAR), run)
-        return float(np.interp(strain / p["rate"], run.times, np.sqrt(held))) ** 2
+        return float(np.interp(strain / abs(p["rate"]), run.times, np.sqrt(held))) ** 2
 
-    what = "elastic energy at half the strain at which the first bond opens"
-    return Scalar("E_e(half)", "E_e(half)", "J", what, observe, exact, exact, LINEAR)
+    what = "elastic energy at half the strain at which the first bond opens, if pulled"
+    judge = LINEAR["pulled" if p["rate"] > 0 else "pressed"]
+    return Scalar("E_e(half)", "E_e(half)", "J", what, observe, exact, exact, judge)
 
 
 def _beside_fig_6(variant: str) -> Iterator[Scalar]:
@@ -180,7 +182,17 @@ CLOSED = {
 }
 SIGNS = {"pulled": 1.0, "pressed": -1.0}
 SOON = "the answer is linear; viscosity at this rate and a finite strain of 1e-4 change it"
-LINEAR: Judge = Exact(dict.fromkeys(CLASSES, Tolerance(2e-4, SOON)))
+LINEAR: Mapping[str, Judge] = {
+    "pulled": Exact(dict.fromkeys(CLASSES, Tolerance(2e-4, SOON))),
+    "pressed": Exact(
+        dict.fromkeys(CLASSES, Tolerance(5e-4, f"{SOON}; it is pressed at 13 times the rate"))
+    ),
+}
+STRONG = dict.fromkeys(
+    ("xb", "fs0", "mu_p", "m"),
+    "before a bond breaks the energy knows neither strength nor mass, and through failure only the "
+    "balance is known; strengths are judged by close-packed-strength",
+)
 RUNGS = tuple(Knobs(dt=8e-8 / 2**i) for i in range(4))
 LEVELS = {Level.QUICK: RUNGS[:2], Level.DEFAULT: RUNGS, Level.PAPER: RUNGS}
 BALANCE = "E_e + E_k + Q_v + Q_bn + Q_bs + Q_f - W does not change (Eqs. 16 to 26)"
@@ -196,15 +208,17 @@ CASE = Case(
     ),
     parameters=(*BRITTLE, Parameter("rate", 0.6, "1/s", "strain rate, tension positive")),
     variants=(
-        Variant("pulled-82", "82 elements, pulled in two", BALANCE),
+        Variant("pulled-82", "82 elements, pulled in two", BALANCE, unseen=STRONG),
         *(
-            Variant(f"pulled-{size}", f"{size} elements", BALANCE, level=Level.PAPER)
+            Variant(
+                f"pulled-{size}", f"{size} elements", BALANCE, level=Level.PAPER, unseen=STRONG
+            )
             for size in (255, 2166)
         ),
         *(
             Variant(
                 f"pressed-{size}", f"{size} elements, pressed until they slide", BALANCE,
-                {"rate": -8.0}, level=Level.QUICK if size == 82 else Level.PAPER,
+                {"rate": -8.0}, level=Level.QUICK if size == 82 else Level.PAPER, unseen=STRONG,
             )
             for size in (82, 2166)
         ),

@@ -160,12 +160,16 @@ RUNGS = {
     Level.PAPER: (Knobs(dt=1e-7), Knobs(dt=5e-8), Knobs(dt=2.5e-8)),
 }
 BALANCE = "sum over bonds (kn n n + ks (1 - n n)) (u_j - u_i) = 0 between the platens"
+NO_SIZE = {
+    "d": "forces per displacement are those of the springs, whatever the size of the elements",
+    "strain": "the answer is linear: E and nu do not change with the strain",
+}
 RUN_AT = {Level.QUICK: (82,), Level.DEFAULT: (255, 580, 1105), Level.PAPER: (2166, 5461)}
 VARIANTS = (
     *(
         Variant(
             f"{n}", f"{n} elements of quartzite, which do not turn", BALANCE,
-            inert=frozenset({"m"}), level=level,
+            inert=frozenset({"m"}), level=level, unseen=NO_SIZE,
         )
         for level, sizes in RUN_AT.items()
         for n in sizes
@@ -173,6 +177,7 @@ VARIANTS = (
     Variant(
         "82-turning", "82 elements, free to turn, which the paper's are not",
         f"{BALANCE}, u less (d/2) (w_i + w_j) x n", inert=frozenset({"m"}), level=Level.DEFAULT,
+        unseen=NO_SIZE,
     ),
 )  # fmt: skip
 CASE = Case(

@@ -167,6 +167,8 @@ LEVELS = {Level.QUICK: RUNGS[:2], Level.DEFAULT: RUNGS[:2], Level.PAPER: RUNGS}
 OPENING = "the most stretched bond of the linear lattice has the stretch xb"
 SLIDING = "C_u of the unit (1 + 1/(6n - 6)), n elements a row: all inclined bonds slide at once"
 IN_BALANCE = frozenset({"m", "rate", "platen"})
+PULLED = IN_BALANCE | {"fs0", "mu_p"}
+NO_SIZE = {"d": "the force at which a bond opens, kn xb, knows no size, and is taken over an area"}
 CASE = Case(
     name="close-packed-strength",
     title="Close-packed blocks to failure",
@@ -187,9 +189,12 @@ CASE = Case(
         Parameter("rate", 0.6, "1/s", "strain rate of the slower block, tension positive"),
     ),
     variants=(
-        Variant("pulled-82", "82 elements, pulled in two", OPENING, inert=IN_BALANCE),
+        Variant("pulled-82", "82 elements, pulled in two", OPENING, inert=PULLED, unseen=NO_SIZE),
         *(
-            Variant(f"pulled-{n}", f"{n} elements", OPENING, inert=IN_BALANCE, level=Level.PAPER)
+            Variant(
+                f"pulled-{n}", f"{n} elements", OPENING, inert=PULLED, level=Level.PAPER,
+                unseen=NO_SIZE,
+            )
             for n in (255, 580, 1105, 2166, 10985, 37681)
         ),
         *(

@@ -258,7 +258,7 @@ CASE = Case(
     variants=(
         Variant(
             "pulled", "to where the inclined bonds open", "X_n1 = xb on the path of balances",
-            inert=frozenset({"m", "eta", "rate"}),
+            inert=frozenset({"m", "eta", "rate", "fs0", "mu_p"}),
         ),
         Variant(
             "pressed", "to where the base opens, and on to where the inclined bonds slide",

@@ -281,35 +281,43 @@ SWUNG: Judge = Exact(
 )  # fmt: skip
 
 PATH = "3 (Fn1 cos a + Fs1 sin a) = Fz, Fn1 sin a - Fs1 cos a + sqrt3 Fn2 = 0, S' = -L a'"
+LOADED = {
+    "kn": "the load is that of the strain, and grows with kn: the unit deforms alike; a code with "
+    "the load right and kn wrong is 1 % off in E",
+}
 IN_BALANCE = frozenset({"m", "eta"})
 GAMMAS = (0.0, 0.25, 0.5, 1.0)
 VARIANTS = (
-    Variant("pulled", "quartzite, pulled to a strain of 1e-6", PATH, inert=IN_BALANCE),
-    Variant("pressed", "quartzite, pressed", PATH, {"strain": -1e-6}, inert=IN_BALANCE),
+    Variant(
+        "pulled", "quartzite, pulled to a strain of 1e-6", PATH, inert=IN_BALANCE, unseen=LOADED
+    ),
+    Variant(
+        "pressed", "quartzite, pressed", PATH, {"strain": -1e-6}, inert=IN_BALANCE, unseen=LOADED
+    ),
     *(
         Variant(
             f"gamma-{gamma:g}", f"ks = {gamma:g} kn, pulled", PATH, {"gamma": gamma},
-            inert=IN_BALANCE, level=Level.DEFAULT if gamma else Level.QUICK,
+            inert=IN_BALANCE, unseen=LOADED, level=Level.DEFAULT if gamma else Level.QUICK,
         )
         for gamma in GAMMAS
     ),
     *(
         Variant(
             f"gamma-{gamma:g}-pressed", f"ks = {gamma:g} kn, pressed", PATH,
-            {"gamma": gamma, "strain": -1e-6}, inert=IN_BALANCE, level=Level.PAPER,
+            {"gamma": gamma, "strain": -1e-6}, inert=IN_BALANCE, unseen=LOADED, level=Level.PAPER,
         )
         for gamma in GAMMAS
     ),
     *(
         Variant(
             f"{way}-more", f"quartzite, {way} ten times as far", PATH, {"strain": strain},
-            inert=IN_BALANCE, level=Level.PAPER,
+            inert=IN_BALANCE, unseen=LOADED, level=Level.PAPER,
         )
         for way, strain in (("pulled", 1e-5), ("pressed", -1e-5))
     ),
     Variant(
         "turning", "elements free to turn, which the paper's are not: E is lower by 11.8 %",
-        f"{PATH}, Fs1 = 0", inert=IN_BALANCE | {"gamma"},
+        f"{PATH}, Fs1 = 0", inert=IN_BALANCE | {"gamma"}, unseen=LOADED,
     ),
     Variant(
         "breathing", "free in space, all bonds swing as one; no bond turns, at any amplitude",

@@ -107,6 +107,10 @@ def _judged(unit: float) -> dict[Method, Tolerance]:
     }
 
 
+BRIEF = (
+    "contacts last 2 ms, and 1 % of that changes a path by 1e-5 of the gap, less than steps do; "
+    "what is judged is that no contact is missed"
+)
 CASE = Case(
     name="crowd",
     title="A crowd of pairs",
@@ -123,7 +127,8 @@ CASE = Case(
         Parameter("v", 2.0, "m/s", "speed at which a pair comes together"),
     ),
     variants=(
-        Variant("pairs", "72 spheres, 36 collisions", "u = v/w sin(wt) in contact, w^2 = 2 kn/m"),
+        Variant("pairs", "72 spheres, 36 collisions", "u = v/w sin(wt) in contact, w^2 = 2 kn/m",
+                unseen=dict.fromkeys(("m", "kn"), BRIEF)),
     ),
     declare=_declare,
 )  # fmt: skip

@@ -95,6 +95,10 @@ GRAZES = (
     "the largest shear force equals the limit of friction to the last digit: the sign of an error "
     "decides whether it slips, so that the number of slips does not converge with the step"
 )
+COUNTED = (
+    "slips are counted, one at any parameters: the wall is pressed in as far as they need; the "
+    "path is that of single-contact:T3"
+)
 CASE = Case(
     name="grazing",
     title="Grazing the limit of friction",
@@ -104,6 +108,14 @@ CASE = Case(
         "amplitude y1 = mu kn dx/ks, at which the shear force is mu Fn and the velocity zero.",
     ),
     parameters=tuple(one for one in SINGLE_CONTACT.parameters if one.name in OWN),
-    variants=(Variant("T3", SHEAR.summary, SHEAR.formula, inert=SHEAR.inert - {"v_a"}),),
+    variants=(
+        Variant(
+            "T3",
+            SHEAR.summary,
+            SHEAR.formula,
+            inert=SHEAR.inert - {"v_a"},
+            unseen=dict.fromkeys(("rho", "r", "ks", "eta", "v_b"), COUNTED),
+        ),
+    ),
     declare=_declare,
 )

@@ -1,4 +1,4 @@
-"""A sheet of spheres with friction at rest in a box, left undisturbed or given velocities."""
+"""A sheet of spheres with friction at rest in a box, and one that friction alone holds up."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ import functools
 import numpy as np
 
 from cases._papers import LI_2018
-from reference_solutions.contact import resting_lattice
+from reference_solutions.contact import held_sphere, resting_lattice
 from vv.ask import Displacement, History, Knobs, Method, Run, Velocity
 from vv.case import (
     Case,
@@ -18,6 +18,7 @@ from vv.case import (
     Parameters,
     Quantity,
     Scalar,
+    Series,
     Shown,
     Source,
     Tolerance,
@@ -61,7 +62,42 @@ def _knock(count: int) -> Vector:
     return np.stack([np.cos(angle), np.sin(angle)], axis=1)
 
 
+def _held_scene(p: Parameters) -> Scene:
+    """One sphere pressed between two upright walls; it may fall and turn."""
+    half = RADIUS * (1 - p["squeeze"])
+    sphere = Spheres(
+        position=np.zeros((1, 3)),
+        velocity=np.zeros((1, 3)),
+        radius=np.array([RADIUS]),
+        mass=np.array([p["m"]]),
+        free=np.array([[True, False, True]]),
+        free_spin=np.ones((1, 3), bool),
+    )
+    walls = Wall(-half * X, X), Wall(half * X, -X)
+    return Scene((*walls, sphere), Contact(p["kn"], p["ks"], p["mu"]), gravity=-p["g"] * Z)
+
+
+def _held_up(p: Parameters) -> Trial:
+    """It swings on its shear springs, or slides where friction does not bear its weight."""
+
+    def height(t: Vector) -> Vector:
+        law = {name: p[name] for name in ("m", "ks", "mu", "g")}
+        return held_sphere.height(t, pressed=p["kn"] * RADIUS * p["squeeze"], **law)
+
+    unit = float(np.sqrt(p["m"] / (2 * p["ks"])))
+    seen = Displacement(2)
+    sunk = Series(
+        "z", "z", "m", "displacement upwards", lambda run: np.asarray(run.values[seen] @ Z),
+        height, _swings(unit),
+    )  # fmt: skip
+    rungs = tuple(Knobs(dt=step * unit) for step in SWINGS)
+    levels = {Level.QUICK: rungs[:2], Level.DEFAULT: rungs, Level.PAPER: rungs}
+    return Trial(Ladder(_held_scene(p), History(LASTS * unit, unit / 4), (seen,), levels), (sunk,))
+
+
 def _declare(variant: str, p: Parameters) -> Trial:
+    if variant == "held":
+        return _held_up(p)
     scene = _scene(p)
     bodies = range(FIRST, FIRST + len(scene.spheres))
     moved = tuple(Displacement(body) for body in bodies)
@@ -147,6 +183,26 @@ def _held(scene: Scene, run: Run) -> Vector:
     return np.asarray(motion + springs - u @ scene.gravity @ spheres.mass)
 
 
+def _swings(unit: float) -> Exact:
+    """unit: 1/w [s]."""
+    coarsest = SWINGS[0]
+    second = Tolerance(
+        coarsest**2 / 24 * LASTS / 2 + coarsest**2 / 4,
+        "the swing runs late by (w dt)^2/24 of its phase, which half its size turns into an error, "
+        "and is off by a part of (w dt)^2 at its start",
+        dt=coarsest * unit,
+        order=2,
+    )
+    late = Tolerance(
+        0.4 * coarsest, "a weight that sets in half a step late shifts the swing by w dt/2, of "
+        "which its speed makes half", dt=coarsest * unit, order=1,
+    )  # fmt: skip
+    exact = Tolerance(1e-12, "no event: a swing, to rounding")
+    return Exact({Method.EXACT: exact, Method.SECOND_ORDER: second, Method.FIRST_ORDER: late})
+
+
+SWINGS, LASTS = (0.05, 0.025, 0.0125), 20.0  # steps and duration, times w
+HOLDS = 1.005  # friction over what the swing asks of it at its lowest: 1 % less, and it slips
 STEPS = (2e-4, 1e-4, 5e-5)  # s; the quickest swing takes about 2e-3 s
 STILL = Tolerance(
     1e-9,
@@ -177,6 +233,14 @@ NOTHING = Exact(dict.fromkeys(BOTH, Tolerance(
 LEFT = Shown(
     "the energy dissipated depends on every single slip; codes may be compared with each other"
 )
+HELD_BY = HOLDS * 1.3 * 9.81 / (0.3 * 1e6 * RADIUS)  # of the radius: mu N = HOLDS m g
+STEADY = dict.fromkeys(
+    ("n", "rows", "m", "kn", "ks", "mu", "g", "squeeze"),
+    "the positions of rest are made of them; what is judged is that nothing moves",
+)
+LOST_ONLY = dict.fromkeys(
+    (*STEADY, "v"), "what is judged is that energy is only lost, at any size of what is lost"
+)
 KNOCKED = "E(t) <= E(s) for any s < t, E of motion, weight and springs"
 CASE = Case(
     name="resting",
@@ -198,15 +262,23 @@ CASE = Case(
         Parameter("v", 0.0, "m/s", "speed of each sphere at the start"),
     ),
     variants=(
-        Variant("still", "left undisturbed for 0.1 s", "u = 0"),
+        Variant("still", "left undisturbed for 0.1 s", "u = 0", unseen=STEADY),
         Variant(
             "knocked", "every sphere is given a velocity in another direction, for 0.1 s",
-            KNOCKED, {"v": 0.02},
+            KNOCKED, {"v": 0.02}, unseen=LOST_ONLY,
+        ),
+        Variant(
+            "held",
+            "a sphere pressed between two walls, which friction holds up by 0.5 % more than it "
+            "needs: with 1 % less it slips, with none it falls",
+            "z = -(m g/2 ks)(1 - cos wt), w^2 = 2 ks/m, while m g < mu N; N = kn r squeeze",
+            {"squeeze": HELD_BY}, frozenset({"n", "rows", "kn", "mu", "squeeze"}),
         ),
         Variant(
             "booked",
             "the same, judged by the energies that the code reports, with spins and shear springs",
             f"{KNOCKED}; Q(t) >= Q(s), Q the energy dissipated by friction", {"v": 0.02},
+            unseen=LOST_ONLY,
         ),
     ),
     declare=_declare,

@@ -37,6 +37,7 @@ MOVED = ((0.10, 0.31, 0.4), (0.08, 0.57, -1.1), (0.12, 0.43, 2.0))
 SHAKEN = ((0.05, 0.47, 1.3), (0.06, 0.29, -0.5), (0.04, 0.61, 0.2))
 LASTS, SEEN = 40.0, 0.2  # duration, and time between outputs, times w
 STEPS = (0.2, 0.1, 0.05, 0.025)  # times w
+RUNGS = {Level.QUICK: STEPS[:3:2], Level.DEFAULT: STEPS[:3], Level.PAPER: STEPS}
 
 
 def _rate(p: Parameters) -> float:
@@ -120,8 +121,7 @@ def _declare(variant: str, p: Parameters) -> Trial:
         for i, word in enumerate(("first", "second", "third")[: 2 if one else 3])
     ]
     levels = {
-        level: tuple(Knobs(dt=step * unit) for step in STEPS[:rungs])
-        for level, rungs in ((Level.QUICK, 2), (Level.DEFAULT, 3), (Level.PAPER, 4))
+        level: tuple(Knobs(dt=step * unit) for step in steps) for level, steps in RUNGS.items()
     }
     ladder = Ladder(scene, goal, (seen,), levels)
     return Trial(ladder, (*parts, motion.distance(judge), _balance(unit)))

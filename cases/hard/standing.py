@@ -172,6 +172,8 @@ FALLS = Exact(
     not_judged=dict.fromkeys(SPRUNG, HINGED),
 )  # fmt: skip
 FOR_ARCHES = frozenset({"part"})
+STEADY = "what stands does so at any size and weight, and with any friction that is enough"
+STACKED = dict.fromkeys(("size", "n", "mu", "g"), STEADY)
 CASE = Case(
     name="standing",
     title="Stacks and an arch that stand, and one that falls",
@@ -191,14 +193,15 @@ CASE = Case(
         Parameter("g", 9.81, "m/s2", "gravity"),
     ),
     variants=(
-        Variant("stack-10", "ten cubes for 10 s", "u = 0", {}, FOR_ARCHES),
+        Variant("stack-10", "ten cubes for 10 s", "u = 0", {}, FOR_ARCHES, unseen=STACKED),
         Variant(
-            "stack-20", "twenty cubes for 10 s", "u = 0", {"n": 20.0}, FOR_ARCHES, Level.DEFAULT
+            "stack-20", "twenty cubes for 10 s", "u = 0", {"n": 20.0}, FOR_ARCHES, Level.DEFAULT,
+            STACKED,
         ),
         Variant(
             "arch", "ten voussoirs, t/R 1 % above the smallest that stands, for 1 s",
             "u = 0 for t > t_min",
-            {"mu": 1.0}, frozenset({"n"}),
+            {"mu": 1.0}, frozenset({"n"}), unseen=dict.fromkeys(("size", "mu", "g"), STEADY),
         ),
         Variant(
             "arch-thin",
@@ -207,7 +210,8 @@ CASE = Case(
             frozenset({"n", "mu"}), Level.DEFAULT,
         ),
         Variant(
-            "stack-100", "a hundred cubes for 10 s", "u = 0", {"n": 100.0}, FOR_ARCHES, Level.PAPER
+            "stack-100", "a hundred cubes for 10 s", "u = 0", {"n": 100.0}, FOR_ARCHES, Level.PAPER,
+            STACKED,
         ),
     ),
     declare=_declare,

@@ -97,7 +97,7 @@ CASE = Case(
     ),
     parameters=tuple(one for one in UNIT.parameters if one.name in ("kn", "gamma", "d", "m")),
     variants=(
-        Variant("unit", "four elements, six bonds", FORMULA, inert=frozenset({"d"})),
+        Variant("unit", "four elements, six bonds", FORMULA, inert=frozenset({"d", "gamma"})),
         Variant(
             "lattice-82",
             "82 elements, close-packed",

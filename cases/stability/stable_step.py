@@ -153,6 +153,7 @@ AT_LEAST = Interval(
 )
 SWING = "m y'' = -k y - eta y', w^2 = k/m, n = eta/2m: a leapfrog is stable up to {}"
 LIMIT = SWING.format("2/w")
+HELD = frozenset({"kn", "mu", "dx", "v"})  # friction enough, and a swing of any size
 ALONE, FREE = frozenset({"ratio", "g"}), {"eta": 0.0}
 MASSES = {"m": 1.0, "kn": 1e6, "ks": 0.0, "mu": 0.0, "dx": 1e-2, **FREE}
 CASE = Case(
@@ -179,12 +180,18 @@ CASE = Case(
         Parameter("g", 9.81, "m/s2", "gravity, on the block alone"),
     ),
     variants=(
-        Variant("undamped", "a sphere swings along a wall on its shear spring", LIMIT, FREE, ALONE),
+        Variant(
+            "undamped",
+            "a sphere swings along a wall on its shear spring",
+            LIMIT,
+            FREE,
+            ALONE | HELD,
+        ),
         Variant(
             "viscous",
             "the same with drag",
             SWING.format("2/w with drag at the middle, 2 (sqrt(n^2 + w^2) - n)/w^2 with drag late"),
-            inert=ALONE,
+            inert=ALONE | HELD,
         ),
         *(
             Variant(
@@ -192,7 +199,9 @@ CASE = Case(
                 f"two spheres pressed on each other, mass ratio {name}",
                 LIMIT.replace("k/m", "k (1/m + 1/M)"),
                 {**MASSES, "ratio": ratio},
+                frozenset({"dx", "v", "g"}),
                 level=Level.QUICK if ratio == 1e6 else Level.DEFAULT,
+                unseen={"ratio": "beside a mass so much larger, the lesser one swings alone"},
             )
             for name, ratio in (("1e3", 1e3), ("1e6", 1e6))
         ),
@@ -201,6 +210,7 @@ CASE = Case(
             "a block on a base that begins to heave; the contact is rigid, kn stands in for it",
             LIMIT,
             {"m": 2500.0, "kn": 1e8, "ks": 0.0, "mu": 0.0, "dx": 0.0, **FREE},
+            frozenset({"ratio", "v", "g"}),
         ),
     ),
     declare=_declare,

@@ -45,7 +45,8 @@ class Variant:
 
     formula: the equations of the exact answer, as text. defaults: parameters whose default
     differs from the case's. inert: parameters that do not affect the exact answer. level: the
-    lowest level at which the variant runs.
+    lowest level at which the variant runs. unseen: parameters, not inert, of which 1 % more or less
+    in a code shows in no quantity, each with the reason.
     """
 
     name: str
@@ -54,6 +55,7 @@ class Variant:
     defaults: Parameters = field(default_factory=lambda: NO_DEFAULTS)
     inert: frozenset[str] = frozenset()
     level: Level = Level.QUICK
+    unseen: Mapping[str, str] = field(default_factory=dict)
 
     def runs_at(self, level: Level) -> bool:
         """Whether the variant runs at a level."""

@@ -35,8 +35,11 @@ def _explain_variant(
     scene, values = trial.study.scene, case.defaults(name)
     say("", f"{case.name}:{name}: {variant.summary}", f"  formula: {variant.formula}")
     for p in case.parameters:
-        inert = "  (inert)" if p.name in variant.inert else ""
-        say(f"  {p.name} = {values[p.name]:g} {p.unit}  {p.meaning}{inert}")
+        hidden = variant.unseen.get(p.name)
+        note = (
+            "  (inert)" if p.name in variant.inert else f"  (not seen: {hidden})" if hidden else ""
+        )
+        say(f"  {p.name} = {values[p.name]:g} {p.unit}  {p.meaning}{note}")
     terms = ", ".join(sorted(term.value for term in scene.terms()))
     say(f"  terms: {terms}", f"  unknowns: {scene.unknowns()}")
     for quantity in trial.quantities:

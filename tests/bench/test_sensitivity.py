@@ -1,0 +1,40 @@
+"""Each parameter of each case, 1 % off in an in-house code, fails a tolerance or is said not to."""
+
+from pathlib import Path
+
+import pytest
+
+from bench import sensitivity
+from vv.case import Case, Level, Shown
+from vv.plan.project import find
+
+PROJECT = find(Path(__file__))
+CASES = [PROJECT.load_case(name) for name in PROJECT.case_names()]
+ADAPTERS = sensitivity.in_house(PROJECT)
+
+
+def judged(case: Case, variant: str) -> bool:
+    """Whether anything of a variant is judged; of maps nothing is."""
+    trial = case.declare(variant, case.defaults(variant))
+    return not all(isinstance(one.judge, Shown) for one in trial.quantities)
+
+
+@pytest.mark.parametrize("case", CASES, ids=lambda case: case.name)
+def test_one_percent_off_is_seen(case: Case) -> None:
+    quick = [one.name for one in case.variants if one.runs_at(Level.QUICK)]
+    found = {
+        name: sensitivity.unseen(case, name, ADAPTERS, Level.QUICK)
+        for name in quick
+        if judged(case, name)
+    }
+    assert {name: left for name, left in found.items() if left} == {}
+
+
+@pytest.mark.parametrize("case", CASES, ids=lambda case: case.name)
+def test_what_is_said_to_be_unseen_has_a_reason_and_is_neither_inert_nor_unknown(
+    case: Case,
+) -> None:
+    names = {parameter.name for parameter in case.parameters}
+    for variant in case.variants:
+        assert variant.unseen.keys() <= names - variant.inert
+        assert all(len(reason) > 20 for reason in variant.unseen.values())
