@@ -23,7 +23,7 @@ def runs(tiny: Tiny, *words: str) -> int:
     log = tiny.root / "log"
     log.write_text("")
     done = tiny.vv(*(words or SELECTION), FAKE_LOG=str(log))
-    assert done.returncode == 0, done.stderr
+    assert done.returncode in (0, Bit.ACCURACY), done.stderr  # wrong results are kept as well
     return len(log.read_text().splitlines())
 
 
@@ -99,7 +99,7 @@ def test_a_code_is_not_asked_whether_it_refuses_what_stands_until_it_is_edited(t
     tiny.edit("cases/fall.py", "the tiny project says so", "it says so still")
     assert runs(tiny, *words) == 3
     tiny.edit("adapters/fake.py", 'if scheme == "refuses"', 'if scheme == "good"')
-    assert "3 pass, 3 refused" in tiny.vv(*words, FAKE_LOG=os.devnull).stdout
+    assert "3 pass, 3 not supported" in tiny.vv(*words, FAKE_LOG=os.devnull).stdout
 
 
 def test_a_failure_is_never_kept(tiny: Tiny) -> None:

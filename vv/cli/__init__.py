@@ -19,6 +19,7 @@ from vv.base.errors import UsageError
 from vv.cli import (
     baseline_commands,
     check_command,
+    docs_command,
     export_command,
     gate_command,
     papers_command,
@@ -59,7 +60,11 @@ GROUPS: dict[str, dict[str, Callable[..., None]]] = {
         "accept": baseline_commands.accept,
         "record": baseline_commands.record,
     },
-    "Extend": {"check": check_command.check, "export": export_command.export},
+    "Extend": {
+        "check": check_command.check,
+        "export": export_command.export,
+        "docs": docs_command.docs,
+    },
 }
 
 

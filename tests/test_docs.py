@@ -1,0 +1,91 @@
+"""Claims of README, tutorials and gallery: their commands run, and they show what comes of it."""
+
+from __future__ import annotations
+
+import re
+import shlex
+from pathlib import Path
+
+import pytest
+
+from tests import ROOT
+from tests.conftest import Tiny
+from tests.support.installed import require
+from vv.cli.docs_command import case_pages, code_pages
+from vv.plan.project import Project
+
+PAGES = ("choose-a-code.md", "test-my-code.md", "in-ci.md")
+GALLERY = ROOT / "docs" / "gallery"
+LINK = re.compile(r"\]\((?!https?:)([^)#]+)\)")
+
+
+def written(page: Path, kind: str) -> list[str]:
+    """The blocks of a kind in a page."""
+    return re.findall(rf"^```{kind}\n(.*?)^```$", page.read_text(), re.MULTILINE | re.DOTALL)
+
+
+@pytest.mark.parametrize("page", PAGES)
+def test_the_commands_of_a_tutorial_run_in_a_project_of_one_s_own(
+    page: str, tmp_path: Path
+) -> None:
+    (tmp_path / "vv.toml").touch()
+    (tmp_path / "cases").mkdir()
+    mine = Tiny(tmp_path)
+    commands = [line for b in written(ROOT / "docs" / page, "console") for line in b.splitlines()]
+    assert len(commands) > 4
+    for command in commands:
+        program, *words = shlex.split(command)
+        done = mine.vv(*words)
+        assert (program, done.returncode) == ("vv", 0), f"{command}\n{done.stdout}{done.stderr}"
+
+
+def test_the_readme_shows_what_its_first_command_prints(tmp_path: Path) -> None:
+    for name in ("yade", "liggghts"):
+        require(Project(ROOT).load_adapter(name))
+    blocks = written(ROOT / "README.md", "")
+    (command,) = [line for line in blocks[0].splitlines() if " run " in line]
+    (tmp_path / "vv.toml").touch()
+    (tmp_path / "cases").mkdir()
+    done = Tiny(tmp_path).vv(*shlex.split(command)[1:])
+    assert done.returncode == 0
+    assert bare(blocks[1]) == bare(done.stdout)[: len(bare(blocks[1]))]
+
+
+def bare(text: str) -> list[list[str]]:
+    """The words of each line but what depends on the machine: costs, and last digits of errors."""
+    rows = [re.sub(r"~\S+ [mu]?s", "", line).split() for line in text.strip().splitlines()]
+    return [[re.sub(r"^(\d)\.\de", r"\1e", word) for word in row] for row in rows]
+
+
+def test_the_gallery_is_what_cases_and_codes_declare() -> None:
+    project = Project(ROOT)
+    files = {**case_pages(project, project.case_names()), **code_pages(project)}
+    kept = {path.relative_to(GALLERY) for path in GALLERY.rglob("*") if path.is_file()}
+    assert kept == files.keys(), "run `vv docs`"
+    stale = [str(place) for place, text in files.items() if (GALLERY / place).read_text() != text]
+    assert not stale, "run `vv docs`"
+
+
+@pytest.mark.parametrize("page", ["README.md", *(f"docs/{p}" for p in (*PAGES, "python.md"))])
+def test_links_within_the_project_lead_somewhere(page: str) -> None:
+    place = ROOT / page
+    links = LINK.findall(place.read_text())
+    assert links
+    assert not [link for link in links if not (place.parent / link).exists()]
+
+
+def test_links_within_the_gallery_lead_somewhere() -> None:
+    lost = [
+        f"{page.relative_to(GALLERY)}: {link}"
+        for page in GALLERY.rglob("*.md")
+        for link in LINK.findall(page.read_text())
+        if not (page.parent / link).exists()
+    ]
+    assert not lost
+
+
+def test_every_column_of_the_table_of_results_is_explained() -> None:
+    from vv.output.table import table
+
+    page = (ROOT / "docs" / "python.md").read_text()
+    assert not [name for name in table([]).columns if f"`{name}`" not in page]

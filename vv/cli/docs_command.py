@@ -1,0 +1,155 @@
+"""The command that writes the gallery: `vv docs`, a page for each case and each code."""
+
+from __future__ import annotations
+
+import shutil
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from vv.base.errors import UsageError
+from vv.base.files import write_whole
+from vv.case import Level
+from vv.cli import options
+from vv.output.terminal import say
+from vv.plan.project import Project, find
+
+if TYPE_CHECKING:
+    from vv.case import Case
+    from vv.output.gallery.case_page import Answers
+
+DRAWN = 4  # scenes of a case; more would tell nothing new
+Files = dict[Path, str]  # place in the gallery -> text
+
+
+def docs(
+    selection: options.Selection = None,
+    output: Annotated[
+        Path, typer.Option("--output", metavar="DIR", help="The folder to write.")
+    ] = Path("docs/gallery"),
+    picture: Annotated[
+        Path | None,
+        typer.Option(
+            "--picture",
+            metavar="FILE",
+            help="Write error against cost of CASE:VARIANT, as last timed, and no page.",
+        ),
+    ] = None,
+    codes: options.Codes = "*",
+) -> None:
+    """Write the gallery: a page for each case and each code, made of what they declare."""
+    project = find()
+    if picture is not None:
+        _picture(project, selection or [], options.codes(codes), picture)
+        return
+    names = _cases(project, selection or ["*"])
+    files = {**case_pages(project, names), **({} if selection else code_pages(project))}
+    if not selection:
+        shutil.rmtree(output / "cases", ignore_errors=True)  # of cases that are no more
+    for place, text in files.items():
+        path = output / place
+        path.parent.mkdir(parents=True, exist_ok=True)
+        write_whole(path, text.encode())
+    say(f"{len(files)} files in {output}")
+
+
+def _cases(project: Project, selection: Sequence[str]) -> list[str]:
+    from vv.plan.selection import select
+
+    return list(dict.fromkeys(case.name for case, _ in select(project, selection)))
+
+
+def case_pages(project: Project, names: Sequence[str]) -> Files:
+    """The pages and drawings of cases."""
+    return dict(file for name in names for file in _of_case(project, name))
+
+
+def _of_case(project: Project, name: str) -> Iterator[tuple[Path, str]]:
+    from vv.output.gallery.case_page import CasePage
+    from vv.plan.plan import Options, make_plan
+    from vv.run.dossier import dossier
+
+    case = project.load_case(name)
+    first = min((variant.level for variant in case.variants), key=lambda level: level.rank)
+    level = max(first, Level.DEFAULT, key=lambda level: level.rank)
+    plan = make_plan(project, [name], Options(level))
+    drawn: dict[str, str] = {}
+    scenes: dict[str, str] = {}
+    for (_, variant), trial in plan.trials.items():
+        if len(scenes) < DRAWN and (text := _drawing(trial.study.scene)) and text not in scenes:
+            scenes[text] = f"{name}-{variant}.svg"
+            drawn[variant] = scenes[text]
+    page = CasePage(case, project.family(name), dossier(case, plan), drawn, _answers(project, case))
+    yield Path("cases", f"{name}.md"), page.text()
+    for text, file in scenes.items():
+        yield Path("cases", file), text
+
+
+def _drawing(scene: object) -> str:
+    from vv.output.scene_drawing import drawing
+    from vv.scene import Scene
+
+    return drawing(scene) if isinstance(scene, Scene) else ""
+
+
+def _answers(project: Project, case: Case) -> Answers:
+    from vv.gate.answers import accepted
+
+    return accepted(project, case.name) or {}
+
+
+def code_pages(project: Project) -> Files:
+    """The pages of codes, and the page that lists cases and codes."""
+    from vv.gate.disagreement import read_disagreements
+    from vv.output.gallery.code_page import CodePage
+    from vv.output.gallery.index_page import index
+
+    cases = [project.load_case(name) for name in project.case_names()]
+    answers = {case.name: _answers(project, case) for case in cases}
+    adapters = [project.load_adapter(name) for name in project.adapter_names()]
+    known = [
+        entry
+        for root in project.roots
+        for entry in read_disagreements(root / "cases" / "disagreements.toml")
+    ]
+    files: Files = {Path("README.md"): index(cases, project.families(), adapters)}
+    for adapter in adapters:
+        own = [
+            (one.case, ", ".join(one.variants), one.reason)
+            for one in known
+            if one.code == adapter.name
+        ]
+        files[Path("codes", f"{adapter.name}.md")] = CodePage(adapter, answers, own).text()
+    return files
+
+
+def _picture(
+    project: Project, selection: Sequence[str], codes: tuple[str, ...], file: Path
+) -> None:
+    """Draw error against cost of one variant, as it was last timed."""
+    from vv.insight.effort import efforts
+    from vv.output.gallery.error_cost import picture
+    from vv.plan.selection import choose_schemes, named_adapters, select
+    from vv.store.store import Store
+
+    chosen = select(project, selection)
+    if len(chosen) != 1:
+        raise UsageError(f"--picture takes one CASE:VARIANT, not {len(chosen)}")
+    (case, variant), labels = (
+        (chosen[0][0].name, chosen[0][1]),
+        [
+            f"{adapter.name}/{scheme.name}"
+            for adapter, scheme in choose_schemes(named_adapters(project, codes), codes)
+        ],
+    )
+    store = Store(project.data())
+    for name in reversed(store.manifests()):
+        every = efforts(store.manifest(name))
+        own = [e for e in every if (e.case, e.variant) == (case, variant) and e.label in labels]
+        if own:
+            picture(own, f"{case}:{variant}", file)
+            say(f"{file}, of run {name}")
+            return
+    raise UsageError(f"{case}:{variant} was never timed; `vv speed {case}:{variant}` times it")

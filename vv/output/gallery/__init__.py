@@ -1,0 +1,1 @@
+"""Pages on cases and codes, made of what these declare, in Markdown."""
