@@ -4,7 +4,7 @@
 help:
 	@echo "make run    set up, run every case in every code found, print the report's path"
 	@echo "make test   set up, then lint, types and tests"
-	@echo "make gate   set up, judge every case quickly: .vv/gate.md, .vv/gate.xml, .vv/report.html"
+	@echo "make gate   set up, judge every case quickly: .vv/gate.md, .vv/gate.xml, .vv/report/index.html"
 	@echo "make setup  the virtual environment in .venv; YADE and LIGGGHTS where apt may"
 	@echo "make lock   renew requirements.lock from pyproject.toml"
 	@echo "make clean  remove .venv and everything generated"

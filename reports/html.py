@@ -1,20 +1,18 @@
-"""Writes the report of an invocation: one HTML file that needs nothing but itself."""
+"""Writes the report of an invocation: a folder of pages that need nothing but each other."""
 
 from __future__ import annotations
 
 import dataclasses
 import functools
 import hashlib
-from collections.abc import Callable, Mapping, Sequence
+import json
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
-from reports.charts import Chart
-from reports.gallery import Draw
-from reports.maps import HeatMap
-from reports.views import Page
+from reports.book import Book
 from vv.base import closure
-from vv.base.files import write_output
+from vv.base.files import write_output, write_whole
 from vv.base.printable import printable
 from vv.insight import history as histories
 from vv.insight.history import Point
@@ -25,112 +23,141 @@ from vv.store.store import Store
 
 HERE = Path(__file__).parent
 TOOL = Path(closure.__file__).parents[2]  # below which the modules that a report leans on lie
-HEAD = 4096  # characters within which a report names the digest of its inputs
+ASSETS = ("report.css", "report.js")
+FRONT = "index.html"
+STAMPS = "stamps.json"  # name of a file -> digest of what it was made from, and of the file
 
 
-def build(manifest: Manifest, store: Store, output: Path) -> Path:
-    """Write the report of a manifest (with its `name`) to `output`, and return that path.
+@dataclass(frozen=True)
+class File:
+    """A file of the report. made_from: digest of all that it shows; write: makes its content."""
 
-    Reads the manifest, and the series of its records through the store. A file that was made
-    from the same results by the same sources is left as it is: another invocation that was
-    answered by them, at another time, has the same report.
+    name: str
+    made_from: str
+    write: Callable[[], str]
+
+
+def build(manifest: Manifest, store: Store, folder: Path) -> Path:
+    """Write the report of a manifest (with its `name`) into a folder; returns its front page.
+
+    Reads the manifest, and the series of its records through the store. A page that was made
+    from the same results by the same sources, and was not touched since, is left as it is.
     """
-    return _built(manifest, store, output, drawing=_all_drawn)
+    book = _book(manifest, store, whole=False)
+    folder.mkdir(parents=True, exist_ok=True)
+    before, now = _stamps(folder), {}
+    for file in _files(book):
+        path = folder / file.name
+        kept = before.get(file.name)
+        if kept is None or kept != [file.made_from, _digest_of(path)]:
+            content = printable(file.write()).encode()
+            write_whole(path, content)
+            kept = [file.made_from, hashlib.sha256(content).hexdigest()]
+        now[file.name] = kept
+    for name in before.keys() - now.keys():
+        (folder / Path(name).name).unlink(missing_ok=True)
+    if now != before:
+        write_whole(folder / STAMPS, json.dumps(now, indent=0).encode())
+    return folder / FRONT
 
 
-def build_quickly(manifest: Manifest, store: Store, output: Path) -> Path:
-    """As `build`, but with those figures only that were drawn before: drawing costs seconds."""
-    return _built(manifest, store, output, drawing=_none_drawn)
+def build_single(manifest: Manifest, store: Store, cases: Sequence[str], output: Path) -> Path:
+    """Write the report of some cases of a manifest as one file; returns its path."""
+    from reports.environment import whole_page
 
-
-def _all_drawn(view: Callable[[Draw], Page], folder: Path) -> None:
-    """Draw what the view shows and the folder lacks."""
-    from reports.figures import draw_missing
-
-    shown: list[Chart | HeatMap] = []
-
-    def collect(chart: Chart | HeatMap) -> str:
-        shown.append(chart)
-        return ""
-
-    view(collect)
-    draw_missing(shown, folder)
-
-
-def _none_drawn(view: Callable[[Draw], Page], folder: Path) -> None:
-    """Draw nothing."""
-
-
-def _built(
-    manifest: Manifest,
-    store: Store,
-    output: Path,
-    drawing: Callable[[Callable[[Draw], Page], Path], None],
-) -> Path:
-    past = histories.histories(store, manifest.cases, {manifest.name: manifest}, note)
-    stamp = _stamp(manifest, past, drawing.__name__)
-    if _stamp_of(output) != stamp:
-        from reports.figures import drawn_before
-        from reports.page import page
-
-        folder, series = store.root / "figures", functools.cache(store.series)
-        drawing(lambda draw: page(manifest, series, draw, past, stamp), folder)
-        view = page(manifest, series, functools.partial(drawn_before, folder=folder), past, stamp)
-        write_output(output, printable(str(_template().render(page=view))).encode())
+    kept = {name: facts for name, facts in manifest.cases.items() if name in cases}
+    part = dataclasses.replace(
+        manifest,
+        cases=kept,
+        records=tuple(r for r in manifest.records if r.case in kept),
+        findings=tuple(f for f in manifest.findings if f.case in kept),
+        recorded=tuple(r for r in manifest.recorded if r.case in kept),
+    )
+    write_output(output, printable(whole_page(_book(part, store, whole=True))).encode())
     return output
 
 
-@functools.cache
-def _template() -> Any:
-    """The page's template: text is escaped, a misspelt name is an error.
+def _book(manifest: Manifest, store: Store, whole: bool) -> Book:
+    past = histories.histories(store, manifest.cases, {manifest.name: manifest}, note)
+    return Book(manifest, functools.cache(store.series), past, whole)
 
-    It is compiled anew, in a tenth of a second: bytecode kept in a store would be run from there.
-    """
-    import jinja2
 
-    from reports import pieces, text
+def _files(book: Book) -> Iterator[File]:
+    """All files of a report, the front page last: it is there when all that it leads to is."""
+    from reports import environment as env
 
-    environment = jinja2.Environment(
-        loader=jinja2.FileSystemLoader(HERE / "templates"),
-        autoescape=True,
-        undefined=jinja2.StrictUndefined,
-        trim_blocks=True,
-        lstrip_blocks=True,
+    looks = sources()
+    for asset in ASSETS:
+        text = (HERE / "assets" / asset).read_text(encoding="utf-8")
+        yield File(asset, looks, lambda text=text: text)  # type: ignore[misc]
+    for case in book.manifest.cases:
+        name, made_from = book.page_of(case), _of_case(book, case)
+        yield File(name, made_from, functools.partial(env.case_page, book, case))
+        yield File(
+            f"{name.removesuffix('html')}csv",
+            made_from,
+            functools.partial(env.case_csv, book, case),
+        )
+    all_of_it = _of_all(book)
+    for code in env.codes(book):
+        yield File(book.page_of_code(code), all_of_it, functools.partial(env.code_page, book, code))
+    yield File("attention.html", all_of_it, functools.partial(env.attention_page, book))
+    yield File(FRONT, all_of_it, functools.partial(env.front_page, book))
+
+
+def _of_case(book: Book, case: str) -> str:
+    """Digest of all that the page of a case shows."""
+    whole = book.manifest
+    past = [_without_time(point) for point in book.past.get(case, ())]
+    parts = (
+        whole.cases[case],
+        [r for r in whole.records if r.case == case],
+        [f for f in whole.findings if f.case == case],
+        whole.baselines.get(case),
+        [r for r in whole.recorded if r.case == case],
+        past,
+        sorted(whole.external()),
     )
-    for name in (text.sci, text.brief, text.short, text.ratio, text.slug, text.known_columns):
-        environment.filters[name.__name__] = name
-    for piece in (pieces.glyph, pieces.tag, pieces.numbers):
-        environment.globals[piece.__name__] = piece
-    return environment.get_template("report.html.j2")
+    return _digest(parts)
 
 
-def _stamp(manifest: Manifest, past: Mapping[str, Sequence[Point]], drawing: str) -> str:
-    """Digest of all a report shows but the time and the name of the invocation."""
-    circumstances = dataclasses.replace(manifest.provenance, utc="")
-    names = ("cases", "records", "findings", "baselines", "recorded")
-    parts = [getattr(manifest, name) for name in names]
-    before = [
-        (case, point.name, point.closeness, point.cost, point.outcomes)
-        for case, points in past.items()
-        for point in points
-    ]
-    text = codec.render((circumstances, parts, before), sort_keys=True)
-    return hashlib.sha256(f"{_sources()}{drawing}{text}".encode()).hexdigest()
+def _of_all(book: Book) -> str:
+    """Digest of all that the other pages show, but the time and the name of the invocation.
+
+    Another invocation that was answered by the same results has the same report.
+    """
+    circumstances = dataclasses.replace(book.manifest.provenance, utc="")
+    cases = [_of_case(book, case) for case in book.manifest.cases]
+    return _digest((circumstances, cases, book.manifest.findings))
 
 
-def _stamp_of(output: Path) -> str:
-    """The digest that a report names in its head; empty if there is none."""
+def _without_time(point: Point) -> tuple[object, ...]:
+    return point.name, point.closeness, point.cost, point.outcomes
+
+
+def _digest(parts: object) -> str:
+    text = codec.render(parts, sort_keys=True)
+    return hashlib.sha256(f"{sources()}{text}".encode()).hexdigest()
+
+
+def _stamps(folder: Path) -> Mapping[str, list[str]]:
+    """What is noted of the files of a report; nothing if it cannot be read."""
     try:
-        with output.open(encoding="utf-8") as file:
-            head = file.read(HEAD)
-    except (OSError, UnicodeDecodeError):
+        found = json.loads((folder / STAMPS).read_text(encoding="utf-8"))
+    except (OSError, ValueError):
+        return {}
+    return found if isinstance(found, dict) else {}
+
+
+def _digest_of(path: Path) -> str:
+    try:
+        return hashlib.sha256(path.read_bytes()).hexdigest()
+    except OSError:
         return ""
-    _, found, rest = head.partition('<meta name="vv-inputs" content="')
-    return rest[:64] if found else ""
 
 
 @functools.cache
-def _sources() -> str:
+def sources() -> str:
     """Digest of the sources that decide how a report looks."""
-    own = [p for p in HERE.rglob("*") if p.suffix in (".py", ".j2", ".css")]
+    own = [p for p in HERE.rglob("*") if p.suffix in (".py", ".j2", ".css", ".js")]
     return closure.source_digest(closure.import_closure(own, (HERE.parent, TOOL)))

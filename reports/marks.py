@@ -1,16 +1,40 @@
-"""How each code/scheme looks: colour, marker shape and dash, the same over the whole report."""
+"""How each code/scheme looks: colour, marker and dash, the same in every report."""
 
 from __future__ import annotations
 
 import math
+import zlib
 from collections.abc import Iterable
 from dataclasses import dataclass
 
 Polygon = tuple[tuple[float, float], ...]
 
-# Okabe and Ito (2008), without the yellow that no one sees on white; black comes last
-COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000")
-DASHES: tuple[tuple[float, ...], ...] = ((), (4.0, 1.5), (1.0, 1.2))
+# light and dark: at least 3:1 on white and on the dark paper; after Okabe and Ito (2008)
+COLOURS = (
+    ("#0072b2", "#56b4e9"),
+    ("#d55e00", "#f08a4b"),
+    ("#00875f", "#3fc79a"),
+    ("#2b3138", "#dfe4ea"),
+    ("#b04a86", "#e691c2"),
+    ("#6f51b8", "#ab92f2"),
+    ("#8f6a00", "#dcb23a"),
+    ("#007f8f", "#4fc6d6"),
+    ("#8a5528", "#cf9f70"),
+    ("#5f7200", "#a9bf3f"),
+)
+DASHES = ("", "6 2.5", "2 2", "8 2.5 2 2.5", "4 1.5", "1.2 1.6", "10 3", "3 1.5 1 1.5")
+# what came with vv, so that no two of it look alike; all others by a digest of their names
+CODES = ("dem", "yade", "liggghts", "exact", "rigid", "dda")
+SCHEMES = (
+    "default",
+    "half-step-mass",
+    "published",
+    "linearised",
+    "lagged",
+    "clump",
+    "pre-overlapped",
+    "polyhedra",
+)
 
 
 def _regular(corners: int, turn: float = 0.0, radius: float = 1.0) -> Polygon:
@@ -26,9 +50,7 @@ def _star() -> Polygon:
 def _cross() -> Polygon:
     a, b = 0.33, 0.95
     arm = ((-a, b), (a, b), (a, a))
-    return tuple(
-        point for turn in range(4) for x, y in arm for point in (_quarter_turns(x, y, turn),)
-    )
+    return tuple(_quarter_turns(x, y, turn) for turn in range(4) for x, y in arm)
 
 
 def _quarter_turns(x: float, y: float, count: int) -> tuple[float, float]:
@@ -37,9 +59,8 @@ def _quarter_turns(x: float, y: float, count: int) -> tuple[float, float]:
     return x, y
 
 
-# As many shapes as have no divisor in common with the colours, so that pairs repeat late.
 SHAPES: tuple[Polygon, ...] = (
-    _regular(24, radius=0.9),
+    _regular(12, radius=0.9),
     _regular(4, math.pi / 4, 1.15),
     _regular(3, radius=1.1),
     _regular(4, radius=1.15),
@@ -55,27 +76,45 @@ SHAPES: tuple[Polygon, ...] = (
 
 @dataclass(frozen=True)
 class Mark:
-    """The look of one code/scheme. shape: corners within about the unit circle, y upwards."""
+    """The look of one code/scheme. colour: index of COLOURS; shape: corners within about the
+    unit circle, y upwards; dash: as SVG has it, empty for a full line."""
 
     label: str
-    colour: str
+    colour: int
     shape: Polygon
-    dash: tuple[float, ...]
+    dash: str
+
+    @property
+    def code(self) -> str:
+        """The code, without its scheme."""
+        return self.label.partition("/")[0]
+
+    @property
+    def scheme(self) -> str:
+        """The scheme, without its code."""
+        return self.label.partition("/")[2]
 
     @property
     def points(self) -> str:
         """The corners as an SVG polygon of radius 5, y downwards."""
-        return " ".join(f"{5 * x:.2f},{-5 * y:.2f}" for x, y in self.shape)
+        return " ".join(f"{5 * x:.3g},{-5 * y:.3g}" for x, y in self.shape)
+
+
+def mark(label: str) -> Mark:
+    """The mark of a label: the colour by its code, the dash by its scheme, the shape by both."""
+    code, _, scheme = label.partition("/")
+    hue, kind = _place(code, CODES), _place(scheme, SCHEMES)
+    shape = SHAPES[(3 * hue + 4 * kind) % len(SHAPES)]
+    return Mark(label, hue % len(COLOURS), shape, DASHES[kind % len(DASHES)])
+
+
+def _place(name: str, known: tuple[str, ...]) -> int:
+    """Its place among what is known, or one behind that, by a digest of the name."""
+    if name in known:
+        return known.index(name)
+    return len(known) + zlib.crc32(name.encode("utf-8", "surrogatepass")) % 997
 
 
 def marks(labels: Iterable[str]) -> dict[str, Mark]:
-    """A mark for each label, by its place in the sorted list of all."""
-    return {
-        label: Mark(
-            label,
-            COLOURS[i % len(COLOURS)],
-            SHAPES[i % len(SHAPES)],
-            DASHES[i // len(COLOURS) % len(DASHES)],
-        )
-        for i, label in enumerate(sorted(set(labels)))
-    }
+    """A mark for each label, sorted."""
+    return {label: mark(label) for label in sorted(set(labels))}

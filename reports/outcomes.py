@@ -13,7 +13,8 @@ from vv.records.outcomes import Outcome
 
 @dataclass(frozen=True)
 class ShownOutcome:
-    """How an outcome is shown. look: good, known, idle, odd or bad; bad and odd need attention."""
+    """How an outcome is shown. look: good, known, idle, shown, odd or bad; bad and odd need
+    attention."""
 
     key: Outcome
     symbol: str
@@ -44,7 +45,7 @@ WORST_FIRST = (
         "≠",
         "not conserved",
         "bad",
-        "its energy ledger shows energy made, or a law broken",
+        "by its own balance of energy, energy was made or a law broken",
     ),
     ShownOutcome(
         Outcome.XPASS, "!", "unexpected pass", "odd", "passes, though a disagreement is on record"
@@ -54,7 +55,7 @@ WORST_FIRST = (
         Outcome.XFAIL, "≈", "known disagreement", "known", "fails inside the band on record"
     ),
     ShownOutcome(
-        Outcome.REFUSED, "⊘", "refused", "idle", "the code cannot do this honestly, and says so"
+        Outcome.REFUSED, "⊘", "not supported", "idle", "the code has no honest way to do this"
     ),
     ShownOutcome(
         Outcome.TOO_LONG, "…", "too long", "idle", "left out: it would take the code too many steps"
@@ -64,7 +65,7 @@ WORST_FIRST = (
         Outcome.BLOW_UP, "✸", "blow-up", "shown", "diverged in a map, which shows where codes do"
     ),
     ShownOutcome(
-        Outcome.NO_REFERENCE, "◇", "no reference", "shown", "shown, with nothing to judge it by"
+        Outcome.NO_REFERENCE, "◇", "shown only", "shown", "shown, with nothing to judge it by"
     ),
     ShownOutcome(Outcome.PASS, "✓", "pass", "good", "within the tolerance of its class of method"),
 )

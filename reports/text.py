@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+import hashlib
 import math
 import re
 from collections.abc import Iterable, Mapping
 
 NONE = "\N{EN DASH}"  # what stands where there is no number
 SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+LONGEST = 80  # characters of an identifier
+PLAIN = re.compile(r"[A-Za-z0-9./-]+")
 
 
 def sci(value: float | None, digits: int = 2) -> str:
@@ -44,14 +47,32 @@ def ratio(value: float | None) -> str:
     return f"{value:.2g}" if value < 10 else f"{value:.0f}" if value < 1e4 else sci(value, 0)
 
 
+def seconds(value: float | None) -> str:
+    """A time with a unit that people read: 91.6 ms, 2.03 s, 12 min; – for None."""
+    if value is None or not math.isfinite(value):
+        return NONE
+    for below, scale, unit in ((1e-3, 1e6, "µs"), (1.0, 1e3, "ms"), (120.0, 1.0, "s")):
+        if abs(value) < below:
+            return f"{scale * value:.3g} {unit}"
+    return f"{value / 60:.3g} min"
+
+
 def power(exponent: int) -> str:
     """A power of ten for an axis, as plain text: 10⁻³."""
     return f"10{str(exponent).translate(SUPERSCRIPTS)}"
 
 
 def slug(*names: str) -> str:
-    """An identifier for links to a place in the page."""
-    return "--".join(re.sub(r"[^A-Za-z0-9_]+", "-", name) for name in names)
+    """An identifier of a place, and the name of a file: other names, other identifiers."""
+    return "--".join(map(_plain, names))
+
+
+def _plain(name: str) -> str:
+    """The name itself if it is plain, else what is plain of it and a digest."""
+    if PLAIN.fullmatch(name) and len(name) <= LONGEST and "--" not in name:
+        return name.replace("/", "~")
+    kept = re.sub(r"[^A-Za-z0-9]+", "-", name)[:40].strip("-")
+    return f"{kept}_{hashlib.sha256(name.encode('utf-8', 'surrogatepass')).hexdigest()[:8]}"
 
 
 def known_columns(names: Iterable[str], rows: Iterable[Mapping[str, float | None]]) -> list[str]:

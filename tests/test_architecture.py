@@ -15,7 +15,6 @@ FOLDERS = [path.parent for top in OURS for path in sorted((ROOT / top).rglob("__
 HEAVY = {"scipy", "numba", "pandas", "matplotlib", "jinja2", "junitparser", "rich", "pint"}
 LOADED = {"engines": {"numba"}, "reports": HEAVY}  # what modules of a folder may load at once
 MODULES = 15  # in a folder
-CROWDED = {"reports": 17}
 GROWING = {"adapters", "cases", "reference_solutions"}  # by a file with each case or code
 
 
@@ -65,7 +64,7 @@ def test_a_folder_imports_only_what_it_says(folder: Path) -> None:
 def test_a_folder_is_small_and_loads_heavy_libraries_where_they_are_used(folder: Path) -> None:
     modules = [path for path in folder.glob("*.py") if path.name != "__init__.py"]
     if dotted(folder) not in GROWING:
-        assert len(modules) <= CROWDED.get(dotted(folder), MODULES)
+        assert len(modules) <= MODULES
     light = HEAVY - {h for name in LOADED if name in folder.parts for h in LOADED[name]}
     for path in folder.glob("*.py"):
         slow = {name.split(".")[0] for name in imported(path, [*tree(path).body])} & light

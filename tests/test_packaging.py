@@ -101,7 +101,8 @@ def test_what_is_no_module_or_not_imported_arrives_too(shipped: set[str], file: 
 
 
 def test_the_report_s_templates_arrive(shipped: set[str]) -> None:
-    assert any(re.match(r"vv/_project/reports/templates/\w", file) for file in shipped)
+    for folder in ("templates", "assets"):
+        assert any(re.match(rf"vv/_project/reports/{folder}/\w", file) for file in shipped)
 
 
 def test_the_licence_arrives(shipped: set[str]) -> None:

@@ -52,6 +52,6 @@ def test_a_folder_of_results_is_never_chosen(
 
 def test_a_report_leaves_no_code_among_the_results(tiny: Tiny) -> None:
     assert tiny.vv("run", "fall:up", "--codes", "fake/good").returncode == 0
-    assert (tiny.root / ".vv" / "report.html").is_file()
+    assert (tiny.root / ".vv" / "report" / "index.html").is_file()
     kinds = {path.suffix for path in (tiny.root / ".vv").rglob("*") if path.is_file()}
-    assert kinds == {".json", ".npz", ".html"}
+    assert kinds == {".json", ".npz", ".html", ".css", ".js", ".csv"}

@@ -74,7 +74,7 @@ def test_a_unit_is_converted(tiny: Tiny) -> None:
 def test_the_last_line_counts_outcomes_and_says_where_to_look(tiny: Tiny) -> None:
     codes = "fake/good,fake/coarse,fake/refuses"
     done = tiny.vv("run", "fall:up", "--codes", codes, "--level", "quick")
-    report = tiny.root / ".vv" / "report.html"
+    report = tiny.root / ".vv" / "report" / "index.html"
     line = f"1 pass, 1 fail, 1 not supported; report: {report}; details: vv explain CASE"
     assert done.stdout.splitlines()[-1] == line
     assert report.is_file()

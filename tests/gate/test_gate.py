@@ -104,7 +104,7 @@ def test_accepting_writes_a_sorted_file_with_reason_platform_and_versions(
     assert taken["machine"]["processor"]
     assert gate(accepted)[0] == 0
     assert accepted.vv("report").returncode == 0
-    report = (accepted.root / ".vv" / "report.html").read_text()
+    report = (accepted.root / ".vv" / "report" / "case-fall.html").read_text()
     assert "Reason: it was looked at" in report
 
 

@@ -46,11 +46,11 @@ def test_what_is_recorded_is_shown_where_the_code_is_absent_and_never_passes(tin
     said = (tiny.root / "s.md").read_text()
     assert "fake is not installed: the report shows results of 1.0 recorded 36" in said
     assert tiny.vv("report").returncode == 0
-    report = (tiny.root / ".vv" / "report.html").read_text()
+    report = (tiny.root / ".vv" / "report" / "case-fall.html").read_text()
     assert f"recorded {int(old[:4]) - 1}{old[4:10]} with 1.0, 36" in report
 
     tiny.vv("run", "fall:up", "--codes", "fake/good", "--set", "speed=5.5")
-    report = (tiny.root / ".vv" / "report.html").read_text()
+    report = (tiny.root / ".vv" / "report" / "case-fall.html").read_text()
     assert "recorded 2" not in report  # other parameters
 
 

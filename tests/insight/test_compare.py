@@ -99,7 +99,7 @@ def test_the_report_shows_a_case_over_commits(tmp_path: Path) -> None:
     kept(store, "01", "a" * 40, ladder(2.0))
     kept(store, "02", "b" * 40, ladder())
     whole = manifest_of_all(store)
-    page = html.build_quickly(whole, store, tmp_path / "r.html").read_text()
+    page = (html.build(whole, store, tmp_path / "r").parent / "case-bounce.html").read_text()
     assert "Over commits" in page
     assert page.index("aaaaaaaaa</code>") < page.index("bbbbbbbbb</code>")
 

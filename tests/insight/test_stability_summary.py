@@ -2,20 +2,12 @@
 
 from __future__ import annotations
 
-import dataclasses
-from pathlib import Path
-
-import pytest
-
-from reports import figures, html
 from tests.support import fabricated
-from tests.support.fabricated import case, changed, entry, manifest_of_all, record
+from tests.support.fabricated import case, changed, entry, record
 from vv.insight.stability_summary import StabilityStatement, stability
 from vv.records import codec
 from vv.records.job_record import Record
 from vv.records.manifest import Manifest
-from vv.records.outcomes import StudyKind
-from vv.store.store import Store
 
 
 def manifest(*records: Record, critical: dict[float, float] | None = None) -> Manifest:
@@ -128,22 +120,3 @@ def test_kinds_come_in_one_order_and_as_plain_data() -> None:
     told = codec.to_data(found)
     assert [one["kind"] for one in told] == ["step", "map", "count"]
     assert told[0]["label"] == "dem/default"
-
-
-def test_the_report_has_a_section_in_which_schemes_that_say_the_same_share_a_line(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    monkeypatch.setattr(figures, "draw", lambda chart, salt: "<svg></svg>")
-    store = Store(tmp_path)
-    whole = manifest_of_all(store)
-    ladders = tuple(r for r in whole.records if r.study is StudyKind.LADDER)
-    assert 'id="stability"' not in built(dataclasses.replace(whole, records=ladders), store)
-    found = sought("pass", 0.9996)
-    records = (*ladders, found, changed(found, code="exact"))
-    text = built(dataclasses.replace(whole, records=records), store)
-    assert '<a href="#stability">' in text
-    assert text.count("0.9996, as due; at dt = 0.2 s: it blew up") == 1
-
-
-def built(manifest: Manifest, store: Store) -> str:
-    return html.build(manifest, store, store.root / "report.html").read_text(encoding="utf-8")

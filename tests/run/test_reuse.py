@@ -89,18 +89,20 @@ def test_what_is_required_is_looked_at_though_all_stands(tiny: Tiny) -> None:
 
 def test_a_report_that_was_touched_or_removed_is_written_again(tiny: Tiny) -> None:
     stands(tiny)
-    report = tiny.root / ".vv" / "report.html"
+    report = tiny.root / ".vv" / "report" / "index.html"
     whole = report.read_bytes()
     report.write_bytes(b"cut off")
     assert stands(tiny)
     assert report.read_bytes() == whole
     report.unlink()
+    report.with_name("case-fall.html").unlink()
     assert stands(tiny)
     assert report.read_bytes() == whole
+    assert report.with_name("case-fall.html").is_file()
 
 
 def test_the_report_is_that_of_the_last_invocation_though_it_stood_before(tiny: Tiny) -> None:
-    report = tiny.root / ".vv" / "report.html"
+    report = tiny.root / ".vv" / "report" / "index.html"
     stands(tiny)
     (own,) = (path.stem for path in (tiny.root / ".vv" / "manifests").iterdir())
     tiny.vv("run", "fall:up", "--codes", "fake/coarse")
@@ -218,7 +220,7 @@ def test_only_what_no_second_try_would_change_lets_an_invocation_stand(
 
 
 def test_a_gate_leaves_the_report_to_its_command_and_says_so(tiny: Tiny) -> None:
-    report = tiny.root / ".vv" / "report.html"
+    report = tiny.root / ".vv" / "report" / "index.html"
     done = tiny.vv("gate", "fall:up", "--codes", "fake/good")
     assert "; report: vv report; details: vv explain CASE" in done.stdout
     assert not report.exists()

@@ -1,4 +1,4 @@
-"""Reads a page as tests need it: its tags, their attributes, the texts of the matrix."""
+"""Reads a page as tests need it: its tags, their attributes, the texts of links."""
 
 from __future__ import annotations
 
@@ -9,14 +9,14 @@ VOID = {"meta", "link", "img", "br", "hr", "input"}
 
 
 class Tags(HTMLParser):
-    """Collects (tag, attributes) and the texts of matrix cells; fails on unbalanced tags."""
+    """Collects (tag, attributes), and the text of each row by its id; fails on unbalanced tags."""
 
     def __init__(self, page: str) -> None:
         super().__init__()
         self.tags: list[tuple[str, dict[str, str | None]]] = []
         self.open: list[str] = []
-        self.cells: dict[str, str] = {}
-        self.cell, self.matrix = "", False
+        self.rows: dict[str, str] = {}
+        self.row = ""
         self.feed(page)
         self.close()
         assert self.open == []
@@ -26,20 +26,18 @@ class Tags(HTMLParser):
         self.tags.append((tag, named))
         if tag not in VOID:
             self.open.append(tag)
-        self.matrix = named.get("class") == "matrix" if tag == "table" else self.matrix
-        if tag == "a" and "td" in self.open and self.matrix:
-            self.cell = (named.get("href") or "").removeprefix("#")
+        self.row = (named.get("id") or "") if tag == "tr" else self.row
 
     def handle_endtag(self, tag: str) -> None:
         assert self.open.pop() == tag, (tag, self.getpos())
-        self.cell = "" if tag == "a" else self.cell
+        self.row = "" if tag == "tr" else self.row
 
     def handle_startendtag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
         self.tags.append((tag, dict(attrs)))
 
     def handle_data(self, data: str) -> None:
-        if self.cell:
-            self.cells[self.cell] = f"{self.cells.get(self.cell, '')} {data.strip()}"
+        if self.row:
+            self.rows[self.row] = f"{self.rows.get(self.row, '')} {data.strip()}"
 
     def all(self, name: str) -> Iterator[str]:
         return (named[name] or "" for _, named in self.tags if name in named)

@@ -24,6 +24,7 @@ from vv.cli import (
     gate_command,
     papers_command,
     query_commands,
+    report_command,
     run_command,
     speed_command,
 )
@@ -49,7 +50,7 @@ GROUPS: dict[str, dict[str, Callable[..., None]]] = {
     "Look": {
         "list": query_commands.list_cases,
         "codes": query_commands.list_codes,
-        "report": query_commands.report,
+        "report": report_command.report,
         "explain": query_commands.explain,
         "diff": query_commands.diff,
         "history": query_commands.history,

@@ -102,7 +102,7 @@ def _answers(project: Project, case: Case) -> Answers:
 
 def code_pages(project: Project) -> Files:
     """The pages of codes, and the page that lists cases and codes."""
-    from vv.gate.disagreement import read_disagreements
+    from vv.gate.ledger_file import read_disagreements
     from vv.output.gallery.code_page import CodePage
     from vv.output.gallery.index_page import index
 

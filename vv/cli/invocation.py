@@ -5,6 +5,7 @@ from __future__ import annotations
 import sys
 from collections.abc import Callable
 from pathlib import Path
+from types import ModuleType
 from typing import TYPE_CHECKING
 
 from vv.base.files import write_output
@@ -66,19 +67,18 @@ def carried_out(
         return carry_out(project, plan, limits, shown, command, until=until)
 
 
-def reported(project: Project, manifest: Manifest, limits: Limits) -> Path:
-    """Write the report, with all figures where everything that should be was timed.
+def reported(project: Project, manifest: Manifest) -> Path:
+    """Write the report; returns its front page.
 
     A report that is already there and still belongs to the manifest is not written again.
     """
     from vv.run import reuse
-    from vv.run.session import MEASURED
 
-    store, path = Store(project.data()), project.data() / "report.html"
-    if not reuse.untouched(store, manifest.name, path):
-        builder(project, limits.timing in MEASURED)(manifest, store, path)
-        reuse.note_report(store, manifest.name, path)
-    return path
+    store, folder = Store(project.data()), project.data() / "report"
+    if not reuse.untouched(store, manifest.name, folder):
+        reporter(project).build(manifest, store, folder)
+        reuse.note_report(store, manifest.name, folder)
+    return folder / "index.html"
 
 
 def write_records(project: Project, manifest: Manifest, json_file: Path | None) -> None:
@@ -100,9 +100,9 @@ def print_summary(manifest: Manifest, report: str) -> None:
     result_lines.print_counts(manifest.records, report)
 
 
-def builder(project: Project, drawing: bool) -> Callable[[Manifest, Store, Path], Path]:
-    """What writes a report; without drawing, figures are left to `vv report`."""
+def reporter(project: Project) -> ModuleType:
+    """The module that writes reports."""
     project.activate()
     from reports import html
 
-    return html.build if drawing else html.build_quickly
+    return html

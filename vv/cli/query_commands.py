@@ -1,10 +1,9 @@
-"""The commands that only look: list, codes, report, explain, diff, history."""
+"""The commands that only look: list, codes, explain, diff, history."""
 
 from __future__ import annotations
 
 import fnmatch
 import functools
-from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
 import typer
@@ -84,43 +83,6 @@ def list_codes() -> None:
 
     project = find()
     print_codes([project.load_adapter(name) for name in project.adapter_names()])
-
-
-def report(
-    run_name: Annotated[
-        str, typer.Argument(metavar="[RUN]", help="A run's name; the latest if not given.")
-    ] = "",
-    output: Annotated[Path | None, typer.Option("--output", help="The file to write.")] = None,
-    show: Annotated[bool, typer.Option("--open", help="Open it in a browser.")] = False,
-    csv: Annotated[
-        Path | None,
-        typer.Option("--csv", metavar="FILE", help="Also write its results as a table."),
-    ] = None,
-) -> None:
-    """Write the report of a past run."""
-    from vv.base.hints import name_hint
-    from vv.cli.invocation import builder
-    from vv.store.store import Store
-
-    project = find()
-    store = Store(project.data())
-    names = store.manifests()
-    if not names or (run_name and run_name not in names):
-        unknown = f"no run '{run_name}'{name_hint(run_name, names[-5:])}"
-        raise UsageError(unknown if run_name else "there is no run yet")
-    manifest = store.manifest(run_name) if run_name else store.latest()
-    if manifest is None:
-        raise UsageError("no past run can be read; `vv run` makes one")
-    path = output or project.data() / "report.html"
-    say = terminal.note if csv else terminal.say  # the table may be asked for on standard output
-    say(str(builder(project, drawing=True)(manifest, store, path)))
-    if csv:
-        from vv.base.files import write_output
-        from vv.output.table import table
-
-        write_output(csv, table(manifest.records).to_csv(index=False).encode())
-    if show:
-        typer.launch(str(path))
 
 
 def explain(

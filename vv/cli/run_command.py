@@ -120,7 +120,7 @@ def run(
     else:
         asked = "run", tuple(selection or ()), chosen, keyword
         manifest = invocation.answered(project, asked, make_plan, limits)
-    _conclude(project, manifest, limits, json_file, Ending(required, level, show))
+    _conclude(project, manifest, json_file, Ending(required, level, show))
 
 
 def _limits(jobs: int, timeout: float, fresh: bool, timed: bool) -> Limits:
@@ -130,9 +130,7 @@ def _limits(jobs: int, timeout: float, fresh: bool, timed: bool) -> Limits:
     return Limits(options.workers(jobs), options.positive(timeout), fresh, timing)
 
 
-def _conclude(
-    project: Project, manifest: Manifest, limits: Limits, json_file: Path | None, ending: Ending
-) -> None:
+def _conclude(project: Project, manifest: Manifest, json_file: Path | None, ending: Ending) -> None:
     """Write the records and the report, say how it went, and exit as the gate would."""
     from vv.cli import invocation
     from vv.gate.judgement import judgement
@@ -140,7 +138,7 @@ def _conclude(
     from vv.records.finding import bits
 
     invocation.write_records(project, manifest, json_file)
-    report = invocation.reported(project, manifest, limits)
+    report = invocation.reported(project, manifest)
     findings = judgement(manifest, ending.required)
     result_lines.print_table(manifest.records, findings)
     judged = [one for one in findings if one.bit]

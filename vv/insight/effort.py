@@ -48,14 +48,14 @@ class Effort:
 
 def efforts(manifest: Manifest) -> list[Effort]:
     """Every scheme that ran on a variant of which something was timed, in the order of records."""
-    every = _efforts(manifest)
+    every = every_effort(manifest)
     timed = _timed(every)
     return [effort for effort in every if (effort.case, effort.variant) in timed]
 
 
 def untimed(manifest: Manifest) -> list[Effort]:
     """Every scheme with an error on a variant of which nothing was timed."""
-    every = _efforts(manifest)
+    every = every_effort(manifest)
     timed = _timed(every)
     rest = [effort for effort in every if (effort.case, effort.variant) not in timed]
     return [effort for effort in rest if effort.best is not None]
@@ -65,8 +65,11 @@ def _timed(every: Iterable[Effort]) -> set[tuple[str, str]]:
     return {(effort.case, effort.variant) for effort in every if effort.timed}
 
 
-def _efforts(manifest: Manifest) -> list[Effort]:
-    """All of them; raises ValueError where costs are of several timing sessions."""
+def every_effort(manifest: Manifest) -> list[Effort]:
+    """Every scheme that took a variant on, timed or not.
+
+    Raises ValueError where costs are of several timing sessions.
+    """
     records = manifest.records
     sessions = {r.cost.session for r in records if r.cost.timed}
     if len(sessions) > 1:

@@ -37,10 +37,11 @@ def table(records: Iterable[Record]) -> pd.DataFrame:
     import pandas as pd
 
     columns = [*_of_record(None), *_of_quantity(None)]
-    return pd.DataFrame([row for record in records for row in _rows(record)], columns=columns)
+    return pd.DataFrame([row for record in records for row in rows(record)], columns=columns)
 
 
-def _rows(record: Record) -> Iterator[Json]:
+def rows(record: Record) -> Iterator[Json]:
+    """A record as rows of the table, one for each of its quantities."""
     for one in record.quantities or (None,):
         yield _of_record(record) | _of_quantity(one)
 

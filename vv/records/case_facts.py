@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from vv.case import Check, Parameter, Source
 from vv.records.fields import optional
 from vv.records.outcomes import JudgeKind
+from vv.scene.sketch import Sketch
 
 
 @dataclass(frozen=True, slots=True)
@@ -48,7 +49,8 @@ class QuantityFacts:
 class VariantFacts:
     """A variant: its physics in words, its terms, and what is judged.
 
-    critical: (kn [N/m] or None, step [s]) what the steps of a map are multiples of.
+    critical: (kn [N/m] or None, step [s]) what the steps of a map are multiples of. sketch: of the
+    scene, None in what was kept before there were any.
     """
 
     summary: str
@@ -58,6 +60,7 @@ class VariantFacts:
     unknowns: int
     quantities: tuple[QuantityFacts, ...]
     critical: tuple[tuple[float | None, float], ...] = optional(())
+    sketch: Sketch | None = optional(None)  # noqa: RUF009  # None is frozen
 
 
 @dataclass(frozen=True, slots=True)

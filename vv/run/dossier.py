@@ -8,6 +8,7 @@ from vv.case import Case, Exact, Grid, Quantity, Study, Trial, Variant
 from vv.plan.plan import Plan
 from vv.records.case_facts import CaseFacts, QuantityFacts, ToleranceFacts, VariantFacts
 from vv.records.outcomes import JudgeKind
+from vv.scene.sketch import sketch
 
 
 def dossiers(plan: Plan) -> dict[str, CaseFacts]:
@@ -38,6 +39,7 @@ def _variant(variant: Variant, trial: Trial) -> VariantFacts:
         unknowns=scene.unknowns(),
         quantities=tuple(_quantity(quantity) for quantity in trial.quantities),
         critical=_critical(trial.study),
+        sketch=sketch(scene),
     )
 
 

@@ -95,14 +95,14 @@ def recall(store: Store, identity: str) -> Manifest | None:
 
 
 def note_report(store: Store, name: str, report: Path) -> None:
-    """Note the report of a manifest as it lies there."""
-    store.keep_answer(digest("report", name), Answer(report=_state(report)))
+    """Note the report of a manifest as it lies there, in a folder."""
+    store.keep_answer(digest("report", name), Answer(report=_state_of_all(report)))
 
 
 def untouched(store: Store, name: str, report: Path) -> bool:
     """Whether the report is that of a manifest, as it was left."""
     answer = store.answer(digest("report", name))
-    return answer is not None and answer.report == _state(report)
+    return answer is not None and answer.report == _state_of_all(report)
 
 
 def _key(store: Store, identity: str) -> str:
@@ -147,6 +147,11 @@ def _libraries() -> list[str]:
     """Python, and what it can import of what is installed, wherever it lies."""
     installed = {f"{one.name} {one.version}" for one in metadata.distributions()}
     return [platform.python_version(), sys.prefix, *sorted(installed)]
+
+
+def _state_of_all(folder: Path) -> tuple[int, ...]:
+    """The states of all files of a folder; empty where there is none."""
+    return tuple(number for path in sorted(folder.glob("*")) for number in _state(path))
 
 
 def _state(path: Path) -> tuple[int, ...]:

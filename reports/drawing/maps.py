@@ -1,31 +1,22 @@
-"""The map of an error over step and stiffness: a panel for each code, as data and drawn."""
+"""The map of an error over step and stiffness: a panel for each code, as data."""
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
-from reports.collect import Ladder
+from reports.drawing.collect import Ladder
 from reports.marks import Mark
-from reports.text import brief, power
 from vv.base.metrics import Vector
 from vv.insight.stability_summary import WRONG
 
 LEAST = 3  # stiffnesses and steps without which there is no map
-ACROSS = 3  # panels side by side
 Mask = npt.NDArray[np.bool_]
 Critical = Mapping[float | None, float]
 NO_CRITICAL: Critical = {}
-COLOURS = "viridis_r"  # dark is wrong
-GREY = "#8a9199"
-BOX = (0.125, 0.115, 0.745, 0.81)  # the panels: left, bottom, width, height of the figure
-BAR = (0.895, 0.115, 0.025, 0.81)
-GAP = (0.03, 0.065)
 
 
 @dataclass(frozen=True, eq=False)
@@ -102,60 +93,3 @@ def _panel(pile: Sequence[Ladder], critical: Critical) -> Panel | None:
 def _ratio(dt: float, critical: float | None) -> float:
     """A step as it is, or over the critical one, without the roundings of that."""
     return dt if critical is None else float(f"{dt / critical:.6g}")
-
-
-def draw_map(figure: Any, heat: HeatMap) -> None:
-    """Draw the panels in rows, and the scale beside them.
-
-    A cell that blew up is crossed, one that was refused has a dash, one too long to run a dot.
-    """
-    from matplotlib.colors import LogNorm
-
-    known = np.concatenate([panel.error.ravel() for panel in heat.panels])
-    known = np.minimum(known[np.isfinite(known) & (known > 0)], WRONG)
-    ends = math.floor(np.log10(known.min())), math.ceil(np.log10(known.max()))
-    scale = LogNorm(10.0 ** ends[0], 10.0 ** ends[1])
-    columns = min(ACROSS, len(heat.panels))
-    rows = math.ceil(len(heat.panels) / columns)
-    width = (BOX[2] - GAP[0] * (columns - 1)) / columns
-    height = (BOX[3] - GAP[1] * (rows - 1)) / rows
-    for place, panel in enumerate(heat.panels):
-        row, column = divmod(place, columns)
-        left = BOX[0] + column * (width + GAP[0])
-        bottom = BOX[1] + (rows - 1 - row) * (height + GAP[1])
-        lowest = place + columns >= len(heat.panels)
-        axes = figure.add_axes((left, bottom, width, height))
-        axes.tick_params(length=0, pad=2, labelsize=6 if rows < ACROSS else 5)
-        mesh = _draw_panel(axes, panel, scale)
-        _label(axes, panel, column == 0, lowest, STEP[heat.critical])
-    bar = figure.colorbar(mesh, cax=figure.add_axes(BAR))
-    ticks = range(ends[0], ends[1] + 1)
-    bar.set_ticks([10.0**n for n in ticks], labels=[power(n) for n in ticks], fontsize=7)
-    bar.set_ticks([], minor=True)
-    bar.outline.set_visible(False)
-
-
-def _draw_panel(axes: Any, panel: Panel, scale: Any) -> Any:
-    shown = np.ma.masked_invalid(np.where(panel.error > 0, panel.error, np.nan))
-    axes.set_facecolor("#e3e6e9")
-    refused = panel.refused & ~panel.too_long
-    signs = ((panel.lost(), "x", "#e0452b"), (refused, "_", GREY), (panel.too_long, ".", GREY))
-    for cells, sign, colour in signs:
-        for i, j in np.argwhere(cells):
-            axes.plot(j + 0.5, i + 0.5, sign, color=colour, markersize=4)
-    return axes.pcolormesh(shown, cmap=COLOURS, norm=scale, edgecolors="white", linewidth=0.4)
-
-
-STEP = {True: "dt / critical step", False: "dt [s]"}
-
-
-def _label(axes: Any, panel: Panel, left: bool, lowest: bool, step: str) -> None:
-    """Name the panel; write steps below the lowest row and stiffnesses beside the first column."""
-    axes.set_title(panel.mark.label, fontsize=7, pad=2)
-    steps, stiffnesses = np.arange(len(panel.dt)), np.arange(len(panel.kn))
-    axes.set_xticks(steps + 0.5, [brief(dt) for dt in panel.dt] if lowest else [], rotation=45)
-    axes.set_yticks(stiffnesses + 0.5, [brief(kn) for kn in panel.kn] if left else [])
-    if lowest:
-        axes.set_xlabel(step, fontsize=7, labelpad=1)
-    if left:
-        axes.set_ylabel("kn [N/m]", fontsize=7, labelpad=1)

@@ -2,29 +2,30 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
+from markupsafe import Markup
 
-from reports import charts
-from reports.charts import Chart
-from reports.collect import History, Ladder
-from reports.maps import NO_CRITICAL, Critical, HeatMap, error_map
-from reports.tables import NORM_NAMES
+from reports.drawing import charts
+from reports.drawing.charts import Chart
+from reports.drawing.collect import History, Ladder
+from reports.drawing.curves import draw
+from reports.drawing.maps import NO_CRITICAL, Critical, HeatMap, error_map
+from reports.drawing.panels import draw_map
+from reports.norms import NORM_NAMES
 from reports.text import brief, listed, sci
 from vv.base.metrics import POINTWISE_THRESHOLD
 from vv.case import Norm
 from vv.records.case_facts import QuantityFacts
-
-Draw = Callable[[Chart | HeatMap], str]
 
 
 @dataclass(frozen=True)
 class Figure:
     """A drawing with its words. alt: what it shows, in numbers, for who cannot see it."""
 
-    svg: str
+    svg: Markup
     title: str
     caption: str
     alt: str
@@ -35,7 +36,6 @@ def figures(
     steps: Sequence[Ladder],
     quantity: QuantityFacts,
     norm: Norm,
-    draw: Draw,
     critical: Critical = NO_CRITICAL,
 ) -> list[Figure]:
     """The four figures of a quantity, or those for which there is something to draw.
@@ -45,20 +45,20 @@ def figures(
     """
     symbol = f"{quantity.symbol} [{quantity.unit}]" if quantity.unit else quantity.symbol
     error = f"error of {quantity.symbol}, norm {NORM_NAMES[norm]}"
-    both = [*_trajectory(over_time, symbol, draw), *_relative(over_time, draw)]
+    both = [*_trajectory(over_time, symbol), *_relative(over_time)]
     heat = error_map(steps, critical)
     if heat is not None:
-        return [*both, _map(heat, error, draw)]
-    return [*both, *_step(steps, error, draw), *_cost(steps, error, draw)]
+        return [*both, _map(heat, error)]
+    return [*both, *_step(steps, error), *_cost(steps, error)]
 
 
-def _map(heat: HeatMap, error: str, draw: Draw) -> Figure:
+def _map(heat: HeatMap, error: str) -> Figure:
     """The map, with the stiffness that serves each code best at its finest step."""
     best = [f"{panel.mark.label} {brief(panel.best())} N/m" for panel in heat.panels]
     panels = heat.panels
     signs = {
         " Crossed: no result, or one off by as much as the answer.": [p.lost() for p in panels],
-        " Dash: refused.": [p.refused & ~p.too_long for p in panels],
+        " Dash: not supported.": [p.refused & ~p.too_long for p in panels],
         " Dot: not run, it would take too many steps.": [p.too_long for p in panels],
     }
     said = "".join(text for text, cells in signs.items() if any(map(np.any, cells)))
@@ -69,10 +69,10 @@ def _map(heat: HeatMap, error: str, draw: Draw) -> Figure:
         for panel in heat.panels
     ]
     alt = f"{error} over step and stiffness: {', '.join(ends)}"
-    return Figure(draw(heat), "Error over step and contact stiffness", caption, alt)
+    return Figure(draw_map(heat), "Error over step and contact stiffness", caption, alt)
 
 
-def _trajectory(over_time: Sequence[History], symbol: str, draw: Draw) -> list[Figure]:
+def _trajectory(over_time: Sequence[History], symbol: str) -> list[Figure]:
     chart = charts.trajectory(over_time, symbol)
     if chart is None:
         return []
@@ -88,7 +88,7 @@ def _trajectory(over_time: Sequence[History], symbol: str, draw: Draw) -> list[F
     ]
 
 
-def _relative(over_time: Sequence[History], draw: Draw) -> list[Figure]:
+def _relative(over_time: Sequence[History]) -> list[Figure]:
     chart, sunk = charts.relative_errors(over_time)
     if chart is None:
         return []
@@ -103,7 +103,7 @@ def _relative(over_time: Sequence[History], draw: Draw) -> list[Figure]:
     return [Figure(draw(chart), "Relative error over time", caption, alt)]
 
 
-def _step(steps: Sequence[Ladder], error: str, draw: Draw) -> list[Figure]:
+def _step(steps: Sequence[Ladder], error: str) -> list[Figure]:
     chart = charts.error_against_step(steps, error)
     if chart is None:
         return []
@@ -111,7 +111,7 @@ def _step(steps: Sequence[Ladder], error: str, draw: Draw) -> list[Figure]:
     return [Figure(draw(chart), "Error against step", caption, f"{error}: {_ranges(steps)}")]
 
 
-def _cost(steps: Sequence[Ladder], error: str, draw: Draw) -> list[Figure]:
+def _cost(steps: Sequence[Ladder], error: str) -> list[Figure]:
     chart = charts.error_against_cost(steps, error)
     if not chart.curves and not chart.rims:
         return []
@@ -126,7 +126,7 @@ def _cost(steps: Sequence[Ladder], error: str, draw: Draw) -> list[Figure]:
         (False, True): "All hollow: indicative costs, measured while other jobs ran beside.",
     }
     free = sorted({s.mark.label for s in steps for p in s.points if p.error and not p.cpu > 0})
-    lost = f" Not drawn, no cost measured at some rung: {listed(free)}." if free else ""
+    lost = f" Not drawn, no cost measured at some setting: {listed(free)}." if free else ""
     caption = f"{kinds.get((filled, hollow), '')} One solve, without start-up.{_rims(chart)}{lost}"
     alt = f"{error} against CPU seconds: {_costs(steps)}"
     return [Figure(draw(chart), "Error against cost", caption.strip(), alt)]
@@ -151,9 +151,9 @@ def _finest(over_time: Sequence[History]) -> str:
     if not steps:
         return "No code here has a step"
     if len(set(steps.values())) == 1:
-        return f"Finest rung, dt = {brief(next(iter(steps.values())))} s"
+        return f"Finest setting, dt = {brief(next(iter(steps.values())))} s"
     several = [f"{name} {brief(dt)} s" for name, dt in steps.items()]
-    return f"Finest rung of each, dt: {listed(several)}"
+    return f"Finest setting of each, dt: {listed(several)}"
 
 
 def _ranges(steps: Sequence[Ladder]) -> str:

@@ -6,15 +6,12 @@ import re
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
+from reports import plain
+from reports.book import Book
 from reports.marks import Mark
 from reports.outcomes import RANKS, ShownOutcome, shown_outcome
-from reports.tables import NORM_NAMES, anchor
 from reports.text import brief, short
-from vv.case import Norm
-from vv.gate.judgement import breach_in_words, breaches
 from vv.records.job_record import Record
-from vv.records.outcomes import Outcome
-from vv.records.quantity import MeasuredQuantity
 
 DECIMAL = re.compile(r"(?<![\w.])-?\d+(?:\.\d+(?:e[+-]?\d+)?|e[+-]?\d+)\b")
 
@@ -29,22 +26,25 @@ class Finding:
     where: Mapping[str, Sequence[tuple[str, str]]]
 
 
-def findings(
-    records: Iterable[Record], marks: Mapping[str, Mark], looks: Iterable[str]
-) -> list[Finding]:
+def findings(book: Book, looks: Iterable[str]) -> list[Finding]:
     """What is to be said of the records whose outcome has one of these looks, worst first.
 
-    where: case -> (anchor, variant with its steps).
+    where: case -> (link, variant with its steps).
     """
     wanted = frozenset(looks)
     piles: dict[tuple[int, str, str], list[Record]] = {}
-    for record in records:
+    for record in book.manifest.records:
         found = shown_outcome(record)
         if found.look in wanted:
-            key = (RANKS[found.key], record.label, DECIMAL.sub("#", reason_of(record)))
+            key = (RANKS[found.key], record.label, DECIMAL.sub("#", _reason(record)))
             piles.setdefault(key, []).append(record)
     return [
-        Finding(shown_outcome(pile[0]), marks[name], _merged([*map(reason_of, pile)]), _where(pile))
+        Finding(
+            shown_outcome(pile[0]),
+            book.marks[name],
+            _merged([*map(_reason, pile)]),
+            _where(book, pile),
+        )
         for (_, name, _), pile in sorted(piles.items())
     ]
 
@@ -56,23 +56,13 @@ def _merged(texts: Sequence[str]) -> str:
     return DECIMAL.sub(lambda _: " to ".join(next(ranges)), texts[0])
 
 
-def reason_of(record: Record) -> str:
+def _reason(record: Record) -> str:
     """The reason of a record's outcome: its own, what its quantities note, or its energy."""
     shown = shown_outcome(record)
-    if shown.key is Outcome.NOT_CONSERVED:
-        notes = list(map(breach_in_words, breaches(record.ledger)))
-    else:
-        ill = [one for one in record.quantities if one.verdict.value == shown.key.value]
-        notes = [f"{one.name}: {one.note or _exceeds(one)}" for one in ill]
-    reason = "; ".join([record.reason, *notes] if record.reason else notes)
-    return reason or shown.meaning
+    return plain.reason(record, shown.key) or shown.meaning
 
 
-def _exceeds(one: MeasuredQuantity) -> str:
-    return f"error above the tolerance in the norm {NORM_NAMES[one.norm or Norm.MAX]}"
-
-
-def _where(pile: Sequence[Record]) -> dict[str, list[tuple[str, str]]]:
+def _where(book: Book, pile: Sequence[Record]) -> dict[str, list[tuple[str, str]]]:
     by_variant: dict[tuple[str, str], list[Record]] = {}
     for record in pile:
         by_variant.setdefault((record.case, record.variant), []).append(record)
@@ -81,5 +71,7 @@ def _where(pile: Sequence[Record]) -> dict[str, list[tuple[str, str]]]:
         steps = [brief(r.rung.dt) for r in members if r.rung.dt]
         some = f" at dt = {', '.join(steps)} s" if 0 < len(steps) < 3 else ""
         many = f" ({len(steps)} steps)" if len(steps) >= 3 else ""
-        found.setdefault(case, []).append((anchor(members[0]), f"{variant}{some or many}"))
+        found.setdefault(case, []).append(
+            (book.to_case(case, variant, members[0].label), f"{variant}{some or many}")
+        )
     return found

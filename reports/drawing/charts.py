@@ -8,8 +8,9 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
-from reports.collect import History, Ladder, Point
+from reports.drawing.collect import History, Ladder, Point
 from reports.marks import Mark
+from reports.text import brief, sci, seconds
 from vv.base.metrics import Vector, pointwise_history
 from vv.insight.accuracy_cost import unbeaten
 
@@ -20,7 +21,10 @@ SUNK = 1e-3  # an error without a step that is smaller than the others by this g
 
 @dataclass(frozen=True, eq=False)
 class Curve:
-    """One code/scheme: points (k,), and which are marked, hollow, ringed, joined by a line."""
+    """One code/scheme: points (k,), and which are marked, hollow, ringed, joined by a line.
+
+    tips: what is told of each point to who points at it; empty if nothing.
+    """
 
     mark: Mark
     x: Vector
@@ -29,6 +33,7 @@ class Curve:
     hollow: Mask
     ringed: Mask
     joined: Mask
+    tips: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)
@@ -135,7 +140,7 @@ def shares(rows: Sequence[tuple[Mark, Sequence[float]]], label: str) -> Chart | 
         return None
     end = 2.0 * max(finite)
     curves = tuple(_stairs(mark, row, end) for mark, row in rows if np.isfinite(row).any())
-    name = "cost, in that of the cheapest"
+    name = "CPU time over that of the cheapest scheme"
     return Chart(name, label, True, False, curves)
 
 
@@ -197,7 +202,15 @@ def _curve(mark: Mark, x: list[float], points: Sequence[Point], hollow: list[boo
     y = np.array([p.error for p in points], float)
     empty = np.array(hollow)
     joined = ~empty if (~empty).sum() > 1 else np.ones(len(y), bool)
-    return Curve(mark, np.array(x), y, np.ones(len(y), bool), empty, ringed, joined)
+    tips = tuple(map(_tip, points))
+    return Curve(mark, np.array(x), y, np.ones(len(y), bool), empty, ringed, joined, tips)
+
+
+def _tip(point: Point) -> str:
+    """A setting, its error and its cost, for who points at it."""
+    at = f"dt {brief(point.dt)} s: " if point.dt else ""
+    cost = f", {seconds(point.cpu)}{'' if point.timed else ' (indicative)'}" if point.cpu else ""
+    return f"{at}error {sci(point.error)}{cost}"
 
 
 def _rims(ladders: Sequence[Ladder], low: float, axis: str) -> tuple[Rim, ...]:

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
+from dataclasses import dataclass
 
+from reports.book import Book
 from reports.marks import Mark
-from reports.text import slug
-from reports.views import Stable
 from vv.insight.stability_summary import Kind, StabilityStatement, stability
-from vv.records.manifest import Manifest
 
 KINDS = {
     Kind.STEP: (
@@ -23,7 +22,7 @@ KINDS = {
     ),
     Kind.DRIFT: (
         "Drift",
-        "The largest breach, at any rung, of what the motion conserves.",
+        "The largest breach, at any setting, of what the motion conserves.",
     ),
     Kind.COUNT: (
         "Counts",
@@ -32,25 +31,41 @@ KINDS = {
 }
 
 
-def sections(manifest: Manifest, marks: Mapping[str, Mark]) -> list[Stable]:
+@dataclass(frozen=True)
+class Stable:
+    """One kind of finding on stability, and its lines: schemes that say the same share one.
+
+    lines: (link, case: variant, what is said and by which schemes).
+    """
+
+    title: str
+    caption: str
+    lines: Sequence[tuple[str, str, Sequence[tuple[Sequence[Mark], str]]]]
+
+
+def sections(book: Book) -> list[Stable]:
     """A section for each kind there is anything of."""
-    statements = stability(manifest)
+    statements = stability(book.manifest)
     return [
-        Stable(title, caption, _lines([one for one in statements if one.kind is kind], marks))
+        Stable(title, caption, _lines(book, [one for one in statements if one.kind is kind]))
         for kind, (title, caption) in KINDS.items()
         if any(one.kind is kind for one in statements)
     ]
 
 
 def _lines(
-    statements: Sequence[StabilityStatement], marks: Mapping[str, Mark]
+    book: Book, statements: Sequence[StabilityStatement]
 ) -> list[tuple[str, str, list[tuple[list[Mark], str]]]]:
-    """(anchor, case: variant, what is said and by which schemes), in the order found."""
+    """The lines, in the order found."""
     places: dict[tuple[str, str], dict[str, list[Mark]]] = {}
     for one in statements:
         texts = places.setdefault((one.case, one.variant), {})
-        texts.setdefault(one.text, []).append(marks[one.label])
+        texts.setdefault(one.text, []).append(book.marks[one.label])
     return [
-        (slug(case, variant), f"{case}: {variant}", [(who, text) for text, who in texts.items()])
+        (
+            book.to_case(case, variant),
+            f"{case}: {variant}",
+            [(who, text) for text, who in texts.items()],
+        )
         for (case, variant), texts in places.items()
     ]

@@ -1,0 +1,98 @@
+"""All that the pages of a report are made from, each part worked out once."""
+
+from __future__ import annotations
+
+import functools
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+
+from reports.marks import Mark, marks
+from reports.text import slug
+from vv.base.metrics import Vector
+from vv.gate.judgement import judgement
+from vv.insight.effort import Effort, every_effort
+from vv.insight.history import Point
+from vv.records.finding import Finding
+from vv.records.job_record import Record
+from vv.records.manifest import Manifest
+from vv.records.reading import by_fineness, tried
+
+Arrays = Callable[[str], Mapping[str, Vector]]
+Place = tuple[str, str]  # case and variant
+
+
+@dataclass(frozen=True, eq=False)
+class Book:
+    """A manifest, its series and its past. whole: whether all pages are parts of one file."""
+
+    manifest: Manifest
+    arrays: Arrays
+    past: Mapping[str, Sequence[Point]]
+    whole: bool = False
+
+    @functools.cached_property
+    def marks(self) -> dict[str, Mark]:
+        """The looks of all schemes in it."""
+        return marks(record.label for record in self.manifest.records)
+
+    @functools.cached_property
+    def places(self) -> list[Place]:
+        """Every variant, in the order of the cases."""
+        return [(c, v) for c, facts in self.manifest.cases.items() for v in facts.variants]
+
+    @functools.cached_property
+    def records(self) -> dict[Place, dict[str, list[Record]]]:
+        """(case, variant) -> label -> its records, coarsest first; labels sorted."""
+        found: dict[Place, dict[str, list[Record]]] = {place: {} for place in self.places}
+        ordered = sorted(self.manifest.records, key=by_fineness)
+        for record in sorted(ordered, key=lambda r: r.label):
+            piles = found.setdefault((record.case, record.variant), {})
+            piles.setdefault(record.label, []).append(record)
+        return found
+
+    @functools.cached_property
+    def ran(self) -> dict[Place, dict[str, list[Record]]]:
+        """As `records`, of those only that a code took on."""
+        return {
+            place: {
+                label: taken
+                for label, pile in piles.items()
+                if (taken := list(filter(tried, pile)))
+            }
+            for place, piles in self.records.items()
+        }
+
+    @functools.cached_property
+    def findings(self) -> list[Finding]:
+        """What the gate says of all this."""
+        return judgement(self.manifest)
+
+    @functools.cached_property
+    def efforts(self) -> dict[Place, list[Effort]]:
+        """(case, variant) -> what each scheme came to and what that cost."""
+        found: dict[Place, list[Effort]] = {}
+        for effort in every_effort(self.manifest):
+            found.setdefault((effort.case, effort.variant), []).append(effort)
+        return found
+
+    def page_of(self, case: str) -> str:
+        """The file of a case's page."""
+        return f"case-{slug(case)}.html"
+
+    def page_of_code(self, code: str) -> str:
+        """The file of a code's page."""
+        return f"code-{slug(code)}.html"
+
+    def to(self, page: str, anchor: str = "") -> str:
+        """A link to a place on a page."""
+        if self.whole:
+            return f"#{anchor or page.removesuffix('.html')}"
+        return f"{page}#{anchor}" if anchor else page
+
+    def to_case(self, case: str, *names: str) -> str:
+        """A link to a case, a variant of it, or a scheme in that."""
+        return self.to(self.page_of(case), slug(case, *names))
+
+    def to_code(self, label: str) -> str:
+        """A link to the page of a code."""
+        return self.to(self.page_of_code(label.partition("/")[0]))

@@ -1,0 +1,191 @@
+"""Draws a chart as SVG; colours come from the page's style, by classes."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from markupsafe import Markup, escape
+
+from reports.drawing.axes import Axis, linear_axis, log_axis
+from reports.drawing.charts import Chart, Curve, Mask, Rim
+from reports.drawing.svg import drawing, number, path, polygon, text, thinned, title
+from reports.marks import Mark
+from vv.base.metrics import Vector
+
+WIDTH, HEIGHT = 470.0, 290.0
+LEFT, RIGHT, TOP, BOTTOM = 52.0, 356.0, 10.0, 248.0  # of the axes; names of curves to the right
+SMALL, LARGE = 3.0, 4.6  # radius of a marker
+LEADING = 10.5  # between names at the ends of curves
+
+
+def draw(chart: Chart) -> Markup:
+    """The chart as an <svg> element; the same chart gives the same bytes."""
+    x, y = _axes(chart)
+    parts = [*_frame(chart, x, y), *_guides(chart, x, y)]
+    if chart.exact:
+        line = path(*thinned(x.at(chart.exact[0]), y.at(chart.exact[1])))
+        parts.append(f'<path class="exact" d="{line}"/>')
+    sizes = np.linspace(LARGE, SMALL, len(chart.curves)) if chart.x_log else [SMALL] * 99
+    ends: dict[str, tuple[tuple[float, float], Mark]] = {}
+    for curve, size in zip(chart.curves, sizes, strict=False):
+        drawn = _curve(curve, x, y, float(size))
+        parts.append(drawn)
+        ends[curve.mark.label] = _end(curve, x, y), curve.mark
+    parts += [_rim(rim, x, place) for place, rim in enumerate(chart.rims)]
+    return drawing(WIDTH, HEIGHT, [*parts, *_names([*ends.values()])])
+
+
+def _axes(chart: Chart) -> tuple[Axis, Axis]:
+    """The axes, around all that is drawn."""
+    steps = [rim.x for rim in chart.rims if rim.x]
+    across = _values(chart, "x", steps)
+    if chart.x_log:
+        x = log_axis(across[across > 0], 0.06, LEFT, RIGHT)
+    else:
+        x = linear_axis(across, LEFT, RIGHT, 0.0)
+    up = _values(chart, "y", [])
+    if not chart.y_log:
+        more = chart.exact[1] if chart.exact else up
+        return x, linear_axis(np.concatenate([up, more[np.isfinite(more)]]), BOTTOM, TOP)
+    up = up[up > 0]
+    if not chart.x_log and len(up):  # dips where an error changes sign tell nothing
+        up = up[up >= np.percentile(up, 4)]
+    return x, log_axis(up, 0.06, BOTTOM, TOP)
+
+
+def _values(chart: Chart, axis: str, others: list[float]) -> Vector:
+    joined = np.concatenate([*(getattr(c, axis) for c in chart.curves), np.array(others, float)])
+    return np.asarray(joined[np.isfinite(joined)], float)
+
+
+def _frame(chart: Chart, x: Axis, y: Axis) -> list[str]:
+    """Grid, ticks and labels of both axes."""
+    columns = [(float(x.at(tick)), said) for tick, said in x.ticks]
+    rows = [(float(y.at(tick)), said) for tick, said in y.ticks]
+    grid = [f"M{number(p)} {TOP:g}V{BOTTOM:g}" for p, _ in columns]
+    grid += [f"M{LEFT:g} {number(p)}H{RIGHT:g}" for p, _ in rows]
+    middle = f"translate(11 {(TOP + BOTTOM) / 2:g}) rotate(-90)"
+    return [
+        f'<path class="grid" d="{"".join(grid)}"/>',
+        *(text(p, BOTTOM + 13, said, "mid") for p, said in columns),
+        *(text(LEFT - 5, p + 3, said, "end") for p, said in rows),
+        text((LEFT + RIGHT) / 2, HEIGHT - 10, chart.x_label, "mid"),
+        f'<g transform="{middle}">{text(0, 0, chart.y_label, "mid")}</g>',
+    ]
+
+
+def _curve(curve: Curve, x: Axis, y: Axis, size: float) -> str:
+    """A group: the line, the markers, and rings about those that are troubling."""
+    px, py = x.at(curve.x), np.clip(y.at(curve.y), TOP - 4, BOTTOM + 4)
+    parts = [title(curve.mark.label)]
+    if curve.joined.sum() > 1:
+        line = path(*thinned(px[curve.joined], py[curve.joined]))
+        dash = f' stroke-dasharray="{curve.mark.dash}"' if curve.mark.dash else ""
+        parts.append(f'<path class="line" d="{line}"{dash}/>')
+    for kind, chosen in (("full", ~curve.hollow), ("open", curve.hollow)):
+        parts.append(_markers(curve, px, py, chosen & curve.marked, size, kind))
+    if curve.ringed.any():
+        round_it = [_ring(*spot, size + 3) for spot in zip(px, py, curve.ringed, strict=True)]
+        parts.append(f'<path class="ring" d="{"".join(round_it)}"/>')
+    return _group(curve.mark, "".join(parts))
+
+
+def _group(mark: Mark, inner: str) -> str:
+    return f'<g class="c{mark.colour}" data-k="{escape(mark.label)}">{inner}</g>'
+
+
+def _markers(curve: Curve, px: Vector, py: Vector, chosen: Mask, size: float, kind: str) -> str:
+    """The markers of one kind; what is known of each stands beside it for who points at it."""
+    known = np.flatnonzero(chosen & np.isfinite(px) & np.isfinite(py))
+    if not len(known):
+        return ""
+    points = size * np.array(curve.mark.shape) * (1, -1)
+    shapes = "".join(polygon(float(px[i]), float(py[i]), points) for i in known)
+    tips = "|".join(curve.tips[i] for i in known) if curve.tips else ""
+    told = ""
+    if tips:
+        spots = " ".join(f"{number(float(px[i]))} {number(float(py[i]))}" for i in known)
+        told = f' data-at="{spots}" data-tip="{escape(tips)}"'
+    return f'<path class="{kind}" d="{shapes}"{told}/>'
+
+
+def _ring(x: float, y: float, ringed: bool, r: float) -> str:
+    if not ringed:
+        return ""
+    return (
+        f"M{number(x - r)} {number(y)}a{r:g} {r:g} 0 1 0 {2 * r:g} 0a{r:g} {r:g} 0 1 0 {-2 * r:g} 0"
+    )
+
+
+def _rim(rim: Rim, x: Axis, place: int) -> str:
+    """A mark on the upper rim, crossed out, or on the lower one, with an arrow down."""
+    px = float(x.at(rim.x)) if rim.x else RIGHT - 12 - 14 * (place % 18)
+    py = TOP if rim.above else BOTTOM
+    shape = polygon(px, py, SMALL * np.array(rim.mark.shape) * (1, -1))
+    a, b = number(px), number(py)
+    sign = (
+        f"M{number(px - 4)} {number(py - 4)}l8 8m-8 0l8-8"
+        if rim.above
+        else f"M{a} {b}v9m-3-4l3 4l3-4"
+    )
+    said = f"{rim.mark.label}: {'no result' if rim.above else 'error below the axis'}"
+    cross = "lost" if rim.above else "sunk"
+    inner = f'{title(said)}<path class="open" d="{shape}"/><path class="{cross}" d="{sign}"/>'
+    return _group(rim.mark, inner)
+
+
+def _end(curve: Curve, x: Axis, y: Axis) -> tuple[float, float]:
+    """Where a curve is named: its rightmost point."""
+    px, py = x.at(curve.x), np.clip(y.at(curve.y), TOP, BOTTOM)
+    finite = np.flatnonzero(np.isfinite(px) & np.isfinite(py))
+    if not len(finite):
+        return RIGHT, BOTTOM
+    last = finite[np.argmax(px[finite])]
+    return float(px[last]), float(py[last])
+
+
+def _names(ends: Sequence[tuple[tuple[float, float], Mark]]) -> list[str]:
+    """The names of curves beside the axes, each led to by a thin line, none over another."""
+    ordered = sorted(ends, key=lambda end: (end[0][1], end[1].label))
+    wanted = [end[0][1] for end in ordered]
+    parts = []
+    for (spot, mark), y in zip(ordered, _apart(wanted), strict=True):
+        lead = f"M{number(spot[0] + 4)} {number(spot[1])}L{RIGHT + 5:g} {number(y)}"
+        inner = f'<path class="lead" d="{lead}"/>{text(RIGHT + 8, y + 3, mark.label, "named")}'
+        parts.append(_group(mark, inner))
+    return parts
+
+
+def _apart(wanted: Sequence[float]) -> list[float]:
+    """Ascending places as near to the wanted ones as a line's height between them allows."""
+    room = BOTTOM + 30 - TOP
+    step = min(LEADING, room / max(1, len(wanted)))
+    found: list[float] = []
+    for place in wanted:
+        found.append(max(place, found[-1] + step) if found else max(place, TOP))
+    over = max(0.0, found[-1] - (BOTTOM + 30)) if found else 0.0
+    for i in range(len(found) - 1, -1, -1):
+        above = found[i + 1] - step if i + 1 < len(found) else found[i] - over
+        found[i] = min(found[i], above)
+    return found
+
+
+def _guides(chart: Chart, x: Axis, y: Axis) -> list[str]:
+    """Faint lines with their slope written on: rising ones from the upper right, others left."""
+    if not chart.guides or not chart.curves:
+        return []
+    parts = []
+    top = max(float(curve.y.max()) for curve in chart.curves)
+    for slope in chart.guides:
+        ends = [float(c.x.max() if slope > 0 else c.x.min()) for c in chart.curves]
+        at = max(ends) if slope > 0 else min(ends)
+        start = x.value(1.0 if slope > 0 else 0.0)
+        end = min(x.value(1.0), max(x.value(0.0), at * (y.value(0.0) / top) ** (1 / slope)))
+        spots = np.array([start, end])
+        heights = top * (spots / at) ** slope
+        parts.append(f'<path class="guide" d="{path(x.at(spots), y.at(heights))}"/>')
+        spot = at * (end / at) ** 0.8
+        place = float(x.at(spot)), float(y.at(top * (spot / at) ** slope))
+        parts.append(text(*place, f"slope {slope}", "guided"))
+    return parts

@@ -1,0 +1,85 @@
+"""Writes the few things that drawings are made of as SVG, with as few characters as show it."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from markupsafe import Markup, escape
+
+from vv.base.metrics import Vector
+
+BUCKETS = 100  # of a curve, each with its lowest and highest point: pixels show no more
+
+
+def number(value: float) -> str:
+    """A place with one digit after the point."""
+    text = f"{value:.1f}"
+    return text.removesuffix(".0") if text != "-0.0" else "0"
+
+
+def path(x: Vector, y: Vector) -> str:
+    """A line through points, each from the one before; it is broken where one is not finite."""
+    parts: list[str] = []
+    before: tuple[int, int] | None = None
+    tenths = np.where(np.isfinite(x) & np.isfinite(y), np.round(np.array((x, y)) * 10), np.nan)
+    for px, py in tenths.T.tolist():
+        if math.isnan(px):
+            before = None
+            continue
+        here = int(px), int(py)
+        if before is None:
+            parts.append(f"M{_tenth(here[0])}{_joined(here[1])}l")
+        elif here != before:
+            parts.append(f"{_joined(here[0] - before[0])}{_joined(here[1] - before[1])}")
+        before = here
+    return "".join(parts).replace("l ", "l").replace("lM", "M").removesuffix("l")
+
+
+def _tenth(tenths: int) -> str:
+    """A number of tenths as a decimal without what can be left out."""
+    whole, rest = divmod(abs(tenths), 10)
+    sign = "-" if tenths < 0 else ""
+    return f"{sign}{whole or ('' if rest else 0)}{f'.{rest}' if rest else ''}"
+
+
+def _joined(tenths: int) -> str:
+    """As `_tenth`, with the blank that a number needs behind another."""
+    text = _tenth(tenths)
+    return text if text[0] == "-" else f" {text}"
+
+
+def thinned(x: Vector, y: Vector) -> tuple[Vector, Vector]:
+    """The points of a curve that a picture shows: of many, the extremes of each bucket."""
+    if len(x) <= 2 * BUCKETS:
+        return x, y
+    kept = {0, len(x) - 1}
+    for part in np.array_split(np.arange(len(x)), BUCKETS):
+        finite = part[np.isfinite(y[part])]
+        if len(finite):
+            kept |= {int(finite[y[finite].argmin()]), int(finite[y[finite].argmax()])}
+    order = sorted(kept)
+    return x[order], y[order]
+
+
+def polygon(x: float, y: float, points: Vector) -> str:
+    """A closed shape about a place, as part of a path."""
+    return f"{path(x + points[:, 0], y + points[:, 1])}z"
+
+
+def text(x: float, y: float, said: str, kind: str = "") -> str:
+    """A text at a place; kind: its class."""
+    shown = f' class="{escape(kind)}"' if kind else ""
+    return f'<text x="{number(x)}" y="{number(y)}"{shown}>{escape(said)}</text>'
+
+
+def title(said: str) -> str:
+    """What is shown where a pointer rests."""
+    return f"<title>{escape(said)}</title>"
+
+
+def drawing(width: float, height: float, parts: list[str], kind: str = "chart") -> Markup:
+    """The parts as one picture, hidden from who hears the page: words stand beside it."""
+    box = f"0 0 {number(width)} {number(height)}"
+    head = f'<svg class="{escape(kind)}" viewBox="{box}" aria-hidden="true" focusable="false">'
+    return Markup(f"{head}{''.join(parts)}</svg>")

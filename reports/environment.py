@@ -1,0 +1,203 @@
+"""Fills the templates: text is escaped, a misspelt name is an error."""
+
+from __future__ import annotations
+
+import csv
+import functools
+import io
+from collections.abc import Iterable
+from pathlib import Path
+from typing import Any
+
+import jinja2
+from markupsafe import Markup, escape
+
+from reports import text
+from reports.book import Book
+from reports.marks import COLOURS, Mark
+from reports.norms import NORM_NAMES
+from reports.outcomes import WORST_FIRST, ShownOutcome
+from reports.pages import code as codes_page
+from reports.pages.case import case
+from reports.pages.findings import findings
+from reports.pages.front import front
+from reports.pages.overview import overview
+from reports.pages.steadiness import sections
+from reports.pages.tables import Group, Setting, margin
+from reports.pages.troubles import troubles
+from vv.output import table
+from vv.records.finding import worst_first
+from vv.records.reading import tried
+
+HERE = Path(__file__).parent
+FILTERS = (
+    text.sci,
+    text.brief,
+    text.short,
+    text.ratio,
+    text.seconds,
+    text.slug,
+    text.known_columns,
+)
+
+
+@functools.cache
+def _templates() -> jinja2.Environment:
+    """Templates are compiled anew, in a tenth of a second: bytecode in a store would be run."""
+    environment = jinja2.Environment(
+        loader=jinja2.FileSystemLoader(HERE / "templates"),
+        autoescape=True,
+        undefined=jinja2.StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+    )
+    environment.filters |= {name.__name__: name for name in FILTERS}
+    environment.globals |= {
+        "glyph": glyph,
+        "glyphs": glyphs,
+        "tag": tag,
+        "setting_rows": setting_rows,
+        "norms": {name: norm.value for norm, name in NORM_NAMES.items()},
+        "legend": WORST_FIRST[::-1],
+        "palette": palette(),
+    }
+    return environment
+
+
+def _page(template: str, book: Book, **parts: Any) -> str:
+    return _templates().get_template(template).render(book=book, **parts)
+
+
+def front_page(book: Book) -> str:
+    """index.html"""
+    return _page("front.html.j2", book, front=front(book))
+
+
+def case_page(book: Book, name: str) -> str:
+    """case-NAME.html"""
+    return _page("case.html.j2", book, case=case(book, name))
+
+
+def code_page(book: Book, name: str) -> str:
+    """code-NAME.html"""
+    return _page("code.html.j2", book, code=_code(book, name), overview=_of_codes(book)[0])
+
+
+def attention_page(book: Book) -> str:
+    """attention.html: what fails, is known to fail, moved, is not supported; stability; words."""
+    return _page("attention.html.j2", book, **_attention(book))
+
+
+def whole_page(book: Book) -> str:
+    """All pages of a selection as one."""
+    assets = HERE / "assets"
+    return _page(
+        "whole.html.j2",
+        book,
+        front=front(book),
+        cases=[case(book, name) for name in book.manifest.cases],
+        codes=[_code(book, name) for name in codes(book)],
+        overview=_of_codes(book)[0],
+        style=Markup((assets / "report.css").read_text(encoding="utf-8")),
+        script=Markup((assets / "report.js").read_text(encoding="utf-8")),
+        **_attention(book),
+    )
+
+
+def _attention(book: Book) -> dict[str, Any]:
+    return {
+        "troubles": troubles(book),
+        "trouble": findings(book, ("bad", "odd")),
+        "known": findings(book, ("known",)),
+        "idle": findings(book, ("idle",)),
+        "moved": [f for f in worst_first(book.manifest.findings) if f.compares],
+        "stability": sections(book),
+    }
+
+
+def codes(book: Book) -> list[str]:
+    """The codes that have a page."""
+    return list(dict.fromkeys(mark.code for mark in book.marks.values()))
+
+
+def _code(book: Book, name: str) -> codes_page.Code:
+    return codes_page.code(book, name, *_of_codes(book))
+
+
+@functools.lru_cache(maxsize=1)
+def _of_codes(book: Book) -> tuple[Any, Any]:
+    """What all pages of codes share."""
+    return overview(book), codes_page.ranked_tables(book)
+
+
+def case_csv(book: Book, name: str) -> str:
+    """case-NAME.csv: a row for each quantity of each record of what a code took on."""
+    own = (r for r in book.manifest.records if r.case == name and tried(r))
+    found = [row for record in own for row in table.rows(record)]
+    target = io.StringIO()
+    writer = csv.DictWriter(target, list(found[0]) if found else [], lineterminator="\n")
+    writer.writeheader()
+    writer.writerows(found)
+    return target.getvalue()
+
+
+@functools.cache
+def glyph(mark: Mark) -> Markup:
+    """The look of a code/scheme: a line with its marker on it."""
+    return Markup(
+        f'<svg class="glyph c{mark.colour}" viewBox="-13 -7 26 14" aria-hidden="true">'
+        f'<use href="#k-{text.slug(mark.label)}"/></svg>'
+    )
+
+
+def glyphs(marks: Iterable[Mark]) -> Markup:
+    """What glyphs are copies of, once in a page."""
+    parts = [
+        f'<g id="k-{text.slug(mark.label)}"><path class="line" d="M-13 0H13"'
+        f'{_dashed(mark)}/><polygon class="full" points="{mark.points}"/></g>'
+        for mark in marks
+    ]
+    return Markup(f'<svg class="unseen" aria-hidden="true"><defs>{"".join(parts)}</defs></svg>')
+
+
+def _dashed(mark: Mark) -> str:
+    return f' stroke-dasharray="{mark.dash}"' if mark.dash else ""
+
+
+@functools.cache
+def tag(outcome: ShownOutcome, count: int | None = None) -> Markup:
+    """An outcome as symbol and word, and how many of it there are."""
+    symbol = f'<span class="symbol" aria-hidden="true">{escape(outcome.symbol)}</span>'
+    many = "" if count is None else f" {escape(count)}"
+    return Markup(
+        f'<span class="tag {escape(outcome.look)}">{symbol} {escape(outcome.word)}{many}</span>'
+    )
+
+
+def setting_rows(group: Group, stiffness: bool, valued: bool) -> Markup:
+    """The rows of a group of settings; stiffness, valued: whether there are columns of it."""
+    return Markup("".join(_setting_row(row, stiffness, valued) for row in group.rows))
+
+
+def _setting_row(row: Setting, stiffness: bool, valued: bool) -> str:
+    record, one = row.record, row.quantity
+    cpu = text.seconds(record.cost.solve_cpu or None)
+    numbers = [text.brief(record.rung.dt), *([text.brief(record.rung.kn)] if stiffness else [])]
+    numbers += [text.brief(one.value), text.brief(one.reference)] if valued else []
+    numbers += [text.sci(one.error), text.sci(one.tolerance, 1), text.ratio(margin(one))]
+    numbers += [text.NONE if row.local is None else f"{row.local:.2f}"]
+    numbers += [cpu if record.cost.timed else f"{cpu} ○", str(record.steps)]
+    cells = "".join(f"<td>{escape(number)}</td>" for number in numbers)
+    note = f" {escape(row.note)}" if row.note else ""
+    came = f"{escape(row.outcome.symbol)} {escape(row.outcome.word)}"
+    return f'<tr>{cells}<td class="left"><b class="{row.outcome.look}">{came}</b>{note}</td></tr>\n'
+
+
+def palette() -> Markup:
+    """The colours of schemes as classes, for light and dark."""
+    light = "".join(f".c{i}{{--c:{pair[0]}}}" for i, pair in enumerate(COLOURS))
+    dark = "".join(f"[data-theme=dark] .c{i}{{--c:{pair[1]}}}" for i, pair in enumerate(COLOURS))
+    system = "".join(
+        f":root:not([data-theme=light]) .c{i}{{--c:{pair[1]}}}" for i, pair in enumerate(COLOURS)
+    )
+    return Markup(f"{light}{dark}@media screen and (prefers-color-scheme:dark){{{system}}}")

@@ -1,0 +1,1 @@
+"""What each page of a report shows, as frozen data that the templates lay out."""

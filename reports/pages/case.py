@@ -1,0 +1,93 @@
+"""The page of a case: its prose, and the parts of its variants."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+
+from reports.book import Book
+from reports.drawing.collect import History
+from reports.pages.variant import Variant, variant
+from reports.text import slug
+from vv.case import Norm
+from vv.insight.history import Point
+from vv.records.accepted import BaselineSummary
+from vv.records.case_facts import CaseFacts, QuantityFacts
+from vv.records.finding import Finding, worst_first
+from vv.records.job_record import Record
+
+
+@dataclass(frozen=True)
+class Case:
+    """A case and its variants.
+
+    beside: our errors at the step of the tolerances. baseline: what was accepted, why and where;
+    None if nothing was. moved: what changed since. past: the case over commits, oldest first.
+    """
+
+    name: str
+    anchor: str
+    facts: CaseFacts
+    quantities: Sequence[tuple[QuantityFacts, Sequence[str]]]
+    variants: Sequence[Variant]
+    beside: Mapping[str, Mapping[str, float | None]]
+    beside_dt: float | None
+    baseline: BaselineSummary | None
+    moved: Sequence[Finding]
+    past: Sequence[Point]
+    csv: str
+
+
+def case(book: Book, name: str) -> Case:
+    """The view of a case."""
+    facts = book.manifest.cases[name]
+    distinct: dict[str, list[History]] = {}
+    variants = [variant(book, (name, v), distinct) for v in facts.variants]
+    dt = _stated_step(facts)
+    every = [r for v in facts.variants for pile in book.records[name, v].values() for r in pile]
+    beside = {v: _pointwise((r for r in every if r.variant == v), dt) for v in distinct}
+    return Case(
+        name=name,
+        anchor=slug(name),
+        facts=facts,
+        quantities=_quantities(facts),
+        variants=variants,
+        beside=beside,
+        beside_dt=dt,
+        baseline=book.manifest.baselines.get(name),
+        moved=worst_first(f for f in book.manifest.findings if f.case == name),
+        past=book.past.get(name, ()),
+        csv="" if book.whole else f"case-{slug(name)}.csv",
+    )
+
+
+def _quantities(facts: CaseFacts) -> list[tuple[QuantityFacts, Sequence[str]]]:
+    """(quantity, variants it belongs to), each distinct quantity once."""
+    found: list[tuple[QuantityFacts, list[str]]] = []
+    for name, stated in facts.variants.items():
+        for quantity in stated.quantities:
+            variants = next((names for known, names in found if known == quantity), None)
+            if variants is None:
+                found.append((quantity, [name]))
+            else:
+                variants.append(name)
+    return [*found]
+
+
+def _stated_step(facts: CaseFacts) -> float | None:
+    """The step that the tolerances are stated for: there codes are compared with the source."""
+    for quantity, _ in _quantities(facts):
+        for tolerance in (quantity.tolerances or {}).values():
+            if tolerance.dt is not None:
+                return tolerance.dt
+    return None
+
+
+def _pointwise(records: Iterable[Record], dt: float | None) -> dict[str, float | None]:
+    """Scheme -> largest pointwise relative error at that step, or at the only setting it has."""
+    return {
+        record.label: one.errors.get(Norm.POINTWISE)
+        for record in records
+        if record.rung.dt in (dt, None)
+        for one in record.quantities[:1]
+    }

@@ -1,0 +1,90 @@
+"""The page of a code: its schemes, what it covers, where it stands among the others."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+from reports.book import Book
+from reports.marks import Mark
+from reports.outcomes import ShownOutcome, counted
+from reports.pages.overview import Overview, Row
+from reports.pages.tables import Ranked, ranked
+from reports.pages.troubles import Trouble, troubles
+from vv.records.reading import tried
+
+
+@dataclass(frozen=True)
+class Line:
+    """One scheme on one variant: what it reached, and its place by error among who ran it."""
+
+    link: str
+    case: str
+    variant: str
+    row: Ranked
+    rank: int
+    of: int
+
+
+@dataclass(frozen=True)
+class Code:
+    """A code. refusals: reason -> how many variants, of each of its schemes."""
+
+    name: str
+    version: str
+    in_house: bool
+    marks: Sequence[Mark]
+    rows: Sequence[Row]
+    counts: Sequence[tuple[ShownOutcome, int]]
+    troubles: Sequence[Trouble]
+    lines: Sequence[Line]
+    refusals: Sequence[tuple[str, str, Sequence[tuple[str, str]]]]
+
+
+def code(
+    book: Book, name: str, seen: Overview, tables: Mapping[tuple[str, str], Sequence[Ranked]]
+) -> Code:
+    """The view of a code; tables: the ranked schemes of each variant."""
+    own = [record for record in book.manifest.records if record.code == name]
+    rows = [row for row in seen.rows if row.mark.code == name]
+    return Code(
+        name=name,
+        version=next((r.code_version for r in own if r.code_version), ""),
+        in_house=name not in book.manifest.external(),
+        marks=[row.mark for row in rows],
+        rows=rows,
+        counts=counted(own),
+        troubles=troubles(book, [f for f in book.findings if f.label.partition("/")[0] == name]),
+        lines=[
+            line for place, ranks in tables.items() for line in _lines(book, name, place, ranks)
+        ],
+        refusals=_refusals(book, name),
+    )
+
+
+def ranked_tables(book: Book) -> dict[tuple[str, str], list[Ranked]]:
+    """(case, variant) -> its schemes, most accurate first."""
+    return {place: ranked(piles, book.marks) for place, piles in book.ran.items()}
+
+
+def _lines(book: Book, name: str, place: tuple[str, str], ranks: Sequence[Ranked]) -> list[Line]:
+    of = sum(row.error is not None for row in ranks)
+    return [
+        Line(book.to_case(*place, row.mark.label), *place, row, number, of)
+        for number, row in enumerate(ranks, 1)
+        if row.mark.code == name
+    ]
+
+
+def _refusals(book: Book, name: str) -> list[tuple[str, str, list[tuple[str, str]]]]:
+    """(scheme, reason, [(link, case: variant)]), the most frequent first."""
+    found: dict[tuple[str, str], dict[tuple[str, str], None]] = {}
+    for record in book.manifest.records:
+        if record.code == name and not tried(record):
+            places = found.setdefault((record.scheme, record.reason), {})
+            places[record.case, record.variant] = None
+    ordered = sorted(found.items(), key=lambda item: (item[0][0], -len(item[1]), item[0][1]))
+    return [
+        (scheme, reason, [(book.to_case(c, v), f"{c}:{v}") for c, v in places])
+        for (scheme, reason), places in ordered
+    ]

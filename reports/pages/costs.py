@@ -1,0 +1,45 @@
+"""What an error costs in a variant, as its table shows it; timed variants only."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+from reports.book import Book, Place
+from reports.marks import Mark
+from reports.text import brief, sci
+from vv.insight.accuracy_cost import TARGETS, Reach, reach
+from vv.insight.effort import Effort
+from vv.records.rungs import describe
+
+
+@dataclass(frozen=True)
+class CostRow:
+    """A scheme: what each error costs it, its smallest error, floors and limits in words."""
+
+    mark: Mark
+    reached: Sequence[Reach]
+    best: float | None
+    notes: Sequence[str]
+
+
+def cost_rows(book: Book, place: Place) -> list[CostRow]:
+    """What each of TARGETS costs every scheme; nothing where nothing was timed."""
+    here = book.efforts.get(place, [])
+    if not any(effort.timed for effort in here):
+        return []
+    return [
+        CostRow(
+            book.marks[e.label], [reach(e, target) for target in TARGETS], e.best, list(_notes(e))
+        )
+        for e in here
+    ]
+
+
+def _notes(one: Effort) -> Iterator[str]:
+    """Its floor, and at each stiffness what of the error is the model's and what the step's."""
+    if one.floor:
+        yield f"{sci(one.floor.error, 1)}: {one.floor.why}"
+    for row in one.rows:
+        if row.kn and (text := describe(row)):
+            yield f"kn = {brief(row.kn)}: {text}"

@@ -1,0 +1,97 @@
+"""Gathers what needs attention: each finding with its number, its bound, and how to see it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+
+from reports import plain
+from reports.book import Book
+from reports.marks import Mark
+from vv.gate.judgement import breaches
+from vv.insight.diagnosis import diagnoses
+from vv.records.finding import Aspect, Finding, worst_first
+from vv.records.job_record import Record
+from vv.records.reading import rung
+
+CARDS = 10  # on the front page
+JUDGED = (Aspect.ACCURACY, Aspect.CONSERVATION, Aspect.RUN)
+
+
+@dataclass(frozen=True)
+class Trouble:
+    """Findings of one kind on one scheme and case, told by the worst of them.
+
+    red: whether it turns the gate red. others: the places of the rest, as links and words.
+    """
+
+    red: bool
+    kind: str
+    mark: Mark | None
+    where: str
+    link: str
+    text: str
+    setting: str
+    command: str
+    pattern: str
+    others: Sequence[tuple[str, str]]
+    count: int
+
+
+def troubles(book: Book, findings: Iterable[Finding] | None = None) -> list[Trouble]:
+    """All that has a bit in the gate's judgement, worst first, grouped."""
+    known = {
+        (r.case, r.variant, r.label, rung(r)): r
+        for piles in book.ran.values()
+        for pile in piles.values()
+        for r in pile
+    }
+    patterns = {(d.case, d.label): d.text for d in diagnoses(book.manifest)}
+    piles: dict[tuple[str, str, str, str], list[Finding]] = {}
+    for one in worst_first(book.findings if findings is None else findings):
+        if one.bit and not one.improves:
+            key = one.case, one.label, one.check.value, one.kind
+            piles.setdefault(key, []).append(one)
+    return [
+        _trouble(
+            book, pile, known.get(_place(pile[0])), patterns.get((pile[0].case, pile[0].label))
+        )
+        for pile in piles.values()
+    ]
+
+
+def _place(one: Finding) -> tuple[str, str, str, str]:
+    return one.case, one.variant, one.label, one.rung
+
+
+def _trouble(
+    book: Book, pile: Sequence[Finding], record: Record | None, pattern: str | None
+) -> Trouble:
+    worst = pile[0]
+    others = dict.fromkeys((f.case, f.variant) for f in pile[1:] if f.variant != worst.variant)
+    names = [worst.variant, *([worst.label] if worst.label else [])] if worst.variant else []
+    return Trouble(
+        red=worst.red,
+        kind=f"{worst.check.value}: {worst.kind}",
+        mark=book.marks.get(worst.label),
+        where=f"{worst.case}:{worst.variant}" if worst.variant else worst.case or "all",
+        link=book.to_case(worst.case, *names) if worst.case else "",
+        text=_text(worst, record),
+        setting=plain.setting(record) if record else worst.rung,
+        command=plain.command(record) if record else f"vv run {worst.case}".strip(),
+        pattern=pattern or "",
+        others=[(book.to_case(case, variant), variant) for case, variant in others],
+        count=len(pile),
+    )
+
+
+def _text(one: Finding, record: Record | None) -> str:
+    """A finding in plain words: by the record that it is of, if it judges that alone."""
+    if record is None or one.check not in JUDGED:
+        return one.text
+    if one.check is Aspect.CONSERVATION:
+        for found in breaches(record.ledger):
+            if found[0] == one.kind:
+                return plain.breach(found)
+    quantity = record.quantity(one.quantity)
+    return plain.excess(quantity) if quantity else one.text

@@ -1,0 +1,145 @@
+"""A variant's part of a case's page: what was asked, and all that came of it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+from markupsafe import Markup
+
+from reports.book import Book, Place
+from reports.drawing import collect
+from reports.drawing.collect import History
+from reports.drawing.gallery import Figure, figures
+from reports.drawing.scene import draw_scene
+from reports.outcomes import ShownOutcome, counted, shown_outcome
+from reports.pages.advice import Advice, advice
+from reports.pages.costs import CostRow, cost_rows
+from reports.pages.playback import playback
+from reports.pages.tables import (
+    Absent,
+    Group,
+    Ranked,
+    absent,
+    groups,
+    ranked,
+    why_colours_differ,
+)
+from reports.text import slug
+from vv.case import Norm
+from vv.records.case_facts import VariantFacts
+from vv.records.job_record import Record
+from vv.records.reading import fineness
+from vv.records.recorded import RecordedResult
+
+SEVERAL = 3  # quantities with all their figures; of more, the rest has none over time
+
+
+@dataclass(frozen=True)
+class Recorded:
+    """A recorded result of a code that is not installed: never a live one. days: its age."""
+
+    label: str
+    version: str
+    date: str
+    days: int
+    error: float | None
+
+
+@dataclass(frozen=True)
+class Variant:
+    """A variant: what was asked, and all that came of it. like: the variant whose figures fit."""
+
+    name: str
+    anchor: str
+    facts: VariantFacts
+    scene: Markup
+    settings: Mapping[str, float]
+    modified: bool
+    command: str
+    outcomes: Sequence[tuple[ShownOutcome, int]]
+    ranked: Sequence[Ranked]
+    differ: str
+    groups: Sequence[Group]
+    absent: Sequence[Absent]
+    figures: Sequence[Figure]
+    playback: str
+    like: str
+    has_series: bool
+    advice: Sequence[Advice]
+    costs: Sequence[CostRow]
+    recorded: Sequence[Recorded]
+
+
+def variant(book: Book, place: Place, before: dict[str, list[History]]) -> Variant:
+    """The view of a variant. before: variants of the case with figures of their own; one is added
+    to it unless its curve is that of another."""
+    case, name = place
+    facts = book.manifest.cases[case].variants[name]
+    piles = book.records[place]
+    own = [record for pile in piles.values() for record in pile]
+    curves = _first_curves(book, facts, own)
+    like = next((v for v, other in before.items() if collect.same_curve(other, curves)), "")
+    if not like:
+        before[name] = curves
+    if any(shown_outcome(record).troubling for record in own):
+        like = ""  # whoever looks for what went wrong needs its own picture
+    rows = ranked(book.ran[place], book.marks)
+    usual = {p.name: p.value for p in book.manifest.cases[case].parameters}
+    given = own[0].parameters if own else {}
+    return Variant(
+        name=name,
+        anchor=slug(case, name),
+        facts=facts,
+        scene=draw_scene(facts.sketch) if facts.sketch else Markup(""),
+        settings={key: value for key, value in given.items() if value != usual.get(key)},
+        modified=any(record.modified for record in own),
+        command=f"vv run {case}:{name}",
+        outcomes=counted(own),
+        ranked=rows,
+        differ=why_colours_differ(rows),
+        groups=groups(piles, book.marks),
+        absent=absent(piles, book.marks),
+        figures=[] if like else _figures(book, facts, own),
+        playback="" if like else playback(curves, facts),
+        like=like,
+        has_series=bool(curves),
+        advice=advice(book.efforts.get(place, [])),
+        costs=cost_rows(book, place),
+        recorded=_recorded(
+            [r for r in book.manifest.recorded if (r.case, r.variant) == place], facts
+        ),
+    )
+
+
+def _first_curves(book: Book, facts: VariantFacts, own: Sequence[Record]) -> list[History]:
+    """The first quantity over time in each scheme."""
+    if not facts.quantities:
+        return []
+    return collect.histories(own, facts.quantities[0].name, book.marks, book.arrays)
+
+
+def _figures(book: Book, facts: VariantFacts, own: Sequence[Record]) -> list[Figure]:
+    made: list[Figure] = []
+    for number, quantity in enumerate(facts.quantities):
+        measured = [one for r in own if (one := r.quantity(quantity.name))]
+        if not measured:
+            continue
+        norm = next((one.norm for one in measured if one.norm), Norm.MAX)
+        many = number >= SEVERAL
+        curves = [] if many else collect.histories(own, quantity.name, book.marks, book.arrays)
+        steps = collect.ladders(own, quantity.name, book.marks)
+        made += figures(curves, steps, quantity, norm, dict(facts.critical))
+    return made
+
+
+def _recorded(results: Sequence[RecordedResult], facts: VariantFacts) -> list[Recorded]:
+    """The recorded result of each scheme at its finest setting, by the first quantity."""
+    found = {}
+    first = facts.quantities[0].name if facts.quantities else ""
+    for one in sorted(results, key=lambda result: fineness(result.rung)):
+        kept = one.quantities.get(first)
+        error = kept.figures.get("max error") if kept else None
+        date = one.utc.partition("T")[0]
+        found[one.label] = Recorded(one.label, one.version, date, one.days, error)
+    return list(found.values())

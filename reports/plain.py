@@ -1,0 +1,82 @@
+"""Says in plain words what is wrong with a result, and which command shows it again."""
+
+from __future__ import annotations
+
+import shlex
+
+from reports.norms import NORM_NAMES
+from reports.text import short
+from vv.case import Norm
+from vv.gate.judgement import Breach, breaches
+from vv.records.job_record import Record
+from vv.records.outcomes import Outcome, Verdict
+from vv.records.quantity import MeasuredQuantity
+from vv.records.reading import rung
+
+LAWS = {  # of ledgers -> what a breach of it is, before the number
+    "energy created": "Energy not conserved: created",
+    "energy that no term explains": "Energy not accounted for:",
+    "energy that comes from nowhere": "Energy not conserved: created",
+    "momentum beside the forces": "Momentum changes without a force: by",
+    "penetration": "Bodies go into each other: by",
+    "residual of contact": "Contact not solved: residual",
+    "Coulomb: friction beyond mu N": "Coulomb's law broken: friction beyond mu N by",
+}
+
+
+def breach(found: Breach) -> str:
+    """A law that a run breaks, with the number and its bound."""
+    law, seen, allowed = found
+    name, _, unit = law.partition(" [")
+    unit = f" {unit.removesuffix(']')}" if unit else ""
+    said = LAWS.get(name)
+    if said is None and name.startswith("negative "):
+        said = f"{name.removeprefix('negative ').capitalize()} below zero, which creates energy: by"
+    if said is None:
+        said = f"Law broken, {name}:"
+    return f"{said} {short(seen)}{unit}, allowed {short(allowed)}{unit}"
+
+
+def excess(one: MeasuredQuantity) -> str:
+    """A quantity outside what is due, with the number and its bound."""
+    if one.verdict is Verdict.XPASS:
+        text = f"{one.name} passes, though a disagreement is on record: error {short(one.error)}"
+    elif one.error is not None and one.tolerance is not None:
+        norm = f" (norm {NORM_NAMES[one.norm]})" if one.norm not in (None, Norm.MAX) else ""
+        times = f", {one.error / one.tolerance:.2g} times it" if one.error > one.tolerance else ""
+        text = (
+            f"Error of {one.name}{norm} {short(one.error)}, tolerance {short(one.tolerance)}{times}"
+        )
+    elif one.value is not None:
+        text = f"{one.name} = {short(one.value)}: {one.why}"
+    else:
+        text = f"{one.name} is not finite"
+    return f"{text}; {one.note}" if one.note else text
+
+
+def reason(record: Record, came: Outcome) -> str:
+    """Why a record came to its outcome; empty where the word says it all."""
+    if came is Outcome.NOT_CONSERVED:
+        said = [breach(found) for found in breaches(record.ledger)]
+    else:
+        said = [excess(one) for one in record.quantities if one.verdict.value == came.value]
+        if came is Outcome.PASS:
+            said = []
+    return "; ".join([record.reason, *said] if record.reason else said)
+
+
+def setting(record: Record) -> str:
+    """The setting of a record as people write it; empty if it has none."""
+    knobs = (("dt", record.rung.dt, "s"), ("kn", record.rung.kn, "N/m"))
+    return ", ".join(f"{name} = {value:.6g} {unit}" for name, value, unit in knobs if value)
+
+
+def command(record: Record) -> str:
+    """What to type to see a record again."""
+    words = ["vv", "run", f"{record.case}:{record.variant}", "--codes", record.label]
+    at = rung(record)
+    if at:
+        words += ["--rung", at]
+    if record.modified:
+        words += [w for n, v in record.parameters.items() for w in ("--set", f"{n}={v:.12g}")]
+    return shlex.join(words)

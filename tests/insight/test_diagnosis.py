@@ -1,0 +1,96 @@
+"""Claims about the patterns of failures: each is named from records alone."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+from tests.support.fabricated import entry, record
+from vv.insight.diagnosis import Diagnosis, Pattern, diagnose
+from vv.records.job_record import Record
+
+STEPS = (4e-3, 2e-3, 1e-3, 5e-4)
+TERMS = {
+    ("bounce", "T1"): frozenset({"gravity", "spheres"}),
+    ("bounce", "T2"): frozenset({"gravity", "spheres", "viscous drag -eta v"}),
+    ("bounce", "T3"): frozenset({"spheres", "free rotation", "viscous drag -eta v"}),
+}
+
+
+def rung(dt: float, error: float, variant: str = "T2", verdict: str = "", **parts: Any) -> Record:
+    """A record whose largest error is that, judged against 1e-5, in a code of second order."""
+    came = verdict or ("pass" if error <= 1e-5 else "fail")
+    errors = {"max": error, "l2": error, **parts.pop("errors", {})}
+    quantity = entry(came, errors, tolerance=1e-5, **parts)
+    return record("a/a", variant, dt, quantities=[quantity])
+
+
+def only(records: list[Record]) -> Diagnosis:
+    (found,) = diagnose(records, TERMS)
+    return found
+
+
+def test_an_error_that_stays_as_dt_shrinks_does_not_converge() -> None:
+    found = only([rung(dt, 0.013) for dt in STEPS])
+    assert found.pattern is Pattern.STUCK
+    assert found.text == "it does not converge: error 0.013 to 0.013 as dt shrinks"
+    assert (found.case, found.label) == ("bounce", "a/a")
+
+
+def test_first_order_where_second_is_claimed_is_named_with_the_order_seen() -> None:
+    found = only([rung(dt, dt) for dt in STEPS])
+    assert found.pattern is Pattern.LOW_ORDER
+    assert "order 1.00 where 2 is claimed" in found.text
+
+
+def test_second_order_outside_the_tolerance_is_no_matter_of_order() -> None:
+    assert list(diagnose([rung(dt, 20 * dt**2) for dt in STEPS], TERMS)) == []
+
+
+def test_a_class_that_claims_no_order_is_not_held_to_one() -> None:
+    slow = [record(r.label, r.variant, r.rung.dt, method="penalty", quantities=r.quantities)
+            for r in (rung(dt, dt) for dt in STEPS)]  # fmt: skip
+    assert list(diagnose(slow, TERMS)) == []
+
+
+@pytest.mark.parametrize(
+    ("factor", "said"),
+    [(2.0, "a term counts twice"), (0.5, "counts half"), (-1.0, "a sign is swapped"),
+     (0.0, "an effect is lost")],
+)  # fmt: skip
+def test_a_factor_in_the_answer_is_named(factor: float, said: str) -> None:
+    error = abs(factor - 1)
+    seen = [rung(dt, error, figures={"final": 3.001 * factor}, end=3.0) for dt in STEPS]
+    found = only(seen)
+    assert found.pattern is Pattern.FACTOR
+    assert said in found.text
+    scalar: dict[str, Any] = {"kind": "scalar", "value": 3.0 * factor, "reference": 3.0}
+    assert said in only([rung(dt, error, **scalar) for dt in STEPS]).text
+
+
+def test_an_error_that_is_largest_at_the_end_grows_in_time() -> None:
+    grown: dict[str, Any] = {"figures": {"final": 1.01}, "end": 1.0, "errors": {"l2": 4e-3}}
+    found = only([rung(1e-3, 1e-2, **grown)])
+    assert found.pattern is Pattern.GROWTH
+    steady = {**grown, "errors": {"l2": 1e-2}}
+    assert list(diagnose([rung(1e-3, 1e-2, **steady)], TERMS)) == []
+
+
+def test_the_effect_that_all_failing_variants_share_and_no_other_has_is_blamed() -> None:
+    fine = [rung(dt, 1e-6, "T1") for dt in STEPS]
+    late = [rung(dt, dt, variant) for variant in ("T2", "T3") for dt in STEPS]
+    assert only([*fine, *late]).text.endswith("; only variants with drag fail")
+    odd = [rung(1e-3, 20e-6, variant) for variant in ("T2", "T3")]
+    assert only([*fine, *odd]) == Diagnosis(
+        "bounce", "a/a", Pattern.TERM, "only variants with drag fail"
+    )
+
+
+def test_nothing_is_said_of_what_passes_or_did_not_run() -> None:
+    stopped = record("a/a", "T1", 1e-3, status="error")
+    assert list(diagnose([*(rung(dt, 1e-6) for dt in STEPS), stopped], TERMS)) == []
+
+
+def test_known_disagreements_have_patterns_too() -> None:
+    assert only([rung(dt, dt, verdict="xfail") for dt in STEPS]).pattern is Pattern.LOW_ORDER

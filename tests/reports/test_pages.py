@@ -1,0 +1,387 @@
+"""Claims about the report's pages: they say all there is, fetch nothing, and are made once."""
+
+from __future__ import annotations
+
+import dataclasses
+import os
+import re
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from reports import html
+from reports.outcomes import OUTCOMES, WORST_FIRST, shown_outcome
+from reports.pages import tables
+from tests.support.fabricated import (
+    STEPS,
+    case,
+    changed,
+    entry,
+    manifest_of_all,
+    ran,
+    record,
+    requantified,
+)
+from tests.support.fabricated import manifest as manifest_of
+from tests.support.html_tags import Tags
+from vv.ask import Status
+from vv.records.accepted import AcceptanceSummary, BaselineSummary, Place
+from vv.records.finding import Aspect, Bit, Finding
+from vv.records.manifest import Manifest
+from vv.records.outcomes import Outcome, Verdict
+from vv.records.recorded import RecordedQuantity, RecordedResult
+from vv.store.store import Store
+
+HOSTILE = (
+    "</td></script><script>alert('x')</script><img src=http://bad.example/x onerror=run()>&$^_{"
+)
+CASE = "case-bounce.html"
+
+
+@pytest.fixture
+def store(tmp_path: Path) -> Store:
+    return Store(tmp_path / ".vv")
+
+
+@pytest.fixture
+def manifest(store: Store) -> Manifest:
+    return manifest_of_all(store)
+
+
+def pages(manifest: Manifest, store: Store) -> dict[str, str]:
+    """Every file of the report, by name."""
+    folder = store.root / "report"
+    assert html.build(manifest, store, folder) == folder / "index.html"
+    return {path.name: path.read_text(encoding="utf-8") for path in sorted(folder.iterdir())}
+
+
+def built(manifest: Manifest, store: Store) -> str:
+    """The page of the case."""
+    return pages(manifest, store)[CASE]
+
+
+def test_every_outcome_of_what_ran_is_in_its_row_with_a_symbol(
+    manifest: Manifest, store: Store
+) -> None:
+    page = built(manifest, store)
+    rows, seen = Tags(page).rows, set()
+    for made in manifest.records:
+        outcome = shown_outcome(made)
+        seen.add(outcome.key)
+        where = rows.get(tables.anchor(made), page)
+        assert f"{outcome.symbol} {outcome.word}" in re.sub(r"<[^>]*>", "", where)
+    assert seen == set(OUTCOMES)
+
+
+def test_every_status_and_verdict_has_an_outcome_told_apart_without_colour() -> None:
+    words = {status.value for status in Status} - {"ran"} | {verdict.value for verdict in Verdict}
+    assert words <= {outcome.value for outcome in OUTCOMES}
+    assert set(OUTCOMES) == set(Outcome)
+    assert len({known.symbol for known in WORST_FIRST}) == len(WORST_FIRST)
+    assert len({known.word for known in WORST_FIRST}) == len(WORST_FIRST)
+
+
+def test_red_is_explained_by_the_setting_that_fails_and_not_by_the_finest(
+    manifest: Manifest, store: Store
+) -> None:
+    good = next(r for r in manifest.records if r.label == "dem/default" and r.rung.dt == 4e-3)
+    leaked = {"terms": {}, "unaccounted": 0.0, "peak": 9.0, "bound": None}
+    audits = {"energy created [J]": [1390.0, 2e-10]}
+    bad = changed(good, ledger={**leaked, "audits": audits})
+    records = tuple(bad if r is good else r for r in manifest.records)
+    row = Tags(built(dataclasses.replace(manifest, records=records), store)).rows[
+        tables.anchor(good)
+    ]
+    assert "≠ not conserved 1" in row
+    assert "✓ pass 2" in row
+    assert "dt = 0.004 s:" in row
+    assert "Energy not conserved: created 1.39e3 J, allowed 2.00e-10 J" in row
+    assert "vv run bounce:T1 --codes dem/default --rung dt=0.004" in row
+
+
+def test_a_larger_error_that_is_green_is_explained_by_its_class(store: Store) -> None:
+    rough = record(
+        "a/rough", "T1", 1e-3, method="penalty", quantities=[entry("pass", {"max": 2.1e-4})]
+    )
+    late = entry("xfail", {"max": 1.1e-4}, tolerance=1e-5, note="drag is late")
+    sharp = record("b/sharp", "T1", 1e-3, quantities=[late])
+    text = built(manifest_of(rough, sharp), store)
+    assert "a/rough (penalty) has 2.1e-4 of 1.0e-3 and passes" in text
+    assert "b/sharp (second order) has 1.1e-4 of 1.0e-5 and is &#39;known disagreement&#39;" in text
+
+
+def test_nothing_is_fetched_and_every_link_leads_somewhere(
+    manifest: Manifest, store: Store
+) -> None:
+    made = pages(manifest, store)
+    read = {name: Tags(page) for name, page in made.items() if name.endswith(".html")}
+    assert {"index.html", "attention.html", "code-fate.html", CASE} <= read.keys()
+    ids = {name: list(tags.all("id")) for name, tags in read.items()}
+    for name, tags in read.items():
+        assert len(ids[name]) == len(set(ids[name])), name
+        assert not {tag for tag, _ in tags.tags} & {"img", "iframe", "object"}
+        assert set(tags.all("src")) == {"report.js"}
+        for target in tags.all("href"):
+            page, _, anchor = target.partition("#")
+            if target != "https://doi.org/10.1/(x)":
+                assert not page or page in made, target
+                assert not anchor or anchor in ids[page or name], target
+        assert re.findall(r"url\(|@import|://(?!doi\.org/10\.1/)", made[name]) == []
+    assert re.findall(r"url\(|@import|https?:", made["report.css"]) == []
+    assert re.findall(r"fetch\(|XMLHttp|https?:", made["report.js"]) == ["http:"]  # names SVG
+
+
+def hostile(manifest: Manifest) -> Manifest:
+    """The manifest with a hostile text wherever a text is."""
+    (facts,) = manifest.cases.values()
+    variants = {
+        name + HOSTILE: changed(
+            said,
+            summary=HOSTILE,
+            formula=HOSTILE,
+            quantities=[changed(one, unit=HOSTILE, symbol=HOSTILE) for one in said.quantities],
+        )
+        for name, said in facts.variants.items()
+    }
+    source = changed(facts.source, note=HOSTILE)
+    published = {"Fig. 4": HOSTILE}
+    prose = changed(facts, title=HOSTILE, published=published, source=source, variants=variants)
+    records = tuple(
+        changed(
+            requantified(one, note=HOSTILE),
+            variant=one.variant + HOSTILE,
+            scheme=one.scheme + HOSTILE,
+            reason=HOSTILE,
+            code_version=HOSTILE,
+            model=one.model and changed(one.model, note=HOSTILE),
+        )
+        for one in manifest.records
+    )
+    return dataclasses.replace(
+        manifest,
+        provenance=changed(manifest.provenance, command=HOSTILE),
+        cases={"bounce": prose},
+        records=records,
+    )
+
+
+def test_hostile_text_stays_text(manifest: Manifest, store: Store) -> None:
+    made = pages(hostile(manifest), store)
+    single = html.build_single(hostile(manifest), store, ["bounce"], store.root / "one.html")
+    for name, page in [*made.items(), ("one.html", single.read_text(encoding="utf-8"))]:
+        if name.endswith(".html"):
+            tags = Tags(page)
+            assert not {tag for tag, _ in tags.tags} & {"img"}, name
+            assert not list(tags.all("onerror")), name
+            assert "<script>alert" not in page, name
+    assert not [name for name in made if "/" in name or "<" in name]
+
+
+def test_the_same_results_are_not_rendered_again(manifest: Manifest, store: Store) -> None:
+    first = pages(manifest, store)
+    folder = store.root / "report"
+    for path in folder.iterdir():
+        os.utime(path, ns=(1, 1))
+    later = dataclasses.replace(manifest.provenance, utc="2026-01-01T00:00:00+00:00")
+    assert pages(dataclasses.replace(manifest, name="20260101", provenance=later), store) == first
+    assert {path.stat().st_mtime_ns for path in folder.iterdir()} == {1}
+
+
+def test_a_changed_case_has_its_page_and_the_common_ones_made_again(
+    manifest: Manifest, store: Store
+) -> None:
+    two = dataclasses.replace(manifest, cases={**manifest.cases, "other": case()})
+    pages(two, store)
+    folder = store.root / "report"
+    for path in folder.iterdir():
+        os.utime(path, ns=(1, 1))
+    first, *others = manifest.records
+    worse = (requantified(first, verdict="fail"), *others)
+    pages(dataclasses.replace(two, records=worse), store)
+    kept = {path.name for path in folder.iterdir() if path.stat().st_mtime_ns == 1}
+    assert kept == {"case-other.html", "case-other.csv", "report.css", "report.js"}
+
+
+def test_pages_of_what_is_no_longer_there_go(manifest: Manifest, store: Store) -> None:
+    two = dataclasses.replace(manifest, cases={**manifest.cases, "other": case()})
+    assert "case-other.html" in pages(two, store)
+    (store.root / "report" / "notes.txt").write_text("somebody's own")
+    left = pages(manifest, store)
+    assert "case-other.html" not in left
+    assert "notes.txt" in left
+
+
+def test_a_page_that_was_touched_is_made_again(manifest: Manifest, store: Store) -> None:
+    page = built(manifest, store)
+    (store.root / "report" / CASE).write_bytes(b"\xff\xfe <script>alert(1)</script>")
+    assert built(manifest, store) == page
+    (store.root / "report" / "stamps.json").write_text("[")
+    assert built(manifest, store) == page
+
+
+def test_same_results_give_the_same_bytes(manifest: Manifest, store: Store) -> None:
+    first = pages(manifest, store)
+    shutil.rmtree(store.root / "report")
+    assert pages(manifest, store) == first
+
+
+def test_missing_series_leave_tables_and_ladders(manifest: Manifest, store: Store) -> None:
+    assert "Relative error over time" in built(manifest, store)
+    shutil.rmtree(store.root / "records")
+    shutil.rmtree(store.root / "report")
+    page = built(manifest, store)
+    assert "not in the store" in page
+    assert "Error against step" in page
+    assert "Relative error over time" not in page
+
+
+def test_a_variant_with_the_same_reference_is_drawn_only_in_trouble(
+    manifest: Manifest, store: Store
+) -> None:
+    mirrored = [ran(store, "dem/default", "T1-mirrored", dt, "pass") for dt in STEPS]
+    facts = case()
+    variants = {**facts.variants, "T1-mirrored": facts.variants["T1"]}
+    more = dataclasses.replace(
+        manifest,
+        cases={"bounce": dataclasses.replace(facts, variants=variants)},
+        records=(*manifest.records, *mirrored),
+    )
+    page = built(more, store)
+    assert '#bounce--T1">T1</a>: the figures there serve' in page
+    drawn = page.count('role="img"')
+    trouble = (*manifest.records, requantified(mirrored[0], verdict="fail"), *mirrored[1:])
+    assert built(dataclasses.replace(more, records=trouble), store).count('role="img"') == drawn + 4
+
+
+def test_numbers_and_counts_have_tables_without_series(store: Store, manifest: Manifest) -> None:
+    errors = {"max": 1e-5, "final": 1e-5}
+    quantities = (
+        entry("pass", errors, name="E", kind="scalar", value=2.0, reference=2.00002, norm=None),
+        entry("no-reference", {}, name="hits", kind="count", unit="", value=31, norm=None),
+    )
+    records = tuple(dataclasses.replace(r, quantities=quantities) for r in manifest.records)
+    assert "2.00002" in built(dataclasses.replace(manifest, records=records), store)
+
+
+def test_reasons_and_circumstances_are_told(manifest: Manifest, store: Store) -> None:
+    made = pages(manifest, store)
+    for words in ("refused it is", "drag is late", "grows with time", "one freedom", "○"):
+        assert words in made[CASE]
+    for words in ("vv run --all", "with uncommitted changes", "gate: red"):
+        assert words in made["index.html"]
+    assert "refused it is" in made["attention.html"]
+
+
+def test_what_was_accepted_moved_or_recorded_is_told(manifest: Manifest, store: Store) -> None:
+    taken = AcceptanceSummary(
+        commit="c0ffee" * 7,
+        dirty=True,
+        machine=Place("P9", "S9"),
+        reason="looked <at>",
+        utc="2025-01-01T00:00:00",
+        versions={"numpy": "9.9"},
+        results=3,
+    )
+    moved = Finding(Aspect.REGRESSION, "worse", "it moved", "bounce", "T1", bit=Bit.ACCURACY)
+    absent = next(r for r in manifest.records if r.status is Status.NOT_INSTALLED)
+    kept = RecordedResult(
+        case=absent.case,
+        variant=absent.variant,
+        code=absent.code,
+        scheme=absent.scheme,
+        rung=absent.rung,
+        knobs="",
+        version="2.3",
+        utc="2024-02-29T01:02:03",
+        days=307,
+        cpu=None,
+        quantities={"y": RecordedQuantity({"max error": 4.2e-7})},
+    )
+    more = dataclasses.replace(
+        manifest,
+        baselines={"bounce": BaselineSummary(4, (taken,))},
+        findings=(moved,),
+        recorded=(kept,),
+    )
+    page = built(more, store)
+    assert "3 of 4 results" in page
+    assert "Reason: looked &lt;at&gt;" in page
+    assert "P9, S9, numpy 9.9" in page
+    assert "regression: worse<" in page
+    assert "it moved" in page
+    assert "recorded 2024-02-29 with 2.3, 307 days ago: error 4.2e-7" in page
+
+
+def test_importing_the_report_costs_no_templates() -> None:
+    code = "import reports.html, sys; assert not {'matplotlib', 'jinja2'} & set(sys.modules)"
+    root = Path(html.__file__).parents[1]
+    subprocess.run([sys.executable, "-c", code], check=True, cwd=root)
+
+
+def test_what_an_error_costs_stands_with_each_timed_variant(
+    manifest: Manifest, store: Store
+) -> None:
+    made = pages(manifest, store)
+    timed = {r.variant for r in manifest.records if r.cost.timed}
+    assert timed
+    assert made[CASE].count("What an error costs") == len(timed)
+    assert "What accuracy costs" in made["index.html"]
+
+
+def test_refusals_are_one_line_in_a_variant_and_blank_on_the_map(
+    manifest: Manifest, store: Store
+) -> None:
+    made = pages(manifest, store)
+    assert made[CASE].count("Not run by") == 1  # folded; the other variant was asked of no such
+    (row,) = re.findall(
+        r'<tr><th scope="row"><a href="case-bounce.html#bounce">.*?</tr>', made["index.html"]
+    )
+    cells = re.findall(r"<td.*?</td>", row)
+    labels = sorted({record.label for record in manifest.records})
+    assert cells[labels.index("fate/a")] == "<td></td>"
+    assert "≠" in cells[labels.index("fate/j")]
+
+
+def test_the_verdict_is_that_of_the_gate(manifest: Manifest, store: Store) -> None:
+    from vv.gate.judgement import judgement
+    from vv.output.markdown import headline
+
+    assert f"gate: {headline(judgement(manifest))}" in pages(manifest, store)["index.html"]
+
+
+def test_an_empty_run_and_one_of_failures_only_have_pages(store: Store) -> None:
+    assert "Nothing was run" in pages(manifest_of(), store)["index.html"]
+    failed = [record("a/b", "T1", dt, status="error", reason="boom") for dt in STEPS]
+    made = pages(manifest_of(*failed), store)
+    assert "boom" in made["attention.html"]
+    assert "boom" in made[CASE]
+
+
+def test_one_file_holds_a_selection_and_needs_nothing_else(
+    manifest: Manifest, store: Store
+) -> None:
+    two = dataclasses.replace(manifest, cases={**manifest.cases, "other": case()})
+    output = store.root / "one.html"
+    text = html.build_single(two, store, ["bounce"], output).read_text(encoding="utf-8")
+    tags = Tags(text)
+    ids = list(tags.all("id"))
+    assert len(ids) == len(set(ids))
+    assert not list(tags.all("src"))
+    targets = [target for target in tags.all("href") if not target.startswith("https://doi.org")]
+    assert all(target.startswith("#") and target[1:] in ids for target in targets)
+    assert "other" not in {ids_part.partition("--")[0] for ids_part in ids}
+
+
+def test_stability_stands_on_the_page_of_attention(manifest: Manifest, store: Store) -> None:
+    quantity = entry(
+        "pass", {"max": 0.0}, name="step", kind="scalar", value=0.9996, reference=1.0,
+        note="at dt = 0.2 s: it blew up",
+    )  # fmt: skip
+    sought = record("dem/default", "T1", 0.1, study="search", quantities=[quantity])
+    found = (sought, changed(sought, code="exact"))
+    more = dataclasses.replace(manifest, records=(*manifest.records, *found))
+    text = pages(more, store)["attention.html"]
+    assert text.count("0.9996, as due; at dt = 0.2 s: it blew up") == 1  # shared by both

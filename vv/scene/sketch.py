@@ -1,0 +1,169 @@
+"""A scene as a few shapes in a plane: what is needed to draw it, and how that is made."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+
+from vv.scene.arrays import Vector
+from vv.scene.bodies import Harmonic
+from vv.scene.scene import Scene
+
+MOST = 150  # bodies, and bonds, in a sketch: beyond it a picture says no more
+FEW = 8  # bodies with arrows
+FLAT = 0.02  # of the largest extent: a scene that is less deep is seen straight on
+OBLIQUE = np.array([[0.87, -0.5, 0.0], [0.25, 0.43, 0.87]])  # rows: right and up, as seen
+NAMES = ("x", "y", "z")
+DIGITS = 4
+Spot = tuple[float, float]
+
+
+@dataclass(frozen=True, slots=True)
+class Arrow:
+    """What acts on a body or moves it: tail and direction [-], and what it is in words."""
+
+    tail: Spot
+    along: Spot
+    what: str
+
+
+@dataclass(frozen=True, slots=True)
+class Sketch:
+    """Bodies seen along one direction, in units of `size` [m], the larger extent of the picture.
+
+    axes: names of the directions to the right and up, empty for an oblique view. circles: centre
+    and radius; held: whether each is locked in all directions; polygons: corners of the faces of
+    blocks that are seen; walls: a point and the outward normal of each, as seen; bonds: ends of
+    each. bodies: how many the scene has, of which those beyond a limit are left out here.
+    """
+
+    size: float
+    axes: tuple[str, ...]
+    bodies: int
+    circles: tuple[tuple[float, float, float], ...] = ()
+    held: tuple[bool, ...] = ()
+    polygons: tuple[tuple[Spot, ...], ...] = ()
+    walls: tuple[tuple[Spot, Spot], ...] = ()
+    bonds: tuple[tuple[Spot, Spot], ...] = ()
+    arrows: tuple[Arrow, ...] = ()
+
+
+def sketch(scene: Scene) -> Sketch:
+    """The sketch of a scene at t = 0."""
+    plane, names = _plane(scene)
+    shown = _Shown(scene, plane)
+    return Sketch(
+        size=shown.size,
+        axes=names,
+        bodies=sum(map(len, scene.bodies)),
+        circles=tuple((*shown.spot(x), shown.length(r)) for x, r in shown.spheres()),
+        held=tuple(not row.any() for row in scene.spheres.free[:MOST]),
+        polygons=tuple(shown.faces()),
+        walls=tuple(shown.walls()),
+        bonds=tuple(shown.bonds()),
+        arrows=tuple(shown.arrows()),
+    )
+
+
+def _plane(scene: Scene) -> tuple[Vector, tuple[str, ...]]:
+    """Directions to the right and up, (2, 3), and their names if they are axes of the frame."""
+    points = _points(scene)
+    spread = np.ptp(points, axis=0) if len(points) else np.zeros(3)
+    size = float(spread.max(initial=0.0)) or 1.0
+    acts = [scene.gravity, *(w.normal for w in scene.walls), *_moves(scene)]
+    told = sum((np.abs(a) / (np.linalg.norm(a) or 1.0) for a in acts), np.zeros(3))
+    if scene.blocks or (np.sort(spread)[0] <= FLAT * size and (told > 0.05).sum() < 3):
+        weight = told + 1e-3 * spread / size + (1e-6, 0.0, 2e-6)
+        first, second = sorted(np.argsort(weight)[-2:].tolist())
+        return np.eye(3)[[first, second]], (NAMES[first], NAMES[second])
+    return OBLIQUE, ()
+
+
+def _points(scene: Scene) -> Vector:
+    """Centres of spheres and corners of blocks, (k, 3) [m]."""
+    return np.concatenate([scene.spheres.position, *(b.vertices for b in scene.blocks)])
+
+
+def _moves(scene: Scene) -> Iterator[Vector]:
+    """Velocities, loads and amplitudes that differ from zero."""
+    groups = [scene.spheres, *scene.blocks]
+    rows = [np.atleast_2d(getattr(g, name))[:MOST] for g in groups for name in ("velocity", "load")]
+    yield from (row for part in rows for row in part if row.any())
+    driven = [scene.shaking, *(wall.motion for wall in scene.walls)]
+    yield from (along for one in driven if one for along, _, _ in one.sines())
+
+
+class _Shown:
+    """A scene as it is seen: places in units of its larger extent, from its middle."""
+
+    def __init__(self, scene: Scene, plane: Vector) -> None:
+        self.scene, self.plane = scene, plane
+        radius = scene.spheres.radius[:, None]
+        seen = scene.spheres.position @ plane.T
+        corners = [seen - radius, seen + radius, *(b.vertices @ plane.T for b in scene.blocks)]
+        points = np.concatenate(corners)
+        self.middle = 0.5 * (points.min(axis=0) + points.max(axis=0))
+        self.size = float(np.ptp(points, axis=0).max()) or 1.0
+
+    def spot(self, place: Vector) -> Spot:
+        """A place [m] as it is seen."""
+        x, y = ((self.plane @ place - self.middle) / self.size).round(DIGITS).tolist()
+        return x, y
+
+    def length(self, metres: float) -> float:
+        """A length as it is seen."""
+        return round(float(metres) / self.size, DIGITS)
+
+    def spheres(self) -> Iterator[tuple[Vector, float]]:
+        """Centre [m] and radius [m] of the spheres that are shown."""
+        group = self.scene.spheres
+        yield from zip(group.position[:MOST], group.radius[:MOST].tolist(), strict=True)
+
+    def faces(self) -> Iterator[tuple[Spot, ...]]:
+        """The faces of blocks that look at the reader."""
+        towards = np.cross(self.plane[0], self.plane[1])
+        for block in self.scene.blocks[:MOST]:
+            for face in block.faces:
+                corners = block.vertices[list(face)]
+                normal = np.cross(corners[1] - corners[0], corners[2] - corners[1])
+                if abs(normal @ towards) > 1e-6 * np.linalg.norm(normal) and normal @ towards > 0:
+                    yield tuple(map(self.spot, corners))
+
+    def walls(self) -> Iterator[tuple[Spot, Spot]]:
+        """The point of each wall nearest to the bodies' middle, and its normal, if it is seen."""
+        middle = _points(self.scene).mean(axis=0)
+        for wall in self.scene.walls:
+            x, y = self.plane @ wall.normal
+            if np.hypot(x, y) > 0.1:
+                foot = middle - (middle - wall.point) @ wall.normal * wall.normal
+                yield self.spot(foot), (round(float(x), DIGITS), round(float(y), DIGITS))
+
+    def bonds(self) -> Iterator[tuple[Spot, Spot]]:
+        """The ends of bonds between spheres that are shown."""
+        pairs = self.scene.bonded_pairs
+        place = self.scene.spheres.position
+        kept = pairs[(pairs < MOST).all(axis=1)][: 2 * MOST]
+        yield from ((self.spot(place[i]), self.spot(place[j])) for i, j in kept)
+
+    def arrows(self) -> Iterator[Arrow]:
+        """Gravity, shaking, and what moves or loads the first bodies."""
+        if self.scene.gravity.any():
+            yield self._arrow(None, self.scene.gravity, "gravity")
+        yield from self._driven(self.scene.shaking, "shaking")
+        for wall in self.scene.walls:
+            yield from self._driven(wall.motion, "driven wall")
+        first, blocks = self.scene.spheres.part(slice(0, FEW)), self.scene.blocks[:FEW]
+        for what in ("velocity", "load"):
+            rows = [*zip(first.position, getattr(first, what), strict=True)]
+            rows += [(block.centroid(), getattr(block, what)) for block in blocks]
+            yield from (self._arrow(place, row, what) for place, row in rows if row.any())
+
+    def _driven(self, motion: Harmonic | None, what: str) -> Iterator[Arrow]:
+        if motion is not None:
+            yield from (self._arrow(None, along, what) for along, _, _ in motion.sines())
+
+    def _arrow(self, place: Vector | None, along: Vector, what: str) -> Arrow:
+        x, y = (self.plane @ along / (np.linalg.norm(along) or 1.0)).round(DIGITS).tolist()
+        return Arrow((0.0, 0.0) if place is None else self.spot(place), (x, y), what)
