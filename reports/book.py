@@ -68,6 +68,18 @@ class Book:
         return judgement(self.manifest)
 
     @functools.cached_property
+    def red(self) -> list[Finding]:
+        """The findings that turn the gate red."""
+        return [finding for finding in self.findings if finding.red]
+
+    def quiet(self, case: str = "", variant: str = "", label: str = "") -> bool:
+        """Whether nothing of a case, variant or scheme turns the gate red; '' stands for all."""
+        return not any(
+            case in ("", f.case) and variant in ("", f.variant) and f.label.startswith(label)
+            for f in self.red
+        )
+
+    @functools.cached_property
     def efforts(self) -> dict[Place, list[Effort]]:
         """(case, variant) -> what each scheme came to and what that cost."""
         found: dict[Place, list[Effort]] = {}

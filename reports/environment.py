@@ -165,12 +165,17 @@ def _dashed(mark: Mark) -> str:
 
 
 @functools.cache
-def tag(outcome: ShownOutcome, count: int | None = None) -> Markup:
-    """An outcome as symbol and word, and how many of it there are."""
+def tag(outcome: ShownOutcome, count: int | None = None, quiet: bool = False) -> Markup:
+    """An outcome as symbol and word, and how many of it there are.
+
+    quiet: the gate is not red for it.
+    """
     symbol = f'<span class="symbol" aria-hidden="true">{escape(outcome.symbol)}</span>'
     many = "" if count is None else f" {escape(count)}"
+    look = "known" if quiet and outcome.troubling else outcome.look
+    only = ", reported only" if quiet and outcome.troubling else ""
     return Markup(
-        f'<span class="tag {escape(outcome.look)}">{symbol} {escape(outcome.word)}{many}</span>'
+        f'<span class="tag {escape(look)}">{symbol} {escape(outcome.word)}{many}{only}</span>'
     )
 
 

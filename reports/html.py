@@ -90,15 +90,16 @@ def _files(book: Book) -> Iterator[File]:
     for asset in ASSETS:
         text = (HERE / "assets" / asset).read_text(encoding="utf-8")
         yield File(asset, looks, lambda text=text: text)  # type: ignore[misc]
-    for case in book.manifest.cases:
-        name, made_from = book.page_of(case), _of_case(book, case)
+    of_cases = {case: _of_case(book, case) for case in book.manifest.cases}
+    for case, made_from in of_cases.items():
+        name = book.page_of(case)
         yield File(name, made_from, functools.partial(env.case_page, book, case))
         yield File(
             f"{name.removesuffix('html')}csv",
             made_from,
             functools.partial(env.case_csv, book, case),
         )
-    all_of_it = _of_all(book)
+    all_of_it = _of_all(book, [*of_cases.values()])
     for code in env.codes(book):
         yield File(book.page_of_code(code), all_of_it, functools.partial(env.code_page, book, code))
     yield File("attention.html", all_of_it, functools.partial(env.attention_page, book))
@@ -121,14 +122,13 @@ def _of_case(book: Book, case: str) -> str:
     return _digest(parts)
 
 
-def _of_all(book: Book) -> str:
+def _of_all(book: Book, of_cases: Sequence[str]) -> str:
     """Digest of all that the other pages show, but the time and the name of the invocation.
 
     Another invocation that was answered by the same results has the same report.
     """
     circumstances = dataclasses.replace(book.manifest.provenance, utc="")
-    cases = [_of_case(book, case) for case in book.manifest.cases]
-    return _digest((circumstances, cases, book.manifest.findings))
+    return _digest((circumstances, of_cases, book.manifest.findings))
 
 
 def _without_time(point: Point) -> tuple[object, ...]:

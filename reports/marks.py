@@ -59,8 +59,9 @@ def _quarter_turns(x: float, y: float, count: int) -> tuple[float, float]:
     return x, y
 
 
+ROUND = _regular(12, radius=0.9)
 SHAPES: tuple[Polygon, ...] = (
-    _regular(12, radius=0.9),
+    ROUND,
     _regular(4, math.pi / 4, 1.15),
     _regular(3, radius=1.1),
     _regular(4, radius=1.15),

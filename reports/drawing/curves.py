@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 import numpy as np
 from markupsafe import Markup, escape
@@ -10,7 +10,7 @@ from markupsafe import Markup, escape
 from reports.drawing.axes import Axis, linear_axis, log_axis
 from reports.drawing.charts import Chart, Curve, Mask, Rim
 from reports.drawing.svg import drawing, number, path, polygon, text, thinned, title
-from reports.marks import Mark
+from reports.marks import ROUND, Mark
 from vv.base.metrics import Vector
 
 WIDTH, HEIGHT = 470.0, 290.0
@@ -27,13 +27,11 @@ def draw(chart: Chart) -> Markup:
         line = path(*thinned(x.at(chart.exact[0]), y.at(chart.exact[1])))
         parts.append(f'<path class="exact" d="{line}"/>')
     sizes = np.linspace(LARGE, SMALL, len(chart.curves)) if chart.x_log else [SMALL] * 99
-    ends: dict[str, tuple[tuple[float, float], Mark]] = {}
+    names = _names({curve.mark.label: _end(curve, x, y) for curve in chart.curves})
     for curve, size in zip(chart.curves, sizes, strict=False):
-        drawn = _curve(curve, x, y, float(size))
-        parts.append(drawn)
-        ends[curve.mark.label] = _end(curve, x, y), curve.mark
+        parts.append(_curve(curve, x, y, float(size), names.pop(curve.mark.label, "")))
     parts += [_rim(rim, x, place) for place, rim in enumerate(chart.rims)]
-    return drawing(WIDTH, HEIGHT, [*parts, *_names([*ends.values()])])
+    return drawing(WIDTH, HEIGHT, parts)
 
 
 def _axes(chart: Chart) -> tuple[Axis, Axis]:
@@ -75,8 +73,8 @@ def _frame(chart: Chart, x: Axis, y: Axis) -> list[str]:
     ]
 
 
-def _curve(curve: Curve, x: Axis, y: Axis, size: float) -> str:
-    """A group: the line, the markers, and rings about those that are troubling."""
+def _curve(curve: Curve, x: Axis, y: Axis, size: float, name: str) -> str:
+    """A group: the line, the markers, rings about those that are troubling, and the name."""
     px, py = x.at(curve.x), np.clip(y.at(curve.y), TOP - 4, BOTTOM + 4)
     parts = [title(curve.mark.label)]
     if curve.joined.sum() > 1:
@@ -88,7 +86,7 @@ def _curve(curve: Curve, x: Axis, y: Axis, size: float) -> str:
     if curve.ringed.any():
         round_it = [_ring(*spot, size + 3) for spot in zip(px, py, curve.ringed, strict=True)]
         parts.append(f'<path class="ring" d="{"".join(round_it)}"/>')
-    return _group(curve.mark, "".join(parts))
+    return _group(curve.mark, "".join([*parts, name]))
 
 
 def _group(mark: Mark, inner: str) -> str:
@@ -100,14 +98,20 @@ def _markers(curve: Curve, px: Vector, py: Vector, chosen: Mask, size: float, ki
     known = np.flatnonzero(chosen & np.isfinite(px) & np.isfinite(py))
     if not len(known):
         return ""
-    points = size * np.array(curve.mark.shape) * (1, -1)
-    shapes = "".join(polygon(float(px[i]), float(py[i]), points) for i in known)
+    shapes = "".join(_shape(curve.mark, float(px[i]), float(py[i]), size) for i in known)
     tips = "|".join(curve.tips[i] for i in known) if curve.tips else ""
     told = ""
     if tips:
         spots = " ".join(f"{number(float(px[i]))} {number(float(py[i]))}" for i in known)
         told = f' data-at="{spots}" data-tip="{escape(tips)}"'
     return f'<path class="{kind}" d="{shapes}"{told}/>'
+
+
+def _shape(mark: Mark, x: float, y: float, size: float) -> str:
+    """A marker about a place, as part of a path."""
+    if mark.shape is ROUND:
+        return _ring(x, y, True, round(0.9 * size, 1))
+    return polygon(x, y, size * np.array(mark.shape) * (1, -1))
 
 
 def _ring(x: float, y: float, ringed: bool, r: float) -> str:
@@ -122,7 +126,7 @@ def _rim(rim: Rim, x: Axis, place: int) -> str:
     """A mark on the upper rim, crossed out, or on the lower one, with an arrow down."""
     px = float(x.at(rim.x)) if rim.x else RIGHT - 12 - 14 * (place % 18)
     py = TOP if rim.above else BOTTOM
-    shape = polygon(px, py, SMALL * np.array(rim.mark.shape) * (1, -1))
+    shape = _shape(rim.mark, px, py, SMALL)
     a, b = number(px), number(py)
     sign = (
         f"M{number(px - 4)} {number(py - 4)}l8 8m-8 0l8-8"
@@ -145,16 +149,15 @@ def _end(curve: Curve, x: Axis, y: Axis) -> tuple[float, float]:
     return float(px[last]), float(py[last])
 
 
-def _names(ends: Sequence[tuple[tuple[float, float], Mark]]) -> list[str]:
-    """The names of curves beside the axes, each led to by a thin line, none over another."""
-    ordered = sorted(ends, key=lambda end: (end[0][1], end[1].label))
-    wanted = [end[0][1] for end in ordered]
-    parts = []
-    for (spot, mark), y in zip(ordered, _apart(wanted), strict=True):
+def _names(ends: Mapping[str, tuple[float, float]]) -> dict[str, str]:
+    """Label -> its name beside the axes, led to by a thin line; none stands over another."""
+    ordered = sorted(ends.items(), key=lambda end: (end[1][1], end[0]))
+    places = _apart([spot[1] for _, spot in ordered])
+    made = {}
+    for (label, spot), y in zip(ordered, places, strict=True):
         lead = f"M{number(spot[0] + 4)} {number(spot[1])}L{RIGHT + 5:g} {number(y)}"
-        inner = f'<path class="lead" d="{lead}"/>{text(RIGHT + 8, y + 3, mark.label, "named")}'
-        parts.append(_group(mark, inner))
-    return parts
+        made[label] = f'<path class="lead" d="{lead}"/>{text(RIGHT + 8, y + 3, label, "named")}'
+    return made
 
 
 def _apart(wanted: Sequence[float]) -> list[float]:
@@ -180,8 +183,8 @@ def _guides(chart: Chart, x: Axis, y: Axis) -> list[str]:
     for slope in chart.guides:
         ends = [float(c.x.max() if slope > 0 else c.x.min()) for c in chart.curves]
         at = max(ends) if slope > 0 else min(ends)
-        start = x.value(1.0 if slope > 0 else 0.0)
-        end = min(x.value(1.0), max(x.value(0.0), at * (y.value(0.0) / top) ** (1 / slope)))
+        rims = [at * (y.value(part) / top) ** (1 / slope) for part in (1.0, 0.0)]
+        start, end = np.clip(rims, x.value(0.0), x.value(1.0)).tolist()
         spots = np.array([start, end])
         heights = top * (spots / at) ** slope
         parts.append(f'<path class="guide" d="{path(x.at(spots), y.at(heights))}"/>')

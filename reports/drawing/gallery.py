@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -152,8 +153,9 @@ def _finest(over_time: Sequence[History]) -> str:
         return "No code here has a step"
     if len(set(steps.values())) == 1:
         return f"Finest setting, dt = {brief(next(iter(steps.values())))} s"
-    several = [f"{name} {brief(dt)} s" for name, dt in steps.items()]
-    return f"Finest setting of each, dt: {listed(several)}"
+    usual = Counter(steps.values()).most_common(1)[0][0]
+    others = [f"{name} {brief(dt)} s" for name, dt in steps.items() if dt != usual]
+    return f"Finest setting of each, dt = {brief(usual)} s, but {listed(others)}"
 
 
 def _ranges(steps: Sequence[Ladder]) -> str:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -14,18 +15,23 @@ TARGETS = (1e-2, 1e-3, 1e-4, 1e-5, 1e-6)  # relative errors that users ask for
 
 @dataclass(frozen=True)
 class Advice:
-    """For one error: (scheme, setting, cost in words) of each code that gets there, cheapest
-    first."""
+    """For one error or several, in words: (scheme, setting, cost in words) of each code that gets
+    there, cheapest first."""
 
-    target: float
+    said: str
     settings: Sequence[tuple[str, str, str]]
 
 
 def advice(here: Sequence[Effort]) -> list[Advice]:
     """The advice for every error that somebody reaches, by timed costs where all are timed."""
     timed = any(effort.timed for effort in here)
-    found = [Advice(target, _settings(here, target, timed)) for target in TARGETS]
-    return [one for one in found if one.settings]
+    settings = [(target, _settings(here, target, timed)) for target in TARGETS]
+    found = []
+    for own, alike in itertools.groupby(settings, key=lambda pair: pair[1]):
+        targets = [brief(target) for target, _ in alike]
+        if own:
+            found.append(Advice(" to ".join(dict.fromkeys((targets[0], targets[-1]))), own))
+    return found
 
 
 def _settings(here: Sequence[Effort], target: float, timed: bool) -> list[tuple[str, str, str]]:

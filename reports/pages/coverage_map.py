@@ -17,7 +17,7 @@ BANDS = 8  # of colour, from exact to useless
 
 
 def band(error: float | None) -> str:
-    """The class of colour of an error: two decades each, e0 below 1e-14, e7 from 1 on."""
+    """The class of colour of an error: two decades each, e0 below 1e-14, e7 from 1e-2 on."""
     if error is None:
         return ""
     if error <= 0:
@@ -71,10 +71,13 @@ def _cell(book: Book, cells: Sequence[Cell], names: tuple[str, ...], label: str)
     error = statistics.median(errors) if errors else None
     cost = seconds(statistics.median(costs)) if costs else NONE
     worst = min((cell.worst for cell in cells), key=lambda outcome: RANKS[outcome.key])
-    shown = f"{error:.0e}".replace("e-0", "e-").replace("e+0", "e") if error else sci(error)
+    shown = worst.symbol if error is None else sci(error, 0)
     link = escape(book.to_case(*names))
-    mark = f'<i class="{worst.look}">{escape(worst.symbol)}</i>' if worst.look != "good" else ""
+    variant = names[1] if len(names) > 1 else ""
+    quiet = worst.troubling and book.quiet(names[0], variant, label)
+    look = "known" if quiet else worst.look
+    mark = f'<i class="{look}">{escape(worst.symbol)}</i>' if look != "good" else ""
     return (
         f'<td class="{band(error)}" data-c="{escape(cost)}" data-v="{escape(worst.word)}">'
-        f'<a href="{link}">{shown}</a>{mark}</td>'
+        f'<a href="{link}">{escape(shown)}</a>{mark}</td>'
     )

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from reports.book import Book, Place
 from reports.marks import Mark
 from reports.outcomes import RANKS, ShownOutcome, counted
-from reports.pages.tables import nearest
+from reports.pages.tables import judged_error, nearest
 from vv.insight.accuracy_cost import reach
 from vv.insight.stability_summary import Kind, stability
 from vv.records.job_record import Record
@@ -90,7 +90,7 @@ def _cell(pile: Sequence[Record]) -> Cell:
     one = nearest(finest)
     worst = min((outcome for outcome, _ in counted(pile)), key=lambda o: RANKS[o.key])
     ladder = finest.study is StudyKind.LADDER
-    return Cell(one.error if one else None, finest.cost.solve_cpu or None, worst, ladder)
+    return Cell(judged_error(one), finest.cost.solve_cpu or None, worst, ladder)
 
 
 def _solved(cell: Cell) -> bool:

@@ -15,7 +15,7 @@ from vv.base.metrics import Order, order_before_floor
 from vv.gate.judgement import outcome
 from vv.records import codec
 from vv.records.job_record import ModelSummary, Record
-from vv.records.outcomes import QuantityKind
+from vv.records.outcomes import JudgeKind, QuantityKind
 from vv.records.quantity import MeasuredQuantity
 from vv.records.reading import tried
 
@@ -30,6 +30,11 @@ def anchor(record: Record) -> str:
 def margin(one: MeasuredQuantity) -> float | None:
     """Tolerance over error; None where either is missing or the error is zero."""
     return one.tolerance / one.error if one.error and one.tolerance else None
+
+
+def judged_error(one: MeasuredQuantity | None) -> float | None:
+    """The error of a quantity; None where its value is judged by an interval, not its error."""
+    return None if one is None or one.judge is JudgeKind.INTERVAL else one.error
 
 
 def nearest(record: Record) -> MeasuredQuantity | None:
@@ -84,7 +89,7 @@ def _ranked(pile: Sequence[Record], mark: Mark) -> Ranked:
         anchor=anchor(finest),
         mark=mark,
         outcomes=counted(pile),
-        error=one.error if one else None,
+        error=judged_error(one),
         quantity=one.name if one and len(finest.quantities) > 1 else "",
         tolerance=one.tolerance if one else None,
         method=codec.word(finest.method).replace("-", " "),

@@ -50,7 +50,8 @@ def troubles(book: Book, findings: Iterable[Finding] | None = None) -> list[Trou
     piles: dict[tuple[str, str, str, str], list[Finding]] = {}
     for one in worst_first(book.findings if findings is None else findings):
         if one.bit and not one.improves:
-            key = one.case, one.label, one.check.value, one.kind
+            law = one.check is Aspect.CONSERVATION  # one leak breaks several at once
+            key = one.case, one.label, one.check.value, "" if law else one.kind
             piles.setdefault(key, []).append(one)
     return [
         _trouble(

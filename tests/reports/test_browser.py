@@ -1,0 +1,117 @@
+"""Claims about what the report's pages do in a browser; skipped where Chromium is not installed."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from reports import html
+from tests.support.browser import CHROMIUM, Opened, opened
+from tests.support.fabricated import manifest_of_all
+from vv.store.store import Store
+
+pytestmark = pytest.mark.skipif(not CHROMIUM, reason="Chromium is not installed")
+
+FRONT = """
+  const chip = (name) => all(".chip").find((c) => [c.dataset.code, c.dataset.show].includes(name));
+  said.hash = { find: one("#search").value, codes: all("#chips .chip").map((c) => c.ariaPressed) };
+  said.lines = all("#profile g[data-k] .line").length;
+  chip("other").click();
+  said.afterChip = [location.hash, seen("#which tr[data-k^='other/']").length,
+                    seen("#map td[data-v]").length];
+  chip("other").click();
+  const line = one("#profile g[data-k='dem/default']");
+  line.dispatchEvent(new MouseEvent("click", { bubbles: true }));
+  said.afterLine = [all("#profile g[data-k='dem/default']").length,
+                    seen("#which tr[data-k='dem/default']").length];
+  one("#targets .chip").click();
+  said.target = [location.hash, one("#target-said").textContent];
+  all("#which thead th")[1].click();
+  said.sorted = all("#which tbody tr").map((row) => Number(row.cells[1].dataset.s));
+  one("#search").value = "nothing like it"; one("#search").dispatchEvent(new Event("input"));
+  said.found = seen("#map tbody").length;
+  one("#search").value = "t2"; one("#search").dispatchEvent(new Event("input"));
+  said.foundAgain = seen("#map tbody").length;
+  said.folded = seen("#map .v").length;
+  one(".fold").click();
+  said.unfolded = seen("#map .v").length;
+  chip("verdict").click();
+  said.verdict = seen("#map td[data-v='fail'] a")[0].textContent;
+  document.activeElement.blur();
+  document.dispatchEvent(new KeyboardEvent("keydown", { key: "/" }));
+  said.focused = document.activeElement.id;
+  one("#theme").click();
+  said.paper = getComputedStyle(document.body).backgroundColor;
+"""
+CASE = """
+  const svg = seen("svg.chart").find((s) => s.querySelector("[data-at]"));
+  svg.scrollIntoView();
+  const spot = svg.querySelector("[data-at]"), at = spot.dataset.at.split(" ").map(Number);
+  const place = new DOMPoint(at[0], at[1]).matrixTransform(svg.getScreenCTM());
+  const where = { bubbles: true, clientX: place.x, clientY: place.y };
+  spot.dispatchEvent(new PointerEvent("pointermove", where));
+  said.tip = one("#tip").textContent;
+  said.faint = svg.querySelectorAll(".faint").length > 0;
+  const bar = one(".playback input");
+  const before = one(".playback circle").getAttribute("cx");
+  bar.value = 20; bar.dispatchEvent(new Event("input"));
+  said.moved = one(".playback circle").getAttribute("cx") !== before;
+  said.time = one(".playback output").textContent;
+  said.target = one(":target")?.id;
+"""
+WIDE = "said.wide = [innerWidth, document.documentElement.scrollWidth];"
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The report of two variants in many schemes."""
+    store = Store(tmp_path_factory.mktemp("store"))
+    return html.build(manifest_of_all(store), store, store.root / "report").parent
+
+
+def quiet(found: Opened) -> Opened:
+    """What was found, if nothing was asked of the network and nothing complained of."""
+    assert found.asked == []
+    assert found.console == []
+    assert "failed" not in found.said, found.said
+    return found
+
+
+def test_the_front_page_filters_sorts_searches_and_keeps_it_in_the_address(
+    folder: Path, tmp_path: Path
+) -> None:
+    said = quiet(opened(folder / "index.html", FRONT, tmp_path, "#find=t&hide=exact")).said
+    assert said["hash"]["find"] == "t"
+    assert said["hash"]["codes"].count("false") == 1
+    assert said["lines"] > 1
+    assert "other" in said["afterChip"][0]
+    assert said["afterChip"][1] == 0
+    assert said["afterChip"][2] > 0
+    assert said["afterLine"] == [0, 0]
+    assert "error=0.01" in said["target"][0]
+    assert said["target"][1] == "1e-2"
+    assert said["sorted"] == sorted(said["sorted"])
+    assert (said["found"], said["foundAgain"]) == (0, 1)
+    assert (said["folded"], said["unfolded"]) == (0, 2)
+    assert said["verdict"] == "fail"
+    assert said["focused"] == "search"
+    assert said["paper"] == "rgb(20, 24, 28)"
+
+
+def test_a_case_tells_points_plays_motion_and_opens_at_a_scheme(
+    folder: Path, tmp_path: Path
+) -> None:
+    at = "#bounce--T1--dem~default"
+    said = quiet(opened(folder / "case-bounce.html", CASE, tmp_path, at)).said
+    assert "error" in said["tip"]
+    assert said["faint"]
+    assert said["moved"]
+    assert said["time"].startswith("t = 0.5")
+    assert said["target"] == at[1:]
+
+
+@pytest.mark.parametrize("page", ["index.html", "case-bounce.html"])
+def test_pages_fit_a_narrow_window(folder: Path, tmp_path: Path, page: str) -> None:
+    wide = quiet(opened(folder / page, WIDE, tmp_path, width=390)).said["wide"]
+    assert wide[1] <= wide[0]
