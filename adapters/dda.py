@@ -24,6 +24,7 @@ TERMS = frozenset(
         Term.SHAKING,
         Term.BASE_MOTION,
         Term.STRAIN,
+        Term.STRAINED_START,
     }
 )
 KNOBS = ("dt", "kn")

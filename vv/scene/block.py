@@ -16,10 +16,14 @@ FLATNESS = 1e-9  # of a block's size: how far a vertex may lie off the plane of 
 
 @dataclass(frozen=True)
 class Elastic:
-    """Isotropic elasticity: Young's modulus [Pa] and Poisson's ratio, checked by the Block."""
+    """Isotropic elasticity: Young's modulus [Pa] and Poisson's ratio, checked by the Block.
+
+    relaxed: at t = 0 the block is strained by its loads and joints, in balance; else unstrained.
+    """
 
     young: float
     poisson: float
+    relaxed: bool = False
 
 
 @dataclass(frozen=True, eq=False)
@@ -33,8 +37,9 @@ class Block:
     can move in the plane only.
 
     elastic: None for a rigid block. Otherwise the block strains uniformly (Shi 1992: u is linear
-    in x) along the directions in which it is free, with no strain at t = 0 and no stress along
-    the locked ones. Raises ValueError naming the block, and the face or value that is wrong.
+    in x) along the directions in which it is free, with no strain at t = 0, unless it is relaxed,
+    and no stress along the locked ones. Raises ValueError naming the block, and the face or value
+    that is wrong.
     """
 
     name: str

@@ -121,6 +121,7 @@ class Scene:
             Term.OBLIQUE_LOCK: self._locks_obliquely(),
             Term.BLOCK: bool(blocks),
             Term.STRAIN: any(block.elastic for block in blocks),
+            Term.STRAINED_START: any(b.elastic and b.elastic.relaxed for b in blocks),
             Term.RIGID_CONTACT: not np.isfinite(self.contact.kn),
             Term.SHAKING: self.shaking is not None,
             Term.BASE_MOTION: any(wall.motion is not None for wall in self.walls),

@@ -19,6 +19,7 @@ class Term(enum.Enum):
     OBLIQUE_LOCK = "motion locked along directions oblique to the frame"
     BLOCK = "convex blocks"
     STRAIN = "blocks that strain uniformly"
+    STRAINED_START = "blocks that start strained by their loads"
     RIGID_CONTACT = "contact without elasticity"
     SHAKING = "a body acceleration that varies in time"
     BASE_MOTION = "walls that move as prescribed"

@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from vv.engines.blocks.checks import size
 from vv.engines.blocks.geometry import depth_axis, planes, shapes
 from vv.engines.dda.formulation import Formulation
 from vv.engines.dda.general.unknowns import columns, rates
@@ -66,10 +67,12 @@ class General:
     def pressed(self, law: Springs, rule: tuple[Any, ...]) -> Any:
         """The start once contacts carry the loads at rest, as if no friction were exceeded.
 
-        Elastic blocks begin unstrained, and are pressed as rigid ones. rule: when an iteration
-        ends.
+        Elastic blocks begin unstrained, and are pressed as rigid ones, unless all are relaxed.
+        rule: when an iteration ends.
         """
         start, bodies = self.motion(), self.bodies()
+        if all(block.elastic and block.elastic.relaxed for block in self.scene.blocks):
+            return self.at_rest(law, rule)._replace(velocity=start.velocity)
         rest = General(_stiff(self.scene), self.formulation).at_rest(law, rule)
         own = np.arange(len(start.strain)) < np.repeat(bodies.strains, np.diff(bodies.start))
         start.strain[own] = rest.strain
@@ -88,7 +91,9 @@ class General:
         told = self.told(start, 0.0, gripping)
         self.kernel()(*self.outputs(1, ()), 1, slow, STATIC_STEPS, *rule, *told)
         end, bodies = told[ENDS], told[BODIES]
-        most = np.linalg.norm(bodies.weight + bodies.load, axis=1).sum() / law.kn
+        all_loads = np.linalg.norm(bodies.weight + bodies.load, axis=1).sum()
+        laws = ((block.elastic, size(block)) for block in self.scene.blocks)
+        most = all_loads * (1 / law.kn + sum(1 / (own.young * h) for own, h in laws if own))
         far = np.linalg.norm(end.centre - start.centre, axis=1).max()
         return end if far <= FLOAT * most else start
 

@@ -1,0 +1,66 @@
+"""Shear waves in a column of height H [m] on a base that moves, free on top.
+
+The base moves by f(t) = D (1 - cos 2 pi F t) from t = 0 on; c [m/s] is the speed of shear waves. Up
+the column and back from its top (d'Alembert),
+
+u(y, t) = sum over k of (-1)^k (f(t - (2 k H + y)/c) + f(t - (2 (k + 1) H - y)/c)).
+
+Under a lasting sine the column's motion at y over the base's is cos(q (H - y))/cos(q H), q = w/c.
+In n layers that strain uniformly, q of a layer of h = H/n follows from cos q h =
+(1 - W^2 h^2/3c^2)/(1 + W^2 h^2/6c^2), W = w, as for linear finite elements with consistent mass.
+DDA's step dt takes W^2 = (4/dt^2) sin(w dt/2) tan(w dt/2) exp(-i w dt/2) in place of w^2: it damps.
+SHAKE has a constant damping ratio z: q = w/(c sqrt(1 - 2 z^2 + 2 i z sqrt(1 - z^2))).
+Every function raises ValueError for a parameter out of range.
+"""
+
+from cmath import acos, exp
+from cmath import cos as ccos
+from cmath import sqrt as csqrt
+from math import ceil, pi, sin, sqrt, tan
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from reference_solutions.parameters import require_at_least_0, require_positive, require_times
+
+Array = NDArray[np.float64]
+
+
+def displacement(t: ArrayLike, *, y: float, height: float, c: float, D: float, F: float) -> Array:
+    """u [m] at the height y [m] at times t >= 0 [s]; D [m], F [Hz]."""
+    t = require_times(t)
+    require_positive("in SI units", height=height, c=c, F=F)
+    if not 0.0 <= y <= height:
+        raise ValueError(f"y = {y} m; it must lie between 0 and the height, {height} m")
+
+    def base(late: Array) -> Array:
+        return np.where(late > 0.0, D * (1.0 - np.cos(2.0 * pi * F * late)), 0.0)
+
+    u = np.zeros_like(t)
+    for k in range(ceil(c * float(t.max(initial=0.0)) / (2.0 * height)) + 1):
+        up, down = 2.0 * k * height + y, 2.0 * (k + 1) * height - y
+        u += (-1.0) ** k * (base(t - up / c) + base(t - down / c))
+    return u
+
+
+def layered_ratio(*, F: float, dt: float, layers: int, height: float, c: float) -> complex:
+    """What the centre of the top layer does over what the base does, in steps of dt [s]."""
+    require_positive("in SI units", F=F, dt=dt, height=height, c=c)
+    half = pi * F * dt
+    if not half < pi / 2.0:
+        raise ValueError(f"F = {F} Hz; steps of {dt} s tell no sine from {0.5 / dt:.6g} Hz on")
+    square = 4.0 / dt**2 * sin(half) * tan(half) * exp(-1j * half)
+    s = square * (height / layers / c) ** 2
+    turn = acos((1.0 - s / 3.0) / (1.0 + s / 6.0))  # of a layer
+    return 0.5 * (1.0 + ccos(turn)) / ccos(layers * turn)
+
+
+def continuous_ratio(*, F: float, y: float, height: float, c: float, damping: float) -> float:
+    """The size of the motion at y [m] over the base's, at a constant damping ratio."""
+    require_positive("in SI units", F=F, height=height, c=c)
+    require_at_least_0("", damping=damping)
+    z = damping
+    if not z < 1.0:
+        raise ValueError(f"damping = {z}; a ratio of damping must be below 1")
+    q = 2.0 * pi * F / (c * csqrt(1.0 - 2.0 * z * z + 2.0j * z * sqrt(1.0 - z * z)))
+    return abs(ccos(q * (height - y)) / ccos(q * height))

@@ -1,0 +1,51 @@
+"""Second routes to shear waves in a column: modes, and matrices of elements stepped by DDA."""
+
+from math import pi
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+
+
+def displacement(t: Array, *, y: float, height: float, c: float, D: float, F: float) -> Array:
+    """u [m] as a sum over 4000 modes of a column fixed below, driven by its own inertia."""
+    odd = 2.0 * np.arange(1, 4001) - 1.0
+    w, drive = odd * pi * c / (2.0 * height), 2.0 * pi * F
+    shape = np.sin(odd * pi * y / (2.0 * height)) * 4.0 / (odd * pi)
+    swing = np.cos(drive * t[:, None]) - np.cos(t[:, None] * w)
+    relative = -(swing * (drive**2 / (w**2 - drive**2))) @ shape
+    return np.asarray(D * (1.0 - np.cos(drive * t) + relative))
+
+
+def layered_ratio(*, F: float, dt: float, layers: int, height: float, c: float) -> complex:
+    """The lasting motion of a chain of linear elements, by the step as it stands.
+
+    With u and v of all nodes as exp(i w t) and e = exp(i w dt), v (e + 1) = (2/dt)(e - 1) u, and
+    (2/dt^2) M ((e - 1) u - dt v) + K e u = 0 on all nodes but the base.
+    """
+    mass, stiff = _elements(layers, height, c)
+    e = np.exp(2j * pi * F * dt)
+    moved = (e - 1.0) - 2.0 * (e - 1.0) / (e + 1.0)
+    matrix = (2.0 / dt**2 * moved * mass + e * stiff)[1:]
+    u = np.linalg.solve(matrix[:, 1:], -matrix[:, 0])
+    below = u[-2] if layers > 1 else 1.0
+    return complex(u[-1] + below) / 2.0
+
+
+def continuous_ratio(*, F: float, height: float, c: float, damping: float) -> float:
+    """The size of the motion of the top over the base's, by 300 elements of SHAKE's material."""
+    mass, stiff = _elements(300, height, c)
+    turned = np.exp(2j * np.arcsin(damping)) * stiff
+    matrix = (turned - (2.0 * pi * F) ** 2 * mass)[1:]
+    return float(abs(np.linalg.solve(matrix[:, 1:], -matrix[:, 0])[-1]))
+
+
+def _elements(count: int, height: float, c: float) -> tuple[Array, Array]:
+    """Consistent mass and stiffness (n, n) of linear elements, per density."""
+    h, n = height / count, count + 1
+    mass, stiff = np.zeros((n, n)), np.zeros((n, n))
+    for i in range(count):
+        mass[i : i + 2, i : i + 2] += h / 6.0 * np.array([[2.0, 1.0], [1.0, 2.0]])
+        stiff[i : i + 2, i : i + 2] += c * c / h * np.array([[1.0, -1.0], [-1.0, 1.0]])
+    return mass, stiff
