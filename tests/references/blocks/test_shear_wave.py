@@ -51,8 +51,10 @@ def test_shake_has_the_figures_that_were_seen_and_the_step_those_of_its_own() ->
     signs(
         shear_wave,
         ("displacement", "layered_ratio", "continuous_ratio"),
-        ("ceil(c * float(t.max(initial=0.0)) / (2.0 * height)) + 1",
-            "1.0 - 2.0 * z * z + 2j * z * sqrt(1.0 - z * z)",  # of either sign the size is one),
+        (
+            "ceil(c * float(t.max(initial=0.0)) / (2.0 * height)) + 1",
+            "1.0 - 2.0 * z * z + 2j * z * sqrt(1.0 - z * z)",  # of either sign the size is one
+        ),
     ),
 )
 def test_any_wrong_sign_is_caught(sign: int) -> None:
