@@ -17,7 +17,7 @@ from packaging.requirements import Requirement
 from tests import ROOT
 from tests.conftest import Tiny
 
-CONTENT = ("adapters", "cases", "reference_solutions", "reports")
+CONTENT = ("adapters", "cases", "reference_solutions", "reports", "examples")
 LOCK = (ROOT / "requirements.lock").read_text().splitlines()
 
 

@@ -27,6 +27,7 @@ from vv.cli import (
     report_command,
     run_command,
     speed_command,
+    start_commands,
 )
 from vv.output import terminal
 
@@ -62,6 +63,8 @@ GROUPS: dict[str, dict[str, Callable[..., None]]] = {
         "record": baseline_commands.record,
     },
     "Extend": {
+        "new": start_commands.new,
+        "init": start_commands.init,
         "check": check_command.check,
         "export": export_command.export,
         "docs": docs_command.docs,

@@ -1,0 +1,85 @@
+"""Writes a working start: a program with its TOML file, a case with its exact answer, a project.
+
+The starts are the examples that came with vv, under another name.
+"""
+
+from __future__ import annotations
+
+import enum
+import re
+from collections.abc import Iterable, Mapping
+from pathlib import Path
+
+from vv.base.errors import UsageError
+from vv.plan import imports
+from vv.plan.content import FILE_NAME
+
+EXAMPLES = imports.OWN / "examples"
+SETTINGS = """\
+# This folder is a project of vv: its cases and codes are added to those that came with vv.
+# alone = true  # there are only its own
+"""
+
+
+class Language(enum.Enum):
+    """A language in which a program may start."""
+
+    C = "c"
+    PYTHON = "python"
+    SH = "sh"
+
+
+PROGRAMS: Mapping[Language, str] = {
+    Language.C: "first_dem",
+    Language.PYTHON: "verlet",
+    Language.SH: "awk_dem",
+}
+CASE = "rebound"
+
+
+def program(folder: Path, name: str, language: Language) -> list[Path]:
+    """Write a program and its TOML file, which answer T1-T4 or part of them; returns the files."""
+    example = PROGRAMS[language]
+    sources = sorted((EXAMPLES / language.value).glob(f"{example}.*"))
+    texts = {
+        folder / f"{name}{source.suffix}": source.read_text().replace(example, name)
+        for source in sources
+    }
+    return _written(name, texts)
+
+
+def case(folder: Path, name: str) -> list[Path]:
+    """Write a case and its exact answer below the folder of a project; returns the files."""
+    texts = {}
+    for part in ("cases", "reference_solutions"):
+        text = (EXAMPLES / "case" / part / f"{CASE}.py").read_text()
+        named = text.replace(f'name="{CASE}"', f'name="{name.replace("_", "-")}"')
+        texts[folder / part / f"{name}.py"] = re.sub(rf"\b{CASE}\b", name, named)
+    return _written(name, texts)
+
+
+def project(folder: Path) -> list[Path]:
+    """Write what makes a folder a project that adds to what came with vv; returns the files."""
+    kept = {folder / part / ".gitkeep": "" for part in ("adapters", "cases")}
+    ignored = folder / ".gitignore"
+    if not ignored.exists():
+        kept[ignored] = ".vv/\n"
+    return _written("project", {folder / "vv.toml": SETTINGS, **kept})
+
+
+def _written(name: str, texts: Mapping[Path, str]) -> list[Path]:
+    """Write new files, all or none; raises UsageError for a bad name, or a file in the way."""
+    if not FILE_NAME.fullmatch(name):
+        rule = "a name must be lower-case letters, digits and _, and start with a letter"
+        raise UsageError(f"'{name}': {rule}")
+    _require_free(texts)
+    for path, text in texts.items():
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text)
+    return list(texts)
+
+
+def _require_free(paths: Iterable[Path]) -> None:
+    for path in paths:
+        if path.exists():
+            raise UsageError(f"{path} is there already, and nothing is written over it")
