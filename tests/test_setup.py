@@ -133,3 +133,50 @@ def test_ci_runs_the_tests_with_the_codes_required(tmp_path: Path) -> None:
         [tmp_path / ".ci/run"], env={"PATH": path}, capture_output=True, text=True, check=True
     )
     assert done.stdout == f"{tmp_path} test yade,liggghts true\n"
+
+
+def packaged(checkout: Path, fails: str = "") -> None:
+    """A code that is a package; python3 makes its environment, in which pip fails as it says."""
+    (checkout / "adapters/mine").mkdir(parents=True)
+    (checkout / "adapters/mine/requirements.txt").write_text("mine==1.2\n")
+    for name in ("yade", "liggghts"):
+        program(checkout, name)
+    for tool in ("grep", "tail", "tr"):
+        (checkout.parent / "bin" / tool).symlink_to(str(shutil.which(tool)))
+    pip = f'echo "$@" >>"{checkout.parent}/asked"; echo "{fails}"; [ -z "{fails}" ]'
+    inner = f'case "$1" in -m) {pip} ;; *) exec "{sys.executable}" "$@" ;; esac'
+    outer = (
+        f'if [ "$2" = venv ]; then mkdir -p "$4/bin"; printf "%s" "$INNER" >"$4/bin/python"; '
+        f'chmod +x "$4/bin/python"; else exec "{sys.executable}" "$@"; fi'
+    )
+    program(checkout, "python3", f"INNER='#!/bin/bash\n{inner}'\n{outer}")
+    for tool in ("mkdir", "chmod"):
+        (checkout.parent / "bin" / tool).symlink_to(str(shutil.which(tool)))
+
+
+def test_a_code_that_is_a_package_gets_an_environment_of_its_own_once(checkout: Path) -> None:
+    packaged(checkout)
+    done = setup(checkout, CODES="mine")
+    assert (done.returncode, done.stdout) == (0, "setup: installing mine into .codes/mine\n")
+    asked = (checkout.parent / "asked").read_text()
+    assert "--no-deps" in asked
+    assert "adapters/mine/requirements.txt" in asked
+    assert (checkout / ".codes/mine/installed").read_text() == "mine==1.2\n"
+    assert setup(checkout, CODES="mine").stdout == ""
+
+
+def test_a_package_that_no_python_fits_is_named_and_nothing_is_left(checkout: Path) -> None:
+    packaged(checkout, "ERROR: no matching distribution")
+    done = setup(checkout, CODES="mine")
+    assert done.returncode == 1
+    assert "setup: no mine for python3: ERROR: no matching distribution" in done.stdout
+    assert "mine is not to be had: no Python here fits mine==1.2" in done.stderr
+    assert not (checkout / ".codes/mine").exists()
+
+
+def test_a_code_that_is_no_package_is_refused_with_those_there_are(checkout: Path) -> None:
+    packaged(checkout)
+    done = setup(checkout, CODES="nonsuch")
+    assert (done.returncode, done.stderr) == (
+        1, "setup: CODES has 'nonsuch'; there are: mine\n",
+    )  # fmt: skip

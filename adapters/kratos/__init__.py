@@ -31,7 +31,6 @@ DEFAULT = Scheme(
             Term.OBLIQUE_LOCK,
         }
     ),
-    lowered={Term.ROTATION: Method.FIRST_ORDER},
     observables=frozenset({Displacement, Velocity}),
     pace=(2.5e-5, 1.5e-6),
 )
