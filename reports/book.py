@@ -10,6 +10,7 @@ from reports.marks import Mark, marks
 from reports.text import slug
 from vv.base.metrics import Vector
 from vv.gate.judgement import judgement
+from vv.insight.diagnosis import Diagnosis, diagnoses
 from vv.insight.effort import Effort, every_effort
 from vv.insight.history import Point
 from vv.records.finding import Finding
@@ -71,6 +72,11 @@ class Book:
     def red(self) -> list[Finding]:
         """The findings that turn the gate red."""
         return [finding for finding in self.findings if finding.red]
+
+    @functools.cached_property
+    def patterns(self) -> list[Diagnosis]:
+        """What the failures, known ones too, of each scheme in a case look like."""
+        return diagnoses(self.manifest)
 
     def quiet(self, case: str = "", variant: str = "", label: str = "") -> bool:
         """Whether nothing of a case, variant or scheme turns the gate red; '' stands for all."""

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import shlex
+from collections.abc import Iterable
 
 from reports.norms import NORM_NAMES
 from reports.text import short
@@ -40,18 +41,22 @@ def breach(found: Breach) -> str:
 def excess(one: MeasuredQuantity) -> str:
     """A quantity outside what is due, with the number and its bound."""
     if one.verdict is Verdict.XPASS:
-        text = f"{one.name} passes, though a disagreement is on record: error {short(one.error)}"
-    elif one.error is not None and one.tolerance is not None:
+        return f"{one.name} passes, though a disagreement is on record: error {short(one.error)}"
+    if one.error is not None and one.tolerance is not None:
         norm = f" (norm {NORM_NAMES[one.norm]})" if one.norm not in (None, Norm.MAX) else ""
         times = f", {one.error / one.tolerance:.2g} times it" if one.error > one.tolerance else ""
-        text = (
-            f"Error of {one.name}{norm} {short(one.error)}, tolerance {short(one.tolerance)}{times}"
-        )
-    elif one.value is not None:
-        text = f"{one.name} = {short(one.value)}: {one.why}"
-    else:
-        text = f"{one.name} is not finite"
-    return f"{text}; {one.note}" if one.note else text
+        said = f"Error of {one.name}{norm} {short(one.error)}"
+        return f"{said}, tolerance {short(one.tolerance)}{times}"
+    if one.value is not None:
+        return f"{one.name} = {short(one.value)}: {one.why}"
+    return f"{one.name} is not finite"
+
+
+def with_notes(quantities: Iterable[MeasuredQuantity]) -> list[str]:
+    """Quantities outside what is due, and then what the judge notes of them, each note once."""
+    known = list(quantities)
+    notes = dict.fromkeys(one.note for one in known if one.note)
+    return [*map(excess, known), *notes]
 
 
 def reason(record: Record, came: Outcome) -> str:
@@ -59,9 +64,8 @@ def reason(record: Record, came: Outcome) -> str:
     if came is Outcome.NOT_CONSERVED:
         said = [breach(found) for found in breaches(record.ledger)]
     else:
-        said = [excess(one) for one in record.quantities if one.verdict.value == came.value]
-        if came is Outcome.PASS:
-            said = []
+        ill = [one for one in record.quantities if one.verdict.value == came.value]
+        said = [] if came is Outcome.PASS else with_notes(ill)
     return "; ".join([record.reason, *said] if record.reason else said)
 
 

@@ -9,7 +9,6 @@ from reports import plain
 from reports.book import Book
 from reports.marks import Mark
 from vv.gate.judgement import breaches
-from vv.insight.diagnosis import diagnoses
 from vv.records.finding import Aspect, Finding, worst_first
 from vv.records.job_record import Record
 from vv.records.reading import rung
@@ -46,7 +45,7 @@ def troubles(book: Book, findings: Iterable[Finding] | None = None) -> list[Trou
         for pile in piles.values()
         for r in pile
     }
-    patterns = {(d.case, d.label): d.text for d in diagnoses(book.manifest)}
+    patterns = {(d.case, d.label): d.text for d in book.patterns}
     piles: dict[tuple[str, str, str, str], list[Finding]] = {}
     for one in worst_first(book.findings if findings is None else findings):
         if one.bit and not one.improves:
@@ -95,4 +94,4 @@ def _text(one: Finding, record: Record | None) -> str:
             if found[0] == one.kind:
                 return plain.breach(found)
     quantity = record.quantity(one.quantity)
-    return plain.excess(quantity) if quantity else one.text
+    return "; ".join(plain.with_notes([quantity])) if quantity else one.text

@@ -384,3 +384,13 @@ def test_stability_stands_on_the_page_of_attention(manifest: Manifest, store: St
     more = dataclasses.replace(manifest, records=(*manifest.records, *found))
     text = pages(more, store)["attention.html"]
     assert text.count("0.9996, as due; at dt = 0.2 s: it blew up") == 1  # shared by both
+
+
+def test_the_pattern_of_a_failure_is_named_where_its_author_looks(store: Store) -> None:
+    stuck = [
+        record("a/a", "T1", dt, quantities=[entry("fail", {"max": 0.013})], ledger=None)
+        for dt in STEPS
+    ]
+    made = pages(manifest_of(*stuck), store)
+    for page in (CASE, "code-a.html", "index.html", "attention.html"):
+        assert "it does not converge: error 0.013 to 0.013 as dt shrinks" in made[page]

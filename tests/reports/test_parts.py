@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+import re
 from pathlib import Path
 from xml.etree import ElementTree
 
@@ -11,6 +12,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+import reports
 from reports import plain, text
 from reports.book import Book
 from reports.drawing import charts
@@ -23,6 +25,7 @@ from reports.pages import tables
 from reports.pages.findings import findings
 from tests.support.fabricated import STEPS, changed, cost, entry, manifest, ran, record
 from vv.gate.judgement import counted as counted_by_gate
+from vv.records.outcomes import Outcome
 from vv.store.store import Store
 
 BUILT_IN = [
@@ -221,3 +224,26 @@ def test_a_time_has_a_unit() -> None:
 def test_an_xpass_says_so() -> None:
     one = changed(entry("xpass", {"max": 1e-9}))
     assert "passes, though a disagreement is on record" in plain.excess(one)
+
+
+def test_a_note_that_several_quantities_share_is_said_once() -> None:
+    late = [entry("xfail", {"max": 1e-2}, name=name, note="drag is late") for name in "xy"]
+    said = plain.reason(record("a/a", "T1", 1e-3, quantities=late), Outcome.XFAIL)
+    parts = [f"Error of {name} 0.01, tolerance 1.00e-3, 10 times it" for name in "xy"]
+    assert said == "; ".join([*parts, "drag is late"])
+
+
+def test_texts_are_read_on_every_background_light_and_dark() -> None:
+    sheet = (Path(reports.__file__).parent / "assets" / "report.css").read_text()
+    light, dark, system, *_ = re.findall(r"\{([^{}]*--ink:[^{}]*)\}", sheet)
+    assert dark.replace(" ", "") == system.replace(" ", "")
+    for block in (light, dark):
+        named = dict(re.findall(r"--([\w-]+): (#\w{6})", block))
+        pairs = [("ink", "paper"), ("soft", "paper"), ("link", "paper"), ("ink", "band")]
+        pairs += [(f"{n}-ink", n) for n in ("good", "known", "bad", "odd", "idle", "shown")]
+        pairs += [("ink", f"e{i}") for i in range(8)] + [("soft", "band")]
+        assert {
+            pair: ratio
+            for pair in pairs
+            if (ratio := contrast(named[pair[0]], named[pair[1]])) < 4.5
+        } == {}
