@@ -14,7 +14,7 @@ STEPS = (4e-3, 2e-3, 1e-3, 5e-4)
 TERMS = {
     ("bounce", "T1"): frozenset({"gravity", "spheres"}),
     ("bounce", "T2"): frozenset({"gravity", "spheres", "viscous drag -eta v"}),
-    ("bounce", "T3"): frozenset({"spheres", "free rotation", "viscous drag -eta v"}),
+    ("bounce", "T3"): frozenset({"gravity", "free rotation", "viscous drag -eta v"}),
 }
 
 

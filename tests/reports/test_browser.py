@@ -56,7 +56,7 @@ CASE = """
   const bar = one(".playback input");
   const before = one(".playback circle").getAttribute("cx");
   bar.value = 20; bar.dispatchEvent(new Event("input"));
-  said.moved = one(".playback circle").getAttribute("cx") !== before;
+  said.moved = before !== null && one(".playback circle").getAttribute("cx") !== before;
   said.time = one(".playback output").textContent;
   said.target = one(":target")?.id;
 """
