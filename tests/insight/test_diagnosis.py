@@ -6,6 +6,7 @@ from typing import Any
 
 import pytest
 
+from tests.conftest import Tiny
 from tests.support.fabricated import entry, record
 from vv.insight.diagnosis import Diagnosis, Pattern, diagnose
 from vv.records.job_record import Record
@@ -94,3 +95,15 @@ def test_nothing_is_said_of_what_passes_or_did_not_run() -> None:
 
 def test_known_disagreements_have_patterns_too() -> None:
     assert only([rung(dt, dt, verdict="xfail") for dt in STEPS]).pattern is Pattern.LOW_ORDER
+
+
+def test_bugs_seeded_into_a_code_that_runs_are_named_on_the_page_of_the_case(tiny: Tiny) -> None:
+    page = tiny.root / ".vv" / "report" / "case-fall.html"
+    tiny.vv("run", "fall:up", "--codes", "fake/coarse,fake/first-order")
+    assert "it does not converge: error 0.01 to 0.01 as dt shrinks" in page.read_text()
+    assert "it converges with order 1.00 where 2 is claimed" in page.read_text()
+    for factor, said in (("-1.0", "a sign is swapped"), ("2.0", "a term counts twice")):
+        before = "1.0" if factor == "-1.0" else "-1.0"
+        tiny.edit("adapters/fake.py", f"FACTOR = {before}", f"FACTOR = {factor}")
+        tiny.vv("run", "fall:up", "--codes", "fake/good")
+        assert said in page.read_text()
