@@ -112,7 +112,7 @@ def test_explain_shows_formula_parameters_tolerances_and_the_last_result(tiny: T
         "radius = 0.1 m  radius  (inert)",
         "second order in dt: 0.001 at dt = 0.1 s, as dt^1: the tiny project says so",
         "fake/coarse: a formula",
-        "dt 0.025: fail: y: error 0.01 of 0.00025",
+        "dt 0.025: fail: y: error 0.01, allowed 0.00025",
         "fake/weightless: fake/weightless does not support: gravity",
     ):
         assert words in out

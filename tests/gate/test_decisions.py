@@ -43,6 +43,22 @@ def compared(now: list[Record], then: Baseline | None, demanded: bool = False) -
 
 
 @pytest.mark.parametrize(
+    ("then", "now", "told"),
+    [
+        (1e-4, 1e-4 + 3e-9, "error 0.0001, now 0.000100003"),
+        (8.2e34, 8.2e34 * (1 + 1e-6), "error 8.2e+34, now 8.20001e+34"),
+        (8.2e34, 8.2e34 * (1 - 1e-6), None),  # as wrong as before
+        (8.2e34, 4.1e34, "error 8.2e+34, now 4.1e+34"),
+    ],
+)
+def test_a_change_of_an_error_is_told_in_digits_that_show_it(
+    then: float, now: float, told: str | None
+) -> None:
+    found = compared([requantified(ran(), errors={"max": now})], accepted(ran(then)))
+    assert [one.text.partition(";")[0] for one in found] == ([told] if told else [])
+
+
+@pytest.mark.parametrize(
     ("error", "value", "kind", "size"),
     [
         (1e-4 + 3e-9, 3.0, "worse", 3.0),

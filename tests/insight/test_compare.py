@@ -53,7 +53,7 @@ def test_outcomes_and_what_one_of_them_lacks_are_told_first() -> None:
     found = changes(manifest(*ladder()), manifest(other))
     assert [(c.kind, c.text) for c in found] == [
         ("outcome", "pass -> fail"),
-        ("only in A", "2 rungs"),
+        ("only in A", "2 settings"),
     ]
 
 

@@ -39,7 +39,7 @@ def list_cases(
         from vv.base.hints import name_hint
 
         raise UsageError(f"no family '{family}'{name_hint(family, families.values())}")
-    cases = [project.load_case(name) for name in names]
+    cases = project.load_cases(names)
     shown = {case.name: [v.name for v in case.variants] for case in cases}
     if keyword:
         shown = _fitting(families, cases, keyword)

@@ -18,6 +18,7 @@ from vv.records.job_record import Record
 from vv.records.quantity import MeasuredQuantity
 from vv.records.reading import ran, rung
 
+SHOWN = 3  # digits of an error, where no more are needed to see that it changed
 LARGE = 1e99  # stands for an infinite change
 
 
@@ -160,13 +161,26 @@ def _change(
     width = band.width * max(1.0, before or 0.0, error or 0.0)
     size = min(max(abs(drift), shift) / width, LARGE)
     if abs(drift) > width:
-        text = f"error {_in_words(before)}, now {_in_words(error)}; band {width:g}: {band.reason}"
-        change = Change.WORSE if drift > 0 else Change.BETTER
-        return Moved(name, change, text, size)
+        return _error_moved(
+            name, before or 0.0, error or 0.0, size, f"band {width:g}: {band.reason}"
+        )
     if not shift <= width:
         text = f"value moved by {shift:.3g} of its scale; band {width:g}: {band.reason}"
         return Moved(name, Change.MOVED, text, size)
     return None
+
+
+def _error_moved(name: str, was: float, error: float, size: float, band: str) -> Moved | None:
+    """An error that left its band, in digits that show it.
+
+    None for one above its scale that is less wrong by an invisible amount: it is as wrong.
+    """
+    digits = next((n for n in range(SHOWN, 17) if f"{was:.{n}g}" != f"{error:.{n}g}"), 17)
+    change = Change.WORSE if error > was else Change.BETTER
+    if change is Change.BETTER and error > 1.0 and digits > SHOWN:
+        return None
+    text = f"error {was:.{digits}g}, now {error:.{digits}g}; {band}"
+    return Moved(name, change, text, size)
 
 
 def _shift(then: AcceptedQuantity, now: MeasuredQuantity) -> float:
@@ -180,7 +194,7 @@ def _shift(then: AcceptedQuantity, now: MeasuredQuantity) -> float:
 
 
 def _in_words(error: float | None) -> str:
-    return "none" if error is None else f"{error:.3g}"
+    return "none" if error is None else f"{error:.{SHOWN}g}"
 
 
 def removed_results(

@@ -85,7 +85,7 @@ def _presence(
             where = " ".join(place[:2])
             counts[where] = counts.get(where, 0) + 1
         for where, count in counts.items():
-            yield Change(kind, where, f"{count} rung{'s' if count > 1 else ''}")
+            yield Change(kind, where, f"{count} setting{'s' if count > 1 else ''}")
 
 
 def _record_changes(where: str, one: Record, other: Record) -> Iterator[Change]:

@@ -8,6 +8,7 @@ from collections.abc import Iterable, Mapping
 from vv.case import Case, Exact, Quantity
 from vv.gate.judgement import outcome
 from vv.output.terminal import say
+from vv.output.wording import in_words
 from vv.plan.plan import Plan
 from vv.records.job_record import Record
 from vv.records.manifest import Manifest
@@ -97,7 +98,7 @@ def _in_words(record: Record) -> str:
     knobs = (("dt", record.rung.dt), ("kn", record.rung.kn))
     at = " ".join(f"{knob} {value:g}" for knob, value in knobs if value)
     changed = ", modified parameters" if record.modified else ""
-    came = outcome(record).value
+    came = in_words(outcome(record))
     return f"{at}{': ' if at else ''}{came}{changed}: {errors or record.reason}"
 
 
@@ -106,5 +107,5 @@ def _quantity_in_words(one: MeasuredQuantity) -> str:
         text = f"{one.name}: {one.value}, {one.why}"
     else:
         error = math.nan if one.error is None else one.error
-        text = f"{one.name}: error {error:.3g} of {one.tolerance:.3g}"
+        text = f"{one.name}: error {error:.3g}, allowed {one.tolerance:.3g}"
     return f"{text}, {one.note}" if one.note else text

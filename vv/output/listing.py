@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Container, Mapping, Sequence
 from typing import TYPE_CHECKING
 
-from vv.output.results_table import by_fate
 from vv.output.terminal import say
 from vv.records.outcomes import Outcome
 
@@ -17,6 +16,8 @@ if TYPE_CHECKING:
 
 def print_jobs(plan: Plan, stored: Container[int]) -> None:
     """What would run, a line for each scheme and variant; stored: numbers of what is answered."""
+    from vv.output.results_table import by_fate
+
     waiting: dict[tuple[str, str], list[str]] = {}
     fates: dict[str, Outcome] = {}
     for number, job in enumerate(plan.jobs):

@@ -21,7 +21,7 @@ def select(project: Project, selection: Sequence[str]) -> list[tuple[Case, str]]
             wanted.setdefault(name, set()).update(variants)
     return [
         (case, variant.name)
-        for case in map(project.load_case, (n for n in project.case_names() if n in wanted))
+        for case in project.load_cases(n for n in project.case_names() if n in wanted)
         for variant in case.variants
         if variant.name in wanted[case.name]
     ]
@@ -35,7 +35,7 @@ def _matching_variants(project: Project, pattern: str) -> dict[str, list[str]]:
     if not hits:
         every = {*families, *families.values()}
         raise UsageError(f"no case or family '{case_pattern}'{name_hint(case_pattern, every)}")
-    known = {name: [v.name for v in project.load_case(name).variants] for name in hits}
+    known = {case.name: [v.name for v in case.variants] for case in project.load_cases(hits)}
     found = {name: fnmatch.filter(own, variant_pattern or "*") for name, own in known.items()}
     if not any(found.values()):
         names = itertools.chain.from_iterable(known.values())
