@@ -48,7 +48,7 @@ def test_many_variants_are_counted_by_scheme(tmp_path: Path) -> None:
     good = [entry("pass", {"max": 1e-5})]
     many = [record("a/a", f"V{i}", 1e-3, quantities=good) for i in range(ROWS + 1)]
     lines = [line.split() for line in table(many, [])]
-    assert ["a/a", str(ROWS + 1), "-", "-", "-", str(ROWS + 1), "1.0e-05"] in lines
+    assert ["a/a", str(ROWS + 1), "-", "-", "-", str(ROWS + 1), "-", "1.0e-05"] in lines
 
 
 def test_findings_at_several_settings_are_one_line_with_the_command_that_shows_it() -> None:

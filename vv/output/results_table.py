@@ -6,18 +6,19 @@ import statistics
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
-from vv.ask import Method
+from vv.ask import Knobs, Method
 from vv.gate.judgement import outcome
 from vv.output.wording import duration, in_words
 from vv.records.finding import Finding
 from vv.records.job_record import Record
 from vv.records.outcomes import Outcome
 from vv.records.quantity import MeasuredQuantity
-from vv.records.reading import by_fineness, ran, rung, tried
+from vv.records.reading import by_fineness, ran, tried
 from vv.records.rungs import row_of
 
 ROWS = 60  # of schemes on variants; where there are more, variants are counted
 CLAIMED = {Method.SECOND_ORDER: 2, Method.FIRST_ORDER: 1}  # orders in dt
+COUNTED = ("FAIL", "reported only", "known disagreement", "pass")  # verdicts that are counted
 RANKS = (Outcome.XFAIL, Outcome.BLOW_UP, Outcome.PASS, Outcome.NO_REFERENCE)
 Place = tuple[str, str, str]  # case, variant, scheme
 
@@ -64,7 +65,7 @@ def _row(place: Place, pile: Sequence[Record], findings: Sequence[Finding]) -> R
     fitted = row_of(finest.rung.kn, [r for r in done if r.rung.kn == finest.rung.kn]).order
     return Row(
         place,
-        rung(finest),
+        _setting(finest.rung),
         worst.error if worst else None,
         worst.tolerance if worst else None,
         fitted.order if fitted else None,
@@ -73,6 +74,12 @@ def _row(place: Place, pile: Sequence[Record], findings: Sequence[Finding]) -> R
         finest.cost.timed,
         verdict,
     )
+
+
+def _setting(knobs: Knobs) -> str:
+    """Knobs as people read them, dt=5e-05,kn=1e+09."""
+    named = (("dt", knobs.dt), ("kn", knobs.kn))
+    return ",".join(f"{name}={value:g}" for name, value in named if value)
 
 
 def _closeness(one: MeasuredQuantity) -> float:
@@ -138,20 +145,21 @@ def _short(value: float | None) -> str:
 
 def _summary(every: Sequence[Row]) -> Iterator[str]:
     """A row for each scheme: how many variants came to what, and the errors of the finest."""
-    counts: dict[str, dict[str, int]] = {}
+    schemes: dict[str, list[Row]] = {}
     for row in every:
-        own = counts.setdefault(row.place[2], {})
-        own[row.verdict] = own.get(row.verdict, 0) + 1
-    heads = ("FAIL", "reported only", "known disagreement", "pass")
-    wide = max(len(name) + 2 for name in counts)
+        schemes.setdefault(row.place[2], []).append(row)
+    wide = max(len(name) + 2 for name in schemes)
     yield ""
-    yield f"  {'scheme':<{wide}}{'variants':>8}{''.join(f'{h:>20}' for h in heads)}{'error':>9}"
-    for name, own in counts.items():
-        cells = "".join(f"{own.get(head, 0) or '-':>20}" for head in heads)
-        errors = [r.error for r in every if r.place[2] == name and r.error is not None]
+    heads = "".join(f"{head:>{len(head) + 2}}" for head in (*COUNTED, "other"))
+    yield f"  {'scheme':<{wide}}{'variants':>8}{heads}{'error':>10}"
+    for name, own in schemes.items():
+        counts = [sum(row.verdict == head for row in own) for head in COUNTED]
+        told = zip((*COUNTED, "other"), (*counts, len(own) - sum(counts)), strict=True)
+        cells = "".join(f"{count or '-':>{len(head) + 2}}" for head, count in told)
+        errors = [row.error for row in own if row.error is not None]
         middle = _short(statistics.median(errors)) if errors else "-"
-        yield f"  {name:<{wide}}{sum(own.values()):>8}{cells}{middle:>9}"
-    yield "  error: the median over variants, at the finest setting; `vv run CASE` shows each"
+        yield f"  {name:<{wide}}{len(own):>8}{cells}{middle:>10}"
+    yield "  (error: the median over variants, at the finest setting; `vv run CASE` shows each)"
 
 
 def unsupported(records: Iterable[Record]) -> str:
