@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import os
 import re
 import shlex
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -89,3 +92,20 @@ def test_every_column_of_the_table_of_results_is_explained() -> None:
 
     page = (ROOT / "docs" / "python.md").read_text()
     assert not [name for name in table([]).columns if f"`{name}`" not in page]
+
+
+def test_the_examples_of_the_python_interface_run(tmp_path: Path) -> None:
+    (tmp_path / "vv.toml").touch()
+    (tmp_path / "cases").mkdir()
+    read, make = written(ROOT / "docs" / "python.md", "python")
+    done = subprocess.run(
+        [sys.executable, "-c", f"{make}\n{read}\nassert len(finest) and softer.modified.all()"],
+        cwd=tmp_path,
+        env={name: value for name, value in os.environ.items() if not name.startswith("VV_")},
+        capture_output=True,
+        text=True,
+        check=False,
+        timeout=60,
+    )
+    assert done.returncode == 0, done.stderr
+    assert "tolerance" in done.stdout

@@ -8,7 +8,7 @@ from xml.etree import ElementTree
 import numpy as np
 import pytest
 
-from vv.output.scene_drawing import MOST, drawing, plane
+from vv.output.gallery.scene_drawing import MOST, drawing, plane
 from vv.plan.project import find
 from vv.scene import Contact, Scene, Spheres, Wall
 

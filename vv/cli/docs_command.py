@@ -88,7 +88,7 @@ def _of_case(project: Project, name: str) -> Iterator[tuple[Path, str]]:
 
 
 def _drawing(scene: object) -> str:
-    from vv.output.scene_drawing import drawing
+    from vv.output.gallery.scene_drawing import drawing
     from vv.scene import Scene
 
     return drawing(scene) if isinstance(scene, Scene) else ""

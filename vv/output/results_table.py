@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-import statistics
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+
+import numpy as np
 
 from vv.ask import Knobs, Method
 from vv.gate.judgement import outcome
@@ -157,7 +158,7 @@ def _summary(every: Sequence[Row]) -> Iterator[str]:
         told = zip((*COUNTED, "other"), (*counts, len(own) - sum(counts)), strict=True)
         cells = "".join(f"{count or '-':>{len(head) + 2}}" for head, count in told)
         errors = [row.error for row in own if row.error is not None]
-        middle = _short(statistics.median(errors)) if errors else "-"
+        middle = _short(float(np.median(errors))) if errors else "-"
         yield f"  {name:<{wide}}{len(own):>8}{cells}{middle:>10}"
     yield "  (error: the median over variants, at the finest setting; `vv run CASE` shows each)"
 
