@@ -27,7 +27,7 @@ TERMS = frozenset(
         Term.STRAINED_START,
     }
 )
-KNOBS = ("dt", "kn")
+KNOBS = ("dt", "kn", "dd")
 OBSERVABLES = frozenset({Displacement, Velocity, Strain})
 SCHEMES = (
     Scheme(

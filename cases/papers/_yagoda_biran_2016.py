@@ -7,6 +7,7 @@ from collections.abc import Callable
 
 from cases._papers import YAGODA_BIRAN_2016
 from reference_solutions.blocks import implicit_step
+from vv.ask import Knobs
 from vv.case.published import Figure, Paper, Seen, Standing, Statement
 
 REPRODUCED, DIFFERS, MISPRINT, WRONG, OPEN = Standing
@@ -166,13 +167,16 @@ DAMPING = (
         _said("Fig. 25", f"way of a mass under constant force with 3 % damping, dt = {dt:g} s", "",
               REPRODUCED, "1 m/s2 for 1 s, where 0.5 m is right; the force is not given",
               unit="m", exact=functools.partial(
-                  implicit_step.damped_drive, 1.0, dt, round(1.0 / dt), 0.97))
+                  implicit_step.damped_drive, 1.0, dt, round(1.0 / dt), 0.97),
+              seen=(Seen("kinetic-damping", "3-per-cent", "d", rung=Knobs(dt)),))
         for dt in (1e-2, 1e-3, 1e-4, 1e-5)
     ),
     _said("Sec. 5.2.2", "way with 1 % kinetic damping over that with 3 %, said to be not "
           "significantly different", "", WRONG, "three times, at 1e-5 s over 1 s", exact=lambda: (
               implicit_step.damped_drive(1.0, 1e-5, 100000, 0.99)
-              / implicit_step.damped_drive(1.0, 1e-5, 100000, 0.97))),
+              / implicit_step.damped_drive(1.0, 1e-5, 100000, 0.97)),
+          seen=(Seen("kinetic-damping", "1-per-cent", "d", rung=Knobs(1e-5)),
+                Seen("kinetic-damping", "3-per-cent", "d", rung=Knobs(1e-5)))),
 )  # fmt: skip
 WAVES = (
     _said("Fig. 9", "the wave form is kept after tuning of blocks and steps", "", OPEN,

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 
@@ -47,18 +47,22 @@ class History:
 class Knobs:
     """One numerical setting: step dt [s], and stiffness kn [N/m] if the contact is rigid.
 
-    None means that the scheme has no such knob. Raises ValueError for a value that is not
-    positive and finite.
+    None means that the scheme has no such knob. dd: the part of its velocity that a step hands on
+    (kinetic damping); None hands on all, and a scheme without this knob refuses any other. Raises
+    ValueError for dt or kn that are not positive and finite, and for dd beyond 0 and 1.
     """
 
     dt: float | None = None
     kn: float | None = None
+    dd: float | None = field(default=None, metadata={"omitted": True})  # of records, if None
 
     def __post_init__(self) -> None:
         for name, unit in (("dt", "s"), ("kn", "N/m")):
             value = getattr(self, name)
             if value is not None and not (np.isfinite(value) and value > 0):
                 raise ValueError(f"{name} = {value!r} {unit}; a knob must be positive and finite")
+        if self.dd is not None and not 0 <= self.dd <= 1:
+            raise ValueError(f"dd = {self.dd!r}; a step hands on a part between 0 and 1")
 
 
 @dataclass(frozen=True)

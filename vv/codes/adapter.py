@@ -100,6 +100,8 @@ def known_beforehand(adapter: Adapter, scheme: Scheme, ask: Ask, found: Found) -
         return Run(Status.REFUSED, f"{adapter.name}/{scheme.name} does not support: {terms}")
     if hidden := unseen(scheme, ask):
         return Run(Status.REFUSED, f"{adapter.name}/{scheme.name} does not report: {hidden}")
+    if ask.knobs.dd is not None and "dd" not in scheme.knobs:
+        return Run(Status.REFUSED, f"its steps hand on all velocity, and not dd = {ask.knobs.dd:g}")
     reason = no_steps(ask) or adapter.refuses(ask, scheme.name)
     if reason is not None:
         return Run(Status.REFUSED, reason)

@@ -10,8 +10,8 @@ UNTRIED = (Status.REFUSED, Status.NOT_INSTALLED, Status.TOO_LONG)
 
 def in_words(knobs: Knobs) -> str:
     """Knobs as text, dt=0.001,kn=1e+09; empty if there are none."""
-    named = (("dt", knobs.dt), ("kn", knobs.kn))
-    return ",".join(f"{name}={value:.12g}" for name, value in named if value)
+    named = (("dt", knobs.dt), ("kn", knobs.kn), ("dd", knobs.dd))
+    return ",".join(f"{name}={value:.12g}" for name, value in named if value is not None)
 
 
 def label(record: Record) -> str:

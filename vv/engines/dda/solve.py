@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import functools
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -177,8 +178,10 @@ class Program:
 
 def prepare(ask: Ask, formulation: Formulation) -> Program:
     """The program of an ask, with the smallest model its scene allows."""
-    system = sliding(ask.scene, formulation) or General(ask.scene, formulation)
-    return Program(ask, formulation, system)
+    dd = ask.knobs.dd
+    way = formulation if dd is None else dataclasses.replace(formulation, dd=dd)
+    system = sliding(ask.scene, way) or General(ask.scene, way)
+    return Program(ask, way, system)
 
 
 def solve(ask: Ask, formulation: Formulation) -> Run:

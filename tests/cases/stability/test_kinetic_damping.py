@@ -1,0 +1,49 @@
+"""Claims about kinetic damping: dd is a knob, and who has none refuses."""
+
+import pytest
+
+from vv.ask import Knobs, Status
+from vv.case import Level
+from vv.codes import Scheme
+from vv.codes.adapter import known_beforehand
+from vv.plan.plan import project_knobs
+from vv.plan.project import find
+from vv.records.reading import in_words
+
+PROJECT = find()
+CASE = PROJECT.load_case("kinetic-damping")
+TRIAL = CASE.declare("3-per-cent", CASE.defaults("3-per-cent"))
+
+
+def answer(name: str, scheme: Scheme, knobs: Knobs) -> str:
+    """Why a scheme does not run the case at these knobs; empty if it does."""
+    adapter = PROJECT.load_adapter(name)
+    ask = TRIAL.study.ask(project_knobs(knobs, scheme))
+    run = known_beforehand(adapter, scheme, ask, adapter.found())
+    return run.reason if run and run.status is Status.REFUSED else ""
+
+
+@pytest.mark.parametrize("name", PROJECT.adapter_names())
+def test_a_scheme_without_the_knob_refuses_and_never_runs_undamped(name: str) -> None:
+    knobs = TRIAL.study.rungs[Level.QUICK][0]
+    for scheme in PROJECT.load_adapter(name).schemes:
+        assert bool(answer(name, scheme, knobs)) == ("dd" not in scheme.knobs)
+
+
+def test_rigid_says_that_it_is_the_damping_that_it_lacks() -> None:
+    (scheme,) = PROJECT.load_adapter("rigid").schemes
+    assert answer("rigid", scheme, Knobs(1e-2, None, 0.97)) == (
+        "its steps hand on all velocity, and not dd = 0.97"
+    )
+
+
+def test_a_rung_says_its_damping_and_other_rungs_are_written_as_before() -> None:
+    assert in_words(Knobs(1e-3, 1e9, 0.97)) == "dt=0.001,kn=1000000000,dd=0.97"
+    assert in_words(Knobs(1e-3, 1e9)) == "dt=0.001,kn=1000000000"
+    assert in_words(Knobs(dd=0.0)) == "dd=0"
+
+
+@pytest.mark.parametrize("dd", [-0.1, 1.1, float("nan")])
+def test_a_step_hands_on_a_part_of_its_velocity(dd: float) -> None:
+    with pytest.raises(ValueError, match=r"dd = .*; a step hands on a part between 0 and 1"):
+        Knobs(dd=dd)
