@@ -317,6 +317,7 @@ CASE = Case(
         "Fig. 2": "2D-DDA under gravity: relative error 0.05 % at phi = 5, rising to just below "
         "8 % at phi = 25.",
         "Fig. 3": "2D-DDA under the sine: below 1 % most of the time.",
+        "Fig. 12": "3D-DDA under gravity at 45 degrees, phi 10, 20 and 30: below 1 % after 0.2 s.",
         "Figs. 13, 14": "3D-DDA: below 1 % after 0.5 s of a launch; below 3 % most of the time "
         "under the sine.",
         "Fig. 15": "3D-DDA under sines in two directions: about 8 % at the end.",

@@ -1,4 +1,4 @@
-"""A wedge slides down a groove: the narrower it is, the harder its sides are pressed."""
+"""A wedge, or a sphere, slides down a groove: the narrower, the harder its sides are pressed."""
 
 from __future__ import annotations
 
@@ -8,9 +8,10 @@ import math
 import numpy as np
 
 from cases._papers import YAGODA_BIRAN_2016
-from reference_solutions.blocks import wedge
+from reference_solutions.blocks import wedge, wedge_on_springs
 from vv.ask import Displacement, History, Knobs, Method
 from vv.case import (
+    LARGEST_TOLERANCE,
     Case,
     Check,
     Exact,
@@ -24,7 +25,7 @@ from vv.case import (
     Trial,
     Variant,
 )
-from vv.scene import Block, Contact, Scene, Vector, Wall, polyhedron_inertia
+from vv.scene import Block, Contact, Scene, Spheres, Vector, Wall, polyhedron_inertia
 
 WEDGE = Displacement(2)
 HALF, DENSITY = 0.5, 2500.0  # m, half of its width on top, height and length; kg/m3
@@ -62,9 +63,45 @@ def _scene(p: Parameters) -> Scene:
     return Scene((*walls, block), Contact(np.inf, mu=_friction(p)), gravity=gravity, axes=axes)
 
 
+def _sphere_scene(p: Parameters) -> Scene:
+    """A sphere that cannot turn on the same two walls, pressed by N/kn into each."""
+    axes, h = _axes(p["dip"]), p["xi"] / 2
+    normals = [-side * math.cos(h) * axes[1] + math.sin(h) * axes[2] for side in (1.0, -1.0)]
+    pressed = p["m"] * p["g"] * math.cos(math.radians(p["dip"])) / (2 * math.sin(h))
+    sphere = Spheres(
+        position=((RADIUS - pressed / p["kn"]) / math.sin(h) * axes[2])[None],
+        velocity=np.zeros((1, 3)),
+        radius=np.array([RADIUS]),
+        mass=np.array([p["m"]]),
+        free=np.ones((1, 3), bool),
+    )
+    walls = [Wall(np.zeros(3), normal) for normal in normals]
+    contact = Contact(p["kn"], p["kn"], _friction(p))
+    return Scene((*walls, sphere), contact, gravity=np.array([0.0, 0.0, -p["g"]]), axes=axes)
+
+
+def _sphere(p: Parameters) -> Trial:
+    """Springs alone: how far it slides is known with them."""
+    if not 0 < p["held"] < 1:
+        raise ValueError(f"held = {p['held']!r}; friction must hold a part of the pull on it")
+    scene, law = _sphere_scene(p), {name: p[name] for name in (*LAW, "m")}
+    w = math.sqrt(2 * p["kn"] / p["m"])
+    s = Series(
+        "s", "s", "m", "displacement down the groove",
+        lambda run: np.asarray(run.values[WEDGE] @ scene.axes[0]),
+        functools.partial(wedge_on_springs.slid, mu=_friction(p), ks=p["kn"], **law),
+        _on_springs(w),
+    )  # fmt: skip
+    rungs = tuple(Knobs(dt=angle / w) for angle in ANGLES)
+    levels = {Level.QUICK: rungs[:2], Level.DEFAULT: rungs, Level.PAPER: rungs}
+    return Trial(Ladder(scene, History(SECONDS, SECONDS / 50), (WEDGE,), levels), (s,))
+
+
 def _declare(variant: str, p: Parameters) -> Trial:
     if not p["xi"] < math.pi / 2:
         raise ValueError(f"xi = {p['xi']!r} rad; beyond pi/2 nothing is left of its foot")
+    if variant == "sphere":
+        return _sphere(p)
     scene = _scene(p)
     law = {name: p[name] for name in LAW}
     s = Series(
@@ -74,22 +111,20 @@ def _declare(variant: str, p: Parameters) -> Trial:
         meaning="displacement down the groove",
         observe=lambda run: np.asarray(run.values[WEDGE] @ scene.axes[0]),
         reference=functools.partial(wedge.slid, mu=_friction(p), **law),
-        judge=_judge(p["xi"]),
+        judge=_judge(p["xi"], p["held"]),
         still=0.5 * p["g"] * GOAL.duration**2,
     )
     return Trial(Ladder(scene, GOAL, (WEDGE,), LEVELS), (s,))
 
 
-def _judge(xi: float) -> Exact:
+def _judge(xi: float, held: float) -> Exact:
     """Springs sink by N/kn into either side, and the wedge by 1/sin(xi/2) as much."""
-    sinks = 5e-4 / xi**2
+    left = held / (1 - held) if held < 1 else 1.0
     second = Tolerance(
-        1e-10 if xi > 0.05 else 1e-5,
+        (1e-11 if xi > 0.05 else 1e-5) * max(left, 1.0),
         "constant forces are integrated exactly; contacts are solved to 1e-12 m/s, which a narrow "
         "groove magnifies by 1/sin(xi/2) more than once",
-        dt=1e-2,
-        order=0,
-        slack="in wide grooves only rounding errors remain",
+        slack="at 1e-2 rad rounding is magnified less than at 1e-6, and one bound is used for both",
     )
     rigid = {
         Method.EXACT: Tolerance(1e-12, "the answer is a parabola, known to rounding"),
@@ -104,18 +139,43 @@ def _judge(xi: float) -> Exact:
     }
     if xi < 0.05:
         return Exact(rigid, not_judged={Method.PENALTY: SUNK, Method.LAGGING: SUNK})
+    swings = Tolerance(
+        min(5e-4 / xi**2 * max(left, 0.1) ** 2, LARGEST_TOLERANCE),
+        "the wedge sinks by N/(kn sin(xi/2)), which swings, and its friction with it, the more of "
+        "the way the more friction leaves of the pull; and squared, as it then stops in each swing",
+        kn=1e9, softness=0.5,
+    )  # fmt: skip
+    if held > JUST:
+        return Exact({**rigid, Method.PENALTY: swings}, not_judged={Method.LAGGING: HELD_BACK})
+    lagging = Tolerance(
+        6e-2, "friction is that of the iteration before, while the wedge sinks and swings"
+    )
+    return Exact({**rigid, Method.PENALTY: swings, Method.LAGGING: lagging})
+
+
+JUST = 0.6  # of the pull: with more friction than that, what lags holds the wedge back
+HELD_BACK = "friction of the iteration before, of a wedge that swings, stops what it should let go"
+
+
+def _on_springs(w: float) -> Exact:
+    """w: rate of the swing on the shear springs [1/s]."""
+    coarsest = ANGLES[0] / w
     return Exact({
-        **rigid,
-        Method.PENALTY: Tolerance(
-            sinks, "the wedge sinks by N/(kn sin(xi/2)), which swings, and its friction with it",
-            kn=1e9, softness=0.5,
+        Method.EXACT: Tolerance(1e-12, "one event, located to rounding"),
+        Method.SECOND_ORDER: Tolerance(
+            ANGLES[0] ** 2 / 4 * 2 / (w * SECONDS),
+            "slip begins within a step, by which the speed it begins with is off by a part of "
+            "(w dt)^2: that speed makes 2/(w T) of the way",
+            dt=coarsest, order=2,
         ),
-        Method.LAGGING: Tolerance(
-            6e-2, "friction is that of the iteration before, while the wedge sinks and swings",
+        Method.FIRST_ORDER: Tolerance(
+            2 * coarsest / SECONDS, "weight half a step late, over 0.1 s", dt=coarsest, order=1
         ),
     })  # fmt: skip
 
 
+RADIUS, ANGLES = 0.5, (0.2, 0.1, 0.05)  # m, which does not enter the answer; steps times w
+SECONDS = 0.1
 SUNK = "springs let the wedge sink by W/(4 kn sin^2(xi/2)): in a narrow groove it falls through"
 RUNGS = (Knobs(1e-2, 1e9), Knobs(5e-3, 1e9), Knobs(5e-3, 1e10), Knobs(2.5e-3, 1e10))
 LEVELS = {Level.QUICK: RUNGS[:2], Level.DEFAULT: RUNGS[:3], Level.PAPER: RUNGS}
@@ -133,11 +193,18 @@ CASE = Case(
         Parameter("xi", 1.0, "rad", "angle between the sides of the groove"),
         Parameter("held", 0.5, "", "part of the pull that friction takes"),
         Parameter("g", 9.81, "m/s2", "gravity"),
+        Parameter("m", 1000.0, "kg", "mass of the sphere"),
+        Parameter("kn", 1e9, "N/m", "stiffness of its contacts, along and across"),
     ),
-    variants=tuple(
-        Variant(f"xi-{xi:g}", f"sides that open by {xi:g} rad", FORMULA, {"xi": xi},
-                frozenset({"xi"}), Level.QUICK if xi in (1.0, 1e-6) else Level.DEFAULT)
-        for xi in (1.0, 0.1, 0.01, 1e-6)
+    variants=(
+        *(Variant(f"xi-{xi:g}", f"sides that open by {xi:g} rad", FORMULA, {"xi": xi},
+                frozenset({"xi", "m", "kn"}), Level.QUICK if xi in (1.0, 1e-6) else Level.DEFAULT)
+          for xi in (1.0, 0.1, 0.01, 1e-6)),
+        Variant(
+            "sphere", "a sphere that cannot turn, on springs along and across both sides",
+            "m s'' = m g sin i - 2 ks s until ks s = mu N, then constant; N as above; ks = kn",
+            inert=frozenset({"xi"}),
+        ),
     ),
     declare=_declare,
     # at 1e-6 rad what is left of impulses moves by 5e-7 as a processor fuses products or not
