@@ -102,10 +102,14 @@ def _motion(what: Displacement, scene: Scene, directions: int, path: Path) -> Mo
 
 
 def _of_sphere(motion: Motion) -> tuple[Quantity, ...]:
-    words = ("along the throw", "across the throw, level", "up")
+    ways = (
+        ("x", "along the throw", ON_FLOOR),
+        ("y", "across the throw, level", NOWHERE),
+        ("z", "up", ON_FLOOR),
+    )
     parts = [
-        motion.component(i, axis, f"displacement of the sphere {how}", ON_FLOOR)
-        for i, (axis, how) in enumerate(zip("xyz", words, strict=True))
+        motion.component(i, axis, f"displacement of the sphere {how}", judge)
+        for i, (axis, how, judge) in enumerate(ways)
     ]
     return (*parts, motion.distance(ON_FLOOR))
 
@@ -150,6 +154,10 @@ def _judge(coarsest: float, second: float, first: float, arm: float = 0.0) -> Ju
     })  # fmt: skip
 
 
+NOWHERE: Judge = Exact(dict.fromkeys(
+    (Method.EXACT, Method.SECOND_ORDER, Method.FIRST_ORDER),
+    Tolerance(1e-12, "nothing moves it there, or it is locked: rounding only"),
+))  # fmt: skip
 FLOOR_STEP, PAIR_STEP = 5e-7, 2e-5  # s
 ON_FLOOR = _judge(FLOOR_STEP, 2e-4, 5e-4, 1.5e-5)
 # only friction acts across the line of centres, a part of what acts along it

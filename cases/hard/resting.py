@@ -205,7 +205,7 @@ SWINGS, LASTS = (0.05, 0.025, 0.0125), 20.0  # steps and duration, times w
 HOLDS = 1.005  # friction over what the swing asks of it at its lowest: 1 % less, and it slips
 STEPS = (2e-4, 1e-4, 5e-5)  # s; the quickest swing takes about 2e-3 s
 STILL = Tolerance(
-    1e-9,
+    2e-10,
     "forces balance to the rounding of positions, kn eps x = 1e-10 N beside a weight of 13 N, and "
     "the motion that this starts is not damped",
     slack="codes round positions differently",

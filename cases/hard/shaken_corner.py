@@ -151,7 +151,7 @@ def _balance(unit: float) -> Scalar:
     """unit: 1/w [s]."""
     step, exact = STEPS[0], Tolerance(1e-12, "no event: what is left is rounding")
     late = "that of the first half step, as no contact opens or slips"
-    second = Tolerance(step**2 / 100, f"{late}: some (w dt)^2/100", dt=step * unit, order=2)
+    second = Tolerance(step**2 / 200, f"{late}: some (w dt)^2/200", dt=step * unit, order=2)
     first = Tolerance(step / 40, f"{late}, which begins late", dt=step * unit, order=1)
     return balance({Method.EXACT: exact, Method.SECOND_ORDER: second, Method.FIRST_ORDER: first})
 

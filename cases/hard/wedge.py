@@ -121,10 +121,9 @@ def _judge(xi: float, held: float) -> Exact:
     """Springs sink by N/kn into either side, and the wedge by 1/sin(xi/2) as much."""
     left = held / (1 - held) if held < 1 else 1.0
     second = Tolerance(
-        (1e-11 if xi > 0.05 else 1e-5) * max(left, 1.0),
+        min(1e-11 / xi * max(left, 1.0), LARGEST_TOLERANCE),
         "constant forces are integrated exactly; contacts are solved to 1e-12 m/s, which a narrow "
-        "groove magnifies by 1/sin(xi/2) more than once",
-        slack="at 1e-2 rad rounding is magnified less than at 1e-6, and one bound is used for both",
+        "groove magnifies by 1/sin(xi/2)",
     )
     rigid = {
         Method.EXACT: Tolerance(1e-12, "the answer is a parabola, known to rounding"),
