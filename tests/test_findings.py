@@ -1,0 +1,92 @@
+"""Claims of docs/findings.md: each names what shows it, which is there; the cheap ones are run."""
+
+import re
+import shlex
+from pathlib import Path
+
+import pytest
+
+from bench.sensitivity import answer
+from tests import ROOT
+from vv.ask import Knobs, Status
+from vv.case import Level, Norm
+from vv.plan.project import find
+from vv.plan.selection import choose_schemes, named_adapters, select
+from vv.records.record import measured
+
+PROJECT = find(Path(__file__))
+PAGE = (ROOT / "docs" / "findings.md").read_text()
+BULLETS = [line[2:] for line in PAGE.splitlines() if line.startswith("- ")]
+QUOTED = re.compile(r"`([^`]+)`")
+SHOWN_BY = re.compile(
+    r"vv run .*|python -m bench\.\w+|tests/[\w/]*(\.py)?|reference_solutions/[\w/]*\.py"
+)
+
+
+def shown_by(bullet: str) -> list[str]:
+    """What a finding names that shows it: commands, tests, scripts."""
+    return [text for text in QUOTED.findall(bullet) if SHOWN_BY.fullmatch(text)]
+
+
+@pytest.mark.parametrize("bullet", BULLETS, ids=lambda text: " ".join(text.split()[:6]))
+def test_each_finding_names_what_shows_it(bullet: str) -> None:
+    assert shown_by(bullet)
+
+
+@pytest.mark.parametrize("text", sorted({one for bullet in BULLETS for one in shown_by(bullet)}))
+def test_what_shows_a_finding_is_there(text: str) -> None:
+    if not text.startswith(("vv run", "python")):
+        assert (ROOT / text).exists()
+        return
+    if text.startswith("python"):
+        assert (ROOT / f"{text.rsplit(maxsplit=1)[-1].replace('.', '/')}.py").is_file()
+        return
+    words = shlex.split(text)[2:]
+    options = {words[i]: words[i + 1] for i, word in enumerate(words) if word.startswith("--")}
+    chosen = [w for i, w in enumerate(words) if "--" not in w and "--" not in words[max(0, i - 1)]]
+    assert options.keys() <= {"--codes", "--level", "--rung", "--set"}
+    codes = tuple(options.get("--codes", "*").split(","))
+    assert choose_schemes(named_adapters(PROJECT, codes), codes)
+    level = Level(options.get("--level", "default"))
+    assert any(case.variant(name).runs_at(level) for case, name in select(PROJECT, chosen))
+
+
+# slow ones are left to their commands: blocks of bonds through failure, stacks of a hundred, maps
+FOUND = (
+    ("elastic-block:spun", "dda/published", None, "e_x", 0.999, 1.001),  # does not strain
+    ("painleve:mu-2", "dda/default", Knobs(1e-3, 1e8), "distance", 0.07, 0.08),  # 7 to 19 %
+    ("painleve:mu-2", "rigid/default", Knobs(1e-3), "distance", 0.005, 0.0101),  # right to 1 %
+    ("laden-block:turning", "dda/lagged", Knobs(5e-5, 1e10), "slip", 0.0115, 0.0125),
+    ("incline:gravity-5", "dda/published", Knobs(1e-3, 1e8), "d", 6e-4, 8e-4),
+    ("incline:gravity-25", "dda/published", Knobs(1e-3, 1e8), "d", 0.065, 0.075),
+    ("incline:gravity-5", "dem/published", Knobs(1e-3, 1e8), "d", 0.99e-3, 1.01e-3),
+    ("standing:arch-thin", "dda/lagged", Knobs(2.5e-3, 1e9), "sunk", 1.9, 2.2),  # three times
+    ("wedge:xi-1e-06", "rigid/default", Knobs(1e-2), "s", 0.0, 7e-7),
+    ("wedge:sphere", "dem/default", None, "s", 0.0, 1.1e-5),
+    ("shaken-fast:20hz", "dem/default", Knobs(2.5e-4, 1e8), "d2x", 8.0, 10.0),  # nine times
+    ("shaken-fast:20hz", "dem/default", Knobs(5e-6, 1e11), "d2x", 0.015, 0.017),
+    ("tetrahedral-unit:turning", "dem/default", None, "E", 0.0, 1e-8),
+)
+
+
+@pytest.mark.parametrize(
+    ("name", "scheme", "knobs", "quantity", "low", "high"),
+    FOUND,
+    ids=[f"{name} {scheme} {knobs}" for name, scheme, knobs, *_ in FOUND],
+)
+def test_what_is_found_is_as_it_is_told(
+    name: str, scheme: str, knobs: Knobs | None, quantity: str, low: float, high: float
+) -> None:
+    case, _, variant = name.partition(":")
+    code, _, which = scheme.partition("/")
+    trial = (asked := PROJECT.load_case(case)).declare(variant, asked.defaults(variant))
+    adapter = PROJECT.load_adapter(code)
+    own = next(one for one in adapter.schemes if one.name == which)
+    ask = trial.study.ask(knobs or trial.study.rungs[Level.QUICK][0])
+    run = answer(adapter, own, ask)
+    assert run.status is Status.RAN
+    wanted = next(one for one in trial.quantities if one.name == quantity)
+    method = own.method_for(ask.scene.terms())
+    error = measured(run, wanted, method, ask.knobs)[0].errors[Norm.MAX]
+    assert error is not None
+    assert low <= error <= high
