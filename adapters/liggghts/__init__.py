@@ -33,12 +33,12 @@ SCHEMES = (
     Scheme(
         PLAIN,
         "velocity Verlet with the scene's masses; drag is taken from the velocity half a step ago",
-        Method.SECOND_ORDER,
+        Method.LEAPFROG,
         TERMS,
         KNOBS,
         lowered={
             Term.RIGID_CONTACT: Method.PENALTY,
-            Term.CONTACT_VISCOSITY: Method.FIRST_ORDER,
+            Term.CONTACT_VISCOSITY: Method.LATE_LEAPFROG,
         },
         why_not=LASTING,
         pace=(6e-6, 2e-7),
@@ -46,7 +46,7 @@ SCHEMES = (
     Scheme(
         HALF_STEP,
         "velocity Verlet with masses m + eta dt/2, which makes drag that of the mean velocity",
-        Method.SECOND_ORDER,
+        Method.LEAPFROG,
         TERMS - UNRAISED,
         why_not=LASTING,
         pace=(6e-6, 2e-7),

@@ -30,12 +30,12 @@ SCHEMES = (
     Scheme(
         PLAIN,
         "leapfrog with the scene's masses; drag is taken from the velocity half a step ago",
-        Method.SECOND_ORDER,
+        Method.LEAPFROG,
         TERMS,
         KNOBS,
         lowered={
             Term.RIGID_CONTACT: Method.PENALTY,
-            Term.CONTACT_VISCOSITY: Method.FIRST_ORDER,
+            Term.CONTACT_VISCOSITY: Method.LATE_LEAPFROG,
         },
         observables=OBSERVABLES,
         pace=(2e-6, 1.1e-6),
@@ -43,7 +43,7 @@ SCHEMES = (
     Scheme(
         HALF_STEP,
         "leapfrog with masses m + eta dt/2, which makes drag that of the mean velocity",
-        Method.SECOND_ORDER,
+        Method.LEAPFROG,
         TERMS - UNRAISED,
         observables=OBSERVABLES,
         pace=(2e-6, 1.1e-6),

@@ -152,11 +152,12 @@ def _judge(bound: float, coarsest: float, reason: str) -> Exact:
     first = Tolerance(1.05 * bound, BALANCED + reason, dt=coarsest, order=2, floor=floor)
     return Exact({
         Method.EXACT: Tolerance(1e-8, "positions in the row are rounded to 1e-9 of the amplitude"),
-        Method.SECOND_ORDER: second,
-        Method.FIRST_ORDER: first,
-    })  # fmt: skip
+        Method.LEAPFROG: second,
+        Method.LATE_LEAPFROG: first,
+    }, not_judged=dict.fromkeys((Method.SECOND_ORDER, Method.FIRST_ORDER), OTHERS))  # fmt: skip
 
 
+OTHERS = "the phase that waves gain in a step is that of a leapfrog"
 BALANCED = "the load balances the contacts at the start, and costs no order; "
 TURNS = "the phase of a leapfrog is too fast by (w dt)^2/24"
 LATE = (

@@ -136,11 +136,14 @@ def _second(reason: str) -> Exact:
     return Exact({
         Method.EXACT: Tolerance(1e-11, "rounding of three thousand pieces"),
         Method.LINEARISED: Tolerance(1e-11, "a bond that does not turn is linear, to rounding"),
-        Method.SECOND_ORDER: bound,
-        Method.FIRST_ORDER: dataclasses.replace(bound, reason=BALANCED + reason),
-    }, not_judged={Method.PENALTY: ONLY_NEAR})  # fmt: skip
+        Method.LEAPFROG: bound,
+        Method.LATE_LEAPFROG: dataclasses.replace(bound, reason=BALANCED + reason),
+    }, not_judged={**OTHERS, Method.PENALTY: ONLY_NEAR})  # fmt: skip
 
 
+OTHERS = dict.fromkeys(
+    (Method.SECOND_ORDER, Method.FIRST_ORDER), "the phase and the energy are those of a leapfrog"
+)
 ONLY_NEAR = "springs that stand in for a bond do so for small stretches only"
 ANGLES = (0.4, 0.2, 0.1, 0.05)  # w dt [rad]
 PERIODS = {"pressed": 1000.25, "bonded": 2000.25, "bonded-long": 100_000.25}
@@ -152,9 +155,9 @@ BALANCED = "the load balances the contact at the start, and costs no order; "
 KEPT = Invariant(1e-11, "rounding of up to a million steps; nothing else takes energy or gives any")
 THEORY = Tolerance(1e-12, "a leapfrog's phase is known; rounding moves it by 1e-14")
 TURNS = Exact(
-    {Method.SECOND_ORDER: THEORY, Method.FIRST_ORDER: THEORY},
+    {Method.LEAPFROG: THEORY, Method.LATE_LEAPFROG: THEORY},
     not_judged=dict.fromkeys((Method.EXACT, Method.LINEARISED), "it takes no steps of known phase")
-    | {Method.PENALTY: ONLY_NEAR},
+    | {**OTHERS, Method.PENALTY: ONLY_NEAR},
 )
 # m/s: the faster, the smaller the part of a swing that is lost as places round
 FAST, FASTER, FASTEST = ({"v_a": -v} for v in (1.0, 10.0, 100.0))

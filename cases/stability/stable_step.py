@@ -130,19 +130,26 @@ SHARP = Tolerance(
     "the search ends 1.5e-3 apart; beyond the limit an undamped swing grows by exp(2 sqrt(2 d)) "
     "a step, d the excess, one with drag by exp(5 d), which takes d = 5e-4 to be seen",
 )
-EVERY = Exact(dict.fromkeys(Method, SHARP))
+OTHERS = dict.fromkeys(
+    (Method.SECOND_ORDER, Method.FIRST_ORDER), "the limit is that of a leapfrog; others have theirs"
+)
+AS_LEAPFROGS = [method for method in Method if method not in OTHERS]
+EVERY = Exact(dict.fromkeys(AS_LEAPFROGS, SHARP), not_judged=OTHERS)
 CENTRED = Exact(
-    {method: SHARP for method in Method if method is not Method.FIRST_ORDER},
-    not_judged={
-        Method.FIRST_ORDER: "such a scheme takes drag at the earlier velocity; its limit is `late`"
+    {method: SHARP for method in AS_LEAPFROGS if method is not Method.LATE_LEAPFROG},
+    not_judged=OTHERS
+    | {
+        Method.LATE_LEAPFROG: "such a scheme takes drag at the earlier velocity; its limit is "
+        "`late`"
     },
 )
 LATE = Exact(
-    {Method.FIRST_ORDER: SHARP},
-    not_judged={
+    {Method.LATE_LEAPFROG: SHARP},
+    not_judged=OTHERS
+    | {
         method: "a scheme of this class takes drag at the middle of the step; its limit is `limit`"
-        for method in Method
-        if method is not Method.FIRST_ORDER
+        for method in AS_LEAPFROGS
+        if method is not Method.LATE_LEAPFROG
     },
 )
 AT_LEAST = Interval(

@@ -19,6 +19,22 @@ def test_a_class_without_one_is_shown_and_the_reason_names_the_class() -> None:
     assert shown == Shown("no tolerance for what is first order in dt")
 
 
+def test_a_leapfrog_is_judged_as_any_code_of_its_order_unless_a_case_says_more() -> None:
+    any_code, own = Tolerance(1e-3, "its order"), Tolerance(1e-12, "the phase of a leapfrog")
+    wide = Exact({Method.SECOND_ORDER: any_code}, not_judged={Method.FIRST_ORDER: "it lags"})
+    assert judge_for_method(wide, Method.LEAPFROG) is wide
+    assert wide.tolerance(Method.LEAPFROG) is any_code
+    assert judge_for_method(wide, Method.LATE_LEAPFROG) == Shown("it lags")
+    narrow = Exact({**wide.tolerances, Method.LEAPFROG: own})
+    assert narrow.tolerance(Method.LEAPFROG) is own
+
+
+def test_what_is_a_leapfrog_s_own_is_asked_of_no_other() -> None:
+    own = Exact({Method.LEAPFROG: Tolerance(1e-12, "the phase of a leapfrog")})
+    shown = judge_for_method(own, Method.SECOND_ORDER)
+    assert shown == Shown("no tolerance for what is second order in dt")
+
+
 def test_a_code_of_such_a_class_runs_and_is_no_crash(tiny: Tiny) -> None:
     tiny.edit("cases/fall.py", "for method in Method}", "for method in (Method.EXACT,)}")
     done = tiny.vv("gate", "fall:up", "--codes", "fake/good")

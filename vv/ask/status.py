@@ -23,7 +23,17 @@ class Method(enum.Enum):
 
     EXACT = "exact to rounding"
     LINEARISED = "exact to first order in the displacements"
+    LEAPFROG = "second order in dt, a leapfrog"
+    LATE_LEAPFROG = "first order in dt, a leapfrog with forces half a step late"
     SECOND_ORDER = "second order in dt"
     FIRST_ORDER = "first order in dt"
     PENALTY = "penalty contact"
     LAGGING = "penalty contact whose friction lags behind the load"
+
+    @property
+    def general(self) -> Method:
+        """The wider class whose tolerances hold where a class has none of its own."""
+        return _GENERAL.get(self, self)
+
+
+_GENERAL = {Method.LEAPFROG: Method.SECOND_ORDER, Method.LATE_LEAPFROG: Method.FIRST_ORDER}

@@ -81,12 +81,18 @@ class Tolerance:
 class Exact:
     """Judge: the error against the reference must be within the tolerance of the class of method.
 
-    not_judged: class of method -> the reason why its result is shown and not judged.
+    not_judged: class of method -> the reason why its result is shown and not judged. A class that
+    neither names, such as a leapfrog, is judged as its general one.
     """
 
     tolerances: Mapping[Method, Tolerance]
     norm: Norm = Norm.MAX
     not_judged: Mapping[Method, str] = field(default_factory=dict)
+
+    def tolerance(self, method: Method) -> Tolerance:
+        """The tolerance for a class of method; raises KeyError where it has none."""
+        own = method if method in self.tolerances else method.general
+        return self.tolerances[own]
 
 
 @dataclass(frozen=True)
@@ -120,6 +126,9 @@ def judge_for_method(judge: Judge, method: Method) -> Judge:
     """The judge for a class of method: Shown, where `judge` has no tolerance for that class."""
     if not isinstance(judge, Exact):
         return judge
-    untold = "" if method in judge.tolerances else f"no tolerance for what is {method.value}"
-    why = judge.not_judged.get(method, untold)
-    return Shown(why) if why else judge
+    for one in (method, method.general):
+        if one in judge.not_judged:
+            return Shown(judge.not_judged[one])
+        if one in judge.tolerances:
+            return judge
+    return Shown(f"no tolerance for what is {method.value}")

@@ -55,7 +55,7 @@ def _of_errors(
     if fitted is None or last < ROUNDING:
         return Handshake(Grip.FIRM, f"right, error {last:.1e}")
     seen = f"error {last:.1e} at {STEPS[-1]} steps"
-    claimed = ORDERS.get(scheme.method_for(greeting.scene.terms()), 0.0)
+    claimed = ORDERS.get(scheme.method_for(greeting.scene.terms()).general, 0.0)
     if fitted.order < claimed - SHORTFALL:
         short = f"it claims order {claimed:g} in dt, and {fitted.order:.1f} was seen"
         return Handshake(Grip.WRONG, f"{seen}; {short}")

@@ -150,7 +150,7 @@ def _bound(judge: Judge, method: Method, knobs: Knobs) -> tuple[Norm | None, flo
     """How the quantity is judged: norm, bound and the reason for it."""
     if not isinstance(judge, Exact):
         return None, judge.bound if isinstance(judge, Invariant) else None, judge.reason
-    tolerance = judge.tolerances[method]
+    tolerance = judge.tolerance(method)
     return judge.norm, tolerance.at(knobs), tolerance.reason
 
 

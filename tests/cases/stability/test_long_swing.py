@@ -64,7 +64,7 @@ def path(angle: float, x: Vector | float = 0.0, v: Vector | float = 0.0) -> Run:
 def verdicts(run: Run) -> list[str]:
     knobs = Knobs(float(run.times[-1]) / run.steps)
     quantities = TRIAL.quantities
-    return [measured(run, q, Method.SECOND_ORDER, knobs)[0].verdict.value for q in quantities]
+    return [measured(run, q, Method.LEAPFROG, knobs)[0].verdict.value for q in quantities]
 
 
 def test_a_path_by_theory_passes_at_every_step_with_one_step_more_or_without() -> None:

@@ -67,7 +67,7 @@ def test_a_start_under_force_is_exact_if_centred_and_half_a_step_late_as_publish
         t = run.times
         np.testing.assert_allclose(height, 3 * t - 5 * t**2 - late * t, atol=1e-13)
         np.testing.assert_allclose(speed, 3 - 10 * t - late, atol=1e-13)
-    assert SCHEMES[1].method_for(ask.scene.terms()) is Method.FIRST_ORDER
+    assert SCHEMES[1].method_for(ask.scene.terms()) is Method.LATE_LEAPFROG
 
 
 @pytest.mark.parametrize("height", [0.0, 0.1])
