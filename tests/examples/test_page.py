@@ -27,8 +27,10 @@ def test_the_commands_of_the_page_run_one_after_another(tmp_path: Path) -> None:
     said = ""
     for command in COMMANDS:
         words = command.split()
-        if words[0] == "vv":
+        if words[0] in ("vv", "pytest"):
             words = [sys.executable, "-m", *words]
+        if "pytest" in words:
+            words += ["-p", "vv.pytest_plugin"]  # which it finds by itself where vv is installed
         done = subprocess.run(
             words,
             cwd=tmp_path,
@@ -42,11 +44,19 @@ def test_the_commands_of_the_page_run_one_after_another(tmp_path: Path) -> None:
         said += done.stdout
     assert "first-dem/default claims to be first order in dt" in said
     assert "single-contact:T4 y: error 8.3e-02 at dt = 0.004 s" in said
+    assert "2 passed" in said
 
 
 def test_the_page_shows_the_example_as_it_is() -> None:
     (shown,) = re.findall(r"```toml\n(.*?)```", PAGE, re.DOTALL)
     assert shown == (ROOT / "examples" / "c" / "first_dem.toml").read_text()
+
+
+def test_the_workflow_for_others_does_what_the_page_says() -> None:
+    text = (ROOT / "docs" / "ci" / "program.yml").read_text()
+    for command in ("vv check ", "pytest --vv ", "vv gate ", "vv report"):
+        assert command in text
+    assert "ci/program.yml" in PAGE
 
 
 def test_the_page_names_every_entry_of_a_declaration() -> None:

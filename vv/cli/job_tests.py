@@ -1,0 +1,118 @@
+"""Jobs as tests of pytest: all are run together when the first is due, and each judged apart."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import pytest
+
+from vv.base.errors import UsageError
+from vv.case import Level
+from vv.cli import options
+from vv.plan.project import Project, find
+
+if TYPE_CHECKING:
+    from vv.plan.plan import Plan
+    from vv.records.finding import Finding
+    from vv.records.job_record import Record
+    from vv.records.manifest import Manifest
+    from vv.run.session import Limits
+
+REPORTS = pytest.StashKey[list[Path]]()
+
+
+def _say_nothing(record: Record) -> None:
+    """No progress: pytest shows its own."""
+
+
+@dataclass(eq=False)
+class Invocation:
+    """The jobs that the options of pytest select; answered once, by the first test that asks."""
+
+    config: pytest.Config
+    project: Project
+    plan: Plan
+    limits: Limits
+    manifest: Manifest | None = None
+
+    def answered(self) -> Manifest:
+        """What came of all jobs, run if they were not; the report of it is written then."""
+        if self.manifest is None:
+            from vv.cli import invocation
+            from vv.run.session import carry_out
+
+            command = ["pytest", *self.config.invocation_params.args]
+            words = [str(word) for word in command]
+            self.manifest = carry_out(self.project, self.plan, self.limits, _say_nothing, words)
+            report = invocation.reported(self.project, self.manifest, self.limits)
+            self.config.stash.setdefault(REPORTS, []).append(report)
+        return self.manifest
+
+
+class JobTest(pytest.Item):
+    """A variant at a setting in a scheme: passes, fails with the gate's words, or is skipped."""
+
+    def __init__(self, *, invocation: Invocation, number: int, **named: Any) -> None:
+        super().__init__(**named)
+        self.invocation, self.number = invocation, number
+
+    def runtest(self) -> None:
+        """Judge the job as the gate does."""
+        from vv.records.reading import tried
+
+        manifest = self.invocation.answered()
+        record = manifest.records[self.number]
+        if not tried(record):
+            pytest.skip(f"{record.status.value}: {record.reason}")
+        red = [finding.text for finding in _findings(manifest, record) if finding.red]
+        if red:
+            pytest.fail("\n".join(red), pytrace=False)
+
+    def reportinfo(self) -> tuple[Path, None, str]:
+        """Where the test is from: the case's file; its name is that of its node."""
+        case = self.invocation.plan.jobs[self.number].case
+        return self.invocation.project.case_file(case), None, ""
+
+
+def tests(session: pytest.Session) -> Iterator[JobTest]:
+    """A test for each job that the options select; raises pytest.UsageError for bad ones."""
+    option = session.config.getoption
+    try:
+        invocation = _invocation(session.config, option("--vv"), option("--vv-code"))
+    except (UsageError, ValueError) as error:
+        raise pytest.UsageError(f"--vv: {error}") from error
+    for number, job in enumerate(invocation.plan.jobs):
+        yield JobTest.from_parent(
+            session, name=job.label, nodeid=f"vv::{job.label}", invocation=invocation, number=number
+        )
+
+
+def reports(config: pytest.Config) -> Sequence[Path]:
+    """The reports that were written."""
+    return config.stash.get(REPORTS, [])
+
+
+def _invocation(config: pytest.Config, selection: list[str], codes: str) -> Invocation:
+    from vv.plan.plan import Options
+    from vv.run.session import Limits
+
+    project, named = options.with_programs(find(), codes)
+    plan = options.plan_of(
+        project, selection, Options(Level(config.getoption("--vv-level")), named)
+    )
+    limits = Limits(options.workers(0), options.positive(config.getoption("--vv-timeout")))
+    return Invocation(config, project, plan, limits)
+
+
+def _findings(manifest: Manifest, record: Record) -> Iterator[Finding]:
+    """What the gate has to say of one record."""
+    from vv.gate.judgement import judgement
+    from vv.records.reading import rung
+
+    own = (record.case, record.variant, record.label, rung(record))
+    for finding in judgement(manifest):
+        if (finding.case, finding.variant, finding.label, finding.rung) == own:
+            yield finding
