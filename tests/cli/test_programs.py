@@ -71,6 +71,18 @@ def test_a_program_is_named_by_its_file_and_told_its_order(tiny: Tiny, mine: Pat
     assert last.startswith("3 pass; report: ")
 
 
+def test_a_cost_that_holds_start_and_output_is_marked_wherever_it_is_shown(
+    tiny: Tiny, mine: Path
+) -> None:
+    words = ("speed", "fall:up", "--codes", "mine.toml,fake/good", "--json", "cost.json")
+    said = tiny.vv(*words).stdout
+    assert said.count("its costs are those of whole processes, start and output included") == 1
+    assert "mine/default: its costs are" in said
+    tiny.vv("run", "fall:up", "--codes", "mine.toml,fake/good", "--json", "all.json")
+    records = json.loads((tiny.root / "all.json").read_text())["records"]
+    assert {one["code"] for one in records if one["cost"].get("whole")} == {"mine"}
+
+
 def test_it_runs_beside_the_others_and_in_a_scheme_of_its_own(tiny: Tiny, mine: Path) -> None:
     done = tiny.vv("run", "fall:up", "--codes", f"{mine}/default,fake/good", "--level", "quick")
     assert done.returncode == 0, done.stderr

@@ -80,6 +80,7 @@ def _show(project: Project, manifest: Manifest, selected: bool, json_file: Path 
         *(f"not timed, it failed: {name}" for name in manifest.untimed),
         *speed_text.profiles(every),
         *speed_text.indicative(rest),
+        *speed_text.whole(manifest.records),
         *speed_text.beside(left),
     ):
         say(*line.split("\n"))

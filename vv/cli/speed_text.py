@@ -5,11 +5,12 @@ Durations are CPU time of the stepping loop.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 
 from vv.insight.accuracy_cost import FACTORS, TARGETS, Reach, cheapest, profile, reach, shares
 from vv.insight.effort import Effort
 from vv.output.wording import duration
+from vv.records.job_record import Record
 from vv.records.rungs import Point
 
 PROFILED = 1e-3  # the error for which codes are compared over many variants; the JSON has all
@@ -112,6 +113,12 @@ def indicative(every: Sequence[Effort]) -> Iterator[str]:
             setting = _setting(best).removeprefix(" at ")
             row = f"  {one.label:<{wide}}{best.error:>10.1e}{spent:>10}  {_order(one):<6}{setting}"
             yield row.rstrip()
+
+
+def whole(records: Iterable[Record]) -> Iterator[str]:
+    """The schemes whose programs do not say what their steps alone cost."""
+    for label in sorted({record.label for record in records if record.cost.whole}):
+        yield f"{label}: its costs are those of whole processes, start and output included"
 
 
 def beside(untimed: Sequence[str]) -> Iterator[str]:
