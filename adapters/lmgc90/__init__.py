@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
-from adapters.lmgc90.refusals import density, refusal
+import numpy as np
+
+from adapters.lmgc90.refusals import density, near, refusal
 from vv.ask import Ask, Displacement, Method, Model, Run, Velocity
 from vv.codes import Found, Scheme
 from vv.codes.own_python import Driver, Home
-from vv.scene import Term
+from vv.scene import Scene, Term
 from vv.standins.boxed import boxed
 
 DEFAULT = Scheme(
@@ -36,11 +39,13 @@ DEFAULT = Scheme(
     pace=(1e-5, 2e-5),
 )
 DRIVER = Driver(Home("lmgc90", ("compas_lmgc90",)), Path(__file__).with_name("driver.py"))
+NOTHING = 1e-12  # of the largest drive: less is rounding
 NOTES = (
     "polyhedra in contact dynamics, contact points found between faces",
     "each wall a box with its velocity prescribed",
     "gravity and loads as forces besides LMGC90's own 9.81 m/s2 along -z of the scene's axes",
     "what moves at the start is pushed in the first step, and starts v dt/2 ahead",
+    "rotations of a plane scene left free, and so are locks of blocks apart that nothing pushes on",
 )
 
 
@@ -73,7 +78,22 @@ class Lmgc90:
 
 
 def _plan(ask: Ask) -> dict[str, Any]:
-    return {**boxed(ask), "density": density(ask.scene)}
+    """The plan with the density of all blocks, and the axes along which locks are needed."""
+    return {**boxed(ask), "density": density(ask.scene), "held": _held(ask.scene)}
+
+
+def _held(scene: Scene) -> list[bool]:
+    """Along which axes locks matter: where weight, loads or drives push, and all in piles.
+
+    A pile of blocks that is free across its plane creeps out of it.
+    """
+    if any(near(one, other) for one, other in itertools.combinations(scene.blocks, 2)):
+        return [True] * 3
+    drives = [scene.shaking, *(wall.motion for wall in scene.walls)]
+    forces = [scene.gravity, *(block.load / block.mass for block in scene.blocks)]
+    forces += [sine[0] for drive in drives if drive for sine in drive.sines()]
+    along = np.abs(np.array(forces) @ scene.axes.T)
+    return [bool(part > NOTHING) for part in (along.max(axis=0) / along.max())]
 
 
 ADAPTER = Lmgc90()

@@ -52,7 +52,7 @@ def _faces(scene: Scene) -> str | None:
             if reason := _on_wall(block, wall):
                 return reason
     for one, other in itertools.combinations(scene.blocks, 2):
-        if _near(one, other) and not _share_a_plane(one, other):
+        if near(one, other) and not _share_a_plane(one, other):
             return f"blocks '{one.name}' and '{other.name}' do not meet face to face at the start"
     if not scene.walls and len(scene.blocks) == 1:
         return "a block alone meets nothing"
@@ -72,7 +72,8 @@ def _on_wall(block: Block, wall: Wall) -> str | None:
     return None
 
 
-def _near(one: Block, other: Block) -> bool:
+def near(one: Block, other: Block) -> bool:
+    """Whether two blocks may touch: the boxes about them do."""
     slack = TOUCHING * max(_size(one), _size(other))
     low = np.maximum(one.vertices.min(axis=0), other.vertices.min(axis=0))
     high = np.minimum(one.vertices.max(axis=0), other.vertices.max(axis=0))

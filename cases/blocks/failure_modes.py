@@ -191,7 +191,7 @@ def _worst(points: list[Point], p: Parameters) -> Scalar:
     return Scalar(
         "worst", "max|e|", "", "largest distance of a block from its exact place, over g' T^2/2",
         lambda run: max(_error(p, *each, run) for each in enumerate(points)), 0.0, 1.0,
-        _places(_stiff(p)),
+        _places(p),
     )  # fmt: skip
 
 
@@ -222,13 +222,19 @@ def _charted(p: Parameters, point: Point) -> Mode:
     return first_motion.mode(**_law(p, point))
 
 
-def _places(stiff: float) -> Exact:
-    """stiff: by how much springs are stiffened for size and gravity."""
+def _places(p: Parameters) -> Exact:
     turns = "the block turns, by up to 0.01, and its weight turns against its base meanwhile"
     springs = "springs set in within a time that falls with their stiffness"
     bounds = {
         Method.SECOND_ORDER: Tolerance(TURNS, turns),
-        Method.PENALTY: Tolerance(6e-2, springs, kn=1e10 * stiff, softness=0.5),
+        Method.FIRST_ORDER: Tolerance(
+            6e-2,
+            f"a start half a step off, dt/T, of which the longest step is a twentieth; and {turns}",
+            dt=BRIEF * math.sqrt(p["R"] / p["g"]) / STEPS[0][0],
+            order=1,
+            floor=TURNS,
+        ),
+        Method.PENALTY: Tolerance(6e-2, springs, kn=1e10 * _stiff(p), softness=0.5),
     }
     return Exact(bounds, not_judged={Method.LAGGING: LATE})
 
@@ -238,7 +244,7 @@ LATE = (
     "large friction also elsewhere, modes are missed, and errors do not fall with step or stiffness"
 )
 SAME = Tolerance(1e-9, "the mode is a word: it is the chart's, or it is wrong")
-ALL = dict.fromkeys((Method.SECOND_ORDER, Method.PENALTY), SAME)
+ALL = dict.fromkeys((Method.SECOND_ORDER, Method.FIRST_ORDER, Method.PENALTY), SAME)
 BESIDE = "half a degree from a border modes differ by less than the springs' own error"
 CLEAR, BORDERS = (
     {Method.LAGGING: LATE},

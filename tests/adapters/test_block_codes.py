@@ -133,4 +133,4 @@ def test_lmgc90_gives_up_a_block_that_turns_and_slips_far(tmp_path: Path) -> Non
     ask, _ = asked(INCLINE, "two-directions-turning")
     (run,) = adapter.run([ask], "default", tmp_path, 0.0)
     assert run.status is Status.REFUSED
-    assert "slips by more than a third of its size" in run.reason
+    assert "slips by more than a quarter of its size" in run.reason

@@ -24,8 +24,14 @@ if TYPE_CHECKING:
 REPORTS = pytest.StashKey[list[Path]]()
 
 
-def _say_nothing(record: Record) -> None:
-    """No progress: pytest shows its own."""
+class _Silent:
+    """Progress that is not shown: pytest has its own."""
+
+    def begin(self, jobs: int) -> None:
+        """Say nothing."""
+
+    def done(self, record: Record) -> None:
+        """Say nothing."""
 
 
 @dataclass(eq=False)
@@ -46,8 +52,8 @@ class Invocation:
 
             command = ["pytest", *self.config.invocation_params.args]
             words = [str(word) for word in command]
-            self.manifest = carry_out(self.project, self.plan, self.limits, _say_nothing, words)
-            report = invocation.reported(self.project, self.manifest, self.limits)
+            self.manifest = carry_out(self.project, self.plan, self.limits, _Silent(), words)
+            report = invocation.reported(self.project, self.manifest)
             self.config.stash.setdefault(REPORTS, []).append(report)
         return self.manifest
 
