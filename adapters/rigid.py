@@ -11,7 +11,7 @@ from vv.scene import Term
 DEFAULT = Scheme(
     "default",
     "trapezoidal positions, contact laws at the end of the step, exact Coulomb cone "
-    "converged to a residual; steps cut where slip ends",
+    "converged to a residual; steps cut at landings and where slip ends",
     Method.SECOND_ORDER,
     frozenset(
         {

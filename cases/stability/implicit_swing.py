@@ -13,7 +13,6 @@ from reference_solutions.blocks import implicit_step as theory
 from vv.ask import Displacement, History, Knobs, Method, Run, Velocity
 from vv.case import (
     Case,
-    Check,
     Exact,
     Ladder,
     Level,
@@ -166,6 +165,4 @@ CASE = Case(
         ),
     ),
     declare=_declare,
-    # codes that take the contact for rigid see a throw, which steps as long as these make too high
-    enforced=frozenset(Check) - {Check.CONSERVATION},
 )  # fmt: skip

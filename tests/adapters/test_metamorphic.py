@@ -42,8 +42,6 @@ NOT_ASKED = {
     ("yade/polyhedra", "length x 1e+06", "*"): "it ends with its memory corrupted",
 }
 FARTHER: Mapping[tuple[str, str, str], tuple[float, str]] = {
-    ("rigid/*", "length *", "*"): (1e-3, "residuals and the rates of slip are bounded in m/s"),
-    ("rigid/*", "time *", "*"): (1e-2, "residuals and the rates of slip are bounded in m/s"),
     ("dda/*", "*", "stack"): (1e-3, "corners share a load in more ways than one; rounding chooses"),
     ("dda/*", "shifted *", "wedge"): (
         6e-2,

@@ -5,12 +5,15 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from cases.hard.painleve import CASE as PAINLEVE
+from cases.hard.painleve import LAW
+from reference_solutions.blocks import painleve_rod
 from tests.engines.rigid.test_motion import solved
-from tests.scenes.block_scenes import ACROSS, DOWN, FLOOR, HELD, IN_PLANE, G, box
-from vv.ask import Ask, Displacement, History, Knobs
+from tests.scenes.block_scenes import ACROSS, DOWN, FLOOR, FREE, HELD, IN_PLANE, G, box
+from vv.ask import Ask, Knobs
 from vv.engines import rigid
 from vv.engines.rigid import Program
-from vv.scene import Contact, Scene
+from vv.scene import Contact, Harmonic, Mask, Scene, Wall
 
 HALF, LEAN = np.array([0.5, 0.5, 2.5]), 1.2  # m; of the angle at which it stands on an edge
 
@@ -42,15 +45,54 @@ def test_where_a_toppled_column_lies_hangs_little_on_the_step() -> None:
     assert np.ptp(lies) <= 2e-4
 
 
-@pytest.mark.parametrize(("part", "height"), [(0.5, 1.0), (0.6, 1.2), (1.1, 2.2)])
-def test_a_step_beyond_half_a_flight_lifts_a_thrown_block_too_high(
-    part: float, height: float
+@pytest.mark.parametrize("free_spin", [HELD, FREE], ids=["held", "free"])
+@pytest.mark.parametrize("step", [3e-3, 0.06, 0.17, 0.7])
+def test_a_thrown_block_flies_and_comes_down_as_it_should_at_any_step(
+    step: float, free_spin: Mask
 ) -> None:
-    """A block whose spin is locked, for which no step is cut: it rises for a whole step."""
-    speed = 1.0  # m/s
-    thrown = box("thrown", [0, 0, 0.5], [0.5, 0.5, 0.5], velocity=[0, 0, speed], free_spin=HELD)
-    step = part * 2 * speed / G
-    scene = Scene((FLOOR, thrown), Contact(np.inf, mu=0.5), gravity=DOWN)
-    run = rigid.solve(Ask(scene, History(step, step), (Displacement(1),), Knobs(step)))
-    highest = run.values[Displacement(1)][:, 2].max() / (speed**2 / (2 * G))
-    assert highest == pytest.approx(height, rel=1e-6)
+    """Its flight takes 0.2 s, less than a step or many; it slides on where it comes down."""
+    thrown = box("thrown", [0, 0, 0.5], [0.5] * 3, velocity=[0.3, 0, G / 10], free_spin=free_spin)
+    program = solved(Scene((FLOOR, thrown), Contact(np.inf), gravity=DOWN), 2.0, step, step)
+    t = np.arange(len(program.arguments[0])) * step
+    path = program.system.watched(program.arguments[0], 0)
+    flies = np.where(t < 0.2, G / 10 * t - G * t**2 / 2, 0.0)
+    assert np.abs(path[:, 0] - 0.3 * t).max() <= 1e-10
+    assert np.abs(path[:, 2] - flies).max() <= 1e-10
+    lost = program.energies[:, 2]
+    assert np.abs(lost - np.where(t < 0.2, 0.0, 1000 * (G / 10) ** 2 / 2)).max() <= 2e-8 * lost[-1]
+
+
+def dropped(step: float, duration: float = 0.7) -> float:
+    """By how much [m] a block is off that falls 0.3 m on a base that heaves, and rides on it."""
+    size, omega = 0.05, 2 * np.pi
+    up = np.array([0.0, 0.0, 1.0])
+    heaves = Wall(np.zeros(3), up, Harmonic(size * up, up, np.full(3, -np.pi / 2)))
+    block = box("dropped", [0, 0, 0.8], [0.5] * 3, free_spin=HELD)
+    program = solved(Scene((heaves, block), Contact(np.inf), gravity=DOWN), duration, step, 0.02)
+    t = np.arange(len(program.arguments[0])) * 0.02
+    exact = np.maximum(-G * t**2 / 2, size * (1 - np.cos(omega * t)) - 0.3)
+    return float(np.abs(program.arguments[0][:, 2] - exact).max())
+
+
+def test_a_block_lands_on_a_base_that_heaves_where_they_meet() -> None:
+    """Their way to one another is bent; what is left is of the ride that follows, step by step."""
+    errors = [dropped(step) for step in (0.02, 0.01, 0.005)]
+    assert errors[0] <= 1e-4
+    assert np.log2(errors[0] / errors[2]) / 2 == pytest.approx(3.0, abs=0.1)
+
+
+def jammed(mu: float, step: float) -> float:
+    """By how much of its way a rod is off that jams as it slides into a wall of friction."""
+    law = PAINLEVE.defaults("mu-2") | {"mu": mu}
+    study = PAINLEVE.declare("mu-2", law).study
+    run = rigid.solve(Ask(study.scene, study.goal, study.observables, Knobs(step)))
+    exact = painleve_rod.middle(run.times, **{name: law[name] for name in LAW})
+    (moved,) = run.values.values()
+    return float(np.abs(moved[:, [0, 2]] - exact).max() / np.abs(exact).max())
+
+
+@pytest.mark.parametrize("mu", [1.34, 2.0])
+def test_a_rod_that_jams_stops_at_once_and_turns_on_to_second_order(mu: float) -> None:
+    errors = [jammed(mu, step) for step in (1e-3, 5e-4, 2.5e-4)]
+    assert errors[0] <= 2e-6
+    assert np.log2(errors[0] / errors[2]) / 2 == pytest.approx(2.0, abs=0.05)

@@ -1,13 +1,16 @@
 """Numbers that bound what the rigid solver does, with their reasons."""
 
 SMALL = 8
-"""Blocks up to which steps are cut where slip ends: beyond, some contact always ends its slip."""
+"""Blocks up to which steps are cut at landings and where slip ends: beyond, there always is one."""
 
-FINE, COARSE = 1e-12, 5e-6
-"""m/s: residuals asked of small scenes, where more would flatten the order, and of others."""
+FINE, ROUNDED = 2e-11, 1e-13
+"""Of the weight of a block, times the step, and of the speeds in a step: residuals asked of small
+scenes, the larger counts. Summed over the steps the first is this part of what weights do; less
+than the second is rounding."""
 
-CONVERGED = 1e-5
-"""m/s: a residual above which friction creeps and a run is not to be believed."""
+FINEST, COARSE, CONVERGED = 3e-13, 2.3e-6, 4.6e-6
+"""Of a scene's speed: the largest residual asked of small scenes, where more would flatten the
+order, and of others; and one above which friction creeps and a run is not to be believed."""
 
 FEWEST, MOST, SMALL_MOST = 20, 3000, 1000
 """Sweeps made at least, and at most; in small scenes there is no least.
@@ -26,8 +29,9 @@ Sweeps pass a force on by a block each, so that a chain of n takes n squared of 
 Newton step there costs about as much as ten sweeps, and in a wall of ten courses a hundred.
 """
 
-POLISHED = 1e-3
-"""Of the residual asked: how far Newton steps go in a chain, where what is left adds up."""
+POLISHED, SHINED = 1e-3, 0.1
+"""Of the residual asked: how far Newton steps go in a chain, where what is left adds up; and in a
+small scene, where a block just held on a slope creeps by what is left."""
 
 OUTER, INNER = 20, 12
 """Newton's rounds: of impulses that follow, and of velocities within each."""
@@ -55,9 +59,9 @@ A slip begins with no acceleration: missed by 1/64 of a step, its velocity is of
 of that. Where it turns about, friction changes sign at once: 1/65536 of a step would show.
 """
 
-NEARLY = 1e-4
-"""m/s2: a slip slower than this acceleration makes it in a step has not begun, or has ended where
-a cut was made."""
+NEARLY = 1e-5
+"""Of what drives a scene: a slip slower than this acceleration makes it in a step has not begun, or
+has ended where a cut was made."""
 
 GRIP = 0.5
 """Of what friction can hold: a contact that holds less does not slip before the step's end."""
@@ -71,18 +75,34 @@ CLOSE = 4e-9
 CUTS = 1e-9
 """Part of a step that is no step: slip that ends as it begins is taken to have ended."""
 
+LOOKS = 40
+"""Trials by which a landing is found where drives bend the way to it; without, two are enough."""
+
 BRIEF = 0.1
 """Part of a step: an impulse that acted for less is no force to guess the next one from. As a force
 times the step it may be 1e4 times too large, and rounding of that would be lost from momentum."""
 
-STILL = 1e-8
-"""m/s2: a slip slower than this acceleration makes it in a step has no direction."""
+STILL = 1e-9
+"""Of what drives a scene: a slip slower than this acceleration makes it in a step has no
+direction."""
 
 BENDS = 6
 """Rounds by which, in small scenes, the mean direction of friction follows the slip it decides."""
 
-LANDS = 1e-5
-"""Of the smallest block's size: a contact that would go so deep into a body in a step lands."""
+SLOWLY, CLOSELY, GENTLY = 0.1, 5e-3, 1e6
+"""Of what drives a scene, times the step: a contact that closes, or jams, at less needs no blow. It
+is found where the step ends, too late by so much times the step, which is of second order. Nor does
+one whose gap is less of what the drive makes of the step, or that is slower than so many residuals.
+"""
 
-BLOW = 1e-4
+LANDINGS, LANDED = 8, 1e-8
+"""Trials by which a landing is found, and the part of a step that it may be missed by."""
+
+APART = -1e30
+"""Of the slack: from there on gaps count that must not close in a trial."""
+
+HITS = 1e-4
+"""Of the way that anything goes in a step: a gap that takes part in a blow."""
+
+BLOW = 1e-9
 """Part of a step that a blow takes, in which velocities change and positions do not."""

@@ -14,9 +14,12 @@ SLOW = 2.0  # times the pull of friction in a step: a slower slip has its direct
 
 
 @inlined
-def slow(span: float, tolerance: float) -> float:
-    """A speed [m/s] that a contact solved to a tolerance has without slip, after a step [s]."""
-    return larger(STILL * span, 10.0 * tolerance)
+def slow(span: float, pull: float, tolerance: float) -> float:
+    """A speed [m/s] that a contact solved to a tolerance has without slip, after a step [s].
+
+    pull: see `vv.engines.rigid.scales`.
+    """
+    return larger(STILL * pull * span, 10.0 * tolerance)
 
 
 @lent
@@ -64,3 +67,12 @@ def bend(before: Triple, sag: Triple, after: Triple, pull: float) -> Triple:
     early, late = heading(before, halfway), heading(halfway, after)
     mean = plus(plus(nil, 0.5, early), 0.5, late)
     return plus(plus(mean, -0.5 / np.sqrt(first), before), -0.5 / np.sqrt(last), after)
+
+
+@lent
+def first_root(a: float, b: float, c: float) -> float:
+    """The first s >= 0 from which on a + b s + c s^2, which begins at a >= 0, is negative."""
+    square = b * b - 4.0 * a * c
+    if b < 0.0:
+        return 2.0 * a / (np.sqrt(square) - b) if square >= 0.0 else np.inf
+    return (b + np.sqrt(square)) / (-2.0 * c) if c < 0.0 else np.inf

@@ -20,6 +20,7 @@ from vv.engines.blocks.checks import (
 from vv.engines.rigid.general.model import Space
 from vv.engines.rigid.limits import CONVERGED
 from vv.engines.rigid.point.model import Point, point
+from vv.engines.rigid.scales import scales
 from vv.scene import Vector
 
 LEDGER = (
@@ -53,7 +54,7 @@ class Program:
         """What the kernel is called with: outputs, stride, dt, the scene."""
         goal, dt = self.ask.goal, self.dt
         outputs = self.system.outputs(len(goal.times(dt)), self.watched)
-        return (*outputs, goal.stride(dt), dt, *self.system.arguments())
+        return (*outputs, goal.stride(dt), dt, *self.system.arguments(dt))
 
     @functools.cached_property
     def watched(self) -> tuple[int, ...]:
@@ -116,7 +117,7 @@ class Program:
         cuts = report[:, 3].sum()
         return (
             f"worst step: residual {residual:.3g} m/s after {sweeps:.0f} sweeps, penetration "
-            f"{deepest:.3g} m; {cuts:.0f} cuts where slip ended"
+            f"{deepest:.3g} m; {cuts:.0f} cuts at landings and ends of slip"
         )
 
     def _ledger(self) -> Ledger:
@@ -124,7 +125,7 @@ class Program:
         put_in, largest = float(terms[0].sum()), float(np.abs(terms).sum(axis=1).max())
         rounding = ROUNDINGS * EPS * steps * largest
         residual = float(self.report[:, 0].max())
-        audits = {"residual of contact [m/s]": (residual, CONVERGED)}
+        audits = {"residual of contact [m/s]": (residual, CONVERGED * scales(self.ask.scene).speed)}
         if isinstance(self.system, Point):
             lost = np.diff(terms[:, 1] + terms[:, 2])
             audits["energy created [J]"] = (float(-lost.clip(max=0.0).sum()), rounding)

@@ -9,7 +9,7 @@ from vv.engines.kernels.arrays import in_order, rows, same_rows, smaller
 from vv.engines.kernels.compiled import called, lent
 from vv.engines.kernels.triples import at, plus
 from vv.engines.rigid.general.setting import Setting
-from vv.engines.rigid.limits import CHAIN, OUTER, POLISHED, SMALL, STALLED, STIFF
+from vv.engines.rigid.limits import CHAIN, OUTER, POLISHED, SHINED, SMALL, STALLED, STIFF
 from vv.engines.rigid.solver.assembly import Bodies, Joints, load_on
 from vv.engines.rigid.solver.banded import arranged
 from vv.engines.rigid.solver.cone import Friction, keep, residual, solve_contacts
@@ -22,7 +22,7 @@ NIL = (0.0, 0.0, 0.0)
 @called
 def converged(
     setting: Setting, joints: Joints, bodies: Bodies, friction: Friction,
-    p: Vector, v: Vector, w: Vector, fewest: int,
+    p: Vector, v: Vector, w: Vector, fewest: int, tolerance: float,
 ) -> tuple[int, float]:  # fmt: skip
     """Sweep until the residual is met; where sweeps stall, take Newton steps if these are cheap.
 
@@ -33,19 +33,17 @@ def converged(
     small, place, apart = blocks <= SMALL, in_order(blocks), blocks - 1
     if not small:
         place, apart = arranged(joints, blocks)
-    finer = setting.tolerance if small else POLISHED * setting.tolerance
+    finer = (SHINED if small else POLISHED) * tolerance
     patience = STALLED if small or apart <= CHAIN else setting.most
     free_v, free_w = without(p, joints, bodies, v, w)
-    while sweeps < setting.most and left > setting.tolerance:
+    while sweeps < setting.most and left > tolerance:
         few = smaller(patience, setting.most - sweeps)
-        more, left = solve_contacts(
-            p, joints, bodies, friction, v, w, setting.tolerance, fewest, few
-        )
+        more, left = solve_contacts(p, joints, bodies, friction, v, w, tolerance, fewest, few)
         sweeps += more
-        if left > setting.tolerance:
+        if left > tolerance:
             left = renewed(p, joints, bodies, friction, v, w, free_v, free_w)
-        if patience == STALLED and left > setting.tolerance:
-            left = polish(p, joints, bodies, friction, v, w, finer, left, place, apart)
+        if patience == STALLED and left > tolerance:
+            left = polish(p, joints, bodies, friction, v, w, tolerance, finer, left, place, apart)
         if more == 0:
             break
     return sweeps, left
@@ -82,12 +80,12 @@ def renewed(
 @called
 def polish(
     p: Vector, joints: Joints, bodies: Bodies, friction: Friction, v: Vector, w: Vector,
-    tolerance: float, left: float, place: Index, apart: int,
+    asked: float, tolerance: float, left: float, place: Index, apart: int,
 ) -> float:  # fmt: skip
     """Improve p (c, 3), whose effect is in v and w and whose residual is `left`; return what is.
 
     place, apart: see `arranged`. A round that makes the residual [m/s] no smaller is undone, and
-    the next less stiff.
+    the next less stiff, until what is asked is met.
     """
     before, before_v, before_w = rows(len(p)), rows(len(v)), rows(len(w))
     stiffness = STIFF
@@ -109,5 +107,5 @@ def polish(
             keep(p, before)
             keep(v, before_v)
             keep(w, before_w)
-            stiffness *= 0.01
+            stiffness *= 0.01 if left > asked else 0.0
     return left

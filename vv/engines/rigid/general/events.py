@@ -1,4 +1,4 @@
-"""Kernels that find where within a step of rigid blocks one lands, and a slip begins or ends."""
+"""Kernels that find where within a step of rigid blocks a slip begins or ends."""
 
 from __future__ import annotations
 
@@ -6,8 +6,6 @@ import numpy as np
 
 from vv.engines.blocks.contacts import Contacts, matched
 from vv.engines.kernels.arrays import (
-    larger,
-    least_of,
     marked,
     nil_rows,
     same_rows,
@@ -17,10 +15,10 @@ from vv.engines.kernels.arrays import (
 )
 from vv.engines.kernels.compiled import called, lent
 from vv.engines.kernels.triples import at, dot, plus, put
-from vv.engines.rigid.general.setting import Past, Setting, State, copied, wall_rates
+from vv.engines.rigid.general.setting import Past, Setting, State, copied, felt, rates
 from vv.engines.rigid.general.step import Trial, attempt
 from vv.engines.rigid.general.turning import orthonormal, turn_by
-from vv.engines.rigid.limits import BEGINS, CLOSE, ENDS, GLIMPSE, GRIP, LANDS
+from vv.engines.rigid.limits import BEGINS, CLOSE, ENDS, GLIMPSE, GRIP
 from vv.engines.rigid.slip import slow
 from vv.engines.rigid.solver.assembly import relative
 from vv.scene import Vector
@@ -50,23 +48,25 @@ def ends_after(
 ) -> float:  # fmt: skip
     """How long [s] of a step, whose trial this is, all slip goes on.
 
-    Nil if some ends at once: then `past` is told that it has. The end is enclosed from both
+    Nil if some ends at once: then `past` is told that it has. Negative if it does so from a speed:
+    then it jams, by a blow. The end is enclosed from both
     sides; where to look is told by how the slowest slip slows down.
     """
-    n, b = len(setting.mass), len(trial.v)
-    v, w = nil_rows(b), nil_rows(b)
-    wall_rates(setting, now, v)
-    for i in range(n):
-        put(v, i, at(state.v, i))
-        put(w, i, at(state.w, i))
+    v, w = nil_rows(len(trial.v)), nil_rows(len(trial.v))
+    rates(setting, state, now, v, w)
     low, high, late, speed, guess = 0.0, whole, trial, slowest(trial, v, w), -1.0
+    if speed > felt(setting, dt):
+        brief = CLOSE * dt
+        jam = attempt(setting, state, now, brief, contacts, hinted(trial, brief), trial.gaps.slack)
+        if marked(jam.ended):
+            return -1.0
     for look in range(ENDS):
         if high - low <= CLOSE * dt:
             break
         span = guess
         if not low < span < high or look % 4 == 3:
             span = 0.5 * (low + high)
-        trial = attempt(setting, state, now, span, contacts, past)
+        trial = attempt(setting, state, now, span, contacts, past, trial.gaps.slack)
         if marked(trial.ended):
             high, late, guess = span, trial, guess - 0.5 * CLOSE * dt
         else:
@@ -83,29 +83,12 @@ def ends_after(
 
 
 @called
-def lands_after(
-    setting: Setting, state: State, trial: Trial, now: float, whole: float
-) -> float:  # fmt: skip
-    """How long [s] of a step, whose trial this is, until a contact closes at a speed; else whole.
+def hinted(trial: Trial, span: float) -> Past:
+    """What a step of this span must know to begin with the impulses of a trial.
 
-    Nil where one that is closed already does. Moved at the mean of the velocities before and after
-    a blow, blocks would go on into one another for up to half a step.
+    A rod that is about to jam takes ever more sweeps to find, from nothing, the impulse that does.
     """
-    n, b = len(setting.mass), len(trial.v)
-    v, w = nil_rows(b), nil_rows(b)
-    wall_rates(setting, now, v)
-    for i in range(n):
-        put(v, i, at(state.v, i))
-        put(w, i, at(state.w, i))
-    deep, first = LANDS * least_of(setting.shapes.size), whole
-    for c in range(len(trial.p)):
-        m = at(trial.joints.normal, c)
-        if dot(at(trial.p, c), m) > 0.0:
-            speed = -dot(m, relative(trial.joints, c, v, w))
-            gap = larger(trial.gap[c] - setting.slack, 0.0)
-            if speed * whole - gap > deep:
-                first = smaller(first, gap / speed)
-    return first
+    return Past(trial.key, trial.p / span, unmarked(len(trial.p)), trial.joints)
 
 
 @lent
@@ -149,13 +132,15 @@ def rests_for(
         then, known, late = state, past, False
         if span > 0.0:
             if look > 0:
-                trial = attempt(setting, state, now, span, contacts, past)
+                trial = attempt(setting, state, now, span, contacts, past, trial.gaps.slack)
             late = marked(trial.begun)
             then = copied(state)
             move(setting, then, trial, span)
-            known = remembered(trial, span, slow(span, setting.tolerance))
+            known = remembered(trial, span, slow(span, setting.pull, setting.tolerance))
         if not late:
-            glimpse = attempt(setting, then, now + span, GLIMPSE * dt, contacts, known)
+            glimpse = attempt(
+                setting, then, now + span, GLIMPSE * dt, contacts, known, setting.slack
+            )
             late = marked(glimpse.begun)
         if look < 2 and late == (look == 1):
             return whole

@@ -22,16 +22,17 @@ from vv.engines.kernels.triples import at, dot, plus, put
 from vv.engines.rigid.general.energy import DRIVEN, SHOVED, book, kinetic
 from vv.engines.rigid.general.events import (
     ends_after,
-    lands_after,
+    hinted,
     move,
     remembered,
     rests_for,
     strained,
 )
-from vv.engines.rigid.general.setting import Setting, State, shift_at
+from vv.engines.rigid.general.landing import lands_after, struck
+from vv.engines.rigid.general.setting import Setting, State, pace, shift_at
 from vv.engines.rigid.general.step import Trial, attempt, nothing
 from vv.engines.rigid.general.turning import turn_by
-from vv.engines.rigid.limits import BLOW, BRIEF, CLOSE, CUTS, NEARLY, PUSHES, SMALL, SPLITS
+from vv.engines.rigid.limits import APART, BLOW, BRIEF, CUTS, HITS, NEARLY, PUSHES, SMALL, SPLITS
 from vv.engines.rigid.slip import slow
 from vv.engines.rigid.solver.assembly import relative
 from vv.engines.rigid.solver.cone import keep, push_out
@@ -55,10 +56,10 @@ def separate(
             put(turn, i, plus(plus(NIL, 0.5 * span, at(before.w, i)), 0.5 * span, at(trial.w, i)))
         else:
             put(x, i, plus(at(end, i - n), -1.0, at(start, i - n)))
-    gap, deepest = numbers(len(trial.gap)), 0.0
+    gap, deepest = numbers(len(trial.gaps.gap)), 0.0
     for c in range(len(gap)):
         moved = relative(trial.joints, c, x, turn)
-        gap[c] = trial.gap[c] + dot(at(trial.joints.normal, c), moved)
+        gap[c] = trial.gaps.gap[c] + dot(at(trial.joints.normal, c), moved)
         if trial.joints.across[c] > 0.0:
             deepest = larger(deepest, -gap[c])
     if deepest > setting.slack:
@@ -125,32 +126,44 @@ def move_rigid(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its 
         for c in range(report.shape[1]):
             report[row, c] = 0.0
         for _ in range(stride if row else 0):
-            begin, looked = 0.0, False
+            begin, looked, blow, calm = 0.0, False, False, False
             for part in range(parts):
-                now, rest = done * dt + begin, dt - begin
-                trial = attempt(setting, state, now, rest, contacts, past)
-                whole, blow = rest, False
-                if part + 1 < parts:
-                    whole = lands_after(setting, state, trial, now, rest)
-                    blow = whole <= CLOSE * dt
-                    whole = smaller(BLOW * dt, rest) if blow else whole
-                if whole < rest:
-                    trial = attempt(setting, state, now, whole, contacts, past)
-                span, least = whole, slow(whole, setting.tolerance)
+                now, rest, cuts = done * dt + begin, dt - begin, part + 1 < parts
+                whole, lands = rest, False
+                if not blow:
+                    trial = attempt(setting, state, now, rest, contacts, past, setting.slack)
+                    if cuts and not calm:
+                        whole, lands = lands_after(
+                            setting, state, past, now, rest, dt, contacts, trial
+                        )
+                        blow = whole == 0.0
                 if blow:
-                    least = slow(dt, setting.tolerance)
-                elif part + 1 < parts and marked(trial.ended):
+                    whole = smaller(BLOW * dt, rest)
+                    wide = setting.slack + HITS * dt * pace(setting, state, now, dt)
+                    trial = attempt(setting, state, now, whole, contacts, past, wide)
+                    calm = not struck(setting, trial, dt)
+                elif lands:
+                    trial = attempt(
+                        setting, state, now, whole, contacts, past, APART * setting.slack
+                    )
+                span, least = whole, slow(whole, setting.pull, setting.tolerance)
+                if blow:
+                    least = slow(dt, setting.pull, setting.tolerance)
+                elif cuts and marked(trial.ended):
                     span = ends_after(setting, state, past, now, whole, dt, contacts, trial)
-                    least = larger(least, NEARLY * whole)
+                    least = larger(least, NEARLY * setting.pull * whole)
+                    if span < 0.0:
+                        blow, span = True, BLOW * dt
+                        past = hinted(trial, span)
+                        trial = attempt(setting, state, now, span, contacts, past, setting.slack)
+                        past, span = hinted(trial, span), 0.0
                     if span == 0.0:
                         continue
-                elif (part + 1 < parts and not looked) and (
-                    marked(trial.begun) or strained(setting, trial)
-                ):
+                elif (cuts and not looked) and (marked(trial.begun) or strained(setting, trial)):
                     looked = True
                     span = rests_for(setting, state, past, now, whole, dt, contacts, trial)
                 if span < whole:
-                    trial = attempt(setting, state, now, span, contacts, past)
+                    trial = attempt(setting, state, now, span, contacts, past, trial.gaps.slack)
                 before = State(
                     same_rows(state.centre, n), state.rotation, state.v, same_rows(state.w, n)
                 )
@@ -159,7 +172,9 @@ def move_rigid(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its 
                 deepest = separate(account, setting, state, trial, before, now, span)
                 lasting = dt / CUTS if blow else larger(span, BRIEF * dt)  # of a blow nothing lasts
                 past = remembered(trial, lasting, least)
-                press(pressed, trial, span, n)
+                if not blow:
+                    press(pressed, trial, span, n)
+                blow = False
                 report[row, 0] = larger(report[row, 0], trial.residual)
                 report[row, 1] = larger(report[row, 1], float(trial.sweeps))
                 report[row, 2] = larger(report[row, 2], deepest)

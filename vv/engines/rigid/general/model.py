@@ -14,12 +14,14 @@ from vv.engines.rigid.limits import (
     COARSE,
     FEWEST,
     FINE,
+    FINEST,
     LOOSELY,
     MOST,
     SMALL,
     SMALL_MOST,
     TOUCHING,
 )
+from vv.engines.rigid.scales import scales
 from vv.scene import Mask, Scene, Term, Vector
 
 
@@ -61,8 +63,8 @@ class Space:
         which = np.array(watched, np.int64)
         return path, np.empty((rows, 7)), np.empty((rows, 4)), walls, which
 
-    def arguments(self) -> tuple[Any, ...]:
-        """What the kernel is told about the scene, after the step."""
+    def arguments(self, dt: float) -> tuple[Any, ...]:
+        """What the kernel is told about the scene, after the step [s]."""
         from vv.engines.kernels.drive import NO_MOTION, drive, drives
         from vv.engines.rigid.general.setting import Setting
 
@@ -71,7 +73,7 @@ class Space:
         mass = np.array([block.mass for block in blocks])
         still = np.zeros((len(scene.walls), 3, 3))
         moving, starts = drives(tuple(wall.motion for wall in scene.walls))
-        small, forms = len(blocks) <= SMALL, shapes(blocks)
+        small, forms, known = len(blocks) <= SMALL, shapes(blocks), scales(scene)
         setting = Setting(
             shapes=forms,
             planes=planes(scene),
@@ -85,7 +87,10 @@ class Space:
                             for i, b in enumerate(blocks)]),
             mu=scene.contact.mu,
             slack=(TOUCHING if small else LOOSELY) * float(forms.size.min()),
-            tolerance=FINE if small else COARSE,
+            step=dt,
+            pull=known.pull,
+            tolerance=(FINEST if small else COARSE) * known.speed,
+            finest=FINE * known.weight * dt if small else np.inf,
             fewest=0 if small else FEWEST,
             most=SMALL_MOST if small else MOST,
             bends=BENDS if small else 0,

@@ -7,12 +7,13 @@ from typing import NamedTuple
 import numpy as np
 
 from vv.engines.blocks.geometry import Index, Planes, Shapes
-from vv.engines.kernels.arrays import larger, least_of, nil_rows, same_rows, squares
+from vv.engines.kernels.arrays import larger, nil_rows, same_rows, smaller, squares
 from vv.engines.kernels.bundles import bundle
 from vv.engines.kernels.compiled import called, lent
 from vv.engines.kernels.drive import Drive, mean, one_of, rate, travel
 from vv.engines.kernels.triples import at, dot, plus, put
 from vv.engines.rigid.general.turning import held_inverse, turn_by, turned_inertia
+from vv.engines.rigid.limits import GENTLY, ROUNDED, SLOWLY
 from vv.engines.rigid.solver.assembly import Joints, times
 from vv.scene import Mask, Vector
 
@@ -26,9 +27,10 @@ class Setting(NamedTuple):
 
     mass: (n,) [kg]; inertia: (n, 3, 3) in the starting pose [kg m2]; inverse: (b, 3, 3) [1/kg];
     hold_spin: (n, 3, 3) projectors; force: (n, 3) gravity and loads [N]; depth: (3,);
-    moves: (n,); mu; slack [m]: gaps count from there on; tolerance [m/s]; sweeps to make,
-    fewest and most; bends: rounds in which friction follows slip that turns; drives of the walls
-    and where each begins (w + 1,); shaking.
+    moves: (n,); mu; slack [m]: gaps count from there on; step [s], of which trials may be parts;
+    pull [m/s2]: see `vv.engines.rigid.scales`; tolerance, finest [m/s]: residuals asked at most and
+    at least; sweeps to make, fewest and most; bends: rounds in which friction follows slip that
+    turns; drives of the walls and where each begins (w + 1,); shaking.
     """
 
     shapes: Shapes
@@ -42,7 +44,10 @@ class Setting(NamedTuple):
     force: Vector
     mu: float
     slack: float
+    step: float
+    pull: float
     tolerance: float
+    finest: float
     fewest: int
     most: int
     bends: int
@@ -94,6 +99,15 @@ def wall_rates(setting: Setting, time: float, v: Vector) -> None:
         put(v, n + k, rate(one_of(setting.drives, setting.drive_start, k), time))
 
 
+@lent
+def rates(setting: Setting, state: State, time: float, v: Vector, w: Vector) -> None:
+    """Write the velocities of all bodies into v, w (b, 3); the spins of walls are left."""
+    wall_rates(setting, time, v)
+    for i in range(len(setting.mass)):
+        put(v, i, at(state.v, i))
+        put(w, i, at(state.w, i))
+
+
 @called
 def shift_at(setting: Setting, time: float) -> Vector:
     """The displacements (w, 3) of the walls [m]."""
@@ -139,8 +153,8 @@ def free_velocities(setting: Setting, state: State, now: float, span: float, v: 
 
 
 @called
-def reach(setting: Setting, state: State, now: float, span: float) -> float:
-    """How far apart points may be that can touch within a step [m]."""
+def pace(setting: Setting, state: State, now: float, span: float) -> float:
+    """A speed [m/s] that no point exceeds within a step."""
     fastest = 0.0
     for i in range(len(setting.mass)):
         speed = np.sqrt(dot(at(state.v, i), at(state.v, i)))
@@ -150,4 +164,20 @@ def reach(setting: Setting, state: State, now: float, span: float) -> float:
     for k in range(len(setting.planes.point)):
         moving = rate(one_of(setting.drives, setting.drive_start, k), now)
         fastest = larger(fastest, np.sqrt(dot(moving, moving)))
-    return float(2.0 * span * fastest + 1e-6 * least_of(setting.shapes.size))
+    return fastest
+
+
+@lent
+def asked(setting: Setting, pace: float, apart: float) -> float:
+    """The residual [m/s] asked of a step with these speeds [m/s], where contacts close.
+
+    apart: the speed [m/s] that rounding of their gaps makes in the step.
+    """
+    rounding = larger(ROUNDED * pace, apart)
+    return smaller(setting.tolerance, larger(setting.finest, rounding))
+
+
+@lent
+def felt(setting: Setting, dt: float) -> float:
+    """A speed [m/s] whose loss in no time takes a blow."""
+    return larger(SLOWLY * setting.pull * dt, GENTLY * setting.tolerance)

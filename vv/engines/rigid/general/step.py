@@ -12,6 +12,8 @@ from vv.engines.blocks.placement import place_rigid
 from vv.engines.kernels.arrays import (
     counts,
     larger,
+    least_of,
+    nil_numbers,
     nil_rows,
     nil_squares,
     numbers,
@@ -30,9 +32,10 @@ from vv.engines.rigid.general.setting import (
     Past,
     Setting,
     State,
+    asked,
     forecast,
     free_velocities,
-    reach,
+    pace,
     shift_at,
     wall_rates,
 )
@@ -43,6 +46,21 @@ from vv.engines.rigid.solver.cone import Friction
 from vv.scene import Mask, Vector
 
 NIL = (0.0, 0.0, 0.0)
+EPS = 2.0**-52
+
+
+@bundle
+class Gaps(NamedTuple):
+    """Contacts at the begin of a step.
+
+    gap: (c,) [m], which count from `slack` on; opens: (c,) how fast they open [m/s]; known: (c,)
+    whether they have pressed in the step before.
+    """
+
+    gap: Vector
+    slack: float
+    opens: Vector
+    known: Mask
 
 
 @bundle
@@ -50,9 +68,9 @@ class Trial(NamedTuple):
     """What a step of a given length came to.
 
     joints: at its end; middle, turn: see `halfway`; v, w: (b, 3) at its end; p: (c, 3) [N s], of
-    which `acted` did so halfway and the rest, next to nothing, at the end; gap: (c,) at its begin
-    [m]; begun, ended: (c,) whether slip began where there was none, and ended or turned about;
-    friction carries the directions of slip at the begin.
+    which `acted` did so halfway and the rest, next to nothing, at the end; begun, ended: (c,)
+    whether slip began where there was none, and ended or turned about; friction carries the
+    directions of slip at the begin.
     """
 
     joints: Joints
@@ -63,7 +81,7 @@ class Trial(NamedTuple):
     key: Index
     p: Vector
     acted: Vector
-    gap: Vector
+    gaps: Gaps
     v: Vector
     w: Vector
     begun: Mask
@@ -97,8 +115,14 @@ def nothing(contacts: Contacts, setting: Setting) -> Past:
 @called
 def attempt(
     setting: Setting, state: State, now: float, span: float, contacts: Contacts, past: Past,
+    slack: float,
 ) -> Trial:  # fmt: skip
-    """Step from state at `now` by span [s]; the state is left as it is."""
+    """Step from state at `now` by span [s]; the state is left as it is.
+
+    slack [m]: gaps count from there on. Contacts that have pressed are closed in a part of a step:
+    a whole one sees their gaps, which are of second order, as nil, and to close them in less would
+    kick the block.
+    """
     n, b = len(setting.mass), len(setting.inverse)
     rotation, turned = squares(n), nil_squares(b)
     centre, w, w_old = nil_rows(b), nil_rows(b), nil_rows(b)
@@ -116,67 +140,89 @@ def attempt(
         put(v_mean, n + k, plus(plus(NIL, 1.0 / span, at(shift, k)), -1.0 / span, at(here, k)))
     vertex, normal = rows(len(setting.shapes.vertex)), rows(len(setting.shapes.normal))
     place_rigid(vertex, normal, setting.shapes, centre[:n], rotation)
-    margin = reach(setting, state, now, span)
+    fastest = pace(setting, state, now, span)
+    smallest = least_of(setting.shapes.size)
+    margin = 2.0 * span * fastest + 1e-6 * smallest
     found, count = detected(contacts, setting, vertex, normal, shift, margin)
     bodies = Bodies(setting.inverse, turned, centre)
     joints = assemble(found, count, bodies)
     before = matched(found.key, count, past.key)
-    friction = Friction(setting.mu, numbers(count), nil_rows(count), nil_rows(count))
-    p, gap = nil_rows(count), numbers(count)
-    known = unmarked(count)
+    friction = Friction(setting.mu, nil_numbers(count), nil_rows(count), nil_rows(count))
+    p, gap, opens = nil_rows(count), numbers(count), numbers(count)
+    known, apart = unmarked(count), 0.0
     for c in range(count):
         m = at(joints.normal, c)
         gap[c] = found.gap[c] - span * dot(m, relative(joints, c, v_mean, w_old))
-        friction.need[c] = -larger(gap[c] - setting.slack, 0.0) / span
         u = relative(joints, c, v_old, w_old)
-        slip = plus(u, -dot(u, m), m)
+        opens[c] = dot(u, m)
+        slip = plus(u, -opens[c], m)
         speed = np.sqrt(dot(slip, slip))
         if before[c] >= 0:
+            was = at(past.joints.normal, before[c])
+            opens[c] = dot(was, relative(past.joints, before[c], v_old, w_old))
             put(p, c, plus(NIL, span, at(past.force, before[c])))
             known[c] = dot(at(p, c), m) > 0.0
-        if speed > slow(span, setting.tolerance) and not (before[c] >= 0 and past.still[before[c]]):
+        begun = gap[c] - (setting.slack if known[c] else slack)
+        if begun > 0.0 and not (known[c] and span < setting.step):
+            friction.need[c], apart = -begun / span, EPS * smallest / span
+        held = before[c] >= 0 and past.still[before[c]]
+        if speed > slow(span, setting.pull, setting.tolerance) and not held:
             put(friction.d, c, plus(NIL, 1.0 / speed, slip))
     middle, turn = halfway(joints, before, past.joints)
     return solved(
         setting, now, span, joints, middle, turn, bodies, friction, same_counts(found.key, count),
-        p, gap, v_old, w_old, v, w, known,
+        p, Gaps(gap, slack, opens, known), v_old, w_old, v, w, asked(setting, fastest, apart),
     )  # fmt: skip
 
 
 @called
 def solved(
     setting: Setting, now: float, span: float, joints: Joints, middle: Joints, turn: Vector,
-    bodies: Bodies, friction: Friction, key: Index, p: Vector, gap: Vector,
-    v_old: Vector, w_old: Vector, v: Vector, w: Vector, known: Mask,
+    bodies: Bodies, friction: Friction, key: Index, p: Vector, gaps: Gaps,
+    v_old: Vector, w_old: Vector, v: Vector, w: Vector, tolerance: float,
 ) -> Trial:  # fmt: skip
     """Solve the contacts of a step, friction following the slip that it decides."""
     count, acted = len(p), nil_rows(len(p))
     for c in range(count):
         load_on(joints, c, bodies, v, w, at(p, c))
     relever(p, acted, joints, middle, turn, bodies, v, w)
-    sweeps, left = converged(setting, joints, bodies, friction, p, v, w, setting.fewest)
+    sweeps, left = converged(setting, joints, bodies, friction, p, v, w, setting.fewest, tolerance)
     begun, ended = unmarked(count), unmarked(count)
-    any_ended, least = False, slow(span, setting.tolerance)
-    most = larger(least, NEARLY * span)
+    any_ended, least = False, slow(span, setting.pull, setting.tolerance)
+    most = larger(least, NEARLY * setting.pull * span)
     for c in range(count):
         n, d = at(joints.normal, c), at(friction.d, c)
-        if known[c] and dot(at(p, c), n) > 0.0:
+        if (gaps.known[c] or gaps.gap[c] <= setting.slack) and dot(at(p, c), n) > 0.0:
             u = relative(joints, c, v, w)
             slip = plus(u, -dot(u, n), n)
             slips = dot(d, d) > 0.0
-            begun[c] = not slips and dot(slip, slip) > most * most
+            begun[c] = gaps.known[c] and not slips and dot(slip, slip) > most * most
             ended[c] = slips and dot(u, d) <= least
             any_ended = any_ended or ended[c]
     for _ in range(0 if any_ended else setting.bends):
         turns = bent(setting, now, span, joints, friction, p, v_old, w_old, v, w)
         moved = relever(p, acted, joints, middle, turn, bodies, v, w)
-        if not turns and moved <= setting.tolerance:
+        if not turns and moved <= tolerance:
             break
         few = 0 * sweeps  # a literal 0 would make numba compile the solver twice
-        more, left = converged(setting, joints, bodies, friction, p, v, w, few)
+        more, left = converged(setting, joints, bodies, friction, p, v, w, few, tolerance)
         sweeps += more
         if more == 0:
             break
     return Trial(
-        joints, middle, turn, bodies, friction, key, p, acted, gap, v, w, begun, ended, sweeps, left
+        joints,
+        middle,
+        turn,
+        bodies,
+        friction,
+        key,
+        p,
+        acted,
+        gaps,
+        v,
+        w,
+        begun,
+        ended,
+        sweeps,
+        left,
     )

@@ -7,17 +7,33 @@ import numpy as np
 from vv.engines.kernels.compiled import called, compiled, lent
 from vv.engines.kernels.drive import mean, rate
 from vv.engines.kernels.triples import Triple, dot, plus
-from vv.engines.rigid.limits import BEGINS, CUTS, ENDS, FINE, GLIMPSE, GRIP, NEARLY, SPLITS
-from vv.engines.rigid.point.trial import NIL, Ground, Touch, across, room, tried
+from vv.engines.rigid.limits import BEGINS, CUTS, ENDS, GLIMPSE, GRIP, NEARLY, SPLITS
+from vv.engines.rigid.point.trial import (
+    NIL,
+    Ground,
+    Touch,
+    across,
+    flown,
+    lands,
+    pushed,
+    room,
+    tried,
+)
 from vv.engines.rigid.slip import slow
 from vv.scene import Vector
 
 
 @lent
-def ends(touch: Touch, touched: bool, d: Triple, span: float) -> bool:
+def ends(ground: Ground, touch: Touch, touched: bool, d: Triple, span: float) -> bool:
     """Whether a slip along d ended, or turned about, within a trial."""
     slips = touched and touch.p > 0.0 and dot(d, d) > 0.0
-    return slips and dot(touch.u, d) <= slow(span, FINE)
+    return slips and dot(touch.u, d) <= slow(span, ground.pull, ground.fine)
+
+
+@lent
+def begun_at(ground: Ground, span: float) -> float:
+    """The speed [m/s] of a slip that has begun."""
+    return max(NEARLY * ground.pull * span, slow(span, ground.pull, ground.fine))
 
 
 @lent
@@ -28,7 +44,7 @@ def begins(ground: Ground, touch: Touch, touched: bool, d: Triple, span: float) 
         touched
         and touch.p > 0.0
         and dot(d, d) == 0.0
-        and np.sqrt(dot(along, along)) > max(NEARLY * span, slow(span, FINE))
+        and np.sqrt(dot(along, along)) > begun_at(ground, span)
     )
 
 
@@ -67,13 +83,25 @@ def cut(
         if begun:
             late = slips_at(ground, x, v, now, span, dt)
         else:
-            late = ends(tried(ground, x, v, now, span, d), True, d, span)
+            late = ends(ground, tried(ground, x, v, now, span, d), True, d, span)
         low, high = (low, span) if late else (span, high)
     return low if low > CUTS * dt else 0.0
 
 
+@lent
+def book(spent: Vector, touch: Touch, u: Triple, base: Triple, normal: Triple) -> None:
+    """Add to spent what contact did: lost by friction and by impact, and the work of the base.
+
+    u: the velocity relative to the base at the begin; base: the base's, in the mean.
+    """
+    slid = plus(plus(NIL, 0.5, u), 0.5, touch.u)
+    spent[0] -= dot(touch.rub, slid)
+    spent[1] -= touch.p * dot(normal, slid)
+    spent[2] += dot(plus(touch.rub, touch.p, normal), base)
+
+
 @compiled
-def move_point(  # noqa: PLR0915 - one loop, whose parts share all its variables
+def move_point(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its variables
     path: Vector,
     energy: Vector,
     report: Vector,
@@ -86,7 +114,8 @@ def move_point(  # noqa: PLR0915 - one loop, whose parts share all its variables
     """Step a unit mass on a plane from a velocity [m/s] at t = 0; return rows filled.
 
     v+ = v + h (gravity + load + mean shaking) + p; x+ = x + h (v + v+)/2; u.n + gap/h >= 0 at
-    the end complementary to p.n. A step in which slip would begin, end or turn about is cut there.
+    the end complementary to p.n. A step in which the mass lands, or slip would begin, end or turn
+    about, is cut there; a blow takes no time.
 
     Every `stride` steps a row is written: path (k, 6): displacement, velocity; energy (k, 8),
     per mass: v^2/2, lost by friction, lost by impact, work of base, of shaking, of gravity, of
@@ -104,14 +133,22 @@ def move_point(  # noqa: PLR0915 - one loop, whose parts share all its variables
                 now, whole = done * dt + begin, dt - begin
                 w_old = rate(ground.base, now)
                 u_old = plus(v, -1.0, w_old)
+                flies, span = not touched and part + 1 < SPLITS, whole
+                if flies:
+                    span = lands(ground, x, v, now, whole)
+                    if span <= CUTS * dt:
+                        touch = pushed(ground, u_old, 0.0, NIL, NIL)
+                        book(spent, touch, u_old, w_old, normal)
+                        v, touched = plus(touch.u, 1.0, w_old), True
+                        continue
                 slip = across(ground, u_old)
                 speed, d = np.sqrt(dot(slip, slip)), NIL
-                if speed > slow(whole, FINE) and not stopped:
+                if speed > slow(whole, ground.pull, ground.fine) and not stopped:
                     d = plus(NIL, 1.0 / speed, slip)
-                span, ended = whole, False
-                touch = tried(ground, x, v, now, span, d)
-                if part + 1 < SPLITS:
-                    ended = ends(touch, touched, d, span)
+                ended = False
+                touch = flown(ground, v, now, span) if flies else tried(ground, x, v, now, span, d)
+                if touched and part + 1 < SPLITS:
+                    ended = ends(ground, touch, touched, d, span)
                     begun = not looked and (
                         begins(ground, touch, touched, d, span)
                         or (
@@ -130,15 +167,13 @@ def move_point(  # noqa: PLR0915 - one loop, whose parts share all its variables
                 w_new = rate(ground.base, now + span)
                 v_new = plus(touch.u, 1.0, w_new)
                 middle = plus(plus(NIL, 0.5, v), 0.5, v_new)
-                slid = plus(plus(NIL, 0.5, u_old), 0.5, touch.u)
-                whole_push = plus(touch.rub, touch.p, normal)
-                force = plus(NIL, 1.0 / span, whole_push)
-                spent[0] -= dot(touch.rub, slid)
-                spent[1] -= touch.p * dot(normal, slid)
-                spent[2] += dot(whole_push, plus(plus(NIL, 0.5, w_old), 0.5, w_new))
+                force = plus(plus(NIL, touch.p / span, normal), 1.0 / span, touch.rub)
+                book(spent, touch, u_old, plus(plus(NIL, 0.5, w_old), 0.5, w_new), normal)
                 spent[3] += span * dot(mean(ground.shaking, now, span), middle)
                 x = plus(x, span, middle)
-                deep = max(0.0, -room(ground, x, now + span))
+                deep = -room(ground, x, now + span)
+                if not (flies and span < whole):
+                    deep = max(0.0, deep)
                 x = plus(x, deep, normal)
                 deepest = max(deepest, deep)
                 moved = plus(plus(NIL, span, middle), deep, normal)
@@ -150,7 +185,7 @@ def move_point(  # noqa: PLR0915 - one loop, whose parts share all its variables
                 if span == whole:
                     break
                 along = across(ground, touch.u)
-                stopped = ended and np.sqrt(dot(along, along)) <= NEARLY * whole
+                stopped = ended and np.sqrt(dot(along, along)) <= NEARLY * ground.pull * whole
                 cuts += 1
             done += 1
         for c in range(3):

@@ -9,6 +9,8 @@ from typing import Any
 import numpy as np
 
 from vv.engines.blocks.single_block import Lone, lone
+from vv.engines.rigid.limits import FINEST, TOUCHING
+from vv.engines.rigid.scales import scales
 from vv.scene import Scene, Term, Vector
 
 
@@ -40,22 +42,25 @@ class Point:
         walls = np.zeros((rows, 1, 3))
         return np.empty((rows, 6)), np.empty((rows, 8)), np.empty((rows, 4)), walls
 
-    def arguments(self) -> tuple[Any, ...]:
-        """What the kernel is told about the scene, after the step."""
+    def arguments(self, _: float) -> tuple[Any, ...]:
+        """What the kernel is told about the scene, after the step [s]."""
         from vv.engines.kernels.drive import NO_MOTION, drive
         from vv.engines.rigid.point.trial import Ground
 
         block, wall, hold = self.lone.block, self.lone.wall, self.lone.hold
-        scene = self.scene
+        scene, held, known = self.scene, self.lone.gap, scales(self.scene)
+        size = np.ptp(block.vertices, axis=0).max()
         ground = Ground(
             gravity=_triple(hold @ scene.gravity),
             load=_triple(hold @ block.load / block.mass),
             normal=_triple(wall.normal),
-            gap=self.lone.gap,
+            gap=held if abs(held) > TOUCHING * size else 0.0,
             mu=scene.contact.mu,
             base=drive(wall.motion or NO_MOTION),
             shaking=drive(scene.shaking or NO_MOTION),
             hold=hold,
+            pull=known.pull,
+            fine=FINEST * known.speed,
         )
         return _triple(hold @ block.velocity), ground
 

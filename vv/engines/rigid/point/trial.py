@@ -10,8 +10,8 @@ from vv.engines.kernels.bundles import bundle
 from vv.engines.kernels.compiled import called, lent
 from vv.engines.kernels.drive import Drive, mean, rate, travel
 from vv.engines.kernels.triples import Triple, dot, plus
-from vv.engines.rigid.limits import BENDS
-from vv.engines.rigid.slip import bend
+from vv.engines.rigid.limits import BENDS, CUTS, LOOKS
+from vv.engines.rigid.slip import bend, first_root
 from vv.scene import Vector
 
 NIL = (0.0, 0.0, 0.0)
@@ -22,7 +22,8 @@ class Ground(NamedTuple):
     """What acts on a unit mass: accelerations of gravity and load [m/s2], a plane, drives.
 
     normal, gap [m] of the plane at t = 0; base, shaking: motion of the plane and acceleration;
-    hold: (3, 3) projector on the free directions, which hold the normal and what the base does.
+    hold: (3, 3) projector on the free directions, which hold the normal and what the base does;
+    pull, fine: see `vv.engines.rigid.scales`.
     """
 
     gravity: Triple
@@ -33,6 +34,8 @@ class Ground(NamedTuple):
     base: Drive
     shaking: Drive
     hold: Vector
+    pull: float
+    fine: float
 
 
 class Touch(NamedTuple):
@@ -74,9 +77,9 @@ def pushed(ground: Ground, u: Triple, need: float, d: Triple, turn: Triple) -> T
     return Touch(plus(plus(u, p, ground.normal), 1.0, rub), p, rub)
 
 
-@called
-def tried(ground: Ground, x: Triple, v: Triple, now: float, span: float, d: Triple) -> Touch:
-    """A step of span [s] from x, v at `now`, with friction along d to begin with."""
+@lent
+def thrown(ground: Ground, v: Triple, now: float, span: float) -> Triple:
+    """The velocity after a step of span [s] without contact."""
     hold = ground.hold
     a = plus(plus(ground.gravity, 1.0, ground.load), 1.0, mean(ground.shaking, now, span))
     push = (
@@ -84,7 +87,41 @@ def tried(ground: Ground, x: Triple, v: Triple, now: float, span: float, d: Trip
         hold[1, 0] * a[0] + hold[1, 1] * a[1] + hold[1, 2] * a[2],
         hold[2, 0] * a[0] + hold[2, 1] * a[1] + hold[2, 2] * a[2],
     )
-    free = plus(plus(v, span, push), -1.0, rate(ground.base, now + span))
+    return plus(v, span, push)
+
+
+@called
+def lands(ground: Ground, x: Triple, v: Triple, now: float, whole: float) -> float:
+    """How long [s] of a step a mass in flight takes to meet the plane; `whole` if it does not.
+
+    The gap is a parabola through its end, whose first root is the next end: at once the right
+    one under constant forces and over a plane at rest.
+    """
+    gap = max(room(ground, x, now), 0.0)
+    speed = dot(ground.normal, plus(v, -1.0, rate(ground.base, now)))
+    span = whole
+    for _ in range(LOOKS):
+        middle = plus(plus(NIL, 0.5, v), 0.5, thrown(ground, v, now, span))
+        bent = room(ground, plus(x, span, middle), now + span) - gap - span * speed
+        meets = first_root(gap, speed, bent / (span * span))
+        if not meets < (1.0 - CUTS) * whole:
+            return whole
+        if abs(meets - span) <= CUTS * meets or meets <= CUTS * whole:
+            return meets
+        span = meets
+    return span
+
+
+@lent
+def flown(ground: Ground, v: Triple, now: float, span: float) -> Touch:
+    """The end of a step of span [s] in flight."""
+    return Touch(plus(thrown(ground, v, now, span), -1.0, rate(ground.base, now + span)), 0.0, NIL)
+
+
+@called
+def tried(ground: Ground, x: Triple, v: Triple, now: float, span: float, d: Triple) -> Touch:
+    """A step of span [s] from x, v at `now`, with friction along d to begin with."""
+    free = plus(thrown(ground, v, now, span), -1.0, rate(ground.base, now + span))
     need = -max(room(ground, x, now), 0.0) / span
     touch = pushed(ground, free, need, d, NIL)
     if touch.p > 0.0 and dot(d, d) > 0.0 and dot(touch.u, d) > 0.0:
