@@ -22,7 +22,8 @@ from numba.core.errors import TypingError
 from numba.core.runtime import nrt
 
 from vv.engines.kernels.arrays import nil_numbers
-from vv.engines.kernels.bundles import DATA, bundle
+from vv.engines.kernels.bundle_types import DATA
+from vv.engines.kernels.bundles import bundle
 from vv.engines.kernels.compiled import called, compiled, lent
 from vv.engines.kernels.lean import BUFFER, SHAPE, STRIDES
 from vv.engines.kernels.parts import Part, linked

@@ -2,145 +2,37 @@
 
 A named tuple of twenty arrays is 150 words, which numba takes apart and puts together wherever
 it is passed on or kept, and so that much code to compile. To kernels a `bundle` is a pointer to
-its fields, which never change; from Python it is the named tuple that it was. Its memory is that
-of numba's structref, whose fields only code that counts references can read; ours are read by
-parts that are `lent` what they take, too.
+its fields, which never change; from Python it is the named tuple that it was.
 """
 
 from __future__ import annotations
 
-import hashlib
+import sys
 from typing import Any, TypeVar, cast
 
-from numba.core import cgutils, imputils, types
-from numba.core.datamodel import models
-from numba.core.typing.templates import AbstractTemplate, AttributeTemplate, signature
-from numba.experimental.jitclass.base import imp_dtor
-from numba.extending import (
-    NativeValue,
-    infer_getattr,
-    lower_builtin,
-    lower_getattr_generic,
-    register_model,
-    typeof_impl,
-    unbox,
-)
-
 Fields = TypeVar("Fields", bound=type)
-DATA = 3  # words of numba's MemInfo before the pointer to what it holds: refct, dtor, dtor_info
-
-
-class Bundle(types.StructRef):
-    """What numba knows of a bundle: the named tuple and the types of its fields."""
-
-    def __init__(self, origin: type, kinds: tuple[Any, ...]) -> None:
-        names = origin._fields  # type: ignore[attr-defined]
-        super().__init__(list(zip(names, kinds, strict=True)))
-        # numba writes the whole name into every call of the code that it compiles
-        digest = hashlib.sha256(f"{origin.__module__}.{self.name}".encode()).hexdigest()[:12]
-        self.name = f"{origin.__name__}.{digest}"
-
-    def get_data_type(self) -> Any:
-        """The type of what it points at."""
-        return types.StructRefPayload(typename=self.name, fields=self._fields)
-
-
-register_model(Bundle)(cast(Any, models).StructRefModel)
 
 
 class Bundled(type):
     """A named tuple that kernels make as a bundle."""
 
 
+UNKNOWN: list[tuple[type, type]] = []  # bundles that numba does not know of yet
+
+
 def bundle(origin: Fields) -> Fields:
     """Let kernels pass a named tuple on as a pointer; returns it, to be made as ever."""
-    typeof_impl.register(origin)(typeof_bundle)
     named = {name: getattr(origin, name) for name in ("__module__", "__doc__", "__qualname__")}
     made: Any = Bundled(origin.__name__, (origin,), {**named, "__slots__": ()})
-    lower_builtin(made, types.VarArg(types.Any))(make)
+    UNKNOWN.append((origin, made))
+    if "numba" in sys.modules:
+        introduce()
     return cast(Fields, made)
 
 
-def typeof_bundle(value: Any, context: Any) -> Bundle:
-    """The type of a named tuple from Python."""
-    return Bundle(type(value), tuple(typeof_impl(field, context) for field in value))
+def introduce() -> None:
+    """Let numba know of all bundles."""
+    from vv.engines.kernels.bundle_types import learn
 
-
-@typeof_impl.register(Bundled)
-def typeof_maker(origin: Any, context: Any) -> Any:
-    """The type of a named tuple's class, which kernels call to make one."""
-
-    class Make(AbstractTemplate):
-        key = origin
-
-        def generic(self, args: Any, keywords: Any) -> Any:
-            return signature(Bundle(origin, tuple(map(types.unliteral, args))), *args)
-
-    return types.Function(Make)
-
-
-def make(context: Any, builder: Any, signature: Any, args: Any) -> Any:
-    """The code for a bundle of fields."""
-    kind, fields = signature.return_type, []
-    for value, given, (_, wanted) in zip(args, signature.args, kind._fields, strict=True):
-        field = context.cast(builder, value, given, wanted)
-        if context.enable_nrt:
-            context.nrt.incref(builder, wanted, field)
-        fields.append(field)
-    return filled(context, builder, kind, fields)
-
-
-def filled(context: Any, builder: Any, kind: Bundle, fields: list[Any]) -> Any:
-    """The code for a bundle that owns its fields from now on."""
-    payload = context.get_value_type(kind.get_data_type())
-    memory = context.nrt.meminfo_alloc_dtor_unchecked(
-        builder,
-        context.get_constant(types.uintp, context.get_abi_sizeof(payload)),
-        imp_dtor(context, builder.module, kind),
-    )
-    pointer = builder.bitcast(context.nrt.meminfo_data(builder, memory), payload.as_pointer())
-    data = cgutils.create_struct_proxy(kind.get_data_type())(context, builder, ref=pointer)
-    for (name, _), field in zip(kind._fields, fields, strict=True):
-        setattr(data, name, field)
-    reference = context.make_helper(builder, kind)
-    reference.meminfo = memory
-    return reference._getvalue()
-
-
-@infer_getattr
-class Read(AttributeTemplate):
-    """What numba knows of the fields that code reads."""
-
-    key = Bundle
-
-    def generic_resolve(self, kind: Bundle, name: str) -> Any:  # type: ignore[override]
-        """The type of a field; None if there is none of this name."""
-        return kind.field_dict.get(name)
-
-
-@lower_getattr_generic(Bundle)
-def read(context: Any, builder: Any, kind: Bundle, value: Any, name: str) -> Any:
-    """The code that reads a field; it counts the new reference if it counts references at all."""
-    word = context.get_value_type(types.voidptr)
-    memory = builder.bitcast(builder.extract_value(value, 0), word.as_pointer())
-    data = builder.load(
-        builder.gep(memory, [context.get_constant(types.intp, DATA)], inbounds=True)
-    )
-    payload = context.get_value_type(kind.get_data_type()).as_pointer()
-    index = list(kind.field_dict).index(name)
-    place = cgutils.gep_inbounds(builder, builder.bitcast(data, payload), 0, index)
-    wanted = kind.field_dict[name]
-    return imputils.impl_ret_borrowed(context, builder, wanted, builder.load(place))
-
-
-@unbox(Bundle)
-def unbox_bundle(kind: Bundle, value: Any, c: Any) -> Any:
-    """The code that makes a bundle of a named tuple from Python."""
-    fields, wrong = [], cgutils.false_bit
-    for name, wanted in kind._fields:
-        given = c.pyapi.object_getattr_string(value, name)
-        native = c.unbox(wanted, given)
-        c.pyapi.decref(given)
-        fields.append(native.value)
-        wrong = c.builder.or_(wrong, native.is_error)
-    return NativeValue(filled(c.context, c.builder, kind, fields), is_error=wrong)
+    while UNKNOWN:
+        learn(*UNKNOWN.pop())

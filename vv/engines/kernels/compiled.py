@@ -1,19 +1,21 @@
-"""Compiles kernels, once per machine: options, and a disk cache named by their sources."""
+"""Compiles kernels, once per machine: options, and a disk cache named by their sources.
+
+numba is loaded where a kernel is first called, so that a file may hold kernels beside what scenes
+are described by.
+"""
 
 from __future__ import annotations
 
+import functools
 import importlib
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any, TypeVar, cast
 
-import numba
-from numba.core.registry import cpu_target
-
 from vv.base.closure import import_closure, source_digest
 from vv.base.private_folder import cache_root
+from vv.engines.kernels.bundles import introduce
 from vv.engines.kernels.once import once
-from vv.engines.kernels.parts import PartCompiler, WholeCompiler
 
 Kernel = TypeVar("Kernel", bound=Callable[..., object])
 HERE = Path(__file__).resolve()
@@ -27,25 +29,33 @@ LENT: dict[str, Any] = {"_nrt": False}
 ENTRY: dict[str, Any] = {"no_cfunc_wrapper": True, **COUNTED}
 
 
+class Deferred:
+    """A function that numba wraps when it is first called, or met by what numba compiles."""
+
+    def __init__(self, function: Callable[..., object], wrap: Callable[[Any], Any]) -> None:
+        functools.update_wrapper(self, function)
+        self._function, self._wrap = function, wrap
+
+    @functools.cached_property
+    def dispatcher(self) -> Any:
+        """What numba makes of the function."""
+        introduce()
+        return self._wrap(self._function)
+
+    def __call__(self, *args: object) -> object:
+        return self.dispatcher(*args)
+
+    def __getattr__(self, name: str) -> Any:
+        return getattr(self.dispatcher, name)  # numba asks for its type in this way
+
+
 def compiled(function: Kernel) -> Kernel:
     """The function compiled for each combination of argument types it meets, and kept on disk.
 
     An argument that is None is known to the compiler: branches it rules out are not compiled.
     Rounding is that of the source but for `contract`, which lets a product and a sum fuse.
     """
-    config: Any = numba.config
-    before = config.CACHE_DIR
-    source = Path(function.__code__.co_filename)
-    folder = cache_folder(source)
-    config.CACHE_DIR = str(folder)  # numba reads it once, as it wraps a function
-    try:
-        kernel: Any = numba.njit(cache=True, pipeline_class=WholeCompiler, **ENTRY, **ROUNDING)(
-            function
-        )
-    finally:
-        config.CACHE_DIR = before
-    kernel.compile = once(kernel.compile, folder / function.__name__)
-    return cast(Kernel, kernel)
+    return cast(Kernel, Deferred(function, whole))
 
 
 def inlined(function: Kernel) -> Kernel:
@@ -54,10 +64,7 @@ def inlined(function: Kernel) -> Kernel:
     A call would pass each array as seven words, which costs more than most of these compute. It
     may only borrow arrays, as what is `lent`.
     """
-    part: Kernel = numba.njit(
-        forceinline=True, pipeline_class=PartCompiler, **LENT, **HIDDEN, **ROUNDING
-    )(function)
-    return part
+    return part(function, forceinline=True, **LENT)
 
 
 def lent(function: Kernel) -> Kernel:
@@ -66,37 +73,84 @@ def lent(function: Kernel) -> Kernel:
     References to arrays are not counted in it, which is most of what compiling it would take. It
     may call no part that returns an array, which nobody would free; numba is told to refuse that.
     """
-    part: Kernel = numba.njit(pipeline_class=PartCompiler, **LENT, **HIDDEN, **ROUNDING)(function)
-    return part
+    return part(function, **LENT)
 
 
 def called(function: Kernel) -> Kernel:
     """A function for kernels to call that makes arrays, or returns some."""
-    part: Kernel = numba.njit(pipeline_class=PartCompiler, **COUNTED, **HIDDEN, **ROUNDING)(
-        function
-    )
-    return part
+    return part(function, **COUNTED)
 
 
 def inlined_called(function: Kernel) -> Kernel:
     """As `called`, for what is so short that it becomes part of kernels."""
-    part: Kernel = numba.njit(
-        forceinline=True, pipeline_class=PartCompiler, **COUNTED, **HIDDEN, **ROUNDING
-    )(function)
-    return part
+    return part(function, forceinline=True, **COUNTED)
+
+
+def part(function: Kernel, **options: Any) -> Kernel:
+    """A function for kernels to call, compiled by these options of numba's."""
+
+    def wrap(function: Kernel) -> Any:
+        import numba
+
+        from vv.engines.kernels.parts import PartCompiler
+
+        return numba.njit(pipeline_class=PartCompiler, **options, **HIDDEN, **ROUNDING)(function)
+
+    return cast(Kernel, Deferred(function, wrap))
 
 
 def shared(function: Kernel) -> Kernel:
     """A function for kernels to call, whose numba.prange is shared out to threads."""
-    part: Kernel = numba.njit(parallel=True, **COUNTED, **HIDDEN, **ROUNDING)(function)
-    return part
+
+    def wrap(function: Kernel) -> Any:
+        import numba
+
+        function.__globals__["numba"] = numba  # which it names, and which is loaded only now
+        return numba.njit(parallel=True, **COUNTED, **HIDDEN, **ROUNDING)(function)
+
+    return cast(Kernel, Deferred(function, wrap))
+
+
+def whole(function: Kernel) -> Any:
+    """What numba makes of a function that is called from Python."""
+    import numba
+
+    from vv.engines.kernels.parts import WholeCompiler
+
+    config: Any = numba.config
+    before = config.CACHE_DIR
+    folder = cache_folder(Path(function.__code__.co_filename))
+    config.CACHE_DIR = str(folder)  # numba reads it once, as it wraps a function
+    try:
+        kernel: Any = numba.njit(cache=True, pipeline_class=WholeCompiler, **ENTRY, **ROUNDING)(
+            function
+        )
+    finally:
+        config.CACHE_DIR = before
+    kernel.compile = once(kernel.compile, folder / function.__name__)
+    return kernel
+
+
+def entry(kernel: Kernel, arguments: tuple[Any, ...]) -> Kernel:
+    """The machine code of a kernel for the types of these arguments; compiled if it is not yet.
+
+    It may be given arguments of these types only, and does not look at them again, which would take
+    longer than a hundred steps of a small scene.
+    """
+    dispatcher = cast(Deferred, kernel).dispatcher
+    kinds = tuple(map(dispatcher.typeof_pyval, arguments))
+    if kinds not in dispatcher.overloads:
+        dispatcher.compile(kinds)
+    return cast(Kernel, dispatcher.overloads[kinds].entry_point)
 
 
 def load() -> None:
     """Load all of numba that the first call of any kernel loads, scipy's BLAS with it."""
+    from numba.core.registry import cpu_target
+
     cpu_target.typing_context.refresh()
     cpu_target.target_context.refresh()
-    for name in ("numba.core.boxing", "numba.core.runtime.context"):
+    for name in ("vv.engines.kernels.parts", "numba.core.boxing", "numba.core.runtime.context"):
         importlib.import_module(name)
 
 

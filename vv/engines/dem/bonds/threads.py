@@ -4,9 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable
-from typing import Any
-
-import numba
+from typing import TYPE_CHECKING, Any
 
 from vv.engines.dem.bonds.bend import Like
 from vv.engines.dem.bonds.blocks import Ends
@@ -16,6 +14,9 @@ from vv.engines.dem.rows import Index
 from vv.engines.dem.space.neighbours import State
 from vv.engines.kernels.compiled import shared
 from vv.scene import Vector
+
+if TYPE_CHECKING:
+    import numba
 
 SPINS = "3000000"
 
@@ -50,6 +51,8 @@ def sweep_shared(
 
 def on_threads(threads: int, kernel: Callable[..., int], arguments: tuple[Any, ...]) -> int:
     """Call a kernel with so many threads to share; raises ValueError if numba may not have them."""
+    import numba
+
     before = _threads_that_spin()
     numba.set_num_threads(threads)
     try:
@@ -64,6 +67,8 @@ def _threads_that_spin() -> int:
     They are OpenMP's, which share chunks out evenly and can wait awake for some milliseconds: to
     wake one costs as much as a step. A user's own choice of either stands.
     """
+    import numba
+
     config: Any = numba.config
     if config.THREADING_LAYER_PRIORITY == ["tbb", "omp", "workqueue"]:  # numba's own
         config.THREADING_LAYER_PRIORITY = ["omp", "tbb", "workqueue"]
