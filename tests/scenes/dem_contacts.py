@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import dataclasses
+from collections.abc import Iterator
 
 import numpy as np
 
 from cases.contact.single_contact import CASE
 from vv.ask import Ask, Run
 from vv.case import Series
+from vv.engines.dem import Program
 from vv.scene import Contact, Harmonic, Scene, Vector, Wall
 
 VARIANTS = [variant.name for variant in CASE.variants]
@@ -48,3 +50,14 @@ def forced(ask: Ask) -> Ask:
     gravity = np.full(3, 1e-100)
     scene = Scene(bodies, contact, eta=1e-100, gravity=gravity, shaking=weak)
     return dataclasses.replace(ask, scene=scene)
+
+
+def unknowns_passed(program: Program) -> int:
+    """How many unknowns the kernel of a program is passed, also within tuples."""
+
+    def flat(arguments: tuple[object, ...]) -> Iterator[object]:
+        for one in arguments:
+            yield from flat(one) if isinstance(one, tuple) else (one,)
+
+    passed = [*flat(program.arguments)]
+    return sum(a.size for a in program.system.unknowns if any(one is a for one in passed))

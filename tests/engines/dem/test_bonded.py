@@ -12,6 +12,7 @@ from tests.scenes.bonded_scenes import CORNERS, EDGES, KN, KS, D, M, elements, t
 from vv.ask import Ask, Displacement, History, Knobs, Run, Status, Velocity
 from vv.engines import dem
 from vv.engines.dem.space.model import space
+from vv.engines.dem.terms.bonds import Bonds as Springs
 from vv.scene import Contact, Scene, Term, Vector, Wall, rotated, with_bodies_reversed
 
 HEIGHT = D * np.sqrt(2 / 3)
@@ -165,7 +166,7 @@ def test_the_model_holds_what_the_scene_has() -> None:
     without = dem.prepare(bare, dem.CENTRED)
     assert with_shear.model.terms == {Term.SPHERE, Term.BOND, Term.BOND_SHEAR}
     assert without.model.terms == {Term.SPHERE, Term.BOND}
-    assert without.system.state.bond_ks is None  # type: ignore[union-attr]
+    assert without.system.state.term(Springs).ks is None  # type: ignore[union-attr]
 
 
 def test_the_largest_stable_step_is_the_largest() -> None:

@@ -15,6 +15,7 @@ from tests.scenes.bonded_scenes import CORNERS, KN, KS, M, elements, tied, unit
 from vv.ask import Ask, Displacement, History, Knobs
 from vv.engines import dem
 from vv.engines.dem.bonds import blocks
+from vv.engines.dem.terms.bonds import Bonds
 from vv.scene import Contact, Scene, Spheres, Vector
 
 SIZE = 580  # elements; their 2902 bonds make two chunks
@@ -61,8 +62,8 @@ def test_chunks_add_up_to_the_whole(monkeypatch: pytest.MonkeyPatch) -> None:
         one = program(SIZE, 20)
         assert one.solve() == 2
         paths.append(one.arguments[0])
-    state = one.system.state
-    assert len(state.blocks.window) == 2  # type: ignore[union-attr]
+    bonds = one.system.state.term(Bonds)  # type: ignore[union-attr]
+    assert len(bonds.blocks.window) == 2
     assert 0.0 < np.abs(paths[0] - paths[1]).max() <= 1e-13 * np.abs(paths[0]).max()
 
 

@@ -5,29 +5,19 @@ from __future__ import annotations
 import dataclasses
 import functools
 import math
-from typing import NamedTuple
 
 import numpy as np
 
 from vv.engines.dem.leapfrog import Leapfrog
 from vv.engines.dem.line.model import line
 from vv.engines.dem.rows import Index
+from vv.engines.dem.space.bodies import Bodies
 from vv.engines.dem.space.model import SpaceState, space
+from vv.engines.dem.space.springs import Springs
 from vv.scene import Mask, Scene, Vector
 
-TOUCHING = 1e-9  # gap over radius up to which a contact counts as closed at t = 0
 DENSE = 300  # unknowns up to which a matrix is filled
 CLOSE = 1e-4  # of an eigenvalue, how well it is found in a larger one, from below
-
-
-class Springs(NamedTuple):
-    """k springs: rows (k, 2) of their ends, direction (k, 3), kn, ks (k,), arms (k, 2) [m]."""
-
-    rows: Index
-    n: Vector
-    kn: Vector
-    ks: Vector
-    arms: Vector
 
 
 @functools.lru_cache(maxsize=64)  # asked several times a rung for one scene
@@ -56,76 +46,45 @@ def _stiffest(scene: Scene) -> tuple[float, float]:
         stiffness = one.state.normal or one.state.friction
         return one.state.mass, 0.0 if stiffness is None else stiffness[0] / one.state.mass
     state = space(dataclasses.replace(scene, shaking=None)).state  # which changes no spring
-    return float(state.mass.min(initial=math.inf)), highest_square(state)
+    return float(state.bodies.mass.min(initial=math.inf)), highest_square(state)
 
 
 def highest_square(state: SpaceState) -> float:
     """w_max^2 [1/s2]: the largest eigenvalue of M^-1/2 K M^-1/2."""
     springs, closed = _springs(state)
-    parts = _parts(state, springs)
+    parts = _parts(state.bodies, springs)
     alone = np.linalg.eigvalsh(np.einsum("kasb,kcsb->kac", parts, parts))[:, -1]
-    together = _together(parts[closed], springs.rows[closed], len(state.mass))
-    return max(together, float(alone.max(initial=0.0)), _any_pair(state))
+    together = _together(parts[closed], springs.rows[closed], len(state.bodies.mass))
+    rules = state.told("highest_square", 0.0, state.near, state.bodies)
+    return float(max(together, alone.max(initial=0.0), *rules))
 
 
 def _springs(state: SpaceState) -> tuple[Springs, Mask]:
     """All bonds and listed contacts, and which of them are there at t = 0."""
-    m, ks = len(state.mass), 0.0 if state.friction is None else state.friction[0]
-    found, closed = [], []
-    for contacts in (state.pairs, state.walls, _touching(state)):
-        if contacts is None:
-            continue
-        rows, offset, gap, radius = contacts
-        if rows.ndim == 1:
-            rows, radius = np.stack([np.full_like(rows, m), rows], axis=1), radius[:, None]
-        n = offset / np.linalg.norm(offset, axis=1)[:, None]
-        k = np.ones(len(rows))
-        found.append(Springs(rows, n, state.kn * k, ks * k, np.broadcast_to(radius, rows.shape)))
-        closed.append(gap / radius.min(axis=1) <= TOUCHING)
-    if state.springs is not None:
-        rows, offset, first, _, kn, radius = state.springs
-        across = np.zeros(len(kn)) if state.bond_ks is None else state.bond_ks
-        beyond = 0.5 * (first - radius.sum(axis=1))[:, None]
-        found.append(Springs(rows, offset / first[:, None], kn, across, radius + beyond))
-        closed.append(np.ones(len(kn), bool))
+    told = [one for one in state.told("springs", None, state.near) if one is not None]
     two, k = np.zeros((0, 2)), np.zeros(0)
     none = Springs(two.astype(np.intp), np.zeros((0, 3)), k, k, two)
-    joined = (np.concatenate(arrays) for arrays in zip(none, *found, strict=True))
-    return Springs(*joined), np.concatenate([np.zeros(0, bool), *closed])
+    joined = (
+        np.concatenate(arrays) for arrays in zip(none, *(one for one, _ in told), strict=True)
+    )
+    return Springs(*joined), np.concatenate([np.zeros(0, bool), *(closed for _, closed in told)])
 
 
-def _touching(state: SpaceState) -> tuple[Index, Vector, Vector, Vector] | None:
-    """The pairs without a bond that touch at t = 0, where contacts are not listed."""
-    if state.near is None:
-        return None
-    from scipy.spatial import cKDTree
-
-    position, radius, row, skin, start, partner = state.near
-    reach = 2.0 * float(radius.max()) + skin
-    pairs = np.sort(cKDTree(position).query_pairs(reach, output_type="ndarray"), axis=1)
-    names = len(radius) * np.repeat(np.arange(len(radius)), np.diff(start)) + partner
-    pairs = pairs[~np.isin(pairs @ np.array([len(radius), 1]), names)]
-    offset, both = position[pairs[:, 1]] - position[pairs[:, 0]], radius[pairs]
-    gap = np.linalg.norm(offset, axis=1) - both.sum(axis=1)
-    kept = gap / both.min(axis=1) <= TOUCHING
-    return row[pairs[kept]], offset[kept], gap[kept], both[kept]
-
-
-def _parts(state: SpaceState, springs: Springs) -> Vector:
+def _parts(bodies: Bodies, springs: Springs) -> Vector:
     """K^1/2 B M^-1/2 (k, 3, 2, 6) of every spring; B gives the relative motion of its ends."""
-    m, n = len(state.mass), springs.n
+    m, n = len(bodies.mass), springs.n
     soft, stiff = np.sqrt(springs.ks)[:, None, None], np.sqrt(springs.kn)[:, None, None]
     root = soft * np.eye(3) + (stiff - soft) * n[:, :, None] * n[:, None, :]
     parts = np.zeros((len(n), 3, 2, 6))
     for end, sign in enumerate((-1.0, 1.0)):
         row = np.minimum(springs.rows[:, end], m - 1)
         there = springs.rows[:, end] < m
-        free = np.eye(3) if state.hold is None else state.hold[row]
-        size = there / np.sqrt(state.mass[row])
+        free = np.eye(3) if bodies.hold is None else bodies.hold[row]
+        size = there / np.sqrt(bodies.mass[row])
         parts[:, :, end, :3] = sign * size[:, None, None] * root @ free
-        if state.spin is not None:
-            free = np.eye(3) if state.hold_spin is None else state.hold_spin[row]
-            size = there * springs.arms[:, end] / np.sqrt(state.inertia[row])
+        if bodies.spin is not None:
+            free = np.eye(3) if bodies.hold_spin is None else bodies.hold_spin[row]
+            size = there * springs.arms[:, end] / np.sqrt(bodies.inertia[row])
             lever = np.cross(np.eye(3)[None], n[:, None, :])
             parts[:, :, end, 3:] = size[:, None, None] * root @ lever @ free
     return parts
@@ -152,17 +111,3 @@ def _together(parts: Vector, rows: Index, m: int) -> float:
     sparse = coo_array(data, shape=(3 * len(parts), 6 * m)).tocsr()
     start = np.ones(6 * m) + np.arange(6 * m) % 7  # any vector will do, but the same each time
     return float(eigsh(sparse.T @ sparse, 1, v0=start, tol=CLOSE, return_eigenvectors=False)[0])
-
-
-def _any_pair(state: SpaceState) -> float:
-    """No less than w^2 [1/s2] of a contact between any two spheres, where not all are listed."""
-    if state.near is None:
-        return 0.0
-    lightest = np.sort(1.0 / state.mass)[-2:].sum()
-    across = 1.0 / state.mass
-    if state.spin is not None:
-        radius = np.zeros(len(across) + 1)
-        np.maximum.at(radius, np.minimum(state.near[2], len(across)), state.near[1])
-        across = across + radius[: len(across)] ** 2 / state.inertia
-    ks = 0.0 if state.friction is None else state.friction[0]
-    return max(state.kn * float(lightest), ks * float(np.sort(across)[-2:].sum()))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import functools
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from typing import Any
 
@@ -18,6 +18,7 @@ from vv.engines.dem.line.model import Line, line
 from vv.engines.dem.pressed.model import Pressed, pressed
 from vv.engines.dem.safe_step import PACKED
 from vv.engines.dem.space.model import Space, SpaceState, space
+from vv.engines.dem.terms.bonds import Bonds
 from vv.scene import Form, Scene, Term, Vector
 from vv.scene.scene import LOCKED_SPEED
 from vv.standins.stand_in import SpringScene as Stood
@@ -69,7 +70,12 @@ class Program:
         outputs = self.system.outputs(len(goal.times(dt)), self.spheres)
         state, leapfrog = self.system.state, (self.leapfrog.lag, self.leapfrog.back)
         if isinstance(state, SpaceState) and self.threads > 1:
-            state = state._replace(threads=self.threads)
+            state = state._replace(
+                terms=tuple(
+                    term._replace(threads=self.threads) if isinstance(term, Bonds) else term
+                    for term in state.terms
+                )
+            )
         return (*outputs, goal.stride(dt), dt, *state, *leapfrog)
 
     @functools.cached_property
@@ -91,10 +97,17 @@ class Program:
 
     def _call(self, *arguments: Any) -> int:
         if self.threads == 1:
-            return self.system.kernel()(*arguments)
+            return self._entry(*arguments)
         from vv.engines.dem.bonds.threads import on_threads
 
-        return on_threads(self.threads, self.system.kernel(), arguments)
+        return on_threads(self.threads, self._entry, arguments)
+
+    @functools.cached_property
+    def _entry(self) -> Callable[..., int]:
+        """The kernel for arguments of these types."""
+        from vv.engines.kernels.compiled import entry
+
+        return entry(self.system.kernel(), self.arguments)
 
     def run(self, rows: int) -> Run:
         """The Run of a solve that returned `rows`; its cost is left empty."""

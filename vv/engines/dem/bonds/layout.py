@@ -6,13 +6,13 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
-from vv.engines.dem.bonds.blocks import Blocks, blocks
+from vv.engines.dem.bonds.blocks import WIDE, Blocks, blocks
 from vv.engines.dem.rows import Index
+from vv.engines.dem.space.neighbours import Near, State
 from vv.scene import Mask, Scene, Term, Vector
 
 if TYPE_CHECKING:
     from vv.engines.dem.bonds.law import Frail, Springs
-    from vv.engines.dem.space.neighbours import Near
 
 MANY = 64  # spheres, from which on pairs are gathered from those near each other
 SKIN = 0.2  # of the smallest radius: a gap below which pairs are near each other
@@ -25,6 +25,7 @@ class Bonded(NamedTuple):
     ks: Vector | None = None
     blocks: Blocks | None = None
     frail: Frail | None = None
+    state: State = np.zeros((0, WIDE), np.uint8)
 
 
 def bonded(scene: Scene, moves: Mask, row: Index) -> Bonded:
@@ -37,18 +38,17 @@ def bonded(scene: Scene, moves: Mask, row: Index) -> Bonded:
     stretch, ks = first - bonds.length[order], bonds.ks[order]
     kn, tension, shear = bonds.kn[order], bonds.tension[order], bonds.shear[order]
     springs = row[pairs], offset, first, stretch, kn, spheres.radius[pairs]
-    return Bonded(
-        springs,
-        ks if ks.any() else None,
-        blocks(springs, np.stack([kn, ks, tension, shear]), int(moves.sum())),
-        (tension, shear, scene.contact.mu, pairs) if Term.BREAKAGE in scene.terms() else None,
-    )
+    laid = blocks(springs, np.stack([kn, ks, tension, shear]), int(moves.sum()))
+    frail = (tension, shear, scene.contact.mu, pairs) if Term.BREAKAGE in scene.terms() else None
+    state = np.zeros((0 if frail is None else len(laid.ends), WIDE), np.uint8)
+    return Bonded(springs, ks if ks.any() else None, laid, frail, state)
 
 
-def near(scene: Scene, moves: Mask, row: Index) -> Near | None:
+def near(scene: Scene, moves: Mask, row: Index, state: State) -> Near | None:
     """What `vv.engines.dem.space.neighbours.swept` finds the pairs in that may touch.
 
-    None if none may, or if few spheres without bonds let all pairs be listed.
+    state: of the bonds (`vv.engines.dem.bonds.sweep`). None if none may, or if few spheres
+    without bonds let all pairs be listed.
     """
     spheres = scene.spheres
     if Term.SPHERE_CONTACT not in scene.terms():
@@ -57,7 +57,8 @@ def near(scene: Scene, moves: Mask, row: Index) -> Near | None:
         return None
     skin, (pairs, _) = SKIN * float(spheres.radius.min()), _held(scene, moves)
     start = np.searchsorted(pairs[:, 0], np.arange(len(spheres) + 1))
-    return spheres.position, spheres.radius, row, skin, start, np.array(pairs[:, 1])
+    held = start, np.array(pairs[:, 1]), state.reshape(-1)
+    return Near(spheres.position, spheres.radius, row, skin, *held)
 
 
 def _held(scene: Scene, moves: Mask) -> tuple[Index, Index]:

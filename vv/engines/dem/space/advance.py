@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from vv.engines.dem.terms.drag import Drag, drawn
 from vv.engines.kernels.compiled import inlined
 from vv.engines.kernels.triples import NOWHERE, Triple, at, dot, plus, put
 from vv.scene import Vector
@@ -27,21 +28,18 @@ def place(
     mass: Vector,
     hold: Vector | None,
     time: float,
-    eta: float | None,
-    carried: Vector | None,
+    drag: Drag | None,
 ) -> float:
     """Set v (m + 1, 3) to the velocity at `time` [s] before t = 0; return sum m v v/2 [J] at 0.
 
-    carried: (m, 3) the part of each velocity that does not change.
+    mass: (m,), the moment of inertia where v is a spin.
     """
     kinetic = 0.0
     for i in range(len(mass)):
         start = at(velocity, i)
         rate = held(at(force, i), hold, i)
-        if eta is not None:
-            rate = plus(rate, -eta, start)
-            if carried is not None:
-                rate = plus(rate, eta, at(carried, i))
+        if drag is not None:
+            rate = drawn(plus(rate, -drag.eta, start), drag.eta, drag.steady, i)
         put(v, i, plus(start, -time / mass[i], rate))
         kinetic += 0.5 * mass[i] * dot(start, start)
     return kinetic
@@ -55,24 +53,23 @@ def kick(
     mass: Vector,
     hold: Vector | None,
     dt: float,
-    eta: float | None,
+    drag: Drag | None,
     lag: float,
-    carried: Vector | None,
+    slowed: tuple[float, float],
 ) -> Triple:
     """Carry v (m + 1, 3) from half a step before now to half a step after; keep it in before.
 
-    mass: (m,), the moment of inertia where v is a spin; carried: see `place`.
-    Returns sum m v- v+/2 [J] and the powers [W] lost to the drag D = eta (lag v- + (1 - lag) v+)
-    before and after now: D v-, D v+.
+    mass: (m,), the moment of inertia where v is a spin. Returns sum m v- v+/2 [J] and the powers
+    [W] lost before and after now: slowed, and D v-, D v+ of drag D = eta (lag v- + (1 - lag) v+).
     """
-    kinetic = behind = ahead = 0.0
+    kinetic, behind, ahead = 0.0, slowed[0], slowed[1]
     for i in range(len(mass)):
         old, push = at(v, i), held(at(force, i), hold, i)
-        new = carried_on(old, push, mass[i], dt, eta, lag, carried, i)
-        if eta is not None:
-            drag = plus(plus(NOWHERE, eta * lag, old), eta * (1.0 - lag), new)
-            behind += dot(drag, old)
-            ahead += dot(drag, new)
+        new = carried_on(old, push, mass[i], dt, drag, lag, i)
+        if drag is not None:
+            loss = plus(plus(NOWHERE, drag.eta * lag, old), drag.eta * (1.0 - lag), new)
+            behind += dot(loss, old)
+            ahead += dot(loss, new)
         put(before, i, old)
         put(v, i, new)
         kinetic += 0.5 * mass[i] * dot(old, new)
@@ -81,33 +78,12 @@ def kick(
 
 @inlined
 def carried_on(
-    old: Triple,
-    push: Triple,
-    mass: float,
-    dt: float,
-    eta: float | None,
-    lag: float,
-    carried: Vector | None,
-    i: int,
+    old: Triple, push: Triple, mass: float, dt: float, drag: Drag | None, lag: float, i: int
 ) -> Triple:
     """The velocity of body i half a step after now, from that half a step before."""
-    if eta is None:
+    if drag is None:
         return plus(old, dt / mass, push)
-    rate = eta * dt / mass
+    rate = drag.eta * dt / mass
     share = 1.0 / (1.0 + (1.0 - lag) * rate)
     kept = plus(NOWHERE, share * (1.0 - lag * rate), old)
-    if carried is not None:
-        kept = plus(kept, share * rate, at(carried, i))
-    return plus(kept, share * dt / mass, push)
-
-
-@inlined
-def upheld(push: Vector, carried: Vector, eta: float | None) -> float:
-    """The power [W] of what carries bodies at their steady velocities (m, 3) against push."""
-    power = 0.0
-    for i in range(len(carried)):
-        c = at(carried, i)
-        power -= dot(c, at(push, i))
-        if eta is not None:
-            power += eta * dot(c, c)
-    return power
+    return plus(drawn(kept, share * rate, drag.steady, i), share * dt / mass, push)

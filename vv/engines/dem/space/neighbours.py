@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from typing import NamedTuple
 
 import numpy as np
 import numpy.typing as npt
@@ -12,9 +13,25 @@ from vv.engines.kernels.compiled import called, inlined, inlined_called
 from vv.engines.kernels.triples import at, dot, plus, put
 from vv.scene import Vector
 
-Near = tuple[Vector, Vector, Index, float, Index, Index]
 Slots = tuple[Index, Index, Vector, Vector, Vector, Vector]
 State = npt.NDArray[np.uint8]
+
+
+class Near(NamedTuple):
+    """All n spheres that may come to touch, and what keeps pairs of them from it.
+
+    position (n, 3) at t = 0, radius (n,), row in u of each sphere (n,), skin [m], and the bonds by
+    i: those of i go from start[i] on (n + 1,) to the spheres partner (b,); broken: (b,) not 0 for
+    bonds that have parted; empty if none can.
+    """
+
+    position: Vector
+    radius: Vector
+    row: Index
+    skin: float
+    start: Index
+    partner: Index
+    broken: State
 
 
 @inlined_called
@@ -70,14 +87,12 @@ def on_bond(i: int, j: int, start: Index, partner: Index, broken: State) -> bool
 
 
 @called
-def swept(near: Near, u: Vector, broken: State) -> Index:
+def swept(near: Near, u: Vector) -> Index:
     """(p, 2) the pairs of spheres i < j without a bond whose gap is less than the skin, by i.
 
-    near: position (n, 3) at t = 0, radius (n,), row in u of each sphere (n,), skin [m], and the
-    bonds by i: those of i go from start[i] on (n + 1,) to the spheres partner (b,). Pairs of
-    spheres that both stay in place, in the last of the spheres' rows, are left out.
+    Pairs of spheres that both stay in place, in the last of the spheres' rows, are left out.
     """
-    position, radius, row, skin, start, partner = near
+    position, radius, row, skin, start, partner, broken = near
     n, ground, widest = len(radius), 0, 0.0
     place = np.empty((n, 3))
     for i in range(n):
@@ -107,16 +122,15 @@ def swept(near: Near, u: Vector, broken: State) -> Index:
 
 
 @called
-def gathered(near: Near, u: Vector, broken: State, old: Slots, many: Index) -> Slots:
+def gathered(near: Near, u: Vector, old: Slots, many: Index) -> Slots:
     """The pairs near each other and not held by a bond, with room for as many as have bonds.
 
-    near: see `swept`; broken: (b,) 1 for bonds that have parted; empty if none can. old: the slots
-    before, the first many[0] of them used; many is set to how many are used now. A slot is: the
-    spheres i < j, their rows, offset (3,) and gap at t = 0, radii (2,), shear force (3,) on the
-    second sphere, which is kept from slot to slot.
+    old: the slots before, the first many[0] of them used; many is set to how many are used now.
+    A slot is: the spheres i < j, their rows, offset (3,) and gap at t = 0, radii (2,), shear force
+    (3,) on the second sphere, which is kept from slot to slot.
     """
     position, radius, row = near[0], near[1], near[2]
-    pairs = swept(near, u, broken)
+    pairs = swept(near, u)
     used, room = len(pairs), len(pairs) + len(near[5])
     both, rows, radii = (
         np.zeros((room, 2), np.intp),

@@ -12,6 +12,21 @@ from vv.scene import Vector
 
 Pairs = tuple[Index, Vector, Vector, Vector]
 Walls = tuple[Index, Vector, Vector, Vector]
+Moving = tuple[Index, Vector]
+
+
+@inlined
+def emptied(shear: Vector) -> None:
+    """No shear (k, 3) in any contact."""
+    for k in range(len(shear)):
+        put(shear, k, NOWHERE)
+
+
+@inlined
+def stilled(moving: Moving | None) -> None:
+    """No force of a moving wall."""
+    if moving is not None:
+        emptied(moving[1])
 
 
 @inlined
@@ -130,7 +145,7 @@ def wall_forces(  # noqa: PLR0915 - one algorithm, a branch per term
     kn: float,
     friction: tuple[float, float] | None,
     shear: Vector,
-    moving: tuple[Index, Vector] | None,
+    moving: Moving | None,
 ) -> tuple[float, float, float, float]:
     """Add the forces of walls on spheres; return energies [J].
 

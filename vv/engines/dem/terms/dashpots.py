@@ -6,14 +6,22 @@ those of all contacts are found together, by sweeps over one contact after the o
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 import numpy as np
 
 from vv.engines.dem.rows import Index
 from vv.engines.dem.space.advance import carried_on, held
+from vv.engines.dem.space.bodies import Bodies, Motion
+from vv.engines.dem.space.placed import Placed
+from vv.engines.dem.terms import pair_contacts, wall_contacts
 from vv.engines.dem.terms.contact_law import Pairs, Walls, apart, off_wall
-from vv.engines.kernels.compiled import inlined, inlined_called
+from vv.engines.dem.terms.drag import Drag
+from vv.engines.kernels.compiled import inlined
 from vv.engines.kernels.triples import NOWHERE, Triple, at, dot, plus, put
-from vv.scene import Vector
+from vv.scene import Term, Vector
+
+STANDS_FOR = frozenset({Term.CONTACT_VISCOSITY})
 
 SWEEPS = 1000  # at most; 1 + eta_n dt/2 B M^-1 B^T, of condition 2 at most, takes some tens
 SETTLED = 1e-15  # of the largest force: how little a last sweep changes
@@ -24,23 +32,64 @@ Met = tuple[Index, Vector]
 (k, 7) normal, push of the spring [N], coefficient [N s/m], viscous force [N], overlap [m]."""
 
 
-@inlined_called
-def dashpots(pairs: Pairs | None, walls: Walls | None, ground: int) -> Met:
-    """No contact met as yet; a wall is the first of two, in the row of the ground."""
-    many = 0
-    if pairs is not None:
-        many += len(pairs[0])
-    if walls is not None:
-        many += len(walls[0])
-    ends, kept = np.full((many, 2), ground), np.zeros((many, 7))
-    kept[:, OVERLAP] = np.inf  # what touches at t = 0 did so before
-    k = 0
-    if pairs is not None:
-        k = len(pairs[0])
-        ends[:k] = pairs[0]
-    if walls is not None:
-        ends[k:, 1] = walls[0]
-    return ends, kept
+class Dashpots(NamedTuple):
+    """The contacts that are viscous, their kn [N/m] and eta_n [N s/m].
+
+    met: all contacts; new: (m + 1, 3) room for velocities.
+    """
+
+    pairs: Pairs | None
+    walls: Walls | None
+    kn: float
+    eta_n: float
+    met: Met
+    new: Vector
+
+
+def build(placed: Placed) -> Dashpots | None:
+    """The dashpots of a scene whose contacts are viscous."""
+    law, m = placed.scene.contact, int(placed.moves.sum())
+    pairs, walls = pair_contacts.listed(placed), wall_contacts.listed(placed)
+    if not law.eta_n > 0 or (pairs is None and walls is None):
+        return None
+    ends = [] if pairs is None else [pairs[0]]
+    if walls is not None:  # a wall is the first of two, in the row of the ground
+        ends.append(np.stack([np.full_like(walls[0], m), walls[0]], axis=1))
+    both = np.concatenate(ends)
+    met = both, np.zeros((len(both), 7))
+    return Dashpots(pairs, walls, law.kn, law.eta_n, met, np.zeros((m + 1, 3)))
+
+
+def models(term: Dashpots) -> frozenset[Term]:
+    """What it models of a scene."""
+    return STANDS_FOR
+
+
+@inlined
+def begin(term: Dashpots, bodies: Bodies, motion: Motion) -> None:
+    """No contact met as yet; what touches at t = 0 did so before."""
+    kept = term.met[1]
+    for k in range(len(kept)):
+        for c in range(OVERLAP):
+            kept[k, c] = 0.0
+        kept[k, OVERLAP] = np.inf
+    for i in range(len(bodies.mass)):
+        put(motion.v, i, at(bodies.velocity, i))
+
+
+@inlined
+def viscous(
+    term: Dashpots, bodies: Bodies, motion: Motion, dt: float, drag: Drag | None, lag: float
+) -> tuple[float, float]:
+    """The forces of all dashpots."""
+    meet(term.met, motion.u, term.pairs, term.walls, term.kn, term.eta_n)
+    return slow(term.met, motion.push, motion.v, term.new, bodies.mass, bodies.hold, dt, drag, lag)
+
+
+@inlined
+def withdraw(term: Dashpots, bodies: Bodies, motion: Motion) -> None:
+    """Take them away again."""
+    shove(term.met, motion.push, -1.0)
 
 
 @inlined
@@ -93,9 +142,8 @@ def slow(
     mass: Vector,
     hold: Vector | None,
     dt: float,
-    eta: float | None,
+    drag: Drag | None,
     lag: float,
-    carried: Vector | None,
 ) -> tuple[float, float]:
     """Add the viscous forces of all contacts to push (m + 1, 3) [N].
 
@@ -104,12 +152,12 @@ def slow(
     """
     ends, kept = met
     for i in range(len(mass)):
-        put(new, i, carried_on(at(v, i), held(at(push, i), hold, i), mass[i], dt, eta, lag,
-                               carried, i))  # fmt: skip
+        free = held(at(push, i), hold, i)
+        put(new, i, carried_on(at(v, i), free, mass[i], dt, drag, lag, i))
     kept[:, FORCE] = 0.0
     extra = 0.0
-    if eta is not None:
-        extra = (1.0 - lag) * eta * dt
+    if drag is not None:
+        extra = (1.0 - lag) * drag.eta * dt
     for _ in range(SWEEPS):
         most = change = 0.0
         for k in range(len(ends)):

@@ -1,0 +1,101 @@
+"""Puts the terms of a scene together: for each hook one function that calls the terms that have it.
+
+A term is a file of `vv/engines/dem/terms/`, its hooks are functions there. numba knows the classes
+of a tuple of terms as it compiles a kernel: what a term does not have costs nothing.
+"""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable
+from typing import Any, TypeVar
+
+from numba.core import types
+from numba.extending import overload
+
+from vv.engines.dem.space.bodies import rest
+from vv.engines.kernels.compiled import COUNTED, HIDDEN, LENT, ROUNDING
+from vv.engines.kernels.parts import PartCompiler
+
+Hook = TypeVar("Hook", bound=Callable[..., object])
+OPTIONS: Any = {"forceinline": True, "pipeline_class": PartCompiler, **LENT, **HIDDEN, **ROUNDING}
+
+
+def call(parts: list[int], rest: str) -> list[str]:
+    """Call all, in order."""
+    return [*(f"hook_{k}(terms[{k}], {rest})" for k in parts), "return None"]
+
+
+def first(parts: list[int], rest: str) -> list[str]:
+    """The first term that has the hook, which is not called; None if none has it."""
+    return [f"return terms[{k}]" for k in parts[:1]] or ["return None"]
+
+
+def chain(parts: list[int], rest: str) -> list[str]:
+    """Let each change what it is handed first, in order."""
+    changed = rest.split(", ", maxsplit=1)[0]
+    return [*(f"{changed} = hook_{k}(terms[{k}], {rest})" for k in parts), f"return {changed}"]
+
+
+def total(count: int) -> Callable[[list[int], str], list[str]]:
+    """Add up so many numbers that each returns, in order."""
+    names = [f"sum_{c}" for c in range(count)]
+
+    def lines(parts: list[int], rest: str) -> list[str]:
+        written = []
+        for k in parts:
+            written.append(f"one = hook_{k}(terms[{k}], {rest})")
+            before = [""] * count if k == parts[0] else [f"{name} + " for name in names]
+            written += [f"{names[c]} = {before[c]}one[{c}]" for c in range(count)]
+        return [*written, f"return {', '.join(names if parts else ['0.0'] * count)},"]
+
+    return lines
+
+
+def added(parts: list[int], rest: str) -> list[str]:
+    """Add what each returns to the pair that is handed first, in order."""
+    held, _, others = rest.partition(", ")
+    written = []
+    for k in parts:
+        written.append(f"one = hook_{k}(terms[{k}], {others})")
+        written.append(f"{held} = {held}[0] + one[0], {held}[1] + one[1]")
+    return [*written, f"return {held}"]
+
+
+def composed(combine: Callable[[list[int], str], list[str]]) -> Callable[[Hook], Hook]:
+    """A hook of all terms, of a function that names its arguments, the tuple of terms first."""
+
+    def register(hook: Hook) -> Hook:
+        code = hook.__code__
+        rest = ", ".join(code.co_varnames[1 : code.co_argcount])
+
+        @overload(hook, jit_options=OPTIONS, strict=False)
+        def typed(terms: Any, *_: Any) -> Any:
+            found = {k: function for k, kind in enumerate(terms)
+                     if (function := hook_of(kind, hook.__name__)) is not None}  # fmt: skip
+            lines = combine([*found], rest)
+            source = f"def {hook.__name__}(terms, {rest}):\n " + "\n ".join(lines)
+            names: dict[str, Any] = {f"hook_{k}": function for k, function in found.items()}
+            exec(source, names)
+            return names[hook.__name__]
+
+        return hook
+
+    return register
+
+
+def spins(spin: Any, rows: int) -> Any:
+    """Room for spins, those before, and torques (rows, 3), or None where no sphere turns."""
+
+
+@overload(spins, jit_options=OPTIONS | COUNTED, strict=False)
+def typed_spins(spin: Any, rows: Any) -> Any:
+    """What numba compiles of `spins`."""
+    if isinstance(spin, types.NoneType):
+        return lambda spin, rows: (None, None, None)
+    return lambda spin, rows: (rest(rows), rest(rows), rest(rows))
+
+
+def hook_of(kind: Any, name: str) -> Any:
+    """The hook of a term of a numba type; None if it has none of this name."""
+    return getattr(sys.modules[kind.instance_class.__module__], name, None)

@@ -1,0 +1,96 @@
+"""What the kernel writes of a motion: the path of what is watched, and the energies."""
+
+from __future__ import annotations
+
+from vv.engines.dem.rows import Index
+from vv.engines.dem.space.advance import held
+from vv.engines.dem.space.bodies import Bodies, Motion
+from vv.engines.dem.space.hooks import Terms, book, resistance
+from vv.engines.dem.space.ledger import column
+from vv.engines.dem.terms.drag import Drag, drawn
+from vv.engines.kernels.compiled import inlined
+from vv.engines.kernels.triples import Triple, at, dot, plus
+from vv.scene import Form, Vector
+
+WALLS = column(Form.WALLS)
+
+
+@inlined
+def observe(
+    path: Vector, row: int, watched: Index, terms: Terms, bodies: Bodies, motion: Motion
+) -> None:
+    """Fill a row of path (k, b, 12): displacement, mean of v- and v+ and of w- and w+ of the
+    watched rows, and the force of their locks; the last two only where there are spin and hold.
+    """
+    for k in range(len(watched)):
+        i = watched[k]
+        for c in range(3):
+            path[row, k, c] = motion.u[i, c]
+            path[row, k, 3 + c] = 0.5 * (motion.before[i, c] + motion.v[i, c])
+        observe_spin(path, row, k, i, motion.w, motion.spun)
+        if i < len(bodies.mass):
+            observe_lock(path, row, k, at(motion.push, i), bodies.hold, resistance(terms), i)
+
+
+@inlined
+def observe_spin(
+    path: Vector, row: int, k: int, i: int, w: Vector | None, spun: Vector | None
+) -> None:
+    """The mean spin of body i, if any turns."""
+    if w is not None and spun is not None:
+        for c in range(3):
+            path[row, k, 6 + c] = 0.5 * (spun[i, c] + w[i, c])
+
+
+@inlined
+def observe_lock(
+    path: Vector, row: int, k: int, push: Triple, hold: Vector | None, drag: Drag | None, i: int
+) -> None:
+    """The force of the locks of body i, if any is locked."""
+    if hold is not None:
+        force = plus(held(push, hold, i), -1.0, push)
+        if drag is not None:
+            force = drawn(force, drag.eta, drag.steady, i)
+        for c in range(3):
+            path[row, k, path.shape[2] - 3 + c] = force[c]
+
+
+@inlined
+def booked(
+    energy: Vector,
+    row: int,
+    terms: Terms,
+    bodies: Bodies,
+    motion: Motion,
+    held: tuple[float, float, float, float, float],
+    moved: float,
+) -> float:
+    """Fill a row of energy (`ledger.py`) [J]; return the work of all terms.
+
+    held: m v- v+/2 and I w- w+/2, normal springs, shear springs, lost by friction, by drag and
+    viscous contacts; moved: the work of walls.
+    """
+    for c in range(5):
+        energy[row, c] = held[c]
+    if energy.shape[1] > WALLS:
+        energy[row, WALLS] = moved
+    return book(terms, bodies, motion, energy, row)[0] + moved
+
+
+@inlined
+def motion_energy(bodies: Bodies, motion: Motion) -> float:
+    """m v+^2/2 and I w+^2/2 [J]."""
+    fast = 0.0
+    for i in range(len(bodies.mass)):
+        fast += 0.5 * bodies.mass[i] * dot(at(motion.v, i), at(motion.v, i))
+    return fast + turning_energy(bodies.inertia, motion.w)
+
+
+@inlined
+def turning_energy(inertia: Vector, w: Vector | None) -> float:
+    """I w+^2/2 [J], if any sphere turns."""
+    fast = 0.0
+    if w is not None:
+        for i in range(len(inertia)):
+            fast += 0.5 * inertia[i] * dot(at(w, i), at(w, i))
+    return fast

@@ -1,0 +1,51 @@
+"""A scene of spheres with the rows they have in arrays: what terms are built from."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from vv.engines.dem.bonds.layout import Bonded, bonded, near
+from vv.engines.dem.rows import Index
+from vv.engines.dem.space.neighbours import Near
+from vv.scene import Mask, Scene, Term, Vector
+
+
+@dataclass(frozen=True, eq=False)
+class Placed:
+    """A scene, which of its spheres move (n,), and the row of each (n,): m for all that do not.
+
+    carried: (m, 3) steady velocities; charged: (m, 3) friction with the wall at t = 0 [N], or
+    None; bonds: of which one end moves; near: where pairs are gathered as spheres stray.
+    """
+
+    scene: Scene
+    moves: Mask
+    row: Index
+    carried: Vector
+    charged: Vector | None
+    bonds: Bonded
+    near: Near | None
+
+    @property
+    def friction(self) -> tuple[float, float] | None:
+        """ks [N/m] and mu of contacts that rub."""
+        law = self.scene.contact
+        return (law.ks, law.mu) if Term.FRICTION in self.scene.terms() else None
+
+    @property
+    def walls_move(self) -> bool:
+        """Whether a wall moves that a sphere may meet."""
+        return bool(self.moves.any()) and any(wall.motion for wall in self.scene.walls)
+
+
+def placed(scene: Scene, charged: Vector | None = None) -> Placed:
+    """Give rows to the spheres of a scene that can move; charged: (n, 3), see `Placed`."""
+    spheres, carried = scene.spheres, scene.locked_velocity
+    moves: Mask = np.any([spheres.free, spheres.free_spin, carried != 0.0], axis=(0, 2))
+    row = np.where(moves, np.cumsum(moves) - 1, moves.sum())
+    started = charged[moves] if charged is not None else None
+    bonds = bonded(scene, moves, row)
+    close = near(scene, moves, row, bonds.state)
+    return Placed(scene, moves, row, carried[moves], started, bonds, close)

@@ -1,0 +1,40 @@
+"""The springs of a term, as the largest stable step needs them."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from vv.engines.dem.rows import Index
+from vv.scene import Mask, Vector
+
+GROUND = np.iinfo(np.intp).max  # the row of what does not move: after those of all spheres
+TOUCHING = 1e-9  # gap over radius up to which a contact counts as closed at t = 0
+
+
+class Springs(NamedTuple):
+    """k springs: rows (k, 2) of their ends, direction (k, 3), kn, ks (k,), arms (k, 2) [m]."""
+
+    rows: Index
+    n: Vector
+    kn: Vector
+    ks: Vector
+    arms: Vector
+
+
+def springs_of_contacts(
+    rows: Index,
+    offset: Vector,
+    gap: Vector,
+    radius: Vector,
+    kn: float,
+    friction: tuple[float, float] | None,
+) -> tuple[Springs, Mask]:
+    """The springs of contacts, pairs (k, 2) or spheres with walls (k,), and which are closed."""
+    if rows.ndim == 1:
+        rows, radius = np.stack([np.full_like(rows, GROUND), rows], axis=1), radius[:, None]
+    n = offset / np.linalg.norm(offset, axis=1)[:, None]
+    k, ks = np.ones(len(rows)), 0.0 if friction is None else friction[0]
+    springs = Springs(rows, n, kn * k, ks * k, np.broadcast_to(radius, rows.shape))
+    return springs, gap / radius.min(axis=1) <= TOUCHING

@@ -1,0 +1,61 @@
+"""The parts of a step of all spheres, which turn or do not; inlined into their kernel."""
+
+from __future__ import annotations
+
+from vv.engines.dem.space import advance
+from vv.engines.dem.space.bodies import Bodies, Motion
+from vv.engines.dem.space.hooks import Terms, resistance
+from vv.engines.kernels.compiled import inlined
+from vv.engines.kernels.triples import Triple, at, plus, put
+from vv.scene import Vector
+
+
+@inlined
+def drift(motion: Motion, m: int, dt: float) -> None:
+    """Displace the spheres by a step."""
+    for i in range(m):
+        put(motion.u, i, plus(at(motion.u, i), dt, at(motion.v, i)))
+
+
+@inlined
+def place(terms: Terms, bodies: Bodies, motion: Motion, time: float) -> float:
+    """Set v to the velocity at `time` [s] before t = 0; return sum m v v/2 [J] at t = 0."""
+    v, velocity, mass = motion.v, bodies.velocity, bodies.mass
+    return advance.place(v, velocity, motion.push, mass, bodies.hold, time, resistance(terms))
+
+
+@inlined
+def place_spins(
+    w: Vector | None, spin: Vector | None, turn: Vector | None, bodies: Bodies, time: float
+) -> float:
+    """As `place`, of spins, if any sphere turns."""
+    if w is None or spin is None or turn is None:
+        return 0.0
+    return advance.place(w, spin, turn, bodies.inertia, bodies.hold_spin, time, None)
+
+
+@inlined
+def kick(
+    terms: Terms, bodies: Bodies, motion: Motion, dt: float, lag: float, slowed: tuple[float, float]
+) -> Triple:
+    """Carry v from half a step before now to half a step after; keep it in before.
+
+    Returns sum m v- v+/2 [J] and the powers [W] lost to drag before and after now;
+    slowed: those that are lost otherwise.
+    """
+    v, before, push = motion.v, motion.before, motion.push
+    return advance.kick(
+        v, before, push, bodies.mass, bodies.hold, dt, resistance(terms), lag, slowed
+    )
+
+
+@inlined
+def spin_on(
+    w: Vector | None, spun: Vector | None, turn: Vector | None, bodies: Bodies, dt: float
+) -> float:
+    """As `kick`, of spins, if any sphere turns; returns sum I w- w+/2 [J]."""
+    if w is None or spun is None or turn is None:
+        return 0.0
+    return advance.kick(w, spun, turn, bodies.inertia, bodies.hold_spin, dt, None, 0.5, (0.0, 0.0))[
+        0
+    ]

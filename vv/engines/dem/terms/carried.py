@@ -1,0 +1,69 @@
+"""Spheres that keep a steady velocity along their locks, and the work of what carries them."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from vv.engines.dem.space.bodies import Bodies, Motion
+from vv.engines.dem.space.ledger import column
+from vv.engines.dem.space.placed import Placed
+from vv.engines.kernels.compiled import inlined
+from vv.engines.kernels.triples import at, dot
+from vv.scene import Form, Vector
+
+CARRYING = column(Form.CARRYING)
+WORK, POWER = 0, 1  # places in what is kept
+
+
+class Carried(NamedTuple):
+    """steady: (m, 3) velocities [m/s]; eta: of the drag [N s/m]; kept: work [J], power now [W]."""
+
+    steady: Vector
+    eta: float | None
+    kept: Vector
+
+
+def build(placed: Placed) -> Carried | None:
+    """The spheres that are carried, if there are any."""
+    steady, eta = placed.carried, placed.scene.eta
+    return Carried(steady, eta if eta > 0 else None, np.zeros(2)) if steady.any() else None
+
+
+def forms(term: Carried) -> tuple[Form, ...]:
+    """What it books."""
+    return (Form.CARRYING,)
+
+
+@inlined
+def begin(term: Carried, bodies: Bodies, motion: Motion) -> None:
+    """No work is done as yet."""
+    term.kept[WORK] = term.kept[POWER] = 0.0
+
+
+@inlined
+def after(term: Carried, bodies: Bodies, motion: Motion, dt: float) -> None:
+    """The work in a step, by the trapezoidal rule."""
+    term.kept[WORK] += 0.5 * dt * term.kept[POWER]
+    term.kept[POWER] = upheld(motion.push, term.steady, term.eta)
+    term.kept[WORK] += 0.5 * dt * term.kept[POWER]
+
+
+@inlined
+def upheld(push: Vector, steady: Vector, eta: float | None) -> float:
+    """The power [W] of what carries bodies at their steady velocities (m, 3) against push."""
+    power = 0.0
+    for i in range(len(steady)):
+        c = at(steady, i)
+        power -= dot(c, at(push, i))
+        if eta is not None:
+            power += eta * dot(c, c)
+    return power
+
+
+@inlined
+def book(term: Carried, bodies: Bodies, motion: Motion, energy: Vector, row: int) -> tuple[float]:
+    """The work since t = 0."""
+    energy[row, CARRYING] = term.kept[WORK]
+    return (term.kept[WORK],)

@@ -1,0 +1,36 @@
+"""Drag that slows spheres in proportion to their velocity."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from vv.engines.dem.space.placed import Placed
+from vv.engines.kernels.compiled import inlined
+from vv.engines.kernels.triples import Triple, at, plus
+from vv.scene import Vector
+
+
+class Drag(NamedTuple):
+    """-eta u' [N] with eta [N s/m], on the part of each velocity that is not steady (m, 3)."""
+
+    eta: float
+    steady: Vector | None
+
+
+def build(placed: Placed) -> Drag | None:
+    """The drag of a scene that has some."""
+    scene, steady = placed.scene, placed.carried
+    return Drag(scene.eta, steady if steady.any() else None) if scene.eta > 0 else None
+
+
+def resistance(term: Drag) -> Drag:
+    """What the leapfrog itself takes into account (`vv.engines.dem.space.advance`)."""
+    return term
+
+
+@inlined
+def drawn(a: Triple, scale: float, steady: Vector | None, i: int) -> Triple:
+    """a + scale times the steady velocity of body i."""
+    if steady is None:
+        return a
+    return plus(a, scale, at(steady, i))

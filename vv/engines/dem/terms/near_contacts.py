@@ -1,0 +1,83 @@
+"""Contacts between spheres that are gathered as they stray (`vv.engines.dem.space.neighbours`)."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from vv.engines.dem.rows import Index
+from vv.engines.dem.space.bodies import Bodies, Motion
+from vv.engines.dem.space.neighbours import Near, Slots
+from vv.engines.dem.space.placed import Placed
+from vv.engines.dem.space.springs import TOUCHING, Springs, springs_of_contacts
+from vv.engines.dem.terms.contact_law import pair_forces
+from vv.engines.kernels.compiled import inlined
+from vv.scene import Mask, Term
+
+STANDS_FOR = frozenset({Term.SPHERE_CONTACT, Term.FRICTION})
+
+
+class NearContacts(NamedTuple):
+    """The law of contacts: kn [N/m]; ks [N/m] and mu, or None."""
+
+    kn: float
+    friction: tuple[float, float] | None
+
+
+def build(placed: Placed) -> NearContacts | None:
+    """The contacts, where pairs are gathered."""
+    return NearContacts(placed.scene.contact.kn, placed.friction) if placed.near else None
+
+
+def models(term: NearContacts) -> frozenset[Term]:
+    """What it models of a scene."""
+    return STANDS_FOR if term.friction else frozenset({Term.SPHERE_CONTACT})
+
+
+def turns(term: NearContacts) -> bool:
+    """Whether it may turn spheres."""
+    return term.friction is not None
+
+
+def springs(term: NearContacts, near: Near) -> tuple[Springs, Mask]:
+    """The springs of pairs without a bond that touch at t = 0."""
+    from scipy.spatial import cKDTree
+
+    reach = 2.0 * float(near.radius.max()) + near.skin
+    pairs = np.sort(cKDTree(near.position).query_pairs(reach, output_type="ndarray"), axis=1)
+    n = len(near.radius)
+    names = n * np.repeat(np.arange(n), np.diff(near.start)) + near.partner
+    pairs = pairs[~np.isin(pairs @ np.array([n, 1]), names)]
+    offset, radii = near.position[pairs[:, 1]] - near.position[pairs[:, 0]], near.radius[pairs]
+    gap = np.linalg.norm(offset, axis=1) - radii.sum(axis=1)
+    kept = gap / radii.min(axis=1) <= TOUCHING
+    return springs_of_contacts(
+        near.row[pairs[kept]], offset[kept], gap[kept], radii[kept], term.kn, term.friction
+    )
+
+
+def highest_square(term: NearContacts, near: Near, bodies: Bodies) -> float:
+    """No less than w^2 [1/s2] of a contact between any two spheres."""
+    lightest = np.sort(1.0 / bodies.mass)[-2:].sum()
+    across = 1.0 / bodies.mass
+    if bodies.spin is not None:
+        radius = np.zeros(len(across) + 1)
+        np.maximum.at(radius, np.minimum(near.row, len(across)), near.radius)
+        across = across + radius[: len(across)] ** 2 / bodies.inertia
+    ks = 0.0 if term.friction is None else term.friction[0]
+    return max(term.kn * float(lightest), ks * float(np.sort(across)[-2:].sum()))
+
+
+@inlined
+def force(
+    term: NearContacts, bodies: Bodies, motion: Motion, dt: float, slots: Slots, many: Index
+) -> tuple[float, float, float, float]:
+    """The forces of all pairs that are near each other."""
+    k = many[0]
+    pairs = slots[1][:k], slots[2][:k], slots[3][:k], slots[4][:k]
+    normal, shear, lost = pair_forces(
+        motion.push, motion.turn, motion.u, motion.v, motion.before, motion.w, motion.spun, dt,
+        pairs, term.kn, term.friction, slots[5],
+    )  # fmt: skip
+    return normal, shear, lost, 0.0

@@ -1,0 +1,86 @@
+"""Contacts between spheres, of which all pairs are listed."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from vv.engines.dem.rows import Index
+from vv.engines.dem.space.bodies import Bodies, Motion
+from vv.engines.dem.space.neighbours import Slots
+from vv.engines.dem.space.placed import Placed
+from vv.engines.dem.space.springs import Springs, springs_of_contacts
+from vv.engines.dem.terms.contact_law import Pairs, emptied, pair_forces
+from vv.engines.kernels.compiled import inlined
+from vv.scene import Mask, Term, Vector
+
+STANDS_FOR = frozenset({Term.SPHERE_CONTACT, Term.FRICTION})
+
+
+class PairContacts(NamedTuple):
+    """Pairs and their law: see `pair_forces`; shear: (p, 3) what is kept from step to step."""
+
+    pairs: Pairs
+    kn: float
+    friction: tuple[float, float] | None
+    shear: Vector
+
+
+def build(placed: Placed) -> PairContacts | None:
+    """The contacts of all pairs, if spheres may touch and are few and without bonds."""
+    pairs = listed(placed)
+    if pairs is None:
+        return None
+    shear = np.zeros((len(pairs[0]) if placed.friction else 0, 3))
+    return PairContacts(pairs, placed.scene.contact.kn, placed.friction, shear)
+
+
+def listed(placed: Placed) -> Pairs | None:
+    """All pairs of which one moves: rows, first offset, first gap, radii."""
+    if placed.scene.bonds is not None or placed.near is not None:
+        return None
+    spheres, moves, row = placed.scene.spheres, placed.moves, placed.row
+    i, j = np.triu_indices(len(spheres), 1)
+    kept = moves[i] | moves[j]
+    i, j = i[kept], j[kept]
+    if not len(i):
+        return None
+    offset = spheres.position[j] - spheres.position[i]
+    radii = np.stack([spheres.radius[i], spheres.radius[j]], axis=1)
+    gap = np.linalg.norm(offset, axis=1) - radii.sum(axis=1)
+    return np.stack([row[i], row[j]], axis=1), offset, gap, radii
+
+
+def models(term: PairContacts) -> frozenset[Term]:
+    """What it models of a scene."""
+    return STANDS_FOR if term.friction else frozenset({Term.SPHERE_CONTACT})
+
+
+def turns(term: PairContacts) -> bool:
+    """Whether it may turn spheres."""
+    return term.friction is not None
+
+
+def springs(term: PairContacts, near: object) -> tuple[Springs, Mask]:
+    """Its springs, and which are there at t = 0."""
+    rows, offset, gap, radii = term.pairs
+    return springs_of_contacts(rows, offset, gap, radii, term.kn, term.friction)
+
+
+@inlined
+def begin(term: PairContacts, bodies: Bodies, motion: Motion) -> None:
+    """No shear."""
+    emptied(term.shear)
+
+
+@inlined
+def force(
+    term: PairContacts, bodies: Bodies, motion: Motion, dt: float, slots: Slots, many: Index
+) -> tuple[float, float, float, float]:
+    """The forces of all pairs."""
+    normal, shear, lost = pair_forces(
+        motion.push, motion.turn, motion.u, motion.v, motion.before, motion.w, motion.spun, dt,
+        term.pairs, term.kn, term.friction, term.shear,
+    )  # fmt: skip
+    return normal, shear, lost, 0.0

@@ -1,0 +1,68 @@
+"""Shaking, which accelerates all spheres."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from vv.engines.dem.space.bodies import Bodies, Motion
+from vv.engines.dem.space.ledger import column
+from vv.engines.dem.space.placed import Placed
+from vv.engines.kernels.compiled import inlined
+from vv.engines.kernels.drive import Drive, drive, value
+from vv.engines.kernels.triples import Triple, at, dot, plus, put
+from vv.scene import Form, Vector
+
+SHAKING = column(Form.SHAKING)
+
+
+class Shaking(NamedTuple):
+    """The acceleration over time [m/s2]; now (1, 3): what it is; work (1,) [J]: since t = 0."""
+
+    drive: Drive
+    now: Vector
+    work: Vector
+
+
+def build(placed: Placed) -> Shaking | None:
+    """The shaking of a scene that has some."""
+    motion = placed.scene.shaking
+    return None if motion is None else Shaking(drive(motion), np.zeros((1, 3)), np.zeros(1))
+
+
+def forms(term: Shaking) -> tuple[Form, ...]:
+    """What it books."""
+    return (Form.SHAKING,)
+
+
+@inlined
+def begin(term: Shaking, bodies: Bodies, motion: Motion) -> None:
+    """The acceleration at t = 0."""
+    put(term.now, 0, value(term.drive, 0.0))
+    term.work[0] = 0.0
+
+
+@inlined
+def move(term: Shaking, bodies: Bodies, motion: Motion, time: float, dt: float) -> None:
+    """The acceleration at a time, and the work in the step, by the trapezoidal rule."""
+    there = value(term.drive, time)
+    both = plus(at(term.now, 0), 1.0, there)
+    work = term.work[0]
+    for i in range(len(bodies.mass)):
+        work += 0.5 * dt * bodies.mass[i] * dot(both, at(motion.v, i))
+    put(term.now, 0, there)
+    term.work[0] = work
+
+
+@inlined
+def field(term: Shaking, push: Triple, mass: float, i: int) -> Triple:
+    """The force on sphere i."""
+    return plus(push, mass, at(term.now, 0))
+
+
+@inlined
+def book(term: Shaking, bodies: Bodies, motion: Motion, energy: Vector, row: int) -> tuple[float]:
+    """The work since t = 0."""
+    energy[row, SHAKING] = term.work[0]
+    return (term.work[0],)

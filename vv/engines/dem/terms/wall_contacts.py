@@ -1,0 +1,110 @@
+"""Contacts of spheres with walls."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from vv.engines.dem.rows import Index
+from vv.engines.dem.space.bodies import Bodies, Motion
+from vv.engines.dem.space.neighbours import Slots
+from vv.engines.dem.space.placed import Placed
+from vv.engines.dem.space.springs import Springs, springs_of_contacts
+from vv.engines.dem.terms.contact_law import (
+    Moving,
+    Walls,
+    emptied,
+    stilled,
+    wall_forces,
+)
+from vv.engines.kernels.compiled import inlined
+from vv.engines.kernels.triples import at, put
+from vv.scene import Mask, Term, Vector
+
+STANDS_FOR = frozenset({Term.WALL_CONTACT, Term.FRICTION})
+
+
+class WallContacts(NamedTuple):
+    """Walls and their law: see `wall_forces`; shear: (q, 3) what is kept from step to step.
+
+    charged: (q, 3) what it is at t = 0, or None.
+    """
+
+    walls: Walls
+    kn: float
+    friction: tuple[float, float] | None
+    moving: Moving | None
+    charged: Vector | None
+    shear: Vector
+
+
+def build(placed: Placed) -> WallContacts | None:
+    """The contacts with all walls, if there are any."""
+    walls, charged = listed(placed), placed.charged
+    if walls is None:
+        return None
+    q, m = len(walls[0]), int(placed.moves.sum())
+    # the rows that hold how the walls move: those after the spheres' own and the ground's
+    grounds = np.repeat(m + 1 + np.arange(len(placed.scene.walls)), m)
+    moving = (grounds, np.zeros((q, 3))) if placed.walls_move else None
+    if charged is not None and not (placed.friction and charged.any()):
+        charged = None
+    shear = np.zeros((q if placed.friction else 0, 3))
+    return WallContacts(walls, placed.scene.contact.kn, placed.friction, moving, charged, shear)
+
+
+def listed(placed: Placed) -> Walls | None:
+    """Every moving sphere with every wall: row, normal, first gap, radius."""
+    scene, moves = placed.scene, placed.moves
+    if not scene.walls or not moves.any():
+        return None
+    position, radius = scene.spheres.position[moves], scene.spheres.radius[moves]
+    count = len(scene.walls)
+    gaps = [(position - wall.point) @ wall.normal - radius for wall in scene.walls]
+    normals = np.repeat([wall.normal for wall in scene.walls], len(radius), axis=0)
+    rows = np.tile(placed.row[moves], count)
+    return rows, normals, np.concatenate(gaps), np.tile(radius, count)
+
+
+def models(term: WallContacts) -> frozenset[Term]:
+    """What it models of a scene."""
+    return STANDS_FOR if term.friction else frozenset({Term.WALL_CONTACT})
+
+
+def turns(term: WallContacts) -> bool:
+    """Whether it may turn spheres."""
+    return term.friction is not None
+
+
+def springs(term: WallContacts, near: object) -> tuple[Springs, Mask]:
+    """Its springs, and which are there at t = 0; a wall stands for the ground."""
+    rows, normal, gap, radius = term.walls
+    return springs_of_contacts(rows, normal, gap, radius, term.kn, term.friction)
+
+
+@inlined
+def begin(term: WallContacts, bodies: Bodies, motion: Motion) -> None:
+    """The shear at t = 0."""
+    emptied(term.shear)
+    charge(term.shear, term.charged)
+    stilled(term.moving)
+
+
+@inlined
+def charge(shear: Vector, charged: Vector | None) -> None:
+    """Set the shear to what it is at t = 0."""
+    if charged is not None:
+        for q in range(len(shear)):
+            put(shear, q, at(charged, q))
+
+
+@inlined
+def force(
+    term: WallContacts, bodies: Bodies, motion: Motion, dt: float, slots: Slots, many: Index
+) -> tuple[float, float, float, float]:
+    """The forces of walls on spheres."""
+    return wall_forces(
+        motion.push, motion.turn, motion.u, motion.v, motion.before, motion.w, motion.spun, dt,
+        term.walls, term.kn, term.friction, term.shear, term.moving,
+    )  # fmt: skip
