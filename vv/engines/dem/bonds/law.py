@@ -90,9 +90,9 @@ def listed(
     rows, offset, first, _, _, radius = springs
     k = many[0]
     many[0] = k + 1
-    slots[0][k, 0], slots[0][k, 1] = frail[3][p, 0], frail[3][p, 1]
-    slots[1][k, 0], slots[1][k, 1] = rows[p, 0], rows[p, 1]
-    put(slots[2], k, at(offset, p))
-    slots[3][k] = first[p] - radius[p, 0] - radius[p, 1]
-    slots[4][k, 0], slots[4][k, 1] = radius[p, 0], radius[p, 1]
-    put(slots[5], k, plus(NOWHERE, -1.0, across))
+    slots.both[k, 0], slots.both[k, 1] = frail[3][p, 0], frail[3][p, 1]
+    slots.rows[k, 0], slots.rows[k, 1] = rows[p, 0], rows[p, 1]
+    put(slots.offset, k, at(offset, p))
+    slots.gap[k] = first[p] - radius[p, 0] - radius[p, 1]
+    slots.radii[k, 0], slots.radii[k, 1] = radius[p, 0], radius[p, 1]
+    put(slots.shear, k, plus(NOWHERE, -1.0, across))

@@ -4,9 +4,6 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-import numpy as np
-
-from vv.engines.kernels.compiled import inlined_called
 from vv.scene import Vector
 
 
@@ -44,9 +41,3 @@ class Motion(NamedTuple):
     w: Vector | None
     spun: Vector | None
     turn: Vector | None
-
-
-@inlined_called
-def rest(rows: int) -> Vector:
-    """Zeros (rows, 3)."""
-    return np.zeros((rows, 3))

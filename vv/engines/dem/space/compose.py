@@ -10,11 +10,9 @@ import sys
 from collections.abc import Callable
 from typing import Any, TypeVar
 
-from numba.core import types
 from numba.extending import overload
 
-from vv.engines.dem.space.bodies import rest
-from vv.engines.kernels.compiled import COUNTED, HIDDEN, LENT, ROUNDING
+from vv.engines.kernels.compiled import HIDDEN, LENT, ROUNDING
 from vv.engines.kernels.parts import PartCompiler
 
 Hook = TypeVar("Hook", bound=Callable[..., object])
@@ -82,18 +80,6 @@ def composed(combine: Callable[[list[int], str], list[str]]) -> Callable[[Hook],
         return hook
 
     return register
-
-
-def spins(spin: Any, rows: int) -> Any:
-    """Room for spins, those before, and torques (rows, 3), or None where no sphere turns."""
-
-
-@overload(spins, jit_options=OPTIONS | COUNTED, strict=False)
-def typed_spins(spin: Any, rows: Any) -> Any:
-    """What numba compiles of `spins`."""
-    if isinstance(spin, types.NoneType):
-        return lambda spin, rows: (None, None, None)
-    return lambda spin, rows: (rest(rows), rest(rows), rest(rows))
 
 
 def hook_of(kind: Any, name: str) -> Any:

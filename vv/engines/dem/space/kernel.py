@@ -6,12 +6,12 @@ import numpy as np
 
 from vv.engines.dem.limits import BLOW_UP, GAIN
 from vv.engines.dem.rows import Index
-from vv.engines.dem.space.bodies import Bodies, Motion, rest
-from vv.engines.dem.space.compose import spins
+from vv.engines.dem.space.bodies import Bodies
 from vv.engines.dem.space.forces import forces, slow
 from vv.engines.dem.space.hooks import Terms, after, begin, move, start, withdraw
 from vv.engines.dem.space.neighbours import Near, gathered, no_slots, strayed
 from vv.engines.dem.space.output import booked, motion_energy, observe
+from vv.engines.dem.space.room import rest, room
 from vv.engines.dem.space.steps import drift, kick, place, place_spins, spin_on
 from vv.engines.kernels.compiled import compiled
 from vv.scene import Vector
@@ -24,7 +24,7 @@ def move_in_space(
     watched: Index,
     stride: int,
     dt: float,
-    bodies: Bodies,
+    given: Bodies,
     terms: Terms,
     near: Near | None,
     lag: float,
@@ -39,12 +39,9 @@ def move_in_space(
     Every `stride` steps a row is written of path (k, b, 6, 9 or 12) and energy (k, 7, 9 or 12):
     see `output.py`. Stops before a later row in which energy was created (vv.engines.dem.limits).
     """
+    bodies, motion = room(given)
     m = len(bodies.mass)
     slots, many, since = no_slots(), np.zeros(1, np.intp), rest(m)
-    rows = m + 1 + bodies.walls
-    u, v, before, push = rest(rows), rest(rows), rest(rows), rest(m + 1)
-    turning = spins(bodies.spin, m + 1)
-    motion = Motion(u, v, before, push, turning[0], turning[1], turning[2])
     begin(terms, bodies, motion)
     if near is not None:
         slots = gathered(near, motion.u, slots, many)
@@ -66,7 +63,7 @@ def move_in_space(
             drift(motion, m, dt)
             steps += 1
             move(terms, bodies, motion, steps * dt, dt)
-            if near is not None and strayed(motion.u, since, near.skin):
+            if near is not None and strayed(motion, since, near):
                 since[:] = motion.u[:m]
                 slots = gathered(near, motion.u, slots, many)
             normal, sprung, lost, work = forces(terms, bodies, motion, dt, slots, many)

@@ -9,12 +9,29 @@ import numpy as np
 import numpy.typing as npt
 
 from vv.engines.dem.rows import Index
+from vv.engines.dem.space.bodies import Motion
+from vv.engines.kernels.bundles import bundle
 from vv.engines.kernels.compiled import called, inlined, inlined_called
 from vv.engines.kernels.triples import at, dot, plus, put
 from vv.scene import Vector
 
-Slots = tuple[Index, Index, Vector, Vector, Vector, Vector]
 State = npt.NDArray[np.uint8]
+
+
+@bundle
+class Slots(NamedTuple):
+    """Pairs that are near each other and not held by a bond, and room for more.
+
+    both: spheres i < j (k, 2); rows: theirs (k, 2); offset (k, 3) and gap (k,) at t = 0; radii
+    (k, 2); shear: force on the second sphere (k, 3), which is kept from slot to slot.
+    """
+
+    both: Index
+    rows: Index
+    offset: Vector
+    gap: Vector
+    radii: Vector
+    shear: Vector
 
 
 class Near(NamedTuple):
@@ -38,13 +55,13 @@ class Near(NamedTuple):
 def no_slots() -> Slots:
     """No pairs yet."""
     none = np.zeros((0, 2), np.intp)
-    return none, none, np.zeros((0, 3)), np.zeros(0), np.zeros((0, 2)), np.zeros((0, 3))
+    return Slots(none, none, np.zeros((0, 3)), np.zeros(0), np.zeros((0, 2)), np.zeros((0, 3)))
 
 
 @inlined
-def strayed(u: Vector, since: Vector, skin: float) -> bool:
+def strayed(motion: Motion, since: Vector, near: Near) -> bool:
     """Whether some sphere has moved by half the skin [m] since it was at `since` (m, 3)."""
-    limit = 0.25 * skin * skin
+    u, limit = motion.u, 0.25 * near.skin * near.skin
     for i in range(len(since)):
         d = plus(at(u, i), -1.0, at(since, i))
         if dot(d, d) > limit:
@@ -126,8 +143,6 @@ def gathered(near: Near, u: Vector, old: Slots, many: Index) -> Slots:
     """The pairs near each other and not held by a bond, with room for as many as have bonds.
 
     old: the slots before, the first many[0] of them used; many is set to how many are used now.
-    A slot is: the spheres i < j, their rows, offset (3,) and gap at t = 0, radii (2,), shear force
-    (3,) on the second sphere, which is kept from slot to slot.
     """
     position, radius, row = near[0], near[1], near[2]
     pairs = swept(near, u)
@@ -140,7 +155,7 @@ def gathered(near: Near, u: Vector, old: Slots, many: Index) -> Slots:
     offset, gap, shear = np.zeros((room, 3)), np.zeros(room), np.zeros((room, 3))
     last, earlier = np.full(len(radius), -1, np.intp), np.empty(many[0], np.intp)
     for k in range(many[0]):
-        i = old[0][k, 0]
+        i = old.both[k, 0]
         earlier[k], last[i] = last[i], k
     for k in range(used):
         i, j = pairs[k, 0], pairs[k, 1]
@@ -150,8 +165,8 @@ def gathered(near: Near, u: Vector, old: Slots, many: Index) -> Slots:
         gap[k] = math.sqrt(dot(at(offset, k), at(offset, k))) - radius[i] - radius[j]
         before = last[i]
         while before >= 0:
-            if old[0][before, 1] == j:
-                put(shear, k, at(old[5], before))
+            if old.both[before, 1] == j:
+                put(shear, k, at(old.shear, before))
             before = earlier[before]
     many[0] = used
-    return both, rows, offset, gap, radii, shear
+    return Slots(both, rows, offset, gap, radii, shear)

@@ -75,9 +75,9 @@ def force(
 ) -> tuple[float, float, float, float]:
     """The forces of all pairs that are near each other."""
     k = many[0]
-    pairs = slots[1][:k], slots[2][:k], slots[3][:k], slots[4][:k]
+    pairs = slots.rows[:k], slots.offset[:k], slots.gap[:k], slots.radii[:k]
     normal, shear, lost = pair_forces(
         motion.push, motion.turn, motion.u, motion.v, motion.before, motion.w, motion.spun, dt,
-        pairs, term.kn, term.friction, slots[5],
+        pairs, term.kn, term.friction, slots.shear,
     )  # fmt: skip
     return normal, shear, lost, 0.0

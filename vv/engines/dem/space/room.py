@@ -1,0 +1,68 @@
+"""Makes arrays that the stepping loop works in; the compiler knows how wide they are."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numba.core import types
+from numba.extending import overload
+
+from vv.engines.dem.space.bodies import Bodies, Motion
+from vv.engines.dem.space.compose import OPTIONS
+from vv.engines.kernels.compiled import COUNTED, inlined_called
+from vv.scene import Vector
+
+
+@inlined_called
+def room(given: Bodies) -> tuple[Bodies, Motion]:
+    """The bodies with projectors of their own, and their motion before anything has moved."""
+    m = len(given.mass)
+    hold, hold_spin = own(given.hold), own(given.hold_spin)
+    bodies = Bodies(
+        given.velocity, given.spin, given.mass, given.inertia, hold, hold_spin, given.walls
+    )
+    rows = m + 1 + given.walls
+    w, spun, turn = spins(given.spin, m + 1)
+    return bodies, Motion(rest(rows), rest(rows), rest(rows), rest(m + 1), w, spun, turn)
+
+
+@inlined_called
+def rest(rows: int) -> Vector:
+    """Zeros (rows, 3)."""
+    return np.zeros((rows, 3))
+
+
+@inlined_called
+def copied(hold: Vector) -> Vector:
+    """Projectors (m, 3, 3) in an array of their own."""
+    made = np.empty((len(hold), 3, 3))
+    for i in range(len(hold)):
+        for a in range(3):
+            for b in range(3):
+                made[i, a, b] = hold[i, a, b]
+    return made
+
+
+def spins(spin: Any, rows: int) -> Any:
+    """Room for spins, those before, and torques (rows, 3), or None where no sphere turns."""
+
+
+@overload(spins, jit_options=OPTIONS | COUNTED, strict=False)
+def typed_spins(spin: Any, rows: Any) -> Any:
+    """What numba compiles of `spins`."""
+    if isinstance(spin, types.NoneType):
+        return lambda spin, rows: (None, None, None)
+    return lambda spin, rows: (rest(rows), rest(rows), rest(rows))
+
+
+def own(hold: Any) -> Any:
+    """A copy of projectors, and None of None."""
+
+
+@overload(own, jit_options=OPTIONS | COUNTED, strict=False)
+def typed_own(hold: Any) -> Any:
+    """What numba compiles of `own`."""
+    if isinstance(hold, types.NoneType):
+        return lambda hold: None
+    return lambda hold: copied(hold)  # noqa: PLW0108 - numba wants a function of Python
