@@ -18,6 +18,7 @@ from tests.support.written_pages import shown, write
 PAGE = shown("extending.md")
 CASE = ("cases/rebound.py", "reference_solutions/rebound.py")
 CODE = "adapters/verlet.py"
+TERM = "vv/engines/dem/terms/stiffening.py"
 SECOND = ("reference_solutions/checks/rebound.py", "tests/references/test_rebound.py")
 CODES = "exact,dem/default,rigid,verlet"
 WRONG_ANSWER = (CASE[1], "-v / w", "v / w")
@@ -71,7 +72,7 @@ def pytest_in(project: Tiny, *words: str) -> subprocess.CompletedProcess[str]:
 
 
 def test_a_case_is_one_file_beside_its_answer_and_a_code_is_one_file() -> None:
-    assert set(PAGE) == {*CASE, *SECOND, CODE}
+    assert set(PAGE) == {*CASE, *SECOND, CODE, TERM}
 
 
 def test_the_case_is_judged_where_it_runs_and_refused_elsewhere_for_what_is_lacking(

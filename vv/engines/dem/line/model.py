@@ -16,6 +16,23 @@ ALIGNED = 1e-9  # sine of the angle below which a motion counts as along, or acr
 ROUNDING = 1e-14  # part of a force below which its component is rounding
 
 
+MODELLED = frozenset(
+    {
+        Term.SPHERE,
+        Term.SPHERE_CONTACT,
+        Term.WALL_CONTACT,
+        Term.FRICTION,
+        Term.DRAG,
+        Term.GRAVITY,
+        Term.LOAD,
+        Term.ROTATION,
+        Term.OBLIQUE_LOCK,
+        Term.CONTACT_VISCOSITY,
+    }
+)
+"""The terms of scenes that this model may serve."""
+
+
 class LineState(NamedTuple):
     """What `move_on_line` receives about the scene, in its order and units."""
 
@@ -96,7 +113,7 @@ def line(scene: Scene) -> Line | None:
     moving = np.flatnonzero(spheres.free.any(axis=1))
     if spheres.free.sum() != 1 or spheres.free_spin.any() or len(spheres) + len(scene.walls) > 2:
         return None
-    if scene.terms() & {Term.SHAKING, Term.BASE_MOTION, Term.BOND, Term.CARRIED}:
+    if scene.terms() - MODELLED:
         return None
     i = int(moving[0])
     along = scene.axes[spheres.free[i]][0]

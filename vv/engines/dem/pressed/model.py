@@ -17,6 +17,23 @@ if TYPE_CHECKING:
     from vv.engines.kernels.drive import Drive
 
 
+MODELLED = frozenset(
+    {
+        Term.SPHERE,
+        Term.WALL_CONTACT,
+        Term.FRICTION,
+        Term.DRAG,
+        Term.GRAVITY,
+        Term.LOAD,
+        Term.ROTATION,
+        Term.OBLIQUE_LOCK,
+        Term.SHAKING,
+        Term.BASE_MOTION,
+    }
+)
+"""The terms of scenes that this model may serve."""
+
+
 class PressedState(NamedTuple):
     """What `move_on_wall` receives about the scene, in its order and units."""
 
@@ -99,7 +116,7 @@ def pressed(scene: Scene, charged: Vector | None = None) -> Pressed | None:
     (1, 3) [N] at t = 0.
     """
     s = scene.spheres
-    if scene.locked_velocity.any() or scene.contact.eta_n > 0:
+    if scene.terms() - MODELLED:
         return None
     if len(s) != 1 or len(scene.walls) != 1 or s.free.sum() != 2 or s.free_spin.any():
         return None
