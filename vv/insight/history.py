@@ -162,7 +162,7 @@ def _over_common(
 
 
 def _geometric_mean(values: list[float]) -> float:
-    return math.exp(sum(map(math.log, values)) / len(values))
+    return math.exp(math.fsum(map(math.log, values)) / len(values))  # in whatever order
 
 
 def _by_scheme(records: Iterable[Record]) -> dict[str, Mapping[Outcome, int]]:
