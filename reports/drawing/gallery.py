@@ -106,16 +106,16 @@ def _relative(over_time: Sequence[History]) -> list[Figure]:
 
 def _step(steps: Sequence[Ladder], error: str) -> list[Figure]:
     chart = charts.error_against_step(steps, error)
-    if chart is None:
-        return []
+    if chart is None or not (chart.curves or any(rim.above for rim in chart.rims)):
+        return []  # no error anywhere
     caption = f"Dashed: slopes to compare with.{_rims(chart)}"
     return [Figure(draw(chart), "Error against step", caption, f"{error}: {_ranges(steps)}")]
 
 
 def _cost(steps: Sequence[Ladder], error: str) -> list[Figure]:
     chart = charts.error_against_cost(steps, error)
-    if not chart.curves and not chart.rims:
-        return []
+    if not (chart.curves or any(rim.above for rim in chart.rims)):
+        return []  # no error anywhere
     inside = [curve.hollow for curve in chart.curves]
     hollow, filled = any(h.any() for h in inside), any((~h).any() for h in inside)
     kinds = {

@@ -28,6 +28,14 @@ def test_a_sphere_on_the_ground_is_seen_with_it_below() -> None:
     assert [(arrow.what, arrow.along) for arrow in seen.arrows] == [("gravity", (0.0, -1.0))]
 
 
+def test_a_wall_that_bodies_fly_to_is_in_the_picture_and_one_far_away_is_not() -> None:
+    for distance, seen in ((3.0, 1), (1e6, 0)):
+        wall = Wall(np.array([-distance, 0.0, 0.0]), np.array([1.0, 0.0, 0.0]))
+        made = sketch(Scene((wall, spheres(1)), Contact(1e3)))
+        assert len(made.walls) == seen
+        assert made.size == (4.0 if seen else 2.0)
+
+
 def test_what_is_held_driven_loaded_and_bonded_is_told() -> None:
     free = np.array([[False] * 3, [True] * 3])
     moves = np.array([[0.0] * 3, [3.0, 0.0, 0.0]])

@@ -13,6 +13,7 @@ from vv.scene.scene import Scene
 
 MOST = 150  # bodies, and bonds, in a sketch: beyond it a picture says no more
 FEW = 8  # bodies with arrows
+NEAR = 4.0  # sizes of the bodies: a wall farther away is left out
 FLAT = 0.02  # of the largest extent: a scene that is less deep is seen straight on
 OBLIQUE = np.array([[0.87, -0.5, 0.0], [0.25, 0.43, 0.87]])  # rows: right and up, as seen
 NAMES = ("x", "y", "z")
@@ -86,6 +87,12 @@ def _points(scene: Scene) -> Vector:
     return np.concatenate([scene.spheres.position, *(b.vertices for b in scene.blocks)])
 
 
+def _feet(scene: Scene) -> list[Vector]:
+    """The point of each wall that is nearest to the middle of the bodies, (3,) [m]."""
+    middle = _points(scene).mean(axis=0)
+    return [middle - (middle - w.point) @ w.normal * w.normal for w in scene.walls]
+
+
 def _moves(scene: Scene) -> Iterator[Vector]:
     """Velocities, loads and amplitudes that differ from zero."""
     groups = [scene.spheres, *scene.blocks]
@@ -104,6 +111,13 @@ class _Shown:
         seen = scene.spheres.position @ plane.T
         corners = [seen - radius, seen + radius, *(b.vertices @ plane.T for b in scene.blocks)]
         points = np.concatenate(corners)
+        reach = NEAR * float(np.ptp(points, axis=0).max())
+        self.near = [
+            (foot, wall.normal)
+            for foot, wall in zip(_feet(scene), scene.walls, strict=True)
+            if np.linalg.norm(foot @ plane.T - points.mean(axis=0)) <= reach
+        ]
+        points = np.concatenate([points, *((foot @ plane.T)[None] for foot, _ in self.near)])
         self.middle = 0.5 * (points.min(axis=0) + points.max(axis=0))
         self.size = float(np.ptp(points, axis=0).max()) or 1.0
 
@@ -132,12 +146,10 @@ class _Shown:
                     yield tuple(map(self.spot, corners))
 
     def walls(self) -> Iterator[tuple[Spot, Spot]]:
-        """The point of each wall nearest to the bodies' middle, and its normal, if it is seen."""
-        middle = _points(self.scene).mean(axis=0)
-        for wall in self.scene.walls:
-            x, y = self.plane @ wall.normal
+        """The foot of each wall that is near, and its normal, if it is seen from the side."""
+        for foot, normal in self.near:
+            x, y = self.plane @ normal
             if np.hypot(x, y) > 0.1:
-                foot = middle - (middle - wall.point) @ wall.normal * wall.normal
                 yield self.spot(foot), (round(float(x), DIGITS), round(float(y), DIGITS))
 
     def bonds(self) -> Iterator[tuple[Spot, Spot]]:
