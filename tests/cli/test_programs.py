@@ -184,3 +184,18 @@ def test_a_handshake_says_what_is_right_and_what_is_wrong(tiny: Tiny, mine: Path
     folder = Path(done.stderr.removeprefix("questions and answers of what failed: ").strip())
     assert len(list(folder.rglob("ask.json"))) == 6
     shutil.rmtree(folder)
+
+
+@pytest.mark.parametrize(
+    ("address", "message"),
+    [
+        ("slurm", "--executor 'slurm': it must be local or dask://HOST:PORT"),
+        ("dask://nowhere", "it must be local or dask://HOST:PORT"),
+    ],
+)
+def test_an_executor_that_there_is_not_is_refused(
+    tiny: Tiny, mine: Path, address: str, message: str
+) -> None:
+    done = tiny.vv("run", "fall:up", "--code", "mine.toml", "--executor", address)
+    assert done.returncode == 64
+    assert message in done.stderr

@@ -18,6 +18,7 @@ from vv.plan.project import Project
 if TYPE_CHECKING:
     from vv.plan.plan import Options, Plan
 
+EXECUTOR = re.compile(r"dask://[^/\s:]+:\d+")
 PROGRAM = re.compile(r"(?P<file>.+\.toml)(?P<scheme>/[^/]+)?")
 MOST = 200  # names, --set or --rung in one call
 TIMEOUT = 300.0  # s for one job, unless said otherwise; its kernels may have to be compiled
@@ -91,6 +92,14 @@ Jobs = Annotated[
 ]
 Fresh = Annotated[bool, typer.Option("--fresh", help="Run all again, without the stored results.")]
 Timeout = Annotated[float, typer.Option("--timeout", help="Seconds that one job may take.")]
+Executor = Annotated[
+    str,
+    typer.Option(
+        "--executor",
+        metavar="local|dask://HOST:PORT",
+        help="What runs the jobs: processes here, or the workers of a dask scheduler.",
+    ),
+]
 JsonFile = Annotated[
     Path | None,
     typer.Option("--json", metavar="FILE", help="Write all records, histories included, as JSON."),
@@ -179,6 +188,13 @@ def knobs(texts: list[str] | None) -> tuple[Knobs, ...]:
 def workers(jobs: int) -> int:
     """How many processes --jobs asks for."""
     return jobs or len(os.sched_getaffinity(0))
+
+
+def executor(text: str) -> str:
+    """What --executor names; raises UsageError for what is none."""
+    if text != "local" and not EXECUTOR.fullmatch(text):
+        raise UsageError(f"--executor '{text}': it must be local or dask://HOST:PORT")
+    return text
 
 
 def positive(timeout: float) -> float:

@@ -75,6 +75,7 @@ def run(
     jobs: options.Jobs = 0,
     fresh: options.Fresh = False,
     timeout: options.Timeout = options.TIMEOUT,
+    executor: options.Executor = "local",
     dry_run: Annotated[bool, typer.Option("--dry-run", help="Only list what would run.")] = False,
     json_file: options.JsonFile = None,
     show: Annotated[bool, typer.Option("--open", help="Open the report in a browser.")] = False,
@@ -109,7 +110,7 @@ def run(
         _list_jobs(project, store, make_plan(), fresh)
         return
     timed = everything and level is not Level.QUICK and not (narrowing or keyword or first)
-    limits = _limits(jobs, timeout, fresh, timed)
+    limits = _limits(jobs, timeout, fresh, timed, executor)
     if narrowing or first:  # depends on past runs, which change with each, or on what comes first
         plan = make_plan()
         if not plan.jobs:
@@ -123,11 +124,17 @@ def run(
     _conclude(project, manifest, json_file, Ending(required, level, show))
 
 
-def _limits(jobs: int, timeout: float, fresh: bool, timed: bool) -> Limits:
+def _limits(jobs: int, timeout: float, fresh: bool, timed: bool, executor: str) -> Limits:
     from vv.run.session import Limits, Timing
 
     timing = Timing.STORED if timed else Timing.NONE
-    return Limits(options.workers(jobs), options.positive(timeout), fresh, timing)
+    return Limits(
+        options.workers(jobs),
+        options.positive(timeout),
+        fresh,
+        timing,
+        executor=options.executor(executor),
+    )
 
 
 def _conclude(project: Project, manifest: Manifest, json_file: Path | None, ending: Ending) -> None:

@@ -8,6 +8,7 @@ from pathlib import Path
 import vv
 from vv.base.closure import import_closure, library_versions, source_digest
 from vv.base.digest import digest
+from vv.codes.adapter import Found
 from vv.plan import imports
 from vv.plan.plan import Plan
 from vv.plan.project import Project
@@ -21,8 +22,7 @@ def run_keys(project: Project, plan: Plan) -> dict[int, str]:
 
     The key of a search also contains the source of the search.
     """
-    codes = {job.code for job in plan.jobs}
-    prints = {code: code_digest(project, plan, code) for code in codes}
+    prints = code_digests(project, plan)
     searching = source_digest([PACKAGE / "run" / "search.py"])
     asks: dict[int, str] = {}
     found = {}
@@ -45,20 +45,26 @@ def record_keys(project: Project, plan: Plan, runs: dict[int, str]) -> dict[int,
     }
 
 
-def code_digest(project: Project, plan: Plan, code: str) -> str:
+def code_digests(project: Project, plan: Plan) -> dict[str, str]:
+    """Code -> its digest, for the codes that a plan has jobs of."""
+    codes = {job.code for job in plan.jobs}
+    return {code: code_digest(project, plan.found[code], code) for code in codes}
+
+
+def code_digest(project: Project, found: Found, code: str) -> str:
     """Digest of a code: sources of the adapter and all it imports, libraries, executables."""
     files = [*project.adapter_files(code), PACKAGE / "codes" / "adapter.py"]
     sources = import_closure(files, roots(project))
-    external = executables(project, plan, code)
+    external = executables(project, found)
     python = platform.python_version()
     return digest(
         source_digest(sources), library_versions(sources), python, sorted(external.values())
     )
 
 
-def executables(project: Project, plan: Plan, code: str) -> dict[str, str]:
+def executables(project: Project, found: Found) -> dict[str, str]:
     """Path -> digest of the files of an external code that its results depend on."""
-    return file_digests(plan.found[code].files, project.data() / "digests.json")
+    return file_digests(found.files, project.data() / "digests.json")
 
 
 def case_digest(project: Project, case: str) -> str:

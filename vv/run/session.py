@@ -23,7 +23,8 @@ from vv.records.outcomes import StudyKind
 from vv.records.quantity import MeasuredQuantity
 from vv.records.record import checked, measured, summarised, within
 from vv.run.dossier import dossiers
-from vv.run.runner import Batch, failed, run_batches
+from vv.run.executor import LOCAL, Executor, Local
+from vv.run.runner import Batch, failed
 from vv.run.timing_phase import gaps, last_costs, timed_costs
 from vv.scene import Vector
 from vv.store.provenance import provenance
@@ -57,7 +58,8 @@ class Limits:
     """How an invocation may use the machine: processes, seconds per job, the store or not.
 
     against: the folder of baselines that every result must have one in; None: the project's
-    own, where a result without one is only noted.
+    own, where a result without one is only noted. executor: `local`, or dask://HOST:PORT, the
+    scheduler of a cluster that answers what is not stored; costs are timed on this machine.
     """
 
     workers: int
@@ -65,6 +67,7 @@ class Limits:
     fresh: bool = False
     timing: Timing = Timing.NONE
     against: Path | None = None
+    executor: str = LOCAL
 
 
 def now_utc() -> datetime.datetime:
@@ -89,7 +92,8 @@ def carry_out(
     store.clear_scratch()
     stored = _Keys.of(project, plan, store)
     records: dict[int, Record] = {}
-    for number, record in _records(plan, limits, stored, progress.begin):
+    place = _executor(project, plan, limits, store)
+    for number, record in _records(plan, limits, stored, place, progress.begin):
         records[number] = record
         progress.done(record)
         if until is not None and until(record):
@@ -154,11 +158,20 @@ def _costs(
 def _code(project: Project, plan: Plan, code: str) -> CodeFound:
     """What was found of a code. files: names and digests, none for what is only source."""
     found = plan.found[code]
-    return CodeFound(found.version, found.installed, keys.executables(project, plan, code))
+    return CodeFound(found.version, found.installed, keys.executables(project, found))
+
+
+def _executor(project: Project, plan: Plan, limits: Limits, store: Store) -> Executor:
+    """What answers batches, as the limits name it."""
+    if limits.executor == LOCAL:
+        return Local(limits.workers, store.scratch)
+    from vv.run.cluster import Cluster
+
+    return Cluster(limits.executor, project, keys.code_digests(project, plan))
 
 
 def _records(
-    plan: Plan, limits: Limits, stored: _Keys, begin: Callable[[int], None]
+    plan: Plan, limits: Limits, stored: _Keys, place: Executor, begin: Callable[[int], None]
 ) -> Iterator[tuple[int, Record]]:
     """Yield (job number, record): first those that need no running, then as runs come in.
 
@@ -178,9 +191,8 @@ def _records(
     loads = {plan.found[job.code].load for job in waiting.values()}
     for load in filter(None, loads):
         load()
-    for number, run in run_batches(
-        batches(waiting, plan, limits.workers), limits.workers, limits.timeout, store.scratch
-    ):
+    due = batches(waiting, plan, place.workers) if waiting else []
+    for number, run in place.run(due, limits.timeout):
         job = plan.jobs[number]
         whole = checked(run, job.ask)
         store.keep_run(stored.runs[number], whole)
