@@ -122,6 +122,40 @@ def test_oblique_collisions_of_several_are_those_that_scipy_finds(
     assert errors[-1] < (1e-6, 1e-3)[2 - order]
 
 
+@pytest.mark.parametrize("solve", SCHEMES)
+@pytest.mark.parametrize("eta", [0.0, 3.0])
+def test_pairs_gathered_as_spheres_stray_are_damped_as_listed_ones(
+    solve: Solve, eta: float, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    ask = asked(heap(eta), 5e-5, HEAPED, 0.1)
+    listed = ran(solve(ask))
+    monkeypatch.setattr("vv.engines.dem.bonds.layout.MANY", 1)
+    near = ran(solve(ask))
+    for what in ask.observables:
+        a, b = near.values[what], listed.values[what]
+        assert np.abs(a - b).max() <= 1e-12 * np.abs(b).max()
+    assert near.ledger is not None
+    assert listed.ledger is not None
+    assert near.ledger.terms == pytest.approx(listed.ledger.terms, rel=1e-9, abs=1e-12)
+    assert near.ledger.terms["drag dissipation"] > 0.1 * near.ledger.peak
+
+
+def test_a_crowd_of_any_size_is_damped_and_keeps_its_momentum_and_its_books() -> None:
+    random = np.random.default_rng(3)
+    grid = np.stack(np.meshgrid(*[np.arange(5.0)] * 3), axis=-1).reshape(-1, 3)
+    n = len(grid)
+    thrown = random.normal(size=(n, 3)) - 0.5 * (grid - 2.0)  # inwards
+    spheres = Spheres(1.05 * grid, thrown, np.full(n, 0.5), np.ones(n), np.ones((n, 3), bool))
+    scene = Scene((spheres,), Contact(1e4, eta_n=20.0))
+    run = ran(dem.solve_default(asked(scene, 5e-5, range(n), 0.2)))
+    velocity = np.array([run.values[Velocity(body)] for body in range(n)])
+    drift = velocity.sum(axis=0) - thrown.sum(axis=0)
+    assert np.abs(drift).max() < 1e-12 * np.abs(thrown).sum()
+    assert run.ledger is not None
+    assert run.ledger.terms["drag dissipation"] > 0.1 * run.ledger.peak
+    assert run.ledger.unaccounted < 1e-3 * run.ledger.peak
+
+
 @pytest.mark.parametrize("code", ["yade", "liggghts"])
 def test_yade_and_liggghts_find_them_in_first_order(code: str, tmp_path: Path) -> None:
     adapter = find().load_adapter(code)
@@ -184,4 +218,4 @@ def test_where_dashpots_are_not_modelled_it_is_said() -> None:
     some = Spheres(place, 0 * place, np.ones(3), np.ones(3), np.ones((3, 3), bool))
     bonds = Bonds(np.array([[0, 1]]), np.array([2.0]), np.array([KN]), np.array([0.0]))
     tied = Scene((some,), LAW, bonds=bonds)
-    assert "beside no bonds" in (dem.refuses(asked(tied, 1e-4, range(3))) or "")
+    assert "beside bonds" in (dem.refuses(asked(tied, 1e-4, range(3))) or "")

@@ -10,7 +10,6 @@ from typing import Any
 import numpy as np
 
 from vv.ask import Ask, Ledger, Model, Reaction, Run, Status
-from vv.engines.dem.bonds.layout import MANY
 from vv.engines.dem.critical_step import critical_step
 from vv.engines.dem.leapfrog import CENTRED, Leapfrog
 from vv.engines.dem.limits import BLOW_UP, GAIN
@@ -209,7 +208,7 @@ def refuses(ask: Ask) -> str | None:
         _spins_where_locked(scene)
         or _coincident(scene)
         or _unknown_reaction(ask, scene)
-        or _viscous_among_many(scene)
+        or _viscous_beside(scene)
         or _rings(scene, dt)
     )
 
@@ -269,15 +268,13 @@ def _coincident(scene: Scene) -> str | None:
     return None
 
 
-def _viscous_among_many(scene: Scene) -> str | None:
-    """Dashpots are found where all pairs are listed, and act between velocities of one time."""
+def _viscous_beside(scene: Scene) -> str | None:
+    """Dashpots act between velocities of one time, and not where bonds part."""
     if not scene.contact.eta_n > 0:
         return None
     if Term.BASE_MOTION in scene.terms():
         return "viscous contact is not modelled where a wall moves"
-    if line(scene) is None and space(scene).state.near is not None:
-        return f"viscous contact is modelled for less than {MANY} spheres, and beside no bonds"
-    return None
+    return None if scene.bonds is None else "viscous contact is not modelled beside bonds"
 
 
 def _rings(scene: Scene, dt: float) -> str | None:

@@ -26,10 +26,10 @@ def forces(
 
 @inlined
 def slow(
-    terms: Terms, bodies: Bodies, motion: Motion, dt: float, lag: float
+    terms: Terms, bodies: Bodies, motion: Motion, dt: float, slots: Slots, many: Index, lag: float
 ) -> tuple[float, float]:
     """Add what is viscous to push; return the powers [W] as `viscous`."""
-    return viscous(terms, bodies, motion, dt, resistance(terms), lag)
+    return viscous(terms, bodies, motion, dt, slots, many, resistance(terms), lag)
 
 
 @inlined

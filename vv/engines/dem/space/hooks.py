@@ -68,7 +68,14 @@ def release(
 
 @composed(total(2))
 def viscous(
-    terms: Terms, bodies: Bodies, motion: Motion, dt: float, drag: Drag | None, lag: float
+    terms: Terms,
+    bodies: Bodies,
+    motion: Motion,
+    dt: float,
+    slots: Slots,
+    many: Index,
+    drag: Drag | None,
+    lag: float,
 ) -> tuple[float, float]:
     """Add forces that depend on the velocities before and after, once all others are known.
 
@@ -78,7 +85,7 @@ def viscous(
 
 
 @composed(call)
-def withdraw(terms: Terms, bodies: Bodies, motion: Motion) -> None:
+def withdraw(terms: Terms, bodies: Bodies, motion: Motion, slots: Slots, many: Index) -> None:
     """Take the forces of `viscous` away again."""
 
 

@@ -46,12 +46,12 @@ def move_in_space(
     if near is not None:
         slots = gathered(near, motion.u, slots, many)
     normal, sprung, _, _ = forces(terms, bodies, motion, dt, slots, many)
-    slow(terms, bodies, motion, 0.0, lag)
+    slow(terms, bodies, motion, 0.0, slots, many, lag)
     after(terms, bodies, motion, 0.0)
     start(terms, bodies, motion, dt)
     put_in = normal + sprung + place(terms, bodies, motion, back * dt)
-    withdraw(terms, bodies, motion)
-    slowed = slow(terms, bodies, motion, dt, lag)
+    withdraw(terms, bodies, motion, slots, many)
+    slowed = slow(terms, bodies, motion, dt, slots, many, lag)
     kinetic, _, ahead = kick(terms, bodies, motion, dt, lag, slowed)
     put_in += place_spins(motion.w, bodies.spin, motion.turn, bodies, back * dt)
     spinning = spin_on(motion.w, motion.spun, motion.turn, bodies, dt)
@@ -67,7 +67,7 @@ def move_in_space(
                 since[:] = motion.u[:m]
                 slots = gathered(near, motion.u, slots, many)
             normal, sprung, lost, work = forces(terms, bodies, motion, dt, slots, many)
-            slowed = slow(terms, bodies, motion, dt, lag)
+            slowed = slow(terms, bodies, motion, dt, slots, many, lag)
             after(terms, bodies, motion, dt)
             slipped += lost
             moved += work

@@ -16,6 +16,7 @@ from vv.engines.kernels.triples import at, dot, plus, put
 from vv.scene import Vector
 
 State = npt.NDArray[np.uint8]
+MET, OVERLAP = 7, 6  # columns of what dashpots know of a contact, and that of its overlap
 
 
 @bundle
@@ -23,7 +24,8 @@ class Slots(NamedTuple):
     """Pairs that are near each other and not held by a bond, and room for more.
 
     both: spheres i < j (k, 2); rows: theirs (k, 2); offset (k, 3) and gap (k,) at t = 0; radii
-    (k, 2); shear: force on the second sphere (k, 3), which is kept from slot to slot.
+    (k, 2). Kept from slot to slot: shear, the force on the second sphere (k, 3), and met (k, 7),
+    what dashpots know of the contact (`vv.engines.dem.terms.dashpots`); (0, 7) without them.
     """
 
     both: Index
@@ -32,6 +34,7 @@ class Slots(NamedTuple):
     gap: Vector
     radii: Vector
     shear: Vector
+    met: Vector
 
 
 class Near(NamedTuple):
@@ -39,7 +42,7 @@ class Near(NamedTuple):
 
     position (n, 3) at t = 0, radius (n,), row in u of each sphere (n,), skin [m], and the bonds by
     i: those of i go from start[i] on (n + 1,) to the spheres partner (b,); broken: (b,) not 0 for
-    bonds that have parted; empty if none can.
+    bonds that have parted; empty if none can. viscous: whether contacts are.
     """
 
     position: Vector
@@ -49,13 +52,15 @@ class Near(NamedTuple):
     start: Index
     partner: Index
     broken: State
+    viscous: bool
 
 
 @inlined_called
 def no_slots() -> Slots:
     """No pairs yet."""
     none = np.zeros((0, 2), np.intp)
-    return Slots(none, none, np.zeros((0, 3)), np.zeros(0), np.zeros((0, 2)), np.zeros((0, 3)))
+    one, three, met = np.zeros(0), np.zeros((0, 3)), np.zeros((0, MET))
+    return Slots(none, none, three, one, np.zeros((0, 2)), three, met)
 
 
 @inlined
@@ -109,7 +114,7 @@ def swept(near: Near, u: Vector) -> Index:
 
     Pairs of spheres that both stay in place, in the last of the spheres' rows, are left out.
     """
-    position, radius, row, skin, start, partner, broken = near
+    position, radius, row, skin, start, partner, broken, _ = near
     n, ground, widest = len(radius), 0, 0.0
     place = np.empty((n, 3))
     for i in range(n):
@@ -153,6 +158,7 @@ def gathered(near: Near, u: Vector, old: Slots, many: Index) -> Slots:
         np.zeros((room, 2)),
     )
     offset, gap, shear = np.zeros((room, 3)), np.zeros(room), np.zeros((room, 3))
+    met = np.full((room if near.viscous else 0, MET), np.inf)
     last, earlier = np.full(len(radius), -1, np.intp), np.empty(many[0], np.intp)
     for k in range(many[0]):
         i = old.both[k, 0]
@@ -167,6 +173,8 @@ def gathered(near: Near, u: Vector, old: Slots, many: Index) -> Slots:
         while before >= 0:
             if old.both[before, 1] == j:
                 put(shear, k, at(old.shear, before))
+                if near.viscous:
+                    met[k, OVERLAP] = old.met[before, OVERLAP]
             before = earlier[before]
     many[0] = used
-    return Slots(both, rows, offset, gap, radii, shear)
+    return Slots(both, rows, offset, gap, radii, shear, met)

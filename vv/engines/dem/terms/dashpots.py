@@ -13,6 +13,7 @@ import numpy as np
 from vv.engines.dem.rows import Index
 from vv.engines.dem.space.advance import carried_on, held
 from vv.engines.dem.space.bodies import Bodies, Motion
+from vv.engines.dem.space.neighbours import MET, OVERLAP, Slots
 from vv.engines.dem.space.placed import Placed
 from vv.engines.dem.terms import pair_contacts, wall_contacts
 from vv.engines.dem.terms.contact_law import Pairs, Walls, apart, off_wall
@@ -25,7 +26,7 @@ STANDS_FOR = frozenset({Term.CONTACT_VISCOSITY})
 
 SWEEPS = 1000  # at most; 1 + eta_n dt/2 B M^-1 B^T, of condition 2 at most, takes some tens
 SETTLED = 1e-15  # of the largest force: how little a last sweep changes
-SPRING, RATE, FORCE, OVERLAP = 3, 4, 5, 6  # columns after those of the normal
+SPRING, RATE, FORCE = 3, 4, 5  # columns after those of the normal
 
 Met = tuple[Index, Vector]
 """All contacts that may be: the rows (k, 2) of what meets, the first pushed against the normal;
@@ -35,7 +36,8 @@ Met = tuple[Index, Vector]
 class Dashpots(NamedTuple):
     """The contacts that are viscous, their kn [N/m] and eta_n [N s/m].
 
-    met: all contacts; new: (m + 1, 3) room for velocities.
+    met: all listed contacts; those that are gathered have it in their slots. new: (m + 1, 3) room
+    for velocities.
     """
 
     pairs: Pairs | None
@@ -50,13 +52,13 @@ def build(placed: Placed) -> Dashpots | None:
     """The dashpots of a scene whose contacts are viscous."""
     law, m = placed.scene.contact, int(placed.moves.sum())
     pairs, walls = pair_contacts.listed(placed), wall_contacts.listed(placed)
-    if not law.eta_n > 0 or (pairs is None and walls is None):
+    if not law.eta_n > 0 or (pairs is None and walls is None and placed.near is None):
         return None
-    ends = [] if pairs is None else [pairs[0]]
+    ends = [np.zeros((0, 2), np.intp)] if pairs is None else [pairs[0]]
     if walls is not None:  # a wall is the first of two, in the row of the ground
         ends.append(np.stack([np.full_like(walls[0], m), walls[0]], axis=1))
     both = np.concatenate(ends)
-    met = both, np.zeros((len(both), 7))
+    met = both, np.zeros((len(both), MET))
     return Dashpots(pairs, walls, law.kn, law.eta_n, met, np.zeros((m + 1, 3)))
 
 
@@ -79,17 +81,28 @@ def begin(term: Dashpots, bodies: Bodies, motion: Motion) -> None:
 
 @inlined
 def viscous(
-    term: Dashpots, bodies: Bodies, motion: Motion, dt: float, drag: Drag | None, lag: float
+    term: Dashpots,
+    bodies: Bodies,
+    motion: Motion,
+    dt: float,
+    slots: Slots,
+    many: Index,
+    drag: Drag | None,
+    lag: float,
 ) -> tuple[float, float]:
     """The forces of all dashpots."""
     meet(term.met, motion.u, term.pairs, term.walls, term.kn, term.eta_n)
-    return slow(term.met, motion.push, motion.v, term.new, bodies.mass, bodies.hold, dt, drag, lag)
+    near = slots.rows[: many[0]], slots.offset, slots.gap, slots.radii
+    meet((slots.rows, slots.met), motion.u, near, None, term.kn, term.eta_n)
+    mets = term.met, (slots.rows[: many[0]], slots.met)
+    return slow(mets, motion.push, motion.v, term.new, bodies.mass, bodies.hold, dt, drag, lag)
 
 
 @inlined
-def withdraw(term: Dashpots, bodies: Bodies, motion: Motion) -> None:
+def withdraw(term: Dashpots, bodies: Bodies, motion: Motion, slots: Slots, many: Index) -> None:
     """Take them away again."""
     shove(term.met, motion.push, -1.0)
+    shove((slots.rows[: many[0]], slots.met), motion.push, -1.0)
 
 
 @inlined
@@ -135,7 +148,7 @@ def late(overlap: float, closed: float) -> float:
 
 @inlined
 def slow(
-    met: Met,
+    mets: tuple[Met, Met],
     push: Vector,
     v: Vector,
     new: Vector,
@@ -150,30 +163,65 @@ def slow(
     F = max(-kn U, eta_n (lag a- + (1 - lag) a+)), a the rate of approach; new (m + 1, 3) becomes
     the velocities after. Returns the powers [W] that it takes before and after now.
     """
-    ends, kept = met
     for i in range(len(mass)):
         free = held(at(push, i), hold, i)
         put(new, i, carried_on(at(v, i), free, mass[i], dt, drag, lag, i))
-    kept[:, FORCE] = 0.0
+    forget(mets[0])
+    forget(mets[1])
     extra = 0.0
     if drag is not None:
         extra = (1.0 - lag) * drag.eta * dt
     for _ in range(SWEEPS):
-        most = change = 0.0
-        for k in range(len(ends)):
-            if kept[k, RATE] > 0.0:
-                force = settled(met, k, v, new, mass, hold, dt, extra, lag)
-                change = max(change, abs(force - kept[k, FORCE]))
-                most = max(most, abs(force))
-                kept[k, FORCE] = force
+        reached = settle_all(mets[0], (0.0, 0.0), v, new, mass, hold, dt, extra, lag)
+        most, change = settle_all(mets[1], reached, v, new, mass, hold, dt, extra, lag)
         if change <= SETTLED * most:
             break
-    behind = ahead = 0.0
+    taken = powers(mets[1], powers(mets[0], (0.0, 0.0), v, new), v, new)
+    shove(mets[0], push, 1.0)
+    shove(mets[1], push, 1.0)
+    return taken
+
+
+@inlined
+def forget(met: Met) -> None:
+    """No viscous force in any contact."""
+    for k in range(len(met[0])):
+        met[1][k, FORCE] = 0.0
+
+
+@inlined
+def settle_all(
+    met: Met,
+    reached: tuple[float, float],
+    v: Vector,
+    new: Vector,
+    mass: Vector,
+    hold: Vector | None,
+    dt: float,
+    extra: float,
+    lag: float,
+) -> tuple[float, float]:
+    """One sweep over contacts; returns the largest force and change [N], with those before."""
+    ends, kept = met
+    most, change = reached
+    for k in range(len(ends)):
+        if kept[k, RATE] > 0.0:
+            force = settled(met, k, v, new, mass, hold, dt, extra, lag)
+            change = max(change, abs(force - kept[k, FORCE]))
+            most = max(most, abs(force))
+            kept[k, FORCE] = force
+    return most, change
+
+
+@inlined
+def powers(met: Met, before: tuple[float, float], v: Vector, new: Vector) -> tuple[float, float]:
+    """What contacts take [W] before and after now, added to what others do."""
+    ends, kept = met
+    behind, ahead = before
     for k in range(len(ends)):
         n, i, j = at(kept, k), ends[k, 0], ends[k, 1]
         behind += kept[k, FORCE] * dot(n, plus(at(v, i), -1.0, at(v, j)))
         ahead += kept[k, FORCE] * dot(n, plus(at(new, i), -1.0, at(new, j)))
-    shove(met, push, 1.0)
     return behind, ahead
 
 
