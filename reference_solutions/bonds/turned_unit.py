@@ -10,7 +10,6 @@ from collections.abc import Callable
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.integrate import solve_ivp
 
 Array = NDArray[np.float64]
 Path = Callable[[Array], Array]
@@ -52,6 +51,8 @@ def path(
     def at(t: Array) -> Array:
         if not t.any():
             return np.zeros((len(t), 4, 3))
+        from scipy.integrate import solve_ivp
+
         solved = solve_ivp(
             change, (0.0, float(t.max())), start, "DOP853", t, rtol=ROUNDED, atol=ROUNDED * scale
         )
