@@ -50,3 +50,15 @@ def test_a_closure_follows_an_import_inside_a_function(tmp_path: Path) -> None:
         (tmp_path / "cases" / f"{name}.py").write_text(text)
     found = import_closure([tmp_path / "cases" / "a.py"], [tmp_path])
     assert {path.name for path in found} == {"__init__.py", "a.py", "b.py"}
+
+
+def test_vv_is_the_one_that_runs_and_no_folder_of_that_name_in_a_project(tmp_path: Path) -> None:
+    for root in ("project", "tool"):
+        (tmp_path / root / "vv").mkdir(parents=True)
+        (tmp_path / root / "vv" / "__init__.py").touch()
+    (tmp_path / "project" / "a.py").write_text("import vv\n")
+    found = import_closure(
+        [tmp_path / "project" / "a.py"], [tmp_path / "project", tmp_path / "tool"]
+    )
+    assert tmp_path / "tool" / "vv" / "__init__.py" in found
+    assert tmp_path / "project" / "vv" / "__init__.py" not in found

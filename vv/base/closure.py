@@ -28,7 +28,8 @@ def import_closure(files: Iterable[Path], roots: Iterable[Path]) -> tuple[Path, 
     """The files and all files of OUR_PACKAGES below `roots` that they import, also indirectly.
 
     Imports are read from the source text, also inside functions; nothing is executed. A package
-    brings the data files of its folder with it. Returns resolved paths, sorted.
+    brings the data files of its folder with it. `vv` lies in the last of the roots: a folder of
+    that name in a project is not what runs. Returns resolved paths, sorted.
     """
     places, seen = tuple(roots), set[Path]()
     waiting = [path.resolve() for path in files]
@@ -110,7 +111,7 @@ def _names_in_tree(tree: ast.AST) -> Iterator[str]:
 def _module_files(name: str, roots: tuple[Path, ...]) -> list[Path]:
     """The files that importing a dotted name executes: the module and its packages' __init__."""
     package, _, last = name.rpartition(".")
-    for root in roots:
+    for root in roots[-1:] if name.partition(".")[0] == OUR_PACKAGES[0] else roots:
         base = os.path.join(root, *package.split("."), last)
         if os.path.isfile(f"{base}.py"):
             return [Path(f"{base}.py").resolve(), *_package_files(package, root)]
