@@ -23,6 +23,8 @@ def path(
 
     position, velocity: (4, 3) [m], [m/s]; pairs: (6, 2) elements; bonds start slack.
     """
+    from scipy.integrate import solve_ivp
+
     i, j = pairs.T
     length = np.linalg.norm(position[j] - position[i], axis=1)
     rate = np.sqrt(kn / m)

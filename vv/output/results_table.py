@@ -70,7 +70,7 @@ def _row(place: Place, pile: Sequence[Record], findings: Sequence[Finding]) -> R
         worst.error if worst else None,
         worst.tolerance if worst else None,
         fitted.order if fitted else None,
-        CLAIMED.get(finest.method) if fitted else None,
+        CLAIMED.get(finest.method.general) if fitted else None,
         finest.cost.solve_cpu,
         finest.cost.timed,
         verdict,
