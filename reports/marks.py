@@ -24,7 +24,7 @@ COLOURS = (
 )
 DASHES = ("", "6 2.5", "2 2", "8 2.5 2 2.5", "4 1.5", "1.2 1.6", "10 3", "3 1.5 1 1.5")
 # what came with vv, so that no two of it look alike; all others by a digest of their names
-CODES = ("dem", "yade", "liggghts", "exact", "rigid", "dda")
+CODES = ("dem", "yade", "liggghts", "exact", "rigid", "dda", "lmgc90", "pybullet", "kratos")
 SCHEMES = (
     "default",
     "half-step-mass",

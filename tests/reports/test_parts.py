@@ -34,7 +34,7 @@ BUILT_IN = [
     *(f"dda/{name}" for name in ("default", "published", "lagged")),
     *(f"yade/{name}" for name in ("default", "half-step-mass", "clump", "polyhedra")),
     *(f"liggghts/{name}" for name in ("default", "half-step-mass", "clump", "pre-overlapped")),
-    "rigid/default",
+    *(f"{code}/default" for code in ("rigid", "lmgc90", "pybullet", "kratos")),
 ]
 
 
