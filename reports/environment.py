@@ -137,8 +137,13 @@ def case_csv(book: Book, name: str) -> str:
     target = io.StringIO()
     writer = csv.DictWriter(target, list(found[0]) if found else [], lineterminator="\n")
     writer.writeheader()
-    writer.writerows(found)
+    writer.writerows({name: _brief(one) for name, one in row.items()} for row in found)
     return target.getvalue()
+
+
+def _brief(value: Any) -> Any:
+    """A number to seven digits, which is more than any of them means; all else as it is."""
+    return float(f"{value:.7g}") if isinstance(value, float) else value
 
 
 @functools.cache

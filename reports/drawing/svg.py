@@ -9,7 +9,7 @@ from markupsafe import Markup, escape
 
 from vv.base.metrics import Vector
 
-BUCKETS = 100  # of a curve, each with its lowest and highest point: pixels show no more
+BUCKETS = 80  # of a curve, each with its lowest and highest point: pixels show no more
 
 
 def number(value: float) -> str:
