@@ -22,6 +22,7 @@ TERMS = frozenset(
         Term.BLOCK,
         Term.RIGID_CONTACT,
         Term.SHAKING,
+        Term.PULSE,
         Term.BASE_MOTION,
         Term.STRAIN,
         Term.STRAINED_START,

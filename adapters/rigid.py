@@ -24,6 +24,7 @@ DEFAULT = Scheme(
             Term.BLOCK,
             Term.RIGID_CONTACT,
             Term.SHAKING,
+            Term.PULSE,
             Term.BASE_MOTION,
         }
     ),

@@ -32,7 +32,7 @@ def space(scene: Scene, time: float) -> Space:
     spheres = scene.spheres
     forces = initial_normal_forces(scene) / spheres.mass[:, None] + scene.gravity
     pulls = np.linalg.norm(forces, axis=1) + np.linalg.norm(spheres.load, axis=1) / spheres.mass
-    pulls += np.abs(scene.shaking.amplitude).sum() if scene.shaking else 0.0
+    pulls += np.abs(scene.wave.amplitude).sum() if scene.wave else 0.0
     speeds = np.linalg.norm(spheres.velocity, axis=1)
     speeds += sum(fastest(wall.motion) for wall in scene.walls)
     paths = speeds * time + pulls * time**2 / 2

@@ -89,7 +89,7 @@ def _held(scene: Scene) -> list[bool]:
     """
     if any(near(one, other) for one, other in itertools.combinations(scene.blocks, 2)):
         return [True] * 3
-    drives = [scene.shaking, *(wall.motion for wall in scene.walls)]
+    drives = [scene.wave, *(wall.motion for wall in scene.walls)]
     forces = [scene.gravity, *(block.load / block.mass for block in scene.blocks)]
     forces += [sine[0] for drive in drives if drive for sine in drive.sines()]
     along = np.abs(np.array(forces) @ scene.axes.T)

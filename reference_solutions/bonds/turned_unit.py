@@ -53,7 +53,6 @@ def path(
     def at(t: Array) -> Array:
         if not t.any():
             return np.zeros((len(t), 4, 3))
-        from scipy.integrate import solve_ivp
 
         solved = solve_ivp(
             change, (0.0, float(t.max())), start, "DOP853", t, rtol=ROUNDED, atol=ROUNDED * scale

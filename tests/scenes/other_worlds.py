@@ -53,7 +53,7 @@ def rescaled(scene: Scene, length: float, time: float, mass: float) -> Scene:
         _rescaled(scene, units),
         bodies=bodies,
         contact=_rescaled(scene.contact, units),
-        shaking=_in_units(scene.shaking, units, SHAKEN),
+        shaking=_in_units(scene.wave, units, SHAKEN),
         bonds=scene.bonds and _rescaled(scene.bonds, units),
     )
     return scaled

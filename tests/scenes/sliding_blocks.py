@@ -115,7 +115,7 @@ def by_scipy(scene: Scene, frame: Frame, times: Vector) -> Vector:
     (box,), motion, mu = scene.blocks, scene.walls[0].motion, scene.contact.mu
 
     def pull_and_press(t: float) -> tuple[float, float]:
-        field = scene.gravity + box.load / box.mass + _sum(scene.shaking, t, 0) - _sum(motion, t, 2)
+        field = scene.gravity + box.load / box.mass + _sum(scene.wave, t, 0) - _sum(motion, t, 2)
         return float(field @ frame.dip), -float(field @ frame.normal)
 
     def slack(t: float) -> float:

@@ -12,7 +12,7 @@ from vv.scene.block import (
     polyhedron_inertia,
     volume_and_centroid,
 )
-from vv.scene.bodies import Harmonic, Spheres, Wall
+from vv.scene.bodies import Harmonic, Pulse, Spheres, Wall
 from vv.scene.bonds import Bonds, Pairs
 from vv.scene.contact import Contact
 from vv.scene.energy import DISSIPATED, Form, Loss
@@ -40,6 +40,7 @@ __all__ = [
     "Loss",
     "Mask",
     "Pairs",
+    "Pulse",
     "Scene",
     "Spheres",
     "Term",

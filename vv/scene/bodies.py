@@ -88,6 +88,21 @@ class Harmonic:
 
 
 @dataclass(frozen=True, eq=False)
+class Pulse:
+    """A sum of sines that ends: `wave` until a time `until` [s], nothing from there on.
+
+    Raises ValueError unless `until` is positive and finite.
+    """
+
+    wave: Harmonic
+    until: float
+
+    def __post_init__(self) -> None:
+        if not (np.isfinite(self.until) and self.until > 0):
+            raise ValueError(f"Pulse.until = {self.until!r} s; it must be positive and finite")
+
+
+@dataclass(frozen=True, eq=False)
 class Wall:
     """A half-space bounded by a plane through point (3,) [m] with outward unit normal (3,).
 

@@ -11,7 +11,7 @@ import numpy as np
 from vv.base.digest import digest
 from vv.scene.arrays import Vector, freeze
 from vv.scene.block import Block
-from vv.scene.bodies import NO_SPHERES, Harmonic, Spheres, Wall
+from vv.scene.bodies import NO_SPHERES, Harmonic, Pulse, Spheres, Wall
 from vv.scene.bonds import Bonds, Pairs
 from vv.scene.contact import Contact
 from vv.scene.terms import Term
@@ -35,7 +35,7 @@ class Scene:
     eta: float = 0.0
     gravity: Vector = dataclasses.field(default_factory=lambda: np.zeros(3))
     axes: Vector = dataclasses.field(default_factory=lambda: np.eye(3))
-    shaking: Harmonic | None = None
+    shaking: Harmonic | Pulse | None = None
     bonds: Bonds | None = None
 
     def __post_init__(self) -> None:
@@ -64,6 +64,11 @@ class Scene:
         parts = np.where(self.spheres.free, 0.0, self.spheres.velocity @ self.axes.T)
         size = np.abs(self.spheres.velocity).max(axis=1, keepdims=True, initial=0.0)
         return np.asarray(np.where(np.abs(parts) > LOCKED_SPEED * size, parts, 0.0) @ self.axes)
+
+    @functools.cached_property
+    def wave(self) -> Harmonic | None:
+        """The shaking as long as it lasts."""
+        return self.shaking.wave if isinstance(self.shaking, Pulse) else self.shaking
 
     @functools.cached_property
     def walls(self) -> tuple[Wall, ...]:
@@ -124,6 +129,7 @@ class Scene:
             Term.STRAINED_START: any(b.elastic and b.elastic.relaxed for b in blocks),
             Term.RIGID_CONTACT: not np.isfinite(self.contact.kn),
             Term.SHAKING: self.shaking is not None,
+            Term.PULSE: isinstance(self.shaking, Pulse),
             Term.BASE_MOTION: any(wall.motion is not None for wall in self.walls),
             Term.BOND: bonds is not None,
             Term.BOND_SHEAR: bonds is not None and bool(bonds.ks.any()),

@@ -98,7 +98,7 @@ def _moves(scene: Scene) -> Iterator[Vector]:
     groups = [scene.spheres, *scene.blocks]
     rows = [np.atleast_2d(getattr(g, name))[:MOST] for g in groups for name in ("velocity", "load")]
     yield from (row for part in rows for row in part if row.any())
-    driven = [scene.shaking, *(wall.motion for wall in scene.walls)]
+    driven = [scene.wave, *(wall.motion for wall in scene.walls)]
     yield from (along for one in driven if one for along, _, _ in one.sines())
 
 
@@ -163,7 +163,7 @@ class _Shown:
         """Gravity, shaking, and what moves or loads the first bodies."""
         if self.scene.gravity.any():
             yield self._arrow(None, self.scene.gravity, "gravity")
-        yield from self._driven(self.scene.shaking, "shaking")
+        yield from self._driven(self.scene.wave, "shaking")
         for wall in self.scene.walls:
             yield from self._driven(wall.motion, "driven wall")
         first, blocks = self.scene.spheres.part(slice(0, FEW)), self.scene.blocks[:FEW]

@@ -22,6 +22,7 @@ class Term(enum.Enum):
     STRAINED_START = "blocks that start strained by their loads"
     RIGID_CONTACT = "contact without elasticity"
     SHAKING = "a body acceleration that varies in time"
+    PULSE = "a body acceleration that ends"
     BASE_MOTION = "walls that move as prescribed"
     BOND = "bonds between spheres"
     BOND_SHEAR = "bonds that resist shear"

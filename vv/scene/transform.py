@@ -6,7 +6,7 @@ import numpy as np
 
 from vv.scene.arrays import Mask, Vector
 from vv.scene.block import Block
-from vv.scene.bodies import Harmonic, Spheres, Wall
+from vv.scene.bodies import Harmonic, Pulse, Spheres, Wall
 from vv.scene.scene import Scene
 from vv.scene.start import initial_normal_forces
 from vv.scene.terms import Term
@@ -32,7 +32,7 @@ def rotated(scene: Scene, rotation: Vector) -> Scene:
         bodies=bodies,
         gravity=rotation @ scene.gravity,
         axes=scene.axes @ rotation.T,
-        shaking=_rotated_motion(scene.shaking, rotation),
+        shaking=_rotated_shaking(scene.shaking, rotation),
     )
 
 
@@ -52,6 +52,13 @@ def _rotated_group(group: Group, rotation: Vector) -> Group:
         inertia = rotation @ group.inertia @ rotation.T
         turned["inertia"] = (inertia + inertia.T) / 2
     return dataclasses.replace(group, **turned)
+
+
+def _rotated_shaking(shaking: Harmonic | Pulse | None, rotation: Vector) -> Harmonic | Pulse | None:
+    if isinstance(shaking, Pulse):
+        wave = dataclasses.replace(shaking.wave, axes=shaking.wave.axes @ rotation.T)
+        return dataclasses.replace(shaking, wave=wave)
+    return _rotated_motion(shaking, rotation)
 
 
 def _rotated_motion(motion: Harmonic | None, rotation: Vector) -> Harmonic | None:
@@ -132,7 +139,7 @@ def why_locks_need_more_than_loads(scene: Scene) -> str | None:
     partly = _partly_locked(scene.spheres)
     locked = scene.axes[(~scene.spheres.free[partly]).any(axis=0)]
     oblique = locked[np.abs(locked).max(axis=1) < 1 - 1e-15]
-    drives = (scene.shaking, *(wall.motion for wall in scene.walls))
+    drives = (scene.wave, *(wall.motion for wall in scene.walls))
     for amplitude, _, _ in (sine for drive in drives if drive for sine in drive.sines()):
         if np.abs(oblique @ amplitude).max(initial=0.0) > 1e-12 * np.linalg.norm(amplitude):
             return (

@@ -47,7 +47,7 @@ def boxed(ask: Ask) -> Plan:
         "mu": float(scene.contact.mu),
         "size": size,
         "gravity": (axes @ scene.gravity).tolist(),
-        "shaking": _sines(scene.shaking, axes),
+        "shaking": _sines(scene.wave, axes),
         "blocks": [
             _block(number, block, axes)
             for number, block in zip(numbers[Block], scene.blocks, strict=True)
@@ -117,7 +117,7 @@ def _reach(ask: Ask, block: Block) -> float:
     normal = scene.walls[0].normal if len(scene.walls) == 1 else np.zeros(3)
     along = [part - (part @ normal) * normal for part in (pulled, block.velocity)]
     way = 0.5 * float(np.linalg.norm(along[0])) * t**2 + float(np.linalg.norm(along[1])) * t
-    for a, f, _ in scene.shaking.sines() if scene.shaking else ():
+    for a, f, _ in scene.wave.sines() if scene.wave else ():
         way += float(np.linalg.norm(a)) * min(0.5 * t**2, t / (np.pi * f) if f else np.inf)
     for wall in scene.walls:
         way += sum(2 * float(np.linalg.norm(a)) for a, _, _ in _moves(wall))

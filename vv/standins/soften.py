@@ -77,7 +77,7 @@ def softened(scene: Scene, kn: float, shear: float = 1.0) -> Scene:
 
 def _pressed(spheres: Spheres, scene: Scene, kn: float) -> Spheres:
     position = np.array(spheres.position)
-    field = scene.gravity + acceleration_of(scene.shaking)
+    field = scene.gravity + acceleration_of(scene.wave)
     for wall in scene.walls:
         gap = (position - wall.point) @ wall.normal - spheres.radius
         touching = np.abs(gap) <= TOUCHING * spheres.radius
@@ -100,7 +100,7 @@ def friction_at_start(scene: Scene) -> Vector:
     """
     (wall,) = scene.walls
     s, n = scene.spheres, wall.normal
-    field = scene.gravity + acceleration_of(scene.shaking) - base_acceleration(wall.motion)
+    field = scene.gravity + acceleration_of(scene.wave) - base_acceleration(wall.motion)
     needed = -(s.mass[:, None] * field + s.load)
     touching = np.abs((s.position - wall.point) @ n - s.radius) <= TOUCHING * s.radius
     cap = scene.contact.mu * np.where(touching, np.maximum(needed @ n, 0.0), 0.0)[:, None]

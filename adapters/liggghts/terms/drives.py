@@ -18,8 +18,8 @@ def shaken(deck: Deck, setup: Setup) -> Deck:
     for number, ((mass,), those) in enumerate(setup.shaken.items()):
         name = f"shake{number}"
         commands.append(group(name, those))
-        if setup.scene.shaking is not None:
-            commands += _force(name, setup.scene.shaking, mass, setup.ask.dt)
+        if setup.scene.wave is not None:
+            commands += _force(name, setup.scene.wave, mass, setup.ask.dt)
     note = "body accelerations by fix addforce at the time of the positions"
     return deck.with_more(forces=commands, notes=[note])
 

@@ -17,8 +17,8 @@ def shaken(given: Given, setup: Setup) -> Given:
     """A body acceleration as forces, from t = 0 on."""
     scene = setup.scene
     note = "body accelerations by HarmonicForceEngine at the time of the positions"
-    force = scene.spheres.mass[:, None] * acceleration_of(scene.shaking)
-    return given.with_more(note, force=force, shaking=sines(scene.shaking))
+    force = scene.spheres.mass[:, None] * acceleration_of(scene.wave)
+    return given.with_more(note, force=force, shaking=sines(scene.wave))
 
 
 def moving_walls(given: Given, setup: Setup) -> Given:

@@ -42,7 +42,7 @@ def facet_size(setup: Setup) -> float:
     places = np.vstack([spheres.position, *(wall.point for wall in scene.walls)])
     speed = float(np.linalg.norm(spheres.velocity, axis=1).max())
     speed += sum(fastest(wall.motion) for wall in scene.walls)
-    shaken = np.abs(scene.shaking.amplitude).sum() if scene.shaking else 0.0
+    shaken = np.abs(scene.wave.amplitude).sum() if scene.wave else 0.0
     fall = float(np.linalg.norm(scene.gravity) + shaken) * time
     reach = float(np.ptp(places, axis=0).max() + spheres.radius.max() + (speed + fall) * time)
     return FACET * reach

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import json
 import math
 from collections.abc import Iterable
@@ -10,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from vv.ask import Ask, Observable
-from vv.scene import Block, Bonds, Contact, Form, Harmonic, Scene, Spheres, Wall
+from vv.scene import Block, Bonds, Contact, Form, Harmonic, Pulse, Scene, Spheres, Wall
 
 FORMAT = "vv ask 1"
 DIRECTIONS = "xyz"
@@ -77,7 +78,7 @@ def _scene(scene: Scene) -> Json:
         "drag": scene.eta,
         "gravity": scene.gravity.tolist(),
         "axes": scene.axes.tolist(),
-        "shaking": _harmonic(scene.shaking),
+        "shaking": _shaking(scene),
         "spheres": _spheres(scene),
         "walls": [_wall(body, scene) for body in scene.body_numbers(Wall)],
         "blocks": [
@@ -86,6 +87,13 @@ def _scene(scene: Scene) -> Json:
         ],
         "bonds": _bonds(scene.bonds),
     }
+
+
+def _shaking(scene: Scene) -> Json | None:
+    """The sines, and when they end if they do."""
+    sines = _harmonic(scene.wave)
+    ends = {"until": scene.shaking.until} if isinstance(scene.shaking, Pulse) else {}
+    return None if sines is None else {**sines, **ends}
 
 
 def _contact(law: Contact) -> Json:
@@ -130,7 +138,7 @@ def _block(body: int, block: Block) -> Json:
         "load": block.load.tolist(),
         "free": block.free.astype(int).tolist(),
         "free_spin": block.free_spin.astype(int).tolist(),
-        "elastic": None if law is None else {"young": law.young, "poisson": law.poisson},
+        "elastic": None if law is None else dataclasses.asdict(law),
     }
 
 

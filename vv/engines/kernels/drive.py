@@ -10,7 +10,7 @@ import numpy.typing as npt
 from vv.engines.kernels.bundles import bundle
 from vv.engines.kernels.compiled import called, lent
 from vv.engines.kernels.triples import Triple, at, plus
-from vv.scene import Harmonic, Vector
+from vv.scene import Harmonic, Pulse, Vector
 
 Starts = npt.NDArray[np.int64]
 NO_MOTION = Harmonic(np.zeros(3), np.zeros(3))
@@ -20,21 +20,24 @@ NO_MOTION = Harmonic(np.zeros(3), np.zeros(3))
 class Drive(NamedTuple):
     """k sines: direction (k, 3) times amplitude, omega (k,) [rad/s], phase (k,) [rad].
 
-    start (k,): their sines at t = 0.
+    start (k,): their sines at t = 0. until (k,): when they end [s], as `value` and `mean` see it.
     """
 
     direction: Vector
     omega: Vector
     phase: Vector
     start: Vector
+    until: Vector
 
 
-def drive(motion: Harmonic) -> Drive:
+def drive(given: Harmonic | Pulse) -> Drive:
     """The sines of a motion that are not nil."""
+    motion = given.wave if isinstance(given, Pulse) else given
+    until = given.until if isinstance(given, Pulse) else np.inf
     there = motion.amplitude != 0
     direction = (motion.amplitude[:, None] * motion.axes)[there]
     omega, phase = 2 * np.pi * motion.frequency[there], motion.phase[there]
-    return Drive(direction, omega, phase, np.sin(phase))
+    return Drive(direction, omega, phase, np.sin(phase), np.full(len(omega), until))
 
 
 def drives(motions: tuple[Harmonic | None, ...]) -> tuple[Drive, Starts]:
@@ -49,7 +52,13 @@ def drives(motions: tuple[Harmonic | None, ...]) -> tuple[Drive, Starts]:
 def one_of(drive: Drive, start: Starts, k: int) -> Drive:
     """The k-th of several motions."""
     part = slice(start[k], start[k + 1])
-    return Drive(drive.direction[part], drive.omega[part], drive.phase[part], drive.start[part])
+    return Drive(
+        drive.direction[part],
+        drive.omega[part],
+        drive.phase[part],
+        drive.start[part],
+        drive.until[part],
+    )
 
 
 @lent
@@ -58,7 +67,8 @@ def value(drive: Drive, time: float) -> Triple:
     total = (0.0, 0.0, 0.0)
     for k in range(len(drive.omega)):
         angle = drive.omega[k] * time + drive.phase[k]
-        total = plus(total, np.sin(angle), at(drive.direction, k))
+        sine = np.sin(angle) if time <= drive.until[k] else 0.0
+        total = plus(total, sine, at(drive.direction, k))
     return total
 
 
@@ -87,8 +97,9 @@ def mean(drive: Drive, time: float, step: float) -> Triple:
     """The mean of the motion from time to time + step."""
     total = (0.0, 0.0, 0.0)
     for k in range(len(drive.omega)):
-        half = 0.5 * drive.omega[k] * step
-        smooth = np.sin(half) / half if half > 0.0 else 1.0
+        lasts = min(max(drive.until[k] - time, 0.0), step)
+        half = 0.5 * drive.omega[k] * lasts
+        smooth = lasts / step * (np.sin(half) / half if half > 0.0 else 1.0)
         middle = np.sin(drive.omega[k] * time + half + drive.phase[k])
         total = plus(total, smooth * middle, at(drive.direction, k))
     return total

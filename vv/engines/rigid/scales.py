@@ -29,7 +29,7 @@ def scales(scene: Scene) -> Scales:
     """Those of a scene: weights and loads, drives, velocities at the start, sizes of blocks."""
     blocks, walls = scene.blocks, [wall.motion for wall in scene.walls]
     forces = [math.hypot(*(scene.gravity + block.load / block.mass)) for block in blocks]
-    shaken, moved = _rate(scene.shaking, 0), max((_rate(one, 2) for one in walls), default=0.0)
+    shaken, moved = _rate(scene.wave, 0), max((_rate(one, 2) for one in walls), default=0.0)
     weight = float(max(forces))
     pull = weight + shaken + moved
     sizes = [np.ptp(block.vertices, axis=0).max() for block in blocks]

@@ -144,8 +144,8 @@ class _Drawing:
         if along is not None:
             yield from _arrow("g", corner, corner + ARROW * along)
             yield f'<text class="g" x="{corner[0] + 8:.1f}" y="{corner[1] + 6:.1f}">g</text>'
-        if self.scene.shaking is not None:
-            for vector, _, _ in self.scene.shaking.sines():
+        if self.scene.wave is not None:
+            for vector, _, _ in self.scene.wave.sines():
                 yield from self._double("m", np.array([self.width - MARGIN, MARGIN / 2]), vector)
 
 
@@ -174,7 +174,7 @@ def _directions(scene: Scene) -> Vector:
     found = [wall.normal for wall in scene.walls for _ in range(4)]
     found += [scene.gravity, *scene.spheres.velocity, *scene.spheres.load]
     found += [v for block in scene.blocks for v in (block.velocity, block.load)]
-    found += [along for along, _, _ in scene.shaking.sines()] if scene.shaking else []
+    found += [along for along, _, _ in scene.wave.sines()] if scene.wave else []
     moves = [wall.motion for wall in scene.walls if wall.motion is not None]
     found += [along for motion in moves for along, _, _ in motion.sines()]
     units = [v / np.linalg.norm(v) for v in found if np.linalg.norm(v) > 0]

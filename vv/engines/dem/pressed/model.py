@@ -148,7 +148,7 @@ def pressed(scene: Scene, charged: Vector | None = None) -> Pressed | None:
         gap=float((s.position[0] - scene.walls[0].point) @ n - s.radius[0]),
         friction=(scene.contact.ks, scene.contact.mu, start) if rubs else None,
         eta=scene.eta if scene.eta > 0 else None,
-        shaking=_along(scene.shaking, axes),
+        shaking=_along(scene.wave, axes),
         base=base,
     )
     words = "2 unknowns: a sphere along the normal of its wall and along the wall"

@@ -27,7 +27,7 @@ class Shaking(NamedTuple):
 
 def build(placed: Placed) -> Shaking | None:
     """The shaking of a scene that has some."""
-    motion = placed.scene.shaking
+    motion = placed.scene.wave
     return None if motion is None else Shaking(drive(motion), np.zeros((1, 3)), np.zeros(1))
 
 

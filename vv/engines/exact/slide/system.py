@@ -86,7 +86,7 @@ def assemble_slider(scene: Scene) -> Slider:
     contact = _closed_contact(scene)
     spheres, wall = scene.spheres, scene.walls[0]
     free = scene.axes[spheres.free[0]]
-    shaking, base = _sines(scene.shaking), _sines(wall.motion)
+    shaking, base = _sines(scene.wave), _sines(wall.motion)
     along = _along(scene, contact, shaking[2], base[2])
     felt = [contact.normal, along] if scene.contact.mu > 0 else [contact.normal]
     _check_held(contact, along, free, base[2])

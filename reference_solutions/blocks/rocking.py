@@ -1,0 +1,152 @@
+"""A block that rocks on a floor under a sine that ends, without slip (Housner 1963).
+
+A block of half sides b and h leans by theta about the corner it stands on, positive towards +x:
+theta'' = p^2 (-sin(alpha - theta) + (a/g) cos(alpha - theta)) for theta > 0 and its mirror image
+for theta < 0, with tan(alpha) = b/h, R^2 = b^2 + h^2, p^2 = 3 g/(4 R) and a = A sin(w t) until T.
+Upright it stands until |a| > g tan(alpha). As it meets the floor its rate becomes
+1 - 1.5 sin^2(alpha) of what it was, which keeps the moment of momentum about the other corner
+(Makris and Roussos 2000). Every function raises ValueError for parameters outside their ranges.
+"""
+
+from math import asin, atan2, cos, exp, hypot, inf, pi, sin, sqrt, tan
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from reference_solutions.parameters import require_positive, require_times
+
+Array = NDArray[np.float64]
+
+_LEAST = 1e-7  # of p: a rate below which what is left of a swing is none
+_SHARP = {"rtol": 1e-12, "atol": 1e-14}
+
+
+def slenderness(b: float, h: float, g: float) -> tuple[float, float]:
+    """alpha [rad] and p [1/s]."""
+    require_positive("in SI units", b=b, h=h, g=g)
+    return atan2(b, h), sqrt(0.75 * g / hypot(b, h))
+
+
+def restitution(b: float, h: float) -> float:
+    """The rate after an impact over the one before."""
+    return 1.0 - 1.5 * sin(atan2(b, h)) ** 2
+
+
+def leans(
+    t: ArrayLike, *, b: float, h: float, g: float,
+    A: float = 0.0, w: float = 1.0, T: float = 0.0, theta: float = 0.0,
+) -> Array:  # fmt: skip
+    """theta (k,) [rad] at rising times (k,) [s], at rest at theta [rad] or upright at first.
+
+    A [m/s2], w [rad/s], T [s]: of the sine. Beyond alpha it falls; |theta| ends at pi/2 - alpha.
+    """
+    times = require_times(t)
+    alpha, p = slenderness(b, h, g)
+    found = np.empty(len(times))
+    now, state = 0.0, (theta, 0.0)
+    while now <= times[-1]:
+        if state == (0.0, 0.0):
+            begins = _tips(now, A, w, T, g * tan(alpha))
+            found[times >= now] = 0.0
+            if not begins < times[-1]:
+                break
+            now = begins
+        side = 1.0 if state[0] > 0 or (state[0] == 0 and _way(state[1], A, w, now) > 0) else -1.0
+        now, state = _swing(times, found, now, state, side, (alpha, p, A / g, w, T))
+        rises = state[1] * restitution(b, h)
+        state = (0.0, rises if abs(rises) > _LEAST * p else 0.0)
+    return found
+
+
+def _way(rate: float, A: float, w: float, now: float) -> float:
+    """Which way a block that is upright goes."""
+    return rate if rate != 0.0 else A * sin(w * now)
+
+
+def _tips(now: float, A: float, w: float, T: float, most: float) -> float:
+    """When a block that stands upright at `now` begins to lean; infinity if it does not."""
+    if not most < A:
+        return inf
+    for k in range(int(w * T / pi) + 1):
+        begins = (k * pi + asin(most / A)) / w
+        if now <= begins < T:
+            return begins
+    return inf
+
+
+def _swing(
+    times: Array, found: Array, now: float, state: tuple[float, float], side: float,
+    law: tuple[float, ...],
+) -> tuple[float, tuple[float, float]]:  # fmt: skip
+    """Fill in the leans from `now` until the block meets the floor; when, and its state there."""
+    from scipy.integrate import solve_ivp
+
+    alpha, p, part, w, T = law
+
+    def rate(t: float, y: Array, on: float) -> list[float]:
+        pull = on * part * sin(w * t)
+        return [y[1], p**2 * (-side * sin(alpha - side * y[0]) + pull * cos(alpha - side * y[0]))]
+
+    def floor(t: float, y: Array, on: float) -> float:
+        return side * float(y[0])
+
+    def flat(t: float, y: Array, on: float) -> float:
+        return side * float(y[0]) - (pi / 2 - alpha)
+
+    floor.terminal = flat.terminal = True  # type: ignore[attr-defined]
+    floor.direction = -1.0  # type: ignore[attr-defined]
+    last = float(times[-1])
+    for end, on in ((T, 1.0), (inf, 0.0)):
+        if not now < min(end, last * 1.000001):
+            continue
+        span = (now, min(end, last * 1.000001))
+        one = solve_ivp(rate, span, state, "DOP853", events=(floor, flat), args=(on,),
+                        dense_output=True, **_SHARP)  # fmt: skip
+        here = (times >= now) & (times <= one.t[-1])
+        found[here] = one.sol(times[here])[0] if here.any() else 0.0
+        now, state = float(one.t[-1]), (float(one.y[0, -1]), float(one.y[1, -1]))
+        if len(one.t_events[1]):
+            found[times > now] = side * (pi / 2 - alpha)
+            return inf, state
+        if len(one.t_events[0]):
+            return now, (0.0, state[1])
+    return inf, state
+
+
+def excess(A: float, *, b: float, h: float, g: float, w: float) -> float:
+    """What a half sine leaves of theta'^2/2 above what a block needs to overturn [1/s2]."""
+    from scipy.integrate import solve_ivp
+
+    alpha, p = slenderness(b, h, g)
+    if not g * tan(alpha) < A:
+        raise ValueError(f"A = {A} m/s2; a block leans from g tan(alpha) = {g * tan(alpha)} on")
+    begins = asin(g * tan(alpha) / A) / w
+
+    def rate(t: float, y: Array) -> list[float]:
+        lean = alpha - y[0]
+        return [y[1], p**2 * (-sin(lean) + A / g * sin(w * t) * cos(lean))]
+
+    end = solve_ivp(rate, (begins, pi / w), [0.0, 0.0], "DOP853", **_SHARP).y[:, -1]
+    return float(end[1] ** 2 / 2 + p**2 * (cos(alpha - end[0]) - 1))
+
+
+def threshold(*, b: float, h: float, g: float, w: float) -> float:
+    """The least amplitude [m/s2] of a half sine that overturns the block without an impact."""
+    from scipy.optimize import brentq
+
+    alpha, p = slenderness(b, h, g)
+    least = g * tan(alpha)
+    return float(brentq(lambda A: excess(A, b=b, h=h, g=g, w=w), 1.0001 * least,
+                        10 * least * (1 + w / p), xtol=1e-12, rtol=1e-14))  # fmt: skip
+
+
+def linear_threshold(*, b: float, h: float, g: float, w: float) -> float:
+    """The same of the equation for small angles: alpha g/sin(psi), where
+    (w/p) sin(psi) = cos(psi) + exp(-(p/w)(pi - psi)) (Makris and Roussos 2000)."""
+    from scipy.optimize import brentq
+
+    alpha, p = slenderness(b, h, g)
+    psi = brentq(
+        lambda s: w / p * sin(s) - cos(s) - exp(-p / w * (pi - s)), 1e-9, pi / 2, xtol=1e-15
+    )
+    return alpha * g / sin(psi)

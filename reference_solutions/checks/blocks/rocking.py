@@ -1,0 +1,103 @@
+"""A rocking block by small steps of Runge and Kutta, impacts by halving: the second route.
+
+Positions of the corners tell when it meets the floor, and the moment of momentum about the corner
+that lands what it keeps, so that nothing of the first route's formulas is used but the geometry.
+"""
+
+from math import atan2, cos, hypot, pi, sin
+
+
+def leans(
+    t: float,
+    *,
+    b: float,
+    h: float,
+    g: float,
+    A: float,
+    w: float,
+    T: float,
+    theta: float,
+    steps: int,
+) -> float:
+    """The lean [rad] after a time t [s] in so many steps, at rest at theta > 0 at first.
+
+    Or, with theta = 0, from when the sine first lifts the block towards +x.
+    """
+    x, rate, now, side, dt = theta, 0.0, 0.0, 1.0, t / steps
+    while now < t - 1e-12:
+        if x == rate == 0.0 and pushed(0.0, side, now, b, h, g, A, w, T) <= 0.0:
+            now += dt  # it stands
+            continue
+        span = min(dt, t - now)
+        if now < T < now + span:
+            span = T - now
+        one = stepped(x, rate, side, now, span, (b, h, g, A, w, T))
+        if one[0] < 0.0:
+            low, high = 0.0, span
+            for _ in range(60):
+                span = 0.5 * (low + high)
+                one = stepped(x, rate, side, now, span, (b, h, g, A, w, T))
+                low, high = (low, span) if one[0] < 0.0 else (span, high)
+            rises = landed(one[1], b, h)
+            one = (0.0, rises if rises > 1e-7 else 0.0)
+            side = -side
+        x, rate = one
+        now += span
+    return side * x
+
+
+def landed(rate: float, b: float, h: float) -> float:
+    """The rate [1/s] about the other corner, of a block that came down at -rate about the first.
+
+    Moment of momentum about the corner that lands, for a unit mass: r x v + I w.
+    """
+    about = (b * b + h * h) / 3.0
+    speed = (h * rate, -b * rate)  # of the centre as it comes down, which it does for rate < 0
+    before = h * speed[0] + b * speed[1] + about * rate
+    return abs(before) / (about + b * b + h * h)
+
+
+def pushed(
+    x: float, side: float, now: float, b: float, h: float, g: float, A: float, w: float, T: float
+) -> float:
+    """The acceleration [1/s2] of a lean x towards `side`, from moments of forces on the centre."""
+    lean, r = atan2(b, h) - x, hypot(b, h)
+    level = side * A * sin(w * now) if now < T else 0.0
+    return (level * r * cos(lean) - g * r * sin(lean)) / (4.0 / 3.0 * r * r)
+
+
+def stepped(
+    x: float, rate: float, side: float, now: float, dt: float, law: tuple[float, ...]
+) -> tuple[float, float]:
+    """One step of the classical method of fourth order."""
+    b, h, g, A, w, T = law
+    T = T + 1e-12 if now + dt <= T + 1e-12 else (0.0 if now >= T - 1e-12 else T)
+
+    def push(y: float, at: float) -> float:
+        return pushed(y, side, at, b, h, g, A, w, T)
+
+    k1, j1 = rate, push(x, now)
+    k2, j2 = rate + dt / 2 * j1, push(x + dt / 2 * k1, now + dt / 2)
+    k3, j3 = rate + dt / 2 * j2, push(x + dt / 2 * k2, now + dt / 2)
+    k4, j4 = rate + dt * j3, push(x + dt * k3, now + dt)
+    return x + dt / 6 * (k1 + 2 * k2 + 2 * k3 + k4), rate + dt / 6 * (j1 + 2 * j2 + 2 * j3 + j4)
+
+
+def overturns(
+    A: float, *, b: float, h: float, g: float, w: float, steps: int, patience: float = 12.0
+) -> bool:
+    """Whether a half sine overturns the block before it comes back, stepped until one happens."""
+    law, T = (b, h, g, A, w, pi / w), pi / w
+    x, rate, now, dt = 0.0, 0.0, 0.0, pi / w / steps
+    while now < patience:
+        if x == rate == 0.0 and pushed(0.0, 1.0, now, *law) <= 0.0:
+            now += dt
+            continue
+        span = min(dt, T - now) if now < T - 1e-12 else dt
+        x, rate = stepped(x, rate, 1.0, now, span, law)
+        now += span
+        if x > atan2(b, h) and rate > 0 and now > T:
+            return True
+        if x <= 0.0 and now > T:
+            return False
+    raise ValueError(f"A = {A} m/s2; neither after {patience} s")

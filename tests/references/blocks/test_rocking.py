@@ -1,0 +1,64 @@
+"""Claims about a rocking block: two routes agree, and its figures are those of the literature."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from reference_solutions.blocks import rocking
+from reference_solutions.checks.blocks import rocking as stepped
+
+LAW = {"b": 0.2, "h": 0.6, "g": 9.81}
+W = 2 * np.pi
+ALPHA = rocking.slenderness(**LAW)[0]
+
+
+@pytest.mark.parametrize("t", [0.3, 0.9, 1.3, 1.9])
+def test_a_block_that_is_let_go_rocks_the_same_by_both_routes(t: float) -> None:
+    found = rocking.leans([0.0, t], **LAW, theta=0.6 * ALPHA)[-1]
+    other = stepped.leans(t, **LAW, A=0.0, w=W, T=0.0, theta=0.6 * ALPHA, steps=2000)
+    assert found == pytest.approx(other, abs=1e-10)
+
+
+@pytest.mark.parametrize(("A", "t"), [(4.5, 0.5), (4.5, 1.5), (5.2, 0.75), (6.0, 0.7)])
+def test_a_block_under_half_a_sine_rocks_the_same_by_both_routes(A: float, t: float) -> None:
+    """The second begins to lean at a whole step, which costs it 1e-6."""
+    found = rocking.leans([0.0, t], **LAW, A=A, w=W, T=0.5)[-1]
+    other = stepped.leans(t, **LAW, A=A, w=W, T=0.5, theta=0.0, steps=3000)
+    assert found == pytest.approx(other, abs=2e-6)
+
+
+def test_it_overturns_from_the_threshold_on_by_both_routes() -> None:
+    least = rocking.threshold(**LAW, w=W)
+    assert least == pytest.approx(5.638047, abs=1e-6)
+    assert stepped.overturns(least * (1 + 1e-6), **LAW, w=W, steps=2000)
+    assert not stepped.overturns(least * (1 - 1e-6), **LAW, w=W, steps=2000)
+
+
+@pytest.mark.parametrize(("g", "least"), [(9.80, 5.43639), (9.80665, 5.43911), (9.81, 5.44049)])
+def test_for_small_angles_the_threshold_is_that_of_makris_and_roussos(
+    g: float, least: float
+) -> None:
+    found = rocking.linear_threshold(b=0.2, h=0.6, g=g, w=W)
+    assert found == pytest.approx(least, abs=5e-6)
+
+
+def test_swings_end_and_turn_where_they_should() -> None:
+    t = np.linspace(0.0, 1.9, 19001)
+    lean = rocking.leans(t, **LAW, theta=0.6 * ALPHA)
+    ends = t[1:][np.diff(np.sign(lean)) != 0][:3]
+    assert ends == pytest.approx([0.46043, 1.07570, 1.54661], abs=2e-4)
+    spans = zip(ends, [*ends[1:], 1.9], strict=True)
+    swings = [np.abs(lean[(t > one) & (t < two)]).max() / ALPHA for one, two in spans]
+    assert swings == pytest.approx([0.37400, 0.25168, 0.17431], abs=1e-5)
+
+
+def test_beyond_the_threshold_the_time_to_overturn_grows_by_a_logarithm() -> None:
+    """ln(100)/p for each two decades nearer to it (Hogan 1989)."""
+    least, t = rocking.threshold(**LAW, w=W), np.linspace(0.0, 6.0, 60001)
+    falls = [
+        t[rocking.leans(t, **LAW, A=least * (1 + near), w=W, T=0.5) > ALPHA + 0.1][0]
+        for near in (1e-4, 1e-6)
+    ]
+    p = rocking.slenderness(**LAW)[1]
+    assert falls[1] - falls[0] == pytest.approx(np.log(100) / p, rel=1e-2)
