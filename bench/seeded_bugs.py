@@ -14,7 +14,7 @@ class Bug(NamedTuple):
 
 
 LINE = "vv/engines/dem/line/kernel.py"
-SPACE = "vv/engines/dem/space/forces.py"
+LOAD = "vv/engines/dem/terms/load.py"
 LAW = "vv/engines/dem/terms/contact_law.py"
 FRICTION = "vv/engines/dem/terms/friction.py"
 ADVANCE = "vv/engines/dem/space/advance.py"
@@ -44,7 +44,7 @@ BUGS = (
     Bug("stale shear after separation", LAW, "dem", "                put(shear, p, NOWHERE)", "                pass"),
     Bug("shear spring charged twice", FRICTION, "dem", "trial = plus(old, -ks, slide)", "trial = plus(old, -2.0 * ks, slide)"),
     Bug("no Coulomb cap", FRICTION, "dem", "if dot(trial, trial) <= caps[1] * caps[1]:", "if True:"),
-    Bug("dead load dropped", SPACE, "dem", "put(push, i, plus(at(push, i), 1.0, at(load, i)))", "pass"),
+    Bug("dead load dropped", LOAD, "dem", "return plus(push, 1.0, at(term.load, i))", "return push"),
     Bug("locks ignored", ADVANCE, "dem", "    if hold is None:", "    if True:"),
     Bug("wrong mass", ADVANCE, "dem", "carried_on(old, push, mass[i], dt", "carried_on(old, push, 1.01 * mass[i], dt"),
     Bug("wrong lever arm", LAW, "dem", "put(turn, j, plus(at(turn, j), radius[p, 1] - 0.5 * overlap, torque))", "put(turn, j, plus(at(turn, j), radius[p, 1] + 0.5 * overlap, torque))"),
