@@ -133,11 +133,12 @@ def _tolerances(p: Parameters, path: Path) -> dict[Method, Tolerance]:
     else:
         way = float(np.sqrt(p["D"] ** 2 + p["Dy"] ** 2 + (2 * p["Dz"]) ** 2))
     rate = p["mu"] * p["g"] * p["duration"] / (way or _fall(p))
+    quick = 1 + p["f"] / 3 if directions == 1 else 1.0  # Hz: what is late adds up the faster
     return {
         Method.EXACT: Tolerance(1e-13 if directions == 1 else 1e-12, LOCATED),
         Method.SECOND_ORDER: _second(p) if directions == 1 else _rotating(p),
-        Method.PENALTY: _late(rate, 0.07, 0.8),
-        Method.LAGGING: _late(rate, 0.1, 2.0, "; friction that is an iteration late adds to it"),
+        Method.PENALTY: _late(rate, 0.07 * quick, 0.8),
+        Method.LAGGING: _late(rate, 0.1 * quick, 2.0, "; friction that lags adds to it"),
     }
 
 
@@ -173,7 +174,7 @@ def _second(p: Parameters) -> Tolerance:
             "located within the step; what remains is the tolerance they are located to",
         )
     return Tolerance(
-        float(np.clip((omega * STEP) ** 2 / 12, 2e-9, LARGEST_TOLERANCE)),
+        float(np.clip((omega * STEP) ** 2 / 8, 2e-9, LARGEST_TOLERANCE)),
         "where it sticks it follows a sine, with an error of (w dt)^2/12",
         dt=STEP,
         order=2,

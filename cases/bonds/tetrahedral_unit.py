@@ -45,7 +45,7 @@ EDGES = np.array([[0, 1], [0, 2], [0, 3], [1, 2], [2, 3], [3, 1]])
 BASE = np.array([[True, True, True], *[[True, True, False]] * 3])
 SEEN = tuple(Displacement(i) for i in range(4))
 REST = 6e-5  # s, or a multiple of it that viscosity needs
-LONGER = 4  # times as long: rotation is damped only through the motion of the centres
+LONGER, SPINS = 4, 17.0  # rotation is damped only through the motion of the centres
 DECAYS = 22.0  # to a part of 3e-10 of what is thrown off balance
 SWING = History(duration=2e-6, interval=2e-8)
 
@@ -75,13 +75,15 @@ def _loaded(p: Parameters, turning: bool) -> Trial:
     load[0, 2] = fz
     scene = unit(p, p["eta"], free=BASE, load=load, free_spin=np.full((4, 3), turning))
     state = tetrahedral_unit.loaded(fz, kn=kn, ks=ks, d=d)
-    duration = REST * _stretch(p, ks) * (LONGER if turning else 1)
+    duration = REST * (max(LONGER, _stretch(p, ks, SPINS)) if turning else _stretch(p, ks))
     study = Ladder(scene, History(duration, duration / 10), SEEN, _levels(2e-8))
     return Trial(study, _measured(kn, ks, d, state, fz))
 
 
-def _stretch(p: Parameters, ks: float) -> int:
+def _stretch(p: Parameters, ks: float, times: float = 1.0) -> int:
     """How many times REST the unit needs to come to rest: until its slowest mode has decayed.
+
+    times: how much longer than that mode it takes.
 
     Its modes under the load, by the rise of the top and the spread of the base: a mode of the rate
     w decays as n - sqrt(n^2 - w^2), n = eta/(2 m), or as n where it swings.
@@ -99,7 +101,7 @@ def _stretch(p: Parameters, ks: float) -> int:
     w2 = np.linalg.eigvalsh(stiffness / np.outer(moved, moved))
     n = p["eta"] / (2 * p["m"])
     slowest = float((w2 / (n + np.sqrt(np.maximum(n**2 - w2, 0.0)))).clip(max=n).min())
-    return max(1, int(np.ceil(DECAYS / slowest / REST)))
+    return max(1, int(np.ceil(times * DECAYS / slowest / REST)))
 
 
 def _measured(kn: float, ks: float, d: float, state: State, fz: float) -> tuple[Quantity, ...]:

@@ -84,38 +84,48 @@ def _pair_path(p: Parameters, body: int, t: Vector) -> Vector:
 
 def _declare(variant: str, p: Parameters) -> Trial:
     if variant in ("floor", "held"):
-        scene, step = _on_floor(p, variant == "held"), FLOOR_STEP
+        scene, step = _on_floor(p, variant == "held"), FLOOR_STEP * _slower(p, 2e10)
         path = functools.partial(_floor_path, p)
         seen: tuple[Displacement, ...] = (Displacement(1),)
-        quantities = _of_sphere(_motion(seen[0], scene, 3, path))
+        quantities = _of_sphere(
+            _motion(seen[0], scene, 3, path), step, 2e-5 * float(np.sqrt(2e10 / p["kn"]))
+        )
     else:
-        scene, step = _two(p), PAIR_STEP
+        scene, step = _two(p), PAIR_STEP * _slower(p, 5e6)
         seen = (Displacement(0), Displacement(1))
         paths = [functools.partial(_pair_path, p, what.body) for what in seen]
         motions = [_motion(w, scene, 2, path) for w, path in zip(seen, paths, strict=True)]
-        quantities = _of_pair(motions)
+        quantities = _of_pair(motions, step)
     return Trial(Ladder(scene, GOAL, seen, _levels(step)), quantities)
+
+
+def _slower(p: Parameters, kn: float) -> float:
+    """How much longer a contact lasts than by default, where its stiffness is kn [N/m]."""
+    return float(np.sqrt(kn / p["kn"] * (p["rho"] / 2500.0) * (p["r1"] / 0.1) ** 3))
 
 
 def _motion(what: Displacement, scene: Scene, directions: int, path: Path) -> Motion:
     return Motion(what, scene.axes[:directions], path, GOAL.times(None), "m")
 
 
-def _of_sphere(motion: Motion) -> tuple[Quantity, ...]:
+def _of_sphere(motion: Motion, step: float, arm: float) -> tuple[Quantity, ...]:
+    judge = _judge(step, 2e-4 + arm, 5e-4, arm)
     ways = (
-        ("x", "along the throw", ON_FLOOR),
+        ("x", "along the throw", judge),
         ("y", "across the throw, level", NOWHERE),
-        ("z", "up", ON_FLOOR),
+        ("z", "up", judge),
     )
     parts = [
-        motion.component(i, axis, f"displacement of the sphere {how}", judge)
-        for i, (axis, how, judge) in enumerate(ways)
+        motion.component(i, axis, f"displacement of the sphere {how}", by)
+        for i, (axis, how, by) in enumerate(ways)
     ]
-    return (*parts, motion.distance(ON_FLOOR))
+    return (*parts, motion.distance(judge))
 
 
-def _of_pair(motions: list[Motion]) -> tuple[Quantity, ...]:
-    parts = (("x", "along the first line of centres", ALONG), ("y", "across it", ACROSS))
+def _of_pair(motions: list[Motion], step: float) -> tuple[Quantity, ...]:
+    # only friction acts across the line of centres, a part of what acts along it
+    along, across = _judge(step, 2e-4, 2.5e-3), _judge(step, 5e-5, 6e-4)
+    parts = (("x", "along the first line of centres", along), ("y", "across it", across))
     return tuple(
         motion.component(i, f"{axis}{n}", f"displacement of sphere {n} {how}", judge)
         for n, motion in enumerate(motions, 1)
@@ -159,9 +169,6 @@ NOWHERE: Judge = Exact(dict.fromkeys(
     Tolerance(1e-12, "nothing moves it there, or it is locked: rounding only"),
 ))  # fmt: skip
 FLOOR_STEP, PAIR_STEP = 5e-7, 2e-5  # s
-ON_FLOOR = _judge(FLOOR_STEP, 2e-4, 5e-4, 1.5e-5)
-# only friction acts across the line of centres, a part of what acts along it
-ALONG, ACROSS = _judge(PAIR_STEP, 2e-4, 2.5e-3), _judge(PAIR_STEP, 5e-5, 6e-4)
 
 LAW = (
     "U'' = g - kn U/m in contact; F' = -ks s while |F| <= mu kn U, s = v_x - r w, "

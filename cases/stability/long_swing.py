@@ -79,7 +79,7 @@ def _declare(variant: str, p: Parameters) -> Trial:
 def _quantities(w: float) -> tuple[Quantity, ...]:
     rate = Scalar(
         "rate", "phase/wt", "", "phase over that of the exact swing",
-        lambda run: _swing(run, w).phase / (w * float(run.times[-1])), 1.0, 1.0, _second(SWIFT),
+        lambda run: _swing(run, w).phase / (w * float(run.times[-1])), 1.0, 1.0, _second(SWIFT, w),
     )  # fmt: skip
     return (
         Scalar(
@@ -88,7 +88,7 @@ def _quantities(w: float) -> tuple[Quantity, ...]:
         ),
         Scalar(
             "kappa", "kappa", "", "stiffness in the energy that is kept, over the spring's",
-            lambda run: _swing(run, w).kappa, 1.0, 1.0, _second(SOFT),
+            lambda run: _swing(run, w).kappa, 1.0, 1.0, _second(SOFT, w),
         ),
         rate,
         dataclasses.replace(
@@ -128,10 +128,9 @@ def _theory(run: Run, w: float) -> float:
     return steps * leapfrog.turn(span / steps) if span < steps else span
 
 
-def _second(reason: str) -> Exact:
-    """Errors that are known: phase (w dt)^2/24, kappa (w dt)^2/4, at w dt = 0.4."""
+def _second(reason: str, w: float) -> Exact:
+    """Errors that are known: phase (w dt)^2/24, kappa (w dt)^2/4, at w dt = 0.4; w [1/s]."""
     known = ANGLES[0] ** 2 / (24 if reason == SWIFT else 4)
-    w = math.sqrt(K)
     bound = Tolerance(1.02 * known, reason, dt=ANGLES[0] / w, order=2)
     return Exact({
         Method.EXACT: Tolerance(1e-11, "rounding of three thousand pieces"),
@@ -148,7 +147,6 @@ ONLY_NEAR = "springs that stand in for a bond do so for small stretches only"
 ANGLES = (0.4, 0.2, 0.1, 0.05)  # w dt [rad]
 PERIODS = {"pressed": 1000.25, "bonded": 2000.25, "bonded-long": 100_000.25}
 BETWEEN = 5.05  # periods between two outputs
-K = 5.5e9 / closed.mass(2500.0, 50.0)  # 1/s2, of the default parameters
 SWIFT = "a leapfrog turns by 2 asin(w dt/2) a step: (w dt)^2/24 too fast, and 2 % for what follows"
 SOFT = "a leapfrog keeps m v^2/2 + k (1 - (w dt/2)^2) x^2/2, no more and no less"
 BALANCED = "the load balances the contact at the start, and costs no order; "
