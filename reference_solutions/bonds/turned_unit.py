@@ -23,8 +23,6 @@ def path(
 
     position, velocity: (4, 3) [m], [m/s]; pairs: (6, 2) elements; bonds start slack.
     """
-    from scipy.integrate import solve_ivp
-
     i, j = pairs.T
     length = np.linalg.norm(position[j] - position[i], axis=1)
     rate = np.sqrt(kn / m)
@@ -53,6 +51,7 @@ def path(
     def at(t: Array) -> Array:
         if not t.any():
             return np.zeros((len(t), 4, 3))
+        from scipy.integrate import solve_ivp
 
         solved = solve_ivp(
             change, (0.0, float(t.max())), start, "DOP853", t, rtol=ROUNDED, atol=ROUNDED * scale
