@@ -7,6 +7,7 @@ from collections.abc import Iterable, Mapping
 
 from vv.case import Case, Exact, Quantity
 from vv.gate.judgement import outcome
+from vv.insight.voices import votes
 from vv.output.terminal import say
 from vv.output.wording import in_words
 from vv.plan.plan import Plan
@@ -16,8 +17,9 @@ from vv.records.quantity import MeasuredQuantity
 
 
 def print_explanation(plan: Plan, manifests: Iterable[Manifest]) -> None:
-    """Explain the planned variants, and show their last results."""
-    results = _last_results(manifests)
+    """Explain the planned variants, show their last results, and who agrees with whom."""
+    past = tuple(manifests)
+    results, heard = _last_results(past), votes(_last_records(past))
     for name, case in plan.cases.items():
         doi = f", doi:{case.source.doi}" if case.source.doi else ""
         say(case.title, f"  source: {case.source.citation}{doi}")
@@ -27,6 +29,9 @@ def print_explanation(plan: Plan, manifests: Iterable[Manifest]) -> None:
         for variant in case.variants:
             if (name, variant.name) in plan.trials:
                 _explain_variant(plan, case, variant.name, results)
+                for vote in heard:
+                    if (vote.case, vote.variant) == (name, variant.name):
+                        say(f"  voices: {vote.in_words()}")
 
 
 def _explain_variant(
@@ -79,6 +84,17 @@ def _explain_quantity(quantity: Quantity) -> None:
         say(f"    {method.value}: {tolerance.value:g}{step}: {tolerance.reason}")
     for method, reason in judge.not_judged.items():
         say(f"    {method.value}: shown: {reason}")
+
+
+def _last_records(manifests: Iterable[Manifest]) -> list[Record]:
+    """The newest records of each (case, variant, code, scheme)."""
+    found: dict[tuple[str, ...], list[Record]] = {}
+    for manifest in manifests:
+        newest: dict[tuple[str, ...], list[Record]] = {}
+        for r in manifest.records:
+            newest.setdefault((r.case, r.variant, r.code, r.scheme), []).append(r)
+        found = {**newest, **found}
+    return [record for records in found.values() for record in records]
 
 
 def _last_results(manifests: Iterable[Manifest]) -> dict[tuple[str, ...], list[str]]:
