@@ -1,0 +1,18 @@
+"""Claims about `vv explain`: it says who agrees with whom, of the newest results of each scheme."""
+
+from __future__ import annotations
+
+from tests.insight.test_voices import CHORUS, heard
+from tests.support.fabricated import NOWHERE
+from vv.output import explain
+from vv.records.manifest import Manifest
+
+
+def test_the_newest_results_of_each_scheme_are_heard() -> None:
+    newest, before = (
+        Manifest(NOWHERE, {}, {}, (), tuple(heard(voices)), (), {}, ())
+        for voices in ({"a/x": (1.03, 1.01)}, {**CHORUS, "a/x": (5.0, 5.0)})
+    )
+    records = explain._last_records([newest, before])
+    values = {r.label: r.quantities[0].figures["final"] for r in records}
+    assert values == {"a/x": 1.01, "b/x": 0.99, "c/x": 1.005}
