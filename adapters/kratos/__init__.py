@@ -18,7 +18,7 @@ DEFAULT = Scheme(
     "default",
     "velocity Verlet for places, rotation by direct integration; linear springs of given "
     "stiffness, and Coulomb friction",
-    Method.SECOND_ORDER,
+    Method.LEAPFROG,
     frozenset(
         {
             Term.SPHERE,
