@@ -12,8 +12,8 @@ import numpy as np
 from cases._papers import YAGODA_BIRAN_2016
 from cases.hard.wedge import CASE as WEDGE
 from cases.hard.wedge import WEDGE as MOVED
-from reference_solutions.blocks import shaken_wedge
-from reference_solutions.blocks.wedge import pressing
+from reference_solutions.hard import shaken_wedge
+from reference_solutions.hard.wedge import pressing
 from vv.ask import History, Knobs, Method
 from vv.case import (
     Case,

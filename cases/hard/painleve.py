@@ -6,7 +6,7 @@ import math
 
 import numpy as np
 
-from reference_solutions.blocks import painleve_rod
+from reference_solutions.hard import painleve_rod
 from vv.ask import Displacement, History, Knobs, Method
 from vv.case import (
     Case,

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from reference_solutions.blocks import spin_stopped
+from reference_solutions.hard import spin_stopped
 from vv.ask import Displacement, History, Knobs, Method, Observable, Run
 from vv.case import (
     Case,

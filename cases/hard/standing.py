@@ -7,7 +7,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from reference_solutions.blocks import arch, falling_arch
+from reference_solutions.hard import arch, falling_arch
 from vv.ask import Displacement, History, Knobs, Method, Run
 from vv.case import (
     Case,

@@ -8,7 +8,7 @@ import math
 import numpy as np
 
 from cases._papers import YAGODA_BIRAN_2016
-from reference_solutions.blocks import wedge, wedge_on_springs
+from reference_solutions.hard import wedge, wedge_on_springs
 from vv.ask import Displacement, History, Knobs, Method
 from vv.case import (
     LARGEST_TOLERANCE,

@@ -8,8 +8,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from reference_solutions.blocks import painleve_rod as closed
-from reference_solutions.checks.blocks import painleve_rod as stepped
+from reference_solutions.checks.hard import painleve_rod as stepped
+from reference_solutions.hard import painleve_rod as closed
 from tests.support.turned_signs import caught, signs, turned
 from vv.ask import Run
 from vv.case import Level, Scalar, error_scale

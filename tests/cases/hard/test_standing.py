@@ -5,10 +5,10 @@ from types import ModuleType
 import numpy as np
 import pytest
 
-from reference_solutions.blocks import arch as thrust
-from reference_solutions.blocks import falling_arch as falling
-from reference_solutions.checks.blocks import arch as programme
-from reference_solutions.checks.blocks import falling_arch as energetic
+from reference_solutions.checks.hard import arch as programme
+from reference_solutions.checks.hard import falling_arch as energetic
+from reference_solutions.hard import arch as thrust
+from reference_solutions.hard import falling_arch as falling
 from tests.support.turned_signs import caught, signs, turned
 from vv.ask import Ask, Displacement, History, Knobs, Run, Status
 from vv.case import Level, Series

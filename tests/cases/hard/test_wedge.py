@@ -8,8 +8,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from reference_solutions.blocks import wedge as closed
-from reference_solutions.checks.blocks import wedge as balanced
+from reference_solutions.checks.hard import wedge as balanced
+from reference_solutions.hard import wedge as closed
 from tests.support.turned_signs import caught, signs, turned
 from vv.ask import Ask, Run
 from vv.case import Level, Series

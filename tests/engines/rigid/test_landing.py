@@ -7,7 +7,7 @@ import pytest
 
 from cases.hard.painleve import CASE as PAINLEVE
 from cases.hard.painleve import LAW
-from reference_solutions.blocks import painleve_rod
+from reference_solutions.hard import painleve_rod
 from tests.engines.rigid.test_motion import solved
 from tests.scenes.block_scenes import ACROSS, DOWN, FLOOR, FREE, HELD, IN_PLANE, G, box
 from vv.ask import Ask, Knobs

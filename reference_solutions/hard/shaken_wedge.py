@@ -19,7 +19,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from reference_solutions.blocks import harmonic_slip, incline
 from reference_solutions.blocks.harmonic_slip import Drive, Law
-from reference_solutions.blocks.wedge import pressing
+from reference_solutions.hard.wedge import pressing
 from reference_solutions.parameters import (
     require_acute,
     require_at_least_0,

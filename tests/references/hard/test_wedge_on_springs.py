@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from reference_solutions.blocks import wedge, wedge_on_springs
-from reference_solutions.checks.blocks import wedge_on_springs as stepped
+from reference_solutions.checks.hard import wedge_on_springs as stepped
+from reference_solutions.hard import wedge, wedge_on_springs
 
 LAW = {"dip": 30.0, "xi": 1.0, "g": 9.81, "m": 1000.0, "ks": 1e9}
 

@@ -5,7 +5,7 @@ the outer edge of the springing, the upper about the inner edge of the joint bet
 the crown its outer edge stays in the plane of symmetry. Of one freedom q, the turn of the lower
 body, all places are known in closed form; energy gives t(q) as an integral (Heyman 1969 names the
 mechanism). Lengths are in mean radii but for `size`. Parameters are those of
-`reference_solutions.blocks.falling_arch`, whose code is not used here; a time costs half a second.
+`reference_solutions.hard.falling_arch`, whose code is not used here; a time costs half a second.
 """
 
 from collections.abc import Sequence

@@ -1,7 +1,7 @@
 """Two bodies that meet at a point, as a linear system of all velocities: the second route.
 
 Momentum of both, of all kinds, takes the impulse that ends the approach at the contact;
-parameters are those of `reference_solutions.blocks.spin_stopped`, whose code is not used here.
+parameters are those of `reference_solutions.hard.spin_stopped`, whose code is not used here.
 """
 
 import numpy as np

@@ -9,8 +9,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from reference_solutions.blocks import spin_stopped as closed
-from reference_solutions.checks.blocks import spin_stopped as integrated
+from reference_solutions.checks.hard import spin_stopped as integrated
+from reference_solutions.hard import spin_stopped as closed
 from tests.support.turned_signs import caught, signs, turned
 
 LAW = {"m1": 3.0, "m2": 2.0, "V": 1.5}

@@ -5,8 +5,8 @@ from types import ModuleType
 
 import pytest
 
-from reference_solutions.blocks import shaken_wedge
-from reference_solutions.checks.blocks import shaken_wedge as stepped
+from reference_solutions.checks.hard import shaken_wedge as stepped
+from reference_solutions.hard import shaken_wedge
 from tests.support.turned_signs import caught, signs, turned
 from vv.plan.project import find
 

@@ -10,7 +10,7 @@ from math import cos, radians, sin
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from reference_solutions.blocks.wedge import pressing
+from reference_solutions.hard.wedge import pressing
 from reference_solutions.parameters import require_at_least_0, require_positive, require_times
 
 Array = NDArray[np.float64]

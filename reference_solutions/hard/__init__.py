@@ -1,0 +1,1 @@
+"""References of what strains a code."""
