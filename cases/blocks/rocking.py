@@ -150,7 +150,7 @@ CASE = Case(
         Parameter("h", 0.6, "m", "half the height"),
         Parameter("part", 0.6, "", "lean at the start over alpha, or amplitude over the threshold"),
         Parameter("f", 1.0, "Hz", "frequency of the sine, of which half a period acts"),
-        Parameter("mu", 5.0, "", "friction coefficient"),
+        Parameter("mu", 0.6, "", "friction coefficient"),
         Parameter("g", 9.81, "m/s2", "gravity"),
         Parameter("duration", 1.5, "s", "time simulated"),
     ),

@@ -121,7 +121,8 @@ def attempt(
 
     slack [m]: gaps count from there on. Contacts that have pressed are closed in a part of a step:
     a whole one sees their gaps, which are of second order, as nil, and to close them in less would
-    kick the block.
+    kick the block. Where it is more than the setting's, this is a blow, and friction of contacts
+    that land has no direction from before: they all but stand still, and creep any way.
     """
     n, b = len(setting.mass), len(setting.inverse)
     rotation, turned = squares(n), nil_squares(b)
@@ -165,7 +166,9 @@ def attempt(
         begun = gap[c] - (setting.slack if known[c] else slack)
         if begun > 0.0 and not (known[c] and span < setting.step):
             friction.need[c], apart = -begun / span, EPS * smallest / span
-        held = before[c] >= 0 and past.still[before[c]]
+        held = (slack > setting.slack and not known[c]) or (
+            before[c] >= 0 and past.still[before[c]]
+        )
         if speed > slow(span, setting.pull, setting.tolerance) and not held:
             put(friction.d, c, plus(NIL, 1.0 / speed, slip))
     middle, turn = halfway(joints, before, past.joints)
