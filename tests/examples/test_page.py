@@ -42,8 +42,7 @@ def test_the_commands_of_the_page_run_one_after_another(tmp_path: Path) -> None:
         )
         assert done.returncode == 0, (command, done.stderr)
         said += done.stdout
-    assert "first-dem/default claims to be first order in dt" in said
-    assert "single-contact:T4 y: error 8.3e-02 at dt = 0.004 s" in said
+    assert re.search(r"first-dem/default +dt=1e-05 +2.1e-04 +2.5e-04 +1.00 of 1 ", said)
     assert "2 passed" in said
 
 

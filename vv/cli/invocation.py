@@ -11,7 +11,6 @@ from typing import TYPE_CHECKING
 from vv.base.files import write_output
 from vv.output import result_lines, terminal
 from vv.output.progress import progress
-from vv.plan.content import name_of
 from vv.plan.plan import Plan
 from vv.plan.project import Project
 from vv.records.manifest import Manifest
@@ -87,10 +86,6 @@ def write_records(project: Project, manifest: Manifest, json_file: Path | None) 
         from vv.output.export import document
 
         write_output(json_file, document(manifest, Store(project.data())).encode())
-    if project.programs:
-        from vv.output.ladder_lines import print_ladders
-
-        print_ladders(manifest.records, [name_of(file) for file in project.programs])
 
 
 def print_summary(manifest: Manifest, report: str) -> None:
