@@ -275,7 +275,7 @@ CASE = Case(
         *(
             Variant(
                 f"{space}-{phi}", f"{SEVERAL} blocks with level loads, phi {phi}", FORMULA,
-                {"phi": float(phi)}, INERT, Level.QUICK if phi == 40 else Level.DEFAULT,
+                {"phi": float(phi)}, INERT | {"alpha"}, Level.QUICK if phi == 40 else Level.DEFAULT,
             )
             for space, several in (("2d", (10, 20, 30, 40, 60)), ("3d", (6, 20, 40, 50)))
             for phi in several

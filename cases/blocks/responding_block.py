@@ -145,7 +145,8 @@ def _tolerances(p: Parameters, path: Path) -> dict[Method, Tolerance]:
 def _whole_steps(p: Parameters) -> dict[Method, Tolerance]:
     """Of first order, by friction at the ends of steps; none where that says nothing at STEP."""
     omega = 2 * np.pi * np.array([p["f"], p["fy"], p["fz"]][: _directions(p)])
-    ends = np.pi * p["D"] * omega[0] / (2 * p["mu"] * p["g"])
+    friction = p["mu"] * p["g"]
+    ends = np.pi * p["D"] * omega[0] / (2 * friction) if friction else np.inf
     alone = 0.5 * omega[0] ** 2 * min(float(ends), p["duration"])
     late = float(alone if len(omega) == 1 else omega.max())
     bound = Tolerance(

@@ -10,6 +10,7 @@ from markupsafe import Markup, escape
 from vv.base.metrics import Vector
 
 BUCKETS = 80  # of a curve, each with its lowest and highest point: pixels show no more
+FEW, SLACK = 20, 0.2  # points that are all kept, and how far off a line may pass [px]
 
 
 def number(value: float) -> str:
@@ -52,13 +53,33 @@ def _joined(tenths: int) -> str:
 def thinned(x: Vector, y: Vector) -> tuple[Vector, Vector]:
     """The points of a curve that a picture shows: of many, the extremes of each bucket."""
     if len(x) <= 2 * BUCKETS:
-        return x, y
+        ascends = len(x) > FEW and bool((np.diff(x) > 0).all())
+        return straightened(x, y) if ascends else (x, y)
     kept = {0, len(x) - 1}
     for part in np.array_split(np.arange(len(x)), BUCKETS):
         finite = part[np.isfinite(y[part])]
         if len(finite):
             kept |= {int(finite[y[finite].argmin()]), int(finite[y[finite].argmax()])}
     order = sorted(kept)
+    return straightened(x[order], y[order])
+
+
+def straightened(x: Vector, y: Vector) -> tuple[Vector, Vector]:
+    """The points that a line needs to pass within SLACK above or below all of them.
+
+    x ascends. From the point kept last a cone of slopes is narrowed, until one leaves it.
+    """
+    kept, low, high = [0], -math.inf, math.inf
+    for i, (px, py) in enumerate(zip(x[1:].tolist(), y[1:].tolist(), strict=True), 1):
+        run, rise = px - float(x[kept[-1]]), py - float(y[kept[-1]])
+        if not (run > 0 and low * run <= rise <= high * run):
+            kept += [i - 1] * (kept[-1] < i - 1)
+            run, rise, low, high = px - float(x[i - 1]), py - float(y[i - 1]), -math.inf, math.inf
+        if run > 0 and math.isfinite(rise):
+            low, high = max(low, (rise - SLACK) / run), min(high, (rise + SLACK) / run)
+        else:
+            low, high = math.inf, -math.inf
+    order = [*kept, len(x) - 1]
     return x[order], y[order]
 
 

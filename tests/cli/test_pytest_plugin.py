@@ -36,8 +36,8 @@ def test_each_setting_is_a_test_and_the_report_is_linked(tiny: Tiny) -> None:
     assert "error: RuntimeError: a bug in the code" in done.stdout
     assert "refused: it does not feel like it" in done.stdout
     assert "2 failed, 2 passed, 1 skipped" in done.stdout
-    assert f"vv report: {tiny.root}/.vv/report.html" in done.stdout
-    assert Path(tiny.root, ".vv", "report.html").is_file()
+    assert f"vv report: {tiny.root}/.vv/report/index.html" in done.stdout
+    assert Path(tiny.root, ".vv", "report", "index.html").is_file()
 
 
 def test_without_the_option_there_is_nothing_of_it(tiny: Tiny) -> None:

@@ -231,7 +231,7 @@ def test_it_is_asked_its_version(tmp_path: Path, command: str, version: str) -> 
         ('"drag"', '"drug"', "scheme.default.terms[1] = 'drug'; unknown; did you mean drag?"),
         ('"velocity"', '"speed"', "scheme.default.observables[1] = 'speed'; unknown; known: disp"),
         ('"kinetic"', '"heat"', "scheme.default.energies[0] = 'heat'; unknown"),
-        ("energies", "knobs", "scheme.default.knobs[0] = 'kinetic'; unknown; known: dt, kn"),
+        ("energies", "knobs", "scheme.default.knobs[0] = 'kinetic'; unknown; known: dd, dt, kn"),
         ("energies", "pace", "scheme.default.pace = ['kinetic']; it must be [CPU seconds of a"),
         ('energies = ["kinetic"]', 'lowered = {drag = "slow"}', "lowered.drag = 'slow'; unknown"),
         ('energies = ["kinetic"]', 'why-not = {drag = "?"}', "has Term.DRAG, which its terms have"),

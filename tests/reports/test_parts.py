@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+import math
 import re
 from pathlib import Path
 from xml.etree import ElementTree
@@ -18,7 +19,7 @@ from reports.book import Book
 from reports.drawing import charts
 from reports.drawing.collect import ladders
 from reports.drawing.curves import draw
-from reports.drawing.svg import path, thinned
+from reports.drawing.svg import SLACK, path, straightened, thinned
 from reports.marks import COLOURS, mark, marks
 from reports.outcomes import OUTCOMES, counted
 from reports.pages import tables
@@ -104,6 +105,18 @@ def test_a_long_curve_keeps_its_extremes() -> None:
     assert len(tx) < 250
     assert ty.max() == 9.0
     assert (tx[0], tx[-1]) == (0.0, 1.0)
+
+
+@given(st.lists(st.one_of(st.floats(-300, 300), st.just(math.nan)), min_size=2, max_size=60))
+def test_a_straightened_curve_passes_all_points_it_leaves_out(values: list[float]) -> None:
+    x, y = np.linspace(0.0, 300.0, len(values)), np.array(values)
+    kept_x, kept_y = straightened(x, y)
+    known, there = np.isfinite(y), np.isfinite(kept_y)
+    assert set(zip(kept_x[there], kept_y[there], strict=True)) <= set(zip(x, y, strict=True))
+    if known.any():
+        seen = np.interp(x[known], kept_x[there], kept_y[there])
+        assert np.abs(seen - y[known]).max() <= SLACK + 1e-9
+    assert len(straightened(x, 2.0 * x)[0]) == 2
 
 
 def test_built_in_schemes_differ_in_marker_or_colour_and_within_a_code_in_dash() -> None:

@@ -43,7 +43,7 @@ def converged(
         if left > tolerance:
             left = renewed(p, joints, bodies, friction, v, w, free_v, free_w)
         if patience == STALLED and left > tolerance:
-            left = polish(p, joints, bodies, friction, v, w, tolerance, finer, left, place, apart)
+            left = polish(p, joints, bodies, friction, v, w, finer, left, place, apart)
         if more == 0:
             break
     return sweeps, left
@@ -80,12 +80,12 @@ def renewed(
 @called
 def polish(
     p: Vector, joints: Joints, bodies: Bodies, friction: Friction, v: Vector, w: Vector,
-    asked: float, tolerance: float, left: float, place: Index, apart: int,
+    tolerance: float, left: float, place: Index, apart: int,
 ) -> float:  # fmt: skip
     """Improve p (c, 3), whose effect is in v and w and whose residual is `left`; return what is.
 
     place, apart: see `arranged`. A round that makes the residual [m/s] no smaller is undone, and
-    the next less stiff, until what is asked is met.
+    the next less stiff.
     """
     before, before_v, before_w = rows(len(p)), rows(len(v)), rows(len(w))
     stiffness = STIFF
@@ -107,5 +107,5 @@ def polish(
             keep(p, before)
             keep(v, before_v)
             keep(w, before_w)
-            stiffness *= 0.01 if left > asked else 0.0
+            stiffness *= 0.01
     return left
