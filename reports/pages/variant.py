@@ -27,6 +27,7 @@ from reports.pages.tables import (
 )
 from reports.text import slug
 from vv.case import Norm
+from vv.insight.voices import votes
 from vv.records.case_facts import VariantFacts
 from vv.records.job_record import Record
 from vv.records.reading import fineness
@@ -48,7 +49,10 @@ class Recorded:
 
 @dataclass(frozen=True)
 class Variant:
-    """A variant: what was asked, and all that came of it. like: the variant whose figures fit."""
+    """A variant: what was asked, and all that came of it.
+
+    like: the variant whose figures fit; voices: who agrees with whom, where three codes speak.
+    """
 
     name: str
     anchor: str
@@ -60,6 +64,7 @@ class Variant:
     outcomes: Sequence[tuple[ShownOutcome, int]]
     ranked: Sequence[Ranked]
     differ: str
+    voices: Sequence[str]
     groups: Sequence[Group]
     absent: Sequence[Absent]
     figures: Sequence[Figure]
@@ -98,6 +103,7 @@ def variant(book: Book, place: Place, before: dict[str, list[History]]) -> Varia
         outcomes=counted(own),
         ranked=rows,
         differ=why_colours_differ(rows),
+        voices=[vote.in_words() for vote in votes(own)],
         groups=groups(piles, book.marks),
         absent=absent(piles, book.marks),
         figures=[] if like else _figures(book, facts, own),

@@ -394,3 +394,19 @@ def test_the_pattern_of_a_failure_is_named_where_its_author_looks(store: Store) 
     made = pages(manifest_of(*stuck), store)
     for page in (CASE, "code-a.html", "index.html", "attention.html"):
         assert "it does not converge: error 0.013 to 0.013 as dt shrinks" in made[page]
+
+
+def test_who_agrees_with_whom_is_told_where_three_codes_speak(store: Store) -> None:
+    def speak(*values: tuple[str, float]) -> str:
+        runs = [
+            requantified(ran(store, label, "T1", dt, "pass"), figures={"final": end + dt})
+            for label, end in values
+            for dt in STEPS
+        ]
+        return built(manifest_of(*runs), store)
+
+    two = ("dem/default", 1.0), ("other/default", 1.0)
+    assert "agree within their errors" not in speak(*two)
+    page = speak(*two, ("third/default", 1.0), ("odd/default", 7.0))
+    assert "dem/default, other/default, third/default agree within their errors" in page
+    assert "the odd one is odd/default, 7.001" in page
