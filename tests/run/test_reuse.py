@@ -209,6 +209,7 @@ def test_a_timing_session_with_gaps_does_not_stand_and_names_them(tiny: Tiny) ->
         ("grid", Status.TOO_LONG, True),
         ("grid", Status.TIMEOUT, False),
         ("ladder", Status.ERROR, False),
+        ("ladder", Status.NOT_INSTALLED, True),  # what is installed is part of the identity
     ],
 )
 def test_only_what_no_second_try_would_change_lets_an_invocation_stand(

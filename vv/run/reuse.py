@@ -26,7 +26,7 @@ from vv.store.checkout import commit
 from vv.store.provenance import machine
 from vv.store.store import Store
 
-LASTING = {Status.RAN, Status.REFUSED, Status.TOO_LONG}
+LASTING = {Status.RAN, Status.REFUSED, Status.TOO_LONG, Status.NOT_INSTALLED}
 SEEN = (
     "PATH",
     "PYTHON",
