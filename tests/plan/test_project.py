@@ -8,9 +8,10 @@ from pathlib import Path
 import pytest
 
 from tests import ROOT
-from vv.base.closure import CONTENT_PACKAGES
+from vv.base.closure import CONTENT_PACKAGES, import_closure
 from vv.plan import imports
 from vv.plan.content import ProjectError
+from vv.plan.keys import roots
 from vv.plan.project import Project, find
 
 CASE = """
@@ -247,3 +248,13 @@ def test_packages_taken_from_elsewhere_are_not_mistaken_for_the_project_s(
 def test_the_content_of_a_checkout_is_used_though_another_vv_runs(root: Path) -> None:
     write(root, {"vv/__init__.py": "raise ImportError('not the vv that runs')"})
     assert Project(root).load_case("zeno").name == "zeno"
+
+
+@pytest.mark.parametrize("code", Project(ROOT).adapter_names())
+def test_no_solver_is_asked_anew_where_only_what_is_told_of_it_changes(code: str) -> None:
+    project = Project(ROOT)
+    read = import_closure(project.adapter_files(code), roots(project))
+    layers = {
+        path.relative_to(ROOT / "vv").parts[0] for path in read if ROOT / "vv" in path.parents
+    }
+    assert not layers & {"store", "records", "gate", "run", "insight", "output", "cli"}

@@ -30,6 +30,31 @@ def test_the_same_again_stands_and_says_so_and_counts_alike(tiny: Tiny) -> None:
     assert len(list((tiny.root / ".vv" / "manifests").iterdir())) == 1
 
 
+def test_the_same_again_tells_the_same_and_exits_alike(tiny: Tiny) -> None:
+    tiny.edit("cases/fall.py", "Tolerance(1e-3", "Tolerance(1e-30")
+    first, again = tiny.vv(*SELECTION), tiny.vv(*SELECTION)
+    assert first.returncode == again.returncode == Bit.ACCURACY
+    assert first.stdout == again.stdout
+    assert "FAIL" in again.stdout
+
+
+@pytest.mark.parametrize("file", ["records/*/*.npz", "manifests/*.json"])
+def test_what_was_told_is_not_told_again_where_a_file_was_damaged(tiny: Tiny, file: str) -> None:
+    stands(tiny)
+    damaged = next((tiny.root / ".vv").glob(file))
+    damaged.write_bytes(damaged.read_bytes()[:-20])
+    assert not stands(tiny)
+    assert stands(tiny)
+
+
+def test_a_report_that_was_touched_is_written_again(tiny: Tiny) -> None:
+    stands(tiny)
+    page = tiny.root / ".vv" / "report" / "index.html"
+    page.write_text("")
+    assert stands(tiny)
+    assert "</html>" in page.read_text()
+
+
 @pytest.mark.parametrize(
     ("file", "old", "new"),
     [

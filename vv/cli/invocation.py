@@ -13,7 +13,7 @@ from vv.output import result_lines, terminal
 from vv.output.progress import progress
 from vv.plan.plan import Plan
 from vv.plan.project import Project
-from vv.records.manifest import Manifest
+from vv.records.manifest import Manifest, Told
 from vv.store.store import Store
 
 if TYPE_CHECKING:
@@ -32,24 +32,61 @@ def answered(
     results are to be written, does not decide them.
     """
     from vv.run import reuse
-    from vv.run.session import Timing, now_utc
 
-    if limits.fresh or limits.timing is Timing.NEW:
+    if not _may_stand(limits):
         return carried_out(project, make_plan(), limits)
-
-    def identity() -> str:
-        demanded = (*asked, limits.timing)
-        return reuse.identity(project, demanded, now_utc().date(), limits.against)
-
-    store, before = Store(project.data()), identity()
+    store, before = Store(project.data()), _identity(project, asked, limits)
     stands = reuse.recall(store, before)
     if stands is not None:
-        terminal.note(f"nothing has changed since {stands.name}")
+        _note_standing(stands.name)
         return stands
     manifest = carried_out(project, make_plan(), limits)
-    if identity() == before:  # nobody edited anything meanwhile
+    if _identity(project, asked, limits) == before:  # nobody edited anything meanwhile
         reuse.remember(store, before, manifest)
     return manifest
+
+
+def retold(
+    project: Project, asked: tuple[object, ...], limits: Limits, required: tuple[str, ...]
+) -> Told | None:
+    """What the same call told at its end, if nothing has changed since; else None."""
+    from vv.run import reuse
+
+    if not _may_stand(limits):
+        return None
+    identity, store = _identity(project, asked, limits), Store(project.data())
+    found = reuse.retell(store, identity, report_folder(project), required)
+    if found is None:
+        return None
+    _note_standing(found[0])
+    return found[1]
+
+
+def note_told(
+    project: Project, asked: tuple[object, ...], limits: Limits, name: str, told: Told
+) -> None:
+    """Note what a call told at its end, for the same call to tell it again."""
+    from vv.run import reuse
+
+    if _may_stand(limits):
+        reuse.note_told(Store(project.data()), _identity(project, asked, limits), name, told)
+
+
+def _may_stand(limits: Limits) -> bool:
+    from vv.run.session import Timing
+
+    return not (limits.fresh or limits.timing is Timing.NEW)
+
+
+def _identity(project: Project, asked: tuple[object, ...], limits: Limits) -> str:
+    from vv.run import reuse
+    from vv.run.session import now_utc
+
+    return reuse.identity(project, (*asked, limits.timing), now_utc().date(), limits.against)
+
+
+def _note_standing(name: str) -> None:
+    terminal.note(f"nothing has changed since {name}")
 
 
 def carried_out(
@@ -73,11 +110,16 @@ def reported(project: Project, manifest: Manifest) -> Path:
     """
     from vv.run import reuse
 
-    store, folder = Store(project.data()), project.data() / "report"
+    store, folder = Store(project.data()), report_folder(project)
     if not reuse.untouched(store, manifest.name, folder):
         reporter(project).build(manifest, store, folder)
         reuse.note_report(store, manifest.name, folder)
     return folder / "index.html"
+
+
+def report_folder(project: Project) -> Path:
+    """Where commands that run cases write the report."""
+    return project.data() / "report"
 
 
 def write_records(project: Project, manifest: Manifest, json_file: Path | None) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
@@ -17,7 +18,7 @@ from vv.plan.project import Project, find
 if TYPE_CHECKING:
     from vv.ask import Knobs
     from vv.plan.plan import Plan
-    from vv.records.manifest import Manifest
+    from vv.records.manifest import Manifest, Told
     from vv.run.session import Limits
     from vv.store.store import Store
 
@@ -38,11 +39,11 @@ class Narrowing:
 
 @dataclass(frozen=True)
 class Ending:
-    """What to do with results: codes that must have run, the level asked for, open the report."""
+    """What to do with results: codes that must have run, the level asked for, a file to write."""
 
     required: tuple[str, ...]
     level: Level
-    show: bool
+    json_file: Path | None
 
 
 def run(
@@ -111,6 +112,7 @@ def run(
         return
     timed = everything and level is not Level.QUICK and not (narrowing or keyword or first)
     limits = _limits(jobs, timeout, fresh, timed, executor)
+    ending = Ending(required, level, json_file)
     if narrowing or first:  # depends on past runs, which change with each, or on what comes first
         plan = make_plan()
         if not plan.jobs:
@@ -118,10 +120,17 @@ def run(
             return
         until = fails(project) if first else None
         manifest = invocation.carried_out(project, plan, limits, until)
+        told = _conclude(project, manifest, ending)
     else:
         asked = "run", tuple(selection or ()), chosen, keyword
-        manifest = invocation.answered(project, asked, make_plan, limits)
-    _conclude(project, manifest, json_file, Ending(required, level, show))
+        stands = None if json_file else invocation.retold(project, asked, limits, required)
+        told = stands or _told_first(project, asked, make_plan, limits, ending)
+    for text in told.notes:
+        terminal.note(text)
+    terminal.say(*told.lines)
+    if show:
+        typer.launch(str(invocation.report_folder(project) / "index.html"))
+    raise typer.Exit(told.status)
 
 
 def _limits(jobs: int, timeout: float, fresh: bool, timed: bool, executor: str) -> Limits:
@@ -137,23 +146,46 @@ def _limits(jobs: int, timeout: float, fresh: bool, timed: bool, executor: str) 
     )
 
 
-def _conclude(project: Project, manifest: Manifest, json_file: Path | None, ending: Ending) -> None:
-    """Write the records and the report, say how it went, and exit as the gate would."""
+def _told_first(
+    project: Project,
+    asked: tuple[object, ...],
+    make_plan: Callable[[], Plan],
+    limits: Limits,
+    ending: Ending,
+) -> Told:
+    """Answer a call that does not stand yet, and note what it tells."""
+    from vv.cli import invocation
+
+    manifest = invocation.answered(project, asked, make_plan, limits)
+    told = _conclude(project, manifest, ending)
+    invocation.note_told(project, asked, limits, manifest.name, told)
+    return told
+
+
+def _conclude(project: Project, manifest: Manifest, ending: Ending) -> Told:
+    """Write the records and the report; returns what there is to tell of them."""
     from vv.cli import invocation
     from vv.gate.judgement import judgement
     from vv.output import result_lines
     from vv.records.finding import bits
+    from vv.records.manifest import Told
+    from vv.run import reuse
+    from vv.store.store import Store
 
-    invocation.write_records(project, manifest, json_file)
+    invocation.write_records(project, manifest, ending.json_file)
     report = invocation.reported(project, manifest)
     findings = judgement(manifest, ending.required)
-    result_lines.print_table(manifest.records, findings)
-    judged = [one for one in findings if one.bit]
-    result_lines.print_findings(judged, manifest.records, ending.level)
-    invocation.print_summary(manifest, str(report))
-    if ending.show:
-        typer.launch(str(report))
-    raise typer.Exit(bits(findings))
+
+    def tell() -> None:
+        result_lines.print_table(manifest.records, findings)
+        judged = [one for one in findings if one.bit]
+        result_lines.print_findings(judged, manifest.records, ending.level)
+        invocation.print_summary(manifest, str(report))
+
+    notes, lines = terminal.overheard(tell)
+    store, folder = Store(project.data()), invocation.report_folder(project)
+    of = reuse.told_of(store, manifest.name, folder, ending.required)
+    return Told(tuple(notes), tuple(lines), bits(findings), of)
 
 
 def _list_jobs(project: Project, store: Store, plan: Plan, fresh: bool) -> None:

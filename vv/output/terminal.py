@@ -5,7 +5,10 @@ Nothing that is printed steers the terminal, and no text forges a line: each is 
 
 from __future__ import annotations
 
+import contextlib
+import io
 import sys
+from collections.abc import Callable
 
 from vv.base.printable import one_line
 
@@ -21,6 +24,14 @@ def say(*lines: str) -> None:
 def note(text: str) -> None:
     """Print a line on standard error, so that results on standard output can be piped."""
     print(one_line(text), file=sys.stderr, flush=True)
+
+
+def overheard(speaker: Callable[[], None]) -> tuple[list[str], list[str]]:
+    """The notes and the lines that a call prints, which are kept from standard error and output."""
+    notes, lines = io.StringIO(), io.StringIO()
+    with contextlib.redirect_stderr(notes), contextlib.redirect_stdout(lines):
+        speaker()
+    return notes.getvalue().splitlines(), lines.getvalue().splitlines()
 
 
 def complain(text: str, *more: str) -> int:

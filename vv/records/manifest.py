@@ -63,8 +63,23 @@ class TimedRun:
 
 
 @dataclass(frozen=True, slots=True)
+class Told:
+    """What an invocation told at its end.
+
+    notes, lines: on standard error and standard output; status: its exit status; of: the digest
+    of the files that it tells of, and of the codes that were required.
+    """
+
+    notes: tuple[str, ...]
+    lines: tuple[str, ...]
+    status: int
+    of: str
+
+
+@dataclass(frozen=True, slots=True)
 class Answer:
-    """What is noted of an invocation: its manifest; or of a report: the state of its file."""
+    """What is noted of an invocation: its manifest, what it told; of a report: its files' state."""
 
     manifest: str = optional("")
     report: tuple[int, ...] = optional(())
+    told: Told | None = optional(None)  # noqa: RUF009  # None is frozen

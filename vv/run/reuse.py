@@ -20,7 +20,7 @@ from vv.plan.content import written
 from vv.plan.keys import PACKAGE
 from vv.plan.project import Project
 from vv.records.job_record import Record
-from vv.records.manifest import Answer, Manifest
+from vv.records.manifest import Answer, Manifest, Told
 from vv.records.outcomes import StudyKind
 from vv.store.checkout import commit
 from vv.store.provenance import machine
@@ -92,6 +92,30 @@ def recall(store: Store, identity: str) -> Manifest | None:
         return None
     measured = [record.key for record in manifest.records if record.quantities]
     return manifest if all(map(store.has_series, measured)) else None  # `--json` writes them out
+
+
+def note_told(store: Store, identity: str, manifest: str, told: Told) -> None:
+    """Note what an invocation that stands told at its end; of any other nothing is noted."""
+    answer = store.answer(_key(store, identity))
+    if answer is not None and answer.manifest == manifest:
+        store.keep_answer(_key(store, identity), Answer(manifest, told=told))
+
+
+def retell(
+    store: Store, identity: str, report: Path, required: tuple[str, ...]
+) -> tuple[str, Told] | None:
+    """The manifest of an invocation that stands and what it told, of the same files; else None."""
+    answer = store.answer(_key(store, identity))
+    if answer is None or answer.told is None:
+        return None
+    same = answer.told.of == told_of(store, answer.manifest, report, required)
+    return (answer.manifest, answer.told) if same else None
+
+
+def told_of(store: Store, manifest: str, report: Path, required: tuple[str, ...]) -> str:
+    """The digest of what is told of: files of a manifest, a report and records; codes required."""
+    states = _state(store.manifest_file(manifest)), _state_of_all(report), store.state()
+    return digest(states, required)
 
 
 def note_report(store: Store, name: str, report: Path) -> None:

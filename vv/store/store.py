@@ -11,6 +11,7 @@ from __future__ import annotations
 import contextlib
 import errno
 import io
+import os
 import shutil
 import tempfile
 import time
@@ -142,7 +143,7 @@ class Store:
 
     def keep_manifest(self, what: Manifest) -> None:
         """Store what one invocation did under its name, which sorts by time."""
-        write_whole(self._manifest(what.name), manifest.render(what).encode())
+        write_whole(self.manifest_file(what.name), manifest.render(what).encode())
 
     def manifests(self) -> list[str]:
         """The names of past invocations, oldest first.
@@ -159,6 +160,16 @@ class Store:
     def manifest(self, name: str) -> Manifest:
         """A past invocation; raises FileNotFoundError with the name, OSError if it is damaged."""
         return self._of_manifest(name, lambda file: manifest.whole(file.read(), name))
+
+    def manifest_file(self, name: str) -> Path:
+        """Where a past invocation is stored."""
+        return self.root / "manifests" / f"{name}.json"
+
+    def state(self) -> tuple[int, ...]:
+        """Sizes and times of change of all that is kept with records: any damage moves one."""
+        folders = sorted(self.root.glob("records/*"))
+        files = sorted((one.name, one.stat()) for place in folders for one in os.scandir(place))
+        return tuple(n for _, s in files for n in (s.st_size, s.st_mtime_ns, s.st_ctime_ns))
 
     def latest(self) -> Manifest | None:
         """The newest past invocation that can be read, or None; a word is said of the others."""
@@ -222,11 +233,8 @@ class Store:
                 if time.time() - folder.stat().st_mtime > STALE:
                     shutil.rmtree(folder, ignore_errors=True)
 
-    def _manifest(self, name: str) -> Path:
-        return self.root / "manifests" / f"{name}.json"
-
     def _of_manifest(self, name: str, read: Callable[[TextIO], Found]) -> Found:
-        path = self._manifest(name)
+        path = self.manifest_file(name)
         if not path.is_file():
             raise FileNotFoundError(f"no run '{name}' in {path.parent}")
         try:
