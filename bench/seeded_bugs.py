@@ -15,8 +15,9 @@ class Bug(NamedTuple):
 
 LINE = "vv/engines/dem/line/kernel.py"
 LOAD = "vv/engines/dem/terms/load.py"
-LAW = "vv/engines/dem/terms/contact_law.py"
-FRICTION = "vv/engines/dem/terms/friction.py"
+PAIRS = "vv/engines/dem/contact/pairs.py"
+WALLS = "vv/engines/dem/contact/walls.py"
+FRICTION = "vv/engines/dem/contact/friction.py"
 ADVANCE = "vv/engines/dem/space/advance.py"
 PLAN = "adapters/yade/plan.py"
 ENGINES = "adapters/yade/inside/engines.py"
@@ -37,17 +38,17 @@ BUGS = (
     Bug("friction's work not booked", LINE, "dem", "slipped += (trial", "slipped += 0.0 * (trial"),
     Bug("drag's work not booked", LINE, "dem", "dragged += ahead + drag * before", "dragged += 0.0"),
     Bug("position moved by the old velocity", LINE, "dem", "q += dt * after", "q += dt * before"),
-    Bug("bodies swapped in a pair", LAW, "dem", "at(u, rows[p, 1]), -1.0, at(u, rows[p, 0])", "at(u, rows[p, 0]), -1.0, at(u, rows[p, 1])"),
-    Bug("one of a pair not pushed", LAW, "dem", "put(push, j, plus(at(push, j), 1.0, force))", "pass"),
-    Bug("wall friction pulls along", LAW, "dem", "slide = plus(NOWHERE, share, plus(relative, -dot(n, relative), n))", "slide = plus(NOWHERE, -share, plus(relative, -dot(n, relative), n))"),
-    Bug("gap taken at the start only", LAW, "dem", "-gap[q] - dot(at(facing, q), at(u, rows[q]))", "-gap[q]"),
-    Bug("stale shear after separation", LAW, "dem", "                put(shear, p, NOWHERE)", "                pass"),
+    Bug("bodies swapped in a pair", PAIRS, "dem", "at(u, rows[p, 1]), -1.0, at(u, rows[p, 0])", "at(u, rows[p, 0]), -1.0, at(u, rows[p, 1])"),
+    Bug("one of a pair not pushed", PAIRS, "dem", "put(push, j, plus(at(push, j), 1.0, force))", "pass"),
+    Bug("friction pulls along", FRICTION, "dem", "slide = plus(NOWHERE, share, plus(relative, -dot(m, relative), m))", "slide = plus(NOWHERE, -share, plus(relative, -dot(m, relative), m))"),
+    Bug("gap taken at the start only", WALLS, "dem", "-gap[q] - dot(at(facing, q), at(u, rows[q]))", "-gap[q]"),
+    Bug("stale shear after separation", PAIRS, "dem", "                put(shear, p, NOWHERE)", "                pass"),
     Bug("shear spring charged twice", FRICTION, "dem", "trial = plus(old, -ks, slide)", "trial = plus(old, -2.0 * ks, slide)"),
     Bug("no Coulomb cap", FRICTION, "dem", "if dot(trial, trial) <= caps[1] * caps[1]:", "if True:"),
     Bug("dead load dropped", LOAD, "dem", "return plus(push, 1.0, at(term.load, i))", "return push"),
     Bug("locks ignored", ADVANCE, "dem", "    if hold is None:", "    if True:"),
     Bug("wrong mass", ADVANCE, "dem", "carried_on(old, push, mass[i], dt", "carried_on(old, push, 1.01 * mass[i], dt"),
-    Bug("wrong lever arm", LAW, "dem", "put(turn, j, plus(at(turn, j), radius[p, 1] - 0.5 * overlap, torque))", "put(turn, j, plus(at(turn, j), radius[p, 1] + 0.5 * overlap, torque))"),
+    Bug("wrong lever arm", PAIRS, "dem", "put(turn, j, plus(at(turn, j), radius[p, 1] - 0.5 * overlap, torque))", "put(turn, j, plus(at(turn, j), radius[p, 1] + 0.5 * overlap, torque))"),
     Bug("velocity not set back half a step", PLAN, "yade", "* (dt / 2)", "* 0.0"),
     Bug("push at the start forgotten", PLAN, "yade", "(given.mass[:, None] / dt - scene.eta) * early", "0.0 * early"),
     Bug("ratcheting correction left on", ENGINES, "yade", "noRatch=False", "noRatch=True"),

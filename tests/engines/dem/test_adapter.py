@@ -91,7 +91,7 @@ def test_an_edited_part_gives_a_kernel_a_cache_of_its_own(tmp_path: Path) -> Non
         return [closure.source_digest(kernel_sources(kernel, tmp_path)) for kernel in kernels]
 
     assert cache_folder(ROOT / "vv/engines/dem/space/kernel.py").name == digests()[0][:16]
-    for edited, stale in (("dem/terms/friction.py", 0), ("blocks/clip.py", 1)):
+    for edited, stale in (("dem/contact/friction.py", 0), ("blocks/clip.py", 1)):
         before = digests()
         path = copy / "engines" / edited
         path.write_text(path.read_text() + "\n")

@@ -8,8 +8,8 @@ from __future__ import annotations
 
 from vv.engines.dem.bonds.blocks import FIRST, KN, OFFSET, RADII, SLIP, STRAINED, WIDE, Ends
 from vv.engines.dem.bonds.law import Frail, arms, beyond, charged, rolled, stretched
+from vv.engines.dem.contact.friction import turned
 from vv.engines.dem.space.neighbours import State
-from vv.engines.dem.terms.friction import turned
 from vv.engines.kernels.compiled import inlined
 from vv.engines.kernels.triples import NOWHERE, Triple, at, cross, dot, plus, put
 from vv.scene import Vector

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from vv.engines.dem.contact.friction import share_closed
 from vv.engines.dem.limits import BLOW_UP, GAIN
-from vv.engines.dem.terms.friction import share_closed
 from vv.engines.kernels.compiled import compiled
 from vv.engines.kernels.drive import Drive, travel, value
 from vv.scene import Vector

@@ -6,12 +6,12 @@ of a tuple of terms as it compiles a kernel: what a term does not have costs not
 
 from __future__ import annotations
 
-import sys
 from collections.abc import Callable
 from typing import Any, TypeVar
 
 from numba.extending import overload
 
+from vv.engines.kernels.by_class import hook_of
 from vv.engines.kernels.compiled import HIDDEN, LENT, ROUNDING
 from vv.engines.kernels.parts import PartCompiler
 
@@ -80,8 +80,3 @@ def composed(combine: Callable[[list[int], str], list[str]]) -> Callable[[Hook],
         return hook
 
     return register
-
-
-def hook_of(kind: Any, name: str) -> Any:
-    """The hook of a term of a numba type; None if it has none of this name."""
-    return getattr(sys.modules[kind.instance_class.__module__], name, None)

@@ -9,7 +9,7 @@ import numpy as np
 from vv.engines.dem.bonds.layout import Bonded, bonded, near
 from vv.engines.dem.rows import Index
 from vv.engines.dem.space.neighbours import Near
-from vv.scene import Mask, Scene, Term, Vector
+from vv.scene import Mask, Scene, Vector
 
 
 @dataclass(frozen=True, eq=False)
@@ -27,12 +27,6 @@ class Placed:
     charged: Vector | None
     bonds: Bonded
     near: Near | None
-
-    @property
-    def friction(self) -> tuple[float, float] | None:
-        """ks [N/m] and mu of contacts that rub."""
-        law = self.scene.contact
-        return (law.ks, law.mu) if Term.FRICTION in self.scene.terms() else None
 
     @property
     def walls_move(self) -> bool:

@@ -29,12 +29,12 @@ def springs_of_contacts(
     gap: Vector,
     radius: Vector,
     kn: float,
-    friction: tuple[float, float] | None,
+    ks: float,
 ) -> tuple[Springs, Mask]:
     """The springs of contacts, pairs (k, 2) or spheres with walls (k,), and which are closed."""
     if rows.ndim == 1:
         rows, radius = np.stack([np.full_like(rows, GROUND), rows], axis=1), radius[:, None]
     n = offset / np.linalg.norm(offset, axis=1)[:, None]
-    k, ks = np.ones(len(rows)), 0.0 if friction is None else friction[0]
+    k = np.ones(len(rows))
     springs = Springs(rows, n, kn * k, ks * k, np.broadcast_to(radius, rows.shape))
     return springs, gap / radius.min(axis=1) <= TOUCHING

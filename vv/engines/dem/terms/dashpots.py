@@ -10,13 +10,14 @@ from typing import NamedTuple
 
 import numpy as np
 
+from vv.engines.dem.contact.pairs import Pairs, apart
+from vv.engines.dem.contact.walls import Walls, off_wall
 from vv.engines.dem.rows import Index
 from vv.engines.dem.space.advance import carried_on, held
 from vv.engines.dem.space.bodies import Bodies, Motion
 from vv.engines.dem.space.neighbours import MET, OVERLAP, Slots
 from vv.engines.dem.space.placed import Placed
 from vv.engines.dem.terms import pair_contacts, wall_contacts
-from vv.engines.dem.terms.contact_law import Pairs, Walls, apart, off_wall
 from vv.engines.dem.terms.drag import Drag
 from vv.engines.kernels.compiled import inlined
 from vv.engines.kernels.triples import NOWHERE, Triple, at, dot, plus, put

@@ -6,12 +6,13 @@ from typing import NamedTuple
 
 import numpy as np
 
+from vv.engines.dem.contact.law import Law, law_of
+from vv.engines.dem.contact.pairs import pair_forces
 from vv.engines.dem.rows import Index
 from vv.engines.dem.space.bodies import Bodies, Motion
 from vv.engines.dem.space.neighbours import Near, Slots
 from vv.engines.dem.space.placed import Placed
 from vv.engines.dem.space.springs import TOUCHING, Springs, springs_of_contacts
-from vv.engines.dem.terms.contact_law import pair_forces
 from vv.engines.kernels.compiled import inlined
 from vv.scene import Mask, Term
 
@@ -19,25 +20,24 @@ STANDS_FOR = frozenset({Term.SPHERE_CONTACT, Term.FRICTION})
 
 
 class NearContacts(NamedTuple):
-    """The law of contacts: kn [N/m]; ks [N/m] and mu, or None."""
+    """The law of contacts."""
 
-    kn: float
-    friction: tuple[float, float] | None
+    law: Law
 
 
 def build(placed: Placed) -> NearContacts | None:
     """The contacts, where pairs are gathered."""
-    return NearContacts(placed.scene.contact.kn, placed.friction) if placed.near else None
+    return NearContacts(law_of(placed.scene)) if placed.near else None
 
 
 def models(term: NearContacts) -> frozenset[Term]:
     """What it models of a scene."""
-    return STANDS_FOR if term.friction else frozenset({Term.SPHERE_CONTACT})
+    return STANDS_FOR if term.law.friction else frozenset({Term.SPHERE_CONTACT})
 
 
 def turns(term: NearContacts) -> bool:
     """Whether it may turn spheres."""
-    return term.friction is not None
+    return term.law.friction is not None
 
 
 def springs(term: NearContacts, near: Near) -> tuple[Springs, Mask]:
@@ -53,7 +53,7 @@ def springs(term: NearContacts, near: Near) -> tuple[Springs, Mask]:
     gap = np.linalg.norm(offset, axis=1) - radii.sum(axis=1)
     kept = gap / radii.min(axis=1) <= TOUCHING
     return springs_of_contacts(
-        near.row[pairs[kept]], offset[kept], gap[kept], radii[kept], term.kn, term.friction
+        near.row[pairs[kept]], offset[kept], gap[kept], radii[kept], *term.law.stiffness
     )
 
 
@@ -65,8 +65,8 @@ def highest_square(term: NearContacts, near: Near, bodies: Bodies) -> float:
         radius = np.zeros(len(across) + 1)
         np.maximum.at(radius, np.minimum(near.row, len(across)), near.radius)
         across = across + radius[: len(across)] ** 2 / bodies.inertia
-    ks = 0.0 if term.friction is None else term.friction[0]
-    return max(term.kn * float(lightest), ks * float(np.sort(across)[-2:].sum()))
+    kn, ks = term.law.stiffness
+    return max(float(kn * lightest), float(ks * np.sort(across)[-2:].sum()))
 
 
 @inlined
@@ -74,10 +74,7 @@ def force(
     term: NearContacts, bodies: Bodies, motion: Motion, dt: float, slots: Slots, many: Index
 ) -> tuple[float, float, float, float]:
     """The forces of all pairs that are near each other."""
-    k = many[0]
+    k, law = many[0], term.law
     pairs = slots.rows[:k], slots.offset[:k], slots.gap[:k], slots.radii[:k]
-    normal, shear, lost = pair_forces(
-        motion.push, motion.turn, motion.u, motion.v, motion.before, motion.w, motion.spun, dt,
-        pairs, term.kn, term.friction, slots.shear,
-    )  # fmt: skip
+    normal, shear, lost = pair_forces(motion, dt, pairs, law, law.friction, slots.shear)
     return normal, shear, lost, 0.0

@@ -6,12 +6,13 @@ from typing import NamedTuple
 
 import numpy as np
 
+from vv.engines.dem.contact.law import Law, law_of
+from vv.engines.dem.contact.pairs import Pairs, emptied, pair_forces
 from vv.engines.dem.rows import Index
 from vv.engines.dem.space.bodies import Bodies, Motion
 from vv.engines.dem.space.neighbours import Slots
 from vv.engines.dem.space.placed import Placed
 from vv.engines.dem.space.springs import Springs, springs_of_contacts
-from vv.engines.dem.terms.contact_law import Pairs, emptied, pair_forces
 from vv.engines.kernels.compiled import inlined
 from vv.scene import Mask, Term, Vector
 
@@ -22,8 +23,7 @@ class PairContacts(NamedTuple):
     """Pairs and their law: see `pair_forces`; shear: (p, 3) what is kept from step to step."""
 
     pairs: Pairs
-    kn: float
-    friction: tuple[float, float] | None
+    law: Law
     shear: Vector
 
 
@@ -32,8 +32,8 @@ def build(placed: Placed) -> PairContacts | None:
     pairs = listed(placed)
     if pairs is None:
         return None
-    shear = np.zeros((len(pairs[0]) if placed.friction else 0, 3))
-    return PairContacts(pairs, placed.scene.contact.kn, placed.friction, shear)
+    law = law_of(placed.scene)
+    return PairContacts(pairs, law, np.zeros((len(pairs[0]) if law.friction else 0, 3)))
 
 
 def listed(placed: Placed) -> Pairs | None:
@@ -54,18 +54,18 @@ def listed(placed: Placed) -> Pairs | None:
 
 def models(term: PairContacts) -> frozenset[Term]:
     """What it models of a scene."""
-    return STANDS_FOR if term.friction else frozenset({Term.SPHERE_CONTACT})
+    return STANDS_FOR if term.law.friction else frozenset({Term.SPHERE_CONTACT})
 
 
 def turns(term: PairContacts) -> bool:
     """Whether it may turn spheres."""
-    return term.friction is not None
+    return term.law.friction is not None
 
 
 def springs(term: PairContacts, near: object) -> tuple[Springs, Mask]:
     """Its springs, and which are there at t = 0."""
     rows, offset, gap, radii = term.pairs
-    return springs_of_contacts(rows, offset, gap, radii, term.kn, term.friction)
+    return springs_of_contacts(rows, offset, gap, radii, *term.law.stiffness)
 
 
 @inlined
@@ -79,8 +79,6 @@ def force(
     term: PairContacts, bodies: Bodies, motion: Motion, dt: float, slots: Slots, many: Index
 ) -> tuple[float, float, float, float]:
     """The forces of all pairs."""
-    normal, shear, lost = pair_forces(
-        motion.push, motion.turn, motion.u, motion.v, motion.before, motion.w, motion.spun, dt,
-        term.pairs, term.kn, term.friction, term.shear,
-    )  # fmt: skip
+    law = term.law
+    normal, shear, lost = pair_forces(motion, dt, term.pairs, law, law.friction, term.shear)
     return normal, shear, lost, 0.0

@@ -6,18 +6,14 @@ from typing import NamedTuple
 
 import numpy as np
 
+from vv.engines.dem.contact.law import Law, law_of
+from vv.engines.dem.contact.pairs import emptied
+from vv.engines.dem.contact.walls import Moving, Walls, stilled, wall_forces
 from vv.engines.dem.rows import Index
 from vv.engines.dem.space.bodies import Bodies, Motion
 from vv.engines.dem.space.neighbours import Slots
 from vv.engines.dem.space.placed import Placed
 from vv.engines.dem.space.springs import Springs, springs_of_contacts
-from vv.engines.dem.terms.contact_law import (
-    Moving,
-    Walls,
-    emptied,
-    stilled,
-    wall_forces,
-)
 from vv.engines.kernels.compiled import inlined
 from vv.engines.kernels.triples import at, put
 from vv.scene import Mask, Term, Vector
@@ -32,8 +28,7 @@ class WallContacts(NamedTuple):
     """
 
     walls: Walls
-    kn: float
-    friction: tuple[float, float] | None
+    law: Law
     moving: Moving | None
     charged: Vector | None
     shear: Vector
@@ -41,17 +36,17 @@ class WallContacts(NamedTuple):
 
 def build(placed: Placed) -> WallContacts | None:
     """The contacts with all walls, if there are any."""
-    walls, charged = listed(placed), placed.charged
+    walls, charged, law = listed(placed), placed.charged, law_of(placed.scene)
     if walls is None:
         return None
     q, m = len(walls[0]), int(placed.moves.sum())
     # the rows that hold how the walls move: those after the spheres' own and the ground's
     grounds = np.repeat(m + 1 + np.arange(len(placed.scene.walls)), m)
     moving = (grounds, np.zeros((q, 3))) if placed.walls_move else None
-    if charged is not None and not (placed.friction and charged.any()):
+    if charged is not None and not (law.friction and charged.any()):
         charged = None
-    shear = np.zeros((q if placed.friction else 0, 3))
-    return WallContacts(walls, placed.scene.contact.kn, placed.friction, moving, charged, shear)
+    shear = np.zeros((q if law.friction else 0, 3))
+    return WallContacts(walls, law, moving, charged, shear)
 
 
 def listed(placed: Placed) -> Walls | None:
@@ -69,18 +64,18 @@ def listed(placed: Placed) -> Walls | None:
 
 def models(term: WallContacts) -> frozenset[Term]:
     """What it models of a scene."""
-    return STANDS_FOR if term.friction else frozenset({Term.WALL_CONTACT})
+    return STANDS_FOR if term.law.friction else frozenset({Term.WALL_CONTACT})
 
 
 def turns(term: WallContacts) -> bool:
     """Whether it may turn spheres."""
-    return term.friction is not None
+    return term.law.friction is not None
 
 
 def springs(term: WallContacts, near: object) -> tuple[Springs, Mask]:
     """Its springs, and which are there at t = 0; a wall stands for the ground."""
     rows, normal, gap, radius = term.walls
-    return springs_of_contacts(rows, normal, gap, radius, term.kn, term.friction)
+    return springs_of_contacts(rows, normal, gap, radius, *term.law.stiffness)
 
 
 @inlined
@@ -104,7 +99,5 @@ def force(
     term: WallContacts, bodies: Bodies, motion: Motion, dt: float, slots: Slots, many: Index
 ) -> tuple[float, float, float, float]:
     """The forces of walls on spheres."""
-    return wall_forces(
-        motion.push, motion.turn, motion.u, motion.v, motion.before, motion.w, motion.spun, dt,
-        term.walls, term.kn, term.friction, term.shear, term.moving,
-    )  # fmt: skip
+    law = term.law
+    return wall_forces(motion, dt, term.walls, law, law.friction, term.shear, term.moving)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 
+from vv.engines.dem.contact.touch import Touch
 from vv.engines.kernels.compiled import inlined
 from vv.engines.kernels.triples import NOWHERE, Triple, cross, dot, plus
 
@@ -20,6 +21,15 @@ def share_closed(overlap: float, opened: float) -> float:
 
 
 @inlined
+def slid(touch: Touch, dt: float) -> tuple[Triple, Triple]:
+    """How far the surfaces slid while they touched in a step, and how much more than before [m]."""
+    share = dt * share_closed(touch.overlap, touch.opened)
+    m, relative, changed = touch.midway, touch.relative, touch.changed
+    slide = plus(NOWHERE, share, plus(relative, -dot(m, relative), m))
+    return slide, plus(NOWHERE, share, plus(changed, -dot(m, changed), m))
+
+
+@inlined
 def turned(s: Triple, n: Triple, angle: float) -> Triple:
     """s turned about n, to which it is perpendicular, by a small angle [rad]; keeps its length."""
     square = 0.25 * angle * angle
@@ -30,9 +40,7 @@ def turned(s: Triple, n: Triple, angle: float) -> Triple:
 @inlined
 def sheared(
     spring: Triple,
-    n: Triple,
-    n_before: Triple,
-    twist: float | None,
+    touch: Touch,
     slide: Triple,
     change: Triple,
     ks: float,
@@ -40,18 +48,17 @@ def sheared(
 ) -> tuple[Triple, float]:
     """The shear force [N] after a step, and the energy [J] that friction took in it.
 
-    The old force turns with the contact plane from n_before to n and by `twist` [rad] about n,
-    both exactly. Then it grows by -ks times the slide [m] in the plane, up to the cap mu Fn [N]
-    (Li 2018, Eqs. 5-8, with the sign that Eq. 8 leaves out); caps: before and after the step.
-    change: slide less that of the step before. The energy is the slip, which is the slide
+    spring: that force before. It turns with the contact plane from n_before to n and by the twist
+    about n, both exactly. Then it grows by -ks times the slide [m] in the plane, up to the cap
+    mu Fn [N] (Li 2018, Eqs. 5-8, with the sign that Eq. 8 leaves out); caps: before and after the
+    step. change: slide less that of the step before. The energy is the slip, which is the slide
     without its elastic part, times the mean of the old and the new force. Where the slide turns
     back, what `slipping` says would give energy: then the force is along the trial force, which
     takes some whenever the old force is below the cap, too.
     """
+    n, n_before = touch.n, touch.n_before
     old = plus(spring, -dot(n, spring) / (1.0 + dot(n, n_before)), plus(n, 1.0, n_before))
-    if twist is not None:
-        old = turned(old, n, twist)
-        slide = plus(slide, 0.5 * twist, cross(n, slide))  # the spring turns as it is charged
+    old, slide = twisted(old, slide, n, touch.twist)
     slide = plus(slide, -dot(n, slide), n)
     trial = plus(old, -ks, slide)
     if dot(trial, trial) <= caps[1] * caps[1]:
@@ -60,6 +67,14 @@ def sheared(
     if taken < 0.0:
         new, taken = capped(old, trial, slide, ks, caps[1])
     return new, taken
+
+
+@inlined
+def twisted(old: Triple, slide: Triple, n: Triple, twist: float | None) -> tuple[Triple, Triple]:
+    """A force turned about n by a twist, if anything turns, and a slide that charges it."""
+    if twist is None:
+        return old, slide
+    return turned(old, n, twist), plus(slide, 0.5 * twist, cross(n, slide))
 
 
 @inlined

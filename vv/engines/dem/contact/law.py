@@ -1,0 +1,45 @@
+"""The law by which surfaces that touch act on each other: what it is asked, which a scene has.
+
+A law is a named tuple in a file of this folder. It has a field `friction`, None where nothing
+rubs, a property `stiffness`, kn and ks [N/m] at most, and two functions in its file, `pressed` and
+`rubbed`, which contacts of pairs, of walls, and of pairs that are near each other all call.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from vv.engines.dem.contact.linear import Linear
+from vv.engines.dem.contact.touch import Touch
+from vv.engines.kernels.by_class import of_its_file
+from vv.engines.kernels.triples import Triple
+from vv.scene import Scene, Term
+
+Law = Any
+
+
+def law_of(scene: Scene) -> Law:
+    """The law of a scene's contacts."""
+    law = scene.contact
+    return Linear(law.kn, (law.ks, law.mu) if Term.FRICTION in scene.terms() else None)
+
+
+@of_its_file
+def pressed(law: Law, overlap: float, radius: float) -> tuple[float, float]:
+    """The push along the normal [N] of an overlap [m], and what it holds [J].
+
+    radius: 1/(1/r1 + 1/r2) of the two surfaces [m].
+    """
+    raise NotImplementedError
+
+
+@of_its_file
+def rubbed(
+    law: Law, touch: Touch, radius: float, spring: Triple, dt: float
+) -> tuple[Triple, float, float]:
+    """The force across the normal [N] after a step, what its spring holds [J], what friction took.
+
+    spring: that force before the step. It acts on the second of two surfaces, from the first to
+    which the normal points.
+    """
+    raise NotImplementedError

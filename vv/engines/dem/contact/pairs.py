@@ -1,0 +1,139 @@
+"""Contacts between spheres, inlined into kernels: where they are and what they do."""
+
+from __future__ import annotations
+
+import math
+
+from vv.engines.dem.contact.law import Law, pressed, rubbed
+from vv.engines.dem.contact.touch import Touch
+from vv.engines.dem.rows import Index
+from vv.engines.dem.space.bodies import Motion
+from vv.engines.kernels.compiled import inlined
+from vv.engines.kernels.triples import NOWHERE, Triple, at, cross, dot, plus, put
+from vv.scene import Vector
+
+Pairs = tuple[Index, Vector, Vector, Vector]
+"""Rows (p, 2); offset (p, 3) from the first centre to the second and gap (p,) at t = 0 [m]; radii
+(p, 2) [m]."""
+
+
+@inlined
+def emptied(shear: Vector) -> None:
+    """No shear (k, 3) in any contact."""
+    for k in range(len(shear)):
+        put(shear, k, NOWHERE)
+
+
+@inlined
+def apart(u: Vector, pairs: Pairs, p: int) -> tuple[float, Triple, float]:
+    """The overlap of pair p, its offset and the length of that [m], by displacements u [m].
+
+    A gap is that at t = 0 and a change free of cancellation, so that it is as accurate as the
+    displacements.
+    """
+    rows, offset, gap, radius = pairs
+    start = at(offset, p)
+    moved = plus(at(u, rows[p, 1]), -1.0, at(u, rows[p, 0]))
+    d = plus(start, 1.0, moved)
+    length = math.sqrt(dot(d, d))
+    length_start = gap[p] + radius[p, 0] + radius[p, 1]
+    overlap = -gap[p] - dot(moved, plus(start, 1.0, d)) / (length_start + length)
+    return overlap, d, length
+
+
+@inlined
+def last_step(
+    d: Triple, length: float, relative: Triple, dt: float
+) -> tuple[Triple, Triple, float]:
+    """How a pair came to the offset d [m] in a step: normals before and midway, gap opened [m]."""
+    back = plus(d, -dt, relative)
+    length_back = math.sqrt(dot(back, back))
+    n_before = plus(NOWHERE, 1.0 / length_back, back)
+    both = plus(n_before, 1.0 / length, d)
+    opened = dt * dot(relative, plus(d, 1.0, back)) / (length + length_back)
+    return n_before, plus(NOWHERE, 1.0 / math.sqrt(dot(both, both)), both), opened
+
+
+@inlined
+def touch_of(
+    motion: Motion,
+    w: Vector | None,
+    spun: Vector | None,
+    pairs: Pairs,
+    p: int,
+    now: tuple[float, Triple, float],
+    n: Triple,
+    dt: float,
+) -> Touch:
+    """How pair p came to where it is now, which `apart` says, with the normal n."""
+    (overlap, d, length), v, before = now, motion.v, motion.before
+    i, j = pairs[0][p, 0], pairs[0][p, 1]
+    relative = plus(at(v, j), -1.0, at(v, i))
+    changed = plus(relative, -1.0, plus(at(before, j), -1.0, at(before, i)))
+    n_before, m, opened = last_step(d, length, relative, dt)
+    if w is not None and spun is not None:
+        # the contact point lies in the middle of the overlap, at the middle of the step
+        inside = 0.5 * (overlap + 0.5 * opened)
+        first, second = pairs[3][p, 0] - inside, pairs[3][p, 1] - inside
+        rolled = plus(plus(NOWHERE, first, at(w, i)), second, at(w, j))
+        rolled_before = plus(plus(NOWHERE, first, at(spun, i)), second, at(spun, j))
+        relative = plus(relative, -1.0, cross(rolled, m))
+        changed = plus(changed, -1.0, cross(plus(rolled, -1.0, rolled_before), m))
+        twist = 0.5 * dt * dot(plus(at(w, i), 1.0, at(w, j)), m)
+    else:
+        twist = None
+    return Touch(overlap, opened, n, n_before, m, relative, changed, twist)
+
+
+@inlined
+def turn_pair(
+    turn: Vector | None, pairs: Pairs, p: int, overlap: float, n: Triple, across: Triple
+) -> None:
+    """Add the torques of a force across the contact of pair p, if any sphere turns."""
+    if turn is not None:
+        rows, _, _, radius = pairs
+        i, j, torque = rows[p, 0], rows[p, 1], cross(across, n)
+        put(turn, i, plus(at(turn, i), radius[p, 0] - 0.5 * overlap, torque))
+        put(turn, j, plus(at(turn, j), radius[p, 1] - 0.5 * overlap, torque))
+
+
+@inlined
+def pair_forces(
+    motion: Motion,
+    dt: float,
+    pairs: Pairs,
+    law: Law,
+    friction: tuple[float, float] | None,
+    shear: Vector,
+) -> Triple:
+    """Add the forces of pairs of spheres; return energies [J]: normal, shear, lost by friction.
+
+    friction: that of the law; where it is None, nothing rubs. shear: (p, 3) force on the second
+    sphere [N], kept from step to step.
+    """
+    rows, _, _, radius = pairs
+    push, normal, sprung, lost = motion.push, 0.0, 0.0, 0.0
+    for p in range(len(rows)):
+        i, j = rows[p, 0], rows[p, 1]
+        now = apart(motion.u, pairs, p)
+        overlap, d, length = now
+        if overlap <= 0.0:
+            if friction is not None:
+                put(shear, p, NOWHERE)
+            continue
+        n = plus(NOWHERE, 1.0 / length, d)
+        reduced = radius[p, 0] * radius[p, 1] / (radius[p, 0] + radius[p, 1])
+        along, held = pressed(law, overlap, reduced)
+        force = plus(NOWHERE, along, n)
+        normal += held
+        if friction is not None:
+            touch = touch_of(motion, motion.w, motion.spun, pairs, p, now, n, dt)
+            across, charged, taken = rubbed(law, touch, reduced, at(shear, p), dt)
+            lost += taken
+            sprung += charged
+            put(shear, p, across)
+            force = plus(force, 1.0, across)
+            turn_pair(motion.turn, pairs, p, overlap, n, across)
+        put(push, i, plus(at(push, i), -1.0, force))
+        put(push, j, plus(at(push, j), 1.0, force))
+    return normal, sprung, lost

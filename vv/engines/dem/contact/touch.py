@@ -1,0 +1,26 @@
+"""A closed contact and how it came to be so in a step: what a law of contacts is told."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from vv.engines.kernels.triples import Triple
+
+
+class Touch(NamedTuple):
+    """A contact at the end of a step.
+
+    overlap: now [m], opened: how much less than before the step. n, n_before, midway: the normal
+    now, before the step, and at its middle. relative: velocity of the surfaces at the contact in
+    the step [m/s], changed: that less the one of the step before. twist: how far the surfaces
+    turned about the normal [rad]; None if no sphere turns.
+    """
+
+    overlap: float
+    opened: float
+    n: Triple
+    n_before: Triple
+    midway: Triple
+    relative: Triple
+    changed: Triple
+    twist: float | None

@@ -1,0 +1,145 @@
+"""Contacts of spheres with walls, inlined into kernels: where they are and what they do."""
+
+from __future__ import annotations
+
+from vv.engines.dem.contact.law import Law, pressed, rubbed
+from vv.engines.dem.contact.pairs import emptied
+from vv.engines.dem.contact.touch import Touch
+from vv.engines.dem.rows import Index
+from vv.engines.dem.space.bodies import Motion
+from vv.engines.kernels.compiled import inlined
+from vv.engines.kernels.triples import NOWHERE, Triple, at, cross, dot, plus, put
+from vv.scene import Vector
+
+Walls = tuple[Index, Vector, Vector, Vector]
+"""Rows (q,) of the spheres; outward normals (q, 3); gap (q,) at t = 0 [m]; radii (q,) [m]."""
+Moving = tuple[Index, Vector]
+"""Rows (q,) of u and v with the walls' motion; forces (q, 3) on the spheres [N], kept."""
+
+
+@inlined
+def stilled(moving: Moving | None) -> None:
+    """No force of a moving wall."""
+    if moving is not None:
+        emptied(moving[1])
+
+
+@inlined
+def off_wall(u: Vector, walls: Walls, q: int) -> float:
+    """The overlap [m] of a sphere with a wall at rest."""
+    rows, facing, gap, _ = walls
+    return float(-gap[q] - dot(at(facing, q), at(u, rows[q])))
+
+
+@inlined
+def met(u: Vector, walls: Walls, moving: Moving | None, q: int) -> float:
+    """The overlap [m] of a sphere with a wall where it is now."""
+    overlap = off_wall(u, walls, q)
+    if moving is not None:
+        overlap += dot(at(walls[1], q), at(u, moving[0][q]))
+    return overlap
+
+
+@inlined
+def carried(v: Vector, moving: Moving | None, q: int, dt: float) -> float:
+    """The work [J] that a wall does in half a step by the force kept; none if no wall moves."""
+    if moving is None:
+        return 0.0
+    grounds, acting = moving
+    return float(dot(at(acting, q), plus(NOWHERE, 0.5 * dt, at(v, grounds[q]))))
+
+
+@inlined
+def keep(moving: Moving | None, q: int, force: Triple) -> None:
+    """Keep the force of a wall, if any moves."""
+    if moving is not None:
+        put(moving[1], q, force)
+
+
+@inlined
+def past(motion: Motion, i: int, moving: Moving | None, q: int) -> tuple[Triple, Triple]:
+    """How sphere i moved past a wall [m/s], and how that changed since the step before."""
+    v, before = motion.v, motion.before
+    relative = at(v, i)
+    changed = plus(relative, -1.0, at(before, i))
+    if moving is not None:
+        ground = moving[0][q]
+        relative = plus(relative, -1.0, at(v, ground))
+        changed = plus(changed, -1.0, at(v, ground))
+        changed = plus(changed, 1.0, at(before, ground))
+    return relative, changed
+
+
+@inlined
+def touch_of(
+    motion: Motion,
+    w: Vector | None,
+    spun: Vector | None,
+    walls: Walls,
+    moving: Moving | None,
+    q: int,
+    overlap: float,
+    dt: float,
+) -> Touch:
+    """How a sphere came to an overlap with a wall."""
+    i, n, radius = walls[0][q], at(walls[1], q), walls[3][q]
+    relative, changed = past(motion, i, moving, q)
+    opened = dt * dot(n, relative)
+    if w is not None and spun is not None:
+        arm = 0.5 * (overlap + 0.5 * opened) - radius
+        relative = plus(relative, arm, cross(at(w, i), n))
+        changed = plus(changed, arm, cross(plus(at(w, i), -1.0, at(spun, i)), n))
+        twist = 0.5 * dt * dot(at(w, i), n)
+    else:
+        twist = None
+    return Touch(overlap, opened, n, n, n, relative, changed, twist)
+
+
+@inlined
+def turn_sphere(turn: Vector | None, walls: Walls, q: int, overlap: float, across: Triple) -> None:
+    """Add the torque of a force across the contact with a wall, if any sphere turns."""
+    if turn is not None:
+        i, arm = walls[0][q], walls[3][q] - 0.5 * overlap
+        put(turn, i, plus(at(turn, i), arm, cross(across, at(walls[1], q))))
+
+
+@inlined
+def wall_forces(
+    motion: Motion,
+    dt: float,
+    walls: Walls,
+    law: Law,
+    friction: tuple[float, float] | None,
+    shear: Vector,
+    moving: Moving | None,
+) -> tuple[float, float, float, float]:
+    """Add the forces of walls on spheres; return energies [J] as `pair_forces`, work of the walls.
+
+    shear: (q, 3) force on the sphere [N], kept from step to step. moving: None if no wall moves.
+    """
+    rows, facing, _, radius = walls
+    push, normal, sprung, lost, work = motion.push, 0.0, 0.0, 0.0, 0.0
+    for q in range(len(rows)):
+        i, n = rows[q], at(facing, q)
+        overlap = met(motion.u, walls, moving, q)
+        work += carried(motion.v, moving, q, dt)
+        keep(moving, q, NOWHERE)
+        if overlap <= 0.0:
+            if friction is not None:
+                put(shear, q, NOWHERE)
+            continue
+        along, held = pressed(law, overlap, radius[q])
+        force = plus(NOWHERE, along, n)
+        normal += held
+        if friction is not None:
+            touch = touch_of(motion, motion.w, motion.spun, walls, moving, q, overlap, dt)
+            across, charged, taken = rubbed(law, touch, radius[q], at(shear, q), dt)
+            lost += taken
+            sprung += charged
+            put(shear, q, across)
+            force = plus(force, 1.0, across)
+            turn_sphere(motion.turn, walls, q, overlap, across)
+        keep(moving, q, force)
+        work += carried(motion.v, moving, q, dt)
+        put(push, i, plus(at(push, i), 1.0, force))
+    return normal, sprung, lost, work
