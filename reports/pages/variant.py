@@ -90,6 +90,7 @@ def variant(book: Book, place: Place, before: dict[str, list[History]]) -> Varia
     if any(shown_outcome(record).troubling for record in own):
         like = ""  # whoever looks for what went wrong needs its own picture
     rows = ranked(book.ran[place], book.marks)
+    kept = [one for one in book.manifest.recorded if (one.case, one.variant) == place]
     usual = {p.name: p.value for p in book.manifest.cases[case].parameters}
     given = own[0].parameters if own else {}
     return Variant(
@@ -103,7 +104,7 @@ def variant(book: Book, place: Place, before: dict[str, list[History]]) -> Varia
         outcomes=counted(own),
         ranked=rows,
         differ=why_colours_differ(rows),
-        voices=[vote.in_words() for vote in votes(own)],
+        voices=[vote.in_words() for vote in votes(own, kept)],
         groups=groups(piles, book.marks),
         absent=absent(piles, book.marks),
         figures=[] if like else _figures(book, facts, own),
@@ -112,9 +113,7 @@ def variant(book: Book, place: Place, before: dict[str, list[History]]) -> Varia
         has_series=bool(curves),
         advice=advice(book.efforts.get(place, [])),
         costs=cost_rows(book, place),
-        recorded=_recorded(
-            [r for r in book.manifest.recorded if (r.case, r.variant) == place], facts
-        ),
+        recorded=_recorded(kept, facts),
     )
 
 

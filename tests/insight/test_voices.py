@@ -7,8 +7,10 @@ from collections.abc import Mapping
 import pytest
 
 from tests.support.fabricated import changed, entry, record
+from vv.ask import Knobs
 from vv.insight.voices import votes
 from vv.records.job_record import Record
+from vv.records.recorded import RecordedQuantity, RecordedResult
 
 END, SCALE = 1.0, 1.0
 
@@ -24,6 +26,22 @@ def said(label: str, *values: float, **changes: object) -> list[Record]:
 
 def heard(voices: Mapping[str, tuple[float, ...]]) -> list[Record]:
     return [one for label, values in voices.items() for one in said(label, *values)]
+
+
+def written_down(
+    label: str, *values: float, **changes: object
+) -> tuple[list[Record], list[RecordedResult]]:
+    """A scheme whose code is not installed, and the results that were recorded of it."""
+    code, _, scheme = label.partition("/")
+    steps = [4e-3 / 2**number for number in range(len(values))]
+    absent = [record(label, "floor", dt, status="not-installed", **changes) for dt in steps]
+    kept = [
+        RecordedResult(
+            "bounce", "floor", code, scheme, Knobs(dt), "", "7", "2025", 12, None, {"y": said}
+        )
+        for dt, said in zip(steps, [RecordedQuantity({"final": v}) for v in values], strict=True)
+    ]
+    return absent, kept
 
 
 CHORUS = {"a/x": (1.03, 1.01), "b/x": (0.97, 0.99), "c/x": (1.02, 1.005)}
@@ -86,3 +104,24 @@ def test_without_a_majority_nobody_is_odd() -> None:
     assert not vote.odd
     assert not vote.alone
     assert vote.in_words().endswith("no majority of 3 voices agrees")
+
+
+def test_a_code_that_is_not_installed_speaks_by_what_was_recorded_of_it() -> None:
+    live = heard({"a/x": CHORUS["a/x"], "b/x": CHORUS["b/x"]})
+    absent, kept = written_down("c/x", *CHORUS["c/x"])
+    assert votes([*live, *absent]) == []
+    (vote,) = votes([*live, *absent], kept)
+    assert vote.in_words().endswith("a/x, b/x, c/x (recorded) agree within their errors")
+
+
+def test_what_is_recorded_may_be_off_by_the_digits_that_were_kept() -> None:
+    live = heard({"a/x": (1.000003, 1.000003), "b/x": (1.000003, 1.000003)})
+    absent, kept = written_down("c/x", 1.0, 1.0)
+    (vote,) = votes([*live, *absent], kept)
+    assert not vote.odd
+
+
+def test_what_is_recorded_is_heard_in_its_class_of_method_alone() -> None:
+    live = heard({"a/x": CHORUS["a/x"], "b/x": CHORUS["b/x"]})
+    absent, kept = written_down("c/x", *CHORUS["c/x"], method="penalty")
+    assert votes([*live, *absent], kept) == []

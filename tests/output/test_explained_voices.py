@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from tests.insight.test_voices import CHORUS, heard
+from tests.insight.test_voices import CHORUS, heard, written_down
 from tests.support.fabricated import NOWHERE
 from vv.output import explain
 from vv.records.manifest import Manifest
@@ -13,6 +13,14 @@ def test_the_newest_results_of_each_scheme_are_heard() -> None:
         Manifest(NOWHERE, {}, {}, (), tuple(heard(voices)), (), {}, ())
         for voices in ({"a/x": (1.03, 1.01)}, {**CHORUS, "a/x": (5.0, 5.0)})
     )
-    records = explain._last_records([newest, before])
+    records, _ = explain._last_records([newest, before])
     values = {r.label: r.quantities[0].figures["final"] for r in records}
     assert values == {"a/x": 1.01, "b/x": 0.99, "c/x": 1.005}
+
+
+def test_what_is_recorded_is_heard_while_the_newest_invocation_lacks_the_code() -> None:
+    absent, kept = written_down("a/x", 1.03, 1.01)
+    lacking = Manifest(NOWHERE, {}, {}, (), tuple(absent), (), {}, tuple(kept))
+    having = Manifest(NOWHERE, {}, {}, (), tuple(heard(CHORUS)), (), {}, ())
+    assert explain._last_records([lacking, having])[1] == kept
+    assert explain._last_records([having, lacking])[1] == []

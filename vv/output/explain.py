@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 from collections.abc import Iterable, Mapping
+from typing import TypeVar
 
 from vv.case import Case, Exact, Quantity
 from vv.gate.judgement import outcome
@@ -14,12 +16,15 @@ from vv.plan.plan import Plan
 from vv.records.job_record import Record
 from vv.records.manifest import Manifest
 from vv.records.quantity import MeasuredQuantity
+from vv.records.recorded import RecordedResult
+
+Result = TypeVar("Result", Record, RecordedResult)
 
 
 def print_explanation(plan: Plan, manifests: Iterable[Manifest]) -> None:
     """Explain the planned variants, show their last results, and who agrees with whom."""
     past = tuple(manifests)
-    results, heard = _last_results(past), votes(_last_records(past))
+    results, heard = _last_results(past), votes(*_last_records(past))
     for name, case in plan.cases.items():
         doi = f", doi:{case.source.doi}" if case.source.doi else ""
         say(case.title, f"  source: {case.source.citation}{doi}")
@@ -86,15 +91,24 @@ def _explain_quantity(quantity: Quantity) -> None:
         say(f"    {method.value}: shown: {reason}")
 
 
-def _last_records(manifests: Iterable[Manifest]) -> list[Record]:
-    """The newest records of each (case, variant, code, scheme)."""
+def _last_records(manifests: Iterable[Manifest]) -> tuple[list[Record], list[RecordedResult]]:
+    """The newest records of each (case, variant, code, scheme), and what stands beside them."""
     found: dict[tuple[str, ...], list[Record]] = {}
+    beside: dict[tuple[str, ...], list[RecordedResult]] = {}
     for manifest in manifests:
-        newest: dict[tuple[str, ...], list[Record]] = {}
-        for r in manifest.records:
-            newest.setdefault((r.case, r.variant, r.code, r.scheme), []).append(r)
+        newest = _by_scheme(manifest.records)
+        kept = _by_scheme(manifest.recorded)
+        beside.update({place: kept.get(place, []) for place in newest if place not in found})
         found = {**newest, **found}
-    return [record for records in found.values() for record in records]
+    return list(itertools.chain(*found.values())), list(itertools.chain(*beside.values()))
+
+
+def _by_scheme(results: Iterable[Result]) -> dict[tuple[str, ...], list[Result]]:
+    """The results of each (case, variant, code, scheme)."""
+    found: dict[tuple[str, ...], list[Result]] = {}
+    for one in results:
+        found.setdefault((one.case, one.variant, one.code, one.scheme), []).append(one)
+    return found
 
 
 def _last_results(manifests: Iterable[Manifest]) -> dict[tuple[str, ...], list[str]]:
