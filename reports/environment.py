@@ -5,7 +5,6 @@ from __future__ import annotations
 import csv
 import functools
 import io
-from collections.abc import Iterable
 from pathlib import Path
 from typing import Any
 
@@ -14,7 +13,7 @@ from markupsafe import Markup, escape
 
 from reports import text
 from reports.book import Book
-from reports.marks import COLOURS, Mark
+from reports.looks import defined, glyph, palette
 from reports.norms import NORM_NAMES
 from reports.outcomes import WORST_FIRST, ShownOutcome
 from reports.pages import code as codes_page
@@ -23,13 +22,20 @@ from reports.pages.findings import findings
 from reports.pages.front import front
 from reports.pages.overview import overview
 from reports.pages.steadiness import sections
-from reports.pages.tables import Group, Setting, margin
+from reports.pages.tables import Group, Setting
 from reports.pages.troubles import troubles
 from vv.output import table
 from vv.records.finding import worst_first
 from vv.records.reading import tried
 
 HERE = Path(__file__).parent
+LOOKS = "<!-- looks -->"  # in a template: where the looks of what is in the page are defined
+COLUMNS = (  # of the table of a case; `vv report --csv` writes more
+    "variant", "code", "scheme", "method", "dt", "kn", "status", "reason", "steps", "timed",
+    "solve_cpu", "quantity", "unit", "value", "reference", "error", "norm", "tolerance", "verdict",
+    "note",
+)  # fmt: skip
+DIGITS = {"dt": ".6g", "kn": ".6g", "solve_cpu": ".3g"}  # of all other numbers seven
 FILTERS = (
     text.sci,
     text.brief,
@@ -54,18 +60,17 @@ def _templates() -> jinja2.Environment:
     environment.filters |= {name.__name__: name for name in FILTERS}
     environment.globals |= {
         "glyph": glyph,
-        "glyphs": glyphs,
         "tag": tag,
         "setting_rows": setting_rows,
         "norms": {name: norm.value for norm, name in NORM_NAMES.items()},
         "legend": WORST_FIRST[::-1],
-        "palette": palette(),
     }
     return environment
 
 
 def _page(template: str, book: Book, **parts: Any) -> str:
-    return _templates().get_template(template).render(book=book, **parts)
+    text = _templates().get_template(template).render(book=book, **parts)
+    return text.replace(LOOKS, defined(text, book.marks.values()), 1)
 
 
 def front_page(book: Book) -> str:
@@ -90,7 +95,6 @@ def attention_page(book: Book) -> str:
 
 def whole_page(book: Book) -> str:
     """All pages of a selection as one."""
-    assets = HERE / "assets"
     return _page(
         "whole.html.j2",
         book,
@@ -98,10 +102,20 @@ def whole_page(book: Book) -> str:
         cases=[case(book, name) for name in book.manifest.cases],
         codes=[_code(book, name) for name in codes(book)],
         overview=_of_codes(book)[0],
-        style=Markup((assets / "report.css").read_text(encoding="utf-8")),
-        script=Markup((assets / "report.js").read_text(encoding="utf-8")),
+        style=Markup(style()),
+        script=Markup(script()),
         **_attention(book),
     )
+
+
+def style() -> str:
+    """report.css"""
+    return palette() + (HERE / "assets" / "report.css").read_text(encoding="utf-8")
+
+
+def script() -> str:
+    """report.js"""
+    return (HERE / "assets" / "report.js").read_text(encoding="utf-8")
 
 
 def _attention(book: Book) -> dict[str, Any]:
@@ -132,41 +146,20 @@ def _of_codes(book: Book) -> tuple[Any, Any]:
 
 def case_csv(book: Book, name: str) -> str:
     """case-NAME.csv: a row for each quantity of each record of what a code took on."""
-    own = (r for r in book.manifest.records if r.case == name and tried(r))
-    found = [row for record in own for row in table.rows(record)]
+    own = [r for r in book.manifest.records if r.case == name and tried(r)]
     target = io.StringIO()
-    writer = csv.DictWriter(target, list(found[0]) if found else [], lineterminator="\n")
+    writer = csv.DictWriter(target, COLUMNS, lineterminator="\n")
     writer.writeheader()
-    writer.writerows({name: _brief(one) for name, one in row.items()} for row in found)
+    for record in own:
+        for row in table.rows(record):
+            timed = {"timed": "yes" if record.cost.timed else ""}
+            writer.writerow({c: _brief(c, one) for c, one in (row | timed).items() if c in COLUMNS})
     return target.getvalue()
 
 
-def _brief(value: Any) -> Any:
-    """A number to seven digits, which is more than any of them means; all else as it is."""
-    return float(f"{value:.7g}") if isinstance(value, float) else value
-
-
-@functools.cache
-def glyph(mark: Mark) -> Markup:
-    """The look of a code/scheme: a line with its marker on it."""
-    return Markup(
-        f'<svg class="glyph c{mark.colour}" viewBox="-13 -7 26 14" aria-hidden="true">'
-        f'<use href="#k-{text.slug(mark.label)}"/></svg>'
-    )
-
-
-def glyphs(marks: Iterable[Mark]) -> Markup:
-    """What glyphs are copies of, once in a page."""
-    parts = [
-        f'<g id="k-{text.slug(mark.label)}"><path class="line" d="M-13 0H13"'
-        f'{_dashed(mark)}/><polygon class="full" points="{mark.points}"/></g>'
-        for mark in marks
-    ]
-    return Markup(f'<svg class="unseen" aria-hidden="true"><defs>{"".join(parts)}</defs></svg>')
-
-
-def _dashed(mark: Mark) -> str:
-    return f' stroke-dasharray="{mark.dash}"' if mark.dash else ""
+def _brief(column: str, value: Any) -> Any:
+    """A number to as many digits as mean anything; all else as it is."""
+    return f"{value:{DIGITS.get(column, '.7g')}}" if isinstance(value, float) else value
 
 
 @functools.cache
@@ -185,8 +178,11 @@ def tag(outcome: ShownOutcome, count: int | None = None, quiet: bool = False) ->
 
 
 def setting_rows(group: Group, stiffness: bool, valued: bool) -> Markup:
-    """The rows of a group of settings; stiffness, valued: whether there are columns of it."""
-    return Markup("".join(_setting_row(row, stiffness, valued) for row in group.rows))
+    """The rows of a group of settings; stiffness, valued: whether there are columns of it.
+
+    There are ten thousands of them, without the end tags that HTML does not need.
+    """
+    return Markup("\n".join(_setting_row(row, stiffness, valued) for row in group.rows))
 
 
 def _setting_row(row: Setting, stiffness: bool, valued: bool) -> str:
@@ -194,20 +190,10 @@ def _setting_row(row: Setting, stiffness: bool, valued: bool) -> str:
     cpu = text.seconds(record.cost.solve_cpu or None)
     numbers = [text.brief(record.rung.dt), *([text.brief(record.rung.kn)] if stiffness else [])]
     numbers += [text.brief(one.value), text.brief(one.reference)] if valued else []
-    numbers += [text.sci(one.error), text.sci(one.tolerance, 1), text.ratio(margin(one))]
+    numbers += [text.sci(one.error), text.sci(one.tolerance, 1)]
     numbers += [text.NONE if row.local is None else f"{row.local:.2f}"]
     numbers += [cpu if record.cost.timed else f"{cpu} ○", str(record.steps)]
-    cells = "".join(f"<td>{escape(number)}</td>" for number in numbers)
-    note = f" {escape(row.note)}" if row.note else ""
+    cells = "".join(f"<td>{escape(number)}" for number in numbers)
+    note = f" <small>{escape(row.note)}</small>" if row.note else ""
     came = f"{escape(row.outcome.symbol)} {escape(row.outcome.word)}"
-    return f'<tr>{cells}<td class="left"><b class="{row.outcome.look}">{came}</b>{note}</td></tr>\n'
-
-
-def palette() -> Markup:
-    """The colours of schemes as classes, for light and dark."""
-    light = "".join(f".c{i}{{--c:{pair[0]}}}" for i, pair in enumerate(COLOURS))
-    dark = "".join(f"[data-theme=dark] .c{i}{{--c:{pair[1]}}}" for i, pair in enumerate(COLOURS))
-    system = "".join(
-        f":root:not([data-theme=light]) .c{i}{{--c:{pair[1]}}}" for i, pair in enumerate(COLOURS)
-    )
-    return Markup(f"{light}{dark}@media screen and (prefers-color-scheme:dark){{{system}}}")
+    return f'<tr>{cells}<td class="{row.outcome.look}">{came}{note}'

@@ -23,7 +23,6 @@ from vv.store.store import Store
 
 HERE = Path(__file__).parent
 TOOL = Path(closure.__file__).parents[2]  # below which the modules that a report leans on lie
-ASSETS = ("report.css", "report.js")
 FRONT = "index.html"
 STAMPS = "stamps.json"  # name of a file -> digest of what it was made from, and of the file
 
@@ -87,9 +86,8 @@ def _files(book: Book) -> Iterator[File]:
     from reports import environment as env
 
     looks = sources()
-    for asset in ASSETS:
-        text = (HERE / "assets" / asset).read_text(encoding="utf-8")
-        yield File(asset, looks, lambda text=text: text)  # type: ignore[misc]
+    yield File("report.css", looks, env.style)
+    yield File("report.js", looks, env.script)
     of_cases = {case: _of_case(book, case) for case in book.manifest.cases}
     for case, made_from in of_cases.items():
         name = book.page_of(case)

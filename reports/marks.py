@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import math
 import zlib
 from collections.abc import Iterable
@@ -78,12 +79,14 @@ SHAPES: tuple[Polygon, ...] = (
 @dataclass(frozen=True)
 class Mark:
     """The look of one code/scheme. colour: index of COLOURS; shape: corners within about the
-    unit circle, y upwards; dash: as SVG has it, empty for a full line."""
+    unit circle, y upwards; dash: as SVG has it, empty for a full line; number: its place among
+    those of a report, by which drawings name it."""
 
     label: str
     colour: int
     shape: Polygon
     dash: str
+    number: int = dataclasses.field(default=0, compare=False)
 
     @property
     def code(self) -> str:
@@ -97,8 +100,8 @@ class Mark:
 
     @property
     def points(self) -> str:
-        """The corners as an SVG polygon of radius 5, y downwards."""
-        return " ".join(f"{5 * x:.3g},{-5 * y:.3g}" for x, y in self.shape)
+        """The corners as an SVG polygon, y downwards."""
+        return " ".join(f"{x:.3g},{-y:.3g}" for x, y in self.shape)
 
 
 def mark(label: str) -> Mark:
@@ -118,4 +121,5 @@ def _place(name: str, known: tuple[str, ...]) -> int:
 
 def marks(labels: Iterable[str]) -> dict[str, Mark]:
     """A mark for each label, sorted."""
-    return {label: mark(label) for label in sorted(set(labels))}
+    found = enumerate(sorted(set(labels)))
+    return {label: dataclasses.replace(mark(label), number=n) for n, label in found}

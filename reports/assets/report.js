@@ -58,22 +58,28 @@
   // Pointing at a curve tells the nearest of its points and fades the others.
   const tip = document.body.appendChild(document.createElement("div"));
   tip.id = "tip"; tip.hidden = true;
+  const named = (group) => group.dataset.k ?? one(group.classList[0])?.dataset.k;
+  const worded = (tip) => {
+    const [step, error, cost] = tip.split(";");
+    if (error === undefined) return tip;
+    return `${step ? `dt ${step} s: ` : ""}error ${error}${cost ? `, ${cost.replace("○", "(indicative)")}` : ""}`;
+  };
   const nearest = (svg, event) => {
     const at = new DOMPoint(event.clientX, event.clientY).matrixTransform(svg.getScreenCTM().inverse());
     let best = null, least = 14;
-    all("[data-at]", svg).forEach((path) => {
-      const spots = path.dataset.at.split(" "), tips = path.dataset.tip.split("|");
+    all("[data-tip]", svg).forEach((path) => {
+      const spots = path.getAttribute("d").slice(1).split(" ").map(parseFloat), tips = path.dataset.tip.split("|");
       for (let i = 0; i < tips.length; i++) {
         const far = Math.hypot(spots[2 * i] - at.x, spots[2 * i + 1] - at.y);
-        if (far < least) { least = far; best = `${path.parentNode.dataset.k}: ${tips[i]}`; }
+        if (far < least) { least = far; best = `${named(path.parentNode)}: ${worded(tips[i])}`; }
       }
     });
     return best;
   };
   document.addEventListener("pointermove", (event) => {
     const svg = event.target.closest?.("svg.chart");
-    const group = event.target.closest?.("svg.chart [data-k]");
-    const said = svg && (nearest(svg, event) || group?.dataset.k);
+    const group = event.target.closest?.("svg.chart [data-k], svg.chart [class^=k]");
+    const said = svg && (nearest(svg, event) || (group && named(group)));
     tip.hidden = !said;
     if (said) {
       tip.textContent = said;
@@ -81,7 +87,7 @@
       tip.style.top = `${event.clientY + 14}px`;
     }
     const name = said ? said.split(":")[0] : null;
-    if (svg) all("[data-k]", svg).forEach((g) => g.classList.toggle("faint", Boolean(name) && g.dataset.k !== name));
+    if (svg) all("[data-k], [class^=k]", svg).forEach((g) => g.classList.toggle("faint", Boolean(name) && named(g) !== name));
   });
   document.addEventListener("pointerout", (event) => {
     const svg = event.target.closest?.("svg.chart");
@@ -184,8 +190,9 @@
         row.forEach(([r], i) => { d += `${d ? "L" : "M"}${x(r)} ${y(before)}L${x(r)} ${y((i + 1) / solved)}`; before = (i + 1) / solved; });
         g.append(make("path", { class: "line", d: `${d}L${R} ${y(before)}`, "stroke-dasharray": look[1] || "none" }));
         const dots = row.map(([r], i) => `M${x(r) - 2.4} ${y((i + 1) / solved)}a2.4 2.4 0 1 0 4.8 0a2.4 2.4 0 1 0-4.8 0`).join("");
+        g.append(make("path", { class: "full", d: dots }));
         g.append(make("path", {
-          class: "full", d: dots, "data-at": row.map(([r], i) => `${x(r)} ${y((i + 1) / solved)}`).join(" "),
+          class: "holes", d: `M${row.map(([r], i) => `${x(r)} ${y((i + 1) / solved)}`).join(" ")}h0`,
           "data-tip": row.map(([r, place, cpu]) => `${place}, ${cpu.toPrecision(3)} s, ${ratio(r)} times the cheapest`).join("|"),
         }));
         return [y(before), label];

@@ -207,10 +207,9 @@ def _curve(mark: Mark, x: list[float], points: Sequence[Point], hollow: list[boo
 
 
 def _tip(point: Point) -> str:
-    """A setting, its error and its cost, for who points at it."""
-    at = f"dt {brief(point.dt)} s: " if point.dt else ""
-    cost = f", {seconds(point.cpu)}{'' if point.timed else ' (indicative)'}" if point.cpu else ""
-    return f"{at}error {sci(point.error)}{cost}"
+    """A setting, its error and its cost, for who points at it: the page's script words them."""
+    cost = f"{seconds(point.cpu)}{'' if point.timed else ' ○'}" if point.cpu else ""
+    return f"{brief(point.dt) if point.dt else ''};{sci(point.error)};{cost}"
 
 
 def _rims(ladders: Sequence[Ladder], low: float, axis: str) -> tuple[Rim, ...]:

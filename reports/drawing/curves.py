@@ -9,8 +9,8 @@ from markupsafe import Markup, escape
 
 from reports.drawing.axes import Axis, linear_axis, log_axis
 from reports.drawing.charts import Chart, Curve, Mask, Rim
-from reports.drawing.svg import drawing, number, path, polygon, text, thinned, title
-from reports.marks import ROUND, Mark
+from reports.drawing.svg import drawing, number, path, placed, text, thinned, title
+from reports.marks import Mark
 from vv.base.metrics import Vector
 
 WIDTH, HEIGHT = 470.0, 290.0
@@ -63,11 +63,13 @@ def _frame(chart: Chart, x: Axis, y: Axis) -> list[str]:
     rows = [(float(y.at(tick)), said) for tick, said in y.ticks]
     grid = [f"M{number(p)} {TOP:g}V{BOTTOM:g}" for p, _ in columns]
     grid += [f"M{LEFT:g} {number(p)}H{RIGHT:g}" for p, _ in rows]
+    across = "".join(f'<text x="{number(p)}">{escape(said)}</text>' for p, said in columns)
+    up = "".join(f'<text y="{number(p)}">{escape(said)}</text>' for p, said in rows)
     middle = f"translate(11 {(TOP + BOTTOM) / 2:g}) rotate(-90)"
     return [
         f'<path class="grid" d="{"".join(grid)}"/>',
-        *(text(p, BOTTOM + 13, said, "mid") for p, said in columns),
-        *(text(LEFT - 5, p + 3, said, "end") for p, said in rows),
+        f'<g class="mid" transform="translate(0 {BOTTOM + 13:g})">{across}</g>',
+        f'<g class="end" transform="translate({LEFT - 5:g} 3)">{up}</g>',
         text((LEFT + RIGHT) / 2, HEIGHT - 10, chart.x_label, "mid"),
         f'<g transform="{middle}">{text(0, 0, chart.y_label, "mid")}</g>',
     ]
@@ -76,42 +78,35 @@ def _frame(chart: Chart, x: Axis, y: Axis) -> list[str]:
 def _curve(curve: Curve, x: Axis, y: Axis, size: float, name: str) -> str:
     """A group: the line, the markers, rings about those that are troubling, and the name."""
     px, py = x.at(curve.x), np.clip(y.at(curve.y), TOP - 4, BOTTOM + 4)
-    parts = [title(curve.mark.label)]
+    parts = []
     if curve.joined.sum() > 1:
         line = path(*thinned(px[curve.joined], py[curve.joined]))
-        dash = f' stroke-dasharray="{curve.mark.dash}"' if curve.mark.dash else ""
-        parts.append(f'<path class="line" d="{line}"{dash}/>')
-    for kind, chosen in (("full", ~curve.hollow), ("open", curve.hollow)):
-        parts.append(_markers(curve, px, py, chosen & curve.marked, size, kind))
+        parts.append(f'<path class="line" d="{line}"/>')
+    for kind, chosen in (("dots", ~curve.hollow), ("holes", curve.hollow)):
+        parts.append(_markers(curve, px, py, chosen & curve.marked, kind))
     if curve.ringed.any():
         round_it = [_ring(*spot, size + 3) for spot in zip(px, py, curve.ringed, strict=True)]
         parts.append(f'<path class="ring" d="{"".join(round_it)}"/>')
-    return _group(curve.mark, "".join([*parts, name]))
+    return _group(curve.mark, "".join([*parts, name]), size)
 
 
-def _group(mark: Mark, inner: str) -> str:
-    return f'<g class="c{mark.colour}" data-k="{escape(mark.label)}">{inner}</g>'
+def _group(mark: Mark, inner: str, size: float = SMALL) -> str:
+    """What belongs to a code/scheme; size: radius of its markers, where it is not the usual."""
+    large = f' stroke-width="{size:.1f}"' if size != SMALL else ""
+    return f'<g class="k{mark.number}"{large}>{inner}</g>'
 
 
-def _markers(curve: Curve, px: Vector, py: Vector, chosen: Mask, size: float, kind: str) -> str:
-    """The markers of one kind; what is known of each stands beside it for who points at it."""
+def _markers(curve: Curve, px: Vector, py: Vector, chosen: Mask, kind: str) -> str:
+    """The markers of one kind: a path through their places, on which the page's style puts them.
+
+    What is known of each stands beside it for who points at it.
+    """
     known = np.flatnonzero(chosen & np.isfinite(px) & np.isfinite(py))
     if not len(known):
         return ""
-    shapes = "".join(_shape(curve.mark, float(px[i]), float(py[i]), size) for i in known)
     tips = "|".join(curve.tips[i] for i in known) if curve.tips else ""
-    told = ""
-    if tips:
-        spots = " ".join(f"{number(float(px[i]))} {number(float(py[i]))}" for i in known)
-        told = f' data-at="{spots}" data-tip="{escape(tips)}"'
-    return f'<path class="{kind}" d="{shapes}"{told}/>'
-
-
-def _shape(mark: Mark, x: float, y: float, size: float) -> str:
-    """A marker about a place, as part of a path."""
-    if mark.shape is ROUND:
-        return _ring(x, y, True, round(0.9 * size, 1))
-    return polygon(x, y, size * np.array(mark.shape) * (1, -1))
+    told = f' data-tip="{escape(tips)}"' if tips else ""
+    return f'<path class="{kind}" d="{placed(px[known], py[known])}"{told}/>'
 
 
 def _ring(x: float, y: float, ringed: bool, r: float) -> str:
@@ -126,7 +121,6 @@ def _rim(rim: Rim, x: Axis, place: int) -> str:
     """A mark on the upper rim, crossed out, or on the lower one, with an arrow down."""
     px = float(x.at(rim.x)) if rim.x else RIGHT - 12 - 14 * (place % 18)
     py = TOP if rim.above else BOTTOM
-    shape = _shape(rim.mark, px, py, SMALL)
     a, b = number(px), number(py)
     sign = (
         f"M{number(px - 4)} {number(py - 4)}l8 8m-8 0l8-8"
@@ -135,7 +129,8 @@ def _rim(rim: Rim, x: Axis, place: int) -> str:
     )
     said = f"{rim.mark.label}: {'no result' if rim.above else 'error below the axis'}"
     cross = "lost" if rim.above else "sunk"
-    inner = f'{title(said)}<path class="open" d="{shape}"/><path class="{cross}" d="{sign}"/>'
+    shape = placed(np.array([px]), np.array([py]))
+    inner = f'{title(said)}<path class="holes" d="{shape}"/><path class="{cross}" d="{sign}"/>'
     return _group(rim.mark, inner)
 
 
@@ -156,7 +151,7 @@ def _names(ends: Mapping[str, tuple[float, float]]) -> dict[str, str]:
     made = {}
     for (label, spot), y in zip(ordered, places, strict=True):
         lead = f"M{number(spot[0] + 4)} {number(spot[1])}L{RIGHT + 5:g} {number(y)}"
-        made[label] = f'<path class="lead" d="{lead}"/>{text(RIGHT + 8, y + 3, label, "named")}'
+        made[label] = f'<path class="lead" d="{lead}"/>{text(RIGHT + 8, y + 3, label)}'
     return made
 
 

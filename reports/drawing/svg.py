@@ -83,9 +83,10 @@ def straightened(x: Vector, y: Vector) -> tuple[Vector, Vector]:
     return x[order], y[order]
 
 
-def polygon(x: float, y: float, points: Vector) -> str:
-    """A closed shape about a place, as part of a path."""
-    return f"{path(x + points[:, 0], y + points[:, 1])}z"
+def placed(x: Vector, y: Vector) -> str:
+    """A line through places, all as they are; one place has a line of no length to itself."""
+    spots = [f"{number(px)} {number(py)}" for px, py in zip(x.tolist(), y.tolist(), strict=True)]
+    return f"M{' '.join(spots)}{'h0' if len(spots) == 1 else ''}"
 
 
 def text(x: float, y: float, said: str, kind: str = "") -> str:

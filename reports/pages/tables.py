@@ -185,7 +185,8 @@ class Setting:
 class Group:
     """The settings of one scheme and quantity at one contact stiffness.
 
-    order: fitted over those before a floor. notes: what all rows share, said once.
+    order: fitted over those before a floor. notes: what all rows share, said once. titled: whether
+    it needs a heading, or goes on below that of the stiffness before.
     """
 
     mark: Mark
@@ -194,6 +195,7 @@ class Group:
     rows: Sequence[Setting]
     order: Order | None
     notes: Sequence[str]
+    titled: bool = True
 
     @property
     def is_number(self) -> bool:
@@ -209,7 +211,15 @@ def groups(piles: Mapping[str, Sequence[Record]], looks: Mapping[str, Mark]) -> 
             for one in record.quantities:
                 found.setdefault((label, one.name, record.rung.kn), []).append((record, one))
     keys = sorted(found, key=lambda key: (key[0], key[1], key[2] or 0.0))
-    return [_group(looks[key[0]], found[key]) for key in keys]
+    made = [_group(looks[key[0]], found[key]) for key in keys]
+    pairs = zip([None, *made], made, strict=False)
+    return [dataclasses.replace(one, titled=not _goes_on(before, one)) for before, one in pairs]
+
+
+def _goes_on(before: Group | None, one: Group) -> bool:
+    """Whether all that a heading of a group would say stands above it already."""
+    known = before and (before.mark, before.quantity, before.notes)
+    return known == (one.mark, one.quantity, one.notes) and one.order is None
 
 
 def _group(mark: Mark, rows: Sequence[Measured]) -> Group:
@@ -263,3 +273,40 @@ def absent(piles: Mapping[str, Sequence[Record]], looks: Mapping[str, Mark]) -> 
         found.append(Absent(place, looks[label], shown_outcome(pile[0]), settings, why, whole))
         anchored.add(label)
     return found
+
+
+@dataclass(frozen=True)
+class Silent:
+    """Schemes of which nothing ran, all for one reason. marks: the place of each, and its look."""
+
+    outcome: ShownOutcome
+    reason: str
+    marks: Sequence[tuple[str, Mark]]
+
+
+def silent(rows: Sequence[Absent]) -> list[Silent]:
+    """Those of which nothing ran, a row for each reason."""
+    found: dict[tuple[ShownOutcome, str], list[tuple[str, Mark]]] = {}
+    for row in rows:
+        if row.whole:
+            reason = row.reason.removeprefix(f"{row.mark.label} does not support: ")
+            found.setdefault((row.outcome, reason), []).append((row.anchor, row.mark))
+    return [Silent(outcome, reason, marks) for (outcome, reason), marks in found.items()]
+
+
+@dataclass(frozen=True)
+class Modelled:
+    """Schemes that modelled a scene in the same way, and how."""
+
+    note: str
+    rows: Sequence[Ranked]
+
+
+def models(rows: Sequence[Ranked]) -> list[Modelled]:
+    """How the schemes modelled a scene, a row for each way."""
+    found: dict[str, list[Ranked]] = {}
+    for row in rows:
+        if row.model:
+            note = f"{row.model.note or 'as the scene states it'}; unknowns: {row.model.unknowns}"
+            found.setdefault(note, []).append(row)
+    return [Modelled(note, own) for note, own in found.items()]

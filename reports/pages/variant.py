@@ -19,10 +19,14 @@ from reports.pages.playback import playback
 from reports.pages.tables import (
     Absent,
     Group,
+    Modelled,
     Ranked,
+    Silent,
     absent,
     groups,
+    models,
     ranked,
+    silent,
     why_colours_differ,
 )
 from reports.text import slug
@@ -67,6 +71,8 @@ class Variant:
     voices: Sequence[str]
     groups: Sequence[Group]
     absent: Sequence[Absent]
+    silent: Sequence[Silent]
+    models: Sequence[Modelled]
     figures: Sequence[Figure]
     playback: str
     like: str
@@ -91,6 +97,7 @@ def variant(book: Book, place: Place, before: dict[str, list[History]]) -> Varia
         like = ""  # whoever looks for what went wrong needs its own picture
     rows = ranked(book.ran[place], book.marks)
     kept = [one for one in book.manifest.recorded if (one.case, one.variant) == place]
+    missing = absent(piles, book.marks)
     usual = {p.name: p.value for p in book.manifest.cases[case].parameters}
     given = own[0].parameters if own else {}
     return Variant(
@@ -106,7 +113,9 @@ def variant(book: Book, place: Place, before: dict[str, list[History]]) -> Varia
         differ=why_colours_differ(rows),
         voices=[vote.in_words() for vote in votes(own, kept)],
         groups=groups(piles, book.marks),
-        absent=absent(piles, book.marks),
+        absent=missing,
+        silent=silent(missing),
+        models=models(rows),
         figures=[] if like else _figures(book, facts, own),
         playback="" if like else playback(curves, facts),
         like=like,

@@ -69,8 +69,8 @@ def test_indicative_costs_are_hollow_and_failures_ringed() -> None:
     assert chart.curves[0].hollow.tolist() == [True, False]
     assert chart.curves[0].ringed.tolist() == [True, False]
     svg = draw(chart)
-    assert all(svg.count(f'class="{kind}"') == 1 for kind in ("open", "full", "ring"))
-    assert "dt 4e-3 s: error 1.00e-2, 100 µs (indicative)" in svg
+    assert all(svg.count(f'class="{kind}"') == 1 for kind in ("holes", "dots", "ring"))
+    assert "4e-3;1.00e-2;100 µs ○" in svg
 
 
 def test_a_drawing_is_well_formed_names_its_curves_and_is_the_same_each_time() -> None:

@@ -6,6 +6,8 @@ from collections.abc import Iterator
 from html.parser import HTMLParser
 
 VOID = {"meta", "link", "img", "br", "hr", "input"}
+ENDS = {"td": {"td", "th"}, "th": {"td", "th"}, "tr": {"td", "th", "tr"}}  # end tags left out
+ENDS["tbody"] = ENDS["tr"] | {"tbody"}
 
 
 class Tags(HTMLParser):
@@ -22,6 +24,7 @@ class Tags(HTMLParser):
         assert self.open == []
 
     def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        self._let_go(ENDS.get(tag, set()))
         named = dict(attrs)
         self.tags.append((tag, named))
         if tag not in VOID:
@@ -29,8 +32,15 @@ class Tags(HTMLParser):
         self.row = (named.get("id") or "") if tag == "tr" else self.row
 
     def handle_endtag(self, tag: str) -> None:
+        if tag in ("tr", "tbody", "table"):
+            self._let_go(ENDS["tbody"] - {tag})
         assert self.open.pop() == tag, (tag, self.getpos())
         self.row = "" if tag == "tr" else self.row
+
+    def _let_go(self, ended: set[str]) -> None:
+        """Close what ends without an end tag."""
+        while self.open and self.open[-1] in ended:
+            self.open.pop()
 
     def handle_startendtag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
         self.tags.append((tag, dict(attrs)))
