@@ -221,6 +221,14 @@ class Store:
         """Note what an invocation came to."""
         self._write("answers", key, answer)
 
+    def facts(self, kind: type[Found], key: str) -> Found | None:
+        """What was worked out of results once, by the digest of all it was made from."""
+        return self._read(kind, "facts", key)
+
+    def keep_facts(self, key: str, facts: object) -> None:
+        """Store what was worked out of results."""
+        self._write("facts", key, facts)
+
     def scratch(self) -> Path:
         """A new, empty folder for one worker."""
         (self.root / "scratch").mkdir(parents=True, exist_ok=True)

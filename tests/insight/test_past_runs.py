@@ -1,0 +1,24 @@
+"""Claims about what past runs say: it is read once, and is the same the second time."""
+
+from __future__ import annotations
+
+import dataclasses
+from pathlib import Path
+from unittest import mock
+
+from tests.support.fabricated import manifest_of_all
+from vv.insight.history import history
+from vv.store.store import Store
+
+
+def test_a_past_run_is_read_once_and_says_the_same_later(tmp_path: Path) -> None:
+    store = Store(tmp_path / ".vv")
+    whole = manifest_of_all(store)
+    store.keep_manifest(whole)
+    first = history(store, "bounce", print)
+    assert first[0].closeness
+    assert first[0].outcomes
+    with mock.patch.object(Store, "records_of", side_effect=AssertionError("read again")):
+        assert history(store, "bounce", print) == first
+    store.keep_manifest(dataclasses.replace(whole, name=f"{whole.name}.1", records=()))
+    assert history(store, "bounce", print) == first

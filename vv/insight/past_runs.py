@@ -1,0 +1,116 @@
+"""What past runs say of a case, each read once: the few figures that a history needs are kept."""
+
+from __future__ import annotations
+
+import functools
+import math
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import TypeVar
+
+from vv.base import closure
+from vv.base.digest import digest
+from vv.gate.judgement import counted
+from vv.records.job_record import Record
+from vv.records.manifest import Manifest
+from vv.records.outcomes import Outcome
+from vv.records.provenance import Machine, Provenance
+from vv.records.reading import rung
+from vv.store.store import Store
+
+Figures = Mapping[str, Mapping[str, float]]  # scheme -> place within the case -> figure
+Head = tuple[tuple[str, ...], Provenance]  # the cases of a past run, and where it comes from
+Part = TypeVar("Part")
+NOWHERE = Provenance("", "", False, "", Machine("", None, "", ""), {}, 1)  # of what is damaged
+
+
+@dataclass(frozen=True, slots=True)
+class Digest:
+    """A case in a past run, of its records with the case's own parameters.
+
+    closeness: error over tolerance; cost: a timed solve in calibration kernels; outcomes: scheme
+    -> outcomes counted. Without outcomes there are no such records.
+    """
+
+    closeness: Figures
+    cost: Figures
+    outcomes: Mapping[str, Mapping[Outcome, int]]
+
+
+@dataclass(frozen=True)
+class PastRuns:
+    """Reads past runs in parts; of damaged ones there is nothing, which is said once."""
+
+    store: Store
+    at_hand: Mapping[str, Manifest]
+    passed_over: Callable[[str], None]
+    heads: dict[str, Head] = field(default_factory=dict)
+
+    def head(self, name: str) -> Head:
+        """The cases of a past run and where it comes from; no cases if it is damaged."""
+        if name not in self.heads:
+            self.heads[name] = self._of(name, lambda: self.store.head(name)) or ((), NOWHERE)
+        return self.heads[name]
+
+    def digest(self, name: str, case: str) -> Digest:
+        """What a past run says of a case; what a run on disk says is worked out once."""
+        if name in self.at_hand:
+            return digest_of(r for r in self.at_hand[name].records if r.case == case)
+        key = digest(name, case, _sources())
+        known = self.store.facts(Digest, key)
+        if known is None:
+            read = self._of(name, lambda: self.store.records_of(name, case))
+            known = digest_of(read or ())
+            if read is not None:
+                self.store.keep_facts(key, known)
+        return known
+
+    def _of(self, name: str, read: Callable[[], Part]) -> Part | None:
+        try:
+            return read()
+        except OSError as error:
+            self.passed_over(f"past run {name}: {error.strerror}; passed over")
+            return None
+
+
+def digest_of(records: Iterable[Record]) -> Digest:
+    """The figures of the records of a case in one run."""
+    own = [record for record in records if not record.modified]
+    return Digest(_measured(own, _closeness), _measured(own, _relative), _by_scheme(own))
+
+
+@functools.cache
+def _sources() -> str:
+    """Digest of the sources that decide what is worked out."""
+    here = Path(__file__)
+    return closure.source_digest(closure.import_closure([here], (here.parents[2],)))
+
+
+def _measured(
+    records: Iterable[Record], measure: Callable[[Record], Mapping[str, float]]
+) -> dict[str, dict[str, float]]:
+    """Scheme -> place -> what is measured there."""
+    found: dict[str, dict[str, float]] = {}
+    for record in records:
+        for name, value in measure(record).items():
+            place = "\n".join((record.variant, rung(record), name))
+            found.setdefault(record.label, {})[place] = value
+    return found
+
+
+def _closeness(record: Record) -> dict[str, float]:
+    pairs = {one.name: (one.error, one.tolerance) for one in record.quantities}
+    return {name: error / bound for name, (error, bound) in pairs.items() if error and bound}
+
+
+def _relative(record: Record) -> dict[str, float]:
+    relative = record.cost.relative
+    return {"cost": math.sqrt(relative[0] * relative[1])} if relative else {}
+
+
+def _by_scheme(records: Sequence[Record]) -> dict[str, Mapping[Outcome, int]]:
+    found: dict[str, list[Record]] = {}
+    for record in records:
+        found.setdefault(record.label, []).append(record)
+    return {scheme: counted(own) for scheme, own in found.items()}
