@@ -6,6 +6,7 @@ import functools
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
+from reports.beside import NOTHING, Beside
 from reports.marks import Mark, marks
 from reports.text import slug
 from vv.base.metrics import Vector
@@ -30,6 +31,7 @@ class Book:
     arrays: Arrays
     past: Mapping[str, Sequence[Point]]
     whole: bool = False
+    beside: Beside = NOTHING
 
     @functools.cached_property
     def marks(self) -> dict[str, Mark]:

@@ -21,6 +21,7 @@ from reports.pages.case import case
 from reports.pages.findings import findings
 from reports.pages.front import front
 from reports.pages.overview import overview
+from reports.pages.papers import papers
 from reports.pages.steadiness import sections
 from reports.pages.tables import Group, Setting
 from reports.pages.troubles import troubles
@@ -44,6 +45,7 @@ FILTERS = (
     text.seconds,
     text.slug,
     text.known_columns,
+    text.with_unit,
 )
 
 
@@ -93,6 +95,11 @@ def attention_page(book: Book) -> str:
     return _page("attention.html.j2", book, **_attention(book))
 
 
+def papers_page(book: Book) -> str:
+    """papers.html: what the papers publish, and what became of it."""
+    return _page("papers.html.j2", book, papers=papers(book))
+
+
 def whole_page(book: Book) -> str:
     """All pages of a selection as one."""
     return _page(
@@ -102,6 +109,7 @@ def whole_page(book: Book) -> str:
         cases=[case(book, name) for name in book.manifest.cases],
         codes=[_code(book, name) for name in codes(book)],
         overview=_of_codes(book)[0],
+        papers=papers(book),
         style=Markup(style()),
         script=Markup(script()),
         **_attention(book),

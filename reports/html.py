@@ -10,6 +10,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
+from reports.beside import NOTHING, Beside
 from reports.book import Book
 from vv.base import closure
 from vv.base.files import write_output, write_whole
@@ -24,6 +25,7 @@ from vv.store.store import Store
 HERE = Path(__file__).parent
 TOOL = Path(closure.__file__).parents[2]  # below which the modules that a report leans on lie
 FRONT = "index.html"
+PAPERS = "papers.html"
 STAMPS = "stamps.json"  # name of a file -> digest of what it was made from, and of the file
 
 
@@ -36,13 +38,13 @@ class File:
     write: Callable[[], str]
 
 
-def build(manifest: Manifest, store: Store, folder: Path) -> Path:
+def build(manifest: Manifest, store: Store, folder: Path, beside: Beside = NOTHING) -> Path:
     """Write the report of a manifest (with its `name`) into a folder; returns its front page.
 
     Reads the manifest, and the series of its records through the store. A page that was made
     from the same results by the same sources, and was not touched since, is left as it is.
     """
-    book = _book(manifest, store, whole=False)
+    book = _book(manifest, store, beside)
     folder.mkdir(parents=True, exist_ok=True)
     before, now = _stamps(folder), {}
     for file in _files(book):
@@ -60,7 +62,13 @@ def build(manifest: Manifest, store: Store, folder: Path) -> Path:
     return folder / FRONT
 
 
-def build_single(manifest: Manifest, store: Store, cases: Sequence[str], output: Path) -> Path:
+def build_single(
+    manifest: Manifest,
+    store: Store,
+    cases: Sequence[str],
+    output: Path,
+    beside: Beside = NOTHING,
+) -> Path:
     """Write the report of some cases of a manifest as one file; returns its path."""
     from reports.environment import whole_page
 
@@ -72,13 +80,14 @@ def build_single(manifest: Manifest, store: Store, cases: Sequence[str], output:
         findings=tuple(f for f in manifest.findings if f.case in kept),
         recorded=tuple(r for r in manifest.recorded if r.case in kept),
     )
-    write_output(output, printable(whole_page(_book(part, store, whole=True))).encode())
+    book = dataclasses.replace(_book(part, store, beside), whole=True)
+    write_output(output, printable(whole_page(book)).encode())
     return output
 
 
-def _book(manifest: Manifest, store: Store, whole: bool) -> Book:
+def _book(manifest: Manifest, store: Store, beside: Beside) -> Book:
     past = histories.histories(store, manifest.cases, {manifest.name: manifest}, note)
-    return Book(manifest, functools.cache(store.series), past, whole)
+    return Book(manifest, functools.cache(store.series), past, beside=beside)
 
 
 def _files(book: Book) -> Iterator[File]:
@@ -100,6 +109,8 @@ def _files(book: Book) -> Iterator[File]:
     all_of_it = _of_all(book, [*of_cases.values()])
     for code in env.codes(book):
         yield File(book.page_of_code(code), all_of_it, functools.partial(env.code_page, book, code))
+    if book.beside.papers:
+        yield File(PAPERS, _of_papers(book), functools.partial(env.papers_page, book))
     yield File("attention.html", all_of_it, functools.partial(env.attention_page, book))
     yield File(FRONT, all_of_it, functools.partial(env.front_page, book))
 
@@ -116,6 +127,7 @@ def _of_case(book: Book, case: str) -> str:
         [r for r in whole.recorded if r.case == case],
         past,
         sorted(whole.external()),
+        bool(book.beside.papers),
     )
     return _digest(parts)
 
@@ -126,7 +138,13 @@ def _of_all(book: Book, of_cases: Sequence[str]) -> str:
     Another invocation that was answered by the same results has the same report.
     """
     circumstances = dataclasses.replace(book.manifest.provenance, utc="")
-    return _digest((circumstances, of_cases, book.manifest.findings))
+    return _digest((circumstances, of_cases, book.manifest.findings, bool(book.beside.papers)))
+
+
+def _of_papers(book: Book) -> str:
+    """Digest of all that the page of the papers shows."""
+    told = [(p.name, p.citation, p.doi, rows) for p, rows in book.beside.papers]
+    return _digest((told, [*book.marks], book.places))
 
 
 def _without_time(point: Point) -> tuple[object, ...]:

@@ -62,6 +62,11 @@ def power(exponent: int) -> str:
     return f"10{str(exponent).translate(SUPERSCRIPTS)}"
 
 
+def with_unit(value: str, unit: str) -> str:
+    """A number as text with its unit; words have none."""
+    return f"{value} {unit}" if value and unit and value[-1].isdigit() else value
+
+
 def slug(*names: str) -> str:
     """An identifier of a place, and the name of a file: other names, other identifiers."""
     return "--".join(map(_plain, names))

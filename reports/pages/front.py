@@ -18,6 +18,8 @@ from reports.pages import coverage_map
 from reports.pages.overview import TARGET, TARGETS, Overview, overview
 from reports.pages.troubles import CARDS, Trouble, troubles
 from reports.text import brief
+from vv.case.published import Standing
+from vv.insight.papers import counted as standings
 from vv.output.markdown import headline
 
 
@@ -37,6 +39,7 @@ class Front:
     shares: Sequence[tuple[Mark, Sequence[float | None]]]
     cards: Sequence[Trouble]
     more: int
+    papers: Mapping[Standing, int]
     rows: Markup
     data: str
 
@@ -63,6 +66,7 @@ def front(book: Book) -> Front:
         shares=_shares(book, seen),
         cards=all_troubles[:CARDS],
         more=max(0, len(all_troubles) - CARDS),
+        papers=standings(row for _, rows in book.beside.papers for row in rows),
         rows=coverage_map.rows(book, seen),
         data=_data(book, seen),
     )

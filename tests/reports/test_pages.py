@@ -13,6 +13,7 @@ from pathlib import Path
 import pytest
 
 from reports import html
+from reports.beside import Beside
 from reports.outcomes import OUTCOMES, WORST_FIRST, shown_outcome
 from reports.pages import tables
 from tests.support.fabricated import (
@@ -28,6 +29,8 @@ from tests.support.fabricated import (
 from tests.support.fabricated import manifest as manifest_of
 from tests.support.html_tags import Tags
 from vv.ask import Status
+from vv.case.published import Paper, Standing
+from vv.insight.papers import Answer, Row
 from vv.records.accepted import AcceptanceSummary, BaselineSummary, Place
 from vv.records.finding import Aspect, Bit, Finding
 from vv.records.manifest import Manifest
@@ -131,6 +134,32 @@ def test_nothing_is_fetched_and_every_link_leads_somewhere(
         assert re.findall(r"url\((?!#)|@import|://(?!doi\.org/10\.1/)", made[name]) == []
     assert re.findall(r"url\(|@import|https?:", made["report.css"]) == []
     assert re.findall(r"fetch\(|XMLHttp|https?:", made["report.js"]) == ["http:"]  # names SVG
+
+
+PAPER = Paper("Doe (2001)", "Doe, A paper", "10.1/(x)", ())
+SAID = Row(
+    "Eq. 1", "the height", "2.0", "m", "2.1",
+    (Answer("bounce:T1", "2.1", ("dem/default",)), Answer("gone:T9", "7", ("old/one",))),
+    Standing.MISPRINT, "the last place",
+)  # fmt: skip
+
+
+def test_the_page_of_the_papers_has_each_statement_and_leads_to_its_variant(
+    manifest: Manifest, store: Store
+) -> None:
+    folder = store.root / "report"
+    html.build(manifest, store, folder, Beside([(PAPER, [SAID])]))
+    page, front = ((folder / name).read_text() for name in ("papers.html", "index.html"))
+    said = re.sub(r"\s+", " ", re.sub(r"<[^>]*>", " ", page))
+    assert "Eq. 1 the height 2.0 m 2.1 m misprint the last place" in said
+    assert '<a href="case-bounce.html#bounce--T1">bounce:T1</a>' in page
+    assert "gone:T9" in page
+    assert "old/one" in page
+    assert 'href="papers.html"' in front
+    assert "1 misprint" in front
+    html.build(manifest, store, folder)
+    assert not (folder / "papers.html").exists()
+    assert "papers.html" not in (folder / CASE).read_text() + (folder / "index.html").read_text()
 
 
 def hostile(manifest: Manifest) -> Manifest:

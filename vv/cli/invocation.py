@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import functools
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from types import ModuleType
 from typing import TYPE_CHECKING
@@ -17,6 +18,8 @@ from vv.records.manifest import Manifest, Told
 from vv.store.store import Store
 
 if TYPE_CHECKING:
+    from reports.beside import Beside
+    from vv.records.accepted import AcceptedResult
     from vv.records.job_record import Record
     from vv.run.session import Limits
 
@@ -112,7 +115,7 @@ def reported(project: Project, manifest: Manifest) -> Path:
 
     store, folder = Store(project.data()), report_folder(project)
     if not reuse.untouched(store, manifest.name, folder):
-        reporter(project).build(manifest, store, folder)
+        reporter(project).build(manifest, store, folder, beside(project, manifest))
         reuse.note_report(store, manifest.name, folder)
     return folder / "index.html"
 
@@ -143,3 +146,25 @@ def reporter(project: Project) -> ModuleType:
     from reports import html
 
     return html
+
+
+def beside(project: Project, manifest: Manifest) -> Beside:
+    """What a report shows beside the records: the papers, and the input of each code."""
+    from reports.beside import Beside
+    from vv.insight.papers import rows
+    from vv.plan.published import papers
+
+    results = functools.cache(functools.partial(_results, project, manifest))
+    return Beside([(paper, rows(paper, results)) for paper in papers(project)])
+
+
+def _results(project: Project, manifest: Manifest, case: str) -> Mapping[str, AcceptedResult]:
+    """What is accepted of a case, and what the invocation itself has of it."""
+    from vv.ask import Status
+    from vv.gate.all_checks import baseline_of
+    from vv.gate.baseline import name_of, result_of
+
+    known = baseline_of(project, case)
+    own = (r for r in manifest.records if r.case == case)
+    ran = (r for r in own if r.status is Status.RAN and not r.modified)
+    return {**(known.results if known else {}), **{name_of(r): result_of(r, "") for r in ran}}

@@ -79,19 +79,18 @@ def _written(
     patterns: tuple[str, ...],
 ) -> Path:
     """Write the report as a folder, or of the cases that match as one file; returns its page."""
-    from vv.cli.invocation import reporter
+    from vv.cli.invocation import beside, reporter
 
-    html = reporter(project)
+    html, more = reporter(project), beside(project, manifest)
     if not patterns:
         folder = project.data() / "report" if output is None else _folder(output)
-        front: Path = html.build(manifest, store, folder)
+        front: Path = html.build(manifest, store, folder, more)
         return front
     cases = [name for name in manifest.cases if any(fnmatch.fnmatch(name, p) for p in patterns)]
     if not cases:
         raise UsageError(f"--single {','.join(patterns)}: the run holds no such case")
-    file: Path = html.build_single(
-        manifest, store, cases, output or project.data() / f"report{PAGE}"
-    )
+    output = output or project.data() / f"report{PAGE}"
+    file: Path = html.build_single(manifest, store, cases, output, more)
     return file
 
 

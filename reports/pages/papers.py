@@ -1,0 +1,80 @@
+"""The page of the papers: each published number beside the exact one and what codes give."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+from reports.book import Book
+from reports.marks import Mark
+from reports.text import slug
+from vv.case.published import Paper, Standing
+from vv.insight.papers import Row, counted
+
+LOOKS: Mapping[Standing, str] = {
+    Standing.REPRODUCED: "good",
+    Standing.DIFFERS: "bad",
+    Standing.MISPRINT: "known",
+    Standing.WRONG: "odd",
+    Standing.OPEN: "idle",
+}
+
+
+@dataclass(frozen=True)
+class Given:
+    """A number that codes give on a variant, which may be of a case that this report lacks."""
+
+    link: str
+    where: str
+    text: str
+    marks: Sequence[Mark]
+    others: Sequence[str]
+
+
+@dataclass(frozen=True)
+class Shown:
+    """A statement of a paper, and what became of it."""
+
+    row: Row
+    look: str
+    given: Sequence[Given]
+
+
+@dataclass(frozen=True)
+class PaperPart:
+    """A paper. counts: how its statements came out, by standing."""
+
+    paper: Paper
+    anchor: str
+    counts: Mapping[Standing, int]
+    rows: Sequence[Shown]
+
+
+def papers(book: Book) -> list[PaperPart]:
+    """The view of all papers."""
+    return [
+        PaperPart(
+            paper,
+            f"paper-{slug(paper.name)}",
+            counted(rows),
+            [Shown(row, LOOKS[row.standing], _given(book, row)) for row in rows],
+        )
+        for paper, rows in book.beside.papers
+    ]
+
+
+def _given(book: Book, row: Row) -> list[Given]:
+    found = []
+    for answer in row.answers:
+        case, _, variant = answer.where.partition(":")
+        here = (case, variant) in book.records
+        found.append(
+            Given(
+                book.to_case(case, variant) if here else "",
+                answer.where,
+                answer.text,
+                [book.marks[label] for label in answer.codes if label in book.marks],
+                [label for label in answer.codes if label not in book.marks],
+            )
+        )
+    return found
