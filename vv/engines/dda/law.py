@@ -1,4 +1,4 @@
-"""The law of one point of contact in an open-close iteration, for kernels."""
+"""The laws of one point of contact in an open-close iteration, for kernels."""
 
 from __future__ import annotations
 
@@ -48,3 +48,36 @@ def respond(
     toward = plus(plus(NOWHERE, mu * push, way), ease, plus(slip, hold, spring))
     length = np.sqrt(dot(toward, toward))
     return SLIDE, push, (plus(NOWHERE, 1.0 / length, toward) if length > 0.0 else way)
+
+
+@inlined
+def returned(
+    state: int,
+    gap: float,
+    slip: Triple,
+    spring: Triple,
+    way: Triple,
+    kn: float,
+    ks: float | None,
+    mu: float | None,
+    ease: float,
+) -> tuple[int, float, Triple]:
+    """As `respond` with hold 1, by Coulomb's law itself: what it calls for twice is its solution.
+
+    The trial stretch spring + slip is brought back to mu N/ks in its own direction (Simo and Hughes
+    1998, Sec. 2.5). A contact slides only if it goes on along `way`, which `respond` does not ask:
+    a slip that friction has turned round would be one along which friction gives energy.
+    """
+    if gap >= 0.0:
+        return OPEN, 0.0, NOWHERE
+    push = -kn * gap
+    if mu is None or ks is None:
+        return SLIDE, push, NOWHERE
+    trial = plus(spring, 1.0, slip)
+    toward = trial
+    if state == SLIDE:
+        toward = plus(plus(NOWHERE, mu * push, way), ease, trial)
+    length = np.sqrt(dot(toward, toward))
+    if length == 0.0 or ks * dot(toward, trial) <= mu * push * length:
+        return STICK, push, NOWHERE
+    return SLIDE, push, plus(NOWHERE, 1.0 / length, toward)

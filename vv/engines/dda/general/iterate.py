@@ -9,7 +9,7 @@ from vv.engines.dda.general.assemble import contact_pull, profile, stiffness
 from vv.engines.dda.general.bodies import Bodies, Motion, applied
 from vv.engines.dda.general.contact import Touch
 from vv.engines.dda.general.linear import factorise, substitute
-from vv.engines.dda.law import OPEN, SLIDE, respond
+from vv.engines.dda.law import OPEN, SLIDE, respond, returned
 from vv.engines.kernels.arrays import counts, larger, nil_numbers, nil_rows, numbers, table
 from vv.engines.kernels.compiled import called
 from vv.engines.kernels.triples import NOWHERE, at, dot, plus, put
@@ -92,10 +92,11 @@ def iterate(  # noqa: PLR0912 - a branch per contact state
                 taken = plus(NOWHERE, mu * touch.push[k], at(touch.way, k))
             put(relative, k, moves)
             put(rub, k, taken)
-            now, push, way = respond(
-                used[k], touch.gap[k] + opened, slip, at(touch.spring, k), at(touch.way, k),
-                kn, ks, mu, hold, ease[k],
-            )  # fmt: skip
+            gap, spring, way = touch.gap[k] + opened, at(touch.spring, k), at(touch.way, k)
+            if tolerance < np.inf:
+                now, push, way = returned(used[k], gap, slip, spring, way, kn, ks, mu, ease[k])
+            else:
+                now, push, way = respond(used[k], gap, slip, spring, way, kn, ks, mu, hold, ease[k])
             touch.state[k], touch.push[k] = now, push
             put(touch.way, k, way)
             if now != used[k]:

@@ -1,0 +1,145 @@
+"""A block slides so slowly that friction stops it within a few steps of a solver."""
+
+from __future__ import annotations
+
+import functools
+import math
+
+import numpy as np
+
+from cases._papers import YAGODA_BIRAN_2016
+from reference_solutions.blocks import incline
+from vv.ask import Displacement, History, Knobs, Method
+from vv.case import (
+    LARGEST_TOLERANCE,
+    Case,
+    Exact,
+    Ladder,
+    Level,
+    Parameter,
+    Parameters,
+    Series,
+    Source,
+    Tolerance,
+    Trial,
+    Variant,
+)
+from vv.scene import Block, Contact, Scene, Wall, box_geometry, polyhedron_inertia
+
+BLOCK = Displacement(1)
+HALF = np.array([0.5, 0.5, 0.1])  # m; a plate hardly tips as friction pulls at its base
+FEW, MANY = 3.4, 102.0  # steps to the stop at the coarsest setting
+WATCHED = 4  # times as long as it slides: what creeps afterwards is seen
+STIFF = (1e9, 1e10)  # N/m
+RESTS, SHEAR = 4, 25.0  # corners; ks over kn of springs that stand for rigid contact
+
+
+def _deceleration(p: Parameters) -> float:
+    """By which friction beyond what pulls it down the slope stops it [m/s2]."""
+    alpha = math.radians(p["alpha"])
+    return p["g"] * (p["mu"] * math.cos(alpha) - math.sin(alpha))
+
+
+def _scene(p: Parameters, turns: bool) -> Scene:
+    alpha = math.radians(p["alpha"])
+    c, s = math.cos(alpha), math.sin(alpha)
+    axes = np.array([[c, 0.0, -s], [0.0, 1.0, 0.0], [s, 0.0, c]])
+    vertices, faces = box_geometry(HALF[2] * axes[2], HALF, axes)
+    mass, inertia = polyhedron_inertia(vertices, faces, p["m"] / (8 * HALF.prod()))
+    block = Block(
+        "block", vertices, faces, mass, inertia, velocity=p["v0"] * axes[0],
+        free=np.array([True, turns, True]), free_spin=np.full(3, turns),
+    )  # fmt: skip
+    gravity = np.array([0.0, 0.0, -p["g"]])
+    wall = Wall(np.zeros(3), axes[2])
+    return Scene((wall, block), Contact(np.inf, mu=p["mu"]), gravity=gravity, axes=axes)
+
+
+def _declare(variant: str, p: Parameters) -> Trial:
+    slows = _deceleration(p)
+    if not slows > 0 or not p["v0"] > 0:
+        raise ValueError(
+            f"v0 = {p['v0']!r} m/s, mu = {p['mu']!r}, alpha = {p['alpha']!r} deg; the block must "
+            "move, and friction stop it"
+        )
+    if not p["mu"] * HALF[2] < HALF[0] / 2:
+        raise ValueError(f"mu = {p['mu']!r}; the plate would tip")
+    turns = variant != "held"
+    count, stop = FEW if turns else MANY, p["v0"] / slows
+    first, scene = stop / count, _scene(p, turns)
+    rungs = tuple(Knobs(first / part, kn) for kn in STIFF[not turns :] for part in (1, 2))
+    law = {name: p[name] for name in ("alpha", "g", "v0")}
+    s = Series(
+        name="s",
+        symbol="s",
+        unit="m",
+        meaning="way along the slope",
+        observe=lambda run: np.asarray(run.values[BLOCK] @ scene.axes[0]),
+        reference=functools.partial(
+            incline.newmark, phi=math.degrees(math.atan(p["mu"])), A=0.0, f=1.0, **law
+        ),
+        judge=_judge(p, stop, count, turns),
+    )
+    levels = {Level.QUICK: rungs[:2], Level.DEFAULT: rungs, Level.PAPER: rungs}
+    each = stop / FEW  # the longest of all steps
+    goal = History(round(WATCHED * FEW) * each, each)
+    return Trial(Ladder(scene, goal, (BLOCK,), levels), (s,))
+
+
+def _judge(p: Parameters, stop: float, count: float, turns: bool) -> Exact:
+    """stop: when it stops [s]; count: after so many of the longest steps."""
+    way, points = 0.5 * p["v0"] * stop, RESTS if turns else 1
+    friction = p["mu"] * p["m"] * p["g"] * math.cos(math.radians(p["alpha"]))
+    stretch = friction / (points * SHEAR * STIFF[0])
+    leaning = friction * HALF[2] ** 2 / (RESTS * STIFF[0] * HALF[0] ** 2) if turns else 0.0
+    late = 0.25 / (count * stop)
+    springs = Tolerance(
+        min(2.5 * (stretch + leaning) / way, LARGEST_TOLERANCE),
+        "shear springs are slack at first and swing back at last, by mu N/ks, as the block leans "
+        "by friction at its base and swings back; a step in which it stops ends at rest, where "
+        "a(dt/2)^2/2 at most is left of the way, which is (dt/T)^2/4 of it",
+        kn=STIFF[0], softness=1, late=late,
+    )  # fmt: skip
+    return Exact({
+        Method.EXACT: Tolerance(1e-12, "one event, known to rounding"),
+        Method.SECOND_ORDER: Tolerance(
+            1e-9, "the trapezoidal rule follows a parabola, and the stop is found within its step"
+        ),
+        Method.FIRST_ORDER: Tolerance(
+            1e-9, "friction is that at the end of a step: up to dt/T of the way", late=1 / stop
+        ),
+        Method.PENALTY: springs,
+        Method.LAGGING: springs,
+    })  # fmt: skip
+
+
+CASE = Case(
+    name="slow-slide",
+    title="A slow slide stops in a few steps",
+    source=Source(
+        *YAGODA_BIRAN_2016,
+        "Their block on a slope, thrown along it; mass, speed and slope are chosen. The block "
+        "stops after 3.4 and 6.8 steps where it may turn, and after 102 and 204 where it may not, "
+        "so that explicit codes can run it; it is watched for four times as long.",
+    ),
+    parameters=(
+        Parameter("m", 3389.0, "kg", "mass of the block"),
+        Parameter("mu", 0.6, "", "friction coefficient"),
+        Parameter("alpha", 0.0, "degrees", "slope"),
+        Parameter("v0", 0.02, "m/s", "speed down the slope at t = 0"),
+        Parameter("g", 9.81, "m/s2", "gravity"),
+    ),
+    variants=tuple(
+        Variant(
+            name, summary, "s = v0 t - a t^2/2 to t = v0/a, then v0^2/(2a); "
+            "a = g (mu cos alpha - sin alpha)",
+            {"alpha": alpha}, frozenset({"m"}),
+        )
+        for name, summary, alpha in (
+            ("level", "a plate that may turn, on a level floor, stops in 3.4 steps and 6.8", 0.0),
+            ("slope", "a plate that may turn, down a slope of 5 degrees, in as many", 5.0),
+            ("held", "a plate that cannot turn, on a level floor, in 102 steps and 204", 0.0),
+        )
+    ),
+    declare=_declare,
+)  # fmt: skip

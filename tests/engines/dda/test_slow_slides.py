@@ -1,0 +1,70 @@
+"""Claims about slides that friction stops within a few steps."""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from tests.scenes.dda_scenes import ALL, DOWN, FLOOR, G, asked, box, general, moved, run
+from vv.ask import Run
+from vv.engines.dda import DEFAULT, LAGGED
+from vv.scene import Contact, Scene
+
+MU, DT = 0.6, 1e-3
+A = MU * G
+
+
+def slide(steps: float, direction: float) -> Scene:
+    """A cube of 3389 kg that slides on a level floor, to stop after so many steps of DT."""
+    way = np.array([math.cos(direction), math.sin(direction), 0.0])
+    body = dataclasses.replace(box((0.5, 0.5, 0.5), 3389.0), velocity=steps * A * DT * way)
+    return Scene((FLOOR, body), Contact(math.inf, mu=MU), gravity=DOWN)
+
+
+def created(done: Run) -> float:
+    assert done.ledger is not None
+    seen, allowed = done.ledger.audits["energy created [J]"]
+    return seen / allowed
+
+
+@settings(deadline=None, max_examples=25)
+@given(st.floats(1, 7), st.floats(0, 6.28), st.sampled_from([1e9, 1e10, 1e12]))
+def test_a_slide_of_few_steps_ends_where_it_should_and_nothing_creeps_on(
+    steps: float, direction: float, kn: float
+) -> None:
+    """A step that ends at rest misplaces the stop by a(dt/2)^2/2, and springs swing by mu N/ks."""
+    ask = asked(slide(steps, direction), DT, kn, 0.1, DT)
+    way = moved(run(ask, DEFAULT)) @ np.array([math.cos(direction), math.sin(direction), 0.0])
+    right = 0.5 * A * (steps * DT) ** 2
+    stretch = A * 3389 / (100 * kn)
+    assert abs(way[-1] - right) <= A * (DT / 2) ** 2 / 2 + 2 * stretch
+    assert abs(way[-1] - way[len(way) // 2]) <= 2 * stretch
+    assert created(run(ask, DEFAULT)) <= 1
+
+
+@pytest.mark.parametrize("steps", [3.4, 6.8])
+def test_both_routes_stop_it_alike(steps: float) -> None:
+    ask = asked(slide(steps, 0.4), DT, 1e9, 0.05, DT)
+    few, many = moved(run(ask, DEFAULT)), moved(general(ask, DEFAULT))
+    assert np.abs(few - many).max() <= 1e-11 * np.abs(few).max()
+
+
+def test_a_plate_that_may_turn_stops_too() -> None:
+    body = dataclasses.replace(
+        box((0.5, 0.5, 0.1), 3389 / 0.2, free_spin=ALL), velocity=np.array([0.02, 0, 0])
+    )
+    scene = Scene((FLOOR, body), Contact(math.inf, mu=MU), gravity=DOWN)
+    way = moved(run(asked(scene, DT, 1e10, 0.5, DT), DEFAULT))[-1]
+    assert way[0] == pytest.approx(0.02**2 / (2 * A), rel=0.02)
+    assert abs(way[1]) < 1e-12
+
+
+def test_friction_that_lags_is_left_as_it_is_and_creeps() -> None:
+    """The replica: a block of 3.4 steps goes back and forth, which default's law forbids."""
+    way = moved(run(asked(slide(3.4, 0.0), DT, 1e9, 0.1, DT), LAGGED))[:, 0]
+    assert abs(way[-1] - way[len(way) // 2]) > 1e-5
