@@ -103,22 +103,21 @@ def test_any_wrong_sign_in_the_fall_is_caught(sign: int) -> None:
         assert caught(lambda: falls(turned(falling, sign)))
 
 
-def test_dda_says_that_friction_is_not_solved_for_in_the_arch_that_falls() -> None:
-    """Its hinges open at edges that stay in touch; open-close iterations end unconverged."""
-    beyond = []
-    for dt in (5e-3, 2.5e-3, 1.25e-3):
-        ask = Ask(scene("arch", part=0.99), History(0.15, 0.05), (Displacement(5),), Knobs(dt, 1e9))
-        run = dda.solve_default(ask)
-        assert run.ledger is not None
-        excess, allowed = run.ledger.audits["Coulomb: friction beyond mu N [N]"]
-        beyond.append(excess / allowed)
-    assert max(beyond) > 1e3
+@pytest.mark.parametrize("dt", [5e-3, 2.5e-3, 1.25e-3])
+def test_dda_solves_for_friction_in_the_arch_that_falls(dt: float) -> None:
+    """Its hinges open at edges that stay in touch, where open-close iterations do not end."""
+    ask = Ask(scene("arch", part=0.99), History(0.15, 0.05), (Displacement(5),), Knobs(dt, 1e9))
+    run = dda.solve_default(ask)
+    assert run.ledger is not None
+    assert run.model is not None
+    assert all(seen <= allowed for seen, allowed in run.ledger.audits.values())
+    assert "0 parts of steps kept unconverged" in run.model.note
 
 
 def test_an_arch_that_dda_bursts_within_an_output_is_said_to_diverge() -> None:
     """A step throws its blocks 1e13 m apart, and in the next no contacts could be found."""
     ask = Ask(scene("arch", part=0.99), History(0.2, 0.02), (Displacement(5),), Knobs(5e-3, 1e10))
-    run = dda.solve_default(ask)
+    run = dda.solve_lagged(ask)
     assert run.status is Status.DIVERGED
     assert "of motion and springs" in run.reason
 

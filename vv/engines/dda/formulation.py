@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from vv.engines.dda.limits import MOST, SERIES, TURNS
+from vv.engines.dda.limits import MOST, OPEN_CLOSE, SERIES, TURNS
 from vv.standins.stand_in import SHEAR
 
 PUBLISHED_SHEAR = 0.4
@@ -18,10 +18,11 @@ class Formulation:
 
     tolerance: iterations end when no contact changes between open, stick and slide and no
     friction differs by more than this part of it from what the last solution gives; inf takes
-    friction from the iteration before as it is (lagged). iterations: after so many a step is cut
-    in halves. terms: of the exponential series by which a displacement gradient moves vertices;
-    one is T d (Yagoda-Biran 2016, Eqs. 3, 4), which lets turning blocks grow. turns: rounds in
-    which the gyroscopic torque of a step is found; none leaves it out, as T d does. follow: terms
+    friction from the iteration before as it is (lagged). iterations: after so many, and
+    newton of Newton's, a step is cut in halves. terms: of the exponential series by which a
+    displacement gradient moves vertices; one is T d (Yagoda-Biran 2016, Eqs. 3, 4), which lets
+    turning blocks grow. turns: rounds in which the gyroscopic torque of a step is found; none
+    leaves it out, as T d does. follow: terms
     of the series by which strains, and so stresses, turn with their block; none leaves them behind
     in the scene's axes, which is right while a block hardly turns. settling: seconds of gravity
     before a drive sets in. dd: the part of its velocity that a step hands on. shear: ks/kn where
@@ -34,6 +35,7 @@ class Formulation:
     tolerance: float
     iterations: int
     terms: int
+    newton: int = 0
     turns: int = TURNS
     follow: int = SERIES
     settling: float = 0.0
@@ -47,6 +49,7 @@ class Formulation:
             "tolerance": self.tolerance > 0,
             "iterations": self.iterations >= 1,
             "terms": self.terms >= 1,
+            "newton": self.newton >= 0,
             "turns": self.turns >= 0,
             "follow": self.follow >= 0,
             "settling": 0 <= self.settling < math.inf,
@@ -58,7 +61,7 @@ class Formulation:
                 raise ValueError(f"Formulation.{name} = {getattr(self, name)!r} is out of range")
 
 
-DEFAULT = Formulation(tolerance=1e-12, iterations=MOST, terms=SERIES)
+DEFAULT = Formulation(tolerance=1e-12, iterations=OPEN_CLOSE, terms=SERIES, newton=MOST)
 """Friction iterated to convergence within the open-close iteration."""
 
 PUBLISHED = Formulation(

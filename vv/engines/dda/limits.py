@@ -21,6 +21,12 @@ STATIC_STEPS = 4
 FLOAT = 1e3
 """Times all loads over kn: a block that moves farther under static loads rests on nothing."""
 
+OPEN_CLOSE = 12
+"""Open-close iterations before Newton's take over; most steps end in fewer."""
+
+LEAST = 1e-3
+"""Part of a step of Newton's that is taken at least, and by which what is left must shrink."""
+
 MOST = 40
 """Open-close iterations of a formulation that does not stop at the published six."""
 

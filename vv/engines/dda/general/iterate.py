@@ -9,6 +9,7 @@ from vv.engines.dda.general.assemble import contact_pull, profile, stiffness
 from vv.engines.dda.general.bodies import Bodies, Motion, applied
 from vv.engines.dda.general.contact import Touch
 from vv.engines.dda.general.linear import factorise, substitute
+from vv.engines.dda.general.newton import newton
 from vv.engines.dda.law import OPEN, SLIDE, respond, returned
 from vv.engines.kernels.arrays import counts, larger, nil_numbers, nil_rows, numbers, table
 from vv.engines.kernels.compiled import called
@@ -40,11 +41,12 @@ def lightness(touch: Touch, state: Index, bodies: Bodies, step: float) -> Vector
 def iterate(  # noqa: PLR0912 - a branch per contact state
     d: Vector, touch: Touch, bodies: Bodies, motion: Motion, mass: Vector, outer: Vector,
     moved: Vector, step: float, kn: float, ks: float, mu: float,
-    hold: float, tolerance: float, iterations: int, elastic: Vector,
+    hold: float, tolerance: float, iterations: int, most: int, elastic: Vector,
 ) -> tuple[bool, int, Index, Vector, Vector]:  # fmt: skip
     """Solve for the unknowns d (q,) of a step [s] and the states of all contacts.
 
-    outer: (q,) generalised loads at the end; moved: (w, 3) how far walls went [m]. Returns
+    outer: (q,) generalised loads at the end; moved: (w, 3) how far walls went [m]; most: solutions
+    by Newton's iteration where so many iterations do not end it. Returns
     whether nothing changed any more, how many solutions were taken, then per contact what the
     last of them assumed: states (c,) and friction (c, 3) [N]; and what it gave: relative motion
     (c, 3) [m]. touch: its states, pushes and ways become the ones that the law now calls for.
@@ -105,4 +107,9 @@ def iterate(  # noqa: PLR0912 - a branch per contact state
                 off = plus(plus(NOWHERE, mu * push, way), -1.0, taken)
                 if np.sqrt(dot(off, off)) > tolerance * mu * push:
                     ended = False
-    return ended, solved, used, rub, relative
+    if ended or most == 0:
+        return ended, solved, used, rub, relative
+    ended, more, used, rub, relative = newton(
+        d, touch, bodies, mass, constant, shut, step, kn, ks, mu, tolerance, most, elastic
+    )
+    return ended, solved + more, used, rub, relative

@@ -88,6 +88,7 @@ def move_blocks(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
     settling: int,
     tolerance: float,
     iterations: int,
+    newton: int,
     terms: int,
     turns: int,
     follow: int,
@@ -111,12 +112,11 @@ def move_blocks(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
 ) -> int:
     """Step all blocks by DDA; return rows filled.
 
-    settling: steps before t = 0 with drives at rest; tolerance, iterations, terms, turns, follow,
-    dd: see Formulation; hold: 1 where it is charged, else 0; begun: the start; motion: becomes the
-    end;
-    base, starts: see `drives`; shaking: a body acceleration; kn, ks [N/m] and mu of every point
-    of contact; reach [m]: see `found`; elastic: (q, 12) stiffness of strains [N m], laid out as
-    `masses` are.
+    settling: steps before t = 0 with drives at rest; tolerance, iterations, newton, terms, turns,
+    follow, dd: see Formulation; hold: 1 where it is charged, else 0; begun: the start; motion:
+    becomes the end; base, starts: see `drives`; shaking: a body acceleration; kn, ks [N/m] and mu
+    of every point of contact; reach [m]: see `found`; elastic: (q, 12) stiffness of strains [N m],
+    laid out as `masses` are.
 
     Every `stride` steps a row is written: path (k, b, 15): displacement, velocity and the tensor
     of strain of the watched blocks (b,); energy (k, 13) and report (k, 9): see `dda_energy`.
@@ -151,7 +151,7 @@ def move_blocks(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
                     outer[a] += turn[a]
                 ended, solved, used, rub, relative = iterate(
                     d, touch, bodies, motion, mass, outer, moved, part, kn, ks, mu,
-                    hold, tolerance, iterations, elastic,
+                    hold, tolerance, iterations, newton, elastic,
                 )  # fmt: skip
                 worst[SOLVED] += solved
                 worst[ITERATIONS] = larger(worst[ITERATIONS], float(solved))

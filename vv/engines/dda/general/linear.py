@@ -1,4 +1,4 @@
-"""Kernels that solve symmetric positive definite equations within their profile."""
+"""Kernels that solve equations within their profile: symmetric positive definite, or any."""
 
 from __future__ import annotations
 
@@ -44,3 +44,39 @@ def substitute(matrix: Vector, first: Index, right: Vector, solution: Vector) ->
     for i in range(n - 1, -1, -1):
         for k in range(first[i], i):
             solution[k] -= matrix[i, k] * solution[i]
+
+
+@lent
+def eliminate(matrix: Vector, first: Index) -> None:
+    """L U in place of matrix (q, q), whose entries are symmetric in place; first: see `factorise`.
+
+    L has ones on its diagonal. Rows are not exchanged, which would leave the profile.
+    """
+    for i in range(len(first)):
+        row = matrix[i]
+        for j in range(first[i], i):
+            other = matrix[j]
+            lower, upper = row[j], other[i]
+            for k in range(larger(first[i], first[j]), j):
+                lower -= row[k] * matrix[k, j]
+                upper -= other[k] * matrix[k, i]
+            row[j], other[i] = lower / other[j], upper
+        pivot = row[i]
+        for k in range(first[i], i):
+            pivot -= row[k] * matrix[k, i]
+        row[i] = pivot
+
+
+@lent
+def back(matrix: Vector, first: Index, right: Vector, solution: Vector) -> None:
+    """Fill solution (q,) for a right-hand side (q,), given L U in matrix."""
+    n = len(first)
+    for i in range(n):
+        total = right[i]
+        for k in range(first[i], i):
+            total -= matrix[i, k] * solution[k]
+        solution[i] = total
+    for i in range(n - 1, -1, -1):
+        solution[i] /= matrix[i, i]
+        for k in range(first[i], i):
+            solution[k] -= matrix[k, i] * solution[i]

@@ -17,7 +17,7 @@ from vv.engines.dda.limits import FLOAT, GRIP, REACH, STATIC, STATIC_STEPS
 from vv.engines.dda.springs import Springs
 from vv.scene import Block, Scene, Term, Vector
 
-BODIES, ENDS = 5, 7  # where these stand in what the kernel is told
+BODIES, ENDS = 6, 8  # where these stand in what the kernel is told
 
 
 @dataclass(frozen=True, eq=False)
@@ -105,6 +105,7 @@ class General:
         base, starts = drives(tuple(wall.motion for wall in scene.walls))
         shape = shapes(blocks)
         return (
+            way.newton,
             way.terms,
             way.turns,
             way.follow,

@@ -1,0 +1,170 @@
+"""Newton's iteration on the contacts of a step, for steps whose open-close iteration does not end.
+
+The friction of a contact, its trial force brought back to mu N, is a function of the motion with
+one kink where it opens and one where it begins to slide. Newton's iteration takes its derivative
+on whichever side it is, changes of N included (Alart and Curnier 1991, on springs): what is
+linear between kinks is met at once, and turning friction at second order.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from vv.engines.blocks.geometry import Index
+from vv.engines.dda.general.assemble import profile
+from vv.engines.dda.general.bodies import Bodies, applied
+from vv.engines.dda.general.contact import Touch
+from vv.engines.dda.general.linear import back, eliminate
+from vv.engines.dda.law import OPEN, SLIDE, STICK
+from vv.engines.dda.limits import LEAST
+from vv.engines.kernels.arrays import counts, nil_numbers, nil_rows, numbers, table
+from vv.engines.kernels.compiled import called, inlined, lent
+from vv.engines.kernels.triples import NOWHERE, Triple, at, dot, plus, put
+from vv.scene import Vector
+
+
+@inlined
+def stiffened(
+    n: Triple, way: Triple, state: int, turn: float, kn: float, ks: float, mu: float, a: Triple
+) -> Triple:
+    """By how much the force of a contact [N] falls for a motion a [m]; turn: ks mu N/|trial|."""
+    opening = dot(n, a)
+    flat = plus(a, -opening, n)
+    fall = plus(NOWHERE, kn * opening, n)
+    if state == STICK:
+        return plus(fall, ks, flat)
+    fall = plus(fall, -mu * kn * opening, way)
+    return plus(fall, turn, plus(flat, -dot(way, flat), way))
+
+
+@lent
+def tangent(
+    matrix: Vector, first: Index, mass: Vector, bodies: Bodies, touch: Touch, turn: Vector,
+    step: float, kn: float, ks: float, mu: float, elastic: Vector,
+) -> None:  # fmt: skip
+    """Fill matrix (q, q) within its profile: inertia, strains and what contacts add to them."""
+    scale = 2.0 / (step * step)
+    for a in range(len(first)):
+        for b in range(first[a], a + 1):
+            matrix[a, b] = matrix[b, a] = 0.0
+    for i in range(len(bodies.mass)):
+        begin, end = bodies.start[i], bodies.start[i + 1]
+        for a in range(begin, end):
+            for b in range(begin, end):
+                matrix[a, b] = scale * mass[a, b - begin] + elastic[a, b - begin]
+    for k in range(len(touch.key)):
+        if touch.state[k] != OPEN:
+            n, way = at(touch.normal, k), at(touch.way, k)
+            for j in range(touch.columns[k]):
+                fall = stiffened(n, way, touch.state[k], turn[k], kn, ks, mu, at(touch.field[k], j))
+                for m in range(touch.columns[k]):
+                    matrix[touch.column[k, m], touch.column[k, j]] += dot(
+                        at(touch.field[k], m), fall
+                    )
+
+
+@lent
+def moved_by(k: int, touch: Touch, d: Vector, shut: Vector) -> Triple:
+    """How far the second body of contact k goes from the first, for unknowns d (q,)."""
+    moves = plus(NOWHERE, -1.0, at(shut, k))
+    for m in range(touch.columns[k]):
+        moves = plus(moves, d[touch.column[k, m]], at(touch.field[k], m))
+    return moves
+
+
+@called
+def unbalanced(
+    d: Vector, touch: Touch, turn: Vector, bodies: Bodies, mass: Vector, constant: Vector,
+    shut: Vector, step: float, kn: float, ks: float, mu: float, elastic: Vector,
+) -> float:  # fmt: skip
+    """Set contacts to what the law has for unknowns d (q,); return what is left of the equations.
+
+    That is a sum of squares, each over the inertia of its unknown [J].
+    """
+    q, scale = len(d), 2.0 / (step * step)
+    left, strained = numbers(q), numbers(q)
+    applied(left, mass, bodies, d)
+    applied(strained, elastic, bodies, d)
+    for a in range(q):
+        left[a] = scale * left[a] + strained[a] - constant[a]
+    for k in range(len(touch.key)):
+        n, moves = at(touch.normal, k), moved_by(k, touch, d, shut)
+        opened = dot(moves, n)
+        trial = plus(at(touch.spring, k), 1.0, plus(moves, -opened, n))
+        push, length = -kn * (touch.gap[k] + opened), np.sqrt(dot(trial, trial))
+        now, way, turn[k], pull = STICK, NOWHERE, 0.0, plus(plus(NOWHERE, push, n), -ks, trial)
+        if push <= 0.0:
+            now, push, pull = OPEN, 0.0, NOWHERE
+        elif ks * length > mu * push:
+            now, turn[k], way = SLIDE, mu * push / length, plus(NOWHERE, 1.0 / length, trial)
+            pull = plus(plus(NOWHERE, push, n), -mu * push, way)
+        touch.state[k], touch.push[k] = now, push
+        put(touch.way, k, way)
+        for m in range(touch.columns[k]):
+            left[touch.column[k, m]] -= dot(at(touch.field[k], m), pull)
+    total = 0.0
+    for i in range(len(bodies.mass)):
+        for a in range(bodies.start[i], bodies.start[i + 1]):
+            total += left[a] * left[a] / (scale * mass[a, a - bodies.start[i]])
+    return total
+
+
+@called
+def newton(
+    d: Vector, touch: Touch, bodies: Bodies, mass: Vector, constant: Vector, shut: Vector,
+    step: float, kn: float, ks: float, mu: float, tolerance: float, most: int, elastic: Vector,
+) -> tuple[bool, int, Index, Vector, Vector]:  # fmt: skip
+    """As `iterate`, from unknowns d (q,), in at most so many solutions.
+
+    constant: (q,) what acts beside contacts and unknowns; shut: (c, 3) how far walls went [m].
+    A step is halved until less is left of the equations than before.
+    """
+    q, count = len(d), len(touch.key)
+    first, matrix = counts(q), table(q, q)
+    right, ahead, trial = numbers(q), numbers(q), numbers(q)
+    used, rub, relative = counts(count), nil_rows(count), nil_rows(count)
+    turn = nil_numbers(count)
+    profile(first, bodies, touch)
+    rest = bodies, mass, constant, shut, step, kn, ks, mu, elastic
+    left = unbalanced(d, touch, turn, *rest)
+    ended, solved = False, 0
+    while not ended and solved < most:
+        tangent(matrix, first, mass, bodies, touch, turn, step, kn, ks, mu, elastic)
+        eliminate(matrix, first)
+        for a in range(q):
+            right[a] = constant[a]
+        for k in range(count):
+            used[k] = touch.state[k]
+            if used[k] != OPEN:
+                n, way = at(touch.normal, k), at(touch.way, k)
+                still = plus(plus(at(touch.spring, k), touch.gap[k], n), -1.0, at(shut, k))
+                pull = stiffened(n, way, used[k], turn[k], kn, ks, mu, still)
+                for m in range(touch.columns[k]):
+                    right[touch.column[k, m]] -= dot(at(touch.field[k], m), pull)
+        back(matrix, first, right, ahead)
+        solved += 1
+        for k in range(count):
+            n, way, moves = at(touch.normal, k), at(touch.way, k), moved_by(k, touch, ahead, shut)
+            opened, taken = dot(moves, n), NOWHERE
+            if used[k] == SLIDE:
+                taken = plus(NOWHERE, -mu * kn * (touch.gap[k] + opened), way)
+                stretch = plus(at(touch.spring, k), 1.0, plus(moves, -opened, n))
+                taken = plus(taken, turn[k], plus(stretch, -dot(way, stretch), way))
+            put(relative, k, moves)
+            put(rub, k, taken)
+        now, share, ended = unbalanced(ahead, touch, turn, *rest), 1.0, True
+        for k in range(count):
+            ended = ended and touch.state[k] == used[k]
+            if touch.state[k] == SLIDE:
+                force = mu * touch.push[k]
+                off = plus(plus(NOWHERE, force, at(touch.way, k)), -1.0, at(rub, k))
+                ended = ended and np.sqrt(dot(off, off)) <= tolerance * force
+        while not (ended or now < (1.0 - LEAST * share) * left or share < LEAST):
+            share *= 0.5
+            for a in range(q):
+                trial[a] = d[a] + share * (ahead[a] - d[a])
+            now = unbalanced(trial, touch, turn, *rest)
+        for a in range(q):
+            d[a] = ahead[a] if share == 1.0 else trial[a]
+        left = now
+    return ended, solved, used, rub, relative
