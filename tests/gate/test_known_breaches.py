@@ -33,7 +33,7 @@ def broken(seen: float = 0.013, **changes: Any) -> Record:
     audits = {LAW: (seen, 0.01)}
     ledger = {"terms": {}, "unaccounted": 0.0, "peak": 1.0, "bound": 1e-9, "audits": audits}
     given = {"ledger": ledger, "quantities": [entry("pass", {"max": 1e-4})], **changes}
-    return record("dem/default", "T1", 1e-3, **given)
+    return record("dem/default", given.pop("variant", "T1"), 1e-3, **given)
 
 
 def judged(one: Record, **changes: Any) -> tuple[Outcome, bool]:
@@ -70,6 +70,26 @@ def test_any_other_breach_is_news(one: Record, change: dict[str, Any]) -> None:
 def test_a_law_that_is_kept_though_an_entry_says_it_is_broken_is_news() -> None:
     assert judged(broken(0.009)) == (Outcome.PASS, True)
     assert judged(broken(0.009), rungs=("dt=0.002",)) == (Outcome.PASS, False)
+
+
+@pytest.mark.parametrize(
+    ("expires", "kind", "red"),
+    [
+        ("2027-02-01", None, False),  # 31 days
+        ("2027-01-31", "expiring", False),  # 30 days
+        ("2027-01-01", "expiring", False),  # the last day
+        ("2026-12-31", "expired", True),
+    ],
+)
+def test_an_entry_warns_for_thirty_days_and_is_red_when_over(
+    expires: str, kind: str | None, red: bool
+) -> None:
+    known = [KnownBreach(**{**KNOWN, "expires": expires})]
+    found = known_breaches.dated([broken(0.009), broken()], known, TODAY)
+    assert [one.kind for one in found] == ([kind] if kind else [])
+    assert bool(bits(found)) is red
+    assert all("the known breach 'soft springs' expire" in one.text for one in found)
+    assert known_breaches.dated([broken(variant="T2")], known, TODAY) == []
 
 
 def test_a_known_breach_hides_no_other() -> None:

@@ -86,6 +86,7 @@ def judged(project: Project, plan: Plan, records: Sequence[Record], options: Gat
     findings = (
         *disagreement.dated(final, known, options.today),
         *known_breaches.kept(final, broken, options.today),
+        *known_breaches.dated(final, broken, options.today),
         *_since(project, plan, final, accepted, options),
         *_untimed(final, options),
     )

@@ -12,6 +12,7 @@ from dataclasses import dataclass
 from vv.ask import Knobs
 from vv.base.metrics import Order
 from vv.case import LARGEST_TOLERANCE
+from vv.gate.expiry import expiring, standing
 from vv.records.finding import Aspect, Bit, Finding
 from vv.records.job_record import Record
 from vv.records.outcomes import JudgeKind, Verdict
@@ -19,7 +20,6 @@ from vv.records.quantity import MeasuredQuantity
 from vv.records.reading import rung
 from vv.records.rungs import Key, ladder, orders
 
-WARNING = 30  # days before an entry expires in which the gate says so
 WIDEST = 10.0  # largest over smallest error of a band: more than a decade says nothing
 BROADEST = 1.5  # width of a band of orders: of 0, 1 and 2, and of their negatives, two at most
 
@@ -84,6 +84,11 @@ class Disagreement:
                 "excludes nothing"
             )
 
+    @property
+    def subject(self) -> tuple[Aspect, Bit, str]:
+        """What it is about, the bit that it sets once it is over, and its quantity."""
+        return Aspect.ACCURACY, Bit.ACCURACY, self.quantity
+
     def covers(self, record: Record, quantity: str) -> bool:
         """Whether this entry speaks of a quantity of a record."""
         pairs = (
@@ -116,7 +121,7 @@ def judge(
     An entry that has expired by today excuses nothing.
     """
     given = list(records)
-    entries = tuple(entry for entry in disagreements if entry.expires >= today.isoformat())
+    entries = standing(disagreements, today)
     fitted = orders(given)
     return tuple(_judged(record, entries, fitted) for record in given)
 
@@ -161,28 +166,7 @@ def dated(
     records: Sequence[Record], disagreements: Iterable[Disagreement], today: datetime.date
 ) -> list[Finding]:
     """What there is to say of entries that speak of these records and expire or have expired."""
-    left = {d: (datetime.date.fromisoformat(d.expires) - today).days for d in disagreements}
-    return [
-        _expiry(known, days)
-        for known, days in left.items()
-        if days <= WARNING and _is_used(known, records)
-    ]
-
-
-def _expiry(known: Disagreement, days: int) -> Finding:
-    """That an entry expires in so many days, or has expired where these are negative."""
-    over = days < 0
-    when = f"expired {-days} days ago" if over else f"expires in {days} days"
-    return Finding(
-        check=Aspect.ACCURACY,
-        kind="expired" if over else "expiring",
-        text=f"the known disagreement '{known.reason}' {when}: renew or remove it",
-        case=known.case,
-        variant=", ".join(known.variants),
-        label=f"{known.code}/{known.schemes}",
-        quantity=known.quantity,
-        bit=Bit.ACCURACY if over else Bit(0),
-    )
+    return expiring(disagreements, "disagreement", lambda one: _is_used(one, records), today)
 
 
 def _is_used(known: Disagreement, records: Iterable[Record]) -> bool:

@@ -8,6 +8,7 @@ import fnmatch
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
+from vv.gate.expiry import expiring, standing
 from vv.gate.judgement import Breach, breaches
 from vv.records.finding import Aspect, Bit, Finding
 from vv.records.job_record import Record
@@ -46,6 +47,11 @@ class KnownBreach:
             raise ValueError("reason is empty; say why the law is broken")
         datetime.date.fromisoformat(self.expires)
 
+    @property
+    def subject(self) -> tuple[Aspect, Bit, str]:
+        """What it is about, the bit that it sets once it is over, and its law."""
+        return Aspect.CONSERVATION, Bit.CONSERVATION, self.law
+
     def covers(self, record: Record) -> bool:
         """Whether this entry speaks of a record, which ran with the case's own parameters."""
         pairs = (
@@ -73,7 +79,7 @@ def judge(
     records: Iterable[Record], known: Sequence[KnownBreach], today: datetime.date
 ) -> tuple[Record, ...]:
     """The records, each with the laws that it is known to break; what has expired knows nothing."""
-    entries = [entry for entry in known if entry.expires >= today.isoformat()]
+    entries = standing(known, today)
     return tuple(_judged(record, entries) for record in records)
 
 
@@ -99,7 +105,7 @@ def kept(
     records: Iterable[Record], known: Sequence[KnownBreach], today: datetime.date
 ) -> Iterator[Finding]:
     """A finding for each rung at which a law is not broken as an entry says: the entry is wrong."""
-    entries = [entry for entry in known if entry.expires >= today.isoformat()]
+    entries = standing(known, today)
     for record in records:
         for entry in entries:
             if entry.covers(record) and not any(map(entry.knows, breaches(record.ledger))):
@@ -114,3 +120,10 @@ def kept(
                     rung=rung(record),
                     bit=Bit.CONSERVATION,
                 )
+
+
+def dated(
+    records: Sequence[Record], known: Iterable[KnownBreach], today: datetime.date
+) -> list[Finding]:
+    """What there is to say of entries that speak of these records and expire or have expired."""
+    return expiring(known, "breach", lambda one: any(map(one.covers, records)), today)
