@@ -74,7 +74,13 @@ def test_a_run_is_found_by_its_name_or_the_beginning_of_its_commit(tmp_path: Pat
 
     assert found("01") == ladder()
     assert found("abcd") == found("HEAD") == ladder(2.0)
-    with pytest.raises(UsageError, match="no commit 'ffff' in the store; the last runs are 02, 01"):
+    kept(store, "03", "abcdef", ladder(3.0), dirty=True)
+    kept(store, "04", "123456", ladder(4.0), dirty=True)
+    assert found("HEAD") == ladder(2.0)  # of the commit's own files
+    assert found("1234") == ladder(4.0)  # there is no other
+    with pytest.raises(
+        UsageError, match="no commit 'ffff' in the store; the last runs are 04, 03, 02"
+    ):
         found("ffff")
 
 
@@ -113,6 +119,8 @@ def test_diff_and_history_on_the_command_line(tiny: Tiny) -> None:
     tiny.edit("adapters/fake.py", "0.1 * ask", "0.2 * ask")
     tiny.vv(*words)
     first = min((tiny.root / ".vv" / "manifests").iterdir()).stem
+    latest = max((tiny.root / ".vv" / "manifests").iterdir()).stem
+    assert f"HEAD and the latest run are one run, {latest}" in tiny.vv("diff", "HEAD").stderr
     said = tiny.vv("diff", first).stdout
     assert said.count("error: fall:up fake/first-order dt=") == 3
     assert "0.01 -> 0.02 (x 2)" in said

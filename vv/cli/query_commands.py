@@ -104,7 +104,11 @@ def explain(
 
 def diff(
     one: Annotated[
-        str, typer.Argument(metavar="A", help="A run's name, or a commit as git knows it.")
+        str,
+        typer.Argument(
+            metavar="A",
+            help="A run's name, or a commit as git knows it: its last run without edits.",
+        ),
     ],
     other: Annotated[
         str, typer.Argument(metavar="B", help="Another run or commit; the latest run if not given.")
@@ -129,6 +133,8 @@ def diff(
     second = compare.manifest_of(store, other, known) if other else store.latest()
     if second is None:
         raise UsageError("no past run can be read; `vv run` makes one")
+    if first.name == second.name:
+        raise UsageError(f"{one} and {other or 'the latest run'} are one run, {first.name}")
     print_changes(compare.changes(first, second), first, second, rows)
 
 

@@ -34,7 +34,7 @@ class Change:
 
 
 def manifest_of(store: Store, name: str, known: Callable[[str], str]) -> Manifest:
-    """The run of that name, or the newest at a commit.
+    """The run of that name, or the newest at a commit: of its own files, where there is one.
 
     A commit is given by its beginning, or by a name that `known` tells the commit of, or ''.
     """
@@ -42,12 +42,18 @@ def manifest_of(store: Store, name: str, known: Callable[[str], str]) -> Manifes
     if name in names:
         return store.manifest(name)
     commit = known(name) or (name if len(name) >= 4 else "")
+    edited = ""
     for run in reversed(names if commit else []):
         try:
-            if store.head(run)[1].commit.startswith(commit):
+            came_from = store.head(run)[1]
+            if came_from.commit.startswith(commit) and not came_from.dirty:
                 return store.manifest(run)
         except OSError as error:  # damaged from outside
             notice(f"past run {run}: {error.strerror}; passed over")
+        else:
+            edited = edited or (run if came_from.commit.startswith(commit) else "")
+    if edited:
+        return store.manifest(edited)
     last = ", ".join(names[: -LISTED - 1 : -1])
     if known(name):
         raise UsageError(f"nothing was run at {name}; {how_to_make(name)}; last runs: {last}")
