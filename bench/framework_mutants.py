@@ -9,30 +9,22 @@ others too if it survives those. One process is forked for each from one that ha
 import argparse
 import ast
 import copy
-import functools
 import importlib
-import os
 import random
-import signal
-import sys
 import tempfile
 from collections.abc import Iterator
 from fnmatch import fnmatch
 from pathlib import Path
 from typing import NamedTuple
 
-import pytest
-
 from bench.evidence import conclude
+from bench.forked_tests import passes, rewrite, with_tests
 from bench.mutants import ROOT, parsed
 from bench.schemata import copied
 
 LAYERS = ("base", "case", "gate", "insight", "plan", "records", "run", "store")
 MORE = {"records": ("insight",), "case": ("records",), "ask": ("records",)}  # layers that test it
 NEEDS = ("numpy", "scipy.optimize", "hypothesis.strategies", "jsonschema", "tomllib")
-PROCESSES = {"tiny", "copy", "accepted", "first", "project", "kept"}  # fixtures that start some
-REWRITTEN = "ignore:Module already imported:pytest.PytestAssertRewriteWarning"
-LIMIT = 120  # s after which a mutant counts as caught: it hangs
 SWAPS: dict[type, type] = {
     ast.Add: ast.Sub, ast.Sub: ast.Add, ast.Mult: ast.Div, ast.Div: ast.Mult,
     ast.Lt: ast.GtE, ast.LtE: ast.Gt, ast.Gt: ast.LtE, ast.GtE: ast.Lt,
@@ -111,56 +103,18 @@ def _turned(node: ast.AST) -> ast.AST:
     return made
 
 
-class _Selected:
-    """A plug-in of pytest: only the tests that start no process, or only those that do."""
-
-    def __init__(self, processes: bool) -> None:
-        self.processes = processes
-
-    def pytest_collection_modifyitems(self, items: list[pytest.Item]) -> None:
-        """Keep one of both kinds."""
-        items[:] = [i for i in items if self.processes == bool(_fixtures(i) & PROCESSES)]
-
-
-def _fixtures(item: pytest.Item) -> set[str]:
-    return set(getattr(item, "fixturenames", ()))
-
-
 def seen(project: Path, mutant: Mutant, stages: tuple[bool, ...]) -> bool:
     """Whether the tests of its layer turn red."""
     layer = mutant.file.split("/")[1]
     place = project / mutant.file
-    place.write_text(mutant.text())
+    rewrite(place, mutant.text())
     try:
         asked = (layer, *MORE.get(layer, ()))
-        return any(not _passes(project, one, processes) for processes in stages for one in asked)
+        return any(
+            not passes(project, f"tests/{one}", processes) for processes in stages for one in asked
+        )
     finally:
-        place.write_text((ROOT / mutant.file).read_text())
-
-
-def _passes(project: Path, layer: str, processes: bool) -> bool:
-    """Whether pytest is content with a layer, asked in a process of its own."""
-    child = os.fork()
-    if child == 0:
-        try:
-            os._exit(_tested(project, f"tests/{layer}", processes))
-        finally:
-            os._exit(2)
-    return os.waitpid(child, 0)[1] == 0
-
-
-def _tested(project: Path, tests: str, processes: bool) -> int:
-    signal.alarm(LIMIT)
-    os.chdir(project)
-    os.environ["PYTHONPATH"] = str(project)
-    sys.path.insert(0, str(project))
-    for name in [n for n in sys.modules if n.partition(".")[0] in ("vv", "tests", "bench")]:
-        del sys.modules[name]
-    os.dup2(os.open(os.devnull, os.O_WRONLY), 1)
-    os.dup2(1, 2)
-    words = ["-x", "-q", "-p", "no:cacheprovider", "-W", REWRITTEN, tests]
-    status = pytest.main(words, plugins=[_Selected(processes)])
-    return 0 if status in (pytest.ExitCode.OK, pytest.ExitCode.NO_TESTS_COLLECTED) else 1
+        rewrite(place, (ROOT / mutant.file).read_text())
 
 
 def main() -> None:
@@ -176,8 +130,8 @@ def main() -> None:
     every, left = list(mutants(options.files, options.each)), []
     with tempfile.TemporaryDirectory() as folder:
         project = Path(folder)
-        copied(project, _tests())
-        red = [layer for layer in LAYERS if not _passes(project, layer, False)]
+        copied(project, with_tests())
+        red = [layer for layer in LAYERS if not passes(project, f"tests/{layer}", False)]
         for one in every:
             if not seen(project, one, stages):
                 left.append(one.what)
@@ -185,13 +139,6 @@ def main() -> None:
     rate = len(left) / max(1, len(every))
     figures = {"mutants": len(every), "not seen": left, "rate": rate, "red without one": red}
     conclude("framework_mutants", figures, {"green without": not red, "5 % at most": rate <= 0.05})
-
-
-@functools.cache
-def _tests() -> dict[str, bytes]:
-    """The files of the tests, which the copy needs beside the project's."""
-    wanted = [p for p in (ROOT / "tests").rglob("*") if p.is_file() and p.suffix != ".pyc"]
-    return {path.relative_to(ROOT).as_posix(): path.read_bytes() for path in wanted}
 
 
 if __name__ == "__main__":

@@ -1,58 +1,152 @@
-"""The plausible solver bugs that `bench.mutations` seeds: one text replaced by another."""
+"""Seeds plausible bugs one at a time and says what sees each: the gate, the tests, or nothing.
 
-from typing import NamedTuple
+`python -m bench.seeded_bugs` takes all; `--kind solvers,run` some kinds, `--each N` so many of
+each kind, a fixed random choice, `--only WORDS` those whose names hold these words. A bug in a
+solver or an adapter is put to the gate at its quick level, to a few cases first and to all of the
+code if it survives those. What no gate can see is put to the tests that are named with it, and
+with `--rest` to those of its folder too; first to all that start no process, then to the others.
+"""
+
+import argparse
+import functools
+import importlib
+import os
+import random
+import subprocess
+import sys
+import tempfile
+from collections.abc import Iterator, Mapping, Sequence
+from pathlib import Path
+
+from bench.evidence import conclude
+from bench.forked_tests import passes, rewrite, with_tests
+from bench.mutants import ROOT
+from bench.schemata import copied
+from bench.seeded import adapters, judgement, kept, run, shown, solvers
+from bench.seeded.bug import Bug
+from vv.records.finding import Bit
+
+KINDS: Mapping[str, tuple[Bug, ...]] = {
+    "judgement": judgement.BUGS,
+    "shown": shown.BUGS,
+    "solvers": solvers.BUGS,
+    "adapters": adapters.BUGS,
+    "kept": kept.BUGS,
+    "run": run.BUGS,
+}
+SEEN = Bit.ACCURACY | Bit.CONSERVATION | Bit.CRASH | Bit.TIMEOUT
+HASTILY = {"NUMBA_OPT": "1"}  # compiles in two thirds of the time; the solves are short
+LIMIT = 600.0  # s after which a gate hangs, many times what it takes
+TIMEOUT = 60  # s for a job of it
 
 
-class Bug(NamedTuple):
-    """What is wrong, where, the code to ask, and the texts before and after."""
-
-    what: str
-    file: str
-    code: str
-    old: str
-    new: str
+def changed(bug: Bug) -> str:
+    """The text of its file with the bug; raises ValueError where the file has moved on."""
+    text = (ROOT / bug.file).read_text()
+    if bug.old not in text:
+        raise ValueError(f"{bug.what}: {bug.file} no longer holds {bug.old!r}")
+    return text.replace(bug.old, bug.new, 1)
 
 
-LINE = "vv/engines/dem/line/kernel.py"
-LOAD = "vv/engines/dem/terms/load.py"
-PAIRS = "vv/engines/dem/contact/pairs.py"
-WALLS = "vv/engines/dem/contact/walls.py"
-FRICTION = "vv/engines/dem/contact/friction.py"
-ADVANCE = "vv/engines/dem/space/advance.py"
-PLAN = "adapters/yade/plan.py"
-ENGINES = "adapters/yade/inside/engines.py"
-FORCES = "adapters/liggghts/terms/forces.py"
-CONTACT = "adapters/liggghts/terms/contact.py"
-DASHPOTS = "vv/engines/dem/terms/dashpots.py"
+def chosen(kinds: Sequence[str], each: int, words: str) -> Iterator[tuple[str, Bug]]:
+    """(kind, bug): at most so many of every kind whose names hold these words."""
+    for kind in kinds:
+        bugs = [bug for bug in KINDS[kind] if words in bug.what]
+        yield from ((kind, one) for one in random.Random(kind).sample(bugs, min(each, len(bugs))))
 
-BUGS = (
-    Bug("sign of the shear spring", LINE, "dem", "shear - ks * dt", "shear + ks * dt"),
-    Bug("half step missing at the start", LINE, "dem", "start - back * dt / mass", "start - 0.0"),
-    Bug("friction capped on one side", LINE, "dem", "max(trial, -cap), cap)", "trial, cap)"),
-    Bug("cap on the wrong side", LINE, "dem", "min(max(trial, -cap), cap)", "max(trial, cap)"),
-    Bug("contact pulls", LINE, "dem", "load += kn * max(overlap, 0.0)\n                if was", "load += kn * overlap\n                if was"),
-    Bug("drag dropped", LINE, "dem", "decay = (1.0 - lag * rate)", "decay = (1.0 + 0.0 * rate)"),
-    Bug("drag lags in the default scheme", LINE, "dem", "rate = eta * dt / mass", "rate = eta * dt / mass; lag = 1.0"),
-    Bug("dashpots booked twice", DASHPOTS, "dem", "return behind, ahead", "return 2.0 * behind, 2.0 * ahead"),
-    Bug("dashpots pull", DASHPOTS, "dem", "max(by, -kept[k, SPRING] - kept[k, FORCE])", "by + 0.0"),
-    Bug("friction's work not booked", LINE, "dem", "slipped += (trial", "slipped += 0.0 * (trial"),
-    Bug("drag's work not booked", LINE, "dem", "dragged += ahead + drag * before", "dragged += 0.0"),
-    Bug("position moved by the old velocity", LINE, "dem", "q += dt * after", "q += dt * before"),
-    Bug("bodies swapped in a pair", PAIRS, "dem", "at(u, rows[p, 1]), -1.0, at(u, rows[p, 0])", "at(u, rows[p, 0]), -1.0, at(u, rows[p, 1])"),
-    Bug("one of a pair not pushed", PAIRS, "dem", "put(push, j, plus(at(push, j), 1.0, force))", "pass"),
-    Bug("friction pulls along", FRICTION, "dem", "slide = plus(NOWHERE, share, plus(relative, -dot(m, relative), m))", "slide = plus(NOWHERE, -share, plus(relative, -dot(m, relative), m))"),
-    Bug("gap taken at the start only", WALLS, "dem", "-gap[q] - dot(at(facing, q), at(u, rows[q]))", "-gap[q]"),
-    Bug("stale shear after separation", PAIRS, "dem", "                put(shear, p, NOWHERE)", "                pass"),
-    Bug("shear spring charged twice", FRICTION, "dem", "trial = plus(old, -ks, slide)", "trial = plus(old, -2.0 * ks, slide)"),
-    Bug("no Coulomb cap", FRICTION, "dem", "if dot(trial, trial) <= caps[1] * caps[1]:", "if True:"),
-    Bug("dead load dropped", LOAD, "dem", "return plus(push, 1.0, at(term.load, i))", "return push"),
-    Bug("locks ignored", ADVANCE, "dem", "    if hold is None:", "    if True:"),
-    Bug("wrong mass", ADVANCE, "dem", "carried_on(old, push, mass[i], dt", "carried_on(old, push, 1.01 * mass[i], dt"),
-    Bug("wrong lever arm", PAIRS, "dem", "put(turn, j, plus(at(turn, j), radius[p, 1] - 0.5 * overlap, torque))", "put(turn, j, plus(at(turn, j), radius[p, 1] + 0.5 * overlap, torque))"),
-    Bug("velocity not set back half a step", PLAN, "yade", "* (dt / 2)", "* 0.0"),
-    Bug("push at the start forgotten", PLAN, "yade", "(given.mass[:, None] / dt - scene.eta) * early", "0.0 * early"),
-    Bug("ratcheting correction left on", ENGINES, "yade", "noRatch=False", "noRatch=True"),
-    Bug("numerical damping left on", ENGINES, "yade", "NewtonIntegrator(damping=0,", "NewtonIntegrator(damping=0.2,"),
-    Bug("drag forgotten in the deck", FORCES, "liggghts", 'f"fix drag all viscous {float(setup.scene.eta)!r}"', '""'),
-    Bug("shear spring as stiff as the normal one", CONTACT, "liggghts", '"kt": contact.ks', '"kt": contact.kn'),
-)  # fmt: skip
+
+def caught_by(project: Path, bug: Bug, rest: bool) -> str:
+    """What sees a bug: 'gate', 'tests', or 'unseen'; project: a copy that has the tests too.
+
+    Raises ValueError where tests are red without it.
+    """
+    place = project / bug.file
+    rewrite(place, changed(bug))
+    try:
+        if bug.code and any(_gate(project, bug.code, cases) for cases in _selections(bug)):
+            return "gate"
+        asked = [(one, starts) for starts in (False, True) for one in _tests(bug, rest)]
+        red = next((one for one in asked if not passes(project, *one)), None)
+    finally:
+        rewrite(place, (ROOT / bug.file).read_text())
+    if red is not None and not green(project, *red):
+        raise ValueError(f"{bug.what}: {red[0]} is red without it")
+    return "unseen" if red is None else "tests"
+
+
+@functools.cache
+def green(project: Path, tests: str, processes: bool) -> bool:
+    """Whether tests pass where nothing is changed."""
+    return passes(project, tests, processes)
+
+
+def _selections(bug: Bug) -> Iterator[tuple[str, ...]]:
+    """The cases to ask: a few, then all."""
+    if bug.cases:
+        yield tuple(bug.cases.split())
+    yield ()
+
+
+def _tests(bug: Bug, rest: bool) -> Iterator[str]:
+    """The tests to ask: those named with it, then those of the folder that mirrors its own."""
+    yield from bug.tests.split()
+    if rest:
+        parts = Path(bug.file).parts[:-1]
+        own = Path("tests", *(parts[1:] if parts[0] == "vv" else parts))
+        while not (ROOT / own).is_dir():
+            own = own.parent
+        yield own.as_posix()
+
+
+def _gate(project: Path, code: str, selection: tuple[str, ...]) -> bool:
+    """Whether the gate of a project, whose store is empty, sees that something is wrong."""
+    words = ["gate", *selection, "--codes", code, "--level", "quick", "--require", code]
+    more = ["--timeout", str(TIMEOUT), "--jobs", "1"]
+    cache = ROOT / ".vv" / "mutants" / "kernels"
+    with tempfile.TemporaryDirectory() as data:
+        env = {**os.environ, "PYTHONPATH": str(project), "VV_DATA": data, "VV_CACHE": str(cache)}
+        try:
+            done = subprocess.run(
+                [sys.executable, "-m", "vv", *words, *more], cwd=project, env={**env, **HASTILY},
+                capture_output=True, check=False, timeout=LIMIT,
+            )  # fmt: skip
+        except subprocess.TimeoutExpired:
+            return True
+    return bool(done.returncode & SEEN)
+
+
+def main() -> None:
+    """Seed, ask, count and judge."""
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--kind", default=",".join(KINDS), help="such as solvers,run")
+    parser.add_argument("--each", type=int, default=1000, help="bugs of each kind")
+    parser.add_argument("--only", default="", help="words in the name of a bug")
+    parser.add_argument("--rest", action="store_true", help="the tests of its folder too")
+    options = parser.parse_args()
+    for name in ("numpy", "scipy.optimize", "hypothesis.strategies", "jsonschema", "tomllib"):
+        importlib.import_module(name)
+    told: dict[str, dict[str, str]] = {}
+    with tempfile.TemporaryDirectory() as folder:
+        project = Path(folder)
+        copied(project, with_tests())
+        for kind, bug in chosen(options.kind.split(","), options.each, options.only):
+            answer = caught_by(project, bug, options.rest)
+            told.setdefault(kind, {})[bug.what] = answer
+            print(f"{answer:<7} {kind:<10} {bug.what}", flush=True)
+    every = [answer for answers in told.values() for answer in answers.values()]
+    past_gate = [bug.what for kind in ("solvers", "adapters") for bug in KINDS[kind]
+                 if told.get(kind, {}).get(bug.what, "gate") != "gate"]  # fmt: skip
+    unseen = [
+        what for answers in told.values() for what, seen in answers.items() if seen == "unseen"
+    ]
+    figures = {
+        "bugs": len(every),
+        "by": {seen: every.count(seen) for seen in ("gate", "tests", "unseen")},
+        "unseen": unseen,
+        "of solvers and adapters, not seen by the gate": past_gate,
+    }
+    conclude("seeded_bugs", figures, {"5 % unseen at most": 20 * len(unseen) <= len(every)})
+
+
+if __name__ == "__main__":
+    main()

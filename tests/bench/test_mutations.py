@@ -1,11 +1,13 @@
-"""The bench of mutants reaches every kernel there is, and its seeded bugs still fit the sources."""
+"""The bench of mutants reaches every kernel there is, and seeded bugs still fit the sources."""
 
 from __future__ import annotations
 
 import ast
 
+import pytest
+
 from bench.mutants import COMPILED, ROOT, kernels, mechanical, parsed
-from bench.mutations import seeded
+from bench.seeded_bugs import KINDS, changed
 
 PLAIN = {"vv/engines/kernels/triples.py", "vv/engines/dem/space/forces.py"}  # nothing to turn
 
@@ -30,5 +32,17 @@ def test_a_mutant_differs_from_its_file_and_is_still_a_program() -> None:
         )
 
 
-def test_every_seeded_bug_is_found_in_its_file() -> None:
-    assert all((ROOT / bug.file).read_text() != text for bug, text in seeded())
+@pytest.mark.parametrize("kind", KINDS)
+def test_every_seeded_bug_is_found_in_its_file_and_leaves_a_program(kind: str) -> None:
+    assert len(KINDS[kind]) >= 16
+    for bug in KINDS[kind]:
+        text = changed(bug)
+        ast.parse(text)
+        assert text != (ROOT / bug.file).read_text(), bug.what
+        assert bug.code or bug.tests, bug.what
+        assert all((ROOT / one).exists() for one in bug.tests.split()), bug.what
+
+
+def test_no_two_seeded_bugs_have_one_name() -> None:
+    names = [bug.what for bugs in KINDS.values() for bug in bugs]
+    assert len(names) == len(set(names)) >= 100

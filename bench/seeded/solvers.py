@@ -1,0 +1,67 @@
+"""Bugs in the in-house solvers: the gate at its quick level is to see every one."""
+
+from bench.seeded.bug import Bug
+
+LINE = "vv/engines/dem/line/kernel.py"
+LOAD = "vv/engines/dem/terms/load.py"
+LAW = "vv/engines/dem/terms/contact_law.py"
+FRICTION = "vv/engines/dem/terms/friction.py"
+ADVANCE = "vv/engines/dem/space/advance.py"
+DASHPOTS = "vv/engines/dem/terms/dashpots.py"
+NEIGHBOURS = "vv/engines/dem/space/neighbours.py"
+BOND_LAW = "vv/engines/dem/bonds/law.py"
+BEND = "vv/engines/dem/bonds/bend.py"
+CRITICAL = "vv/engines/dem/critical_step.py"
+DDA = "vv/engines/dda/general/kernel.py"
+DDA_CONTACT = "vv/engines/dda/general/contact.py"
+DDA_FORCES = "vv/engines/dda/general/assemble.py"
+RIGID_SETTING = "vv/engines/rigid/general/setting.py"
+RIGID_EVENTS = "vv/engines/rigid/general/events.py"
+RIGID_LANDING = "vv/engines/rigid/general/landing.py"
+RIGID_BENDS = "vv/engines/rigid/general/bends.py"
+
+BUGS = (
+    Bug('sign of the shear spring', LINE, 'shear - ks * dt', 'shear + ks * dt', 'dem', 'single-contact'),
+    Bug('half step missing at the start', LINE, 'start - back * dt / mass', 'start - 0.0', 'dem', 'single-contact'),
+    Bug('friction capped on one side', LINE, 'max(trial, -cap), cap)', 'trial, cap)', 'dem', 'single-contact'),
+    Bug('cap on the wrong side', LINE, 'min(max(trial, -cap), cap)', 'max(trial, cap)', 'dem', 'single-contact'),
+    Bug('contact pulls', LINE, 'load += kn * max(overlap, 0.0)\n                if was', 'load += kn * overlap\n                if was', 'dem', 'single-contact'),
+    Bug('drag dropped', LINE, 'decay = (1.0 - lag * rate)', 'decay = (1.0 + 0.0 * rate)', 'dem', 'single-contact'),
+    Bug('drag lags in the default scheme', LINE, 'rate = eta * dt / mass', 'rate = eta * dt / mass; lag = 1.0', 'dem', 'single-contact'),
+    Bug('dashpots booked twice', DASHPOTS, 'return behind, ahead', 'return 2.0 * behind, 2.0 * ahead', 'dem', 'dashpot'),
+    Bug('dashpots pull', DASHPOTS, 'max(by, -kept[k, SPRING] - kept[k, FORCE])', 'by + 0.0', 'dem', 'dashpot'),
+    Bug("friction's work not booked", LINE, 'slipped += (trial', 'slipped += 0.0 * (trial', 'dem', 'single-contact'),
+    Bug("drag's work not booked", LINE, 'dragged += ahead + drag * before', 'dragged += 0.0', 'dem', 'single-contact'),
+    Bug('position moved by the old velocity', LINE, 'q += dt * after', 'q += dt * before', 'dem', 'single-contact'),
+    Bug('bodies swapped in a pair', LAW, 'at(u, rows[p, 1]), -1.0, at(u, rows[p, 0])', 'at(u, rows[p, 0]), -1.0, at(u, rows[p, 1])', 'dem', 'bounce'),
+    Bug('one of a pair not pushed', LAW, 'put(push, j, plus(at(push, j), 1.0, force))', 'pass', 'dem', 'bounce'),
+    Bug('wall friction pulls along', LAW, 'slide = plus(NOWHERE, share, plus(relative, -dot(n, relative), n))', 'slide = plus(NOWHERE, -share, plus(relative, -dot(n, relative), n))', 'dem', 'bounce'),
+    Bug('gap taken at the start only', LAW, '-gap[q] - dot(at(facing, q), at(u, rows[q]))', '-gap[q]', 'dem', 'bounce'),
+    Bug('stale shear after separation', LAW, '                put(shear, p, NOWHERE)', '                pass', 'dem', 'bounce'),
+    Bug('shear spring charged twice', FRICTION, 'trial = plus(old, -ks, slide)', 'trial = plus(old, -2.0 * ks, slide)', 'dem', 'bounce'),
+    Bug('no Coulomb cap', FRICTION, 'if dot(trial, trial) <= caps[1] * caps[1]:', 'if True:', 'dem', 'bounce'),
+    Bug('dead load dropped', LOAD, 'return plus(push, 1.0, at(term.load, i))', 'return push', 'dem', 'bounce:again'),
+    Bug('locks ignored', ADVANCE, '    if hold is None:', '    if True:', 'dem', 'bounce'),
+    Bug('wrong mass', ADVANCE, 'carried_on(old, push, mass[i], dt', 'carried_on(old, push, 1.01 * mass[i], dt', 'dem', 'bounce'),
+    Bug('wrong lever arm', LAW, 'put(turn, j, plus(at(turn, j), radius[p, 1] - 0.5 * overlap, torque))', 'put(turn, j, plus(at(turn, j), radius[p, 1] + 0.5 * overlap, torque))', 'dem', 'bounce'),
+    Bug("lever arm of the first of unlike spheres", LAW, "put(turn, j, plus(at(turn, j), radius[p, 1] - 0.5 * overlap, torque))", "put(turn, j, plus(at(turn, j), radius[p, 0] - 0.5 * overlap, torque))", "dem", "bounce"),
+    Bug("way of roll of the first of unlike spheres", LAW, "radius[p, 0] - inside, radius[p, 1] - inside", "radius[p, 0] - inside, radius[p, 0] - inside", "dem", "bounce"),
+    Bug("shear lost where neighbours are renewed", NEIGHBOURS, "                put(shear, k, at(old.shear, before))\n", "                pass\n", "dem", "resting"),
+    Bug("shear taken from a pair with another partner", NEIGHBOURS, "if old.both[before, 1] == j:", "if old.both[before, 1] >= j:", "dem", "resting"),
+    Bug("sign of a bond's twist", BEND, "s = turned(s, n, twist)", "s = turned(s, n, -twist)", "dem", "tetrahedral-unit"),
+    Bug("a bond twists twice as far", BOND_LAW, "twist = 0.5 * dt * dot(plus(a, 1.0, b), middle)", "twist = dt * dot(plus(a, 1.0, b), middle)", "dem", "tetrahedral-unit"),
+    Bug("lever arms of a bond swapped", BEND, "arm_i, arm_j = arms(radii[0], radii[1], length)", "arm_j, arm_i = arms(radii[0], radii[1], length)", "dem", "tetrahedral-unit"),
+    Bug("limit with drag alone doubled", CRITICAL, "return 1.0 / n if n > 0.0 else math.inf", "return 2.0 / n if n > 0.0 else math.inf", "dem", "stable-step single-contact"),
+    Bug("velocity after a cut step", DDA, "motion.velocity[a] = 2.0 / part * d[a] - motion.velocity[a]", "motion.velocity[a] = 2.0 / dt * d[a] - motion.velocity[a]", "dda", "failure-modes"),
+    Bug("a cut step forgets what contacts were", DDA, "                    forget(touch, state, push, way)\n", "", "dda", "failure-modes"),
+    Bug("shaking taken at the start of a step", DDA, "shake = value(shaking, done * dt + begin + part)", "shake = value(shaking, done * dt + begin)", "dda", "incline:two-directions"),
+    Bug("a shear spring in its old plane", DDA_CONTACT, "put(touch.spring, k, laid_down(at(old.spring, m), n))", "put(touch.spring, k, at(old.spring, m))", "dda", "rocking"),
+    Bug("a dead load forgotten", DDA_FORCES, "plus(at(bodies.weight, i), 1.0, at(bodies.load, i))", "plus(at(bodies.weight, i), 0.0, at(bodies.load, i))", "dda", "laden-block"),
+    Bug("friction pulls along", DDA_FORCES, "pull = plus(pull, -mu * force, way)", "pull = plus(pull, mu * force, way)", "dda", "skid wedge:xi-1"),
+    Bug("gyroscopic term dropped", RIGID_SETTING, "FORECASTS if dot(spin, spin) > 0.0 else 1", "1", "rigid", "spin-stopped"),
+    Bug("moment of momentum kept half", RIGID_SETTING, "put(w, i, times(inverse, i, moment))", "put(w, i, plus(plus(NIL, 0.5, spin), 0.5, times(inverse, i, moment)))", "rigid", "spin-stopped"),
+    Bug("positions by the velocity at the end", RIGID_EVENTS, "put(state.centre, i, plus(plus(at(state.centre, i), 0.5 * span, at(state.v, i)),\n                                  0.5 * span, v))", "put(state.centre, i, plus(at(state.centre, i), span, v))", "rigid", "incline:newmark-35"),
+    Bug("landing slack ten times", RIGID_LANDING, "trial.gaps.gap[c] - setting.slack", "trial.gaps.gap[c] - 10.0 * setting.slack", "rigid", "failure-modes spin-stopped"),
+    Bug("a landing found without its slack", RIGID_LANDING, "contacts, past, APART * setting.slack)", "contacts, past, setting.slack)", "rigid", "failure-modes spin-stopped"),
+    Bug("friction does not turn within a step", RIGID_BENDS, "turn = bend(before, sag, after, pull)", "turn = plus(NIL, 0.0, bend(before, sag, after, pull))", "rigid", "incline:two-directions"),
+)  # fmt: skip
