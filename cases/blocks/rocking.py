@@ -1,16 +1,18 @@
-"""A block rocks: let go leaning, and shaken by half a sine just below and beyond overturning."""
+"""A block rocks: let go leaning, and shaken by half a sine until it overturns, or nearly."""
 
 from __future__ import annotations
 
 import functools
 import math
+from collections.abc import Callable
 
 import numpy as np
 
 from cases._papers import YAGODA_BIRAN_2016
 from reference_solutions.blocks import rocking
-from vv.ask import Displacement, History, Knobs, Method, Run, Velocity
+from vv.ask import Bracket, Displacement, History, Knobs, Method, Run, Sought, Velocity
 from vv.case import (
+    LARGEST_TOLERANCE,
     Case,
     Exact,
     Ladder,
@@ -18,11 +20,15 @@ from vv.case import (
     Motion,
     Parameter,
     Parameters,
+    Quantity,
     Scalar,
+    Series,
+    Shown,
     Source,
     Tolerance,
     Trial,
     Variant,
+    last_stable_step,
 )
 from vv.scene import Block, Contact, Harmonic, Pulse, Scene, Vector, Wall, polyhedron_inertia
 
@@ -30,7 +36,12 @@ CENTRE, MOVING = Displacement(1), Velocity(1)
 DEEP, DENSITY = 0.3, 2500.0  # m, half the depth; kg/m3
 OUTLINE = ((0, 1, 2, 3), (7, 6, 5, 4), (0, 4, 5, 1), (1, 5, 6, 2), (2, 6, 7, 3), (3, 7, 4, 0))
 X, Y, Z = np.eye(3)
-OVERTURNS = ("stands", "topples", "threshold")
+PULSES = ("stands", "topples", "threshold")
+SWEPT = {"search": 1e10, "search-soft": 1e7}  # N/m
+PAST = 1.1  # of b: a centre that went so far sideways is beyond the top
+
+
+Law = dict[str, float]
 
 
 def _place(lean: Vector, p: Parameters) -> Vector:
@@ -52,20 +63,41 @@ def _block(p: Parameters, lean: float) -> Block:
                  free_spin=Y != 0)  # fmt: skip
 
 
+def _scene(p: Parameters, start: float, most: float) -> Scene:
+    """The block on its floor, leaning at `start` [rad], or under half a sine of `most` [m/s2]."""
+    pulse = Pulse(Harmonic(most * X, p["f"] * X), 0.5 / p["f"]) if most else None
+    return Scene((Wall(np.zeros(3), Z), _block(p, start)), Contact(np.inf, mu=p["mu"]),
+                 gravity=-p["g"] * Z, shaking=pulse)  # fmt: skip
+
+
 def _declare(variant: str, p: Parameters) -> Trial:
     law = {name: p[name] for name in ("b", "h", "g")}
-    alpha, _ = rocking.slenderness(**law)
-    shaken, w = variant in OVERTURNS, 2 * math.pi * p["f"]
-    most = p["part"] * rocking.threshold(**law, w=w) if shaken else 0.0
-    start = 0.0 if shaken else p["part"] * alpha
+    w = 2 * math.pi * p["f"]
+    if not p["mu"] > p["b"] / p["h"]:
+        raise ValueError(f"mu = {p['mu']!r}; a block slips rather than leans up to b/h")
+    if variant in SWEPT:
+        return _searched(p, law, w, SWEPT[variant])
+    if variant.startswith("overturns"):
+        return _thrown_over(p, law, w)
+    return _rocked(variant, p, law, w)
+
+
+def _rocked(variant: str, p: Parameters, law: Law, w: float) -> Trial:
+    """The path of the block, or what the pulse left of its energy."""
+    alpha, rate = rocking.slenderness(**law)
+    most = p["part"] * rocking.threshold(**law, w=w) if variant in PULSES else 0.0
+    start = p["part"] * alpha if variant == "released" else 0.0
     drive = {"A": most, "w": w, "T": math.pi / w}
-    pulse = Pulse(Harmonic(most * X, p["f"] * X), math.pi / w) if shaken else None
-    scene = Scene((Wall(np.zeros(3), Z), _block(p, start)), Contact(np.inf, mu=p["mu"]),
-                  gravity=-p["g"] * Z, shaking=pulse)  # fmt: skip
+    scene = _scene(p, start, most)
     if variant == "threshold":
         ends = History(1.01 * math.pi / w, math.pi / w)
         study = Ladder(scene, ends, (CENTRE, MOVING), LEVELS)
         return Trial(study, (_threshold(p, law, w, most),))
+    over = rocking.overturns(**law, A=most, w=w) if most and p["part"] > 1.0 else math.inf
+    if not p["duration"] < over:
+        raise ValueError(
+            f"duration = {p['duration']!r} s: from {over:.3g} s on it falls, and slips as it does"
+        )
     goal = History(p["duration"], p["duration"] / 50)
 
     @functools.cache
@@ -77,15 +109,142 @@ def _declare(variant: str, p: Parameters) -> Trial:
         return np.asarray(_place(seen, p) - _place(np.array([start]), p))
 
     motion = Motion(CENTRE, np.array([X, Z]), path, goal.times(None), "m")
-    judge = Exact(FREE if variant == "released" else NEAR, not_judged=SHOWN)
+    judge = _swings(rate) if variant == "released" else _near_the_top(w, p["part"])
     parts = (
         motion.component(0, "x", "displacement of the centre along the floor", judge),
         motion.component(1, "z", "displacement of the centre upwards", judge),
     )
-    return Trial(Ladder(scene, goal, (CENTRE,), LEVELS), (*parts, motion.distance(judge)))
+    phases = _phases(p, alpha, rate, start, lambda t: rocking.leans(t, **law, **drive, theta=start))
+    study = Ladder(scene, goal, (CENTRE, MOVING), LEVELS)
+    return Trial(study, (*parts, motion.distance(judge), *phases))
 
 
-def _threshold(p: Parameters, law: dict[str, float], w: float, most: float) -> Scalar:
+def _phases(
+    p: Parameters, alpha: float, rate: float, start: float, exact: Callable[[Vector], Vector]
+) -> tuple[Quantity, ...]:
+    """The lean over alpha and its rate over p alpha, which make the phase picture."""
+    begun = _place(np.array([start]), p)[0]
+
+    def lean(run: Run) -> Vector:
+        return _leaning(run, p, begun, alpha)[0] / alpha
+
+    def swift(run: Run) -> Vector:
+        return _leaning(run, p, begun, alpha)[1] / (rate * alpha)
+
+    return (
+        Series("lean", "theta/alpha", "", "lean of the block over alpha", lean,
+               lambda t: exact(t) / alpha, Shown(JUDGED), 1.0),
+        Series("rate", "theta'/(p alpha)", "", "rate of the lean over p alpha: drawn over the lean "
+               "it is the phase picture", swift, None, Shown(JUDGED)),
+    )  # fmt: skip
+
+
+def _leaning(run: Run, p: Parameters, begun: Vector, alpha: float) -> tuple[Vector, Vector]:
+    """The lean (k,) [rad] and its rate [1/s], from where the centre is and how it goes."""
+    x, z = (run.values[CENTRE][:, [0, 2]] + begun).T
+    side = np.where(x < 0, -1.0, 1.0)
+    rest = np.arctan2(p["b"] - side * x, z)
+    v, up = run.values[MOVING][:, [0, 2]].T
+    far = math.hypot(p["b"], p["h"])
+    return side * (alpha - rest), (v * np.cos(rest) + side * up * np.sin(rest)) / far
+
+
+def _searched(p: Parameters, law: Law, w: float, kn: float) -> Trial:
+    """Amplitudes are tried from that which just lifts the block, until it overturns."""
+    least, rate = p["g"] * p["b"] / p["h"], rocking.slenderness(**law)[1]
+    most, span = rocking.threshold(**law, w=w), 3.0 * (1.0 + w / rate)
+    bracket = Bracket(span, PAST * p["b"], tries=4, rounds=9, sought=Sought.SHAKING)
+    last = math.pi / w + 14.0 / rate
+    rungs = (Knobs(COARSE, kn), Knobs(COARSE / 2, kn))
+    levels = {Level.QUICK: rungs[:1], Level.DEFAULT: rungs[:1], Level.PAPER: rungs}
+    goal = History(last, last / 50)
+    study = Ladder(_scene(p, 0.0, least), goal, (CENTRE,), levels, search=bracket)
+    judge = _just(w)
+
+    def seen(run: Run) -> float:
+        return least * last_stable_step(run, bracket)
+
+    return Trial(study, (
+        Scalar("threshold", "A", "m/s2", "largest amplitude of half a sine that it survives", seen,
+               most, most, judge),
+        Scalar("over the linear one", "A/A_1", "", "the same over that of the equation for small "
+               "angles", lambda run: seen(run) / rocking.linear_threshold(**law, w=w), None, 1.0,
+               Shown(SMALL)),
+    ))  # fmt: skip
+
+
+def _thrown_over(p: Parameters, law: Law, w: float) -> Trial:
+    """How long it takes to overturn."""
+    most = p["part"] * rocking.threshold(**law, w=w)
+    due = rocking.overturns(**law, A=most, w=w)
+    alpha, rate = rocking.slenderness(**law)
+    last = due + 1.0 / rate  # before it lies flat
+    goal = History(last, last / 300)
+
+    def when(run: Run) -> float:
+        """When it leans by 2 alpha, between two outputs; nan if it does not."""
+        lean, _ = _leaning(run, p, _place(np.zeros(1), p)[0], alpha)
+        if not (lean > 2 * alpha).any():
+            return math.nan
+        k = int(np.argmax(lean > 2 * alpha))
+        part = slice(max(0, k - 3), k + 3)
+        from scipy.interpolate import CubicSpline
+
+        return float(CubicSpline(lean[part], run.times[part])(2 * alpha))
+
+    near = p["part"] - 1.0
+    late = Tolerance(
+        min(LARGEST_TOLERANCE, 1e-5 + _off(w) * p["part"] / (near * rate * due)),
+        NEARER,
+        dt=COARSE,
+        order=2,
+        floor=1e-5,
+    )
+    judge = Exact({Method.SECOND_ORDER: late}, not_judged=SHOWN)
+    study = Ladder(_scene(p, 0.0, most), goal, (CENTRE, MOVING), LEVELS)
+    return Trial(study, (
+        Scalar("time", "t_o", "s", "time to overturn: the block leans by 2 alpha", when, due, due,
+               judge),
+    ))  # fmt: skip
+
+
+def _swings(rate: float) -> Exact:
+    """Free swings, whose rate p [1/s] says how long a step is."""
+    five = Tolerance(
+        min(LARGEST_TOLERANCE, 17.0 * (rate * COARSE) ** 2),
+        "(p dt)^2/12 = 1e-6 of the rate a swing, and its square root at the turn of a swing that "
+        "ends upright: five impacts add up", dt=COARSE, order=2,
+    )  # fmt: skip
+    return Exact({Method.SECOND_ORDER: five}, not_judged=SHOWN)
+
+
+def _near_the_top(w: float, part: float) -> Exact:
+    """Under a pulse of w [1/s], so many parts of the threshold."""
+    left = 0.2 * _off(w) / max(abs(part - 1.0), 1e-3)
+    slow = Tolerance(
+        min(LARGEST_TOLERANCE, 2e-4 + left),
+        "the threshold of the step is (w dt)^2/2 off, over the part that the pulse is off it",
+        dt=COARSE, order=2,
+    )  # fmt: skip
+    return Exact({Method.SECOND_ORDER: slow}, not_judged=SHOWN)
+
+
+def _just(w: float) -> Exact:
+    """The threshold itself, to which a search comes within 4e-6."""
+    least = Tolerance(
+        min(LARGEST_TOLERANCE, _off(w)),
+        "(w dt)^2/2, as the sine is taken by its mean over a step and the block begins to lean "
+        "within one", dt=COARSE, order=2, floor=4e-6,
+    )  # fmt: skip
+    return Exact({Method.SECOND_ORDER: least}, not_judged=SHOWN)
+
+
+def _off(w: float) -> float:
+    """How far the threshold of the longest step is off, (w dt)^2/2."""
+    return 0.5 * (w * COARSE) ** 2
+
+
+def _threshold(p: Parameters, law: Law, w: float, most: float) -> Scalar:
     """The amplitude that would just overturn the block, by what the pulse left of its energy."""
     step = 1e-5 * most
     rate = rocking.slenderness(**law)[1]
@@ -102,37 +261,23 @@ def _threshold(p: Parameters, law: dict[str, float], w: float, most: float) -> S
         return float(most - (too_much - rocking.excess(most, **law, w=w)) / gain)
 
     return Scalar("threshold", "A", "m/s2", "amplitude of half a sine that overturns the block",
-                  seen, most, most, Exact(LEAST, not_judged=SHOWN))  # fmt: skip
+                  seen, most, most, _just(w))  # fmt: skip
 
 
-RUNGS = tuple(Knobs(dt, 1e10) for dt in (1e-3, 5e-4, 2.5e-4))
+COARSE = 1e-3  # s
+RUNGS = tuple(Knobs(COARSE / 2**i, 1e10) for i in range(3))
 LEVELS = {Level.QUICK: RUNGS[:2], Level.DEFAULT: RUNGS, Level.PAPER: RUNGS}
 SPRUNG = (
     "springs lengthen every impact and give back what they please, by stiffness and step: like "
     "Housner's at 1e10 N/m and 1e-3 s, bouncing at 1e-4 s"
 )
 SHOWN = dict.fromkeys((Method.PENALTY, Method.LAGGING), SPRUNG)
-FREE = {
-    Method.SECOND_ORDER: Tolerance(
-        2e-4, "(p dt)^2/12 = 1e-6 of the rate a swing, and its square root at the turn of a swing "
-        "that ends upright: five impacts add up", dt=1e-3, order=2,
-    )
-}  # fmt: skip
-NEAR = {
-    Method.SECOND_ORDER: Tolerance(
-        4e-3, "(p dt)^2/12 = 1e-6 of the energy, over the thousandth part that is left at the top",
-        dt=1e-3, order=2,
-    )
-}  # fmt: skip
-LEAST = {
-    Method.SECOND_ORDER: Tolerance(
-        2e-5,
-        "(w dt)^2/2, as the sine is taken by its mean over a step and the block begins to lean "
-        "within one",
-        dt=1e-3,
-        order=2,
-    )
-}
+JUDGED = "the displacements are judged; a rate jumps at every impact"
+SMALL = "that of the block itself, 1.0363 of the linear one at the default sizes, is judged"
+NEARER = (
+    "the threshold of the step is (w dt)^2/2 off, which an excess over it near the threshold feels "
+    "as a part of itself: the time grows by 1/p for a factor of e"
+)
 CASE = Case(
     name="rocking",
     title="A rocking block",
@@ -167,6 +312,18 @@ CASE = Case(
                 "theta'^2/2 + p^2 cos(alpha - theta) = p^2 as the pulse ends",
                 {"part": 1.0}, frozenset({"mu", "duration"}), unseen={
                     "f": "a pulse at the threshold of its own frequency leaves no more energy"}),
+        *(
+            Variant(f"overturns-{name}", f"time to overturn under half a sine, {name} beyond the "
+                    "threshold", SHAKEN + "; ln(100)/p more for two decades nearer",
+                    {"part": 1.0 + near}, frozenset({"mu", "duration"}), Level.DEFAULT)
+            for name, near in (("1e-1", 1e-1), ("1e-2", 1e-2), ("1e-4", 1e-4))
+        ),
+        *(
+            Variant(name, f"the largest amplitude it survives, searched with {what}", SHAKEN, {},
+                    frozenset({"mu", "duration", "part"}), Level.DEFAULT)
+            for name, what in (("search", "stiff contacts"),
+                               ("search-soft", "contacts of 1e7 N/m, where there are any"))
+        ),
     ),
     declare=_declare,
 )  # fmt: skip

@@ -28,8 +28,8 @@ def slenderness(b: float, h: float, g: float) -> tuple[float, float]:
 
 
 def restitution(b: float, h: float) -> float:
-    """The rate after an impact over the one before."""
-    return 1.0 - 1.5 * sin(atan2(b, h)) ** 2
+    """The rate after an impact over the one before; a squat block stays down at its first."""
+    return max(0.0, 1.0 - 1.5 * sin(atan2(b, h)) ** 2)
 
 
 def leans(
@@ -38,7 +38,7 @@ def leans(
 ) -> Array:  # fmt: skip
     """theta (k,) [rad] at rising times (k,) [s], at rest at theta [rad] or upright at first.
 
-    A [m/s2], w [rad/s], T [s]: of the sine. Beyond alpha it falls; |theta| ends at pi/2 - alpha.
+    A [m/s2], w [rad/s], T [s]: of the sine. Beyond alpha it falls, and lies still at pi/2.
     """
     times = require_times(t)
     alpha, p = slenderness(b, h, g)
@@ -91,7 +91,7 @@ def _swing(
         return side * float(y[0])
 
     def flat(t: float, y: Array, on: float) -> float:
-        return side * float(y[0]) - (pi / 2 - alpha)
+        return side * float(y[0]) - pi / 2
 
     floor.terminal = flat.terminal = True  # type: ignore[attr-defined]
     floor.direction = -1.0  # type: ignore[attr-defined]
@@ -106,7 +106,7 @@ def _swing(
         found[here] = one.sol(times[here])[0] if here.any() else 0.0
         now, state = float(one.t[-1]), (float(one.y[0, -1]), float(one.y[1, -1]))
         if len(one.t_events[1]):
-            found[times > now] = side * (pi / 2 - alpha)
+            found[times > now] = side * pi / 2
             return inf, state
         if len(one.t_events[0]):
             return now, (0.0, state[1])
@@ -130,14 +130,49 @@ def excess(A: float, *, b: float, h: float, g: float, w: float) -> float:
     return float(end[1] ** 2 / 2 + p**2 * (cos(alpha - end[0]) - 1))
 
 
+def overturns(*, b: float, h: float, g: float, A: float, w: float) -> float:
+    """When [s] half a sine has thrown the block over: it leans by 2 alpha, as low as upright.
+
+    Raises ValueError for a block that is no higher than wide, or that comes back.
+    """
+    from scipy.integrate import solve_ivp
+
+    alpha, p = slenderness(b, h, g)
+    if not b < h:
+        raise ValueError(f"b = {b} m, h = {h} m; a block is thrown over if it is higher than wide")
+    if not excess(A, b=b, h=h, g=g, w=w) > 0.0:
+        raise ValueError(f"A = {A} m/s2 does not overturn it")
+
+    def rate(t: float, y: Array, on: float) -> list[float]:
+        lean = alpha - y[0]
+        return [y[1], p**2 * (-sin(lean) + on * A / g * sin(w * t) * cos(lean))]
+
+    def over(t: float, y: Array, on: float) -> float:
+        return float(y[0]) - 2.0 * alpha
+
+    over.terminal = True  # type: ignore[attr-defined]
+    now, state = asin(g * tan(alpha) / A) / w, np.zeros(2)
+    for end, on in ((pi / w, 1.0), (inf, 0.0)):
+        span = (now, min(end, now + 100.0 / p))
+        one = solve_ivp(rate, span, state, "DOP853", events=over, args=(on,), **_SHARP)
+        now, state = float(one.t[-1]), one.y[:, -1]
+        if len(one.t_events[0]):
+            break
+    return now
+
+
 def threshold(*, b: float, h: float, g: float, w: float) -> float:
     """The least amplitude [m/s2] of a half sine that overturns the block without an impact."""
     from scipy.optimize import brentq
 
-    alpha, p = slenderness(b, h, g)
-    least = g * tan(alpha)
-    return float(brentq(lambda A: excess(A, b=b, h=h, g=g, w=w), 1.0001 * least,
-                        10 * least * (1 + w / p), xtol=1e-12, rtol=1e-14))  # fmt: skip
+    low = 1.0001 * g * tan(slenderness(b, h, g)[0])
+    law = {"b": b, "h": h, "g": g, "w": w}
+    if excess(low, **law) > 0.0:
+        raise ValueError(f"w = {w} 1/s; a sine so slow overturns all that it lifts, to 1e-4")
+    high = 1.05 * low
+    while excess(high, **law) < 0.0:
+        low, high = high, 1.05 * high
+    return float(brentq(lambda A: excess(A, **law), low, high, xtol=1e-12, rtol=1e-14))
 
 
 def linear_threshold(*, b: float, h: float, g: float, w: float) -> float:

@@ -13,13 +13,25 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from tests.scenes.small_scenes import ball
-from vv.ask import Ask, Bracket, Displacement, Knobs, Method, Model, Observable, Run, Status
-from vv.case import Interval, Level, Search, largest_step, last_stable_step
+from vv.ask import (
+    Ask,
+    Bracket,
+    Displacement,
+    History,
+    Knobs,
+    Method,
+    Model,
+    Observable,
+    Run,
+    Sought,
+    Status,
+)
+from vv.case import Interval, Ladder, Level, Search, largest_step, last_stable_step
 from vv.codes import Found, no_steps
 from vv.records.outcomes import Verdict
 from vv.records.record import checked, measured
 from vv.run.search import answers
-from vv.scene import Contact, Scene, Vector
+from vv.scene import Contact, Harmonic, Pulse, Scene, Vector
 from vv.store.store import Store
 
 BODY = Displacement(0)
@@ -100,7 +112,7 @@ def test_where_nothing_is_unstable_the_longest_step_is_the_answer() -> None:
     code, bracket = Limited(1e9), Bracket(8.0, BOUND, 5)
     (run,) = found(code, bracket)
     assert last_stable_step(run, bracket) == pytest.approx(8.0)
-    assert run.reason == "every step tried is stable"
+    assert run.reason == "all that was tried is stable"
 
 
 def test_what_is_lost_beyond_the_limit_is_data_and_its_reason_is_told() -> None:
@@ -189,3 +201,39 @@ def test_asks_before_and_after_a_search_do_not_find_each_other_s_files(tmp_path:
     plain = dataclasses.replace(sought, search=None)
     runs = answers(Limited(1.5), [plain, sought, plain, plain], "default", tmp_path, 0.0)
     assert [run.status for run in runs] == [Status.RAN] * 4
+
+
+class Overturned(Limited):
+    """A code in which a body is thrown far by more than so much shaking."""
+
+    def run(self, asks: Sequence[Ask], scheme: str, scratch: Path, repeat: float) -> Iterator[Run]:
+        for ask in asks:
+            assert ask.search is None
+            assert ask.scene.wave is not None
+            far = 1.0 if ask.scene.wave.amplitude[0] <= self.limit else 20.0
+            times = ask.goal.times(ask.dt)
+            values: dict[Observable, Vector] = {BODY: np.full((len(times), 3), far)}
+            yield Run(Status.RAN, times=times, values=values, steps=40)
+
+
+@pytest.mark.parametrize("ends", [False, True])
+def test_a_search_for_the_largest_shaking_multiplies_it_and_keeps_all_else(ends: bool) -> None:
+    wave = Harmonic(np.array([2.0, 0.0, 0.0]), np.ones(3))
+    scene = dataclasses.replace(SCENE, shaking=Pulse(wave, 0.5) if ends else wave)
+    bracket = Bracket(4.0, BOUND, 4, 6, Sought.SHAKING)
+    rungs = dict.fromkeys(Level, (Knobs(0.1),))
+    ask = Ladder(scene, History(1.0, 0.1), (BODY,), rungs, search=bracket).ask(Knobs(0.1))
+    with tempfile.TemporaryDirectory() as folder:
+        (run,) = answers(Overturned(5.0), [ask], "default", Path(folder), 0.0)
+    assert last_stable_step(run, bracket) == pytest.approx(2.5, rel=3e-4)
+    assert (ask.shaken(2.0).scene.terms(), ask.shaken(2.0).goal) == (scene.terms(), ask.goal)
+
+
+def test_a_search_for_the_largest_shaking_needs_some() -> None:
+    with pytest.raises(ValueError, match="there is none to be multiplied"):
+        study(Bracket(2.0, 1.0)).ask(Knobs(1.0)).shaken(2.0)
+
+
+def test_a_ladder_does_not_search_for_steps() -> None:
+    with pytest.raises(ValueError, match="has steps of its own"):
+        Ladder(SCENE, History(1.0, 0.1), (BODY,), {}, search=Bracket(2.0, 1.0))

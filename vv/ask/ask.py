@@ -2,21 +2,21 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from vv.ask.goals import Bracket, History, Knobs
 from vv.ask.observables import Observable
 from vv.base.digest import digest
-from vv.scene import Form, Scene
+from vv.scene import Form, Scene, with_shaking_times
 
 
 @dataclass(frozen=True, eq=False)
 class Ask:
     """One question to a code: solve this scene with these knobs and report these observables.
 
-    search: None, or the bracket in which the largest stable step is searched; knobs and goal are
-    then those of the first step tried, and runs at other steps take as many steps. energies:
-    forms of energy of the whole scene that are to be reported over time.
+    search: None, or the bracket in which the largest stable step, or shaking, is searched; knobs,
+    goal and scene are then those first tried, and runs at other steps take as many steps.
+    energies: forms of energy of the whole scene that are to be reported over time.
     """
 
     scene: Scene
@@ -44,3 +44,8 @@ class Ask:
         goal = History(self.goal.duration * ratio, self.goal.interval * ratio)
         knobs = Knobs(dt, self.knobs.kn)
         return Ask(self.scene, goal, self.observables, knobs, energies=self.energies)
+
+    def shaken(self, times: float) -> Ask:
+        """The same question with so many times the shaking, without a search."""
+        scene = with_shaking_times(self.scene, times)
+        return replace(self, scene=scene, search=None)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import enum
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -65,13 +66,21 @@ class Knobs:
             raise ValueError(f"dd = {self.dd!r}; a step hands on a part between 0 and 1")
 
 
+class Sought(enum.Enum):
+    """What a search varies: the step [s], or by how much a scene's shaking is multiplied."""
+
+    STEP = "dt"
+    SHAKING = "times the shaking"
+
+
 @dataclass(frozen=True)
 class Bracket:
-    """The steps among which the largest stable one is searched: Knobs.dt to `span` times that.
+    """The values among which the largest stable one is searched, and how.
 
-    A step is stable if the run reaches its end and no component of an observable exceeds `bound`,
-    in the observable's unit. In each of `rounds` rounds, `tries` steps are tried: first over the
-    bracket, then between the last stable step and the first unstable one.
+    Steps go from Knobs.dt to `span` times that, what shaking is multiplied by from 1 to `span`. A
+    value is stable if the run reaches its end and no component of an observable exceeds `bound`,
+    in the observable's unit. In each of `rounds` rounds, `tries` values are tried: first over the
+    bracket, then between the last stable one and the first unstable one.
     Raises ValueError unless span > 1, bound > 0, tries >= 2 and rounds >= 1.
     """
 
@@ -79,6 +88,7 @@ class Bracket:
     bound: float
     tries: int = 10
     rounds: int = 3
+    sought: Sought = Sought.STEP
 
     def __post_init__(self) -> None:
         if not (np.isfinite(self.span) and self.span > 1):
@@ -91,9 +101,9 @@ class Bracket:
             )
 
     def stability_limits(self, tried: Vector) -> tuple[float, float | None]:
-        """The largest step [s] below all unstable ones (0 if none), and the smallest unstable one.
+        """The largest value below all unstable ones (0 if none), and the smallest unstable one.
 
-        tried: (n, 2), as in Run.tried. The second value is None if all steps were stable.
+        tried: (n, 2), as in Run.tried. The second value is None if all were stable.
         """
         lost = np.flatnonzero(~(tried[:, 1] <= self.bound))
         first = int(lost[0]) if len(lost) else len(tried)

@@ -67,9 +67,9 @@ class Run:
     """The outcome of an ask: a status with its reason and, if it ran, the observables.
 
     times: (k,) [s]; values: observable -> (k, 3) in the scene's frame; energies: form -> (k,) [J]
-    if they were asked for. tried: (n, 2), of a search: the steps tried [s], ascending, and the
-    largest component of an observable at each, inf if the run did not reach its end. Times and
-    values of a search are those of its first step.
+    if they were asked for. tried: (n, 2), of a search: the steps [s], or times the shaking, that
+    were tried, ascending, and the largest component of an observable at each, inf if the run did
+    not reach its end. Times and values of a search are those of what was tried first.
     """
 
     status: Status

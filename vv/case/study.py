@@ -7,7 +7,7 @@ import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 
-from vv.ask import Ask, Bracket, History, Knobs, Observable
+from vv.ask import Ask, Bracket, History, Knobs, Observable, Sought
 from vv.scene import Scene
 from vv.scene.energy import Form
 
@@ -35,9 +35,10 @@ class Ladder:
     """One scene at finer and finer settings, each judged against the reference.
 
     rungs: level -> settings, coarsest first. timed: the settings that timing sessions measure.
-    energies: forms of energy of the scene to be reported over time. cpu_limit: CPU time allowed
-    for a setting [s]; one that would take longer, by the pace that a scheme states, is not run
-    and its record says so.
+    energies: forms of energy of the scene to be reported over time. search: None, or the bracket in
+    which each setting searches for the largest shaking that leaves the scene stable, from what it
+    has upwards. cpu_limit: CPU time allowed for a setting [s]; one that would take longer, by the
+    pace that a scheme states, is not run and its record says so.
     """
 
     scene: Scene
@@ -47,8 +48,11 @@ class Ladder:
     timed: tuple[Knobs, ...] = ()
     energies: tuple[Form, ...] = ()
     cpu_limit: float = math.inf
+    search: Bracket | None = None
 
     def __post_init__(self) -> None:
+        if self.search is not None and self.search.sought is not Sought.SHAKING:
+            raise ValueError("Ladder.search.sought = STEP; a ladder has steps of its own")
         missing = [level.value for level in Level if not self.rungs.get(level)]
         if missing:
             raise ValueError(
@@ -57,7 +61,7 @@ class Ladder:
 
     def ask(self, knobs: Knobs) -> Ask:
         """The ask at one setting."""
-        return Ask(self.scene, self.goal, self.observables, knobs, energies=self.energies)
+        return Ask(self.scene, self.goal, self.observables, knobs, self.search, self.energies)
 
 
 @dataclass(frozen=True, eq=False)

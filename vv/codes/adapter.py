@@ -9,7 +9,7 @@ from typing import Protocol
 
 import numpy as np
 
-from vv.ask import Ask, Displacement, Method, Model, Run, Status, Velocity
+from vv.ask import Ask, Displacement, Method, Model, Run, Sought, Status, Velocity
 from vv.scene import Form, Scene, Term
 
 
@@ -116,7 +116,7 @@ def _lacked(scheme: Scheme, term: Term) -> str:
 def no_steps(ask: Ask) -> str | None:
     """Why steps do not fit an ask: one too long for its duration, or none to search among."""
     dt = ask.knobs.dt
-    if dt is None and ask.search is not None:
+    if dt is None and ask.search is not None and ask.search.sought is Sought.STEP:
         return "it has no step, of which the largest stable one is searched"
     if dt is None or ask.goal.steps(dt) > 0:
         return None

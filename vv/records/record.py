@@ -71,7 +71,7 @@ def _observed(run: Run, ask: Ask) -> Run:
             first = expected[int(np.argmin(np.isfinite(values).all(axis=1)))]
             return Run(Status.DIVERGED, f"{observable} is not finite from t = {first:.6g} s")
     if ask.search is not None and not len(run.tried):
-        return Run(Status.ERROR, "the run does not say which steps were tried")
+        return Run(Status.ERROR, "the run does not say what was tried")
     return _energetic(run, ask)
 
 

@@ -1,4 +1,4 @@
-"""Answers asks in a worker: plain ones as they come, searches by rounds of several steps each."""
+"""Answers asks in a worker: plain ones as they come, searches by rounds of several values each."""
 
 from __future__ import annotations
 
@@ -11,10 +11,11 @@ from pathlib import Path
 
 import numpy as np
 
-from vv.ask import Ask, Bracket, Cost, Run, Status
+from vv.ask import Ask, Bracket, Cost, Run, Sought, Status
 from vv.codes.adapter import Adapter
 from vv.scene import Vector
 
+VARIED = {Sought.STEP: Ask.at, Sought.SHAKING: Ask.shaken}
 LOST = float("inf")  # the reach of a run that did not come to its end
 
 
@@ -38,20 +39,24 @@ def answers(
 
 @dataclass(eq=False)
 class _Search:
-    """How far the search for an ask is; runs: step [s] -> what came of it."""
+    """How far the search for an ask is; runs: step [s], or times the shaking -> what came of it."""
 
     ask: Ask
     bracket: Bracket
     runs: dict[float, Run] = field(default_factory=dict)
 
     def tried(self) -> Vector:
-        """(n, 2) the steps so far, ascending [s], and how far each reached."""
-        return np.array([(dt, _reach(self.runs[dt])) for dt in sorted(self.runs)])
+        """(n, 2) what was tried so far, ascending, and how far each reached."""
+        return np.array([(value, _reach(self.runs[value])) for value in sorted(self.runs)])
 
-    def steps(self) -> list[float]:
-        """The steps [s] to try next; none once the highest of the bracket is stable."""
+    def ask_at(self, value: float) -> Ask:
+        """What is asked to try a value."""
+        return VARIED[self.bracket.sought](self.ask, value)
+
+    def values(self) -> list[float]:
+        """What to try next; nothing once the highest of the bracket is stable."""
         if not self.runs:
-            low = self.ask.dt
+            low = self.ask.dt if self.bracket.sought is Sought.STEP else 1.0
             return list(np.geomspace(low, low * self.bracket.span, self.bracket.tries))
         stable, lost = self.bracket.stability_limits(self.tried())
         if not stable or lost is None:
@@ -59,7 +64,7 @@ class _Search:
         return list(np.geomspace(stable, lost, self.bracket.tries + 2)[1:-1])
 
     def run(self) -> Run:
-        """The Run of the first step, with all that was tried; its failure if it failed."""
+        """The Run of what was tried first, with all that was tried; its failure if it failed."""
         first = self.runs[min(self.runs)]
         if _reach(first) == LOST:
             return first
@@ -74,13 +79,14 @@ class _Search:
         )
 
     def _beyond(self) -> str:
-        """What comes of the least step that is unstable."""
+        """What comes of the least value that is unstable."""
         lost = self.bracket.stability_limits(self.tried())[1]
         if lost is None:
-            return "every step tried is stable"
+            return "all that was tried is stable"
         reach, bound = _reach(self.runs[lost]), self.bracket.bound
         grown = f"reaches {reach:.3g} of at most {bound:.3g}"
-        return f"at dt = {lost:.6g} s: {self.runs[lost].reason if reach == LOST else grown}"
+        where = f"dt = {lost:.6g} s" if self.bracket.sought is Sought.STEP else f"{lost:.6g} times"
+        return f"at {where}: {self.runs[lost].reason if reach == LOST else grown}"
 
 
 def _found(adapter: Adapter, asks: Sequence[Ask], scheme: str, scratch: Path) -> Iterator[Run]:
@@ -88,11 +94,11 @@ def _found(adapter: Adapter, asks: Sequence[Ask], scheme: str, scratch: Path) ->
     searches = [_Search(ask, ask.search) for ask in asks if ask.search is not None]
     for number in range(max(one.bracket.rounds for one in searches)):
         due = [s for s in searches if number < s.bracket.rounds]
-        probes = [(one, dt) for one in due for dt in one.steps()]
+        probes = [(one, value) for one in due for value in one.values()]
         folder = Path(tempfile.mkdtemp(prefix=f"round-{number}-", dir=scratch))
-        runs = adapter.run([one.ask.at(dt) for one, dt in probes], scheme, folder, 0.0)
-        for (one, dt), run in zip(probes, runs, strict=True):
-            one.runs[dt] = run
+        runs = adapter.run([one.ask_at(value) for one, value in probes], scheme, folder, 0.0)
+        for (one, value), run in zip(probes, runs, strict=True):
+            one.runs[value] = run
     yield from (one.run() for one in searches)
 
 

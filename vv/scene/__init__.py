@@ -27,6 +27,7 @@ from vv.scene.transform import (
     why_locks_need_more_than_loads,
     with_bodies_reversed,
     with_loads_for_locks,
+    with_shaking_times,
 )
 
 __all__ = [
@@ -58,4 +59,5 @@ __all__ = [
     "why_locks_need_more_than_loads",
     "with_bodies_reversed",
     "with_loads_for_locks",
+    "with_shaking_times",
 ]

@@ -1,4 +1,4 @@
-"""Transforms scenes: rotation, reversed order of bodies, dead loads in place of locks."""
+"""Transforms scenes: rotation, order of bodies, dead loads in place of locks, more shaking."""
 
 import dataclasses
 
@@ -33,6 +33,17 @@ def rotated(scene: Scene, rotation: Vector) -> Scene:
         gravity=rotation @ scene.gravity,
         axes=scene.axes @ rotation.T,
         shaking=_rotated_shaking(scene.shaking, rotation),
+    )
+
+
+def with_shaking_times(scene: Scene, times: float) -> Scene:
+    """The scene with all amplitudes of its shaking multiplied; raises ValueError without any."""
+    if scene.wave is None:
+        raise ValueError("Scene.shaking = None; there is none to be multiplied")
+    wave = dataclasses.replace(scene.wave, amplitude=times * scene.wave.amplitude)
+    ends = scene.shaking if isinstance(scene.shaking, Pulse) else None
+    return dataclasses.replace(
+        scene, shaking=dataclasses.replace(ends, wave=wave) if ends else wave
     )
 
 

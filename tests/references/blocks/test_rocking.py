@@ -53,6 +53,39 @@ def test_swings_end_and_turn_where_they_should() -> None:
     assert swings == pytest.approx([0.37400, 0.25168, 0.17431], abs=1e-5)
 
 
+def test_only_one_amplitude_is_the_threshold_where_stronger_pulses_throw_a_block_round() -> None:
+    """A block of b/h = 0.57 under 10 times as much turns by more than once in free space."""
+    law = {"b": 0.656, "h": 1.16, "g": 14.2, "w": 2 * np.pi * 0.951}
+    least = rocking.threshold(**law)
+    assert stepped.overturns(least * (1 + 1e-6), **law, steps=2000)
+    assert not stepped.overturns(least * (1 - 1e-6), **law, steps=2000)
+
+
+@pytest.mark.parametrize("part", [1.5, 1.05, 1.01])
+def test_it_is_thrown_over_as_soon_by_both_routes(part: float) -> None:
+    A = part * rocking.threshold(**LAW, w=W)
+    found = rocking.overturns(**LAW, A=A, w=W)
+    other = stepped.leans(found, **LAW, A=A, w=W, T=0.5, theta=0.0, steps=6000)
+    assert other == pytest.approx(2 * ALPHA, rel=2e-4)
+
+
+@pytest.mark.parametrize(("b", "part"), [(0.6, 1.1), (0.2, 0.99)])
+def test_what_is_not_thrown_over_is_said_so(b: float, part: float) -> None:
+    law = {**LAW, "b": b, "w": W}
+    with pytest.raises(ValueError, match=r"higher than wide|does not overturn"):
+        rocking.overturns(**law, A=part * rocking.threshold(**law))
+
+
+def test_a_block_that_lies_on_its_side_stays_there() -> None:
+    least = rocking.threshold(**LAW, w=W)
+    lean = rocking.leans([0.0, 3.0, 4.0], **LAW, A=1.1 * least, w=W, T=0.5)
+    assert lean[1:] == pytest.approx([np.pi / 2] * 2, abs=1e-12)
+
+
+def test_a_squat_block_does_not_rebound() -> None:
+    assert rocking.restitution(0.6, 0.4) == 0.0
+
+
 def test_beyond_the_threshold_the_time_to_overturn_grows_by_a_logarithm() -> None:
     """ln(100)/p for each two decades nearer to it (Hogan 1989)."""
     least, t = rocking.threshold(**LAW, w=W), np.linspace(0.0, 6.0, 60001)
