@@ -40,18 +40,22 @@ RESIDUAL = 1e-12  # of the forces that the start leaves; E and nu are then good 
 
 
 class Lattice(NamedTuple):
-    """A block: centres (N, 3) [m] and bonded pairs (B, 2); area [m2] and height [m] of its hull."""
+    """A block: centres (N, 3) [m] and bonded pairs (B, 2); area [m2] and height [m] of its hull.
+
+    rough [m]: how far the elements of a face lie behind the foremost, where faces are no layers.
+    """
 
     position: Array
     bonds: Pairs
     area: float
     height: float
+    rough: float = 0.0
 
     def at(self, axis: int, side: int) -> NDArray[np.bool_]:
         """(N,) which elements are the extreme ones along an axis; side 0 is the low one, or 1."""
         x = self.position[:, axis]
         edge = x.max() if side else x.min()
-        extreme: NDArray[np.bool_] = np.abs(x - edge) < 1e-6 * self.height
+        extreme: NDArray[np.bool_] = np.abs(x - edge) < self.rough + 1e-6 * self.height
         return extreme
 
 
@@ -85,6 +89,38 @@ def lattice(n: int, p: int, q: int, d: float) -> Lattice:
     area = (n - 1) * d * p * sqrt(3.0) * d
     layer = np.repeat(np.arange(len(layers)), [len(xy) for xy in layers])
     return Lattice(position, _touching(position, layer, d), area, 2 * q * rise)
+
+
+def cut(sides: tuple[float, float, float], angle: float, d: float) -> Lattice:
+    """A box of sides [m] out of the crystal, whose axis c leans by an angle [rad] from z towards x.
+
+    Elements whose centres lie within; those within half a diameter of the foremost are a face.
+    Stress is on the hull of the centres as seen along z. Raises ValueError for sides of less than
+    four diameters.
+    """
+    if not min(sides) >= 4.0 * d > 0.0:
+        raise ValueError(f"sides = {sides} m, d = {d} m; sides must be at least 4 d, d above 0")
+    from scipy.spatial import ConvexHull
+
+    half, c, s = np.array(sides) / 2.0, np.cos(angle), np.sin(angle)
+    x = d * _crystal(float(np.linalg.norm(half)) / d)
+    x = x @ np.array([[c, 0.0, -s], [0.0, 1.0, 0.0], [s, 0.0, c]])
+    x = x[(np.abs(x) <= half * (1.0 + 1e-9)).all(axis=1)]
+    x = x[np.lexsort(np.round(x / d, 6).T)]
+    x -= [0.0, 0.0, x[:, 2].min()]
+    area = float(ConvexHull(x[:, :2]).volume)  # in the plane
+    return Lattice(x, _near(x, d), area, float(np.ptp(x[:, 2])), d / 2.0)
+
+
+def _crystal(reach: float) -> Array:
+    """The centres (n, 3) [diameters] of the lattice around one of them, at least so far out."""
+    many = np.arange(-int(1.2 * reach) - 2, int(1.2 * reach) + 3)
+    i, row, layer = (axis.ravel() for axis in np.meshgrid(many, many, many, indexing="ij"))
+    kind = layer % 2
+    x = i + (row % 2) / 2.0 + kind / 2.0
+    return np.stack(
+        [x, row * sqrt(3.0) / 2.0 + kind / sqrt(12.0), layer * sqrt(2.0 / 3.0)], axis=1
+    )
 
 
 def static(block: Lattice, kn: float, ks: float) -> Static:
@@ -128,6 +164,14 @@ def _touching(position: Array, layer: Pairs, d: float) -> Pairs:
         i, j = np.nonzero(gaps < 1.1 * d)
         found.append(np.column_stack([i, j])[i < j] + first)
     return np.concatenate(found)
+
+
+def _near(position: Array, d: float) -> Pairs:
+    """(B, 2) the pairs at the distance d, the lower number first, in order."""
+    from scipy.spatial import cKDTree
+
+    pairs = cKDTree(position).query_pairs(1.1 * d, output_type="ndarray")
+    return np.asarray(pairs[np.lexsort(pairs.T[::-1])], np.int64)
 
 
 def _stiffness(block: Lattice, kn: float, ks: float):  # type: ignore[no-untyped-def]  # scipy's

@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 
 from reference_solutions.bonds import close_packed_lattice, lattice_material
-from reference_solutions.bonds.close_packed_lattice import SIZES, count, lattice, static
+from reference_solutions.bonds.close_packed_lattice import SIZES, count, cut, lattice, static
 from reference_solutions.checks.bonds import close_packed_lattice as crystal
 from tests.support.turned_signs import caught, signs, turned
 
@@ -134,3 +134,40 @@ LEAST = crystal.static(*SIZES[82], GAMMA)
 def test_a_block_that_no_formula_counts_is_refused() -> None:
     with pytest.raises(ValueError, match="n, p, q, d = 1, 2, 2"):
         lattice(1, 2, 2, D)
+
+
+@pytest.mark.parametrize("degrees", [0.0, 50.0, 70.5, 90.0])
+def test_a_box_cut_along_any_direction_is_of_the_crystal(degrees: float) -> None:
+    block = cut((5.5 * D, 5.5 * D, 7.5 * D), np.radians(degrees), D)
+    i, j = block.bonds.T
+    bond = block.position[j] - block.position[i]
+    assert np.abs(np.linalg.norm(bond, axis=1) / D - 1).max() < 1e-12
+    assert np.bincount(block.bonds.ravel()).max() == 12
+    axis = np.array([np.sin(np.radians(degrees)), 0.0, np.cos(np.radians(degrees))])
+    rises = np.abs(bond @ axis) / D
+    assert set(np.round(rises, 6)) == {0.0, np.round(np.sqrt(2 / 3), 6)}
+    full = 7.5 * 5.5**2 * np.sqrt(2.0)
+    assert 0.8 * full < len(block.position) < 1.3 * full
+
+
+@pytest.mark.parametrize("degrees", [50.0, 90.0])
+def test_the_static_answer_of_a_box_leaves_no_force_on_what_is_free(degrees: float) -> None:
+    block = cut((4.5 * D, 4.5 * D, 6.5 * D), np.radians(degrees), D)
+    answer = static(block, KN, KS)
+    force = np.zeros_like(answer.u)
+    for i, j in block.bonds:
+        n, apart = (block.position[j] - block.position[i]) / D, answer.u[j] - answer.u[i]
+        pull = KS * apart + (KN - KS) * (apart @ n) * n
+        force[i] += pull
+        force[j] -= pull
+    held = block.at(2, 0) | block.at(2, 1)
+    size = np.abs(force[held, 2]).max()
+    assert np.abs(force[~held]).max() < 1e-9 * size
+    assert np.abs(force[held, :2]).max() < 1e-9 * size
+    assert answer.u[held, 2] == pytest.approx(block.position[held, 2], abs=1e-15)
+    assert -force[block.at(2, 1), 2].sum() / block.area == pytest.approx(answer.E, rel=1e-10)
+
+
+def test_a_box_of_few_elements_is_refused() -> None:
+    with pytest.raises(ValueError, match="sides must be at least 4 d"):
+        cut((3.0 * D, 5.0 * D, 5.0 * D), 0.0, D)
