@@ -1,0 +1,1 @@
+"""Second routes to the answers of `reference_solutions.impact`."""

@@ -1,0 +1,178 @@
+"""An oblique impact by collocation in a variable in which it is analytic: the second route.
+
+With the overlap U = q^4 and dt = q^3 ds all forces of linear springs, Hertz, Mindlin and Tsuji
+are polynomials of q, also where contact begins and ends. The state, in polar coordinates, is q,
+the velocities along and across the line of centres, both spins, T, the angle of that line, and t.
+Parameters are those of `reference_solutions.impact.rebound`, whose code is not used here.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from math import cos, inf, sin, sqrt
+
+import numpy as np
+from numpy.polynomial import legendre
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+NODES, PANELS = 14, 48
+_X = legendre.leggauss(NODES)[0].astype(np.float64)
+_FIT = np.linalg.inv(legendre.legvander(_X, NODES - 1))
+_SUM = legendre.legint(np.eye(NODES), lbnd=-1.0, scl=0.5)
+INSIDE: Array = legendre.legvander(_X, NODES) @ _SUM @ _FIT  # integrals up to each node
+WHOLE: Array = (np.ones(NODES + 1) @ _SUM @ _FIT).astype(np.float64)
+
+
+@dataclass(frozen=True)
+class Strike:
+    """Law (K, S [N/m^p], mu, p, z) and bodies (radii [m], masses [kg]; a wall's are infinite).
+
+    a and h are those of `Law`, in which codes differ.
+    """
+
+    K: float
+    S: float
+    mu: float
+    p: float
+    z: float
+    radius: float
+    mass: float
+    partner_radius: float = inf
+    partner_mass: float = inf
+    a: float = 0.5
+    h: float = 0.0
+
+    @property
+    def reduced(self) -> float:
+        """Reduced mass [kg]."""
+        return 1.0 / (1.0 / self.mass + 1.0 / self.partner_mass)
+
+    def normal_force(self, q: Array, away: Array) -> Array:
+        """Fn without its limit."""
+        damping = 2.0 * self.z * sqrt(self.reduced * self.p * self.K)
+        return np.asarray(self.K * q ** (4 * self.p) - damping * q ** (2 * self.p - 2) * away)
+
+    @staticmethod
+    def held(T: Array, deep: Array) -> Array:
+        """T/U, 0 where contact begins."""
+        return np.divide(T, deep, out=np.zeros_like(T), where=deep > 0.0)
+
+    def slopes(self, y: Array, sign: float) -> Array:
+        """dy/ds (8, k) of states (8, k); sign: that of T where the contact slips, else 0."""
+        q, away, across, spin, other, T = y[:6]
+        deep, fast = q**4, q**3
+        push = self.normal_force(q, away)
+        rub = sign * self.mu * push if sign else T
+        arm, turned = self.radius - self.a * deep, 1.0 / (0.4 * self.mass * self.radius**2)
+        slip, spun, angle = across - arm * spin, np.zeros_like(q), np.zeros_like(q)
+        centre = pull = np.zeros_like(q)
+        if self.partner_radius < inf:
+            length = self.radius + self.partner_radius - deep
+            angle, second = across / length, self.partner_radius - self.a * deep
+            slip = slip - second * other
+            spun = -second * rub / (0.4 * self.partner_mass * self.partner_radius**2)
+            centre, pull = across * angle, away * angle
+        charge = np.zeros_like(q) if sign else -self.S * q ** (4 * self.p - 4) * slip
+        if self.h and not sign:
+            charge = charge - self.h * (self.p - 1.0) * self.held(T, deep) * away
+        one = np.ones_like(q)
+        rates = [push / self.reduced + centre, rub / self.reduced - pull, -arm * rub * turned]
+        return np.array([-away / 4, *(fast * r for r in (*rates, spun, charge, angle, one))])
+
+    def panel(self, y: Array, length: float, sign: float) -> Array:
+        """The state at the end of a panel in s, by fixed-point iteration of its collocation."""
+        at = np.repeat(y[:, None], NODES, axis=1)
+        for _ in range(100):
+            slope = self.slopes(at, sign)
+            new = y[:, None] + length * slope @ INSIDE.T
+            done = bool((np.abs(new - at) <= 4e-16 * np.abs(new).max(axis=1)[:, None]).all())
+            at = new
+            if done:
+                break
+        end: Array = y + length * self.slopes(at, sign) @ WHOLE
+        return end
+
+
+def after(
+    strike: Strike, *, vn: float, vt: float, spin: float = 0.0, partner_spin: float = 0.0
+) -> tuple[float, float, float, float, float]:
+    """Normal and tangential velocity, both spins, and the duration, as `rebound` has them."""
+    p, m = strike.p, strike.reduced
+    deep = ((p + 1.0) * m * vn**2 / (2.0 * strike.K)) ** (1.0 / (p + 1.0))
+    length = 16.0 * deep**0.25 / vn / PANELS
+    y = np.array([0.0, -vn, vt, spin, partner_spin, 0.0, 0.0, 0.0])
+    sign = _first(strike, y)
+    for _ in range(20 * PANELS):
+        stops = [_pressing(strike), _sliding(strike, sign)]
+        ahead = strike.panel(y, length, sign)
+        crossed = [stop for stop in stops if stop(ahead) < 0.0]
+        if crossed:
+            shares = [(_share(strike, y, length, sign, stop), stop) for stop in crossed]
+            share, stop = min(shares, key=lambda pair: pair[0])
+            y = strike.panel(y, share * length, sign)
+            if stop is stops[0]:
+                return _read(y)
+            y[5] = sign * strike.mu * float(strike.normal_force(y[0], y[1])) if sign else y[5]
+            sign = 0.0 if sign else float(np.sign(y[5]))
+        else:
+            y = ahead
+    raise RuntimeError("the contact did not end")
+
+
+Test = Callable[[Array], float]
+
+
+def _pressing(strike: Strike) -> Test:
+    """Negative once contact is over: q for a spring alone, else the force; both start at zero."""
+    if strike.z == 0.0:
+        return lambda y: float(y[0])
+    return lambda y: float(strike.normal_force(y[0], y[1]))
+
+
+def _sliding(strike: Strike, sign: float) -> Test:
+    """Negative once a contact that sticks should slip, or one that slips should stick."""
+    if not sign:
+        return lambda y: strike.mu * float(strike.normal_force(y[0], y[1])) - abs(float(y[5]))
+
+    smallest = (strike.reduced / strike.K) ** 0.25
+
+    def margin(y: Array) -> float:
+        held = y.copy()
+        held[5] = sign * strike.mu * float(strike.normal_force(y[0], y[1]))
+        free = strike.slopes(held[:, None], 0.0)[5, 0]
+        tiny = 1e-6 * max(float(y[0]), 1e-3 * smallest) / max(abs(float(y[1])), 1e-9)
+        slope = strike.slopes(y[:, None], sign)[:, 0]
+        ahead, back = y + tiny * slope, y - tiny * slope
+        force = [float(strike.normal_force(one[0], one[1])) for one in (ahead, back)]
+        return float(sign * free - strike.mu * (force[0] - force[1]) / (2.0 * tiny))
+
+    return margin
+
+
+def _share(strike: Strike, y: Array, length: float, sign: float, stop: Test) -> float:
+    """Where in a panel a test turns negative, by bisection."""
+    low, high = 0.0, 1.0
+    for _ in range(60):
+        middle = 0.5 * (low + high)
+        if stop(strike.panel(y, middle * length, sign)) < 0.0:
+            high = middle
+        else:
+            low = middle
+    return 0.5 * (low + high)
+
+
+def _first(strike: Strike, y: Array) -> float:
+    """The sign of T if the contact slips from the start, else 0."""
+    slip = y[2] - strike.radius * y[3]
+    slip -= strike.partner_radius * y[4] if strike.partner_radius < inf else 0.0
+    limit = (strike.p - strike.h * (strike.p - 1.0)) * strike.mu * strike.K * -y[1]
+    if strike.mu == 0.0 or (strike.z == 0.0 and strike.S * abs(slip) > limit):
+        return -float(np.sign(slip)) or 1.0
+    return 0.0
+
+
+def _read(y: Array) -> tuple[float, float, float, float, float]:
+    """Velocities along the axes of the start."""
+    c, s = cos(float(y[6])), sin(float(y[6]))
+    normal, tangential = c * y[1] - s * y[2], s * y[1] + c * y[2]
+    return float(normal), float(tangential), float(y[3]), float(y[4]), float(y[7])

@@ -1,0 +1,68 @@
+"""Two elastic bodies strike each other along their normal without friction (Hertz 1882).
+
+The force is K U^(3/2) of the overlap U [m], with K = 4/3 E sqrt(R) [N/m^1.5], E [Pa] the effective
+modulus and R [m] the effective radius. m [kg] is the reduced mass and v [m/s] the speed of
+approach; contact begins at t = 0. Every function raises ValueError for parameters outside their
+ranges.
+"""
+
+from math import sqrt
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+from scipy.special import beta, betaincinv
+
+from reference_solutions.parameters import require_positive, require_times
+
+Array = NDArray[np.float64]
+
+
+def effective_modulus(young: float, poisson: float) -> float:
+    """E [Pa] of a body on a rigid one: 1/E = (1 - nu^2)/Young's modulus, of two the sum of both."""
+    return young / (1.0 - poisson**2)
+
+
+def effective_shear_modulus(young: float, poisson: float) -> float:
+    """G [Pa] of a body on a rigid one: 1/G = (2 - nu)/shear modulus, of two the sum of both."""
+    return young / (2.0 * (1.0 + poisson) * (2.0 - poisson))
+
+
+def normal_factor(*, modulus: float, radius: float) -> float:
+    """K [N/m^1.5] of Fn = K U^(3/2), from effective modulus [Pa] and effective radius [m]."""
+    require_positive("in SI units", modulus=modulus, radius=radius)
+    return 4.0 / 3.0 * modulus * sqrt(radius)
+
+
+def shear_factor(*, modulus: float, radius: float) -> float:
+    """T [N/m^1.5] of Mindlin's stiffness without slip T sqrt(U), from the effective shear modulus
+    [Pa] and the effective radius [m] (Mindlin 1949).
+    """
+    require_positive("in SI units", modulus=modulus, radius=radius)
+    return 8.0 * modulus * sqrt(radius)
+
+
+def deepest(*, m: float, K: float, v: float) -> float:
+    """Largest overlap [m]: 2/5 K U^(5/2) is the energy m v^2/2 that is there at first."""
+    require_positive("in SI units", m=m, K=K, v=v)
+    return float((1.25 * m * v**2 / K) ** 0.4)
+
+
+def largest_force(*, m: float, K: float, v: float) -> float:
+    """Force [N] at the largest overlap."""
+    return float(K * deepest(m=m, K=K, v=v) ** 1.5)
+
+
+def lasting(*, m: float, K: float, v: float) -> float:
+    """Duration [s] of the contact, 4/5 B(2/5, 1/2) = 2.943 times U_max/v."""
+    return 0.8 * float(beta(0.4, 0.5)) * deepest(m=m, K=K, v=v) / v
+
+
+def overlap(t: ArrayLike, *, m: float, K: float, v: float) -> Array:
+    """The overlap [m] at times t >= 0 [s] of any shape; negative once they are apart.
+
+    t = U_max/v 2/5 B(x; 2/5, 1/2), the incomplete beta function of x = (U/U_max)^(5/2).
+    """
+    t, end = require_times(t), lasting(m=m, K=K, v=v)
+    half = np.clip(1.0 - np.abs(2.0 * t / end - 1.0), 0.0, 1.0)
+    pressed = deepest(m=m, K=K, v=v) * betaincinv(0.4, 0.5, half) ** 0.4
+    return np.where(t < end, pressed, -v * (t - end))

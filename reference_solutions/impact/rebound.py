@@ -1,0 +1,229 @@
+"""A sphere strikes a wall or another sphere at an angle, with Coulomb friction, in a plane.
+
+Forces, with the overlap U [m] and exponent p (1: linear springs, 3/2: Hertz and Mindlin):
+- normal Fn = max(0, K U^p + D U^((p - 1)/2) U'), which never pulls; contact ends where it is zero;
+- tangential T' = -S U^(p - 1) s, the stiffness without slip, by increments; |T| <= mu Fn, with the
+  whole of Fn; s is the slip where the bodies touch, in the middle of the overlap, so that arms are
+  R - U/2.
+Codes differ in two of these, which `Law` therefore has as numbers: the arms R - a U, and whether a
+spring of today's stiffness holds all of the slip, T = -S U^(p - 1) times the integral of s.
+The equations are solved in Cartesian coordinates by an explicit method of order 8 between events,
+at which the contact begins or ends to slip. There is no closed form, but for a sphere that slips
+throughout: vt falls by mu (1 + e) vn.
+"""
+
+from dataclasses import dataclass
+from functools import cache
+from math import copysign, hypot, inf, sqrt
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.integrate import solve_ivp
+
+Array = NDArray[np.float64]
+RELATIVE = 3e-14  # tolerance of a step: 100 roundings
+MOST = 20  # changes between slip and no slip; more is a failure
+
+
+@dataclass(frozen=True)
+class Law:
+    """K, S [N/m^p], friction mu, exponent p, and z of D = 2 z sqrt(m p K), m the reduced mass.
+
+    a: arms are R - a U. h: T' has h (p - 1) T U'/U beside the increments: 0 for increments alone,
+    1 for a spring of today's stiffness.
+    """
+
+    K: float
+    S: float
+    mu: float
+    p: float = 1.5
+    z: float = 0.0
+    a: float = 0.5
+    h: float = 0.0
+
+    def __post_init__(self) -> None:
+        for name in ("K", "p"):
+            if not 0.0 < getattr(self, name) < inf:
+                raise ValueError(f"Law.{name} = {getattr(self, name)}; it must be positive")
+        for name in ("S", "mu", "z", "a", "h"):
+            if not 0.0 <= getattr(self, name) < inf:
+                raise ValueError(f"Law.{name} = {getattr(self, name)}; it must be zero or more")
+
+
+@dataclass(frozen=True)
+class Sphere:
+    """Radius [m] and mass [kg]; as a partner, a wall is a sphere without end. Inertia 2/5 m R^2."""
+
+    radius: float
+    mass: float
+
+    @property
+    def is_wall(self) -> bool:
+        """Whether it is a wall."""
+        return self.radius == inf
+
+
+WALL = Sphere(inf, inf)
+
+
+class After(NamedTuple):
+    """Velocities after an impact, and how long it took [s].
+
+    normal, tangential: of the sphere against its partner [m/s], along the line of centres as it
+    was at first, positive away from the partner, and across it; spin, partner_spin [1/s].
+    """
+
+    normal: float
+    tangential: float
+    spin: float
+    partner_spin: float
+    lasting: float
+
+
+@cache
+def rebound(
+    law: Law,
+    sphere: Sphere,
+    *,
+    vn: float,
+    vt: float = 0.0,
+    spin: float = 0.0,
+    partner: Sphere = WALL,
+    partner_spin: float = 0.0,
+) -> After:
+    """What an impact with the speed vn towards the partner and vt across it [m/s] ends with.
+
+    A spin is positive from the normal, which points to the sphere, to the tangent. Raises
+    ValueError unless vn is positive, RuntimeError if the integration fails.
+    """
+    if not 0.0 < vn < inf:
+        raise ValueError(f"vn = {vn} m/s; the bodies must approach each other")
+    impact = _Impact(law, sphere, partner, vn)
+    start = np.array([0.0, 0.0, -vn, vt, spin, partner_spin, 0.0])
+    time, state = 0.0, start
+    slips = impact.slips_first(start)
+    for _ in range(MOST):
+        time, state, ended = impact.until_change(time, state, slips)
+        if ended:
+            return After(state[2], state[3], state[4], state[5], time)
+        slips = 0.0 if slips else copysign(1.0, state[6])
+    raise RuntimeError(f"the contact began or ended to slip more than {MOST} times")
+
+
+class _Impact:
+    """The equations of two bodies in contact; states (7,): displacement, velocity, spins, T."""
+
+    def __init__(self, law: Law, sphere: Sphere, partner: Sphere, vn: float) -> None:
+        self.law, self.sphere, self.partner = law, sphere, partner
+        self.gap = sphere.radius + partner.radius
+        one, two = sphere, partner
+        self.mass = one.mass if two.is_wall else one.mass * two.mass / (one.mass + two.mass)
+        self.damping = 2.0 * law.z * sqrt(self.mass * law.p * law.K)
+        deep = ((law.p + 1.0) * self.mass * vn**2 / (2.0 * law.K)) ** (1.0 / (law.p + 1.0))
+        self.longest = 20.0 * deep / vn * max(1.0, law.z)
+        turn = vn / sphere.radius
+        self.sizes = np.array([deep, deep, vn, vn, turn, turn, law.K * deep**law.p])
+
+    def frame(self, y: Array) -> tuple[Array, Array, float]:
+        """Normal, tangent, overlap, which is taken from displacements without cancellation."""
+        if self.partner.is_wall:
+            return np.array([1.0, 0.0]), np.array([0.0, 1.0]), -float(y[0])
+        gap, along, across = self.gap, float(y[0]), float(y[1])
+        distance = hypot(gap + along, across)
+        overlap = -(2.0 * gap * along + along**2 + across**2) / (gap + distance)
+        normal = np.array([gap + along, across]) / distance
+        return normal, np.array([-normal[1], normal[0]]), overlap
+
+    def push(self, overlap: float, closing: float) -> float:
+        """Fn, without the limit at zero."""
+        law, deep = self.law, max(overlap, 0.0)
+        return float(law.K * deep**law.p + self.damping * deep ** (0.5 * law.p - 0.5) * closing)
+
+    def arms(self, overlap: float) -> tuple[float, float]:
+        """From the centres to where the bodies touch [m]; 0 for a wall."""
+        short = self.law.a * overlap
+        second = 0.0 if self.partner.is_wall else self.partner.radius - short
+        return self.sphere.radius - short, second
+
+    def slip(self, y: Array, tangent: Array, overlap: float) -> float:
+        """s [m/s]."""
+        first, second = self.arms(overlap)
+        return float(y[2:4] @ tangent - first * y[4] - second * y[5])
+
+    def slope(self, y: Array, slips: float) -> Array:
+        """y'; slips: the sign of T where the contact slips, else 0."""
+        normal, tangent, overlap = self.frame(y)
+        push = max(self.push(overlap, -float(y[2:4] @ normal)), 0.0)
+        rubbing = slips * self.law.mu * push if slips else y[6]
+        one, two = self.sphere, self.partner
+        rate = (push * normal + rubbing * tangent) / self.mass
+        first, second = self.arms(overlap)
+        spun = -first * rubbing / (0.4 * one.mass * one.radius**2)
+        other = 0.0 if two.is_wall else -second * rubbing / (0.4 * two.mass * two.radius**2)
+        charging = 0.0 if slips else self.charging(y, tangent, overlap, float(y[6]))
+        return np.array([y[2], y[3], rate[0], rate[1], spun, other, charging])
+
+    def charging(self, y: Array, tangent: Array, overlap: float, force: float) -> float:
+        """T' without slip, where T is `force`."""
+        stiff = float(self.law.S * max(overlap, 0.0) ** (self.law.p - 1.0))
+        rate = -stiff * self.slip(y, tangent, overlap)
+        if self.law.h and overlap > 0.0:
+            closing = -float(y[2:4] @ self.frame(y)[0])
+            rate += self.law.h * (self.law.p - 1.0) * force * closing / overlap
+        return rate
+
+    def slips_first(self, y: Array) -> float:
+        """The sign of T if the contact slips from the start: all forces grow as t^p then."""
+        law, slip = self.law, self.slip(y, np.array([0.0, 1.0]), 0.0)
+        growth = law.p - law.h * (law.p - 1.0)  # T' of T = S v^(p - 1) s t^p/growth
+        cap = growth * law.mu * law.K * -float(y[2])
+        slips = law.mu == 0.0 or (self.damping == 0.0 and law.S * abs(slip) > cap)
+        return -copysign(1.0, slip) if slips else 0.0
+
+    def until_change(self, time: float, y: Array, slips: float) -> tuple[float, Array, bool]:
+        """Time and state where the contact ends, or begins or ends to slip; whether it ended."""
+
+        def ends(t: float, y: Array) -> float:
+            normal, _, overlap = self.frame(y)
+            return self.push(overlap, -float(y[2:4] @ normal)) if overlap > 0.0 else overlap
+
+        def changes(t: float, y: Array) -> float:
+            if self.law.mu == 0.0:
+                return 1.0
+            return self.exceeding(y, slips) if slips else self.reserve(y)
+
+        for event in (ends, changes):
+            event.terminal, event.direction = True, -1.0  # type: ignore[attr-defined]
+        found = solve_ivp(
+            lambda t, y: self.slope(y, slips), (time, time + self.longest), y, "DOP853",
+            events=(ends, changes), rtol=RELATIVE, atol=1e-15 * self.sizes,
+            first_step=1e-6 * self.longest,
+        )  # fmt: skip
+        if found.status != 1:
+            raise RuntimeError(f"the contact did not end within {self.longest:.3g} s")
+        state = found.y[:, -1].copy()
+        if slips:
+            normal, _, overlap = self.frame(state)
+            push = max(self.push(overlap, -float(state[2:4] @ normal)), 0.0)
+            state[6] = slips * self.law.mu * push
+        return float(found.t[-1]), state, bool(len(found.t_events[0]))
+
+    def reserve(self, y: Array) -> float:
+        """mu Fn - |T|."""
+        normal, _, overlap = self.frame(y)
+        return self.law.mu * self.push(overlap, -float(y[2:4] @ normal)) - abs(float(y[6]))
+
+    def exceeding(self, y: Array, slips: float) -> float:
+        """By how much faster |T| would grow without slip than its limit, [N/s]."""
+        normal, tangent, overlap = self.frame(y)
+        law, deep, closing = self.law, max(overlap, 1e-300), -float(y[2:4] @ normal)
+        across = float(y[2:4] @ tangent)
+        turning = 0.0 if self.partner.is_wall else across**2 / (self.gap - overlap)
+        slowing = -max(self.push(overlap, closing), 0.0) / self.mass - turning
+        half = 0.5 * law.p - 0.5
+        rate = law.K * law.p * deep ** (law.p - 1.0) * closing
+        if self.damping:
+            rate += self.damping * deep**half * (half * closing**2 / deep + slowing)
+        force = slips * law.mu * max(self.push(overlap, closing), 0.0)
+        return float(slips * self.charging(y, tangent, overlap, force) - law.mu * rate)

@@ -1,0 +1,116 @@
+"""Claims about oblique impacts: two routes agree, and printed answers of others are explained."""
+
+import math
+
+import pytest
+
+from reference_solutions.checks.impact import rebound as second
+from reference_solutions.impact import hertz
+from reference_solutions.impact.rebound import WALL, After, Law, Sphere, rebound
+
+RADIUS, SPEED, MU = 0.0025, 3.9, 0.092
+ALUMINA = Sphere(RADIUS, 4000 * 4.0 / 3.0 * math.pi * RADIUS**3)
+HERTZ = (
+    hertz.normal_factor(modulus=hertz.effective_modulus(3.8e11, 0.23), radius=RADIUS),
+    hertz.shear_factor(modulus=hertz.effective_shear_modulus(3.8e11, 0.23), radius=RADIUS),
+)
+LINEAR = (1.72e7, 1.48e7)
+
+
+def _struck(law: Law, degrees: float) -> After:
+    angle = math.radians(degrees)
+    return rebound(law, ALUMINA, vn=SPEED * math.cos(angle), vt=SPEED * math.sin(angle))
+
+
+def _again(law: Law, one: Sphere, two: Sphere, **start: float) -> tuple[float, ...]:
+    strike = second.Strike(
+        law.K, law.S, law.mu, law.p, law.z, one.radius, one.mass, two.radius, two.mass, law.a, law.h
+    )
+    return second.after(strike, **start)
+
+
+def _agree(law: Law, one: Sphere, two: Sphere, start: dict[str, float]) -> None:
+    first = rebound(law, one, partner=two, **start)
+    other = _again(law, one, two, **start)
+    speed = math.hypot(start["vn"], start.get("vt", 0.0))
+    turn = max(speed / one.radius, abs(start.get("spin", 0.0)))
+    for a, b, size in zip(first, other, (speed, speed, turn, turn, first.lasting), strict=True):
+        assert a == pytest.approx(b, abs=1e-10 * size)
+
+
+@pytest.mark.parametrize("degrees", [2, 10, 20, 45])
+@pytest.mark.parametrize(("factors", "p", "z"), [(HERTZ, 1.5, 0.0), (LINEAR, 1.0, 0.2)])
+def test_two_routes_agree_on_a_wall(
+    factors: tuple[float, float], p: float, z: float, degrees: float
+) -> None:
+    angle = math.radians(degrees)
+    start = {"vn": SPEED * math.cos(angle), "vt": SPEED * math.sin(angle)}
+    _agree(Law(*factors, MU, p, z), ALUMINA, WALL, start)
+
+
+def test_two_routes_agree_on_other_codes_conventions() -> None:
+    _agree(Law(*HERTZ, MU, a=1.0, h=1.0), ALUMINA, WALL, {"vn": 3.84, "vt": 0.68})
+
+
+@pytest.mark.parametrize("z", [0.0, 0.3])
+@pytest.mark.parametrize("spin", [0.5, 20.0])
+def test_two_routes_agree_on_two_spheres_that_spin(z: float, spin: float) -> None:
+    factors = (2.343e9, 2.8e9)
+    one, two = Sphere(0.1, 11.3), Sphere(0.2, 90.0)
+    start = {"vn": 0.4, "vt": 0.1, "spin": spin, "partner_spin": -3.0}
+    _agree(Law(*factors, 0.4, 1.5, z), one, two, start)
+
+
+@pytest.mark.parametrize("degrees", [45, 60, 85])
+@pytest.mark.parametrize(("factors", "p"), [(HERTZ, 1.5), (LINEAR, 1.0)])
+def test_a_sphere_that_slips_throughout_loses_2_mu_of_its_normal_speed(
+    factors: tuple[float, float], p: float, degrees: float
+) -> None:
+    after, angle = _struck(Law(*factors, MU, p), degrees), math.radians(degrees)
+    lost = SPEED * math.sin(angle) - after.tangential
+    assert lost == pytest.approx(2 * MU * SPEED * math.cos(angle), rel=1e-11)
+
+
+@pytest.mark.parametrize("z", [0.1, 0.6, 0.9])
+def test_restitution_of_a_linear_dashpot_is_that_of_schwager_and_poeschel(z: float) -> None:
+    after = rebound(Law(1e6, 0.0, 0.0, 1.0, z), Sphere(1.0, 2.0), vn=0.3)
+    exponent = z * (math.pi - 2 * math.asin(z)) / math.sqrt(1 - z * z)
+    assert after.normal / 0.3 == pytest.approx(math.exp(-exponent), rel=1e-10)
+
+
+def test_restitution_of_a_dashpot_on_hertz_does_not_depend_on_speed_or_stiffness() -> None:
+    seen = [
+        rebound(Law(K, 0.0, 0.0, 1.5, 0.2), Sphere(1.0, 2.0), vn=v).normal / v
+        for K, v in ((1e6, 0.3), (1e9, 30.0))
+    ]
+    assert seen[0] == pytest.approx(seen[1], rel=1e-11)
+
+
+MFIX_HERTZ = {  # degrees: tangential restitution, spin [1/s]; case DEM05, particle and wall
+    5.0: (0.9400, 20.2515), 10.0: (0.6903, 208.3846), 15.0: (0.6236, 377.6207),
+    20.0: (0.6150, 510.5268), 30.0: (0.6813, 618.3861), 45.0: (0.8160, 505.2858),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize(("degrees", "printed"), MFIX_HERTZ.items())
+def test_mfix_prints_hertz_with_a_spring_of_todays_stiffness_and_the_arm_of_the_distance(
+    degrees: float, printed: tuple[float, float]
+) -> None:
+    after = _struck(Law(4.1968e9, 5.4084e9, MU, a=1.0, h=1.0), degrees)
+    kept = after.tangential / (SPEED * math.sin(math.radians(degrees)))
+    assert kept == pytest.approx(printed[0], rel=3e-3)
+    # spin is small against what slipping makes of it: 3e-3 of the largest, 620 1/s
+    assert after.spin == pytest.approx(printed[1], abs=3e-3 * 620)
+
+
+def test_increments_alone_are_told_apart_from_a_spring_of_todays_stiffness() -> None:
+    kept = [
+        _struck(Law(*HERTZ, MU, h=h), 5.0).tangential / (SPEED * math.sin(math.radians(5.0)))
+        for h in (0.0, 1.0)
+    ]
+    assert kept[1] - kept[0] > 0.05
+
+
+def test_a_body_that_does_not_approach_is_refused() -> None:
+    with pytest.raises(ValueError, match="vn = -1"):
+        rebound(Law(1.0, 1.0, 0.1), Sphere(1.0, 1.0), vn=-1.0)
