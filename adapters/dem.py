@@ -31,6 +31,7 @@ TERMS = frozenset(
         Term.BREAKAGE,
         Term.CARRIED,
         Term.CONTACT_VISCOSITY,
+        Term.HERTZ,
     }
 )
 OBSERVABLES = frozenset({Displacement, Velocity, Reaction})

@@ -18,14 +18,15 @@ from vv.codes import Found, Scheme
 from vv.scene import Term
 from vv.standins.stand_in import STANDS_IN
 
-UNRAISED = STANDS_IN | {Term.CONTACT_VISCOSITY}  # what raised masses were not verified with
+NO_SPRING = {Term.CONTACT_VISCOSITY, Term.HERTZ}
+UNRAISED = STANDS_IN | NO_SPRING  # what raised masses were not verified with
 TERMS = frozenset(TRANSLATIONS) - {Term.BOND_SHEAR}
 ON_CORNERS = TERMS - {
     Term.SPHERE,
     Term.SPHERE_CONTACT,
     Term.DRAG,
     Term.BOND,
-    Term.CONTACT_VISCOSITY,
+    *NO_SPRING,
 }
 ON_BONDS = frozenset({Term.SPHERE, Term.DRAG, Term.GRAVITY, Term.LOAD, Term.BOND, Term.BOND_SHEAR})
 KNOBS = ("dt", "kn")

@@ -20,10 +20,11 @@ from vv.scene import Term
 from vv.standins.stand_in import STANDS_IN
 
 TERMS = frozenset(TRANSLATIONS)
-UNRAISED = STANDS_IN | {Term.CONTACT_VISCOSITY}  # what raised masses were not verified with
+NO_SPRING = {Term.CONTACT_VISCOSITY, Term.HERTZ}
+UNRAISED = STANDS_IN | NO_SPRING  # what raised masses were not verified with
 BONDED = {Term.BOND, Term.BOND_SHEAR, Term.BREAKAGE}
 ONLY_SPHERES = {Term.SPHERE, Term.SPHERE_CONTACT, Term.DRAG, Term.CARRIED} | BONDED
-ONE_BLOCK = TERMS - ONLY_SPHERES - {Term.CONTACT_VISCOSITY}
+ONE_BLOCK = TERMS - ONLY_SPHERES - NO_SPRING
 KNOBS = ("dt", "kn")
 OBSERVABLES = frozenset({Displacement, Velocity, Reaction})
 SCHEMES = (

@@ -56,6 +56,7 @@ def bare(setup: Setup) -> Given:
         "ks": 0.0,
         "mu": float(contact.mu),
         "eta_n": 0.0,
+        "hertz": {},
         "gravity": [0.0, 0.0, 0.0],
         "drag": 0.0,
         "shaking": [],

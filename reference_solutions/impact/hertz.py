@@ -6,15 +6,15 @@ approach; contact begins at t = 0. Every function raises ValueError for paramete
 ranges.
 """
 
-from math import sqrt
+from math import gamma, sqrt
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
-from scipy.special import beta, betaincinv
 
 from reference_solutions.parameters import require_positive, require_times
 
 Array = NDArray[np.float64]
+BETA = gamma(0.4) * gamma(0.5) / gamma(0.9)  # B(2/5, 1/2)
 
 
 def effective_modulus(young: float, poisson: float) -> float:
@@ -54,7 +54,7 @@ def largest_force(*, m: float, K: float, v: float) -> float:
 
 def lasting(*, m: float, K: float, v: float) -> float:
     """Duration [s] of the contact, 4/5 B(2/5, 1/2) = 2.943 times U_max/v."""
-    return 0.8 * float(beta(0.4, 0.5)) * deepest(m=m, K=K, v=v) / v
+    return 0.8 * BETA * deepest(m=m, K=K, v=v) / v
 
 
 def overlap(t: ArrayLike, *, m: float, K: float, v: float) -> Array:
@@ -62,6 +62,8 @@ def overlap(t: ArrayLike, *, m: float, K: float, v: float) -> Array:
 
     t = U_max/v 2/5 B(x; 2/5, 1/2), the incomplete beta function of x = (U/U_max)^(5/2).
     """
+    from scipy.special import betaincinv
+
     t, end = require_times(t), lasting(m=m, K=K, v=v)
     half = np.clip(1.0 - np.abs(2.0 * t / end - 1.0), 0.0, 1.0)
     pressed = deepest(m=m, K=K, v=v) * betaincinv(0.4, 0.5, half) ** 0.4

@@ -19,7 +19,6 @@ from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.integrate import solve_ivp
 
 Array = NDArray[np.float64]
 RELATIVE = 3e-14  # tolerance of a step: 100 roundings
@@ -183,6 +182,8 @@ class _Impact:
 
     def until_change(self, time: float, y: Array, slips: float) -> tuple[float, Array, bool]:
         """Time and state where the contact ends, or begins or ends to slip; whether it ended."""
+
+        from scipy.integrate import solve_ivp
 
         def ends(t: float, y: Array) -> float:
             normal, _, overlap = self.frame(y)

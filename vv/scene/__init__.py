@@ -16,6 +16,7 @@ from vv.scene.bodies import Harmonic, Pulse, Spheres, Wall
 from vv.scene.bonds import Bonds, Pairs
 from vv.scene.contact import Contact
 from vv.scene.energy import DISSIPATED, Form, Loss
+from vv.scene.hertz import Hertz
 from vv.scene.scene import Scene
 from vv.scene.start import initial_normal_forces
 from vv.scene.terms import Term
@@ -38,6 +39,7 @@ __all__ = [
     "Elastic",
     "Form",
     "Harmonic",
+    "Hertz",
     "Loss",
     "Mask",
     "Pairs",

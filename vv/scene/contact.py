@@ -1,10 +1,12 @@
-"""The contact law between bodies: stiffnesses, Coulomb friction and normal viscosity."""
+"""The contact law between bodies: springs or elastic moduli, Coulomb friction, viscosity."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 
 import numpy as np
+
+from vv.scene.hertz import Hertz
 
 
 @dataclass(frozen=True)
@@ -20,17 +22,25 @@ class Contact:
     With eta_n > 0, Fn = max(0, kn U + eta_n U'): the force never pulls and ends before the overlap
     does (Schwager and Poeschel 2007). Friction on such a contact is not defined here.
 
+    With `hertz` elastic spheres touch by that law in place of springs: kn, ks, eta_n are then 0.
+
     Raises ValueError for a kn that is not positive, for other values that are negative or not
-    finite, and for eta_n > 0 together with friction or rigid contact.
+    finite, for eta_n > 0 together with friction or rigid contact, and for springs beside `hertz`.
     """
 
     kn: float
     ks: float = 0.0
     mu: float = 0.0
     eta_n: float = 0.0
+    hertz: Hertz | None = None
 
     def __post_init__(self) -> None:
-        if not self.kn > 0:
+        if self.hertz is not None and (self.kn, self.ks, self.eta_n) != (0.0, 0.0, 0.0):
+            raise ValueError(
+                f"Contact.kn, ks, eta_n = {self.kn!r}, {self.ks!r}, {self.eta_n!r}; they must be 0 "
+                "beside Contact.hertz, which takes their place"
+            )
+        if self.hertz is None and not self.kn > 0:
             raise ValueError(f"Contact.kn = {self.kn!r} N/m; a stiffness must be positive")
         for name, unit in (("ks", " N/m"), ("mu", ""), ("eta_n", " N s/m")):
             value = getattr(self, name)
@@ -50,4 +60,5 @@ class Contact:
     @property
     def carries_shear(self) -> bool:
         """Whether the contact can transmit a shear force."""
-        return self.mu > 0 and (self.ks > 0 or self.rigid)
+        stiff = self.ks if self.hertz is None else self.hertz.shear_modulus
+        return self.mu > 0 and (stiff > 0 or self.rigid)

@@ -14,6 +14,7 @@ from vv.scene.block import Block
 from vv.scene.bodies import NO_SPHERES, Harmonic, Pulse, Spheres, Wall
 from vv.scene.bonds import Bonds, Pairs
 from vv.scene.contact import Contact
+from vv.scene.hertz import Hertz
 from vv.scene.terms import Term
 
 
@@ -136,6 +137,8 @@ class Scene:
             Term.BREAKAGE: bonds is not None and bool(bonds.breakable.any()),
             Term.CARRIED: bool(self.locked_velocity.any()),
             Term.CONTACT_VISCOSITY: self.contact.eta_n > 0,
+            Term.HERTZ: self.contact.hertz is not None,
+            Term.HERTZ_VISCOSITY: (self.contact.hertz or NO_HERTZ).damping > 0,
         }
         return frozenset(term for term, there in present.items() if there)
 
@@ -165,6 +168,7 @@ class Scene:
         return not aligned and any(mask.any() and not mask.all() for mask in masks)
 
 
+NO_HERTZ = Hertz(1.0)  # which is neither stiff across the normal nor viscous
 LOCKED_SPEED = 1e-12  # of the speed: a smaller component along a locked direction is rounding
 SAME_LAW = (
     1e-9  # relative: by how much kn, ks and length of a breakable bond may differ from contact

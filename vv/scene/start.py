@@ -12,19 +12,29 @@ from vv.scene.scene import Scene
 
 def initial_normal_forces(scene: Scene) -> Vector:
     """The (n, 3) normal forces [N] of contacts and bonds on the spheres as they start."""
-    spheres, kn = scene.spheres, scene.contact.kn
-    force = _pull(scene)
+    spheres, force = scene.spheres, _pull(scene)
     for wall in scene.walls:
         gap = (spheres.position - wall.point) @ wall.normal - spheres.radius
-        force += kn * np.maximum(-gap, 0.0)[:, None] * wall.normal
+        overlap = np.maximum(-gap, 0.0)
+        stiff = _stiffness(scene, overlap, 1.0 / spheres.radius)
+        force += (stiff * overlap)[:, None] * wall.normal
     pairs = unbonded(scene, overlapping(spheres))
     pairs = np.concatenate([pairs, pairs[:, ::-1]])
     i, j = pairs[np.argsort(pairs[:, 0], kind="stable")].T  # sums in the order of the spheres
     offset = spheres.position[j] - spheres.position[i]
     distance = np.linalg.norm(offset, axis=1)
     overlap = spheres.radius[j] + spheres.radius[i] - distance
-    np.add.at(force, j, kn * (overlap / distance)[:, None] * offset)
+    stiff = _stiffness(scene, overlap, 1.0 / spheres.radius[i] + 1.0 / spheres.radius[j])
+    np.add.at(force, j, (stiff * (overlap / distance))[:, None] * offset)
     return force
+
+
+def _stiffness(scene: Scene, overlap: Vector, curvature: Vector) -> Vector:
+    """Force over overlap [N/m] of contacts of these overlaps [m], which are not negative."""
+    law = scene.contact
+    if law.hertz is None:
+        return np.full(len(overlap), law.kn)
+    return law.hertz.normal_factor(curvature) * np.sqrt(overlap)
 
 
 def unbonded(scene: Scene, pairs: Pairs) -> Pairs:

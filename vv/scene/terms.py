@@ -29,3 +29,5 @@ class Term(enum.Enum):
     BREAKAGE = "bonds that break"
     CARRIED = "locked bodies that move steadily"
     CONTACT_VISCOSITY = "contact that is viscous along its normal"
+    HERTZ = "contact of elastic spheres by Hertz and Mindlin"
+    HERTZ_VISCOSITY = "contact of elastic spheres that is viscous along its normal"

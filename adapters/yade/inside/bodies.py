@@ -48,7 +48,7 @@ def wall(body: dict[str, Any]) -> int:
     """Append an infinite wall across an axis, acting on its normal's side."""
     axis = int(np.argmax(np.abs(body["normal"])))
     sense = 1 if body["normal"][axis] > 0 else -1
-    return int(O.bodies.append(utils.wall(body["point"], axis, sense=sense)))
+    return int(O.bodies.append(utils.wall(body["point"], axis, sense=sense, material=0)))
 
 
 def facet(body: dict[str, Any]) -> int:
@@ -56,7 +56,7 @@ def facet(body: dict[str, Any]) -> int:
 
     It is put in place after it was made, which keeps the point free of the corners' rounding.
     """
-    made = utils.facet(body["corners"])
+    made = utils.facet(body["corners"], material=0)
     made.state.pos = made.state.refPos = body["point"]
     return int(O.bodies.append(made))
 

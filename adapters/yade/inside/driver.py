@@ -5,16 +5,17 @@ this folder: as `python3 script.py ask.json ...`, where answers go to ask.json.n
 act, ask.json.answer; or alone, as a script in which ASK is filled in.
 
 An ask says, in SI units: dt; steps, and stride: how many of them lie between two outputs; kn, ks,
-mu and eta_n of every contact; gravity; drag, the coefficient of -drag v; observe, pairs of quantity
-and body; contacts, how many overlap at the start; moves, whether something must move; bodies, in
-the order of YADE's ids; shaking, the sines A sin(2 pi f t + fi) of a body acceleration; charged,
-the friction with which a wall holds a sphere at the start; volumes: whether polyhedra overlap by
-volumes, for which kn is a stiffness per area; bonds. A sphere has position, velocity (half a step
-before t = 0), spin, mass, inertia, the mass that is shaken, blocked freedoms, a dead force, push
-and twist: a force and a torque during the first step, carried: the velocity that it keeps where it
-is blocked, and held: what it has of that in the first step. A wall's motion holds sines as YADE's
-HarmonicMotionEngine takes them. A bond has its pair of bodies, kn, ks, the overlap of its spheres
-at which it does not pull, and its strengths in tension and shear [N].
+mu and eta_n of every contact; hertz: the elastic material of spheres and walls, or empty; gravity;
+drag, the coefficient of -drag v; observe, pairs of quantity and body; contacts, how many overlap at
+the start; moves, whether something must move; bodies, in the order of YADE's ids; shaking, the
+sines A sin(2 pi f t + fi) of a body acceleration; charged, the friction with which a wall holds a
+sphere at the start; volumes: whether polyhedra overlap by volumes, for which kn is a stiffness per
+area; bonds. A sphere has position, velocity (half a step before t = 0), spin, mass, inertia, the
+mass that is shaken, blocked freedoms, a dead force, push and twist: a force and a torque during the
+first step, carried: the velocity that it keeps where it is blocked, and held: what it has of that
+in the first step. A wall's motion holds sines as YADE's HarmonicMotionEngine takes them. A bond has
+its pair of bodies, kn, ks, the overlap of its spheres at which it does not pull, and its strengths
+in tension and shear [N].
 """
 
 import contextlib
@@ -39,6 +40,8 @@ ASK: dict[str, Any] | None = None
 def build(ask: dict[str, Any]) -> None:
     """Set up the scene: bodies, contact law, engines, time step."""
     O.reset()
+    if ask["hertz"]:
+        O.materials.append(stuff(ask, "walls_young"))  # the first is that of walls
     O.materials.append(material(ask))
     for body in ask["bodies"]:
         body["id"] = SHAPES[body["kind"]](body)
@@ -61,12 +64,21 @@ def material(ask: dict[str, Any]) -> Any:
     Polyhedra take two like stiffnesses in series, young and poisson; so do viscous contacts.
     """
     angle = math.atan(ask["mu"])
+    if ask["hertz"]:
+        return stuff(ask, "young")
     if ask["eta_n"]:
         return yd.ViscElMat(kn=2 * ask["kn"], cn=2 * ask["eta_n"], ks=0, cs=0, frictionAngle=angle)
     if not ask["volumes"]:
         return yd.FrictMat(frictionAngle=angle)
     made = yd.PolyhedraMat(frictionAngle=angle)
     made.young, made.poisson = 2 * ask["kn"], ask["ks"] / ask["kn"]
+    return made
+
+
+def stuff(ask: dict[str, Any], young: str) -> Any:
+    """The elastic stuff of spheres or walls, by the name of its Young's modulus."""
+    made = yd.FrictMat(frictionAngle=math.atan(ask["mu"]))
+    made.young, made.poisson = ask["hertz"][young], ask["hertz"]["poisson"]
     return made
 
 

@@ -34,11 +34,19 @@ def contacts(ask: dict[str, Any], kinds: list[str]) -> list[Any]:
         "wall": lambda: yd.Ig2_Wall_Sphere_ScGeom(noRatch=False),
         "facet": yd.Ig2_Facet_Sphere_ScGeom,
     }
-    physics, law = viscous() if ask["eta_n"] else elastic(ask)
+    physics, law = law_of(ask)
     return [
         yd.InsertionSortCollider([bounds[kind]() for kind in kinds]),
         yd.InteractionLoop([geometry[kind]() for kind in kinds], [physics], [law]),
     ]
+
+
+def law_of(ask: dict[str, Any]) -> tuple[Any, Any]:
+    """How contacts get their stiffness, and what they do."""
+    if ask["hertz"]:
+        physics = yd.Ip2_FrictMat_FrictMat_MindlinPhys()
+        return physics, yd.Law2_ScGeom_MindlinPhys_Mindlin(preventGranularRatcheting=False)
+    return viscous() if ask["eta_n"] else elastic(ask)
 
 
 def elastic(ask: dict[str, Any]) -> tuple[Any, Any]:

@@ -2,14 +2,14 @@
 
 from math import sqrt
 
-from scipy.integrate import quad
-
 
 def lasting(*, m: float, K: float, v: float) -> float:
     """Duration [s]: twice the time to the largest overlap, from m u'^2/2 + 2/5 K u^(5/2) = const.
 
     u = U sin^2 s removes the root at U, where the integrand would be infinite.
     """
+    from scipy.integrate import quad
+
     largest = (1.25 * m * v * v / K) ** 0.4
     half, _ = quad(_slowness, 0.0, 1.0, epsabs=1e-14, epsrel=1e-13)
     return float(2.0 * largest / v * half)

@@ -30,7 +30,8 @@ def critical_step(scene: Scene, leapfrog: Leapfrog) -> float:
     that may close, if that is higher; m the least mass.
     """
     mass, square = _stiffest(scene)
-    slowed = scene.eta / mass + scene.contact.eta_n / scene.contact.kn * square
+    law = scene.contact
+    slowed = scene.eta / mass + (law.eta_n / law.kn * square if law.eta_n else 0.0)
     n = 0.5 * slowed * (2.0 * leapfrog.lag - 1.0)
     if square > 0.0:
         # the same as 2 (sqrt(n^2 + w^2) - n)/w^2, free of cancellation

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from vv.engines.dem.contact.hertz import elastic
 from vv.engines.dem.contact.linear import Linear
 from vv.engines.dem.contact.touch import Touch
 from vv.engines.kernels.by_class import of_its_file
@@ -20,8 +21,10 @@ Law = Any
 
 def law_of(scene: Scene) -> Law:
     """The law of a scene's contacts."""
-    law = scene.contact
-    return Linear(law.kn, (law.ks, law.mu) if Term.FRICTION in scene.terms() else None)
+    law, rubs = scene.contact, Term.FRICTION in scene.terms()
+    if law.hertz is not None:
+        return elastic(scene, law.hertz, rubs)
+    return Linear(law.kn, (law.ks, law.mu) if rubs else None)
 
 
 @of_its_file

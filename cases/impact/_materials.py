@@ -1,0 +1,48 @@
+"""Materials of the impact benchmarks of Chung and Ooi (2011), and their moduli.
+
+Moduli and densities are those of the paper as other codes' benchmarks repeat them.
+"""
+
+from __future__ import annotations
+
+import math
+
+from reference_solutions.impact import hertz
+from vv.case import Parameters, Source
+from vv.scene import Hertz
+
+CHUNG_OOI_2011 = Source(
+    "Chung and Ooi (2011), Benchmark tests for verifying discrete element modelling codes at "
+    "particle impact level, Granular Matter 13(5), 643-656",
+    "10.1007/s10035-011-0277-0",
+)
+MATERIALS = {  # Young's modulus [Pa], Poisson's ratio, density [kg/m3]
+    "glass": (48e9, 0.20, 2800.0),
+    "limestone": (20e9, 0.25, 2500.0),
+    "aluminium": (70e9, 0.30, 2699.0),
+    "magnesium": (40e9, 0.35, 1800.0),
+    "alumina": (380e9, 0.23, 4000.0),
+    "alloy": (70e9, 0.33, 2700.0),
+    "steel": (208e9, 0.30, 7850.0),
+    "polyethylene": (1e9, 0.40, 1400.0),
+}
+
+
+def defaults(material: str) -> dict[str, float]:
+    """The parameters of a variant of this material."""
+    return dict(zip(("young", "poisson", "rho"), MATERIALS[material], strict=True))
+
+
+def mass(p: Parameters) -> float:
+    """Of a sphere [kg]."""
+    return p["rho"] * 4.0 / 3.0 * math.pi * p["R"] ** 3
+
+
+def moduli(p: Parameters, bodies: int) -> Hertz:
+    """Of a contact of so many elastic bodies of one material: the other one, if any, is rigid."""
+    if not 0.0 <= p["poisson"] <= 0.5:
+        raise ValueError(f"poisson = {p['poisson']!r}; Poisson's ratio must lie in [0, 0.5]")
+    return Hertz(
+        hertz.effective_modulus(p["young"], p["poisson"]) / bodies,
+        hertz.effective_shear_modulus(p["young"], p["poisson"]) / bodies,
+    )

@@ -1,0 +1,197 @@
+"""Spheres that strike a wall, or each other in pairs, side by side in one scene."""
+
+from __future__ import annotations
+
+import itertools
+import math
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from reference_solutions.impact import hertz
+from reference_solutions.impact.rebound import WALL, After, Law, Sphere, rebound
+from vv.ask import Displacement, Method, Observable, Run, Velocity
+from vv.case import Exact, Scalar, Tolerance
+from vv.scene import Contact, Scene, Spheres, Vector, Wall
+
+APART = 6.0  # radii between impacts
+ARMS, SPRINGS = (0.5, 1.0), (0.0, 1.0)  # a and h of `Law`, in which codes differ
+NORMAL, ALONG, ASIDE = np.eye(3)
+
+
+@dataclass(frozen=True)
+class Blow:
+    """How a sphere starts: towards and along what it strikes [m/s], and its spin [1/s].
+
+    The spin, and that of the partner, is positive from the normal to the tangent.
+    """
+
+    vn: float
+    vt: float = 0.0
+    spin: float = 0.0
+    partner_spin: float = 0.0
+
+    @property
+    def speed(self) -> float:
+        """The velocity of the sphere [m/s], of which errors are parts."""
+        return math.hypot(self.vn, self.vt)
+
+
+@dataclass(frozen=True, eq=False)
+class Impacts:
+    """Impacts of one kind: their starts by name, and the contact law of all of them.
+
+    partner: the sphere that is struck, which is at rest but for its spin; WALL for a wall.
+    """
+
+    sphere: Sphere
+    contact: Contact
+    blows: Mapping[str, Blow]
+    partner: Sphere = WALL
+
+    @property
+    def each(self) -> int:
+        """Spheres in an impact."""
+        return 1 if self.partner.is_wall else 2
+
+    @property
+    def reduced(self) -> float:
+        """Reduced mass [kg]."""
+        one, two = self.sphere.mass, self.partner.mass
+        return one if self.partner.is_wall else one * two / (one + two)
+
+    @property
+    def law(self) -> Law:
+        """The contact law as the reference has it, with arms in the middle of the overlap."""
+        law = self.contact
+        if law.hertz is None:
+            z = 0.5 * law.eta_n / math.sqrt(self.reduced * law.kn)
+            return Law(law.kn, law.ks, law.mu, 1.0, z)
+        radius = 1.0 / (1.0 / self.sphere.radius + 1.0 / self.partner.radius)
+        factors = (
+            hertz.normal_factor(modulus=law.hertz.modulus, radius=radius),
+            hertz.shear_factor(modulus=law.hertz.shear_modulus, radius=radius),
+        )
+        return Law(*factors, law.mu, 1.5, law.hertz.damping)
+
+    def scene(self) -> Scene:
+        """Each impact at a place of its own, what meets in it touching at t = 0."""
+        one, two, each = self.sphere, self.partner, self.each
+        place, velocity, spin = np.zeros((3, len(self.blows), each, 3))
+        width = APART * max(one.radius, 0.0 if two.is_wall else two.radius)
+        for k, blow in enumerate(self.blows.values()):
+            place[k] = k * width * ASIDE
+            place[k, 0] += one.radius * NORMAL
+            velocity[k, 0] = -blow.vn * NORMAL + blow.vt * ALONG
+            spin[k, 0] = blow.spin * ASIDE
+            if each == 2:
+                place[k, 1] -= two.radius * NORMAL
+                spin[k, 1] = blow.partner_spin * ASIDE
+        count = each * len(self.blows)
+        kinds = [one, two][:each] * len(self.blows)
+        spheres = Spheres(
+            position=place.reshape(-1, 3),
+            velocity=velocity.reshape(-1, 3),
+            radius=np.array([kind.radius for kind in kinds]),
+            mass=np.array([kind.mass for kind in kinds]),
+            spin=spin.reshape(-1, 3),
+            free=np.ones((count, 3), bool),
+            free_spin=np.ones((count, 3), bool),
+        )
+        walls = () if each == 2 else (Wall(np.zeros(3), NORMAL),)
+        return Scene((spheres, *walls), self.contact)
+
+    def seen(self) -> tuple[Observable, ...]:
+        """What of the spheres is asked for."""
+        bodies = range(self.each * len(self.blows))
+        return tuple(kind(body) for body in bodies for kind in (Displacement, Velocity))
+
+    def after(self, name: str, a: float = 0.5, h: float = 0.0) -> After:
+        """The exact end of an impact, by the scene's law or by one that differs in a and h."""
+        blow = self.blows[name]
+        return rebound(
+            replace(self.law, a=a, h=h), self.sphere, partner=self.partner,
+            vn=blow.vn, vt=blow.vt, spin=blow.spin, partner_spin=blow.partner_spin,
+        )  # fmt: skip
+
+    def seen_after(self, name: str, run: Run) -> Vector:
+        """The velocity (2,) of the sphere against its partner at the end, along and across."""
+        return np.asarray((self._relative(Velocity, name, run) @ np.array([NORMAL, ALONG]).T)[-1])
+
+    def _relative(self, kind: type[Displacement] | type[Velocity], name: str, run: Run) -> Vector:
+        """An observable (k, 3) of the sphere less that of its partner."""
+        first = self.each * [*self.blows].index(name)
+        own = run.values[kind(first)]
+        return np.asarray(own if self.each == 1 else own - run.values[kind(first + 1)])
+
+    def parting(self, name: str, run: Run) -> float:
+        """When they parted [s], back from where they are at the end; nan if they have not."""
+        moved = self._relative(Displacement, name, run)[-1]
+        speed = self._relative(Velocity, name, run)[-1]
+        if self.each == 1:
+            ago = moved[0] / speed[0]
+        else:
+            reach = self.sphere.radius + self.partner.radius
+            beyond = 2.0 * reach * moved[0] + moved @ moved  # of the squared distance
+            rate = (reach * NORMAL + moved) @ speed
+            ago = beyond / (rate + math.sqrt(max(rate**2 - speed @ speed * beyond, 0.0)))
+        return float(run.times[-1] - ago) if ago > 0 else math.nan
+
+    def error(self, name: str, run: Run, a: float = 0.5, h: float = 0.0) -> float:
+        """The error of the velocity after an impact, over the speed before it."""
+        due = self.after(name, a, h)
+        off = self.seen_after(name, run) - [due.normal, due.tangential]
+        return float(np.linalg.norm(off)) / self.blows[name].speed
+
+    def worst(self, judge: Exact) -> Scalar:
+        """The largest error of all impacts."""
+        return Scalar(
+            "worst", "max|e|", "", "largest error of a velocity after impact, over that before",
+            lambda run: max(self.error(name, run) for name in self.blows), 0.0, 1.0, judge,
+        )  # fmt: skip
+
+    def nearest(self, judge: Exact) -> Scalar:
+        """The largest error by that law, of those in which codes differ, which fits best."""
+        return Scalar(
+            "nearest", "min max|e|", "",
+            "the same by the nearest of four laws: arms R - U/2 or R - U, shear by increments or "
+            "by a spring of today's stiffness", self._nearest, 0.0, 1.0, judge,
+        )  # fmt: skip
+
+    def _laws(self) -> Iterator[tuple[float, float]]:
+        """a and h of the laws in which codes differ."""
+        return itertools.product(ARMS, SPRINGS if self.contact.hertz else SPRINGS[:1])
+
+    def _nearest(self, run: Run) -> float:
+        return min(max(self.error(name, run, *law) for name in self.blows) for law in self._laws())
+
+    def lasting(self, judge: Exact) -> Scalar:
+        """The largest error of the durations of all impacts, relative to each."""
+
+        def worst(run: Run, law: tuple[float, float]) -> float:
+            due = {name: self.after(name, *law).lasting for name in self.blows}
+            return max(abs(self.parting(name, run) / due[name] - 1.0) for name in self.blows)
+
+        return Scalar(
+            "lasting", "max|tc/tc* - 1|", "",
+            "largest error of a duration of contact, by the nearest of the four laws",
+            lambda run: min(worst(run, law) for law in self._laws()), 0.0, 1.0, judge,
+        )  # fmt: skip
+
+    def longest(self) -> float:
+        """The longest of the contacts [s]."""
+        return max(self.after(name).lasting for name in self.blows)
+
+
+def judged(value: float, unit: float, steps: int, reason: str) -> Exact:
+    """Second order, in contacts of about a `unit` [s] that so many steps go into."""
+    return Exact({Method.SECOND_ORDER: Tolerance(value, reason, dt=unit / steps, order=2)})
+
+
+def at_angles(speed: float, degrees: Iterator[float]) -> dict[str, Blow]:
+    """Blows of one speed [m/s] at angles from the normal, by the name of the angle."""
+    turned = ((angle, math.radians(angle)) for angle in degrees)
+    return {
+        f"{angle:g}": Blow(speed * math.cos(way), speed * math.sin(way)) for angle, way in turned
+    }

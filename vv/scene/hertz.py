@@ -1,0 +1,47 @@
+"""Contact of elastic spheres: Hertz along the normal, Mindlin without micro-slip across it."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+from vv.scene.arrays import Vector
+
+
+@dataclass(frozen=True)
+class Hertz:
+    """Elastic moduli of contacts, in place of springs, and how viscous they are.
+
+    modulus: E [Pa], 1/E = sum of (1 - nu^2)/Young's modulus of both bodies. shear_modulus: G [Pa],
+    1/G = sum of (2 - nu)/shear modulus; 0: no tangential stiffness. With R [m], 1/R = sum of
+    1/radius (a wall has none), and the overlap U [m]:
+    - Fn = max(0, 4/3 E sqrt(R) U^(3/2) + 2 damping sqrt(m kn) U'), kn = 2 E sqrt(R U) the
+      stiffness at U and m the reduced mass: restitution does not depend on speed (Tsuji, Tanaka
+      and Ishida 1992), and the contact never pulls;
+    - the shear force grows by -8 G sqrt(R U) times each increment of slip (Mindlin 1949) and is
+      capped at mu Fn, Fn with its viscous part. Surfaces meet in the middle of the overlap.
+
+    Raises ValueError naming the field, the value and the rule.
+    """
+
+    modulus: float
+    shear_modulus: float = 0.0
+    damping: float = 0.0
+
+    def __post_init__(self) -> None:
+        if not 0 < self.modulus < math.inf:
+            raise ValueError(f"Hertz.modulus = {self.modulus!r} Pa; it must be positive and finite")
+        for name, unit in (("shear_modulus", " Pa"), ("damping", "")):
+            value = getattr(self, name)
+            if not 0 <= value < math.inf:
+                raise ValueError(f"Hertz.{name} = {value!r}{unit}; it must be zero or more")
+
+    def normal_factor(self, curvature: Vector) -> Vector:
+        """K [N/m^1.5] of Fn = K U^(3/2), for the sums of 1/radius [1/m] of contacts."""
+        return np.asarray(4.0 / 3.0 * self.modulus / np.sqrt(curvature))
+
+    def shear_factor(self, curvature: Vector) -> Vector:
+        """S [N/m^1.5] of the tangential stiffness S sqrt(U)."""
+        return np.asarray(8.0 * self.shear_modulus / np.sqrt(curvature))
