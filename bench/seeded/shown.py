@@ -33,7 +33,7 @@ BUGS = (
     Bug("a missing error counts as accurate", COSTS, "(p.cpu, max(p.error, LEAST), p) for p in effort.points if p.cpu and p.error is not None", "(p.cpu, max(p.error or 0.0, LEAST), p) for p in effort.points if p.cpu", tests=INSIGHT),
     Bug("an error of which a part is missing", RUNGS, "finite and len(finite) == len(errors)", "finite", tests="tests/insight tests/records"),
     Bug("the model's part is the step's", RUNGS, "return Limit(h1, found, model, step,", "return Limit(h1, found, step, model,", tests="tests/insight tests/records"),
-    Bug("the best of a commit as its worst", HISTORY, "_closeness) for _, records in found], max)", "_closeness) for _, records in found], min)", tests=INSIGHT),
+    Bug("the best of a commit as its worst", HISTORY, "[digest.closeness for _, digest in found], max)", "[digest.closeness for _, digest in found], min)", tests=INSIGHT),
     Bug("a comparison the wrong way round", COMPARE, '(x {b / a:.3g})', '(x {a / b:.3g})', tests=INSIGHT),
     Bug("the least drift as the largest", "vv/insight/stability_summary.py", "worst = max((one.errors", "worst = min((one.errors", tests=INSIGHT),
 )  # fmt: skip

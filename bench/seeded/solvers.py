@@ -4,8 +4,9 @@ from bench.seeded.bug import Bug
 
 LINE = "vv/engines/dem/line/kernel.py"
 LOAD = "vv/engines/dem/terms/load.py"
-LAW = "vv/engines/dem/terms/contact_law.py"
-FRICTION = "vv/engines/dem/terms/friction.py"
+PAIRS = "vv/engines/dem/contact/pairs.py"
+WALLS = "vv/engines/dem/contact/walls.py"
+FRICTION = "vv/engines/dem/contact/friction.py"
 ADVANCE = "vv/engines/dem/space/advance.py"
 DASHPOTS = "vv/engines/dem/terms/dashpots.py"
 NEIGHBOURS = "vv/engines/dem/space/neighbours.py"
@@ -33,19 +34,19 @@ BUGS = (
     Bug("friction's work not booked", LINE, 'slipped += (trial', 'slipped += 0.0 * (trial', 'dem', 'single-contact'),
     Bug("drag's work not booked", LINE, 'dragged += ahead + drag * before', 'dragged += 0.0', 'dem', 'single-contact'),
     Bug('position moved by the old velocity', LINE, 'q += dt * after', 'q += dt * before', 'dem', 'single-contact'),
-    Bug('bodies swapped in a pair', LAW, 'at(u, rows[p, 1]), -1.0, at(u, rows[p, 0])', 'at(u, rows[p, 0]), -1.0, at(u, rows[p, 1])', 'dem', 'bounce'),
-    Bug('one of a pair not pushed', LAW, 'put(push, j, plus(at(push, j), 1.0, force))', 'pass', 'dem', 'bounce'),
-    Bug('wall friction pulls along', LAW, 'slide = plus(NOWHERE, share, plus(relative, -dot(n, relative), n))', 'slide = plus(NOWHERE, -share, plus(relative, -dot(n, relative), n))', 'dem', 'bounce'),
-    Bug('gap taken at the start only', LAW, '-gap[q] - dot(at(facing, q), at(u, rows[q]))', '-gap[q]', 'dem', 'bounce'),
-    Bug('stale shear after separation', LAW, '                put(shear, p, NOWHERE)', '                pass', 'dem', 'bounce'),
+    Bug('bodies swapped in a pair', PAIRS, 'at(u, rows[p, 1]), -1.0, at(u, rows[p, 0])', 'at(u, rows[p, 0]), -1.0, at(u, rows[p, 1])', 'dem', 'bounce'),
+    Bug('one of a pair not pushed', PAIRS, 'put(push, j, plus(at(push, j), 1.0, force))', 'pass', 'dem', 'bounce'),
+    Bug('friction of spheres pulls along', FRICTION, 'slide = plus(NOWHERE, share, plus(relative, -dot(m, relative), m))', 'slide = plus(NOWHERE, -share, plus(relative, -dot(m, relative), m))', 'dem', 'bounce'),
+    Bug('gap taken at the start only', WALLS, '-gap[q] - dot(at(facing, q), at(u, rows[q]))', '-gap[q]', 'dem', 'bounce'),
+    Bug('stale shear after separation', PAIRS, '                put(shear, p, NOWHERE)', '                pass', 'dem', 'bounce'),
     Bug('shear spring charged twice', FRICTION, 'trial = plus(old, -ks, slide)', 'trial = plus(old, -2.0 * ks, slide)', 'dem', 'bounce'),
     Bug('no Coulomb cap', FRICTION, 'if dot(trial, trial) <= caps[1] * caps[1]:', 'if True:', 'dem', 'bounce'),
     Bug('dead load dropped', LOAD, 'return plus(push, 1.0, at(term.load, i))', 'return push', 'dem', 'bounce:again'),
     Bug('locks ignored', ADVANCE, '    if hold is None:', '    if True:', 'dem', 'bounce'),
     Bug('wrong mass', ADVANCE, 'carried_on(old, push, mass[i], dt', 'carried_on(old, push, 1.01 * mass[i], dt', 'dem', 'bounce'),
-    Bug('wrong lever arm', LAW, 'put(turn, j, plus(at(turn, j), radius[p, 1] - 0.5 * overlap, torque))', 'put(turn, j, plus(at(turn, j), radius[p, 1] + 0.5 * overlap, torque))', 'dem', 'bounce'),
-    Bug("lever arm of the first of unlike spheres", LAW, "put(turn, j, plus(at(turn, j), radius[p, 1] - 0.5 * overlap, torque))", "put(turn, j, plus(at(turn, j), radius[p, 0] - 0.5 * overlap, torque))", "dem", "bounce"),
-    Bug("way of roll of the first of unlike spheres", LAW, "radius[p, 0] - inside, radius[p, 1] - inside", "radius[p, 0] - inside, radius[p, 0] - inside", "dem", "bounce"),
+    Bug('wrong lever arm', PAIRS, 'put(turn, j, plus(at(turn, j), radius[p, 1] - 0.5 * overlap, torque))', 'put(turn, j, plus(at(turn, j), radius[p, 1] + 0.5 * overlap, torque))', 'dem', 'bounce'),
+    Bug("lever arm of the first of unlike spheres", PAIRS, "put(turn, j, plus(at(turn, j), radius[p, 1] - 0.5 * overlap, torque))", "put(turn, j, plus(at(turn, j), radius[p, 0] - 0.5 * overlap, torque))", "dem", "bounce"),
+    Bug("way of roll of the first of unlike spheres", PAIRS, "pairs[3][p, 0] - inside, pairs[3][p, 1] - inside", "pairs[3][p, 0] - inside, pairs[3][p, 0] - inside", "dem", "bounce"),
     Bug("shear lost where neighbours are renewed", NEIGHBOURS, "                put(shear, k, at(old.shear, before))\n", "                pass\n", "dem", "resting"),
     Bug("shear taken from a pair with another partner", NEIGHBOURS, "if old.both[before, 1] == j:", "if old.both[before, 1] >= j:", "dem", "resting"),
     Bug("sign of a bond's twist", BEND, "s = turned(s, n, twist)", "s = turned(s, n, -twist)", "dem", "tetrahedral-unit"),

@@ -118,9 +118,7 @@ def _crystal(reach: float) -> Array:
     i, row, layer = (axis.ravel() for axis in np.meshgrid(many, many, many, indexing="ij"))
     kind = layer % 2
     x = i + (row % 2) / 2.0 + kind / 2.0
-    return np.stack(
-        [x, row * sqrt(3.0) / 2.0 + kind / sqrt(12.0), layer * sqrt(2.0 / 3.0)], axis=1
-    )
+    return np.stack([x, row * sqrt(3.0) / 2.0 + kind / sqrt(12.0), layer * sqrt(2.0 / 3.0)], axis=1)
 
 
 def static(block: Lattice, kn: float, ks: float) -> Static:
