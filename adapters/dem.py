@@ -32,6 +32,7 @@ TERMS = frozenset(
         Term.CARRIED,
         Term.CONTACT_VISCOSITY,
         Term.HERTZ,
+        Term.VISCOUS_FRICTION,
     }
 )
 OBSERVABLES = frozenset({Displacement, Velocity, Reaction})

@@ -18,7 +18,7 @@ from vv.codes import Found, Scheme
 from vv.scene import Term
 from vv.standins.stand_in import STANDS_IN
 
-NO_SPRING = {Term.CONTACT_VISCOSITY, Term.HERTZ}
+NO_SPRING = {Term.CONTACT_VISCOSITY, Term.VISCOUS_FRICTION, Term.HERTZ}
 UNRAISED = STANDS_IN | NO_SPRING  # what raised masses were not verified with
 TERMS = frozenset(TRANSLATIONS) - {Term.BOND_SHEAR}
 ON_CORNERS = TERMS - {

@@ -20,7 +20,7 @@ from vv.scene import Term
 from vv.standins.stand_in import STANDS_IN
 
 TERMS = frozenset(TRANSLATIONS)
-NO_SPRING = {Term.CONTACT_VISCOSITY, Term.HERTZ}
+NO_SPRING = {Term.CONTACT_VISCOSITY, Term.VISCOUS_FRICTION, Term.HERTZ}
 UNRAISED = STANDS_IN | NO_SPRING  # what raised masses were not verified with
 BONDED = {Term.BOND, Term.BOND_SHEAR, Term.BREAKAGE}
 ONLY_SPHERES = {Term.SPHERE, Term.SPHERE_CONTACT, Term.DRAG, Term.CARRIED} | BONDED

@@ -101,7 +101,7 @@ class Plane:
                 found.append((k, OPEN, partial(self.overlap, k)))
             if k < len(self.walls) and self.rough and mode == STICK:
                 found += [(k, after, partial(self.reserve, k, SIGN[after])) for after in SIGN]
-            elif k < len(self.walls) and self.rough:
+            elif k < len(self.walls) and self.rough and mode in SIGN:
                 found.append((k, STICK, partial(self.slip, k, SIGN[mode])))
         return found
 
@@ -131,22 +131,30 @@ class Plane:
 
     def reserve(self, k: int, sign: int, y: Vector) -> float:
         """How much further the shear spring of contact k can stretch in a direction."""
-        return -self.ratio * self.gap(k, y) - sign * float(y[4 * self.n + k])
+        return self.most(k, y) - sign * float(y[4 * self.n + k])
+
+    def most(self, k: int, y: Vector) -> float:
+        """How far the shear spring of contact k can stretch: up to mu times all that presses."""
+        if self.scene.contact.eta_n > 0:
+            return self.ratio * self.pushed(k, y)
+        return -self.ratio * self.gap(k, y)
 
     def slip(self, k: int, sign: int, y: Vector) -> float:
         """How fast contact k slips in a direction, less what the change of the cap takes up."""
         i, normal, tangent, _ = self.walls[k]
-        v = y[2 * self.n + 2 * i : 2 * self.n + 2 * i + 2]
-        return sign * float(v @ tangent) + self.ratio * float(v @ normal)
+        here, law = slice(2 * self.n + 2 * i, 2 * self.n + 2 * i + 2), self.scene.contact
+        v, sinks = y[here], float(y[here] @ normal)
+        if law.eta_n > 0:
+            sinks += law.eta_n / law.kn * float(self.derivative(0.0, y)[here] @ normal)
+        return sign * float(v @ tangent) + self.ratio * sinks
 
     def switch(self, k: int, after: int, y: Vector) -> None:
         """Put contact k into its next mode; one that closes slips at once if the cap is slower."""
         before, self.modes[k] = self.modes[k], after
         if k >= len(self.walls) or not self.rough or after in SIGN:
             return
-        cap = -self.ratio * self.gap(k, y)
-        y[4 * self.n + k] = SIGN.get(before, 0) * cap
-        if before == OPEN:
+        y[4 * self.n + k] = SIGN.get(before, 0) * self.most(k, y)
+        if before == OPEN and not self.scene.contact.eta_n > 0:
             slipping = [mode for mode, sign in SIGN.items() if self.slip(k, sign, y) > 0]
             self.modes[k] = slipping[0] if slipping else STICK
 

@@ -20,12 +20,13 @@ class Contact:
     capped at mu Fn (Li et al. 2018, Eqs. 4-8). ks = 0 or mu = 0 means no shear force.
 
     With eta_n > 0, Fn = max(0, kn U + eta_n U'): the force never pulls and ends before the overlap
-    does (Schwager and Poeschel 2007). Friction on such a contact is not defined here.
+    does (Schwager and Poeschel 2007). Coulomb's limit is mu times this whole force, dashpot
+    included, so that friction ends with it; the shear spring has no dashpot of its own.
 
     With `hertz` elastic spheres touch by that law in place of springs: kn, ks, eta_n are then 0.
 
     Raises ValueError for a kn that is not positive, for other values that are negative or not
-    finite, for eta_n > 0 together with friction or rigid contact, and for springs beside `hertz`.
+    finite, for eta_n > 0 together with rigid contact, and for springs beside `hertz`.
     """
 
     kn: float
@@ -46,10 +47,10 @@ class Contact:
             value = getattr(self, name)
             if not (np.isfinite(value) and value >= 0):
                 raise ValueError(f"Contact.{name} = {value!r}{unit}; it must be zero or more")
-        if self.eta_n > 0 and (self.mu > 0 or self.rigid):
+        if self.eta_n > 0 and self.rigid:
             raise ValueError(
-                f"Contact.eta_n = {self.eta_n!r} N s/m with kn = {self.kn!r} N/m, mu = "
-                f"{self.mu!r}; viscous contact has a finite kn and no friction"
+                f"Contact.eta_n = {self.eta_n!r} N s/m with kn = {self.kn!r} N/m; viscous contact "
+                "has a finite kn"
             )
 
     @property

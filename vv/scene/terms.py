@@ -31,3 +31,4 @@ class Term(enum.Enum):
     CONTACT_VISCOSITY = "contact that is viscous along its normal"
     HERTZ = "contact of elastic spheres by Hertz and Mindlin"
     HERTZ_VISCOSITY = "contact of elastic spheres that is viscous along its normal"
+    VISCOUS_FRICTION = "friction capped by contact that is viscous"

@@ -30,6 +30,7 @@ TRANSLATIONS: Mapping[Term, Callable[[Deck, Setup], Deck]] = {
     Term.FRICTION: friction,
     Term.CONTACT_VISCOSITY: viscosity,
     Term.HERTZ: elastic,
+    Term.VISCOUS_FRICTION: in_every_deck,
     Term.DRAG: drag,
     Term.GRAVITY: gravity,
     Term.LOAD: dead_loads,

@@ -67,7 +67,8 @@ def material(ask: dict[str, Any]) -> Any:
     if ask["hertz"]:
         return stuff(ask, "young")
     if ask["eta_n"]:
-        return yd.ViscElMat(kn=2 * ask["kn"], cn=2 * ask["eta_n"], ks=0, cs=0, frictionAngle=angle)
+        kn, ks, cn = (2 * ask[name] for name in ("kn", "ks", "eta_n"))
+        return yd.ViscElMat(kn=kn, cn=cn, ks=ks, cs=0, frictionAngle=angle)
     if not ask["volumes"]:
         return yd.FrictMat(frictionAngle=angle)
     made = yd.PolyhedraMat(frictionAngle=angle)

@@ -58,7 +58,10 @@ def elastic(ask: dict[str, Any]) -> tuple[Any, Any]:
 
 
 def viscous() -> tuple[Any, Any]:
-    """A spring and a dashpot along the normal as the material has them, which never pull."""
+    """Springs and a dashpot along the normal as the material has them.
+
+    The normal force never pulls, and limits friction as a whole.
+    """
     return yd.Ip2_ViscElMat_ViscElMat_ViscElPhys(), yd.Law2_ScGeom_ViscElPhys_Basic()
 
 

@@ -34,6 +34,7 @@ TRANSLATIONS: Mapping[Term, Callable[[Given, Setup], Given]] = {
     Term.BREAKAGE: in_every_plan,
     Term.CONTACT_VISCOSITY: viscosity,
     Term.HERTZ: elastic,
+    Term.VISCOUS_FRICTION: in_every_plan,
     Term.DRAG: drag,
     Term.WALL_CONTACT: walls,
     Term.OBLIQUE_LOCK: oblique_locks,

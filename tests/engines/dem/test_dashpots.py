@@ -16,7 +16,7 @@ from tests.scenes.event_located import event_located
 from vv.ask import Ask, Displacement, History, Knobs, Observable, Reaction, Run, Status, Velocity
 from vv.engines import dem
 from vv.plan.project import find
-from vv.scene import Bonds, Contact, Harmonic, Scene, Spheres, Vector, Wall
+from vv.scene import Contact, Scene, Spheres, Vector, Wall
 
 KN, Z, M = 1e4, 0.5, np.array([1.0, 3.0])
 REDUCED = M.prod() / M.sum()
@@ -207,15 +207,3 @@ def test_a_step_in_half_of_which_a_dashpot_stops_what_approaches_is_the_longest(
     run = ran(dem.solve_default(asked(stiff, 0.999 * longest, range(2), 50 * longest)))
     closing = (run.values[Velocity(0)] - run.values[Velocity(1)]) @ N
     assert closing.min() > -0.2 * closing[0] < 0.0
-
-
-def test_where_dashpots_are_not_modelled_it_is_said() -> None:
-    shaken = Harmonic(0.1 * UP, UP, np.zeros(3))
-    scene = heap(0.0)
-    moving = Scene((Wall(np.zeros(3), UP, shaken), *scene.bodies[1:]), scene.contact)
-    assert "a wall moves" in (dem.refuses(asked(moving, 1e-4, HEAPED)) or "")
-    place = np.array([[0.0, 0.0, 0.0], [2.0, 0.0, 0.0], [9.0, 0.0, 0.0]])
-    some = Spheres(place, 0 * place, np.ones(3), np.ones(3), np.ones((3, 3), bool))
-    bonds = Bonds(np.array([[0, 1]]), np.array([2.0]), np.array([KN]), np.array([0.0]))
-    tied = Scene((some,), LAW, bonds=bonds)
-    assert "beside bonds" in (dem.refuses(asked(tied, 1e-4, range(3))) or "")

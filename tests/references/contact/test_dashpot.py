@@ -140,9 +140,7 @@ def test_the_lagging_dashpot_lowers_the_largest_stable_step() -> None:
     assert dem.critical_step(scene, dem.CENTRED) == pytest.approx(2 / w, rel=1e-12)
 
 
-def test_viscous_contact_has_no_friction_and_a_stiffness() -> None:
-    with pytest.raises(ValueError, match=r"eta_n = 1.0 N s/m with kn = 1.0 .*no friction"):
-        Contact(1.0, 1.0, 0.5, eta_n=1.0)
+def test_viscous_contact_has_a_stiffness_and_is_not_negative() -> None:
     with pytest.raises(ValueError, match=r"kn = inf N/m.*a finite kn"):
         Contact(np.inf, eta_n=1.0)
     with pytest.raises(ValueError, match=r"Contact.eta_n = -1.0 N s/m; it must be zero or more"):

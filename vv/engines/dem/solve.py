@@ -18,7 +18,7 @@ from vv.engines.dem.pressed.model import Pressed, pressed
 from vv.engines.dem.safe_step import PACKED
 from vv.engines.dem.space.model import Space, SpaceState, space
 from vv.engines.dem.terms.bonds import Bonds
-from vv.scene import Form, Scene, Term, Vector
+from vv.scene import Form, Scene, Vector
 from vv.scene.scene import LOCKED_SPEED
 from vv.standins.stand_in import SpringScene as Stood
 from vv.standins.stand_in import spring_scene as sprung
@@ -208,7 +208,6 @@ def refuses(ask: Ask) -> str | None:
         _spins_where_locked(scene)
         or _coincident(scene)
         or _unknown_reaction(ask, scene)
-        or _viscous_beside(scene)
         or _rings(scene, dt)
     )
 
@@ -234,7 +233,8 @@ def _audits(scene: Scene, terms: Vector) -> Iterator[tuple[str, tuple[float, flo
     """What the springs' energies (k, 2) [J] at the outputs say of friction and overlap.
 
     The overlap is the largest there can be: that of one contact which holds all the energy. Of
-    several contacts none can be told from another, and their friction is not audited. A model
+    several contacts none can be told from another, nor what a dashpot pushes, and their friction
+    is not audited. A model
     of one unknown holds no normal spring beside its shear spring and has nothing to tell.
     """
     law, normal, shear = scene.contact, terms[:, 1], terms[:, 2]
@@ -242,7 +242,7 @@ def _audits(scene: Scene, terms: Vector) -> Iterator[tuple[str, tuple[float, flo
         return
     radius = float(scene.spheres.radius.min())
     yield "penetration [m]", (float(np.sqrt(2 * normal.max() / law.kn)), SOFT * radius)
-    if len(scene.spheres) == len(scene.walls) == 1:
+    if len(scene.spheres) == len(scene.walls) == 1 and not law.eta_n > 0:
         push, drag = np.sqrt(2 * law.kn * normal), np.sqrt(2 * law.ks * shear)
         beyond = float((drag - law.mu * push).max())
         yield "Coulomb: friction beyond mu N [N]", (max(beyond, 0.0), COULOMB * float(push.max()))
@@ -266,15 +266,6 @@ def _coincident(scene: Scene) -> str | None:
         first, second = np.sort(order[same[0] : same[0] + 2])
         return f"spheres {first} and {second} have one centre; a contact needs a normal"
     return None
-
-
-def _viscous_beside(scene: Scene) -> str | None:
-    """Dashpots act between velocities of one time, and not where bonds part."""
-    if not scene.contact.eta_n > 0:
-        return None
-    if Term.BASE_MOTION in scene.terms():
-        return "viscous contact is not modelled where a wall moves"
-    return None if scene.bonds is None else "viscous contact is not modelled beside bonds"
 
 
 def _rings(scene: Scene, dt: float) -> str | None:

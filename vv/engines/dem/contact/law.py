@@ -24,7 +24,8 @@ def law_of(scene: Scene) -> Law:
     law, rubs = scene.contact, Term.FRICTION in scene.terms()
     if law.hertz is not None:
         return elastic(scene, law.hertz, rubs)
-    return Linear(law.kn, (law.ks, law.mu) if rubs else None)
+    friction = (law.ks, law.mu) if rubs else None
+    return Linear(law.kn, friction, law.eta_n if law.eta_n > 0 else None)
 
 
 @of_its_file

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import NamedTuple
 
 from vv.engines.dem.contact.friction import sheared, slid
@@ -11,10 +12,14 @@ from vv.engines.kernels.triples import Triple, dot
 
 
 class Linear(NamedTuple):
-    """kn [N/m]; friction: ks [N/m] and mu, or None (Li 2018, Eqs. 4-8)."""
+    """kn [N/m]; friction: ks [N/m] and mu, or None (Li 2018, Eqs. 4-8); eta_n [N s/m], or None.
+
+    Dashpots push by themselves (`vv/engines/dem/terms/dashpots.py`); here they limit friction.
+    """
 
     kn: float
     friction: tuple[float, float] | None
+    eta_n: float | None
 
     @property
     def stiffness(self) -> tuple[float, float]:
@@ -32,9 +37,25 @@ def pressed(law: Linear, overlap: float, radius: float) -> tuple[float, float]:
 def rubbed(
     law: Linear, touch: Touch, radius: float, spring: Triple, dt: float
 ) -> tuple[Triple, float, float]:
-    """The spring charged by the slide, up to mu kn U."""
-    (ks, mu), overlap = law.friction, touch.overlap  # type: ignore[misc]  # asked where it rubs
+    """The spring charged by the slide, up to mu times the push."""
+    ks, mu = law.friction  # type: ignore[misc]  # asked where it rubs
     slide, change = slid(touch, dt)
-    caps = mu * law.kn * (overlap + touch.opened), mu * law.kn * overlap
-    force, taken = sheared(spring, touch, slide, change, ks, caps)
+    limits = caps(law.kn, mu, law.eta_n, touch, spring)
+    force, taken = sheared(spring, touch, slide, change, ks, limits)
     return force, 0.5 * dot(force, force) / ks, taken
+
+
+@inlined
+def caps(
+    kn: float, mu: float, eta_n: float | None, touch: Touch, spring: Triple
+) -> tuple[float, float]:
+    """What friction can be at most before a step and after it [N].
+
+    The rate at the end of a step is what its mean and that of the step before lead to: of second
+    order. Friction before was below its limit, whatever that leads to.
+    """
+    before, now = touch.overlap + touch.opened, touch.overlap
+    if eta_n is None:
+        return mu * kn * before, mu * kn * now
+    pushed = kn * before - eta_n * touch.rates[0], kn * now - eta_n * touch.rates[1]
+    return max(mu * pushed[0], math.sqrt(dot(spring, spring))), max(mu * pushed[1], 0.0)

@@ -71,6 +71,7 @@ def touch_of(
     relative = plus(at(v, j), -1.0, at(v, i))
     changed = plus(relative, -1.0, plus(at(before, j), -1.0, at(before, i)))
     n_before, m, opened = last_step(d, length, relative, dt)
+    rates = dot(n_before, plus(relative, -0.5, changed)), dot(n, plus(relative, 0.5, changed))
     if w is not None and spun is not None:
         # the contact point lies in the middle of the overlap, at the middle of the step
         inside = 0.5 * (overlap + 0.5 * opened)
@@ -82,7 +83,7 @@ def touch_of(
         twist = 0.5 * dt * dot(plus(at(w, i), 1.0, at(w, j)), m)
     else:
         twist = None
-    return Touch(overlap, opened, n, n_before, m, relative, changed, twist)
+    return Touch(overlap, opened, n, n_before, m, rates, relative, changed, twist)
 
 
 @inlined

@@ -11,7 +11,8 @@ class Touch(NamedTuple):
     """A contact at the end of a step.
 
     overlap: now [m], opened: how much less than before the step. n, n_before, midway: the normal
-    now, before the step, and at its middle. relative: velocity of the surfaces at the contact in
+    now, before the step, and at its middle. rates: how fast the gap opens before and now [m/s], by
+    the velocities of two steps. relative: velocity of the surfaces at the contact in
     the step [m/s], changed: that less the one of the step before. twist: how far the surfaces
     turned about the normal [rad]; None if no sphere turns.
     """
@@ -21,6 +22,7 @@ class Touch(NamedTuple):
     n: Triple
     n_before: Triple
     midway: Triple
+    rates: tuple[float, float]
     relative: Triple
     changed: Triple
     twist: float | None

@@ -32,7 +32,7 @@ def off_wall(u: Vector, walls: Walls, q: int) -> float:
 
 
 @inlined
-def met(u: Vector, walls: Walls, moving: Moving | None, q: int) -> float:
+def into_wall(u: Vector, walls: Walls, moving: Moving | None, q: int) -> float:
     """The overlap [m] of a sphere with a wall where it is now."""
     overlap = off_wall(u, walls, q)
     if moving is not None:
@@ -84,7 +84,8 @@ def touch_of(
     """How a sphere came to an overlap with a wall."""
     i, n, radius = walls[0][q], at(walls[1], q), walls[3][q]
     relative, changed = past(motion, i, moving, q)
-    opened = dt * dot(n, relative)
+    opened, more = dt * dot(n, relative), 0.5 * dot(n, changed)
+    rates = dot(n, relative) - more, dot(n, relative) + more
     if w is not None and spun is not None:
         arm = 0.5 * (overlap + 0.5 * opened) - radius
         relative = plus(relative, arm, cross(at(w, i), n))
@@ -92,7 +93,7 @@ def touch_of(
         twist = 0.5 * dt * dot(at(w, i), n)
     else:
         twist = None
-    return Touch(overlap, opened, n, n, n, relative, changed, twist)
+    return Touch(overlap, opened, n, n, n, rates, relative, changed, twist)
 
 
 @inlined
@@ -121,7 +122,7 @@ def wall_forces(
     push, normal, sprung, lost, work = motion.push, 0.0, 0.0, 0.0, 0.0
     for q in range(len(rows)):
         i, n = rows[q], at(facing, q)
-        overlap = met(motion.u, walls, moving, q)
+        overlap = into_wall(motion.u, walls, moving, q)
         work += carried(motion.v, moving, q, dt)
         keep(moving, q, NOWHERE)
         if overlap <= 0.0:

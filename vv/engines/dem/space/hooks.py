@@ -26,7 +26,7 @@ def begin(terms: Terms, bodies: Bodies, motion: Motion) -> None:
 
 @composed(call)
 def start(terms: Terms, bodies: Bodies, motion: Motion, dt: float) -> None:
-    """Set what moves of itself in motion, once the forces at t = 0 are known."""
+    """Set in motion what is so at t = 0, once the forces there but for viscous ones are known."""
 
 
 @composed(call)

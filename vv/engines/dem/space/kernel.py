@@ -46,9 +46,9 @@ def move_in_space(
     if near is not None:
         slots = gathered(near, motion.u, slots, many)
     normal, sprung, _, _ = forces(terms, bodies, motion, dt, slots, many)
+    start(terms, bodies, motion, dt)
     slow(terms, bodies, motion, 0.0, slots, many, lag)
     after(terms, bodies, motion, 0.0)
-    start(terms, bodies, motion, dt)
     put_in = normal + sprung + place(terms, bodies, motion, back * dt)
     withdraw(terms, bodies, motion, slots, many)
     slowed = slow(terms, bodies, motion, dt, slots, many, lag)

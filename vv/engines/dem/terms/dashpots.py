@@ -11,23 +11,26 @@ from typing import NamedTuple
 import numpy as np
 
 from vv.engines.dem.contact.pairs import Pairs, apart
-from vv.engines.dem.contact.walls import Walls, off_wall
+from vv.engines.dem.contact.walls import Moving, Walls, into_wall
 from vv.engines.dem.rows import Index
 from vv.engines.dem.space.advance import carried_on, held
 from vv.engines.dem.space.bodies import Bodies, Motion
+from vv.engines.dem.space.ledger import column
 from vv.engines.dem.space.neighbours import MET, OVERLAP, Slots
 from vv.engines.dem.space.placed import Placed
 from vv.engines.dem.terms import pair_contacts, wall_contacts
 from vv.engines.dem.terms.drag import Drag
 from vv.engines.kernels.compiled import inlined
 from vv.engines.kernels.triples import NOWHERE, Triple, at, dot, plus, put
-from vv.scene import Term, Vector
+from vv.scene import Form, Term, Vector
 
-STANDS_FOR = frozenset({Term.CONTACT_VISCOSITY})
+STANDS_FOR = frozenset({Term.CONTACT_VISCOSITY, Term.VISCOUS_FRICTION})
+WALLS = column(Form.WALLS)
 
 SWEEPS = 1000  # at most; 1 + eta_n dt/2 B M^-1 B^T, of condition 2 at most, takes some tens
 SETTLED = 1e-15  # of the largest force: how little a last sweep changes
 SPRING, RATE, FORCE = 3, 4, 5  # columns after those of the normal
+EARLIER, BEHIND, AHEAD, WORK = 0, 1, 2, 3  # places in what is kept of moving walls
 
 Met = tuple[Index, Vector]
 """All contacts that may be: the rows (k, 2) of what meets, the first pushed against the normal;
@@ -37,8 +40,10 @@ Met = tuple[Index, Vector]
 class Dashpots(NamedTuple):
     """The contacts that are viscous, their kn [N/m] and eta_n [N s/m].
 
-    met: all listed contacts; those that are gathered have it in their slots. new: (m + 1, 3) room
-    for velocities.
+    met: all listed contacts; those that are gathered have it in their slots. new: room for
+    velocities, a row for each of `Motion.v`. moving: how walls move, or None; done (4,): the power
+    [W] that walls which move had after the last step, have before and after now, and their work
+    since t = 0 [J].
     """
 
     pairs: Pairs | None
@@ -47,6 +52,8 @@ class Dashpots(NamedTuple):
     eta_n: float
     met: Met
     new: Vector
+    moving: Moving | None
+    done: Vector
 
 
 def build(placed: Placed) -> Dashpots | None:
@@ -56,11 +63,14 @@ def build(placed: Placed) -> Dashpots | None:
     if not law.eta_n > 0 or (pairs is None and walls is None and placed.near is None):
         return None
     ends = [np.zeros((0, 2), np.intp)] if pairs is None else [pairs[0]]
-    if walls is not None:  # a wall is the first of two, in the row of the ground
-        ends.append(np.stack([np.full_like(walls[0], m), walls[0]], axis=1))
+    moving = wall_contacts.moved(placed)
+    if walls is not None:  # a wall is the first of two, in a row of its own or of the ground
+        first = np.full_like(walls[0], m) if moving is None else moving[0]
+        ends.append(np.stack([first, walls[0]], axis=1))
     both = np.concatenate(ends)
     met = both, np.zeros((len(both), MET))
-    return Dashpots(pairs, walls, law.kn, law.eta_n, met, np.zeros((m + 1, 3)))
+    new = np.zeros((m + 1 + (0 if moving is None else len(placed.scene.walls)), 3))
+    return Dashpots(pairs, walls, law.kn, law.eta_n, met, new, moving, np.zeros(4))
 
 
 def models(term: Dashpots) -> frozenset[Term]:
@@ -76,6 +86,13 @@ def begin(term: Dashpots, bodies: Bodies, motion: Motion) -> None:
         for c in range(OVERLAP):
             kept[k, c] = 0.0
         kept[k, OVERLAP] = np.inf
+    for c in range(len(term.done)):
+        term.done[c] = 0.0
+
+
+@inlined
+def start(term: Dashpots, bodies: Bodies, motion: Motion, dt: float) -> None:
+    """The velocities at t = 0."""
     for i in range(len(bodies.mass)):
         put(motion.v, i, at(bodies.velocity, i))
 
@@ -92,11 +109,50 @@ def viscous(
     lag: float,
 ) -> tuple[float, float]:
     """The forces of all dashpots."""
-    meet(term.met, motion.u, term.pairs, term.walls, term.kn, term.eta_n)
+    meet(term.met, motion.u, term.pairs, term.walls, term.moving, term.kn, term.eta_n)
     near = slots.rows[: many[0]], slots.offset, slots.gap, slots.radii
-    meet((slots.rows, slots.met), motion.u, near, None, term.kn, term.eta_n)
+    meet((slots.rows, slots.met), motion.u, near, None, None, term.kn, term.eta_n)
     mets = term.met, (slots.rows[: many[0]], slots.met)
-    return slow(mets, motion.push, motion.v, term.new, bodies.mass, bodies.hold, dt, drag, lag)
+    foresee(term.new, motion, len(bodies.mass) + 1)
+    taken = slow(mets, motion.push, motion.v, term.new, bodies.mass, bodies.hold, dt, drag, lag)
+    carry(term, term.moving, motion.v, len(bodies.mass))
+    return taken
+
+
+@inlined
+def foresee(new: Vector, motion: Motion, first: int) -> None:
+    """The velocities of moving walls in the next step, as the two before lead to."""
+    for r in range(first, len(new)):
+        put(new, r, plus(plus(NOWHERE, 2.0, at(motion.v, r)), -1.0, at(motion.before, r)))
+
+
+@inlined
+def carry(term: Dashpots, moving: Moving | None, v: Vector, ground: int) -> None:
+    """Note the powers [W] of moving walls before and after now, and what the one after was."""
+    if moving is not None:
+        ends, kept = term.met
+        behind = ahead = 0.0
+        for k in range(len(ends)):
+            if ends[k, 0] > ground:
+                force = plus(NOWHERE, kept[k, FORCE], at(kept, k))
+                behind += dot(force, at(v, ends[k, 0]))
+                ahead += dot(force, at(term.new, ends[k, 0]))
+        term.done[EARLIER] = term.done[AHEAD]
+        term.done[BEHIND], term.done[AHEAD] = behind, ahead
+
+
+@inlined
+def after(term: Dashpots, bodies: Bodies, motion: Motion, dt: float) -> None:
+    """The work of moving walls in a step, by the trapezoidal rule."""
+    term.done[WORK] += 0.5 * dt * (term.done[EARLIER] + term.done[BEHIND])
+
+
+@inlined
+def book(term: Dashpots, bodies: Bodies, motion: Motion, energy: Vector, row: int) -> tuple[float]:
+    """Add it to what walls did by springs."""
+    if energy.shape[1] > WALLS:
+        energy[row, WALLS] += term.done[WORK]
+    return (term.done[WORK],)
 
 
 @inlined
@@ -108,7 +164,13 @@ def withdraw(term: Dashpots, bodies: Bodies, motion: Motion, slots: Slots, many:
 
 @inlined
 def meet(
-    met: Met, u: Vector, pairs: Pairs | None, walls: Walls | None, kn: float, eta_n: float
+    met: Met,
+    u: Vector,
+    pairs: Pairs | None,
+    walls: Walls | None,
+    moving: Moving | None,
+    kn: float,
+    eta_n: float,
 ) -> None:
     """Bring all contacts to the displacements u (rows, 3) [m]."""
     k = 0
@@ -119,7 +181,7 @@ def meet(
             k += 1
     if walls is not None:
         for q in range(len(walls[0])):
-            close(met[1], k, at(walls[1], q), off_wall(u, walls, q), kn, eta_n)
+            close(met[1], k, at(walls[1], q), into_wall(u, walls, moving, q), kn, eta_n)
             k += 1
 
 
@@ -262,6 +324,7 @@ def shove(met: Met, push: Vector, sign: float) -> None:
     """Add the forces of all contacts to push, or take them away."""
     ends, kept = met
     for k in range(len(ends)):
-        force, i, j = plus(NOWHERE, sign * kept[k, FORCE], at(kept, k)), ends[k, 0], ends[k, 1]
+        force, j = plus(NOWHERE, sign * kept[k, FORCE], at(kept, k)), ends[k, 1]
+        i = min(ends[k, 0], len(push) - 1)  # what pushes a wall that moves is not kept
         put(push, i, plus(at(push, i), -1.0, force))
         put(push, j, plus(at(push, j), 1.0, force))

@@ -39,10 +39,7 @@ def build(placed: Placed) -> WallContacts | None:
     walls, charged, law = listed(placed), placed.charged, law_of(placed.scene)
     if walls is None:
         return None
-    q, m = len(walls[0]), int(placed.moves.sum())
-    # the rows that hold how the walls move: those after the spheres' own and the ground's
-    grounds = np.repeat(m + 1 + np.arange(len(placed.scene.walls)), m)
-    moving = (grounds, np.zeros((q, 3))) if placed.walls_move else None
+    moving, q = moved(placed), len(walls[0])
     if charged is not None and not (law.friction and charged.any()):
         charged = None
     shear = np.zeros((q if law.friction else 0, 3))
@@ -60,6 +57,15 @@ def listed(placed: Placed) -> Walls | None:
     normals = np.repeat([wall.normal for wall in scene.walls], len(radius), axis=0)
     rows = np.tile(placed.row[moves], count)
     return rows, normals, np.concatenate(gaps), np.tile(radius, count)
+
+
+def moved(placed: Placed) -> Moving | None:
+    """How the walls of `listed` move, if any does."""
+    if not placed.walls_move:
+        return None
+    m, count = int(placed.moves.sum()), len(placed.scene.walls)
+    # the rows that hold it: those after the spheres' own and the ground's
+    return np.repeat(m + 1 + np.arange(count), m), np.zeros((m * count, 3))
 
 
 def models(term: WallContacts) -> frozenset[Term]:
