@@ -13,6 +13,7 @@ from vv.engines.rigid.limits import CHAIN, OUTER, POLISHED, SHINED, SMALL, STALL
 from vv.engines.rigid.solver.assembly import Bodies, Joints, load_on
 from vv.engines.rigid.solver.banded import arranged
 from vv.engines.rigid.solver.cone import Friction, keep, residual, solve_contacts
+from vv.engines.rigid.solver.momentum import carried
 from vv.engines.rigid.solver.newton import balanced
 from vv.scene import Vector
 
@@ -38,7 +39,10 @@ def converged(
     free_v, free_w = without(p, joints, bodies, v, w)
     while sweeps < setting.most and left > tolerance:
         few = smaller(patience, setting.most - sweeps)
-        more, left = solve_contacts(p, joints, bodies, friction, v, w, tolerance, fewest, few)
+        if patience == STALLED:
+            more, left = solve_contacts(p, joints, bodies, friction, v, w, tolerance, fewest, few)
+        else:
+            more, left = carried(p, joints, bodies, friction, v, w, tolerance, fewest, few)
         sweeps += more
         if left > tolerance:
             left = renewed(p, joints, bodies, friction, v, w, free_v, free_w)

@@ -69,6 +69,8 @@ def sweep(
         u = relative(joints, c, v, w)
         had = dot(before, n)
         normal = larger(0.0, had - (dot(u, n) - friction.need[c]) / joints.across[c])
+        if normal == 0.0 and dot(before, before) == 0.0:
+            continue
         u = plus(u, normal - had, at(joints.pull, c))
         d, turn = at(friction.d, c), at(friction.turn, c)
         along = projected(joints.along[c], n, u, before, friction.mu * normal, d, turn)
