@@ -1,4 +1,7 @@
-"""Claims about a dask cluster in place of local processes: the same results, and deaths apart."""
+"""Claims about a dask cluster in place of local processes: the same results, and deaths apart.
+
+What needs no cluster is claimed in test_batching.py.
+"""
 
 from __future__ import annotations
 
@@ -6,6 +9,7 @@ import importlib.util
 import json
 import subprocess
 import sys
+import threading
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -25,7 +29,8 @@ if __name__ == "__main__":
     settings = {"distributed.worker.daemon": sys.argv[1] == "daemons",
                 "distributed.scheduler.allowed-failures": 0}
     with dask.config.set(settings), LocalCluster(
-        n_workers=2, threads_per_worker=1, dashboard_address=None
+        n_workers=int(sys.argv[2]), threads_per_worker=1, dashboard_address=None,
+        resources={"timing": 1},
     ) as cluster:
         print(cluster.scheduler_address.replace("tcp://", "dask://"), flush=True)
         sys.stdin.read()
@@ -39,11 +44,11 @@ terms = ["sphere", "gravity"]
 CODES = "fake/good,fake/raises,fake/hangs,fake/killed,fake/refuses,killer.toml"
 
 
-def cluster(folder: Path, how: str) -> subprocess.Popen[str]:
-    """A cluster of two workers, which ends when its input is closed; it prints its address."""
+def cluster(folder: Path, how: str, workers: int = 1) -> subprocess.Popen[str]:
+    """A cluster, which ends when its input is closed; it prints its address."""
     (folder / "cluster.py").write_text(CLUSTER)
     return subprocess.Popen(
-        [sys.executable, "cluster.py", how],
+        [sys.executable, "cluster.py", how, str(workers)],
         cwd=folder,
         stdin=subprocess.PIPE,
         stdout=subprocess.PIPE,
@@ -54,7 +59,7 @@ def cluster(folder: Path, how: str) -> subprocess.Popen[str]:
 
 @pytest.fixture(scope="module")
 def address(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
-    program = cluster(tmp_path_factory.mktemp("cluster"), "free")
+    program = cluster(tmp_path_factory.mktemp("cluster"), "free", workers=2)
     assert program.stdout is not None
     yield program.stdout.readline().strip()
     program.communicate(timeout=30)
@@ -84,13 +89,40 @@ def test_a_cluster_answers_as_this_machine_does_and_a_death_costs_its_own_batch(
     assert told["killer/default"].startswith("error: the worker failed: KilledWorker")
 
 
+def test_results_that_came_stand_when_the_scheduler_goes(tiny: Tiny) -> None:
+    program = cluster(tiny.root, "free")
+    assert program.stdout is not None
+    there = ("--executor", program.stdout.readline().strip())
+    words = ("run", "fall:up", "--level", "quick", "--codes", "fake/good,fake/hangs")
+    threading.Timer(8.0, program.kill).start()
+    done = tiny.vv(*words, "--timeout", "50", *there)
+    assert done.returncode & 8
+    assert "Traceback" not in done.stderr
+    assert "the scheduler is gone" in done.stderr
+
+
 def test_workers_that_may_start_no_process_say_how_they_could(tiny: Tiny) -> None:
     program = cluster(tiny.root, "daemons")
     assert program.stdout is not None
-    words = ("run", "fall:up", "--level", "quick", "--codes", "fake/good", "--executor")
-    done = tiny.vv(*words, program.stdout.readline().strip())
+    there = ("--codes", "fake/good", "--executor", program.stdout.readline().strip())
+    answered = tiny.vv("run", "fall", *there)
+    assert tiny.vv("run", "fall", "--codes", "fake/good").returncode == 0
+    timed = tiny.vv("run", "--all", *there)  # the results stand: only the session is due, there
     program.communicate(timeout=30)
-    assert "set distributed.worker.daemon to False" in done.stderr
+    assert "set distributed.worker.daemon to False" in answered.stderr
+    assert "not timed: " in timed.stderr
+    assert "set distributed.worker.daemon to False" in timed.stderr
+
+
+def test_a_worker_that_may_time_holds_the_session(tiny: Tiny) -> None:
+    program = cluster(tiny.root, "free")
+    assert program.stdout is not None
+    there = ("--executor", program.stdout.readline().strip())
+    done = tiny.vv("run", "--all", "--codes", "fake/good", *there, "--json", "all.json")
+    program.communicate(timeout=30)
+    assert done.returncode == 0
+    records = json.loads((tiny.root / "all.json").read_text())["records"]
+    assert {one["cost"]["kind"] for one in records} >= {"timed"}
 
 
 def test_a_worker_with_other_sources_is_refused(tiny: Tiny) -> None:

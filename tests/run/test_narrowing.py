@@ -11,7 +11,7 @@ from vv.base.errors import UsageError
 from vv.plan.plan import Options, Plan, make_plan
 from vv.plan.project import Project
 from vv.records.manifest import Manifest
-from vv.run import narrowing
+from vv.run import narrowing, pace
 
 
 def jobs(tiny: Tiny, *words: str) -> list[str]:
@@ -109,11 +109,11 @@ def past(plan: Plan, seconds: float) -> Manifest:
 
 def test_a_budget_takes_the_closest_first_and_two_rungs_of_all_before_a_third(plan: Plan) -> None:
     runnable = [job for job in plan.jobs if job.settled is None]
-    schemes = {narrowing.key(job)[:3] for job in runnable}
+    schemes = {pace.key(job)[:3] for job in runnable}
     four = narrowing.within(plan, 4.5, [past(plan, 1.0)])
     assert {job.code for job in four.jobs if job.settled is None} == {"exact"}
     wide = narrowing.within(plan, 2.0 * len(schemes), [past(plan, 1.0)])
-    assert {narrowing.key(job)[:3] for job in wide.jobs if job.settled is None} == schemes
+    assert {pace.key(job)[:3] for job in wide.jobs if job.settled is None} == schemes
     assert len(narrowing.within(plan, 1e9, []).jobs) == len(plan.jobs)
 
 

@@ -22,8 +22,6 @@ if TYPE_CHECKING:
     from vv.run.session import Limits
     from vv.store.store import Store
 
-PAST = 10  # manifests that a budget looks at
-
 
 @dataclass(frozen=True)
 class Narrowing:
@@ -216,15 +214,16 @@ def _narrowed(
 ) -> Plan:
     from vv.plan.plan import with_jobs_kept
     from vv.run import narrowing as narrow
+    from vv.run import pace
     from vv.store.checkout import changed_since
 
     if last is not None:
         wanted = narrow.troubled(last)
-        plan = with_jobs_kept(plan, lambda job: narrow.key(job) in wanted)
+        plan = with_jobs_kept(plan, lambda job: pace.key(job) in wanted)
     if narrowing.since:
         plan = narrow.affected(project, plan, changed_since(project.root, narrowing.since))
     if narrowing.budget:
-        past = store.newest(PAST, terminal.note)
+        past = store.newest(pace.PAST, terminal.note)
         plan = narrow.within(plan, narrow.seconds(narrowing.budget), past)
     return plan
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import dataclasses
 import datetime
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 
 from vv.case import Check
@@ -26,6 +26,7 @@ from vv.plan.project import Project
 from vv.records.accepted import AcceptanceSummary, Baseline, BaselineSummary
 from vv.records.finding import Aspect, Bit, Finding
 from vv.records.job_record import Record
+from vv.records.provenance import Machine
 from vv.records.recorded import RecordedResult
 from vv.store.provenance import machine
 
@@ -34,10 +35,12 @@ from vv.store.provenance import machine
 class GateOptions:
     """What a judgement depends on besides records and project: the day, and what was demanded.
 
-    against: a folder of baselines that must have every result. timing: speed is enforced.
+    timer: the machine on which costs were timed. against: a folder of baselines that must have
+    every result. timing: speed is enforced.
     """
 
     today: datetime.date
+    timer: Machine = field(default_factory=machine)
     against: Path | None = None
     timing: bool = False
 
@@ -121,7 +124,7 @@ def _since(
         found += [dataclasses.replace(one, enforced=enforced) for one in removed]
         found += answers.compare(name, records, answers.accepted(project, name) or {}, enforced)
         strict = options.timing and Check.SPEED in case.enforced
-        found += speed.compare(name, records, was, machine().processor, strict)
+        found += speed.compare(name, records, was, options.timer.processor, strict)
     return found
 
 

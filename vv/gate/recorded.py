@@ -102,6 +102,17 @@ def shown(
     return tuple(found)
 
 
+def seconds_recorded(folder: Path, code: str, case: str) -> dict[tuple[str, str, str, str], float]:
+    """(case, variant, CODE/SCHEME, rung) -> seconds of the stepping loop, as recorded."""
+    kept = _read(folder / code / f"{case}.json")
+    named = {tuple(name.split(" ")): one.cpu for name, one in kept.results.items()} if kept else {}
+    return {
+        (case, parts[0], parts[1], parts[2] if len(parts) > 2 else ""): cpu
+        for parts, cpu in named.items()
+        if cpu
+    }
+
+
 def _shown(
     record: Record, kept: RecordedFile, result: RecordedRun, today: datetime.date
 ) -> RecordedResult:

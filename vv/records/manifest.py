@@ -10,7 +10,7 @@ from vv.records.case_facts import CaseFacts
 from vv.records.fields import optional
 from vv.records.finding import Finding
 from vv.records.job_record import Record
-from vv.records.provenance import Provenance
+from vv.records.provenance import Machine, Provenance
 from vv.records.recorded import RecordedResult
 
 
@@ -28,8 +28,9 @@ class Manifest:
     """One invocation, all in all.
 
     untimed: the jobs that were to be timed and could not be. findings: what the gate found beside
-    the records. baselines, recorded: what these were compared with and stand beside. name: in the
-    store; not written with the rest.
+    the records. baselines, recorded: what these were compared with and stand beside. timed_on: the
+    machine on which costs were timed, where it is another. name: in the store; not written with
+    the rest.
     """
 
     provenance: Provenance
@@ -40,6 +41,7 @@ class Manifest:
     findings: tuple[Finding, ...]
     baselines: Mapping[str, BaselineSummary]
     recorded: tuple[RecordedResult, ...]
+    timed_on: Machine | None = optional(None)  # noqa: RUF009
     name: str = optional("")
 
     def external(self) -> set[str]:

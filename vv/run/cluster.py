@@ -1,69 +1,59 @@
 """Answers batches by the workers of a dask cluster; keys, store and messages stay at the head.
 
-A worker runs a batch as this machine would, in a process of its own that is timed out and ended
-with all that it started. It refuses a code whose sources or programs are not those of the head.
+Costs are timed by a worker that was given the resource `timing`, in one task, or else here.
 """
 
 from __future__ import annotations
 
 import contextlib
-import dataclasses
-import functools
 import importlib
-import multiprocessing
-import re
-import shutil
 import socket
-import tempfile
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from concurrent.futures import CancelledError
 from dataclasses import dataclass
-from pathlib import Path
 from typing import Any
 
-from vv.ask import Ask, Run, Status
+from vv.ask import Run, Status
 from vv.base.errors import UsageError
-from vv.codes.external import last_lines
-from vv.plan import imports, keys
+from vv.base.notices import notice
+from vv.plan import imports
+from vv.plan.plan import Job
 from vv.plan.project import Project
-from vv.run.runner import Batch, run_batches
+from vv.records.provenance import Machine
+from vv.run.pace import Pace, piles
+from vv.run.rounds import Timed, rounds
+from vv.run.runner import Batch
+from vv.run.worker import Task, answer, measure, resources
+from vv.store.provenance import machine
+from vv.store.store import Store
 
 SCHEME = "dask://"
-PATIENCE = 20.0  # s to find the scheduler
+PATIENCE = 5.0  # s that the scheduler may take to answer
+WORTHWHILE = 1.0  # s that a batch should take at least, beside which a task's 8 ms are little
+STARTS = 4.0  # times the start of its program that it should take
 LONGEST = 500  # characters of a reason
-PLACE = re.compile(r"; see (\S+)$")  # how a reason ends that names a folder of the worker
-Answers = list[tuple[int, Run]]
-
-
-@dataclass(frozen=True)
-class Task:
-    """A batch as it travels: the code by its name, and the digest that it has at the head.
-
-    root: the folder of the project, which must be there for the workers too; None for what came
-    with vv. programs: TOML files of further codes.
-    """
-
-    root: Path | None
-    programs: tuple[Path, ...]
-    code: str
-    digest: str
-    scheme: str
-    numbers: tuple[int, ...]
-    asks: tuple[Ask, ...]
+TIMING = "timing"  # the resource of a worker that has a machine to itself
 
 
 @dataclass(frozen=True)
 class Cluster:
-    """The workers of a dask scheduler; digests: of every code, as the head has it."""
+    """The workers of a dask scheduler.
+
+    digests: of every code, as the head has it; paces: id of a job -> how long it will take.
+    """
 
     address: str
     project: Project
     digests: Mapping[str, str]
+    paces: Mapping[int, Pace]
 
-    @property
-    def workers(self) -> int:
-        """The threads of all workers."""
-        with self._client() as client:
-            return max(1, sum(map(int, client.nthreads().values())))
+    def shares(self, jobs: Sequence[Job], schemes: int) -> Iterator[tuple[int, ...]]:
+        """Batches of a second or more, and of several times what the program takes to start."""
+        expected = [self.paces[id(job)] for job in jobs]
+        start = max(pace.start for pace in expected)
+        rest = [pace.rest for pace in expected]
+        count = int(sum(rest) / max(WORTHWHILE, STARTS * start))
+        return piles(rest, min(len(jobs), max(1, count)))
 
     def run(self, batches: Iterable[Batch], timeout: float) -> Iterator[tuple[int, Run]]:
         """Yield (number, run) batch by batch; what kills its worker twice has failed.
@@ -74,16 +64,41 @@ class Cluster:
             due = {self._submitted(client, batch, timeout): batch for batch in batches}
             lost = []
             for future in _distributed().as_completed(list(due)):
-                if future.exception() is None:
-                    yield from future.result()
-                else:
+                came = _came(future)
+                if isinstance(came, CancelledError):  # nobody is there to try it again
+                    yield from _failed(due[future], "the scheduler is gone")
+                elif isinstance(came, Exception):
                     lost.append(due[future])
+                else:
+                    yield from came
             for batch in lost:
-                future = self._submitted(client, batch, timeout)
-                error = future.exception()
-                reason = f"the worker failed: {type(error).__name__}: {error}"[:LONGEST]
-                failed = [(number, Run(Status.ERROR, reason)) for number in batch.numbers]
-                yield from failed if error is not None else future.result()
+                came = _came(self._submitted(client, batch, timeout))
+                failed = isinstance(came, Exception)
+                why = f"the worker failed: {type(came).__name__}: {came}"[:LONGEST]
+                yield from _failed(batch, why) if failed else came
+
+    def timer(self) -> Machine:
+        """The machine of a worker that was given the resource `timing`; this one if none was."""
+        with self._client() as client:
+            if not _may_time(client):
+                return machine()
+            found: Machine = _to_time(client, machine).result()
+            return found
+
+    def timed(self, batches: Sequence[Batch], timeout: float) -> list[Timed]:
+        """One task on that worker; says what could not be timed there."""
+        with self._client() as client:
+            if not _may_time(client):
+                return rounds(batches, timeout, Store(self.project.data()).scratch)
+            future = _to_time(client, measure, list(map(self._task, batches)), timeout)
+            came = _came(future)
+        if isinstance(came, Exception):
+            notice(f"nothing was timed: {type(came).__name__}: {came}"[:LONGEST])
+            return []
+        seen, untimed = came
+        for reason in untimed:
+            notice(f"not timed: {reason}")
+        return list(seen)
 
     def _submitted(self, client: Any, batch: Batch, timeout: float) -> Any:
         return client.submit(answer, self._task(batch), timeout, pure=False, retries=0)
@@ -92,18 +107,26 @@ class Cluster:
         code, project = batch.adapter.name, self.project
         root = None if project.root == imports.OWN else project.root
         digest = self.digests[code]
-        return Task(root, project.programs, code, digest, batch.scheme, batch.numbers, batch.asks)
+        programs, asked = project.programs, (batch.numbers, batch.asks, batch.repeat)
+        return Task(root, programs, code, digest, batch.scheme, *asked)
 
     @contextlib.contextmanager
     def _client(self) -> Iterator[Any]:
         """A connection to the scheduler; raises UsageError where there is none."""
+        place = self.address.removeprefix(SCHEME)
         try:
-            client = _distributed().Client(self.address.removeprefix(SCHEME), timeout=PATIENCE)
+            distributed = _distributed()
         except ImportError as error:
             raise UsageError(f"--executor {self.address}: install vv[dask] to use it") from error
+        host, _, port = place.rpartition(":")
+        try:
+            socket.create_connection((host, int(port)), PATIENCE).close()
+            client = distributed.Client(place, timeout=PATIENCE)
         except (OSError, ValueError) as error:
             raise UsageError(f"--executor {self.address}: no scheduler answers there") from error
         with client:
+            if not client.nthreads():
+                notice(f"{self.address} has no workers yet; jobs wait for the first")
             yield client
 
 
@@ -112,49 +135,24 @@ def _distributed() -> Any:
     return importlib.import_module("distributed")
 
 
-def answer(task: Task, timeout: float) -> Answers:
-    """In a worker: what comes of a task, or for every ask the reason why it cannot be taken on."""
-    if reason := _why_not(task):
-        return [(n, Run(Status.ERROR, f"{socket.gethostname()}: {reason}")) for n in task.numbers]
-    adapter = _project(task).load_adapter(task.code)
-    if load := adapter.found().load:
-        load()
-    batch = Batch(adapter, task.scheme, task.numbers, task.asks)
-    root = Path(tempfile.mkdtemp(prefix="vv-"))
+def _came(future: Any) -> Any:
+    """What came of a task: its answers, or the error that ended it."""
     try:
-        runs = run_batches([batch], 1, timeout, lambda: Path(tempfile.mkdtemp(dir=root)))
-        return [(number, _told(run)) for number, run in runs]
-    finally:
-        shutil.rmtree(root, ignore_errors=True)
+        return future.result()
+    except Exception as error:
+        return error
 
 
-def _project(task: Task) -> Project:
-    if task.root is None:
-        own = Project(imports.OWN, bundled=imports.OWN == imports.BUNDLE)
-        return own.with_programs(task.programs)
-    return Project(task.root, programs=task.programs)
+def _failed(batch: Batch, reason: str) -> Iterator[tuple[int, Run]]:
+    """A failure for every ask of a batch."""
+    yield from ((number, Run(Status.ERROR, reason)) for number in batch.numbers)
 
 
-@functools.cache
-def _digest(root: Path | None, programs: tuple[Path, ...], code: str) -> str:
-    """The digest of a code when it was first asked for: later edits are not in memory."""
-    project = _project(Task(root, programs, code, "", "", (), ()))
-    return keys.code_digest(project, project.load_adapter(code).found(), code)
+def _may_time(client: Any) -> bool:
+    """Whether a worker has the resource `timing`."""
+    return any(TIMING in found for found in client.run(resources, on_error="ignore").values())
 
 
-def _why_not(task: Task) -> str:
-    if _digest(task.root, task.programs, task.code) != task.digest:
-        what = f"the sources, libraries or programs of {task.code} are not those of the head"
-        return f"{what}; if they were changed, restart the workers"
-    if multiprocessing.current_process().daemon:
-        return "a worker must start processes: set distributed.worker.daemon to False"
-    return ""
-
-
-def _told(run: Run) -> Run:
-    """The run; where its reason names a folder of the worker, with the end of the log in it."""
-    place = PLACE.search(run.reason)
-    if place is None:
-        return run
-    told = f"{run.reason[: place.start()]}; {last_lines(Path(place[1]) / 'worker.log', 3)}"
-    return dataclasses.replace(run, reason=told)
+def _to_time(client: Any, what: Callable[..., object], *given: object) -> Any:
+    """The future of a call by a worker that may time."""
+    return client.submit(what, *given, pure=False, retries=0, resources={TIMING: 1})

@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Protocol
 
 from vv.ask import Run
+from vv.plan.plan import Job
+from vv.records.provenance import Machine
+from vv.run.rounds import Timed, rounds
 from vv.run.runner import Batch, run_batches
+from vv.store.provenance import machine
 
 LOCAL = "local"
 
@@ -16,12 +20,17 @@ LOCAL = "local"
 class Executor(Protocol):
     """What answers batches; the runs come back in any order, each as soon as it is there."""
 
-    @property
-    def workers(self) -> int:
-        """How many batches it answers at a time."""
+    def shares(self, jobs: Sequence[Job], schemes: int) -> Iterator[tuple[int, ...]]:
+        """Yield the places of a scheme's jobs that make a batch; schemes: how many are waiting."""
 
     def run(self, batches: Iterable[Batch], timeout: float) -> Iterator[tuple[int, Run]]:
         """Yield (number, run) for every ask; timeout: seconds for each."""
+
+    def timer(self) -> Machine:
+        """The machine on which `timed` measures."""
+
+    def timed(self, batches: Sequence[Batch], timeout: float) -> list[Timed]:
+        """What solves cost, as `vv.run.rounds` has it, beside nothing else of this invocation."""
 
 
 @dataclass(frozen=True)
@@ -31,6 +40,19 @@ class Local:
     workers: int
     scratch: Callable[[], Path]
 
+    def shares(self, jobs: Sequence[Job], schemes: int) -> Iterator[tuple[int, ...]]:
+        """One batch, or as many as make every process work where there are fewer schemes."""
+        pieces = max(1, self.workers // max(1, schemes))
+        yield from (tuple(range(one, len(jobs), pieces)) for one in range(min(pieces, len(jobs))))
+
     def run(self, batches: Iterable[Batch], timeout: float) -> Iterator[tuple[int, Run]]:
         """As `vv.run.runner.run_batches`."""
         return run_batches(batches, self.workers, timeout, self.scratch)
+
+    def timer(self) -> Machine:
+        """This machine."""
+        return machine()
+
+    def timed(self, batches: Sequence[Batch], timeout: float) -> list[Timed]:
+        """As `vv.run.rounds.rounds`."""
+        return rounds(batches, timeout, self.scratch)

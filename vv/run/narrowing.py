@@ -15,17 +15,17 @@ from vv.plan.plan import Job, Plan, with_jobs_kept
 from vv.plan.project import Project
 from vv.records.job_record import Record
 from vv.records.manifest import Manifest
-from vv.records.reading import in_words, ran, rung
+from vv.records.reading import ran
+from vv.run.pace import Key, key, key_of, past
 
 EVERYTHING = ("pyproject.toml", "requirements.lock")  # they decide the versions of libraries
 SECONDS = {"s": 1.0, "min": 60.0, "h": 3600.0}
 UNKNOWN = 1.0  # s that a job is taken to need that never ran
-Key = tuple[str, str, str, str]
 
 
 def troubled(manifest: Manifest) -> set[Key]:
     """The jobs of an invocation that did not do well, by their keys."""
-    return {_key_of(record) for record in troubled_records(manifest)}
+    return {key_of(record) for record in troubled_records(manifest)}
 
 
 def troubled_records(manifest: Manifest) -> list[Record]:
@@ -36,15 +36,6 @@ def troubled_records(manifest: Manifest) -> list[Record]:
 def _wrong(record: Record) -> bool:
     """Whether a record is in trouble; that nothing else ran is none of its own."""
     return any(finding.case for finding in record_findings([record]))
-
-
-def key(job: Job) -> Key:
-    """A job by case, variant, scheme and knobs."""
-    return job.case, job.variant, f"{job.code}/{job.scheme}", in_words(job.ask.knobs)
-
-
-def _key_of(record: Record) -> Key:
-    return record.case, record.variant, record.label, rung(record)
 
 
 def affected(project: Project, plan: Plan, changed: Iterable[Path]) -> Plan:
@@ -88,13 +79,13 @@ def within(plan: Plan, budget: float, manifests: Sequence[Manifest]) -> Plan:
     What is new or did not do well comes first, then what was closest to its tolerance; of each
     scheme and variant the two cheapest rungs before any other. What cannot run costs nothing.
     """
-    past = _past(manifests)
-    costs = {id(job): _cost(job, past) for job in plan.jobs}
+    known = past(manifests)
+    costs = {id(job): _cost(job, known) for job in plan.jobs}
     waiting: dict[tuple[str, ...], list[Job]] = {}
     for job in sorted(plan.jobs, key=lambda job: costs[id(job)]):
         waiting.setdefault(key(job)[:3], []).append(job)
     ranked = sorted(
-        (max(0, place - 1), -_telling(job, past), costs[id(job)], number)
+        (max(0, place - 1), -_telling(job, known), costs[id(job)], number)
         for ladder in waiting.values()
         for place, job in enumerate(ladder)
         for number in [plan.jobs.index(job)]
@@ -107,26 +98,18 @@ def within(plan: Plan, budget: float, manifests: Sequence[Manifest]) -> Plan:
     return with_jobs_kept(plan, lambda job: id(job) in kept)
 
 
-def _past(manifests: Iterable[Manifest]) -> dict[Key, Record]:
-    found: dict[Key, Record] = {}
-    for manifest in manifests:
-        for record in manifest.records:
-            found.setdefault(_key_of(record), record)
-    return found
-
-
-def _cost(job: Job, past: Mapping[Key, Record]) -> float:
+def _cost(job: Job, known: Mapping[Key, Record]) -> float:
     if job.settled is not None:
         return 0.0
-    record = past.get(key(job))
+    record = known.get(key(job))
     if record is None or not ran(record):
         return UNKNOWN
     return record.cost.elapsed
 
 
-def _telling(job: Job, past: Mapping[Key, Record]) -> float:
+def _telling(job: Job, known: Mapping[Key, Record]) -> float:
     """How close to its tolerance a job was; infinite if it is new or did not do well."""
-    record = past.get(key(job))
+    record = known.get(key(job))
     if record is None or _wrong(record):
         return math.inf
     pairs = ((one.error, one.tolerance) for one in record.quantities)

@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Protocol
 
 from vv.ask import Run, Status
+from vv.base.notices import notice
 from vv.case import Grid
 from vv.gate.all_checks import GateOptions, judged
 from vv.plan import keys
@@ -22,12 +23,13 @@ from vv.records.manifest import CodeFound, Manifest
 from vv.records.outcomes import StudyKind
 from vv.records.quantity import MeasuredQuantity
 from vv.records.record import checked, measured, summarised, within
+from vv.run.batching import batches
 from vv.run.dossier import dossiers
 from vv.run.executor import LOCAL, Executor, Local
-from vv.run.runner import Batch, failed
+from vv.run.runner import failed
 from vv.run.timing_phase import gaps, last_costs, timed_costs
 from vv.scene import Vector
-from vv.store.provenance import provenance
+from vv.store.provenance import machine, provenance
 from vv.store.store import Store
 
 
@@ -59,7 +61,7 @@ class Limits:
 
     against: the folder of baselines that every result must have one in; None: the project's
     own, where a result without one is only noted. executor: `local`, or dask://HOST:PORT, the
-    scheduler of a cluster that answers what is not stored; costs are timed on this machine.
+    scheduler of a cluster that answers what is not stored.
     """
 
     workers: int
@@ -102,13 +104,14 @@ def carry_out(
     if len(ordered) < len(plan.jobs):
         kept = {id(plan.jobs[number]) for number in records}
         plan, limits = with_jobs_kept(plan, lambda job: id(job) in kept), _untimed(limits)
-    costs = _costs(plan, ordered, stored, limits)
+    costs = _costs(plan, ordered, stored, limits, place)
     timed = [
         dataclasses.replace(record, cost=costs.get(i, record.cost))
         for i, record in enumerate(ordered)
     ]
     now = clock()
-    options = GateOptions(now.date(), limits.against, limits.timing is Timing.NEW)
+    timer = place.timer() if limits.timing in MEASURED else machine()
+    options = GateOptions(now.date(), timer, limits.against, limits.timing is Timing.NEW)
     found = judged(project, plan, timed, options)
     manifest = Manifest(
         provenance=provenance(project.root, command, now),
@@ -119,6 +122,7 @@ def carry_out(
         findings=found.findings,
         baselines=found.baselines,
         recorded=found.recorded,
+        timed_on=None if timer == machine() else timer,
         name=f"{now:%Y%m%dT%H%M%S.%f}Z-{os.getpid()}",
     )
     store.keep_manifest(manifest)
@@ -144,7 +148,7 @@ class _Keys:
 
 
 def _costs(
-    plan: Plan, records: Sequence[Record], stored: _Keys, limits: Limits
+    plan: Plan, records: Sequence[Record], stored: _Keys, limits: Limits, place: Executor
 ) -> dict[int, JobCost]:
     """Job number -> timed cost, from the session that the limits ask for."""
     if limits.timing is Timing.NONE:
@@ -152,7 +156,7 @@ def _costs(
     if limits.timing is Timing.LAST:
         return last_costs(plan, stored.runs, stored.store)
     new = limits.fresh or limits.timing is Timing.NEW
-    return timed_costs(plan, records, stored.runs, stored.store, limits.timeout, new)
+    return timed_costs(plan, records, stored.runs, stored.store, limits.timeout, new, place)
 
 
 def _code(project: Project, plan: Plan, code: str) -> CodeFound:
@@ -166,8 +170,11 @@ def _executor(project: Project, plan: Plan, limits: Limits, store: Store) -> Exe
     if limits.executor == LOCAL:
         return Local(limits.workers, store.scratch)
     from vv.run.cluster import Cluster
+    from vv.run.pace import PAST, paces
 
-    return Cluster(limits.executor, project, keys.code_digests(project, plan))
+    folders = [root / "cases" / "recorded" for root in project.roots]
+    expected = paces(plan, store.newest(PAST, notice), folders)
+    return Cluster(limits.executor, project, keys.code_digests(project, plan), expected)
 
 
 def _records(
@@ -191,8 +198,8 @@ def _records(
     loads = {plan.found[job.code].load for job in waiting.values()}
     for load in filter(None, loads):
         load()
-    due = batches(waiting, plan, place.workers) if waiting else []
-    for number, run in place.run(due, limits.timeout):
+    due = batches(waiting, plan, place)
+    for number, run in place.run(due, limits.timeout) if due else ():
         job = plan.jobs[number]
         whole = checked(run, job.ask)
         store.keep_run(stored.runs[number], whole)
@@ -202,34 +209,6 @@ def _records(
 def _known(job: Job, key: str, store: Store | None) -> Run | None:
     """What comes of a job without running it: what is stored, or else a refusal."""
     return (store.run(key) if store else None) or job.settled
-
-
-def batches(waiting: Mapping[int, Job], plan: Plan, workers: int) -> list[Batch]:
-    """One batch per scheme, or pieces of one where there are fewer schemes than workers.
-
-    First a batch of each engine that compiles its kernels, which its other schemes then find;
-    then external programs, which take longest. In each searches are last: what needs no rounds
-    is then answered by a program that starts once.
-    """
-    groups: dict[tuple[str, str], list[int]] = {}
-    for number, job in sorted(waiting.items(), key=lambda item: item[1].ask.search is not None):
-        groups.setdefault((job.code, job.scheme), []).append(number)
-    pieces = max(1, workers // max(1, len(groups)))
-    made = []
-    for (code, scheme), numbers in groups.items():
-        for piece in range(pieces):
-            share = tuple(numbers[piece::pieces])
-            asks = tuple(waiting[number].ask for number in share)
-            if share:
-                made.append(Batch(plan.adapters[code], scheme, share, asks))
-    first = {batch.adapter.name: batch for batch in reversed(made)}
-
-    def turn(batch: Batch) -> int:
-        if plan.found[batch.adapter.name].files:
-            return 1
-        return 0 if first[batch.adapter.name] is batch else 2
-
-    return sorted(made, key=turn)
 
 
 def _kept(plan: Plan, job: Job, run: Run, key: str, store: Store) -> Record:

@@ -5,22 +5,17 @@ from __future__ import annotations
 import dataclasses
 from collections.abc import Collection, Mapping, Sequence
 
-from vv.ask import Cost, Status
+from vv.ask import Cost
 from vv.base.digest import digest
-from vv.gate.speed import calibration
 from vv.plan.plan import Plan
 from vv.records.job_record import JobCost, Record
 from vv.records.manifest import TimedRun
 from vv.records.outcomes import CostKind
 from vv.records.reading import ran
-from vv.run.runner import Batch, run_batches
-from vv.store.provenance import machine
+from vv.run.executor import Executor
+from vv.run.rounds import REPEAT, ROUNDS
+from vv.run.runner import Batch
 from vv.store.store import Session, Store
-
-# CPU seconds spent on each point over all rounds: eighty blocks of a millisecond, of which the
-# least counts; 0.2 s lowered none of 13 figures by more than 6 %, and cost half a minute more
-REPEAT = 0.08
-ROUNDS = 2  # every code is visited that often, so that drift of the machine hits all alike
 
 
 def timed_costs(
@@ -30,18 +25,20 @@ def timed_costs(
     store: Store,
     timeout: float,
     fresh: bool,
+    place: Executor,
 ) -> dict[int, JobCost]:
     """Job number -> cost, for the jobs to be timed that ran; all from one session.
 
-    A stored session answers if it timed the very same runs on this machine. `relative` is
-    solve_cpu over that of the calibration kernel, the least and the largest of the rounds.
+    A stored session answers if it timed the very same runs on the machine where `place` times.
+    `relative` is solve_cpu over that of the calibration kernel, the least and the largest of the
+    rounds.
     """
     numbers = _due(plan, records)
     keys = {run_keys[n]: n for n in numbers}
-    session = digest(sorted(keys), machine().fingerprint, REPEAT, ROUNDS)
+    session = digest(sorted(keys), place.timer().fingerprint, REPEAT, ROUNDS)
     stored = None if fresh else store.timings(session)
     if stored is None and numbers:
-        stored = _measure(plan, numbers, run_keys, store, timeout)
+        stored = _measure(plan, numbers, run_keys, timeout, place)
         if set(stored) == set(keys):  # a session with gaps is no session to compare within
             store.keep_timings(session, stored)
     costs = stored or {}
@@ -79,25 +76,27 @@ def _with_output(timed: TimedRun, record: Record) -> TimedRun:
 
 
 def _measure(
-    plan: Plan, numbers: Sequence[int], run_keys: Mapping[int, str], store: Store, timeout: float
+    plan: Plan, numbers: Sequence[int], run_keys: Mapping[int, str], timeout: float, place: Executor
 ) -> Session:
     groups: dict[tuple[str, str], list[int]] = {}
     for number in numbers:
         job = plan.jobs[number]
         groups.setdefault((job.code, job.scheme), []).append(number)
+    batches = [
+        Batch(
+            plan.adapters[code],
+            scheme,
+            tuple(members),
+            tuple(plan.jobs[n].ask for n in members),
+            REPEAT / ROUNDS,
+        )
+        for (code, scheme), members in groups.items()
+    ]
     seen: dict[int, list[Cost]] = {}
     ratios: dict[int, list[float]] = {}
-    for _ in range(ROUNDS):
-        for (code, scheme), members in groups.items():
-            asks = tuple(plan.jobs[n].ask for n in members)
-            batch = Batch(plan.adapters[code], scheme, tuple(members), asks, REPEAT / ROUNDS)
-            before = calibration()
-            answers = list(run_batches([batch], 1, timeout, store.scratch))
-            unit = min(before, calibration())
-            for number, run in answers:
-                if run.status is Status.RAN and run.cost.solve_cpu > 0:
-                    seen.setdefault(number, []).append(run.cost)
-                    ratios.setdefault(number, []).append(run.cost.solve_cpu / unit)
+    for number, cost, ratio in place.timed(batches, timeout):
+        seen.setdefault(number, []).append(cost)
+        ratios.setdefault(number, []).append(ratio)
     return {run_keys[n]: _timed(costs, ratios[n]) for n, costs in seen.items()}
 
 

@@ -1,0 +1,92 @@
+"""Claims about batches for a cluster: a second or more each, by what is on record of their jobs."""
+
+from __future__ import annotations
+
+import socket
+from pathlib import Path
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from tests import ROOT
+from tests.support.fabricated import cost, manifest, record
+from vv.plan.plan import Options, Plan, make_plan
+from vv.plan.project import Project
+from vv.run.batching import batches
+from vv.run.cluster import Cluster
+from vv.run.executor import Local
+from vv.run.pace import Pace, paces, piles
+
+T1 = "single-contact:T1"
+NOWHERE = "dask://nowhere:1"
+
+
+@pytest.fixture(scope="module")
+def plan() -> Plan:
+    return make_plan(Project(ROOT), [T1], Options(codes=("dem", "kratos")))
+
+
+def shared(plan: Plan, rest: float, start: float = 0.0) -> list[int]:
+    """The sizes of batches on a cluster where every job takes so long [s]."""
+    waiting = {n: job for n, job in enumerate(plan.jobs) if job.scheme == "default"}
+    waiting = {n: job for n, job in waiting.items() if job.code == "dem"}
+    expected = {id(job): Pace(start, rest) for job in plan.jobs}
+    place = Cluster(NOWHERE, Project(ROOT), {}, expected)
+    return sorted(len(batch.asks) for batch in batches(waiting, plan, place))
+
+
+def test_a_batch_takes_a_second_or_more(plan: Plan) -> None:
+    whole = sum(shared(plan, 1e-3))
+    assert shared(plan, 1e-3) == [whole]
+    assert shared(plan, 2.0) == [1] * whole
+    assert shared(plan, 2.001 / whole) == [whole // 2, whole - whole // 2]
+
+
+def test_a_batch_takes_several_times_what_its_program_takes_to_start(plan: Plan) -> None:
+    whole = sum(shared(plan, 1e-3))
+    assert shared(plan, 2.0, start=0.5 * whole) == [whole]
+
+
+@given(st.lists(st.floats(0.0, 10.0), min_size=1, max_size=30), st.integers(1, 40))
+def test_piles_hold_every_place_once_and_none_exceeds_the_mean_by_more_than_one(
+    seconds: list[float], count: int
+) -> None:
+    shares = list(piles(seconds, count))
+    assert sorted(place for share in shares for place in share) == list(range(len(seconds)))
+    heaviest = max(sum(seconds[place] for place in share) for share in shares)
+    assert heaviest <= sum(seconds) / count + max(seconds) + 1e-9
+
+
+def test_a_job_takes_what_it_took_last_time(plan: Plan) -> None:
+    job = next(job for job in plan.jobs if job.code == "dem")
+    last = record("dem/default", job.variant, job.ask.knobs.dt, case=job.case, cost=cost(cpu=3.0))
+    found = paces(plan, [manifest(last)], [])
+    assert found[id(job)] == Pace(last.cost.startup, last.cost.elapsed - last.cost.startup)
+
+
+def test_a_job_that_never_ran_here_takes_what_was_recorded_of_it_or_its_scheme_expects() -> None:
+    plan = make_plan(Project(ROOT), [T1], Options(codes=("yade",)))
+    job = next(job for job in plan.jobs if job.settled is None and job.scheme == "default")
+    expected = paces(plan, [], [])[id(job)].rest
+    step, body = plan.adapters["yade"].schemes[0].pace
+    assert expected == job.ask.goal.steps(job.ask.knobs.dt or 0.0) * (step + 2 * body)
+    kept = paces(plan, [], [ROOT / "cases" / "recorded"])[id(job)].rest
+    assert kept != expected
+
+
+def test_processes_here_share_a_scheme_where_there_are_fewer_schemes_than_they_are(
+    plan: Plan, tmp_path: Path
+) -> None:
+    jobs = [job for job in plan.jobs if job.code == "dem"][:5]
+    assert list(Local(4, lambda: tmp_path).shares(jobs, 2)) == [(0, 2, 4), (1, 3)]
+    assert list(Local(1, lambda: tmp_path).shares(jobs, 2)) == [(0, 1, 2, 3, 4)]
+
+
+def test_a_port_where_nothing_listens_is_told_at_once(plan: Plan) -> None:
+    pytest.importorskip("distributed")
+    with socket.socket() as free:
+        free.bind(("127.0.0.1", 0))
+        place = Cluster(f"dask://127.0.0.1:{free.getsockname()[1]}", Project(ROOT), {}, {})
+        with pytest.raises(Exception, match="no scheduler answers there"):
+            place.timer()

@@ -1,0 +1,35 @@
+"""Makes batches of the jobs that wait: asks that one worker answers in order."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+from vv.plan.plan import Job, Plan
+from vv.run.executor import Executor
+from vv.run.runner import Batch
+
+
+def batches(waiting: Mapping[int, Job], plan: Plan, place: Executor) -> list[Batch]:
+    """The batches of each scheme, as many as suit the place where they are answered.
+
+    First a batch of each engine that compiles its kernels, which its other schemes then find;
+    then external programs, which take longest. In each searches are last: what needs no rounds
+    is then answered by a program that starts once.
+    """
+    groups: dict[tuple[str, str], list[int]] = {}
+    for number, job in sorted(waiting.items(), key=lambda item: item[1].ask.search is not None):
+        groups.setdefault((job.code, job.scheme), []).append(number)
+    made = []
+    for (code, scheme), numbers in groups.items():
+        for share in place.shares([waiting[number] for number in numbers], len(groups)):
+            chosen = tuple(numbers[one] for one in share)
+            asks = tuple(waiting[number].ask for number in chosen)
+            made.append(Batch(plan.adapters[code], scheme, chosen, asks))
+    first = {batch.adapter.name: batch for batch in reversed(made)}
+
+    def turn(batch: Batch) -> int:
+        if plan.found[batch.adapter.name].files:
+            return 1
+        return 0 if first[batch.adapter.name] is batch else 2
+
+    return sorted(made, key=turn)
