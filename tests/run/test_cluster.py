@@ -96,6 +96,7 @@ def test_results_that_came_stand_when_the_scheduler_goes(tiny: Tiny) -> None:
     words = ("run", "fall:up", "--level", "quick", "--codes", "fake/good,fake/hangs")
     threading.Timer(8.0, program.kill).start()
     done = tiny.vv(*words, "--timeout", "50", *there)
+    program.communicate(timeout=30)
     assert done.returncode & 8
     assert "Traceback" not in done.stderr
     assert "the scheduler is gone" in done.stderr

@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import contextlib
 import importlib
+import logging
 import socket
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from concurrent.futures import CancelledError
@@ -131,8 +132,10 @@ class Cluster:
 
 
 def _distributed() -> Any:
-    """The library, which is optional."""
-    return importlib.import_module("distributed")
+    """The library, which is optional; what it would log of a lost connection, vv says itself."""
+    library = importlib.import_module("distributed")
+    logging.disable()
+    return library
 
 
 def _came(future: Any) -> Any:
