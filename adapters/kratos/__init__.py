@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 
 from adapters.kratos.plan import plan, refusal
-from vv.ask import Ask, Displacement, Method, Model, Run, Status, Velocity
-from vv.codes import Found, Scheme
+from vv.ask import Ask, Displacement, Method, Run, Status, Velocity
+from vv.codes import Scheme
+from vv.codes.driven import Driven
 from vv.codes.own_python import Driver, Home
 from vv.scene import Term, why_load_is_no_lock, with_loads_for_locks
 
@@ -44,38 +43,6 @@ NOTES = (
 )
 
 
-class Kratos:
-    """The adapter; it holds no state."""
-
-    name = "kratos"
-    schemes = (DEFAULT,)
-
-    def found(self) -> Found:
-        """Look for its environment."""
-        return HOME.find()
-
-    def refuses(self, ask: Ask, scheme: str) -> str | None:
-        """What Kratos cannot represent though it has every term."""
-        return refusal(ask)
-
-    def describe(self, ask: Ask, scheme: str) -> Model:
-        """The freedoms that it integrates, locks that loads stand for among them."""
-        scene = with_loads_for_locks(ask.scene)
-        terms = ask.scene.terms() | scene.terms()
-        return Model(scene.unknowns(), terms, "; ".join(NOTES))
-
-    def native(self, ask: Ask, scheme: str) -> str:
-        """A script for the Python of its environment: the driver with the ask filled in."""
-        return DRIVER.script(plan(ask), "; ".join(NOTES))
-
-    def run(self, asks: Sequence[Ask], scheme: str, scratch: Path, repeat: float) -> Iterator[Run]:
-        """Run all asks in one process of Kratos."""
-        built = [(plan(ask), self.describe(ask, scheme), np.eye(3)) for ask in asks]
-        for ask, run in zip(asks, DRIVER.run(asks, built, scratch, repeat), strict=True):
-            fault = _drift(ask, run)
-            yield replace(run, status=Status.ERROR, reason=fault) if fault else run
-
-
 def _drift(ask: Ask, run: Run) -> str | None:
     """Say if a sphere left the directions it is free in, where a dead load stands for the lock."""
     if Term.OBLIQUE_LOCK not in ask.scene.terms() or run.status is not Status.RAN:
@@ -89,4 +56,13 @@ def _drift(ask: Ask, run: Run) -> str | None:
     return None
 
 
-ADAPTER = Kratos()
+ADAPTER = Driven(
+    DEFAULT,
+    DRIVER,
+    NOTES,
+    refusal=refusal,
+    plan=plan,
+    frame=lambda ask: np.eye(3),
+    integrated=with_loads_for_locks,
+    fault=_drift,
+)

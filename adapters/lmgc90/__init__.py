@@ -3,38 +3,26 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Iterator, Sequence
+from operator import attrgetter
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from adapters.lmgc90.refusals import density, near, refusal
-from vv.ask import Ask, Displacement, Method, Model, Run, Velocity
-from vv.codes import Found, Scheme
+from vv.ask import Ask, Displacement, Method, Velocity
+from vv.codes import Scheme
+from vv.codes.driven import Driven
 from vv.codes.own_python import Driver, Home
-from vv.scene import Scene, Term
-from vv.standins.boxed import boxed
+from vv.scene import Scene
+from vv.standins.boxed import BOXED, boxed
 
 DEFAULT = Scheme(
     "default",
     "contact dynamics of Jean and Moreau by a theta method, theta = 1/2; contact laws at the end "
     "of the step, solved by Gauss-Seidel sweeps to LMGC90's own tolerance",
     Method.FIRST_ORDER,
-    frozenset(
-        {
-            Term.BLOCK,
-            Term.RIGID_CONTACT,
-            Term.WALL_CONTACT,
-            Term.FRICTION,
-            Term.GRAVITY,
-            Term.LOAD,
-            Term.ROTATION,
-            Term.OBLIQUE_LOCK,
-            Term.SHAKING,
-            Term.BASE_MOTION,
-        }
-    ),
+    BOXED,
     observables=frozenset({Displacement, Velocity}),
     pace=(1e-5, 2e-5),
 )
@@ -47,34 +35,6 @@ NOTES = (
     "what moves at the start is pushed in the first step, and starts v dt/2 ahead",
     "rotations of a plane scene left free, and so are locks of blocks apart that nothing pushes on",
 )
-
-
-class Lmgc90:
-    """The adapter; it holds no state."""
-
-    name = "lmgc90"
-    schemes = (DEFAULT,)
-
-    def found(self) -> Found:
-        """Look for its environment."""
-        return DRIVER.home.find()
-
-    def refuses(self, ask: Ask, scheme: str) -> str | None:
-        """What LMGC90 cannot represent though it has every term."""
-        return refusal(ask)
-
-    def describe(self, ask: Ask, scheme: str) -> Model:
-        """The freedoms that are left to the blocks."""
-        return Model(ask.scene.unknowns(), ask.scene.terms(), "; ".join(NOTES))
-
-    def native(self, ask: Ask, scheme: str) -> str:
-        """A script for the Python of its environment: the driver with the ask filled in."""
-        return DRIVER.script(_plan(ask), "; ".join(NOTES))
-
-    def run(self, asks: Sequence[Ask], scheme: str, scratch: Path, repeat: float) -> Iterator[Run]:
-        """Run all asks in one process of LMGC90."""
-        built = [(_plan(ask), self.describe(ask, scheme), ask.scene.axes) for ask in asks]
-        yield from DRIVER.run(asks, built, scratch, repeat)
 
 
 def _plan(ask: Ask) -> dict[str, Any]:
@@ -96,4 +56,11 @@ def _held(scene: Scene) -> list[bool]:
     return [bool(part > NOTHING) for part in (along.max(axis=0) / along.max())]
 
 
-ADAPTER = Lmgc90()
+ADAPTER = Driven(
+    DEFAULT,
+    DRIVER,
+    NOTES,
+    refusal=refusal,
+    plan=_plan,
+    frame=attrgetter("scene.axes"),
+)

@@ -7,11 +7,25 @@ from typing import Any
 import numpy as np
 
 from vv.ask import Ask
-from vv.scene import Block, Harmonic, Scene, Vector, Wall, box_geometry
+from vv.scene import Block, Harmonic, Scene, Term, Vector, Wall, box_geometry
 
 Plan = dict[str, Any]
 THICKNESS = 0.5  # of a block's size: half a box's height
 LEAST = 20.0  # blocks' sizes: half a box's sides, at least
+BOXED = frozenset(  # the terms of which a driver is told all by `boxed`
+    {
+        Term.BLOCK,
+        Term.RIGID_CONTACT,
+        Term.WALL_CONTACT,
+        Term.FRICTION,
+        Term.GRAVITY,
+        Term.LOAD,
+        Term.ROTATION,
+        Term.OBLIQUE_LOCK,
+        Term.SHAKING,
+        Term.BASE_MOTION,
+    }
+)
 ROUNDING = 1e-15  # of a direction's length: smaller components are none
 
 
