@@ -200,7 +200,8 @@ def _setting_row(row: Setting, stiffness: bool, valued: bool) -> str:
     numbers += [text.brief(one.value), text.brief(one.reference)] if valued else []
     numbers += [text.sci(one.error), text.sci(one.tolerance, 1)]
     numbers += [text.NONE if row.local is None else f"{row.local:.2f}"]
-    numbers += [cpu if record.cost.timed else f"{cpu} ○", str(record.steps)]
+    marks = ("" if record.cost.timed else " ○") + (" ◻" if record.cost.whole else "")
+    numbers += [f"{cpu}{marks}", str(record.steps)]
     cells = "".join(f"<td>{escape(number)}" for number in numbers)
     note = f" <small>{escape(row.note)}</small>" if row.note else ""
     came = f"{escape(row.outcome.symbol)} {escape(row.outcome.word)}"

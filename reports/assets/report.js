@@ -62,7 +62,7 @@
   const worded = (tip) => {
     const [step, error, cost] = tip.split(";");
     if (error === undefined) return tip;
-    return `${step ? `dt ${step} s: ` : ""}error ${error}${cost ? `, ${cost.replace("○", "(indicative)")}` : ""}`;
+    return `${step ? `dt ${step} s: ` : ""}error ${error}${cost ? `, ${cost.replace("○", "(indicative)").replace("◻", "(whole process)")}` : ""}`;
   };
   const nearest = (svg, event) => {
     const at = new DOMPoint(event.clientX, event.clientY).matrixTransform(svg.getScreenCTM().inverse());

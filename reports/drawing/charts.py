@@ -208,7 +208,8 @@ def _curve(mark: Mark, x: list[float], points: Sequence[Point], hollow: list[boo
 
 def _tip(point: Point) -> str:
     """A setting, its error and its cost, for who points at it: the page's script words them."""
-    cost = f"{seconds(point.cpu)}{'' if point.timed else ' ○'}" if point.cpu else ""
+    marks = ("" if point.timed else " ○") + (" ◻" if point.whole else "")
+    cost = f"{seconds(point.cpu)}{marks}" if point.cpu else ""
     return f"{brief(point.dt) if point.dt else ''};{sci(point.error)};{cost}"
 
 

@@ -38,6 +38,7 @@ class Point:
     troubling: bool
     refused: bool = False
     too_long: bool = False
+    whole: bool = False
 
 
 @dataclass(frozen=True)
@@ -101,4 +102,5 @@ def _point(record: Record, quantity: str) -> Point:
         shown_outcome(record).troubling,
         not tried(record),
         too_long(record),
+        record.cost.whole,
     )

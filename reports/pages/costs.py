@@ -10,6 +10,7 @@ from reports.marks import Mark
 from reports.text import brief, sci
 from vv.insight.accuracy_cost import TARGETS, Reach, reach
 from vv.insight.effort import Effort
+from vv.records.job_record import Record
 from vv.records.rungs import describe
 
 
@@ -30,10 +31,20 @@ def cost_rows(book: Book, place: Place) -> list[CostRow]:
         return []
     return [
         CostRow(
-            book.marks[e.label], [reach(e, target) for target in TARGETS], e.best, list(_notes(e))
+            book.marks[e.label],
+            [reach(e, target) for target in TARGETS],
+            e.best,
+            [*_notes(e), *_whole(book.records[place][e.label])],
         )
         for e in here
     ]
+
+
+def _whole(records: Sequence[Record]) -> list[str]:
+    """That its costs are of whole processes, where they are."""
+    if any(record.cost.whole for record in records):
+        return ["costs of whole processes, start and output included"]
+    return []
 
 
 def _notes(one: Effort) -> Iterator[str]:

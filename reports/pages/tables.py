@@ -60,6 +60,7 @@ class Ranked:
     setting: str
     cpu: float | None
     timed: bool
+    whole: bool
     unknowns: int | None
     model: ModelSummary | None
     balance: str
@@ -97,6 +98,7 @@ def _ranked(pile: Sequence[Record], mark: Mark) -> Ranked:
         setting=plain.setting(finest),
         cpu=cost.solve_cpu or None,
         timed=cost.timed,
+        whole=cost.whole,
         unknowns=finest.model.unknowns if finest.model else None,
         model=finest.model,
         balance=_balance(finest),

@@ -31,6 +31,15 @@ def test_each_scheme_is_shown_at_its_finest_setting_with_order_and_bound(tmp_pat
     assert (row.claimed, row.allowed, row.verdict) == (2, 1e-3, "pass")
 
 
+def test_the_cost_of_a_whole_process_is_marked_and_explained(tmp_path: Path) -> None:
+    steps = ran(Store(tmp_path), "dem/default", "T1", 1e-3, "pass")
+    process = changed(steps, code="mine", cost=changed(steps.cost, whole=True))
+    lines = list(table([steps, process], []))
+    assert ["*" in line for line in lines if "dt=0.001" in line] == [False, True]
+    assert "*: of the whole process" in lines[-1]
+    assert "*" not in "".join(table([steps], []))
+
+
 def test_the_verdict_of_a_row_is_that_of_the_gate(manifest: Manifest) -> None:
     found = judgement(manifest)
     verdicts = {row.place[1:]: row.verdict for row in rows(manifest.records, found)}

@@ -303,6 +303,16 @@ def test_reasons_and_circumstances_are_told(manifest: Manifest, store: Store) ->
     assert "refused it is" in made["attention.html"]
 
 
+def test_costs_of_whole_processes_are_marked_and_explained(
+    manifest: Manifest, store: Store
+) -> None:
+    assert "◻" not in pages(manifest, store)[CASE]
+    whole = [changed(r, cost=changed(r.cost, whole=True)) for r in manifest.records]
+    made = pages(dataclasses.replace(manifest, records=tuple(whole)), store)[CASE]
+    for words in (" ◻", "the program does not say what its steps cost", "costs of whole processes"):
+        assert words in made
+
+
 def test_what_was_accepted_moved_or_recorded_is_told(manifest: Manifest, store: Store) -> None:
     taken = AcceptanceSummary(
         commit="c0ffee" * 7,

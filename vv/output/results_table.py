@@ -29,8 +29,8 @@ class Row:
     """A scheme on a variant, at its finest setting that ran.
 
     error, allowed: of the quantity closest to its bound, None if it judges none; order: observed
-    in dt; cpu: of the stepping loop [s]; timed: alone on a core; verdict: as the gate judges it,
-    of all settings.
+    in dt; cpu: of the stepping loop [s], or of the whole process; timed: alone on a core; verdict:
+    as the gate judges it, of all settings.
     """
 
     place: Place
@@ -41,6 +41,7 @@ class Row:
     claimed: int | None
     cpu: float
     timed: bool
+    whole: bool
     verdict: str
 
 
@@ -59,7 +60,7 @@ def _row(place: Place, pile: Sequence[Record], findings: Sequence[Finding]) -> R
     done = sorted(filter(ran, pile), key=by_fineness)
     verdict = _verdict(pile, findings)
     if not done:
-        return Row(place, "", None, None, None, None, 0.0, False, verdict)
+        return Row(place, "", None, None, None, None, 0.0, False, False, verdict)
     finest = done[-1]
     judged = [one for one in finest.quantities if one.error is not None and one.tolerance]
     worst = max(judged, key=_closeness, default=None)
@@ -73,6 +74,7 @@ def _row(place: Place, pile: Sequence[Record], findings: Sequence[Finding]) -> R
         CLAIMED.get(finest.method.general) if fitted else None,
         finest.cost.solve_cpu,
         finest.cost.timed,
+        finest.cost.whole,
         verdict,
     )
 
@@ -133,11 +135,13 @@ def _legend(here: Sequence[Row], claims: bool) -> str:
     parts = ["finest setting"]
     parts += ["order in dt: observed of claimed"] if claims else []
     parts += ["~: beside other jobs"] if any(not row.timed and row.cpu for row in here) else []
+    parts += ["*: of the whole process"] if any(row.whole and row.cpu for row in here) else []
     return f"({'; '.join(parts)})"
 
 
 def _cpu(row: Row) -> str:
-    return f"{'' if row.timed else '~'}{duration(row.cpu)}" if row.cpu else "-"
+    marks = "" if row.timed else "~", "*" if row.whole else ""
+    return duration(row.cpu).join(marks) if row.cpu else "-"
 
 
 def _short(value: float | None) -> str:
