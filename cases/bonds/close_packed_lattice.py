@@ -16,7 +16,7 @@ from reference_solutions.bonds import (
     turning_lattice,
 )
 from reference_solutions.bonds.close_packed_lattice import SIZES, Lattice, Static
-from vv.ask import Displacement, History, Knobs, Method, Reaction, Run
+from vv.ask import Displacement, History, Knobs, Method, Observable, Reaction, Run
 from vv.case import (
     Case,
     Exact,
@@ -50,7 +50,7 @@ def _block(variant: str, d: float) -> Lattice:
     return close_packed_lattice.lattice(*SIZES[int(variant.partition("-")[0])], d)
 
 
-def _lowest(p: Parameters, block: Lattice) -> float:
+def lowest(p: Parameters, block: Lattice) -> float:
     """About the lowest frequency [1/s] of a block: 1.3 to 1.6 of the speed of waves over its size.
 
     Those were found for the blocks of 82 to 2166 elements.
@@ -60,7 +60,7 @@ def _lowest(p: Parameters, block: Lattice) -> float:
     return float(1.4 * speed / np.ptp(block.position, axis=0).max())
 
 
-def _scene(p: Parameters, block: Lattice, time: float, turning: bool) -> Scene:
+def held(p: Parameters, block: Lattice, time: float, turning: bool) -> Scene:
     """The block with its base in place and its top carried; it starts in the lattice's motion."""
     kn, d, n = p["kn"], p["d"], len(block.position)
     rate = p["strain"] / time
@@ -77,15 +77,13 @@ def _scene(p: Parameters, block: Lattice, time: float, turning: bool) -> Scene:
         free_spin=np.full((n, 3), turning),
     )
     bonds = Bonds(block.bonds, d, kn, p["gamma"] * kn)  # type: ignore[arg-type]  # for all
-    eta = 2 * p["m"] * _lowest(p, block)
+    eta = 2 * p["m"] * lowest(p, block)
     return Scene((spheres,), Contact(kn, p["gamma"] * kn, 0.0), eta, bonds=bonds)
 
 
-def _declare(variant: str, p: Parameters) -> Trial:
-    block, turning = _block(variant, p["d"]), variant.endswith("turning")
-    interval = LOADING / _lowest(p, block)
-    goal = History((SETTLED[turning] + 1) * interval, interval)
-    seen = tuple(
+def seen_of(block: Lattice) -> tuple[Observable, ...]:
+    """What `observed` needs: how faces move, and what carries the top."""
+    return tuple(
         kind(int(i))
         for kind, rows in (
             (Displacement, [*(block.at(*side) for side in SIDES), block.at(2, 1)]),
@@ -93,11 +91,17 @@ def _declare(variant: str, p: Parameters) -> Trial:
         )
         for i in np.flatnonzero(np.any(rows, axis=0))
     )
-    scene = _scene(p, block, goal.duration, turning)
+
+
+def _declare(variant: str, p: Parameters) -> Trial:
+    block, turning = _block(variant, p["d"]), variant.endswith("turning")
+    interval = LOADING / lowest(p, block)
+    goal = History((SETTLED[turning] + 1) * interval, interval)
+    scene = held(p, block, goal.duration, turning)
     route = turning_lattice if turning else close_packed_lattice
     answer = functools.cache(lambda: route.static(block, p["kn"], p["gamma"] * p["kn"]))
     rungs = COARSE if len(block.position) > LARGE else RUNGS
-    study = Ladder(scene, goal, seen, rungs, cpu_limit=PATIENCE)
+    study = Ladder(scene, goal, seen_of(block), rungs, cpu_limit=PATIENCE)
     lean = np.radians(LEANS.get(variant, 0.0))
     return Trial(study, _measured(p, block, answer, turning, lean))
 
@@ -116,15 +120,15 @@ def _measured(
     judge = _judge(p["strain"], turning)
 
     def of(name: str, unit: str, what: str, scale: str) -> Scalar:
-        observe = functools.partial(_observed, name, block)
+        observe = functools.partial(observed, name, block)
         value, size = (functools.partial(_part, answer, field) for field in (name, scale))
         return Scalar(name, name, unit, what, observe, value, size, judge)
 
     def excess(run: Run) -> float:
-        return _observed("E", block, run) / along - 1
+        return observed("E", block, run) / along - 1
 
     def share(run: Run) -> float:
-        return _observed("E", block, run) / E
+        return observed("E", block, run) / E
 
     rows = "ratio of strains by the extreme rows along"
     return (
@@ -146,22 +150,26 @@ def _measured(
     )
 
 
-def _observed(name: str, block: Lattice, run: Run) -> float:
-    """A quantity by what changed between the last two outputs."""
+def observed(name: str, block: Lattice, run: Run, since: int = -2, until: int = -1) -> float:
+    """A quantity by what changed between two outputs."""
+    change = functools.partial(_change, run, since, until)
     top = block.at(2, 1)
-    strain = _change(run, Displacement, top, 2).mean() / block.position[top, 2].mean()
+    strain = change(Displacement, top, 2).mean() / block.position[top, 2].mean()
     if name == "E":
-        return float(_change(run, Reaction, block.at(2, 1), 2).sum() / block.area / strain)
+        return float(change(Reaction, top, 2).sum() / block.area / strain)
     if name == "nu":
-        return (_observed("nu_x", block, run) + _observed("nu_y", block, run)) / 2
+        return (observed("nu_x", block, run) + observed("nu_y", block, run)) / 2
     axis = "xy".index(name[-1])
-    low, high = (_change(run, Displacement, block.at(axis, side), axis).mean() for side in (0, 1))
+    low, high = (change(Displacement, block.at(axis, side), axis).mean() for side in (0, 1))
     return float((low - high) / np.ptp(block.position[:, axis]) / strain)
 
 
-def _change(run: Run, kind: type[Displacement] | type[Reaction], rows: Mask, axis: int) -> Vector:
+def _change(
+    run: Run, since: int, until: int, kind: type[Displacement] | type[Reaction], rows: Mask,
+    axis: int,
+) -> Vector:  # fmt: skip
     values = [run.values[kind(int(i))] for i in np.flatnonzero(rows)]
-    return np.array([value[-1, axis] - value[-2, axis] for value in values])
+    return np.array([value[until, axis] - value[since, axis] for value in values])
 
 
 def _judge(strain: float, turning: bool) -> Judge:

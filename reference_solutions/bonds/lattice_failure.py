@@ -1,0 +1,59 @@
+"""A close-packed block pressed slowly until its level bonds are open (Liu et al. 2017, Fig. 5).
+
+Between smooth rigid platens the block is a linear network (`close_packed_lattice`), whose bonds are
+taken out as they open: at a strain e a bond is stretched by e times its stretch at the strain 1,
+and opens at xb. What opens hands its load to its neighbours, some of which then open at the same
+strain. The stress falls at each such moment (A3 and A1 of Fig. 5), and no balance says which of two
+overstretched bonds parts first: here the most stretched one, with all that bear as much to 2 %.
+
+With all level bonds open every inclined bond bears the same upright force (`lattice_strength`)
+and the block follows the path of units without base bonds, to their sliding (A2).
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from reference_solutions.bonds.close_packed_lattice import Lattice, static
+from reference_solutions.parameters import require_positive
+
+Array = NDArray[np.float64]
+TOGETHER = 0.02  # of the largest stretch: bonds that open at once
+
+
+class History(NamedTuple):
+    """Openings in their order, (k,) each: the strain, pressing positive; the modulus [Pa] after;
+    how many bonds are open by then. whole [Pa]: the modulus before any.
+    """
+
+    strain: Array
+    modulus: Array
+    opened: NDArray[np.int64]
+    whole: float
+
+    def stress(self, strain: Array) -> Array:
+        """The pressure (k,) [Pa] on the hull's area at strains (k,), pressing positive."""
+        modulus = np.concatenate([[self.whole], self.modulus])
+        return strain * modulus[np.searchsorted(self.strain, strain, "right")]
+
+
+def pressed(block: Lattice, kn: float, ks: float, xb: float) -> History:
+    """All openings of a block as its strain grows from zero; raises ValueError for xb <= 0."""
+    require_positive("m", xb=xb)
+    strain, modulus, opened, now, bonds = [], [], [], 0.0, block.bonds
+    whole = answer = static(block, kn, ks)
+    while True:
+        i, j = bonds.T
+        offset = block.position[j] - block.position[i]
+        n = offset / np.linalg.norm(offset, axis=1)[:, None]
+        stretch = np.einsum("bk,bk->b", n, answer.u[i] - answer.u[j])  # at the strain -1
+        if not stretch.max() > 1e-9 * block.height:
+            break
+        now = max(now, xb / float(stretch.max()))
+        bonds = bonds[stretch < (1.0 - TOGETHER) * stretch.max()]
+        answer = static(block._replace(bonds=bonds), kn, ks)
+        strain.append(now)
+        modulus.append(answer.E)
+        opened.append(len(block.bonds) - len(bonds))
+    return History(np.array(strain), np.array(modulus), np.array(opened), whole.E)

@@ -1,0 +1,100 @@
+"""Close-packed blocks between smooth platens to finite strain; no bond breaks (Liu 2017, Fig. 4).
+
+The strain grows in small parts. In each, elements move until all forces balance: of a bond of
+length L along n, kn (L - d) n, and the shear force S, which turns with the bond and grows by ks
+times the motion across it, taken at the middle of the part (the incremental spring of Cundall and
+Strack 1979). Balances are found by corrections with the stiffness at rest, which at strains of a
+thousandth leave a hundredth of what is wrong each; the error of the parts is of second order.
+"""
+
+import numpy as np
+from numpy.typing import NDArray
+
+from reference_solutions.bonds.close_packed_lattice import (
+    Lattice,
+    _stiffness,
+    narrowing,
+)
+from reference_solutions.bonds.lattice_material import poissons_ratio, require_springs
+
+Array = NDArray[np.float64]
+LEFT = 3e-9  # of the largest force: a balance
+
+
+def path(block: Lattice, kn: float, ks: float, strains: Array, parts: int) -> Array:
+    """Stress [Pa] on the hull's area, and the strains across along x and y: (k, 3).
+
+    strains: (k,), of one sign, growing in size from zero, each reached in so many parts.
+    Raises ValueError for others, or if no balance is found.
+    """
+    require_springs(kn, ks, 1.0)
+    size = np.abs(strains)
+    if not ((np.diff(size, prepend=0.0) > 0).all() and len(set(np.sign(strains))) == 1):
+        raise ValueError(f"strains = {strains.tolist()}; they must grow in size, with one sign")
+    matrix = _stiffness(block, kn, ks)
+    ends = block.at(2, 0) | block.at(2, 1)
+    free = np.ones_like(block.position, bool)
+    free[:, 2] = ~ends
+    nu = poissons_ratio(kn, ks)
+    x, shear, found, before = block.position.copy(), np.zeros((len(block.bonds), 3)), [], 0.0
+    for strain in strains:
+        for _ in range(parts):
+            more = (strain - before) / parts
+            guess = x + more * block.position * [-nu, -nu, 1.0]
+            x, shear, force = _balanced(block, matrix, free, x, guess, shear, kn, ks)
+        before = strain
+        stress = force[block.at(2, 1), 2].sum() / block.area
+        across = [-narrowing(block, x - block.position, axis) for axis in (0, 1)]
+        found.append([stress, *across])
+    return np.array(found)
+
+
+def _balanced(block, matrix, free, before, x, shear, kn, ks):  # type: ignore[no-untyped-def]
+    """Places, shear forces of bonds, and forces that hold the elements, as a part is done."""
+    for _ in range(30):
+        force, turned = _forces(block, before, x, shear, kn, ks)
+        size = np.abs(force[~free]).max()
+        if np.abs(force[free]).max() <= LEFT * size:
+            return x, turned, force
+        x = x - _answer(matrix, force, free)
+    raise ValueError("no balance after 30 corrections; the strain is too large")
+
+
+def _forces(
+    block: Lattice, before: Array, x: Array, shear: Array, kn: float, ks: float
+) -> tuple[Array, Array]:
+    """What must hold each element (N, 3) [N], and the shear force (B, 3) of each bond."""
+    i, j = block.bonds.T
+    old, new = before[j] - before[i], x[j] - x[i]
+    length = np.linalg.norm(new, axis=1)[:, None]
+    n, was = new / length, old / np.linalg.norm(old, axis=1)[:, None]
+    middle = (old + new) / np.linalg.norm(old + new, axis=1)[:, None]
+    moved = new - old
+    across = moved - (moved * middle).sum(axis=1)[:, None] * middle
+    axis = np.cross(was, n)  # of the turn, to first order in a part
+    turned = shear + np.cross(axis, shear) + np.cross(axis, np.cross(axis, shear)) / 2.0
+    turned = turned + ks * across
+    turned = turned - (turned * n).sum(axis=1)[:, None] * n
+    d = np.linalg.norm(block.position[j] - block.position[i], axis=1)[:, None]
+    pull = kn * (length - d) * n + turned
+    force = np.zeros_like(x)
+    np.add.at(force, i, -pull)
+    np.add.at(force, j, pull)
+    return force, turned
+
+
+def _answer(matrix, force: Array, free: NDArray[np.bool_]) -> Array:  # type: ignore[no-untyped-def]
+    """How far elements must come back, (N, 3) [m], for their free forces to vanish."""
+    from scipy.sparse import diags_array
+    from scipy.sparse.linalg import cg
+
+    chosen = np.flatnonzero(free)
+    inner = matrix[chosen][:, chosen]
+    change, failed = cg(
+        inner, force.ravel()[chosen], rtol=1e-6, maxiter=5000, M=diags_array(1.0 / inner.diagonal())
+    )
+    if failed:
+        raise ValueError("no balance after 5000 iterations; the bonds do not hold the block")
+    back = np.zeros(force.size)
+    back[chosen] = change
+    return back.reshape(-1, 3)
