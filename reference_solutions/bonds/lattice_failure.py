@@ -35,7 +35,11 @@ class History(NamedTuple):
     def stress(self, strain: Array) -> Array:
         """The pressure (k,) [Pa] on the hull's area at strains (k,), pressing positive."""
         modulus = np.concatenate([[self.whole], self.modulus])
-        return strain * modulus[np.searchsorted(self.strain, strain, "right")]
+        return np.asarray(strain * modulus[np.searchsorted(self.strain, strain, "right")])
+
+    def before(self) -> Array:
+        """The pressure (k,) [Pa] just before each opening."""
+        return np.asarray(self.strain * np.concatenate([[self.whole], self.modulus[:-1]]))
 
 
 def pressed(block: Lattice, kn: float, ks: float, xb: float) -> History:

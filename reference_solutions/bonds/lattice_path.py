@@ -49,7 +49,10 @@ def path(block: Lattice, kn: float, ks: float, strains: Array, parts: int) -> Ar
     return np.array(found)
 
 
-def _balanced(block, matrix, free, before, x, shear, kn, ks):  # type: ignore[no-untyped-def]
+def _balanced(  # type: ignore[no-untyped-def]
+    block: Lattice, matrix, free: NDArray[np.bool_], before: Array, x: Array, shear: Array,
+    kn: float, ks: float,
+) -> tuple[Array, Array, Array]:  # fmt: skip
     """Places, shear forces of bonds, and forces that hold the elements, as a part is done."""
     for _ in range(30):
         force, turned = _forces(block, before, x, shear, kn, ks)
