@@ -96,6 +96,10 @@ def _quantities(w: float) -> tuple[Quantity, ...]:
             meaning="phase over that of a leapfrog of as many steps",
             observe=lambda run: _swing(run, w).phase / _theory(run, w), judge=TURNS,
         ),
+        Scalar(
+            "damping", "zeta", "", "damping ratio: the decrement of what is kept over its phase",
+            lambda run: _damping(run, w), 0.0, 1.0, NONE,
+        ),
     )  # fmt: skip
 
 
@@ -115,6 +119,13 @@ def _swing(run: Run, w: float) -> Swing:
     strayed = np.abs(v**2 + kappa * x**2 - kept).max() / kept
     ahead = np.unwrap(_turned(x, v, kappa) - w * run.times)
     return Swing(float(ahead[-1] - ahead[0] + w * run.times[-1]), kappa, float(strayed))
+
+
+def _damping(run: Run, w: float) -> float:
+    """Half the slope of ln(v^2 + kappa w^2 x^2) over the phase w t, negated."""
+    x, v = w * (run.values[MOVED] @ X), run.values[MOVING] @ X
+    kept = np.log(v**2 + _swing(run, w).kappa * x**2)
+    return float(-np.polyfit(w * run.times, kept, 1)[0] / 2)
 
 
 def _turned(x: Vector, v: Vector, kappa: float) -> Vector:
@@ -151,6 +162,13 @@ SWIFT = "a leapfrog turns by 2 asin(w dt/2) a step: (w dt)^2/24 too fast, and 2 
 SOFT = "a leapfrog keeps m v^2/2 + k (1 - (w dt/2)^2) x^2/2, no more and no less"
 BALANCED = "the load balances the contact at the start, and costs no order; "
 KEPT = Invariant(1e-11, "rounding of up to a million steps; nothing else takes energy or gives any")
+NONE = Exact(
+    dict.fromkeys(
+        (Method.EXACT, Method.LINEARISED, Method.LEAPFROG, Method.LATE_LEAPFROG),
+        Tolerance(1e-14, "none; what rounding leaves of 1e-11 over thousands of radians"),
+    ),
+    not_judged={**OTHERS, Method.PENALTY: ONLY_NEAR},
+)
 THEORY = Tolerance(1e-12, "a leapfrog's phase is known; rounding moves it by 1e-14")
 TURNS = Exact(
     {Method.LEAPFROG: THEORY, Method.LATE_LEAPFROG: THEORY},

@@ -42,10 +42,11 @@ def test_a_million_periods_keep_the_shadow_energy_and_the_phase_of_theory() -> N
     goal = History(1e6 * period, 100.3 * period)
     ask = Ask(TRIAL.study.scene, goal, (Displacement(1), Velocity(1)), Knobs(angle / W))
     run = dem.solve_default(ask)
-    drift, _, _, phase = (q.observe(run) for q in TRIAL.quantities)
+    drift, _, _, phase, damping = (float(q.observe(run)) for q in TRIAL.quantities)
     assert run.steps > 25e6
     assert drift < 1e-11
     assert phase == pytest.approx(1.0, abs=1e-11)
+    assert abs(damping) < 1e-17
 
 
 def path(angle: float, x: Vector | float = 0.0, v: Vector | float = 0.0) -> Run:
@@ -70,7 +71,7 @@ def verdicts(run: Run) -> list[str]:
 def test_a_path_by_theory_passes_at_every_step_with_one_step_more_or_without() -> None:
     for angle in (0.05, 0.1, 0.2, 0.4):
         run = path(angle)
-        assert verdicts(run) == ["pass"] * 4
+        assert verdicts(run) == ["pass"] * 5
         assert verdicts(dataclasses.replace(run, steps=2001))[3] == "pass"
 
 
@@ -83,6 +84,15 @@ def test_energy_that_grows_by_a_part_in_1e10_and_a_wrong_rate_fail() -> None:
     assert verdicts(late)[3] == "fail"
     far = dataclasses.replace(run, times=run.times * 0.98)
     assert verdicts(far)[2] == "fail"
+
+
+def test_a_swing_that_decays_has_its_damping_ratio() -> None:
+    run = path(0.1)
+    faded = np.exp(-3e-6 * W * run.times)
+    values = {what: moved * faded[:, None] for what, moved in run.values.items()}
+    decaying = dataclasses.replace(run, values=values)
+    assert TRIAL.quantities[4].observe(decaying) == pytest.approx(3e-6, rel=1e-3)
+    assert verdicts(decaying)[4] == "fail"
 
 
 def test_levels_grow_and_the_phase_stays_countable() -> None:
