@@ -69,6 +69,7 @@ def _declare(variant: str, p: Parameters) -> Trial:
     else:
         printed = lattice_material.sliding_strength(p["fs0"], p["mu_p"], d)
         strain = 2.2 * printed / E
+        quantities += _sliding()
         strength = ("C_u over Eq. 14", printed, "the paper's mean over its blocks is -18.51 %")
     quantities.append(_strength(p, block, *strength))
     goal = History(abs(strain / p["rate"]), EVERY)
@@ -104,8 +105,27 @@ def gap(run: Run) -> Vector:
 def _histories() -> Iterator[Series]:
     for name, what, forms in HISTORIES:
         yield Series(name, name, "J", what, functools.partial(energy, forms), None, Shown(UNKNOWN))
+    yield Scalar("viscous share", "Q_v/Q", "", "viscous heat over all heat at the end",
+                 _viscous, None, 1.0, Shown(UNKNOWN))  # fmt: skip
     yield Series("W", "W", "J", "work of the platens", work, None, Shown(UNKNOWN))
     yield Series("E - W", "E - W", "J", "energy that no form explains", gap, None, Shown(OPEN))
+
+
+def _viscous(run: Run) -> float:
+    """Viscous heat over all heat at the end."""
+    heat = energy((Form.DRAG, Form.FRICTION, *BROKEN), run)[-1]
+    return float(run.energies[Form.DRAG][-1] / heat) if heat > 0.0 else float("nan")
+
+
+def _sliding() -> Iterator[Scalar]:
+    """What the paper tells of the failure of its block of 2166 that is pressed."""
+    yield Scalar("kinetic share", "max E_k/W", "", "largest kinetic energy over the work done "
+                 "until then", _share, None, 1.0, Shown(OTHER_RATE))  # fmt: skip
+    yield Scalar(
+        "failure time", "t_f", "s", "time in which the breaking heat of shear springs grows from "
+        "1 % to 99 %", functools.partial(_crossing, forms=(Form.BROKEN_SHEAR,)), None, 1e-4,
+        Shown(OTHER_RATE),
+    )  # fmt: skip
 
 
 def _held(p: Parameters, block: Lattice, E: float, strain: float) -> Scalar:
@@ -141,9 +161,9 @@ def _share(run: Run) -> float:
     return float(kinetic[last] / work(run)[last])
 
 
-def _crossing(run: Run) -> float:
+def _crossing(run: Run, forms: tuple[Form, ...] = BROKEN) -> float:
     """The time in which bonds break [s], interpolated between outputs."""
-    heat = energy(BROKEN, run)
+    heat = energy(forms, run)
     if not heat[-1] > 0.0:
         return float("nan")
     begin, end = (int(np.argmax(heat > part * heat[-1])) for part in (0.01, 0.99))

@@ -85,7 +85,7 @@ def _counted(
                "level bonds", lambda run: float(opened(run)[_before(run)]) / level, 1.0, 1.0,
                STRETCHED),
         Scalar("half opened", "e_half", "", "strain at which half of all level bonds are open",
-               half, half_due, half_due, _steps(p)),
+               half, half_due, half_due, _steps(p, block)),
     )  # fmt: skip
 
 
@@ -151,11 +151,11 @@ def _stresses(
     return (
         Series("sigma", "sigma", "Pa", "pressure on the hull's area", seen, None, Shown(BEYOND_A2)),
         Scalar("history", "mean|e|", "Pa", "mean distance from the pressure of the slow network",
-               off, 0.0, largest, _near(p)),
+               off, 0.0, largest, _near(p, block)),
         Scalar("A3", "sigma(A3)", "Pa", "pressure at which the first bond opens", first, lowest,
-               lowest, _steps(p)),
+               lowest, _steps(p, block)),
         Scalar("A1", "sigma(A1)", "Pa", "pressure that falls most as level bonds open", top,
-               largest, largest, _steps(p)),
+               largest, largest, _steps(p, block)),
         Scalar("E after", "E'", "Pa", "slope with all level bonds open", after, softer, softer,
                OPEN),
         Scalar("A1 over Eq. 8", "A1/C_open - 1", "", "A1 over C_open of Eq. 8, less 1",
@@ -180,20 +180,30 @@ def _both(value: float, reason: str) -> Exact:
     return Exact(dict.fromkeys(CLASSES, Tolerance(value, reason)))
 
 
-def _near(p: Parameters) -> Exact:
+def _near(p: Parameters, block: Lattice) -> Exact:
     return _both(
-        min(LARGEST_TOLERANCE, 5e-3 * max(1.0, abs(p["rate"]))),
-        "viscosity adds a thousandth at a rate of 1/s; waves of an opening fade within an output",
+        min(LARGEST_TOLERANCE, _waves(block, 5e-3) * max(1.0, abs(p["rate"]))),
+        f"viscosity adds a thousandth at a rate of 1/s; {WAVES}",
     )
 
 
-def _steps(p: Parameters) -> Exact:
+def _steps(p: Parameters, block: Lattice) -> Exact:
     return _both(
-        min(LARGEST_TOLERANCE, 6e-3 * max(1.0, abs(p["rate"]))),
-        "outputs are 3e-6 of strain apart; viscosity adds a thousandth at a rate of 1/s",
+        min(LARGEST_TOLERANCE, _waves(block, 6e-3) * max(1.0, abs(p["rate"]))),
+        f"outputs are 3e-6 of strain apart; viscosity adds a thousandth at a rate of 1/s; {WAVES}",
     )
 
 
+def _waves(block: Lattice, small: float) -> float:
+    """The bound of the smallest block, and of others."""
+    return small if len(block.position) <= SMALL else 5e-2
+
+
+SMALL = 82
+WAVES = (
+    "the wave of an opening takes along what bears up to a twentieth less, in blocks of more than "
+    "82 elements, at any rate"
+)
 OPEN = _both(1e-2, "the answer is linear; strains of 2e-3 change the slope by some thousandths")
 STRETCHED = _both(
     5e-2, "a bond is stretched by up to a step more than xb as it opens, faster where others open"
