@@ -102,7 +102,7 @@ def gap(run: Run) -> Vector:
     return np.asarray(kept - kept[0] - work(run))
 
 
-def _histories() -> Iterator[Series]:
+def _histories() -> Iterator[Series | Scalar]:
     for name, what, forms in HISTORIES:
         yield Series(name, name, "J", what, functools.partial(energy, forms), None, Shown(UNKNOWN))
     yield Scalar("viscous share", "Q_v/Q", "", "viscous heat over all heat at the end",
