@@ -117,5 +117,23 @@ CLAIMS = (
           "slip begins or ends", (_worst("T1"), _worst("T3"))),
     _said("Figs. 3 and 5", "VBOX and PFC2D agree completely", Standing.OPEN,
           "their results are drawn and not printed; both use Eqs. 4 to 12"),
+    Statement("The Normal Contact Force", "T1 turns back as t approaches", "0.1",
+              Standing.REPRODUCED, unit="s", exact=lambda: pi / (2 * K)),
+    Statement("The Normal Contact Force", "T2 comes to rest in the end", "", Standing.REPRODUCED,
+              "v_n2/(2n) from where its contact ends", "m", lambda: T2.v / (2 * N)),
+    Statement("Shear Contact Force", "viscosity reduces the extent of motion", "",
+              Standing.REPRODUCED, "where T4 turns; T3 turns at y_4 = 0.1003 m", "m",
+              lambda: T4.y1 + T4.distance),
+    _said("Eqs. 1, 2, 4 to 7, 10 and 12", "as printed", Standing.REPRODUCED,
+          "derived again; the scheme itself is run as dem/published", tuple(
+              map(_worst, ("T1", "T3")))),
+    _said("Eqs. 13 to 23", "as printed but for names and order", Standing.REPRODUCED,
+          "solved phase by phase and by a second route", tuple(map(_worst, ("T2", "T4")))),
+    _said("Shear Contact Force", "errors of T3 and T4 are greater than those of T1 and T2",
+          Standing.REPRODUCED, "of T3 than of T1 and of T4 than of T2 with the published scheme; "
+          "but T2 errs more than T3", tuple(map(_worst, ("T1", "T2", "T3", "T4")))),
+    _said("Shear Contact Force", "the error is greater with greater time", Standing.OPEN,
+          "the curves of Fig. 6 are drawn and not printed; while it sticks T3's error is one of "
+          "phase, as T1's in contact is"),
 )  # fmt: skip
 PAPER = Paper("Li et al. (2018)", *LI_2018, NUMBERS + CLAIMS)

@@ -6,10 +6,12 @@ import functools
 from collections.abc import Callable
 from math import sqrt
 
+import numpy as np
+
 from cases._papers import LIU_2017
 from reference_solutions.bonds import lattice_directions, tetrahedral_unit
 from reference_solutions.bonds import lattice_material as theory
-from reference_solutions.bonds.close_packed_lattice import SIZES, count
+from reference_solutions.bonds.close_packed_lattice import SIZES, count, lattice, static
 from vv.ask import Knobs
 from vv.case.published import Figure, Paper, Seen, Standing, Statement
 
@@ -18,6 +20,7 @@ ELEMENT = theory.element(theory.QUARTZITE, D)
 KN, KS, XB, FS0, MU_P = ELEMENT
 CU = theory.sliding_strength(FS0, MU_P, D)
 FINEST = Knobs(2e-8)
+BLOCK = lattice(*SIZES[82], D)
 MODULI = (  # error of E [%] of the blocks, on the hull's area; of nu
     (3.64, 2.29, 1.69, 1.34, 1.05, 0.83, 0.65, 0.54, 0.44),
     (-1.28, -0.80, -0.39, -0.14, 1.10, 0.46, 0.75, 0.62, 0.54),
@@ -41,6 +44,26 @@ def _over(state: tetrahedral_unit.State, printed: float) -> float:
 def _blocks(which: int, signed: bool = True) -> float:
     errors = MODULI[which]
     return sum(e if signed else abs(e) for e in errors) / len(errors)
+
+
+def _downward() -> float:
+    """The fewest bonds that an element of the last layer has with the layer below."""
+    top = BLOCK.at(2, 1)[BLOCK.bonds]
+    crossing = BLOCK.bonds[top.sum(axis=1) == 1]
+    ends = crossing[BLOCK.at(2, 1)[crossing]]
+    return float(np.bincount(ends)[np.flatnonzero(BLOCK.at(2, 1))].min())
+
+
+def _first_to_open() -> float:
+    """How many of the two elements touch a platen whose bond opens first as a block is pulled."""
+    i, j = BLOCK.bonds.T
+    n, u = (BLOCK.position[j] - BLOCK.position[i]) / D, static(BLOCK, KN, KS).u
+    worst = BLOCK.bonds[int(((u[j] - u[i]) * n).sum(axis=1).argmax())]
+    return float((BLOCK.at(2, 0) | BLOCK.at(2, 1))[worst].sum())
+
+
+def _over_all(gamma: float) -> float:
+    return theory.youngs_modulus(1.0, gamma, 1.0)
 
 
 def _strength(variant: str, quantity: str) -> Seen:
@@ -161,12 +184,70 @@ BLOCKS = (
               REPRODUCED, unit="%", exact=lambda: 100.0 * (1.0 / (1.0 - 0.0889) - 1.0)),
     Statement("Sec. 6", "the unit is centrosymmetric, so that along its other three axes E is the "
               "same", "1", WRONG, "in hexagonal close packing it is not; E over E_z", "",
-              lambda: _share([sqrt(8.0), 0.0, -1.0])),
+              lambda: _share([sqrt(8.0), 0.0, -1.0]),
+              (Seen("close-packed-lattice", "vertex", "share"),)),
     Statement("Sec. 6", "E is 'a bit lower' along other directions; E over E_z in the plane of the "
               "base", "", REPRODUCED, "the least of all directions has 0.829", "",
               lambda: _share([1.0, 0.0, 0.0])),
+    Statement("Sec. 6", "T_u is a bit lower along other directions", "", OPEN,
+              "which directions and blocks is not said; faces that are no layers of the lattice "
+              "decide where a block parts"),
+    Statement("Sec. 3.2", "nu falls as gamma grows; from gamma = 0.5 to 0", "", REPRODUCED,
+              exact=lambda: theory.poissons_ratio(1.0, 0.5) - theory.poissons_ratio(1.0, 0.0)),
+    Statement("Sec. 3.2", "E grows with gamma; at gamma = 1 over that at 0", "", REPRODUCED,
+              "by Eq. 6", exact=lambda: _over_all(1.0) / _over_all(0.0)),
+    Statement("Figs. 4a, b", "errors of E and nu of blocks grow with the strain", "", REPRODUCED,
+              "E at strains to 1e-3 over that at none, less 1; the error of bounds beside it is "
+              "against the balance at finite strain", "%",
+              seen=tuple(Seen("close-packed-path", v, "grown", times=100.0)
+                         for v in ("in-82", "out-82"))),
+    Statement("Figs. 4c, d", "T_u and C_u of each size", "", OPEN,
+              "they are drawn and not printed; only their means are said"),
+    Statement("Sec. 5.2", "bonds of a boundary element P with what lies below it", "1", REPRODUCED,
+              "the fewest in the last layer of a block of 82", exact=_downward),
+    Statement("Sec. 5.2", "the bond of such an element breaks before all others", "", DIFFERS,
+              "pulled between smooth rigid platens a block parts first at a side; how many of the "
+              "two elements there touch a platen, at 82 elements", exact=_first_to_open),
+    Statement("Sec. 5.1", "a step of 1e-8 s is very small; the largest stable one of the lattice",
+              "", REPRODUCED, "the paper states no limit; beside it a block of 82 over it", "s",
+              lambda: 2.0 * sqrt(1.87383297e-6 / (8.98102 * KN)),
+              (Seen("stable-bonds", "lattice-82", "lattice"),)),
+    Statement("Sec. 1", "heat calculated by others is up to 10 times less than by theory", "", OPEN,
+              "it is of other papers, whose models are not given here"),
 )  # fmt: skip
 FAILURE = (
+    Statement("Fig. 5", "stress grows in a line to A1, where level bonds open, and falls", "",
+              REPRODUCED, "A1 over C_open of Eq. 8, less 1, in a block of 82; the paper gives no "
+              "number", "%",
+              seen=(Seen("close-packed-failure", "82", "A1 over Eq. 8", times=100.0),)),
+    Statement("Fig. 5", "some bonds at the boundary fail at A3, before C_open", "", REPRODUCED,
+              "A3 over C_open of Eq. 8, less 1, in a block of 82", "%",
+              seen=(Seen("close-packed-failure", "82", "A3 over Eq. 8", times=100.0),)),
+    Statement("Fig. 5", "stress climbs again to A2, where the block fails by sliding", "",
+              REPRODUCED, "A2 over C_u of Eq. 14, less 1, in a block of 82", "%",
+              seen=(Seen("close-packed-failure", "82", "A2 over Eq. 14", times=100.0),)),
+    Statement("Fig. 5", "stress falls a bit before A2 also", "", DIFFERS,
+              "between rigid smooth platens it grows up to the moment at which all inclined bonds "
+              "slide"),
+    Statement("Sec. 5.3", "when pressed the kinetic energy is much smaller than the elastic", "",
+              REPRODUCED, "largest kinetic energy over the work, in a block of 82", "%",
+              seen=(Seen("close-packed-energy", "pressed-82", "kinetic share", times=100.0),)),
+    Statement("Sec. 5.3", "the share of viscous heat is greater when pulled than when pressed", "",
+              REPRODUCED, "viscous heat over all heat at the end", "%",
+              seen=tuple(Seen("close-packed-energy", v, "viscous share", times=100.0)
+                         for v in ("pulled-82", "pressed-82"))),
+    Statement("Fig. 6c", "level bonds open before the block slides; all of them", "", REPRODUCED,
+              "heat of normal springs before sliding, over that of all level bonds",
+              exact="1", seen=(Seen("close-packed-failure", "82-counted", "all opened"),)),
+    Statement("Fig. 6c", "frictional heat still grows after all has broken", "", REPRODUCED,
+              "frictional heat at the end, in a block of 82", "J",
+              seen=(Seen("close-packed-energy", "pressed-82", "Q_f", Figure.FINAL),)),
+    Statement("Eqs. 16 to 22 and 24 to 26", "as printed", "", REPRODUCED,
+              "energies are booked by them; the remainder over the work",
+              seen=(Seen("close-packed-energy", "pressed-82", "balance"),)),
+    Statement("Fig. 6a", "time in which the pressed block fails, in a block of 82", "1e-4", OPEN,
+              "it depends on the rate, which is not given, and on the size", "s", "",
+              (Seen("close-packed-energy", "pressed-82", "failure time"),)),
     Statement("Fig. 5", "stress falls at A3 before A1", "", MISPRINT,
               "Fig. 6a has A3 after A2, as the end of the test"),
     Statement("Fig. 6a", "failure under pressure takes about", "1e-4", OPEN,
