@@ -112,8 +112,8 @@ MODES = (
 ROCKING = (
     *(
         _said("Sec. 3.3", f"a pulse that {does} the block, as its equation for small angles has "
-              f"it at g = {g:g} m/s2", printed, WRONG, f"{least} of the linear threshold: beside "
-              "it the largest amplitude that the block itself survives",
+              f"it at g = {g:g} m/s2", printed, WRONG, f"it is {least} the threshold of that "
+              "equation; beside it is the largest amplitude that the block itself survives",
               (Seen("rocking", "search", "threshold"),), "m/s2", functools.partial(
                   rocking.linear_threshold, b=0.2, h=0.6, g=g, w=PULSE))
         for does, printed, g, least in (("does not topple", "5.43", 9.80, "below"),
