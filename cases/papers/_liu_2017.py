@@ -183,8 +183,8 @@ BLOCKS = (
     Statement("Sec. 6", "input T_u to be raised, since blocks have 8.89 % less", "9.76",
               REPRODUCED, unit="%", exact=lambda: 100.0 * (1.0 / (1.0 - 0.0889) - 1.0)),
     Statement("Sec. 6", "the unit is centrosymmetric, so that along its other three axes E is the "
-              "same", "1", WRONG, "in hexagonal close packing it is not; E over E_z; a box of 1687 elements "
-              "is softer at its faces, which are no layers", "",
+              "same", "1", WRONG, "in hexagonal close packing it is not; E over E_z; a box of 1687 "
+              "elements is softer at its faces, which are no layers", "",
               lambda: _share([sqrt(8.0), 0.0, -1.0]),
               (Seen("close-packed-lattice", "vertex", "share"),)),
     Statement("Sec. 6", "E is 'a bit lower' along other directions; E over E_z in the plane of the "
