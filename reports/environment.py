@@ -5,6 +5,7 @@ from __future__ import annotations
 import csv
 import functools
 import io
+import json
 from pathlib import Path
 from typing import Any
 
@@ -20,6 +21,7 @@ from reports.pages import code as codes_page
 from reports.pages.case import case
 from reports.pages.findings import findings
 from reports.pages.front import front
+from reports.pages.inputs import heads
 from reports.pages.overview import overview
 from reports.pages.papers import papers
 from reports.pages.steadiness import sections
@@ -46,6 +48,9 @@ FILTERS = (
     text.slug,
     text.known_columns,
     text.with_unit,
+    text.alike,
+    text.sort_key,
+    text.within,
 )
 
 
@@ -126,6 +131,11 @@ def script() -> str:
     return (HERE / "assets" / "report.js").read_text(encoding="utf-8")
 
 
+def inputs_script(book: Book) -> str:
+    """inputs.js: with what the inputs of codes begin, fetched when one is copied."""
+    return f"globalThis.vvInputs = {json.dumps(heads(book), sort_keys=True)};\n"
+
+
 def _attention(book: Book) -> dict[str, Any]:
     return {
         "troubles": troubles(book),
@@ -176,21 +186,36 @@ def tag(outcome: ShownOutcome, count: int | None = None, quiet: bool = False) ->
 
     quiet: the gate is not red for it.
     """
-    symbol = f'<span class="symbol" aria-hidden="true">{escape(outcome.symbol)}</span>'
     many = "" if count is None else f" {escape(count)}"
     look = "known" if quiet and outcome.troubling else outcome.look
     only = ", reported only" if quiet and outcome.troubling else ""
     return Markup(
-        f'<span class="tag {escape(look)}">{symbol} {escape(outcome.word)}{many}{only}</span>'
+        f'<span class="tag {escape(look)}">{escape(outcome.symbol)} {escape(outcome.word)}'
+        f"{many}{only}</span>"
     )
 
 
-def setting_rows(group: Group, stiffness: bool, valued: bool) -> Markup:
+def setting_rows(group: Group, stiffness: bool, valued: bool, columns: int) -> Markup:
     """The rows of a group of settings; stiffness, valued: whether there are columns of it.
 
     There are ten thousands of them, without the end tags that HTML does not need.
     """
-    return Markup("\n".join(_setting_row(row, stiffness, valued) for row in group.rows))
+    rows = [_setting_row(row, stiffness, valued) for row in group.rows]
+    return Markup("\n".join([*([_heading(group, columns)] if group.titled else []), *rows]))
+
+
+def _heading(group: Group, columns: int) -> str:
+    """What is said of a group of settings, above them."""
+    unit = f" [{group.unit}]" if group.unit else ""
+    found = group.order
+    order = (
+        f" · order {found.order:.2f} ± {found.spread:.2f} over {found.points} steps"
+        if found
+        else ""
+    )
+    said = escape(f"{group.mark.label} · {group.quantity}{unit}{order}")
+    notes = "".join(f"<small>{escape(note)}</small>" for note in group.notes)
+    return f"<tbody><tr><th scope=rowgroup colspan={columns}>{said}{notes}"
 
 
 def _setting_row(row: Setting, stiffness: bool, valued: bool) -> str:
@@ -205,4 +230,5 @@ def _setting_row(row: Setting, stiffness: bool, valued: bool) -> str:
     cells = "".join(f"<td>{escape(number)}" for number in numbers)
     note = f" <small>{escape(row.note)}</small>" if row.note else ""
     came = f"{escape(row.outcome.symbol)} {escape(row.outcome.word)}"
-    return f'<tr>{cells}<td class="{row.outcome.look}">{came}{note}'
+    look = "" if row.outcome.look == "good" else f' class="{row.outcome.look}"'
+    return f"<tr>{cells}<td{look}>{came}{note}"

@@ -26,6 +26,7 @@ HERE = Path(__file__).parent
 TOOL = Path(closure.__file__).parents[2]  # below which the modules that a report leans on lie
 FRONT = "index.html"
 PAPERS = "papers.html"
+INPUTS = "inputs.js"
 STAMPS = "stamps.json"  # name of a file -> digest of what it was made from, and of the file
 
 
@@ -93,10 +94,12 @@ def _book(manifest: Manifest, store: Store, beside: Beside) -> Book:
 def _files(book: Book) -> Iterator[File]:
     """All files of a report, the front page last: it is there when all that it leads to is."""
     from reports import environment as env
+    from reports.pages.inputs import heads
 
     looks = sources()
     yield File("report.css", looks, env.style)
     yield File("report.js", looks, env.script)
+    yield File(INPUTS, _digest(heads(book)), functools.partial(env.inputs_script, book))
     of_cases = {case: _of_case(book, case) for case in book.manifest.cases}
     for case, made_from in of_cases.items():
         name = book.page_of(case)
@@ -117,6 +120,8 @@ def _files(book: Book) -> Iterator[File]:
 
 def _of_case(book: Book, case: str) -> str:
     """Digest of all that the page of a case shows."""
+    from reports.pages.inputs import heads
+
     whole = book.manifest
     past = [_without_time(point) for point in book.past.get(case, ())]
     parts = (
@@ -128,6 +133,7 @@ def _of_case(book: Book, case: str) -> str:
         past,
         sorted(whole.external()),
         bool(book.beside.papers),
+        heads(book),
     )
     return _digest(parts)
 

@@ -6,6 +6,11 @@ import hashlib
 import math
 import re
 from collections.abc import Iterable, Mapping
+from typing import TypeVar
+
+from markupsafe import Markup
+
+Same = TypeVar("Same")
 
 NONE = "\N{EN DASH}"  # what stands where there is no number
 SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
@@ -62,9 +67,19 @@ def power(exponent: int) -> str:
     return f"10{str(exponent).translate(SUPERSCRIPTS)}"
 
 
+def sort_key(value: float | None) -> str:
+    """A number as tables sort by it; empty for None."""
+    return "" if value is None else f"{value:.3g}"
+
+
 def with_unit(value: str, unit: str) -> str:
     """A number as text with its unit; words have none."""
     return f"{value} {unit}" if value and unit and value[-1].isdigit() else value
+
+
+def within(said: str) -> Markup:
+    """A long text between tags: quotes stay as they are, which attributes could not have."""
+    return Markup(said.replace("&", "&amp;").replace("<", "&lt;"))
 
 
 def slug(*names: str) -> str:
@@ -84,6 +99,18 @@ def known_columns(names: Iterable[str], rows: Iterable[Mapping[str, float | None
     """The names, in order, of which some row has a number: a table needs no other columns."""
     known = {name for row in rows for name, value in row.items() if value is not None}
     return [name for name in names if name in known]
+
+
+def alike(table: Mapping[str, Same]) -> list[tuple[list[str], Same]]:
+    """(names, what they have), those with the same together."""
+    found: list[tuple[list[str], Same]] = []
+    for name, value in table.items():
+        names = next((names for names, known in found if known == value), None)
+        if names is None:
+            found.append(([name], value))
+        else:
+            names.append(name)
+    return found
 
 
 def listed(words: list[str]) -> str:

@@ -29,6 +29,33 @@
       () => { code.title = "copied"; }, () => getSelection().selectAllChildren(code)));
   });
 
+  // The input of a code: what all its inputs begin with lies in a file of its own, or in this page.
+  const heads = () => globalThis.vvInputs ? Promise.resolve(globalThis.vvInputs) : new Promise((done) => {
+    const script = document.createElement("script");
+    script.src = "inputs.js";
+    script.onload = script.onerror = () => done(globalThis.vvInputs ?? {});
+    document.head.append(script);
+  });
+  const input = async (box) => {
+    const pre = box.querySelector("pre"), code = pre.dataset.head;
+    const here = code && document.getElementById(`head-${code}`)?.textContent;
+    return `${code ? here ?? (await heads())[code] ?? "" : ""}${pre.textContent}`;
+  };
+  all(".input").forEach((box) => {
+    all("button", box).forEach((button) => { button.hidden = false; });
+    box.querySelector("[data-copy]").addEventListener("click", async (event) => {
+      const said = event.target;
+      try { await navigator.clipboard.writeText(await input(box)); said.textContent = "copied"; } catch { getSelection().selectAllChildren(box.querySelector("pre")); }
+    });
+    box.querySelector("[data-save]").addEventListener("click", async (event) => {
+      const link = document.createElement("a");
+      link.href = URL.createObjectURL(new Blob([await input(box)], { type: "text/plain" }));
+      link.download = event.target.dataset.save;
+      link.click();
+      URL.revokeObjectURL(link.href);
+    });
+  });
+
   // Tables sort by a click on a heading; by data-s where a cell has it.
   const key = (cell) => {
     const text = cell.dataset.s ?? cell.textContent.trim();

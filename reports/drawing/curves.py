@@ -151,7 +151,7 @@ def _names(ends: Mapping[str, tuple[float, float]]) -> dict[str, str]:
     made = {}
     for (label, spot), y in zip(ordered, places, strict=True):
         lead = f"M{number(spot[0] + 4)} {number(spot[1])}L{RIGHT + 5:g} {number(y)}"
-        made[label] = f'<path class="lead" d="{lead}"/>{text(RIGHT + 8, y + 3, label)}'
+        made[label] = f'<path d="{lead}"/>{text(RIGHT + 8, y + 3, label)}'
     return made
 
 

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from reports.book import Book
 from reports.marks import Mark
 from reports.outcomes import ShownOutcome, counted
+from reports.pages.inputs import heads
 from reports.pages.overview import Overview, Row
 from reports.pages.tables import Ranked, ranked
 from reports.pages.troubles import Trouble, troubles
@@ -28,7 +30,7 @@ class Line:
 
 @dataclass(frozen=True)
 class Code:
-    """A code. refusals: reason -> how many variants, of each of its schemes."""
+    """A code. head: what all its inputs begin with. refusals: (scheme, reason, variants by case)."""
 
     name: str
     version: str
@@ -38,7 +40,8 @@ class Code:
     counts: Sequence[tuple[ShownOutcome, int]]
     troubles: Sequence[Trouble]
     lines: Sequence[Line]
-    refusals: Sequence[tuple[str, str, Sequence[tuple[str, str]]]]
+    head: str
+    refusals: Sequence[tuple[str, str, Sequence[tuple[str, Sequence[str]]]]]
 
 
 def code(
@@ -58,6 +61,7 @@ def code(
         lines=[
             line for place, ranks in tables.items() for line in _lines(book, name, place, ranks)
         ],
+        head=heads(book).get(name, ""),
         refusals=_refusals(book, name),
     )
 
@@ -76,8 +80,8 @@ def _lines(book: Book, name: str, place: tuple[str, str], ranks: Sequence[Ranked
     ]
 
 
-def _refusals(book: Book, name: str) -> list[tuple[str, str, list[tuple[str, str]]]]:
-    """(scheme, reason, [(link, case: variant)]), the most frequent first."""
+def _refusals(book: Book, name: str) -> list[tuple[str, str, list[tuple[str, list[str]]]]]:
+    """(scheme, reason, [(case, variants)]), the most frequent first."""
     found: dict[tuple[str, str], dict[tuple[str, str], None]] = {}
     for record in book.manifest.records:
         if record.code == name and not tried(record):
@@ -85,6 +89,10 @@ def _refusals(book: Book, name: str) -> list[tuple[str, str, list[tuple[str, str
             places[record.case, record.variant] = None
     ordered = sorted(found.items(), key=lambda item: (item[0][0], -len(item[1]), item[0][1]))
     return [
-        (scheme, reason, [(book.to_case(c, v), f"{c}:{v}") for c, v in places])
+        (scheme, reason, [(c, [v for _, v in own]) for c, own in itertools.groupby(places, _case)])
         for (scheme, reason), places in ordered
     ]
+
+
+def _case(place: tuple[str, str]) -> str:
+    return place[0]

@@ -15,6 +15,7 @@ from reports.drawing.scene import draw_scene
 from reports.outcomes import ShownOutcome, counted, shown_outcome
 from reports.pages.advice import Advice, advice
 from reports.pages.costs import CostRow, cost_rows
+from reports.pages.inputs import Input, inputs
 from reports.pages.playback import playback
 from reports.pages.tables import (
     Absent,
@@ -80,6 +81,7 @@ class Variant:
     advice: Sequence[Advice]
     costs: Sequence[CostRow]
     recorded: Sequence[Recorded]
+    inputs: Sequence[Input]
 
 
 def variant(book: Book, place: Place, before: dict[str, list[History]]) -> Variant:
@@ -122,6 +124,7 @@ def variant(book: Book, place: Place, before: dict[str, list[History]]) -> Varia
         has_series=bool(curves),
         advice=advice(book.efforts.get(place, [])),
         costs=cost_rows(book, place),
+        inputs=inputs(book, place),
         recorded=_recorded(kept, facts),
     )
 

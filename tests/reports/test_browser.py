@@ -8,8 +8,11 @@ from pathlib import Path
 import pytest
 
 from reports import html
+from reports.beside import Beside
 from tests.support.browser import CHROMIUM, Opened, opened
-from tests.support.fabricated import manifest_of_all
+from tests.support.fabricated import HEAD, manifest_of_all, native, with_external
+from vv.case.published import Paper, Standing
+from vv.insight.papers import Answer, Row
 from vv.store.store import Store
 
 pytestmark = pytest.mark.skipif(not CHROMIUM, reason="Chromium is not installed")
@@ -62,6 +65,29 @@ CASE = """
   said.time = one(".playback output").textContent;
   said.target = one(":target")?.id;
 """
+INPUT = """
+  URL.createObjectURL = (blob) => { said.blob = blob; return "#"; };
+  HTMLAnchorElement.prototype.click = function () { said.file = this.download; };
+  const button = one(".input [data-save]");
+  said.shown = !button.hidden;
+  button.click();
+  while (!said.blob) await wait(10);
+  said.text = await said.blob.text();
+"""
+PAPERS = [
+    (
+        Paper("Doe (2001)", "Doe, A paper", "", ()),
+        [
+            Row(place, "x", "1", "m", "1.0", (Answer("bounce:T1", "1", ("dem/default",)),), how, "")
+            for place, how in (("Eq. 2", Standing.REPRODUCED), ("Eq. 1", Standing.REPRODUCED))
+        ],
+    )
+]
+PAPER = """
+  one("table.papers thead th").click();
+  said.rows = all("table.papers tbody th").map((cell) => cell.textContent);
+  said.links = all("table.papers a").map((link) => link.getAttribute("href"));
+"""
 WIDE = "said.wide = [innerWidth, document.documentElement.scrollWidth];"
 
 
@@ -69,7 +95,8 @@ WIDE = "said.wide = [innerWidth, document.documentElement.scrollWidth];"
 def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The report of two variants in many schemes."""
     store = Store(tmp_path_factory.mktemp("store"))
-    return html.build(manifest_of_all(store), store, store.root / "report").parent
+    whole = with_external(manifest_of_all(store), "other")
+    return html.build(whole, store, store.root / "report", Beside(PAPERS, native)).parent
 
 
 def quiet(found: Opened) -> Opened:
@@ -113,7 +140,20 @@ def test_a_case_tells_points_plays_motion_and_opens_at_a_scheme(
     assert said["target"] == at[1:]
 
 
-@pytest.mark.parametrize("page", ["index.html", "case-bounce.html"])
+def test_the_input_of_a_code_is_saved_whole(folder: Path, tmp_path: Path) -> None:
+    said = quiet(opened(folder / "case-bounce.html", INPUT, tmp_path)).said
+    assert said["shown"]
+    assert said["file"] == "bounce-T1-other.in"
+    assert said["text"] == f'{HEAD}variant = "T1"\n'
+
+
+def test_the_page_of_the_papers_sorts_and_leads_to_variants(folder: Path, tmp_path: Path) -> None:
+    said = quiet(opened(folder / "papers.html", PAPER, tmp_path)).said
+    assert said["rows"] == ["Eq. 1", "Eq. 2"]
+    assert set(said["links"]) == {"case-bounce.html#bounce--T1"}
+
+
+@pytest.mark.parametrize("page", ["index.html", "case-bounce.html", "papers.html"])
 def test_pages_fit_a_narrow_window(folder: Path, tmp_path: Path, page: str) -> None:
     wide = quiet(opened(folder / page, WIDE, tmp_path, width=390)).said["wide"]
     assert wide[1] <= wide[0]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import json
 import os
 import re
 import shutil
@@ -17,14 +18,17 @@ from reports.beside import Beside
 from reports.outcomes import OUTCOMES, WORST_FIRST, shown_outcome
 from reports.pages import tables
 from tests.support.fabricated import (
+    HEAD,
     STEPS,
     case,
     changed,
     entry,
     manifest_of_all,
+    native,
     ran,
     record,
     requantified,
+    with_external,
 )
 from tests.support.fabricated import manifest as manifest_of
 from tests.support.html_tags import Tags
@@ -162,6 +166,19 @@ def test_the_page_of_the_papers_has_each_statement_and_leads_to_its_variant(
     assert "papers.html" not in (folder / CASE).read_text() + (folder / "index.html").read_text()
 
 
+def test_the_input_of_a_code_stands_with_the_variant_and_what_all_begin_with_once(
+    manifest: Manifest, store: Store
+) -> None:
+    folder = store.root / "report"
+    html.build(with_external(manifest, "other"), store, folder, Beside(native=native))
+    page, code = ((folder / name).read_text() for name in (CASE, "code-other.html"))
+    found = re.findall(r'<pre data-head="other">\n(.*?)</pre>', page, re.DOTALL)
+    assert found == ['variant = "T1"\n', 'variant = "T2"\n']
+    assert f'<pre id="head-other">\n{HEAD.replace("&", "&amp;").replace("<", "&lt;")}</pre>' in code
+    assert json.dumps(HEAD) in (folder / "inputs.js").read_text()
+    assert "vv export bounce:T1 --code other/default --rung" in page
+
+
 def hostile(manifest: Manifest) -> Manifest:
     """The manifest with a hostile text wherever a text is."""
     (facts,) = manifest.cases.values()
@@ -197,7 +214,10 @@ def hostile(manifest: Manifest) -> Manifest:
 
 
 def test_hostile_text_stays_text(manifest: Manifest, store: Store) -> None:
-    made = pages(hostile(manifest), store)
+    folder = store.root / "report"
+    given = with_external(hostile(manifest), "other")
+    html.build(given, store, folder, Beside(native=lambda record: HOSTILE))
+    made = {path.name: path.read_text(encoding="utf-8") for path in folder.iterdir()}
     single = html.build_single(hostile(manifest), store, ["bounce"], store.root / "one.html")
     for name, page in [*made.items(), ("one.html", single.read_text(encoding="utf-8"))]:
         if name.endswith(".html"):
@@ -230,7 +250,7 @@ def test_a_changed_case_has_its_page_and_the_common_ones_made_again(
     worse = (requantified(first, verdict="fail"), *others)
     pages(dataclasses.replace(two, records=worse), store)
     kept = {path.name for path in folder.iterdir() if path.stat().st_mtime_ns == 1}
-    assert kept == {"case-other.html", "case-other.csv", "report.css", "report.js"}
+    assert kept == {"case-other.html", "case-other.csv", "report.css", "report.js", "inputs.js"}
 
 
 def test_pages_of_what_is_no_longer_there_go(manifest: Manifest, store: Store) -> None:

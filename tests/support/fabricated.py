@@ -159,6 +159,19 @@ def manifest(*records: Record, **parts: Any) -> Manifest:
     return Manifest(**{**whole, **parts})
 
 
+HEAD = "# driver <&>\n" * 100
+
+
+def native(record: Record) -> str:
+    """What a code was given for a record, in the language of no code."""
+    return f'{HEAD}variant = "{record.variant}"\n'
+
+
+def with_external(whole: Manifest, code: str) -> Manifest:
+    """The manifest, with a code as a program of others."""
+    return changed(whole, codes={**whole.codes, code: CodeFound("1", True, {"bin/x": "digest"})})
+
+
 def manifest_of_all(store: Store) -> Manifest:
     """Two variants in seven schemes: everything that may come of a job, once at least."""
     runs = [

@@ -9,6 +9,7 @@ from pathlib import Path
 from types import ModuleType
 from typing import TYPE_CHECKING
 
+from vv.base.errors import UsageError
 from vv.base.files import write_output
 from vv.output import result_lines, terminal
 from vv.output.progress import progress
@@ -19,6 +20,7 @@ from vv.store.store import Store
 
 if TYPE_CHECKING:
     from reports.beside import Beside
+    from vv.case import Trial
     from vv.records.accepted import AcceptedResult
     from vv.records.job_record import Record
     from vv.run.session import Limits
@@ -155,7 +157,23 @@ def beside(project: Project, manifest: Manifest) -> Beside:
     from vv.plan.published import papers
 
     results = functools.cache(functools.partial(_results, project, manifest))
-    return Beside([(paper, rows(paper, results)) for paper in papers(project)])
+    found = [(paper, rows(paper, results)) for paper in papers(project)]
+    return Beside(found, functools.partial(_native, project, {}))
+
+
+def _native(project: Project, trials: dict[tuple[str, str], Trial], record: Record) -> str:
+    """What a code is given for a record; empty where case or code are no longer what they were."""
+    from vv.plan.plan import declare_trial
+
+    case, variant = record.case, record.variant
+    try:
+        if (case, variant) not in trials:
+            declared = declare_trial(project.load_case(case), variant, record.parameters)
+            trials[case, variant] = declared
+        ask = trials[case, variant].study.ask(record.rung)
+        return project.load_adapter(record.code).native(ask, record.scheme)
+    except (LookupError, ValueError, UsageError):  # of a project too: ProjectError
+        return ""
 
 
 def _results(project: Project, manifest: Manifest, case: str) -> Mapping[str, AcceptedResult]:

@@ -45,8 +45,8 @@ class Manifest:
     name: str = optional("")
 
     def external(self) -> set[str]:
-        """The codes that are programs of others."""
-        return {code for code, found in self.codes.items() if found.files}
+        """The codes that are programs of others; what is in-house is always installed."""
+        return {code for code, f in self.codes.items() if f.files or not f.installed}
 
 
 @dataclass(frozen=True, slots=True)
