@@ -30,7 +30,7 @@ class Line:
 
 @dataclass(frozen=True)
 class Code:
-    """A code. head: what all its inputs begin with. refusals: (scheme, reason, variants by case)."""
+    """A code. head: what all its inputs begin with. refusals: scheme, reason, variants by case."""
 
     name: str
     version: str

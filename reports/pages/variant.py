@@ -11,7 +11,6 @@ from reports.book import Book, Place
 from reports.drawing import collect
 from reports.drawing.collect import History
 from reports.drawing.gallery import Figure, figures
-from reports.drawing.scene import draw_scene
 from reports.outcomes import ShownOutcome, counted, shown_outcome
 from reports.pages.advice import Advice, advice
 from reports.pages.costs import CostRow, cost_rows
@@ -33,6 +32,7 @@ from reports.pages.tables import (
 from reports.text import slug
 from vv.case import Norm
 from vv.insight.voices import votes
+from vv.output.gallery.scene_drawing import picture
 from vv.records.case_facts import VariantFacts
 from vv.records.job_record import Record
 from vv.records.reading import fineness
@@ -106,7 +106,7 @@ def variant(book: Book, place: Place, before: dict[str, list[History]]) -> Varia
         name=name,
         anchor=slug(case, name),
         facts=facts,
-        scene=draw_scene(facts.sketch) if facts.sketch else Markup(""),
+        scene=Markup(picture(facts.sketch) if facts.sketch else ""),  # it escapes
         settings={key: value for key, value in given.items() if value != usual.get(key)},
         modified=any(record.modified for record in own),
         command=f"vv run {case}:{name}",

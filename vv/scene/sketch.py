@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from vv.scene import view
 from vv.scene.arrays import Vector
 from vv.scene.bodies import Harmonic
 from vv.scene.scene import Scene
@@ -14,10 +15,9 @@ from vv.scene.scene import Scene
 MOST = 150  # bodies, and bonds, in a sketch: beyond it a picture says no more
 FEW = 8  # bodies with arrows
 NEAR = 4.0  # sizes of the bodies: a wall farther away is left out
-FLAT = 0.02  # of the largest extent: a scene that is less deep is seen straight on
-OBLIQUE = np.array([[0.87, -0.5, 0.0], [0.25, 0.43, 0.87]])  # rows: right and up, as seen
-NAMES = ("x", "y", "z")
 DIGITS = 4
+SEEN = 0.1  # of a direction: what points at the reader more than that leaves is not drawn
+NIL = 1e-6  # of a radius: a gap that is none
 Spot = tuple[float, float]
 
 
@@ -36,8 +36,10 @@ class Sketch:
 
     axes: names of the directions to the right and up, empty for an oblique view. circles: centre
     and radius; held: whether each is locked in all directions; polygons: corners of the faces of
-    blocks that are seen; walls: a point and the outward normal of each, as seen; bonds: ends of
-    each. bodies: how many the scene has, of which those beyond a limit are left out here.
+    blocks that are seen; fixed: whether the block of each is locked; rails: a place and the only
+    direction in which a body may move; touching: where bodies touch; walls: a point
+    and the outward normal of each, as seen; bonds: ends of each. bodies: how many the scene has, of
+    which those beyond a limit are left out here.
     """
 
     size: float
@@ -46,6 +48,9 @@ class Sketch:
     circles: tuple[tuple[float, float, float], ...] = ()
     held: tuple[bool, ...] = ()
     polygons: tuple[tuple[Spot, ...], ...] = ()
+    fixed: tuple[bool, ...] = ()
+    rails: tuple[tuple[Spot, Spot], ...] = ()
+    touching: tuple[Spot, ...] = ()
     walls: tuple[tuple[Spot, Spot], ...] = ()
     bonds: tuple[tuple[Spot, Spot], ...] = ()
     arrows: tuple[Arrow, ...] = ()
@@ -53,33 +58,23 @@ class Sketch:
 
 def sketch(scene: Scene) -> Sketch:
     """The sketch of a scene at t = 0."""
-    plane, names = _plane(scene)
+    plane = view.plane(scene)
     shown = _Shown(scene, plane)
+    faces = [*shown.faces()]
     return Sketch(
         size=shown.size,
-        axes=names,
+        axes=view.names(plane),
         bodies=sum(map(len, scene.bodies)),
         circles=tuple((*shown.spot(x), shown.length(r)) for x, r in shown.spheres()),
         held=tuple(not row.any() for row in scene.spheres.free[:MOST]),
-        polygons=tuple(shown.faces()),
+        polygons=tuple(corners for corners, _ in faces),
+        fixed=tuple(held for _, held in faces),
+        rails=tuple(shown.rails()),
+        touching=tuple(shown.touching()),
         walls=tuple(shown.walls()),
         bonds=tuple(shown.bonds()),
         arrows=tuple(shown.arrows()),
     )
-
-
-def _plane(scene: Scene) -> tuple[Vector, tuple[str, ...]]:
-    """Directions to the right and up, (2, 3), and their names if they are axes of the frame."""
-    points = _points(scene)
-    spread = np.ptp(points, axis=0) if len(points) else np.zeros(3)
-    size = float(spread.max(initial=0.0)) or 1.0
-    acts = [scene.gravity, *(w.normal for w in scene.walls), *_moves(scene)]
-    told = sum((np.abs(a) / (np.linalg.norm(a) or 1.0) for a in acts), np.zeros(3))
-    if scene.blocks or (np.sort(spread)[0] <= FLAT * size and (told > 0.05).sum() < 3):
-        weight = told + 1e-3 * spread / size + (1e-6, 0.0, 2e-6)
-        first, second = sorted(np.argsort(weight)[-2:].tolist())
-        return np.eye(3)[[first, second]], (NAMES[first], NAMES[second])
-    return OBLIQUE, ()
 
 
 def _points(scene: Scene) -> Vector:
@@ -91,15 +86,6 @@ def _feet(scene: Scene) -> list[Vector]:
     """The point of each wall that is nearest to the middle of the bodies, (3,) [m]."""
     middle = _points(scene).mean(axis=0)
     return [middle - (middle - w.point) @ w.normal * w.normal for w in scene.walls]
-
-
-def _moves(scene: Scene) -> Iterator[Vector]:
-    """Velocities, loads and amplitudes that differ from zero."""
-    groups = [scene.spheres, *scene.blocks]
-    rows = [np.atleast_2d(getattr(g, name))[:MOST] for g in groups for name in ("velocity", "load")]
-    yield from (row for part in rows for row in part if row.any())
-    driven = [scene.wave, *(wall.motion for wall in scene.walls)]
-    yield from (along for one in driven if one for along, _, _ in one.sines())
 
 
 class _Shown:
@@ -135,22 +121,46 @@ class _Shown:
         group = self.scene.spheres
         yield from zip(group.position[:MOST], group.radius[:MOST].tolist(), strict=True)
 
-    def faces(self) -> Iterator[tuple[Spot, ...]]:
-        """The faces of blocks that look at the reader."""
+    def faces(self) -> Iterator[tuple[tuple[Spot, ...], bool]]:
+        """The faces of blocks that look at the reader, and whether the block is locked."""
         towards = np.cross(self.plane[0], self.plane[1])
         for block in self.scene.blocks[:MOST]:
             for face in block.faces:
                 corners = block.vertices[list(face)]
                 normal = np.cross(corners[1] - corners[0], corners[2] - corners[1])
                 if abs(normal @ towards) > 1e-6 * np.linalg.norm(normal) and normal @ towards > 0:
-                    yield tuple(map(self.spot, corners))
+                    yield tuple(map(self.spot, corners)), not block.free.any()
+
+    def rails(self) -> Iterator[tuple[Spot, Spot]]:
+        """The one direction, as seen, in which each of the first bodies may move, if it is one."""
+        first, blocks = self.scene.spheres.part(slice(0, FEW)), self.scene.blocks[:FEW]
+        rows = [*zip(first.position, first.free, strict=True)]
+        rows += [(block.centroid(), block.free) for block in blocks]
+        for place, free in rows:
+            if free.any() and not free.all():
+                along = self.scene.axes[np.flatnonzero(free)] @ self.plane.T
+                seen = along[np.hypot(*along.T) > SEEN]
+                if len(seen) == 1:
+                    yield self.spot(place), self._direction(seen[0])
+
+    def touching(self) -> Iterator[Spot]:
+        """Where spheres touch each other and walls, of those that are shown."""
+        group = self.scene.spheres
+        place, radius = group.position[:MOST], group.radius[:MOST]
+        gaps = np.linalg.norm(place[:, None] - place[None], axis=2) - radius - radius[:, None]
+        for i, j in np.argwhere(np.triu(gaps < NIL * radius.min(initial=1.0), 1))[:MOST]:
+            yield self.spot(place[i] + radius[i] / (radius[i] + radius[j]) * (place[j] - place[i]))
+        for wall in self.scene.walls:
+            off = (place - wall.point) @ wall.normal
+            for k in np.flatnonzero(off - radius < NIL * radius)[:MOST]:
+                yield self.spot(place[k] - off[k] * wall.normal)
 
     def walls(self) -> Iterator[tuple[Spot, Spot]]:
         """The foot of each wall that is near, and its normal, if it is seen from the side."""
         for foot, normal in self.near:
-            x, y = self.plane @ normal
-            if np.hypot(x, y) > 0.1:
-                yield self.spot(foot), (round(float(x), DIGITS), round(float(y), DIGITS))
+            along = self.plane @ normal
+            if np.hypot(*along) > SEEN:
+                yield self.spot(foot), self._direction(along)
 
     def bonds(self) -> Iterator[tuple[Spot, Spot]]:
         """The ends of bonds between spheres that are shown."""
@@ -177,5 +187,9 @@ class _Shown:
             yield from (self._arrow(None, along, what) for along, _, _ in motion.sines())
 
     def _arrow(self, place: Vector | None, along: Vector, what: str) -> Arrow:
-        x, y = (self.plane @ along / (np.linalg.norm(along) or 1.0)).round(DIGITS).tolist()
-        return Arrow((0.0, 0.0) if place is None else self.spot(place), (x, y), what)
+        seen = self._direction(self.plane @ along / (np.linalg.norm(along) or 1.0))
+        return Arrow((0.0, 0.0) if place is None else self.spot(place), seen, what)
+
+    def _direction(self, along: Vector) -> Spot:
+        x, y = (along + 0.0).round(DIGITS).tolist()
+        return x, y
