@@ -80,6 +80,27 @@ def ranked(piles: Mapping[str, Sequence[Record]], looks: Mapping[str, Mark]) -> 
     return sorted(rows, key=lambda row: (row.error is None, row.error or 0.0, row.mark.label))
 
 
+@dataclass(frozen=True)
+class Dear:
+    """A scheme in a variant by what its finest setting costs. dearer: over the cheapest."""
+
+    mark: Mark
+    cpu: float
+    timed: bool
+    dearer: float
+    error: float | None
+    setting: str
+
+
+def cheapest(rows: Sequence[Ranked]) -> list[Dear]:
+    """The schemes that took a variant on, cheapest first; those without a cost are left out."""
+    known = sorted((row.cpu, row.mark.label, row) for row in rows if row.cpu)
+    return [
+        Dear(row.mark, cpu, row.timed, cpu / known[0][0], row.error, row.setting)
+        for cpu, _, row in known
+    ]
+
+
 def _ranked(pile: Sequence[Record], mark: Mark) -> Ranked:
     measured = [record for record in pile if record.quantities]
     finest = measured[-1] if measured else pile[-1]

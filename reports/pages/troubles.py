@@ -5,10 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
+from markupsafe import Markup
+
 from reports import plain
 from reports.book import Book
 from reports.marks import Mark
 from vv.gate.judgement import breaches
+from vv.output.gallery.scene_drawing import picture
 from vv.records.finding import Aspect, Finding, worst_first
 from vv.records.job_record import Record
 from vv.records.reading import rung
@@ -21,7 +24,8 @@ JUDGED = (Aspect.ACCURACY, Aspect.CONSERVATION, Aspect.RUN)
 class Trouble:
     """Findings of one kind on one scheme and case, told by the worst of them.
 
-    red: whether it turns the gate red. others: the places of the rest, as links and words.
+    red: whether it turns the gate red. others: the places of the rest, as links and words. scene:
+    the drawing of the worst's.
     """
 
     red: bool
@@ -35,6 +39,7 @@ class Trouble:
     pattern: str
     others: Sequence[tuple[str, str]]
     count: int
+    scene: Markup
 
 
 def troubles(book: Book, findings: Iterable[Finding] | None = None) -> list[Trouble]:
@@ -82,7 +87,15 @@ def _trouble(
         pattern=pattern or "",
         others=[(book.to_case(case, variant), variant) for case, variant in others],
         count=len(pile),
+        scene=_scene(book, worst),
     )
+
+
+def _scene(book: Book, one: Finding) -> Markup:
+    """The scene of a finding's variant, small."""
+    facts = book.manifest.cases.get(one.case)
+    variant = facts.variants.get(one.variant) if facts else None
+    return Markup(picture(variant.sketch) if variant and variant.sketch else "")
 
 
 def _text(one: Finding, record: Record | None) -> str:

@@ -18,11 +18,13 @@ from reports.pages.inputs import Input, inputs
 from reports.pages.playback import playback
 from reports.pages.tables import (
     Absent,
+    Dear,
     Group,
     Modelled,
     Ranked,
     Silent,
     absent,
+    cheapest,
     groups,
     models,
     ranked,
@@ -68,6 +70,7 @@ class Variant:
     command: str
     outcomes: Sequence[tuple[ShownOutcome, int]]
     ranked: Sequence[Ranked]
+    cheapest: Sequence[Dear]
     differ: str
     voices: Sequence[str]
     groups: Sequence[Group]
@@ -112,6 +115,7 @@ def variant(book: Book, place: Place, before: dict[str, list[History]]) -> Varia
         command=f"vv run {case}:{name}",
         outcomes=counted(own),
         ranked=rows,
+        cheapest=cheapest(rows),
         differ=why_colours_differ(rows),
         voices=[vote.in_words() for vote in votes(own, kept)],
         groups=groups(piles, book.marks),

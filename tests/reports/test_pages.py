@@ -11,6 +11,7 @@ import subprocess
 import sys
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from reports import html
@@ -22,6 +23,7 @@ from tests.support.fabricated import (
     STEPS,
     case,
     changed,
+    cost,
     entry,
     manifest_of_all,
     native,
@@ -40,6 +42,8 @@ from vv.records.finding import Aspect, Bit, Finding
 from vv.records.manifest import Manifest
 from vv.records.outcomes import Outcome, Verdict
 from vv.records.recorded import RecordedQuantity, RecordedResult
+from vv.scene import Contact, Scene, Spheres, Wall
+from vv.scene.sketch import sketch
 from vv.store.store import Store
 
 HOSTILE = (
@@ -56,6 +60,11 @@ def store(tmp_path: Path) -> Store:
 @pytest.fixture
 def manifest(store: Store) -> Manifest:
     return manifest_of_all(store)
+
+
+def one_sphere() -> Spheres:
+    place, free = np.zeros((1, 3)), np.ones((1, 3), bool)
+    return Spheres(place + 1.0, place, np.ones(1), np.ones(1), free)
 
 
 def pages(manifest: Manifest, store: Store) -> dict[str, str]:
@@ -177,6 +186,28 @@ def test_the_input_of_a_code_stands_with_the_variant_and_what_all_begin_with_onc
     assert f'<pre id="head-other">\n{HEAD.replace("&", "&amp;").replace("<", "&lt;")}</pre>' in code
     assert json.dumps(HEAD) in (folder / "inputs.js").read_text()
     assert "vv export bounce:T1 --code other/default --rung" in page
+
+
+def test_who_has_no_script_reads_a_ranking_by_cost_too(store: Store) -> None:
+    runs = [
+        record(label, "T1", 1e-3, cost=cost(cpu=cpu), quantities=[entry("pass", {"max": error})])
+        for label, cpu, error in (("a/slow", 4e-3, 1e-8), ("b/quick", 1e-3, 1e-4))
+    ]
+    page = built(manifest_of(*runs), store)
+    ranking = re.search(r'<ol class="small cheapest">(.*?)</ol>', page, re.DOTALL)
+    assert ranking is not None
+    rows = [re.sub(r"<[^>]*>", "", row) for row in ranking[1].split("</li>")]
+    assert rows[0].strip().startswith("b/quick 1 ms ○, 1 times the cheapest; error 1.0e-4")
+    assert rows[1].strip().startswith("a/slow 4 ms ○, 4 times the cheapest; error 1.0e-8")
+
+
+def test_a_card_shows_the_scene_that_it_is_of(manifest: Manifest, store: Store) -> None:
+    (facts,) = manifest.cases.values()
+    ball = sketch(Scene((Wall((0, 0, 0), (0, 0, 1)), one_sphere()), Contact(1e3)))  # type: ignore[arg-type]
+    variants = {name: changed(said, sketch=ball) for name, said in facts.variants.items()}
+    drawn = dataclasses.replace(manifest, cases={"bounce": changed(facts, variants=variants)})
+    front = pages(drawn, store)["index.html"]
+    assert '<div class="thumb"><svg class="scene"' in front
 
 
 def hostile(manifest: Manifest) -> Manifest:
