@@ -101,7 +101,7 @@ def _scene(book: Book, one: Finding) -> Markup:
 def _text(one: Finding, record: Record | None) -> str:
     """A finding in plain words: by the record that it is of, if it judges that alone."""
     if record is None or one.check not in JUDGED:
-        return one.text
+        return one.text[:1].upper() + one.text[1:]
     if one.check is Aspect.CONSERVATION:
         for found in breaches(record.ledger):
             if found[0] == one.kind:

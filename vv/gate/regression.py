@@ -162,10 +162,10 @@ def _change(
     size = min(max(abs(drift), shift) / width, LARGE)
     if abs(drift) > width:
         return _error_moved(
-            name, before or 0.0, error or 0.0, size, f"band {width:g}: {band.reason}"
+            name, before or 0.0, error or 0.0, size, f"it may move by {width:.2g}: {band.reason}"
         )
     if not shift <= width:
-        text = f"value moved by {shift:.3g} of its scale; band {width:g}: {band.reason}"
+        text = f"value moved by {shift:.3g} of its scale; it may move by {width:.2g}: {band.reason}"
         return Moved(name, Change.MOVED, text, size)
     return None
 
