@@ -59,7 +59,7 @@ def _declare(variant: str, p: Parameters) -> Trial:
     path = judged(
         4.0 / STEPS[0] ** 2, unit, STEPS[0],
         "(w dt)^2/24 of the swings along the normal and across it, which is up to twice as quick, "
-        "and as much where contact, stick or slip begins within a step",
+        "and as much where contact, stick or slip begins within a step, of which there are several",
     )  # fmt: skip
     quantities = (impacts.worst(path), impacts.nearest(path), impacts.lasting(path))
     return Trial(Ladder(impacts.scene(), goal, impacts.seen(), levels), quantities)
@@ -71,11 +71,11 @@ FORMULA = (
 )
 CONVENTIONS = (
     "Codes differ in where surfaces meet: in the middle of the overlap, so that arms are R - U/2, "
-    "or on the wall, R - U. And in what unloading does to a shear spring: with increments alone it "
-    "keeps its force, with a spring of today's stiffness it gives way. Contact ends with the "
-    "overlap, and friction is limited by the whole normal force. Restitution is 1 here, where the "
-    "paper has 0.98 and 0.5; test 5 has spheres of 10 um. The slips of tests 5 to 8 and the size "
-    "of the larger sphere are chosen."
+    "or on the wall, R - U, or there for slip alone. And in what unloading does to a shear spring: "
+    "with increments alone it keeps its force, with a spring of today's stiffness it gives way. "
+    "Contact ends with the overlap, and friction is limited by the whole normal force. Restitution "
+    "is 1 here, where the paper has 0.98 and 0.5; test 5 has spheres of 10 um. The slips of tests "
+    "5 to 8 and the size of the larger sphere are chosen."
 )
 CASE = Case(
     name="oblique-impact",

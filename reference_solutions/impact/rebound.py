@@ -5,8 +5,9 @@ Forces, with the overlap U [m] and exponent p (1: linear springs, 3/2: Hertz and
 - tangential T' = -S U^(p - 1) s, the stiffness without slip, by increments; |T| <= mu Fn, with the
   whole of Fn; s is the slip where the bodies touch, in the middle of the overlap, so that arms are
   R - U/2.
-Codes differ in two of these, which `Law` therefore has as numbers: the arms R - a U, and whether a
-spring of today's stiffness holds all of the slip, T = -S U^(p - 1) times the integral of s.
+Codes differ in some of these, which `Law` therefore has as numbers: the arms of slip, R - a U, and
+of torque, R - b U, and whether a spring of today's stiffness holds all of the slip: T is then
+-S U^(p - 1) times the integral of s.
 The equations are solved in Cartesian coordinates by an explicit method of order 8 between events,
 at which the contact begins or ends to slip. There is no closed form, but for a sphere that slips
 throughout: vt falls by mu (1 + e) vn.
@@ -29,8 +30,8 @@ MOST = 20  # changes between slip and no slip; more is a failure
 class Law:
     """K, S [N/m^p], friction mu, exponent p, and z of D = 2 z sqrt(m p K), m the reduced mass.
 
-    a: arms are R - a U. h: T' has h (p - 1) T U'/U beside the increments: 0 for increments alone,
-    1 for a spring of today's stiffness.
+    a, b: arms of slip and of torque are R - a U and R - b U. h: T' has h (p - 1) T U'/U beside the
+    increments: 0 for increments alone, 1 for a spring of today's stiffness.
     """
 
     K: float
@@ -39,13 +40,14 @@ class Law:
     p: float = 1.5
     z: float = 0.0
     a: float = 0.5
+    b: float = 0.5
     h: float = 0.0
 
     def __post_init__(self) -> None:
         for name in ("K", "p"):
             if not 0.0 < getattr(self, name) < inf:
                 raise ValueError(f"Law.{name} = {getattr(self, name)}; it must be positive")
-        for name in ("S", "mu", "z", "a", "h"):
+        for name in ("S", "mu", "z", "a", "b", "h"):
             if not 0.0 <= getattr(self, name) < inf:
                 raise ValueError(f"Law.{name} = {getattr(self, name)}; it must be zero or more")
 
@@ -139,15 +141,15 @@ class _Impact:
         law, deep = self.law, max(overlap, 0.0)
         return float(law.K * deep**law.p + self.damping * deep ** (0.5 * law.p - 0.5) * closing)
 
-    def arms(self, overlap: float) -> tuple[float, float]:
-        """From the centres to where the bodies touch [m]; 0 for a wall."""
-        short = self.law.a * overlap
+    def arms(self, part: float, overlap: float) -> tuple[float, float]:
+        """The radii [m] less a part of the overlap; 0 for a wall."""
+        short = part * overlap
         second = 0.0 if self.partner.is_wall else self.partner.radius - short
         return self.sphere.radius - short, second
 
     def slip(self, y: Array, tangent: Array, overlap: float) -> float:
         """s [m/s]."""
-        first, second = self.arms(overlap)
+        first, second = self.arms(self.law.a, overlap)
         return float(y[2:4] @ tangent - first * y[4] - second * y[5])
 
     def slope(self, y: Array, slips: float) -> Array:
@@ -157,7 +159,7 @@ class _Impact:
         rubbing = slips * self.law.mu * push if slips else y[6]
         one, two = self.sphere, self.partner
         rate = (push * normal + rubbing * tangent) / self.mass
-        first, second = self.arms(overlap)
+        first, second = self.arms(self.law.b, overlap)
         spun = -first * rubbing / (0.4 * one.mass * one.radius**2)
         other = 0.0 if two.is_wall else -second * rubbing / (0.4 * two.mass * two.radius**2)
         charging = 0.0 if slips else self.charging(y, tangent, overlap, float(y[6]))

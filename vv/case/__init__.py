@@ -25,6 +25,7 @@ from vv.case.judges import (
     Tolerance,
     judge_for_method,
 )
+from vv.case.measured import Measured, Measurement
 from vv.case.quantity import Count, Quantity, Scalar, Series, at_rest, error_scale, evaluated
 from vv.case.study import (
     Grid,
@@ -49,6 +50,8 @@ __all__ = [
     "Judge",
     "Ladder",
     "Level",
+    "Measured",
+    "Measurement",
     "Motion",
     "Norm",
     "Parameter",

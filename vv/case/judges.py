@@ -8,6 +8,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from vv.ask import Knobs, Method
+from vv.case.measured import Measured
 
 
 class Norm(enum.Enum):
@@ -119,7 +120,7 @@ class Shown:
     reason: str
 
 
-Judge = Exact | Interval | Invariant | Shown
+Judge = Exact | Interval | Invariant | Shown | Measured
 
 
 def judge_for_method(judge: Judge, method: Method) -> Judge:

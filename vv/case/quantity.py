@@ -8,6 +8,7 @@ from dataclasses import dataclass
 
 from vv.ask import Run
 from vv.case.judges import Exact, Interval, Invariant, Judge
+from vv.case.measured import Measured
 from vv.scene import Vector
 
 Number = float | Callable[[], float]  # a function is called only when a run is measured
@@ -56,7 +57,7 @@ class Series:
         _require_answer(self.name, self.reference, self.judge)
         if self.still is not None:
             error_scale(self.name, self.still)
-        if isinstance(self.judge, Interval):
+        if isinstance(self.judge, Interval | Measured):
             raise ValueError(f"quantity '{self.name}': a series cannot be judged by an interval")
         if self.scale is not None and not callable(self.scale):
             error_scale(self.name, self.scale)
@@ -108,3 +109,5 @@ def _require_answer(name: str, reference: object, judge: Judge) -> None:
     """Raise ValueError for a quantity that is judged by its error but has no reference."""
     if reference is None and isinstance(judge, Exact | Invariant):
         raise ValueError(f"quantity '{name}' is judged by its error and has no reference")
+    if reference is not None and isinstance(judge, Measured):
+        raise ValueError(f"quantity '{name}' has an exact reference beside its measurement")

@@ -7,8 +7,8 @@ import math
 from collections.abc import Iterable, Mapping
 from typing import TypeVar
 
-from vv.case import Case, Exact, Quantity
-from vv.gate.judgement import outcome
+from vv.case import Case, Exact, Measured, Quantity
+from vv.gate.judgement import against_measurement, outcome
 from vv.insight.voices import votes
 from vv.output.terminal import say
 from vv.output.wording import in_words
@@ -76,6 +76,9 @@ def _explain_variant(
 def _explain_quantity(quantity: Quantity) -> None:
     judge = quantity.judge
     say(f"  quantity {quantity.name} [{getattr(quantity, 'unit', '')}]: {quantity.meaning}")
+    if isinstance(judge, Measured):
+        _explain_measurement(judge)
+        return
     if not isinstance(judge, Exact):
         say(f"    {type(judge).__name__.lower()}: {judge.reason}")
         return
@@ -89,6 +92,17 @@ def _explain_quantity(quantity: Quantity) -> None:
         say(f"    {method.value}: {tolerance.value:g}{step}: {tolerance.reason}")
     for method, reason in judge.not_judged.items():
         say(f"    {method.value}: shown: {reason}")
+
+
+def _explain_measurement(judge: Measured) -> None:
+    """What was measured, how sure that is, and how far a code may be from it."""
+    seen = judge.measurement
+    say(
+        f"    measured: {seen.value:g}, digitised to {seen.digitisation:g}, experiment to "
+        f"{seen.experiment:g}; {seen.conditions}; {seen.source}"
+    )
+    allowed = "shown beside it" if judge.band is None else f"within {judge.band:g} of it"
+    say(f"    {allowed}: {judge.reason}")
 
 
 def _last_records(manifests: Iterable[Manifest]) -> tuple[list[Record], list[RecordedResult]]:
@@ -133,7 +147,9 @@ def _in_words(record: Record) -> str:
 
 
 def _quantity_in_words(one: MeasuredQuantity) -> str:
-    if one.tolerance is None:
+    if one.measurement is not None and one.value is not None:
+        text = f"{one.name}: {against_measurement(one.value, one.measurement)}"
+    elif one.tolerance is None:
         text = f"{one.name}: {one.value}, {one.why}"
     else:
         error = math.nan if one.error is None else one.error

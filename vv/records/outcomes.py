@@ -60,12 +60,16 @@ class QuantityKind(enum.Enum):
 
 
 class JudgeKind(enum.Enum):
-    """How a quantity is judged: by its error, by its value, as conserved, or not at all."""
+    """How a quantity is judged: by its error, by its value, as conserved, or not at all.
+
+    MEASURED: by its distance from a measurement, which is no error of a code, nor a code's own.
+    """
 
     EXACT = "exact"
     INTERVAL = "interval"
     INVARIANT = "invariant"
     SHOWN = "shown"
+    MEASURED = "measured"
 
 
 class CostKind(enum.Enum):

@@ -2,11 +2,30 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 
 from vv.case import Norm
+from vv.records.fields import optional
 from vv.records.outcomes import JudgeKind, QuantityKind, Verdict
+
+
+@dataclass(frozen=True, slots=True)
+class MeasurementFacts:
+    """A measurement and the band about it; its parts are those of `vv.case.Measurement`."""
+
+    value: float
+    digitisation: float
+    experiment: float
+    conditions: str
+    source: str
+    band: float | None
+
+    @property
+    def uncertainty(self) -> float:
+        """Standard uncertainty of both sources together."""
+        return math.hypot(self.digitisation, self.experiment)
 
 
 @dataclass(frozen=True, slots=True)
@@ -18,7 +37,8 @@ class MeasuredQuantity:
     relative, None where one is not finite; scale: what they are relative to. figures: a few
     numbers that stand for the value. norm: of the error that is judged; None: the maximum.
     tolerance: the bound on that error at this rung, and why it is that; note: what the judge has
-    to add.
+    to add. measurement: what a number was compared with in place of a reference; it then has no
+    errors, so that no ranking, map or order mixes it with the accuracy of codes.
     """
 
     name: str
@@ -36,6 +56,7 @@ class MeasuredQuantity:
     why: str
     note: str
     verdict: Verdict
+    measurement: MeasurementFacts | None = optional(None)  # noqa: RUF009  # None is frozen
 
     @property
     def error(self) -> float | None:

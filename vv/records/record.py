@@ -17,6 +17,7 @@ from vv.case import (
     Interval,
     Invariant,
     Judge,
+    Measured,
     Norm,
     Quantity,
     Scalar,
@@ -30,7 +31,7 @@ from vv.case import (
 )
 from vv.records.job_record import JobCost, ModelSummary, RunSummary
 from vv.records.outcomes import JudgeKind, QuantityKind, Verdict
-from vv.records.quantity import MeasuredQuantity
+from vv.records.quantity import MeasuredQuantity, MeasurementFacts
 from vv.scene import Vector
 
 NOT_REPORTED = Shown("this code tells nothing to take it from")
@@ -142,6 +143,7 @@ def measured(
         why=why,
         note=found.note,
         verdict=Verdict.NO_REFERENCE,
+        measurement=_measurement(judge),
     )
     return dataclasses.replace(made, verdict=_verdict(quantity, judge, made)), found.arrays
 
@@ -152,6 +154,13 @@ def _bound(judge: Judge, method: Method, knobs: Knobs) -> tuple[Norm | None, flo
         return None, judge.bound if isinstance(judge, Invariant) else None, judge.reason
     tolerance = judge.tolerance(method)
     return judge.norm, tolerance.at(knobs), tolerance.reason
+
+
+def _measurement(judge: Judge) -> MeasurementFacts | None:
+    """What a record keeps of a measurement; None of other judges."""
+    if not isinstance(judge, Measured):
+        return None
+    return MeasurementFacts(**dataclasses.asdict(judge.measurement), band=judge.band)
 
 
 def _figures(run: Run, quantity: Quantity, judge: Judge, method: Method) -> _Figures:
@@ -229,6 +238,8 @@ def _figures_of_number(run: Run, quantity: Scalar | Count, judge: Judge) -> _Fig
 def _verdict(quantity: Quantity, judge: Judge, found: MeasuredQuantity) -> Verdict:
     if isinstance(judge, Shown):
         return Verdict.NO_REFERENCE
+    if isinstance(judge, Measured):
+        return _by_measurement(judge, found.value)
     if isinstance(judge, Interval):
         good = found.value is not None and judge.low <= found.value <= judge.high
         return Verdict.PASS if good else Verdict.FAIL
@@ -236,6 +247,14 @@ def _verdict(quantity: Quantity, judge: Judge, found: MeasuredQuantity) -> Verdi
         return Verdict.NO_REFERENCE
     error, bound = found.error, found.tolerance
     good = error is not None and bound is not None and error <= bound and not found.note
+    return Verdict.PASS if good else Verdict.FAIL
+
+
+def _by_measurement(judge: Measured, value: float | None) -> Verdict:
+    """Within the band or not; without a band it is shown."""
+    if judge.band is None:
+        return Verdict.NO_REFERENCE
+    good = value is not None and abs(value - judge.measurement.value) <= judge.band
     return Verdict.PASS if good else Verdict.FAIL
 
 

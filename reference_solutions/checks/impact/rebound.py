@@ -27,7 +27,7 @@ WHOLE: Array = (np.ones(NODES + 1) @ _SUM @ _FIT).astype(np.float64)
 class Strike:
     """Law (K, S [N/m^p], mu, p, z) and bodies (radii [m], masses [kg]; a wall's are infinite).
 
-    a and h are those of `Law`, in which codes differ.
+    a, b and h are those of `Law`, in which codes differ.
     """
 
     K: float
@@ -40,6 +40,7 @@ class Strike:
     partner_radius: float = inf
     partner_mass: float = inf
     a: float = 0.5
+    b: float = 0.5
     h: float = 0.0
 
     @property
@@ -63,20 +64,22 @@ class Strike:
         deep, fast = q**4, q**3
         push = self.normal_force(q, away)
         rub = sign * self.mu * push if sign else T
-        arm, turned = self.radius - self.a * deep, 1.0 / (0.4 * self.mass * self.radius**2)
+        arm, torque = self.radius - self.a * deep, self.radius - self.b * deep
+        turned = 1.0 / (0.4 * self.mass * self.radius**2)
         slip, spun, angle = across - arm * spin, np.zeros_like(q), np.zeros_like(q)
         centre = pull = np.zeros_like(q)
         if self.partner_radius < inf:
             length = self.radius + self.partner_radius - deep
             angle, second = across / length, self.partner_radius - self.a * deep
             slip = slip - second * other
-            spun = -second * rub / (0.4 * self.partner_mass * self.partner_radius**2)
+            lever = self.partner_radius - self.b * deep
+            spun = -lever * rub / (0.4 * self.partner_mass * self.partner_radius**2)
             centre, pull = across * angle, away * angle
         charge = np.zeros_like(q) if sign else -self.S * q ** (4 * self.p - 4) * slip
         if self.h and not sign:
             charge = charge - self.h * (self.p - 1.0) * self.held(T, deep) * away
         one = np.ones_like(q)
-        rates = [push / self.reduced + centre, rub / self.reduced - pull, -arm * rub * turned]
+        rates = [push / self.reduced + centre, rub / self.reduced - pull, -torque * rub * turned]
         return np.array([-away / 4, *(fast * r for r in (*rates, spun, charge, angle, one))])
 
     def panel(self, y: Array, length: float, sign: float) -> Array:

@@ -24,7 +24,18 @@ def _struck(law: Law, degrees: float) -> After:
 
 def _again(law: Law, one: Sphere, two: Sphere, **start: float) -> tuple[float, ...]:
     strike = second.Strike(
-        law.K, law.S, law.mu, law.p, law.z, one.radius, one.mass, two.radius, two.mass, law.a, law.h
+        law.K,
+        law.S,
+        law.mu,
+        law.p,
+        law.z,
+        one.radius,
+        one.mass,
+        two.radius,
+        two.mass,
+        law.a,
+        law.b,
+        law.h,
     )
     return second.after(strike, **start)
 
@@ -48,8 +59,10 @@ def test_two_routes_agree_on_a_wall(
     _agree(Law(*factors, MU, p, z), ALUMINA, WALL, start)
 
 
-def test_two_routes_agree_on_other_codes_conventions() -> None:
-    _agree(Law(*HERTZ, MU, a=1.0, h=1.0), ALUMINA, WALL, {"vn": 3.84, "vt": 0.68})
+@pytest.mark.parametrize("arms", [(1.0, 1.0), (1.0, 0.5)])
+def test_two_routes_agree_on_other_codes_conventions(arms: tuple[float, float]) -> None:
+    law = Law(*HERTZ, MU, a=arms[0], b=arms[1], h=1.0)
+    _agree(law, ALUMINA, WALL, {"vn": 3.84, "vt": 0.68})
 
 
 @pytest.mark.parametrize("z", [0.0, 0.3])
@@ -96,7 +109,7 @@ MFIX_HERTZ = {  # degrees: tangential restitution, spin [1/s]; case DEM05, parti
 def test_mfix_prints_hertz_with_a_spring_of_todays_stiffness_and_the_arm_of_the_distance(
     degrees: float, printed: tuple[float, float]
 ) -> None:
-    after = _struck(Law(4.1968e9, 5.4084e9, MU, a=1.0, h=1.0), degrees)
+    after = _struck(Law(4.1968e9, 5.4084e9, MU, a=1.0, b=1.0, h=1.0), degrees)
     kept = after.tangential / (SPEED * math.sin(math.radians(degrees)))
     assert kept == pytest.approx(printed[0], rel=3e-3)
     # spin is small against what slipping makes of it: 3e-3 of the largest, 620 1/s

@@ -1,0 +1,165 @@
+"""Spheres of aluminium oxide strike glass at angles: measured, and by two contact laws."""
+
+from __future__ import annotations
+
+import math
+
+from cases.impact._oblique import Impacts, at_angles, judged
+from reference_solutions.impact import hertz
+from reference_solutions.impact.rebound import Sphere
+from vv.ask import History, Knobs
+from vv.case import (
+    Case,
+    Ladder,
+    Level,
+    Measured,
+    Measurement,
+    Parameter,
+    Parameters,
+    Scalar,
+    Source,
+    Trial,
+    Variant,
+)
+from vv.scene import Contact, Hertz
+
+KEPT = {  # angle of impact [degrees]: tangential restitution
+    2.24: 0.7965, 4.22: 0.7463, 9.84: 0.6755, 20.22: 0.5988, 30.36: 0.6903,
+    39.54: 0.7743, 49.60: 0.8476, 71.07: 0.9366, 79.23: 0.9695, 85.17: 0.9794,
+}  # fmt: skip
+REBOUND = {  # angle of impact: angle of rebound [degrees], from another figure
+    9.94: 6.69, 20.56: 12.36, 30.38: 21.78, 39.62: 32.55, 49.78: 45.11, 60.06: 57.37,
+}  # fmt: skip
+ALUMINA, GLASS = (380e9, 0.23), (70e9, 0.25)  # Young's modulus [Pa], Poisson's ratio
+STEPS = (100, 200, 400, 1600)  # in the duration of a normal impact
+STRIDE, LASTS = 20, 1.1  # coarsest steps between outputs; duration over the longest contact
+HOLDS = {"linear": 15.0, "hertz": 25.0}  # degrees from which on a law is held to measurements
+SURE = 3.0  # standard uncertainties that a band is wide
+READ_KEPT, SCATTER_KEPT = 0.003, 0.005
+READ_ANGLE, SCATTER_ANGLE = 0.3, 0.4
+CITED = "Kharaz, Gorham and Salman (2001), Powder Technology 120(3), 281-291"
+CONDITIONS = "5 mm sphere of aluminium oxide, 3.9 m/s, on a thick plate of soda-lime glass, dry"
+
+
+def _contact(variant: str, p: Parameters) -> Contact:
+    """Linear springs, or the moduli of both materials together."""
+    if variant == "linear":
+        return Contact(p["kn"], p["ks"], p["mu"])
+    normal, shear = (
+        1.0 / sum(1.0 / of(*stuff) for stuff in (ALUMINA, GLASS))
+        for of in (hertz.effective_modulus, hertz.effective_shear_modulus)
+    )
+    return Contact(0.0, mu=p["mu"], hertz=Hertz(normal, shear))
+
+
+def _declare(variant: str, p: Parameters) -> Trial:
+    sphere = Sphere(p["R"], p["rho"] * 4.0 / 3.0 * math.pi * p["R"] ** 3)
+    blows = at_angles(p["v"], iter(sorted({*KEPT, *REBOUND})))
+    impacts = Impacts(sphere, _contact(variant, p), blows)
+    law = impacts.law
+    linear = math.pi * math.sqrt(sphere.mass / law.K)
+    unit = linear if law.p == 1.0 else hertz.lasting(m=sphere.mass, K=law.K, v=p["v"])
+    interval = unit / STEPS[0] * STRIDE
+    goal = History(interval * math.ceil(LASTS * impacts.longest() / interval), interval)
+    rungs = tuple(Knobs(dt=unit / n) for n in STEPS)
+    levels = {Level.QUICK: rungs[:2], Level.DEFAULT: rungs[:3], Level.PAPER: rungs}
+    solved = judged(
+        1.0 / STEPS[0] ** 2, unit, STEPS[0],
+        "(w dt)^2/24 of the swings along the normal and across it, which is up to twice as quick, "
+        "and as much where contact, stick or slip begins and ends within a step",
+    )  # fmt: skip
+    quantities = [impacts.worst(solved), impacts.nearest(solved), impacts.lasting(solved)]
+    quantities += [_kept(variant, impacts, angle) for angle in KEPT]
+    quantities += [_rebound(variant, impacts, angle) for angle in REBOUND]
+    return Trial(Ladder(impacts.scene(), goal, impacts.seen(), levels), tuple(quantities))
+
+
+def _kept(variant: str, impacts: Impacts, angle: float) -> Scalar:
+    """The tangential restitution at an angle [degrees]."""
+    name = f"{angle:g}"
+    seen = Measurement(
+        KEPT[angle], READ_KEPT, SCATTER_KEPT, CONDITIONS,
+        f"{CITED}, tangential restitution, as digitised for the DEM benchmarks of CIMNE",
+    )  # fmt: skip
+    return Scalar(
+        f"kept-{name}", "et", "", f"tangential restitution at {name} degrees",
+        lambda run: float(impacts.seen_after(name, run)[1] / impacts.blows[name].vt), None, 1.0,
+        _judge(variant, seen, angle),
+    )  # fmt: skip
+
+
+def _rebound(variant: str, impacts: Impacts, angle: float) -> Scalar:
+    """The angle of rebound [degrees] at an angle of impact."""
+    name = f"{angle:g}"
+    seen = Measurement(
+        REBOUND[angle], READ_ANGLE, SCATTER_ANGLE, CONDITIONS,
+        f"{CITED}, angle of rebound, as the verification manual of MFiX has it",
+    )  # fmt: skip
+
+    def observed(run: object) -> float:
+        normal, tangential = impacts.seen_after(name, run)  # type: ignore[arg-type]
+        return math.degrees(math.atan2(float(tangential), float(normal)))
+
+    return Scalar(
+        f"angle-{name}", "phi", "degrees", f"angle of rebound at {name} degrees", observed, None,
+        1.0, _judge(variant, seen, angle),
+    )  # fmt: skip
+
+
+def _judge(variant: str, seen: Measurement, angle: float) -> Measured:
+    """Where a law should hold, a band about the measurement; elsewhere both are shown."""
+    if angle < HOLDS[variant]:
+        return Measured(seen, None, NOT_HELD[variant])
+    return Measured(seen, SURE * seen.uncertainty, BAND)
+
+
+BAND = (
+    "three standard uncertainties: the law has no parameter but friction that matters here, which "
+    "was measured too, and which the sliding of all impacts beyond 25 degrees confirms"
+)
+NOT_HELD = {
+    "linear": "below 15 degrees spheres stick, in part: micro-slip, which this law has not, takes "
+    "8 to 9 % at 2 to 4 degrees",
+    "hertz": "below 25 degrees spheres stick, in part: without micro-slip, Mindlin's stiffness "
+    "gives almost all back at 2 degrees, where a fifth was lost",
+}
+NOTE = (
+    "kn, ks and mu are those of MFiX's case DEM05. The uncertainty of reading is the difference of "
+    "two digitisations of the same points, for the benchmarks of CIMNE and of MFiX, 0.003 of the "
+    "restitution and 0.3 degrees; that of the experiment, which the sources do not state, is "
+    "the scatter of the points of full sliding about 1 - 2 mu/tan(angle), 0.005, which is 0.4 "
+    "degrees of rebound. Restitution along the normal is taken as 1, where 0.98 was measured; spin "
+    "was measured too, but is up to 22 % off what angular momentum demands of the other figures."
+)
+CASE = Case(
+    name="kharaz",
+    title="Oblique impact of aluminium oxide on glass, measured",
+    source=Source(
+        "Kharaz, Gorham and Salman (2001), An experimental study of the elastic rebound of "
+        "spheres, Powder Technology 120(3), 281-291",
+        "10.1016/S0032-5910(01)00283-2",
+        NOTE,
+    ),
+    parameters=(
+        Parameter("rho", 4000.0, "kg/m3", "density of the sphere"),
+        Parameter("R", 0.0025, "m", "radius of the sphere"),
+        Parameter("mu", 0.092, "", "friction"),
+        Parameter("v", 3.9, "m/s", "speed of the sphere"),
+        Parameter("kn", 1.72e7, "N/m", "stiffness along the normal of the linear law"),
+        Parameter("ks", 1.48e7, "N/m", "stiffness across it"),
+    ),
+    variants=(
+        Variant(
+            "linear", "linear springs",
+            "m U'' = -kn U; T' = -ks s until |T| = mu kn U, s the slip in the middle of the "
+            "overlap; m vt' = T, 2/5 m R^2 w' = -(R - U/2) T",
+        ),
+        Variant(
+            "hertz", "Hertz, and Mindlin without micro-slip",
+            "m U'' = -Fn, Fn = 4/3 E sqrt(R) U^(3/2); T' = -8 G sqrt(R U) s until |T| = mu Fn; "
+            "m vt' = T, 2/5 m R^2 w' = -(R - U/2) T",
+            inert=frozenset({"kn", "ks"}),
+        ),
+    ),
+    declare=_declare,
+)  # fmt: skip
