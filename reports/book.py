@@ -99,6 +99,11 @@ class Book:
         """The file of a case's page."""
         return f"case-{slug(case)}.html"
 
+    @functools.cached_property
+    def has_measurements(self) -> bool:
+        """Whether something was compared with a measurement."""
+        return any(one.measurement for r in self.manifest.records for one in r.quantities)
+
     def page_of_code(self, code: str) -> str:
         """The file of a code's page."""
         return f"code-{slug(code)}.html"

@@ -22,6 +22,7 @@ from reports.pages.case import case
 from reports.pages.findings import findings
 from reports.pages.front import front
 from reports.pages.inputs import heads
+from reports.pages.measured import measured
 from reports.pages.overview import overview
 from reports.pages.papers import papers
 from reports.pages.steadiness import sections
@@ -105,6 +106,11 @@ def papers_page(book: Book) -> str:
     return _page("papers.html.j2", book, papers=papers(book))
 
 
+def measured_page(book: Book) -> str:
+    """measured.html: what codes give beside what was measured."""
+    return _page("measured.html.j2", book, measured=measured(book))
+
+
 def whole_page(book: Book) -> str:
     """All pages of a selection as one."""
     return _page(
@@ -115,6 +121,7 @@ def whole_page(book: Book) -> str:
         codes=[_code(book, name) for name in codes(book)],
         overview=_of_codes(book)[0],
         papers=papers(book),
+        measured=measured(book),
         style=Markup(style()),
         script=Markup(script()),
         **_attention(book),

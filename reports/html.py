@@ -27,6 +27,7 @@ TOOL = Path(closure.__file__).parents[2]  # below which the modules that a repor
 FRONT = "index.html"
 PAPERS = "papers.html"
 INPUTS = "inputs.js"
+MEASURED = "measured.html"
 STAMPS = "stamps.json"  # name of a file -> digest of what it was made from, and of the file
 
 
@@ -114,6 +115,8 @@ def _files(book: Book) -> Iterator[File]:
         yield File(book.page_of_code(code), all_of_it, functools.partial(env.code_page, book, code))
     if book.beside.papers:
         yield File(PAPERS, _of_papers(book), functools.partial(env.papers_page, book))
+    if book.has_measurements:
+        yield File(MEASURED, all_of_it, functools.partial(env.measured_page, book))
     yield File("attention.html", all_of_it, functools.partial(env.attention_page, book))
     yield File(FRONT, all_of_it, functools.partial(env.front_page, book))
 

@@ -1,0 +1,42 @@
+"""Claims about bias and scatter of computed against measured values."""
+
+import math
+
+import numpy as np
+import pytest
+
+from tests.support.fabricated import entry, record
+from vv.insight.against_measurements import Compared, factor
+from vv.records.quantity import MeasurementFacts
+from vv.records.reading import ran
+
+
+def _points(factors: np.ndarray, sure: float) -> list[Compared]:
+    return [
+        Compared(f"q{i}", "", 2.0 * one, 2.0, 2.0 * sure, 1.0, True)
+        for i, one in enumerate(factors)
+    ]
+
+
+def test_bias_and_scatter_of_a_made_up_model_are_found_again() -> None:
+    noise = np.random.default_rng(5).normal(0.0, math.hypot(0.10, 0.05), 4000)
+    bias, scatter, sure = factor(_points(1.2 * np.exp(noise - 0.5 * (0.1**2 - 0.05**2)), 0.05))
+    assert bias == pytest.approx(1.2, rel=1e-2)
+    assert scatter == pytest.approx(0.10, rel=5e-2)
+    assert sure == pytest.approx(0.05)
+
+
+def test_a_scatter_that_the_measurements_explain_is_not_laid_on_the_model() -> None:
+    assert factor(_points(np.array([0.99, 1.0, 1.01]), 0.05))[1] == 0.0
+
+
+def test_of_too_few_points_no_figure_is_stated() -> None:
+    assert factor(_points(np.array([0.9, 1.1]), 0.05)) == (None, None, None)
+
+
+def test_a_measured_quantity_of_a_record_is_read_as_it_was_written() -> None:
+    facts = MeasurementFacts(2.0, 0.03, 0.04, "dry", "somebody", 0.1)
+    one = entry("pass", {}, judge="measured", value=2.05, kind="scalar", measurement=facts)
+    kept = record("dem/default", "T1", 1e-3, quantities=[one])
+    assert ran(kept)
+    assert kept.quantities[0].measurement == facts
