@@ -119,7 +119,7 @@ BAND = (
 )
 NOT_HELD = {
     "linear": "below 15 degrees spheres stick, in part: micro-slip, which this law has not, takes "
-    "8 to 9 % at 2 to 4 degrees",
+    "9 to 10 % at 2 to 4 degrees",
     "hertz": "below 25 degrees spheres stick, in part: without micro-slip, Mindlin's stiffness "
     "gives almost all back at 2 degrees, where a fifth was lost",
 }
