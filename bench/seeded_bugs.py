@@ -2,9 +2,9 @@
 
 `python -m bench.seeded_bugs` takes all; `--kind solvers,run` some kinds, `--each N` so many of
 each kind, a fixed random choice, `--only WORDS` those whose names hold these words. A bug in a
-solver or an adapter is put to the gate at its quick level, to a few cases first and to all of the
-code if it survives those. What no gate can see is put to the tests that are named with it, and
-with `--rest` to those of its folder too; first to all that start no process, then to the others.
+solver or an adapter is put to the gate at its quick level, in the cases that are named with it.
+What no gate can see is put to the tests that are named; first to all that start no process, then
+to the others. What survives is with `--rest` put to all cases, and to all tests of its folder.
 """
 
 import argparse
@@ -63,7 +63,7 @@ def caught_by(project: Path, bug: Bug, rest: bool) -> str:
     place = project / bug.file
     rewrite(place, changed(bug))
     try:
-        if bug.code and any(_gate(project, bug.code, cases) for cases in _selections(bug)):
+        if bug.code and any(_gate(project, bug.code, cases) for cases in _selections(bug, rest)):
             return "gate"
         asked = [(one, starts) for starts in (False, True) for one in _tests(bug, rest)]
         red = next((one for one in asked if not passes(project, *one)), None)
@@ -80,11 +80,11 @@ def green(project: Path, tests: str, processes: bool) -> bool:
     return passes(project, tests, processes)
 
 
-def _selections(bug: Bug) -> Iterator[tuple[str, ...]]:
-    """The cases to ask: a few, then all."""
-    if bug.cases:
-        yield tuple(bug.cases.split())
-    yield ()
+def _selections(bug: Bug, rest: bool) -> Iterator[tuple[str, ...]]:
+    """The cases to ask: those named with it, then all."""
+    yield tuple(bug.cases.split())
+    if rest and bug.cases:
+        yield ()
 
 
 def _tests(bug: Bug, rest: bool) -> Iterator[str]:

@@ -11,6 +11,7 @@ import numpy as np
 
 from vv.ask import Ask, Ledger, Model, Reaction, Run, Status
 from vv.engines.dem.critical_step import critical_step
+from vv.engines.dem.idle import idle, why_left_out
 from vv.engines.dem.leapfrog import CENTRED, Leapfrog
 from vv.engines.dem.limits import BLOW_UP, GAIN
 from vv.engines.dem.line.model import Line, line
@@ -55,7 +56,8 @@ class Program:
         """What was built; unknowns are counted in the arrays that the kernel is given."""
         unknowns = sum(array.size for array in self.system.unknowns)
         words = (self.system.words, *self.stood.notes, f"largest stable dt {self.limit:.4g} s")
-        return Model(unknowns, self.system.terms | self.stood.terms, "; ".join(words))
+        terms = self.system.terms | self.stood.terms | idle(self.stood.scene)
+        return Model(unknowns, terms, "; ".join(words))
 
     @functools.cached_property
     def limit(self) -> float:
@@ -178,7 +180,7 @@ def prepare(ask: Ask, leapfrog: Leapfrog, threads: int = 1) -> Program:
     """The program of an ask, with the smallest model its scene allows."""
     stood = sprung(ask)
     scene, charged = stood.scene, stood.charged
-    if ask.energies or any(isinstance(what, Reaction) for what in ask.observables):
+    if _wants_all(ask):
         return Program(ask, leapfrog, space(scene, charged), stood, threads)
     system = line(scene) or pressed(scene, charged) or space(scene, charged)
     return Program(ask, leapfrog, system, stood, threads)
@@ -209,7 +211,13 @@ def refuses(ask: Ask) -> str | None:
         or _coincident(scene)
         or _unknown_reaction(ask, scene)
         or _rings(scene, dt)
+        or why_left_out(scene, _wants_all(ask))
     )
+
+
+def _wants_all(ask: Ask) -> bool:
+    """Whether only the general model answers: it has all energies and reactions."""
+    return bool(ask.energies) or any(isinstance(what, Reaction) for what in ask.observables)
 
 
 def unstable(ask: Ask, leapfrog: Leapfrog) -> str | None:
