@@ -140,7 +140,7 @@ def _summary(found: Baseline) -> BaselineSummary:
     counts: dict[str, int] = {}
     for result in found.results.values():
         counts[result.by] = counts.get(result.by, 0) + 1
-    taken = [(found.acceptances[n], counts[n]) for n in sorted(found.acceptances, key=int)]
+    taken = [(found.acceptances[n], counts.get(n, 0)) for n in sorted(found.acceptances, key=int)]
     return BaselineSummary(
         len(found.results),
         tuple(

@@ -54,9 +54,21 @@ def accepted(project: Project, case: str) -> Answers | None:
     if path is None:
         return None
     try:
-        found: Answers = json.loads(path.read_text(encoding="utf-8"))
-    except ValueError as error:
+        return _checked(json.loads(path.read_text(encoding="utf-8")))
+    except (ValueError, RecursionError) as error:
         raise UsageError(f"{path}: {error}") from error
+
+
+def _checked(found: object) -> Answers:
+    """Answers as they are kept; raises ValueError for what are none."""
+    if not isinstance(found, dict):
+        raise ValueError("it must be an object: scheme -> variant -> answer")
+    for scheme, row in found.items():
+        if not isinstance(row, dict):
+            raise ValueError(f"{scheme!r} must be an object: variant -> answer")
+        for variant, answer in row.items():
+            if not isinstance(answer, int | str):
+                raise ValueError(f"{scheme!r}, {variant!r}: an answer is a number or a reason")
     return found
 
 

@@ -38,15 +38,15 @@ def _entries(path: Path, name: str, kind: type[Entry]) -> tuple[Entry, ...]:
         raise UsageError(f"{path}: {name} must be a list of tables, [[{name}]]")
     for number, entry in enumerate(entries, 1):
         try:
-            one = kind(**{name: _frozen(value) for name, value in entry.items()})
-            found.append(codec.read(kind, codec.to_data(one), "it"))  # checks all types
-        except (TypeError, ValueError) as error:
+            found.append(codec.read(kind, _plain(entry), "it"))
+        except ValueError as error:
             raise UsageError(f"{path}: entry {number}: {error}") from error
     return tuple(found)
 
 
-def _frozen(value: Any) -> Any:
-    """A list as a tuple, a date as its ISO text, anything else as it is."""
-    if isinstance(value, list):
-        return tuple(value)
-    return value.isoformat() if isinstance(value, datetime.date) else value
+def _plain(entry: dict[str, Any]) -> dict[str, Any]:
+    """An entry as JSON would have it: dates as their ISO texts."""
+    return {
+        name: value.isoformat() if isinstance(value, datetime.date) else value
+        for name, value in entry.items()
+    }

@@ -2,10 +2,14 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from vv.records.fields import optional, spread
+
+NUMBER = re.compile(r"[0-9]{1,9}")
+NAME = re.compile(r"\S+ \S+/\S+( \S+)?")  # of a result: variant, code/scheme, setting
 
 
 @dataclass(frozen=True, slots=True)
@@ -62,12 +66,26 @@ class AcceptedResult:
 
 @dataclass(frozen=True, slots=True)
 class Baseline:
-    """The accepted results of a case, by name; parameters: variant -> those it was run with."""
+    """The accepted results of a case, by name; parameters: variant -> those it was run with.
+
+    Raises ValueError for an acceptance without a number, and for a result whose name lacks its
+    variant or scheme, or that came by none of the acceptances.
+    """
 
     case: str
     acceptances: Mapping[str, Acceptance] = field(default_factory=dict)
     parameters: Mapping[str, Mapping[str, float]] = field(default_factory=dict)
     results: Mapping[str, AcceptedResult] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        for number in self.acceptances:
+            if not NUMBER.fullmatch(number):
+                raise ValueError(f"acceptances.{number!r}: an acceptance must have a number")
+        for name, result in self.results.items():
+            if not NAME.fullmatch(name):
+                raise ValueError(f"results.{name!r}: it must read VARIANT CODE/SCHEME SETTING")
+            if result.by not in self.acceptances:
+                raise ValueError(f"results.{name}.by = {result.by!r}; there is no such acceptance")
 
 
 @dataclass(frozen=True, slots=True)

@@ -212,6 +212,8 @@ def _fields(kind: Any) -> Reader:
             raise
 
     def gather(data: Any) -> Any:
+        if type(data) is not dict:
+            _refuse(data, "must be an object")
         own = {name: one for name, one in data.items() if name in readers and name != spread}
         rest = {name: one for name, one in data.items() if name not in own}
         return build({**own, spread: rest})

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import datetime
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
@@ -29,7 +30,10 @@ class RecordedRun:
 
 @dataclass(frozen=True, slots=True)
 class RecordedFile:
-    """The results of a code on a case, by name, and where they come from."""
+    """The results of a code on a case, by name, and where they come from.
+
+    utc: when, in ISO form; raises ValueError if it is not.
+    """
 
     code: str
     case: str
@@ -41,6 +45,9 @@ class RecordedFile:
     executables: Mapping[str, str] = field(default_factory=dict)
     parameters: Mapping[str, Mapping[str, float]] = field(default_factory=dict)
     results: Mapping[str, RecordedRun] = field(default_factory=dict)
+
+    def __post_init__(self) -> None:
+        datetime.datetime.fromisoformat(self.utc)
 
 
 @dataclass(frozen=True, slots=True)

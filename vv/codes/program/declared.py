@@ -66,7 +66,12 @@ class Entry:
 
     def words(self) -> tuple[str, ...]:
         """A command: a list of texts, or a text as one types it in a shell."""
-        words = tuple(shlex.split(self.value)) if isinstance(self.value, str) else self.texts()
+        try:
+            words = tuple(shlex.split(self.value)) if isinstance(self.value, str) else self.texts()
+        except ValueError as error:
+            self.refuse(f"it must read as in a shell: {error}")
+        if any("\0" in word for word in words):
+            self.refuse("it must hold no zero byte")
         return words or self.refuse("it must name a program")
 
     def table(self) -> Mapping[str, Entry]:
