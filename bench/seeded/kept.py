@@ -9,7 +9,7 @@ PROVENANCE = "vv/store/provenance.py"
 CODEC = "vv/records/codec.py"
 KEYS = "vv/plan/keys.py"
 FILES = "vv/base/files.py"
-KEPT, KEYED = "tests/store", "tests/plan tests/run tests/store"
+KEPT, KEYED = "tests/store", "tests/plan/test_keys.py tests/store"
 
 BUGS = (
     Bug("a broken seal of a text opened", SEAL, "if whole != sealed_text(name, text):", "if False:", tests=KEPT),
@@ -21,7 +21,7 @@ BUGS = (
     Bug("the latest is the oldest", STORE, "for name in reversed(self.manifests()):", "for name in self.manifests():", tests=KEPT),
     Bug("failures kept as runs", STORE, "if run.status is Status.RAN:", "if run.status is not None:", tests="tests/store tests/run"),
     Bug("half a file where one is killed", FILES, "os.replace(temporary, path)", "path.write_bytes(content[: len(content) // 2]); os.replace(temporary, path)", tests="tests/store tests/base"),
-    Bug("a program known by a time that can be set back", PROVENANCE, "state.st_ctime_ns", "state.st_mtime_ns", tests="tests/store tests/plan tests/run"),
+    Bug("a program known by a time that can be set back", PROVENANCE, "state.st_ctime_ns", "state.st_mtime_ns", tests="tests/store tests/plan/test_keys.py"),
     Bug("a run's key without its scheme", KEYS, "job.code, job.scheme, prints", "job.code, prints", tests=KEYED),
     Bug("a run's key without its sources", KEYS, "prints[job.code], how)", "how)", tests=KEYED),
     Bug("a run's key without its executables", KEYS, "python, sorted(external.values())", "python", tests=KEYED),

@@ -28,7 +28,7 @@ BUGS = (
     Bug("the value of a number where the exact one is", "reports/environment.py", "text.brief(one.value), text.brief(one.reference)", "text.brief(one.value), text.brief(one.value)", tests=PAGES),
     Bug("the start told as the end", RECORD, '"final": _finite(value[-1])', '"final": _finite(value[0])', tests="tests/records"),
     Bug("the exact end is the code's own", RECORD, "end=_finite(reference[-1])", "end=_finite(value[-1])", tests="tests/records"),
-    Bug("a cost interpolated from the wrong end", COSTS, "before[0] * (cpu / before[0]) ** share", "cpu * (before[0] / cpu) ** share", tests=INSIGHT),
+    Bug("a cost interpolated from the wrong end", COSTS, "before[0] * (cpu / before[0]) ** share", "cpu * (before[0] / cpu) ** share", tests="tests/reports/test_readback.py"),
     Bug("a floor though the next stiffness gains", EFFORT, " or any(map(_gains, rows[at + 1 :]))", "", tests=INSIGHT),
     Bug("a missing error counts as accurate", COSTS, "(p.cpu, max(p.error, LEAST), p) for p in effort.points if p.cpu and p.error is not None", "(p.cpu, max(p.error or 0.0, LEAST), p) for p in effort.points if p.cpu", tests=INSIGHT),
     Bug("an error of which a part is missing", RUNGS, "finite and len(finite) == len(errors)", "finite", tests="tests/insight tests/records"),

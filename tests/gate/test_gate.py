@@ -51,6 +51,15 @@ def test_a_gate_without_a_baseline_says_so_and_is_red_where_one_is_demanded(tiny
     assert "gate: red (32): incomplete" in said
 
 
+def test_a_gate_against_a_folder_takes_no_baseline_from_elsewhere(tiny: Tiny) -> None:
+    only_good(tiny)
+    assert tiny.vv("accept", "fall", "--reason", "right").returncode == 0
+    assert gate(tiny, *GOOD, "--against", "cases/baselines")[0] == 0
+    (tiny.root / "kept").mkdir()
+    code, said = gate(tiny, *GOOD, "--against", "kept")
+    assert (code, "no baseline" in said) == (Bit.INCOMPLETE, True)
+
+
 def test_a_case_that_reports_nothing_is_incomplete(tiny: Tiny) -> None:
     tiny.edit("cases/fall.py", "(height, final, turns))", "())")
     code, said = gate(tiny)

@@ -18,7 +18,7 @@ from vv.insight.accuracy_cost import duels, front, profile, reach
 from vv.insight.effort import Effort, efforts, untimed
 from vv.records.job_record import Record
 from vv.records.manifest import CodeFound, Manifest
-from vv.records.rungs import describe
+from vv.records.rungs import describe, row_of
 
 Row = tuple[float | None, float | None, float | None, float | None]  # dt, kn, error, cpu
 
@@ -70,6 +70,16 @@ def test_a_rung_without_timing_or_without_error_has_no_say_in_costs() -> None:
     rows: list[Row] = [*SECOND, (1e-5, None, 1e-8, None), (1e-6, None, None, 1.0)]
     assert reach(one(rows), 1e-7).cpu is None
     assert one(rows).best == 1e-8
+
+
+def test_a_rung_of_which_one_error_is_missing_has_none() -> None:
+    parts = [
+        fabricated.entry("pass", {"max": 1e-4}),
+        fabricated.entry("fail", {"max": None}, name="z"),
+    ]
+    for quantities, error in ((parts, None), (parts[:1], 1e-4)):
+        whole = fabricated.record("ours/default", "a", 1e-3, quantities=quantities)
+        assert [point.error for point in row_of(None, [whole]).points] == [error]
 
 
 def test_the_order_is_fitted_at_each_stiffness() -> None:

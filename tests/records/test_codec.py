@@ -117,6 +117,12 @@ def test_damage_is_named_by_field_value_and_rule(data: object, said: str) -> Non
     assert str(caught.value) == said
 
 
+@pytest.mark.parametrize("number", ["1e999", "-1e999"])
+def test_a_number_too_large_for_any_is_not_read(number: str) -> None:
+    with pytest.raises(DamagedError, match="must be finite"):
+        codec.read(float, codec.parse(number), "x")
+
+
 @pytest.mark.parametrize("constant", ["NaN", "Infinity", "-Infinity"])
 def test_a_number_that_is_not_finite_is_neither_read_nor_written(constant: str) -> None:
     with pytest.raises(DamagedError, match=f"'{constant}'; a number must be finite"):
