@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import dataclasses
+import datetime
+import os
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -16,6 +18,7 @@ from vv.codes.adapter import Found
 from vv.plan import keys
 from vv.plan.plan import Job, Options, Plan, make_plan
 from vv.plan.project import Project
+from vv.run import reuse
 
 PROJECT = Project(ROOT)
 PLAN = make_plan(PROJECT, ["single-contact:T1"], Options(Level.QUICK, ("dem/default",)))
@@ -78,7 +81,14 @@ def test_a_program_that_changed_in_place_is_another(
     found = Found(True, files=(program,))
     monkeypatch.setenv("VV_DATA", str(tmp_path / "data"))
     digests = []
-    for text in ("one", "two"):
+    for text in ("one", "two"):  # of one size, and of one time as far as that can be set
         program.write_text(text)
+        os.utime(program, (1, 1))
         digests.append(keys.executables(PROJECT, found)[str(program)])
     assert digests[0] != digests[1]
+
+
+def test_what_stands_today_is_looked_at_anew_tomorrow() -> None:
+    days = [datetime.date(2027, 1, day) for day in (1, 1, 2)]
+    same, again, later = (reuse.identity(PROJECT, ("run",), day) for day in days)
+    assert same == again != later
