@@ -98,10 +98,10 @@ class Disagreement:
             (record.case, self.case),
             (quantity, self.quantity),
         )
-        for name, globs in ((record.variant, self.variants), (rung(record), self.rungs)):
-            if not any(fnmatch.fnmatchcase(name, glob) for glob in globs):
-                return False
-        return all(fnmatch.fnmatchcase(name, glob) for name, glob in pairs)
+        if not all(fnmatch.fnmatchcase(name, glob) for name, glob in pairs):
+            return False  # nearly always, and a rung takes long to write out
+        several = ((record.variant, self.variants), (rung(record), self.rungs))
+        return all(any(fnmatch.fnmatchcase(n, glob) for glob in globs) for n, globs in several)
 
     def band(self, rung: Knobs) -> tuple[float, float]:
         """The least and the largest error expected at a rung."""
