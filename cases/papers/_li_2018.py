@@ -125,7 +125,7 @@ CLAIMS = (
               Standing.REPRODUCED, "where T4 turns; T3 turns at y_4 = 0.1003 m", "m",
               lambda: T4.y1 + T4.distance),
     _said("Eqs. 1, 2, 4 to 7, 10 and 12", "as printed", Standing.REPRODUCED,
-          "derived again; the scheme itself is run as dem/published", tuple(
+          "derived again; our scheme `published` steps by them", tuple(
               map(_worst, ("T1", "T3")))),
     _said("Eqs. 13 to 23", "as printed but for names and order", Standing.REPRODUCED,
           "solved phase by phase and by a second route", tuple(map(_worst, ("T2", "T4")))),

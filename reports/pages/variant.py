@@ -11,11 +11,11 @@ from reports.book import Book, Place
 from reports.drawing import collect
 from reports.drawing.collect import History
 from reports.drawing.gallery import Figure, figures
+from reports.drawing.playback import playback
 from reports.outcomes import ShownOutcome, counted, shown_outcome
 from reports.pages.advice import Advice, advice
 from reports.pages.costs import CostRow, cost_rows
 from reports.pages.inputs import Input, inputs
-from reports.pages.playback import playback
 from reports.pages.tables import (
     Absent,
     Dear,
