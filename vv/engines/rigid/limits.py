@@ -8,7 +8,7 @@ FINE, ROUNDED = 2e-11, 1e-13
 scenes, the larger counts. Summed over the steps the first is this part of what weights do; less
 than the second is rounding."""
 
-FINEST, COARSE, CONVERGED = 3e-13, 1.9e-6, 4.6e-6
+FINEST, COARSE, CONVERGED = 3e-13, 2.3e-6, 4.6e-6
 """Of a scene's speed: the largest residual asked of small scenes, where more would flatten the
 order, and of others; and one above which friction creeps and a run is not to be believed."""
 
