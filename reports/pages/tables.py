@@ -82,11 +82,15 @@ def ranked(piles: Mapping[str, Sequence[Record]], looks: Mapping[str, Mark]) -> 
 
 @dataclass(frozen=True)
 class Dear:
-    """A scheme in a variant by what its finest setting costs. dearer: over the cheapest."""
+    """A scheme in a variant by what its finest setting costs. dearer: over the cheapest.
+
+    whole: whether the cost is that of a whole process.
+    """
 
     mark: Mark
     cpu: float
     timed: bool
+    whole: bool
     dearer: float
     error: float | None
     setting: str
@@ -96,7 +100,7 @@ def cheapest(rows: Sequence[Ranked]) -> list[Dear]:
     """The schemes that took a variant on, cheapest first; those without a cost are left out."""
     known = sorted((row.cpu, row.mark.label, row) for row in rows if row.cpu)
     return [
-        Dear(row.mark, cpu, row.timed, cpu / known[0][0], row.error, row.setting)
+        Dear(row.mark, cpu, row.timed, row.whole, cpu / known[0][0], row.error, row.setting)
         for cpu, _, row in known
     ]
 
