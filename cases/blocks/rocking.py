@@ -296,7 +296,10 @@ SPRUNG = (
     "springs lengthen every impact and give back what they please, by stiffness and step: like "
     "Housner's at 1e10 N/m and 1e-3 s, bouncing at 1e-4 s"
 )
-SHOWN = dict.fromkeys((Method.PENALTY, Method.LAGGING), SPRUNG)
+SHOWN = {
+    **dict.fromkeys((Method.PENALTY, Method.LAGGING), SPRUNG),
+    Method.FIRST_ORDER: "it takes an impact at the end of a step, of which five add up",
+}
 NEARLY = (
     "it has no bound as the block begins to lean, and so near the threshold it is that of the "
     "threshold, grown by exp(p t)"

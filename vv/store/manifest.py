@@ -29,7 +29,8 @@ def render(manifest: Manifest) -> str:
     lines = {case: f"{_start(case)}{codec.render(own)}" for case, own in records.items()}
     by_case = ",\n".join(lines.values())
     rest = (name for name in codec.names(Manifest) if name not in (*HEAD, "records", "name"))
-    others = "".join(f",\n{_start(name)}{codec.render(getattr(manifest, name))}" for name in rest)
+    held = {name: part for name in rest if (part := getattr(manifest, name)) is not None}
+    others = "".join(f",\n{_start(name)}{codec.render(part)}" for name, part in held.items())
     body = f'"records": {{\n{by_case}\n}}{others}}}\n'
     parts = {ALL: body, **lines}
     seals = {part: seal_of(manifest.name, text.encode()) for part, text in parts.items()}

@@ -97,7 +97,8 @@ def _shaking(scene: Scene) -> Json | None:
 
 
 def _contact(law: Contact) -> Json:
-    return {"kn": _finite(law.kn), "ks": law.ks, "mu": law.mu, "eta_n": law.eta_n}
+    springs = {"kn": _finite(law.kn), "ks": law.ks, "mu": law.mu, "eta_n": law.eta_n}
+    return springs if law.hertz is None else {**springs, "hertz": dataclasses.asdict(law.hertz)}
 
 
 def _spheres(scene: Scene) -> Json:
