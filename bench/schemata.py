@@ -17,7 +17,8 @@ from vv.base.files import write_whole
 
 CONTENT = ("vv", "adapters", "cases", "reference_solutions", "reports", "pyproject.toml")
 KERNEL = ("compiled", "called", "inlined", "shared")
-PURE = ("np", "math", "len", "abs", "min", "max", "float", "int", "dot", "plus", "at", "cross")
+PURE = ("np", "math", "len", "abs", "min", "max", "float", "int", "dot", "at", "cross",
+        "add_scaled")  # fmt: skip
 SWITCHES = ("switch", "switch_compiled")  # beside this file, which the copy has in vv/
 
 

@@ -99,7 +99,7 @@ def test_damaged_recorded_results_are_named_or_shown(tmp_path: Path) -> None:
     utc = "2026-12-22T10:00:00+00:00"
     series = {"t": np.linspace(0.0, 1.0, 5), "y.value": np.linspace(0.0, 2.0, 5)}
     file = RecordedFile("dem", "", "2.0", utc, "c", False, Place("P", "S"))
-    (path,) = recorded.keep(tmp_path, runs(), lambda _: series, {"dem": file})
+    (path,) = recorded.write_recorded(tmp_path, runs(), lambda _: series, {"dem": file})
     absent, said = [changed(runs()[0], status="not-installed")], []
     assert recorded.shown(tmp_path, absent, TODAY)
     for text in damaged(path.read_text()):

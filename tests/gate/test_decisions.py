@@ -226,7 +226,7 @@ def test_recorded_are_runs_at_the_case_s_own_parameters_and_the_finest_with_its_
     tmp_path: Path,
 ) -> None:
     runs = [theirs(2e-3), theirs(1e-3), theirs(5e-4, modified=True), theirs(4e-3, status="error")]
-    (path,) = recorded.keep(tmp_path, runs, series, {"yade": recorded_file()})
+    (path,) = recorded.write_recorded(tmp_path, runs, series, {"yade": recorded_file()})
     assert path == tmp_path / "yade" / "bounce.json"
     results = json.loads(path.read_text())["results"]
     assert sorted(results) == ["T1 yade/default dt=0.001", "T1 yade/default dt=0.002"]
@@ -250,7 +250,7 @@ def test_recorded_are_runs_at_the_case_s_own_parameters_and_the_finest_with_its_
 def test_recorded_results_stand_where_the_code_is_absent(
     tmp_path: Path, changes: dict[str, Any], count: int
 ) -> None:
-    recorded.keep(tmp_path, [theirs(1e-3)], series, {"yade": recorded_file()})
+    recorded.write_recorded(tmp_path, [theirs(1e-3)], series, {"yade": recorded_file()})
     asked = theirs(1e-3, **{"status": "not-installed", **changes})
     found = recorded.shown(tmp_path, [asked], TODAY)
     assert [one.days for one in found] == [10] * count

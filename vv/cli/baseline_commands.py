@@ -123,7 +123,7 @@ def record(
         if code in external
     }
     series = Store(project.data()).series
-    for path in recorded.keep(recorded_of(project), manifest.records, series, empty):
+    for path in recorded.write_recorded(recorded_of(project), manifest.records, series, empty):
         terminal.say(str(path))
 
 

@@ -174,13 +174,13 @@ def _conclude(project: Project, manifest: Manifest, ending: Ending) -> Told:
     report = invocation.reported(project, manifest)
     findings = judgement(manifest, ending.required)
 
-    def tell() -> None:
+    def print_results() -> None:
         result_lines.print_table(manifest.records, findings)
         judged = [one for one in findings if one.bit]
         result_lines.print_findings(judged, manifest.records, ending.level)
         invocation.print_summary(manifest, str(report))
 
-    notes, lines = terminal.overheard(tell)
+    notes, lines = terminal.overheard(print_results)
     store, folder = Store(project.data()), invocation.report_folder(project)
     of = reuse.told_of(store, manifest.name, folder, ending.required)
     return Told(tuple(notes), tuple(lines), bits(findings), of)

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from vv.ask import Knobs
 from vv.base.metrics import Order
 from vv.case import LARGEST_TOLERANCE
-from vv.gate.expiry import expiring, standing
+from vv.gate.expiry import expiring, in_force
 from vv.records.finding import Aspect, Bit, Finding
 from vv.records.job_record import Record
 from vv.records.outcomes import JudgeKind, Verdict
@@ -121,7 +121,7 @@ def judge(
     An entry that has expired by today excuses nothing.
     """
     given = list(records)
-    entries = standing(disagreements, today)
+    entries = in_force(disagreements, today)
     fitted = orders(given)
     return tuple(_judged(record, entries, fitted) for record in given)
 

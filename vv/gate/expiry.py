@@ -33,7 +33,7 @@ class Dated(Protocol):
 Entry = TypeVar("Entry", bound=Dated)
 
 
-def standing(entries: Iterable[Entry], today: datetime.date) -> tuple[Entry, ...]:
+def in_force(entries: Iterable[Entry], today: datetime.date) -> tuple[Entry, ...]:
     """The entries that have not expired; the day that one names is its last."""
     return tuple(entry for entry in entries if entry.expires >= today.isoformat())
 

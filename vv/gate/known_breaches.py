@@ -8,7 +8,7 @@ import fnmatch
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
-from vv.gate.expiry import expiring, standing
+from vv.gate.expiry import expiring, in_force
 from vv.gate.judgement import Breach, breaches
 from vv.records.finding import Aspect, Bit, Finding
 from vv.records.job_record import Record
@@ -79,7 +79,7 @@ def judge(
     records: Iterable[Record], known: Sequence[KnownBreach], today: datetime.date
 ) -> tuple[Record, ...]:
     """The records, each with the laws that it is known to break; what has expired knows nothing."""
-    entries = standing(known, today)
+    entries = in_force(known, today)
     return tuple(_judged(record, entries) for record in records)
 
 
@@ -105,7 +105,7 @@ def kept(
     records: Iterable[Record], known: Sequence[KnownBreach], today: datetime.date
 ) -> Iterator[Finding]:
     """A finding for each rung at which a law is not broken as an entry says: the entry is wrong."""
-    entries = standing(known, today)
+    entries = in_force(known, today)
     for record in records:
         for entry in entries:
             if entry.covers(record) and not any(map(entry.knows, breaches(record.ledger))):

@@ -30,7 +30,7 @@ DIGITS = 6
 Series = Callable[[str], Mapping[str, Vector]]  # record key -> arrays
 
 
-def keep(
+def write_recorded(
     folder: Path,
     records: Iterable[Record],
     series: Series,

@@ -87,7 +87,7 @@ def test_a_block_pushed_down_dip_and_along_strike_comes_within_1e_4() -> None:
 def uncharged(scene: Scene) -> Run:
     """The run with springs that start without shear."""
     program = dem.prepare(asked(scene, duration=1.0), dem.CENTRED)
-    without = pressed(program.stood.scene)
+    without = pressed(program.stand_in.scene)
     assert without is not None
     bare = dataclasses.replace(program, system=without)
     return bare.run(bare.solve())
@@ -112,7 +112,7 @@ def test_a_block_that_holds_stands_still_from_charged_springs_alone(phi: float) 
 @pytest.mark.parametrize(("phi", "v0"), [(40.0, 0.0), (15.0, 0.0), (15.0, -1.0)])
 def test_the_charge_is_the_friction_of_rigid_contact(phi: float, v0: float) -> None:
     scene = slope(28.0, phi, v0=v0)
-    charged = dem.prepare(asked(scene), dem.CENTRED).stood.charged
+    charged = dem.prepare(asked(scene), dem.CENTRED).stand_in.charged
     assert charged is not None
     alpha, weight = np.radians(28.0), 2500.0 * G
     cap = weight * np.cos(alpha) * np.tan(np.radians(phi))
@@ -148,7 +148,7 @@ def test_published_starts_half_a_step_late_and_is_of_first_order() -> None:
 def test_two_unknowns_give_what_the_general_kernel_gives(scene: Scene) -> None:
     least = dem.prepare(asked(scene, duration=1.0), dem.CENTRED)
     assert isinstance(least.system, Pressed)
-    general = dataclasses.replace(least, system=space(least.stood.scene, least.stood.charged))
+    general = dataclasses.replace(least, system=space(least.stand_in.scene, least.stand_in.charged))
     one, two = (program.run(program.solve()) for program in (least, general))
     assert off(one.values[BLOCK], two.values[BLOCK]) < 1e-11
     assert one.ledger is not None
@@ -209,7 +209,7 @@ def test_rigid_contact_makes_either_scheme_a_penalty_method_with_two_unknowns(
 
 
 def test_the_critical_step_is_that_of_the_stiffer_spring() -> None:
-    stood = dem.prepare(asked(SHAKEN), dem.CENTRED).stood.scene
+    stood = dem.prepare(asked(SHAKEN), dem.CENTRED).stand_in.scene
     assert dem.critical_step(stood, dem.CENTRED) == pytest.approx(2 / (SHEAR * KN / 2500) ** 0.5)
 
 

@@ -7,7 +7,7 @@ import numpy as np
 from vv.engines.blocks.geometry import Index, Shapes
 from vv.engines.kernels.arrays import counts, larger, numbers, rows, smaller
 from vv.engines.kernels.compiled import called, inlined, lent
-from vv.engines.kernels.triples import Triple, at, cross, dot, plus, put
+from vv.engines.kernels.triples import Triple, add_scaled, at, cross, dot, put
 from vv.scene import Vector
 
 ON = 1e-9  # of a block's size: how far outside a side a point still counts as on it
@@ -38,16 +38,16 @@ def cut(
     left = 0
     for k in range(count):
         m = k + 1 if k + 1 < count else 0
-        here = dot(plus(at(old, k), -1.0, p), inward)
-        there = dot(plus(at(old, m), -1.0, p), inward)
+        here = dot(add_scaled(at(old, k), -1.0, p), inward)
+        there = dot(add_scaled(at(old, m), -1.0, p), inward)
         if here >= -slack:
             put(new, left, at(old, k))
             new_label[left] = label[k]
             left += 1
         if (here >= -slack) != (there >= -slack):
             part = here / (here - there)
-            step = plus(at(old, m), -1.0, at(old, k))
-            put(new, left, plus(at(old, k), part, step))
+            step = add_scaled(at(old, m), -1.0, at(old, k))
+            put(new, left, add_scaled(at(old, k), part, step))
             new_label[left] = fresh if here >= -slack else fresh + 1
             left += 1
     return left
@@ -58,9 +58,9 @@ def area_of(polygon: Vector, count: int, n: Triple) -> float:
     """The area [m2] of a polygon seen along n."""
     total = (0.0, 0.0, 0.0)
     for k in range(1, count - 1):
-        one = plus(at(polygon, k), -1.0, at(polygon, 0))
-        two = plus(at(polygon, k + 1), -1.0, at(polygon, 0))
-        total = plus(total, 0.5, cross(one, two))
+        one = add_scaled(at(polygon, k), -1.0, at(polygon, 0))
+        two = add_scaled(at(polygon, k + 1), -1.0, at(polygon, 0))
+        total = add_scaled(total, 0.5, cross(one, two))
     return abs(dot(total, n))
 
 
@@ -88,8 +88,8 @@ def face_points(
     for c in range(first, last):
         p = at(vertex, shapes.corner[c])
         q = at(vertex, shapes.corner[c + 1 if c + 1 < last else first])
-        side = plus(q, -1.0, p)
-        inward = plus((0.0, 0.0, 0.0), 1.0 / np.sqrt(dot(side, side)), cross(n, side))
+        side = add_scaled(q, -1.0, p)
+        inward = add_scaled((0.0, 0.0, 0.0), 1.0 / np.sqrt(dot(side, side)), cross(n, side))
         fresh = len(vertex) + 2 * c
         count = cut(next_polygon, next_label, polygon, label, count, p, inward, ON * size, fresh)
         polygon, next_polygon = next_polygon, polygon
@@ -98,7 +98,7 @@ def face_points(
     height = numbers(count)
     origin = at(vertex, shapes.corner[first])
     for k in range(count):
-        height[k] = dot(n, plus(at(polygon, k), -1.0, origin))
+        height[k] = dot(n, add_scaled(at(polygon, k), -1.0, origin))
     return (count if area > SLIVER * size * size else 0), polygon, height, label, area
 
 
@@ -106,11 +106,13 @@ def face_points(
 def crossing(one: int, two: int, shapes: Shapes, vertex: Vector) -> Triple:
     """The point halfway between two edges where they are closest [m]."""
     p, q = at(vertex, shapes.edge[one, 0]), at(vertex, shapes.edge[two, 0])
-    u = plus(at(vertex, shapes.edge[one, 1]), -1.0, p)
-    v = plus(at(vertex, shapes.edge[two, 1]), -1.0, q)
-    w = plus(q, -1.0, p)
+    u = add_scaled(at(vertex, shapes.edge[one, 1]), -1.0, p)
+    v = add_scaled(at(vertex, shapes.edge[two, 1]), -1.0, q)
+    w = add_scaled(q, -1.0, p)
     uu, uv, vv = dot(u, u), dot(u, v), dot(v, v)
     determinant = uu * vv - uv * uv
     s = smaller(larger((dot(w, u) * vv - dot(w, v) * uv) / determinant, 0.0), 1.0)
     t = smaller(larger((dot(w, u) * uv - dot(w, v) * uu) / determinant, 0.0), 1.0)
-    return plus(plus((0.0, 0.0, 0.0), 0.5, plus(p, s, u)), 0.5, plus(q, t, v))
+    return add_scaled(
+        add_scaled((0.0, 0.0, 0.0), 0.5, add_scaled(p, s, u)), 0.5, add_scaled(q, t, v)
+    )

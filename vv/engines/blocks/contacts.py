@@ -30,7 +30,7 @@ from vv.engines.blocks.sorting import ordered
 from vv.engines.kernels.arrays import counts, numbers, rows, smaller
 from vv.engines.kernels.bundles import bundle
 from vv.engines.kernels.compiled import called, compiled, inlined, lent
-from vv.engines.kernels.triples import Triple, at, dot, plus, put
+from vv.engines.kernels.triples import Triple, add_scaled, at, dot, put
 from vv.scene import Mask, Vector
 
 bundle(Shapes)
@@ -96,8 +96,8 @@ def merge_depth(contacts: Contacts, begin: int, count: int, depth: Vector, near:
     for k in range(begin, count):
         point, same = at(contacts.point, k), -1
         for m in range(begin, kept):
-            apart = plus(point, -1.0, at(contacts.point, m))
-            flat = plus(apart, -dot(apart, along), along)
+            apart = add_scaled(point, -1.0, at(contacts.point, m))
+            flat = add_scaled(apart, -dot(apart, along), along)
             if dot(flat, flat) <= near * near:
                 same = m
         if same < 0:
@@ -131,7 +131,7 @@ def touch_blocks(
     n = at(normal, one)
     for k in range(points):
         if height[k] <= margin:
-            half = plus(at(polygon, k), -0.5 * height[k], n)
+            half = add_scaled(at(polygon, k), -0.5 * height[k], n)
             way = (sign * n[0], sign * n[1], sign * n[2])
             key = pair + one * labels + label[k]
             count = add(contacts, count, a, b, half, way, height[k], area / points, key)
@@ -146,12 +146,12 @@ def touch_wall(
 ) -> int:  # fmt: skip
     """Add the contacts of a block with a wall, which is body `body`, at the block's vertices."""
     n = at(planes.normal, wall)
-    level = dot(n, plus(at(planes.point, wall), 1.0, at(shift, wall)))
+    level = dot(n, add_scaled(at(planes.point, wall), 1.0, at(shift, wall)))
     begin = count
     for k in range(shapes.vertex_start[block], shapes.vertex_start[block + 1]):
         gap = dot(n, at(vertex, k)) - level
         if gap <= margin:
-            half = plus(at(vertex, k), -0.5 * gap, n)
+            half = add_scaled(at(vertex, k), -0.5 * gap, n)
             count = add(contacts, count, body, block, half, n, gap, 0.0, pair + k)
     if count > begin and count <= len(contacts.gap):
         share_face(contacts, begin, count, pair, shapes, vertex, facing(shapes, normal, block, n))

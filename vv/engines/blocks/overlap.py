@@ -7,7 +7,7 @@ import numpy as np
 from vv.engines.blocks.geometry import Index, Shapes
 from vv.engines.kernels.arrays import larger, smaller
 from vv.engines.kernels.compiled import inlined, lent
-from vv.engines.kernels.triples import Triple, at, cross, dot, plus
+from vv.engines.kernels.triples import Triple, add_scaled, at, cross, dot
 from vv.scene import Vector
 
 FACE_OF_FIRST, FACE_OF_SECOND, EDGES = 0, 1, 2
@@ -74,19 +74,19 @@ def edges_apart(
     way = (0.0, 0.0, 0.0)
     for k in range(shapes.edge_start[a], shapes.edge_start[a + 1]):
         p = at(vertex, shapes.edge[k, 0])
-        along = plus(at(vertex, shapes.edge[k, 1]), -1.0, p)
+        along = add_scaled(at(vertex, shapes.edge[k, 1]), -1.0, p)
         for m in range(shapes.edge_start[b], shapes.edge_start[b + 1]):
             if not support(normal, shapes.edge, k, m):
                 continue
             q = at(vertex, shapes.edge[m, 0])
-            other = plus(at(vertex, shapes.edge[m, 1]), -1.0, q)
+            other = add_scaled(at(vertex, shapes.edge[m, 1]), -1.0, q)
             n = cross(along, other)
             square = dot(n, n)
             if square <= PARALLEL * dot(along, along) * dot(other, other):
                 continue
-            outward = 1.0 if dot(n, plus(p, -1.0, centre)) > 0 else -1.0
-            n = plus((0.0, 0.0, 0.0), outward / np.sqrt(square), n)
-            apart = dot(n, plus(q, -1.0, p))
+            outward = 1.0 if dot(n, add_scaled(p, -1.0, centre)) > 0 else -1.0
+            n = add_scaled((0.0, 0.0, 0.0), outward / np.sqrt(square), n)
+            apart = dot(n, add_scaled(q, -1.0, p))
             if apart > far:
                 one, two, far, way = k, m, apart, n
             if far > enough:
@@ -100,7 +100,7 @@ def middle(shapes: Shapes, vertex: Vector, i: int) -> Triple:
     first, last = shapes.vertex_start[i], shapes.vertex_start[i + 1]
     total = (0.0, 0.0, 0.0)
     for k in range(first, last):
-        total = plus(total, 1.0 / (last - first), at(vertex, k))
+        total = add_scaled(total, 1.0 / (last - first), at(vertex, k))
     return total
 
 

@@ -6,7 +6,7 @@ import numpy as np
 
 from vv.engines.blocks.geometry import Shapes
 from vv.engines.kernels.compiled import inlined, lent
-from vv.engines.kernels.triples import Triple, at, cross, dot, plus, put
+from vv.engines.kernels.triples import Triple, add_scaled, at, cross, dot, put
 from vv.scene import Vector
 
 
@@ -28,7 +28,9 @@ def place_rigid(
     """Fill vertex (v, 3) and normal (f, 3) for centroids (n, 3) [m] and rotations (n, 3, 3)."""
     for i in range(len(centre)):
         for k in range(shapes.vertex_start[i], shapes.vertex_start[i + 1]):
-            put(vertex, k, plus(at(centre, i), 1.0, turned(rotation, i, at(shapes.vertex, k))))
+            put(
+                vertex, k, add_scaled(at(centre, i), 1.0, turned(rotation, i, at(shapes.vertex, k)))
+            )
         for k in range(shapes.face_start[i], shapes.face_start[i + 1]):
             put(normal, k, turned(rotation, i, at(shapes.normal, k)))
 
@@ -40,9 +42,9 @@ def find_normals(normal: Vector, shapes: Shapes, vertex: Vector) -> None:
         first, last = shapes.corner_start[f], shapes.corner_start[f + 1]
         area = (0.0, 0.0, 0.0)
         origin = at(vertex, shapes.corner[first])
-        before = plus(at(vertex, shapes.corner[last - 1]), -1.0, origin)
+        before = add_scaled(at(vertex, shapes.corner[last - 1]), -1.0, origin)
         for c in range(first, last):
-            here = plus(at(vertex, shapes.corner[c]), -1.0, origin)
-            area = plus(area, 1.0, cross(before, here))
+            here = add_scaled(at(vertex, shapes.corner[c]), -1.0, origin)
+            area = add_scaled(area, 1.0, cross(before, here))
             before = here
-        put(normal, f, plus((0.0, 0.0, 0.0), 1.0 / np.sqrt(dot(area, area)), area))
+        put(normal, f, add_scaled((0.0, 0.0, 0.0), 1.0 / np.sqrt(dot(area, area)), area))

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from vv.engines.kernels.compiled import inlined
-from vv.engines.kernels.triples import NOWHERE, Triple, dot, plus
+from vv.engines.kernels.triples import NOWHERE, Triple, add_scaled, dot
 
 OPEN, STICK, SLIDE = 0, 1, 2
 
@@ -38,16 +38,16 @@ def respond(
     push = -kn * gap
     if mu is None or ks is None:
         return SLIDE, push, NOWHERE
-    trial = plus(spring, 1.0, slip)
+    trial = add_scaled(spring, 1.0, slip)
     stretch = np.sqrt(dot(trial, trial))
     if state != SLIDE and ks * stretch > mu * push:
-        return SLIDE, push, plus(NOWHERE, 1.0 / stretch, trial)
+        return SLIDE, push, add_scaled(NOWHERE, 1.0 / stretch, trial)
     sticks = ks * stretch <= mu * push if hold > 0.0 else dot(way, slip) < 0.0
     if state != SLIDE or sticks:
         return STICK, push, NOWHERE
-    toward = plus(plus(NOWHERE, mu * push, way), ease, plus(slip, hold, spring))
+    toward = add_scaled(add_scaled(NOWHERE, mu * push, way), ease, add_scaled(slip, hold, spring))
     length = np.sqrt(dot(toward, toward))
-    return SLIDE, push, (plus(NOWHERE, 1.0 / length, toward) if length > 0.0 else way)
+    return SLIDE, push, (add_scaled(NOWHERE, 1.0 / length, toward) if length > 0.0 else way)
 
 
 @inlined
@@ -73,11 +73,11 @@ def returned(
     push = -kn * gap
     if mu is None or ks is None:
         return SLIDE, push, NOWHERE
-    trial = plus(spring, 1.0, slip)
+    trial = add_scaled(spring, 1.0, slip)
     toward = trial
     if state == SLIDE:
-        toward = plus(plus(NOWHERE, mu * push, way), ease, trial)
+        toward = add_scaled(add_scaled(NOWHERE, mu * push, way), ease, trial)
     length = np.sqrt(dot(toward, toward))
     if length == 0.0 or ks * dot(toward, trial) <= mu * push * length:
         return STICK, push, NOWHERE
-    return SLIDE, push, plus(NOWHERE, 1.0 / length, toward)
+    return SLIDE, push, add_scaled(NOWHERE, 1.0 / length, toward)

@@ -56,19 +56,19 @@ def highest_square(state: SpaceState) -> float:
     parts = _parts(state.bodies, springs)
     alone = np.linalg.eigvalsh(np.einsum("kasb,kcsb->kac", parts, parts))[:, -1]
     together = _together(parts[closed], springs.rows[closed], len(state.bodies.mass))
-    rules = state.told("highest_square", 0.0, state.near, state.bodies)
+    rules = state.of_each_term("highest_square", 0.0, state.near, state.bodies)
     return float(max(together, alone.max(initial=0.0), *rules))
 
 
 def _springs(state: SpaceState) -> tuple[Springs, Mask]:
     """All bonds and listed contacts, and which of them are there at t = 0."""
-    told = [one for one in state.told("springs", None, state.near) if one is not None]
+    springs = [one for one in state.of_each_term("springs", None, state.near) if one is not None]
     two, k = np.zeros((0, 2)), np.zeros(0)
     none = Springs(two.astype(np.intp), np.zeros((0, 3)), k, k, two)
     joined = (
-        np.concatenate(arrays) for arrays in zip(none, *(one for one, _ in told), strict=True)
+        np.concatenate(arrays) for arrays in zip(none, *(one for one, _ in springs), strict=True)
     )
-    return Springs(*joined), np.concatenate([np.zeros(0, bool), *(closed for _, closed in told)])
+    return Springs(*joined), np.concatenate([np.zeros(0, bool), *(closed for _, closed in springs)])
 
 
 def _parts(bodies: Bodies, springs: Springs) -> Vector:

@@ -21,8 +21,7 @@ from vv.engines.dem.space.model import Space, SpaceState, space
 from vv.engines.dem.terms.bonds import Bonds
 from vv.scene import Form, Scene, Vector
 from vv.scene.scene import LOCKED_SPEED
-from vv.standins.stand_in import SpringScene as Stood
-from vv.standins.stand_in import spring_scene as sprung
+from vv.standins.stand_in import SpringScene, spring_scene
 from vv.standins.stand_in import why_no_spring_scene as why_not_rigid
 
 FORMS = tuple(Form)  # the columns of a ledger, in their order
@@ -41,28 +40,28 @@ SOFT = 0.1  # of the smallest radius: a deeper overlap is no contact of spheres 
 class Program:
     """An ask ready to be solved as often as wanted.
 
-    system: the smallest model of its scene; stood: that scene, with what stands in for what
+    system: the smallest model of its scene; stand_in: that scene, with what stands in for what
     springs cannot do. threads: that share the bonds, if there are any; the answer is the same.
     """
 
     ask: Ask
     leapfrog: Leapfrog
     system: Line | Pressed | Space
-    stood: Stood
+    stand_in: SpringScene
     threads: int = 1
 
     @property
     def model(self) -> Model:
         """What was built; unknowns are counted in the arrays that the kernel is given."""
         unknowns = sum(array.size for array in self.system.unknowns)
-        words = (self.system.words, *self.stood.notes, f"largest stable dt {self.limit:.4g} s")
-        terms = self.system.terms | self.stood.terms | idle(self.stood.scene)
+        words = (self.system.words, *self.stand_in.notes, f"largest stable dt {self.limit:.4g} s")
+        terms = self.system.terms | self.stand_in.terms | idle(self.stand_in.scene)
         return Model(unknowns, terms, "; ".join(words))
 
     @functools.cached_property
     def limit(self) -> float:
         """The largest stable step [s]."""
-        return critical_step(self.stood.scene, self.leapfrog)
+        return critical_step(self.stand_in.scene, self.leapfrog)
 
     @functools.cached_property
     def arguments(self) -> tuple[Any, ...]:
@@ -82,7 +81,7 @@ class Program:
     @functools.cached_property
     def spheres(self) -> tuple[int, ...]:
         """The spheres observed; raises ValueError for a body that is none."""
-        return tuple(self.stood.scene.sphere_index(what.body) for what in self.ask.observables)
+        return tuple(self.stand_in.scene.sphere_index(what.body) for what in self.ask.observables)
 
     def warm(self) -> None:
         """Load or compile the kernel for these arguments; no step is taken."""
@@ -163,8 +162,8 @@ class Program:
             bound += rounded * EPS * (self.ask.goal.steps(self.ask.dt) + 1)
             bound = min(bound, peak)
         gap = terms.sum(axis=1) - put_in
-        audits = {} if isinstance(self.system, Line) else dict(_audits(self.stood.scene, terms))
-        if self.stood.scene.bonds is not None:
+        audits = {} if isinstance(self.system, Line) else dict(_audits(self.stand_in.scene, terms))
+        if self.stand_in.scene.bonds is not None:
             order = 2 if self.leapfrog == CENTRED else 1
             audits[GAINED] = float(gap.max(initial=0.0)), peak * (self.ask.dt / self.limit) ** order
         return Ledger(
@@ -178,12 +177,12 @@ class Program:
 
 def prepare(ask: Ask, leapfrog: Leapfrog, threads: int = 1) -> Program:
     """The program of an ask, with the smallest model its scene allows."""
-    stood = sprung(ask)
-    scene, charged = stood.scene, stood.charged
+    stand_in = spring_scene(ask)
+    scene, charged = stand_in.scene, stand_in.charged
     if _wants_all(ask):
-        return Program(ask, leapfrog, space(scene, charged), stood, threads)
+        return Program(ask, leapfrog, space(scene, charged), stand_in, threads)
     system = line(scene) or pressed(scene, charged) or space(scene, charged)
-    return Program(ask, leapfrog, system, stood, threads)
+    return Program(ask, leapfrog, system, stand_in, threads)
 
 
 def solve(ask: Ask, leapfrog: Leapfrog) -> Run:
@@ -205,7 +204,7 @@ def refuses(ask: Ask) -> str | None:
     reason = why_not_rigid(ask)
     if reason is not None:
         return reason
-    scene = sprung(ask).scene
+    scene = spring_scene(ask).scene
     return (
         _spins_where_locked(scene)
         or _coincident(scene)
@@ -226,7 +225,7 @@ def unstable(ask: Ask, leapfrog: Leapfrog) -> str | None:
     Such a step may be solved all the same, to see what comes of it.
     """
     dt = ask.knobs.dt
-    limit = critical_step(sprung(ask).scene, leapfrog)
+    limit = critical_step(spring_scene(ask).scene, leapfrog)
     if dt is None or dt <= limit:
         return None
     late = ask.scene.eta + ask.scene.contact.eta_n > 0 and leapfrog.lag > 0.5

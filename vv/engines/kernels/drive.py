@@ -9,7 +9,7 @@ import numpy.typing as npt
 
 from vv.engines.kernels.bundles import bundle
 from vv.engines.kernels.compiled import called, lent
-from vv.engines.kernels.triples import Triple, at, plus
+from vv.engines.kernels.triples import Triple, add_scaled, at
 from vv.scene import Harmonic, Pulse, Vector
 
 Starts = npt.NDArray[np.int64]
@@ -68,7 +68,7 @@ def value(drive: Drive, time: float) -> Triple:
     for k in range(len(drive.omega)):
         angle = drive.omega[k] * time + drive.phase[k]
         sine = np.sin(angle) if time <= drive.until[k] else 0.0
-        total = plus(total, sine, at(drive.direction, k))
+        total = add_scaled(total, sine, at(drive.direction, k))
     return total
 
 
@@ -78,7 +78,7 @@ def travel(drive: Drive, time: float) -> Triple:
     total = (0.0, 0.0, 0.0)
     for k in range(len(drive.omega)):
         since = np.sin(drive.omega[k] * time + drive.phase[k]) - drive.start[k]
-        total = plus(total, since, at(drive.direction, k))
+        total = add_scaled(total, since, at(drive.direction, k))
     return total
 
 
@@ -88,7 +88,7 @@ def rate(drive: Drive, time: float) -> Triple:
     total = (0.0, 0.0, 0.0)
     for k in range(len(drive.omega)):
         turning = drive.omega[k] * np.cos(drive.omega[k] * time + drive.phase[k])
-        total = plus(total, turning, at(drive.direction, k))
+        total = add_scaled(total, turning, at(drive.direction, k))
     return total
 
 
@@ -101,5 +101,5 @@ def mean(drive: Drive, time: float, step: float) -> Triple:
         half = 0.5 * drive.omega[k] * lasts
         smooth = lasts / step * (np.sin(half) / half if half > 0.0 else 1.0)
         middle = np.sin(drive.omega[k] * time + half + drive.phase[k])
-        total = plus(total, smooth * middle, at(drive.direction, k))
+        total = add_scaled(total, smooth * middle, at(drive.direction, k))
     return total

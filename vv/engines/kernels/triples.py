@@ -22,7 +22,7 @@ def put(rows: Vector, i: int, a: Triple) -> None:
 
 
 @inlined
-def plus(a: Triple, scale: float, b: Triple) -> Triple:
+def add_scaled(a: Triple, scale: float, b: Triple) -> Triple:
     """a + scale b."""
     return a[0] + scale * b[0], a[1] + scale * b[1], a[2] + scale * b[2]
 

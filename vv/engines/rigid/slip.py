@@ -6,7 +6,7 @@ import numpy as np
 
 from vv.engines.kernels.arrays import larger, smaller, square_of
 from vv.engines.kernels.compiled import inlined, lent
-from vv.engines.kernels.triples import Triple, cross, dot, plus
+from vv.engines.kernels.triples import Triple, add_scaled, cross, dot
 from vv.engines.rigid.limits import STILL
 
 STRAIGHT = 1e-14  # sine, squared, of an angle by which slip does not turn
@@ -33,15 +33,15 @@ def heading(before: Triple, after: Triple) -> Triple:
     first, last = np.sqrt(dot(before, before)), np.sqrt(dot(after, after))
     across = cross(before, after)
     if not dot(across, across) > STRAIGHT * square_of(first * last):
-        return plus(plus(nil, 0.5 / first, before), 0.5 / last, after)
-    way = plus(after, -1.0, before)
+        return add_scaled(add_scaled(nil, 0.5 / first, before), 0.5 / last, after)
+    way = add_scaled(after, -1.0, before)
     length = np.sqrt(dot(way, way))
-    e = plus(nil, 1.0 / length, way)
+    e = add_scaled(nil, 1.0 / length, way)
     x0, x1 = dot(before, e), dot(after, e)
-    out = plus(before, -x0, e)
+    out = add_scaled(before, -x0, e)
     far = np.sqrt(dot(out, out))
-    mean = plus(nil, (x0 + x1) / (first + last), e)
-    return plus(mean, (np.arcsinh(x1 / far) - np.arcsinh(x0 / far)) / length, out)
+    mean = add_scaled(nil, (x0 + x1) / (first + last), e)
+    return add_scaled(mean, (np.arcsinh(x1 / far) - np.arcsinh(x0 / far)) / length, out)
 
 
 @lent
@@ -53,8 +53,8 @@ def bend(before: Triple, sag: Triple, after: Triple, pull: float) -> Triple:
     to halfway and on from there. Nil where it is so slow that friction could turn it about.
     """
     nil = (0.0, 0.0, 0.0)
-    straight = plus(plus(nil, 0.5, before), 0.5, after)
-    halfway = plus(straight, 1.0, sag)
+    straight = add_scaled(add_scaled(nil, 0.5, before), 0.5, after)
+    halfway = add_scaled(straight, 1.0, sag)
     first, last = dot(before, before), dot(after, after)
     one, two = cross(before, after), cross(before, halfway)
     slowest = smaller(smaller(first, dot(halfway, halfway)), last)
@@ -63,10 +63,10 @@ def bend(before: Triple, sag: Triple, after: Triple, pull: float) -> Triple:
     if not (dot(one, one) > STRAIGHT * first * last or dot(two, two) > STRAIGHT * first * first):
         return nil
     early, late = heading(before, halfway), heading(halfway, after)
-    halfway = plus(plus(halfway, -0.25 * pull, early), 0.25 * pull, late)
+    halfway = add_scaled(add_scaled(halfway, -0.25 * pull, early), 0.25 * pull, late)
     early, late = heading(before, halfway), heading(halfway, after)
-    mean = plus(plus(nil, 0.5, early), 0.5, late)
-    return plus(plus(mean, -0.5 / np.sqrt(first), before), -0.5 / np.sqrt(last), after)
+    mean = add_scaled(add_scaled(nil, 0.5, early), 0.5, late)
+    return add_scaled(add_scaled(mean, -0.5 / np.sqrt(first), before), -0.5 / np.sqrt(last), after)
 
 
 @lent

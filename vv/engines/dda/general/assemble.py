@@ -8,7 +8,7 @@ from vv.engines.dda.general.contact import Touch
 from vv.engines.dda.law import OPEN, SLIDE, STICK
 from vv.engines.kernels.arrays import smaller
 from vv.engines.kernels.compiled import lent
-from vv.engines.kernels.triples import NOWHERE, Triple, at, dot, plus
+from vv.engines.kernels.triples import NOWHERE, Triple, add_scaled, at, dot
 from vv.scene import Vector
 
 
@@ -61,8 +61,8 @@ def stiffness(
 def pushed(outer: Vector, bodies: Bodies, shake: Triple) -> None:
     """Fill outer (q,) with weight, dead loads and a body acceleration [m/s2]."""
     for i in range(len(bodies.mass)):
-        load = plus(at(bodies.weight, i), 1.0, at(bodies.load, i))
-        load = plus(load, bodies.mass[i], shake)
+        load = add_scaled(at(bodies.weight, i), 1.0, at(bodies.load, i))
+        load = add_scaled(load, bodies.mass[i], shake)
         for a in range(bodies.start[i], bodies.start[i + 1]):
             outer[a] = dot(at(bodies.line, a), load)
 
@@ -80,10 +80,10 @@ def contact_pull(
     if state != OPEN:
         n = at(touch.normal, k)
         closing = dot(n, moved)
-        pull = plus(pull, -kn * (touch.gap[k] - closing), n)
+        pull = add_scaled(pull, -kn * (touch.gap[k] - closing), n)
         if state == STICK:
-            stretch = plus(at(touch.spring, k), -1.0, plus(moved, -closing, n))
-            pull = plus(pull, -ks, stretch)
+            stretch = add_scaled(at(touch.spring, k), -1.0, add_scaled(moved, -closing, n))
+            pull = add_scaled(pull, -ks, stretch)
         if state == SLIDE:
-            pull = plus(pull, -mu * force, way)
+            pull = add_scaled(pull, -mu * force, way)
     return pull

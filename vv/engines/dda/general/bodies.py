@@ -14,7 +14,7 @@ from vv.engines.dda.general.matrices import exponential, mapped, product, reshap
 from vv.engines.kernels.arrays import rows
 from vv.engines.kernels.bundles import bundle
 from vv.engines.kernels.compiled import called, lent
-from vv.engines.kernels.triples import NOWHERE, Triple, at, dot, plus, put
+from vv.engines.kernels.triples import NOWHERE, Triple, add_scaled, at, dot, put
 from vv.scene import Vector
 
 
@@ -106,7 +106,7 @@ def travelled(bodies: Bodies, i: int, d: Vector) -> Triple:
     """The displacement of the centre of block i for unknowns d (q,)."""
     line = NOWHERE
     for a in range(bodies.start[i], bodies.start[i + 1]):
-        line = plus(line, d[a], at(bodies.line, a))
+        line = add_scaled(line, d[a], at(bodies.line, a))
     return line
 
 
@@ -116,7 +116,7 @@ def gradient(out: Vector, bodies: Bodies, first: int, last: int, d: Vector) -> N
     for r in range(3):
         row = NOWHERE
         for a in range(first, last):
-            row = plus(row, d[a], at(bodies.slope[a], r))
+            row = add_scaled(row, d[a], at(bodies.slope[a], r))
         put(out, r, row)
 
 
@@ -154,10 +154,10 @@ def displace(
     for i in range(len(bodies.mass)):
         stretched(whole, bodies, i, d, terms)
         before = at(motion.centre, i)
-        centre = plus(before, 1.0, travelled(bodies, i, d))
+        centre = add_scaled(before, 1.0, travelled(bodies, i, d))
         for k in range(shapes.vertex_start[i], shapes.vertex_start[i + 1]):
-            arm = plus(at(motion.vertex, k), -1.0, before)
-            put(motion.vertex, k, plus(centre, 1.0, mapped(whole, arm)))
+            arm = add_scaled(at(motion.vertex, k), -1.0, before)
+            put(motion.vertex, k, add_scaled(centre, 1.0, mapped(whole, arm)))
         put(motion.centre, i, centre)
         reshaped(motion.second[i], whole, motion.second[i])
     for a in range(len(d)):

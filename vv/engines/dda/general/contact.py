@@ -14,7 +14,7 @@ from vv.engines.dda.law import STICK
 from vv.engines.kernels.arrays import counts, nil_counts, nil_numbers, nil_rows
 from vv.engines.kernels.bundles import bundle
 from vv.engines.kernels.compiled import called, lent
-from vv.engines.kernels.triples import NOWHERE, Triple, at, dot, plus, put
+from vv.engines.kernels.triples import NOWHERE, Triple, add_scaled, at, dot, put
 from vv.scene import Mask, Vector
 
 MOST = 24  # unknowns that a contact can touch: twelve of either block
@@ -69,11 +69,11 @@ def closed(touch: Touch, went: Vector, kn: float, ks: float, mu: float, hold: fl
             touch.state[k], touch.push[k] = STICK, -kn * touch.gap[k]
             spring, n = NOWHERE, at(touch.normal, k)
             for m in range(touch.columns[k]):
-                spring = plus(spring, went[touch.column[k, m]], at(touch.field[k], m))
-            spring = plus(spring, -dot(spring, n), n)
+                spring = add_scaled(spring, went[touch.column[k, m]], at(touch.field[k], m))
+            spring = add_scaled(spring, -dot(spring, n), n)
             force, limit = ks * np.sqrt(dot(spring, spring)), mu * touch.push[k]
             part = 1.0 if force <= limit else limit / force
-            put(touch.spring, k, plus(NOWHERE, hold * part, spring))
+            put(touch.spring, k, add_scaled(NOWHERE, hold * part, spring))
 
 
 @lent
@@ -81,21 +81,21 @@ def add_columns(
     touch: Touch, k: int, body: int, sign: float, point: Vector, bodies: Bodies, motion: Motion
 ) -> None:
     """Add the unknowns of a body to what point k depends on."""
-    arm = plus(at(point, k), -1.0, at(motion.centre, body))
+    arm = add_scaled(at(point, k), -1.0, at(motion.centre, body))
     for a in range(bodies.start[body], bodies.start[body + 1]):
         m = touch.columns[k]
         touch.column[k, m] = a
-        moved = plus(at(bodies.line, a), 1.0, mapped(bodies.slope[a], arm))
-        put(touch.field[k], m, plus(NOWHERE, sign, moved))
+        moved = add_scaled(at(bodies.line, a), 1.0, mapped(bodies.slope[a], arm))
+        put(touch.field[k], m, add_scaled(NOWHERE, sign, moved))
         touch.columns[k] = m + 1
 
 
 @lent
 def laid_down(a: Triple, n: Triple) -> Triple:
     """A vector turned into the plane across n, its length kept."""
-    flat = plus(a, -dot(a, n), n)
+    flat = add_scaled(a, -dot(a, n), n)
     before, after = np.sqrt(dot(a, a)), np.sqrt(dot(flat, flat))
-    return plus(NOWHERE, before / after, flat) if after > 0.0 else NOWHERE
+    return add_scaled(NOWHERE, before / after, flat) if after > 0.0 else NOWHERE
 
 
 @lent

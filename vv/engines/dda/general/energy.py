@@ -10,7 +10,7 @@ from vv.engines.dda.general.contact import Touch
 from vv.engines.dda.law import OPEN, SLIDE, STICK
 from vv.engines.kernels.arrays import larger, numbers
 from vv.engines.kernels.compiled import called, lent
-from vv.engines.kernels.triples import NOWHERE, at, dot, plus, put
+from vv.engines.kernels.triples import NOWHERE, add_scaled, at, dot, put
 from vv.scene import Vector
 
 KINETIC, NORMAL, SHEAR, STRAIN, FRICTION, NUMERICAL, DAMPED = range(7)
@@ -52,7 +52,7 @@ def close_step(
     for k in range(len(touch.key)):
         n = at(touch.normal, k)
         opened = dot(at(relative, k), n)
-        slip = plus(at(relative, k), -opened, n)
+        slip = add_scaled(at(relative, k), -opened, n)
         before, after = touch.gap[k], touch.gap[k] + opened
         deep, deeper = larger(-before, 0.0), larger(-after, 0.0)
         sprung = 0.5 * kn * (deep * deep - deeper * deeper)
@@ -63,15 +63,15 @@ def close_step(
         rubs, spring = NOWHERE, at(touch.spring, k)
         stretch = 0.5 * ks * dot(spring, spring)
         if used[k] == STICK:
-            spring = plus(spring, 1.0, slip)
+            spring = add_scaled(spring, 1.0, slip)
             stretch += ks * dot(spring, slip) - 0.5 * ks * dot(spring, spring)
-            rubs = plus(NOWHERE, -ks, spring)
+            rubs = add_scaled(NOWHERE, -ks, spring)
         elif used[k] == SLIDE:
             taken, was = at(rub, k), spring
-            spring = plus(NOWHERE, hold / ks if ks > 0.0 else 0.0, taken)
-            jump = plus(spring, -1.0, was)
+            spring = add_scaled(NOWHERE, hold / ks if ks > 0.0 else 0.0, taken)
+            jump = add_scaled(spring, -1.0, was)
             stretch += hold * dot(taken, jump) - 0.5 * ks * dot(spring, spring)
-            slip = plus(slip, -hold, jump)
+            slip = add_scaled(slip, -hold, jump)
         else:
             spring = NOWHERE
         put(touch.spring, k, spring)
@@ -81,11 +81,13 @@ def close_step(
             gained = -dot(taken, slip)
             ledger[FRICTION] -= gained
             ledger[CREATED] += larger(0.0, gained)
-            rubs = plus(NOWHERE, -1.0, taken)
+            rubs = add_scaled(NOWHERE, -1.0, taken)
             if touch.state[k] == SLIDE:
-                off = plus(plus(NOWHERE, mu * touch.push[k], at(touch.way, k)), -1.0, taken)
+                off = add_scaled(
+                    add_scaled(NOWHERE, mu * touch.push[k], at(touch.way, k)), -1.0, taken
+                )
                 worst[RESIDUAL] = larger(worst[RESIDUAL], np.sqrt(dot(off, off)))
-        force = plus(rubs, push, n)
+        force = add_scaled(rubs, push, n)
         for m in range(touch.columns[k]):
             pull[touch.column[k, m]] += dot(at(touch.field[k], m), force)
         worst[EXCESS] = larger(worst[EXCESS], np.sqrt(dot(rubs, rubs)) - mu * larger(push, 0.0))

@@ -13,7 +13,7 @@ from vv.engines.dda.general.newton import newton
 from vv.engines.dda.law import OPEN, SLIDE, respond, returned
 from vv.engines.kernels.arrays import counts, larger, nil_numbers, nil_rows, numbers, table
 from vv.engines.kernels.compiled import called
-from vv.engines.kernels.triples import NOWHERE, at, dot, plus, put
+from vv.engines.kernels.triples import NOWHERE, add_scaled, at, dot, put
 from vv.scene import Vector
 
 
@@ -85,13 +85,13 @@ def iterate(  # noqa: PLR0912 - a branch per contact state
         ease = lightness(touch, used, bodies, step)
         for k in range(count):
             n = at(touch.normal, k)
-            moves = plus(NOWHERE, -1.0, at(shut, k))
+            moves = add_scaled(NOWHERE, -1.0, at(shut, k))
             for m in range(touch.columns[k]):
-                moves = plus(moves, d[touch.column[k, m]], at(touch.field[k], m))
+                moves = add_scaled(moves, d[touch.column[k, m]], at(touch.field[k], m))
             opened = dot(moves, n)
-            slip, taken = plus(moves, -opened, n), NOWHERE
+            slip, taken = add_scaled(moves, -opened, n), NOWHERE
             if used[k] == SLIDE:
-                taken = plus(NOWHERE, mu * touch.push[k], at(touch.way, k))
+                taken = add_scaled(NOWHERE, mu * touch.push[k], at(touch.way, k))
             put(relative, k, moves)
             put(rub, k, taken)
             gap, spring, way = touch.gap[k] + opened, at(touch.spring, k), at(touch.way, k)
@@ -104,7 +104,7 @@ def iterate(  # noqa: PLR0912 - a branch per contact state
             if now != used[k]:
                 fresh, ended = True, False
             elif now == SLIDE:
-                off = plus(plus(NOWHERE, mu * push, way), -1.0, taken)
+                off = add_scaled(add_scaled(NOWHERE, mu * push, way), -1.0, taken)
                 if np.sqrt(dot(off, off)) > tolerance * mu * push:
                     ended = False
     if ended or most == 0:

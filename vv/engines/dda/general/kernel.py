@@ -55,7 +55,7 @@ from vv.engines.kernels.arrays import (
 )
 from vv.engines.kernels.compiled import called, compiled, lent
 from vv.engines.kernels.drive import Drive, Starts, one_of, travel, value
-from vv.engines.kernels.triples import NOWHERE, at, dot, plus, put
+from vv.engines.kernels.triples import NOWHERE, add_scaled, at, dot, put
 from vv.scene import Mask, Vector
 
 
@@ -66,7 +66,7 @@ def shifted(
     """Fill ahead (w, 3): how far walls have gone by a time [s], and moved: from shift to there."""
     for wall in range(len(shift)):
         put(ahead, wall, travel(one_of(base, starts, wall), time))
-        put(moved, wall, plus(at(ahead, wall), -1.0, at(shift, wall)))
+        put(moved, wall, add_scaled(at(ahead, wall), -1.0, at(shift, wall)))
 
 
 @lent

@@ -62,7 +62,7 @@ class General:
     def arguments(self, step: tuple[Any, ...], law: Springs) -> tuple[Any, ...]:
         """What the kernel is told; step: stride, dt, settling, tolerance, iterations."""
         begun = self.pressed(law, step[-2:]) if self.formulation.pressed else self.motion()
-        return (*step, *self.told(begun, self.formulation.dd, law))
+        return (*step, *self.model_arguments(begun, self.formulation.dd, law))
 
     def pressed(self, law: Springs, rule: tuple[Any, ...]) -> Any:
         """The start once contacts carry the loads at rest, as if no friction were exceeded.
@@ -88,16 +88,16 @@ class General:
         slow = float(np.sqrt(2 * heaviest * STATIC / law.kn))
         start.velocity[:] = 0.0
         gripping = Springs(law.kn, law.ks, GRIP)
-        told = self.told(start, 0.0, gripping)
-        self.kernel()(*self.outputs(1, ()), 1, slow, STATIC_STEPS, *rule, *told)
-        end, bodies = told[ENDS], told[BODIES]
+        given = self.model_arguments(start, 0.0, gripping)
+        self.kernel()(*self.outputs(1, ()), 1, slow, STATIC_STEPS, *rule, *given)
+        end, bodies = given[ENDS], given[BODIES]
         all_loads = np.linalg.norm(bodies.weight + bodies.load, axis=1).sum()
         laws = ((block.elastic, size(block)) for block in self.scene.blocks)
         most = all_loads * (1 / law.kn + sum(1 / (own.young * h) for own, h in laws if own))
         far = np.linalg.norm(end.centre - start.centre, axis=1).max()
         return end if far <= FLOAT * most else start
 
-    def told(self, begun: Any, dd: float, law: Springs) -> tuple[Any, ...]:
+    def model_arguments(self, begun: Any, dd: float, law: Springs) -> tuple[Any, ...]:
         """What the kernel is told after the step."""
         from vv.engines.kernels.drive import NO_MOTION, drive, drives
 

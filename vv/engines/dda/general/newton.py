@@ -19,7 +19,7 @@ from vv.engines.dda.law import OPEN, SLIDE, STICK
 from vv.engines.dda.limits import LEAST
 from vv.engines.kernels.arrays import counts, nil_numbers, nil_rows, numbers, table
 from vv.engines.kernels.compiled import called, inlined, lent
-from vv.engines.kernels.triples import NOWHERE, Triple, at, dot, plus, put
+from vv.engines.kernels.triples import NOWHERE, Triple, add_scaled, at, dot, put
 from vv.scene import Vector
 
 
@@ -29,12 +29,12 @@ def stiffened(
 ) -> Triple:
     """By how much the force of a contact [N] falls for a motion a [m]; turn: ks mu N/|trial|."""
     opening = dot(n, a)
-    flat = plus(a, -opening, n)
-    fall = plus(NOWHERE, kn * opening, n)
+    flat = add_scaled(a, -opening, n)
+    fall = add_scaled(NOWHERE, kn * opening, n)
     if state == STICK:
-        return plus(fall, ks, flat)
-    fall = plus(fall, -mu * kn * opening, way)
-    return plus(fall, turn, plus(flat, -dot(way, flat), way))
+        return add_scaled(fall, ks, flat)
+    fall = add_scaled(fall, -mu * kn * opening, way)
+    return add_scaled(fall, turn, add_scaled(flat, -dot(way, flat), way))
 
 
 @lent
@@ -66,9 +66,9 @@ def tangent(
 @lent
 def moved_by(k: int, touch: Touch, d: Vector, shut: Vector) -> Triple:
     """How far the second body of contact k goes from the first, for unknowns d (q,)."""
-    moves = plus(NOWHERE, -1.0, at(shut, k))
+    moves = add_scaled(NOWHERE, -1.0, at(shut, k))
     for m in range(touch.columns[k]):
-        moves = plus(moves, d[touch.column[k, m]], at(touch.field[k], m))
+        moves = add_scaled(moves, d[touch.column[k, m]], at(touch.field[k], m))
     return moves
 
 
@@ -90,14 +90,19 @@ def unbalanced(
     for k in range(len(touch.key)):
         n, moves = at(touch.normal, k), moved_by(k, touch, d, shut)
         opened = dot(moves, n)
-        trial = plus(at(touch.spring, k), 1.0, plus(moves, -opened, n))
+        trial = add_scaled(at(touch.spring, k), 1.0, add_scaled(moves, -opened, n))
         push, length = -kn * (touch.gap[k] + opened), np.sqrt(dot(trial, trial))
-        now, way, turn[k], pull = STICK, NOWHERE, 0.0, plus(plus(NOWHERE, push, n), -ks, trial)
+        now, way, turn[k], pull = (
+            STICK,
+            NOWHERE,
+            0.0,
+            add_scaled(add_scaled(NOWHERE, push, n), -ks, trial),
+        )
         if push <= 0.0:
             now, push, pull = OPEN, 0.0, NOWHERE
         elif ks * length > mu * push:
-            now, turn[k], way = SLIDE, mu * push / length, plus(NOWHERE, 1.0 / length, trial)
-            pull = plus(plus(NOWHERE, push, n), -mu * push, way)
+            now, turn[k], way = SLIDE, mu * push / length, add_scaled(NOWHERE, 1.0 / length, trial)
+            pull = add_scaled(add_scaled(NOWHERE, push, n), -mu * push, way)
         touch.state[k], touch.push[k] = now, push
         put(touch.way, k, way)
         for m in range(touch.columns[k]):
@@ -137,7 +142,9 @@ def newton(
             used[k] = touch.state[k]
             if used[k] != OPEN:
                 n, way = at(touch.normal, k), at(touch.way, k)
-                still = plus(plus(at(touch.spring, k), touch.gap[k], n), -1.0, at(shut, k))
+                still = add_scaled(
+                    add_scaled(at(touch.spring, k), touch.gap[k], n), -1.0, at(shut, k)
+                )
                 pull = stiffened(n, way, used[k], turn[k], kn, ks, mu, still)
                 for m in range(touch.columns[k]):
                     right[touch.column[k, m]] -= dot(at(touch.field[k], m), pull)
@@ -147,9 +154,9 @@ def newton(
             n, way, moves = at(touch.normal, k), at(touch.way, k), moved_by(k, touch, ahead, shut)
             opened, taken = dot(moves, n), NOWHERE
             if used[k] == SLIDE:
-                taken = plus(NOWHERE, -mu * kn * (touch.gap[k] + opened), way)
-                stretch = plus(at(touch.spring, k), 1.0, plus(moves, -opened, n))
-                taken = plus(taken, turn[k], plus(stretch, -dot(way, stretch), way))
+                taken = add_scaled(NOWHERE, -mu * kn * (touch.gap[k] + opened), way)
+                stretch = add_scaled(at(touch.spring, k), 1.0, add_scaled(moves, -opened, n))
+                taken = add_scaled(taken, turn[k], add_scaled(stretch, -dot(way, stretch), way))
             put(relative, k, moves)
             put(rub, k, taken)
         now, share, ended = unbalanced(ahead, touch, turn, *rest), 1.0, True
@@ -157,7 +164,7 @@ def newton(
             ended = ended and touch.state[k] == used[k]
             if touch.state[k] == SLIDE:
                 force = mu * touch.push[k]
-                off = plus(plus(NOWHERE, force, at(touch.way, k)), -1.0, at(rub, k))
+                off = add_scaled(add_scaled(NOWHERE, force, at(touch.way, k)), -1.0, at(rub, k))
                 ended = ended and np.sqrt(dot(off, off)) <= tolerance * force
         while not (ended or now < (1.0 - LEAST * share) * left or share < LEAST):
             share *= 0.5

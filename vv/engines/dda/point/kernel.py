@@ -8,7 +8,7 @@ from vv.engines.dda.law import OPEN, SLIDE, STICK, respond, returned
 from vv.engines.dda.limits import CUTS, GAIN
 from vv.engines.kernels.compiled import compiled
 from vv.engines.kernels.drive import Drive, travel, value
-from vv.engines.kernels.triples import NOWHERE, Triple, dot, plus
+from vv.engines.kernels.triples import NOWHERE, Triple, add_scaled, dot
 from vv.scene import Vector
 
 
@@ -51,15 +51,18 @@ def slide_point(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
     x, v, shift, spring, way = NOWHERE, velocity, NOWHERE, NOWHERE, NOWHERE
     state, push, done = OPEN, 0.0, -settling
     if pressed:
-        push = max(0.0, -dot(plus(load, mass, gravity), normal)) / points
+        push = max(0.0, -dot(add_scaled(load, mass, gravity), normal)) / points
         if push > 0.0:
-            x, state = plus(NOWHERE, -gap - push / kn, normal), STICK if ks is not None else SLIDE
+            x, state = (
+                add_scaled(NOWHERE, -gap - push / kn, normal),
+                STICK if ks is not None else SLIDE,
+            )
             if ks is not None and mu is not None:
-                pull = plus(load, mass, gravity)
-                pull = plus(pull, -dot(pull, normal), normal)
+                pull = add_scaled(load, mass, gravity)
+                pull = add_scaled(pull, -dot(pull, normal), normal)
                 size = np.sqrt(dot(pull, pull)) / points
                 part = 1.0 if size <= mu * push else mu * push / size
-                spring = plus(NOWHERE, hold * part / (points * ks), pull)
+                spring = add_scaled(NOWHERE, hold * part / (points * ks), pull)
     origin = x
     rubbed = lost = damped = fallen = worked = carried = shaken = created = 0.0
     residual = deepest = excess = adrift = peak = 0.0
@@ -75,31 +78,31 @@ def slide_point(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
                     wall = travel(base, done * dt + begin + part)
                 if shaking is not None and done >= 0:
                     shake = value(shaking, done * dt + begin + part)
-                moved = plus(wall, -1.0, shift)
-                space = gap + dot(normal, plus(x, -1.0, shift))
+                moved = add_scaled(wall, -1.0, shift)
+                space = gap + dot(normal, add_scaled(x, -1.0, shift))
                 c = 2.0 * mass / (part * part)
-                outer = plus(plus(load, mass, gravity), mass, shake)
-                f = plus(outer, c * part, v)
+                outer = add_scaled(add_scaled(load, mass, gravity), mass, shake)
+                f = add_scaled(outer, c * part, v)
                 f_n = dot(f, normal)
-                f_t = plus(f, -f_n, normal)
+                f_t = add_scaled(f, -f_n, normal)
                 moved_n = dot(moved, normal)
-                moved_t = plus(moved, -moved_n, normal)
+                moved_t = add_scaled(moved, -moved_n, normal)
                 now, force, along, wrong, ended = state, push, way, 0.0, False
                 for count in range(1, iterations + 1):
                     used, rub = now, NOWHERE
                     closed = points * kn if used != OPEN else 0.0
                     d_n = (f_n - closed * (space - moved_n)) / (c + closed)
-                    d_t = plus(NOWHERE, 1.0 / c, f_t)
+                    d_t = add_scaled(NOWHERE, 1.0 / c, f_t)
                     if mu is not None and ks is not None:
                         if used == STICK:
-                            pull = plus(spring, -1.0, moved_t)
-                            held = plus(f_t, -points * ks, pull)
-                            d_t = plus(NOWHERE, 1.0 / (c + points * ks), held)
+                            pull = add_scaled(spring, -1.0, moved_t)
+                            held = add_scaled(f_t, -points * ks, pull)
+                            d_t = add_scaled(NOWHERE, 1.0 / (c + points * ks), held)
                         elif used == SLIDE:
-                            rub = plus(NOWHERE, mu * force, along)
-                            d_t = plus(NOWHERE, 1.0 / c, plus(f_t, -points, rub))
+                            rub = add_scaled(NOWHERE, mu * force, along)
+                            d_t = add_scaled(NOWHERE, 1.0 / c, add_scaled(f_t, -points, rub))
                     after = space + d_n - moved_n
-                    slip = plus(d_t, -1.0, moved_t)
+                    slip = add_scaled(d_t, -1.0, moved_t)
                     ease = c / points
                     if tolerance < np.inf:
                         now, force, along = returned(
@@ -111,7 +114,7 @@ def slide_point(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
                         )
                     ended = now == used
                     if mu is not None and used == SLIDE and now == SLIDE:
-                        off = plus(plus(NOWHERE, mu * force, along), -1.0, rub)
+                        off = add_scaled(add_scaled(NOWHERE, mu * force, along), -1.0, rub)
                         wrong = np.sqrt(dot(off, off))
                         ended = ended and not wrong > tolerance * mu * force
                     solved, most = solved + 1, max(most, count)
@@ -121,28 +124,28 @@ def slide_point(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
                     part, cuts = 0.5 * part, cuts + 1
                     continue
                 failed += 0 if ended else 1
-                d = plus(d_t, d_n, normal)
-                new = plus(plus(NOWHERE, 2.0 / part, d), -1.0, v)
+                d = add_scaled(d_t, d_n, normal)
+                new = add_scaled(add_scaled(NOWHERE, 2.0 / part, d), -1.0, v)
                 before, beyond = max(-space, 0.0), max(-after, 0.0)
                 held_n = -kn * after if used != OPEN else 0.0
                 left = 0.5 * kn * (before * before - beyond * beyond) - held_n * (after - space)
                 lost += points * left
                 created += max(0.0, -points * left)
                 carried += points * held_n * moved_n
-                pull = plus(NOWHERE, points * held_n, normal)
+                pull = add_scaled(NOWHERE, points * held_n, normal)
                 if ks is not None and mu is not None:
                     old = 0.5 * points * ks * dot(spring, spring)
                     if used == STICK:
-                        spring = plus(spring, 1.0, slip)
+                        spring = add_scaled(spring, 1.0, slip)
                         lost += points * ks * dot(spring, slip)
                         lost += old - 0.5 * points * ks * dot(spring, spring)
                         carried -= points * ks * dot(spring, moved_t)
                     elif used == SLIDE:
-                        was, spring = spring, plus(NOWHERE, hold / ks, rub)
-                        jump = plus(spring, -1.0, was)
+                        was, spring = spring, add_scaled(NOWHERE, hold / ks, rub)
+                        jump = add_scaled(spring, -1.0, was)
                         lost += points * hold * dot(rub, jump)
                         lost += old - 0.5 * points * ks * dot(spring, spring)
-                        slip = plus(slip, -hold, jump)
+                        slip = add_scaled(slip, -hold, jump)
                     else:
                         spring = NOWHERE
                         lost += old
@@ -153,11 +156,15 @@ def slide_point(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
                         carried -= points * dot(rub, moved_t)
                         if now == SLIDE:
                             residual = max(residual, wrong)
-                    rubs = plus(NOWHERE, -ks, spring) if used == STICK else plus(NOWHERE, -1.0, rub)
-                    pull = plus(pull, points, rubs)
+                    rubs = (
+                        add_scaled(NOWHERE, -ks, spring)
+                        if used == STICK
+                        else add_scaled(NOWHERE, -1.0, rub)
+                    )
+                    pull = add_scaled(pull, points, rubs)
                     excess = max(excess, np.sqrt(dot(rubs, rubs)) - mu * max(held_n, 0.0))
-                gain = plus(plus(NOWHERE, c, d), -c * part, v)
-                off = plus(plus(gain, -1.0, outer), -1.0, pull)
+                gain = add_scaled(add_scaled(NOWHERE, c, d), -c * part, v)
+                off = add_scaled(add_scaled(gain, -1.0, outer), -1.0, pull)
                 adrift = max(adrift, np.sqrt(dot(off, off)))
                 peak = max(peak, held_n, np.sqrt(dot(gain, gain)), np.sqrt(dot(outer, outer)))
                 deepest = max(deepest, -after)
@@ -165,7 +172,7 @@ def slide_point(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
                 worked += dot(load, d)
                 shaken += mass * dot(shake, d)
                 damped += 0.5 * mass * (1.0 - dd * dd) * dot(new, new)
-                x, v, shift = plus(x, 1.0, d), plus(NOWHERE, dd, new), wall
+                x, v, shift = add_scaled(x, 1.0, d), add_scaled(NOWHERE, dd, new), wall
                 state, push, way = now, force, along
                 begin += part
                 if begin + part > dt * (1.0 + 1e-12):
@@ -174,8 +181,8 @@ def slide_point(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
         if row == 0:
             origin = x
             rubbed = lost = damped = fallen = worked = carried = shaken = created = 0.0
-        moved = plus(x, -1.0, origin)
-        over = max(0.0, -(gap + dot(normal, plus(x, -1.0, shift))))
+        moved = add_scaled(x, -1.0, origin)
+        over = max(0.0, -(gap + dot(normal, add_scaled(x, -1.0, shift))))
         for c_ in range(3):
             path[row, c_], path[row, 3 + c_] = moved[c_], v[c_]
         energy[row, 0] = 0.5 * mass * dot(v, v)

@@ -11,7 +11,7 @@ from vv.engines.dem.bonds.law import Frail, arms, beyond, charged, rolled, stret
 from vv.engines.dem.contact.friction import turned
 from vv.engines.dem.space.neighbours import State
 from vv.engines.kernels.compiled import inlined
-from vv.engines.kernels.triples import NOWHERE, Triple, at, cross, dot, plus, put
+from vv.engines.kernels.triples import NOWHERE, Triple, add_scaled, at, cross, dot, put
 from vv.scene import Vector
 
 Like = tuple[float, float, float, float]
@@ -53,8 +53,8 @@ def fetch(
     """How the ends of the bonds of block k move, and turn, into row c of scratch."""
     for q in range(many):
         i, j = ends[k, q], ends[k, WIDE + q]
-        note(scratch, c, MOVED, q, plus(at(u, j), -1.0, at(u, i)))
-        note(scratch, c, STEP, q, plus(at(v, j), -1.0, at(v, i)))
+        note(scratch, c, MOVED, q, add_scaled(at(u, j), -1.0, at(u, i)))
+        note(scratch, c, STEP, q, add_scaled(at(v, j), -1.0, at(v, i)))
         if w is not None:
             note(scratch, c, SPIN_I, q, at(w, i))
             note(scratch, c, SPIN_J, q, at(w, j))
@@ -86,8 +86,8 @@ def bend(
         now, n, length, stretch = stretched(r, moved, first, strained)
         along, across, s = own(table, like, 0, k, q) * stretch, NOWHERE, NOWHERE
         if ks is not None:
-            m = plus(NOWHERE, dt, three(scratch, c, STEP, q))
-            half, s = plus(now, -0.5, m), three(table, k, SLIP, q)
+            m = add_scaled(NOWHERE, dt, three(scratch, c, STEP, q))
+            half, s = add_scaled(now, -0.5, m), three(table, k, SLIP, q)
             if w is not None:
                 radii = table[k, RADII * WIDE + q], table[k, (RADII + 1) * WIDE + q]
                 spins = three(scratch, c, SPIN_I, q), three(scratch, c, SPIN_J, q)
@@ -96,7 +96,7 @@ def bend(
             if w is not None:
                 s = turned(s, n, twist)
             note(table, k, SLIP, q, s)
-            across = plus(NOWHERE, own(table, like, 1, k, q), s)
+            across = add_scaled(NOWHERE, own(table, like, 1, k, q), s)
         if frail is not None:
             tension, shear = own(table, like, 2, k, q), own(table, like, 3, k, q)
             broken = state[k, q] != 0
@@ -106,7 +106,7 @@ def bend(
             along = 0.0 if breaks | broken else along
             across = NOWHERE if breaks | broken else across
         scratch[c, NORMAL * WIDE + q] = 0.5 * along * stretch
-        note(scratch, c, FORCE, q, plus(across, along, n))
+        note(scratch, c, FORCE, q, add_scaled(across, along, n))
         if ks is not None:
             scratch[c, SHEARED * WIDE + q] = 0.5 * dot(across, s)
             if w is not None:
@@ -134,13 +134,13 @@ def hand_out(
     for q in range(many):
         i, j = base + ends[k, q], base + ends[k, WIDE + q]
         force = three(scratch, c, FORCE, q)
-        put(push, i, plus(at(push, i), 1.0, force))
-        put(push, j, plus(at(push, j), -1.0, force))
+        put(push, i, add_scaled(at(push, i), 1.0, force))
+        put(push, j, add_scaled(at(push, j), -1.0, force))
         normal += scratch[c, NORMAL * WIDE + q]
         if ks is not None:
             sheared += scratch[c, SHEARED * WIDE + q]
             if w is not None:
                 torque = three(scratch, c, TORQUE, q)
-                put(turn, i, plus(at(turn, i), scratch[c, ARMS * WIDE + q], torque))
-                put(turn, j, plus(at(turn, j), scratch[c, (ARMS + 1) * WIDE + q], torque))
+                put(turn, i, add_scaled(at(turn, i), scratch[c, ARMS * WIDE + q], torque))
+                put(turn, j, add_scaled(at(turn, j), scratch[c, (ARMS + 1) * WIDE + q], torque))
     return normal, sheared

@@ -7,7 +7,7 @@ import math
 from vv.engines.dem.rows import Index
 from vv.engines.dem.space.neighbours import Slots
 from vv.engines.kernels.compiled import inlined
-from vv.engines.kernels.triples import NOWHERE, Triple, at, cross, dot, plus, put
+from vv.engines.kernels.triples import NOWHERE, Triple, add_scaled, at, cross, dot, put
 from vv.scene import Vector
 
 Springs = tuple[Index, Vector, Vector, Vector, Vector, Vector]
@@ -23,10 +23,10 @@ def stretched(
     first, strained: length and stretch at t = 0 [m]. A stretch is its first value plus what the
     displacements add, so that small strains keep their digits.
     """
-    now = plus(r, 1.0, moved)
+    now = add_scaled(r, 1.0, moved)
     length = math.sqrt(dot(now, now))
-    more = dot(plus(plus(NOWHERE, 2.0, r), 1.0, moved), moved) / (length + first)
-    return now, plus(NOWHERE, 1.0 / length, now), length, strained + more
+    more = dot(add_scaled(add_scaled(NOWHERE, 2.0, r), 1.0, moved), moved) / (length + first)
+    return now, add_scaled(NOWHERE, 1.0 / length, now), length, strained + more
 
 
 @inlined
@@ -46,10 +46,10 @@ def rolled(
     """
     halfway = math.sqrt(dot(half, half))
     arm_i, arm_j = arms(first, second, halfway)
-    middle = plus(NOWHERE, 1.0 / halfway, half)
-    m = plus(step, -dt, cross(plus(plus(NOWHERE, arm_i, a), arm_j, b), middle))
-    twist = 0.5 * dt * dot(plus(a, 1.0, b), middle)
-    return plus(m, -0.5 * twist, cross(middle, m)), twist  # it turns for half the step only
+    middle = add_scaled(NOWHERE, 1.0 / halfway, half)
+    m = add_scaled(step, -dt, cross(add_scaled(add_scaled(NOWHERE, arm_i, a), arm_j, b), middle))
+    twist = 0.5 * dt * dot(add_scaled(a, 1.0, b), middle)
+    return add_scaled(m, -0.5 * twist, cross(middle, m)), twist  # it turns for half the step only
 
 
 @inlined
@@ -61,8 +61,8 @@ def charged(s: Triple, m: Triple, half: Triple) -> Triple:
     plane, which makes it the integral of L times the angle. What little of m is left along the
     bond changes sign with the next mirror and does not gather.
     """
-    share = dot(half, plus(m, 2.0, s)) / dot(half, half)
-    return plus(plus(s, 1.0, m), -share, half)
+    share = dot(half, add_scaled(m, 2.0, s)) / dot(half, half)
+    return add_scaled(add_scaled(s, 1.0, m), -share, half)
 
 
 @inlined
@@ -95,4 +95,4 @@ def listed(
     put(slots.offset, k, at(offset, p))
     slots.gap[k] = first[p] - radius[p, 0] - radius[p, 1]
     slots.radii[k, 0], slots.radii[k, 1] = radius[p, 0], radius[p, 1]
-    put(slots.shear, k, plus(NOWHERE, -1.0, across))
+    put(slots.shear, k, add_scaled(NOWHERE, -1.0, across))

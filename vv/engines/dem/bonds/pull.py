@@ -12,7 +12,7 @@ from vv.engines.dem.bonds.threads import sweep_shared
 from vv.engines.dem.rows import Index
 from vv.engines.dem.space.neighbours import Slots, State
 from vv.engines.kernels.compiled import inlined, inlined_called, lent
-from vv.engines.kernels.triples import NOWHERE, Triple, at, cross, dot, plus, put
+from vv.engines.kernels.triples import NOWHERE, Triple, add_scaled, at, cross, dot, put
 from vv.scene import Vector
 
 Shares = tuple[Vector, Vector, Vector, Vector]
@@ -50,28 +50,30 @@ def part(
     """
     rows, offset, first, strained, kn, radius = springs
     i, j = rows[p, 0], rows[p, 1]
-    moved, step = plus(at(u, j), -1.0, at(u, i)), plus(at(v, j), -1.0, at(v, i))
+    moved, step = add_scaled(at(u, j), -1.0, at(u, i)), add_scaled(at(v, j), -1.0, at(v, i))
     now, n, length, stretch = stretched(at(offset, p), moved, first[p], strained[p])
-    step = plus(NOWHERE, dt, step)
+    step = add_scaled(NOWHERE, dt, step)
     along, m, s, across = kn[p] * stretch, step, NOWHERE, NOWHERE
     if ks is not None:
         s = three(table, p // WIDE, SLIP, p % WIDE)
         if w is not None:
-            half = plus(now, -0.5, step)
+            half = add_scaled(now, -0.5, step)
             m, _ = rolled(step, half, dt, at(w, i), at(w, j), radius[p, 0], radius[p, 1])
-        across = plus(NOWHERE, ks[p], s)
+        across = add_scaled(NOWHERE, ks[p], s)
     pressed, share = kept(along, across, frail[2])
     lost[0] += 0.5 * (along - pressed) * (stretch - dot(step, n))
-    lost[1] += 0.5 * (1.0 - share) * dot(across, plus(plus(NOWHERE, 1.0 + share, s), -1.0, m))
-    across = plus(NOWHERE, share, across)
+    lost[1] += (
+        0.5 * (1.0 - share) * dot(across, add_scaled(add_scaled(NOWHERE, 1.0 + share, s), -1.0, m))
+    )
+    across = add_scaled(NOWHERE, share, across)
     listed(p, across, springs, frail, slots, many)
-    force = plus(across, pressed, n)
-    put(push, i, plus(at(push, i), 1.0, force))
-    put(push, j, plus(at(push, j), -1.0, force))
+    force = add_scaled(across, pressed, n)
+    put(push, i, add_scaled(at(push, i), 1.0, force))
+    put(push, j, add_scaled(at(push, j), -1.0, force))
     if turn is not None:
         arm_i, arm_j = arms(radius[p, 0], radius[p, 1], length)
-        put(turn, i, plus(at(turn, i), arm_i, cross(n, across)))
-        put(turn, j, plus(at(turn, j), arm_j, cross(n, across)))
+        put(turn, i, add_scaled(at(turn, i), arm_i, cross(n, across)))
+        put(turn, j, add_scaled(at(turn, j), arm_j, cross(n, across)))
     return 0.5 * pressed * stretch, 0.5 * share * dot(across, s)
 
 
@@ -81,7 +83,7 @@ def added(push: Vector, pushes: Vector, window: Index, chunks: int) -> None:
     rows = len(pushes) // chunks
     for c in range(chunks):
         for i in range(window[c, 0], window[c, 1]):
-            put(push, i, plus(at(push, i), 1.0, at(pushes, c * rows + i)))
+            put(push, i, add_scaled(at(push, i), 1.0, at(pushes, c * rows + i)))
 
 
 @lent

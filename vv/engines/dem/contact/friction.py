@@ -6,7 +6,7 @@ import math
 
 from vv.engines.dem.contact.touch import Touch
 from vv.engines.kernels.compiled import inlined
-from vv.engines.kernels.triples import NOWHERE, Triple, cross, dot, plus
+from vv.engines.kernels.triples import NOWHERE, Triple, add_scaled, cross, dot
 
 SMALL = 0.01  # an exponent below which 1/x - 1/x' would cancel
 
@@ -25,8 +25,8 @@ def slid(touch: Touch, dt: float) -> tuple[Triple, Triple]:
     """How far the surfaces slid while they touched in a step, and how much more than before [m]."""
     share = dt * share_closed(touch.overlap, touch.opened)
     m, relative, changed = touch.midway, touch.relative, touch.changed
-    slide = plus(NOWHERE, share, plus(relative, -dot(m, relative), m))
-    return slide, plus(NOWHERE, share, plus(changed, -dot(m, changed), m))
+    slide = add_scaled(NOWHERE, share, add_scaled(relative, -dot(m, relative), m))
+    return slide, add_scaled(NOWHERE, share, add_scaled(changed, -dot(m, changed), m))
 
 
 @inlined
@@ -34,7 +34,7 @@ def turned(s: Triple, n: Triple, angle: float) -> Triple:
     """s turned about n, to which it is perpendicular, by a small angle [rad]; keeps its length."""
     square = 0.25 * angle * angle
     cosine, sine = (1.0 - square) / (1.0 + square), angle / (1.0 + square)
-    return plus(plus(NOWHERE, cosine, s), sine, cross(n, s))
+    return add_scaled(add_scaled(NOWHERE, cosine, s), sine, cross(n, s))
 
 
 @inlined
@@ -57,10 +57,12 @@ def sheared(
     takes some whenever the old force is below the cap, too.
     """
     n, n_before = touch.n, touch.n_before
-    old = plus(spring, -dot(n, spring) / (1.0 + dot(n, n_before)), plus(n, 1.0, n_before))
+    old = add_scaled(
+        spring, -dot(n, spring) / (1.0 + dot(n, n_before)), add_scaled(n, 1.0, n_before)
+    )
     old, slide = twisted(old, slide, n, touch.twist)
-    slide = plus(slide, -dot(n, slide), n)
-    trial = plus(old, -ks, slide)
+    slide = add_scaled(slide, -dot(n, slide), n)
+    trial = add_scaled(old, -ks, slide)
     if dot(trial, trial) <= caps[1] * caps[1]:
         return trial, 0.0
     new, taken = capped(old, slipping(old, trial, slide, change, ks, caps), slide, ks, caps[1])
@@ -74,15 +76,15 @@ def twisted(old: Triple, slide: Triple, n: Triple, twist: float | None) -> tuple
     """A force turned about n by a twist, if anything turns, and a slide that charges it."""
     if twist is None:
         return old, slide
-    return turned(old, n, twist), plus(slide, 0.5 * twist, cross(n, slide))
+    return turned(old, n, twist), add_scaled(slide, 0.5 * twist, cross(n, slide))
 
 
 @inlined
 def capped(old: Triple, pull: Triple, slide: Triple, ks: float, cap: float) -> tuple[Triple, float]:
     """The force along `pull` at the cap, and the energy that friction took to bring it there."""
-    new = plus(NOWHERE, cap / math.sqrt(dot(pull, pull)), pull)
-    slip = plus(slide, 1.0 / ks, plus(new, -1.0, old))
-    return new, -0.5 * dot(plus(old, 1.0, new), slip)
+    new = add_scaled(NOWHERE, cap / math.sqrt(dot(pull, pull)), pull)
+    slip = add_scaled(slide, 1.0 / ks, add_scaled(new, -1.0, old))
+    return new, -0.5 * dot(add_scaled(old, 1.0, new), slip)
 
 
 @inlined
@@ -109,11 +111,11 @@ def slipping(
     x = 2.0 * ks * math.sqrt(moved) / (caps[0] + caps[1])
     fading = math.exp(-x)
     late = 0.5 * (1.0 + fading) / (1.0 - fading) - 1.0 / x if x > SMALL else x / 12.0
-    across = plus(change, -dot(change, slide) / moved, slide)
-    aim = plus(slide, late, across)
+    across = add_scaled(change, -dot(change, slide) / moved, slide)
+    aim = add_scaled(slide, late, across)
     longer, size = math.sqrt(dot(aim, aim)), math.sqrt(dot(old, old))
     cosine = -dot(old, aim) / (longer * size)
     # a force that has not reached the cap yet counts for less than one that turns at the cap
     kept = 2.0 * fading / (caps[0] if cosine > 0.0 else size)
     gained = 1.0 - fading * fading + cosine * (1.0 - fading) ** 2
-    return plus(plus(NOWHERE, kept, old), -gained / longer, aim)
+    return add_scaled(add_scaled(NOWHERE, kept, old), -gained / longer, aim)

@@ -9,7 +9,7 @@ from vv.engines.dem.contact.touch import Touch
 from vv.engines.dem.rows import Index
 from vv.engines.dem.space.bodies import Motion
 from vv.engines.kernels.compiled import inlined
-from vv.engines.kernels.triples import NOWHERE, Triple, at, cross, dot, plus, put
+from vv.engines.kernels.triples import NOWHERE, Triple, add_scaled, at, cross, dot, put
 from vv.scene import Vector
 
 Pairs = tuple[Index, Vector, Vector, Vector]
@@ -33,11 +33,11 @@ def apart(u: Vector, pairs: Pairs, p: int) -> tuple[float, Triple, float]:
     """
     rows, offset, gap, radius = pairs
     start = at(offset, p)
-    moved = plus(at(u, rows[p, 1]), -1.0, at(u, rows[p, 0]))
-    d = plus(start, 1.0, moved)
+    moved = add_scaled(at(u, rows[p, 1]), -1.0, at(u, rows[p, 0]))
+    d = add_scaled(start, 1.0, moved)
     length = math.sqrt(dot(d, d))
     length_start = gap[p] + radius[p, 0] + radius[p, 1]
-    overlap = -gap[p] - dot(moved, plus(start, 1.0, d)) / (length_start + length)
+    overlap = -gap[p] - dot(moved, add_scaled(start, 1.0, d)) / (length_start + length)
     return overlap, d, length
 
 
@@ -46,12 +46,12 @@ def last_step(
     d: Triple, length: float, relative: Triple, dt: float
 ) -> tuple[Triple, Triple, float]:
     """How a pair came to the offset d [m] in a step: normals before and midway, gap opened [m]."""
-    back = plus(d, -dt, relative)
+    back = add_scaled(d, -dt, relative)
     length_back = math.sqrt(dot(back, back))
-    n_before = plus(NOWHERE, 1.0 / length_back, back)
-    both = plus(n_before, 1.0 / length, d)
-    opened = dt * dot(relative, plus(d, 1.0, back)) / (length + length_back)
-    return n_before, plus(NOWHERE, 1.0 / math.sqrt(dot(both, both)), both), opened
+    n_before = add_scaled(NOWHERE, 1.0 / length_back, back)
+    both = add_scaled(n_before, 1.0 / length, d)
+    opened = dt * dot(relative, add_scaled(d, 1.0, back)) / (length + length_back)
+    return n_before, add_scaled(NOWHERE, 1.0 / math.sqrt(dot(both, both)), both), opened
 
 
 @inlined
@@ -68,19 +68,22 @@ def touch_of(
     """How pair p came to where it is now, which `apart` says, with the normal n."""
     (overlap, d, length), v, before = now, motion.v, motion.before
     i, j = pairs[0][p, 0], pairs[0][p, 1]
-    relative = plus(at(v, j), -1.0, at(v, i))
-    changed = plus(relative, -1.0, plus(at(before, j), -1.0, at(before, i)))
+    relative = add_scaled(at(v, j), -1.0, at(v, i))
+    changed = add_scaled(relative, -1.0, add_scaled(at(before, j), -1.0, at(before, i)))
     n_before, m, opened = last_step(d, length, relative, dt)
-    rates = dot(n_before, plus(relative, -0.5, changed)), dot(n, plus(relative, 0.5, changed))
+    rates = (
+        dot(n_before, add_scaled(relative, -0.5, changed)),
+        dot(n, add_scaled(relative, 0.5, changed)),
+    )
     if w is not None and spun is not None:
         # the contact point lies in the middle of the overlap, at the middle of the step
         inside = 0.5 * (overlap + 0.5 * opened)
         first, second = pairs[3][p, 0] - inside, pairs[3][p, 1] - inside
-        rolled = plus(plus(NOWHERE, first, at(w, i)), second, at(w, j))
-        rolled_before = plus(plus(NOWHERE, first, at(spun, i)), second, at(spun, j))
-        relative = plus(relative, -1.0, cross(rolled, m))
-        changed = plus(changed, -1.0, cross(plus(rolled, -1.0, rolled_before), m))
-        twist = 0.5 * dt * dot(plus(at(w, i), 1.0, at(w, j)), m)
+        rolled = add_scaled(add_scaled(NOWHERE, first, at(w, i)), second, at(w, j))
+        rolled_before = add_scaled(add_scaled(NOWHERE, first, at(spun, i)), second, at(spun, j))
+        relative = add_scaled(relative, -1.0, cross(rolled, m))
+        changed = add_scaled(changed, -1.0, cross(add_scaled(rolled, -1.0, rolled_before), m))
+        twist = 0.5 * dt * dot(add_scaled(at(w, i), 1.0, at(w, j)), m)
     else:
         twist = None
     return Touch(overlap, opened, n, n_before, m, rates, relative, changed, twist)
@@ -94,8 +97,8 @@ def turn_pair(
     if turn is not None:
         rows, _, _, radius = pairs
         i, j, torque = rows[p, 0], rows[p, 1], cross(across, n)
-        put(turn, i, plus(at(turn, i), radius[p, 0] - 0.5 * overlap, torque))
-        put(turn, j, plus(at(turn, j), radius[p, 1] - 0.5 * overlap, torque))
+        put(turn, i, add_scaled(at(turn, i), radius[p, 0] - 0.5 * overlap, torque))
+        put(turn, j, add_scaled(at(turn, j), radius[p, 1] - 0.5 * overlap, torque))
 
 
 @inlined
@@ -122,10 +125,10 @@ def pair_forces(
             if friction is not None:
                 put(shear, p, NOWHERE)
             continue
-        n = plus(NOWHERE, 1.0 / length, d)
+        n = add_scaled(NOWHERE, 1.0 / length, d)
         reduced = radius[p, 0] * radius[p, 1] / (radius[p, 0] + radius[p, 1])
         along, held = pressed(law, overlap, reduced)
-        force = plus(NOWHERE, along, n)
+        force = add_scaled(NOWHERE, along, n)
         normal += held
         if friction is not None:
             touch = touch_of(motion, motion.w, motion.spun, pairs, p, now, n, dt)
@@ -133,8 +136,8 @@ def pair_forces(
             lost += taken
             sprung += charged
             put(shear, p, across)
-            force = plus(force, 1.0, across)
+            force = add_scaled(force, 1.0, across)
             turn_pair(motion.turn, pairs, p, overlap, n, across)
-        put(push, i, plus(at(push, i), -1.0, force))
-        put(push, j, plus(at(push, j), 1.0, force))
+        put(push, i, add_scaled(at(push, i), -1.0, force))
+        put(push, j, add_scaled(at(push, j), 1.0, force))
     return normal, sprung, lost

@@ -8,7 +8,7 @@ from vv.engines.dem.contact.touch import Touch
 from vv.engines.dem.rows import Index
 from vv.engines.dem.space.bodies import Motion
 from vv.engines.kernels.compiled import inlined
-from vv.engines.kernels.triples import NOWHERE, Triple, at, cross, dot, plus, put
+from vv.engines.kernels.triples import NOWHERE, Triple, add_scaled, at, cross, dot, put
 from vv.scene import Vector
 
 Walls = tuple[Index, Vector, Vector, Vector]
@@ -46,7 +46,7 @@ def carried(v: Vector, moving: Moving | None, q: int, dt: float) -> float:
     if moving is None:
         return 0.0
     grounds, acting = moving
-    return float(dot(at(acting, q), plus(NOWHERE, 0.5 * dt, at(v, grounds[q]))))
+    return float(dot(at(acting, q), add_scaled(NOWHERE, 0.5 * dt, at(v, grounds[q]))))
 
 
 @inlined
@@ -61,12 +61,12 @@ def past(motion: Motion, i: int, moving: Moving | None, q: int) -> tuple[Triple,
     """How sphere i moved past a wall [m/s], and how that changed since the step before."""
     v, before = motion.v, motion.before
     relative = at(v, i)
-    changed = plus(relative, -1.0, at(before, i))
+    changed = add_scaled(relative, -1.0, at(before, i))
     if moving is not None:
         ground = moving[0][q]
-        relative = plus(relative, -1.0, at(v, ground))
-        changed = plus(changed, -1.0, at(v, ground))
-        changed = plus(changed, 1.0, at(before, ground))
+        relative = add_scaled(relative, -1.0, at(v, ground))
+        changed = add_scaled(changed, -1.0, at(v, ground))
+        changed = add_scaled(changed, 1.0, at(before, ground))
     return relative, changed
 
 
@@ -88,8 +88,8 @@ def touch_of(
     rates = dot(n, relative) - more, dot(n, relative) + more
     if w is not None and spun is not None:
         arm = 0.5 * (overlap + 0.5 * opened) - radius
-        relative = plus(relative, arm, cross(at(w, i), n))
-        changed = plus(changed, arm, cross(plus(at(w, i), -1.0, at(spun, i)), n))
+        relative = add_scaled(relative, arm, cross(at(w, i), n))
+        changed = add_scaled(changed, arm, cross(add_scaled(at(w, i), -1.0, at(spun, i)), n))
         twist = 0.5 * dt * dot(at(w, i), n)
     else:
         twist = None
@@ -101,7 +101,7 @@ def turn_sphere(turn: Vector | None, walls: Walls, q: int, overlap: float, acros
     """Add the torque of a force across the contact with a wall, if any sphere turns."""
     if turn is not None:
         i, arm = walls[0][q], walls[3][q] - 0.5 * overlap
-        put(turn, i, plus(at(turn, i), arm, cross(across, at(walls[1], q))))
+        put(turn, i, add_scaled(at(turn, i), arm, cross(across, at(walls[1], q))))
 
 
 @inlined
@@ -130,7 +130,7 @@ def wall_forces(
                 put(shear, q, NOWHERE)
             continue
         along, held = pressed(law, overlap, radius[q])
-        force = plus(NOWHERE, along, n)
+        force = add_scaled(NOWHERE, along, n)
         normal += held
         if friction is not None:
             touch = touch_of(motion, motion.w, motion.spun, walls, moving, q, overlap, dt)
@@ -138,9 +138,9 @@ def wall_forces(
             lost += taken
             sprung += charged
             put(shear, q, across)
-            force = plus(force, 1.0, across)
+            force = add_scaled(force, 1.0, across)
             turn_sphere(motion.turn, walls, q, overlap, across)
         keep(moving, q, force)
         work += carried(motion.v, moving, q, dt)
-        put(push, i, plus(at(push, i), 1.0, force))
+        put(push, i, add_scaled(at(push, i), 1.0, force))
     return normal, sprung, lost, work

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from vv.engines.dem.terms.drag import Drag, drawn
 from vv.engines.kernels.compiled import inlined
-from vv.engines.kernels.triples import NOWHERE, Triple, at, dot, plus, put
+from vv.engines.kernels.triples import NOWHERE, Triple, add_scaled, at, dot, put
 from vv.scene import Vector
 
 
@@ -39,8 +39,8 @@ def place(
         start = at(velocity, i)
         rate = held(at(force, i), hold, i)
         if drag is not None:
-            rate = drawn(plus(rate, -drag.eta, start), drag.eta, drag.steady, i)
-        put(v, i, plus(start, -time / mass[i], rate))
+            rate = drawn(add_scaled(rate, -drag.eta, start), drag.eta, drag.steady, i)
+        put(v, i, add_scaled(start, -time / mass[i], rate))
         kinetic += 0.5 * mass[i] * dot(start, start)
     return kinetic
 
@@ -67,7 +67,7 @@ def kick(
         old, push = at(v, i), held(at(force, i), hold, i)
         new = carried_on(old, push, mass[i], dt, drag, lag, i)
         if drag is not None:
-            loss = plus(plus(NOWHERE, drag.eta * lag, old), drag.eta * (1.0 - lag), new)
+            loss = add_scaled(add_scaled(NOWHERE, drag.eta * lag, old), drag.eta * (1.0 - lag), new)
             behind += dot(loss, old)
             ahead += dot(loss, new)
         put(before, i, old)
@@ -82,8 +82,8 @@ def carried_on(
 ) -> Triple:
     """The velocity of body i half a step after now, from that half a step before."""
     if drag is None:
-        return plus(old, dt / mass, push)
+        return add_scaled(old, dt / mass, push)
     rate = drag.eta * dt / mass
     share = 1.0 / (1.0 + (1.0 - lag) * rate)
-    kept = plus(NOWHERE, share * (1.0 - lag * rate), old)
-    return plus(drawn(kept, share * rate, drag.steady, i), share * dt / mass, push)
+    kept = add_scaled(NOWHERE, share * (1.0 - lag * rate), old)
+    return add_scaled(drawn(kept, share * rate, drag.steady, i), share * dt / mass, push)

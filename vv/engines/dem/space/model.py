@@ -30,16 +30,16 @@ class SpaceState(NamedTuple):
     terms: tuple[Any, ...]
     near: Near | None
 
-    def told(self, name: str, absent: object, *given: object) -> list[Any]:
-        """What the files of all terms say: see `told`."""
-        return told(self.terms, name, absent, *given)
+    def of_each_term(self, name: str, absent: object, *given: object) -> list[Any]:
+        """What the files of all terms say: see `of_each_term`."""
+        return of_each_term(self.terms, name, absent, *given)
 
     def term(self, kind: type) -> Any:
         """The term of a class; None if there is none."""
         return next((term for term in self.terms if isinstance(term, kind)), None)
 
 
-def told(terms: tuple[Any, ...], name: str, absent: object, *given: object) -> list[Any]:
+def of_each_term(terms: tuple[Any, ...], name: str, absent: object, *given: object) -> list[Any]:
     """What the file of each term says by the function of this name; absent where it has none."""
     files = [sys.modules[type(term).__module__] for term in terms]
     return [
@@ -67,7 +67,7 @@ class Space:
         """What the kernel fills, path and energy, and the rows it watches."""
         watched = self.row[np.array(spheres, np.intp)]
         across = 3 + 3 * len(self.unknowns) + (0 if self.state.bodies.hold is None else 3)
-        forms = [form for booked in self.state.told("forms", ()) for form in booked]
+        forms = [form for booked in self.state.of_each_term("forms", ()) for form in booked]
         return np.empty((rows, len(watched), across)), np.zeros((rows, width(forms))), watched
 
     def kernel(self) -> Callable[..., int]:
@@ -111,16 +111,16 @@ def space(scene: Scene, charged: Vector | None = None) -> Space:
     here = placed(scene, charged)
     built = (file.build(here) for file in every.TERMS)
     terms = tuple(term for term in built if term is not None)
-    turns = Term.ROTATION in scene.terms() and any(told(terms, "turns", False))
+    turns = Term.ROTATION in scene.terms() and any(of_each_term(terms, "turns", False))
     state = SpaceState(_bodies(here, turns), terms, here.near)
     left_out = {term for file in every.TERMS for term in getattr(file, "STANDS_FOR", ())}
-    left_out = left_out.difference(*state.told("models", ()))
+    left_out = left_out.difference(*state.of_each_term("models", ()))
     if not turns and scene.spheres.spin.any():
         left_out |= {Term.ROTATION}
     count = len(state.bodies.velocity)
     words = f"{3 * count * (2 if turns else 1)} unknowns: {count} moving spheres"
     words += " that turn" if turns else ""
-    words += "".join(state.told("words", ""))
+    words += "".join(state.of_each_term("words", ""))
     return Space(here.row, state, scene.terms() - left_out, words)
 
 

@@ -12,7 +12,7 @@ from vv.engines.dem.rows import Index
 from vv.engines.dem.space.bodies import Motion
 from vv.engines.kernels.bundles import bundle
 from vv.engines.kernels.compiled import called, inlined, inlined_called
-from vv.engines.kernels.triples import at, dot, plus, put
+from vv.engines.kernels.triples import add_scaled, at, dot, put
 from vv.scene import Vector
 
 State = npt.NDArray[np.uint8]
@@ -68,7 +68,7 @@ def strayed(motion: Motion, since: Vector, near: Near) -> bool:
     """Whether some sphere has moved by half the skin [m] since it was at `since` (m, 3)."""
     u, limit = motion.u, 0.25 * near.skin * near.skin
     for i in range(len(since)):
-        d = plus(at(u, i), -1.0, at(since, i))
+        d = add_scaled(at(u, i), -1.0, at(since, i))
         if dot(d, d) > limit:
             return True
     return False
@@ -118,7 +118,7 @@ def swept(near: Near, u: Vector) -> Index:
     n, ground, widest = len(radius), 0, 0.0
     place = np.empty((n, 3))
     for i in range(n):
-        put(place, i, plus(at(position, i), 1.0, at(u, row[i])))
+        put(place, i, add_scaled(at(position, i), 1.0, at(u, row[i])))
         ground, widest = max(ground, row[i]), max(widest, radius[i])
     count, cell, first, following = cells(place, 2.0 * widest + skin)
     found, many = np.empty((8 * n, 2), np.intp), 0
@@ -129,7 +129,7 @@ def swept(near: Near, u: Vector) -> Index:
                     j = first[(x * count[1] + y) * count[2] + z]
                     while j >= 0:
                         if j > i and min(row[i], row[j]) < ground:
-                            d = plus(at(place, j), -1.0, at(place, i))
+                            d = add_scaled(at(place, j), -1.0, at(place, i))
                             reach = radius[i] + radius[j] + skin
                             close = dot(d, d) < reach * reach
                             if close and not on_bond(i, j, start, partner, broken):
@@ -167,7 +167,7 @@ def gathered(near: Near, u: Vector, old: Slots, many: Index) -> Slots:
         i, j = pairs[k, 0], pairs[k, 1]
         both[k, 0], both[k, 1], rows[k, 0], rows[k, 1] = i, j, row[i], row[j]
         radii[k, 0], radii[k, 1] = radius[i], radius[j]
-        put(offset, k, plus(at(position, j), -1.0, at(position, i)))
+        put(offset, k, add_scaled(at(position, j), -1.0, at(position, i)))
         gap[k] = math.sqrt(dot(at(offset, k), at(offset, k))) - radius[i] - radius[j]
         before = last[i]
         while before >= 0:

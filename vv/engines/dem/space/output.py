@@ -9,7 +9,7 @@ from vv.engines.dem.space.hooks import Terms, book, resistance
 from vv.engines.dem.space.ledger import column
 from vv.engines.dem.terms.drag import Drag, drawn
 from vv.engines.kernels.compiled import inlined
-from vv.engines.kernels.triples import Triple, at, dot, plus
+from vv.engines.kernels.triples import Triple, add_scaled, at, dot
 from vv.scene import Form, Vector
 
 WALLS = column(Form.WALLS)
@@ -48,7 +48,7 @@ def observe_lock(
 ) -> None:
     """The force of the locks of body i, if any is locked."""
     if hold is not None:
-        force = plus(held(push, hold, i), -1.0, push)
+        force = add_scaled(held(push, hold, i), -1.0, push)
         if drag is not None:
             force = drawn(force, drag.eta, drag.steady, i)
         for c in range(3):

@@ -6,7 +6,7 @@ from vv.engines.dem.space import advance
 from vv.engines.dem.space.bodies import Bodies, Motion
 from vv.engines.dem.space.hooks import Terms, resistance
 from vv.engines.kernels.compiled import inlined
-from vv.engines.kernels.triples import Triple, at, plus, put
+from vv.engines.kernels.triples import Triple, add_scaled, at, put
 from vv.scene import Vector
 
 
@@ -14,7 +14,7 @@ from vv.scene import Vector
 def drift(motion: Motion, m: int, dt: float) -> None:
     """Displace the spheres by a step."""
     for i in range(m):
-        put(motion.u, i, plus(at(motion.u, i), dt, at(motion.v, i)))
+        put(motion.u, i, add_scaled(at(motion.u, i), dt, at(motion.v, i)))
 
 
 @inlined

@@ -21,7 +21,7 @@ from vv.engines.dem.space.placed import Placed
 from vv.engines.dem.terms import pair_contacts, wall_contacts
 from vv.engines.dem.terms.drag import Drag
 from vv.engines.kernels.compiled import inlined
-from vv.engines.kernels.triples import NOWHERE, Triple, at, dot, plus, put
+from vv.engines.kernels.triples import NOWHERE, Triple, add_scaled, at, dot, put
 from vv.scene import Form, Term, Vector
 
 STANDS_FOR = frozenset({Term.CONTACT_VISCOSITY, Term.VISCOUS_FRICTION})
@@ -123,7 +123,11 @@ def viscous(
 def foresee(new: Vector, motion: Motion, first: int) -> None:
     """The velocities of moving walls in the next step, as the two before lead to."""
     for r in range(first, len(new)):
-        put(new, r, plus(plus(NOWHERE, 2.0, at(motion.v, r)), -1.0, at(motion.before, r)))
+        put(
+            new,
+            r,
+            add_scaled(add_scaled(NOWHERE, 2.0, at(motion.v, r)), -1.0, at(motion.before, r)),
+        )
 
 
 @inlined
@@ -134,7 +138,7 @@ def carry(term: Dashpots, moving: Moving | None, v: Vector, ground: int) -> None
         behind = ahead = 0.0
         for k in range(len(ends)):
             if ends[k, 0] > ground:
-                force = plus(NOWHERE, kept[k, FORCE], at(kept, k))
+                force = add_scaled(NOWHERE, kept[k, FORCE], at(kept, k))
                 behind += dot(force, at(v, ends[k, 0]))
                 ahead += dot(force, at(term.new, ends[k, 0]))
         term.done[EARLIER] = term.done[AHEAD]
@@ -177,7 +181,7 @@ def meet(
     if pairs is not None:
         for p in range(len(pairs[0])):
             overlap, d, length = apart(u, pairs, p)
-            close(met[1], k, plus(NOWHERE, 1.0 / length, d), overlap, kn, eta_n)
+            close(met[1], k, add_scaled(NOWHERE, 1.0 / length, d), overlap, kn, eta_n)
             k += 1
     if walls is not None:
         for q in range(len(walls[0])):
@@ -283,8 +287,8 @@ def powers(met: Met, before: tuple[float, float], v: Vector, new: Vector) -> tup
     behind, ahead = before
     for k in range(len(ends)):
         n, i, j = at(kept, k), ends[k, 0], ends[k, 1]
-        behind += kept[k, FORCE] * dot(n, plus(at(v, i), -1.0, at(v, j)))
-        ahead += kept[k, FORCE] * dot(n, plus(at(new, i), -1.0, at(new, j)))
+        behind += kept[k, FORCE] * dot(n, add_scaled(at(v, i), -1.0, at(v, j)))
+        ahead += kept[k, FORCE] * dot(n, add_scaled(at(new, i), -1.0, at(new, j)))
     return behind, ahead
 
 
@@ -305,17 +309,19 @@ def settled(
     n, i, j = at(kept, k), ends[k, 0], ends[k, 1]
     first, second = NOWHERE, NOWHERE
     if i < len(mass):
-        first = plus(NOWHERE, dt / (mass[i] + extra), held(n, hold, i))
+        first = add_scaled(NOWHERE, dt / (mass[i] + extra), held(n, hold, i))
     if j < len(mass):
-        second = plus(NOWHERE, dt / (mass[j] + extra), held(n, hold, j))
-    went = dot(n, plus(at(v, i), -1.0, at(v, j)))
-    goes = dot(n, plus(at(new, i), -1.0, at(new, j)))
+        second = add_scaled(NOWHERE, dt / (mass[j] + extra), held(n, hold, j))
+    went = dot(n, add_scaled(at(v, i), -1.0, at(v, j)))
+    goes = dot(n, add_scaled(at(new, i), -1.0, at(new, j)))
     rate = kept[k, RATE]
     wanted = rate * (lag * went + (1.0 - lag) * goes)
-    by = (wanted - kept[k, FORCE]) / (1.0 + (1.0 - lag) * rate * dot(n, plus(first, 1.0, second)))
+    by = (wanted - kept[k, FORCE]) / (
+        1.0 + (1.0 - lag) * rate * dot(n, add_scaled(first, 1.0, second))
+    )
     by = max(by, -kept[k, SPRING] - kept[k, FORCE])
-    put(new, i, plus(at(new, i), -by, first))
-    put(new, j, plus(at(new, j), by, second))
+    put(new, i, add_scaled(at(new, i), -by, first))
+    put(new, j, add_scaled(at(new, j), by, second))
     return float(kept[k, FORCE] + by)
 
 
@@ -324,7 +330,7 @@ def shove(met: Met, push: Vector, sign: float) -> None:
     """Add the forces of all contacts to push, or take them away."""
     ends, kept = met
     for k in range(len(ends)):
-        force, j = plus(NOWHERE, sign * kept[k, FORCE], at(kept, k)), ends[k, 1]
+        force, j = add_scaled(NOWHERE, sign * kept[k, FORCE], at(kept, k)), ends[k, 1]
         i = min(ends[k, 0], len(push) - 1)  # what pushes a wall that moves is not kept
-        put(push, i, plus(at(push, i), -1.0, force))
-        put(push, j, plus(at(push, j), 1.0, force))
+        put(push, i, add_scaled(at(push, i), -1.0, force))
+        put(push, j, add_scaled(at(push, j), 1.0, force))

@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 from vv.engines.dem.space.placed import Placed
 from vv.engines.kernels.compiled import inlined
-from vv.engines.kernels.triples import Triple, at, plus
+from vv.engines.kernels.triples import Triple, add_scaled, at
 from vv.scene import Vector
 
 
@@ -33,4 +33,4 @@ def drawn(a: Triple, scale: float, steady: Vector | None, i: int) -> Triple:
     """a + scale times the steady velocity of body i."""
     if steady is None:
         return a
-    return plus(a, scale, at(steady, i))
+    return add_scaled(a, scale, at(steady, i))

@@ -9,7 +9,7 @@ from vv.engines.dem.space.bodies import Bodies, Motion
 from vv.engines.dem.space.ledger import column
 from vv.engines.dem.space.placed import Placed
 from vv.engines.kernels.compiled import inlined
-from vv.engines.kernels.triples import Triple, at, dot, plus
+from vv.engines.kernels.triples import Triple, add_scaled, at, dot
 from vv.scene import Form, Vector
 
 GRAVITY = column(Form.GRAVITY)
@@ -30,7 +30,7 @@ def build(placed: Placed) -> Gravity | None:
 @inlined
 def field(term: Gravity, push: Triple, mass: float, i: int) -> Triple:
     """The weight of sphere i."""
-    return plus(push, mass, term.acceleration)
+    return add_scaled(push, mass, term.acceleration)
 
 
 @inlined

@@ -8,7 +8,7 @@ from vv.engines.dem.space.bodies import Bodies, Motion
 from vv.engines.dem.space.ledger import column
 from vv.engines.dem.space.placed import Placed
 from vv.engines.kernels.compiled import inlined
-from vv.engines.kernels.triples import Triple, at, dot, plus
+from vv.engines.kernels.triples import Triple, add_scaled, at, dot
 from vv.scene import Form, Vector
 
 LOAD = column(Form.LOAD)
@@ -29,7 +29,7 @@ def build(placed: Placed) -> Load | None:
 @inlined
 def field(term: Load, push: Triple, mass: float, i: int) -> Triple:
     """The load on sphere i."""
-    return plus(push, 1.0, at(term.load, i))
+    return add_scaled(push, 1.0, at(term.load, i))
 
 
 @inlined

@@ -8,7 +8,7 @@ from vv.engines.dem.space.bodies import Bodies, Motion
 from vv.engines.dem.space.placed import Placed
 from vv.engines.kernels.compiled import called, inlined
 from vv.engines.kernels.drive import Drive, Starts, drives, one_of, travel
-from vv.engines.kernels.triples import NOWHERE, at, plus, put
+from vv.engines.kernels.triples import NOWHERE, add_scaled, at, put
 from vv.scene import Form, Term, Vector
 
 STANDS_FOR = frozenset({Term.BASE_MOTION})
@@ -72,5 +72,5 @@ def carry(
         row = first + k
         there = travel(one_of(sines, start, k), time)
         put(before, row, at(v, row))
-        put(v, row, plus(NOWHERE, 1.0 / dt, plus(there, -1.0, at(u, row))))
+        put(v, row, add_scaled(NOWHERE, 1.0 / dt, add_scaled(there, -1.0, at(u, row))))
         put(u, row, there)

@@ -11,7 +11,7 @@ from vv.engines.dem.space.ledger import column
 from vv.engines.dem.space.placed import Placed
 from vv.engines.kernels.compiled import inlined
 from vv.engines.kernels.drive import Drive, drive, value
-from vv.engines.kernels.triples import Triple, at, dot, plus, put
+from vv.engines.kernels.triples import Triple, add_scaled, at, dot, put
 from vv.scene import Form, Vector
 
 SHAKING = column(Form.SHAKING)
@@ -47,7 +47,7 @@ def begin(term: Shaking, bodies: Bodies, motion: Motion) -> None:
 def move(term: Shaking, bodies: Bodies, motion: Motion, time: float, dt: float) -> None:
     """The acceleration at a time, and the work in the step, by the trapezoidal rule."""
     there = value(term.drive, time)
-    both = plus(at(term.now, 0), 1.0, there)
+    both = add_scaled(at(term.now, 0), 1.0, there)
     work = term.work[0]
     for i in range(len(bodies.mass)):
         work += 0.5 * dt * bodies.mass[i] * dot(both, at(motion.v, i))
@@ -58,7 +58,7 @@ def move(term: Shaking, bodies: Bodies, motion: Motion, time: float, dt: float) 
 @inlined
 def field(term: Shaking, push: Triple, mass: float, i: int) -> Triple:
     """The force on sphere i."""
-    return plus(push, mass, at(term.now, 0))
+    return add_scaled(push, mass, at(term.now, 0))
 
 
 @inlined

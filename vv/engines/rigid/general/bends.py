@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from vv.engines.kernels.compiled import called, lent
 from vv.engines.kernels.drive import mean, one_of, rate
-from vv.engines.kernels.triples import Triple, at, dot, plus, put
+from vv.engines.kernels.triples import Triple, add_scaled, at, dot, put
 from vv.engines.rigid.general.setting import Setting
 from vv.engines.rigid.slip import bend
 from vv.engines.rigid.solver.assembly import Joints, relative
@@ -29,7 +29,7 @@ def bent(
         before, after = relative(joints, c, v_old, w_old), relative(joints, c, v, w)
         sag = sagging(setting, now, span, joints.first[c], n)
         pull = friction.mu * normal * joints.along[c]
-        before, after = plus(before, -dot(before, n), n), plus(after, -dot(after, n), n)
+        before, after = add_scaled(before, -dot(before, n), n), add_scaled(after, -dot(after, n), n)
         turn = bend(before, sag, after, pull)
         put(friction.turn, c, turn)
         there = there or dot(turn, turn) > 0.0
@@ -42,9 +42,9 @@ def sagging(setting: Setting, now: float, span: float, body: int, normal: Triple
     sag, wall = NIL, body - len(setting.mass)
     if wall < 0:
         return sag
-    sag = plus(sag, 0.5 * span, mean(setting.shaking, now, 0.5 * span))
-    sag = plus(sag, -0.5 * span, mean(setting.shaking, now, span))
+    sag = add_scaled(sag, 0.5 * span, mean(setting.shaking, now, 0.5 * span))
+    sag = add_scaled(sag, -0.5 * span, mean(setting.shaking, now, span))
     base = one_of(setting.drives, setting.drive_start, wall)
-    sag = plus(sag, -1.0, rate(base, now + 0.5 * span))
-    sag = plus(plus(sag, 0.5, rate(base, now)), 0.5, rate(base, now + span))
-    return plus(sag, -dot(sag, normal), normal)
+    sag = add_scaled(sag, -1.0, rate(base, now + 0.5 * span))
+    sag = add_scaled(add_scaled(sag, 0.5, rate(base, now)), 0.5, rate(base, now + span))
+    return add_scaled(sag, -dot(sag, normal), normal)

@@ -7,7 +7,7 @@ import numpy as np
 from vv.engines.blocks.geometry import Index
 from vv.engines.kernels.arrays import in_order, rows, same_rows, smaller
 from vv.engines.kernels.compiled import called, lent
-from vv.engines.kernels.triples import at, plus
+from vv.engines.kernels.triples import add_scaled, at
 from vv.engines.rigid.general.setting import Setting
 from vv.engines.rigid.limits import CHAIN, OUTER, POLISHED, SHINED, SMALL, STALLED, STIFF
 from vv.engines.rigid.solver.assembly import Bodies, Joints, load_on
@@ -60,7 +60,7 @@ def without(
     """The velocities (b, 3) that there would be without the impulses p (c, 3)."""
     free_v, free_w = same_rows(v, len(v)), same_rows(w, len(w))
     for c in range(len(p)):
-        load_on(joints, c, bodies, free_v, free_w, plus(NIL, -1.0, at(p, c)))
+        load_on(joints, c, bodies, free_v, free_w, add_scaled(NIL, -1.0, at(p, c)))
     return free_v, free_w
 
 
@@ -103,7 +103,7 @@ def polish(
             p, before, joints, bodies, friction, v, w, tolerance, stiffness, place, apart
         )
         for c in range(len(p)):
-            load_on(joints, c, bodies, v, w, plus(at(p, c), -1.0, at(before, c)))
+            load_on(joints, c, bodies, v, w, add_scaled(at(p, c), -1.0, at(before, c)))
         now = residual(p, joints, friction, v, w)
         if met and now < left:
             left, stiffness = now, 10.0 * stiffness

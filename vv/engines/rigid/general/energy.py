@@ -5,7 +5,7 @@ from __future__ import annotations
 from vv.engines.kernels.arrays import nil_rows, squares
 from vv.engines.kernels.compiled import called, lent
 from vv.engines.kernels.drive import mean
-from vv.engines.kernels.triples import Triple, at, dot, plus, put
+from vv.engines.kernels.triples import Triple, add_scaled, at, dot, put
 from vv.engines.rigid.general.lever_arms import turned_back
 from vv.engines.rigid.general.setting import Setting, State, wall_rates
 from vv.engines.rigid.general.step import Trial
@@ -40,13 +40,13 @@ def book(
     wall_rates(setting, now, v_mid)
     for i in range(b):
         had = at(state.v, i) if i < n else at(v_mid, i)
-        put(v_mid, i, plus(plus(NIL, 0.5, had), 0.5, at(trial.v, i)))
+        put(v_mid, i, add_scaled(add_scaled(NIL, 0.5, had), 0.5, at(trial.v, i)))
         if i < n:
-            put(w_mid, i, plus(plus(NIL, 0.5, at(state.w, i)), 0.5, at(trial.w, i)))
+            put(w_mid, i, add_scaled(add_scaled(NIL, 0.5, at(state.w, i)), 0.5, at(trial.w, i)))
     for c in range(len(trial.p)):
         p = turned_back(trial.turn, c, at(trial.acted, c))
         work(account, trial.middle, c, p, v_mid, w_mid, n)
-        rest = plus(at(trial.p, c), -1.0, at(trial.acted, c))
+        rest = add_scaled(at(trial.p, c), -1.0, at(trial.acted, c))
         work(account, trial.joints, c, rest, v_mid, w_mid, n)
     shake = mean(setting.shaking, now, span)
     for i in range(n):

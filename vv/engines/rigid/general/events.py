@@ -14,7 +14,7 @@ from vv.engines.kernels.arrays import (
     unmarked,
 )
 from vv.engines.kernels.compiled import called, lent
-from vv.engines.kernels.triples import at, dot, plus, put
+from vv.engines.kernels.triples import add_scaled, at, dot, put
 from vv.engines.rigid.general.setting import Past, Setting, State, copied, felt, rates
 from vv.engines.rigid.general.step import Trial, attempt
 from vv.engines.rigid.general.turning import orthonormal, turn_by
@@ -31,9 +31,9 @@ def move(setting: Setting, state: State, trial: Trial, span: float) -> None:
     """Put the trial's end into the state: positions by the trapezoidal rule."""
     for i in range(len(setting.mass)):
         v, w = at(trial.v, i), at(trial.w, i)
-        put(state.centre, i, plus(plus(at(state.centre, i), 0.5 * span, at(state.v, i)),
+        put(state.centre, i, add_scaled(add_scaled(at(state.centre, i), 0.5 * span, at(state.v, i)),
                                   0.5 * span, v))  # fmt: skip
-        angle = plus(plus(NIL, 0.5 * span, at(state.w, i)), 0.5 * span, w)
+        angle = add_scaled(add_scaled(NIL, 0.5 * span, at(state.w, i)), 0.5 * span, w)
         if dot(angle, angle) > 0.0:
             turn_by(angle, same_rows(state.rotation[i], 3), state.rotation[i])
             orthonormal(state.rotation[i])
@@ -156,6 +156,6 @@ def remembered(trial: Trial, span: float, least: float) -> Past:
     for c in range(len(still)):
         n = at(trial.joints.normal, c)
         u = relative(trial.joints, c, trial.v, trial.w)
-        slip = plus(u, -dot(u, n), n)
+        slip = add_scaled(u, -dot(u, n), n)
         still[c] = dot(slip, slip) <= least * least and dot(at(trial.p, c), n) > 0.0
     return Past(trial.key, trial.p / span, still, trial.joints)

@@ -18,7 +18,7 @@ from vv.engines.kernels.arrays import (
     smaller,
 )
 from vv.engines.kernels.compiled import called, compiled, lent
-from vv.engines.kernels.triples import at, dot, plus, put
+from vv.engines.kernels.triples import add_scaled, at, dot, put
 from vv.engines.rigid.general.energy import DRIVEN, SHOVED, book, kinetic
 from vv.engines.rigid.general.events import (
     ends_after,
@@ -52,10 +52,16 @@ def separate(
     start, end = shift_at(setting, now), shift_at(setting, now + span)
     for i in range(b):
         if i < n:
-            put(x, i, plus(at(state.centre, i), -1.0, at(before.centre, i)))
-            put(turn, i, plus(plus(NIL, 0.5 * span, at(before.w, i)), 0.5 * span, at(trial.w, i)))
+            put(x, i, add_scaled(at(state.centre, i), -1.0, at(before.centre, i)))
+            put(
+                turn,
+                i,
+                add_scaled(
+                    add_scaled(NIL, 0.5 * span, at(before.w, i)), 0.5 * span, at(trial.w, i)
+                ),
+            )
         else:
-            put(x, i, plus(at(end, i - n), -1.0, at(start, i - n)))
+            put(x, i, add_scaled(at(end, i - n), -1.0, at(start, i - n)))
     gap, deepest = numbers(len(trial.gaps.gap)), 0.0
     for c in range(len(gap)):
         moved = relative(trial.joints, c, x, turn)
@@ -65,7 +71,7 @@ def separate(
     if deepest > setting.slack:
         push_out(trial.joints, trial.bodies, gap, x, turn, PUSHES)
         for i in range(n):
-            put(state.centre, i, plus(at(state.centre, i), 1.0, at(x, i)))
+            put(state.centre, i, add_scaled(at(state.centre, i), 1.0, at(x, i)))
             if dot(at(turn, i), at(turn, i)) > 0.0:
                 turn_by(at(turn, i), same_rows(state.rotation[i], 3), state.rotation[i])
             account[DRIVEN] += dot(at(setting.force, i), at(x, i))
@@ -80,7 +86,7 @@ def press(reaction: Vector, trial: Trial, span: float, blocks: int) -> None:
     for c in range(len(trial.p)):
         wall = trial.joints.first[c] - blocks
         if wall >= 0:
-            put(reaction, wall, plus(at(reaction, wall), 1.0 / span, at(trial.p, c)))
+            put(reaction, wall, add_scaled(at(reaction, wall), 1.0 / span, at(trial.p, c)))
 
 
 @lent

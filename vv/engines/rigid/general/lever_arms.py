@@ -11,7 +11,7 @@ import numpy as np
 from vv.engines.blocks.geometry import Index
 from vv.engines.kernels.arrays import larger, nil_rows, rows
 from vv.engines.kernels.compiled import called, inlined, lent
-from vv.engines.kernels.triples import Triple, at, cross, dot, plus, put
+from vv.engines.kernels.triples import Triple, add_scaled, at, cross, dot, put
 from vv.engines.rigid.solver.assembly import Bodies, Joints, load_on
 from vv.scene import Vector
 
@@ -32,9 +32,9 @@ def halfway(joints: Joints, before: Index, began: Joints) -> tuple[Joints, Vecto
         n, a, b = at(joints.normal, c), at(joints.arm_first, c), at(joints.arm_second, c)
         row = before[c]
         if row >= 0:
-            put(turn, c, plus(NIL, 0.5, cross(at(began.normal, row), n)))
-            a = plus(plus(NIL, 0.5, a), 0.5, at(began.arm_first, row))
-            b = plus(plus(NIL, 0.5, b), 0.5, at(began.arm_second, row))
+            put(turn, c, add_scaled(NIL, 0.5, cross(at(began.normal, row), n)))
+            a = add_scaled(add_scaled(NIL, 0.5, a), 0.5, at(began.arm_first, row))
+            b = add_scaled(add_scaled(NIL, 0.5, b), 0.5, at(began.arm_second, row))
         put(normal, c, turned_back(turn, c, n))
         put(one, c, a)
         put(two, c, b)
@@ -47,7 +47,7 @@ def halfway(joints: Joints, before: Index, began: Joints) -> tuple[Joints, Vecto
 @inlined
 def turned_back(turn: Vector, c: int, p: Triple) -> Triple:
     """An impulse of contact c as it acts halfway, for what it is at the end of a step."""
-    return plus(p, -1.0, cross(at(turn, c), p))
+    return add_scaled(p, -1.0, cross(at(turn, c), p))
 
 
 @lent
@@ -62,12 +62,12 @@ def relever(
     """
     worst = 0.0
     for c in range(len(p)):
-        change = plus(at(p, c), -1.0, at(acted, c))
+        change = add_scaled(at(p, c), -1.0, at(acted, c))
         if dot(change, change) > 0.0:
             a, b = joints.first[c], joints.second[c]
             before = (at(v, a), at(w, a), at(v, b), at(w, b))
             load_on(middle, c, bodies, v, w, turned_back(turn, c, change))
-            load_on(joints, c, bodies, v, w, plus(NIL, -1.0, change))
+            load_on(joints, c, bodies, v, w, add_scaled(NIL, -1.0, change))
             one, two = at(joints.arm_first, c), at(joints.arm_second, c)
             worst = larger(worst, apart(before[0], at(v, a), before[1], at(w, a), one))
             worst = larger(worst, apart(before[2], at(v, b), before[3], at(w, b), two))
@@ -78,5 +78,5 @@ def relever(
 @inlined
 def apart(v0: Triple, v1: Triple, w0: Triple, w1: Triple, arm: Triple) -> float:
     """How far apart two motions are at an arm [m/s]."""
-    u = plus(plus(v1, -1.0, v0), 1.0, cross(plus(w1, -1.0, w0), arm))
+    u = add_scaled(add_scaled(v1, -1.0, v0), 1.0, cross(add_scaled(w1, -1.0, w0), arm))
     return float(np.sqrt(dot(u, u)))

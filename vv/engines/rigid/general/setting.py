@@ -11,7 +11,7 @@ from vv.engines.kernels.arrays import larger, nil_rows, same_rows, smaller, squa
 from vv.engines.kernels.bundles import bundle
 from vv.engines.kernels.compiled import called, lent
 from vv.engines.kernels.drive import Drive, mean, one_of, rate, travel
-from vv.engines.kernels.triples import at, dot, plus, put
+from vv.engines.kernels.triples import add_scaled, at, dot, put
 from vv.engines.rigid.general.turning import held_inverse, turn_by, turned_inertia
 from vv.engines.rigid.limits import GENTLY, ROUNDED, SLOWLY
 from vv.engines.rigid.solver.assembly import Joints, times
@@ -133,7 +133,7 @@ def forecast(
         put(w, i, spin)
         rounds = FORECASTS if dot(spin, spin) > 0.0 else 1
         for _ in range(rounds):
-            middle = plus(plus(NIL, 0.5 * span, spin), 0.5 * span, at(w, i))
+            middle = add_scaled(add_scaled(NIL, 0.5 * span, spin), 0.5 * span, at(w, i))
             turn_by(middle, state.rotation[i], rotation[i])
             turned_inertia(setting.inertia[i], rotation[i], world)
             held_inverse(world, setting.hold_spin[i], inverse[i])
@@ -146,9 +146,9 @@ def free_velocities(setting: Setting, state: State, now: float, span: float, v: 
     """Fill v (b, 3) after a step without contact."""
     shake = mean(setting.shaking, now, span)
     for i in range(len(setting.mass)):
-        f = plus(at(setting.force, i), setting.mass[i], shake)
+        f = add_scaled(at(setting.force, i), setting.mass[i], shake)
         gain = times(setting.inverse, i, f)
-        put(v, i, plus(at(state.v, i), span, gain))
+        put(v, i, add_scaled(at(state.v, i), span, gain))
     wall_rates(setting, now + span, v)
 
 

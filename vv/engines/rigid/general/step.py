@@ -24,7 +24,7 @@ from vv.engines.kernels.arrays import (
 )
 from vv.engines.kernels.bundles import bundle
 from vv.engines.kernels.compiled import called
-from vv.engines.kernels.triples import at, dot, plus, put
+from vv.engines.kernels.triples import add_scaled, at, dot, put
 from vv.engines.rigid.general.bends import bent
 from vv.engines.rigid.general.converge import converged
 from vv.engines.rigid.general.lever_arms import halfway, relever
@@ -133,12 +133,16 @@ def attempt(
     shift, here = shift_at(setting, now + span), shift_at(setting, now)
     wall_rates(setting, now, v_old)
     for i in range(n):
-        put(centre, i, plus(at(state.centre, i), span, at(state.v, i)))
+        put(centre, i, add_scaled(at(state.centre, i), span, at(state.v, i)))
         put(v_old, i, at(state.v, i))
         put(v_mean, i, at(state.v, i))
-        put(w_old, i, plus(plus(NIL, 0.5, at(state.w, i)), 0.5, at(w, i)))
+        put(w_old, i, add_scaled(add_scaled(NIL, 0.5, at(state.w, i)), 0.5, at(w, i)))
     for k in range(b - n):
-        put(v_mean, n + k, plus(plus(NIL, 1.0 / span, at(shift, k)), -1.0 / span, at(here, k)))
+        put(
+            v_mean,
+            n + k,
+            add_scaled(add_scaled(NIL, 1.0 / span, at(shift, k)), -1.0 / span, at(here, k)),
+        )
     vertex, normal = rows(len(setting.shapes.vertex)), rows(len(setting.shapes.normal))
     place_rigid(vertex, normal, setting.shapes, centre[:n], rotation)
     fastest = pace(setting, state, now, span)
@@ -156,12 +160,12 @@ def attempt(
         gap[c] = found.gap[c] - span * dot(m, relative(joints, c, v_mean, w_old))
         u = relative(joints, c, v_old, w_old)
         opens[c] = dot(u, m)
-        slip = plus(u, -opens[c], m)
+        slip = add_scaled(u, -opens[c], m)
         speed = np.sqrt(dot(slip, slip))
         if before[c] >= 0:
             was = at(past.joints.normal, before[c])
             opens[c] = dot(was, relative(past.joints, before[c], v_old, w_old))
-            put(p, c, plus(NIL, span, at(past.force, before[c])))
+            put(p, c, add_scaled(NIL, span, at(past.force, before[c])))
             known[c] = dot(at(p, c), m) > 0.0
         begun = gap[c] - (setting.slack if known[c] else slack)
         if begun > 0.0 and not (known[c] and span < setting.step):
@@ -170,7 +174,7 @@ def attempt(
             before[c] >= 0 and past.still[before[c]]
         )
         if speed > slow(span, setting.pull, setting.tolerance) and not held:
-            put(friction.d, c, plus(NIL, 1.0 / speed, slip))
+            put(friction.d, c, add_scaled(NIL, 1.0 / speed, slip))
     middle, turn = halfway(joints, before, past.joints)
     return solved(
         setting, now, span, joints, middle, turn, bodies, friction, same_counts(found.key, count),
@@ -197,7 +201,7 @@ def solved(
         n, d = at(joints.normal, c), at(friction.d, c)
         if (gaps.known[c] or gaps.gap[c] <= setting.slack) and dot(at(p, c), n) > 0.0:
             u = relative(joints, c, v, w)
-            slip = plus(u, -dot(u, n), n)
+            slip = add_scaled(u, -dot(u, n), n)
             slips = dot(d, d) > 0.0
             begun[c] = gaps.known[c] and not slips and dot(slip, slip) > most * most
             ended[c] = slips and dot(u, d) <= least

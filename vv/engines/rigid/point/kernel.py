@@ -6,7 +6,7 @@ import numpy as np
 
 from vv.engines.kernels.compiled import called, compiled, lent
 from vv.engines.kernels.drive import mean, rate
-from vv.engines.kernels.triples import Triple, dot, plus
+from vv.engines.kernels.triples import Triple, add_scaled, dot
 from vv.engines.rigid.limits import BEGINS, CUTS, ENDS, GLIMPSE, GRIP, NEARLY, SPLITS
 from vv.engines.rigid.point.trial import (
     NIL,
@@ -63,8 +63,8 @@ def slips_at(ground: Ground, x: Triple, v: Triple, now: float, after: float, dt:
         touch = tried(ground, x, v, now, after, NIL)
         if begins(ground, touch, True, NIL, after):
             return True
-        end = plus(touch.u, 1.0, rate(ground.base, now + after))
-        x, v = plus(plus(x, 0.5 * after, v), 0.5 * after, end), end
+        end = add_scaled(touch.u, 1.0, rate(ground.base, now + after))
+        x, v = add_scaled(add_scaled(x, 0.5 * after, v), 0.5 * after, end), end
     glimpse = GLIMPSE * dt
     return begins(ground, tried(ground, x, v, now + after, glimpse, NIL), True, NIL, glimpse)
 
@@ -94,10 +94,10 @@ def book(spent: Vector, touch: Touch, u: Triple, base: Triple, normal: Triple) -
 
     u: the velocity relative to the base at the begin; base: the base's, in the mean.
     """
-    slid = plus(plus(NIL, 0.5, u), 0.5, touch.u)
+    slid = add_scaled(add_scaled(NIL, 0.5, u), 0.5, touch.u)
     spent[0] -= dot(touch.rub, slid)
     spent[1] -= touch.p * dot(normal, slid)
-    spent[2] += dot(plus(touch.rub, touch.p, normal), base)
+    spent[2] += dot(add_scaled(touch.rub, touch.p, normal), base)
 
 
 @compiled
@@ -132,19 +132,19 @@ def move_point(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its 
             for part in range(SPLITS):
                 now, whole = done * dt + begin, dt - begin
                 w_old = rate(ground.base, now)
-                u_old = plus(v, -1.0, w_old)
+                u_old = add_scaled(v, -1.0, w_old)
                 flies, span = not touched and part + 1 < SPLITS, whole
                 if flies:
                     span = lands(ground, x, v, now, whole)
                     if span <= CUTS * dt:
                         touch = pushed(ground, u_old, 0.0, NIL, NIL)
                         book(spent, touch, u_old, w_old, normal)
-                        v, touched = plus(touch.u, 1.0, w_old), True
+                        v, touched = add_scaled(touch.u, 1.0, w_old), True
                         continue
                 slip = across(ground, u_old)
                 speed, d = np.sqrt(dot(slip, slip)), NIL
                 if speed > slow(whole, ground.pull, ground.fine) and not stopped:
-                    d = plus(NIL, 1.0 / speed, slip)
+                    d = add_scaled(NIL, 1.0 / speed, slip)
                 ended = False
                 touch = flown(ground, v, now, span) if flies else tried(ground, x, v, now, span, d)
                 if touched and part + 1 < SPLITS:
@@ -165,21 +165,23 @@ def move_point(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its 
                         span = span if span > 0.0 else whole
                         touch = tried(ground, x, v, now, span, d)
                 w_new = rate(ground.base, now + span)
-                v_new = plus(touch.u, 1.0, w_new)
-                middle = plus(plus(NIL, 0.5, v), 0.5, v_new)
-                force = plus(plus(NIL, touch.p / span, normal), 1.0 / span, touch.rub)
-                book(spent, touch, u_old, plus(plus(NIL, 0.5, w_old), 0.5, w_new), normal)
+                v_new = add_scaled(touch.u, 1.0, w_new)
+                middle = add_scaled(add_scaled(NIL, 0.5, v), 0.5, v_new)
+                force = add_scaled(add_scaled(NIL, touch.p / span, normal), 1.0 / span, touch.rub)
+                book(
+                    spent, touch, u_old, add_scaled(add_scaled(NIL, 0.5, w_old), 0.5, w_new), normal
+                )
                 spent[3] += span * dot(mean(ground.shaking, now, span), middle)
-                x = plus(x, span, middle)
+                x = add_scaled(x, span, middle)
                 deep = -room(ground, x, now + span)
                 if not (flies and span < whole):
                     deep = max(0.0, deep)
-                x = plus(x, deep, normal)
+                x = add_scaled(x, deep, normal)
                 deepest = max(deepest, deep)
-                moved = plus(plus(NIL, span, middle), deep, normal)
+                moved = add_scaled(add_scaled(NIL, span, middle), deep, normal)
                 spent[4] += dot(ground.gravity, moved)
                 spent[5] += dot(ground.load, moved)
-                spent[6] += deep * dot(normal, plus(ground.gravity, 1.0, ground.load))
+                spent[6] += deep * dot(normal, add_scaled(ground.gravity, 1.0, ground.load))
                 v, touched = v_new, touch.p > 0.0
                 begin += span
                 if span == whole:

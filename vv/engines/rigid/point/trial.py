@@ -9,7 +9,7 @@ import numpy as np
 from vv.engines.kernels.bundles import bundle
 from vv.engines.kernels.compiled import called, lent
 from vv.engines.kernels.drive import Drive, mean, rate, travel
-from vv.engines.kernels.triples import Triple, dot, plus
+from vv.engines.kernels.triples import Triple, add_scaled, dot
 from vv.engines.rigid.limits import BENDS, CUTS, LOOKS
 from vv.engines.rigid.slip import bend, first_root
 from vv.scene import Vector
@@ -49,13 +49,13 @@ class Touch(NamedTuple):
 @lent
 def room(ground: Ground, x: Triple, time: float) -> float:
     """The gap [m] under a displacement x."""
-    return ground.gap + dot(ground.normal, plus(x, -1.0, travel(ground.base, time)))
+    return ground.gap + dot(ground.normal, add_scaled(x, -1.0, travel(ground.base, time)))
 
 
 @lent
 def across(ground: Ground, u: Triple) -> Triple:
     """The part of a velocity in the plane."""
-    return plus(u, -dot(u, ground.normal), ground.normal)
+    return add_scaled(u, -dot(u, ground.normal), ground.normal)
 
 
 @called
@@ -70,24 +70,26 @@ def pushed(ground: Ground, u: Triple, need: float, d: Triple, turn: Triple) -> T
     along = across(ground, u)
     cap = ground.mu * p
     radius = 0.5 * cap if dot(d, d) > 0.0 else cap
-    left = plus(plus(along, -0.5 * cap, d), -cap, turn)
+    left = add_scaled(add_scaled(along, -0.5 * cap, d), -cap, turn)
     speed = np.sqrt(dot(left, left))
     kept = 1.0 - radius / speed if speed > radius else 0.0
-    rub = plus(plus(NIL, kept, left), -1.0, along)
-    return Touch(plus(plus(u, p, ground.normal), 1.0, rub), p, rub)
+    rub = add_scaled(add_scaled(NIL, kept, left), -1.0, along)
+    return Touch(add_scaled(add_scaled(u, p, ground.normal), 1.0, rub), p, rub)
 
 
 @lent
 def thrown(ground: Ground, v: Triple, now: float, span: float) -> Triple:
     """The velocity after a step of span [s] without contact."""
     hold = ground.hold
-    a = plus(plus(ground.gravity, 1.0, ground.load), 1.0, mean(ground.shaking, now, span))
+    a = add_scaled(
+        add_scaled(ground.gravity, 1.0, ground.load), 1.0, mean(ground.shaking, now, span)
+    )
     push = (
         hold[0, 0] * a[0] + hold[0, 1] * a[1] + hold[0, 2] * a[2],
         hold[1, 0] * a[0] + hold[1, 1] * a[1] + hold[1, 2] * a[2],
         hold[2, 0] * a[0] + hold[2, 1] * a[1] + hold[2, 2] * a[2],
     )
-    return plus(v, span, push)
+    return add_scaled(v, span, push)
 
 
 @called
@@ -98,11 +100,11 @@ def lands(ground: Ground, x: Triple, v: Triple, now: float, whole: float) -> flo
     one under constant forces and over a plane at rest.
     """
     gap = max(room(ground, x, now), 0.0)
-    speed = dot(ground.normal, plus(v, -1.0, rate(ground.base, now)))
+    speed = dot(ground.normal, add_scaled(v, -1.0, rate(ground.base, now)))
     span = whole
     for _ in range(LOOKS):
-        middle = plus(plus(NIL, 0.5, v), 0.5, thrown(ground, v, now, span))
-        bent = room(ground, plus(x, span, middle), now + span) - gap - span * speed
+        middle = add_scaled(add_scaled(NIL, 0.5, v), 0.5, thrown(ground, v, now, span))
+        bent = room(ground, add_scaled(x, span, middle), now + span) - gap - span * speed
         meets = first_root(gap, speed, bent / (span * span))
         if not meets < (1.0 - CUTS) * whole:
             return whole
@@ -115,17 +117,19 @@ def lands(ground: Ground, x: Triple, v: Triple, now: float, whole: float) -> flo
 @lent
 def flown(ground: Ground, v: Triple, now: float, span: float) -> Touch:
     """The end of a step of span [s] in flight."""
-    return Touch(plus(thrown(ground, v, now, span), -1.0, rate(ground.base, now + span)), 0.0, NIL)
+    return Touch(
+        add_scaled(thrown(ground, v, now, span), -1.0, rate(ground.base, now + span)), 0.0, NIL
+    )
 
 
 @called
 def tried(ground: Ground, x: Triple, v: Triple, now: float, span: float, d: Triple) -> Touch:
     """A step of span [s] from x, v at `now`, with friction along d to begin with."""
-    free = plus(thrown(ground, v, now, span), -1.0, rate(ground.base, now + span))
+    free = add_scaled(thrown(ground, v, now, span), -1.0, rate(ground.base, now + span))
     need = -max(room(ground, x, now), 0.0) / span
     touch = pushed(ground, free, need, d, NIL)
     if touch.p > 0.0 and dot(d, d) > 0.0 and dot(touch.u, d) > 0.0:
-        before = across(ground, plus(v, -1.0, rate(ground.base, now)))
+        before = across(ground, add_scaled(v, -1.0, rate(ground.base, now)))
         sag = sagging(ground, now, span)
         for _ in range(BENDS):
             turn = bend(before, sag, across(ground, touch.u), ground.mu * touch.p)
@@ -138,8 +142,10 @@ def tried(ground: Ground, x: Triple, v: Triple, now: float, span: float, d: Trip
 @lent
 def sagging(ground: Ground, now: float, span: float) -> Triple:
     """How far the drives take the slip halfway from the mean of its first and last [m/s]."""
-    sag = plus(NIL, 0.5 * span, mean(ground.shaking, now, 0.5 * span))
-    sag = plus(sag, -0.5 * span, mean(ground.shaking, now, span))
-    sag = plus(sag, -1.0, rate(ground.base, now + 0.5 * span))
-    sag = plus(plus(sag, 0.5, rate(ground.base, now)), 0.5, rate(ground.base, now + span))
+    sag = add_scaled(NIL, 0.5 * span, mean(ground.shaking, now, 0.5 * span))
+    sag = add_scaled(sag, -0.5 * span, mean(ground.shaking, now, span))
+    sag = add_scaled(sag, -1.0, rate(ground.base, now + 0.5 * span))
+    sag = add_scaled(
+        add_scaled(sag, 0.5, rate(ground.base, now)), 0.5, rate(ground.base, now + span)
+    )
     return across(ground, sag)

@@ -18,7 +18,7 @@ from vv.engines.blocks.geometry import Index
 from vv.engines.kernels.arrays import numbers, rows, same_counts, same_rows
 from vv.engines.kernels.bundles import bundle
 from vv.engines.kernels.compiled import called, inlined, lent
-from vv.engines.kernels.triples import Triple, at, cross, dot, plus, put
+from vv.engines.kernels.triples import Triple, add_scaled, at, cross, dot, put
 from vv.scene import Vector
 
 MOBILE = 1e-12  # ratio of mobilities below which the less mobile direction is a locked one
@@ -68,20 +68,22 @@ def times(matrices: Vector, i: int, a: Triple) -> Triple:
 def relative(joints: Joints, c: int, v: Vector, w: Vector) -> Triple:
     """The velocity of the second body relative to the first at contact c: a row of J v."""
     a, b = joints.first[c], joints.second[c]
-    one = plus(at(v, a), 1.0, cross(at(w, a), at(joints.arm_first, c)))
-    return plus(plus(at(v, b), 1.0, cross(at(w, b), at(joints.arm_second, c))), -1.0, one)
+    one = add_scaled(at(v, a), 1.0, cross(at(w, a), at(joints.arm_first, c)))
+    return add_scaled(
+        add_scaled(at(v, b), 1.0, cross(at(w, b), at(joints.arm_second, c))), -1.0, one
+    )
 
 
 @inlined
 def apply(joints: Joints, c: int, bodies: Bodies, v: Vector, w: Vector, p: Triple) -> None:
     """Add W J^T p to the velocities, for an impulse p [N s] on the second body at contact c."""
     a, b = joints.first[c], joints.second[c]
-    put(v, b, plus(at(v, b), 1.0, times(bodies.inverse, b, p)))
+    put(v, b, add_scaled(at(v, b), 1.0, times(bodies.inverse, b, p)))
     moment = cross(at(joints.arm_second, c), p)
-    put(w, b, plus(at(w, b), 1.0, times(bodies.inverse_spin, b, moment)))
-    put(v, a, plus(at(v, a), -1.0, times(bodies.inverse, a, p)))
+    put(w, b, add_scaled(at(w, b), 1.0, times(bodies.inverse_spin, b, moment)))
+    put(v, a, add_scaled(at(v, a), -1.0, times(bodies.inverse, a, p)))
     moment = cross(at(joints.arm_first, c), p)
-    put(w, a, plus(at(w, a), -1.0, times(bodies.inverse_spin, a, moment)))
+    put(w, a, add_scaled(at(w, a), -1.0, times(bodies.inverse_spin, a, moment)))
 
 
 @lent
@@ -96,9 +98,9 @@ def answer(joints: Joints, c: int, bodies: Bodies, p: Triple) -> Triple:
     """J W J^T p for one contact: the relative velocity that an impulse there makes there."""
     a, b = joints.first[c], joints.second[c]
     one, two = at(joints.arm_first, c), at(joints.arm_second, c)
-    u = plus(times(bodies.inverse, a, p), 1.0, times(bodies.inverse, b, p))
-    u = plus(u, 1.0, cross(times(bodies.inverse_spin, a, cross(one, p)), one))
-    return plus(u, 1.0, cross(times(bodies.inverse_spin, b, cross(two, p)), two))
+    u = add_scaled(times(bodies.inverse, a, p), 1.0, times(bodies.inverse, b, p))
+    u = add_scaled(u, 1.0, cross(times(bodies.inverse_spin, a, cross(one, p)), one))
+    return add_scaled(u, 1.0, cross(times(bodies.inverse_spin, b, cross(two, p)), two))
 
 
 @inlined
@@ -107,8 +109,8 @@ def tangents(n: Triple) -> tuple[Triple, Triple]:
     least = (1.0, 0.0, 0.0)
     if abs(n[0]) > 0.6:
         least = (0.0, 1.0, 0.0)
-    one = plus(least, -dot(least, n), n)
-    one = plus((0.0, 0.0, 0.0), 1.0 / np.sqrt(dot(one, one)), one)
+    one = add_scaled(least, -dot(least, n), n)
+    one = add_scaled((0.0, 0.0, 0.0), 1.0 / np.sqrt(dot(one, one)), one)
     return one, cross(n, one)
 
 
@@ -127,8 +129,8 @@ def assemble(contacts: Contacts, count: int, bodies: Bodies) -> Joints:
     )
     for c in range(count):
         point = at(contacts.point, c)
-        put(joints.arm_first, c, plus(point, -1.0, at(bodies.centre, joints.first[c])))
-        put(joints.arm_second, c, plus(point, -1.0, at(bodies.centre, joints.second[c])))
+        put(joints.arm_first, c, add_scaled(point, -1.0, at(bodies.centre, joints.first[c])))
+        put(joints.arm_second, c, add_scaled(point, -1.0, at(bodies.centre, joints.second[c])))
         n = at(joints.normal, c)
         pull = answer(joints, c, bodies, n)
         put(joints.pull, c, pull)

@@ -17,7 +17,7 @@ import numpy as np
 from vv.engines.kernels.arrays import clear, larger, nil_numbers, nil_rows, rows
 from vv.engines.kernels.bundles import bundle
 from vv.engines.kernels.compiled import called, inlined, lent
-from vv.engines.kernels.triples import Triple, at, dot, plus, put
+from vv.engines.kernels.triples import Triple, add_scaled, at, dot, put
 from vv.engines.rigid.solver.assembly import Bodies, Joints, apply, relative
 from vv.scene import Vector
 
@@ -37,7 +37,7 @@ def limit(cap: float, d: Triple, turn: Triple) -> tuple[Triple, float]:
     """The centre and the radius [N s] of the tangential impulses under a normal impulse cap/mu."""
     if dot(d, d) == 0.0:
         return (0.0, 0.0, 0.0), cap
-    return plus(plus((0.0, 0.0, 0.0), -0.5 * cap, d), -cap, turn), 0.5 * cap
+    return add_scaled(add_scaled((0.0, 0.0, 0.0), -0.5 * cap, d), -cap, turn), 0.5 * cap
 
 
 @inlined
@@ -48,13 +48,13 @@ def projected(
 
     It takes numbers, no arrays: numba would count references to these at every contact.
     """
-    flat = plus(p, -dot(p, n), n)
+    flat = add_scaled(p, -dot(p, n), n)
     if along > 0.0:
-        flat = plus(flat, -1.0 / along, plus(u, -dot(u, n), n))
+        flat = add_scaled(flat, -1.0 / along, add_scaled(u, -dot(u, n), n))
     centre, radius = limit(cap, d, turn)
-    left = plus(flat, -1.0, centre)
+    left = add_scaled(flat, -1.0, centre)
     size = np.sqrt(dot(left, left))
-    return plus(centre, radius / size if size > radius else 1.0, left)
+    return add_scaled(centre, radius / size if size > radius else 1.0, left)
 
 
 @lent
@@ -71,11 +71,11 @@ def sweep(
         normal = larger(0.0, had - (dot(u, n) - friction.need[c]) / joints.across[c])
         if normal == 0.0 and dot(before, before) == 0.0:
             continue
-        u = plus(u, normal - had, at(joints.pull, c))
+        u = add_scaled(u, normal - had, at(joints.pull, c))
         d, turn = at(friction.d, c), at(friction.turn, c)
         along = projected(joints.along[c], n, u, before, friction.mu * normal, d, turn)
-        after = plus(along, normal, n)
-        apply(joints, c, bodies, v, w, plus(after, -1.0, before))
+        after = add_scaled(along, normal, n)
+        apply(joints, c, bodies, v, w, add_scaled(after, -1.0, before))
         put(p, c, after)
 
 
@@ -92,7 +92,7 @@ def residual(p: Vector, joints: Joints, friction: Friction, v: Vector, w: Vector
         worst = larger(worst, abs(normal - had) * joints.across[c])
         d, turn = at(friction.d, c), at(friction.turn, c)
         along = projected(joints.along[c], n, u, now, friction.mu * had, d, turn)
-        change = plus(along, -1.0, plus(now, -had, n))
+        change = add_scaled(along, -1.0, add_scaled(now, -had, n))
         worst = larger(worst, np.sqrt(dot(change, change)) * joints.along[c])
     return worst
 
@@ -124,7 +124,7 @@ def solve_contacts(
         sweeps += 1
         size, largest = 0.0, 0.0
         for c in range(len(p)):
-            change = plus(at(p, c), -1.0, at(before, c))
+            change = add_scaled(at(p, c), -1.0, at(before, c))
             square = dot(change, change)
             size += square
             stiff = larger(joints.across[c], joints.along[c])
@@ -157,11 +157,11 @@ def follow(way: Vector, before: Vector, now: Vector, share: float, goes_on: bool
     on, the way begins anew.
     """
     for k in range(len(way)):
-        change = plus(at(now, k), -1.0, at(before, k))
-        ahead = plus((0.0, 0.0, 0.0), share, at(way, k))
+        change = add_scaled(at(now, k), -1.0, at(before, k))
+        ahead = add_scaled((0.0, 0.0, 0.0), share, at(way, k))
         if goes_on:
-            put(way, k, plus(ahead, 1.0, change))
-            put(now, k, plus(at(now, k), 1.0, ahead))
+            put(way, k, add_scaled(ahead, 1.0, change))
+            put(now, k, add_scaled(at(now, k), 1.0, ahead))
         else:
             put(way, k, (0.0, 0.0, 0.0))
 
@@ -185,4 +185,4 @@ def push_out(
                 left = gap[c] + dot(n, relative(joints, c, x, turn))
                 more = larger(-pushed[c], -left / joints.across[c])
                 pushed[c] += more
-                apply(joints, c, bodies, x, turn, plus((0.0, 0.0, 0.0), more, n))
+                apply(joints, c, bodies, x, turn, add_scaled((0.0, 0.0, 0.0), more, n))

@@ -12,7 +12,7 @@ import numpy as np
 
 from vv.engines.kernels.arrays import larger, rows, same_rows, smaller
 from vv.engines.kernels.compiled import called, lent
-from vv.engines.kernels.triples import at, dot, plus, put
+from vv.engines.kernels.triples import add_scaled, at, dot, put
 from vv.engines.rigid.solver.assembly import Bodies, Joints
 from vv.engines.rigid.solver.cone import Friction, keep, residual, sweep
 from vv.scene import Vector
@@ -71,7 +71,7 @@ def changed(p: Vector, before: Vector, joints: Joints) -> tuple[float, float]:
     """The square [N2 s2] of what impulses changed by, and the largest change as a speed [m/s]."""
     size, largest = 0.0, 0.0
     for c in range(len(p)):
-        change = plus(at(p, c), -1.0, at(before, c))
+        change = add_scaled(at(p, c), -1.0, at(before, c))
         square = dot(change, change)
         size += square
         stiff = larger(joints.across[c], joints.along[c])
@@ -84,5 +84,5 @@ def carry(now: Vector, last: Vector, share: float) -> None:
     """Take rows (k, 3) on by a share of what they differ by from the last, which they replace."""
     for k in range(len(now)):
         here = at(now, k)
-        put(now, k, plus(here, share, plus(here, -1.0, at(last, k))))
+        put(now, k, add_scaled(here, share, add_scaled(here, -1.0, at(last, k))))
         put(last, k, here)

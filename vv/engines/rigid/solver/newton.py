@@ -13,7 +13,7 @@ import numpy as np
 from vv.engines.blocks.geometry import Index
 from vv.engines.kernels.arrays import clear, larger, nil_squares, numbers, rows, same_rows, table
 from vv.engines.kernels.compiled import called, lent
-from vv.engines.kernels.triples import Triple, at, cross, dot, plus, put
+from vv.engines.kernels.triples import Triple, add_scaled, at, cross, dot, put
 from vv.engines.rigid.limits import INNER
 from vv.engines.rigid.solver.assembly import Bodies, Joints, load_on, relative, times
 from vv.engines.rigid.solver.banded import eliminate
@@ -38,22 +38,22 @@ def allowed(
     if normal <= 0.0:
         return NIL
     d, turn = at(friction.d, c), at(friction.turn, c)
-    flat = plus(plus(q, -dot(q, n), n), -along, plus(u, -un, n))
+    flat = add_scaled(add_scaled(q, -dot(q, n), n), -along, add_scaled(u, -un, n))
     centre, radius = limit(cap * normal, d, turn)
-    left = plus(flat, -1.0, centre)
+    left = add_scaled(flat, -1.0, centre)
     size = np.sqrt(dot(left, left))
     slips = size > radius
     share = radius / size if slips else 1.0
-    e = plus(NIL, 1.0 / size, left) if slips else NIL
+    e = add_scaled(NIL, 1.0 / size, left) if slips else NIL
     drift = NIL  # how the tangential impulse grows with the normal one
     if slips:
-        drift = plus(plus(NIL, (1.0 - share) / normal, centre), radius / normal, e)
-        drift = plus(drift, share * dot(e, centre) / normal, e)
+        drift = add_scaled(add_scaled(NIL, (1.0 - share) / normal, centre), radius / normal, e)
+        drift = add_scaled(drift, share * dot(e, centre) / normal, e)
     for i in range(3):
         for j in range(3):
             flatly = (1.0 if i == j else 0.0) - n[i] * n[j] - e[i] * e[j]
             slope[i, j] = stiff * (n[i] + drift[i]) * n[j] + share * along * flatly
-    return plus(plus(centre, share, left), normal, n)
+    return add_scaled(add_scaled(centre, share, left), normal, n)
 
 
 @lent
@@ -62,7 +62,7 @@ def column(joints: Joints, c: int, side: int, k: int) -> Triple:
     axis = (1.0 * (k % 3 == 0), 1.0 * (k % 3 == 1), 1.0 * (k % 3 == 2))
     if k >= 3:
         axis = cross(axis, at(joints.arm_second if side else joints.arm_first, c))
-    return axis if side else plus(NIL, -1.0, axis)
+    return axis if side else add_scaled(NIL, -1.0, axis)
 
 
 @lent
@@ -82,7 +82,7 @@ def spread(
             for other in range(2):
                 i = joints.second[c] if other else joints.first[c]
                 if i < blocks:
-                    pull = p if other else plus(NIL, -1.0, p)
+                    pull = p if other else add_scaled(NIL, -1.0, p)
                     arm = at(joints.arm_second if other else joints.arm_first, c)
                     v = times(bodies.inverse, i, pull)
                     w = times(bodies.inverse_spin, i, cross(arm, pull))
@@ -117,7 +117,7 @@ def balanced(
                 u = relative(joints, c, x, y)
                 put(p, c, allowed(joints, c, friction, stiffness, at(q, c), u, slope))
                 spread(matrix, joints, c, bodies, place, half, slope)
-                load_on(joints, c, bodies, z, o, plus(at(p, c), -1.0, at(q, c)))
+                load_on(joints, c, bodies, z, o, add_scaled(at(p, c), -1.0, at(q, c)))
         most = 0.0
         for i in range(blocks):
             row = 6 * place[i]
