@@ -6,7 +6,16 @@ import numpy as np
 
 from tests.scenes.sliding_blocks import Frame, G
 from vv.ask import Ask, Displacement, History, Run, Status, Velocity
-from vv.engines.exact import Slide, assemble_slider, follow_slider, solve
+from vv.engines.exact import (
+    Slide,
+    Slider,
+    Turn,
+    TurningSlider,
+    assemble_slider,
+    follow_slider,
+    follow_turning_slider,
+    solve,
+)
 from vv.scene import Scene, Vector
 
 BOX = Displacement(1)
@@ -22,7 +31,15 @@ def ran(scene: Scene, duration: float, interval: float | None = None) -> Run:
 
 
 def slid(scene: Scene, duration: float) -> Slide:
-    return follow_slider(assemble_slider(scene), duration)
+    slider = assemble_slider(scene)
+    assert isinstance(slider, Slider)
+    return follow_slider(slider, duration)
+
+
+def turned(scene: Scene, duration: float) -> Turn:
+    slider = assemble_slider(scene)
+    assert isinstance(slider, TurningSlider)
+    return follow_turning_slider(slider, duration)
 
 
 def apart(found: Vector, expected: Vector) -> float:

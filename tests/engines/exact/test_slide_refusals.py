@@ -35,10 +35,6 @@ LIFT = Harmonic((0, 0, 0.1), (1.0,) * 3)  # type: ignore[arg-type]
 BOXED = dataclasses.replace(incline(LEVEL, 20.0), bodies=(wall(LEVEL), block(LEVEL, X), *(
     Wall(np.array([9.0, 0, 0]), -X),)))  # fmt: skip
 REFUSED = {
-    "the slip between bodies 0 and 1 can turn": shaken(Y, on_floor()),
-    "the slip between bodies 0 and 1 has two directions": dataclasses.replace(
-        shaken(Y, on_floor()), contact=Contact(np.inf)
-    ),
     "nothing in the scene moves": incline(LEVEL, 20.0),
     "free rotation is not modelled": on_floor(free_spin=FREE),
     "block 'box' spins and may not; a sphere in its place would not spin": on_floor(spin=X),

@@ -1,13 +1,13 @@
 """Exact engine: solves small scenes with constant contact normals, from event to event.
 
-May import: base, scene, ask, standins.
+May import: base, scene, ask, standins, engines.kernels.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable
 
-from vv.ask import Ask, Displacement, Model, Run, Status
+from vv.ask import Ask, Displacement, Ledger, Model, Run, Status
 from vv.engines.exact.bonds import assemble_bonded, assemble_linearised
 from vv.engines.exact.flow import StoppedError, follow
 from vv.engines.exact.ledger import ledger
@@ -17,8 +17,15 @@ from vv.engines.exact.reachability import RefusedError
 from vv.engines.exact.slide.flow import follow_slider, lift_off
 from vv.engines.exact.slide.ledger import slide_ledger
 from vv.engines.exact.slide.path import Slide
-from vv.engines.exact.slide.system import Slider, assemble_slider, describe_slider
+from vv.engines.exact.slide.system import (
+    Slider,
+    TurningSlider,
+    assemble_slider,
+    describe_slider,
+)
 from vv.engines.exact.system import System, assemble, describe
+from vv.engines.exact.turn.ledger import turn_ledger
+from vv.engines.exact.turn.path import Turn, follow_turning_slider
 from vv.scene import Scene
 from vv.standins.soften import as_spheres
 
@@ -32,6 +39,8 @@ __all__ = [
     "Slider",
     "StoppedError",
     "System",
+    "Turn",
+    "TurningSlider",
     "answer",
     "assemble",
     "assemble_bonded",
@@ -39,6 +48,7 @@ __all__ = [
     "duration",
     "follow",
     "follow_slider",
+    "follow_turning_slider",
     "model",
     "move",
     "prepare",
@@ -46,14 +56,16 @@ __all__ = [
     "refusal",
     "solve",
     "solve_linearised",
+    "warm",
 ]
 
-Prepare = Callable[[Ask], System | Slider]
+Problem = System | Slider | TurningSlider
+Prepare = Callable[[Ask], Problem]
 
 
-def prepare(ask: Ask) -> System | Slider:
+def prepare(ask: Ask) -> Problem:
     """The equations of an ask with bonds, spring contact or rigid contact; raises RefusedError."""
-    problem: System | Slider
+    problem: Problem
     if ask.scene.bonds is not None:
         problem = assemble_bonded(ask.scene)
     else:
@@ -62,7 +74,7 @@ def prepare(ask: Ask) -> System | Slider:
     return problem
 
 
-def prepare_linearised(ask: Ask) -> System | Slider:
+def prepare_linearised(ask: Ask) -> Problem:
     """The equations of an ask with bonds, to first order in u; raises RefusedError."""
     problem = assemble_linearised(ask.scene)
     _check_observed(ask)
@@ -78,18 +90,26 @@ def refusal(ask: Ask, prepare: Prepare = prepare) -> str | None:
     return None
 
 
-def move(problem: System | Slider, duration: float) -> Path | Slide:
+def move(problem: Problem, duration: float) -> Path | Slide | Turn:
     """The exact motion over a duration [s]; raises StoppedError if it cannot be followed."""
+    if isinstance(problem, TurningSlider):
+        return follow_turning_slider(problem, duration)
     if isinstance(problem, Slider):
         return follow_slider(problem, duration)
     return follow(problem, duration)
 
 
-def model(scene: Scene, problem: System | Slider) -> Model:
+def warm(problem: Problem) -> None:
+    """Load the kernel that a problem needs, or compile it."""
+    if isinstance(problem, TurningSlider):
+        follow_turning_slider(problem, 0.0)
+
+
+def model(scene: Scene, problem: Problem) -> Model:
     """The model that was built for a scene: unknowns, terms and a note."""
-    if isinstance(problem, Slider):
-        return describe_slider(scene, problem)
-    return describe(scene, problem)
+    if isinstance(problem, System):
+        return describe(scene, problem)
+    return describe_slider(scene, problem)
 
 
 def solve(ask: Ask, prepare: Prepare = prepare) -> Run:
@@ -115,7 +135,7 @@ def duration(ask: Ask) -> float:
     return float(ask.goal.times(ask.knobs.dt)[-1])
 
 
-def answer(ask: Ask, path: Path | Slide) -> Run:
+def answer(ask: Ask, path: Path | Slide | Turn) -> Run:
     """The run of an ask, with its observables and ledger taken from an exact motion."""
     times = ask.goal.times(ask.knobs.dt)
     values = {}
@@ -127,12 +147,18 @@ def answer(ask: Ask, path: Path | Slide) -> Run:
         times=times,
         values=values,
         steps=len(path),
-        model=model(ask.scene, path.slider if isinstance(path, Slide) else path.system),
-        ledger=slide_ledger(path) if isinstance(path, Slide) else ledger(path),
+        model=model(ask.scene, path.system if isinstance(path, Path) else path.slider),
+        ledger=_ledger(path),
     )
 
 
-def _slider_held_on_wall(ask: Ask) -> Slider:
+def _ledger(path: Path | Slide | Turn) -> Ledger:
+    if isinstance(path, Turn):
+        return turn_ledger(path)
+    return slide_ledger(path) if isinstance(path, Slide) else ledger(path)
+
+
+def _slider_held_on_wall(ask: Ask) -> Slider | TurningSlider:
     """The slider of a scene; raises RefusedError if its body leaves the wall within the ask."""
     slider = assemble_slider(ask.scene)
     end = lift_off(slider, duration(ask))

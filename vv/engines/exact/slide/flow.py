@@ -12,7 +12,7 @@ from vv.engines.exact.modes import State
 from vv.engines.exact.roots import bernstein, first_descent_below_zero
 from vv.engines.exact.slide.clock import ORDER, Clock, Instant
 from vv.engines.exact.slide.path import Slide, SlidePiece
-from vv.engines.exact.slide.system import Slider
+from vv.engines.exact.slide.system import Slider, TurningSlider
 from vv.scene import Vector
 
 MOST_EVENTS = 1_000  # in one cell; more are taken for an accumulation
@@ -67,7 +67,7 @@ def follow_slider(slider: Slider, duration: float) -> Slide:
     return Slide.joined(slider, clock, pieces, last)
 
 
-def lift_off(slider: Slider, duration: float) -> float | None:
+def lift_off(slider: Slider | TurningSlider, duration: float) -> float | None:
     """When the body is no longer pressed on the wall within a duration [s], or None."""
     band = GUARD_ROUNDING * float(np.abs(slider.pressing).sum())
     if slider.pressing[0] - np.abs(slider.pressing[1:]).sum() > band:

@@ -1,9 +1,10 @@
-"""Builds the equation of motion of a body that slips along a line on a rigid wall."""
+"""Builds the equations of motion of a body that slips on a rigid wall, along a line or a plane."""
 
 from __future__ import annotations
 
 import functools
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -53,30 +54,64 @@ class Slider:
     @functools.cached_property
     def drive(self) -> Vector:
         """Acceleration of the body along the slip without friction, as a row."""
-        return self._forces() @ self.along
+        return forces(self) @ self.along
 
     @functools.cached_property
     def relative_drive(self) -> Vector:
         """The same relative to the wall, as a row."""
-        return (self._forces() - self._ground()) @ self.along
+        return (forces(self) - ground(self)) @ self.along
 
     @functools.cached_property
     def pressing(self) -> Vector:
         """Contact pressure over the mass of the body, as a row."""
-        return (self._ground() - self._forces()) @ self.normal
-
-    def _forces(self) -> Vector:
-        """Constant accelerations, and those of each sine, (1 + k, 3)."""
-        return np.vstack((self.gravity + self.load / self.mass, self.shaking))
-
-    def _ground(self) -> Vector:
-        """The acceleration of the wall likewise."""
-        omega = 2 * np.pi * self.frequency
-        return np.vstack((np.zeros(3), -(omega[:, None] ** 2) * self.base))
+        return (ground(self) - forces(self)) @ self.normal
 
 
-def assemble_slider(scene: Scene) -> Slider:
-    """The equation of motion of a scene; raises RefusedError if it is outside the class."""
+@dataclass(frozen=True, eq=False)
+class TurningSlider:
+    """A body on a wall whose slip can turn, with two unknowns: how far it has slipped on the wall.
+
+    As Slider, but: axes: (2, 3) unit, of the plane of the wall; slip: (2,) the velocity relative
+    to the wall at t = 0 [m/s], along them.
+    """
+
+    names: tuple[int, int]
+    mass: float
+    mu: float
+    normal: Vector
+    axes: Vector
+    slip: Vector
+    gravity: Vector
+    load: Vector
+    frequency: Vector
+    phase: Vector
+    shaking: Vector
+    base: Vector
+
+    @functools.cached_property
+    def relative_drive(self) -> Vector:
+        """Acceleration relative to the wall without friction, as rows (2, 1 + k)."""
+        return ((forces(self) - ground(self)) @ self.axes.T).T
+
+    @functools.cached_property
+    def pressing(self) -> Vector:
+        """Contact pressure over the mass of the body, as a row."""
+        return (ground(self) - forces(self)) @ self.normal
+
+
+def forces(slider: Slider | TurningSlider) -> Vector:
+    """Constant accelerations of a body, and those of each sine, (1 + k, 3) [m/s2]."""
+    return np.vstack((slider.gravity + slider.load / slider.mass, slider.shaking))
+
+
+def ground(slider: Slider | TurningSlider) -> Vector:
+    """The acceleration of its wall likewise."""
+    omega = 2 * np.pi * slider.frequency
+    return np.vstack((np.zeros(3), -(omega[:, None] ** 2) * slider.base))
+
+
+def assemble_slider(scene: Scene) -> Slider | TurningSlider:
+    """The equations of motion of a scene; raises RefusedError if it is outside the class."""
     check_terms(scene)
     try:
         scene = as_spheres(scene)
@@ -87,35 +122,39 @@ def assemble_slider(scene: Scene) -> Slider:
     spheres, wall = scene.spheres, scene.walls[0]
     free = scene.axes[spheres.free[0]]
     shaking, base = _sines(scene.wave), _sines(wall.motion)
-    along = _along(scene, contact, shaking[2], base[2])
-    felt = [contact.normal, along] if scene.contact.mu > 0 else [contact.normal]
-    _check_held(contact, along, free, base[2])
+    axes = _directions(scene, contact, shaking[2], base[2])
+    felt = [contact.normal, *axes] if scene.contact.mu > 0 else [contact.normal]
+    _check_held(contact, axes, free, base[2])
     carried = base[2] @ np.transpose(felt) @ np.array(felt)
-    return Slider(
-        names=contact.names,
-        mass=float(spheres.mass[0]),
-        mu=scene.contact.mu,
-        normal=contact.normal,
-        along=along,
-        speed=float(spheres.velocity[0] @ along),
-        sign=_sign(scene, contact, along, base, carried),
-        gravity=scene.gravity,
-        load=spheres.load[0],
-        frequency=np.concatenate((shaking[0], base[0])),
-        phase=np.concatenate((shaking[1], base[1])),
-        shaking=np.vstack((shaking[2], 0 * base[2])),
-        base=np.vstack((0 * shaking[2], carried)),
-    )
+    slip = _slip(scene, contact, axes, base, carried)
+    shared: dict[str, Any] = {
+        "names": contact.names,
+        "mass": float(spheres.mass[0]),
+        "mu": scene.contact.mu,
+        "normal": contact.normal,
+        "gravity": scene.gravity,
+        "load": spheres.load[0],
+        "frequency": np.concatenate((shaking[0], base[0])),
+        "phase": np.concatenate((shaking[1], base[1])),
+        "shaking": np.vstack((shaking[2], 0 * base[2])),
+        "base": np.vstack((0 * shaking[2], carried)),
+    }
+    if len(axes) == 2:
+        return TurningSlider(axes=axes, slip=slip, **shared)
+    speed = float(spheres.velocity[0] @ axes[0])
+    return Slider(along=axes[0], speed=speed, sign=int(np.sign(slip[0])), **shared)
 
 
-def describe_slider(scene: Scene, slider: Slider) -> Model:
+def describe_slider(scene: Scene, slider: Slider | TurningSlider) -> Model:
     """What was built, read off the slider."""
-    note = (
-        "1 displacement along a fixed direction, out of "
-        f"{count_in_words(scene.unknowns(), 'freedom')}; 1 rigid contact with constant normal; "
-        f"{count_in_words(len(slider.phase), 'sine')}"
-    )
-    return Model(1, scene.terms(), note)
+    freedoms = count_in_words(scene.unknowns(), "freedom")
+    contact = "1 rigid contact with constant normal"
+    sines = count_in_words(len(slider.phase), "sine")
+    if isinstance(slider, Slider):
+        note = f"1 displacement along a fixed direction, out of {freedoms}; {contact}; {sines}"
+        return Model(1, scene.terms(), note)
+    note = f"2 displacements in the plane of the wall, out of {freedoms}; {contact}; {sines}"
+    return Model(2, scene.terms(), note)
 
 
 Sines = tuple[Vector, Vector, Vector]  # frequencies (k,), phases (k,), amplitudes (k, 3)
@@ -147,10 +186,10 @@ def _closed_contact(scene: Scene) -> PossibleContact:
     return contact
 
 
-def _along(scene: Scene, contact: PossibleContact, shaking: Vector, base: Vector) -> Vector:
-    """The (3,) unit direction in which the body can slip, any tangent if nothing drives it.
+def _directions(scene: Scene, contact: PossibleContact, shaking: Vector, base: Vector) -> Vector:
+    """The unit directions (d, 3) in which the body can slip, any tangent if nothing drives it.
 
-    Raises RefusedError if there are two. Without friction a wall that slides drives nothing.
+    Without friction a wall that slides drives nothing.
     """
     spheres = scene.spheres
     free = scene.axes[spheres.free[0]]
@@ -162,23 +201,22 @@ def _along(scene: Scene, contact: PossibleContact, shaking: Vector, base: Vector
         causes = np.vstack((causes, *map(scaled, base)))
     across = causes - np.outer(causes @ contact.normal, contact.normal)
     found = span(across, contact.rounding)
-    if len(found) > 1:
-        verb = "can turn" if scene.contact.mu > 0 else "has two directions"
-        raise RefusedError("the slip between bodies {} and {} {}".format(*contact.names, verb))
     if len(found):
-        return np.asarray(found[0])
+        return found
     if _negligible(base @ contact.normal, base):
         raise RefusedError("nothing in the scene moves")
-    return np.asarray(np.linalg.svd(contact.normal[None])[2][1])
+    return np.asarray(np.linalg.svd(contact.normal[None])[2][1:2])
 
 
-def _check_held(contact: PossibleContact, along: Vector, free: Vector, base: Vector) -> None:
+def _check_held(contact: PossibleContact, axes: Vector, free: Vector, base: Vector) -> None:
     """Refuse a body whose locks carry what the contact should, or that a sliding wall drags."""
     names = "body {1} is locked {what} body {0}; how hard they {verb} is not determined"
     if _outside(contact.normal, free, contact.rounding):
         raise RefusedError(names.format(*contact.names, what="normal to", verb="press"))
-    if _outside(along, free, contact.rounding) and not _negligible(base @ along, base):
-        raise RefusedError(names.format(*contact.names, what="along the slip of", verb="rub"))
+    for along in axes:
+        held = _outside(along, free, contact.rounding)
+        if held and not _negligible(base @ along, base):
+            raise RefusedError(names.format(*contact.names, what="along the slip of", verb="rub"))
 
 
 def _outside(vector: Vector, free: Vector, rounding: float) -> bool:
@@ -191,14 +229,17 @@ def _negligible(parts: Vector, vectors: Vector) -> bool:
     return bool((np.abs(parts) <= DIRECTION_ROUNDING * np.linalg.norm(vectors, axis=1)).all())
 
 
-def _sign(
-    scene: Scene, contact: PossibleContact, along: Vector, base: Sines, carried: Vector
-) -> int:
-    """The sign of the slip at t = 0, 0 if within rounding; the body must stay on the wall."""
+def _slip(
+    scene: Scene, contact: PossibleContact, axes: Vector, base: Sines, carried: Vector
+) -> Vector:
+    """The velocity of the slip at t = 0 along axes (d, 3), (d,) [m/s], without what is rounding.
+
+    Raises RefusedError if the body does not stay on the wall.
+    """
     velocity, rates = scene.spheres.velocity[0], 2 * np.pi * base[0][:, None] * carried
     relative = velocity - np.cos(base[1]) @ rates
     rounding = DIRECTION_ROUNDING * (np.abs(velocity).sum() + np.abs(rates).sum())
-    leaving, slip = float(relative @ contact.normal), float(relative @ along)
+    leaving, slip = float(relative @ contact.normal), axes @ relative
     if abs(leaving) > rounding:
         how = "leave each other" if leaving > 0 else "meet"
         raise RefusedError(
@@ -206,4 +247,4 @@ def _sign(
                 *contact.names, abs(leaving), how=how
             )
         )
-    return int(np.sign(slip)) if abs(slip) > rounding else 0
+    return np.asarray(slip if np.linalg.norm(slip) > rounding else 0 * slip)

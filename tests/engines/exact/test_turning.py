@@ -1,0 +1,146 @@
+"""Claims about the exact motion of a block whose slip turns on a rigid wall."""
+
+from __future__ import annotations
+
+import dataclasses
+
+import numpy as np
+import pytest
+
+from reference_solutions.blocks import turning_slip
+from tests.scenes.exact_slides import BOX, DOWN, LEVEL, apart, ran, turned
+from tests.scenes.sliding_blocks import FREE, Frame, G, block, wall
+from vv.ask import Ask, History, Status
+from vv.engines.exact import solve
+from vv.scene import Contact, Harmonic, Scene, Vector
+
+ROUNDING = 1e-13  # of the greatest slip: some 500 pieces, each a few roundings off
+DURATION = 4.0
+
+
+def shaken_slope(
+    seed: int, mu: float = 0.45, frame: Frame | None = None, start: tuple[float, float] = (0, 0)
+) -> Scene:
+    """A block on a slope, shaken along its dip, strike and normal at three frequencies."""
+    r, frame = np.random.default_rng(seed), frame or Frame(15.0)
+    amplitude, frequency = r.uniform((2, 2, 0.5), (5, 5, 1.5)), r.uniform(0.6, 3.0, 3)
+    drive = Harmonic(amplitude, frequency, r.uniform(0, 6.3, 3), frame.axes)
+    velocity = start[0] * frame.axes[0] + start[1] * frame.axes[1]
+    bodies = (wall(frame), block(frame, velocity))
+    return Scene(bodies, Contact(np.inf, mu=mu), gravity=DOWN, shaking=drive)
+
+
+def by_collocation(scene: Scene, frame: Frame, times: Vector) -> Vector:
+    """The displacement (t, 3) by the reference's collocation, which starts from rest."""
+    assert isinstance(scene.shaking, Harmonic)
+    drive, mu = scene.shaking, scene.contact.mu
+    size = drive.amplitude * np.array([1.0, 1.0, -mu])
+    weight = np.array([1.0, 1.0, -mu]) * (frame.axes @ scene.gravity)
+    given = turning_slip.Drive(
+        2 * np.pi * drive.frequency,
+        weight,
+        np.diag(size * np.cos(drive.phase)),
+        np.diag(size * np.sin(drive.phase)),
+    )
+    steps = turning_slip.history(given, float(times[-1]))
+    return np.asarray(turning_slip.displacement(times, steps) @ frame.axes[:2])
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_a_slip_that_turns_agrees_with_collocation(seed: int) -> None:
+    frame, scene = Frame(15.0), shaken_slope(seed)
+    run = ran(scene, DURATION)
+    assert run.times is not None
+    assert apart(run.values[BOX], by_collocation(scene, frame, run.times)) < ROUNDING
+
+
+def test_a_slip_under_constant_forces_ends_when_the_closed_form_says() -> None:
+    """F |w| + T.w falls at the rate F^2 - |T|^2, whatever way the slip takes."""
+    frame, start = Frame(15.0), np.array([-0.7, 1.3])
+    law = Contact(np.inf, mu=0.45)
+    bodies = (wall(frame), block(frame, start @ frame.axes[:2]))
+    path = turned(Scene(bodies, law, gravity=DOWN), 3.0)
+    pull, hold = G * np.sin(np.radians(15)), 0.45 * G * np.cos(np.radians(15))
+    end = (hold * np.linalg.norm(start) + pull * start[0]) / (hold**2 - pull**2)
+    assert path.changes == pytest.approx([end], rel=ROUNDING)
+
+
+def test_sines_in_step_along_two_axes_slip_as_one_along_their_diagonal() -> None:
+    box, law = block(LEVEL, 0 * DOWN), Contact(np.inf, mu=0.2)
+    turn = np.array([[np.cos(0.6), np.sin(0.6), 0], [-np.sin(0.6), np.cos(0.6), 0], [0, 0, 1]])
+    both = Harmonic((4 * np.cos(0.6), 4 * np.sin(0.6), 0), (1.5, 1.5, 1))  # type: ignore[arg-type]
+    one = Harmonic((4, 0, 0), (1.5, 1, 1), axes=turn)  # type: ignore[arg-type]
+    plane, line = (
+        ran(Scene((wall(LEVEL), box), law, gravity=DOWN, shaking=drive), DURATION)
+        for drive in (both, one)
+    )
+    assert [run.model and run.model.unknowns for run in (plane, line)] == [2, 1]
+    assert apart(plane.values[BOX], line.values[BOX]) < ROUNDING
+
+
+def test_a_slip_without_friction_is_the_sum_of_its_sines() -> None:
+    scene = shaken_slope(0, mu=0.0, start=(0.3, -0.2))
+    run, frame = ran(scene, DURATION), Frame(15.0)
+    drive, t = scene.shaking, run.times
+    assert isinstance(drive, Harmonic)
+    assert t is not None
+    omega = 2 * np.pi * drive.frequency
+    sines = (np.sin(drive.phase) - np.sin(np.outer(t, omega) + drive.phase)) / omega**2
+    sines += np.outer(t, np.cos(drive.phase) / omega)
+    along = drive.amplitude * sines + np.outer(t, [0.3, -0.2, 0])
+    along[:, 0] += G * np.sin(np.radians(15)) * t**2 / 2
+    assert apart(run.values[BOX], along[:, :2] @ frame.axes[:2]) < ROUNDING
+
+
+def test_the_frame_of_a_slope_changes_nothing() -> None:
+    here, there = Frame(15.0), Frame(15.0, 1.1)
+    runs = [ran(shaken_slope(3, frame=frame), DURATION) for frame in (here, there)]
+    seen = [run.values[BOX] @ frame.axes.T for run, frame in zip(runs, (here, there), strict=True)]
+    assert apart(*seen) < ROUNDING
+
+
+def test_a_wall_that_moves_in_two_directions_carries_the_block_as_shaking_would() -> None:
+    """Relative to the wall, its motion is a shaking with the opposite acceleration."""
+    frequency, size = np.array([1.3, 0.9, 1.0]), np.array([0.06, 0.1, 0.0])
+    motion = Harmonic(size, frequency)
+    bodies = (wall(LEVEL, motion), block(LEVEL, 2 * np.pi * frequency * size))
+    law = Contact(np.inf, mu=0.2)
+    carried = ran(Scene(bodies, law, gravity=DOWN), DURATION)
+    still = Harmonic((2 * np.pi * frequency) ** 2 * size, frequency)
+    shaken = ran(
+        Scene((wall(LEVEL), block(LEVEL, 0 * DOWN)), law, gravity=DOWN, shaking=still), DURATION
+    )
+    assert carried.times is not None
+    ground = size * np.sin(2 * np.pi * np.outer(carried.times, frequency))
+    assert apart(carried.values[BOX] - ground, shaken.values[BOX]) < ROUNDING
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_energy_is_conserved_while_the_wall_moves_too(seed: int) -> None:
+    scene = shaken_slope(seed, start=(0.4, 0.9))
+    motion = Harmonic((0.02, 0.03, 0.0), (1.1, 2.3, 1.0), axes=Frame(15.0).axes)  # type: ignore[arg-type]
+    ledger = ran(
+        dataclasses.replace(scene, bodies=(wall(Frame(15.0), motion), scene.blocks[0])), DURATION
+    ).ledger
+    assert ledger is not None
+    assert ledger.terms["friction dissipation"] > 0
+    assert ledger.bound is not None
+    assert ledger.unaccounted < ledger.bound < 1e-9 * ledger.terms["friction dissipation"]
+
+
+def test_a_block_locked_across_the_dip_slips_along_a_line() -> None:
+    free = FREE.copy()
+    free[1] = False
+    bodies = (wall(LEVEL), block(LEVEL, 0 * DOWN, free))
+    drive = Harmonic((3, 3, 0), (1.0, 2.0, 1.0))  # type: ignore[arg-type]
+    run = ran(Scene(bodies, Contact(np.inf, mu=0.1), gravity=DOWN, shaking=drive), 1.0)
+    assert run.model is not None
+    assert run.model.unknowns == 1
+
+
+def test_too_many_pieces_are_an_answer(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr("vv.engines.exact.turn.path.FEW", 10)
+    monkeypatch.setattr("vv.engines.exact.turn.path.MOST", 40)
+    run = solve(Ask(shaken_slope(0), History(DURATION, 0.1), (BOX,)))
+    assert run.status is Status.DIVERGED
+    assert "more than 40 steps" in run.reason

@@ -1,0 +1,98 @@
+"""Taylor series of a slip that turns: of its drive, of a step, and of its start from rest."""
+
+from __future__ import annotations
+
+import math
+
+from vv.engines.kernels.compiled import lent
+from vv.scene import Vector
+
+ORDER = 24  # of the series of the place; that of the velocity is one less
+REACH = 0.18  # (1e-17)^(1/23): of the radius of convergence, so that the last term is rounding
+
+
+@lent
+def expand_drive(
+    rows: Vector, omega: Vector, phase: Vector, t: float, h: float, out: Vector
+) -> None:
+    """Coefficients (3, ORDER + 1) at time t of rows[:, 0] + rows[:, 1:] @ sines, in units of h."""
+    out[:, :] = 0.0
+    for r in range(3):
+        out[r, 0] = rows[r, 0]
+    for i in range(len(omega)):
+        angle, turn, size = omega[i] * t + phase[i], omega[i] * h, 1.0
+        sine, cosine = math.sin(angle), math.cos(angle)
+        for n in range(out.shape[1]):
+            value = size * (cosine if n % 2 else sine) * (-1.0 if n % 4 > 1 else 1.0)
+            for r in range(3):
+                out[r, n] += rows[r, 1 + i] * value
+            size *= turn / (n + 1)
+
+
+@lent
+def expand_slip(drive: Vector, h: float, w: Vector, work: Vector) -> None:
+    """Coefficients (2, ORDER) of w' = T - F w/|w| from those at its start, w[:, 0] [m/s].
+
+    drive: (3, ORDER + 1) those of T and F [m/s2]. work: (3, ORDER), of |w|^2, 1/|w| and F/|w|.
+    """
+    square, inverse, pull = work[0], work[1], work[2]
+    for n in range(w.shape[1] - 1):
+        square[n] = pull[n] = inverse[n] = 0.0
+        for i in range(n + 1):
+            square[n] += w[0, i] * w[0, n - i] + w[1, i] * w[1, n - i]
+        if n == 0:
+            inverse[0] = 1 / math.sqrt(square[0])
+        for i in range(1, n + 1):  # q = s^(-1/2) obeys 2 s q' = -s' q
+            inverse[n] += (0.5 * i - n) * square[i] * inverse[n - i] / (n * square[0])
+        for i in range(n + 1):
+            pull[n] += drive[2, i] * inverse[n - i]
+        for a in range(2):
+            force = drive[a, n]
+            for i in range(n + 1):
+                force -= pull[i] * w[a, n - i]
+            w[a, n + 1] = h * force / (n + 1)
+
+
+@lent
+def expand_start(drive: Vector, h: float, power: int, v: Vector, z: Vector, work: Vector) -> None:
+    """Coefficients (ORDER,) of a slip from rest at x = 0: x^power v along T(0), z v x^power across.
+
+    power 2 where |T| rises above F, 1 where it is above at once. drive: as in `expand_slip`, in
+    the frame whose first axis is along T(0); work: (2, ORDER), of 1/sqrt(1 + z^2) and z over
+    that root. With power 2 the series of the direction is asymptotic, since the slip is drawn to
+    this solution ever faster as x falls to 0.
+    """
+    root, across = work[0], work[1]
+    for j in range(len(v)):
+        v[j] = z[j] = across[j] = root[j] = 0.0
+    root[0] = 1.0
+    if power == 1:
+        v[0] = h * (drive[0, 0] - drive[2, 0])
+    for j in range(1, len(v)):
+        root[j] = _inverse_root(root, z, j)
+        force = drive[0, j]
+        for i in range(j + 1):
+            force -= drive[2, i] * root[j - i]
+        v[j + 1 - power] = h * force / (j + 1)
+        known = 0.0
+        for i in range(1, j):
+            known += z[i] * root[j - i]
+        force = drive[1, j] - drive[2, 0] * known
+        for i in range(1, j):
+            force -= drive[2, i] * across[j - i]
+        for i in range(2 - power, j):
+            force -= (j + 1) / h * v[i] * z[j + 1 - power - i]
+        z[j] = force / (drive[2, 0] + (2 - power) * (j + 1) / h * v[0])
+        across[j] = known + z[j]
+
+
+@lent
+def _inverse_root(root: Vector, z: Vector, j: int) -> float:
+    """The coefficient j of (1 + z^2)^(-1/2) from those before it; z[0] = 0."""
+    total = 0.0
+    for i in range(2, j + 1):
+        square = 0.0
+        for k in range(1, i):
+            square += z[k] * z[i - k]
+        total += (0.5 * i - j) * square * root[j - i] / j
+    return total
