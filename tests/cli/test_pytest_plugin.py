@@ -32,6 +32,7 @@ def test_each_setting_is_a_test_and_the_report_is_linked(tiny: Tiny) -> None:
     assert "vv::fall:up fake/good dt=0.1 PASSED" in done.stdout
     assert "vv::fall:up fake/coarse dt=0.1 FAILED" in done.stdout
     assert "error 0.01, tolerance 0.001" in done.stdout
+    assert "___ vv: fall:up fake/coarse dt=0.1 ___" in done.stdout
     assert "vv::fall:up fake/raises dt=0.1 FAILED" in done.stdout
     assert "error: RuntimeError: a bug in the code" in done.stdout
     assert "refused: it does not feel like it" in done.stdout

@@ -13,17 +13,17 @@ from tests.conftest import Tiny
 def test_an_empty_folder_becomes_a_project_with_a_code_and_a_case_that_run(tmp_path: Path) -> None:
     own = Tiny(tmp_path)
     assert "written: vv.toml" in own.vv("init").stdout
-    said = own.vv("new", "code", "mine", "--language", "sh").stdout
+    said = own.vv("new", "code", "my-dem", "--language", "sh").stdout
     assert said.splitlines()[:3] == [
-        "written: mine.sh",
-        "written: mine.toml",
-        "then: vv check mine.toml",
+        "written: my_dem.sh",
+        "written: my_dem.toml",
+        "then: vv check my_dem.toml",
     ]
-    assert own.vv("check", "mine.toml").returncode == 0
+    assert own.vv("check", "my_dem.toml").returncode == 0
     assert "then: vv gate fresh" in own.vv("new", "case", "fresh").stdout
-    for name in ("mine.toml", "mine.sh"):
+    for name in ("my_dem.toml", "my_dem.sh"):
         shutil.move(tmp_path / name, tmp_path / "adapters")
-    done = own.vv("gate", "fresh", "--codes", "mine,exact")
+    done = own.vv("gate", "fresh", "--codes", "my-dem,exact")
     assert done.returncode == 0, done.stderr
     assert "1 pass, 2 shown only" in done.stdout
 

@@ -78,9 +78,12 @@ class JobTest(pytest.Item):
             pytest.fail("\n".join(red), pytrace=False)
 
     def reportinfo(self) -> tuple[Path, None, str]:
-        """Where the test is from: the case's file; its name is that of its node."""
+        """Where the test is from, the case's file, and what stands above its failure.
+
+        It must not end its node's name: pytest would write `::` for the points of its numbers.
+        """
         case = self.invocation.plan.jobs[self.number].case
-        return self.invocation.project.case_file(case), None, ""
+        return self.invocation.project.case_file(case), None, f"vv: {self.name}"
 
 
 def tests(session: pytest.Session) -> Iterator[JobTest]:

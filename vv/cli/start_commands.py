@@ -27,7 +27,7 @@ NAMES = {Kind.CODE: "mydem", Kind.CASE: "mycase"}
 def new(
     kind: Annotated[Kind, typer.Argument(help="What to start.", show_choices=True)],
     name: Annotated[
-        str, typer.Argument(metavar="[NAME]", help="Its name: small letters, digits and _.")
+        str, typer.Argument(metavar="[NAME]", help="Its name: small letters, digits, - and _.")
     ] = "",
     language: Annotated[
         Language, typer.Option("--language", help="The language of a program.")
@@ -39,7 +39,7 @@ def new(
     """
     from vv.plan import imports, start
 
-    name = name or NAMES[kind]
+    name = (name or NAMES[kind]).replace("-", "_")
     if kind is Kind.CODE:
         for path in start.program(Path.cwd(), name, language):
             say(f"written: {path.name}")
