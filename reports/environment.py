@@ -21,13 +21,13 @@ from reports.pages import code as codes_page
 from reports.pages.case import case
 from reports.pages.findings import findings
 from reports.pages.front import front
-from reports.pages.inputs import heads
 from reports.pages.measured import measured
 from reports.pages.overview import overview
 from reports.pages.papers import papers
 from reports.pages.steadiness import sections
-from reports.pages.tables import Group, Setting
 from reports.pages.troubles import troubles
+from reports.variant.inputs import heads
+from reports.variant.settings import Group, Setting
 from vv.output import table
 from vv.records.finding import worst_first
 from vv.records.reading import tried

@@ -95,7 +95,7 @@ def _book(manifest: Manifest, store: Store, beside: Beside) -> Book:
 def _files(book: Book) -> Iterator[File]:
     """All files of a report, the front page last: it is there when all that it leads to is."""
     from reports import environment as env
-    from reports.pages.inputs import heads
+    from reports.variant.inputs import heads
 
     looks = sources()
     yield File("report.css", looks, env.style)
@@ -123,7 +123,7 @@ def _files(book: Book) -> Iterator[File]:
 
 def _of_case(book: Book, case: str) -> str:
     """Digest of all that the page of a case shows."""
-    from reports.pages.inputs import heads
+    from reports.variant.inputs import heads
 
     whole = book.manifest
     past = [_without_time(point) for point in book.past.get(case, ())]

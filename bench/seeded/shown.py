@@ -2,7 +2,8 @@
 
 from bench.seeded.bug import Bug
 
-TABLES = "reports/pages/tables.py"
+READING = "reports/variant/reading.py"
+RANKING = "reports/variant/ranking.py"
 TEXT = "reports/text.py"
 CASE = "reports/pages/case.py"
 CHARTS = "reports/drawing/charts.py"
@@ -16,15 +17,15 @@ RECORD = "vv/records/record.py"
 PAGES, INSIGHT = "tests/reports", "tests/insight"
 
 BUGS = (
-    Bug("tolerance over error inverted", TABLES, "return one.tolerance / one.error if", "return one.error / one.tolerance if", tests=PAGES),
-    Bug("the finest setting is the coarsest", TABLES, "finest = measured[-1] if", "finest = measured[0] if", tests=PAGES),
+    Bug("tolerance over error inverted", READING, "return one.tolerance / one.error if", "return one.error / one.tolerance if", tests=PAGES),
+    Bug("the finest setting is the coarsest", RANKING, "finest = measured[-1] if", "finest = measured[0] if", tests=PAGES),
     Bug("the map shows the coarsest setting", "reports/pages/overview.py", "for r in reversed(pile) if r.quantities", "for r in pile if r.quantities", tests=PAGES),
     Bug("milliseconds that are microseconds", TEXT, '(1.0, 1e3, "ms")', '(1.0, 1e6, "ms")', tests=PAGES),
     Bug("compared with the source at any step", CASE, "if record.rung.dt in (dt, None)", "if record.rung.dt is not dt", tests=PAGES),
     Bug("profiles upside down", CHARTS, "levels = np.arange(1, len(ratios) + 1) / len(row)", "levels = 1 - np.arange(1, len(ratios) + 1) / len(row)", tests=PAGES),
     Bug("a curve of the coarsest setting", COLLECT, "kept = arrays(ran[-1].key)", "kept = arrays(ran[0].key)", tests=PAGES),
-    Bug("the worst scheme ranked first", TABLES, "(row.error is None, row.error or 0.0, row.mark.label)", "(row.error is None, -(row.error or 0.0), row.mark.label)", tests=PAGES),
-    Bug("the advice is the dearest setting", "reports/pages/advice.py", "in sorted(able, key=lambda row: row[:2]):", "in sorted(able, key=lambda row: row[:2])[::-1]:", tests=PAGES),
+    Bug("the worst scheme ranked first", RANKING, "(row.error is None, row.error or 0.0, row.mark.label)", "(row.error is None, -(row.error or 0.0), row.mark.label)", tests=PAGES),
+    Bug("the advice is the dearest setting", "reports/variant/advice.py", "in sorted(able, key=lambda row: row[:2]):", "in sorted(able, key=lambda row: row[:2])[::-1]:", tests=PAGES),
     Bug("the value of a number where the exact one is", "reports/environment.py", "text.brief(one.value), text.brief(one.reference)", "text.brief(one.value), text.brief(one.value)", tests=PAGES),
     Bug("the start told as the end", RECORD, '"final": _finite(value[-1])', '"final": _finite(value[0])', tests="tests/records"),
     Bug("the exact end is the code's own", RECORD, "end=_finite(reference[-1])", "end=_finite(value[-1])", tests="tests/records"),

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 
 from reports.book import Book
 from reports.drawing.collect import History
-from reports.pages.variant import Variant, variant
 from reports.text import slug
+from reports.variant.variant import Variant, variant
 from vv.case import Norm
 from vv.insight.history import Point
 from vv.records.accepted import BaselineSummary

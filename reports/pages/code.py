@@ -9,10 +9,10 @@ from dataclasses import dataclass
 from reports.book import Book
 from reports.marks import Mark
 from reports.outcomes import ShownOutcome, counted
-from reports.pages.inputs import heads
 from reports.pages.overview import Overview, Row
-from reports.pages.tables import Ranked, ranked
 from reports.pages.troubles import Trouble, troubles
+from reports.variant.inputs import heads
+from reports.variant.ranking import Ranked, ranked
 from vv.records.reading import tried
 
 

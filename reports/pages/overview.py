@@ -10,14 +10,13 @@ from dataclasses import dataclass
 from reports.book import Book, Place
 from reports.marks import Mark
 from reports.outcomes import RANKS, ShownOutcome, counted
-from reports.pages.tables import judged_error, nearest
+from reports.variant.reading import TARGET, judged_error, nearest
 from vv.insight.accuracy_cost import reach
 from vv.insight.stability_summary import Kind, stability
 from vv.records.job_record import Record
 from vv.records.outcomes import StudyKind
 
 TARGETS = (1e-2, 1e-3, 1e-4, 1e-5, 1e-6)
-TARGET = 1e-3  # at which costs are compared first
 
 
 @dataclass(frozen=True)

@@ -17,7 +17,7 @@ import pytest
 from reports import html
 from reports.beside import Beside
 from reports.outcomes import OUTCOMES, WORST_FIRST, shown_outcome
-from reports.pages import tables
+from reports.variant import reading
 from tests.support.fabricated import (
     HEAD,
     STEPS,
@@ -87,7 +87,7 @@ def test_every_outcome_of_what_ran_is_in_its_row_with_a_symbol(
     for made in manifest.records:
         outcome = shown_outcome(made)
         seen.add(outcome.key)
-        where = rows.get(tables.anchor(made), page)
+        where = rows.get(reading.anchor(made), page)
         assert f"{outcome.symbol} {outcome.word}" in re.sub(r"<[^>]*>", "", where)
     assert seen == set(OUTCOMES)
 
@@ -109,7 +109,7 @@ def test_red_is_explained_by_the_setting_that_fails_and_not_by_the_finest(
     bad = changed(good, ledger={**leaked, "audits": audits})
     records = tuple(bad if r is good else r for r in manifest.records)
     page = built(dataclasses.replace(manifest, records=records), store)
-    row = Tags(page).rows[tables.anchor(good)]
+    row = Tags(page).rows[reading.anchor(good)]
     assert "≠ not conserved 1" in row
     assert "✓ pass 2" in row
     said = "at dt = 0.004 s: Energy not conserved: created 1.39e3 J, allowed 2.00e-10 J"

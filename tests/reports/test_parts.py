@@ -22,8 +22,8 @@ from reports.drawing.curves import draw
 from reports.drawing.svg import SLACK, path, straightened, thinned
 from reports.marks import COLOURS, mark, marks
 from reports.outcomes import OUTCOMES, counted
-from reports.pages import tables
 from reports.pages.findings import findings
+from reports.variant import ranking, settings
 from tests.support.fabricated import STEPS, changed, cost, entry, manifest, ran, record
 from vv.gate.judgement import counted as counted_by_gate
 from vv.records.outcomes import Outcome
@@ -178,7 +178,7 @@ def test_a_command_shows_the_very_setting_again_and_is_safe_to_paste() -> None:
 
 def test_observed_order_is_fitted_and_shown_per_setting(tmp_path: Path) -> None:
     runs = [ran(Store(tmp_path), "a/a", "T1", dt, "pass") for dt in STEPS]
-    (group,) = tables.groups({"a/a": runs}, marks(["a/a"]))
+    (group,) = settings.groups({"a/a": runs}, marks(["a/a"]))
     assert group.order is not None
     assert abs(group.order.order - 2) < 1e-6
     orders = [row.local for row in group.rows]
@@ -192,7 +192,7 @@ def test_the_order_of_a_table_leaves_out_settings_at_a_floor() -> None:
         record("a/a", "T1", 4e-3 / 2**i, quantities=[entry("pass", {"max": error})])
         for i, error in enumerate(errors)
     ]
-    (group,) = tables.groups({"a/a": runs}, marks(["a/a"]))
+    (group,) = settings.groups({"a/a": runs}, marks(["a/a"]))
     assert group.order
     assert (round(group.order.order, 6), group.order.points) == (2.0, 2)
 
@@ -200,7 +200,7 @@ def test_the_order_of_a_table_leaves_out_settings_at_a_floor() -> None:
 def test_schemes_are_ranked_by_error_whatever_their_class() -> None:
     rows = [("a/a", 1e-3), ("b/b", 1e-5), ("c/c", None), ("d/d", 0.0)]
     piles = {name: [record(name, "T1", 1e-3, quantities=_with(error))] for name, error in rows}
-    ranked = tables.ranked(piles, marks(piles))
+    ranked = ranking.ranked(piles, marks(piles))
     assert [row.mark.label for row in ranked] == ["d/d", "b/b", "a/a", "c/c"]
 
 

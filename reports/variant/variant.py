@@ -13,25 +13,14 @@ from reports.drawing.collect import History
 from reports.drawing.gallery import Figure, figures
 from reports.drawing.playback import playback
 from reports.outcomes import ShownOutcome, counted, shown_outcome
-from reports.pages.advice import Advice, advice
-from reports.pages.costs import CostRow, cost_rows
-from reports.pages.inputs import Input, inputs
-from reports.pages.tables import (
-    Absent,
-    Dear,
-    Group,
-    Modelled,
-    Ranked,
-    Silent,
-    absent,
-    cheapest,
-    groups,
-    models,
-    ranked,
-    silent,
-    why_colours_differ,
-)
 from reports.text import slug
+from reports.variant.absences import Absent, Silent, absent, silent
+from reports.variant.advice import Advice, advice
+from reports.variant.costs import CostRow, cost_rows
+from reports.variant.inputs import Input, inputs
+from reports.variant.models import Modelled, models
+from reports.variant.ranking import Dear, Ranked, cheapest, ranked, why_colours_differ
+from reports.variant.settings import Group, groups
 from vv.case import Norm
 from vv.insight.voices import votes
 from vv.output.gallery.scene_drawing import picture

@@ -10,9 +10,8 @@ from dataclasses import dataclass
 from reports import plain
 from reports.book import Book, Place
 from reports.marks import Mark
-from reports.pages.overview import TARGET
-from reports.pages.tables import judged_error, nearest
 from reports.text import slug
+from reports.variant.reading import TARGET, judged_error, nearest
 from vv.records.job_record import Record
 from vv.records.reading import rung
 

@@ -1,0 +1,66 @@
+"""What gave nothing in a variant, and why: settings of a scheme, and schemes as a whole."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+from reports import plain
+from reports.marks import Mark
+from reports.outcomes import ShownOutcome, shown_outcome
+from reports.variant.reading import anchor
+from vv.records.job_record import Record
+from vv.records.reading import tried
+
+
+@dataclass(frozen=True)
+class Absent:
+    """Settings of one scheme that gave nothing, all for one reason.
+
+    anchor: the scheme's place, if nothing else of it has that. whole: whether nothing of it ran.
+    """
+
+    anchor: str
+    mark: Mark
+    outcome: ShownOutcome
+    settings: Sequence[str]
+    reason: str
+    whole: bool
+
+
+def absent(piles: Mapping[str, Sequence[Record]], looks: Mapping[str, Mark]) -> list[Absent]:
+    """What gave no quantity: one row per scheme, outcome and reason."""
+    rows: dict[tuple[str, str, str], list[Record]] = {}
+    for label, pile in piles.items():
+        for record in pile:
+            if not record.quantities:
+                key = (label, shown_outcome(record).key.value, record.reason)
+                rows.setdefault(key, []).append(record)
+    anchored = {label for label, pile in piles.items() if any(map(tried, pile))}
+    found = []
+    for (label, _, why), pile in rows.items():
+        place = "" if label in anchored else anchor(pile[0])
+        whole = not any(map(tried, piles[label]))
+        settings = [text for r in pile if (text := plain.setting(r))]
+        found.append(Absent(place, looks[label], shown_outcome(pile[0]), settings, why, whole))
+        anchored.add(label)
+    return found
+
+
+@dataclass(frozen=True)
+class Silent:
+    """Schemes of which nothing ran, all for one reason. marks: the place of each, and its look."""
+
+    outcome: ShownOutcome
+    reason: str
+    marks: Sequence[tuple[str, Mark]]
+
+
+def silent(rows: Sequence[Absent]) -> list[Silent]:
+    """Those of which nothing ran, a row for each reason."""
+    found: dict[tuple[ShownOutcome, str], list[tuple[str, Mark]]] = {}
+    for row in rows:
+        if row.whole:
+            reason = row.reason.removeprefix(f"{row.mark.label} does not support: ")
+            found.setdefault((row.outcome, reason), []).append((row.anchor, row.mark))
+    return [Silent(outcome, reason, marks) for (outcome, reason), marks in found.items()]

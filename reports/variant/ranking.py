@@ -1,0 +1,166 @@
+"""Ranks the schemes of a variant by error and by cost, and says why their colours differ."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+from reports import plain
+from reports.marks import Mark
+from reports.outcomes import ShownOutcome, counted, shown_outcome
+from reports.text import brief, sci
+from reports.variant.reading import anchor, judged_error, margin, nearest
+from reports.variant.settings import observed_order
+from vv.base.metrics import Order
+from vv.gate.judgement import outcome
+from vv.records import codec
+from vv.records.job_record import ModelSummary, Record
+
+
+@dataclass(frozen=True)
+class Ranked:
+    """A scheme in a variant: what it reached at its finest setting, and what came of all.
+
+    why: of its worst setting, in plain words, with the setting and the command; empty if none.
+    """
+
+    anchor: str
+    mark: Mark
+    outcomes: Sequence[tuple[ShownOutcome, int]]
+    error: float | None
+    quantity: str
+    tolerance: float | None
+    method: str
+    order: Order | None
+    setting: str
+    cpu: float | None
+    timed: bool
+    whole: bool
+    unknowns: int | None
+    model: ModelSummary | None
+    balance: str
+    why: str
+    worst_setting: str
+    command: str
+
+    @property
+    def worst(self) -> ShownOutcome:
+        """What colours it."""
+        return self.outcomes[0][0]
+
+
+def ranked(piles: Mapping[str, Sequence[Record]], looks: Mapping[str, Mark]) -> list[Ranked]:
+    """The schemes that took a variant on, most accurate first; piles: label -> its records."""
+    rows = [_ranked(pile, looks[label]) for label, pile in piles.items()]
+    return sorted(rows, key=lambda row: (row.error is None, row.error or 0.0, row.mark.label))
+
+
+@dataclass(frozen=True)
+class Dear:
+    """A scheme in a variant by what its finest setting costs. dearer: over the cheapest.
+
+    whole: whether the cost is that of a whole process.
+    """
+
+    mark: Mark
+    cpu: float
+    timed: bool
+    whole: bool
+    dearer: float
+    error: float | None
+    setting: str
+
+
+def cheapest(rows: Sequence[Ranked]) -> list[Dear]:
+    """The schemes that took a variant on, cheapest first; those without a cost are left out."""
+    known = sorted((row.cpu, row.mark.label, row) for row in rows if row.cpu)
+    return [
+        Dear(row.mark, cpu, row.timed, row.whole, cpu / known[0][0], row.error, row.setting)
+        for cpu, _, row in known
+    ]
+
+
+def _ranked(pile: Sequence[Record], mark: Mark) -> Ranked:
+    measured = [record for record in pile if record.quantities]
+    finest = measured[-1] if measured else pile[-1]
+    one = nearest(finest)
+    bad = _worst_of(pile)
+    cost = finest.cost
+    return Ranked(
+        anchor=anchor(finest),
+        mark=mark,
+        outcomes=counted(pile),
+        error=judged_error(one),
+        quantity=one.name if one and len(finest.quantities) > 1 else "",
+        tolerance=one.tolerance if one else None,
+        method=codec.word(finest.method).replace("-", " "),
+        order=_order_of(pile, one.name) if one else None,
+        setting=plain.setting(finest),
+        cpu=cost.solve_cpu or None,
+        timed=cost.timed,
+        whole=cost.whole,
+        unknowns=finest.model.unknowns if finest.model else None,
+        model=finest.model,
+        balance=_balance(finest),
+        why=plain.reason(bad, outcome(bad)) if bad else "",
+        worst_setting=plain.setting(bad) if bad else "",
+        command=plain.command(bad) if bad else "",
+    )
+
+
+def _worst_of(pile: Sequence[Record]) -> Record | None:
+    """The record that explains the colour of a pile, farthest outside; None if all is well."""
+    worst = counted(pile)[0][0]
+    if worst.look not in ("bad", "odd", "known"):
+        return None
+    own = [record for record in pile if shown_outcome(record).key is worst.key]
+    return min(own, key=_closeness)
+
+
+def _closeness(record: Record) -> float:
+    one = nearest(record)
+    return (margin(one) if one else None) or float("inf")
+
+
+def _balance(record: Record) -> str:
+    """What the balance of energy of a run says."""
+    ledger = record.ledger
+    if ledger is None:
+        return ""
+    promised = (
+        "nothing is promised" if ledger.bound is None else f"promised {brief_j(ledger.bound)}"
+    )
+    return f"Energy not accounted for: {brief_j(ledger.unaccounted)}; {promised}."
+
+
+def brief_j(energy: float) -> str:
+    """An energy to two digits."""
+    return f"{brief(float(f'{energy:.2g}'))} J"
+
+
+def _order_of(pile: Sequence[Record], quantity: str) -> Order | None:
+    """The observed order of a quantity at the stiffest springs, before its floor."""
+    own = [r for r in pile if r.rung.kn == pile[-1].rung.kn]
+    return observed_order([(r.rung.dt, one.error) for r in own if (one := r.quantity(quantity))])
+
+
+def why_colours_differ(rows: Sequence[Ranked]) -> str:
+    """Why a scheme is green though its error is larger than one that is not; empty if none is."""
+    green = [r for r in rows if r.worst.look == "good" and r.error and r.tolerance]
+    for other in rows:
+        if other.worst.look in ("known", "bad") and other.error and other.tolerance:
+            for row in green:
+                if (row.error or 0.0) > other.error:
+                    return _difference(row, other)
+    return ""
+
+
+def _difference(row: Ranked, other: Ranked) -> str:
+    def has(one: Ranked) -> str:
+        return f"{one.mark.label} ({one.method}) has {sci(one.error, 1)} of {sci(one.tolerance, 1)}"
+
+    why = f": {other.why}" if other.why else ""
+    return (
+        "Each scheme is judged by the tolerance of its class of method at its setting: "
+        f"{has(row)} and passes; {has(other)} and is '{other.worst.word}'{why}"
+    )

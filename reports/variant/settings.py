@@ -1,0 +1,94 @@
+"""The rows of the table of all settings of a variant: a group for each scheme and stiffness."""
+
+from __future__ import annotations
+
+import dataclasses
+import itertools
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+from reports.marks import Mark
+from reports.outcomes import ShownOutcome, shown_outcome
+from vv.base.metrics import Order, order_before_floor
+from vv.records.job_record import Record
+from vv.records.outcomes import QuantityKind
+from vv.records.quantity import MeasuredQuantity
+
+Measured = tuple[Record, MeasuredQuantity]
+
+
+@dataclass(frozen=True)
+class Setting:
+    """A row of the table of settings: one record and quantity. local: order from the one before."""
+
+    record: Record
+    quantity: MeasuredQuantity
+    outcome: ShownOutcome
+    local: float | None
+    note: str
+
+
+@dataclass(frozen=True)
+class Group:
+    """The settings of one scheme and quantity at one contact stiffness.
+
+    order: fitted over those before a floor. notes: what all rows share, said once. titled: whether
+    it needs a heading, or goes on below that of the stiffness before.
+    """
+
+    mark: Mark
+    quantity: str
+    unit: str
+    rows: Sequence[Setting]
+    order: Order | None
+    notes: Sequence[str]
+    titled: bool = True
+
+    @property
+    def is_number(self) -> bool:
+        """Whether the quantity has a single value, not a series."""
+        return self.rows[0].quantity.kind is not QuantityKind.SERIES
+
+
+def groups(piles: Mapping[str, Sequence[Record]], looks: Mapping[str, Mark]) -> list[Group]:
+    """The tables of a variant's runs that ran: per scheme, quantity and contact stiffness."""
+    found: dict[tuple[str, str, float | None], list[Measured]] = {}
+    for label, pile in piles.items():
+        for record in pile:
+            for one in record.quantities:
+                found.setdefault((label, one.name, record.rung.kn), []).append((record, one))
+    keys = sorted(found, key=lambda key: (key[0], key[1], key[2] or 0.0))
+    made = [_group(looks[key[0]], found[key]) for key in keys]
+    pairs = zip([None, *made], made, strict=False)
+    return [dataclasses.replace(one, titled=not _goes_on(before, one)) for before, one in pairs]
+
+
+def _goes_on(before: Group | None, one: Group) -> bool:
+    """Whether all that a heading of a group would say stands above it already."""
+    known = before and (before.mark, before.quantity, before.notes)
+    return known == (one.mark, one.quantity, one.notes) and one.order is None
+
+
+def _group(mark: Mark, rows: Sequence[Measured]) -> Group:
+    points = [(r.rung.dt, one.error) for r, one in rows]
+    notes = [[text for text in (r.reason, one.note) if text] for r, one in rows]
+    shared = notes[0] if all(texts == notes[0] for texts in notes) else []
+    local = [None, *(observed_order(list(pair)) for pair in itertools.pairwise(points))]
+    made = [
+        Setting(
+            record=record,
+            quantity=one,
+            outcome=shown_outcome(dataclasses.replace(record, quantities=(one,))),
+            local=step.order if step else None,
+            note="" if shared else "; ".join(texts),
+        )
+        for (record, one), texts, step in zip(rows, notes, local, strict=True)
+    ]
+    one = rows[0][1]
+    return Group(mark, one.name, one.unit, made, observed_order(points), shared)
+
+
+def observed_order(points: Sequence[tuple[float | None, float | None]]) -> Order | None:
+    """The observed order in dt over points (dt, error), coarsest first, before their floor."""
+    usable = [(dt, error) for dt, error in points if dt and error]
+    return order_before_floor([dt for dt, _ in usable], [error for _, error in usable])
