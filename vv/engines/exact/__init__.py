@@ -101,8 +101,8 @@ def move(problem: Problem, duration: float) -> Path | Slide | Turn:
 
 def warm(problem: Problem) -> None:
     """Load the kernel that a problem needs, or compile it."""
-    if isinstance(problem, TurningSlider):
-        follow_turning_slider(problem, 0.0)
+    if not isinstance(problem, Slider):
+        move(problem, 0.0)
 
 
 def model(scene: Scene, problem: Problem) -> Model:

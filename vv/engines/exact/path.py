@@ -3,30 +3,13 @@
 from __future__ import annotations
 
 import functools
-from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
-from vv.engines.exact.modes import State, States
+from vv.engines.exact.modes import STATES, Index, State, States
 from vv.engines.exact.system import System
 from vv.scene import Vector
-
-
-@dataclass(frozen=True, eq=False)
-class Piece:
-    """One step: q = sum over k of series[k] x^k, x = (t - start)/h in [0, end].
-
-    start, h [s]; series: (order + 1, n) [m]; states of the contacts; lengths: (c + s + h,)
-    gaps and stretches of shear springs and bond springs at its start [m].
-    """
-
-    start: float
-    h: float
-    end: float
-    series: Vector
-    states: States
-    lengths: Vector
 
 
 @dataclass(frozen=True)
@@ -41,31 +24,28 @@ class Event:
 
 @dataclass(frozen=True, eq=False)
 class Path:
-    """An exact motion of p pieces, with the fields of Piece stacked; series: (p, order + 1, n)."""
+    """An exact motion of p pieces: q = sum over k of series[k] x^k, x = (t - start)/h in [0, end].
+
+    start, h [s], end: (p,); series: (p, order + 1, n) [m]; numbered: (p, c) the states of the
+    contacts, by their place among STATES; lengths: (p, c + s + h) gaps and stretches of shear
+    springs and bond springs where a piece starts [m].
+    """
 
     system: System
     start: Vector
     h: Vector
     end: Vector
     series: Vector
-    states: tuple[States, ...]
+    numbered: Index
     lengths: Vector
 
-    @classmethod
-    def joined(cls, system: System, pieces: Sequence[Piece]) -> Path:
-        """The path made of pieces in order of time."""
-        return cls(
-            system=system,
-            start=np.array([piece.start for piece in pieces]),
-            h=np.array([piece.h for piece in pieces]),
-            end=np.array([piece.end for piece in pieces]),
-            series=np.array([piece.series for piece in pieces]),
-            states=tuple(piece.states for piece in pieces),
-            lengths=np.array([piece.lengths for piece in pieces]),
-        )
+    @functools.cached_property
+    def states(self) -> tuple[States, ...]:
+        """The states of the contacts in each piece."""
+        return tuple(tuple(STATES[state] for state in row) for row in self.numbered.tolist())
 
     def __len__(self) -> int:
-        return len(self.states)
+        return len(self.start)
 
     @functools.cached_property
     def events(self) -> tuple[Event, ...]:

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from vv.engines.kernels.compiled import compiled, lent
 from vv.scene import Vector
 
 EPS = 2.0**-52
@@ -27,14 +28,28 @@ def first_descent_below_zero(c: Sequence[float], band: float, end: float) -> flo
 
     None if it never does; 0 if it does so at once. band > 0 must exceed the rounding error of p:
     a minimum between -band and 0 is a grazing contact and no event.
+    """
+    found = _first_descent(np.array(c, float), band, end)
+    return found if found <= end else None
+
+
+@compiled
+def _first_descent(c: Vector, band: float, end: float) -> float:
+    return first_descent(c, band, end)
+
+
+@lent
+def first_descent(c: Vector, band: float, end: float) -> float:
+    """As `first_descent_below_zero` for kernels, and infinite where it never falls.
 
     Method: steps along x that cannot skip a zero. With |p'''| <= J, p'' >= p''(x) - J r on
     [x, x + r]; hence p + band > 0 up to the step s <= r that solves
     p + band + p' s - M s^2/2 = 0, M = J r - p''(x). Each look-ahead r is four times the last step.
     """
-    third_derivative_bound = sum(
-        k * (k - 1) * (k - 2) * abs(ck) * end ** (k - 3) for k, ck in enumerate(c) if k > 2
-    )
+    third, power = 0.0, 1.0
+    for k in range(3, len(c)):
+        third += k * (k - 1) * (k - 2) * abs(c[k]) * power
+        power *= end
     x, positive, look_ahead = 0.0, 0.0, end
     while True:
         p, slope, curve = _value(c, x)
@@ -42,17 +57,16 @@ def first_descent_below_zero(c: Sequence[float], band: float, end: float) -> flo
             positive = x
         elif p <= -band / 2:
             return _zero_of_descent(c, positive, x)
-        step = min(
-            _safe_step(p + band, slope, max(third_derivative_bound * look_ahead - curve, 0.0)),
-            look_ahead,
-        )
-        if x + step >= end:
-            return None
-        x += max(step, EPS * x)
-        look_ahead = 4 * step
+        ahead = safe_step(p + band, slope, max(third * look_ahead - curve, 0.0))
+        ahead = min(ahead, look_ahead)
+        if x + ahead >= end:
+            return math.inf
+        x += max(ahead, EPS * x)
+        look_ahead = 4 * ahead
 
 
-def _safe_step(height: float, slope: float, bend: float) -> float:
+@lent
+def safe_step(height: float, slope: float, bend: float) -> float:
     """The s > 0 at which height + slope s - bend s^2/2 = 0, or infinity."""
     root = math.sqrt(slope * slope + 2 * bend * height)
     if slope > 0:
@@ -60,7 +74,8 @@ def _safe_step(height: float, slope: float, bend: float) -> float:
     return 2 * height / (root - slope) if root > slope else math.inf
 
 
-def _zero_of_descent(c: Sequence[float], low: float, high: float) -> float:
+@lent
+def _zero_of_descent(c: Vector, low: float, high: float) -> float:
     """The zero in [low, high] after which p stays negative to `high`; `low` if there is none."""
     x = high
     for _ in range(60):
@@ -79,11 +94,12 @@ def _zero_of_descent(c: Sequence[float], low: float, high: float) -> float:
     return x
 
 
-def _value(c: Sequence[float], x: float) -> tuple[float, float, float]:
+@lent
+def _value(c: Vector, x: float) -> tuple[float, float, float]:
     """A polynomial and its first two derivatives at x, by Horner's rule."""
     p = slope = half = 0.0
-    for ck in reversed(c):
+    for k in range(len(c) - 1, -1, -1):
         half = half * x + slope
         slope = slope * x + p
-        p = p * x + ck
+        p = p * x + c[k]
     return p, slope, 2 * half

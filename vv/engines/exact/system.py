@@ -11,6 +11,7 @@ import numpy as np
 from vv.ask import Model
 from vv.engines.exact.bond_springs import BondSprings, Owners, no_bond_springs
 from vv.engines.exact.modelled import check_spheres, check_terms, count_in_words
+from vv.engines.exact.modes import OPEN, STUCK, Equations, Index
 from vv.engines.exact.reachability import (
     PossibleContact,
     RefusedError,
@@ -62,6 +63,34 @@ class System:
     def ratio(self) -> float:
         """Largest stretch of a shear spring over the overlap, mu kn/ks; 0 without shear springs."""
         return self.mu * self.kn / self.ks if self.springs else 0.0
+
+    @functools.cached_property
+    def start(self) -> tuple[Equations, Vector, Vector, Index]:
+        """The equations as kernels know them, velocities, lengths and states at t = 0.
+
+        Shear springs are slack.
+        """
+        spring, bonds = np.full(len(self.gap), -1), self.bond_springs
+        spring[list(self.springs)] = np.arange(len(self.springs))
+        known = Equations(
+            mass=self.mass,
+            load=self.weight + self.load,
+            normal=self.normal,
+            tangent=self.tangent,
+            tied=bonds.rows,
+            spring=spring,
+            depth=self.depth,
+            length=bonds.length,
+            stiffness=bonds.stiffness,
+            kn=self.kn,
+            ks=self.ks,
+            mu=self.mu,
+            ratio=self.ratio,
+            eta=self.eta,
+            eta_n=self.eta_n,
+        )
+        lengths = np.concatenate((self.gap, np.zeros(len(self.springs)), bonds.stretch))
+        return known, self.velocity, lengths, np.where(self.gap < 0, STUCK, OPEN)
 
 
 def assemble(scene: Scene) -> System:

@@ -7,7 +7,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vv.engines.exact.flow import GUARD_ROUNDING, StoppedError
+from vv.engines.exact.flow import StoppedError
+from vv.engines.exact.guards import GUARD_ROUNDING
 from vv.engines.exact.modes import State
 from vv.engines.exact.roots import bernstein, first_descent_below_zero
 from vv.engines.exact.slide.clock import ORDER, Clock, Instant

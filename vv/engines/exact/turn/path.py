@@ -8,7 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
-from vv.engines.exact.flow import GUARD_ROUNDING, StoppedError
+from vv.engines.exact.flow import StoppedError
+from vv.engines.exact.guards import GUARD_ROUNDING
 from vv.engines.exact.path import taylor_sum
 from vv.engines.exact.roots import EPS
 from vv.engines.exact.slide.system import TurningSlider

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 
+from vv.engines.exact.roots import safe_step
 from vv.engines.kernels.compiled import lent
 from vv.scene import Vector
 
@@ -57,19 +58,10 @@ def end_of_rest(
         elif out[0] <= -band / 2:
             return _zero(rows, omega, phase, held, t, out)
         bend = max(jerk * ahead - out[2], 0.0)
-        step = min(_safe_step(out[0] + band, out[1], bend), ahead)
+        step = min(safe_step(out[0] + band, out[1], bend), ahead)
         t += max(step, 4e-16 * t)
         ahead = min(4 * step, last - t)
     return last
-
-
-@lent
-def _safe_step(height: float, slope: float, bend: float) -> float:
-    """The s > 0 at which height + slope s - bend s^2/2 = 0, or infinity."""
-    root = math.sqrt(slope * slope + 2 * bend * height)
-    if slope > 0:
-        return (slope + root) / bend if bend > 0 else math.inf
-    return 2 * height / (root - slope) if root > slope else math.inf
 
 
 @lent
