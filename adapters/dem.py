@@ -32,6 +32,7 @@ TERMS = frozenset(
         Term.CARRIED,
         Term.CONTACT_VISCOSITY,
         Term.HERTZ,
+        Term.HERTZ_VISCOSITY,
         Term.VISCOUS_FRICTION,
     }
 )
@@ -59,6 +60,7 @@ SCHEMES = (
             Term.RIGID_CONTACT: Method.PENALTY,
             Term.DRAG: Method.LATE_LEAPFROG,
             Term.CONTACT_VISCOSITY: Method.LATE_LEAPFROG,
+            Term.HERTZ_VISCOSITY: Method.LATE_LEAPFROG,
             Term.GRAVITY: Method.LATE_LEAPFROG,
             Term.LOAD: Method.LATE_LEAPFROG,
             Term.SHAKING: Method.LATE_LEAPFROG,

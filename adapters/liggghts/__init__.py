@@ -18,7 +18,12 @@ from vv.codes import Found, Scheme
 from vv.scene import Term
 from vv.standins.stand_in import STANDS_IN
 
-NO_SPRING = {Term.CONTACT_VISCOSITY, Term.VISCOUS_FRICTION, Term.HERTZ}
+NO_SPRING = {
+    Term.CONTACT_VISCOSITY,
+    Term.VISCOUS_FRICTION,
+    Term.HERTZ,
+    Term.HERTZ_VISCOSITY,
+}
 UNRAISED = STANDS_IN | NO_SPRING  # what raised masses were not verified with
 TERMS = frozenset(TRANSLATIONS) - {Term.BOND_SHEAR}
 ON_CORNERS = TERMS - {
@@ -40,6 +45,7 @@ SCHEMES = (
         lowered={
             Term.RIGID_CONTACT: Method.PENALTY,
             Term.CONTACT_VISCOSITY: Method.LATE_LEAPFROG,
+            Term.HERTZ_VISCOSITY: Method.LATE_LEAPFROG,
         },
         why_not=LASTING,
         pace=(6e-6, 2e-7),

@@ -7,6 +7,7 @@ import numpy as np
 from adapters.liggghts.overlaps import why_not_overlapped
 from adapters.liggghts.setup import CLUMP, HALF_STEP, OVERLAPPED, Setup, set_up
 from adapters.liggghts.terms.bonds import why_not_harmonic
+from adapters.liggghts.terms.hertz import why_not_viscous
 from vv.ask import Ask
 from vv.codes import behind_wall, no_drag, no_sphere, no_steps, turned_spin_lock
 from vv.scene import Scene, why_locks_need_more_than_loads
@@ -34,6 +35,7 @@ def refusal(ask: Ask, scheme: str) -> str | None:
         or _spin(scene, scheme)
         or turned_spin_lock(ask.scene, "fix rigid locks its own only")
         or behind_wall(scene)
+        or why_not_viscous(scene)
         or _too_many_groups(set_up(ask, scheme))
         or (no_drag(scene) if scheme == HALF_STEP else None)
     )

@@ -14,6 +14,7 @@ class Law:
 
     style: LIGGGHTS' contact model; tangential: of its shear spring; damping: its switches.
     properties: values of a pair of types, by name: kn and kt are the springs themselves [N/m].
+    material: values of a type, by name.
     bonds: commands that take the place of all that; note: the law in words.
     """
 
@@ -21,6 +22,7 @@ class Law:
     style: str = "hooke/stiffness"
     tangential: str = "off"
     damping: str = "tangential_damping off"
+    material: Mapping[str, float] = field(default_factory=dict)
     bonds: tuple[str, ...] = ()
     note: str = SPRINGS
 
@@ -34,6 +36,10 @@ class Law:
         yield from self.bonds
         if self.bonds:
             return
+        if self.material:
+            yield "hard_particles  yes"
+        for name, value in self.material.items():
+            yield f"fix {name} all property/global {name} peratomtype {float(value)!r}"
         for name, value in self.properties.items():
             yield f"fix {name} all property/global {name} peratomtypepair 1 {float(value)!r}"
         yield f"pair_style      gran {self.model} {self.damping}"

@@ -20,7 +20,12 @@ from vv.scene import Term
 from vv.standins.stand_in import STANDS_IN
 
 TERMS = frozenset(TRANSLATIONS)
-NO_SPRING = {Term.CONTACT_VISCOSITY, Term.VISCOUS_FRICTION, Term.HERTZ}
+NO_SPRING = {
+    Term.CONTACT_VISCOSITY,
+    Term.VISCOUS_FRICTION,
+    Term.HERTZ,
+    Term.HERTZ_VISCOSITY,
+}
 UNRAISED = STANDS_IN | NO_SPRING  # what raised masses were not verified with
 BONDED = {Term.BOND, Term.BOND_SHEAR, Term.BREAKAGE}
 ONLY_SPHERES = {Term.SPHERE, Term.SPHERE_CONTACT, Term.DRAG, Term.CARRIED} | BONDED
@@ -37,6 +42,7 @@ SCHEMES = (
         lowered={
             Term.RIGID_CONTACT: Method.PENALTY,
             Term.CONTACT_VISCOSITY: Method.LATE_LEAPFROG,
+            Term.HERTZ_VISCOSITY: Method.LATE_LEAPFROG,
         },
         observables=OBSERVABLES,
         pace=(2e-6, 1.1e-6),

@@ -7,7 +7,7 @@ import numpy as np
 from adapters.yade.polyhedra import why_no_polyhedron
 from adapters.yade.setup import CLUMP, HALF_STEP, POLYHEDRA, framed
 from adapters.yade.terms.bonds import why_no_bonds
-from adapters.yade.terms.hertz import why_no_material
+from adapters.yade.terms.hertz import why_no_material, why_not_viscous
 from vv.ask import Ask, Reaction
 from vv.codes import behind_wall, no_drag, no_sphere, turned_spin_lock
 from vv.scene import Scene, Term, why_locks_need_more_than_loads
@@ -31,6 +31,7 @@ def refusal(ask: Ask, scheme: str) -> str | None:
         or behind_wall(scene)
         or why_no_bonds(scene)
         or why_no_material(scene.contact.hertz)
+        or why_not_viscous(scene)
         or _oblique_reaction(ask)
         or (no_drag(scene) if scheme == HALF_STEP else None)
     )

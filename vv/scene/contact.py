@@ -59,6 +59,11 @@ class Contact:
         return not np.isfinite(self.kn)
 
     @property
+    def viscous(self) -> bool:
+        """Whether the contact is viscous along its normal."""
+        return self.eta_n > 0 or (self.hertz is not None and self.hertz.damping > 0)
+
+    @property
     def carries_shear(self) -> bool:
         """Whether the contact can transmit a shear force."""
         stiff = self.ks if self.hertz is None else self.hertz.shear_modulus

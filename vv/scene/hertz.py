@@ -45,3 +45,23 @@ class Hertz:
     def shear_factor(self, curvature: Vector) -> Vector:
         """S [N/m^1.5] of the tangential stiffness S sqrt(U)."""
         return np.asarray(8.0 * self.shear_modulus / np.sqrt(curvature))
+
+    def material(self) -> tuple[float, float]:
+        """Young's modulus [Pa] and Poisson's ratio of two equal bodies with these moduli.
+
+        6 G/E = 3 (1 - nu)/(2 - nu) gives nu, and E = Young's modulus/(2 (1 - nu^2)) the other.
+        Without shear modulus any ratio will do.
+        """
+        part = 6.0 * self.shear_modulus / self.modulus
+        poisson = (3.0 - 2.0 * part) / (3.0 - part) if part else 0.0
+        return 2.0 * self.modulus * (1.0 - poisson**2), poisson
+
+    def why_no_material(self) -> str | None:
+        """Why no material has these moduli; else None."""
+        part = 6.0 * self.shear_modulus / self.modulus
+        if part == 0.0 or 1.0 <= part < 2.0:
+            return None
+        return (
+            f"6 G/E = {part:.6g}; this code makes moduli of a material, of which it lies in "
+            "[1, 2), as Poisson's ratio lies in (-1, 1/2]"
+        )

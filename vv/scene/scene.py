@@ -139,7 +139,7 @@ class Scene:
             Term.CONTACT_VISCOSITY: self.contact.eta_n > 0,
             Term.HERTZ: self.contact.hertz is not None,
             Term.HERTZ_VISCOSITY: (self.contact.hertz or NO_HERTZ).damping > 0,
-            Term.VISCOUS_FRICTION: self.contact.eta_n > 0 and self.contact.carries_shear,
+            Term.VISCOUS_FRICTION: self.contact.viscous and self.contact.carries_shear,
         }
         return frozenset(term for term, there in present.items() if there)
 

@@ -2,12 +2,20 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 
 from adapters.liggghts.sections import Deck
 from adapters.liggghts.setup import Setup
+from vv.scene import Scene, Term
 
 NOTE = "pair gran, hertz/stiffness: kn and kt are 4/3 E and 8 G, times sqrt(R U); nothing is damped"
+DAMPED = (
+    "pair gran, hertz, of a material and a coefficient of restitution that have the moduli and the "
+    "damping; from the velocity half a step ago, its force limited to what pushes, and friction by "
+    "all of the normal force"
+)
+LEAST = 0.05  # LIGGGHTS takes no coefficient of restitution up to this
 HELD = "its shear force is all of the slip times today's stiffness, where increments are asked for"
 
 
@@ -21,3 +29,46 @@ def elastic(deck: Deck, setup: Setup) -> Deck:
         deck.law, style="hertz/stiffness", properties={**deck.law.properties, **moduli}, note=NOTE
     )
     return replace(deck, law=law).with_more(notes=[HELD] if contact.carries_shear else [])
+
+
+def viscous(deck: Deck, setup: Setup) -> Deck:
+    """A material and a restitution, of which LIGGGHTS makes effective moduli and damping."""
+    law = setup.scene.contact.hertz
+    if law is None:
+        return deck
+    young, poisson = law.material()
+    pairs = {
+        "coefficientRestitution": restitution(law.damping),
+        "coefficientFriction": setup.scene.contact.mu,
+    }
+    damping = f"{deck.law.damping} limitForce on"
+    new = replace(
+        deck.law, style="hertz", properties=pairs, damping=damping, note=DAMPED,
+        material={"youngsModulus": young, "poissonsRatio": poisson},
+    )  # fmt: skip
+    return replace(deck, law=new)
+
+
+def restitution(damping: float) -> float:
+    """The e of which LIGGGHTS makes 2 sqrt(5/6) b sqrt(m kn), b = -ln e/sqrt(ln^2 e + pi^2).
+
+    It is that of a contact which may pull. Raises ValueError for a damping no e can make.
+    """
+    share = math.sqrt(1.2) * damping
+    if not share < 1.0:
+        raise ValueError(f"Hertz.damping = {damping!r}; it must be less than sqrt(5/6)")
+    return math.exp(-math.pi * share / math.sqrt(1.0 - share**2))
+
+
+def why_not_viscous(scene: Scene) -> str | None:
+    """Why viscous contacts of elastic spheres are not LIGGGHTS'; else None."""
+    law = scene.contact.hertz
+    if law is None or Term.HERTZ_VISCOSITY not in scene.terms():
+        return None
+    if 1.2 * law.damping**2 >= 1.0 or restitution(law.damping) <= LEAST:
+        return f"Hertz.damping = {law.damping:.6g}; LIGGGHTS takes no restitution up to {LEAST}"
+    if not scene.spheres.free.any(axis=1).all():
+        return "a sphere cannot move; LIGGGHTS would count its mass in what a viscous contact slows"
+    if (reason := law.why_no_material()) is None and law.material()[1] < 0.0:
+        return f"Poisson's ratio = {law.material()[1]:.6g}; LIGGGHTS takes none below 0"
+    return reason

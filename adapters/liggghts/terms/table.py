@@ -12,7 +12,7 @@ from adapters.liggghts.terms.bonds import harmonic
 from adapters.liggghts.terms.contact import charged, friction, viscosity
 from adapters.liggghts.terms.drives import moving_walls, shaken
 from adapters.liggghts.terms.forces import dead_loads, drag, gravity, oblique_locks
-from adapters.liggghts.terms.hertz import elastic
+from adapters.liggghts.terms.hertz import elastic, viscous
 from adapters.liggghts.terms.walls import walls
 from vv.scene import Term
 
@@ -30,6 +30,7 @@ TRANSLATIONS: Mapping[Term, Callable[[Deck, Setup], Deck]] = {
     Term.FRICTION: friction,
     Term.CONTACT_VISCOSITY: viscosity,
     Term.HERTZ: elastic,
+    Term.HERTZ_VISCOSITY: viscous,
     Term.VISCOUS_FRICTION: in_every_deck,
     Term.DRAG: drag,
     Term.GRAVITY: gravity,

@@ -44,9 +44,16 @@ def contacts(ask: dict[str, Any], kinds: list[str]) -> list[Any]:
 def law_of(ask: dict[str, Any]) -> tuple[Any, Any]:
     """How contacts get their stiffness, and what they do."""
     if ask["hertz"]:
-        physics = yd.Ip2_FrictMat_FrictMat_MindlinPhys()
+        parts = {name: yd.MatchMaker(algo="val", val=share) for name, share in damped(ask)}
+        physics = yd.Ip2_FrictMat_FrictMat_MindlinPhys(**parts)
         return physics, yd.Law2_ScGeom_MindlinPhys_Mindlin(preventGranularRatcheting=False)
     return viscous() if ask["eta_n"] else elastic(ask)
+
+
+def damped(ask: dict[str, Any]) -> list[tuple[str, float]]:
+    """Shares of critical damping of elastic contact, along and across the normal, if any."""
+    share = ask["hertz"].get("damping", 0.0)
+    return [("betan", share), ("betas", 0.0)] if share else []
 
 
 def elastic(ask: dict[str, Any]) -> tuple[Any, Any]:

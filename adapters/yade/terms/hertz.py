@@ -6,13 +6,17 @@ import math
 
 from adapters.yade.given import Given
 from adapters.yade.setup import Setup
-from vv.scene import Hertz
+from vv.scene import Hertz, Scene, Term, initial_normal_forces
 
 NOTES = (
     "contacts by MindlinPhys, of a material that has their moduli",
     "MindlinPhys gives a wall the radius of the sphere, whose material is therefore stiffer by the "
     "square root of 2 in sum",
     "shear forces grow by increments; on a wall their arm is R - U",
+)
+DAMPED = (
+    "viscous along normals by betan of MindlinPhys, from the velocity half a step ago; it never "
+    "pulls, and friction is limited by all of the normal force"
 )
 
 
@@ -25,28 +29,33 @@ def elastic(given: Given, setup: Setup) -> Given:
     law = setup.scene.contact.hertz
     if law is None:
         return given
-    young, poisson = material(law)
+    young, poisson = law.material()
     stuff = {"young": young, "poisson": poisson, "walls_young": (1.0 + math.sqrt(2.0)) * young}
     return given.with_more(*NOTES, hertz=stuff)
 
 
-def material(law: Hertz) -> tuple[float, float]:
-    """Young's modulus [Pa] and Poisson's ratio of two equal bodies with these effective moduli.
-
-    6 G/E = 3 (1 - nu)/(2 - nu) gives nu, and E = Young's modulus/(2 (1 - nu^2)) the other. Without
-    shear modulus any ratio will do.
-    """
-    part = 6.0 * law.shear_modulus / law.modulus
-    poisson = (3.0 - 2.0 * part) / (3.0 - part) if part else 0.0
-    return 2.0 * law.modulus * (1.0 - poisson**2), poisson
+def viscous(given: Given, setup: Setup) -> Given:
+    """A share of YADE's critical damping, 2 sqrt(m kn) with the kn of today's overlap."""
+    law = setup.scene.contact.hertz
+    if law is None:
+        return given
+    stuff = {**given.numbers["hertz"], "damping": law.damping}
+    return given.with_more(DAMPED, hertz=stuff)
 
 
 def why_no_material(law: Hertz | None) -> str | None:
-    """Why no material has these moduli; else None."""
-    part = 0.0 if law is None else 6.0 * law.shear_modulus / law.modulus
-    if law is None or part == 0.0 or 1.0 <= part < 2.0:
+    """Why YADE, which makes moduli of a material, cannot have these; else None."""
+    return None if law is None else law.why_no_material()
+
+
+def why_not_viscous(scene: Scene) -> str | None:
+    """Why viscous contacts of elastic spheres are not YADE's; else None."""
+    if Term.HERTZ_VISCOSITY not in scene.terms():
         return None
-    return (
-        f"6 G/E = {part:.6g}; YADE makes moduli of a material, of which it lies in [1, 2), as "
-        "Poisson's ratio lies in (-1, 1/2]"
-    )
+    if initial_normal_forces(scene).any():
+        return (
+            "viscous elastic spheres overlap at t = 0, where YADE's first step would lack a force"
+        )
+    if not scene.spheres.free.any(axis=1).all():
+        return "a sphere cannot move; YADE would count its mass in what a viscous contact slows"
+    return None

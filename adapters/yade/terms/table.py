@@ -10,7 +10,7 @@ from adapters.yade.terms.bonds import bonds, sheared_bonds
 from adapters.yade.terms.contact import charged, friction, viscosity
 from adapters.yade.terms.drives import moving_walls, shaken
 from adapters.yade.terms.forces import carried, dead_loads, drag, gravity, oblique_locks
-from adapters.yade.terms.hertz import elastic
+from adapters.yade.terms.hertz import elastic, viscous
 from adapters.yade.terms.walls import walls
 from vv.scene import Term
 
@@ -34,6 +34,7 @@ TRANSLATIONS: Mapping[Term, Callable[[Given, Setup], Given]] = {
     Term.BREAKAGE: in_every_plan,
     Term.CONTACT_VISCOSITY: viscosity,
     Term.HERTZ: elastic,
+    Term.HERTZ_VISCOSITY: viscous,
     Term.VISCOUS_FRICTION: in_every_plan,
     Term.DRAG: drag,
     Term.WALL_CONTACT: walls,

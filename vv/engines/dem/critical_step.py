@@ -25,18 +25,30 @@ def critical_step(scene: Scene, leapfrog: Leapfrog) -> float:
     """The step [s] beyond which a closed contact makes the leapfrog unstable; inf if none can.
 
     Without drag, or with drag at the midpoint, 2/w; with lagged drag 2 (sqrt(n^2 + w^2) - n)/w^2,
-    n = eta/2m + eta_n/kn w^2/2: viscous contacts are as stiff as they are viscous. w is the highest
-    frequency of the bonds and of the contacts closed at t = 0 taken together, or of any one contact
-    that may close, if that is higher; m the least mass.
+    n = eta/2m + d w^2/2: viscous contacts are as stiff as they are viscous, by `delay`. w is the
+    highest frequency of the bonds and of the contacts closed at t = 0 taken together, or of any one
+    contact that may close, if that is higher; m the least mass.
     """
     mass, square = _stiffest(scene)
-    law = scene.contact
-    slowed = scene.eta / mass + (law.eta_n / law.kn * square if law.eta_n else 0.0)
+    slowed = scene.eta / mass + delay(scene, square) * square
     n = 0.5 * slowed * (2.0 * leapfrog.lag - 1.0)
     if square > 0.0:
         # the same as 2 (sqrt(n^2 + w^2) - n)/w^2, free of cancellation
         return 2.0 / (math.sqrt(n * n + square) + n)
     return 1.0 / n if n > 0.0 else math.inf
+
+
+def delay(scene: Scene, square: float) -> float:
+    """How much more viscous than stiff a contact is at most [s]: eta_n/kn, or 2 z/w with Hertz."""
+    law = scene.contact
+    if law.hertz is None:
+        return law.eta_n / law.kn
+    return 2.0 * law.hertz.damping / math.sqrt(square) if square > 0.0 else 0.0
+
+
+def highest_delay(scene: Scene) -> float:
+    """That of the stiffest contact of a scene."""
+    return delay(scene, _stiffest(scene)[1])
 
 
 @functools.lru_cache(maxsize=32)  # it is wanted for every rung and scheme

@@ -10,8 +10,9 @@ from vv.engines.dem.space.model import space
 from vv.scene import Scene, Term
 
 CONTACTS = frozenset({Term.SPHERE_CONTACT, Term.WALL_CONTACT})
-OF_CONTACTS = frozenset({Term.FRICTION, Term.CONTACT_VISCOSITY})
-OF_MOTION = CONTACTS | {Term.CONTACT_VISCOSITY}
+VISCOUS = frozenset({Term.CONTACT_VISCOSITY, Term.HERTZ_VISCOSITY})
+OF_CONTACTS = VISCOUS | {Term.FRICTION}
+OF_MOTION = VISCOUS | CONTACTS
 
 
 def idle(scene: Scene) -> frozenset[Term]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import functools
+import math
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from typing import Any
@@ -10,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from vv.ask import Ask, Ledger, Model, Reaction, Run, Status
-from vv.engines.dem.critical_step import critical_step
+from vv.engines.dem.critical_step import critical_step, highest_delay
 from vv.engines.dem.idle import idle, why_left_out
 from vv.engines.dem.leapfrog import CENTRED, Leapfrog
 from vv.engines.dem.limits import BLOW_UP, GAIN
@@ -228,7 +229,7 @@ def unstable(ask: Ask, leapfrog: Leapfrog) -> str | None:
     limit = critical_step(spring_scene(ask).scene, leapfrog)
     if dt is None or dt <= limit:
         return None
-    late = ask.scene.eta + ask.scene.contact.eta_n > 0 and leapfrog.lag > 0.5
+    late = (ask.scene.eta > 0 or ask.scene.contact.viscous) and leapfrog.lag > 0.5
     rule = "2 (sqrt(n^2 + w^2) - n)/w^2, n = eta/2m + eta_n/kn w^2/2" if late else "2/w"
     return (
         f"dt = {dt:.6g} s is beyond the largest stable step {limit:.6g} s = {rule}, w the highest "
@@ -277,10 +278,8 @@ def _coincident(scene: Scene) -> str | None:
 
 def _rings(scene: Scene, dt: float) -> str | None:
     """A viscous force that half a step would turn round goes on to and fro, and makes energy."""
-    contact = scene.contact
-    if not contact.eta_n > 0:
-        return None
-    longest = 0.5 * contact.kn / contact.eta_n * critical_step(scene, CENTRED) ** 2
+    ratio = highest_delay(scene) if scene.contact.viscous else 0.0
+    longest = 0.5 / ratio * critical_step(scene, CENTRED) ** 2 if ratio else math.inf
     if dt <= longest:
         return None
     return (

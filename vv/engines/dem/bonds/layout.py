@@ -58,7 +58,7 @@ def near(scene: Scene, moves: Mask, row: Index, state: State) -> Near | None:
     skin, (pairs, _) = SKIN * float(spheres.radius.min()), _held(scene, moves)
     start = np.searchsorted(pairs[:, 0], np.arange(len(spheres) + 1))
     held = start, np.array(pairs[:, 1]), state.reshape(-1)
-    return Near(spheres.position, spheres.radius, row, skin, *held, scene.contact.eta_n > 0)
+    return Near(spheres.position, spheres.radius, row, skin, *held, scene.contact.viscous)
 
 
 def _held(scene: Scene, moves: Mask) -> tuple[Index, Index]:

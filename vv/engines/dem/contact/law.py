@@ -1,8 +1,9 @@
 """The law by which surfaces that touch act on each other: what it is asked, which a scene has.
 
 A law is a named tuple in a file of this folder. It has a field `friction`, None where nothing
-rubs, a property `stiffness`, kn and ks [N/m] at most, and two functions in its file, `pressed` and
-`rubbed`, which contacts of pairs, of walls, and of pairs that are near each other all call.
+rubs, a property `stiffness`, kn and ks [N/m] at most, and functions in its file: `pressed` and
+`rubbed`, which contacts of pairs, of walls, and of pairs that are near each other all call, and
+`damped` if it may be viscous.
 """
 
 from __future__ import annotations
@@ -39,11 +40,23 @@ def pressed(law: Law, overlap: float, radius: float) -> tuple[float, float]:
 
 @of_its_file
 def rubbed(
-    law: Law, touch: Touch, radius: float, spring: Triple, dt: float
+    law: Law, touch: Touch, radius: float, mass: float, spring: Triple, dt: float
 ) -> tuple[Triple, float, float]:
     """The force across the normal [N] after a step, what its spring holds [J], what friction took.
 
-    spring: that force before the step. It acts on the second of two surfaces, from the first to
+    radius as for `pressed`; mass: the reduced one [kg], of what can move; spring: that force
+    before the step. It acts on the second of two surfaces, from the first to
     which the normal points.
+    """
+    raise NotImplementedError
+
+
+@of_its_file
+def damped(law: Law, before: float, overlap: float, radius: float, mass: float) -> float:
+    """The coefficient [N s/m] of viscous contact at an overlap [m] > 0 at the end of a step.
+
+    before: the overlap a step earlier, inf for none; radius and mass as above. In the first step
+    of a contact the coefficient is that which gives its impulse to second order, whenever in that
+    step the contact closed.
     """
     raise NotImplementedError

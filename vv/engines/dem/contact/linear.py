@@ -35,7 +35,7 @@ def pressed(law: Linear, overlap: float, radius: float) -> tuple[float, float]:
 
 @inlined
 def rubbed(
-    law: Linear, touch: Touch, radius: float, spring: Triple, dt: float
+    law: Linear, touch: Touch, radius: float, mass: float, spring: Triple, dt: float
 ) -> tuple[Triple, float, float]:
     """The spring charged by the slide, up to mu times the push."""
     ks, mu = law.friction  # type: ignore[misc]  # asked where it rubs
@@ -59,3 +59,19 @@ def caps(
         return mu * kn * before, mu * kn * now
     pushed = kn * before - eta_n * touch.rates[0], kn * now - eta_n * touch.rates[1]
     return max(mu * pushed[0], math.sqrt(dot(spring, spring))), max(mu * pushed[1], 0.0)
+
+
+@inlined
+def damped(law: Linear, before: float, overlap: float, radius: float, mass: float) -> float:
+    """eta_n, of which a contact that closes within a step is given a share for that step."""
+    eta_n = 0.0 if law.eta_n is None else law.eta_n
+    return eta_n * late(overlap, overlap - before) if before <= 0.0 else eta_n
+
+
+@inlined
+def late(overlap: float, closed: float) -> float:
+    """The share of eta_n in the step in which a contact closes by `closed` to an overlap [m].
+
+    It is 1/2 and the part of the step since: without, the impulse would be off in first order.
+    """
+    return float(0.5 + min(overlap / closed, 1.0))

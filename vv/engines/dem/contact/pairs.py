@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from vv.engines.dem.contact.law import Law, pressed, rubbed
-from vv.engines.dem.contact.touch import Touch
+from vv.engines.dem.contact.touch import Touch, reduced_mass
 from vv.engines.dem.rows import Index
 from vv.engines.dem.space.bodies import Motion
 from vv.engines.kernels.compiled import inlined
@@ -104,6 +104,7 @@ def turn_pair(
 @inlined
 def pair_forces(
     motion: Motion,
+    mass: Vector,
     dt: float,
     pairs: Pairs,
     law: Law,
@@ -112,7 +113,8 @@ def pair_forces(
 ) -> Triple:
     """Add the forces of pairs of spheres; return energies [J]: normal, shear, lost by friction.
 
-    friction: that of the law; where it is None, nothing rubs. shear: (p, 3) force on the second
+    mass: (m,) of the spheres that move. friction: that of the law; where it is None, nothing rubs.
+    shear: (p, 3) force on the second
     sphere [N], kept from step to step.
     """
     rows, _, _, radius = pairs
@@ -132,7 +134,8 @@ def pair_forces(
         normal += held
         if friction is not None:
             touch = touch_of(motion, motion.w, motion.spun, pairs, p, now, n, dt)
-            across, charged, taken = rubbed(law, touch, reduced, at(shear, p), dt)
+            both = reduced_mass(mass, i, j)
+            across, charged, taken = rubbed(law, touch, reduced, both, at(shear, p), dt)
             lost += taken
             sprung += charged
             put(shear, p, across)

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+from vv.engines.kernels.compiled import inlined
 from vv.engines.kernels.triples import Triple
+from vv.scene import Vector
 
 
 class Touch(NamedTuple):
@@ -26,3 +28,14 @@ class Touch(NamedTuple):
     relative: Triple
     changed: Triple
     twist: float | None
+
+
+@inlined
+def reduced_mass(mass: Vector, i: int, j: int) -> float:
+    """1/(1/m1 + 1/m2) [kg] of two rows, of which those beyond the masses (m,) cannot move."""
+    inverse = 0.0
+    if i < len(mass):
+        inverse += 1.0 / mass[i]
+    if j < len(mass):
+        inverse += 1.0 / mass[j]
+    return 1.0 / inverse

@@ -107,6 +107,7 @@ def turn_sphere(turn: Vector | None, walls: Walls, q: int, overlap: float, acros
 @inlined
 def wall_forces(
     motion: Motion,
+    mass: Vector,
     dt: float,
     walls: Walls,
     law: Law,
@@ -116,7 +117,8 @@ def wall_forces(
 ) -> tuple[float, float, float, float]:
     """Add the forces of walls on spheres; return energies [J] as `pair_forces`, work of the walls.
 
-    shear: (q, 3) force on the sphere [N], kept from step to step. moving: None if no wall moves.
+    mass: (m,). shear: (q, 3) force on the sphere [N], kept from step to step. moving: None if no
+    wall moves.
     """
     rows, facing, _, radius = walls
     push, normal, sprung, lost, work = motion.push, 0.0, 0.0, 0.0, 0.0
@@ -134,7 +136,7 @@ def wall_forces(
         normal += held
         if friction is not None:
             touch = touch_of(motion, motion.w, motion.spun, walls, moving, q, overlap, dt)
-            across, charged, taken = rubbed(law, touch, radius[q], at(shear, q), dt)
+            across, charged, taken = rubbed(law, touch, radius[q], mass[i], at(shear, q), dt)
             lost += taken
             sprung += charged
             put(shear, q, across)

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from vv.engines.dem.contact.linear import late
 from vv.engines.dem.limits import BLOW_UP, GAIN
-from vv.engines.dem.terms.dashpots import late
 from vv.engines.kernels.compiled import compiled, inlined
 from vv.scene import Vector
 

@@ -10,7 +10,9 @@ from typing import NamedTuple
 
 import numpy as np
 
+from vv.engines.dem.contact.law import Law, damped, law_of, pressed
 from vv.engines.dem.contact.pairs import Pairs, apart
+from vv.engines.dem.contact.touch import reduced_mass
 from vv.engines.dem.contact.walls import Moving, Walls, into_wall
 from vv.engines.dem.rows import Index
 from vv.engines.dem.space.advance import carried_on, held
@@ -24,7 +26,7 @@ from vv.engines.kernels.compiled import inlined
 from vv.engines.kernels.triples import NOWHERE, Triple, add_scaled, at, dot, put
 from vv.scene import Form, Term, Vector
 
-STANDS_FOR = frozenset({Term.CONTACT_VISCOSITY, Term.VISCOUS_FRICTION})
+STANDS_FOR = frozenset({Term.CONTACT_VISCOSITY, Term.HERTZ_VISCOSITY, Term.VISCOUS_FRICTION})
 WALLS = column(Form.WALLS)
 
 SWEEPS = 1000  # at most; 1 + eta_n dt/2 B M^-1 B^T, of condition 2 at most, takes some tens
@@ -38,7 +40,7 @@ Met = tuple[Index, Vector]
 
 
 class Dashpots(NamedTuple):
-    """The contacts that are viscous, their kn [N/m] and eta_n [N s/m].
+    """The contacts that are viscous, and their law.
 
     met: all listed contacts; those that are gathered have it in their slots. new: room for
     velocities, a row for each of `Motion.v`. moving: how walls move, or None; done (4,): the power
@@ -48,8 +50,7 @@ class Dashpots(NamedTuple):
 
     pairs: Pairs | None
     walls: Walls | None
-    kn: float
-    eta_n: float
+    law: Law
     met: Met
     new: Vector
     moving: Moving | None
@@ -58,9 +59,9 @@ class Dashpots(NamedTuple):
 
 def build(placed: Placed) -> Dashpots | None:
     """The dashpots of a scene whose contacts are viscous."""
-    law, m = placed.scene.contact, int(placed.moves.sum())
+    scene, m = placed.scene, int(placed.moves.sum())
     pairs, walls = pair_contacts.listed(placed), wall_contacts.listed(placed)
-    if not law.eta_n > 0 or (pairs is None and walls is None and placed.near is None):
+    if not scene.contact.viscous or (pairs is None and walls is None and placed.near is None):
         return None
     ends = [np.zeros((0, 2), np.intp)] if pairs is None else [pairs[0]]
     moving = wall_contacts.moved(placed)
@@ -69,8 +70,8 @@ def build(placed: Placed) -> Dashpots | None:
         ends.append(np.stack([first, walls[0]], axis=1))
     both = np.concatenate(ends)
     met = both, np.zeros((len(both), MET))
-    new = np.zeros((m + 1 + (0 if moving is None else len(placed.scene.walls)), 3))
-    return Dashpots(pairs, walls, law.kn, law.eta_n, met, new, moving, np.zeros(4))
+    new = np.zeros((m + 1 + (0 if moving is None else len(scene.walls)), 3))
+    return Dashpots(pairs, walls, law_of(scene), met, new, moving, np.zeros(4))
 
 
 def models(term: Dashpots) -> frozenset[Term]:
@@ -109,9 +110,9 @@ def viscous(
     lag: float,
 ) -> tuple[float, float]:
     """The forces of all dashpots."""
-    meet(term.met, motion.u, term.pairs, term.walls, term.moving, term.kn, term.eta_n)
+    meet(term.met, motion.u, term.pairs, term.walls, term.moving, term.law, bodies.mass)
     near = slots.rows[: many[0]], slots.offset, slots.gap, slots.radii
-    meet((slots.rows, slots.met), motion.u, near, None, None, term.kn, term.eta_n)
+    meet((slots.rows, slots.met), motion.u, near, None, None, term.law, bodies.mass)
     mets = term.met, (slots.rows[: many[0]], slots.met)
     foresee(term.new, motion, len(bodies.mass) + 1)
     taken = slow(mets, motion.push, motion.v, term.new, bodies.mass, bodies.hold, dt, drag, lag)
@@ -173,44 +174,39 @@ def meet(
     pairs: Pairs | None,
     walls: Walls | None,
     moving: Moving | None,
-    kn: float,
-    eta_n: float,
+    law: Law,
+    mass: Vector,
 ) -> None:
     """Bring all contacts to the displacements u (rows, 3) [m]."""
     k = 0
     if pairs is not None:
         for p in range(len(pairs[0])):
             overlap, d, length = apart(u, pairs, p)
-            close(met[1], k, add_scaled(NOWHERE, 1.0 / length, d), overlap, kn, eta_n)
+            reduced = 1.0 / (1.0 / pairs[3][p, 0] + 1.0 / pairs[3][p, 1])
+            close(met, k, add_scaled(NOWHERE, 1.0 / length, d), overlap, reduced, law, mass)
             k += 1
     if walls is not None:
         for q in range(len(walls[0])):
-            close(met[1], k, at(walls[1], q), into_wall(u, walls, moving, q), kn, eta_n)
+            overlap = into_wall(u, walls, moving, q)
+            close(met, k, at(walls[1], q), overlap, walls[3][q], law, mass)
             k += 1
 
 
 @inlined
-def close(kept: Vector, k: int, n: Triple, overlap: float, kn: float, eta_n: float) -> None:
-    """Bring contact k to an overlap [m].
-
-    One that closes within a step is given a share of eta_n for that step.
-    """
-    before, share = kept[k, OVERLAP], 1.0
-    if before <= 0.0 < overlap:
-        share = late(overlap, overlap - before)
+def close(
+    met: Met, k: int, n: Triple, overlap: float, radius: float, law: Law, mass: Vector
+) -> None:
+    """Bring contact k to an overlap [m]; radius: 1/(1/r1 + 1/r2) [m]."""
+    ends, kept = met
+    before = kept[k, OVERLAP]
     put(kept, k, n)
-    kept[k, SPRING] = kn * max(overlap, 0.0)
-    kept[k, RATE] = share * eta_n if overlap > 0.0 else 0.0
+    if overlap > 0.0:
+        reduced = reduced_mass(mass, ends[k, 0], ends[k, 1])
+        kept[k, SPRING] = pressed(law, overlap, radius)[0]
+        kept[k, RATE] = damped(law, before, overlap, radius, reduced)
+    else:
+        kept[k, SPRING] = kept[k, RATE] = 0.0
     kept[k, OVERLAP] = overlap
-
-
-@inlined
-def late(overlap: float, closed: float) -> float:
-    """The share of eta_n in the step in which a contact closes by `closed` to an overlap [m].
-
-    It is 1/2 and the part of the step since: without, the impulse would be off in first order.
-    """
-    return float(0.5 + min(overlap / closed, 1.0))
 
 
 @inlined

@@ -76,5 +76,7 @@ def force(
     """The forces of all pairs that are near each other."""
     k, law = many[0], term.law
     pairs = slots.rows[:k], slots.offset[:k], slots.gap[:k], slots.radii[:k]
-    normal, shear, lost = pair_forces(motion, dt, pairs, law, law.friction, slots.shear)
+    normal, shear, lost = pair_forces(
+        motion, bodies.mass, dt, pairs, law, law.friction, slots.shear
+    )
     return normal, shear, lost, 0.0

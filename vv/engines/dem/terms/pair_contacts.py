@@ -80,5 +80,7 @@ def force(
 ) -> tuple[float, float, float, float]:
     """The forces of all pairs."""
     law = term.law
-    normal, shear, lost = pair_forces(motion, dt, term.pairs, law, law.friction, term.shear)
+    normal, shear, lost = pair_forces(
+        motion, bodies.mass, dt, term.pairs, law, law.friction, term.shear
+    )
     return normal, shear, lost, 0.0

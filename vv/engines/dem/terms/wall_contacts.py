@@ -106,4 +106,6 @@ def force(
 ) -> tuple[float, float, float, float]:
     """The forces of walls on spheres."""
     law = term.law
-    return wall_forces(motion, dt, term.walls, law, law.friction, term.shear, term.moving)
+    return wall_forces(
+        motion, bodies.mass, dt, term.walls, law, law.friction, term.shear, term.moving
+    )
