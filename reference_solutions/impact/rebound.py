@@ -69,10 +69,11 @@ WALL = Sphere(inf, inf)
 
 
 class After(NamedTuple):
-    """Velocities after an impact, and how long it took [s].
+    """Velocities after an impact, how long it took, and when the bodies no longer overlap [s].
 
     normal, tangential: of the sphere against its partner [m/s], along the line of centres as it
-    was at first, positive away from the partner, and across it; spin, partner_spin [1/s].
+    was at first, positive away from the partner, and across it; spin, partner_spin [1/s]. A
+    viscous contact ends while the bodies overlap; they then go on as they are.
     """
 
     normal: float
@@ -80,6 +81,7 @@ class After(NamedTuple):
     spin: float
     partner_spin: float
     lasting: float
+    cleared: float
 
 
 @cache
@@ -107,7 +109,8 @@ def rebound(
     for _ in range(MOST):
         time, state, ended = impact.until_change(time, state, slips)
         if ended:
-            return After(state[2], state[3], state[4], state[5], time)
+            left = impact.clearing(state)
+            return After(state[2], state[3], state[4], state[5], time, time + left)
         slips = 0.0 if slips else copysign(1.0, state[6])
     raise RuntimeError(f"the contact began or ended to slip more than {MOST} times")
 
@@ -135,6 +138,15 @@ class _Impact:
         overlap = -(2.0 * gap * along + along**2 + across**2) / (gap + distance)
         normal = np.array([gap + along, across]) / distance
         return normal, np.array([-normal[1], normal[0]]), overlap
+
+    def clearing(self, y: Array) -> float:
+        """How long bodies that no longer touch overlap [s], as they go on."""
+        place, speed = y[:2], y[2:4]
+        if self.partner.is_wall:
+            return float(-place[0] / speed[0])
+        beyond = float(2.0 * self.gap * place[0] + place @ place)  # of the squared distance
+        rate = float(self.gap * speed[0] + place @ speed)
+        return -beyond / (rate + sqrt(max(rate**2 - float(speed @ speed) * beyond, 0.0)))
 
     def push(self, overlap: float, closing: float) -> float:
         """Fn, without the limit at zero."""

@@ -98,8 +98,8 @@ class Strike:
 
 def after(
     strike: Strike, *, vn: float, vt: float, spin: float = 0.0, partner_spin: float = 0.0
-) -> tuple[float, float, float, float, float]:
-    """Normal and tangential velocity, both spins, and the duration, as `rebound` has them."""
+) -> tuple[float, ...]:
+    """Both velocities, both spins, the duration, and when they clear, as `rebound` has them."""
     p, m = strike.p, strike.reduced
     deep = ((p + 1.0) * m * vn**2 / (2.0 * strike.K)) ** (1.0 / (p + 1.0))
     length = 16.0 * deep**0.25 / vn / PANELS
@@ -114,7 +114,7 @@ def after(
             share, stop = min(shares, key=lambda pair: pair[0])
             y = strike.panel(y, share * length, sign)
             if stop is stops[0]:
-                return _read(y)
+                return _read(strike, y)
             y[5] = sign * strike.mu * float(strike.normal_force(y[0], y[1])) if sign else y[5]
             sign = 0.0 if sign else float(np.sign(y[5]))
         else:
@@ -174,8 +174,16 @@ def _first(strike: Strike, y: Array) -> float:
     return 0.0
 
 
-def _read(y: Array) -> tuple[float, float, float, float, float]:
-    """Velocities along the axes of the start."""
+def _read(strike: Strike, y: Array) -> tuple[float, ...]:
+    """Velocities along the axes of the start, and when the bodies no longer overlap."""
     c, s = cos(float(y[6])), sin(float(y[6]))
     normal, tangential = c * y[1] - s * y[2], s * y[1] + c * y[2]
-    return float(normal), float(tangential), float(y[3]), float(y[4]), float(y[7])
+    deep, away, across = max(float(y[0]), 0.0) ** 4, float(y[1]), float(y[2])
+    left = deep / away
+    if strike.partner_radius < inf:
+        gap = strike.radius + strike.partner_radius
+        for _ in range(20):  # |(gap - deep + away t, across t)| = gap
+            left = (gap**2 - (across * left) ** 2) ** 0.5
+            left = (left - gap + deep) / away
+    end = float(y[7])
+    return float(normal), float(tangential), float(y[3]), float(y[4]), end, end + left

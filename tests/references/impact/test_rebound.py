@@ -45,7 +45,8 @@ def _agree(law: Law, one: Sphere, two: Sphere, start: dict[str, float]) -> None:
     other = _again(law, one, two, **start)
     speed = math.hypot(start["vn"], start.get("vt", 0.0))
     turn = max(speed / one.radius, abs(start.get("spin", 0.0)))
-    for a, b, size in zip(first, other, (speed, speed, turn, turn, first.lasting), strict=True):
+    sizes = (speed, speed, turn, turn, first.lasting, first.lasting)
+    for a, b, size in zip(first, other, sizes, strict=True):
         assert a == pytest.approx(b, abs=1e-10 * size)
 
 

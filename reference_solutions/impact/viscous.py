@@ -1,0 +1,125 @@
+"""A sphere strikes a wall or another along the normal, elastically and with losses.
+
+Hertz with the damping of Tsuji, Tanaka and Ishida (1992), with the overlap u [m]:
+
+    m u'' = -F, F = max(0, K u^(3/2) + 2 z sqrt(1.5 m K) u^(1/4) u')
+
+With y = u^(5/4) and ds = u^(1/4) dt this is a damped spring (Antypov and Elliott 2011):
+
+    y_ss + 2 b w y_s + w^2 y = 0, w^2 = 5 K/(4 m), b = z sqrt(6/5), y_s = 5/4 u'
+
+so that u' is known at every overlap, and time is an integral. The contact ends where F would pull,
+which is where u'_s = 0: w_d s = pi - 2 asin b, w_d = w sqrt(1 - b^2), as on a linear spring with
+b of critical damping (Schwager and Poeschel 2007). m [kg] is the reduced mass, v [m/s] the speed
+of approach, K [N/m^1.5] of Hertz. All raise ValueError for parameters outside their ranges.
+"""
+
+from math import acos, asin, cos, exp, pi, sin, sqrt
+
+from reference_solutions.parameters import require_positive
+
+LARGEST = sqrt(5.0 / 6.0)  # of z: b is less than 1
+
+
+def share(z: float) -> float:
+    """b, the part of critical damping in s."""
+    if not 0.0 <= z < LARGEST:
+        raise ValueError(f"z = {z}; it must be zero or more, and less than sqrt(5/6)")
+    return z * sqrt(1.2)
+
+
+def restitution(z: float) -> float:
+    """e, which depends on neither speed, mass nor stiffness."""
+    b = share(z)
+    return exp(-b * (pi - 2.0 * asin(b)) / sqrt(1.0 - b * b))
+
+
+def damping(e: float) -> float:
+    """z of a restitution e: the inverse of `restitution`."""
+    from scipy.optimize import brentq
+
+    if not restitution(LARGEST * (1.0 - 1e-12)) < e <= 1.0:
+        raise ValueError(f"e = {e}; it must lie in (0.1354, 1]")
+    if e == 1.0:
+        return 0.0
+    found = brentq(lambda z: restitution(z) - e, 0.0, LARGEST * (1.0 - 1e-12), xtol=1e-16)
+    return float(found)
+
+
+class _Swing:
+    """y, u' and u'_s by the phase p = w_d s."""
+
+    def __init__(self, z: float, m: float, K: float, v: float) -> None:
+        require_positive("in SI units", m=m, K=K, v=v)
+        self.b, self.m, self.v = share(z), m, v
+        self.w = sqrt(1.25 * K / m)
+        self.root = sqrt(1.0 - self.b**2)
+        self.over = pi - 2.0 * asin(self.b)  # the phase at which the contact ends
+
+    def fading(self, p: float) -> float:
+        return exp(-self.b * p / self.root)
+
+    def y(self, p: float) -> float:
+        return 1.25 * self.v / (self.w * self.root) * self.fading(p) * sin(p)
+
+    def rate(self, p: float) -> float:
+        """u' [m/s]."""
+        return self.v * self.fading(p) * (cos(p) - self.b / self.root * sin(p))
+
+    def slowing(self, p: float) -> float:
+        """-u'_s."""
+        b, c = self.b, self.root
+        return self.v * self.w * self.fading(p) * (2.0 * b * cos(p) + (c - b * b / c) * sin(p))
+
+    def bend(self, p: float) -> float:
+        """-u'_ss, from the equation."""
+        return self.w**2 * self.rate(p) - 2.0 * self.b * self.w * self.slowing(p)
+
+    def force(self, p: float) -> float:
+        """F [N] = m u^(1/4) (-u'_s)."""
+        return float(self.m * max(self.y(p), 0.0) ** 0.2 * self.slowing(p))
+
+    def time(self, p: float) -> float:
+        """t [s], the integral of u^(-1/4) ds, in x with phase p x^5: smooth where it starts."""
+        from scipy.integrate import quad
+
+        def part(x: float) -> float:
+            at = p * x**5
+            grown = self.y(at) / at if at > 0.0 else 1.25 * self.v / (self.w * self.root)
+            return float(5.0 * x**3 / (grown * p) ** 0.2)
+
+        found, _ = quad(part, 0.0, 1.0, epsabs=1e-15, epsrel=1e-13)
+        return float(found) * p / (self.w * self.root)
+
+
+def deepest(z: float, *, m: float, K: float, v: float) -> float:
+    """Largest overlap [m]."""
+    swing = _Swing(z, m, K, v)
+    return float(swing.y(acos(swing.b)) ** 0.8)
+
+
+def largest_force(z: float, *, m: float, K: float, v: float) -> float:
+    """Largest force [N], which acts before the overlap is the largest."""
+    from scipy.optimize import brentq
+
+    swing = _Swing(z, m, K, v)
+
+    def steepness(p: float) -> float:
+        """That of log F, times y and the slowing."""
+        grows = 0.25 * swing.rate(p) * swing.slowing(p)
+        return grows + swing.y(p) * swing.bend(p)
+
+    return swing.force(brentq(steepness, 1e-9, acos(swing.b) + 1e-9, xtol=1e-15))
+
+
+def lasting(z: float, *, m: float, K: float, v: float) -> float:
+    """How long the force acts [s]."""
+    swing = _Swing(z, m, K, v)
+    return swing.time(swing.over)
+
+
+def cleared(z: float, *, m: float, K: float, v: float) -> float:
+    """When the bodies no longer overlap [s]: on from the end of the force at the last speed."""
+    swing = _Swing(z, m, K, v)
+    left = max(swing.y(swing.over), 0.0) ** 0.8
+    return swing.time(swing.over) - float(left) / swing.rate(swing.over)
