@@ -16,6 +16,8 @@ of approach, K [N/m^1.5] of Hertz. All raise ValueError for parameters outside t
 
 from math import acos, asin, cos, exp, pi, sin, sqrt
 
+from reference_solutions.contact import dashpot
+from reference_solutions.impact import spring
 from reference_solutions.parameters import require_positive
 
 LARGEST = sqrt(5.0 / 6.0)  # of z: b is less than 1
@@ -30,20 +32,12 @@ def share(z: float) -> float:
 
 def restitution(z: float) -> float:
     """e, which depends on neither speed, mass nor stiffness."""
-    b = share(z)
-    return exp(-b * (pi - 2.0 * asin(b)) / sqrt(1.0 - b * b))
+    return dashpot.restitution(share(z))
 
 
 def damping(e: float) -> float:
     """z of a restitution e: the inverse of `restitution`."""
-    from scipy.optimize import brentq
-
-    if not restitution(LARGEST * (1.0 - 1e-12)) < e <= 1.0:
-        raise ValueError(f"e = {e}; it must lie in (0.1354, 1]")
-    if e == 1.0:
-        return 0.0
-    found = brentq(lambda z: restitution(z) - e, 0.0, LARGEST * (1.0 - 1e-12), xtol=1e-16)
-    return float(found)
+    return spring.damping(e) * LARGEST
 
 
 class _Swing:

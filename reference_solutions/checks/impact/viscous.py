@@ -1,4 +1,4 @@
-"""A viscous impact along the normal by integration in time: the second route.
+"""A viscous impact along the normal by integration: the second route.
 
 With u = q^4 and dt = q^3 ds the equations are polynomials, also where contact begins.
 """
@@ -63,4 +63,37 @@ def impact(z: float, *, m: float, K: float, v: float) -> Seen:
     return Seen(
         -float(end[1]) / v, float(low[0]) ** 4, force(high), float(end[2]),
         float(end[2]) - last / speed,
+    )  # fmt: skip
+
+
+def on_a_spring(z: float, *, m: float, kn: float, v: float) -> Seen:
+    """The same on a linear spring and dashpot, in units of its swing."""
+    from scipy.integrate import solve_ivp
+
+    def slope(t: float, y: Array) -> list[float]:
+        return [y[1], -y[0] - 2.0 * z * y[1]]
+
+    def ends(t: float, y: Array) -> float:
+        return float(y[0] + 2.0 * z * y[1]) if t > 0.0 else 1.0
+
+    def peak(t: float, y: Array) -> float:
+        return float(y[1] + 2.0 * z * slope(t, y)[1])
+
+    def turns(t: float, y: Array) -> float:
+        return float(y[1])
+
+    ends.terminal = True  # type: ignore[attr-defined]
+    for event in (ends, peak, turns):
+        event.direction = -1.0  # type: ignore[attr-defined]
+    found = solve_ivp(
+        slope, (0.0, 10.0), [0.0, 1.0], "DOP853", events=(ends, peak, turns),
+        rtol=1e-13, atol=1e-15, max_step=0.05,
+    )  # fmt: skip
+    last, high, low = (states[:1] for states in found.y_events)
+    pushes = [2.0 * z, *(float(y[0] + 2.0 * z * y[1]) for y in high)]
+    unit, (left, speed) = sqrt(m / kn), (float(part) for part in last[0])
+    over = float(found.t_events[0][0])
+    return Seen(
+        -speed, float(low[0][0]) * v * unit, max(pushes) * v * sqrt(m * kn), over * unit,
+        (over - left / speed) * unit,
     )  # fmt: skip

@@ -5,7 +5,8 @@ import math
 import pytest
 
 from reference_solutions.checks.impact import viscous as second
-from reference_solutions.impact import hertz, viscous
+from reference_solutions.contact import dashpot
+from reference_solutions.impact import hertz, spring, viscous
 from reference_solutions.impact.rebound import Law, Sphere, rebound
 
 SCENES = [{"m": 2.6e-4, "K": 4.2e9, "v": 3.9}, {"m": 11.3, "K": 2.3e9, "v": 0.2}]
@@ -19,6 +20,17 @@ def test_two_routes_agree(z: float, scene: dict[str, float]) -> None:
     for name in ("deepest", "largest_force", "lasting", "cleared"):
         first = getattr(viscous, name)(z, **scene)
         assert first == pytest.approx(getattr(again, name), rel=1e-10), name
+
+
+@pytest.mark.parametrize("z", [0.0, 0.02, 0.3, 0.7])
+def test_two_routes_agree_on_a_linear_spring(z: float) -> None:
+    law, v = {"m": 2.6e-4, "kn": 1.7e7, "z": z}, 3.9
+    again = second.on_a_spring(z, m=2.6e-4, kn=1.7e7, v=v)
+    assert dashpot.restitution(z) == pytest.approx(again.restitution, rel=1e-10)
+    assert spring.deepest(v=v, **law) == pytest.approx(again.deepest, rel=1e-10)
+    assert spring.largest_force(v=v, **law) == pytest.approx(again.largest_force, rel=1e-10)
+    assert dashpot.lasting(**law) == pytest.approx(again.lasting, rel=1e-10)
+    assert spring.cleared(**law) == pytest.approx(again.cleared, rel=1e-10)
 
 
 def test_without_losses_it_is_hertz() -> None:

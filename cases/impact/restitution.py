@@ -1,0 +1,224 @@
+"""Spheres strike a wall along its normal, with losses or without, by Hertz's law or on springs."""
+
+from __future__ import annotations
+
+import functools
+import math
+from collections.abc import Callable
+
+import numpy as np
+
+from cases._books import balance
+from cases.impact._materials import CHUNG_OOI_2011, defaults, mass, moduli
+from reference_solutions.impact import hertz, spring, viscous
+from vv.ask import Displacement, History, Knobs, Method, Run, Velocity
+from vv.case import (
+    Case,
+    Exact,
+    Ladder,
+    Level,
+    Parameter,
+    Parameters,
+    Scalar,
+    Source,
+    Tolerance,
+    Trial,
+    Variant,
+)
+from vv.scene import Contact, Hertz, Scene, Spheres, Vector, Wall
+
+X = np.array([1.0, 0.0, 0.0])
+STEPS = (100, 200, 400, 1600)  # in the duration of an impact without losses
+SEEN, LASTS = 100, 1.8  # outputs in that duration, and the duration of the run over it
+STARTS = 4  # outputs until a step in which contact began no longer shows in a force
+RESTITUTIONS = (0.2, 0.4, 0.6, 0.8, 1.0)
+QUICK = (0.4, 1.0)
+
+
+def _elastic(p: Parameters) -> dict[str, float]:
+    """m, K and v as `reference_solutions.impact.hertz` takes them."""
+    factor = hertz.normal_factor(modulus=moduli(p, 1).modulus, radius=p["R"])
+    return {"m": mass(p), "K": factor, "v": p["v"]}
+
+
+def _spring(p: Parameters) -> float:
+    """kn [N/m] of a spring that yields as much as elastic spheres do, without losses."""
+    return float(mass(p) * (p["v"] / hertz.deepest(**_elastic(p))) ** 2)
+
+
+def _contact(kind: str, p: Parameters) -> Contact:
+    """The law, with the damping that leaves the restitution e."""
+    if kind == "hertz":
+        return Contact(0.0, hertz=Hertz(moduli(p, 1).modulus, damping=viscous.damping(p["e"])))
+    kn = _spring(p)
+    return Contact(kn, eta_n=2.0 * spring.damping(p["e"]) * math.sqrt(kn * mass(p)))
+
+
+def _due(kind: str, p: Parameters) -> dict[str, float]:
+    """The exact figures by name."""
+    if kind == "hertz":
+        elastic, z = _elastic(p), viscous.damping(p["e"])
+        return {
+            "restitution": p["e"],
+            "deepest": viscous.deepest(z, **elastic),
+            "cleared": viscous.cleared(z, **elastic),
+            "force": viscous.largest_force(z, **elastic),
+        }
+    law = {"m": mass(p), "kn": _spring(p), "z": spring.damping(p["e"])}
+    return {
+        "restitution": p["e"],
+        "deepest": spring.deepest(v=p["v"], **law),
+        "cleared": spring.cleared(**law),
+        "force": spring.largest_force(v=p["v"], **law),
+    }
+
+
+def _top(rows: Vector) -> float:
+    """The largest value of smooth data, from the parabola through the three largest."""
+    i = int(np.clip(rows.argmax(), 1, len(rows) - 2))
+    before, at, after = rows[i - 1 : i + 2]
+    bend = before - 2.0 * at + after
+    return float(at - 0.125 * (after - before) ** 2 / bend) if bend < 0 else float(at)
+
+
+def _deepest(run: Run) -> float:
+    """The largest overlap [m], between outputs by where and how fast the sphere is."""
+    from scipy.interpolate import CubicHermiteSpline
+
+    overlap, rate = (-run.values[kind(0)] @ X for kind in (Displacement, Velocity))
+    path = CubicHermiteSpline(run.times, overlap, rate)
+    return float(path(path.derivative().roots(extrapolate=False)).max(initial=0.0))
+
+
+def _force(p: Parameters, run: Run) -> float:
+    """The largest force [N], by how fast the sphere slows down: differences of fourth order."""
+    speed, each = run.values[Velocity(0)] @ X, run.times[1] - run.times[0]
+    near, far = speed[3:-1] - speed[1:-3], speed[4:] - speed[:-4]
+    return mass(p) * _top(((8.0 * near - far) / (12.0 * each))[STARTS:])
+
+
+def _cleared(run: Run) -> float:
+    """When the sphere no longer overlaps the wall, back from where it is at the end."""
+    way, speed = (float((run.values[kind(0)] @ X)[-1]) for kind in (Displacement, Velocity))
+    return float(run.times[-1]) - way / speed if speed > 0 and way > 0 else math.nan
+
+
+def _scene(kind: str, p: Parameters) -> Scene:
+    """The sphere touches the wall at t = 0."""
+    sphere = Spheres(
+        position=p["R"] * X[None],
+        velocity=-p["v"] * X[None],
+        radius=np.array([p["R"]]),
+        mass=np.array([mass(p)]),
+        free=np.array([[True, False, False]]),
+    )
+    return Scene((sphere, Wall(np.zeros(3), X)), _contact(kind, p))
+
+
+def _declare(variant: str, p: Parameters) -> Trial:
+    kind = variant.partition("-")[0]
+    due, unit = _due(kind, p), hertz.lasting(**_elastic(p))
+    interval = unit / SEEN
+    goal = History(interval * math.ceil(LASTS * due["cleared"] / interval), interval)
+    rungs = tuple(Knobs(dt=unit / n) for n in STEPS)
+    levels = {Level.QUICK: rungs[:2], Level.DEFAULT: rungs[:3], Level.PAPER: rungs}
+    read: dict[str, Callable[[Run], float]] = {
+        "restitution": lambda run: float((run.values[Velocity(0)] @ X)[-1]) / p["v"],
+        "deepest": _deepest,
+        "cleared": _cleared,
+        "force": functools.partial(_force, p),
+    }
+    judge = _judge(unit, viscous.damping(p["e"]))
+    scalars = [
+        Scalar(name, symbol, unit_of, meaning, read[name], due[name], due[name], judge)
+        for name, symbol, unit_of, meaning in QUANTITIES
+        if name != "force" or p["e"] > SUDDEN
+    ]
+    study = Ladder(_scene(kind, p), goal, (Displacement(0), Velocity(0)), levels)
+    return Trial(study, (*scalars, _balance(unit)))
+
+
+def _judge(unit: float, z: float) -> Exact:
+    """unit: duration of an impact without losses [s]; z: damping."""
+    dt = unit / STEPS[0]
+    return Exact({
+        Method.SECOND_ORDER: Tolerance(
+            10.0 / STEPS[0] ** 2,
+            "(w dt)^2/24 of the phase for w of the stiffest moment, which is 1.2 times pi/tc, and "
+            "the same for what the force lacks in the steps in which contact begins and ends; "
+            "speeds are read from means of two steps",
+            dt=dt, order=2, floor=1e-6,
+        ),
+        Method.FIRST_ORDER: Tolerance(
+            0.5 * math.pi * max(1.0, 1.2 * math.pi * z**2) / STEPS[0],
+            "a viscous force from half a step before acts as if the mass were less by z w dt, w up "
+            "to 1.2 pi/tc, and so z larger by half of that, of which log e has up to pi times",
+            dt=dt, order=1,
+        ),
+    })  # fmt: skip
+
+
+def _balance(unit: float) -> Scalar:
+    step = Tolerance(
+        5.0 / STEPS[0] ** 2, "as for the path: energy swings by (w dt)^2/4 at most",
+        dt=unit / STEPS[0], order=2,
+    )  # fmt: skip
+    return balance({Method.SECOND_ORDER: step, Method.FIRST_ORDER: step})
+
+
+SUDDEN = 0.3  # restitution up to which a dashpot pushes most at once, or too soon for outputs
+QUANTITIES = (
+    ("restitution", "e", "", "speed after the impact over that before"),
+    ("deepest", "U_max", "m", "largest overlap"),
+    ("cleared", "t0", "s", "when the overlap is gone, by where the sphere is at the end"),
+    ("force", "F_max", "N", "largest force, by how fast the sphere slows down"),
+)
+FORMULAS = {
+    "hertz": "m U'' = -max(0, K U^(3/2) + 2 z sqrt(3/2 m K) U^(1/4) U'), K = 4/3 E sqrt(R); "
+    "e = exp(-b (pi - 2 asin b)/sqrt(1 - b^2)), b = z sqrt(6/5)",
+    "linear": "m U'' = -max(0, kn U + 2 z sqrt(m kn) U'); "
+    "e = exp(-z (pi - 2 asin z)/sqrt(1 - z^2))",
+}
+LAWS = {"hertz": "Hertz and Tsuji", "linear": "a spring and a dashpot"}
+NOTE = (
+    "The force never pulls, so that contact ends before the overlap does, and the damping is that "
+    "which leaves the restitution e by this rule. Codes that let it pull take less damping for the "
+    "same e. The linear spring yields as much as elastic spheres do without losses. Tests 1 and 2 "
+    "by Hertz's law are the case hertz-impact."
+)
+CASE = Case(
+    name="restitution",
+    title="A sphere strikes a wall and loses speed: tests 1 to 3",
+    source=Source(CHUNG_OOI_2011.citation, CHUNG_OOI_2011.doi, NOTE),
+    parameters=(
+        Parameter("young", 380e9, "Pa", "Young's modulus of the sphere"),
+        Parameter("poisson", 0.23, "", "Poisson's ratio of the sphere"),
+        Parameter("rho", 4000.0, "kg/m3", "density of the sphere"),
+        Parameter("R", 0.0025, "m", "radius of the sphere"),
+        Parameter("v", 3.9, "m/s", "speed towards the wall"),
+        Parameter("e", 1.0, "", "restitution"),
+    ),
+    variants=(
+        *(
+            Variant(
+                f"{kind}-{e:g}", f"test 3: {LAWS[kind]}, restitution {e:g}", FORMULAS[kind],
+                {"e": e}, level=Level.QUICK if e in QUICK else Level.DEFAULT,
+            )
+            for kind in LAWS
+            for e in RESTITUTIONS
+        ),
+        *(
+            Variant(
+                f"linear-{stuff}", f"test {test} on springs: {stuff}", FORMULAS["linear"],
+                {**defaults(stuff), "R": radius, "v": speed}, level=Level.DEFAULT,
+            )
+            for test, stuff, radius, speed in (
+                (1, "glass", 0.01, 10.0),
+                (1, "limestone", 0.01, 10.0),
+                (2, "aluminium", 0.1, 0.2),
+                (2, "magnesium", 0.1, 0.2),
+            )
+        ),
+    ),
+    declare=_declare,
+)  # fmt: skip
