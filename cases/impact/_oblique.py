@@ -15,7 +15,8 @@ from vv.ask import Displacement, Method, Observable, Run, Velocity
 from vv.case import Exact, Scalar, Tolerance
 from vv.scene import Contact, Scene, Spheres, Vector, Wall
 
-FLOOR = 3e-6  # a code ends up 1.7e-6 off where overlaps are 3 % of the radius
+FLOOR = 1e-6  # what arms that differ in second order of U/R change where overlaps are 1e-3 R
+LEAST = 0.02  # of a step in a unit
 APART = 6.0  # radii between impacts
 ARMS = (0.5, 0.5), (1.0, 1.0), (1.0, 0.5)  # a and b of `Law`, in which codes differ
 SPRINGS = 0.0, 1.0  # h of it
@@ -172,28 +173,39 @@ class Impacts:
         return min(max(self.error(name, run, law) for name in self.blows) for law in self._laws())
 
     def lasting(self, judge: Exact) -> Scalar:
-        """The largest error of the durations of all impacts, relative to each."""
+        """The largest error of when bodies no longer overlap, relative to each."""
 
         def worst(run: Run, law: Choice) -> float:
-            due = {name: self.after(name, law).lasting for name in self.blows}
+            due = {name: self.after(name, law).cleared for name in self.blows}
             return max(abs(self.parting(name, run) / due[name] - 1.0) for name in self.blows)
 
         return Scalar(
             "lasting", "max|tc/tc* - 1|", "",
-            "largest error of a duration of contact, by the nearest of these laws",
+            "largest error of when an overlap is gone, by the nearest of these laws",
             lambda run: min(worst(run, law) for law in self._laws()), 0.0, 1.0, judge,
         )  # fmt: skip
 
     def longest(self) -> float:
-        """The longest of the contacts [s]."""
-        return max(self.after(name).lasting for name in self.blows)
+        """When the last of the overlaps is gone [s]."""
+        return max(self.after(name).cleared for name in self.blows)
 
 
-def judged(value: float, unit: float, steps: int, reason: str) -> Exact:
-    """Second order, in contacts of about a `unit` [s] that so many steps go into."""
+def judged(value: float, unit: float, steps: int, reason: str, late: float = 0.0) -> Exact:
+    """Second order, in contacts of about a `unit` [s] that so many steps go into.
+
+    late: what viscous forces of half a step before change by one step in a unit.
+    """
+    dt = unit / steps
     why = f"{reason}; at least what arms that differ in second order of U/R change"
-    step = Tolerance(value, why, dt=unit / steps, order=2, floor=FLOOR)
-    return Exact({Method.SECOND_ORDER: step})
+    step = Tolerance(value, why, dt=dt, order=2, floor=FLOOR)
+    behind = Tolerance(
+        (LEAST + late) / steps,
+        "a viscous force from half a step before: as if the mass were less by z w dt, which "
+        "changes speeds along the normal and what friction can be by up to pi z^2 and pi z times "
+        "half of that; at least half of what elastic forces may be off at the coarsest step",
+        dt=dt, order=1,
+    )  # fmt: skip
+    return Exact({Method.SECOND_ORDER: step, Method.FIRST_ORDER: behind})
 
 
 def at_angles(speed: float, degrees: Iterator[float]) -> dict[str, Blow]:

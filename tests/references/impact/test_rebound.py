@@ -117,6 +117,58 @@ def test_mfix_prints_hertz_with_a_spring_of_todays_stiffness_and_the_arm_of_the_
     assert after.spin == pytest.approx(printed[1], abs=3e-3 * 620)
 
 
+MFIX_LINEAR = {  # degrees: tangential restitution, spin [1/s]; case DEM05, particle and wall
+    2.5: (0.8469, 25.8477), 5.0: (0.7981, 68.2099), 10.0: (0.6556, 231.9435),
+    15.0: (0.5971, 404.5505), 20.0: (0.5946, 538.0793), 30.0: (0.6813, 618.8437),
+}  # fmt: skip
+MFIX_STEPS = 50.0  # in a contact of two of its spheres with each other, which is the shortest
+
+
+def _mfix(degrees: float, steps: float = MFIX_STEPS) -> tuple[float, float]:
+    """Tangential restitution and spin [1/s] by the rule of Adams and Bashforth, as MFiX has it.
+
+    It starts the sphere 3 mm above the wall, charges the shear spring by the slip at the end of
+    a step times the step, caps it there, and has arms of the distance of the centre.
+    """
+    kn, ks = LINEAR
+    mass, dt = ALUMINA.mass, math.pi * math.sqrt(0.5 * ALUMINA.mass / kn) / steps
+    inertia, angle = 0.4 * mass * RADIUS**2, math.radians(degrees)
+    velocity = [SPEED * math.sin(angle), -SPEED * math.cos(angle), 0.0]  # across, along, spin
+    earlier, height, spring, met = [0.0, 0.0, 0.0], RADIUS + 3e-3, 0.0, False
+    while height < RADIUS or not met:
+        push, rub = kn * max(RADIUS - height, 0.0), 0.0
+        if push:
+            met = True
+            rub = -ks * (spring + dt * (velocity[0] - height * velocity[2]))
+            rub = math.copysign(min(abs(rub), MU * push), rub)
+            spring = -rub / ks
+        rates = [rub / mass, push / mass, -height * rub / inertia]
+        before = velocity[1]
+        velocity = [
+            v + dt * (1.5 * a - 0.5 * b) for v, a, b in zip(velocity, rates, earlier, strict=True)
+        ]
+        earlier, height = rates, height + 0.5 * dt * (before + velocity[1])
+    across, _, spin = (v - 0.5 * dt * b for v, b in zip(velocity, earlier, strict=True))
+    return across / (SPEED * math.sin(angle)), spin
+
+
+@pytest.mark.parametrize(("degrees", "printed"), MFIX_LINEAR.items())
+def test_mfix_prints_linear_springs_with_the_error_of_its_step(
+    degrees: float, printed: tuple[float, float]
+) -> None:
+    kept, spin = _mfix(degrees)
+    assert kept == pytest.approx(printed[0], abs=6e-5)  # as printed
+    assert spin == pytest.approx(printed[1], abs=1e-3)
+
+
+def test_finer_steps_of_mfix_lead_to_the_exact_answer_with_arms_of_the_distance() -> None:
+    exact = _struck(Law(*LINEAR, MU, 1.0, a=1.0, b=1.0), 10.0).tangential
+    due = exact / (SPEED * math.sin(math.radians(10.0)))
+    errors = [_mfix(10.0, steps)[0] / due - 1.0 for steps in (MFIX_STEPS, 800.0)]
+    assert errors[0] == pytest.approx(0.0155, abs=1e-3)
+    assert abs(errors[1]) < 2e-3
+
+
 def test_increments_alone_are_told_apart_from_a_spring_of_todays_stiffness() -> None:
     kept = [
         _struck(Law(*HERTZ, MU, h=h), 5.0).tangential / (SPEED * math.sin(math.radians(5.0)))

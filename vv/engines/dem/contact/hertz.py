@@ -83,7 +83,8 @@ def made_up(since: float) -> float:
     far = since + 2.0
     root = math.sqrt(math.sqrt(far))
     near = math.sqrt(math.sqrt(since + 1.0))
-    return 0.8 * far * root - 0.5 * root - near + root / far / 48.0
+    late = root / far / 48.0 - 7.0 / 15360.0 * root / far**3
+    return 0.8 * far * root - 0.5 * root - near + late
 
 
 @inlined
