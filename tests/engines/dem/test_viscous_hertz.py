@@ -9,8 +9,8 @@ from reference_solutions.impact import viscous
 from reference_solutions.impact.rebound import Law, Sphere, rebound
 from vv.ask import Ask, History, Knobs, Velocity
 from vv.engines import dem
-from vv.engines.dem.solve import solve
 from vv.engines.dem.contact.hertz import made_up
+from vv.engines.dem.solve import solve
 from vv.scene import Contact, Hertz, Scene, Spheres, Wall
 
 RADIUS, MASS, E, G = 0.1, 11.0, 7e9, 1.5e9

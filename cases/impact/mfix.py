@@ -1,0 +1,236 @@
+"""DEM01 to DEM04 of MFiX's verification manual: spheres that fall, bounce, are pressed and slip."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from typing import NamedTuple
+
+import numpy as np
+
+from reference_solutions.impact import pressed_pair, slip_to_roll, spring
+from reference_solutions.impact.dropped import Drop, path
+from vv.ask import Displacement, History, Knobs, Method, Run, Velocity
+from vv.case import (
+    Case,
+    Exact,
+    Ladder,
+    Level,
+    Parameter,
+    Parameters,
+    Series,
+    Source,
+    Tolerance,
+    Trial,
+    Variant,
+)
+from vv.scene import Contact, Scene, Spheres, Vector, Wall
+
+X, Y, Z = np.eye(3)
+FLOOR_LEVEL = np.zeros(3)
+Seen = tuple[str, str, str, str, Callable[[Run], Vector], Callable[[Vector], Vector]]
+
+
+class Setting(NamedTuple):
+    """What a variant is made of.
+
+    series: each by name, symbol, unit, meaning, what is observed and the exact answer; unit: 1/w
+    [s] of the stiffest swing; steps: of the ladder, times w; square, late: tolerances over
+    (w dt)^2, and over w dt where viscous forces are half a step late.
+    """
+
+    scene: Scene
+    series: tuple[Seen, ...]
+    duration: float
+    unit: float
+    steps: tuple[float, ...]
+    square: float
+    late: float
+
+
+def _mass(p: Parameters) -> float:
+    return p["rho"] * 4.0 / 3.0 * math.pi * p["R"] ** 3
+
+
+def _spheres(places: tuple[float, ...], p: Parameters, masses: Vector, speed: float) -> Spheres:
+    """Spheres at these heights of their centres [m], that move up and down, or along x and turn."""
+    count, slips = len(places), speed != 0.0
+    return Spheres(
+        position=np.outer(places, Z),
+        velocity=np.tile(speed * X, (count, 1)),
+        radius=np.full(count, p["R"]),
+        mass=np.array(masses),
+        free=np.tile([slips, slips, True], (count, 1)),
+        free_spin=np.full((count, 3), slips),
+    )
+
+
+def _dropped(p: Parameters) -> Setting:
+    """A sphere that falls on a wall, and bounces."""
+    m, bounces, fall = _mass(p), round(p["bounces"]), p["h"] - p["R"]
+    drop = Drop(m, p["kn"], spring.damping(p["e"]), p["g"])
+    sphere = _spheres((p["h"],), p, np.array([m]), 0.0)
+    contact = Contact(p["kn"], eta_n=drop.viscous)
+    last = drop.pieces(fall, bounces)[-1]
+    height = (
+        "height", "h", "m", "by how much the sphere has risen",
+        lambda run: run.values[Displacement(0)] @ Z,
+        lambda t: path(t, fall, bounces, drop) - fall,
+    )  # fmt: skip
+    return Setting(
+        Scene((sphere, Wall(FLOOR_LEVEL, Z)), contact, gravity=-p["g"] * Z), (height,),
+        last.since + last.speed / p["g"], math.sqrt(m / p["kn"]), (0.08, 0.04, 0.02, 0.005),
+        0.5 * bounces, 0.1 * (1 + bounces),
+    )  # fmt: skip
+
+
+def _pressed(p: Parameters) -> Setting:
+    """Two spheres between two walls."""
+    masses = _mass(p) * np.array([1.0, p["rho2"] / p["rho"]])
+    start = p["h"], p["h2"]
+    pair = _spheres(start, p, masses, 0.0)
+    walls = Wall(FLOOR_LEVEL, Z), Wall(p["H"] * Z, -Z)
+    law = {"k": p["kn"], "R": p["R"], "H": p["H"], "g": p["g"]}
+
+    def moved(t: Vector, i: int) -> Vector:
+        both = (float(masses[0]), float(masses[1]))
+        return pressed_pair.heights(t, start, masses=both, **law)[..., i] - start[i]
+
+    series = tuple(
+        (
+            f"y{i + 1}", f"y{i + 1}", "m", f"by how much the {which} sphere has risen",
+            lambda run, i=i: run.values[Displacement(i)] @ Z,
+            lambda t, i=i: moved(t, i),
+        )
+        for i, which in enumerate(("lower", "upper"))
+    )  # fmt: skip
+    return Setting(
+        Scene((pair, *walls), Contact(p["kn"]), gravity=-p["g"] * Z), series,
+        1e-3, math.sqrt(float(masses.min()) / (3.0 * p["kn"])), (0.08, 0.04, 0.02, 0.005), 2.0, 0.4,
+    )  # fmt: skip
+
+
+def _slipping(p: Parameters) -> Setting:
+    """A sphere set down sliding, at rest on its normal spring."""
+    m, sunk = _mass(p), _mass(p) * p["g"] / p["kn"]
+    arm = 1.0 - 0.5 * sunk / p["R"]
+    slide = slip_to_roll.Sliding(m, p["kn"], p["mu"], p["g"], p["v"], 1.0 + 2.5 * arm**2)
+    sphere = _spheres((p["R"] - sunk,), p, np.array([m]), p["v"])
+    speed = (
+        "speed", "v", "m/s", "velocity along the wall",
+        lambda run: run.values[Velocity(0)] @ X, lambda t: slip_to_roll.speed(t, slide),
+    )  # fmt: skip
+    contact = Contact(p["kn"], p["kn"], p["mu"])
+    return Setting(
+        Scene((sphere, Wall(FLOOR_LEVEL, Z)), contact, gravity=-p["g"] * Z), (speed,),
+        1.4 * slide.rolls, 1.0 / slide.w, (0.2, 0.1, 0.05, 0.02), 0.04, 0.1,
+    )  # fmt: skip
+
+
+KINDS = {"dem01": _dropped, "dem02": _dropped, "dem03": _pressed, "dem04": _slipping}
+OUTPUTS = 400
+
+
+def _declare(variant: str, p: Parameters) -> Trial:
+    setting = KINDS[variant.partition("-")[0]](p)
+    stride = max(1, round(setting.duration / (OUTPUTS * setting.steps[0] * setting.unit)))
+    interval = stride * setting.steps[0] * setting.unit
+    goal = History(interval * math.floor(setting.duration / interval), interval)
+    rungs = tuple(Knobs(dt=step * setting.unit) for step in setting.steps)
+    levels = {Level.QUICK: rungs[:2], Level.DEFAULT: rungs[:3], Level.PAPER: rungs}
+    seen = {
+        Velocity(0)
+        if name == "speed"
+        else Displacement(int(name[-1]) - 1 if name != "height" else 0)
+        for name, *_ in setting.series
+    }
+    series = tuple(
+        Series(name, symbol, unit, meaning, observe, answer, _judge(setting))
+        for name, symbol, unit, meaning, observe, answer in setting.series
+    )
+    return Trial(Ladder(setting.scene, goal, tuple(sorted(seen, key=str)), levels), series)
+
+
+def _judge(setting: Setting) -> Exact:
+    step, unit = setting.steps[0], setting.unit
+    return Exact({
+        Method.EXACT: Tolerance(1e-11, "events located to rounding, of which some follow others"),
+        Method.SECOND_ORDER: Tolerance(
+            setting.square * step**2,
+            "(w dt)^2/24 of each swing's phase, and (w dt)^2/12 where a contact begins and ends, "
+            "which shifts all that follows", dt=step * unit, order=2,
+        ),
+        Method.FIRST_ORDER: Tolerance(
+            setting.late * step,
+            "a force that acts half a step late, from the start on or where it is viscous: that "
+            "part of the way, and of z, which lowers each bounce by up to 2 pi z times as much",
+            dt=step * unit, order=1,
+        ),
+    })  # fmt: skip
+
+
+FALL = "m u'' = m g - max(0, kn u + c u'), c = 2 z sqrt(kn m), while the overlap u is there"
+NOTE = (
+    "What MFiX prints is in its own tests. DEM01 is the answer of contact that may pull up to the "
+    "end of the overlap, where contact here never pulls; its path to 2e-8 m and its heights of "
+    "DEM02 to 0.21 % are those of the springs given, which are 6.4 % off the heights of rigid "
+    "contact that the manual holds them against. DEM03 is here without losses, since MFiX gives "
+    "each contact a dashpot of its own, and with overlaps of a tenth of MFiX's, whose are a fifth "
+    "of the radius. DEM04 starts at rest on the normal spring, where MFiX sets the sphere down "
+    "without overlap; it slips up to 2/7 v0/(mu g) and rolls at 5/7 v0, but for "
+    "the swing of the shear spring. DEM05 is the case kharaz. DEM06 is not run: its drag, of "
+    "Schiller and Naumann at a Reynolds number of 3, is not linear, and with Stokes' the particle "
+    "would sink by a third faster."
+)
+DROPPED = {"R": 0.1, "rho": 2600.0, "h": 0.5, "kn": 5e4, "bounces": 5.0}
+SMALL = {"R": 5e-4, "h": 4.95e-4, "rho": 2e4, "kn": 1e3}
+CASE = Case(
+    name="mfix",
+    title="Verification cases DEM01 to DEM04 of MFiX",
+    source=Source(
+        "MFiX Software Verification and Validation Manual, DEM01 to DEM06, National Energy "
+        "Technology Laboratory (Garg, Galvin, Li and Pannala 2012, Powder Technology 220, 122-137)",
+        "10.1016/j.powtec.2011.09.019",
+        NOTE,
+    ),
+    parameters=(
+        Parameter("R", 0.1, "m", "radius"),
+        Parameter("rho", 2600.0, "kg/m3", "density, of the lower sphere if there are two"),
+        Parameter("rho2", 1e4, "kg/m3", "density of the upper sphere"),
+        Parameter("h", 0.5, "m", "height of the centre at first"),
+        Parameter("h2", 1.485e-3, "m", "that of the upper sphere"),
+        Parameter("H", 1.98e-3, "m", "distance of the walls that press two"),
+        Parameter("kn", 1e4, "N/m", "stiffness along the normal, and across it where it rubs"),
+        Parameter("e", 1.0, "", "restitution on these springs, but for gravity"),
+        Parameter("mu", 0.2, "", "friction"),
+        Parameter("v", 0.1, "m/s", "speed along the wall"),
+        Parameter("g", 9.80665, "m/s2", "gravity"),
+        Parameter("bounces", 1.0, "", "how many bounces are seen"),
+    ),
+    variants=(
+        Variant(
+            "dem01", "DEM01: a sphere falls on a wall and rebounds", FALL, {"e": 0.9},
+            inert=frozenset({"rho2", "h2", "H", "mu", "v"}),
+        ),
+        Variant(
+            "dem02-1", "DEM02: five bounces without losses", FALL, DROPPED,
+            inert=frozenset({"rho2", "h2", "H", "mu", "v"}),
+        ),
+        Variant(
+            "dem02-0.9", "DEM02: five bounces, restitution 0.9", FALL, {**DROPPED, "e": 0.9},
+            inert=frozenset({"rho2", "h2", "H", "mu", "v"}), level=Level.DEFAULT,
+        ),
+        Variant(
+            "dem03", "DEM03: two spheres pressed between two walls",
+            "m1 y1'' = k (R - y1) - k (2 R - y2 + y1) - m1 g, "
+            "m2 y2'' = k (2 R - y2 + y1) - k (R - H + y2) - m2 g", SMALL,
+            inert=frozenset({"e", "mu", "v", "bounces"}),
+        ),
+        Variant(
+            "dem04", "DEM04: a sphere slips on a wall until it rolls",
+            "m v' = T, T' = -ks s until |T| = mu m g, s' = 7/2 T/m",
+            {"R": 5e-4, "rho": 1e4}, inert=frozenset({"rho2", "h", "h2", "H", "e", "bounces"}),
+        ),
+    ),
+    declare=_declare,
+)  # fmt: skip

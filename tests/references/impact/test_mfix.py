@@ -1,0 +1,94 @@
+"""Claims about MFiX's DEM cases 01 to 04 and 06: two routes agree, and print is explained."""
+
+import math
+
+import numpy as np
+import pytest
+
+from reference_solutions.checks.impact import dropped as second
+from reference_solutions.impact import pressed_pair, slip_to_roll, spring
+from reference_solutions.impact.dropped import Drop, path
+
+G = 9.80665
+MASS = 2600.0 * 4.0 / 3.0 * math.pi * 0.1**3
+SMALL = 4.0 / 3.0 * math.pi * 0.0005**3
+PAIR = {"masses": (2e4 * SMALL, 1e4 * SMALL), "k": 1e3, "R": 5e-4, "H": 1.8e-3, "g": G}
+SLIDE = slip_to_roll.Sliding(m=1e4 * SMALL, ks=1e4, mu=0.2, g=G, v0=0.1)
+
+
+def pulling(e: float) -> float:
+    """The damping that leaves the restitution e if contact may pull."""
+    return -math.log(e) / math.hypot(math.pi, math.log(e))
+
+
+@pytest.mark.parametrize("pulls", [False, True])
+@pytest.mark.parametrize("z", [0.0, 0.03, 0.5])
+def test_two_routes_agree_on_a_dropped_sphere(z: float, pulls: bool) -> None:
+    bounces = 5 if z < 0.5 else 1
+    seen = Drop(MASS, 5e4, z, G, pulls).tops(0.4, bounces)
+    again = second.tops(0.4, bounces, m=MASS, kn=5e4, z=z, g=G, pulls=pulls)
+    assert seen == pytest.approx(again, rel=1e-10)
+
+
+@pytest.mark.parametrize("t", [1e-5, 1.8e-4, 1e-3])
+def test_two_routes_agree_on_a_pressed_pair(t: float) -> None:
+    start = (4.5e-4, 1.35e-3)
+    seen = pressed_pair.heights(t, start, **PAIR)  # type: ignore[arg-type]
+    again = second.pressed(t, start, **PAIR)  # type: ignore[arg-type]
+    assert seen == pytest.approx(again, rel=1e-10)
+
+
+@pytest.mark.parametrize("t", [5e-9, 0.01, 0.03])
+def test_two_routes_agree_on_a_sphere_set_down_sliding(t: float) -> None:
+    speed, rolls = second.sliding(t, **SLIDE._asdict())
+    assert slip_to_roll.speed(t, SLIDE) == pytest.approx(speed, rel=1e-10)
+    if rolls:
+        assert SLIDE.rolls == pytest.approx(rolls, rel=1e-10)
+
+
+def test_mfix_prints_a_dropped_sphere_whose_contact_may_pull() -> None:
+    times = [0.28607148, 0.31541214, 0.34621984, 0.37556050, 0.40490117, 0.49585723]
+    printed = [0.09872776, 0.02559695, 0.00307841, 0.04630117, 0.11820900, 0.29614061]
+    seen = path(times, 0.4, 1, Drop(MASS, 1e4, pulling(0.9), G, True)) + 0.1
+    assert seen == pytest.approx(printed, abs=2e-8)
+
+
+def test_what_mfix_computes_of_bounces_is_right_for_its_springs_and_not_for_rigid_contact() -> None:
+    printed = [0.41930671, 0.35478084, 0.30210579, 0.26026070, 0.22626641, 0.19944300]
+    seen = [0.1 + top for top in Drop(MASS, 5e4, pulling(0.9), G, True).tops(0.4, 6)]
+    assert seen == pytest.approx(printed, rel=3e-3)
+    rigid = 0.1 + 0.4 * 0.9**12
+    assert printed[-1] / rigid < 0.94
+
+
+def test_mfix_prints_the_modes_of_a_pressed_pair() -> None:
+    times = np.array([0.00001286, 0.00018003, 0.00027005])
+    seen = pressed_pair.heights(times, (4.5e-4, 1.35e-3), **PAIR)  # type: ignore[arg-type]
+    assert seen[:, 0] == pytest.approx([0.00044961, 0.00042344, 0.00043208], abs=1e-8)
+
+
+def test_mfix_prints_two_sevenths_and_five_sevenths_of_a_sliding_sphere() -> None:
+    late = slip_to_roll.speed(np.linspace(0.04, 0.05, 2001), SLIDE).mean()
+    assert SLIDE.rolls * SLIDE.mu * G / SLIDE.v0 == pytest.approx(0.28571429, rel=2e-6)
+    assert late / SLIDE.v0 == pytest.approx(0.71428571, rel=1e-4)
+
+
+def test_stokes_drag_would_have_the_particle_of_dem06_sink_a_third_too_fast() -> None:
+    gas, viscosity, size = 1.2, 1.8e-5, 1e-4
+    stokes = (2000.0 - gas) * G * size**2 / (18.0 * viscosity)
+    speed = stokes
+    for _ in range(60):  # Schiller and Naumann (1935)
+        speed = stokes / (1.0 + 0.15 * (gas * size * speed / viscosity) ** 0.687)
+    printed = 0.4 + (0.07759039 - 0.07644287) / 0.02  # against the gas
+    assert speed == pytest.approx(printed, rel=2e-3)
+    assert stokes / speed > 1.3
+
+
+def test_parameters_outside_their_ranges_are_refused() -> None:
+    with pytest.raises(ValueError, match="z = 1"):
+        Drop(1.0, 1.0, 1.0, 1.0).tops(1.0, 1)
+    with pytest.raises(ValueError, match="a contact opens"):
+        pressed_pair.heights(0.0, (3e-4, 1.35e-3), **PAIR)  # type: ignore[arg-type]
+    with pytest.raises(ValueError, match="mu = 1000000"):
+        slip_to_roll.speed(1.0, SLIDE._replace(mu=1e6))
+    assert spring.damping(1.0) == 0.0
