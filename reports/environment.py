@@ -26,8 +26,8 @@ from reports.pages.overview import overview
 from reports.pages.papers import papers
 from reports.pages.steadiness import sections
 from reports.pages.troubles import troubles
+from reports.settings_table import setting_rows
 from reports.variant.inputs import heads
-from reports.variant.settings import Group, Setting
 from vv.output import table
 from vv.records.finding import worst_first
 from vv.records.reading import tried
@@ -200,42 +200,3 @@ def tag(outcome: ShownOutcome, count: int | None = None, quiet: bool = False) ->
         f'<span class="tag {escape(look)}">{escape(outcome.symbol)} {escape(outcome.word)}'
         f"{many}{only}</span>"
     )
-
-
-def setting_rows(group: Group, stiffness: bool, valued: bool, columns: int) -> Markup:
-    """The rows of a group of settings; stiffness, valued: whether there are columns of it.
-
-    There are ten thousands of them, without the end tags that HTML does not need.
-    """
-    rows = [_setting_row(row, stiffness, valued) for row in group.rows]
-    return Markup("\n".join([*([_heading(group, columns)] if group.titled else []), *rows]))
-
-
-def _heading(group: Group, columns: int) -> str:
-    """What is said of a group of settings, above them."""
-    unit = f" [{group.unit}]" if group.unit else ""
-    found = group.order
-    order = (
-        f" · order {found.order:.2f} ± {found.spread:.2f} over {found.points} steps"
-        if found
-        else ""
-    )
-    said = escape(f"{group.mark.label} · {group.quantity}{unit}{order}")
-    notes = "".join(f"<small>{escape(note)}</small>" for note in group.notes)
-    return f"<tbody><tr><th scope=rowgroup colspan={columns}>{said}{notes}"
-
-
-def _setting_row(row: Setting, stiffness: bool, valued: bool) -> str:
-    record, one = row.record, row.quantity
-    cpu = text.seconds(record.cost.solve_cpu or None)
-    numbers = [text.brief(record.rung.dt), *([text.brief(record.rung.kn)] if stiffness else [])]
-    numbers += [text.brief(one.value), text.brief(one.reference)] if valued else []
-    numbers += [text.sci(one.error), text.sci(one.tolerance, 1)]
-    numbers += [text.NONE if row.local is None else f"{row.local:.2f}"]
-    marks = ("" if record.cost.timed else " ○") + (" ◻" if record.cost.whole else "")
-    numbers += [f"{cpu}{marks}", str(record.steps)]
-    cells = "".join(f"<td>{escape(number)}" for number in numbers)
-    note = f" <small>{escape(row.note)}</small>" if row.note else ""
-    came = f"{escape(row.outcome.symbol)} {escape(row.outcome.word)}"
-    look = "" if row.outcome.look == "good" else f' class="{row.outcome.look}"'
-    return f"<tr>{cells}<td{look}>{came}{note}"

@@ -26,7 +26,7 @@ BUGS = (
     Bug("a curve of the coarsest setting", COLLECT, "kept = arrays(ran[-1].key)", "kept = arrays(ran[0].key)", tests=PAGES),
     Bug("the worst scheme ranked first", RANKING, "(row.error is None, row.error or 0.0, row.mark.label)", "(row.error is None, -(row.error or 0.0), row.mark.label)", tests=PAGES),
     Bug("the advice is the dearest setting", "reports/variant/advice.py", "in sorted(able, key=lambda row: row[:2]):", "in sorted(able, key=lambda row: row[:2])[::-1]:", tests=PAGES),
-    Bug("the value of a number where the exact one is", "reports/environment.py", "text.brief(one.value), text.brief(one.reference)", "text.brief(one.value), text.brief(one.value)", tests=PAGES),
+    Bug("the value of a number where the exact one is", "reports/settings_table.py", "text.brief(one.value), text.brief(one.reference)", "text.brief(one.value), text.brief(one.value)", tests=PAGES),
     Bug("the start told as the end", RECORD, '"final": _finite(value[-1])', '"final": _finite(value[0])', tests="tests/records"),
     Bug("the exact end is the code's own", RECORD, "end=_finite(reference[-1])", "end=_finite(value[-1])", tests="tests/records"),
     Bug("a cost interpolated from the wrong end", COSTS, "before[0] * (cpu / before[0]) ** share", "cpu * (before[0] / cpu) ** share", tests="tests/reports/test_readback.py"),

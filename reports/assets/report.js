@@ -36,13 +36,31 @@
     script.onload = script.onerror = () => done(globalThis.vvInputs ?? {});
     document.head.append(script);
   });
+  const patched = (base, diff) => {
+    const old = base.split("\n"), made = [];
+    const hunks = diff.split(/^@@ -(\d+)(?:,(\d+))? .*@@\n/m);
+    let at = 0;
+    for (let i = 1; i < hunks.length; i += 3) {
+      const count = Number(hunks[i + 1] ?? 1), first = Number(hunks[i]) - (count ? 1 : 0);
+      made.push(...old.slice(at, first), ...hunks[i + 2].split("\n").filter((line) => line[0] === "+").map((line) => line.slice(1)));
+      at = first + count;
+    }
+    return [...made, ...old.slice(at)].join("\n");
+  };
+  const own = (pre) => pre.dataset.base ? patched(one(pre.dataset.base).querySelector("pre").textContent, pre.textContent) : pre.textContent;
   const input = async (box) => {
     const pre = box.querySelector("pre"), code = pre.dataset.head;
     const here = code && document.getElementById(`head-${code}`)?.textContent;
-    return `${code ? here ?? (await heads())[code] ?? "" : ""}${pre.textContent}`;
+    return `${code ? here ?? (await heads())[code] ?? "" : ""}${own(pre)}`;
   };
   all(".input").forEach((box) => {
     all("button", box).forEach((button) => { button.hidden = false; });
+    box.querySelector("[data-whole]")?.addEventListener("click", (event) => {
+      const pre = box.querySelector("pre");
+      pre.textContent = own(pre);
+      delete pre.dataset.base;
+      event.target.remove();
+    });
     box.querySelector("[data-copy]").addEventListener("click", async (event) => {
       const said = event.target;
       try { await navigator.clipboard.writeText(await input(box)); said.textContent = "copied"; } catch { getSelection().selectAllChildren(box.querySelector("pre")); }
@@ -313,12 +331,14 @@
   // The motion of each scheme beside the exact one.
   all(".playback").forEach((box) => {
     const data = JSON.parse(box.firstElementChild.textContent);
+    Object.values(data.codes).forEach((code) => { code[1] ||= data.exact; });  // 0: never a pixel off
     const names = Object.keys(data.codes), H = 22 + 13 * names.length;
+    const time = (i) => Number((data.ends[0] + i / (data.exact.length - 1) * (data.ends[1] - data.ends[0])).toPrecision(3));
     const span = [...data.exact, ...names.flatMap((name) => data.codes[name][1])].filter((v) => v !== null);
     const low = Math.min(...span), high = Math.max(...span), wide = high - low || 1;
     const x = (v) => 20 + 300 * (v - low) / wide;
     const dots = names.map((name, i) => `<g class="c${Number(data.codes[name][0])}"><path class="lead" d="M20 ${25 + 13 * i}H320"/><circle class="full" r="4" cy="${25 + 13 * i}"/><text class="named" x="330" y="${28 + 13 * i}"></text></g>`).join("");
-    box.insertAdjacentHTML("beforeend", `<svg class="chart" viewBox="0 0 470 ${H}" aria-hidden="true"><path class="exact"/>${dots}</svg><label><button type="button" class="chip">play</button> <input type="range" min="0" max="${data.t.length - 1}" value="0" aria-label="time"> <output></output></label>`);
+    box.insertAdjacentHTML("beforeend", `<svg class="chart" viewBox="0 0 470 ${H}" aria-hidden="true"><path class="exact"/>${dots}</svg><label><button type="button" class="chip">play</button> <input type="range" min="0" max="${data.exact.length - 1}" value="0" aria-label="time"> <output></output></label>`);
     const [bar, said, button] = [box.querySelector("input"), box.querySelector("output"), box.querySelector("button")];
     all(".named", box).forEach((text, i) => { text.textContent = names[i]; });
     const step = () => {
@@ -329,13 +349,13 @@
         dot.setAttribute("visibility", value === null ? "hidden" : "visible");
         if (value !== null) dot.setAttribute("cx", x(value));
       });
-      said.textContent = `t = ${data.t[i]} s, exact ${data.name}: ${(data.exact[i] * data.size).toPrecision(3)}`;
+      said.textContent = `t = ${time(i)} s, exact ${data.name}: ${(data.exact[i] / 1000 * data.size).toPrecision(3)}`;
     };
     let timer = null;
     button.addEventListener("click", () => {
       if (timer) { clearInterval(timer); timer = null; button.textContent = "play"; return; }
       button.textContent = "stop";
-      timer = setInterval(() => { bar.value = (Number(bar.value) + 1) % data.t.length; step(); }, 60);
+      timer = setInterval(() => { bar.value = (Number(bar.value) + 1) % data.exact.length; step(); }, 60);
     });
     bar.addEventListener("input", step);
     box.hidden = false;

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
@@ -191,7 +192,9 @@ def _against_step(
         stepped = [p for p in inside if p.dt is not None]
         if stepped:
             steps = [p.dt for p in stepped if p.dt is not None]
-            yield _curve(ladder.mark, steps, stepped, [False] * len(stepped))
+            told = [_tip(p).rpartition(";")[0] for p in stepped]  # the cost has its own chart
+            curve = _curve(ladder.mark, steps, stepped, [False] * len(stepped))
+            yield dataclasses.replace(curve, tips=tuple(told))
         for point in inside:
             if point.dt is None:
                 yield _curve(ladder.mark, list(span), [point, point], [False, False])

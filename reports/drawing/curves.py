@@ -14,7 +14,8 @@ from reports.marks import Mark
 from vv.base.metrics import Vector
 
 WIDTH, HEIGHT = 470.0, 290.0
-LEFT, RIGHT, TOP, BOTTOM = 52.0, 356.0, 10.0, 248.0  # of the axes; names of curves to the right
+LEFT, RIGHT, TOP, BOTTOM = 52.0, 356.0, 10.0, 248.0  # of the axes; names of curves to the right,
+# where the page's style moves them
 SMALL, LARGE = 3.0, 4.6  # radius of a marker
 LEADING = 10.5  # between names at the ends of curves
 
@@ -151,7 +152,9 @@ def _names(ends: Mapping[str, tuple[float, float]]) -> dict[str, str]:
     made = {}
     for (label, spot), y in zip(ordered, places, strict=True):
         lead = f"M{number(spot[0] + 4)} {number(spot[1])}L{RIGHT + 5:g} {number(y)}"
-        made[label] = f'<path d="{lead}"/>{text(RIGHT + 8, y + 3, label)}'
+        near = spot[0] > RIGHT - 4 and abs(spot[1] - y) < 2
+        line = "" if near else f'<path d="{lead}"/>'
+        made[label] = f'{line}<text y="{number(y + 3)}">{escape(label)}</text>'
     return made
 
 

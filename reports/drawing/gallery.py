@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -11,7 +11,7 @@ from markupsafe import Markup
 
 from reports.drawing import charts
 from reports.drawing.charts import Chart
-from reports.drawing.collect import History, Ladder
+from reports.drawing.collect import History, Ladder, Point
 from reports.drawing.curves import draw
 from reports.drawing.maps import NO_CRITICAL, Critical, HeatMap, error_map
 from reports.drawing.panels import draw_map
@@ -20,6 +20,8 @@ from reports.text import brief, listed, sci
 from vv.base.metrics import POINTWISE_THRESHOLD
 from vv.case import Norm
 from vv.records.case_facts import QuantityFacts
+
+FEW = 3  # schemes that are all told to who cannot see a figure
 
 
 @dataclass(frozen=True)
@@ -78,13 +80,16 @@ def _trajectory(over_time: Sequence[History], symbol: str) -> list[Figure]:
     if chart is None:
         return []
     rest = "; the grey line is the reference" if chart.exact else "; there is no reference"
-    ends = [f"{h.mark.label} {sci(float(h.value[-1]), 6)}" for h in over_time]
+    ends = {
+        h.mark.label: (float(h.value[-1]), f"{h.mark.label} {sci(float(h.value[-1]), 6)}")
+        for h in over_time
+    }
     return [
         Figure(
             draw(chart),
             f"{symbol} over time",
             f"{_finest(over_time)}{rest}.",
-            f"{symbol} over time; at the final time: {', '.join(ends)}",
+            f"{symbol} over time; at the final time: {_in_short(ends)}",
         )
     ]
 
@@ -95,12 +100,13 @@ def _relative(over_time: Sequence[History]) -> list[Figure]:
         return []
     low = [f"{name} (at most {sci(error, 1)})" for name, error in sunk.items()]
     below = f" Not drawn, far below: {listed(low)}." if low else ""
-    largest = [f"{c.mark.label} {sci(float(np.nanmax(c.y)))}" for c in chart.curves]
+    drawn = {c.mark.label: float(np.nanmax(c.y)) for c in chart.curves}
+    largest = {label: (error, f"{label} {sci(error)}") for label, error in drawn.items()}
     caption = (
-        f"{_finest(over_time)}; the paper's norm at each time, left out where |reference| is "
+        "Settings as before; the paper's norm at each time, left out where |reference| is "
         f"below {100 * POINTWISE_THRESHOLD:g} % of its maximum.{below}"
     )
-    alt = f"Relative error over time; largest: {', '.join(largest + low)}"
+    alt = f"Relative error over time; largest: {', '.join([_in_short(largest), *low])}"
     return [Figure(draw(chart), "Relative error over time", caption, alt)]
 
 
@@ -159,18 +165,40 @@ def _finest(over_time: Sequence[History]) -> str:
 
 
 def _ranges(steps: Sequence[Ladder]) -> str:
-    said = []
-    for ladder in steps:
-        errors = [p.error for p in ladder.points if p.error is not None]
-        if errors:
-            ends = dict.fromkeys((sci(errors[0]), sci(errors[-1])))
-            said.append(f"{ladder.mark.label} {' to '.join(ends)}")
-    return ", ".join(said)
+    """The errors of each scheme at its coarsest setting and at its finest, stiffest last."""
+    said = {}
+    for label, points in _known(steps).items():
+        ends = dict.fromkeys((sci(points[0].error), sci(points[-1].error)))
+        said[label] = points[-1].error, f"{label} {' to '.join(ends)}"
+    return _in_short(said)
 
 
 def _costs(steps: Sequence[Ladder]) -> str:
-    said = []
+    """The error of each scheme at its finest setting, and its cost."""
+    finest = {label: points[-1] for label, points in _known(steps).items()}
+    said = {
+        label: (p.error, f"{label} {sci(p.error)} for {sci(p.cpu)} s")
+        for label, p in finest.items()
+    }
+    return _in_short(said)
+
+
+def _known(steps: Sequence[Ladder]) -> dict[str, list[Point]]:
+    """Scheme -> its points with an error."""
+    found: dict[str, list[Point]] = {}
     for ladder in steps:
-        ends = [p for p in ladder.points if p.error is not None][-1:]
-        said += [f"{ladder.mark.label} {sci(p.error)} for {sci(p.cpu)} s" for p in ends]
-    return ", ".join(said)
+        for point in ladder.points:
+            if point.error is not None:
+                found.setdefault(ladder.mark.label, []).append(point)
+    return found
+
+
+def _in_short(said: Mapping[str, tuple[float | None, str]]) -> str:
+    """What is said of each scheme; of many, of the one with the least number and the largest.
+
+    Who listens does not want twelve schemes in each of four figures: all are in the tables.
+    """
+    if len(said) <= FEW:
+        return ", ".join(text for _, text in said.values())
+    ordered = sorted(said.values(), key=lambda one: (one[0] or 0.0, one[1]))
+    return f"of {len(said)} schemes, least {ordered[0][1]}, most {ordered[-1][1]}"

@@ -9,8 +9,8 @@ from markupsafe import Markup, escape
 
 from vv.base.metrics import Vector
 
-BUCKETS = 80  # of a curve, each with its lowest and highest point: pixels show no more
-FEW, SLACK = 20, 0.2  # points that are all kept, and how far off a line may pass [px]
+BUCKETS = 64  # of a curve, each with its lowest and highest point: pixels show no more
+FEW, SLACK = 20, 0.3  # points that are all kept, and how far off a line may pass [px]
 
 
 def number(value: float) -> str:
@@ -30,9 +30,10 @@ def path(x: Vector, y: Vector) -> str:
             continue
         here = int(px), int(py)
         if before is None:
-            parts.append(f"M{_tenth(here[0])}{_joined(here[1])}l")
+            parts.append(f"M{_tenth(here[0])}{_joined(here[1], _tenth(here[0]))}l")
         elif here != before:
-            parts.append(f"{_joined(here[0] - before[0])}{_joined(here[1] - before[1])}")
+            across, up = here[0] - before[0], here[1] - before[1]
+            parts.append(f"{_joined(across, parts[-1])}{_joined(up, _tenth(across))}")
         before = here
     return "".join(parts).replace("l ", "l").replace("lM", "M").removesuffix("l")
 
@@ -44,10 +45,14 @@ def _tenth(tenths: int) -> str:
     return f"{sign}{whole or ('' if rest else 0)}{f'.{rest}' if rest else ''}"
 
 
-def _joined(tenths: int) -> str:
-    """As `_tenth`, with the blank that a number needs behind another."""
+def _joined(tenths: int, before: str) -> str:
+    """As `_tenth`, with the blank that a number needs behind what ends with another.
+
+    None stands before a sign, nor before a point where the other number has one already.
+    """
     text = _tenth(tenths)
-    return text if text[0] == "-" else f" {text}"
+    ends = text[0] == "-" or (text[0] == "." and before[-2:-1] == ".")
+    return text if ends else f" {text}"
 
 
 def thinned(x: Vector, y: Vector) -> tuple[Vector, Vector]:
@@ -103,5 +108,5 @@ def title(said: str) -> str:
 def drawing(width: float, height: float, parts: list[str], kind: str = "chart") -> Markup:
     """The parts as one picture, hidden from who hears the page: words stand beside it."""
     box = f"0 0 {number(width)} {number(height)}"
-    head = f'<svg class="{escape(kind)}" viewBox="{box}" aria-hidden="true" focusable="false">'
+    head = f'<svg class="{escape(kind)}" viewBox="{box}" aria-hidden="true">'
     return Markup(f"{head}{''.join(parts)}</svg>")

@@ -6,9 +6,8 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 from reports.book import Book
-from reports.drawing.collect import History
 from reports.text import slug
-from reports.variant.variant import Variant, variant
+from reports.variant.variant import Above, Variant, variant
 from vv.case import Norm
 from vv.insight.history import Point
 from vv.records.accepted import BaselineSummary
@@ -21,6 +20,7 @@ from vv.records.job_record import Record
 class Case:
     """A case and its variants.
 
+    judged: quantities with the variants they belong to, those together that are judged alike.
     beside: our errors at the step of the tolerances. baseline: what was accepted, why and where;
     None if nothing was. moved: what changed since. past: the case over commits, oldest first.
     """
@@ -28,7 +28,7 @@ class Case:
     name: str
     anchor: str
     facts: CaseFacts
-    quantities: Sequence[tuple[QuantityFacts, Sequence[str]]]
+    judged: Sequence[Sequence[tuple[QuantityFacts, Sequence[str]]]]
     variants: Sequence[Variant]
     beside: Mapping[str, Mapping[str, float | None]]
     beside_dt: float | None
@@ -41,16 +41,16 @@ class Case:
 def case(book: Book, name: str) -> Case:
     """The view of a case."""
     facts = book.manifest.cases[name]
-    distinct: dict[str, list[History]] = {}
-    variants = [variant(book, (name, v), distinct) for v in facts.variants]
+    above = Above()
+    variants = [variant(book, (name, v), above) for v in facts.variants]
     dt = _stated_step(facts)
     every = [r for v in facts.variants for pile in book.records[name, v].values() for r in pile]
-    beside = {v: _pointwise((r for r in every if r.variant == v), dt) for v in distinct}
+    beside = {v: _pointwise((r for r in every if r.variant == v), dt) for v in above.curves}
     return Case(
         name=name,
         anchor=slug(name),
         facts=facts,
-        quantities=_quantities(facts),
+        judged=_judged_alike(_quantities(facts)),
         variants=variants,
         beside=beside,
         beside_dt=dt,
@@ -72,6 +72,26 @@ def _quantities(facts: CaseFacts) -> list[tuple[QuantityFacts, Sequence[str]]]:
             else:
                 variants.append(name)
     return [*found]
+
+
+def _judged_alike(
+    quantities: Iterable[tuple[QuantityFacts, Sequence[str]]],
+) -> list[list[tuple[QuantityFacts, Sequence[str]]]]:
+    """Those together that have the same tolerances, for the same reasons, in the same norm."""
+    found: list[list[tuple[QuantityFacts, Sequence[str]]]] = []
+    for quantity, variants in quantities:
+        pile = next((pile for pile in found if _how(pile[0][0]) == _how(quantity)), None)
+        if pile is None:
+            found.append([(quantity, variants)])
+        else:
+            pile.append((quantity, variants))
+    return found
+
+
+def _how(quantity: QuantityFacts) -> tuple[object, ...]:
+    """All that says how a quantity is judged."""
+    of = quantity
+    return of.tolerances, of.shown, of.norm, of.judge, of.reason
 
 
 def _stated_step(facts: CaseFacts) -> float | None:

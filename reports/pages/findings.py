@@ -13,6 +13,7 @@ from reports.outcomes import RANKS, ShownOutcome, shown_outcome
 from reports.text import brief, short
 from vv.records.job_record import Record
 
+FEW = 3  # variants that are named though they are all of a case
 DECIMAL = re.compile(r"(?<![\w.])-?\d+(?:\.\d+(?:e[+-]?\d+)?|e[+-]?\d+)\b")
 
 
@@ -62,7 +63,7 @@ def _reason(record: Record) -> str:
     return plain.reason(record, shown.key) or shown.meaning
 
 
-def _where(book: Book, pile: Sequence[Record]) -> dict[str, list[tuple[str, str]]]:
+def _where(book: Book, pile: Sequence[Record]) -> dict[str, Sequence[tuple[str, str]]]:
     by_variant: dict[tuple[str, str], list[Record]] = {}
     for record in pile:
         by_variant.setdefault((record.case, record.variant), []).append(record)
@@ -74,4 +75,14 @@ def _where(book: Book, pile: Sequence[Record]) -> dict[str, list[tuple[str, str]
         found.setdefault(case, []).append(
             (book.to_case(case, variant, members[0].label), f"{variant}{some or many}")
         )
-    return found
+    return {case: _all_of_it(book, case, places) for case, places in found.items()}
+
+
+def _all_of_it(
+    book: Book, case: str, places: Sequence[tuple[str, str]]
+) -> Sequence[tuple[str, str]]:
+    """The places as they are; where they are just all the variants of a case, the case."""
+    variants = [*book.manifest.cases[case].variants]
+    if len(variants) < FEW or [said for _, said in places] != variants:
+        return places
+    return [(book.to_case(case), f"all {len(variants)} variants")]

@@ -12,12 +12,15 @@ from reports.variant.reading import anchor
 from vv.records.job_record import Record
 from vv.records.reading import tried
 
+LONG = 50  # characters of a reason that is not told twice on a page
+
 
 @dataclass(frozen=True)
 class Absent:
     """Settings of one scheme that gave nothing, all for one reason.
 
-    anchor: the scheme's place, if nothing else of it has that. whole: whether nothing of it ran.
+    anchor: the scheme's place, if nothing else of it has that and something leads there. whole:
+    whether nothing of it ran.
     """
 
     anchor: str
@@ -39,28 +42,40 @@ def absent(piles: Mapping[str, Sequence[Record]], looks: Mapping[str, Mark]) -> 
     anchored = {label for label, pile in piles.items() if any(map(tried, pile))}
     found = []
     for (label, _, why), pile in rows.items():
-        place = "" if label in anchored else anchor(pile[0])
+        shown = shown_outcome(pile[0])
+        place = anchor(pile[0]) if shown.troubling and label not in anchored else ""
         whole = not any(map(tried, piles[label]))
         settings = [text for r in pile if (text := plain.setting(r))]
-        found.append(Absent(place, looks[label], shown_outcome(pile[0]), settings, why, whole))
+        found.append(Absent(place, looks[label], shown, settings, why, whole))
         anchored.add(label)
     return found
 
 
 @dataclass(frozen=True)
 class Silent:
-    """Schemes of which nothing ran, all for one reason. marks: the place of each, and its look."""
+    """Schemes of which nothing ran, all for one reason. marks: the place of each, and its look.
+
+    like: the variant above on the page at which the reason stands; empty if it stands here.
+    """
 
     outcome: ShownOutcome
     reason: str
     marks: Sequence[tuple[str, Mark]]
+    like: str = ""
 
 
-def silent(rows: Sequence[Absent]) -> list[Silent]:
-    """Those of which nothing ran, a row for each reason."""
+def silent(rows: Sequence[Absent], variant: str, above: dict[str, str]) -> list[Silent]:
+    """Those of which nothing ran, a row for each reason.
+
+    above: reasons that stand above on the page -> at which variant; new ones are added to it.
+    """
     found: dict[tuple[ShownOutcome, str], list[tuple[str, Mark]]] = {}
     for row in rows:
         if row.whole:
             reason = row.reason.removeprefix(f"{row.mark.label} does not support: ")
             found.setdefault((row.outcome, reason), []).append((row.anchor, row.mark))
-    return [Silent(outcome, reason, marks) for (outcome, reason), marks in found.items()]
+    made = []
+    for (outcome, reason), marks in found.items():
+        like = above.setdefault(reason, variant) if len(reason) > LONG else variant
+        made.append(Silent(outcome, reason, marks, "" if like == variant else like))
+    return made

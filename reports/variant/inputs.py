@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import functools
 import itertools
 from collections.abc import Iterable, Sequence
@@ -11,30 +12,59 @@ from reports import plain
 from reports.book import Book, Place
 from reports.marks import Mark
 from reports.text import slug
+from reports.variant.likeness import difference
+from reports.variant.likeness import nearest as nearest_text
 from reports.variant.reading import TARGET, judged_error, nearest
 from vv.records.job_record import Record
 from vv.records.reading import rung
 
-LONGEST = 12_000  # characters beyond what all inputs of a code share: longer ones are exported
+LONGEST = 10_000  # characters beyond what all inputs of a code share: longer ones are exported
 MANY = 60  # bodies, whose input nobody reads: it is exported
 SHORTEST = 1_000  # that is worth being told once
 
 
 @dataclass(frozen=True)
 class Input:
-    """A code's own input for a variant. text: what follows upon what all inputs of it share."""
+    """A code's own input for a variant. text: what follows upon what all inputs of it share.
 
+    base: the input above on the page that `text` tells the difference from; None if it is whole.
+    """
+
+    anchor: str
+    variant: str
     mark: Mark
     setting: str
     shared: bool
     text: str
     file: str
     command: str
+    base: Input | None = None
 
 
-def inputs(book: Book, place: Place) -> list[Input]:
-    """The input of each external code that ran a variant, and is short enough to be shown."""
-    return [one for record in chosen(book, place) if (one := _input(book, record))]
+def inputs(book: Book, place: Place, before: dict[str, list[Input]]) -> list[Input]:
+    """The input of each external code that ran a variant, and is short enough to be shown.
+
+    before: code -> the whole inputs above on the page; one is added to it unless it is told by
+    its difference from one of these.
+    """
+    found = []
+    for record in chosen(book, place):
+        one = _input(book, record)
+        if one is not None:
+            wholes = before.setdefault(record.code, [])
+            one = _beside(one, wholes)
+            wholes += [one] if one.base is None else []
+            found.append(one)
+    return found
+
+
+def _beside(one: Input, wholes: Sequence[Input]) -> Input:
+    """An input by its difference from the one most like it; as it is where that saves nothing."""
+    if not wholes:
+        return one
+    base = wholes[nearest_text([whole.text for whole in wholes], one.text)]
+    told = difference(base.text, one.text) if base.shared == one.shared else ""
+    return dataclasses.replace(one, text=told, base=base) if told else one
 
 
 def chosen(book: Book, place: Place) -> list[Record]:
@@ -69,8 +99,9 @@ def _input(book: Book, record: Record) -> Input | None:
     name = "-".join((slug(record.case), slug(record.variant), slug(record.code)))
     export = f"vv export {record.case}:{record.variant} --code {record.label}"
     at = f" --rung {rung(record)}" if rung(record) else ""
+    file, setting = f"{name}.{_ending(whole)}", plain.setting(record)
     return Input(
-        mark, plain.setting(record), shared, text, f"{name}.{_ending(whole)}", f"{export}{at}"
+        f"input--{name}", record.variant, mark, setting, shared, text, file, f"{export}{at}"
     )
 
 

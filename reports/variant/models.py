@@ -2,23 +2,46 @@
 
 from __future__ import annotations
 
+import dataclasses
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 
 from reports.variant.ranking import Ranked
 
+Told = tuple[tuple[str, ...], str]  # of whom it is told, and what
+
 
 @dataclass(frozen=True)
 class Modelled:
-    """Schemes that modelled a scene in the same way, and how; or what all of a code share."""
+    """Schemes that modelled a scene in the same way, and how; or what all of a code share.
+
+    like: the variant above on the page for which the same is told; empty if there is none.
+    """
 
     note: str
     rows: Sequence[Ranked]
     code: str = ""
+    like: str = ""
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Whom it is of."""
+        return self.code, *(row.mark.label for row in self.rows)
 
 
-def models(rows: Sequence[Ranked]) -> list[Modelled]:
-    """How the schemes modelled a scene, a row for each way."""
+def models(rows: Sequence[Ranked], variant: str, above: dict[Told, str]) -> list[Modelled]:
+    """How the schemes modelled a scene, a row for each way.
+
+    above: what stands above on the page -> the variant it is told of; the rest is added to it.
+    """
+    return [
+        dataclasses.replace(one, like="" if like == variant else like)
+        for one in _all_models(rows)
+        for like in [above.setdefault((one.names, one.note), variant)]
+    ]
+
+
+def _all_models(rows: Sequence[Ranked]) -> list[Modelled]:
     piles: dict[str, list[tuple[list[str], Ranked]]] = {}
     for row in rows:
         if row.model:

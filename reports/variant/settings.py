@@ -33,7 +33,8 @@ class Group:
     """The settings of one scheme and quantity at one contact stiffness.
 
     order: fitted over those before a floor. notes: what all rows share, said once. titled: whether
-    it needs a heading, or goes on below that of the stiffness before.
+    it needs a heading, or goes on below that of the stiffness before. first: whether it is of the
+    first quantity of its scheme, with which the cost of a setting is told, which all others share.
     """
 
     mark: Mark
@@ -43,6 +44,7 @@ class Group:
     order: Order | None
     notes: Sequence[str]
     titled: bool = True
+    first: bool = True
 
     @property
     def is_number(self) -> bool:
@@ -60,7 +62,15 @@ def groups(piles: Mapping[str, Sequence[Record]], looks: Mapping[str, Mark]) -> 
     keys = sorted(found, key=lambda key: (key[0], key[1], key[2] or 0.0))
     made = [_group(looks[key[0]], found[key]) for key in keys]
     pairs = zip([None, *made], made, strict=False)
-    return [dataclasses.replace(one, titled=not _goes_on(before, one)) for before, one in pairs]
+    names: dict[str, str] = {}
+    return [
+        dataclasses.replace(
+            one,
+            titled=not _goes_on(before, one),
+            first=names.setdefault(one.mark.label, one.quantity) == one.quantity,
+        )
+        for before, one in pairs
+    ]
 
 
 def _goes_on(before: Group | None, one: Group) -> bool:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from markupsafe import Markup
 
@@ -18,16 +18,17 @@ from reports.variant.absences import Absent, Silent, absent, silent
 from reports.variant.advice import Advice, advice
 from reports.variant.costs import CostRow, cost_rows
 from reports.variant.inputs import Input, inputs
-from reports.variant.models import Modelled, models
+from reports.variant.models import Modelled, Told, models
 from reports.variant.ranking import Dear, Ranked, cheapest, ranked, why_colours_differ
 from reports.variant.settings import Group, groups
 from vv.case import Norm
 from vv.insight.voices import votes
-from vv.output.gallery.scene_drawing import picture
+from vv.output.gallery.scene_drawing import again, picture
 from vv.records.case_facts import VariantFacts
 from vv.records.job_record import Record
 from vv.records.reading import fineness
 from vv.records.recorded import RecordedResult
+from vv.scene.sketch import Sketch
 
 SEVERAL = 3  # quantities with all their figures; of more, the rest has none over time
 
@@ -76,17 +77,32 @@ class Variant:
     inputs: Sequence[Input]
 
 
-def variant(book: Book, place: Place, before: dict[str, list[History]]) -> Variant:
-    """The view of a variant. before: variants of the case with figures of their own; one is added
-    to it unless its curve is that of another."""
+@dataclass(frozen=True)
+class Above:
+    """What stands above a variant on its page and need not be told again; each variant adds to it.
+
+    curves: variant -> what its figures show; inputs: code -> those that are told whole;
+    models: how whom modelled a scene -> variant; reasons: why nothing ran -> variant;
+    scenes: -> the name of its picture.
+    """
+
+    curves: dict[str, list[History]] = field(default_factory=dict)
+    inputs: dict[str, list[Input]] = field(default_factory=dict)
+    models: dict[Told, str] = field(default_factory=dict)
+    reasons: dict[str, str] = field(default_factory=dict)
+    scenes: dict[Sketch, str] = field(default_factory=dict)
+
+
+def variant(book: Book, place: Place, above: Above) -> Variant:
+    """The view of a variant."""
     case, name = place
     facts = book.manifest.cases[case].variants[name]
     piles = book.records[place]
     own = [record for pile in piles.values() for record in pile]
     curves = _first_curves(book, facts, own)
-    like = next((v for v, other in before.items() if collect.same_curve(other, curves)), "")
+    like = next((v for v, other in above.curves.items() if collect.same_curve(other, curves)), "")
     if not like:
-        before[name] = curves
+        above.curves[name] = curves
     if any(shown_outcome(record).troubling for record in own):
         like = ""  # whoever looks for what went wrong needs its own picture
     rows = ranked(book.ran[place], book.marks)
@@ -98,7 +114,7 @@ def variant(book: Book, place: Place, before: dict[str, list[History]]) -> Varia
         name=name,
         anchor=slug(case, name),
         facts=facts,
-        scene=Markup(picture(facts.sketch) if facts.sketch else ""),  # it escapes
+        scene=_scene(facts.sketch, slug(case, name), above),
         settings={key: value for key, value in given.items() if value != usual.get(key)},
         modified=any(record.modified for record in own),
         command=f"vv run {case}:{name}",
@@ -109,17 +125,26 @@ def variant(book: Book, place: Place, before: dict[str, list[History]]) -> Varia
         voices=[vote.in_words() for vote in votes(own, kept)],
         groups=groups(piles, book.marks),
         absent=missing,
-        silent=silent(missing),
-        models=models(rows),
+        silent=silent(missing, name, above.reasons),
+        models=models(rows, name, above.models),
         figures=[] if like else _figures(book, facts, own),
         playback="" if like else playback(curves, facts),
         like=like,
         has_series=bool(curves),
         advice=advice(book.efforts.get(place, [])),
         costs=cost_rows(book, place),
-        inputs=inputs(book, place),
+        inputs=inputs(book, place, above.inputs),
         recorded=_recorded(kept, facts),
     )
+
+
+def _scene(seen: Sketch | None, anchor: str, above: Above) -> Markup:
+    """The picture of a scene; of one that stands above, what shows it again."""
+    if seen is None:
+        return Markup("")
+    name = above.scenes.setdefault(seen, f"scene--{anchor}")
+    fresh = name == f"scene--{anchor}"
+    return Markup(picture(seen, name) if fresh else again(name))  # they escape
 
 
 def _first_curves(book: Book, facts: VariantFacts, own: Sequence[Record]) -> list[History]:

@@ -10,7 +10,7 @@ import pytest
 from reports import html
 from reports.beside import Beside
 from tests.support.browser import CHROMIUM, Opened, opened
-from tests.support.fabricated import HEAD, manifest_of_all, native, with_external
+from tests.support.fabricated import HEAD, TAIL, manifest_of_all, native, with_external
 from vv.case.published import Paper, Standing
 from vv.insight.papers import Answer, Row
 from vv.store.store import Store
@@ -49,15 +49,16 @@ FRONT = """
   said.paper = getComputedStyle(document.body).backgroundColor;
 """
 CASE = """
-  const svg = seen("svg.chart").find((s) => s.querySelector("[data-tip]"));
-  svg.scrollIntoView();
-  const spot = svg.querySelector("[data-tip]");
-  const at = spot.getAttribute("d").slice(1).split(" ").map(Number);
-  const place = new DOMPoint(at[0], at[1]).matrixTransform(svg.getScreenCTM());
-  const where = { bubbles: true, clientX: place.x, clientY: place.y };
-  svg.dispatchEvent(new PointerEvent("pointermove", where));
-  said.tip = one("#tip").textContent;
-  said.faint = svg.querySelectorAll(".faint").length > 0;
+  said.tips = seen("svg.chart").filter((s) => s.querySelector("[data-tip]")).map((svg) => {
+    svg.scrollIntoView();
+    const spot = svg.querySelector("[data-tip]");
+    const at = spot.getAttribute("d").slice(1).split(" ").map(parseFloat);
+    const place = new DOMPoint(at[0], at[1]).matrixTransform(svg.getScreenCTM());
+    const where = { bubbles: true, clientX: place.x, clientY: place.y };
+    svg.dispatchEvent(new PointerEvent("pointermove", where));
+    said.faint = svg.querySelectorAll(".faint").length > 0;
+    return one("#tip").textContent;
+  });
   const bar = one(".playback input");
   const before = one(".playback circle").getAttribute("cx");
   bar.value = 20; bar.dispatchEvent(new Event("input"));
@@ -68,11 +69,16 @@ CASE = """
 INPUT = """
   URL.createObjectURL = (blob) => { said.blob = blob; return "#"; };
   HTMLAnchorElement.prototype.click = function () { said.file = this.download; };
-  const button = one(".input [data-save]");
-  said.shown = !button.hidden;
-  button.click();
-  while (!said.blob) await wait(10);
-  said.text = await said.blob.text();
+  said.texts = [];
+  for (const button of all(".input [data-save]")) {
+    said.shown = !button.hidden;
+    said.blob = null;
+    button.click();
+    while (!said.blob) await wait(10);
+    said.texts.push([said.file, await said.blob.text()]);
+  }
+  one("[data-whole]").click();
+  said.whole = all(".input pre")[1].textContent;
 """
 PAPERS = [
     (
@@ -133,7 +139,9 @@ def test_a_case_tells_points_plays_motion_and_opens_at_a_scheme(
 ) -> None:
     at = "#bounce--T1--dem~default"
     said = quiet(opened(folder / "case-bounce.html", CASE, tmp_path, at)).said
-    assert re.match(r"[a-z]+/[a-z-]+: dt \S+ s: error \S+, \S+ .s", said["tip"])
+    steps, costs = said["tips"][:2]
+    assert re.fullmatch(r"[a-z]+/[a-z-]+: dt \S+ s: error \S+", steps)
+    assert re.match(r"[a-z]+/[a-z-]+: dt \S+ s: error \S+, \S+ .s", costs)
     assert said["faint"]
     assert said["moved"]
     assert said["time"].startswith("t = 0.5")
@@ -143,8 +151,10 @@ def test_a_case_tells_points_plays_motion_and_opens_at_a_scheme(
 def test_the_input_of_a_code_is_saved_whole(folder: Path, tmp_path: Path) -> None:
     said = quiet(opened(folder / "case-bounce.html", INPUT, tmp_path)).said
     assert said["shown"]
-    assert said["file"] == "bounce-T1-other.in"
-    assert said["text"] == f'{HEAD}variant = "T1"\n'
+    assert said["texts"] == [
+        [f"bounce-{v}-other.in", f'{HEAD}variant = "{v}"\n{TAIL}'] for v in ("T1", "T2")
+    ]
+    assert said["whole"] == f'variant = "T2"\n{TAIL}'
 
 
 def test_the_page_of_the_papers_sorts_and_leads_to_variants(folder: Path, tmp_path: Path) -> None:

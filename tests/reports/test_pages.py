@@ -21,6 +21,7 @@ from reports.variant import reading
 from tests.support.fabricated import (
     HEAD,
     STEPS,
+    TAIL,
     case,
     changed,
     cost,
@@ -182,7 +183,11 @@ def test_the_input_of_a_code_stands_with_the_variant_and_what_all_begin_with_onc
     html.build(with_external(manifest, "other"), store, folder, Beside(native=native))
     page, code = ((folder / name).read_text() for name in (CASE, "code-other.html"))
     found = re.findall(r'<pre data-head="other">\n(.*?)</pre>', page, re.DOTALL)
-    assert found == ['variant = "T1"\n', 'variant = "T2"\n']
+    assert found == [f'variant = "T1"\n{TAIL.replace("<", "&lt;")}']
+    base = "input--bounce-T1-other"
+    found = re.findall(rf'<pre data-head="other" data-base="{base}">\n(.*?)</pre>', page, re.DOTALL)
+    assert found == ['@@ -1 +1 @@\n-variant = "T1"\n+variant = "T2"\n']
+    assert f'<div class="input" id="{base}">' in page
     assert f'<pre id="head-other">\n{HEAD.replace("&", "&amp;").replace("<", "&lt;")}</pre>' in code
     assert json.dumps(HEAD) in (folder / "inputs.js").read_text()
     assert "vv export bounce:T1 --code other/default --rung" in page

@@ -24,6 +24,7 @@ from reports.marks import COLOURS, mark, marks
 from reports.outcomes import OUTCOMES, counted
 from reports.pages.findings import findings
 from reports.variant import ranking, settings
+from reports.variant.likeness import difference
 from tests.support.fabricated import STEPS, changed, cost, entry, manifest, ran, record
 from vv.gate.judgement import counted as counted_by_gate
 from vv.records.outcomes import Outcome
@@ -88,10 +89,13 @@ def test_a_drawing_is_well_formed_names_its_curves_and_is_the_same_each_time() -
     assert {*labels, 'e "of" <y>', "slope 1"} <= set(said)
 
 
+NUMBER = re.compile(r"-?(?:\d+\.?\d*|\.\d+)")
+
+
 @given(st.lists(st.floats(-500, 500), min_size=2, max_size=30))
 def test_a_path_leads_through_its_points_to_a_tenth(values: list[float]) -> None:
     x, y = np.array(values), np.array(values[::-1])
-    whole = path(x, y).replace("M", "").replace("l", " ").replace("-", " -").split()
+    whole = NUMBER.findall(path(x, y))
     steps = np.array(whole, float).reshape(-1, 2).cumsum(axis=0)
     seen = [np.round(p, 1) + 0.0 for p in np.column_stack((x, y))]
     kept = [p for i, p in enumerate(seen) if i == 0 or not np.array_equal(p, seen[i - 1])]
@@ -260,3 +264,27 @@ def test_texts_are_read_on_every_background_light_and_dark() -> None:
             for pair in pairs
             if (ratio := contrast(named[pair[0]], named[pair[1]])) < 4.5
         } == {}
+
+
+@given(
+    st.lists(st.sampled_from("abcdefgh"), max_size=30),
+    st.lists(st.sampled_from("abc"), max_size=30),
+)
+def test_a_difference_makes_the_text_of_its_base(old: list[str], new: list[str]) -> None:
+    base, text_ = ("".join(f"{line * 9}\n" for line in lines) for lines in (old, new))
+    told = difference(base, text_)
+    assert not told or patched(base, told) == text_
+
+
+def patched(base: str, told: str) -> str:
+    """What `patch` makes of a base."""
+    made, at, lines = [], 0, base.splitlines(keepends=True)
+    for line in told.splitlines(keepends=True):
+        if line[0] == "@":
+            start, _, count = line.split()[1][1:].partition(",")
+            first = int(start) - (count != "0")
+            made += lines[at:first]
+            at = first + int(count or 1)
+        elif line[0] == "+":
+            made.append(line[1:])
+    return "".join([*made, *lines[at:]])

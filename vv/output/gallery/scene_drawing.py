@@ -40,10 +40,23 @@ def drawing(scene: Scene) -> str:
     return "\n".join([head, STYLE, paper, *shapes(sketch(scene)), "</svg>", ""])
 
 
-def picture(seen: Sketch) -> str:
-    """The SVG of a sketch, for a page that has the styles of its shapes; words stand beside it."""
+def picture(seen: Sketch, name: str = "") -> str:
+    """The SVG of a sketch, for a page that has the styles of its shapes; words stand beside it.
+
+    name: by which `again` shows it elsewhere on the page.
+    """
+    drawn = "".join(shapes(seen))
+    return _framed(f'<g id="{escape(name)}">{drawn}</g>' if name else drawn)
+
+
+def again(name: str) -> str:
+    """The SVG of a picture that stands elsewhere on the page."""
+    return _framed(f'<use href="#{escape(name)}"/>')
+
+
+def _framed(inner: str) -> str:
     box = f'viewBox="0 0 {WIDTH:g} {HEIGHT:g}"'
-    return f'<svg class="scene" {box} aria-hidden="true">{"".join(shapes(seen))}</svg>'
+    return f'<svg class="scene" {box} aria-hidden="true">{inner}</svg>'
 
 
 def shapes(seen: Sketch) -> Iterator[str]:
