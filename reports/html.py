@@ -49,7 +49,7 @@ def build(manifest: Manifest, store: Store, folder: Path, beside: Beside = NOTHI
     book = _book(manifest, store, beside)
     folder.mkdir(parents=True, exist_ok=True)
     before, now = _stamps(folder), {}
-    for file in _files(book):
+    for file in _files(book, store.digests_of(manifest.name)):
         path = folder / file.name
         kept = before.get(file.name)
         if kept is None or kept != [file.made_from, _digest_of(path)]:
@@ -92,8 +92,11 @@ def _book(manifest: Manifest, store: Store, beside: Beside) -> Book:
     return Book(manifest, functools.cache(store.series), past, beside=beside)
 
 
-def _files(book: Book) -> Iterator[File]:
-    """All files of a report, the front page last: it is there when all that it leads to is."""
+def _files(book: Book, known: Mapping[str, str]) -> Iterator[File]:
+    """All files of a report, the front page last: it is there when all that it leads to is.
+
+    known: case -> digest of its records, where the store has them.
+    """
     from reports import environment as env
     from reports.variant.inputs import heads
 
@@ -101,7 +104,7 @@ def _files(book: Book) -> Iterator[File]:
     yield File("report.css", looks, env.style)
     yield File("report.js", looks, env.script)
     yield File(INPUTS, _digest(heads(book)), functools.partial(env.inputs_script, book))
-    of_cases = {case: _of_case(book, case) for case in book.manifest.cases}
+    of_cases = {case: _of_case(book, case, known.get(case)) for case in book.manifest.cases}
     for case, made_from in of_cases.items():
         name = book.page_of(case)
         yield File(name, made_from, functools.partial(env.case_page, book, case))
@@ -121,15 +124,15 @@ def _files(book: Book) -> Iterator[File]:
     yield File(FRONT, all_of_it, functools.partial(env.front_page, book))
 
 
-def _of_case(book: Book, case: str) -> str:
-    """Digest of all that the page of a case shows."""
+def _of_case(book: Book, case: str, records: str | None) -> str:
+    """Digest of all that the page of a case shows; records: digest of its records, if known."""
     from reports.variant.inputs import heads
 
     whole = book.manifest
     past = [_without_time(point) for point in book.past.get(case, ())]
     parts = (
         whole.cases[case],
-        [r for r in whole.records if r.case == case],
+        records or [r for r in whole.records if r.case == case],
         [f for f in whole.findings if f.case == case],
         whole.baselines.get(case),
         [r for r in whole.recorded if r.case == case],

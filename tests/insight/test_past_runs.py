@@ -18,7 +18,7 @@ def test_a_past_run_is_read_once_and_says_the_same_later(tmp_path: Path) -> None
     first = history(store, "bounce", print)
     assert first[0].closeness
     assert first[0].outcomes
-    with mock.patch.object(Store, "records_of", side_effect=AssertionError("read again")):
+    with mock.patch.object(Store, "reader", side_effect=AssertionError("read again")):
         assert history(store, "bounce", print) == first
     store.keep_manifest(dataclasses.replace(whole, name=f"{whole.name}.1", records=()))
     assert history(store, "bounce", print) == first

@@ -50,14 +50,25 @@ def histories(
     at_hand: Mapping[str, Manifest],
     passed_over: Callable[[str], None],
 ) -> dict[str, list[Point]]:
-    """The history of each case, from its own records of past runs.
+    """The history of each case: at each commit its newest run with unmodified records.
 
     at_hand: manifests by their names, which need not be read. passed_over: is called once with a
     sentence on each past run that is damaged.
     """
-    names = store.manifests()[::-1]
     past = PastRuns(store, at_hand, functools.cache(passed_over))
-    return {case: _points(_newest(case, names, past)[::-1]) for case in cases}
+    found: dict[str, dict[tuple[str, bool], Past]] = {case: {} for case in cases}
+    for name in store.manifests()[::-1]:  # each is read once, and only what is asked of it
+        short = {case for case, commits in found.items() if len(commits) < COMMITS}
+        if not short:
+            break
+        holds, provenance = past.head(name)
+        at = provenance.commit, provenance.dirty
+        for case in holds:
+            if case in short and at not in found[case]:
+                own = past.digest(name, case)
+                if own.outcomes:
+                    found[case][at] = provenance, own
+    return {case: _points([*commits.values()][::-1]) for case, commits in found.items()}
 
 
 def _points(found: Sequence[Past]) -> list[Point]:
@@ -67,22 +78,6 @@ def _points(found: Sequence[Past]) -> list[Point]:
         Point(told.utc, told.commit, told.dirty, near, dear, digest.outcomes)
         for (told, digest), near, dear in zip(found, closeness, cost, strict=True)
     ]
-
-
-def _newest(case: str, names: Iterable[str], past: PastRuns) -> list[Past]:
-    """The newest run at each commit that holds unmodified records of the case, newest first."""
-    found: dict[tuple[str, bool], Past] = {}
-    for name in names:
-        holds, provenance = past.head(name)
-        at = provenance.commit, provenance.dirty
-        if at in found or case not in holds:
-            continue
-        own = past.digest(name, case)
-        if own.outcomes:
-            found[at] = provenance, own
-        if len(found) == COMMITS:
-            break
-    return list(found.values())
 
 
 def _over_common(

@@ -21,6 +21,7 @@ from vv.store.store import Store
 
 Figures = Mapping[str, Mapping[str, float]]  # scheme -> place within the case -> figure
 Head = tuple[tuple[str, ...], Provenance]  # the cases of a past run, and where it comes from
+Read = Callable[[str], tuple[Record, ...]]  # case -> its records
 Part = TypeVar("Part")
 NOWHERE = Provenance("", "", False, "", Machine("", None, "", ""), {}, 1)  # of what is damaged
 
@@ -46,6 +47,7 @@ class PastRuns:
     at_hand: Mapping[str, Manifest]
     passed_over: Callable[[str], None]
     heads: dict[str, Head] = field(default_factory=dict)
+    opened: dict[str, Read | None] = field(default_factory=dict)
 
     def head(self, name: str) -> Head:
         """The cases of a past run and where it comes from; no cases if it is damaged."""
@@ -54,17 +56,25 @@ class PastRuns:
         return self.heads[name]
 
     def digest(self, name: str, case: str) -> Digest:
-        """What a past run says of a case; what a run on disk says is worked out once."""
-        if name in self.at_hand:
-            return digest_of(r for r in self.at_hand[name].records if r.case == case)
+        """What a past run says of a case; what a stored run says is worked out once."""
         key = digest(name, case, _sources())
-        known = self.store.facts(Digest, key)
+        known = self.store.facts(Digest, key) if name not in self.at_hand else None
         if known is None:
-            read = self._of(name, lambda: self.store.records_of(name, case))
+            read = self._records(name, case)
             known = digest_of(read or ())
-            if read is not None:
+            if read is not None and self.store.manifest_file(name).is_file():
                 self.store.keep_facts(key, known)
         return known
+
+    def _records(self, name: str, case: str) -> Sequence[Record] | None:
+        """The records of a case in a past run; None if they are damaged."""
+        if name in self.at_hand:
+            return [r for r in self.at_hand[name].records if r.case == case]
+        if name not in self.opened:  # a run is asked for its cases one after the other
+            self.opened.clear()
+            self.opened[name] = self._of(name, lambda: self.store.reader(name))
+        read = self.opened[name]
+        return self._of(name, lambda: read(case)) if read else None
 
     def _of(self, name: str, read: Callable[[], Part]) -> Part | None:
         try:

@@ -70,6 +70,14 @@ def records(lines: Iterator[str], case: str, name: str) -> tuple[Record, ...]:
     return codec.read(tuple[Record, ...], codec.parse(own[len(start) :]), "records")
 
 
+def lines_of(lines: Iterator[str]) -> dict[str, str]:
+    """Case -> the line that holds its records, of a manifest that was found undamaged."""
+    found = codec.parse(next(lines).rstrip(",\n") + "}")
+    starts = {_start(case): case for case in found["holds"]}
+    pairs = ((line[: line.find(": ") + 2], line) for line in lines)
+    return {starts[start]: line.rstrip(",\n") for start, line in pairs if start in starts}
+
+
 def _head(line: str, name: str) -> codec.Json:
     """What the first line of a manifest holds; raises ValueError if its seal is broken."""
     text, own, end = line.rpartition(OWN)

@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import contextlib
 import errno
+import hashlib
 import io
 import os
 import shutil
@@ -198,7 +199,24 @@ class Store:
 
     def records_of(self, name: str, case: str) -> tuple[Record, ...]:
         """The records of one case in a past invocation; raises as `manifest`."""
-        return self._of_manifest(name, lambda file: manifest.records(file, case, name))
+        return self.reader(name)(case)
+
+    def digests_of(self, name: str) -> dict[str, str]:
+        """Case -> digest of its records as a past invocation holds them; empty if it is none.
+
+        For who has read it whole and so knows that it is undamaged.
+        """
+        try:
+            lines = self._of_manifest(name, manifest.lines_of)
+        except OSError:
+            return {}
+        return {case: hashlib.sha256(line.encode()).hexdigest() for case, line in lines.items()}
+
+    def reader(self, name: str) -> Callable[[str], tuple[Record, ...]]:
+        """What reads the records of a case in a past invocation; both raise as `manifest`."""
+        lines = self._of_manifest(name, list)
+        path = self.manifest_file(name)
+        return lambda case: _undamaged(path, lambda: manifest.records(iter(lines), case, name))
 
     def timings(self, session: str) -> Session | None:
         """A timing session, by the digest of what it timed and where."""
@@ -245,11 +263,8 @@ class Store:
         path = self.manifest_file(name)
         if not path.is_file():
             raise FileNotFoundError(f"no run '{name}' in {path.parent}")
-        try:
-            with path.open(encoding="utf-8") as file:
-                return read(file)
-        except (ValueError, TypeError) as error:
-            raise OSError(errno.EIO, f"no whole manifest: {error}", str(path)) from error
+        with path.open(encoding="utf-8") as file:
+            return _undamaged(path, lambda: read(file))
 
     def _read(self, kind: type[Found], layer: str, key: str) -> Found | None:
         """What a file holds; None where there is none, or it is damaged."""
@@ -288,6 +303,14 @@ class Store:
 
     def _path(self, layer: str, key: str, suffix: str) -> Path:
         return self.root / layer / key[:2] / f"{key}.{suffix}"
+
+
+def _undamaged(path: Path, read: Callable[[], Found]) -> Found:
+    """What is read of a manifest; raises OSError where that is damaged."""
+    try:
+        return read()
+    except (ValueError, TypeError) as error:
+        raise OSError(errno.EIO, f"no whole manifest: {error}", str(path)) from error
 
 
 def _meta(run: Run, key: str) -> _Meta:
