@@ -153,8 +153,8 @@ def reporter(project: Project) -> ModuleType:
 def beside(project: Project, manifest: Manifest) -> Beside:
     """What a report shows beside the records: the papers, and the input of each code."""
     from reports.beside import Beside
-    from vv.cli.exact_numbers import with_exact_numbers
     from vv.insight.papers import rows
+    from vv.plan.exact_numbers import with_exact_numbers
     from vv.plan.published import files, papers
 
     results = functools.cache(functools.partial(_results, project, manifest))
