@@ -42,7 +42,7 @@ BAD = {
     "columns": ("echo 't,y' > series.csv", "error: series.csv has no column 'displacement_0_x'"),
     "nan": (
         EULER + "sed -i s/^0,/nan,/ series.csv",
-        "diverged: Displacement(body=0) is not finite",
+        "diverged: displacement of body 0 is not finite",
     ),
     "refuses": ("echo 'not today' >&2; exit 3", "refused: not today"),
 }

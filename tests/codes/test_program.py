@@ -103,6 +103,15 @@ def test_energy_over_time_is_a_column_too(tmp_path: Path) -> None:
         ("echo '[1]' > result.json", "error", "result.json holds [1]; it must be an object"),
         ("""echo '{"cpu": 1}' > result.json""", "error", "no entry 'cpu'"),
         ("""echo '{"status": "well"}' > result.json""", "error", "status = 'well'; it must be"),
+        ("""echo '{"status": ["ran"]}' > result.json""", "error", "status = ['ran']; it must be"),
+        ("""echo '{"terms": [{}]}' > result.json""", "error", "terms[0] = {}; unknown"),
+        (WRITE(GOOD.replace("_x,", "_y,")), "error", "has no column 'displacement_0_x'"),
+        (WRITE(f"{HEADER},t\n0,1"), "error", "series.csv has 2 columns 't'; its header is"),
+        (
+            "head -c 99999 /dev/zero | tr '\\0' y >&2; exit 1",
+            "error",
+            "exit code 1; last output: yy",
+        ),
         ("""echo '{"steps": -1}' > result.json""", "error", "steps = -1; it must be a whole"),
         ("""echo '{"terms": ["drg"]}' > result.json""", "error", "terms[0] = 'drg'; unknown; did"),
         ("""echo '{"energies": {}}' > result.json""", "error", "energies = {}; its entries are"),
@@ -117,18 +126,38 @@ def test_a_bad_answer_is_told_in_words(
     run = answer(tmp_path, script)
     assert run.status.value == status
     assert reason in run.reason
-    assert len(run.reason) < 250
+    assert len(run.reason) < 350
 
 
 def test_a_program_that_writes_without_end_is_ended(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.setattr(external, "LARGEST_LOG", 1_000_000)
-    for script in ("while :; do echo xxxxxxxx; done", "timeout 10 yes > series.csv"):
+    endless = "timeout 10 yes"
+    for script in (endless, f"{endless} > series.csv", f"mkdir deep; {endless} > deep/down"):
         run = answer(tmp_path, script)
         assert run.status is Status.ERROR
         assert "it wrote more than 1 MB of output" in run.reason
     assert all(f.stat().st_size <= 1_000_000 for f in tmp_path.rglob("*") if f.is_file())
+
+
+def test_a_file_that_no_folder_shows_has_an_end_too(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(external, "LARGEST_LOG", 1_000_000)
+    run = answer(tmp_path, "exec 3> gone; rm gone; ulimit -c 0; exec timeout 10 yes >&3")
+    assert run.status is Status.ERROR
+    assert "signal SIGXFSZ" in run.reason
+
+
+def test_links_and_files_that_come_and_go_do_no_harm(tmp_path: Path) -> None:
+    mess = "ln -s nowhere link; for i in $(seq 40); do touch $i; mv $i a; rm a; done; "
+    assert answer(tmp_path, mess + WRITE(GOOD)).status is Status.RAN
+
+
+def test_what_a_spreadsheet_writes_is_read(tmp_path: Path) -> None:
+    table = "\ufeff" + GOOD.replace("\n", "\r\n")
+    assert answer(tmp_path, WRITE(table)).status is Status.RAN
 
 
 def test_a_program_that_cannot_be_started_is_named(tmp_path: Path) -> None:

@@ -6,6 +6,7 @@ program is therefore started in that same group.
 
 from __future__ import annotations
 
+import contextlib
 import os
 import signal
 import subprocess
@@ -20,6 +21,7 @@ from vv.base.processes import end_with_descendants
 POLL = 0.02  # s between two looks for a result; a look costs some 10 us
 LARGEST_LOG = 64_000_000  # bytes that a program may say; more is a fault, and would fill a disk
 TAIL = 65_536  # bytes of a log in which its last lines are looked for
+LONGEST = 300  # characters of a line that is quoted
 FAREWELL = 2.0  # s that a program may take to end after its last answer
 
 
@@ -65,19 +67,26 @@ def start(
 
 def await_end(program: Process, folder: Path) -> str | None:
     """Wait till a program ends; None, or why it was ended: it wrote too much into its folder."""
-    while True:
-        try:
+    ended = False
+    while not ended:
+        with contextlib.suppress(subprocess.TimeoutExpired):
             program.process.wait(POLL)
-        except subprocess.TimeoutExpired:
-            pass
-        else:
-            return None
-        if sum(one.stat().st_size for one in os.scandir(folder)) > LARGEST_LOG:
+            ended = True
+        if sum(size for _, size in sizes(folder)) > LARGEST_LOG:
             stop(program)
             return (
                 f"the program was ended, for it wrote more than {LARGEST_LOG / 1e6:g} MB of "
                 f"output; {last_lines(program.errors or program.log, 1)}"
             )
+    return None
+
+
+def sizes(folder: Path) -> Iterator[tuple[Path, int]]:
+    """Yield (file, bytes) of all files below a folder; links are not followed."""
+    for place, _, names in os.walk(folder):
+        for path in (Path(place, name) for name in names):
+            with contextlib.suppress(OSError):  # it may be gone by now
+                yield path, path.lstat().st_size
 
 
 def stop(program: Process, patience: float = 0.0) -> None:
@@ -110,7 +119,8 @@ def last_line(log: Path) -> str:
 
 def _lines(log: Path) -> list[str]:
     text = _tail(log) if log.exists() else ""
-    return [line.strip() for line in text.splitlines() if line.strip()]
+    kept = [line.strip() for line in text.splitlines() if line.strip()]
+    return [one if len(one) <= LONGEST else f"{one[:LONGEST]}..." for one in kept]
 
 
 def _tail(log: Path) -> str:

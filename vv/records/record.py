@@ -34,6 +34,7 @@ from vv.records.outcomes import JudgeKind, QuantityKind, Verdict
 from vv.records.quantity import MeasuredQuantity, MeasurementFacts
 from vv.scene import Vector
 
+LARGEST = 1e100  # SI units: beyond it a run has diverged, and squares of it soon overflow
 NOT_REPORTED = Shown("this code tells nothing to take it from")
 NORMS = {
     Norm.MAX: metrics.max_error,
@@ -68,9 +69,9 @@ def _observed(run: Run, ask: Ask) -> Run:
             what = "not reported" if values is None else f"reported with shape {values.shape}"
             due = f"({len(expected)}, 3)"
             return Run(Status.ERROR, f"{observable} was asked in shape {due} and {what}")
-        if not np.isfinite(values).all():
-            first = expected[int(np.argmin(np.isfinite(values).all(axis=1)))]
-            return Run(Status.DIVERGED, f"{observable} is not finite from t = {first:.6g} s")
+        if (why := _unbounded(values, expected)) is not None:
+            what = f"{type(observable).__name__.lower()} of body {observable.body}"
+            return Run(Status.DIVERGED, f"{what} {why}")
     if ask.search is not None and not len(run.tried):
         return Run(Status.ERROR, "the run does not say what was tried")
     return _energetic(run, ask)
@@ -83,10 +84,20 @@ def _energetic(run: Run, ask: Ask) -> Run:
         if energy is None or energy.shape != due:
             what = "not reported" if energy is None else f"reported with shape {energy.shape}"
             return Run(Status.ERROR, f"energy '{form.value}' was asked in shape {due} and {what}")
-        if not np.isfinite(energy).all():
-            first = run.times[int(np.argmin(np.isfinite(energy)))]
-            return Run(Status.DIVERGED, f"energy '{form.value}' is not finite from {first:.6g} s")
+        if (why := _unbounded(energy[:, None], run.times)) is not None:
+            return Run(Status.DIVERGED, f"energy '{form.value}' {why}")
     return run
+
+
+def _unbounded(values: Vector, times: Vector) -> str | None:
+    """From when on values (k, n) at times (k,) [s] are no numbers or beyond LARGEST, or None."""
+    bounded = (np.abs(values) <= LARGEST).all(axis=1)  # False for nan too
+    if bounded.all():
+        return None
+    first = int(np.argmin(bounded))
+    finite = np.isfinite(values[first]).all()
+    wrong = f"is beyond {LARGEST:g}" if finite else "is not finite"
+    return f"{wrong} from t = {times[first]:.6g} s"
 
 
 def within(run: Run, unexplained: Unexplained | None, method: Method, knobs: Knobs) -> Run:

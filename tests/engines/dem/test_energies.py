@@ -67,7 +67,7 @@ def test_energies_that_are_missing_or_not_finite_are_no_run() -> None:
         (
             {**run.energies, Form.LOAD: np.where(run.times > 1.05e-6, np.nan, 0.0)},
             Status.DIVERGED,
-            "'load potential' is not finite from 1.1e-06 s",
+            "'load potential' is not finite from t = 1.1e-06 s",
         ),
     ):
         found = checked(dataclasses.replace(run, energies=wrong), ASK)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import dataclasses
 import os
 import resource
@@ -40,6 +41,7 @@ def run(command: Sequence[str], asked: Question, folder: Path) -> Run:
         program = external.start(command, folder, errors=folder / "stderr.log")
     except OSError as error:
         return Run(Status.ERROR, f"{command[0]} cannot be started: {error.strerror}")
+    _bound(program)
     try:
         too_much = external.await_end(program, folder)
     finally:
@@ -95,6 +97,13 @@ def _cpu_of_children() -> float:
 
 def _shorten(folder: Path) -> None:
     """Keep of what a program wrote in vain enough to look at."""
-    for path in folder.iterdir():
-        if path.is_file() and not path.is_symlink() and path.stat().st_size > external.LARGEST_LOG:
+    for path, size in external.sizes(folder):
+        if size > external.LARGEST_LOG:
             os.truncate(path, external.TAIL)
+
+
+def _bound(program: external.Process) -> None:
+    """Let no file grow endlessly, not even one without a name, which no look at a folder finds."""
+    most = 2 * external.LARGEST_LOG  # what lies in the folder is noticed first
+    with contextlib.suppress(OSError):  # it has ended
+        resource.prlimit(program.process.pid, resource.RLIMIT_FSIZE, (most, most))

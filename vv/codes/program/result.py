@@ -96,7 +96,7 @@ def _is_number(value: object) -> bool:
 
 
 def _status(given: Value) -> Status:
-    if given.value not in STATUSES:
+    if not isinstance(given.value, str) or given.value not in STATUSES:
         raise given.refuse(f"it must be one of {', '.join(STATUSES)}")
     return STATUSES[given.value]
 
@@ -106,7 +106,7 @@ def _terms(given: Value) -> frozenset[Term]:
     if not isinstance(given.value, list):
         raise given.refuse("it must be a list of texts")
     for number, word in enumerate(given.value):
-        if word not in known:
+        if not isinstance(word, str) or word not in known:
             one = Value(f"{given.name}[{number}]", word)
             raise one.refuse(f"unknown{name_hint(str(word), known)}")
     return frozenset(known[word] for word in given.value)

@@ -23,13 +23,13 @@ def read_series(file: Path, ask: Ask) -> Mapping[str, Vector]:
     """
     if not file.is_file():
         raise BadAnswerError(f"the program ended well, but wrote no {SERIES}")
-    header, *rest = file.read_text(errors="replace").splitlines() or [""]
+    text = file.read_text(encoding="utf-8-sig", errors="replace")
+    header, *rest = text.splitlines() or [""]
     names = [name.strip().strip('"') for name in header.split(",")]
     for wanted in ("t", *all_columns(ask)):
-        if wanted not in names:
-            raise BadAnswerError(
-                f"{SERIES} has no column {wanted!r}; its header is {short(header)}"
-            )
+        if names.count(wanted) != 1:
+            many = f"{names.count(wanted)} columns" if wanted in names else "no column"
+            raise BadAnswerError(f"{SERIES} has {many} {wanted!r}; its header is {short(header)}")
     rows = _numbers([(n, line) for n, line in enumerate(rest, 2) if line.strip()], names)
     series = {name: rows[:, number] for number, name in enumerate(names)}
     _check_times(series["t"], ask)
