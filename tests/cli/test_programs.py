@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import shlex
 import shutil
 from pathlib import Path
 
@@ -110,6 +111,16 @@ def test_bad_programs_are_told_what_is_wrong_and_lose_nothing_else(tiny: Tiny, m
     assert {name: said[name][: len(reason)] for name, (_, reason) in BAD.items()} == {
         name: reason for name, (_, reason) in BAD.items()
     }
+
+
+def test_what_runs_a_red_line_again_names_the_file_of_its_program(tiny: Tiny) -> None:
+    declare(tiny.root, "odd", "echo odd >&2; exit 1")
+    said = tiny.vv("run", "fall:up", "--level", "quick", "--code", "odd.toml").stdout
+    (again,) = (line for line in said.splitlines() if line.startswith("  again: vv "))
+    words = shlex.split(again)[2:]
+    assert words[:4] == ["run", "fall:up", "--codes", f"{tiny.root}/odd.toml/default"]
+    assert "error: exit code 1; last output: odd" in tiny.vv(*words).stdout
+    assert "/odd.toml/default" in tiny.vv("gate", "fall:up", "--code", "odd.toml").stdout
 
 
 def test_nothing_that_a_program_started_outlives_its_run(tiny: Tiny) -> None:

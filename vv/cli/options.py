@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import re
+from collections.abc import Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -163,6 +164,11 @@ def with_programs(project: Project, text: str) -> tuple[Project, tuple[str, ...]
         files.append(file)
         patterns.append(f"{name_of(file)}{named['scheme'] or ''}")
     return project.with_programs(files), tuple(patterns)
+
+
+def named_files(project: Project) -> Mapping[str, Path]:
+    """The programs whose files --codes named, by the names of their codes."""
+    return {name_of(file): file for file in project.programs}
 
 
 def required(project: Project, text: str) -> tuple[str, ...]:

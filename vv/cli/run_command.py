@@ -177,7 +177,8 @@ def _conclude(project: Project, manifest: Manifest, ending: Ending) -> Told:
     def print_results() -> None:
         result_lines.print_table(manifest.records, findings)
         judged = [one for one in findings if one.bit]
-        result_lines.print_findings(judged, manifest.records, ending.level)
+        named = options.named_files(project)
+        result_lines.print_findings(judged, manifest.records, ending.level, named)
         invocation.print_summary(manifest, str(report))
 
     notes, lines = terminal.overheard(print_results)

@@ -5,6 +5,8 @@ from __future__ import annotations
 import shlex
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from pathlib import Path
+from types import MappingProxyType
 
 from vv.case import Level
 from vv.records.finding import Aspect, Change, Finding, worst_first
@@ -20,6 +22,7 @@ THAN = {  # how a change since the baseline is told
     Change.FASTER.value: "faster than accepted: ",
     "refused otherwise": "not supported, for another reason: ",
 }
+NO_PROGRAMS: Mapping[str, Path] = MappingProxyType({})
 Place = tuple[str, str, str, str]  # case, variant, scheme, knobs
 
 
@@ -41,13 +44,21 @@ def folded(findings: Iterable[Finding]) -> list[Folded]:
     return [Folded(pile[0], len(pile) - 1) for pile in piles.values()]
 
 
-def lines(findings: Iterable[Finding], records: Iterable[Record], level: Level) -> Iterator[str]:
-    """Red ones first and worst first; below each red one the command that runs it again."""
+def lines(
+    findings: Iterable[Finding],
+    records: Iterable[Record],
+    level: Level,
+    programs: Mapping[str, Path] = NO_PROGRAMS,
+) -> Iterator[str]:
+    """Red ones first and worst first; below each red one the command that runs it again.
+
+    programs: the files by which codes were named that are found by no other name.
+    """
     at = {(r.case, r.variant, r.label, rung(r)): r for r in records}
     ranked = folded(findings)
     for one in ranked[:SHOWN]:
         yield _line(one)
-        again = rerun(one.finding, at, level)
+        again = rerun(one.finding, at, level, programs)
         if one.finding.red and again:
             yield f"  again: {again}"
     if len(ranked) > SHOWN:
@@ -75,12 +86,18 @@ def _settings(count: int) -> str:
     return f"{count} more setting{'s' if count > 1 else ''}"
 
 
-def rerun(finding: Finding, at: Mapping[Place, Record], level: Level) -> str:
+def rerun(
+    finding: Finding,
+    at: Mapping[Place, Record],
+    level: Level,
+    programs: Mapping[str, Path] = NO_PROGRAMS,
+) -> str:
     """The command that runs again what a finding is about; empty if it is of no single result."""
     record = at.get((finding.case, finding.variant, finding.label, finding.rung))
     if record is None or finding.check is Aspect.SPEED:
         return ""
-    words = ["vv", "run", f"{record.case}:{record.variant}", "--codes", record.label]
+    named = f"{programs.get(record.code, record.code)}/{record.scheme}"
+    words = ["vv", "run", f"{record.case}:{record.variant}", "--codes", named]
     words += ["--rung", finding.rung] if finding.rung else []
     words += _settings_of(record)
     words += ["--level", level.value] if level is Level.PAPER else []

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from vv.case import Level
@@ -75,12 +76,18 @@ def print_table(records: Sequence[Record], findings: Sequence[Finding]) -> None:
 
 
 def print_findings(
-    findings: Sequence[Finding], records: Sequence[Record] = (), level: Level = Level.DEFAULT
+    findings: Sequence[Finding],
+    records: Sequence[Record] = (),
+    level: Level = Level.DEFAULT,
+    programs: Mapping[str, Path] = finding_lines.NO_PROGRAMS,
 ) -> None:
-    """The findings of a gate, red ones first and worst first, and then its colour."""
+    """The findings of a gate, red ones first and worst first, and then its colour.
+
+    programs: see `vv.output.finding_lines.lines`.
+    """
     from vv.output.markdown import headline
 
-    say(*finding_lines.lines(findings, records, level))
+    say(*finding_lines.lines(findings, records, level, programs))
     say(f"gate: {headline(findings)}")
 
 
