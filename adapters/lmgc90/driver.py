@@ -17,7 +17,9 @@ THETA = 0.5
 ALERT = 1e-2  # of a block's size: how near bodies must be for a contact to be looked for
 GIVEN = np.array([0.0, 0.0, -9.81])  # m/s2: its gravity, for which there is no setter
 DRIFT = 1e-3  # of a block's size: what numbers may move it by along a locked direction
-FARTHEST = 0.25  # of a block's size: how far one that may turn may slip; at 0.29 it is 2 % off
+FARTHEST = (
+    0.25  # of a block's size: how far one that may turn may go; slipped by 0.29 it is 2 % off
+)
 AXES = range(3)
 STILL = [0.0] * 6
 
@@ -114,6 +116,7 @@ def block_drives(ask: Plan, block: Plan) -> Plan:
             float(steady[axis]),
             [(mass * a[axis], w, phase) for a, w, phase in ask["shaking"]],
             float(impulse[axis]),
+            ask["until"],
         )
         for axis in AXES
         if not held[axis]
@@ -122,20 +125,27 @@ def block_drives(ask: Plan, block: Plan) -> Plan:
 
 
 def drive(
-    ask: Plan, steady: float, sines: list[tuple[float, float, float]], impulse: float = 0.0
+    ask: Plan,
+    steady: float,
+    sines: list[tuple[float, float, float]],
+    impulse: float = 0.0,
+    until: float | None = None,
 ) -> list[float]:
     """steady + sum of A sin(w t + phase), and an impulse in the first step, as LMGC90 reads it.
 
+    until: when the sines end [s], if they do: half a step about that time has the half of them.
     That is six numbers of a steady value and one cosine, or else times and values, between which
     it interpolates; it looks them up one after the other, so there are few where few will do.
     """
     sines = [sine for sine in sines if sine[0]]
-    if not impulse and len(sines) < 2:
+    if not impulse and len(sines) < 2 and (until is None or not sines):
         a, omega, phase = sines[0] if sines else (0.0, 0.0, 0.0)
         return [steady, a, omega, phase - math.pi / 2, 1.0, 0.0]
     times = ask["dt"] * np.arange(ask["steps"] + 2)
     times = times if sines else times[[0, 1, -1]]
-    values = steady + sum((a * np.sin(w * times + p) for a, w, p in sines), np.zeros(len(times)))
+    swings = sum((a * np.sin(w * times + p) for a, w, p in sines), np.zeros(len(times)))
+    left = 1.0 if until is None else np.clip((until - times) / ask["dt"] + 0.5, 0.0, 1.0)
+    values = steady + left * swings
     values[0] += impulse / ask["dt"]
     return [*times.tolist(), *values.tolist()]
 
@@ -152,8 +162,8 @@ def check(ask: Plan, bodies: list[Plan], moved: np.ndarray) -> None:
             if slid > FARTHEST * ask["size"]:
                 raise RunError(
                     "refused",
-                    f"block '{body['name']}' may turn and slips by more than a quarter of its "
-                    "size, beyond the points that LMGC90 looks for between faces",
+                    f"block '{body['name']}' may turn and moves by more than a quarter of its "
+                    "size, away from where its faces met first and LMGC90 looks for contacts",
                 )
 
 

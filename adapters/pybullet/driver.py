@@ -130,7 +130,7 @@ def quaternion(turn: np.ndarray) -> list[float]:
 
 def push(ask: Plan, base: Base, moving: list[Plan], t: float, part: float) -> None:
     """Set what acts on the blocks in the step that starts at t: a part of all forces."""
-    field = np.add(ask["gravity"], swung(ask["shaking"], t)) - swung(base.sines, t, 2)
+    field = np.add(ask["gravity"], shaken(ask, t)) - swung(base.sines, t, 2)
     field = np.where(ask["driven"], field, 0.0) * part
     bullet.setGravity(*field.tolist())
     for block in moving:
@@ -138,6 +138,12 @@ def push(ask: Plan, base: Base, moving: list[Plan], t: float, part: float) -> No
             place = bullet.getBasePositionAndOrientation(block["id"])[0]
             force = (np.array(block["load"]) * part).tolist()
             bullet.applyExternalForce(block["id"], -1, force, place, bullet.WORLD_FRAME)
+
+
+def shaken(ask: Plan, t: float) -> np.ndarray:
+    """The acceleration (3,) [m/s2] that shakes: half of it in the step about which it ends."""
+    left = 1.0 if ask["until"] is None else (ask["until"] - t) / ask["dt"] + 0.5
+    return np.array(swung(ask["shaking"], t)) * min(1.0, max(0.0, left))
 
 
 def velocity(body: Plan) -> np.ndarray:

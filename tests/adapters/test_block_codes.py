@@ -12,15 +12,16 @@ import adapters.lmgc90
 import adapters.pybullet
 from cases.blocks.incline import CASE as INCLINE
 from cases.blocks.laden_block import CASE as LADEN
+from cases.blocks.rocking import CASE as ROCKING
 from cases.hard.knife_edge import CASE as KNIFE_EDGE
 from cases.hard.painleve import CASE as PAINLEVE
 from cases.hard.spin_stopped import CASE as SPIN_STOPPED
 from cases.hard.standing import CASE as STANDING
 from tests.support.installed import require
-from vv.ask import Ask, Knobs, Run, Status
+from vv.ask import Ask, Displacement, History, Knobs, Run, Status
 from vv.case import Case, Ladder, Series
 from vv.codes import Adapter
-from vv.scene import Block, Contact
+from vv.scene import Block, Contact, Harmonic, Pulse
 
 CODES: dict[str, Adapter] = {
     "lmgc90": adapters.lmgc90.ADAPTER,
@@ -133,4 +134,26 @@ def test_lmgc90_gives_up_a_block_that_turns_and_slips_far(tmp_path: Path) -> Non
     ask, _ = asked(INCLINE, "two-directions-turning")
     (run,) = adapter.run([ask], "default", tmp_path, 0.0)
     assert run.status is Status.REFUSED
-    assert "slips by more than a quarter of its size" in run.reason
+    assert "moves by more than a quarter of its size" in run.reason
+
+
+@pytest.mark.parametrize("code", CODES)
+def test_half_a_sine_rocks_a_block_almost_over(code: str, tmp_path: Path) -> None:
+    ask, way = asked(ROCKING, "stands")
+    (run,) = answered(code, [ask], tmp_path)
+    assert off(run, way) < 1e-3
+
+
+@pytest.mark.parametrize("code", CODES)
+def test_shaking_that_ends_at_its_peak_ends_there_whatever_the_step(
+    code: str, tmp_path: Path
+) -> None:
+    ask, _ = asked(ROCKING, "stands")
+    w, end = 2 * np.pi * 1.0, 0.25
+    pulse = Pulse(Harmonic(2.0 * np.eye(3)[0], np.eye(3)[0]), end)
+    scene = dataclasses.replace(ask.scene, contact=Contact(np.inf), shaking=pulse)
+    slides = Ask(scene, History(0.5, 0.05), (Displacement(1),), STEP)
+    (run,) = answered(code, [slides], tmp_path)
+    t = np.minimum(run.times, end)
+    exact = 2.0 / w * (t - np.sin(w * t) / w + np.maximum(run.times - end, 0.0))
+    assert np.abs(run.values[Displacement(1)][:, 0] - exact).max() < 1e-5 * exact[-1]

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from vv.ask import Ask
-from vv.scene import Block, Harmonic, Scene, Term, Vector, Wall, box_geometry
+from vv.scene import Block, Harmonic, Pulse, Scene, Term, Vector, Wall, box_geometry
 
 Plan = dict[str, Any]
 THICKNESS = 0.5  # of a block's size: half a box's height
@@ -23,6 +23,7 @@ BOXED = frozenset(  # the terms of which a driver is told all by `boxed`
         Term.ROTATION,
         Term.OBLIQUE_LOCK,
         Term.SHAKING,
+        Term.PULSE,
         Term.BASE_MOTION,
     }
 )
@@ -48,7 +49,8 @@ def boxed(ask: Ask) -> Plan:
 
     blocks and walls, each with its body's number, its centre and its vertices about that; walls
     with their half sides, the axes of their box as rows, and the sines of their motion; gravity
-    and the sines of shaking, which act on all free blocks. size: that of the largest block.
+    and the sines of shaking, which act on all free blocks, until a time [s] or, if that is None,
+    to the end. size: that of the largest block.
     """
     scene, axes = ask.scene, ask.scene.axes
     size = max(_size(block) for block in scene.blocks)
@@ -62,6 +64,7 @@ def boxed(ask: Ask) -> Plan:
         "size": size,
         "gravity": (axes @ scene.gravity).tolist(),
         "shaking": _sines(scene.wave, axes),
+        "until": scene.shaking.until if isinstance(scene.shaking, Pulse) else None,
         "blocks": [
             _block(number, block, axes)
             for number, block in zip(numbers[Block], scene.blocks, strict=True)
