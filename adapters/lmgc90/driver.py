@@ -17,9 +17,7 @@ THETA = 0.5
 ALERT = 1e-2  # of a block's size: how near bodies must be for a contact to be looked for
 GIVEN = np.array([0.0, 0.0, -9.81])  # m/s2: its gravity, for which there is no setter
 DRIFT = 1e-3  # of a block's size: what numbers may move it by along a locked direction
-FARTHEST = (
-    0.25  # of a block's size: how far one that may turn may go; slipped by 0.29 it is 2 % off
-)
+FARTHEST = 0.25  # of a block's size: how far one that may turn may go; at 0.29 it is 2 % off
 AXES = range(3)
 STILL = [0.0] * 6
 
