@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import functools
+import math
 
 import numpy as np
 
@@ -11,6 +12,7 @@ from cases.bonds._quartzite import BRITTLE
 from cases.bonds.tetrahedral_strength import BEYOND, EVERY, RATES, slid, unhurried
 from cases.bonds.tetrahedral_unit import CORNERS, EDGES
 from reference_solutions.bonds import confined_unit, lattice_material
+from reference_solutions.bonds.confined_unit import Failure
 from reference_solutions.bonds.lattice_material import Element
 from vv.ask import Displacement, History, Knobs, Method, Observable, Reaction, Run
 from vv.case import (
@@ -62,8 +64,7 @@ def _declare(variant: str, p: Parameters) -> Trial:
     if not p["fx"] > 0.0:
         raise ValueError(f"fx = {p['fx']!r} N; it must be positive")
     shares = SHARES[variant]
-    element = Element(*(p[name] for name in ("kn", "ks", "xb", "fs0", "mu_p")))
-    exact = [confined_unit.sliding_failure(element, p["d"], share * p["fx"]) for share in shares]
+    exact = [_failure(p, share * p["fx"]) for share in shares]
     goal = History(BEYOND * abs(exact[-1].strain / p["rate"]), EVERY)
     firsts = [len(CORNERS) * k for k in range(len(RATES) * len(shares))]
     moved = [Displacement(first + i) for first in firsts for i in range(3)]
@@ -71,12 +72,13 @@ def _declare(variant: str, p: Parameters) -> Trial:
     strengths = tuple(
         Scalar(
             f"C_u at {share:g} fx", f"C_u({share:g} fx)", "Pa", "pressure at which bonds slide",
-            functools.partial(_strength, p, which), failed.pressure, failed.pressure, _balances(p),
+            functools.partial(_strength, p, which), failed.pressure, failed.pressure,
+            _balances(p, _swing(p, failed)),
         )
         for which, (share, failed) in enumerate(zip(shares, exact, strict=True))
     )  # fmt: skip
     study = Ladder(_scene(p, shares), goal, watched, LEVELS)
-    return Trial(study, (*strengths, *_slopes(p, [one.pressure for one in exact])))
+    return Trial(study, (*strengths, *_slopes(p, exact)))
 
 
 def _strength(p: Parameters, which: int, run: Run) -> float:
@@ -84,10 +86,29 @@ def _strength(p: Parameters, which: int, run: Run) -> float:
     return unhurried(functools.partial(slid, p), run, len(RATES) * which)
 
 
-def _slopes(p: Parameters, exact: list[float]) -> tuple[Quantity, ...]:
+def _failure(p: Parameters, fx: float) -> Failure:
+    """Where inclined bonds slide, at the largest pressure of all; raises ValueError elsewhere."""
+    element = Element(*(p[name] for name in ("kn", "ks", "xb", "fs0", "mu_p")))
+    failed = confined_unit.sliding_failure(element, p["d"], fx)
+    if not failed.pressure > failed.held:
+        raise ValueError(f"fx = {fx!r} N; bonds slide below the pressure that opens the base")
+    if not failed.spare > 0.0:
+        raise ValueError(f"fx = {fx!r} N; the swing as the base opens makes inclined bonds slide")
+    return failed
+
+
+def _swing(p: Parameters, failed: Failure) -> float:
+    """What viscosity leaves, in the faster unit, of the swing that sets in as the base opens."""
+    late = (failed.opened - failed.strain) / (RATES[0] * abs(p["rate"]))
+    return math.exp(-p["eta"] * late / (2.0 * p["m"]))
+
+
+def _slopes(p: Parameters, exact: list[Failure]) -> tuple[Quantity, ...]:
     """What the largest horizontal stress adds to C_u, over it, and over what is printed of that."""
     across = confined_unit.horizontal_stress(p["fx"], p["d"])
-    due = (exact[-1] - exact[0]) / across
+    free, held = exact[0].pressure, exact[-1].pressure
+    due = (held - free) / across
+    swing = sum(one.pressure * _swing(p, one) for one in (exact[0], exact[-1])) / (held - free)
     printed = lattice_material.printed_confinement(p["mu_p"])
 
     def slope(run: Run) -> float:
@@ -96,7 +117,7 @@ def _slopes(p: Parameters, exact: list[float]) -> tuple[Quantity, ...]:
 
     return (
         Scalar("P", "P", "", "what the horizontal stress adds to C_u, over it", slope, due, due,
-               _balances(p)),
+               _balances(p, swing)),
         Scalar("P over Eq. 15", "P/P_15", "", "the same over P as printed", lambda run:
                slope(run) / printed, None, 1.0, Shown(HALF)),
         Scalar("P over twice Eq. 15", "P/2P_15", "", "the same over P with the stress of Eq. 11a "
@@ -104,16 +125,16 @@ def _slopes(p: Parameters, exact: list[float]) -> tuple[Quantity, ...]:
     )  # fmt: skip
 
 
-def _balances(p: Parameters) -> Exact:
-    """At the path of balances, but for what is left of the rate."""
+def _balances(p: Parameters, swing: float) -> Exact:
+    """At the path of balances, but for what is left of the rate and of the swing."""
     hurry = (p["eta"] * p["rate"] / (6.0 * 30.0)) ** 2
-    bound = Tolerance(min(LARGEST_TOLERANCE, 1e-5 * max(1.0, hurry)), RATE)
+    bound = Tolerance(min(LARGEST_TOLERANCE, 1e-5 * max(1.0, hurry) + swing), RATE)
     return Exact({Method.SECOND_ORDER: bound, Method.FIRST_ORDER: bound})
 
 
 RATE = (
     "strengths are extrapolated from two rates; what is left is of second order in rate and "
-    "viscosity, and the loads set in with a swing that viscosity ends"
+    "viscosity; the unit swings as the base opens, until viscosity ends it"
 )
 HALF = "the stress of Eq. 11a, and so P, is half of what a section through the unit gives"
 SMALL = "P is for small strains; at failure the unit is shorter by half a per cent, and wider"

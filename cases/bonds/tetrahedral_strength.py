@@ -107,9 +107,13 @@ def _opened(p: Parameters, unit: int, run: Run) -> float:
 
 
 def slid(p: Parameters, unit: int, run: Run) -> float:
+    """The stress [Pa] at which inclined bonds slide, by their shear less friction over fs0.
+
+    That grows in a line with strain, unlike shear over strength, and so can be extrapolated.
+    """
     seen = unit_seen(p, unit, run)
-    strength = p["fs0"] - p["mu_p"] * p["kn"] * seen.inclined
-    return _at(seen.stress, seen.shear / strength, int(seen.stress.argmax()))
+    unrubbed = seen.shear + p["mu_p"] * p["kn"] * seen.inclined
+    return _at(seen.stress, unrubbed / p["fs0"], int(seen.stress.argmax()))
 
 
 def _at(stress: Vector, borne: Vector, peak: int) -> float:

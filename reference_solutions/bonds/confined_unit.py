@@ -31,10 +31,18 @@ _X, _W = np.polynomial.legendre.leggauss(12)  # exact to rounding on such arcs
 
 
 class Failure(NamedTuple):
-    """Where inclined bonds slide: pressure [Pa] on the original area, axial strain."""
+    """Where inclined bonds slide: pressure [Pa] on the original area, axial strain.
+
+    opened, held: the strain and the pressure [Pa] at which the base opened before that. spare: the
+    part of the inclined bonds' strength that is left when the unit, undamped, swings as far beyond
+    its new balance as it was before it.
+    """
 
     pressure: float
     strain: float
+    opened: float
+    held: float
+    spare: float
 
 
 def horizontal_stress(fx: float, d: float) -> float:
@@ -60,16 +68,23 @@ def sliding_failure(element: Element, d: float, fx: float) -> Failure:
     def margin(a: float, length: float, shear: float) -> float:
         return g * abs(shear) / (limit - mu_p * (length - 1.0)) - 1.0
 
+    def pressure(a: float, length: float, shear: float) -> float:
+        fz = 3.0 * force * ((length - 1.0) * cos(a) + g * shear * sin(a))
+        return -2.0 * fz / (sqrt(3.0) * d * d)
+
     loaded = unit.widened(A0, cos(A0), 0.0, sqrt(3.0))
     opens = _root(lambda a: _base(a, unit.bonded(a, *loaded)[0]) - xb / d, A0, LARGEST)
     length, shear = unit.bonded(opens, *loaded)
+    opened = length * cos(opens) / cos(A0) - 1.0
     rests = unit.widened(opens, length * cos(opens), shear, 0.0)
-    if margin(*_whole(rests, length * cos(opens))) >= 0.0 or margin(opens, length, shear) >= 0.0:
+    before, after = margin(opens, length, shear), margin(*_whole(rests, length * cos(opens)))
+    if before >= 0.0 or after >= 0.0:
         raise ValueError(f"fx = {fx} N; inclined bonds slide before the base opens")
+    held, spare = pressure(opens, length, shear), before - 2.0 * after
     a = _root(lambda a: margin(a, *unit.open(a, *rests)), rests[0], LARGEST)
     length, shear = unit.open(a, *rests)
-    fz = 3.0 * force * ((length - 1.0) * cos(a) + g * shear * sin(a))
-    return Failure(-2.0 * fz / (sqrt(3.0) * d * d), length * cos(a) / cos(A0) - 1.0)
+    strain = length * cos(a) / cos(A0) - 1.0
+    return Failure(pressure(a, length, shear), strain, opened, held, spare)
 
 
 class _Unit(NamedTuple):

@@ -42,8 +42,11 @@ class History(NamedTuple):
         return np.asarray(self.strain * np.concatenate([[self.whole], self.modulus[:-1]]))
 
 
-def pressed(block: Lattice, kn: float, ks: float, xb: float) -> History:
-    """All openings of a block as its strain grows from zero; raises ValueError for xb <= 0."""
+def pressed(block: Lattice, kn: float, ks: float, xb: float, together: float = TOGETHER) -> History:
+    """All openings of a block as its strain grows from zero; raises ValueError for xb <= 0.
+
+    together: bonds that bear as much as the most stretched, but for this part, open with it.
+    """
     require_positive("m", xb=xb)
     strain, modulus, opened, now, bonds = [], [], [], 0.0, block.bonds
     whole = answer = static(block, kn, ks)
@@ -55,7 +58,7 @@ def pressed(block: Lattice, kn: float, ks: float, xb: float) -> History:
         if not stretch.max() > 1e-9 * block.height:
             break
         now = max(now, xb / float(stretch.max()))
-        bonds = bonds[stretch < (1.0 - TOGETHER) * stretch.max()]
+        bonds = bonds[stretch < (1.0 - together) * stretch.max()]
         answer = static(block._replace(bonds=bonds), kn, ks)
         strain.append(now)
         modulus.append(answer.E)

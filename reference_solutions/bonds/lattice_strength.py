@@ -17,7 +17,7 @@ import numpy as np
 
 from reference_solutions.bonds.close_packed_lattice import Lattice, Static
 from reference_solutions.bonds.lattice_material import Element
-from reference_solutions.bonds.tetrahedral_unit import sliding_failure
+from reference_solutions.bonds.tetrahedral_unit import opened, sliding_failure
 from reference_solutions.parameters import require_positive
 
 
@@ -39,7 +39,20 @@ def sliding(block: Lattice, element: Element, d: float) -> float:
 
     Raises ValueError where the unit's does.
     """
-    force = -sliding_failure(element, d).fz / 3.0  # of one bond
+    return _borne(block, sliding_failure(element, d).fz)
+
+
+def opened_slope(block: Lattice, element: Element, d: float, strains: tuple[float, float]) -> float:
+    """Pressure over strain [Pa] between two strains, pressing positive, with no level bond left.
+
+    Raises ValueError where the unit has no balance.
+    """
+    low, high = (_borne(block, opened(-strain, element, d).fz) for strain in strains)
+    return (high - low) / (strains[1] - strains[0])
+
+
+def _borne(block: Lattice, fz: float) -> float:
+    """The pressure [Pa] of a block whose inclined bonds bear as those of a unit under fz [N]."""
     lowest = block.at(2, 0)[block.bonds]
     crossing = int((lowest[:, 0] != lowest[:, 1]).sum())
-    return crossing * force / block.area
+    return -crossing * fz / 3.0 / block.area

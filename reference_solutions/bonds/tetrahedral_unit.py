@@ -157,6 +157,17 @@ def sliding_failure(element: Element, d: float) -> State:
     return _open(_root(margin, 2.0 * begin), begin, shear, kn, ks, d)
 
 
+def opened(strain: float, element: Element, d: float) -> State:
+    """The state at an axial strain on the path to `sliding_failure`, once the base has opened."""
+    kn, ks, *_ = element
+    begin, shear = _widened(element, d)
+
+    def off(turn: float) -> float:
+        return _open(turn, begin, shear, kn, ks, d).strain / strain - 1.0
+
+    return _open(_root(off, 2.0 * begin), begin, shear, kn, ks, d)
+
+
 def _bonded(turn: float, kn: float, ks: float, d: float, spring: Spring = incremental) -> State:
     """The state at which inclined bonds have turned by an angle; no term is a small difference."""
     g, a = ks / kn, A0 + turn

@@ -22,8 +22,12 @@ Z, F, BASE = 0, 1, 2  # what may drive
 
 def sliding_failure(
     *, kn: float, ks: float, xb: float, fs0: float, mu_p: float, d: float, fx: float
-) -> tuple[float, float]:
-    """The pressure [Pa] and the strain at which inclined bonds slide, under inward loads fx [N]."""
+) -> tuple[float, float, float, float, float]:
+    """The pressure [Pa] and the strain at which inclined bonds slide, under inward loads fx [N].
+
+    Then the strain and the pressure at which the base opens, and the part of the bonds' strength
+    that an undamped swing from there leaves.
+    """
     g, limit = ks / kn, fs0 / (kn * d)
 
     def opens(state: Array, at: Array) -> float:
@@ -33,14 +37,23 @@ def sliding_failure(
         stretch = hypot(state[0], at[Z]) - 1.0
         return float(g * abs(state[1]) - limit + mu_p * stretch)
 
+    def pressure(state: Array, at: Array) -> float:
+        angle, stretch = atan2(state[0], at[Z]), hypot(state[0], at[Z]) - 1.0
+        fz = 3.0 * kn * d * (stretch * cos(angle) + g * state[1] * sin(angle))
+        return float(-2.0 * fz / (sqrt(3.0) * d * d))
+
+    def used(state: Array, at: Array) -> float:
+        return float(g * abs(state[1]) / (limit - mu_p * (hypot(state[0], at[Z]) - 1.0)))
+
     at, state = np.array([HEIGHT, 0.0, 1.0]), np.array([1.0 / sqrt(3.0), 0.0])
     at, state = _driven(state, at, F, fx / (kn * d), g)
     at, state = _driven(state, at, Z, 0.95 * HEIGHT, g, opens)
+    opened, held, before = float(at[Z]) / HEIGHT - 1.0, pressure(state, at), used(state, at)
     at, state = _driven(state, at, BASE, 0.0, g)
+    after = used(state, at)
     at, state = _driven(state, at, Z, 0.95 * HEIGHT, g, slides)
-    angle, stretch = atan2(state[0], at[Z]), hypot(state[0], at[Z]) - 1.0
-    fz = 3.0 * kn * d * (stretch * cos(angle) + g * state[1] * sin(angle))
-    return -2.0 * fz / (sqrt(3.0) * d * d), float(at[Z]) / HEIGHT - 1.0
+    strain = float(at[Z]) / HEIGHT - 1.0
+    return pressure(state, at), strain, opened, held, 1.0 + before - 2.0 * after
 
 
 def _unbalanced(r: float, s: float, at: Array, g: float) -> float:

@@ -16,7 +16,7 @@ ELEMENT = lattice_material.element(QUARTZITE, D)
 
 
 def apart(route: ModuleType, element: Element, fx: float, second: ModuleType = integrated) -> float:
-    """The largest relative difference of the two routes, in pressure and strain."""
+    """The largest relative difference of the two routes."""
     due = second.sliding_failure(**element._asdict(), d=D, fx=fx)
     found = route.sliding_failure(element, D, fx)
     return float(max(abs(one / other - 1.0) for one, other in zip(found, due, strict=True)))
@@ -31,8 +31,9 @@ def test_the_two_routes_agree(fx: float, mu_p: float, stronger: float) -> None:
 
 def test_without_loads_it_is_the_unit() -> None:
     bare = tetrahedral_unit.sliding_failure(ELEMENT, D)
-    assert confined_unit.sliding_failure(ELEMENT, D, 0.0) == pytest.approx(
-        (-bare.stress, bare.strain), rel=1e-11
+    opened = tetrahedral_unit.opening_failure(ELEMENT, D)
+    assert confined_unit.sliding_failure(ELEMENT, D, 0.0)[:4] == pytest.approx(
+        (-bare.stress, bare.strain, opened.strain, -opened.stress), rel=1e-11
     )
 
 

@@ -4,7 +4,8 @@ import pytest
 
 from reference_solutions.bonds import lattice_material, tetrahedral_unit
 from reference_solutions.bonds.close_packed_lattice import SIZES, lattice, static
-from reference_solutions.bonds.lattice_strength import first_opening, sliding
+from reference_solutions.bonds.lattice_failure import pressed
+from reference_solutions.bonds.lattice_strength import first_opening, opened_slope, sliding
 from reference_solutions.checks.bonds import lattice_strength as crystal
 
 D = 1e-3
@@ -57,3 +58,13 @@ def test_a_stretch_must_be_positive() -> None:
     block = lattice(2, 1, 1, D)
     with pytest.raises(ValueError, match="xb"):
         first_opening(block, static(block, KN, KS), -1.0)
+
+
+def test_an_open_block_begins_as_its_network_softens_and_ends_where_it_slides() -> None:
+    """Weak bonds open at a thousandth of the strain, from where on the answer is linear."""
+    block, weak = lattice(*SIZES[82], D), ELEMENT._replace(xb=1e-3 * XB)
+    bare = pressed(block, KN, KS, weak.xb).modulus[-1]
+    assert opened_slope(block, weak, D, (2e-6, 4e-6)) == pytest.approx(bare, rel=1e-4)
+    assert opened_slope(block, ELEMENT, D, (2e-3, 4e-3)) == pytest.approx(0.9919 * bare, rel=1e-4)
+    last = tetrahedral_unit.sliding_failure(ELEMENT, D)
+    assert tetrahedral_unit.opened(last.strain, ELEMENT, D).stress == pytest.approx(-UNIT)

@@ -1,0 +1,38 @@
+"""Claims about the confined unit: where its bonds slide is read off, and not where others part."""
+
+from pathlib import Path
+from typing import cast
+
+import pytest
+
+from adapters.dem import ADAPTER
+from cases.bonds.confined_strength import CASE
+from vv.ask import Knobs
+from vv.case import Ladder, Scalar
+
+WEAK = {"fx": 5.0, "mu_p": 0.21, "fs0": 14.0, "eta": 4.0}
+
+
+def test_weak_bonds_are_seen_to_slide_where_they_do(tmp_path: Path) -> None:
+    """Shear over strength, which is curved, was extrapolated with errors of 1.5e-5 in P."""
+    trial = CASE.declare("two", {**CASE.defaults("two"), **WEAK})
+    ask = cast(Ladder, trial.study).ask(Knobs(dt=4e-8))
+    (run,) = ADAPTER.run([ask], "default", tmp_path, 0.0)
+    judged = [one for one in trial.quantities if isinstance(one, Scalar) and one.reference]
+    assert [one.observe(run) for one in judged] == pytest.approx(
+        [one.reference for one in judged], rel=1e-6
+    )
+
+
+@pytest.mark.parametrize(
+    ("changes", "why"),
+    [
+        ({"fs0": 11.3, "mu_p": 0.17}, "bonds slide below the pressure that opens the base"),
+        ({"fs0": 10.4, "mu_p": 0.36, "ks": 1.04e7}, "the swing as the base opens makes"),
+    ],
+)
+def test_bonds_that_slide_as_the_base_opens_are_refused(
+    changes: dict[str, float], why: str
+) -> None:
+    with pytest.raises(ValueError, match=why):
+        CASE.declare("two", {**CASE.defaults("two"), **changes})
