@@ -62,7 +62,7 @@ def _way(run: Run) -> float:
 
 
 SUMMED = Tolerance(
-    2e-12, "the sum of the steps in closed form; what is left is the rounding of up to 1e5 steps"
+    1e-12, "the sum of the steps in closed form; what is left is the rounding of velocities"
 )
 STEPPED = Exact({Method.PENALTY: SUMMED, Method.LAGGING: SUMMED})
 VANISHES = (

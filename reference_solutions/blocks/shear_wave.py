@@ -17,6 +17,7 @@ from cmath import acos, exp
 from cmath import cos as ccos
 from cmath import sqrt as csqrt
 from math import ceil, pi, sin, sqrt, tan
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -40,6 +41,61 @@ def displacement(t: ArrayLike, *, y: float, height: float, c: float, D: float, F
     for k in range(ceil(c * float(t.max(initial=0.0)) / (2.0 * height)) + 1):
         up, down = 2.0 * k * height + y, 2.0 * (k + 1) * height - y
         u += (-1.0) ** k * (base(t - up / c) + base(t - down / c))
+    return u
+
+
+class _Chain(NamedTuple):
+    """Swings of layers on their base: w [rad/s], what one of the base's drives, what is seen.
+
+    They are sin(q i) at the joints i of n layers, q = (2j - 1) pi/2n, w^2 = (6 c^2/h^2)(1 - cos
+    q)/(2 + cos q). One has the mass n (2 + cos q)/6 of layers, and is driven by cot(q/2)/2 of them.
+    """
+
+    w: Array
+    pushed: Array
+    seen: Array
+
+
+def _chain(number: int, layers: int, height: float, c: float) -> _Chain:
+    require_positive("in SI units", height=height, c=c)
+    if not 1 <= number <= layers:
+        raise ValueError(f"number = {number}; it must lie between 1 and {layers} layers")
+    q = (2.0 * np.arange(1, layers + 1) - 1.0) * pi / (2.0 * layers)
+    w = layers * c / height * np.sqrt(6.0 * (1.0 - np.cos(q)) / (2.0 + np.cos(q)))
+    pushed = 3.0 / (np.tan(q / 2.0) * layers * (2.0 + np.cos(q)))
+    return _Chain(w, pushed, np.sin(q * (number - 0.5)) * np.cos(q / 2.0))
+
+
+def layered_displacement(
+    t: ArrayLike, *, number: int, layers: int, height: float, c: float, D: float, F: float
+) -> Array:
+    """u [m] of the centre of layer `number`, counted from the base, at times t >= 0 [s].
+
+    A swing of w_j follows the base's with D w^2 (cos w t - cos w_j t)/(w_j^2 - w^2).
+    """
+    t, own = require_times(t), _chain(number, layers, height, c)
+    require_positive("Hz", F=F)
+    w, late = 2.0 * pi * F, t[:, None] / 2.0
+    # the difference of cosines over that of squares has a limit at a resonance
+    swing = 2.0 * late**2 * np.sinc(late * (own.w + w) / pi) * np.sinc(late * (own.w - w) / pi)
+    driven = D * w * w * swing @ (own.pushed * own.seen)
+    return np.asarray(D * (1.0 - np.cos(w * t)) - driven)
+
+
+def stepped_displacement(
+    steps: int, *, dt: float, number: int, layers: int, height: float, c: float, D: float, F: float
+) -> Array:
+    """The same (steps + 1,) in steps dt [s] of DDA: d'' = (2/dt^2)(d - dt v), v' = 2 d/dt - v."""
+    own = _chain(number, layers, height, c)
+    require_positive("in SI units", dt=dt, F=F)
+    base = D * (1.0 - np.cos(2.0 * pi * F * dt * np.arange(steps + 1)))
+    u, stiff = np.zeros(steps + 1), 1.0 + (own.w * dt) ** 2 / 2.0
+    swing, speed, pace = np.zeros(layers), np.zeros(layers), 0.0  # paces in m per step
+    for i in range(steps):
+        moved = base[i + 1] - base[i]
+        way = (speed - own.pushed * (moved - pace) - (stiff - 1.0) * swing) / stiff
+        swing, speed, pace = swing + way, 2.0 * way - speed, 2.0 * moved - pace
+        u[i + 1] = base[i + 1] + own.seen @ swing
     return u
 
 

@@ -18,6 +18,39 @@ def displacement(t: Array, *, y: float, height: float, c: float, D: float, F: fl
     return np.asarray(D * (1.0 - np.cos(drive * t) + relative))
 
 
+def layered_displacement(
+    t: Array, *, number: int, layers: int, height: float, c: float, D: float, F: float
+) -> Array:
+    """u [m] of a layer's centre by the swings of the matrices of its elements."""
+    from scipy.linalg import eigh
+
+    mass, stiff = _elements(layers, height, c)
+    squares, swings = eigh(stiff[1:, 1:], mass[1:, 1:])
+    drive = 2.0 * pi * F
+    felt = swings.T @ mass[1:].sum(axis=1) * drive**2 / (squares - drive**2)
+    turned = np.cos(drive * t[:, None]) - np.cos(t[:, None] * np.sqrt(squares))
+    joints = np.column_stack([np.zeros(len(t)), -(turned * felt) @ swings.T])
+    moved = (joints[:, number] + joints[:, number - 1]) / 2.0
+    return np.asarray(D * (1.0 - np.cos(drive * t) + moved))
+
+
+def stepped_displacement(
+    steps: int, *, dt: float, number: int, layers: int, height: float, c: float, D: float, F: float
+) -> Array:
+    """The same in steps of DDA, taken by the matrices with the base among the joints."""
+    mass, stiff = _elements(layers, height, c)
+    matrix = 2.0 / dt**2 * mass + stiff
+    u, v, seen = np.zeros(layers + 1), np.zeros(layers + 1), [0.0]
+    for i in range(steps):
+        ahead = D * (1.0 - np.cos(2.0 * pi * F * dt * (i + 1)))
+        pull = 2.0 / dt * mass @ v - stiff @ u
+        d = np.full(layers + 1, ahead - u[0])
+        d[1:] = np.linalg.solve(matrix[1:, 1:], (pull - matrix[:, 0] * d[0])[1:])
+        u, v = u + d, 2.0 / dt * d - v
+        seen.append((u[number] + u[number - 1]) / 2.0)
+    return np.array(seen)
+
+
 def layered_ratio(*, F: float, dt: float, layers: int, height: float, c: float) -> complex:
     """The lasting motion of a chain of linear elements, by the step as it stands.
 

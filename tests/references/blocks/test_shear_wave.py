@@ -15,6 +15,10 @@ WAVES = [
     {"y": 13.0, "height": 20.0, "c": 316.0, "D": 1.0, "F": 5.0},
     {"y": 29.0, "height": 30.0, "c": 200.0, "D": 0.3, "F": 2.0},
 ]
+CHAINS = [
+    {"number": number, "layers": layers, "height": 13.0, "c": 254.0, "D": 1.0, "F": 3.1}
+    for number, layers in ((1, 1), (3, 5), (20, 20))
+]
 STEPS: list[dict[str, Any]] = [
     {"F": F, "dt": 8e-3, "layers": layers, "height": 30.0, "c": 300.0}
     for F in (1.5, 2.5, 7.5) for layers in (1, 15)
@@ -28,6 +32,19 @@ def apart(first: ModuleType, other: ModuleType = second) -> float:
     off = [
         np.abs(first.displacement(T, **law) - other.displacement(T, **law)).max() / 1e-6
         for law in WAVES
+    ]
+    off += [
+        np.abs(first.layered_displacement(T, **law) - other.layered_displacement(T, **law)).max()
+        / 1e-11
+        for law in CHAINS
+    ]
+    off += [
+        np.abs(
+            first.stepped_displacement(80, dt=4e-3, **law)
+            - other.stepped_displacement(80, dt=4e-3, **law)
+        ).max()
+        / 1e-11
+        for law in CHAINS
     ]
     off += [abs(first.layered_ratio(**s) / other.layered_ratio(**s) - 1.0) / 1e-9 for s in STEPS]
     for law in (*DAMPED, HEAVY):
@@ -50,7 +67,14 @@ def test_shake_has_the_figures_that_were_seen_and_the_step_those_of_its_own() ->
     "sign",
     signs(
         shear_wave,
-        ("displacement", "layered_ratio", "continuous_ratio"),
+        (
+            "displacement",
+            "_chain",
+            "layered_displacement",
+            "stepped_displacement",
+            "layered_ratio",
+            "continuous_ratio",
+        ),
         (
             "ceil(c * float(t.max(initial=0.0)) / (2.0 * height)) + 1",
             "1.0 - 2.0 * z * z + 2j * z * sqrt(1.0 - z * z)",  # of either sign the size is one
@@ -59,6 +83,20 @@ def test_shake_has_the_figures_that_were_seen_and_the_step_those_of_its_own() ->
 )
 def test_any_wrong_sign_is_caught(sign: int) -> None:
     assert caught(lambda: apart(turned(shear_wave, sign)) < 1.0)
+
+
+def test_steps_tend_to_the_layers_and_layers_to_the_wave() -> None:
+    law = {"height": 13.0, "c": 254.0, "D": 1.0, "F": 3.1}
+    wave = shear_wave.displacement(T, y=12.75, **law)
+    many = shear_wave.layered_displacement(T, number=26, layers=26, **law)
+    assert np.abs(many - wave).max() < 3e-3 * np.abs(wave).max()
+    exact = shear_wave.layered_displacement(T, number=5, layers=5, **law)
+
+    def off(n: int) -> float:
+        steps = shear_wave.stepped_displacement(20 * n, dt=0.025 / n, number=5, layers=5, **law)
+        return float(np.abs(steps[::n] - exact).max())
+
+    assert off(80) == pytest.approx(off(40) / 2.0, rel=0.05)
 
 
 @pytest.mark.parametrize("sign", signs(second, without=("-matrix[:, 0]",)))

@@ -49,6 +49,7 @@ def slide_point(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
     those of `move_blocks`: path (k, 6), energy (k, 13), report (k, 9).
     """
     x, v, shift, spring, way = NOWHERE, velocity, NOWHERE, NOWHERE, NOWHERE
+    rounded = NOWHERE  # what the sums of x lost, which 1e5 steps make 1e-12 of x
     state, push, done = OPEN, 0.0, -settling
     if pressed:
         push = max(0.0, -dot(add_scaled(load, mass, gravity), normal)) / points
@@ -172,7 +173,10 @@ def slide_point(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
                 worked += dot(load, d)
                 shaken += mass * dot(shake, d)
                 damped += 0.5 * mass * (1.0 - dd * dd) * dot(new, new)
-                x, v, shift = add_scaled(x, 1.0, d), add_scaled(NOWHERE, dd, new), wall
+                owed = add_scaled(d, -1.0, rounded)
+                there = add_scaled(x, 1.0, owed)
+                rounded = add_scaled(add_scaled(there, -1.0, x), -1.0, owed)
+                x, v, shift = there, add_scaled(NOWHERE, dd, new), wall
                 state, push, way = now, force, along
                 begin += part
                 if begin + part > dt * (1.0 + 1e-12):
