@@ -1,0 +1,192 @@
+"""Unlike spheres in a row on unlike bonds: along the row, hung from one, and spinning about it."""
+
+from __future__ import annotations
+
+import functools
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+
+from reference_solutions.bonds import unlike_row
+from vv.ask import Displacement, History, Knobs, Method, Observable, Reaction
+from vv.case import (
+    Case,
+    Exact,
+    Ladder,
+    Level,
+    Motion,
+    Parameter,
+    Parameters,
+    Quantity,
+    Series,
+    Source,
+    Tolerance,
+    Trial,
+    Variant,
+)
+from vv.scene import Bonds, Contact, Pairs, Scene, Spheres, Vector
+
+X, ACROSS = np.array([1.0, 0.0, 0.0]), np.array([[0.0, 1.0, 0.0], [0.0, 0.0, 1.0]])
+PLACE = np.array([0.0, 1.7, 0.8, 2.1])  # m: neither bodies nor bonds are in the row's order
+RADIUS = np.array([0.35, 0.15, 0.4, 0.2])  # m
+MASS = np.array([2.0, 1.0, 5.0, 3.0])  # of m
+KN, KS = np.array([3.0, 1.0, 2.0]), np.array([1.0, 3.0, 2.0])  # of kn and ks
+TRIANGLE = np.array([[2, 1], [0, 1], [2, 0]])
+LINE = np.array([[2, 0], [2, 1], [3, 1]])
+STRETCHED = np.array([1.0, -0.5, -1.5])  # of the stretch
+THROWN = np.array([1.0, -2.0, 0.5])  # of v, along the row
+ASIDE = np.array([[1.0, 0.0], [0.5, 0.7], [0.0, -1.0], [-1.0, 0.3]])  # of v, across it
+SPIN = np.array([1.0, -0.4, 1.3, 2.0])  # of spin
+
+
+def _row(p: Parameters, bonds: Pairs) -> unlike_row.Row:
+    n = int(bonds.max()) + 1
+    return unlike_row.Row(p["m"] * MASS[:n], PLACE[:n], bonds, p["kn"] * KN)
+
+
+def _scene(p: Parameters, row: unlike_row.Row, ks: float, **motion: Any) -> Scene:
+    """The row along x; motion: velocity and what is free, or the spin, of its spheres."""
+    n, (i, j) = len(row.m), row.bonds.T
+    spheres = Spheres(np.outer(row.x, X), radius=RADIUS[:n], mass=row.m, **motion)
+    length = np.abs(row.x[j] - row.x[i]) - p["stretch"] * STRETCHED
+    bonds = Bonds(row.bonds, length, row.kn, ks * KS)
+    return Scene((spheres,), Contact(p["kn"]), gravity=p["g"] * X, bonds=bonds)
+
+
+def _declare(variant: str, p: Parameters) -> Trial:
+    goal = History(p["duration"], p["duration"] / 60)
+    return _spinning(p, goal) if variant == "spinning" else _along(p, goal, variant == "hung")
+
+
+def _along(p: Parameters, goal: History, held: bool) -> Trial:
+    """The row of three, each on a bond with either other one, free along it."""
+    row = _row(p, TRIANGLE)
+    free, thrown = np.outer(np.ones(3, bool), X > 0), p["v"] * THROWN
+    if held:  # along the row; a sphere that is free nowhere has no reaction in some codes
+        free[0], thrown[0] = [False, True, False], 0.0
+    scene = _scene(p, row, 0.0, velocity=np.outer(thrown, X), free=free)
+    assert scene.bonds is not None
+    exact = functools.partial(
+        unlike_row.along, row=row, length=scene.bonds.length, v=thrown, g=p["g"], held=held
+    )
+
+    def path(body: int) -> Callable[[Vector], Vector]:
+        return lambda t: exact(t)[0][:, body, None]
+
+    judge, times = _judge(p, 0.0), goal.times(None)
+    moving = range(int(held), 3)
+    quantities: list[Quantity] = [
+        Motion(Displacement(body), X[None], path(body), times, "m").component(
+            0, f"x{body}", f"displacement of the sphere {body} along the row", judge
+        )
+        for body in moving
+    ]
+    seen: tuple[Observable, ...] = (*map(Displacement, moving), *([Reaction(0)] * held))
+    if held:
+        quantities.append(Series(
+            "R", "R", "N", "force that holds the first sphere against its bonds and its weight",
+            lambda run: run.values[Reaction(0)] @ X, lambda t: exact(t)[1], judge,
+        ))  # fmt: skip
+    return Trial(Ladder(scene, goal, seen, _levels(p)), tuple(quantities))
+
+
+def _spinning(p: Parameters, goal: History) -> Trial:
+    """The line of four, each on its neighbours, which spin about the line as they swing."""
+    row, spin, aside = _row(p, LINE), p["spin"] * SPIN, p["v"] * ASIDE
+    free = np.ones((4, 3), bool)
+    scene = _scene(
+        p, row, p["ks"], velocity=aside @ ACROSS, free=free, spin=np.outer(spin, X), free_spin=free
+    )
+    exact = functools.partial(
+        unlike_row.across, row=row, r=RADIUS, ks=p["ks"] * KS, spin=spin, v=aside
+    )
+
+    def path(body: int) -> Callable[[Vector], Vector]:
+        return lambda t: exact(t)[:, body]
+
+    turned = (spin[row.bonds].mean(axis=1) ** 2).max() * p["duration"] / 2
+    judge, times = _judge(p, float(turned)), goal.times(None)
+    quantities = tuple(
+        Motion(Displacement(body), ACROSS, path(body), times, "m").component(
+            k, f"{'yz'[k]}{body}", f"displacement of the sphere {body} along {'yz'[k]}", judge
+        )
+        for body in range(4)
+        for k in range(2)
+    )
+    return Trial(Ladder(scene, goal, tuple(map(Displacement, range(4))), _levels(p)), quantities)
+
+
+def _unit(p: Parameters) -> float:
+    """How long the lightest of them takes for a radian on its stiffest spring [s]."""
+    return float(np.sqrt(p["m"] / max(p["kn"], p["ks"])))
+
+
+def _levels(p: Parameters) -> dict[Level, tuple[Knobs, ...]]:
+    rungs = tuple(Knobs(COARSEST * _unit(p) / 2**i) for i in range(4))
+    return {Level.QUICK: rungs[:2], Level.DEFAULT: rungs[:3], Level.PAPER: rungs}
+
+
+def _judge(p: Parameters, turned: float) -> Exact:
+    """turned: by what part shears turned by steps of first order grow, over the step [1/s]."""
+    coarsest = COARSEST * _unit(p)
+    second = Tolerance(8e-3, AHEAD + TURNED, dt=coarsest, order=2, floor=1e-7, late=turned)
+    late = Tolerance(3e-2, "a weight that sets in half a step late shifts what swings by w dt/2",
+                     dt=coarsest, order=1)  # fmt: skip
+    exact = Tolerance(1e-11, "no event: modes, to rounding")
+    return Exact({
+        Method.EXACT: exact,
+        Method.LINEARISED: exact,
+        Method.LEAPFROG: second,
+        Method.LATE_LEAPFROG: late if p["g"] else second,
+    }, not_judged=dict.fromkeys((Method.SECOND_ORDER, Method.FIRST_ORDER), OTHERS))  # fmt: skip
+
+
+COARSEST = 0.05  # of the unit
+OTHERS = "the phase that swings gain in a step is that of a leapfrog"
+AHEAD = (
+    "the phase of a leapfrog is ahead by (w dt)^2/24, of some 60 radians in the fastest mode, "
+    "which is a third of what swings"
+)
+TURNED = (
+    "; turned with its bond's twist W by a step of first order, as in some codes, a shear grows by "
+    "(W dt)^2/2 a step"
+)
+MODES = "M u'' + K u = f, exactly in its modes"
+CASE = Case(
+    name="unlike-bonds",
+    title="Unlike spheres on unlike bonds",
+    source=Source(
+        "Goldstein (1980), Classical mechanics, 2nd ed., Addison-Wesley",
+        "",
+        "Chapter 6, small oscillations. Masses, radii, lengths and stiffnesses all differ, and "
+        "neither bodies nor bonds are numbered along the row, so that no two of them can be taken "
+        "for one another unseen. Spheres that spin about the row turn the shear of their bonds "
+        "with the mean of their spins; what swings across it is small and linear.",
+    ),
+    parameters=(
+        Parameter("m", 1.0, "kg", "mass of the lightest"),
+        Parameter("kn", 1e4, "N/m", "stiffness of the softest bond"),
+        Parameter("ks", 4e3, "N/m", "stiffness across the softest in that"),
+        Parameter("v", 0.1, "m/s", "speed of the first at the start"),
+        Parameter("stretch", 1e-3, "m", "of the first bond at the start"),
+        Parameter("g", 9.81, "m/s2", "gravity along the row"),
+        Parameter("spin", 5.0, "1/s", "of the first about the row"),
+        Parameter("duration", 0.3, "s", "time simulated"),
+    ),
+    variants=(
+        Variant(
+            "row", "three, each bonded to either other one, free along the row", MODES,
+            {"g": 0.0, "stretch": 0.0}, frozenset({"ks", "spin"}),
+        ),
+        Variant(
+            "hung", "the same, hung from the first", MODES, inert=frozenset({"ks", "spin"}),
+        ),
+        Variant(
+            "spinning", "a line of four, each bonded to its neighbours, that spin and swing aside",
+            "x' = A x for places, velocities, spins across and shears, x = exp(A t) x(0)",
+            {"v": 1e-4, "stretch": 0.0, "g": 0.0}, frozenset({"kn"}),
+        ),
+    ),
+    declare=_declare,
+)  # fmt: skip

@@ -1,0 +1,126 @@
+"""Rows of unlike contacts are sheared to and fro while another sphere passes."""
+
+from __future__ import annotations
+
+import functools
+from collections.abc import Callable
+
+import numpy as np
+
+from reference_solutions.bonds import unlike_row
+from vv.ask import Displacement, History, Knobs, Method
+from vv.case import (
+    Case,
+    Exact,
+    Ladder,
+    Level,
+    Motion,
+    Parameter,
+    Parameters,
+    Source,
+    Tolerance,
+    Trial,
+    Variant,
+)
+from vv.scene import Contact, Scene, Spheres, Vector
+
+ROWS, APART = 21, 1.5  # m between them: so many spheres that codes list near ones alone
+RADIUS = np.array([0.3, 0.5, 0.4])  # m: in the middle, held, and at the end of each row
+MASS = np.array([1.0, 4.0, 2.5])  # of m
+THROWN = np.array([1.0, 0.0, -0.6])  # of v, and less from row to row
+LESS = np.linspace(1.0, 0.5, ROWS)
+PASSING, FAR, LONG = 0.2, 3.5, 8.0  # m: its radius, how far off it is, and how far it goes
+X, Y, Z = np.eye(3)
+MIDDLE, HELD, END = range(3)
+PAIRS = np.array([[MIDDLE, HELD], [MIDDLE, END]])
+SIDES = np.array([1.0, -1.0])  # of the middle, on which they are: so the later number comes first
+
+
+def _declare(variant: str, p: Parameters) -> Trial:
+    reach = RADIUS[MIDDLE] + RADIUS[[HELD, END]] - p["overlap"]
+    row = np.outer([0.0, *(SIDES * reach)], X)
+    place = np.concatenate([row + k * APART * Z for k in range(ROWS)])
+    thrown = np.append(np.outer(LESS, p["v"] * THROWN), LONG / p["duration"])
+    spheres = Spheres(
+        np.vstack([place, FAR * X]), np.outer(thrown, Y), np.append(np.tile(RADIUS, ROWS), PASSING),
+        p["m"] * np.append(np.tile(MASS, ROWS), 1.0),
+        np.outer([*[True, False, True] * ROWS, True], Y > 0),
+    )  # fmt: skip
+    scene = Scene((spheres,), Contact(p["kn"], p["ks"], p["mu"]))
+    path = _path(p, reach)
+    swings = np.abs(np.diff(path(np.linspace(0.0, p["duration"], 500)), axis=1)).max()
+    if p["ks"] * swings > 0.5 * p["mu"] * p["kn"] * p["overlap"]:
+        raise ValueError(f"v = {p['v']!r} m/s; the contacts come near to slip")
+    goal = History(p["duration"], p["duration"] / 40)
+    times, coarsest = goal.times(None), COARSEST * np.sqrt(p["m"] / p["ks"])
+    second = Tolerance(8e-3, AHEAD, dt=coarsest, order=2, floor=1e-6)
+    judge = Exact(
+        {Method.LEAPFROG: second, Method.LATE_LEAPFROG: second},
+        not_judged=dict.fromkeys((Method.SECOND_ORDER, Method.FIRST_ORDER), OTHERS),
+    )
+
+    def one(body: int, less: float) -> Callable[[Vector], Vector]:
+        return lambda t: less * path(t)[:, body, None]
+
+    quantities = tuple(
+        Motion(Displacement(3 * k + body), Y[None], one(body, LESS[k]), times, "m").component(
+            0, f"{name}{k}", f"displacement of the sphere {where} of row {k}", judge
+        )
+        for k in (0, ROWS - 1)
+        for body, name, where in ((MIDDLE, "middle", "in the middle"), (END, "end", "at the end"))
+    )
+    rungs = tuple(Knobs(float(coarsest) / 2**i) for i in range(4))
+    levels = {Level.QUICK: rungs[:2], Level.DEFAULT: rungs[:3], Level.PAPER: rungs}
+    seen = tuple(Displacement(3 * k + body) for k in (0, ROWS - 1) for body in (MIDDLE, END))
+    return Trial(Ladder(scene, goal, seen, levels), quantities)
+
+
+def _path(p: Parameters, reach: Vector) -> Callable[[Vector], Vector]:
+    """Displacements (k, 3) of the middle one, the one held and the one at the end.
+
+    As spheres that move in rows on springs, of which the push of the contact takes its part.
+    """
+    order = [HELD, MIDDLE, END]
+    stiffness = p["ks"] - p["kn"] * p["overlap"] / reach
+    row = unlike_row.Row(
+        p["m"] * MASS[order], np.arange(3.0), np.array([[0, 1], [1, 2]]), stiffness
+    )
+    swings = functools.partial(
+        unlike_row.along, row=row, length=np.ones(2), v=p["v"] * THROWN[order], g=0.0, held=True
+    )
+    return lambda t: np.asarray(swings(t)[0][:, [1, 0, 2]])
+
+
+COARSEST = 0.05  # of sqrt(m/ks)
+OTHERS = "the phase that swings gain in a step is that of a leapfrog"
+AHEAD = "the phase of a leapfrog is ahead by (w dt)^2/24, of some 40 radians"
+CASE = Case(
+    name="passing",
+    title="Contacts sheared while another sphere passes",
+    source=Source(
+        "Cundall and Strack (1979), A discrete numerical model for granular assemblies, "
+        "Geotechnique 29(1), 47-65",
+        "10.1680/geot.1979.29.1.47",
+        "Their shear springs, which do not slip here. The sphere that passes touches nothing; it "
+        "goes so far that codes look for neighbours anew many times, and what each contact has "
+        "been sheared by must stay with its own pair. Across the springs the push kn d of a "
+        "contact of length L takes kn d/L from ks.",
+    ),
+    parameters=(
+        Parameter("m", 1.0, "kg", "mass of a sphere in the middle, and of the one that passes"),
+        Parameter("kn", 2e4, "N/m", "normal contact stiffness"),
+        Parameter("ks", 1e4, "N/m", "shear contact stiffness"),
+        Parameter("mu", 1.0, "", "friction coefficient"),
+        Parameter("overlap", 1e-4, "m", "of both contacts"),
+        Parameter("v", 1e-3, "m/s", "speed of the first middle sphere at the start"),
+        Parameter("duration", 0.25, "s", "time simulated"),
+    ),
+    variants=(
+        Variant(
+            "sheared", "rows of three, of which one is held; no sphere can turn",
+            "M u'' + K u = 0 across the contacts, exactly in its modes", inert=frozenset({"mu"}),
+            unseen=dict.fromkeys(("kn", "overlap"), "the push takes 3e-4 of what shear springs do"),
+        ),
+    ),
+    declare=_declare,
+)  # fmt: skip

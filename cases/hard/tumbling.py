@@ -1,0 +1,119 @@
+"""A block that tumbles freely off its principal axes lands on a corner."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from reference_solutions.hard import tumbling
+from vv.ask import Displacement, History, Knobs, Method, Run
+from vv.case import (
+    Case,
+    Exact,
+    Ladder,
+    Level,
+    Motion,
+    Parameter,
+    Parameters,
+    Scalar,
+    Source,
+    Tolerance,
+    Trial,
+    Variant,
+)
+from vv.scene import Block, Contact, Scene, Vector, Wall, box_geometry, polyhedron_inertia
+
+AXES = np.array([[2.0, -1.0, 2.0], [2.0, 2.0, -1.0], [-1.0, 2.0, 2.0]]) / 3  # of the block
+SIDES, DENSITY = np.array([1.0, 0.6, 0.35]), 2500.0  # m, of which the answer is; kg/m3, which not
+SPIN = np.array([0.3, 2.5, -0.6])  # of w, in the block's axes: beside that of the middle inertia
+Z = np.array([0.0, 0.0, 1.0])
+BLOCK, OUTPUTS = Displacement(1), 20
+
+
+def _declare(variant: str, p: Parameters) -> Trial:
+    vertices, faces = box_geometry(p["height"] * Z, SIDES / 2, AXES)
+    mass, inertia = polyhedron_inertia(vertices, faces, DENSITY)
+    body = tumbling.Body(
+        mass, np.diag(AXES @ inertia @ AXES.T), (vertices - p["height"] * Z) @ AXES.T, AXES
+    )
+    met = tumbling.landing(
+        body, p["w"] * SPIN, Z, height=p["height"], V=p["V"], latest=p["duration"]
+    )
+    goal = History(p["duration"], p["duration"] / OUTPUTS)
+    _check_flight(p, body, met)
+    free = np.ones(3, bool)
+    block = Block(
+        "block", vertices, faces, mass, inertia, velocity=-p["V"] * Z,
+        free=free, free_spin=free, spin=p["w"] * SPIN @ AXES,
+    )  # fmt: skip
+    scene = Scene((Wall(np.zeros(3), Z), block), Contact(np.inf))
+
+    def path(t: Vector) -> Vector:
+        return tumbling.height_gained(t, met, p["V"])[:, None]
+
+    coarsest = COARSEST / p["w"]
+    second = Tolerance(
+        1e-4, "the pose, and so the landing, is off by a part of (w dt)^2, w = 2.6 1/s",
+        dt=coarsest, order=2, floor=1e-9,
+    )  # fmt: skip
+    up = Motion(BLOCK, Z[None], path, goal.times(None), "m").component(
+        0, "z", "displacement away from the plane", Exact(
+            {Method.SECOND_ORDER: second},
+            not_judged=dict.fromkeys((Method.FIRST_ORDER, Method.PENALTY, Method.LAGGING), SPRUNG),
+        ),
+    )  # fmt: skip
+    lands = Scalar(
+        "lands", "t_1", "s", "when the straight ways before and after the landing cross",
+        lambda run: _crossing(run, met.t), met.t, met.t, Exact(
+            {Method.SECOND_ORDER: second, Method.PENALTY: SPRINGS},
+            not_judged={Method.FIRST_ORDER: SPRUNG, Method.LAGGING: UNTURNED},
+        ),
+    )  # fmt: skip
+    rungs = tuple(Knobs(coarsest / 2**i, KN) for i in range(4))
+    levels = {Level.QUICK: rungs[:2], Level.DEFAULT: rungs[:3], Level.PAPER: rungs}
+    return Trial(Ladder(scene, goal, (BLOCK,), levels), (up, lands))
+
+
+def _check_flight(p: Parameters, body: tumbling.Body, met: tumbling.Landing) -> None:
+    """Raise ValueError where a corner meets the plane again before the end."""
+    t = np.linspace(0.0, p["duration"] - met.t, 100)[1:]
+    after = tumbling.Body(body.mass, body.inertia, body.corners, met.axes)
+    centre = p["height"] + tumbling.height_gained(met.t + t, met, p["V"])
+    if (centre[:, None] + tumbling.clearance(t, after, met.w, Z)).min() <= 0.0:
+        raise ValueError(f"duration = {p['duration']!r} s; a corner meets the plane a second time")
+
+
+def _crossing(run: Run, about: float) -> float:
+    """Where lines through the outputs well before and well after a time cross [s]."""
+    t, z = run.times, run.values[BLOCK] @ Z
+    (a, b), (c, d) = (np.polyfit(t[one], z[one], 1) for one in (t < 0.95 * about, t > 1.05 * about))
+    return float((d - b) / (a - c))
+
+
+COARSEST, KN = 5e-3, 1e8  # rad, N/m
+SPRUNG = "springs return a part of the energy of the impact that depends on their damping"
+UNTURNED = "of these codes one leaves out the gyroscopic torque, and says so"
+SPRINGS = Tolerance(2e-2, "springs turn the block about for pi sqrt(m/kn), and steps are dt long")
+CASE = Case(
+    name="tumbling",
+    title="A tumbling block lands",
+    source=Source(
+        "Landau and Lifshitz (1976), Mechanics, 3rd ed., Butterworth-Heinemann",
+        "",
+        "Section 37, the asymmetrical top, until the first corner meets the plane; then rigid "
+        "impact without friction and restitution. The spin is beside that about the axis of the "
+        "middle inertia, where gyroscopic torque turns it over. There is no gravity.",
+    ),
+    parameters=(
+        Parameter("w", 1.0, "", "spin over (0.3, 2.5, -0.6) 1/s about the axes of the block"),
+        Parameter("height", 0.8, "m", "of the centre above the plane at the start"),
+        Parameter("V", 0.2, "m/s", "speed at which the centre comes nearer"),
+        Parameter("duration", 1.6, "s", "time simulated"),
+    ),
+    variants=(
+        Variant(
+            "corner", "a box of 1 x 0.6 x 0.35 m, on a smooth plane",
+            "w1 ~ cn, w2 ~ sn, w3 ~ dn of a (t - t0); z = -V t + (P/m) (t - t_1), P the impulse",
+        ),
+    ),
+    declare=_declare,
+)  # fmt: skip

@@ -1,0 +1,95 @@
+"""Unlike spheres in a row on unlike bonds: exact along the row, and to first order across it.
+
+N spheres of masses m [kg] at places x [m] on a line, on bonds (B, 2) between spheres i and j; a
+bond has the stiffnesses kn along and ks across [N/m]. Every function raises ValueError for
+parameters outside their ranges.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.linalg import expm
+
+from reference_solutions.parameters import require_positive, require_times
+
+Array = NDArray[np.float64]
+Pairs = NDArray[np.int64]
+
+
+@dataclass(frozen=True)
+class Row:
+    """Masses (N,) [kg], places along the line (N,) [m], and its bonds: (B, 2), kn (B,) [N/m]."""
+
+    m: Array
+    x: Array
+    bonds: Pairs
+    kn: Array
+
+    def __post_init__(self) -> None:
+        for mass, stiffness in zip(self.m, self.kn, strict=False):
+            require_positive("in SI units", m=float(mass), kn=float(stiffness))
+
+
+def along(
+    t: Array, row: Row, *, length: Array, v: Array, g: float, held: bool
+) -> tuple[Array, Array]:
+    """Displacements (k, N) [m] at times t (k,) [s], and the reaction (k,) [N] of the first sphere.
+
+    length: (B,) [m] of the unstretched bonds; v: (N,) [m/s] at t = 0; g [m/s2] along the row.
+    held: whether the first sphere stays. The reaction keeps it against its weight and its bonds.
+    """
+    times, (i, j) = require_times(t), row.bonds.T
+    pull = np.zeros((len(row.kn), len(row.m)))  # of the second end away from the first
+    pull[np.arange(len(i)), i] -= np.sign(row.x[j] - row.x[i])
+    pull[np.arange(len(i)), j] += np.sign(row.x[j] - row.x[i])
+    first = row.kn * (np.abs(row.x[j] - row.x[i]) - length)
+    stiffness, push = pull.T @ (row.kn[:, None] * pull), row.m * g - pull.T @ first
+    free = np.arange(int(held), len(row.m))
+    root = np.sqrt(row.m[free])
+    square, modes = np.linalg.eigh(stiffness[np.ix_(free, free)] / np.outer(root, root))
+    speed, load = modes.T @ (root * v[free]), modes.T @ (push[free] / root)
+    moved = np.stack([_mode(times, *one) for one in zip(square, speed, load, strict=True)])
+    u = np.zeros((len(times), len(row.m)))
+    u[:, free] = moved.T @ modes.T / root
+    return u, -(push - u @ stiffness)[:, 0]
+
+
+def _mode(t: Array, square: float, speed: float, load: float) -> Array:
+    """q'' + square q = load, from rest at zero with a speed; a mode without stiffness drifts."""
+    if square < 1e-9 * max(1.0, abs(square)):
+        return np.asarray(speed * t + 0.5 * load * t**2)
+    w = np.sqrt(square)
+    return np.asarray(load / square * (1.0 - np.cos(w * t)) + speed / w * np.sin(w * t))
+
+
+def across(t: Array, row: Row, *, r: Array, ks: Array, spin: Array, v: Array) -> Array:
+    """Displacements (k, N, 2) [m] across the line, to first order, of spheres that spin about it.
+
+    r: radii (N,) [m]; ks: (B,) [N/m]; spin: (N,) [1/s] about the line; v: (N, 2) [m/s] at t = 0.
+    Bonds are not stretched at t = 0, and inertias are 2/5 m r2. With z = y + i z' across x, the
+    surfaces of a bond of length L meet at arms a from the centres, p the spins across:
+    s' = d' - i (a1 W1 + a2 W2) d/L + i (a1 p1 + a2 p2) + i (W1 + W2)/2 s, d = z2 - z1,
+    m z'' = +- ks s, 2/5 m r2 p' = i a ks s.
+    """
+    times, n, b = require_times(t), len(row.m), len(row.bonds)
+    rate = np.zeros((3 * n + b, 3 * n + b), complex)  # of z, z', p and s
+    places, speeds, spins = (np.arange(k * n, (k + 1) * n) for k in range(3))
+    rate[places, speeds] = 1.0
+    inertia = 0.4 * row.m * r**2
+    for k, (i, j) in enumerate(row.bonds):
+        sense = np.sign(row.x[j] - row.x[i])
+        whole, s = abs(row.x[j] - row.x[i]), 3 * n + k
+        beyond = 0.5 * (whole - r[i] - r[j])
+        arm = {i: r[i] + beyond, j: r[j] + beyond}
+        roll = sum(arm[e] * spin[e] for e in (i, j)) / whole
+        rate[s, s] = 0.5j * (spin[i] + spin[j])
+        for e, sign in ((i, -1.0), (j, 1.0)):
+            rate[s, speeds[e]], rate[s, places[e]] = sign, -1j * roll * sign
+            rate[s, spins[e]] = 1j * sense * arm[e]
+            rate[speeds[e], s] = -sign * ks[k] / row.m[e]
+            rate[spins[e], s] = 1j * sense * arm[e] * ks[k] / inertia[e]
+    start = np.zeros(3 * n + b, complex)
+    start[speeds] = v[:, 0] + 1j * v[:, 1]
+    found = np.array([expm(rate * one) @ start for one in times])[:, places]
+    return np.stack([found.real, found.imag], axis=-1)

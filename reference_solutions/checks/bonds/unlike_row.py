@@ -1,0 +1,72 @@
+"""Spheres on bonds in space by Newton's equations as they stand: the second route.
+
+Nothing is linear here and nothing knows of a row: each bond has a normal, which turns, and a shear
+displacement, a vector that turns with the bond and grows with what its two surfaces do.
+"""
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.integrate import solve_ivp
+
+Array = NDArray[np.float64]
+State = tuple[Array, Array, Array, Array]
+
+
+def motion(
+    t: Array,
+    bonds: NDArray[np.int64],
+    *,
+    m: Array,
+    r: Array,
+    x: Array,
+    v: Array,
+    spin: Array,
+    length: Array,
+    kn: Array,
+    ks: Array,
+    push: Array,
+) -> Array:
+    """Displacements (k, N, 3) [m] at times t (k,); x, v, spin, push: (N, 3), push constant [N]."""
+    n, first = len(m), (x, v, spin, np.zeros((len(bonds), 3)))
+
+    def rate(_: float, flat: Array) -> Array:
+        state = _apart(flat, n, len(bonds))
+        return np.concatenate(
+            [one.ravel() for one in _rates(state, bonds, m, r, length, kn, ks, push)]
+        )
+
+    start = np.concatenate([one.ravel() for one in first])
+    found = solve_ivp(rate, (0.0, t[-1]), start, "DOP853", t, rtol=1e-12, atol=1e-15)
+    return np.asarray(found.y[: 3 * n].T.reshape(len(t), n, 3) - x)
+
+
+def _apart(flat: Array, n: int, b: int) -> State:
+    x, v, w, s = np.split(flat, [3 * n, 6 * n, 9 * n])
+    return x.reshape(n, 3), v.reshape(n, 3), w.reshape(n, 3), s.reshape(b, 3)
+
+
+def _rates(
+    state: State,
+    bonds: NDArray[np.int64],
+    m: Array,
+    r: Array,
+    length: Array,
+    kn: Array,
+    ks: Array,
+    push: Array,
+) -> State:
+    x, v, w, slip = state
+    force, torque, slips = push.copy(), np.zeros_like(x), np.zeros_like(slip)
+    for k, (i, j) in enumerate(bonds):
+        apart = x[j] - x[i]
+        far = np.linalg.norm(apart)
+        n, beyond = apart / far, 0.5 * (far - r[i] - r[j])
+        at_i, at_j = (r[i] + beyond) * n, -(r[j] + beyond) * n
+        meets = v[j] + np.cross(w[j], at_j) - v[i] - np.cross(w[i], at_i)
+        tips = np.cross(n, v[j] - v[i]) / far + 0.5 * np.dot(w[i] + w[j], n) * n
+        slips[k] = meets - np.dot(meets, n) * n + np.cross(tips, slip[k])
+        on_i = kn[k] * (far - length[k]) * n + ks[k] * slip[k]
+        for body, arm, sign in ((i, at_i, 1.0), (j, at_j, -1.0)):
+            force[body] += sign * on_i
+            torque[body] += sign * np.cross(arm, on_i)
+    return v, force / m[:, None], torque / (0.4 * m * r**2)[:, None], slips

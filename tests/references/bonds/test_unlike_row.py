@@ -1,0 +1,91 @@
+"""Claims about unlike spheres on unlike bonds: modes and first order against Newton in space."""
+
+from __future__ import annotations
+
+import dataclasses
+import functools
+from types import ModuleType
+
+import numpy as np
+import pytest
+
+from reference_solutions.bonds import unlike_row as closed
+from reference_solutions.checks.bonds import unlike_row as stepped
+from tests.support.turned_signs import caught, signs, turned
+
+M, R = np.array([2.0, 5.0, 1.0, 3.0]), np.array([0.3, 0.22, 0.45, 0.1])
+ROW = closed.Row(
+    M, np.array([0.0, 0.5, 1.3, 1.7]), np.array([[1, 0], [1, 2], [3, 2]]), 1e4 * np.array([4, 1, 2])
+)
+KS, SPIN = 1e3 * np.array([10.0, 3.0, 20.0]), np.array([20.0, -5.0, 12.0, 30.0])
+ASIDE = 1e-5 * np.array([[1.0, 0.0], [0.0, -1.0], [0.5, 0.7], [-1.0, 0.3]])
+THROWN = np.array([0.1, -0.05, 0.03, 0.2])
+T = np.linspace(0.0, 0.3, 5)
+LENGTH = np.abs(np.diff(ROW.x[ROW.bonds])[:, 0])
+LONGER = LENGTH * np.array([1.01, 0.99, 1.02])
+
+
+@functools.cache  # asked again for every sign
+def stepped_by_newton(swings: bool) -> np.ndarray:
+    """The same row in space, (k, 4, 3) [m]: swinging aside while it spins, or along itself."""
+    x, v, w, push = np.zeros((4, 4, 3))
+    x[:, 0] = ROW.x
+    if swings:
+        v[:, 1:], w[:, 0] = ASIDE, SPIN
+    else:
+        v[:, 0], push[:, 0] = THROWN, 9.81 * M
+    length = LENGTH if swings else LONGER
+    given = {"m": M, "r": R, "x": x, "v": v, "spin": w, "push": push}
+    return stepped.motion(T, ROW.bonds, length=length, kn=ROW.kn, ks=KS, **given)
+
+
+def across_agrees(one: ModuleType) -> bool:
+    """Whether what swings aside is what Newton's equations have, to first order."""
+    found = one.across(T, one.Row(**vars(ROW)), r=R, ks=KS, spin=SPIN, v=ASIDE)
+    due = stepped_by_newton(True)[:, :, 1:]
+    return bool(np.abs(found - due).max() < 1e-9 * np.abs(due).max())
+
+
+def along_agrees(one: ModuleType) -> bool:
+    """Whether what swings along the row is what Newton's equations have."""
+    row = one.Row(**vars(ROW))
+    found, _ = one.along(T, row, length=LONGER, v=THROWN, g=9.81, held=False)
+    due = stepped_by_newton(False)[:, :, 0]
+    return bool(np.abs(found - due).max() < 1e-10 * np.abs(due).max())
+
+
+def test_a_row_that_spins_and_swings_aside_is_linear_in_what_swings() -> None:
+    assert across_agrees(closed)
+
+
+def test_a_row_swings_along_itself_in_its_modes() -> None:
+    assert along_agrees(closed)
+
+
+def held_agrees(one: ModuleType) -> bool:
+    """Whether all momentum that a held row lacks went into what holds it."""
+    row, many = one.Row(**vars(ROW)), np.linspace(0.0, 0.3, 3001)
+    still = np.where(np.arange(4) > 0, THROWN, 0.0)
+    u, reaction = one.along(many, row, length=LENGTH, v=still, g=9.81, held=True)
+    slow = np.gradient(u, many, axis=0, edge_order=2) @ M
+    due = (
+        M @ still
+        + 9.81 * M.sum() * many
+        + np.append(0.0, np.cumsum(0.5 * np.diff(many) * (reaction[1:] + reaction[:-1])))
+    )
+    return bool(np.abs(slow - due).max() < 1e-3 * np.abs(slow).max() and not u[:, 0].any())
+
+
+def test_what_holds_a_row_takes_its_momentum() -> None:
+    assert held_agrees(closed)
+
+
+@pytest.mark.parametrize("sign", signs(closed))
+def test_any_wrong_sign_in_the_formulas_is_caught(sign: int) -> None:
+    other = turned(closed, sign)
+    assert caught(lambda: along_agrees(other) and across_agrees(other) and held_agrees(other))
+
+
+def test_a_mass_that_is_not_positive_is_refused() -> None:
+    with pytest.raises(ValueError, match="m = -1"):
+        dataclasses.replace(ROW, m=np.array([1.0, 1.0, -1.0, 1.0]))
