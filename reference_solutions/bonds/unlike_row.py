@@ -9,7 +9,6 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.linalg import expm
 
 from reference_solutions.parameters import require_positive, require_times
 
@@ -72,6 +71,8 @@ def across(t: Array, row: Row, *, r: Array, ks: Array, spin: Array, v: Array) ->
     s' = d' - i (a1 W1 + a2 W2) d/L + i (a1 p1 + a2 p2) + i (W1 + W2)/2 s, d = z2 - z1,
     m z'' = +- ks s, 2/5 m r2 p' = i a ks s.
     """
+    from scipy.linalg import expm
+
     times, n, b = require_times(t), len(row.m), len(row.bonds)
     rate = np.zeros((3 * n + b, 3 * n + b), complex)  # of z, z', p and s
     places, speeds, spins = (np.arange(k * n, (k + 1) * n) for k in range(3))

@@ -13,8 +13,6 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.optimize import brentq
-from scipy.special import ellipj, ellipkinc
 
 from reference_solutions.parameters import require_positive, require_times
 
@@ -44,6 +42,8 @@ class Body:
 
 def spins(t: Array, inertia: Array, w: Array) -> Array:
     """The spin (k, 3) [1/s] in the body's axes at times t (k,) [s]; w (3,) at t = 0."""
+    from scipy.special import ellipj, ellipkinc
+
     order, mirror = _order(inertia, w)
     J, first = inertia[order], mirror * w[order]
     doubled, square = float(J @ first**2), float(J**2 @ first**2)
@@ -134,6 +134,8 @@ def landing(body: Body, w: Array, n: Array, *, height: float, V: float, latest: 
 
     Raises ValueError where no corner meets it until `latest` [s].
     """
+    from scipy.optimize import brentq
+
     require_positive("in SI units", height=height, V=V, latest=latest)
     looks = np.linspace(0.0, latest, LOOKS)
     gaps = height - V * looks[:, None] + clearance(looks, body, w, n)

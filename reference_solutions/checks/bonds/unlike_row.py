@@ -6,7 +6,6 @@ displacement, a vector that turns with the bond and grows with what its two surf
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.integrate import solve_ivp
 
 Array = NDArray[np.float64]
 State = tuple[Array, Array, Array, Array]
@@ -27,6 +26,8 @@ def motion(
     push: Array,
 ) -> Array:
     """Displacements (k, N, 3) [m] at times t (k,); x, v, spin, push: (N, 3), push constant [N]."""
+    from scipy.integrate import solve_ivp
+
     n, first = len(m), (x, v, spin, np.zeros((len(bonds), 3)))
 
     def rate(_: float, flat: Array) -> Array:

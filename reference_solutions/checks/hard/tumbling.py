@@ -2,13 +2,14 @@
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.integrate import solve_ivp
 
 Array = NDArray[np.float64]
 
 
 def flight(t: Array, inertia: Array, axes: Array, w: Array) -> tuple[Array, Array]:
     """Spin in the body's axes (k, 3) and rotation into space (k, 3, 3) at times t (k,), from 0."""
+
+    from scipy.integrate import solve_ivp
 
     def rate(_: float, state: Array) -> Array:
         spin, rotation = state[:3], state[3:].reshape(3, 3)
