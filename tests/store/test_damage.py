@@ -11,7 +11,7 @@ from typing import Any
 import pytest
 
 from tests.conftest import Tiny
-from tests.support.fabricated import manifest, record
+from tests.support.fabricated import changed, manifest, record
 from vv.insight.history import history
 from vv.records import codec
 from vv.records.job_record import Record
@@ -86,6 +86,20 @@ def test_the_latest_run_is_no_copy_and_none_of_the_future(
     said = capsys.readouterr().err
     assert f"past run {future}: its time has not come; passed over" in said
     assert f"past run {copy}: no whole manifest: its first line is not what was kept" in said
+
+
+@pytest.mark.parametrize("field", ["variant", "code"])
+def test_a_record_of_what_is_not_described_is_no_part_of_a_whole_manifest(
+    tmp_path: Path, field: str
+) -> None:
+    """Sealed as it is, it would end every report of this store for ever."""
+    store, named = Store(tmp_path), manifest(*jobs("a"), name="01")
+    store.keep_manifest(changed(named, records=[changed(named.records[0], **{field: "other"})]))
+    with pytest.raises(OSError, match="other"):
+        store.manifest("01")
+    store.keep_manifest(changed(named, cases={}))
+    with pytest.raises(OSError, match="a:T1, not described there"):
+        store.manifest("01")
 
 
 HOSTILE: tuple[object, ...] = (

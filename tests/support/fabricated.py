@@ -144,11 +144,11 @@ def case() -> CaseFacts:
 
 
 def manifest(*records: Record, **parts: Any) -> Manifest:
-    """A manifest of these records, and of the fabricated case; parts: as its fields have them."""
+    """A manifest of these records, each of a fabricated case; parts: as its fields have them."""
     whole: dict[str, Any] = {
         "provenance": NOWHERE,
         "codes": {one.code: CodeFound("1", True, {}) for one in records},
-        "cases": {"bounce": case()},
+        "cases": {name: case() for name in ("bounce", *(one.case for one in records))},
         "untimed": (),
         "records": records,
         "findings": (),

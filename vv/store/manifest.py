@@ -50,7 +50,21 @@ def whole(text: str, name: str) -> Manifest:
     records = tuple(record for case in own.values() for record in case)
     parts = {part: data for part, data in found.items() if part not in ("holds", "seals", "seal")}
     bare = codec.read(Manifest, {**parts, "records": [], "name": name}, "manifest")
+    for place, pile in own.items():
+        _check_described(place, pile, bare)
     return dataclasses.replace(bare, records=records)
+
+
+def _check_described(place: str, pile: tuple[Record, ...], rest: Manifest) -> None:
+    """Raise ValueError where records name a case, variant or code of which nothing is said."""
+    facts = rest.cases.get(place)
+    variants = set(facts.variants) if facts else set()
+    for record in pile:
+        if record.case != place or record.variant not in variants:
+            what = f"{record.case}:{record.variant}"
+            raise ValueError(f"a record among those of {place} is of {what}, not described there")
+        if record.code not in rest.codes:
+            raise ValueError(f"a record of {place} is of the code {record.code}, of none described")
 
 
 def head(lines: Iterator[str], name: str) -> tuple[tuple[str, ...], Provenance]:
