@@ -9,7 +9,17 @@ from vv.engines.kernels.arrays import in_order, rows, same_rows, smaller
 from vv.engines.kernels.compiled import called, lent
 from vv.engines.kernels.triples import add_scaled, at
 from vv.engines.rigid.general.setting import Setting
-from vv.engines.rigid.limits import CHAIN, OUTER, POLISHED, SHINED, SMALL, STALLED, STIFF
+from vv.engines.rigid.limits import (
+    CARRIED,
+    CHAIN,
+    OUTER,
+    POLISHED,
+    SHINED,
+    SMALL,
+    STALLED,
+    STEADIED,
+    STIFF,
+)
 from vv.engines.rigid.solver.assembly import Bodies, Joints, load_on
 from vv.engines.rigid.solver.banded import arranged
 from vv.engines.rigid.solver.cone import Friction, keep, residual, solve_contacts
@@ -29,24 +39,27 @@ def converged(
 
     They are in small scenes, and where blocks hang together in a chain. There they go on beyond
     the residual asked, for the little that they cost more: what is left adds up along a chain.
+    Elsewhere sweeps with momentum and with conjugate gradients take turns: where blocks wedge, one
+    drifts away and the other creeps, and each goes on from where the other is stuck.
     """
     blocks, sweeps, left = len(setting.mass), 0 * fewest, np.inf
     small, place, apart = blocks <= SMALL, in_order(blocks), blocks - 1
     if not small:
         place, apart = arranged(joints, blocks)
     finer = (SHINED if small else POLISHED) * tolerance
-    patience = STALLED if small or apart <= CHAIN else setting.most
+    chained, carries = small or apart <= CHAIN, True
     free_v, free_w = without(p, joints, bodies, v, w)
     while sweeps < setting.most and left > tolerance:
+        patience = STALLED if chained else CARRIED if carries else STEADIED
         few = smaller(patience, setting.most - sweeps)
-        if patience == STALLED:
-            more, left = solve_contacts(p, joints, bodies, friction, v, w, tolerance, fewest, few)
-        else:
+        if carries and not chained:
             more, left = carried(p, joints, bodies, friction, v, w, tolerance, fewest, few)
-        sweeps += more
+        else:
+            more, left = solve_contacts(p, joints, bodies, friction, v, w, tolerance, fewest, few)
+        sweeps, carries = sweeps + more, not carries
         if left > tolerance:
             left = renewed(p, joints, bodies, friction, v, w, free_v, free_w)
-        if patience == STALLED and left > tolerance:
+        if chained and left > tolerance:
             left = polish(p, joints, bodies, friction, v, w, finer, left, place, apart)
         if more == 0:
             break
