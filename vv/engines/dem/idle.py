@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import functools
 
+from vv.engines.dem.bulk.model import bulk
 from vv.engines.dem.line.model import line
 from vv.engines.dem.pressed.model import pressed
 from vv.engines.dem.space.model import space
@@ -36,7 +37,7 @@ def why_left_out(scene: Scene, whole: bool) -> str | None:
     whole: whether the general model is asked for, which has all energies and reactions.
     """
     small = None if whole else line(scene) or pressed(scene)
-    left = scene.terms() - (small or space(scene)).terms - idle(scene)
+    left = scene.terms() - (small or bulk(scene) or space(scene)).terms - idle(scene)
     if not left:
         return None
     named = ", ".join(sorted(term.value for term in left))

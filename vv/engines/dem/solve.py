@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 
 from vv.ask import Ask, Ledger, Model, Reaction, Run, Status
+from vv.engines.dem.bulk.model import Bulk, bulk
 from vv.engines.dem.critical_step import critical_step, highest_delay
 from vv.engines.dem.idle import idle, why_left_out
 from vv.engines.dem.leapfrog import CENTRED, Leapfrog
@@ -47,7 +48,7 @@ class Program:
 
     ask: Ask
     leapfrog: Leapfrog
-    system: Line | Pressed | Space
+    system: Line | Pressed | Bulk | Space
     stand_in: SpringScene
     threads: int = 1
 
@@ -180,9 +181,8 @@ def prepare(ask: Ask, leapfrog: Leapfrog, threads: int = 1) -> Program:
     """The program of an ask, with the smallest model its scene allows."""
     stand_in = spring_scene(ask)
     scene, charged = stand_in.scene, stand_in.charged
-    if _wants_all(ask):
-        return Program(ask, leapfrog, space(scene, charged), stand_in, threads)
-    system = line(scene) or pressed(scene, charged) or space(scene, charged)
+    small = None if _wants_all(ask) else line(scene) or pressed(scene, charged)
+    system = small or bulk(scene) or space(scene, charged)
     return Program(ask, leapfrog, system, stand_in, threads)
 
 

@@ -1,0 +1,106 @@
+"""Claims about the model of many free spheres: it moves them as the general one does."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+
+from vv.ask import Ask, Displacement, History, Knobs
+from vv.engines import dem
+from vv.engines.dem.bulk.model import Bulk, bulk
+from vv.engines.dem.space.model import Space, space
+from vv.scene import Contact, Hertz, Scene, Spheres, Vector, Wall
+
+RADIUS, COUNT, DT = 0.01, (5, 5, 4), 2e-5
+ASKEW = np.array([[1.0, 0.5, 0.2], [-0.6, 1.0, 0.4], [0.1, -0.7, 1.0]])
+LAWS = {
+    "springs, friction, dashpots, drag": (Contact(1e5, 2e4, 0.5, 0.3), 2e-3),
+    "elastic spheres that rub": (Contact(0.0, mu=0.4, hertz=Hertz(1e8, 8e7)), 0.0),
+}
+
+
+def crowd(contact: Contact, eta: float = 0.0, walls: bool = True) -> Scene:
+    """A hundred unequal spheres, somewhat out of order, in a box that lies askew to all cells."""
+    random, count = np.random.default_rng(3), int(np.prod(COUNT))
+    grid = np.stack(np.meshgrid(*map(np.arange, COUNT), indexing="ij"), 3).reshape(-1, 3)
+    position = RADIUS * (2.2 * random.permutation(grid) + 0.04 * random.normal(size=(count, 3)))
+    radius, turned = RADIUS * random.uniform(0.9, 1.0, count), np.linalg.qr(ASKEW)[0]
+    spheres = Spheres(
+        position @ turned, 0.5 * random.normal(size=(count, 3)), radius, 1e4 * radius**3,
+        free=np.ones((count, 3), bool), free_spin=np.ones((count, 3), bool),
+        spin=10 * random.normal(size=(count, 3)),
+    )  # fmt: skip
+    planes = [Wall(-1.05 * RADIUS * np.ones(3) @ turned, n) for n in turned]
+    planes += [Wall(2.2 * RADIUS * (np.array(COUNT) - 0.5) @ turned, -n) for n in turned]
+    down = np.array([0.0, 0.0, -9.81]) if walls else np.zeros(3)
+    return Scene((spheres, *(planes if walls else ())), contact, eta=eta, gravity=down)
+
+
+def moved(model: Bulk | Space, steps: int, leapfrog: dem.Leapfrog) -> tuple[Vector, Vector]:
+    """Path (2, n, 9) and energies (2, 7) at the start and after so many steps."""
+    count = int(np.prod(COUNT))
+    outputs: Any = model.outputs(2, tuple(range(count)))
+    path, energy, watched = outputs
+    run = model.kernel()
+    assert run(path, energy, watched, steps, DT, *model.state, leapfrog.lag, leapfrog.back) == 2
+    return path, energy
+
+
+@pytest.mark.parametrize("law", LAWS)
+def test_spheres_move_as_in_the_general_model(law: str) -> None:
+    """To what rounding has become after 600 steps, in which all contacts change several times."""
+    scene = crowd(*LAWS[law])
+    fast = bulk(scene)
+    assert fast is not None
+    assert fast.terms == scene.terms()
+    for leapfrog in (dem.CENTRED, dem.LAGGED):
+        (path, energy), (other, others) = (
+            moved(model, 600, leapfrog) for model in (fast, space(scene))
+        )
+        assert energy[1, 3] > 0.01 * energy[0, 0], "friction takes a share"
+        went = np.linalg.norm(path[1, :, :3], axis=1)
+        assert np.median(went) > 0.2 * RADIUS, "many go from cell to cell"
+        for columns in (slice(0, 3), slice(3, 6), slice(6, 9)):
+            one, two = path[1, :, columns], other[1, :, columns]
+            assert np.abs(one - two).max() <= 1e-7 * np.abs(two).max()
+        assert energy[1] == pytest.approx(others[1], rel=1e-8, abs=1e-12 * energy[0, 0])
+
+
+def test_momentum_is_kept_and_energy_explained() -> None:
+    scene = crowd(*LAWS["springs, friction, dashpots, drag"], walls=False)
+    law = Contact(scene.contact.kn, scene.contact.ks, scene.contact.mu)
+    scene = Scene((scene.spheres,), law)
+    fast, s = bulk(scene), scene.spheres
+    assert fast is not None
+    path, energy = moved(fast, 400, dem.CENTRED)
+    x = s.position + path[:, :, :3]
+    momentum = s.mass[:, None] * path[:, :, 3:6]
+    moment = np.cross(x, momentum) + s.inertia[:, None] * path[:, :, 6:]
+    size = np.abs(momentum[0]).sum(), np.abs(moment[0]).sum()
+    for told, most in zip((momentum, moment), size, strict=True):
+        total = told.sum(axis=1)
+        assert np.abs(total[1] - total[0]).max() <= 1e-13 * most
+    held = energy[:, :5].sum(axis=1)
+    assert energy[1, 3] > 0.01 * held[0]
+    assert held[1] == pytest.approx(held[0], rel=2e-3), "(w dt)^2/4 of contacts that close"
+
+
+def test_few_spheres_and_those_that_are_held_are_left_to_the_general_model() -> None:
+    scene = crowd(LAWS["elastic spheres that rub"][0])
+    s = scene.spheres
+    locked = np.ones_like(s.free)
+    locked[0, 0] = False
+    for changed in (
+        s.part(slice(0, 60)),
+        Spheres(s.position, s.velocity, s.radius, s.mass, locked, free_spin=s.free_spin),
+        Spheres(s.position, s.velocity, s.radius, s.mass, s.free),
+    ):
+        assert bulk(Scene((changed,), scene.contact)) is None
+
+
+def test_an_ask_of_many_free_spheres_is_given_the_bulk_model() -> None:
+    scene = crowd(LAWS["elastic spheres that rub"][0])
+    ask = Ask(scene, History(2 * DT, DT), (Displacement(0),), Knobs(DT))
+    assert isinstance(dem.prepare(ask, dem.CENTRED).system, Bulk)

@@ -1,0 +1,117 @@
+"""How a step carries the spheres of the bulk model on, inlined into its kernel."""
+
+from __future__ import annotations
+
+import math
+
+from vv.engines.dem.bulk.grains import BEFORE, SPUN, Grains, V, W
+from vv.engines.dem.bulk.touches import part
+from vv.engines.dem.space.advance import carried_on
+from vv.engines.dem.terms.drag import Drag
+from vv.engines.kernels.compiled import lent
+from vv.engines.kernels.triples import NOWHERE, Triple, add_scaled, at, dot, put
+from vv.scene import Vector
+
+
+@lent
+def drift(grains: Grains, dt: float) -> float:
+    """Displace all spheres by a step; return how far one has gone since neighbours were sought."""
+    row, since, far = grains.row, grains.since, 0.0
+    for i in range(len(since)):
+        x = add_scaled(at(row, i), dt, part(row, i, V))
+        put(row, i, x)
+        moved = add_scaled(x, -1.0, at(since, i))
+        far = max(far, dot(moved, moved))
+    return math.sqrt(far)
+
+
+@lent
+def weigh(grains: Grains, gravity: Triple) -> None:
+    """Set push to the weight of each sphere, and turn to none."""
+    push, turn, mass = grains.push, grains.turn, grains.mass
+    for i in range(len(mass)):
+        put(push, i, add_scaled(NOWHERE, mass[i], gravity))
+        put(turn, i, NOWHERE)
+
+
+@lent
+def place(grains: Grains, velocity: Vector, time: float, drag: Drag | None) -> float:
+    """Set velocities to those at `time` [s] before t = 0; return sum m v v/2 [J] at 0.
+
+    velocity: (n, 3) at t = 0, of the spheres in the order of the scene.
+    """
+    row, kinetic = grains.row, 0.0
+    for i in range(len(grains.mass)):
+        start, push = at(velocity, grains.original[i]), at(grains.push, i)
+        if drag is not None:
+            push = add_scaled(push, -drag.eta, start)
+        for c in range(3):
+            row[i, V + c] = start[c] - time / grains.mass[i] * push[c]
+        kinetic += 0.5 * grains.mass[i] * dot(start, start)
+    return kinetic
+
+
+@lent
+def place_spins(grains: Grains, spin: Vector | None, time: float) -> float:
+    """As `place`, of spins (n, 3) at t = 0, if any sphere turns."""
+    row, turning = grains.row, 0.0
+    if spin is not None:
+        for i in range(len(grains.mass)):
+            start, turn = at(spin, grains.original[i]), at(grains.turn, i)
+            for c in range(3):
+                row[i, W + c] = start[c] - time / grains.inertia[i] * turn[c]
+            turning += 0.5 * grains.inertia[i] * dot(start, start)
+    return turning
+
+
+@lent
+def kick(
+    grains: Grains,
+    spin: Vector | None,
+    dt: float,
+    drag: Drag | None,
+    lag: float,
+    slowed: tuple[float, float],
+) -> Triple:
+    """Carry velocities and spins from half a step before now to half a step after.
+
+    Returns sum m v- v+/2 + I w- w+/2 [J] and the powers [W] lost before and after now: slowed, and
+    D v-, D v+ of drag D = eta (lag v- + (1 - lag) v+).
+    """
+    row, push, turn, mass, inertia = (
+        grains.row,
+        grains.push,
+        grains.turn,
+        grains.mass,
+        grains.inertia,
+    )
+    kinetic, behind, ahead = 0.0, slowed[0], slowed[1]
+    for i in range(len(mass)):
+        old = part(row, i, V)
+        new = carried_on(old, at(push, i), mass[i], dt, drag, lag, i)
+        if drag is not None:
+            loss = add_scaled(add_scaled(NOWHERE, drag.eta * lag, old), drag.eta * (1.0 - lag), new)
+            behind += dot(loss, old)
+            ahead += dot(loss, new)
+        for c in range(3):
+            row[i, BEFORE + c], row[i, V + c] = old[c], new[c]
+        kinetic += 0.5 * mass[i] * dot(old, new)
+        if spin is not None:
+            spun = part(row, i, W)
+            spins = add_scaled(spun, dt / inertia[i], at(turn, i))
+            for c in range(3):
+                row[i, SPUN + c], row[i, W + c] = spun[c], spins[c]
+            kinetic += 0.5 * inertia[i] * dot(spun, spins)
+    return kinetic, behind, ahead
+
+
+@lent
+def moving_energy(grains: Grains, spin: Vector | None) -> float:
+    """m v+^2/2 and I w+^2/2 [J]."""
+    row, fast = grains.row, 0.0
+    for i in range(len(grains.mass)):
+        v, w = part(row, i, V), part(row, i, W)
+        fast += 0.5 * grains.mass[i] * dot(v, v)
+        if spin is not None:
+            fast += 0.5 * grains.inertia[i] * dot(w, w)
+    return fast

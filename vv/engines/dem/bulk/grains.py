@@ -1,0 +1,61 @@
+"""The spheres of the bulk model as rows of numbers, in the order of the cells they lie in."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+import numpy.typing as npt
+
+from vv.engines.kernels.bundles import bundle
+from vv.engines.kernels.compiled import inlined_called
+from vv.scene import Vector
+
+Short = npt.NDArray[np.uint32]
+Flags = npt.NDArray[np.uint8]
+RADIUS, V, W, BEFORE, SPUN, WIDE = 3, 4, 7, 10, 13, 16
+
+
+class Given(NamedTuple):
+    """The n spheres at t = 0: position, velocity (n, 3), spin (n, 3) or None if none turns, radius,
+    mass, inertia (n,)."""
+
+    position: Vector
+    velocity: Vector
+    spin: Vector | None
+    radius: Vector
+    mass: Vector
+    inertia: Vector
+
+
+@bundle
+class Grains(NamedTuple):
+    """n spheres in an order that changes, and a row for the ground, which does not move.
+
+    row (n + 1, 16): position [m], radius [m], mean velocity of the step that ended [m/s], its spin
+    [1/s], and both of the step before it. push, turn (n + 1, 3): forces [N], torques [N m].
+    mass, inertia (n,); original (n,): which sphere of the scene each is; since (n, 3): where they
+    were when neighbours were sought.
+    """
+
+    row: Vector
+    push: Vector
+    turn: Vector
+    mass: Vector
+    inertia: Vector
+    original: Short
+    since: Vector
+
+
+@inlined_called
+def grains(given: Given) -> Grains:
+    """The spheres before anything has moved, in the scene's order."""
+    n = len(given.mass)
+    row, since, original = np.zeros((n + 1, WIDE)), np.zeros((n, 3)), np.empty(n, np.uint32)
+    for i in range(n):
+        for c in range(3):
+            row[i, c] = given.position[i, c]
+        row[i, RADIUS], original[i] = given.radius[i], i
+    mass, inertia = given.mass.copy(), given.inertia.copy()
+    push, turn = np.zeros((n + 1, 3)), np.zeros((n + 1, 3))
+    return Grains(row, push, turn, mass, inertia, original, since)

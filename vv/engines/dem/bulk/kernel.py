@@ -1,0 +1,97 @@
+"""The compiled kernel for many free spheres and walls at rest: the leapfrog over all contacts."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from vv.engines.dem.bulk.advance import drift, kick, moving_energy, place, place_spins
+from vv.engines.dem.bulk.cells import cells
+from vv.engines.dem.bulk.grains import Given, grains
+from vv.engines.dem.bulk.near import near_pairs, near_walls, nothing_near
+from vv.engines.dem.bulk.output import booked, observe
+from vv.engines.dem.bulk.press import forces
+from vv.engines.dem.bulk.skin import FIRST, adapted, narrowest, widest
+from vv.engines.dem.bulk.viscous import Dashpot, meet, room_to_meet, slow, withdraw
+from vv.engines.dem.contact.law import Law
+from vv.engines.dem.limits import BLOW_UP, GAIN
+from vv.engines.dem.rows import Index
+from vv.engines.dem.terms.drag import Drag
+from vv.engines.kernels.compiled import compiled
+from vv.engines.kernels.triples import Triple
+from vv.scene import Vector
+
+
+@compiled
+def move_in_bulk(
+    path: Vector,
+    energy: Vector,
+    watched: Index,
+    stride: int,
+    dt: float,
+    given: Given,
+    walls: Vector,
+    law: Law,
+    friction: tuple[float, float] | None,
+    dashpot: Dashpot | None,
+    gravity: Triple,
+    drag: Drag | None,
+    lag: float,
+    back: float,
+) -> int:
+    """As `vv.engines.dem.space.kernel.move_in_space`, which says what the arguments mean.
+
+    walls (w, 4): outward normals and how far they lie along them [m]; friction: that of the law.
+    Every `stride` steps a line is written of path (k, b, 6 or 9) and energy (k, 7).
+    """
+    bulk, spin = grains(given), given.spin
+    n, rubs = len(given.mass), friction is not None
+    radius, reach = narrowest(bulk), 2.0 * widest(bulk)
+    skin, sought, used = FIRST * radius, 0, 0
+    sorted_cells = cells(bulk, reach + skin)
+    pairs = near_pairs(bulk, sorted_cells, skin, nothing_near(n), rubs)
+    edges = near_walls(bulk, walls, sorted_cells, skin, nothing_near(n), rubs)
+    met, new = room_to_meet(0), np.zeros((n + 1, 3))
+    normal, sprung, _ = forces(bulk, pairs, edges, walls, spin, law, friction, gravity, dt)
+    slowed = 0.0, 0.0
+    if dashpot is not None:
+        met = room_to_meet(len(pairs.other) + len(edges.other))
+        used = meet(bulk, pairs, edges, walls, met, dashpot, dt)
+        place(bulk, given.velocity, 0.0, None)
+        slow(bulk, met, used, new, 0.0, drag, lag)
+    put_in = normal + sprung + place(bulk, given.velocity, back * dt, drag)
+    if dashpot is not None:
+        withdraw(bulk, met, used)
+        slowed = slow(bulk, met, used, new, dt, drag, lag)
+    put_in += place_spins(bulk, spin, back * dt)
+    kinetic, _, ahead = kick(bulk, spin, dt, drag, lag, slowed)
+    slipped = dragged = done = 0.0
+
+    steps = 0
+    for line in range(len(path)):
+        for _ in range(stride if line else 0):
+            steps += 1
+            if not 2.0 * drift(bulk, dt) < skin:
+                skin, sought = adapted(skin, radius, steps - sought), steps
+                sorted_cells = cells(bulk, reach + skin)
+                pairs = near_pairs(bulk, sorted_cells, skin, pairs, rubs)
+                edges = near_walls(bulk, walls, sorted_cells, skin, edges, rubs)
+                if dashpot is not None:
+                    met = room_to_meet(len(pairs.other) + len(edges.other))
+            normal, sprung, lost = forces(
+                bulk, pairs, edges, walls, spin, law, friction, gravity, dt
+            )
+            if dashpot is not None:
+                used = meet(bulk, pairs, edges, walls, met, dashpot, dt)
+                slowed = slow(bulk, met, used, new, dt, drag, lag)
+            slipped += lost
+            dragged += ahead
+            kinetic, behind, ahead = kick(bulk, spin, dt, drag, lag, slowed)
+            dragged += behind
+
+        observe(path, line, watched, given, bulk)
+        held = kinetic, normal, sprung, slipped, 0.5 * dt * dragged
+        done = max(done, booked(energy, line, held, given, bulk, gravity))
+        most, total = put_in + done, kinetic + normal + sprung
+        if line and not (total <= GAIN * most and moving_energy(bulk, spin) <= BLOW_UP * most):
+            return line
+    return len(path)

@@ -1,0 +1,115 @@
+"""Builds the bulk model: many spheres, free to move and to turn, and walls at rest."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from vv.ask import Displacement, Observable, Reaction
+from vv.engines.dem.bonds.layout import MANY
+from vv.engines.dem.bulk.grains import Given
+from vv.engines.dem.contact.law import Law, law_of
+from vv.engines.dem.leapfrog import Leapfrog
+from vv.engines.dem.rows import Index, triple
+from vv.engines.dem.space.ledger import signed
+from vv.engines.dem.terms.drag import Drag
+from vv.scene import Scene, Term, Vector
+
+HAS = frozenset(
+    {Term.SPHERE, Term.SPHERE_CONTACT, Term.WALL_CONTACT, Term.FRICTION, Term.DRAG, Term.GRAVITY,
+     Term.ROTATION, Term.CONTACT_VISCOSITY, Term.VISCOUS_FRICTION, Term.HERTZ}
+)  # fmt: skip
+
+
+class BulkState(NamedTuple):
+    """What `move_in_bulk` receives about the scene, in its order."""
+
+    given: Given
+    walls: Vector
+    law: Law
+    friction: tuple[float, float] | None
+    dashpot: tuple[float, float] | None
+    gravity: tuple[float, float, float]
+    drag: Drag | None
+
+
+@dataclass(frozen=True, eq=False)
+class Bulk:
+    """The spheres of a scene, in its order."""
+
+    state: BulkState
+    terms: frozenset[Term]
+    words: str
+
+    @property
+    def unknowns(self) -> tuple[Vector, ...]:
+        """The arrays that hold a number per unknown."""
+        given = self.state.given
+        return (given.velocity,) if given.spin is None else (given.velocity, given.spin)
+
+    def outputs(self, rows: int, spheres: tuple[int, ...]) -> tuple[Vector | Index, ...]:
+        """What the kernel fills, path and energy, and the spheres it watches."""
+        path = np.empty((rows, len(spheres), 3 + 3 * len(self.unknowns)))
+        return path, np.zeros((rows, 7)), np.array(spheres, np.intp)
+
+    def kernel(self) -> Callable[..., int]:
+        """The compiled kernel; the first call imports numba."""
+        from vv.engines.dem.bulk.kernel import move_in_bulk
+
+        return move_in_bulk
+
+    def observed(self, path: Vector, index: int, sphere: int, what: Observable) -> Vector:
+        """An observable (k, 3) of a sphere, which was the index-th one watched."""
+        if isinstance(what, Reaction):
+            return np.zeros((len(path), 3))
+        first = 0 if isinstance(what, Displacement) else 3
+        return np.array(path[:, index, first : first + 3])
+
+    def held(self, path: Vector, energy: Vector) -> Vector:
+        """The ledger's terms [J], (k, 7)."""
+        return signed(energy)
+
+    def put_in(self, energy: Vector) -> float:
+        """Kinetic and elastic energy [J] at t = 0."""
+        given = self.state.given
+        kinetic = 0.5 * float(given.mass @ (given.velocity**2).sum(axis=1))
+        if given.spin is not None:
+            kinetic += 0.5 * float(given.inertia @ (given.spin**2).sum(axis=1))
+        return kinetic + float(energy[0, 1] + energy[0, 2])
+
+    def bound(self, energy: Vector, leapfrog: Leapfrog, dt: float) -> float | None:
+        """None, as of the general model."""
+        return None
+
+
+def bulk(scene: Scene) -> Bulk | None:
+    """The bulk model of a scene of many spheres that are all free; None of others.
+
+    Rotation is left out where no friction can change it and nothing turns.
+    """
+    spheres, terms = scene.spheres, scene.terms()
+    if len(spheres) < MANY or not terms <= HAS or not spheres.free.all():
+        return None
+    rubs = Term.FRICTION in terms
+    if (rubs or spheres.spin.any()) and not spheres.free_spin.all():
+        return None
+    law, eta_n = law_of(scene), scene.contact.eta_n
+    given = Given(spheres.position, spheres.velocity, spheres.spin if rubs else None,
+                  spheres.radius, spheres.mass, spheres.inertia)  # fmt: skip
+    walls: Any = [[*wall.normal, wall.point @ wall.normal] for wall in scene.walls]
+    state = BulkState(
+        given,
+        np.array(walls, float).reshape(-1, 4),
+        law,
+        law.friction,
+        (scene.contact.kn, eta_n) if eta_n > 0 else None,
+        triple(scene.gravity),
+        Drag(scene.eta, None) if scene.eta > 0 else None,
+    )
+    left_out = {Term.ROTATION} if spheres.spin.any() and not rubs else set()
+    count = len(spheres)
+    words = f"{3 * count * (2 if rubs else 1)} unknowns: {count} free spheres"
+    return Bulk(state, terms - left_out, f"{words}{' that turn' if rubs else ''}, kept by cells")

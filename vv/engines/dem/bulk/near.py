@@ -1,0 +1,129 @@
+"""Which spheres and walls may soon touch, sought cell by cell; contacts keep their friction."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from vv.engines.dem.bulk.cells import Cells
+from vv.engines.dem.bulk.grains import RADIUS, Flags, Grains, Short
+from vv.engines.kernels.bundles import bundle
+from vv.engines.kernels.compiled import called, inlined, inlined_called
+from vv.engines.kernels.triples import NOWHERE, add_scaled, at, dot, put
+from vv.scene import Vector
+
+
+@bundle
+class Near(NamedTuple):
+    """Slots for contacts that may close, those of sphere i from start[i] to start[i + 1].
+
+    other (k,): the later sphere of a pair, or the wall. touching (k,): whether they did so after
+    the last step; shear (k, 3): the force on the later sphere, or on the sphere off the wall [N];
+    both are empty where nothing rubs.
+    """
+
+    start: Short
+    other: Short
+    touching: Flags
+    shear: Vector
+
+
+@inlined_called
+def nothing_near(n: int) -> Near:
+    """No slots yet of n spheres."""
+    start, none = np.zeros(n + 1, np.uint32), np.zeros(0, np.uint32)
+    return Near(start, none, np.zeros(0, np.uint8), np.zeros((0, 3)))
+
+
+@inlined
+def close(row: Vector, i: int, j: int, skin: float) -> bool:
+    """Whether the gap of two spheres is less than the skin [m]."""
+    d, reach = add_scaled(at(row, j), -1.0, at(row, i)), row[i, RADIUS] + row[j, RADIUS] + skin
+    return bool(dot(d, d) < reach * reach)
+
+
+@called
+def longer(other: Short, used: int, room: int) -> Short:
+    """The same numbers with room for more."""
+    made = np.empty(room, np.uint32)
+    for k in range(used):
+        made[k] = other[k]
+    return made
+
+
+@called
+def near_pairs(grains: Grains, cells: Cells, skin: float, old: Near, rubs: bool) -> Near:
+    """The pairs whose gap is less than the skin [m], with the friction of those that touch."""
+    row, begin, many, nx, ny, nz = grains.row, cells.begin, 0, cells.nx, cells.ny, cells.nz
+    n = len(grains.mass)
+    start, other = np.zeros(n + 1, np.uint32), np.empty(max(len(old.other), 8 * n), np.uint32)
+    for cell in range(nx * ny * nz):
+        x, y, z = cell % nx, cell // nx % ny, cell // (nx * ny)
+        for i in range(begin[cell], begin[cell + 1]):
+            # the rest of this line of cells, and the four lines that come after it
+            for line in range(5):
+                ahead = y + 1 if line == 1 else y if line == 0 else y + line - 3
+                above = z + 1 if line > 1 else z
+                if ahead < 0 or ahead >= ny or above >= nz:
+                    continue
+                base = (above * ny + ahead) * nx
+                first = begin[base + max(x - 1, 0)] if line > 0 else i + 1
+                for j in range(first, begin[base + min(x + 1, nx - 1) + 1]):
+                    if close(row, i, j, skin):
+                        if many == len(other):
+                            other = longer(other, many, 2 * many)
+                        other[many] = j
+                        many += 1
+            start[i + 1] = many
+    made = slots(start, longer(other, many, many), rubs)
+    keep(made, old, cells.place, True)
+    return made
+
+
+@called
+def near_walls(
+    grains: Grains, walls: Vector, cells: Cells, skin: float, old: Near, rubs: bool
+) -> Near:
+    """As `near_pairs`, of walls (w, 4): outward normals and how far they lie along them [m]."""
+    row, n, many = grains.row, len(grains.mass), 0
+    start, other = np.zeros(n + 1, np.uint32), np.empty(n + len(walls), np.uint32)
+    for i in range(n):
+        for w in range(len(walls)):
+            if dot(at(row, i), at(walls, w)) - walls[w, 3] < row[i, RADIUS] + skin:
+                if many == len(other):
+                    other = longer(other, many, 2 * many)
+                other[many] = w
+                many += 1
+        start[i + 1] = many
+    made = slots(start, longer(other, many, many), rubs)
+    keep(made, old, cells.place, False)
+    return made
+
+
+@called
+def slots(start: Short, other: Short, rubs: bool) -> Near:
+    """Slots of contacts none of which touched."""
+    room = len(other) if rubs else 0
+    return Near(start, other, np.zeros(room, np.uint8), np.zeros((room, 3)))
+
+
+@called
+def keep(made: Near, old: Near, place: Short, pairs: bool) -> None:
+    """Hand on the friction of contacts that touch; place (n,): new numbers by the old ones.
+
+    The force on the later of two spheres is opposite where these changed places.
+    """
+    start, other, touching, shear = made.start, made.other, made.touching, made.shear
+    for i in range(len(place) if len(old.touching) > 0 else 0):
+        for k in range(old.start[i], old.start[i + 1]):
+            if old.touching[k]:
+                a, b, sign = place[i], old.other[k], 1.0
+                if pairs:
+                    b = place[b]
+                    if b < a:
+                        a, b, sign = b, a, -1.0
+                for q in range(start[a], start[a + 1]):
+                    if other[q] == b:
+                        touching[q] = 1
+                        put(shear, q, add_scaled(NOWHERE, sign, at(old.shear, k)))

@@ -1,0 +1,106 @@
+"""Contacts of the bulk model that are viscous along their normals: those that are closed, listed.
+
+What they do is what `vv.engines.dem.terms.dashpots` has them do.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from vv.engines.dem.bulk.grains import RADIUS, Grains, V
+from vv.engines.dem.bulk.near import Near
+from vv.engines.dem.bulk.touches import part
+from vv.engines.dem.contact.linear import late
+from vv.engines.dem.contact.pairs import last_step
+from vv.engines.dem.space.neighbours import MET
+from vv.engines.dem.terms import dashpots
+from vv.engines.dem.terms.dashpots import RATE, SPRING, Met
+from vv.engines.dem.terms.drag import Drag
+from vv.engines.kernels.compiled import inlined, inlined_called, lent
+from vv.engines.kernels.triples import NOWHERE, Triple, add_scaled, at, dot, put
+from vv.scene import Vector
+
+Dashpot = tuple[float, float]
+"""kn [N/m] and eta_n [N s/m]."""
+
+
+@inlined_called
+def room_to_meet(many: int) -> Met:
+    """Room for so many closed contacts."""
+    return np.zeros((many, 2), np.intp), np.zeros((many, MET))
+
+
+@lent
+def meet(
+    grains: Grains, pairs: Near, edges: Near, walls: Vector, met: Met, dashpot: Dashpot, dt: float
+) -> int:
+    """List all contacts that are closed at the end of a step; return how many they are.
+
+    Walls (w, 4) are the first of two, in the row of the ground.
+    """
+    row, used = grains.row, 0
+    n = len(grains.mass)
+    for i in range(n):
+        for k in range(pairs.start[i], pairs.start[i + 1]):
+            j = pairs.other[k]
+            d, reach = add_scaled(at(row, j), -1.0, at(row, i)), row[i, RADIUS] + row[j, RADIUS]
+            square = dot(d, d)
+            if square < reach * reach:
+                length, relative = (
+                    math.sqrt(square),
+                    add_scaled(part(row, j, V), -1.0, part(row, i, V)),
+                )
+                opened = last_step(d, length, relative, dt)[2]
+                normal = add_scaled(NOWHERE, 1.0 / length, d)
+                enter(met, used, (i, j), normal, reach - length, opened, dashpot)
+                used += 1
+        for k in range(edges.start[i], edges.start[i + 1]):
+            normal = at(walls, edges.other[k])
+            overlap = row[i, RADIUS] - dot(at(row, i), normal) + walls[edges.other[k], 3]
+            if overlap > 0.0:
+                opened = dt * dot(normal, part(row, i, V))
+                enter(met, used, (n, i), normal, overlap, opened, dashpot)
+                used += 1
+    return used
+
+
+@inlined
+def enter(
+    met: Met,
+    k: int,
+    ends: tuple[int, int],
+    normal: Triple,
+    overlap: float,
+    opened: float,
+    dashpot: Dashpot,
+) -> None:
+    """Fill line k: a contact that closed within the step is given a share of eta_n."""
+    rows, kept = met
+    share = late(overlap, -opened) if overlap + opened <= 0.0 else 1.0
+    rows[k, 0], rows[k, 1] = ends
+    put(kept, k, normal)
+    kept[k, SPRING], kept[k, RATE] = dashpot[0] * overlap, share * dashpot[1]
+
+
+@lent
+def slow(
+    grains: Grains,
+    met: Met,
+    used: int,
+    new: Vector,
+    dt: float,
+    drag: Drag | None,
+    lag: float,
+) -> tuple[float, float]:
+    """Add the forces of the contacts listed to push; return the powers [W] before and after now."""
+    both = (met[0][:used], met[1][:used]), (met[0][:0], met[1][:0])
+    v = grains.row[:, V : V + 3]
+    return dashpots.slow(both, grains.push, v, new, grains.mass, None, dt, drag, lag)
+
+
+@lent
+def withdraw(grains: Grains, met: Met, used: int) -> None:
+    """Take them away again."""
+    dashpots.shove((met[0][:used], met[1][:used]), grains.push, -1.0)
