@@ -6,10 +6,11 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from adapters.liggghts.data import many, read_data
 from adapters.liggghts.sections import Deck, Law
 from adapters.liggghts.setup import OVERLAPPED, Setup
 from adapters.liggghts.words import AXES, bounds, group, numbers, parts
-from vv.scene import Mask, Term
+from vv.scene import Mask, Term, Vector
 from vv.scene.neighbours import overlapping
 
 STRAIGHT = 1e-12  # of the distance of two: less than that out of line is rounding
@@ -18,21 +19,24 @@ STRAIGHT = 1e-12  # of the distance of two: less than that out of line is roundi
 def bare(setup: Setup) -> Deck:
     """The sections that every deck has, to which terms add theirs."""
     frozen = "spheres without any freedom are not integrated"
+    listed = many(setup)
     zeros = {"kt": 0.0, "gamman": 0.0, "gammat": 0.0, "coefficientFriction": 0.0}
     return Deck(
-        box=(
-            f"region          box block {bounds(*setup.room.outer)} units box",
-            "create_box      1 box",
-        ),
+        box=tuple(read_data(setup, _places(setup)) if listed else _box(setup)),
         neighbours=tuple(_neighbours(setup)),
-        created=tuple(_created(setup)),
-        sized=tuple(_sized(setup)),
+        created=() if listed else tuple(_created(setup)),
+        sized=() if listed else tuple(_sized(setup)),
         law=Law({"kn": setup.scene.contact.kn, **zeros}),
         integrated=tuple(_integrated(setup)),
         last=tuple(_locks(setup)),
         motion_notes=tuple(_motion_notes(setup)),
         notes=() if setup.moving.all() else (frozen,),
     )
+
+
+def _box(setup: Setup) -> Iterator[str]:
+    yield f"region          box block {bounds(*setup.room.outer)} units box"
+    yield "create_box      1 box"
 
 
 def _neighbours(setup: Setup) -> Iterator[str]:
@@ -65,11 +69,16 @@ def meets_again(setup: Setup) -> bool:
 
 def _created(setup: Setup) -> Iterator[str]:
     """Atoms in body order, so that ids are sphere numbers from 1."""
+    for place in _places(setup).tolist():
+        yield f"create_atoms    1 single {numbers(place)} units box"
+
+
+def _places(setup: Setup) -> Vector:
+    """Where spheres are created (n, 3) [m]: before they slide to where they start."""
     places = np.array(setup.spheres.position)
     for i, way in setup.slides.items():
         places[i] -= way
-    for place in places.tolist():
-        yield f"create_atoms    1 single {numbers(place)} units box"
+    return places
 
 
 def _sized(setup: Setup) -> Iterator[str]:

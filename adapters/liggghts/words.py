@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 
 import numpy as np
 
 from vv.scene import Vector
 
 AXES = "xyz"
+FEW = 100  # ids that are all named
 
 
 def numbers(values: Iterable[float]) -> str:
@@ -21,8 +22,14 @@ def bounds(low: Vector, high: Vector) -> str:
     return numbers(np.column_stack([low, high]).ravel())
 
 
-def group(name: str, indices: Iterable[int]) -> str:
-    """The command that names spheres of these indices; ids count from 1."""
+def group(name: str, indices: Sequence[int]) -> str:
+    """The command that names spheres of these indices; ids count from 1.
+
+    Many that follow each other are a range: LIGGGHTS looks through all for each that it is told.
+    """
+    first, many = min(indices), len(indices)
+    if many > FEW and list(indices) == list(range(first, first + many)):
+        return f"group           {name} id <> {first + 1} {first + many}"
     return f"group           {name} id {' '.join(str(i + 1) for i in indices)}"
 
 
