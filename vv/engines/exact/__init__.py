@@ -101,8 +101,7 @@ def move(problem: Problem, duration: float) -> Path | Slide | Turn:
 
 def warm(problem: Problem) -> None:
     """Load the kernel that a problem needs, or compile it."""
-    if not isinstance(problem, Slider):
-        move(problem, 0.0)
+    move(problem, 1e-300)
 
 
 def model(scene: Scene, problem: Problem) -> Model:

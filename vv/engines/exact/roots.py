@@ -13,16 +13,6 @@ from vv.scene import Vector
 EPS = 2.0**-52
 
 
-def bernstein(order: int) -> Vector:
-    """The matrix (k, i) from coefficients of x^k to those of the Bernstein polynomials.
-
-    On [0, 1] a polynomial stays between the least and the greatest of the latter.
-    """
-    ranks = range(order + 1)
-    rows = [[math.comb(i, k) / math.comb(order, k) for i in ranks] for k in ranks]
-    return np.array(rows)
-
-
 def first_descent_below_zero(c: Sequence[float], band: float, end: float) -> float | None:
     """The zero after which p(x) = c[0] + c[1] x + ... first falls below -band in [0, end].
 

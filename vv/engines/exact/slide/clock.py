@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import math
 from dataclasses import dataclass
 from fractions import Fraction
@@ -63,6 +64,21 @@ class Clock:
         ]
         return np.array([1.0, *map(math.sin, angles), *map(math.cos, angles)])
 
+    @functools.cached_property
+    def turn(self) -> Vector:
+        """How far each sine turns in a cell (k,) [rad]."""
+        return 2 * np.pi * np.array([a / b for a, b in self.turns]).reshape(len(self.phase))
+
+    def angles(self, cells: int) -> Vector:
+        """The phase of each sine where a cell starts (cells, k) [rad], as sharp in the last."""
+        cell = np.arange(cells)
+        begun = np.empty((cells, len(self.phase)))
+        for i, (a, b) in enumerate(self.turns):
+            fits = max(a, b) * cells < 2**63
+            whole = (a * cell) % b if fits else [(a * n) % b for n in range(cells)]
+            begun[:, i] = 2 * np.pi * (np.asarray(whole, float) / b) + self.phase[i]
+        return begun
+
     def waves_at(self, times: Vector) -> Vector:
         """The same at times (t,) [s]: (t, 1 + 2k)."""
         turns = times.astype(np.longdouble)[:, None] * self.frequency
@@ -74,9 +90,10 @@ class Clock:
 
         The variable counts cells: sin(b + c x) = sin b cos c x + cos b sin c x.
         """
-        k, rank = len(self.phase), np.arange(ORDER + 1)
-        quick = 2 * np.pi * np.array([a / b for a, b in self.turns]).reshape(k)
-        size = quick ** rank[:, None] / np.array([float(math.factorial(n)) for n in rank])[:, None]
+        rank = np.arange(ORDER + 1)
+        size = (
+            self.turn ** rank[:, None] / np.array([float(math.factorial(n)) for n in rank])[:, None]
+        )
         size *= np.where(rank // 2 % 2, -1.0, 1.0)[:, None]
         even = (rank % 2 == 0)[:, None]
         maps = np.hstack((np.zeros((ORDER + 1, 1)), row[1:] * size * even, row[1:] * size * ~even))

@@ -4,67 +4,47 @@ from __future__ import annotations
 
 import functools
 import itertools
-from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import NamedTuple
 
 import numpy as np
-import numpy.typing as npt
 
-from vv.engines.exact.modes import State
+from vv.engines.exact.modes import STATES, Index, States
 from vv.engines.exact.path import Event, taylor_sum
 from vv.engines.exact.slide.clock import Clock, Instant
 from vv.engines.exact.slide.system import Slider
 from vv.scene import Vector
 
 
-class SlidePiece(NamedTuple):
-    """Place = sum over k of series[k] x^k [m] for x in [0, end], in cells of the clock.
-
-    start: the instant of x = 0; state; waves: (1 + 2k,), those at its start.
-    """
-
-    start: Instant
-    end: float
-    series: Vector
-    state: State
-    waves: Vector
-
-
 @dataclass(frozen=True, eq=False)
 class Slide:
-    """A motion of p pieces, with the fields of SlidePiece stacked.
+    """A motion of p pieces: place = sum over k of series[k] x^k [m] for x in [0, end], in cells.
 
-    cell, part, end: (p,); series: (p, order + 1); waves: (p + 1, 1 + 2k), the last at the end.
+    cell, part, end: (p,), where a piece starts and its length in cells; series: (p, order + 1);
+    numbered: (p,) the states, by their place among STATES; last: the instant of the end.
     """
 
     slider: Slider
     clock: Clock
-    cell: npt.NDArray[np.int64]
+    cell: Index
     part: Vector
     end: Vector
     series: Vector
-    states: tuple[State, ...]
-    waves: Vector
+    numbered: Index
+    last: Instant
 
-    @classmethod
-    def joined(
-        cls, slider: Slider, clock: Clock, pieces: Sequence[SlidePiece], last: Instant
-    ) -> Slide:
-        """The path that pieces make, in order of time, to the last instant."""
-        return cls(
-            slider=slider,
-            clock=clock,
-            cell=np.array([piece.start[0] for piece in pieces]),
-            part=np.array([piece.start[1] for piece in pieces]),
-            end=np.array([piece.end for piece in pieces]),
-            series=np.array([piece.series for piece in pieces]),
-            states=tuple(piece.state for piece in pieces),
-            waves=np.array([*(piece.waves for piece in pieces), clock.waves(last)]),
-        )
+    @functools.cached_property
+    def states(self) -> States:
+        """The state of the contact in each piece."""
+        return tuple(STATES[state] for state in self.numbered.tolist())
+
+    @functools.cached_property
+    def waves(self) -> Vector:
+        """The waves of the clock where each piece starts, and at the end: (p + 1, 1 + 2k)."""
+        starts = zip(self.cell.tolist(), self.part.tolist(), strict=True)
+        return np.array([self.clock.waves(instant) for instant in (*starts, self.last)])
 
     def __len__(self) -> int:
-        return len(self.states)
+        return len(self.end)
 
     @functools.cached_property
     def events(self) -> tuple[Event, ...]:
