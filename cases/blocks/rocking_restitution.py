@@ -129,9 +129,9 @@ NOTE = (
     "The abstract gives ratios of measured to predicted restitution, 0.97, 0.95 and 0.67, with the "
     "word approximately and without scatter or the formula of the prediction, which is taken to be "
     "Housner's. Reading is half of the last digit, 0.005, and 0.01 stands for the scatter. Sizes "
-    "are chosen: restitution does not depend on them, or on gravity. The limestone blocks of "
-    "Vlachakis and others, 12 aspect ratios, would be better data; only their abstract could be "
-    "read. Ther and Kollar (2017) measured less loss than Housner's."
+    "are chosen: restitution does not depend on them, or on gravity. Limestone "
+    "blocks of 12 aspect ratios (Vlachakis and others) would be better data; only their abstract "
+    "could be read. Others found less loss than Housner's (Ther and Kollar 2017)."
 )
 FORMULA = "e = 1 - 3/2 sin^2(alpha), tan(alpha) = b/h"
 CASE = Case(
