@@ -11,6 +11,7 @@ from reports.marks import Mark, marks
 from reports.text import slug
 from vv.base.metrics import Vector
 from vv.gate.judgement import judgement
+from vv.insight.against_measurements import Agreement, agreements
 from vv.insight.diagnosis import Diagnosis, diagnoses
 from vv.insight.effort import Effort, every_effort
 from vv.insight.history import Point
@@ -103,6 +104,14 @@ class Book:
     def has_measurements(self) -> bool:
         """Whether something was compared with a measurement."""
         return any(one.measurement for r in self.manifest.records for one in r.quantities)
+
+    @functools.cached_property
+    def agreements(self) -> dict[Place, list[Agreement]]:
+        """(case, variant) -> what each scheme gives beside what was measured."""
+        found: dict[Place, list[Agreement]] = {}
+        for one in agreements(self.manifest):
+            found.setdefault((one.case, one.variant), []).append(one)
+        return found
 
     def page_of_code(self, code: str) -> str:
         """The file of a code's page."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 import numpy as np
 
@@ -20,6 +20,7 @@ from vv.case import (
     Level,
     Parameter,
     Parameters,
+    RegionMap,
     Scalar,
     Source,
     Tolerance,
@@ -37,6 +38,8 @@ STEPS = ((20, 1e10), (40, 1e10), (40, 1e11), (80, 1e11))  # in the duration, and
 NEAR, AWAY = 0.5, 2.0  # degrees from a border: points beside it, and at least, all others
 STEEPEST, SLENDEREST, STOUTEST = 75.0, 6.0, 70.0  # degrees: psi and delta of the chart
 SEVERAL, UNDER_GRAVITY = 22, 17  # points for a friction angle, and for a slope
+FINE = 40  # places along a curved border
+MODES = "stays", "slides", "topples", "slides and topples"
 FREE = np.ones(3, bool)
 IN_PLANE, ACROSS = np.array([True, False, True]), np.array([False, True, False])
 
@@ -156,7 +159,19 @@ def _declare(variant: str, p: Parameters) -> Trial:
     levels = {Level.QUICK: rungs[:2], Level.DEFAULT: rungs[:3], Level.PAPER: rungs}
     study = Ladder(_scene(variant, p, points), goal, seen, levels)
     modes = tuple(_mode(number, point, p) for number, point in enumerate(points))
-    return Trial(study, (_worst(points, p), _agreeing(points, p), *modes))
+    asked = {mode.name: point for mode, point in zip(modes, points, strict=True)}
+    chart = _chart(p["phi"], asked)
+    return Trial(study, (_worst(points, p), _agreeing(points, p), *modes), regions=chart)
+
+
+def _chart(phi: float, points: Mapping[str, Point]) -> RegionMap:
+    """The chart of a friction angle: where modes meet, exactly."""
+    steep, stout = max(STEEPEST, phi), max(STOUTEST, phi)
+    slender = np.linspace(0.1, phi, FINE, endpoint=False).tolist()
+    joins = [(first_motion.slip_joins(phi, delta), delta) for delta in slender] + [(phi, phi)]
+    borders: list[tuple[Point, ...]] = [((0.0, 0.0), (phi, phi)), tuple(joins)]
+    borders += [((phi, phi), (phi, stout)), ((phi, phi), (steep, phi))]
+    return RegionMap("psi [degrees]", "delta [degrees]", MODES, tuple(borders), points)
 
 
 def _stiff(p: Parameters) -> float:

@@ -18,8 +18,10 @@ from reports.variant.absences import Absent, Silent, absent, silent
 from reports.variant.advice import Advice, advice
 from reports.variant.costs import CostRow, cost_rows
 from reports.variant.inputs import Input, inputs
+from reports.variant.measurements import MeasuredRow, measured_figures, measured_rows
 from reports.variant.models import Modelled, Told, models
 from reports.variant.ranking import Dear, Ranked, cheapest, ranked, why_colours_differ
+from reports.variant.region_figures import region_figures
 from reports.variant.settings import Group, groups
 from vv.case import Norm
 from vv.insight.voices import votes
@@ -67,6 +69,7 @@ class Variant:
     absent: Sequence[Absent]
     silent: Sequence[Silent]
     models: Sequence[Modelled]
+    measured: Sequence[MeasuredRow]
     figures: Sequence[Figure]
     playback: str
     like: str
@@ -127,7 +130,12 @@ def variant(book: Book, place: Place, above: Above) -> Variant:
         absent=missing,
         silent=silent(missing, name, above.reasons),
         models=models(rows, name, above.models),
-        figures=[] if like else _figures(book, facts, own),
+        measured=measured_rows(book, place),
+        figures=[
+            *measured_figures(book, place),
+            *region_figures(facts, book.ran.get(place, {}), book.marks),
+            *([] if like else _figures(book, facts, own)),
+        ],
         playback="" if like else playback(curves, facts),
         like=like,
         has_series=bool(curves),

@@ -27,6 +27,7 @@ from vv.case.judges import (
 )
 from vv.case.measured import Measured, Measurement
 from vv.case.quantity import Count, Quantity, Scalar, Series, at_rest, error_scale, evaluated
+from vv.case.region_map import RegionMap
 from vv.case.study import (
     Grid,
     Ladder,
@@ -57,6 +58,7 @@ __all__ = [
     "Parameter",
     "Parameters",
     "Quantity",
+    "RegionMap",
     "Scalar",
     "Search",
     "Series",

@@ -11,6 +11,7 @@ from types import MappingProxyType
 from vv.ask import Knobs, Method
 from vv.case.judges import Tolerance
 from vv.case.quantity import Quantity
+from vv.case.region_map import RegionMap
 from vv.case.study import Level, Study
 
 Parameters = Mapping[str, float]
@@ -86,11 +87,15 @@ class Unexplained:
 
 @dataclass(frozen=True, eq=False)
 class Trial:
-    """A variant with values for all parameters: the study to run and the quantities to judge."""
+    """A variant with values for all parameters: the study to run and the quantities to judge.
+
+    regions: the map of regions that some of the quantities ask points of, for the report.
+    """
 
     study: Study
     quantities: tuple[Quantity, ...]
     unexplained: Unexplained | None = None
+    regions: RegionMap | None = None
 
 
 class Check(enum.Enum):

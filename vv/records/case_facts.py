@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from vv.case import Check, Parameter, Source
+from vv.case import Check, Parameter, RegionMap, Source
 from vv.records.fields import optional
 from vv.records.outcomes import JudgeKind
 from vv.scene.sketch import Sketch
@@ -50,7 +50,7 @@ class VariantFacts:
     """A variant: its physics in words, its terms, and what is judged.
 
     critical: (kn [N/m] or None, step [s]) what the steps of a map are multiples of. sketch: of the
-    scene, None in what was kept before there were any.
+    scene, None in what was kept before there were any. regions: the map that its quantities ask.
     """
 
     summary: str
@@ -61,6 +61,7 @@ class VariantFacts:
     quantities: tuple[QuantityFacts, ...]
     critical: tuple[tuple[float | None, float], ...] = optional(())
     sketch: Sketch | None = optional(None)  # noqa: RUF009  # None is frozen
+    regions: RegionMap | None = optional(None)  # noqa: RUF009
 
 
 @dataclass(frozen=True, slots=True)

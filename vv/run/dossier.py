@@ -40,6 +40,7 @@ def _variant(variant: Variant, trial: Trial) -> VariantFacts:
         quantities=tuple(_quantity(quantity) for quantity in trial.quantities),
         critical=_critical(trial.study),
         sketch=sketch(scene),
+        regions=trial.regions,
     )
 
 

@@ -4,6 +4,7 @@ import dataclasses
 
 import pytest
 
+from reference_solutions.blocks import first_motion
 from vv.ask import Method, Run
 from vv.case import Level, Trial
 from vv.engines import rigid
@@ -66,3 +67,20 @@ def test_all_points_of_the_paper_s_charts_are_there() -> None:
 def test_what_the_chart_does_not_cover_is_refused(name: str, value: float, message: str) -> None:
     with pytest.raises(ValueError, match=message):
         CASE.declare("2d-20", {**CASE.defaults("2d-20"), name: value})
+
+
+@pytest.mark.parametrize("variant", ["2d-30", "3d-6"])
+def test_modes_change_across_every_border_of_the_chart(variant: str) -> None:
+    given = CASE.defaults(variant)
+    chart = CASE.declare(variant, given).regions
+    assert chart is not None
+    for border in chart.borders:
+        (x, y), (u, v) = border[0], border[1]
+        psi, delta = (u, v) if len(border) > 2 else (0.5 * (x + u), 0.5 * (y + v))
+        across = (-1e-3, 1e-3) if x == u else (0.0, 0.0)
+        down = (0.0, 0.0) if x == u else (-1e-3, 1e-3)
+        sides = {
+            first_motion.mode(psi=psi + a, phi=given["phi"], delta=delta + b)
+            for a, b in zip(across, down, strict=True)
+        }
+        assert len(sides) == 2

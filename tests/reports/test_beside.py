@@ -1,0 +1,90 @@
+"""Claims about figures of one kind of case: what was measured, and maps of regions."""
+
+from __future__ import annotations
+
+import dataclasses
+import re
+from pathlib import Path
+
+import pytest
+
+from reports import html
+from tests.support.fabricated import case, changed, entry, manifest, record
+from vv.case import RegionMap
+from vv.records.case_facts import VariantFacts
+from vv.records.job_record import Record
+from vv.records.manifest import Manifest
+from vv.records.quantity import MeasurementFacts
+from vv.store.store import Store
+
+BORDER = ((0.0, 0.0), (30.0, 30.0))
+
+
+def of(facts: VariantFacts, *records: Record) -> Manifest:
+    """These records of a case whose first variant is as these facts say."""
+    variants = {**case().variants, "T1": facts}
+    return dataclasses.replace(
+        manifest(*records), cases={"bounce": dataclasses.replace(case(), variants=variants)}
+    )
+
+
+def test_measured_values_stand_with_their_bars_and_charts_name_the_quantity(
+    tmp_path: Path,
+) -> None:
+    facts = case().variants["T1"]
+    (one,) = facts.quantities
+    kept = [
+        changed(
+            one, name=f"et-{angle}", symbol="e_t", unit="", meaning=f"restitution at {angle} deg"
+        )
+        for angle in (10, 20)
+    ]
+    seen = MeasurementFacts(0.75, 0.03, 0.04, "dry", "somebody", 0.1)
+    entries = [
+        entry("pass", {}, name=q.name, unit="", judge="measured", value=0.8125, kind="scalar",
+              measurement=seen)
+        for q in kept
+    ]  # fmt: skip
+    whole = of(changed(facts, quantities=kept), record("a/a", "T1", 1e-3, quantities=entries))
+    folder = html.build(whole, Store(tmp_path / ".vv"), tmp_path / "r").parent
+    for name in ("case-bounce.html", "measured.html"):
+        page = (folder / name).read_text()
+        assert "<h3>Restitution e_t: computed over measured</h3>" in page
+        assert "measured e_t</text>" in page
+        assert "a/a, et-10: computed 0.8125, measured 0.75 ± 0.05" in page
+    cells = re.sub(r"<[^>]*>", " ", (folder / "case-bounce.html").read_text())
+    assert re.search(r"restitution at 20 deg\s+0.75 ± 0.1\s+0.1\s+0.8125", cells)
+
+
+def test_a_map_of_regions_has_its_borders_and_marks_what_is_not_found_right(
+    tmp_path: Path,
+) -> None:
+    points = {"p": (10.0, 20.0), "q": (20.0, 10.0)}
+    chart = RegionMap("psi [deg]", "delta [deg]", ("stays", "topples"), (BORDER,), points)
+    facts = dataclasses.replace(case().variants["T1"], regions=chart)
+    entries = [
+        entry("pass", {}, name=name, kind="count", unit="", value=value, reference=exact)
+        for name, value, exact in (("p", 0, 0), ("q", 0, 1))
+    ]
+    whole = of(facts, record("a/a", "T1", 1e-3, quantities=entries))
+    page = html.build(whole, Store(tmp_path / ".vv"), tmp_path / "r").with_name("case-bounce.html")
+    text = page.read_text()
+    assert "a/a: 1 of 2" in text
+    assert text.count('class="border"') == text.count('class="mode wrong"') == 1
+    for word in ("stays", "topples", "psi [deg]", "delta [deg]"):
+        assert f">{word}</text>" in text
+
+
+@pytest.mark.parametrize(
+    ("changes", "said"),
+    [
+        ({"borders": (((0.0, 0.0),),)}, r"borders\[0\] = .*two places or more"),
+        ({"points": {"p": (float("nan"), 0.0)}}, "places must be finite"),
+    ],
+)
+def test_a_map_of_regions_names_what_is_wrong_with_it(
+    changes: dict[str, object], said: str
+) -> None:
+    chart = RegionMap("x", "y", ("stays",), (BORDER,), {})
+    with pytest.raises(ValueError, match=said):
+        dataclasses.replace(chart, **changes)  # type: ignore[arg-type]
