@@ -14,6 +14,7 @@ from markupsafe import Markup, escape
 
 from reports import text
 from reports.book import Book
+from reports.formula import typeset
 from reports.looks import defined, glyph, palette
 from reports.norms import NORM_NAMES
 from reports.outcomes import WORST_FIRST, ShownOutcome
@@ -52,6 +53,7 @@ FILTERS = (
     text.alike,
     text.sort_key,
     text.within,
+    typeset,
 )
 
 
