@@ -76,6 +76,9 @@ SHAPES: tuple[Polygon, ...] = (
 )
 
 
+UNNUMBERED = -1  # the number of what is no scheme, and has the colour of its curve only
+
+
 @dataclass(frozen=True)
 class Mark:
     """The look of one code/scheme. colour: index of COLOURS; shape: corners within about the

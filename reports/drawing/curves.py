@@ -10,7 +10,7 @@ from markupsafe import Markup, escape
 from reports.drawing.axes import Axis, linear_axis, log_axis
 from reports.drawing.charts import Chart, Curve, Mask, Rim
 from reports.drawing.svg import drawing, number, path, placed, text, thinned, title
-from reports.marks import Mark
+from reports.marks import UNNUMBERED, Mark
 from vv.base.metrics import Vector
 
 WIDTH, HEIGHT = 470.0, 290.0
@@ -94,6 +94,8 @@ def _curve(curve: Curve, x: Axis, y: Axis, size: float, name: str) -> str:
 def _group(mark: Mark, inner: str, size: float = SMALL) -> str:
     """What belongs to a code/scheme; size: radius of its markers, where it is not the usual."""
     large = f' stroke-width="{size:.1f}"' if size != SMALL else ""
+    if mark.number == UNNUMBERED:
+        return f'<g class="key c{mark.colour}" data-k="{escape(mark.label)}">{inner}</g>'
     return f'<g class="k{mark.number}"{large}>{inner}</g>'
 
 

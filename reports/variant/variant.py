@@ -10,6 +10,7 @@ from markupsafe import Markup
 from reports.book import Book, Place
 from reports.drawing import collect
 from reports.drawing.collect import History
+from reports.drawing.energies import JOULE, energy_figures
 from reports.drawing.gallery import Figure, figures
 from reports.drawing.playback import playback
 from reports.outcomes import ShownOutcome, counted, shown_outcome
@@ -26,7 +27,7 @@ from reports.variant.settings import Group, groups
 from vv.case import Norm
 from vv.insight.voices import votes
 from vv.output.gallery.scene_drawing import again, picture
-from vv.records.case_facts import VariantFacts
+from vv.records.case_facts import QuantityFacts, VariantFacts
 from vv.records.job_record import Record
 from vv.records.reading import fineness
 from vv.records.recorded import RecordedResult
@@ -138,7 +139,7 @@ def variant(book: Book, place: Place, above: Above) -> Variant:
         ],
         playback="" if like else playback(curves, facts),
         like=like,
-        has_series=bool(curves),
+        has_series=any(book.arrays(r.key) for r in own if r.quantities),
         advice=advice(book.efforts.get(place, [])),
         costs=cost_rows(book, place),
         inputs=inputs(book, place, above.inputs),
@@ -159,21 +160,27 @@ def _first_curves(book: Book, facts: VariantFacts, own: Sequence[Record]) -> lis
     """The first quantity over time in each scheme."""
     if not facts.quantities:
         return []
-    return collect.histories(own, facts.quantities[0].name, book.marks, book.arrays)
+    return _over_time(book, facts.quantities[0], own)
 
 
 def _figures(book: Book, facts: VariantFacts, own: Sequence[Record]) -> list[Figure]:
-    made: list[Figure] = []
+    energies = {q.name: _over_time(book, q, own) for q in facts.quantities if q.unit == JOULE}
+    made = energy_figures(energies, facts.quantities)
+    drawn = bool(made)
     for number, quantity in enumerate(facts.quantities):
         measured = [one for r in own if (one := r.quantity(quantity.name))]
         if not measured:
             continue
         norm = next((one.norm for one in measured if one.norm), Norm.MAX)
-        many = number >= SEVERAL
-        curves = [] if many else collect.histories(own, quantity.name, book.marks, book.arrays)
+        many = number >= SEVERAL or (drawn and quantity.name in energies)
+        curves = [] if many else _over_time(book, quantity, own)
         steps = collect.ladders(own, quantity.name, book.marks)
         made += figures(curves, steps, quantity, norm, dict(facts.critical))
     return made
+
+
+def _over_time(book: Book, quantity: QuantityFacts, own: Sequence[Record]) -> list[History]:
+    return collect.histories(own, quantity.name, book.marks, book.arrays)
 
 
 def _recorded(results: Sequence[RecordedResult], facts: VariantFacts) -> list[Recorded]:

@@ -6,13 +6,14 @@ import dataclasses
 import re
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from reports import html
 from tests.support.fabricated import case, changed, entry, manifest, record
 from vv.case import RegionMap
 from vv.records.case_facts import VariantFacts
-from vv.records.job_record import Record
+from vv.records.job_record import Record, summary_of
 from vv.records.manifest import Manifest
 from vv.records.quantity import MeasurementFacts
 from vv.store.store import Store
@@ -88,3 +89,25 @@ def test_a_map_of_regions_names_what_is_wrong_with_it(
     chart = RegionMap("x", "y", ("stays",), (BORDER,), {})
     with pytest.raises(ValueError, match=said):
         dataclasses.replace(chart, **changes)  # type: ignore[arg-type]
+
+
+def test_energies_share_a_chart_over_time_for_each_scheme(tmp_path: Path) -> None:
+    facts = case().variants["T1"]
+    (one,) = facts.quantities
+    forms = {"E_k": "kinetic energy", "W": "work"}
+    kept = [
+        changed(one, name=name, symbol=name, unit="J", meaning=meaning)
+        for name, meaning in forms.items()
+    ]
+    entries = [entry("no-reference", {}, name=name, unit="J", norm=None) for name in forms]
+    store, made = Store(tmp_path / ".vv"), record("a/a", "T1", 1e-3, quantities=entries)
+    t = np.linspace(0.0, 1.0, 9)
+    store.keep_summary(made.key, summary_of(made), {"t": t, "E_k.value": t, "W.value": 3 * t})
+    whole = of(changed(facts, quantities=kept), made)
+    page = html.build(whole, store, tmp_path / "r").with_name("case-bounce.html").read_text()
+    assert page.count("<h3>Energy over time in a/a</h3>") == 1
+    assert "E_k [J] over time" not in page  # it stands in the chart of all forms
+    for name, meaning in forms.items():
+        assert f'data-k="{name}"' in page
+        assert f"{name}: {meaning}" in page
+    assert "not in the store" not in page
