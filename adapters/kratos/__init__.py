@@ -1,4 +1,4 @@
-"""Kratos' DEM application as a code of the framework: spheres on linear springs."""
+"""Kratos' DEM application as a code of the framework: spheres on linear springs or by Hertz."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from vv.scene import Term, why_load_is_no_lock, with_loads_for_locks
 DEFAULT = Scheme(
     "default",
     "velocity Verlet for places, rotation by direct integration; linear springs of given "
-    "stiffness, and Coulomb friction",
+    "stiffness or contacts by Hertz, and Coulomb friction",
     Method.LEAPFROG,
     frozenset(
         {
@@ -24,6 +24,7 @@ DEFAULT = Scheme(
             Term.SPHERE_CONTACT,
             Term.WALL_CONTACT,
             Term.FRICTION,
+            Term.HERTZ,
             Term.GRAVITY,
             Term.LOAD,
             Term.ROTATION,
@@ -36,7 +37,8 @@ DEFAULT = Scheme(
 HOME = Home("kratos", ("kratosdemapplication", "kratosmultiphysics"))
 DRIVER = Driver(HOME, Path(__file__).with_name("driver.py"))
 NOTES = (
-    "law DEM_D_Linear_Custom_Constants, its stiffnesses as properties of the contacts",
+    "law DEM_D_Linear_Custom_Constants, its stiffnesses as properties of the contacts, or "
+    "DEM_D_Hertz_viscous_Coulomb, by a material whose contacts have these moduli",
     "masses and inertias as given, weights and loads as one external force on each sphere",
     "the force at t = 0 stated for the first half step",
     "each wall a rigid face of four corners, far larger than the scene",

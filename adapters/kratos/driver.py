@@ -1,4 +1,4 @@
-"""Solves an ask with Kratos' DEM application: spheres on linear springs, velocity Verlet.
+"""Solves an ask with Kratos' DEM application: spheres on springs or by Hertz, velocity Verlet.
 
 An ask is what `adapters.kratos.plan` writes. Kratos derives masses from densities: here each sphere
 gets its mass and inertia after that, and weight and loads as one force. Its solver is called step
@@ -20,6 +20,7 @@ from vv.codes.served import Plan, Stopwatch, serve
 FILE = "spheres"  # the name of Kratos' input files, in the folder where it runs
 FACE = 1_000_000  # numbers of the nodes of walls begin there
 AXES = "XYZ"
+SPRINGS, HERTZ = "DEM_D_Linear_Custom_Constants", "DEM_D_Hertz_viscous_Coulomb"
 Kratos.Logger.GetDefaultOutput().SetSeverity(Kratos.Logger.Severity.WARNING)
 
 
@@ -137,12 +138,14 @@ def write_input(ask: Plan) -> None:
 
 
 def materials(ask: Plan) -> Plan:
-    """One material of spheres and one of walls; stiffnesses are properties of their contacts."""
+    """One material of spheres and one of walls; stiffnesses are properties of their contacts.
+
+    Without springs spheres and walls are elastic alike, which is what contacts follow from.
+    """
+    elastic = "young" in ask["law"]
     law = {
-        "DEM_DISCONTINUUM_CONSTITUTIVE_LAW_NAME": "DEM_D_Linear_Custom_Constants",
+        "DEM_DISCONTINUUM_CONSTITUTIVE_LAW_NAME": HERTZ if elastic else SPRINGS,
         "DEM_ROLLING_FRICTION_MODEL_NAME": "DEMRollingFrictionModelConstantTorque",
-        "K_NORMAL": ask["kn"],
-        "K_TANGENTIAL": ask["ks"],
         "STATIC_FRICTION": ask["mu"],
         "DYNAMIC_FRICTION": ask["mu"],
         "FRICTION_DECAY": 500.0,
@@ -154,9 +157,12 @@ def materials(ask: Plan) -> Plan:
         "IMPACT_WEAR_SEVERITY": 0.0,
         "BRINELL_HARDNESS": 1.0,
     }
-    sphere = {"PARTICLE_DENSITY": 1000.0, "YOUNG_MODULUS": 1e9, "POISSON_RATIO": 0.2}
-    wall = {"YOUNG_MODULUS": 1e20, "POISSON_RATIO": 0.2, "COMPUTE_WEAR": False}
-    springs = {"K_NORMAL": ask["kn"], "K_TANGENTIAL": ask["ks"]}
+    young, poisson = ask["law"].get("young", 1e9), ask["law"].get("poisson", 0.2)
+    sphere = {"PARTICLE_DENSITY": 1000.0, "YOUNG_MODULUS": young, "POISSON_RATIO": poisson}
+    stiff = young if elastic else 1e20
+    wall = {"YOUNG_MODULUS": stiff, "POISSON_RATIO": poisson, "COMPUTE_WEAR": False}
+    springs = {} if elastic else {"K_NORMAL": ask["law"]["kn"], "K_TANGENTIAL": ask["law"]["ks"]}
+    law |= springs
     return {
         "materials": [
             {"material_name": "sphere", "material_id": 1, "Variables": sphere | springs},

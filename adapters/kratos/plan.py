@@ -9,6 +9,8 @@ import numpy as np
 from vv.ask import Ask
 from vv.codes import behind_wall, no_sphere, turned_spin_lock
 from vv.scene import (
+    Contact,
+    Hertz,
     Scene,
     Vector,
     Wall,
@@ -30,6 +32,7 @@ def refusal(ask: Ask) -> str | None:
         or why_locks_need_more_than_loads(scene)
         or turned_spin_lock(scene, "Kratos locks its own axes only")
         or behind_wall(scene)
+        or _no_material(scene.contact)
     )
 
 
@@ -38,6 +41,14 @@ def _locked_spin(scene: Scene) -> str | None:
     if np.where(spheres.free_spin, 0.0, spheres.spin @ scene.axes.T).any():
         return "a sphere has a spin in a locked freedom, which Kratos would maintain"
     return None
+
+
+def _no_material(contact: Contact) -> str | None:
+    """Why no material has the moduli of a contact; springs are given as they are."""
+    law = contact.hertz
+    if law is None or (3 * law.shear_modulus < law.modulus and -1.0 < _poisson(law) < 0.5):
+        return None
+    return "Kratos takes materials, and none with a ratio of Poisson's has these moduli of contacts"
 
 
 def plan(ask: Ask) -> dict[str, Any]:
@@ -66,8 +77,7 @@ def plan(ask: Ask) -> dict[str, Any]:
         "dt": ask.dt,
         "steps": ask.goal.steps(ask.dt),
         "stride": ask.goal.stride(ask.dt),
-        "kn": float(contact.kn),
-        "ks": float(contact.ks) if contact.carries_shear else float(contact.kn),
+        "law": _springs(contact) if contact.hertz is None else _moduli(contact.hertz),
         "mu": float(contact.mu) if contact.carries_shear else 0.0,
         "spheres": [dict(zip(columns, row, strict=True)) for row in rows],
         "walls": [_corners(wall, half, scene).tolist() for wall in scene.walls],
@@ -75,6 +85,25 @@ def plan(ask: Ask) -> dict[str, Any]:
             [type(seen).__name__.lower(), scene.sphere_index(seen.body)] for seen in ask.observables
         ],
     }
+
+
+def _springs(contact: Contact) -> dict[str, float]:
+    return {"kn": contact.kn, "ks": contact.ks if contact.carries_shear else contact.kn}
+
+
+def _moduli(hertz: Hertz) -> dict[str, float]:
+    """Young's modulus [Pa] and Poisson's ratio of spheres and walls whose contacts have these.
+
+    Of two bodies alike 1/E is 2 (1 - nu^2)/Young, and 1/G is 4 (2 - nu)(1 + nu)/Young.
+    """
+    poisson = _poisson(hertz)
+    return {"young": 2.0 * hertz.modulus * (1.0 - poisson**2), "poisson": poisson}
+
+
+def _poisson(hertz: Hertz) -> float:
+    """Poisson's ratio, by G/E = (1 - nu)/(4 - 2 nu); 0 without tangential stiffness."""
+    ratio = hertz.shear_modulus / hertz.modulus or 0.25
+    return (1.0 - 4.0 * ratio) / (1.0 - 2.0 * ratio)
 
 
 def _half(ask: Ask, scene: Scene) -> float:
