@@ -60,6 +60,7 @@ def bare(setup: Setup) -> Given:
         "gravity": [0.0, 0.0, 0.0],
         "drag": 0.0,
         "shaking": [],
+        "ends": None,
         "charged": [],
         "bonds": [],
         "observe": [[type(seen).__name__.lower(), seen.body] for seen in setup.watched],

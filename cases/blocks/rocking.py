@@ -290,7 +290,7 @@ def _threshold(p: Parameters, law: Law, w: float, most: float) -> Scalar:
 
 
 COARSE = 1e-3  # s
-RUNGS = tuple(Knobs(COARSE / 2**i, 1e10) for i in range(3))
+RUNGS = tuple(Knobs(COARSE / part, 1e10) for part in (1, 2, 4, 20))  # explicit codes bear the last
 LEVELS = {Level.QUICK: RUNGS[:2], Level.DEFAULT: RUNGS, Level.PAPER: RUNGS}
 SPRUNG = (
     "springs lengthen every impact and give back what they please, by stiffness and step: like "

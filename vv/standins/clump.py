@@ -87,7 +87,7 @@ def why_no_clump(ask: Ask) -> str | None:
     if reason is not None:
         return reason
     made = clump(ask, spring_scene(locked))
-    return _tips(made) or _sinks(made, ask)
+    return _tips(made) or _sinks(made, ask) or _hurries(made, ask)
 
 
 def _no_face(block: Block, wall: Wall) -> str | None:
@@ -117,6 +117,33 @@ def _sinks(made: Clump, ask: Ask) -> str | None:
         f"kn = {ask.knobs.kn:g} N/m lets a corner sink by {made.radius - lowest:.3g} m at t = 0, "
         f"through its sphere of {made.radius:g} m"
     )
+
+
+def _hurries(made: Clump, ask: Ask) -> str | None:
+    """Why a step would be too long: springs of corners throw up a block that turns, or lean it."""
+    block, law = made.block, made.springs.scene.contact
+    if ask.dt is None or not block.free_spin.any():
+        return None
+    normal, count = ask.scene.walls[0].normal, len(made.corners)
+    along = np.outer(normal, normal)
+    spring = (law.kn * along + law.ks * (np.eye(3) - along)) / count
+    moved = [np.hstack([np.eye(3), _turning(foot)]) for foot in made.corners - block.centroid()]
+    stiff = np.sum([each.T @ spring @ each for each in moved], axis=0)
+    mass = np.zeros((6, 6))
+    mass[:3, :3], mass[3:, 3:] = block.mass * np.eye(3), block.inertia
+    free = np.concatenate([block.free, block.free_spin])
+    own = np.ix_(free, free)
+    squares: Vector = np.linalg.eigvals(np.linalg.solve(mass[own], stiff[own])).real
+    longest = 2.0 / float(np.sqrt(squares.max()))
+    if ask.dt < longest:
+        return None
+    return f"dt = {ask.dt:g} s; the springs of its corners are stable up to {longest:.3g} s"
+
+
+def _turning(arm: Vector) -> Vector:
+    """(3, 3): how a point moves as the body turns, minus the cross product of its arm."""
+    x, y, z = arm
+    return np.array([[0.0, z, -y], [-z, 0.0, x], [y, -x, 0.0]])
 
 
 def _feet(block: Block, wall: Wall, size: float) -> Vector:

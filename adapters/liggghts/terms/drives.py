@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 
 import numpy as np
@@ -9,7 +10,9 @@ import numpy as np
 from adapters.liggghts.sections import Deck
 from adapters.liggghts.setup import Setup
 from adapters.liggghts.words import AXES, group
-from vv.scene import Harmonic
+from vv.scene import Harmonic, Pulse
+
+ON_TIME = 1e-6  # of a step: what a time may be later than a step and still be its own
 
 
 def shaken(deck: Deck, setup: Setup) -> Deck:
@@ -19,14 +22,25 @@ def shaken(deck: Deck, setup: Setup) -> Deck:
         name = f"shake{number}"
         commands.append(group(name, those))
         if setup.scene.wave is not None:
-            commands += _force(name, setup.scene.wave, mass, setup.ask.dt)
+            commands += _force(name, setup.scene.wave, mass, setup.ask.dt, _acts(setup))
     note = "body accelerations by fix addforce at the time of the positions"
     return deck.with_more(forces=commands, notes=[note])
 
 
-def _force(name: str, shaking: Harmonic, mass: float, dt: float) -> Iterator[str]:
+def _acts(setup: Setup) -> str:
+    """A factor that is 0 from the end of a pulse on; none for what lasts."""
+    pulse = setup.scene.shaking
+    if not isinstance(pulse, Pulse):
+        return ""
+    return f"*(step<{math.ceil(pulse.until / setup.ask.dt - ON_TIME)})"
+
+
+def _force(name: str, shaking: Harmonic, mass: float, dt: float, acts: str) -> Iterator[str]:
     """The commands for the force mass a(t) [N] on the group `name`, at the time of positions."""
-    yield from _variables(name, shaking, mass, "sin", f"step*{dt!r}")
+    yield from _variables(f"{name}_sine" if acts else name, shaking, mass, "sin", f"step*{dt!r}")
+    if acts:
+        for axis in AXES:
+            yield f"variable {name}_{axis} equal v_{name}_sine_{axis}{acts}"
     forces = " ".join(f"v_{name}_{axis}" for axis in AXES)
     yield f"fix {name} {name} addforce {forces}"
 

@@ -41,6 +41,7 @@ TRANSLATIONS: Mapping[Term, Callable[[Deck, Setup], Deck]] = {
     Term.BOND_SHEAR: in_every_deck,
     Term.RIGID_CONTACT: charged,
     Term.SHAKING: shaken,
+    Term.PULSE: in_every_deck,
     Term.BASE_MOTION: moving_walls,
 }
 """In this order: forces are added, and notes stand, as they come; walls want the whole law."""

@@ -11,6 +11,7 @@ def engines(ask: dict[str, Any], kinds: set[str]) -> list[Any]:
     """What YADE does in a step: contacts, drag and motion, and nothing the scene lacks."""
     return [
         yd.ForceResetter(),
+        *pulse_end(ask),
         *touching(ask, sorted(kinds)),
         *drag(ask),
         *shaking(ask),
@@ -102,6 +103,15 @@ def shaking(ask: dict[str, Any]) -> list[Any]:
         for sine in ask["shaking"]
         for mass, ids in moving(ask, "shaken").items()
     ]
+
+
+def pulse_end(ask: dict[str, Any]) -> list[Any]:
+    """What switches the sines off before the first step that they no longer act in."""
+    if ask["ends"] is None:
+        return []
+    sines = "(e for e in O.engines if isinstance(e, yd.HarmonicForceEngine))"
+    off = f"for e in {sines}: e.dead = True"
+    return [yd.PyRunner(command=off, iterPeriod=1, firstIterRun=ask["ends"], nDo=1)]
 
 
 def moving(ask: dict[str, Any], name: str) -> dict[float, list[int]]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 from typing import Any
 
@@ -9,8 +10,10 @@ import numpy as np
 
 from adapters.yade.given import Given
 from adapters.yade.setup import Setup
-from vv.scene import Harmonic
+from vv.scene import Harmonic, Pulse
 from vv.standins.soften import acceleration_of
+
+ON_TIME = 1e-6  # of a step: what a time may be later than a step and still be its own
 
 
 def shaken(given: Given, setup: Setup) -> Given:
@@ -19,6 +22,14 @@ def shaken(given: Given, setup: Setup) -> Given:
     note = "body accelerations by HarmonicForceEngine at the time of the positions"
     force = scene.spheres.mass[:, None] * acceleration_of(scene.wave)
     return given.with_more(note, force=force, shaking=sines(scene.wave))
+
+
+def pulsed(given: Given, setup: Setup) -> Given:
+    """A body acceleration that ends: the first step that it no longer acts in."""
+    pulse = setup.scene.shaking
+    assert isinstance(pulse, Pulse)
+    last = math.ceil(pulse.until / setup.ask.dt - ON_TIME)
+    return given.with_more(f"the body acceleration is switched off at step {last}", ends=last)
 
 
 def moving_walls(given: Given, setup: Setup) -> Given:

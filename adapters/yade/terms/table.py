@@ -8,7 +8,7 @@ from adapters.yade.given import Given, bare
 from adapters.yade.setup import Setup
 from adapters.yade.terms.bonds import bonds, sheared_bonds
 from adapters.yade.terms.contact import charged, friction, viscosity
-from adapters.yade.terms.drives import moving_walls, shaken
+from adapters.yade.terms.drives import moving_walls, pulsed, shaken
 from adapters.yade.terms.forces import carried, dead_loads, drag, gravity, oblique_locks
 from adapters.yade.terms.hertz import elastic, viscous
 from adapters.yade.terms.walls import walls
@@ -41,6 +41,7 @@ TRANSLATIONS: Mapping[Term, Callable[[Given, Setup], Given]] = {
     Term.OBLIQUE_LOCK: oblique_locks,
     Term.RIGID_CONTACT: charged,
     Term.SHAKING: shaken,
+    Term.PULSE: pulsed,
     Term.BASE_MOTION: moving_walls,
 }
 """In this order: forces are summed, and notes stand, as they come."""
