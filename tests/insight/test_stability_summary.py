@@ -120,3 +120,14 @@ def test_kinds_come_in_one_order_and_as_plain_data() -> None:
     told = codec.to_data(found)
     assert [one["kind"] for one in told] == ["step", "map", "count"]
     assert told[0]["label"] == "dem/default"
+
+
+def kept(value: float | None, **more: object) -> Record:
+    bound = {"judge": "invariant", "kind": "scalar", "tolerance": 1e-6, "value": value, **more}
+    return record("dem/default", "T1", 1e-3, quantities=[entry("pass", {"max": 1e-9}, **bound)])
+
+
+def test_what_is_to_be_conserved_and_has_no_value_is_not_finite() -> None:
+    assert only(kept(None)).text == "what is seen: not finite"
+    assert "kept to 1e-09 of its scale" in only(kept(None, figures={"end": 1.0})).text
+    assert "kept to 1e-09 of its scale" in only(kept(1.0)).text

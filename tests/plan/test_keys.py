@@ -13,6 +13,7 @@ import pytest
 
 from tests import ROOT
 from vv.ask import Bracket, Knobs, Method
+from vv.base.closure import source_digest
 from vv.case import Level
 from vv.codes.adapter import Found
 from vv.plan import keys
@@ -34,6 +35,17 @@ def key_of(job: Job, plan: Plan = PLAN) -> tuple[str, str]:
 
 def finer(job: Job) -> Any:
     return dataclasses.replace(job.ask, knobs=Knobs((job.ask.knobs.dt or 0.0) / 2))
+
+
+@pytest.mark.parametrize("search", [None, Bracket(4.0, 1.0)])
+def test_how_a_search_is_done_is_part_of_what_it_found_and_of_nothing_else(
+    search: Bracket | None, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    job = dataclasses.replace(JOB, ask=dataclasses.replace(JOB.ask, search=search))
+    before, whole = key_of(job), source_digest
+    other = [keys.PACKAGE / "run" / "search.py"]
+    monkeypatch.setattr(keys, "source_digest", lambda p: "other" if p == other else whole(p))
+    assert (key_of(job) == before) is (search is None)
 
 
 @pytest.mark.parametrize(

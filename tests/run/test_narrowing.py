@@ -117,6 +117,23 @@ def test_a_budget_takes_the_closest_first_and_two_rungs_of_all_before_a_third(pl
     assert len(narrowing.within(plan, 1e9, []).jobs) == len(plan.jobs)
 
 
+def test_a_budget_takes_the_coarsest_rungs_which_are_the_cheapest(plan: Plan) -> None:
+    """Each took as long as its step is fine."""
+    whole = past(plan, 0.0)
+    records = tuple(
+        dataclasses.replace(one, cost=dataclasses.replace(one.cost, solve_wall=1e-3 / one.rung.dt))
+        if one.rung.dt
+        else one
+        for one in whole.records
+    )
+    steps = sorted({one.rung.dt for one in records if one.rung.dt})
+    dearest = max(one.cost.solve_wall for one in records if one.rung.dt == steps[-2])
+    some = narrowing.within(plan, 4.0 * dearest, [dataclasses.replace(whole, records=records)])
+    left = {job.ask.knobs.dt for job in some.jobs if job.settled is None and job.ask.knobs.dt}
+    assert left
+    assert min(left) >= steps[-2]
+
+
 @pytest.mark.parametrize(("text", "value"), [("60s", 60), ("1.5min", 90), ("2 h", 7200), ("7", 7)])
 def test_budgets_read_as_typed(text: str, value: float) -> None:
     assert narrowing.seconds(text) == value

@@ -1,0 +1,62 @@
+"""What a worker leaves behind when it dies or hangs: the ask in flight fails, and no other."""
+
+from __future__ import annotations
+
+import os
+import time
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
+
+import pytest
+
+from vv.ask import Run, Status
+from vv.run.runner import Batch, run_batches
+
+
+class Deadly:
+    """A code that answers with the number of an ask, but dies at one and hangs at another."""
+
+    def __init__(self, dies: int, hangs: int) -> None:
+        self.dies, self.hangs = dies, hangs
+
+    def run(self, asks: Sequence[Any], scheme: str, scratch: Path, repeat: float) -> Iterator[Run]:
+        """One Run for each ask, as far as it comes."""
+        for ask in asks:
+            if ask.number == self.dies:
+                os._exit(3)
+            if ask.number == self.hangs:
+                time.sleep(60)
+            yield Run(Status.RAN, str(ask.number))
+
+
+def batch(code: Any, numbers: range) -> Batch:
+    """Asks that have no more than a number."""
+    asks: list[Any] = [SimpleNamespace(search=None, number=number) for number in numbers]
+    return Batch(code, "default", tuple(numbers), tuple(asks))
+
+
+@pytest.mark.parametrize("at", [0, 1, 3])
+def test_one_that_dies_costs_its_own_ask_alone(at: int, tmp_path: Path) -> None:
+    folders = iter(range(100))
+
+    def scratch() -> Path:
+        (folder := tmp_path / str(next(folders))).mkdir()
+        return folder
+
+    found = dict(run_batches([batch(Deadly(at, -1), range(4))], 1, 30.0, scratch))
+    assert found.keys() == set(range(4))
+    assert found.pop(at).reason.startswith("the worker ended early with exit code 3")
+    assert {number: run.reason for number, run in found.items()} == {n: str(n) for n in found}
+
+
+def test_one_that_hangs_is_late_and_what_follows_it_is_answered(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr("vv.run.runner.GRACE", 0.5)
+    found = dict(run_batches([batch(Deadly(-1, 1), range(4))], 1, 0.5, lambda: tmp_path))
+    assert [found[n].status for n in range(4)] == [
+        Status.RAN, Status.TIMEOUT, Status.RAN, Status.RAN,
+    ]  # fmt: skip
+    assert "--timeout 0.5 s" in found[1].reason
