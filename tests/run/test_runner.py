@@ -18,8 +18,8 @@ from vv.run.runner import Batch, run_batches
 class Deadly:
     """A code that answers with the number of an ask, but dies at one and hangs at another."""
 
-    def __init__(self, dies: int, hangs: int) -> None:
-        self.dies, self.hangs = dies, hangs
+    def __init__(self, dies: int, hangs: int, takes: float = 0.0) -> None:
+        self.dies, self.hangs, self.takes = dies, hangs, takes
 
     def run(self, asks: Sequence[Any], scheme: str, scratch: Path, repeat: float) -> Iterator[Run]:
         """One Run for each ask, as far as it comes."""
@@ -28,6 +28,7 @@ class Deadly:
                 os._exit(3)
             if ask.number == self.hangs:
                 time.sleep(60)
+            time.sleep(self.takes)
             yield Run(Status.RAN, str(ask.number))
 
 
@@ -60,3 +61,10 @@ def test_one_that_hangs_is_late_and_what_follows_it_is_answered(
         Status.RAN, Status.TIMEOUT, Status.RAN, Status.RAN,
     ]  # fmt: skip
     assert "--timeout 0.5 s" in found[1].reason
+
+
+def test_each_ask_has_its_own_time(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Four that take 0.8 s each, of which none takes 2 s."""
+    monkeypatch.setattr("vv.run.runner.GRACE", 0.0)
+    found = dict(run_batches([batch(Deadly(-1, -1, 0.8), range(4))], 1, 2.0, lambda: tmp_path))
+    assert [found[n].status for n in range(4)] == [Status.RAN] * 4
