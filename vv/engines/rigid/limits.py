@@ -8,7 +8,7 @@ FINE, ROUNDED = 2e-11, 1e-13
 scenes, the larger counts. Summed over the steps the first is this part of what weights do; less
 than the second is rounding."""
 
-FINEST, COARSE, CONVERGED = 3e-13, 2.3e-6, 4.6e-6
+FINEST, COARSE, CONVERGED = 3e-13, 1.9e-6, 4.6e-6
 """Of a scene's speed: the largest residual asked of small scenes, where more would flatten the
 order, and of others; and one above which friction creeps and a run is not to be believed."""
 
@@ -17,6 +17,12 @@ FEWEST, MOST, SMALL_MOST = 20, 10_000, 1000
 
 The least lets a wall at rest converge from step to step beyond the residual asked of one step.
 A step is taken as it is after the most; its residual says so.
+"""
+
+UNHINTED = 1e-5
+"""Of the residual asked: in the first step of large scenes, whose impulses no step before hints at.
+
+What stands goes on from there: left at the residual of any step, it settled for a hundred steps.
 """
 
 CARRIED, STEADIED = 600, 200

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from vv.ask import Ask, Displacement, Ledger, Model, Run, Status
+from vv.ask import Ask, Displacement, Ledger, Model, Reaction, Run, Status
 from vv.engines.blocks.checks import (
     block_index,
     moves_where_locked,
@@ -100,6 +100,9 @@ class Program:
         for index, what in enumerate(self.ask.observables):
             moved = self.system.watched(path[:rows], index)
             values[what] = moved[:, :3] if isinstance(what, Displacement) else moved[:, 3:6]
+            if isinstance(what, Reaction) and isinstance(self.system, Space):
+                acted = self.arguments[3][:rows]
+                values[what] = self.system.locked(acted, self.watched[index])
         model, steps = self.model, goal.stride(dt) * (rows - 1 if whole else rows)
         return Run(
             status=Status.RAN if whole else Status.DIVERGED,
@@ -140,7 +143,8 @@ class Program:
 
 def prepare(ask: Ask) -> Program:
     """The program of an ask, with the smallest model its scene allows."""
-    return Program(ask, point(ask.scene) or Space(ask.scene))
+    held = any(isinstance(what, Reaction) for what in ask.observables)
+    return Program(ask, (None if held else point(ask.scene)) or Space(ask.scene))
 
 
 def solve(ask: Ask) -> Run:

@@ -18,7 +18,8 @@ from vv.engines.kernels.arrays import (
     smaller,
 )
 from vv.engines.kernels.compiled import called, compiled, lent
-from vv.engines.kernels.triples import add_scaled, at, dot, put
+from vv.engines.kernels.drive import mean
+from vv.engines.kernels.triples import at, dot, add_scaled, put
 from vv.engines.rigid.general.energy import DRIVEN, SHOVED, book, kinetic
 from vv.engines.rigid.general.events import (
     ends_after,
@@ -80,13 +81,16 @@ def separate(
 
 
 @lent
-def press(reaction: Vector, trial: Trial, span: float, blocks: int) -> None:
-    """Sum the forces (w, 3) [N] of the walls on the blocks."""
-    clear(reaction)
+def press(force: Vector, setting: Setting, trial: Trial, now: float, span: float) -> None:
+    """Sum the forces (b, 3) [N] of contacts and shaking on bodies, as means of a step."""
+    clear(force)
+    shake = mean(setting.shaking, now, span)
+    for i in range(len(setting.mass)):
+        put(force, i, add_scaled(NIL, setting.mass[i], shake))
     for c in range(len(trial.p)):
-        wall = trial.joints.first[c] - blocks
-        if wall >= 0:
-            put(reaction, wall, add_scaled(at(reaction, wall), 1.0 / span, at(trial.p, c)))
+        a, b = trial.joints.first[c], trial.joints.second[c]
+        put(force, b, add_scaled(at(force, b), 1.0 / span, at(trial.p, c)))
+        put(force, a, add_scaled(at(force, a), -1.0 / span, at(trial.p, c)))
 
 
 @lent
@@ -116,8 +120,8 @@ def move_rigid(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its 
     Every `stride` steps a row is written: path (k, b, 9): displacement, velocity and spin of
     the watched; energy (k, 7) [J]: kinetic, lost by friction, lost by impact, work of walls, of
     shaking, of gravity and loads, of push-out; report (k, 4): residual [m/s], sweeps, deepest
-    penetration [m] and cuts, the largest since the row before, cuts in all; reaction (k, w, 3):
-    forces [N] of the walls on the blocks as the row is reached.
+    penetration [m] and cuts, the largest since the row before, cuts in all; reaction (k, b, 3):
+    forces [N] of contacts and shaking on bodies as the row is reached; in the first, of step one.
     """
     n = len(setting.mass)
     rotation = nil_squares(n)
@@ -179,7 +183,7 @@ def move_rigid(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its 
                 lasting = dt / CUTS if blow else larger(span, BRIEF * dt)  # of a blow nothing lasts
                 past = remembered(trial, lasting, least)
                 if not blow:
-                    press(pressed, trial, span, n)
+                    press(pressed, setting, trial, now, span)
                 blow = False
                 report[row, 0] = larger(report[row, 0], trial.residual)
                 report[row, 1] = larger(report[row, 1], float(trial.sweeps))
@@ -191,7 +195,10 @@ def move_rigid(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its 
                     break
                 report[row, 3] += 1.0
             done += 1
-        keep(reaction[row], pressed)
+            if done == 1:
+                keep(reaction[0], pressed)
+        if row > 0:
+            keep(reaction[row], pressed)
         watch(path[row], watched, state, centre)
         energy[row, 0] = total = kinetic(setting, state)
         for c in range(len(account)):

@@ -59,9 +59,9 @@ class Space:
     def outputs(self, rows: int, watched: tuple[int, ...]) -> tuple[Any, ...]:
         """What the kernel fills: path, energy, report, reaction; and the blocks it watches."""
         path = np.empty((rows, len(watched), 9))
-        walls = np.zeros((rows, len(self.scene.walls), 3))
+        pressed = np.zeros((rows, len(self.scene.blocks) + len(self.scene.walls), 3))
         which = np.array(watched, np.int64)
-        return path, np.empty((rows, 7)), np.empty((rows, 4)), walls, which
+        return path, np.empty((rows, 7)), np.empty((rows, 4)), pressed, which
 
     def arguments(self, dt: float) -> tuple[Any, ...]:
         """What the kernel is told about the scene, after the step [s]."""
@@ -118,7 +118,13 @@ class Space:
 
     def newtons(self, reaction: Vector) -> Vector:
         """Forces of the walls on the blocks (k, w, 3) [N]."""
-        return reaction
+        return np.asarray(-reaction[:, len(self.scene.blocks) :])
+
+    def locked(self, reaction: Vector, block: int) -> Vector:
+        """Forces (k, 3) [N] of the locks on a block: what its other forces leave unbalanced."""
+        one = self.scene.blocks[block]
+        others = reaction[:, block] + one.load + one.mass * self.scene.gravity
+        return np.asarray(others @ (_projector(self.scene.axes, one.free) - np.eye(3)))
 
 
 def _projector(axes: Vector, free: Mask) -> Vector:

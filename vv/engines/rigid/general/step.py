@@ -39,7 +39,7 @@ from vv.engines.rigid.general.setting import (
     shift_at,
     wall_rates,
 )
-from vv.engines.rigid.limits import NEARLY
+from vv.engines.rigid.limits import NEARLY, SMALL, UNHINTED
 from vv.engines.rigid.slip import slow
 from vv.engines.rigid.solver.assembly import Bodies, Joints, assemble, load_on, relative
 from vv.engines.rigid.solver.cone import Friction
@@ -176,9 +176,12 @@ def attempt(
         if speed > slow(span, setting.pull, setting.tolerance) and not held:
             put(friction.d, c, add_scaled(NIL, 1.0 / speed, slip))
     middle, turn = halfway(joints, before, past.joints)
+    tolerance = asked(setting, fastest, apart)
+    if n > SMALL and len(past.key) == 0:
+        tolerance *= UNHINTED
     return solved(
         setting, now, span, joints, middle, turn, bodies, friction, same_counts(found.key, count),
-        p, Gaps(gap, slack, opens, known), v_old, w_old, v, w, asked(setting, fastest, apart),
+        p, Gaps(gap, slack, opens, known), v_old, w_old, v, w, tolerance,
     )  # fmt: skip
 
 

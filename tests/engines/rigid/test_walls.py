@@ -1,0 +1,45 @@
+"""Claims about walls of many blocks: what bears them, and that every step of them converges."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from tests.engines.rigid.test_motion import solved
+from tests.scenes.block_scenes import DOWN, FREE, HELD, G, box, running_bond
+from vv.ask import Ask, Displacement, History, Knobs, Reaction, Velocity
+from vv.engines import rigid
+from vv.scene import Contact, Harmonic, Scene
+
+DT = 1e-3  # s
+
+
+def test_the_first_step_of_a_wall_at_rest_bears_its_weight() -> None:
+    scene = running_bond(4, 4)
+    program = solved(scene, 5 * DT, interval=DT)
+    borne = program.reactions[:, 0] / (sum(block.mass for block in scene.blocks) * G)
+    assert np.abs(borne - [0.0, 0.0, 1.0]).max() <= 1e-8
+
+
+def test_the_base_gives_a_sliding_wall_its_momentum() -> None:
+    scene = running_bond(4, 4, amplitude=0.02, frequency=3.0)
+    program = solved(scene, 0.1, interval=DT)
+    masses = np.array([block.mass for block in scene.blocks])
+    momentum = np.einsum("b,kbi->ki", masses, program.arguments[0][:, ::2, 3:6])
+    given = (program.reactions[1:, 0] + masses.sum() * DOWN) * DT
+    assert np.abs(program.arguments[0][-1, ::2, 0]).max() >= 1e-3
+    assert np.abs(np.diff(momentum, axis=0) - given).max() <= 1e-12 * np.abs(given).max()
+    assert program.report[:, 0].max() <= 5e-6
+
+
+def test_the_locks_of_a_shaken_bed_bear_all_that_stands_on_it() -> None:
+    bed = box("bed", [0.0, 0.0, -0.5], [2.0, 0.5, 0.5], free=HELD, free_spin=HELD)
+    block = box("block", [0.0, 0.0, 0.5], [0.5] * 3, free=FREE)
+    shaking = Harmonic(np.array([1.0, 0.0, 0.5]), np.array([2.0, 0.0, 3.0]), np.zeros(3))
+    scene = Scene((bed, block), Contact(np.inf, mu=0.8), gravity=DOWN, shaking=shaking)
+    ask = Ask(scene, History(0.2, DT), (Reaction(0), Displacement(1), Velocity(1)), Knobs(DT))
+    run = rigid.solve(ask)
+    assert np.abs(run.values[Displacement(1)]).max() <= 1e-9
+    middles = np.maximum(run.times - 0.5 * DT, 0.5 * DT)[:, None]
+    waves = shaking.amplitude * np.sin(2 * np.pi * shaking.frequency * middles + shaking.phase)
+    due = -(bed.mass + block.mass) * (DOWN + waves)
+    assert np.abs(run.values[Reaction(0)] - due).max() <= 1e-4 * np.abs(due).max()
