@@ -1,0 +1,56 @@
+"""Claims about the facade: what its blocks weigh, and that it stands, by a second route."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from reference_solutions.blocks import facade
+from reference_solutions.checks.blocks import facade as check
+from vv.scene import Vector
+
+LENGTH, HEIGHT = 0.4, 0.2
+SIZES = [(6, 5), (8, 7), (16, 14), (20, 16)]
+
+
+def blocks(columns: int, courses: int, arched: bool = True) -> list[Vector]:
+    laid = [
+        np.array([[a, low], [b, low], [b, low + HEIGHT], [a, low + HEIGHT]])
+        for course, a, b in facade.courses(columns, courses, LENGTH)
+        for low in [course * HEIGHT]
+    ]
+    top = np.array([0.0, courses * HEIGHT])
+    return laid + [corners + top for corners in facade.arch(columns, LENGTH) if arched]
+
+
+def bed(columns: int) -> Vector:
+    half = columns * LENGTH / 2
+    return np.array([[-half, -HEIGHT], [half, -HEIGHT], [half, 0.0], [-half, 0.0]])
+
+
+@pytest.mark.parametrize("size", SIZES)
+def test_its_areas_are_those_of_its_blocks(size: tuple[int, int]) -> None:
+    laid = sum(map(check.area, blocks(*size, arched=False)))
+    arched = sum(map(check.area, blocks(*size))) - laid
+    assert facade.areas(*size, LENGTH, HEIGHT) == pytest.approx((laid, arched), rel=1e-13)
+
+
+@pytest.mark.parametrize("size", SIZES)
+def test_it_is_symmetric(size: tuple[int, int]) -> None:
+    middles = {tuple(np.round(check.centroid(one), 9) + 0.0) for one in blocks(*size)}
+    assert {(-x + 0.0, z) for x, z in middles} == middles
+
+
+@pytest.mark.parametrize("size", SIZES[:2])
+def test_it_can_stand_and_its_bed_bears_its_weight(size: tuple[int, int]) -> None:
+    borne = check.borne(blocks(*size), bed(size[0]), mu=0.6)
+    assert borne == pytest.approx(sum(facade.areas(*size, LENGTH, HEIGHT)), rel=1e-9)
+
+
+def test_without_friction_its_arch_cannot_stand() -> None:
+    assert check.borne(blocks(6, 5), bed(6), mu=0.0) is None
+
+
+def test_no_room_for_a_door_is_named() -> None:
+    with pytest.raises(ValueError, match="4 columns, 5 courses"):
+        facade.areas(4, 5, LENGTH, HEIGHT)
