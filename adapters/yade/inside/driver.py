@@ -46,8 +46,10 @@ def build(ask: dict[str, Any]) -> None:
     for body in ask["bodies"]:
         body["id"] = SHAPES[body["kind"]](body)
         if "mass" in body:
-            O.forces.setPermF(body["id"], np.add(body["force"], body["push"]))
-            O.forces.setPermT(body["id"], body["twist"])
+            force = np.add(body["force"], body["push"])
+            if force.any() or any(body["twist"]):  # each takes longer the more bodies there are
+                O.forces.setPermF(body["id"], force)
+                O.forces.setPermT(body["id"], body["twist"])
     O.engines = engines(ask, {TOUCHED.get(body["kind"], body["kind"]) for body in ask["bodies"]})
     O.dt = ask["dt"]
     for held in ask["charged"]:
