@@ -37,6 +37,7 @@ class Bundle(types.StructRef):
         # numba writes the whole name into every call of the code that it compiles
         digest = hashlib.sha256(f"{origin.__module__}.{self.name}".encode()).hexdigest()[:12]
         self.name = f"{origin.__name__}.{digest}"
+        self.instance_class = origin  # as numba's own type of a named tuple says it
 
     def get_data_type(self) -> Any:
         """The type of what it points at."""

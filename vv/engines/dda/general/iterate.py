@@ -10,7 +10,7 @@ from vv.engines.dda.general.bodies import Bodies, Motion, applied
 from vv.engines.dda.general.contact import Touch
 from vv.engines.dda.general.linear import factorise, substitute
 from vv.engines.dda.general.newton import newton
-from vv.engines.dda.law import OPEN, SLIDE, respond, returned
+from vv.engines.dda.law import OPEN, SLIDE, respond
 from vv.engines.kernels.arrays import counts, larger, nil_numbers, nil_rows, numbers, table
 from vv.engines.kernels.compiled import called
 from vv.engines.kernels.triples import NOWHERE, add_scaled, at, dot, put
@@ -95,10 +95,9 @@ def iterate(  # noqa: PLR0912 - a branch per contact state
             put(relative, k, moves)
             put(rub, k, taken)
             gap, spring, way = touch.gap[k] + opened, at(touch.spring, k), at(touch.way, k)
-            if tolerance < np.inf:
-                now, push, way = returned(used[k], gap, slip, spring, way, kn, ks, mu, ease[k])
-            else:
-                now, push, way = respond(used[k], gap, slip, spring, way, kn, ks, mu, hold, ease[k])
+            now, push, way = respond(
+                used[k], gap, slip, spring, way, kn, ks, mu, hold, ease[k], tolerance < np.inf
+            )
             touch.state[k], touch.push[k] = now, push
             put(touch.way, k, way)
             if now != used[k]:

@@ -31,14 +31,20 @@ def factorise(matrix: Vector, first: Index) -> None:
 
 
 @lent
-def substitute(matrix: Vector, first: Index, right: Vector, solution: Vector) -> None:
-    """Fill solution (q,) for a right-hand side (q,), given the factors in matrix."""
-    n = len(first)
-    for i in range(n):
+def forward(matrix: Vector, first: Index, right: Vector, solution: Vector) -> None:
+    """Solve L times solution (q,) = right (q,), L below the diagonal of matrix, ones on it."""
+    for i in range(len(first)):
         total = right[i]
         for k in range(first[i], i):
             total -= matrix[i, k] * solution[k]
         solution[i] = total
+
+
+@lent
+def substitute(matrix: Vector, first: Index, right: Vector, solution: Vector) -> None:
+    """Fill solution (q,) for a right-hand side (q,), given the factors in matrix."""
+    n = len(first)
+    forward(matrix, first, right, solution)
     for i in range(n):
         solution[i] /= matrix[i, i]
     for i in range(n - 1, -1, -1):
@@ -70,13 +76,8 @@ def eliminate(matrix: Vector, first: Index) -> None:
 @lent
 def back(matrix: Vector, first: Index, right: Vector, solution: Vector) -> None:
     """Fill solution (q,) for a right-hand side (q,), given L U in matrix."""
-    n = len(first)
-    for i in range(n):
-        total = right[i]
-        for k in range(first[i], i):
-            total -= matrix[i, k] * solution[k]
-        solution[i] = total
-    for i in range(n - 1, -1, -1):
+    forward(matrix, first, right, solution)
+    for i in range(len(first) - 1, -1, -1):
         solution[i] /= matrix[i, i]
         for k in range(first[i], i):
             solution[k] -= matrix[k, i] * solution[i]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from vv.engines.dda.law import OPEN, SLIDE, STICK, respond, returned
+from vv.engines.dda.law import OPEN, SLIDE, STICK, respond
 from vv.engines.dda.limits import CUTS, GAIN
 from vv.engines.kernels.compiled import compiled
 from vv.engines.kernels.drive import Drive, travel, value
@@ -105,14 +105,9 @@ def slide_point(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
                     after = space + d_n - moved_n
                     slip = add_scaled(d_t, -1.0, moved_t)
                     ease = c / points
-                    if tolerance < np.inf:
-                        now, force, along = returned(
-                            used, after, slip, spring, along, kn, ks, mu, ease
-                        )
-                    else:
-                        now, force, along = respond(
-                            used, after, slip, spring, along, kn, ks, mu, hold, ease
-                        )
+                    now, force, along = respond(
+                        used, after, slip, spring, along, kn, ks, mu, hold, ease, tolerance < np.inf
+                    )
                     ended = now == used
                     if mu is not None and used == SLIDE and now == SLIDE:
                         off = add_scaled(add_scaled(NOWHERE, mu * force, along), -1.0, rub)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 from vv.engines.dem.contact.touch import Touch
+from vv.engines.kernels.arrays import square_of
 from vv.engines.kernels.compiled import inlined
 from vv.engines.kernels.triples import NOWHERE, Triple, add_scaled, cross, dot
 
@@ -117,5 +118,5 @@ def slipping(
     cosine = -dot(old, aim) / (longer * size)
     # a force that has not reached the cap yet counts for less than one that turns at the cap
     kept = 2.0 * fading / (caps[0] if cosine > 0.0 else size)
-    gained = 1.0 - fading * fading + cosine * (1.0 - fading) ** 2
+    gained = 1.0 - fading * fading + cosine * square_of(1.0 - fading)
     return add_scaled(add_scaled(NOWHERE, kept, old), -gained / longer, aim)

@@ -2,17 +2,16 @@
 
 from __future__ import annotations
 
-import numpy as np
-
 from vv.engines.dem.limits import BLOW_UP, GAIN
 from vv.engines.dem.rows import Index
 from vv.engines.dem.space.bodies import Bodies
 from vv.engines.dem.space.forces import forces, slow
 from vv.engines.dem.space.hooks import Terms, after, begin, move, start, withdraw
-from vv.engines.dem.space.neighbours import Near, gathered, no_slots, strayed
+from vv.engines.dem.space.neighbours import Near, gathered, no_slots, note_places, strayed
 from vv.engines.dem.space.output import booked, motion_energy, observe
 from vv.engines.dem.space.room import rest, room
 from vv.engines.dem.space.steps import drift, kick, place, place_spins, spin_on
+from vv.engines.kernels.arrays import larger, nil_counts
 from vv.engines.kernels.compiled import compiled
 from vv.scene import Vector
 
@@ -41,7 +40,7 @@ def move_in_space(
     """
     bodies, motion = room(given)
     m = len(bodies.mass)
-    slots, many, since = no_slots(), np.zeros(1, np.intp), rest(m)
+    slots, many, since = no_slots(), nil_counts(1), rest(m)
     begin(terms, bodies, motion)
     if near is not None:
         slots = gathered(near, motion.u, slots, many)
@@ -64,7 +63,7 @@ def move_in_space(
             steps += 1
             move(terms, bodies, motion, steps * dt, dt)
             if near is not None and strayed(motion, since, near):
-                since[:] = motion.u[:m]
+                note_places(since, motion.u)
                 slots = gathered(near, motion.u, slots, many)
             normal, sprung, lost, work = forces(terms, bodies, motion, dt, slots, many)
             slowed = slow(terms, bodies, motion, dt, slots, many, lag)
@@ -78,7 +77,7 @@ def move_in_space(
 
         observe(path, row, watched, terms, bodies, motion)
         held = kinetic + spinning, normal, sprung, slipped, 0.5 * dt * dragged
-        done = max(done, booked(energy, row, terms, bodies, motion, held, moved))
+        done = larger(done, booked(energy, row, terms, bodies, motion, held, moved))
         most, total = put_in + done, kinetic + spinning + normal + sprung
         if row and not (total <= GAIN * most and motion_energy(bodies, motion) <= BLOW_UP * most):
             return row

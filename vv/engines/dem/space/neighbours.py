@@ -10,8 +10,18 @@ import numpy.typing as npt
 
 from vv.engines.dem.rows import Index
 from vv.engines.dem.space.bodies import Motion
+from vv.engines.kernels.arrays import (
+    counts,
+    larger,
+    nil_numbers,
+    nil_rows,
+    numbers,
+    rows,
+    smaller,
+    table,
+)
 from vv.engines.kernels.bundles import bundle
-from vv.engines.kernels.compiled import called, inlined, inlined_called
+from vv.engines.kernels.compiled import called, inlined
 from vv.engines.kernels.triples import add_scaled, at, dot, put
 from vv.scene import Vector
 
@@ -55,12 +65,26 @@ class Near(NamedTuple):
     viscous: bool
 
 
-@inlined_called
+@called
 def no_slots() -> Slots:
     """No pairs yet."""
-    none = np.zeros((0, 2), np.intp)
-    one, three, met = np.zeros(0), np.zeros((0, 3)), np.zeros((0, MET))
-    return Slots(none, none, three, one, np.zeros((0, 2)), three, met)
+    none, three = couples(0), rows(0)
+    return Slots(none, none, three, numbers(0), table(0, 2), three, table(0, MET))
+
+
+@called
+def couples(n: int) -> Index:
+    """Room for n pairs of integers."""
+    return np.empty((n, 2), np.int64)
+
+
+@called
+def repeated(n: int, value: int) -> Index:
+    """n times the same integer."""
+    made = counts(n)
+    for i in range(n):
+        made[i] = value
+    return made
 
 
 @inlined
@@ -74,27 +98,36 @@ def strayed(motion: Motion, since: Vector, near: Near) -> bool:
     return False
 
 
-@inlined_called
+@inlined
+def note_places(since: Vector, u: Vector) -> None:
+    """Note where the spheres are, the first len(since) of the rows of u."""
+    for i in range(len(since)):
+        put(since, i, at(u, i))
+
+
+@called
 def cells(place: Vector, edge: float) -> tuple[Index, Index, Index, Index]:
     """Sort spheres into cells at least `edge` [m] wide, but never many more than spheres.
 
-    Returns the cells along each axis (3,), where each sphere is among them (n, 3), the first
+    Returns the cells along each axis (3,), where each sphere is among them (3 n,), the first
     sphere of each cell, and the next in its cell after each sphere (n,), -1 for none.
     """
     n = len(place)
     most = 2 * int(n ** (1.0 / 3.0)) + 1
-    count, cell, following = np.ones(3, np.intp), np.zeros((n, 3), np.intp), np.empty(n, np.intp)
+    count, cell, following = repeated(3, 1), counts(3 * n), counts(n)
     for c in range(3):
         low, high = place[0, c], place[0, c]
         for i in range(n):
-            low, high = min(low, place[i, c]), max(high, place[i, c])
-        count[c] = max(1, min(most, int((high - low) / edge)))
+            low, high = smaller(low, place[i, c]), larger(high, place[i, c])
+        count[c] = larger(1, smaller(most, int((high - low) / edge)))
         for i in range(n):
+            cell[3 * i + c] = 0
             if count[c] > 1:
-                cell[i, c] = min(count[c] - 1, int((place[i, c] - low) / (high - low) * count[c]))
-    first = np.full(count[0] * count[1] * count[2], -1, np.intp)
+                along = int((place[i, c] - low) / (high - low) * count[c])
+                cell[3 * i + c] = smaller(count[c] - 1, along)
+    first = repeated(count[0] * count[1] * count[2], -1)
     for i in range(n - 1, -1, -1):
-        k = (cell[i, 0] * count[1] + cell[i, 1]) * count[2] + cell[i, 2]
+        k = (cell[3 * i] * count[1] + cell[3 * i + 1]) * count[2] + cell[3 * i + 2]
         following[i], first[k] = first[k], i
     return count, cell, first, following
 
@@ -116,31 +149,44 @@ def swept(near: Near, u: Vector) -> Index:
     """
     position, radius, row, skin, start, partner, broken, _ = near
     n, ground, widest = len(radius), 0, 0.0
-    place = np.empty((n, 3))
+    place = rows(n)
     for i in range(n):
         put(place, i, add_scaled(at(position, i), 1.0, at(u, row[i])))
-        ground, widest = max(ground, row[i]), max(widest, radius[i])
+        ground, widest = larger(ground, row[i]), larger(widest, radius[i])
     count, cell, first, following = cells(place, 2.0 * widest + skin)
-    found, many = np.empty((8 * n, 2), np.intp), 0
+    found, many = couples(8 * n), 0
     for i in range(n):
-        for x in range(max(0, cell[i, 0] - 1), min(count[0], cell[i, 0] + 2)):
-            for y in range(max(0, cell[i, 1] - 1), min(count[1], cell[i, 1] + 2)):
-                for z in range(max(0, cell[i, 2] - 1), min(count[2], cell[i, 2] + 2)):
+        for x in about(cell[3 * i], count[0]):
+            for y in about(cell[3 * i + 1], count[1]):
+                for z in about(cell[3 * i + 2], count[2]):
                     j = first[(x * count[1] + y) * count[2] + z]
                     while j >= 0:
-                        if j > i and min(row[i], row[j]) < ground:
+                        if j > i and smaller(row[i], row[j]) < ground:
                             d = add_scaled(at(place, j), -1.0, at(place, i))
                             reach = radius[i] + radius[j] + skin
                             close = dot(d, d) < reach * reach
                             if close and not on_bond(i, j, start, partner, broken):
                                 if many == len(found):
-                                    more = np.empty((2 * many, 2), np.intp)
-                                    more[:many] = found
-                                    found = more
+                                    found = wider(found)
                                 found[many, 0], found[many, 1] = i, j
                                 many += 1
                         j = following[j]
     return found[:many]
+
+
+@inlined
+def about(cell: int, count: int) -> range:
+    """A cell and those beside it, of so many along an axis."""
+    return range(larger(0, cell - 1), smaller(count, cell + 2))
+
+
+@called
+def wider(found: Index) -> Index:
+    """The same pairs with room for as many more; a slice would compile its error messages."""
+    more = couples(2 * len(found))
+    for k in range(len(found)):
+        more[k, 0], more[k, 1] = found[k, 0], found[k, 1]
+    return more
 
 
 @called
@@ -152,20 +198,19 @@ def gathered(near: Near, u: Vector, old: Slots, many: Index) -> Slots:
     position, radius, row = near[0], near[1], near[2]
     pairs = swept(near, u)
     used, room = len(pairs), len(pairs) + len(near[5])
-    both, rows, radii = (
-        np.zeros((room, 2), np.intp),
-        np.zeros((room, 2), np.intp),
-        np.zeros((room, 2)),
-    )
-    offset, gap, shear = np.zeros((room, 3)), np.zeros(room), np.zeros((room, 3))
-    met = np.full((room if near.viscous else 0, MET), np.inf)
-    last, earlier = np.full(len(radius), -1, np.intp), np.empty(many[0], np.intp)
+    both, held, radii = couples(room), couples(room), table(room, 2)
+    offset, gap, shear = nil_rows(room), nil_numbers(room), nil_rows(room)
+    met = table(room if near.viscous else 0, MET)
+    for k in range(len(met)):
+        for c in range(MET):
+            met[k, c] = np.inf
+    last, earlier = repeated(len(radius), -1), counts(many[0])
     for k in range(many[0]):
         i = old.both[k, 0]
         earlier[k], last[i] = last[i], k
     for k in range(used):
         i, j = pairs[k, 0], pairs[k, 1]
-        both[k, 0], both[k, 1], rows[k, 0], rows[k, 1] = i, j, row[i], row[j]
+        both[k, 0], both[k, 1], held[k, 0], held[k, 1] = i, j, row[i], row[j]
         radii[k, 0], radii[k, 1] = radius[i], radius[j]
         put(offset, k, add_scaled(at(position, j), -1.0, at(position, i)))
         gap[k] = math.sqrt(dot(at(offset, k), at(offset, k))) - radius[i] - radius[j]
@@ -177,4 +222,4 @@ def gathered(near: Near, u: Vector, old: Slots, many: Index) -> Slots:
                     met[k, OVERLAP] = old.met[before, OVERLAP]
             before = earlier[before]
     many[0] = used
-    return Slots(both, rows, offset, gap, radii, shear, met)
+    return Slots(both, held, offset, gap, radii, shear, met)

@@ -11,6 +11,7 @@ from numba.extending import overload
 from vv.engines.dem.space.bodies import Bodies, Motion
 from vv.engines.dem.space.compose import OPTIONS
 from vv.engines.kernels.compiled import COUNTED, inlined_called
+from vv.engines.kernels.triples import NOWHERE, put
 from vv.scene import Vector
 
 
@@ -30,7 +31,10 @@ def room(given: Bodies) -> tuple[Bodies, Motion]:
 @inlined_called
 def rest(rows: int) -> Vector:
     """Zeros (rows, 3)."""
-    return np.zeros((rows, 3))
+    made = np.empty((rows, 3))
+    for i in range(rows):
+        put(made, i, NOWHERE)
+    return made
 
 
 @inlined_called

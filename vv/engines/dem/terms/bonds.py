@@ -16,12 +16,14 @@ from vv.engines.dem.space.bodies import Bodies, Motion
 from vv.engines.dem.space.ledger import column
 from vv.engines.dem.space.neighbours import Slots, State
 from vv.engines.dem.space.placed import Placed
+from vv.engines.kernels.bundles import bundle
 from vv.engines.kernels.compiled import inlined
 from vv.scene import Form, Mask, Vector
 
 NORMAL, SHEAR = column(Form.BROKEN_NORMAL), column(Form.BROKEN_SHEAR)
 
 
+@bundle
 class Bonds(NamedTuple):
     """What `pull` receives by these names.
 
