@@ -13,7 +13,7 @@ from bench.evidence import conclude
 from tests.scenes.block_scenes import FREE, HELD, incline, responding
 from vv.ask import Ask, Displacement, History, Knobs
 from vv.engines import rigid
-from vv.engines.rigid import Program
+from vv.engines.rigid import PreparedRigidBlocks
 from vv.engines.rigid.general.model import Space
 from vv.scene import Harmonic, Scene
 
@@ -33,7 +33,7 @@ SCENES = {
 }
 
 
-def microseconds(program: Program) -> float:
+def microseconds(program: PreparedRigidBlocks) -> float:
     """The least of five solves, as CPU microseconds a step."""
     program.warm()
     least = np.inf
@@ -41,16 +41,16 @@ def microseconds(program: Program) -> float:
         begun = time.process_time()
         program.solve()
         least = min(least, time.process_time() - begun)
-    return float(least / program.ask.goal.steps(program.dt) * 1e6)
+    return float(least / program.ask.goal.steps(program.ask.dt) * 1e6)
 
 
-def programs(held: Scene, free: Scene) -> dict[str, Program]:
+def programs(held: Scene, free: Scene) -> dict[str, PreparedRigidBlocks]:
     """The three ways to move one block."""
     ask = Ask(held, History(5.0, 0.01), (Displacement(1),), Knobs(1e-3))
     turning = dataclasses.replace(ask, scene=free)
     return {
         "point": rigid.prepare(ask),
-        "general": Program(ask, Space(held)),
+        "general": PreparedRigidBlocks(ask, Space(held)),
         "general, free to turn": rigid.prepare(turning),
     }
 

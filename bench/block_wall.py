@@ -13,7 +13,7 @@ from bench.evidence import conclude
 from tests.scenes.block_scenes import G, running_bond
 from vv.ask import Ask, Displacement, History, Knobs
 from vv.engines import rigid
-from vv.engines.rigid import Program
+from vv.engines.rigid import PreparedRigidBlocks
 
 COLUMNS, COURSES = 20, 10
 FREQUENCY = 3.0  # Hz
@@ -21,7 +21,7 @@ CREEPS = 1e-5  # m/s: a residual above which friction creeps
 PARTS = {"at rest": (0.0, 1.0), "shaken": (0.01, 1.0), "sliding": (0.02, 0.3)}  # D [m], time [s]
 
 
-def figures(program: Program, seconds: float) -> dict[str, float]:
+def figures(program: PreparedRigidBlocks, seconds: float) -> dict[str, float]:
     """What a solve that took so long came to."""
     energies, report = program.energies, program.report[1:]
     put_in = max(float(np.abs(np.diff(energies[:, 3])).sum()), float(np.ptp(energies[:, 0])))

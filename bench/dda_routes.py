@@ -8,7 +8,7 @@ import numpy as np
 from bench.evidence import conclude
 from tests.scenes.dda_scenes import asked, shaken, slope
 from vv.ask import Ask
-from vv.engines.dda import DEFAULT, PUBLISHED, Formulation, Program, prepare
+from vv.engines.dda import DEFAULT, PUBLISHED, Formulation, PreparedBlocks, prepare
 from vv.engines.dda.general.model import General
 from vv.scene import Scene, Vector
 
@@ -23,7 +23,7 @@ SCENES: Mapping[str, Scene] = {
 }
 
 
-def solved(program: Program) -> tuple[float, Vector]:
+def solved(program: PreparedBlocks) -> tuple[float, Vector]:
     """The least microseconds a step of several solves, and the path."""
     program.warm()
     spent = []
@@ -38,7 +38,7 @@ def solved(program: Program) -> tuple[float, Vector]:
 def routes(ask: Ask, way: Formulation) -> tuple[float, float, float]:
     """Microseconds a step of either route, and how far they are apart."""
     few, short = solved(prepare(ask, way))
-    many, long = solved(Program(ask, way, General(ask.scene, way)))
+    many, long = solved(PreparedBlocks(ask, way, General(ask.scene, way)))
     return few, many, float(np.abs(short - long).max() / np.abs(short).max())
 
 

@@ -20,7 +20,7 @@ TIMES = 1.6  # as fast as one thread, at least
 SIZES_ASKED = (2166, 10985, 37681)
 
 
-def program(size: int, steps: int, threads: int = 1, strength: float = 0.05) -> dem.Program:
+def program(size: int, steps: int, threads: int = 1, strength: float = 0.05) -> dem.PreparedSpheres:
     """A block of elements at random velocities, on bonds of a strength [N]."""
     block = lattice(*SIZES[size], D)
     seen = tuple(Displacement(i) for i in range(0, size, 7))

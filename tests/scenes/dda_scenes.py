@@ -10,7 +10,7 @@ import numpy as np
 from vv.ask import Ask, Displacement, History, Knobs, Run, Status, Velocity
 from vv.engines.dda import Formulation, solve
 from vv.engines.dda.general.model import General
-from vv.engines.dda.solve import Program
+from vv.engines.dda.solve import PreparedBlocks
 from vv.scene import (
     Block,
     Contact,
@@ -87,7 +87,7 @@ def run(ask: Ask, way: Formulation) -> Run:
 
 
 def general(ask: Ask, way: Formulation) -> Run:
-    program = Program(ask, way, General(ask.scene, way))
+    program = PreparedBlocks(ask, way, General(ask.scene, way))
     done = program.run(program.solve())
     assert done.status is Status.RAN, done.reason
     return done

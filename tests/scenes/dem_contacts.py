@@ -10,7 +10,7 @@ import numpy as np
 from cases.contact.single_contact import CASE
 from vv.ask import Ask, Run
 from vv.case import Series
-from vv.engines.dem import Program
+from vv.engines.dem import PreparedSpheres
 from vv.scene import Contact, Harmonic, Scene, Vector, Wall
 
 VARIANTS = [variant.name for variant in CASE.variants]
@@ -52,7 +52,7 @@ def forced(ask: Ask) -> Ask:
     return dataclasses.replace(ask, scene=scene)
 
 
-def unknowns_passed(program: Program) -> int:
+def unknowns_passed(program: PreparedSpheres) -> int:
     """How many unknowns the kernel of a program is passed, also within tuples."""
 
     def flat(arguments: tuple[object, ...]) -> Iterator[object]:

@@ -16,7 +16,7 @@ from tests.support.adapter_asks import case_ask as asked
 from vv.ask import Displacement
 from vv.codes import Scheme, unsupported
 from vv.engines import dem
-from vv.engines.dem.solve import Program, solve
+from vv.engines.dem.solve import PreparedSpheres, solve
 from vv.engines.dem.space.model import space
 from vv.scene import Term
 
@@ -45,7 +45,7 @@ def test_the_minimal_model_of_t1_is_three_times_cheaper_a_step() -> None:
     assert seconds["full"] > 3 * seconds["least"]
 
 
-def _clocked(program: Program) -> float:
+def _clocked(program: PreparedSpheres) -> float:
     began = time.perf_counter()
     program.solve()
     return time.perf_counter() - began

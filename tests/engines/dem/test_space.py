@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 from vv.ask import Ask, Displacement, History, Knobs, Run
 from vv.engines import dem
-from vv.engines.dem.solve import Program
+from vv.engines.dem.solve import PreparedSpheres
 from vv.scene import Contact, Scene, Spheres, Vector, Wall, rotated, rotation_about_z
 
 FAR = Wall(np.array([0.0, 0.0, -1e9]), np.array([0.0, 0.0, 1.0]))
@@ -50,7 +50,7 @@ def solved(scene: Scene, dt: float, duration: float = 0.4) -> tuple[Run, Vector]
     return program.run(program.solve()), path(program)
 
 
-def path(program: Program) -> Vector:
+def path(program: PreparedSpheres) -> Vector:
     observed: Vector = program.arguments[0]
     return observed
 

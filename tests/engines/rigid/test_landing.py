@@ -12,13 +12,13 @@ from tests.engines.rigid.test_motion import solved
 from tests.scenes.block_scenes import ACROSS, DOWN, FLOOR, FREE, HELD, IN_PLANE, G, box
 from vv.ask import Ask, Knobs
 from vv.engines import rigid
-from vv.engines.rigid import Program
+from vv.engines.rigid import PreparedRigidBlocks
 from vv.scene import Contact, Harmonic, Mask, Scene, Wall
 
 HALF, LEAN = np.array([0.5, 0.5, 2.5]), 1.2  # m; of the angle at which it stands on an edge
 
 
-def toppled(mu: float, dt: float) -> Program:
+def toppled(mu: float, dt: float) -> PreparedRigidBlocks:
     """A column of 1 x 5 m lets go just past its balance, and lands on its side at 10 m/s."""
     tilt = LEAN * np.arctan(HALF[0] / HALF[2])
     c, s = np.cos(tilt), np.sin(tilt)

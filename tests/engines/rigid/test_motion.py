@@ -12,7 +12,7 @@ from tests.scenes.block_scenes import DOWN, FLOOR, FREE, HELD, G, box, incline, 
 from tests.scenes.failure_modes import charted, points, seen
 from vv.ask import Ask, Displacement, History, Knobs, Status, Velocity
 from vv.engines import rigid
-from vv.engines.rigid import Program
+from vv.engines.rigid import PreparedRigidBlocks
 from vv.scene import (
     Block,
     Contact,
@@ -25,7 +25,9 @@ from vv.scene import (
 )
 
 
-def solved(scene: Scene, duration: float, dt: float = 1e-3, interval: float = 0.01) -> Program:
+def solved(
+    scene: Scene, duration: float, dt: float = 1e-3, interval: float = 0.01
+) -> PreparedRigidBlocks:
     bodies = [i for i, body in enumerate(scene.bodies) if isinstance(body, Block)]
     shown = tuple(kind(i) for i in bodies for kind in (Displacement, Velocity))
     question = Ask(scene, History(duration, interval), shown, Knobs(dt))
@@ -35,7 +37,7 @@ def solved(scene: Scene, duration: float, dt: float = 1e-3, interval: float = 0.
     return program
 
 
-def ends(program: Program) -> Vector:
+def ends(program: PreparedRigidBlocks) -> Vector:
     """Displacements (n, 3) at the end [m]."""
     path: Vector = program.arguments[0]
     return path[-1, ::2, :3]

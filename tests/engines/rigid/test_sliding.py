@@ -13,7 +13,7 @@ from reference_solutions.blocks import responding_block as responds
 from tests.scenes.block_scenes import FREE, HELD, incline, responding, slope
 from vv.ask import Ask, Displacement, History, Knobs, Run, Status
 from vv.engines import rigid
-from vv.engines.rigid import Program
+from vv.engines.rigid import PreparedRigidBlocks
 from vv.engines.rigid.general.model import Space
 from vv.engines.rigid.point.model import Point
 from vv.scene import Block, Harmonic, Scene, Vector
@@ -131,7 +131,7 @@ SCENES = {
 @pytest.mark.parametrize("scene", SCENES.values(), ids=SCENES)
 def test_a_point_mass_moves_as_the_general_model_does_and_costs_less(scene: Scene) -> None:
     question = ask(scene, 1e-3, 0.6)
-    small, general = rigid.prepare(question), Program(question, Space(scene))
+    small, general = rigid.prepare(question), PreparedRigidBlocks(question, Space(scene))
     assert isinstance(small.system, Point)
     assert small.model.unknowns < general.model.unknowns
     runs = [program.run(program.solve()) for program in (small, general)]

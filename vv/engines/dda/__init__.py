@@ -6,14 +6,14 @@ May import: base, scene, ask, standins, engines.kernels, engines.blocks.
 from vv.ask import Ask, Run
 from vv.engines.dda.formulation import DEFAULT, LAGGED, PUBLISHED, Formulation
 from vv.engines.dda.refusals import refuses
-from vv.engines.dda.solve import Program, prepare, solve
+from vv.engines.dda.solve import PreparedBlocks, prepare, solve
 
 __all__ = [
     "DEFAULT",
     "LAGGED",
     "PUBLISHED",
     "Formulation",
-    "Program",
+    "PreparedBlocks",
     "prepare",
     "refuses",
     "solve",

@@ -41,8 +41,11 @@ ROUNDINGS = 64  # of the peak energy, allowed for each step
 
 
 @dataclass(frozen=True, eq=False)
-class Program:
-    """An ask ready to be solved as often as wanted. system: the smallest model of its scene."""
+class PreparedBlocks:
+    """An ask ready to be solved as often as wanted: a `vv.codes.timing.Prepared`.
+
+    system: the smallest model of its scene.
+    """
 
     ask: Ask
     formulation: Formulation
@@ -59,7 +62,7 @@ class Program:
     @functools.cached_property
     def arguments(self) -> tuple[Any, ...]:
         """What the kernel is called with: outputs, the step, the scene."""
-        goal, dt, way = self.ask.goal, self.dt, self.formulation
+        goal, dt, way = self.ask.goal, self.ask.dt, self.formulation
         outputs = self.system.outputs(len(goal.times(dt)), self.watched)
         step = (goal.stride(dt), dt, self.settling, way.tolerance, way.iterations)
         law = springs(self.ask.scene, self.ask.knobs.kn, way)
@@ -71,16 +74,9 @@ class Program:
         return tuple(block_index(self.ask.scene, what.body) for what in self.ask.observables)
 
     @property
-    def dt(self) -> float:
-        """The step [s]; raises ValueError if the ask has none."""
-        if self.ask.knobs.dt is None:
-            raise ValueError("Knobs.dt is None; DDA needs a step")
-        return self.ask.knobs.dt
-
-    @property
     def settling(self) -> int:
         """Steps of gravity before t = 0: none unless a drive waits and all blocks are at rest."""
-        return round(self.formulation.settling / self.dt) if settles(self.ask.scene) else 0
+        return round(self.formulation.settling / self.ask.dt) if settles(self.ask.scene) else 0
 
     def warm(self) -> None:
         """Load or compile the kernel for these arguments; no step is taken."""
@@ -93,7 +89,7 @@ class Program:
 
     def run(self, rows: int) -> Run:
         """The Run of a solve that returned `rows`; its cost is left empty."""
-        goal, dt = self.ask.goal, self.dt
+        goal, dt = self.ask.goal, self.ask.dt
         path, energy, report = self.arguments[:3]
         whole = rows == len(path)
         seen = enumerate(self.ask.observables)
@@ -132,8 +128,8 @@ class Program:
         )
 
     def _why(self, energy: Vector, row: int) -> str:
-        step = row * self.ask.goal.stride(self.dt)
-        when = f"by step {step}, t = {step * self.dt:.6g} s"
+        step = row * self.ask.goal.stride(self.ask.dt)
+        when = f"by step {step}, t = {step * self.ask.dt:.6g} s"
         held = energy[row, HELD].sum()
         if not np.isfinite(held):
             return f"{when}: the state is not finite"
@@ -145,7 +141,7 @@ class Program:
         terms += 0.0
         put_in = float(terms[0].sum())
         largest = np.abs(terms).sum(axis=1).max()
-        steps = self.ask.goal.steps(self.dt) + 1
+        steps = self.ask.goal.steps(self.ask.dt) + 1
         created = float(energy[-1, CREATED])
         rounding = ROUNDINGS * EPS * steps * float(largest)
         return Ledger(
@@ -176,12 +172,12 @@ class Program:
         yield "penetration [m]", (deepest, REACH * smallest)
 
 
-def prepare(ask: Ask, formulation: Formulation) -> Program:
+def prepare(ask: Ask, formulation: Formulation) -> PreparedBlocks:
     """The program of an ask, with the smallest model its scene allows."""
     dd = ask.knobs.dd
     way = formulation if dd is None else dataclasses.replace(formulation, dd=dd)
     system = sliding(ask.scene, way) or General(ask.scene, way)
-    return Program(ask, way, system)
+    return PreparedBlocks(ask, way, system)
 
 
 def solve(ask: Ask, formulation: Formulation) -> Run:

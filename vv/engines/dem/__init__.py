@@ -7,13 +7,13 @@ from vv.ask import Ask, Run
 from vv.engines.dem.critical_step import critical_step
 from vv.engines.dem.leapfrog import CENTRED, LAGGED, Leapfrog
 from vv.engines.dem.safe_step import safe_step
-from vv.engines.dem.solve import Program, prepare, refuses, solve, unstable
+from vv.engines.dem.solve import PreparedSpheres, prepare, refuses, solve, unstable
 
 __all__ = [
     "CENTRED",
     "LAGGED",
     "Leapfrog",
-    "Program",
+    "PreparedSpheres",
     "critical_step",
     "prepare",
     "refuses",

@@ -39,8 +39,8 @@ SOFT = 0.1  # of the smallest radius: a deeper overlap is no contact of spheres 
 
 
 @dataclass(frozen=True, eq=False)
-class Program:
-    """An ask ready to be solved as often as wanted.
+class PreparedSpheres:
+    """An ask ready to be solved as often as wanted: a `vv.codes.timing.Prepared`.
 
     system: the smallest model of its scene; stand_in: that scene, with what stands in for what
     springs cannot do. threads: that share the bonds, if there are any; the answer is the same.
@@ -177,13 +177,13 @@ class Program:
         )
 
 
-def prepare(ask: Ask, leapfrog: Leapfrog, threads: int = 1) -> Program:
+def prepare(ask: Ask, leapfrog: Leapfrog, threads: int = 1) -> PreparedSpheres:
     """The program of an ask, with the smallest model its scene allows."""
     stand_in = spring_scene(ask)
     scene, charged = stand_in.scene, stand_in.charged
     small = None if _wants_all(ask) else line(scene) or pressed(scene, charged)
     system = small or bulk(scene) or space(scene, charged)
-    return Program(ask, leapfrog, system, stand_in, threads)
+    return PreparedSpheres(ask, leapfrog, system, stand_in, threads)
 
 
 def solve(ask: Ask, leapfrog: Leapfrog) -> Run:

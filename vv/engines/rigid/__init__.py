@@ -3,6 +3,6 @@
 May import: base, scene, ask, standins, engines.kernels, engines.blocks.
 """
 
-from vv.engines.rigid.solve import Program, prepare, refuses, solve
+from vv.engines.rigid.solve import PreparedRigidBlocks, prepare, refuses, solve
 
-__all__ = ["Program", "prepare", "refuses", "solve"]
+__all__ = ["PreparedRigidBlocks", "prepare", "refuses", "solve"]

@@ -38,8 +38,11 @@ ROUNDINGS = 64  # of the peak energy, allowed for each step
 
 
 @dataclass(frozen=True, eq=False)
-class Program:
-    """An ask ready to be solved as often as wanted. system: the smallest model of its scene."""
+class PreparedRigidBlocks:
+    """An ask ready to be solved as often as wanted: a `vv.codes.timing.Prepared`.
+
+    system: the smallest model of its scene.
+    """
 
     ask: Ask
     system: Point | Space
@@ -52,7 +55,7 @@ class Program:
     @functools.cached_property
     def arguments(self) -> tuple[Any, ...]:
         """What the kernel is called with: outputs, stride, dt, the scene."""
-        goal, dt = self.ask.goal, self.dt
+        goal, dt = self.ask.goal, self.ask.dt
         outputs = self.system.outputs(len(goal.times(dt)), self.watched)
         return (*outputs, goal.stride(dt), dt, *self.system.arguments(dt))
 
@@ -60,13 +63,6 @@ class Program:
     def watched(self) -> tuple[int, ...]:
         """The blocks observed; raises ValueError for a body that is none."""
         return tuple(block_index(self.ask.scene, what.body) for what in self.ask.observables)
-
-    @property
-    def dt(self) -> float:
-        """The step [s]; raises ValueError if the ask has none."""
-        if self.ask.knobs.dt is None:
-            raise ValueError("Knobs.dt is None; rigid blocks need a step")
-        return self.ask.knobs.dt
 
     def warm(self) -> None:
         """Load or compile the kernel for these arguments; no step is taken."""
@@ -94,7 +90,7 @@ class Program:
 
     def run(self, rows: int) -> Run:
         """The Run of a solve that returned `rows`; its cost is left empty."""
-        goal, dt, path = self.ask.goal, self.dt, self.arguments[0]
+        goal, dt, path = self.ask.goal, self.ask.dt, self.arguments[0]
         whole = rows == len(path)
         values = {}
         for index, what in enumerate(self.ask.observables):
@@ -124,7 +120,7 @@ class Program:
         )
 
     def _ledger(self) -> Ledger:
-        terms, steps = self.energies, self.ask.goal.steps(self.dt) + 1
+        terms, steps = self.energies, self.ask.goal.steps(self.ask.dt) + 1
         put_in, largest = float(terms[0].sum()), float(np.abs(terms).sum(axis=1).max())
         rounding = ROUNDINGS * EPS * steps * largest
         residual = float(self.report[:, 0].max())
@@ -141,10 +137,10 @@ class Program:
         )
 
 
-def prepare(ask: Ask) -> Program:
+def prepare(ask: Ask) -> PreparedRigidBlocks:
     """The program of an ask, with the smallest model its scene allows."""
     held = any(isinstance(what, Reaction) for what in ask.observables)
-    return Program(ask, (None if held else point(ask.scene)) or Space(ask.scene))
+    return PreparedRigidBlocks(ask, (None if held else point(ask.scene)) or Space(ask.scene))
 
 
 def solve(ask: Ask) -> Run:

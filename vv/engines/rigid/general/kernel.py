@@ -19,7 +19,7 @@ from vv.engines.kernels.arrays import (
 )
 from vv.engines.kernels.compiled import called, compiled, lent
 from vv.engines.kernels.drive import mean
-from vv.engines.kernels.triples import at, dot, add_scaled, put
+from vv.engines.kernels.triples import add_scaled, at, dot, put
 from vv.engines.rigid.general.energy import DRIVEN, SHOVED, book, kinetic
 from vv.engines.rigid.general.events import (
     ends_after,
