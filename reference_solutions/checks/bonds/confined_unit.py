@@ -99,7 +99,7 @@ def _driven(
         return until(y, placed(part)) if until else 1.0
 
     event.terminal = True  # type: ignore[attr-defined]
-    found = solve_ivp(rates, (0.0, 1.0), state, "DOP853", rtol=1e-11, atol=1e-14, events=event)
+    found = solve_ivp(rates, (0.0, 1.0), state, "DOP853", rtol=1e-9, atol=1e-12, events=event)
     if until and not len(found.t_events[0]):
         raise ValueError("the stage ends before what it waits for")
     return placed(found.t[-1]), found.y[:, -1]
