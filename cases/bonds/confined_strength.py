@@ -9,8 +9,8 @@ import numpy as np
 
 from cases._papers import LIU_2017
 from cases.bonds._quartzite import BRITTLE
+from cases.bonds._unit import CORNERS, EDGES
 from cases.bonds.tetrahedral_strength import BEYOND, EVERY, RATES, slid, unhurried
-from cases.bonds.tetrahedral_unit import CORNERS, EDGES
 from reference_solutions.bonds import confined_unit, lattice_material
 from reference_solutions.bonds.confined_unit import Failure
 from reference_solutions.bonds.lattice_material import Element

@@ -11,7 +11,7 @@ import numpy as np
 from cases._books import balance
 from cases._papers import LIU_2017
 from cases.bonds._quartzite import BRITTLE, KN, D, M
-from cases.bonds.tetrahedral_unit import CORNERS, EDGES
+from cases.bonds._unit import CORNERS, EDGES
 from reference_solutions.bonds import lattice_material, tetrahedral_unit
 from reference_solutions.bonds.lattice_material import Element
 from vv.ask import Displacement, History, Knobs, Method, Observable, Reaction, Run

@@ -3,15 +3,16 @@
 from __future__ import annotations
 
 import functools
-from collections.abc import Callable
 
 import numpy as np
 
 from cases._papers import LIU_2017
 from cases.bonds._quartzite import ELASTIC
-from reference_solutions.bonds import lattice_material, tetrahedral_unit, turned_unit
+from cases.bonds._thrown import breathing, levels, turned
+from cases.bonds._unit import BASE, SEEN, as_it_is, beside, moved_ends, quantity_of, seen_at, unit
+from reference_solutions.bonds import lattice_material, tetrahedral_unit
 from reference_solutions.bonds.tetrahedral_unit import Displacements, State
-from vv.ask import Displacement, History, Knobs, Method, Run
+from vv.ask import History, Method, Run
 from vv.case import (
     LARGEST_TOLERANCE,
     Case,
@@ -23,41 +24,15 @@ from vv.case import (
     Parameters,
     Quantity,
     Scalar,
-    Series,
     Source,
     Tolerance,
     Trial,
     Variant,
 )
-from vv.scene import Bonds, Contact, Scene, Spheres, Vector
 
-CORNERS = np.array(
-    [
-        [0.0, 0.0, np.sqrt(2 / 3)],
-        [1 / np.sqrt(3), 0.0, 0.0],
-        [-0.5 / np.sqrt(3), 0.5, 0.0],
-        [-0.5 / np.sqrt(3), -0.5, 0.0],
-    ]
-)  # of the top and of the base, in diameters
-OUT = CORNERS - CORNERS.mean(axis=0)
-ROUND = np.cross([0.0, 0.0, 1.0], OUT)
-EDGES = np.array([[0, 1], [0, 2], [0, 3], [1, 2], [2, 3], [3, 1]])
-BASE = np.array([[True, True, True], *[[True, True, False]] * 3])
-SEEN = tuple(Displacement(i) for i in range(4))
 REST = 6e-5  # s, or a multiple of it that viscosity needs
 LONGER, SPINS = 4, 17.0  # rotation is damped only through the motion of the centres
 DECAYS = 22.0  # to a part of 3e-10 of what is thrown off balance
-SWING = History(duration=2e-6, interval=2e-8)
-
-
-def unit(p: Parameters, eta: float, **motion: Vector) -> Scene:
-    """The unit with unbreakable bonds; elements rotate only if `motion` frees their spin."""
-    data = {"velocity": np.zeros((4, 3)), "free": np.ones((4, 3), bool), **motion}
-    spheres = Spheres(
-        p["d"] * CORNERS, radius=np.full(4, p["d"] / 2), mass=np.full(4, p["m"]), **data
-    )
-    bonds = Bonds(EDGES, p["d"], p["kn"], p["gamma"] * p["kn"])  # type: ignore[arg-type]  # for all
-    return Scene((spheres,), Contact(p["kn"]), eta, bonds=bonds)
 
 
 def _force(p: Parameters, ks: float) -> float:
@@ -76,7 +51,7 @@ def _loaded(p: Parameters, turning: bool) -> Trial:
     scene = unit(p, p["eta"], free=BASE, load=load, free_spin=np.full((4, 3), turning))
     state = tetrahedral_unit.loaded(fz, kn=kn, ks=ks, d=d)
     duration = REST * (max(LONGER, _stretch(p, ks, SPINS)) if turning else _stretch(p, ks))
-    study = Ladder(scene, History(duration, duration / 10), SEEN, _levels(2e-8))
+    study = Ladder(scene, History(duration, duration / 10), SEEN, levels(2e-8))
     return Trial(study, _measured(kn, ks, d, state, fz))
 
 
@@ -150,119 +125,20 @@ def _observed(name: str, fz: float, d: float, run: Run) -> float:
     return as_it_is(name, fz, d, seen_at(run, -1))
 
 
-def as_it_is(name: str, fz: float, d: float, u: Vector) -> float:
-    """A quantity under Fz [N] by the bonds as they are after displacements u (4, 3) [m]."""
-    offset, moved = _moved(d, u)
-    length = np.linalg.norm(offset + moved, axis=1)
-    stretch = np.einsum("bk,bk->b", 2 * offset + moved, moved) / (length + 1)
-    n = (offset + moved) / length[:, None]
-    return _quantity(name, fz, d, float(u[0, 2]) / d, stretch, _beside(moved, n))
-
-
 def _to_first_order(name: str, fz: float, d: float, run: Run) -> float:
     """A quantity at the end of a run, by the bonds as they were."""
     u = seen_at(run, -1)
-    n, moved = _moved(d, u)
+    n, moved = moved_ends(d, u)
     stretch = np.einsum("bk,bk->b", n, moved)
-    return _quantity(name, fz, d, float(u[0, 2]) / d, stretch, _beside(moved, n))
-
-
-def seen_at(run: Run, output: int) -> Vector:
-    """Displacements (4, 3) [m] of the elements at an output."""
-    return np.array([run.values[what][output] for what in SEEN])
-
-
-def _moved(d: float, u: Vector) -> tuple[Vector, Vector]:
-    """For each bond its offset and what it moved, over d."""
-    i, j = EDGES.T
-    return CORNERS[j] - CORNERS[i], (u[j] - u[i]) / d
-
-
-def _beside(moved: Vector, n: Vector) -> Vector:
-    return np.asarray(np.linalg.norm(moved - np.einsum("bk,bk->b", n, moved)[:, None] * n, axis=1))
-
-
-def _quantity(name: str, fz: float, d: float, dz: float, stretch: Vector, across: Vector) -> float:
-    """A quantity from dimensionless displacements (over d), averaged over bonds of a kind."""
-    strain = dz / np.sqrt(2 / 3)
-    told = {
-        "E": fz / (np.sqrt(3) / 2 * d * d * strain),
-        "nu": -stretch[3:].mean() / strain,
-        "dz": d * dz,
-        "X_n1": d * stretch[:3].mean(),
-        "X_s1": d * across[:3].mean(),
-        "X_n2": d * stretch[3:].mean(),
-    }
-    return float(told[name])
-
-
-def _swinging(p: Parameters, shape: Vector, stiffness: float) -> Trial:
-    """Thrown in a shape (4, 3) in which it swings at 2 sqrt(stiffness/m), strain its size."""
-    w = 2 * np.sqrt(stiffness / p["m"])
-    scene = unit(p, 0.0, velocity=p["d"] * p["strain"] * w * shape)
-    sizes = p["d"] * p["strain"] * shape
-    largest = np.abs(shape).argmax(axis=1)
-    parts = tuple(
-        _part(w, sizes, body, axis.item()) for body, axis in enumerate(largest) if sizes[body].any()
-    )
-    return Trial(Ladder(scene, SWING, SEEN, _levels(THROWN)), parts)
-
-
-def _turned_far(p: Parameters) -> Trial:
-    """Thrown as for a small angle, by an angle at which the turn stretches it too."""
-    ks = p["gamma"] * p["kn"]
-    w = 2 * np.sqrt(ks / p["m"])
-    velocity = p["d"] * p["strain"] * w * ROUND
-    scene = unit(p, 0.0, velocity=velocity)
-    path = turned_unit.path(p["d"] * CORNERS, EDGES, velocity, m=p["m"], kn=p["kn"], ks=ks)
-    size = float(np.abs(p["d"] * p["strain"] * ROUND).max())
-    parts = tuple(
-        Series(
-            f"u{body}{'xyz'[axis]}", f"u_{body}{'xyz'[axis]}", "m",
-            f"displacement of element {body} along {'xyz'[axis]}", _along(SEEN[body], axis),
-            functools.partial(_of_path, path, body, axis), _far(w), size,
-        )
-        for body in range(4)
-        for axis in range(3)
-        if body or axis == 2
-    )  # fmt: skip
-    return Trial(Ladder(scene, SWING, SEEN, _levels(THROWN)), parts)
-
-
-def _of_path(path: turned_unit.Path, body: int, axis: int, t: Vector) -> Vector:
-    """Displacement [m] of a body along an axis at times [s]; the path is solved to the last."""
-    return path(t)[:, body, axis]
-
-
-def _part(w: float, sizes: Vector, body: int, axis: int) -> Series:
-    return Series(
-        f"u{body}{'xyz'[axis]}",
-        f"u_{body}{'xyz'[axis]}",
-        "m",
-        f"displacement of element {body} along {'xyz'[axis]}",
-        _along(SEEN[body], axis),
-        lambda t: sizes[body, axis] * np.sin(w * t),
-        _swung(w),
-    )
-
-
-def _along(what: Displacement, axis: int) -> Callable[[Run], Vector]:
-    return lambda run: np.asarray(run.values[what][:, axis])
+    return quantity_of(name, fz, d, float(u[0, 2]) / d, stretch, beside(moved, n))
 
 
 def _declare(variant: str, p: Parameters) -> Trial:
     if variant == "breathing":
-        return _swinging(p, OUT, p["kn"])
-    if variant == "turned" and abs(p["strain"]) > LINEAR:
-        return _turned_far(p)
+        return breathing(p)
     if variant == "turned":
-        return _swinging(p, ROUND, p["gamma"] * p["kn"])
+        return turned(p)
     return _loaded(p, variant == "turning")
-
-
-def _levels(coarsest: float) -> dict[Level, tuple[Knobs, ...]]:
-    rungs = tuple(Knobs(dt=coarsest / 2**i) for i in range(4))
-    return {Level.QUICK: rungs[:3:2], Level.DEFAULT: rungs[:3], Level.PAPER: rungs}
 
 
 SETTLED = (
@@ -299,46 +175,6 @@ SMALL: Judge = Exact(
 )
 
 
-def _swung(w: float) -> Exact:
-    """w: rate of the swing [1/s], over the time of SWING."""
-    angle, whole = w * THROWN, w * SWING.duration
-    return Exact(
-        {
-            Method.EXACT: Tolerance(
-                1e-13, "the answer is a sine whose frequency is known to rounding"
-            ),
-            Method.LINEARISED: Tolerance(
-                1e-13, "no bond turns, so that the linear answer is exact"
-            ),
-            Method.SECOND_ORDER: Tolerance(
-                float(min(angle**2 / 24 * max(whole, 1.0) * 1.7, LARGEST_TOLERANCE)),
-                "the phase (w dt)^2/24 w t of a leapfrog, and some (w dt)^2 of its start",
-                dt=THROWN, order=2,
-            ),
-            Method.FIRST_ORDER: Tolerance(
-                float(min(angle, LARGEST_TOLERANCE)),
-                "a start half a step late shifts the phase by w dt/2", dt=THROWN, order=1,
-            ),
-        },
-        not_judged={
-            Method.PENALTY: "contacts that stand in for bonds would part at such amplitudes"
-        },
-    )  # fmt: skip
-
-
-def _far(w: float) -> Exact:
-    """The same by the path at an angle at which the unit stretches as it turns."""
-    swung = _swung(w)
-    kept = {m: swung.tolerances[m] for m in (Method.SECOND_ORDER, Method.FIRST_ORDER)}
-    path = Tolerance(1e-9, "the path itself is solved to 1e-12 a step")
-    return Exact(
-        {**kept, Method.EXACT: path}, not_judged={**swung.not_judged, Method.LINEARISED: STRETCHED}
-    )
-
-
-THROWN = 1e-8  # s: the coarsest step of what swings
-STRETCHED = "at this angle the turn stretches the unit, which is no linear effect"
-LINEAR = 1e-5  # strain: beyond it the square of the angle shows in the swing
 PATH = "3 (Fn1 cos a + Fs1 sin a) = Fz, Fn1 sin a - Fs1 cos a + sqrt3 Fn2 = 0, S' = -L a'"
 LOADED = {
     "kn": "the load is that of the strain, and grows with kn: the unit deforms alike; a code with "

@@ -7,8 +7,8 @@ import math
 import numpy as np
 
 from cases._papers import LIU_2017
+from cases.bonds._unit import CORNERS, EDGES
 from cases.bonds.tetrahedral_unit import CASE as UNIT
-from cases.bonds.tetrahedral_unit import CORNERS, EDGES
 from reference_solutions.bonds import bonded_modes, close_packed_lattice
 from reference_solutions.contact import stability
 from vv.ask import Bracket, Displacement, Method

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from vv.ask import Ask
-from vv.scene import Block, Term, Vector, Wall, initial_normal_forces
+from vv.scene import Block, Pulse, Term, Vector, Wall, initial_normal_forces
 from vv.standins.soften import TOUCHING
 from vv.standins.stand_in import (
     SpringScene,
@@ -120,9 +120,12 @@ def _sinks(made: Clump, ask: Ask) -> str | None:
 
 
 def _hurries(made: Clump, ask: Ask) -> str | None:
-    """Why a step would be too long: springs of corners throw up a block that turns, or lean it."""
+    """Why a step would be too long for a block that a pulse lets rock from corner to corner.
+
+    One that stays on its face bears longer steps than its turning does.
+    """
     block, law = made.block, made.springs.scene.contact
-    if ask.dt is None or not block.free_spin.any():
+    if ask.dt is None or not isinstance(ask.scene.shaking, Pulse) or not block.free_spin.any():
         return None
     normal, count = ask.scene.walls[0].normal, len(made.corners)
     along = np.outer(normal, normal)
