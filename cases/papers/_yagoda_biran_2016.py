@@ -41,6 +41,11 @@ def _said(
     return Statement(place, what, printed, standing, why, unit, exact, seen, close)
 
 
+def _damped_by(part: float) -> float:
+    """The damping ratio [%] of a step of so many per cent of a period."""
+    return 100.0 * implicit_step.damping_ratio(2.0 * math.pi * part / 100.0)
+
+
 AS_IS = "largest E_N in % at the paper's settings, after 0.1 s"
 OURS = "largest error in % of the largest displacement, at our settings"
 STEP = (
@@ -154,6 +159,8 @@ RESPONDING = (
     _said("Fig. 19", "E_N at 0.5 and 1 m, most of the time", "< 1", REPRODUCED, AS_IS,
           _own("E_N", "0.5m", "1m"), "%"),
     _said("Fig. 20", "E_N at mu = 1", "< 7", REPRODUCED, AS_IS, _own("E_N", "mu-1"), "%"),
+    _said("Fig. 20", "E_N at mu = 0.6, which is 0.5 m of Fig. 19", "< 1", REPRODUCED, AS_IS,
+          _own("E_N", "0.5m"), "%"),
     _said("Fig. 20", "E_N at mu = 0.1", "< 1", REPRODUCED, AS_IS, _own("E_N", "mu-0.1"), "%"),
     _said("Fig. 21", "E_N in two directions", "< 10", REPRODUCED,
           f"{AS_IS}, of the resultant; mu = 0.6 is chosen", _own("E_N", "2d"), "%"),
@@ -223,6 +230,12 @@ DAMPING = (
           exact=lambda: 100.0 * implicit_step.damping_ratio(0.09213)),
     _said("Sec. 5.1.3", "it was found from the oscillations of a cantilever", "", OPEN,
           "DDA's joints bear no tension, and neither geometry nor joints are given"),
+    *(
+        _said("Sec. 5.1.2", f"a step of {part:g} % of the period is said to do", "", OPEN,
+              "a rule for other schemes; the damping ratio that DDA's step has there", unit="%",
+              exact=functools.partial(_damped_by, part))
+        for part in (1.0, 5.0)
+    ),
     _said("Sec. 5.1.2", "largest step over the period that avoids a bifurcation", "2/pi",
           REPRODUCED, "from w dt = 4 on the roots are real; beside it the error of the larger "
           "root, which goes back to 1, so that stiff contacts ring undamped", exact="w dt = 4",
