@@ -1,0 +1,1 @@
+"""Second routes to the references of many spheres."""

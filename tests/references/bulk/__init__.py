@@ -1,0 +1,1 @@
+"""Claims about the references of what strains a code."""
