@@ -39,10 +39,9 @@ def stack(n: int) -> Scene:
     grid = np.stack(np.meshgrid(*[np.arange(width)] * 3, indexing="ij"), 3).reshape(-1, 3)
     grid = random.permutation(grid[np.argsort(grid[:, 2], kind="stable")][:n])
     all_free, mass = np.ones((n, 3), bool), np.full(n, 0.01)
-    place = np.array(RADIUS * (1.998 * grid + 0.999), float)
     spheres = Spheres(
-        place, 0.01 * random.normal(size=(n, 3)), np.full(n, RADIUS),
-        mass, all_free, free_spin=all_free,
+        np.asarray(RADIUS * (1.998 * grid + 0.999), float), 0.01 * random.normal(size=(n, 3)),
+        np.full(n, RADIUS), mass, all_free, free_spin=all_free,
     )  # fmt: skip
     floor, gravity = Wall(np.zeros(3), np.eye(3)[2]), np.array([0.0, 0.0, -9.81])
     return Scene((spheres, floor), Contact(1e5, 2e4, 0.3), eta=0.1, gravity=gravity)

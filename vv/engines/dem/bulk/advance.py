@@ -72,11 +72,15 @@ def kick(
     drag: Drag | None,
     lag: float,
     slowed: tuple[float, float],
-) -> Triple:
+    gravity: Triple,
+    way: float,
+) -> tuple[float, float, float, float]:
     """Carry velocities and spins from half a step before now to half a step after.
 
-    Returns sum m v- v+/2 + I w- w+/2 [J] and the powers [W] lost before and after now: slowed, and
-    D v-, D v+ of drag D = eta (lag v- + (1 - lag) v+).
+    Then displace spheres as in a time `way` [s], which is the next step or nothing, and set push to
+    their weight: one look at each for all of it. Returns sum m v- v+/2 + I w- w+/2 [J], the powers
+    [W] lost before and after now, slowed and D v-, D v+ of drag D = eta (lag v- + (1 - lag) v+),
+    and what `drift` returns.
     """
     row, push, turn, mass, inertia = (
         grains.row,
@@ -85,7 +89,7 @@ def kick(
         grains.mass,
         grains.inertia,
     )
-    kinetic, behind, ahead = 0.0, slowed[0], slowed[1]
+    since, far, kinetic, behind, ahead = grains.since, 0.0, 0.0, slowed[0], slowed[1]
     for i in range(len(mass)):
         old = part(row, i, V)
         new = carried_on(old, at(push, i), mass[i], dt, drag, lag, i)
@@ -102,7 +106,13 @@ def kick(
             for c in range(3):
                 row[i, SPUN + c], row[i, W + c] = spun[c], spins[c]
             kinetic += 0.5 * inertia[i] * dot(spun, spins)
-    return kinetic, behind, ahead
+            put(turn, i, NOWHERE)
+        put(push, i, add_scaled(NOWHERE, mass[i], gravity))
+        x = add_scaled(at(row, i), way, new)
+        put(row, i, x)
+        moved = add_scaled(x, -1.0, at(since, i))
+        far = max(far, dot(moved, moved))
+    return kinetic, behind, ahead, math.sqrt(far)
 
 
 @lent

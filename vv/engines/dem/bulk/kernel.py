@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from vv.engines.dem.bulk.advance import drift, kick, moving_energy, place, place_spins
+from vv.engines.dem.bulk.advance import drift, kick, moving_energy, place, place_spins, weigh
 from vv.engines.dem.bulk.cells import cells
 from vv.engines.dem.bulk.grains import Given, grains
 from vv.engines.dem.bulk.near import near_pairs, near_walls, nothing_near
@@ -51,7 +51,8 @@ def move_in_bulk(
     pairs = near_pairs(bulk, sorted_cells, skin, nothing_near(n), rubs)
     edges = near_walls(bulk, walls, sorted_cells, skin, nothing_near(n), rubs)
     met, new = room_to_meet(0), np.zeros((n + 1, 3))
-    normal, sprung, _ = forces(bulk, pairs, edges, walls, spin, law, friction, gravity, dt)
+    weigh(bulk, gravity)
+    normal, sprung, _ = forces(bulk, pairs, edges, walls, spin, law, friction, dt)
     slowed = 0.0, 0.0
     if dashpot is not None:
         met = room_to_meet(len(pairs.other) + len(edges.other))
@@ -63,29 +64,31 @@ def move_in_bulk(
         withdraw(bulk, met, used)
         slowed = slow(bulk, met, used, new, dt, drag, lag)
     put_in += place_spins(bulk, spin, back * dt)
-    kinetic, _, ahead = kick(bulk, spin, dt, drag, lag, slowed)
+    kinetic, _, ahead, far = kick(bulk, spin, dt, drag, lag, slowed, gravity, 0.0)
     slipped = dragged = done = 0.0
 
     steps = 0
     for line in range(len(path)):
-        for _ in range(stride if line else 0):
+        if line:
+            far = drift(bulk, dt)
+        for step in range(stride if line else 0):
             steps += 1
-            if not 2.0 * drift(bulk, dt) < skin:
+            if not 2.0 * far < skin:
                 skin, sought = adapted(skin, radius, steps - sought), steps
                 sorted_cells = cells(bulk, reach + skin)
                 pairs = near_pairs(bulk, sorted_cells, skin, pairs, rubs)
                 edges = near_walls(bulk, walls, sorted_cells, skin, edges, rubs)
+                weigh(bulk, gravity)
                 if dashpot is not None:
                     met = room_to_meet(len(pairs.other) + len(edges.other))
-            normal, sprung, lost = forces(
-                bulk, pairs, edges, walls, spin, law, friction, gravity, dt
-            )
+            normal, sprung, lost = forces(bulk, pairs, edges, walls, spin, law, friction, dt)
             if dashpot is not None:
                 used = meet(bulk, pairs, edges, walls, met, dashpot, dt)
                 slowed = slow(bulk, met, used, new, dt, drag, lag)
             slipped += lost
             dragged += ahead
-            kinetic, behind, ahead = kick(bulk, spin, dt, drag, lag, slowed)
+            way = dt if step + 1 < stride else 0.0
+            kinetic, behind, ahead, far = kick(bulk, spin, dt, drag, lag, slowed, gravity, way)
             dragged += behind
 
         observe(path, line, watched, given, bulk)

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from vv.engines.dem.bulk.advance import weigh
 from vv.engines.dem.bulk.grains import RADIUS, Flags, Grains
 from vv.engines.dem.bulk.near import Near
 from vv.engines.dem.bulk.touches import pair_touch, wall_touch
@@ -122,10 +121,8 @@ def forces(
     turns: Vector | None,
     law: Law,
     friction: tuple[float, float] | None,
-    gravity: Triple,
     dt: float,
 ) -> Triple:
-    """Fill push and turn, but for what is viscous; return energies [J] as `pair_forces`."""
-    weigh(grains, gravity)
+    """Add to push and turn all but what is viscous; return energies [J] as `pair_forces`."""
     one = pair_forces(grains, pairs, turns, law, friction, dt)
     return add_scaled(one, 1.0, wall_forces(grains, edges, walls, turns, law, friction, dt))
