@@ -8,6 +8,7 @@ from dataclasses import dataclass
 
 from reports.beside import NOTHING, Beside
 from reports.marks import Mark, marks
+from reports.outcomes import ShownOutcome, shown_outcome
 from reports.text import slug
 from vv.base.metrics import Vector
 from vv.gate.judgement import judgement
@@ -18,7 +19,7 @@ from vv.insight.history import Point
 from vv.records.finding import Finding
 from vv.records.job_record import Record
 from vv.records.manifest import Manifest
-from vv.records.reading import by_fineness, tried
+from vv.records.reading import by_fineness, rung, tried
 
 Arrays = Callable[[str], Mapping[str, Vector]]
 Place = tuple[str, str]  # case and variant
@@ -65,6 +66,17 @@ class Book:
             }
             for place, piles in self.records.items()
         }
+
+    @functools.cached_property
+    def by_setting(self) -> dict[tuple[str, str, str, str], Record]:
+        """(case, variant, scheme, setting) -> the record of what a code took on."""
+        piles = (pile for own in self.ran.values() for pile in own.values())
+        return {(r.case, r.variant, r.label, rung(r)): r for pile in piles for r in pile}
+
+    @functools.cached_property
+    def shown(self) -> list[tuple[Record, ShownOutcome]]:
+        """Every record with what it came to."""
+        return [(record, shown_outcome(record)) for record in self.manifest.records]
 
     @functools.cached_property
     def findings(self) -> list[Finding]:

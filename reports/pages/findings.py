@@ -34,8 +34,7 @@ def findings(book: Book, looks: Iterable[str]) -> list[Finding]:
     """
     wanted = frozenset(looks)
     piles: dict[tuple[int, str, str], list[Record]] = {}
-    for record in book.manifest.records:
-        found = shown_outcome(record)
+    for record, found in book.shown:
         if found.look in wanted:
             key = (RANKS[found.key], record.label, DECIMAL.sub("#", _reason(record)))
             piles.setdefault(key, []).append(record)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import math
 import statistics
 from collections.abc import Mapping, Sequence
@@ -64,6 +65,7 @@ class Overview:
     timed: int
 
 
+@functools.lru_cache(maxsize=1)
 def overview(book: Book) -> Overview:
     """The numbers of a manifest."""
     cells = {

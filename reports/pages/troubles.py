@@ -14,7 +14,6 @@ from vv.gate.judgement import breaches
 from vv.output.gallery.scene_drawing import picture
 from vv.records.finding import Aspect, Finding, worst_first
 from vv.records.job_record import Record
-from vv.records.reading import rung
 
 CARDS = 10  # on the front page
 JUDGED = (Aspect.ACCURACY, Aspect.CONSERVATION, Aspect.RUN)
@@ -44,12 +43,7 @@ class Trouble:
 
 def troubles(book: Book, findings: Iterable[Finding] | None = None) -> list[Trouble]:
     """All that has a bit in the gate's judgement, worst first, grouped."""
-    known = {
-        (r.case, r.variant, r.label, rung(r)): r
-        for piles in book.ran.values()
-        for pile in piles.values()
-        for r in pile
-    }
+    known = book.by_setting
     patterns = {(d.case, d.label): d.text for d in book.patterns}
     piles: dict[tuple[str, str, str, str], list[Finding]] = {}
     for one in worst_first(book.findings if findings is None else findings):
