@@ -18,7 +18,7 @@ from reports.variant.reading import TARGET, judged_error, nearest
 from vv.records.job_record import Record
 from vv.records.reading import rung
 
-LONGEST = 10_000  # characters beyond what all inputs of a code share: longer ones are exported
+LONGEST = 8_000  # characters beyond what all inputs of a code share: longer ones are exported
 MANY = 60  # bodies, whose input nobody reads: it is exported
 SHORTEST = 1_000  # that is worth being told once
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import difflib
 from collections.abc import Iterator, Sequence
 
-WORTH = 0.6  # of the length of a text: a difference that is longer saves too little
+WORTH = 0.85  # of the length of a text: a difference that is longer saves too little
 
 
 def difference(base: str, text: str) -> str:
