@@ -4,20 +4,18 @@ from __future__ import annotations
 
 import dataclasses
 import json
-import os
 import re
-import shutil
 import subprocess
 import sys
 from pathlib import Path
 
 import numpy as np
-import pytest
 
 from reports import html
 from reports.beside import Beside
 from reports.outcomes import OUTCOMES, WORST_FIRST, shown_outcome
 from reports.variant import reading
+from tests.support.built_report import CASE, built, pages
 from tests.support.fabricated import (
     HEAD,
     STEPS,
@@ -26,7 +24,6 @@ from tests.support.fabricated import (
     changed,
     cost,
     entry,
-    manifest_of_all,
     native,
     ran,
     record,
@@ -50,34 +47,11 @@ from vv.store.store import Store
 HOSTILE = (
     "</td></script><script>alert('x')</script><img src=http://bad.example/x onerror=run()>&$^_{"
 )
-CASE = "case-bounce.html"
-
-
-@pytest.fixture
-def store(tmp_path: Path) -> Store:
-    return Store(tmp_path / ".vv")
-
-
-@pytest.fixture
-def manifest(store: Store) -> Manifest:
-    return manifest_of_all(store)
 
 
 def one_sphere() -> Spheres:
     place, free = np.zeros((1, 3)), np.ones((1, 3), bool)
     return Spheres(place + 1.0, place, np.ones(1), np.ones(1), free)
-
-
-def pages(manifest: Manifest, store: Store) -> dict[str, str]:
-    """Every file of the report, by name."""
-    folder = store.root / "report"
-    assert html.build(manifest, store, folder) == folder / "index.html"
-    return {path.name: path.read_text(encoding="utf-8") for path in sorted(folder.iterdir())}
-
-
-def built(manifest: Manifest, store: Store) -> str:
-    """The page of the case."""
-    return pages(manifest, store)[CASE]
 
 
 def test_every_outcome_of_what_ran_is_in_its_row_with_a_symbol(
@@ -262,64 +236,6 @@ def test_hostile_text_stays_text(manifest: Manifest, store: Store) -> None:
             assert not list(tags.all("onerror")), name
             assert "<script>alert" not in page, name
     assert not [name for name in made if "/" in name or "<" in name]
-
-
-def test_the_same_results_are_not_rendered_again(manifest: Manifest, store: Store) -> None:
-    first = pages(manifest, store)
-    folder = store.root / "report"
-    for path in folder.iterdir():
-        os.utime(path, ns=(1, 1))
-    later = dataclasses.replace(manifest.provenance, utc="2026-01-01T00:00:00+00:00")
-    assert pages(dataclasses.replace(manifest, name="20260101", provenance=later), store) == first
-    assert {path.stat().st_mtime_ns for path in folder.iterdir()} == {1}
-
-
-def test_a_changed_case_has_its_page_and_the_common_ones_made_again(
-    manifest: Manifest, store: Store
-) -> None:
-    two = dataclasses.replace(manifest, cases={**manifest.cases, "other": case()})
-    pages(two, store)
-    folder = store.root / "report"
-    for path in folder.iterdir():
-        os.utime(path, ns=(1, 1))
-    first, *others = manifest.records
-    worse = (requantified(first, verdict="fail"), *others)
-    pages(dataclasses.replace(two, records=worse), store)
-    kept = {path.name for path in folder.iterdir() if path.stat().st_mtime_ns == 1}
-    assert kept == {"case-other.html", "case-other.csv", "report.css", "report.js", "inputs.js"}
-
-
-def test_pages_of_what_is_no_longer_there_go(manifest: Manifest, store: Store) -> None:
-    two = dataclasses.replace(manifest, cases={**manifest.cases, "other": case()})
-    assert "case-other.html" in pages(two, store)
-    (store.root / "report" / "notes.txt").write_text("somebody's own")
-    left = pages(manifest, store)
-    assert "case-other.html" not in left
-    assert "notes.txt" in left
-
-
-def test_a_page_that_was_touched_is_made_again(manifest: Manifest, store: Store) -> None:
-    page = built(manifest, store)
-    (store.root / "report" / CASE).write_bytes(b"\xff\xfe <script>alert(1)</script>")
-    assert built(manifest, store) == page
-    (store.root / "report" / "stamps.json").write_text("[")
-    assert built(manifest, store) == page
-
-
-def test_same_results_give_the_same_bytes(manifest: Manifest, store: Store) -> None:
-    first = pages(manifest, store)
-    shutil.rmtree(store.root / "report")
-    assert pages(manifest, store) == first
-
-
-def test_missing_series_leave_tables_and_ladders(manifest: Manifest, store: Store) -> None:
-    assert "Relative error over time" in built(manifest, store)
-    shutil.rmtree(store.root / "records")
-    shutil.rmtree(store.root / "report")
-    page = built(manifest, store)
-    assert "not in the store" in page
-    assert "Error against step" in page
-    assert "Relative error over time" not in page
 
 
 def test_a_variant_with_the_same_reference_is_drawn_only_in_trouble(

@@ -1,0 +1,70 @@
+"""Claims about when pages are made: once for the same results, again where anything changed."""
+
+from __future__ import annotations
+
+import dataclasses
+import os
+import shutil
+
+from tests.support.built_report import CASE, built, pages
+from tests.support.fabricated import case, requantified
+from vv.records.manifest import Manifest
+from vv.store.store import Store
+
+
+def test_the_same_results_are_not_rendered_again(manifest: Manifest, store: Store) -> None:
+    first = pages(manifest, store)
+    folder = store.root / "report"
+    for path in folder.iterdir():
+        os.utime(path, ns=(1, 1))
+    later = dataclasses.replace(manifest.provenance, utc="2026-01-01T00:00:00+00:00")
+    assert pages(dataclasses.replace(manifest, name="20260101", provenance=later), store) == first
+    assert {path.stat().st_mtime_ns for path in folder.iterdir()} == {1}
+
+
+def test_a_changed_case_has_its_page_and_the_common_ones_made_again(
+    manifest: Manifest, store: Store
+) -> None:
+    two = dataclasses.replace(manifest, cases={**manifest.cases, "other": case()})
+    pages(two, store)
+    folder = store.root / "report"
+    for path in folder.iterdir():
+        os.utime(path, ns=(1, 1))
+    first, *others = manifest.records
+    worse = (requantified(first, verdict="fail"), *others)
+    pages(dataclasses.replace(two, records=worse), store)
+    kept = {path.name for path in folder.iterdir() if path.stat().st_mtime_ns == 1}
+    assert kept == {"case-other.html", "case-other.csv", "report.css", "report.js", "inputs.js"}
+
+
+def test_pages_of_what_is_no_longer_there_go(manifest: Manifest, store: Store) -> None:
+    two = dataclasses.replace(manifest, cases={**manifest.cases, "other": case()})
+    assert "case-other.html" in pages(two, store)
+    (store.root / "report" / "notes.txt").write_text("somebody's own")
+    left = pages(manifest, store)
+    assert "case-other.html" not in left
+    assert "notes.txt" in left
+
+
+def test_a_page_that_was_touched_is_made_again(manifest: Manifest, store: Store) -> None:
+    page = built(manifest, store)
+    (store.root / "report" / CASE).write_bytes(b"\xff\xfe <script>alert(1)</script>")
+    assert built(manifest, store) == page
+    (store.root / "report" / "stamps.json").write_text("[")
+    assert built(manifest, store) == page
+
+
+def test_same_results_give_the_same_bytes(manifest: Manifest, store: Store) -> None:
+    first = pages(manifest, store)
+    shutil.rmtree(store.root / "report")
+    assert pages(manifest, store) == first
+
+
+def test_missing_series_leave_tables_and_ladders(manifest: Manifest, store: Store) -> None:
+    assert "Relative error over time" in built(manifest, store)
+    shutil.rmtree(store.root / "records")
+    shutil.rmtree(store.root / "report")
+    page = built(manifest, store)
+    assert "not in the store" in page
+    assert "Error against step" in page
+    assert "Relative error over time" not in page
