@@ -271,7 +271,7 @@ def test_texts_are_read_on_every_background_light_and_dark() -> None:
     st.lists(st.sampled_from("abc"), max_size=30),
 )
 def test_a_difference_makes_the_text_of_its_base(old: list[str], new: list[str]) -> None:
-    base, text_ = ("".join(f"{line * 9}\n" for line in lines) for lines in (old, new))
+    base, text_ = ("".join(f"{line * 60}\n" for line in lines) for lines in (old, new))
     told = difference(base, text_)
     assert not told or patched(base, told) == text_
 

@@ -68,3 +68,19 @@ def test_missing_series_leave_tables_and_ladders(manifest: Manifest, store: Stor
     assert "not in the store" in page
     assert "Error against step" in page
     assert "Relative error over time" not in page
+
+
+def test_stored_records_are_told_apart_case_by_case(manifest: Manifest, store: Store) -> None:
+    first, *others = manifest.records
+    worse = (requantified(first, verdict="fail"), *others)
+    two = {**manifest.cases, "other": case()}
+    more = tuple(dataclasses.replace(one, case="other") for one in others)
+    for name, own in (("1", manifest.records), ("2", worse)):
+        store.keep_manifest(
+            dataclasses.replace(manifest, name=name, cases=two, records=(*own, *more))
+        )
+    before, now = store.digests_of("1"), store.digests_of("2")
+    assert before.keys() == now.keys() == two.keys()
+    assert before["bounce"] != now["bounce"]
+    assert before["other"] == now["other"]
+    assert store.digests_of("3") == {}
