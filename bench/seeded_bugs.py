@@ -36,8 +36,8 @@ KINDS: Mapping[str, tuple[Bug, ...]] = {
 }
 SEEN = Bit.ACCURACY | Bit.CONSERVATION | Bit.CRASH | Bit.TIMEOUT
 HASTILY = {"NUMBA_OPT": "1"}  # compiles in two thirds of the time; the solves are short
-LIMIT = 600.0  # s after which a gate hangs, many times what it takes
-TIMEOUT = 60  # s for a job of it
+LIMIT = 1200.0  # s after which a gate hangs, many times what it takes where others work too
+TIMEOUT = 300  # s for a job of it
 
 
 def changed(bug: Bug) -> str:

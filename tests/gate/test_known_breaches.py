@@ -67,6 +67,15 @@ def test_any_other_breach_is_news(one: Record, change: dict[str, Any]) -> None:
     assert judged(one, **change) == (Outcome.NOT_CONSERVED, True)
 
 
+@pytest.mark.parametrize(
+    "several", [{"variants": ("T3", "T1")}, {"rungs": ("dt=0.002", "dt=0.001")}], ids=str
+)
+def test_an_entry_speaks_of_each_of_the_variants_and_rungs_that_it_names(
+    several: dict[str, Any],
+) -> None:
+    assert judged(broken(), **several)[0] is Outcome.XFAIL
+
+
 def test_a_law_that_is_kept_though_an_entry_says_it_is_broken_is_news() -> None:
     assert judged(broken(0.009)) == (Outcome.PASS, True)
     assert judged(broken(0.009), rungs=("dt=0.002",)) == (Outcome.PASS, False)
