@@ -63,6 +63,5 @@ BUGS = (
     Bug("moment of momentum kept half", RIGID_SETTING, "put(w, i, times(inverse, i, moment))", "put(w, i, add_scaled(add_scaled(NIL, 0.5, spin), 0.5, times(inverse, i, moment)))", "rigid", "tumbling knife-edge responding-block:3d-turning rocking"),
     Bug("positions by the velocity at the end", RIGID_EVENTS, "put(state.centre, i, add_scaled(add_scaled(at(state.centre, i), 0.5 * span, at(state.v, i)),\n                                  0.5 * span, v))", "put(state.centre, i, add_scaled(at(state.centre, i), span, v))", "rigid", "knife-edge responding-block:3d-turning"),
     Bug('a landing found in one trial', RIGID_LANDING, 'for _ in range(LANDINGS if there and 0.0 < span < whole else 0):', 'for _ in range(0):', 'rigid', 'tumbling spin-stopped'),
-    Bug('a landing by the velocity at the start', RIGID_LANDING, 'gap = trial.gaps.gap[c] + 0.5 * span * (one + two)', 'gap = trial.gaps.gap[c] + span * one', 'rigid', 'tumbling spin-stopped'),
     Bug("friction does not turn within a step", RIGID_BENDS, "turn = bend(before, sag, after, pull)", "turn = add_scaled(NIL, 0.0, bend(before, sag, after, pull))", "rigid", "incline:two-directions"),
 )  # fmt: skip
