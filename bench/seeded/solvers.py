@@ -52,7 +52,7 @@ BUGS = (
     Bug("sign of a bond's twist", BEND, "s = turned(s, n, twist)", "s = turned(s, n, -twist)", "dem", "unlike-bonds:spinning"),
     Bug("a bond twists twice as far", BOND_LAW, "twist = 0.5 * dt * dot(add_scaled(a, 1.0, b), middle)", "twist = dt * dot(add_scaled(a, 1.0, b), middle)", "dem", "unlike-bonds:spinning"),
     Bug("lever arms of a bond swapped", BEND, "arm_i, arm_j = arms(radii[0], radii[1], length)", "arm_j, arm_i = arms(radii[0], radii[1], length)", "dem", "unlike-bonds:spinning"),
-    Bug("limit with drag alone doubled", CRITICAL, "return 1.0 / n if n > 0.0 else math.inf", "return 2.0 / n if n > 0.0 else math.inf", "dem", "stable-step single-contact", "tests/engines/dem"),
+    Bug("limit with drag alone doubled", CRITICAL, "return 1.0 / n if n > 0.0 else math.inf", "return 2.0 / n if n > 0.0 else math.inf", "dem", "stable-step:viscous", "tests/engines/dem/test_drag_alone.py"),
     Bug("velocity after a cut step", DDA, "motion.velocity[a] = 2.0 / part * d[a] - motion.velocity[a]", "motion.velocity[a] = 2.0 / dt * d[a] - motion.velocity[a]", "dda", "failure-modes"),
     Bug("a cut step forgets what contacts were", DDA, "                    forget(touch, state, push, way)\n", "", "dda", "failure-modes"),
     Bug("shaking taken at the start of a step", DDA, "shake = value(shaking, done * dt + begin + part)", "shake = value(shaking, done * dt + begin)", "dda", "incline:two-directions"),
