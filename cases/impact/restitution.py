@@ -128,9 +128,18 @@ def _declare(variant: str, p: Parameters) -> Trial:
         "cleared": _cleared,
         "force": functools.partial(_force, p),
     }
-    judge = _judge(unit, viscous.damping(p["e"]))
+    z = viscous.damping(p["e"])
     scalars = [
-        Scalar(name, symbol, unit_of, meaning, read[name], due[name], due[name], judge)
+        Scalar(
+            name,
+            symbol,
+            unit_of,
+            meaning,
+            read[name],
+            due[name],
+            due[name],
+            _judge(unit, z, BETWEEN.get(name, 1e-12)),
+        )
         for name, symbol, unit_of, meaning in QUANTITIES
         if name != "force" or p["e"] > SUDDEN
     ]
@@ -138,10 +147,11 @@ def _declare(variant: str, p: Parameters) -> Trial:
     return Trial(study, (*scalars, _balance(unit)))
 
 
-def _judge(unit: float, z: float) -> Exact:
-    """unit: duration of an impact without losses [s]; z: damping."""
+def _judge(unit: float, z: float, read: float) -> Exact:
+    """unit: duration of an impact without losses [s]; z: damping; read: off outputs to so much."""
     dt = unit / STEPS[0]
     return Exact({
+        Method.EXACT: Tolerance(read, "events located to rounding; what is read between outputs"),
         Method.SECOND_ORDER: Tolerance(
             10.0 / STEPS[0] ** 2,
             "(w dt)^2/24 of the phase for w of the stiffest moment, which is 1.2 times pi/tc, and "
@@ -163,9 +173,11 @@ def _balance(unit: float) -> Scalar:
         5.0 / STEPS[0] ** 2, "as for the path: energy swings by (w dt)^2/4 at most",
         dt=unit / STEPS[0], order=2,
     )  # fmt: skip
-    return balance({Method.SECOND_ORDER: step, Method.FIRST_ORDER: step})
+    exact = Tolerance(1e-12, "one event; only rounding errors remain")
+    return balance({Method.EXACT: exact, Method.SECOND_ORDER: step, Method.FIRST_ORDER: step})
 
 
+BETWEEN = {"deepest": 1e-8, "force": 2e-6}  # errors of reading smooth data between outputs
 SUDDEN = 0.3  # restitution up to which a dashpot pushes most at once, or too soon for outputs
 QUANTITIES = (
     ("restitution", "e", "", "speed after the impact over that before"),
