@@ -122,14 +122,8 @@ def solve_contacts(
         keep(before_w, w)
         sweep(p, joints, bodies, friction, v, w)
         sweeps += 1
-        size, largest = 0.0, 0.0
-        for c in range(len(p)):
-            change = add_scaled(at(p, c), -1.0, at(before, c))
-            square = dot(change, change)
-            size += square
-            stiff = larger(joints.across[c], joints.along[c])
-            largest = larger(largest, square * (stiff * stiff))
-        if (largest <= tolerance * tolerance and sweeps >= fewest) or sweeps == most:
+        size, largest = changed(p, before, joints)
+        if (largest <= tolerance and sweeps >= fewest) or sweeps == most:
             left = residual(p, joints, friction, v, w)
             if left <= tolerance or sweeps == most:
                 break
@@ -140,6 +134,19 @@ def solve_contacts(
         follow(way_v, before_v, v, share, goes_on)
         follow(way_w, before_w, w, share, goes_on)
     return sweeps, left
+
+
+@lent
+def changed(p: Vector, before: Vector, joints: Joints) -> tuple[float, float]:
+    """The square [N2 s2] of what impulses changed by, and the largest change as a speed [m/s]."""
+    size, largest = 0.0, 0.0
+    for c in range(len(p)):
+        change = add_scaled(at(p, c), -1.0, at(before, c))
+        square = dot(change, change)
+        size += square
+        stiff = larger(joints.across[c], joints.along[c])
+        largest = larger(largest, square * (stiff * stiff))
+    return size, np.sqrt(largest)
 
 
 @lent

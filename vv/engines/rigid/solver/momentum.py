@@ -12,9 +12,9 @@ import numpy as np
 
 from vv.engines.kernels.arrays import larger, rows, same_rows, smaller
 from vv.engines.kernels.compiled import called, lent
-from vv.engines.kernels.triples import add_scaled, at, dot, put
+from vv.engines.kernels.triples import add_scaled, at, put
 from vv.engines.rigid.solver.assembly import Bodies, Joints
-from vv.engines.rigid.solver.cone import Friction, keep, residual, sweep
+from vv.engines.rigid.solver.cone import Friction, changed, keep, residual, sweep
 from vv.scene import Vector
 
 CAP, LEAST, MOST = 0.85, 0.5, 0.98  # of the share: at first, and its bounds
@@ -64,19 +64,6 @@ def carried(
         carry(v, last_v, share)
         carry(w, last_w, share)
     return sweeps, left
-
-
-@lent
-def changed(p: Vector, before: Vector, joints: Joints) -> tuple[float, float]:
-    """The square [N2 s2] of what impulses changed by, and the largest change as a speed [m/s]."""
-    size, largest = 0.0, 0.0
-    for c in range(len(p)):
-        change = add_scaled(at(p, c), -1.0, at(before, c))
-        square = dot(change, change)
-        size += square
-        stiff = larger(joints.across[c], joints.along[c])
-        largest = larger(largest, square * (stiff * stiff))
-    return size, np.sqrt(largest)
 
 
 @lent

@@ -1,0 +1,89 @@
+"""Claims about sweeps carried on by momentum: the plain sweeps' answer, in fewer sweeps."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numba
+import numpy as np
+import pytest
+
+from vv.engines.kernels.arrays import nil_rows
+from vv.engines.rigid.solver.assembly import Bodies, Joints
+from vv.engines.rigid.solver.cone import Friction, residual, sweep
+from vv.engines.rigid.solver.momentum import carried
+from vv.scene import Vector
+
+TOLERANCE, MOST = 1e-8, 20_000  # m/s; sweeps
+STEP = 1e-2  # m/s: what gravity makes of a step
+Z = np.array([0.0, 0.0, 1.0])
+
+
+def pile(height: int, mu: float) -> tuple[Joints, Bodies, Friction, Vector]:
+    """Unit cubes of 1 kg on a floor that slides off at 0.1 m/s, each touching in four corners.
+
+    And their velocities (height + 1, 3) [m/s] after a step without contact.
+    """
+    corners = 0.5 * np.array([[x, y, 0.0] for x in (-1.0, 1.0) for y in (-1.0, 1.0)])
+    inertia = np.concatenate([6.0 * np.ones(height), [0.0]])
+    free = np.concatenate([np.ones(height), [0.0]])
+    bodies = Bodies(
+        free[:, None, None] * np.eye(3), inertia[:, None, None] * np.eye(3),
+        np.zeros((height + 1, 3)),
+    )  # fmt: skip
+    below = np.repeat(np.array([height, *range(height - 1)]), 4)  # the last body is the floor
+    above = np.repeat(np.arange(height), 4)
+    low = np.tile(corners, (height, 1)) + 0.5 * Z * (below < height)[:, None]
+    high = np.tile(corners, (height, 1)) - 0.5 * Z
+    arms = low * free[below][:, None]
+    pull = (free[below] + free[above])[:, None] * Z
+    pull += 6.0 * (free[below][:, None] * np.cross(np.cross(arms, Z), arms))
+    pull += 6.0 * np.cross(np.cross(high, Z), high)
+    along = (free[below] + free[above]) * (1.0 + 6.0 * 0.5)
+    normal, nil = np.tile(Z, (4 * height, 1)), np.zeros((4 * height, 3))
+    joints = Joints(below, above, normal, arms, high, pull, pull @ Z, along)
+    falls = np.concatenate([np.tile(-STEP * Z, (height, 1)), [[0.1, 0.0, 0.0]]])
+    return joints, bodies, Friction(mu, np.zeros(4 * height), nil, nil), falls
+
+
+def _solved(
+    joints: Joints, bodies: Bodies, friction: Friction, v: Vector, carries: bool
+) -> tuple[int, float, Vector]:
+    p, w, sweeps = nil_rows(len(joints.first)), nil_rows(len(v)), 0
+    left = residual(p, joints, friction, v, w)
+    if carries:
+        sweeps, left = carried(p, joints, bodies, friction, v, w, TOLERANCE, sweeps, MOST)
+    while left > TOLERANCE and sweeps < MOST:
+        sweep(p, joints, bodies, friction, v, w)
+        left, sweeps = residual(p, joints, friction, v, w), sweeps + 1
+    return sweeps, left, p
+
+
+solve: Any = numba.njit(_solved)  # not kept on disk, where it would outlive what it calls
+
+
+@pytest.mark.parametrize(("height", "mu"), [(4, 0.5), (6, 0.5), (8, 0.05)])
+def test_momentum_reaches_the_plain_sweeps_answer_in_fewer(height: int, mu: float) -> None:
+    joints, bodies, friction, falls = pile(height, mu)
+    plain, ahead = falls.copy(), falls.copy()
+    slow, left, _ = solve(joints, bodies, friction, plain, False)
+    fast, beyond, _ = solve(joints, bodies, friction, ahead, True)
+    assert max(left, beyond) <= TOLERANCE
+    assert np.abs(ahead - plain).max() <= 30 * TOLERANCE
+    assert fast <= slow / 4
+
+
+def test_a_pile_that_slides_gains_what_friction_gives() -> None:
+    joints, bodies, friction, v = pile(8, 0.05)
+    solve(joints, bodies, friction, v, True)
+    assert np.abs(v[:-1] - [0.05 * STEP, 0.0, 0.0]).max() <= 100 * TOLERANCE
+
+
+def test_velocities_are_those_of_the_impulses() -> None:
+    joints, bodies, friction, falls = pile(6, 0.5)
+    v = falls.copy()
+    _, _, p = solve(joints, bodies, friction, v, True)
+    made = falls.copy()
+    np.add.at(made, joints.second, p)
+    np.add.at(made[:6], joints.first[4:], -p[4:])
+    assert np.abs(v - made).max() <= 1e-13
