@@ -1,8 +1,8 @@
 """A dry wall of 205 blocks in `rigid`: at rest, shaken so that it holds, and so that it slides.
 
 Running bond, ten courses of 20 blocks or of 19 and two halves, on a base that moves along the
-wall as D (1 - cos 2 pi f t), no damping, dt = 1e-3 s. At 0.36 g the wall holds and is judged; at
-0.72 g it slides and its courses part, and its figures are shown.
+wall as D (1 - cos 2 pi f t), no damping, dt = 1e-3 s. At 0.36 g the wall holds; at 0.72 g it slides
+and its courses part, which must converge too, and whose cost is shown.
 """
 
 import time
@@ -17,7 +17,7 @@ from vv.engines.rigid import PreparedRigidBlocks
 
 COLUMNS, COURSES = 20, 10
 FREQUENCY = 3.0  # Hz
-CREEPS = 1e-5  # m/s: a residual above which friction creeps
+CREEPS = 5e-6  # m/s: a residual above which friction creeps
 PARTS = {"at rest": (0.0, 1.0), "shaken": (0.01, 1.0), "sliding": (0.02, 0.3)}  # D [m], time [s]
 
 
@@ -56,8 +56,8 @@ def main() -> None:
     parts = {name: solved(*part) for name, part in PARTS.items()}
     judged = [parts["at rest"], parts["shaken"]]
     bars = {
-        "residual at most 1e-5 m/s at every step": max(
-            part["residual, largest [m/s]"] for part in judged
+        "residual at most 5e-6 m/s at every step": max(
+            part["residual, largest [m/s]"] for part in parts.values()
         ) <= CREEPS,
         "at most 40 ms a step on one core": max(part["CPU [ms a step]"] for part in judged) <= 40,
         "penetration under 1 mm": max(
