@@ -136,6 +136,7 @@ def test_an_array_has_its_words_where_kernels_read_them() -> None:
 
 def test_what_a_meminfo_holds_is_at_its_fourth_word() -> None:
     whole = np.arange(3.0)
+    runtime.rtsys.initialize(numba.core.registry.cpu_target.target_context)
     memory = runtime.rtsys.meminfo_new(whole.ctypes.data, whole)
     assert DATA == 3
     assert memory.data == whole.ctypes.data, CHANGED
