@@ -28,7 +28,7 @@ from vv.engines import dem
 from vv.scene import Contact, Form, Scene, Spheres, Wall
 
 SIZES = {100: 20000, 1000: 4000, 10_000: 400, 50_000: 80, 200_000: 30, 1_000_000: 8}  # steps of dem
-LIGGGHTS_UP_TO, YADE_UP_TO, ROUNDS, DT, RADIUS = 50_000, 10_000, 3, 2e-5, 0.01
+BESIDE, ROUNDS, DT, RADIUS = 50_000, 3, 2e-5, 0.01  # the others up to so many spheres
 TIMES_LIGGGHTS, TIMES_YADE, FLAT, MEMORY = 1.8, 5.0, 1.25, 3e9
 EVERY = " every 1 check no"  # as an answer needs it; a fast LIGGGHTS seeks neighbours when it must
 
@@ -116,10 +116,10 @@ def main() -> None:
         for _ in range(ROUNDS if n < 1_000_000 else 1):
             mine, energy = ours(n, steps)
             costs = {"dem": mine}
-            if n <= LIGGGHTS_UP_TO and liggghts.ADAPTER.found().installed:
+            if n <= BESIDE and liggghts.ADAPTER.found().installed:
                 costs["liggghts"], other = lammps(n, steps)
                 figures[f"{n}: energy of motion in liggghts over that in dem"] = other / energy
-            if n <= YADE_UP_TO and yade.ADAPTER.found().installed:
+            if n <= BESIDE and yade.ADAPTER.found().installed:
                 costs["yade"] = yades(n, min(steps, 1000))
             for code, cost in costs.items():
                 least[code, n] = min(cost, least.get((code, n), np.inf))
