@@ -1,0 +1,1 @@
+"""Claims about bonds in DEM, and lattices of them."""

@@ -1,0 +1,1 @@
+"""Claims about contacts in DEM: friction, dashpots, elastic spheres."""
