@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from reports import plain
 from reports.book import Book
 from reports.marks import Mark
-from reports.outcomes import RANKS, ShownOutcome, shown_outcome
+from reports.outcomes import RANKS, WORST_FIRST, ShownOutcome
 from reports.text import brief, short
 from vv.records.job_record import Record
 
@@ -33,19 +33,20 @@ def findings(book: Book, looks: Iterable[str]) -> list[Finding]:
     where: case -> (link, variant with its steps).
     """
     wanted = frozenset(looks)
-    piles: dict[tuple[int, str, str], list[Record]] = {}
-    for record, found in book.shown:
+    piles: dict[tuple[int, str, str], dict[int, str]] = {}  # place among all -> reason
+    for place, (record, found) in enumerate(book.shown):
         if found.look in wanted:
-            key = (RANKS[found.key], record.label, DECIMAL.sub("#", _reason(record)))
-            piles.setdefault(key, []).append(record)
+            why = _reason(record, found)
+            key = (RANKS[found.key], record.label, DECIMAL.sub("#", why))
+            piles.setdefault(key, {})[place] = why
     return [
         Finding(
-            shown_outcome(pile[0]),
+            WORST_FIRST[rank],
             book.marks[name],
-            _merged([*map(_reason, pile)]),
-            _where(book, pile),
+            _merged([*pile.values()]),
+            _where(book, [book.shown[place][0] for place in pile]),
         )
-        for (_, name, _), pile in sorted(piles.items())
+        for (rank, name, _), pile in sorted(piles.items(), key=lambda item: item[0])
     ]
 
 
@@ -56,9 +57,8 @@ def _merged(texts: Sequence[str]) -> str:
     return DECIMAL.sub(lambda _: " to ".join(next(ranges)), texts[0])
 
 
-def _reason(record: Record) -> str:
+def _reason(record: Record, shown: ShownOutcome) -> str:
     """The reason of a record's outcome: its own, what its quantities note, or its energy."""
-    shown = shown_outcome(record)
     return plain.reason(record, shown.key) or shown.meaning
 
 

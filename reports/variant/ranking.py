@@ -12,7 +12,6 @@ from reports.text import brief, sci
 from reports.variant.reading import anchor, judged_error, margin, nearest
 from reports.variant.settings import observed_order
 from vv.base.metrics import Order
-from vv.gate.judgement import outcome
 from vv.records import codec
 from vv.records.job_record import ModelSummary, Record
 
@@ -84,12 +83,13 @@ def _ranked(pile: Sequence[Record], mark: Mark) -> Ranked:
     measured = [record for record in pile if record.quantities]
     finest = measured[-1] if measured else pile[-1]
     one = nearest(finest)
-    bad = _worst_of(pile)
+    outcomes = counted(pile)
+    bad = _worst_of(pile, outcomes[0][0])
     cost = finest.cost
     return Ranked(
         anchor=anchor(finest),
         mark=mark,
-        outcomes=counted(pile),
+        outcomes=outcomes,
         error=judged_error(one),
         quantity=one.name if one and len(finest.quantities) > 1 else "",
         tolerance=one.tolerance if one else None,
@@ -102,15 +102,17 @@ def _ranked(pile: Sequence[Record], mark: Mark) -> Ranked:
         unknowns=finest.model.unknowns if finest.model else None,
         model=finest.model,
         balance=_balance(finest),
-        why=plain.reason(bad, outcome(bad)) if bad else "",
+        why=plain.reason(bad, outcomes[0][0].key) if bad else "",
         worst_setting=plain.setting(bad) if bad else "",
         command=plain.command(bad) if bad else "",
     )
 
 
-def _worst_of(pile: Sequence[Record]) -> Record | None:
-    """The record that explains the colour of a pile, farthest outside; None if all is well."""
-    worst = counted(pile)[0][0]
+def _worst_of(pile: Sequence[Record], worst: ShownOutcome) -> Record | None:
+    """The record that explains the colour of a pile, farthest outside; None if all is well.
+
+    worst: the worst outcome in it.
+    """
     if worst.look not in ("bad", "odd", "known"):
         return None
     own = [record for record in pile if shown_outcome(record).key is worst.key]
