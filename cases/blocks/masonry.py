@@ -209,7 +209,7 @@ CASE = Case(
         Variant(
             "slides", "a small facade without an arch slides on its base",
             "as one block does that responds to its base",
-            {"mu": 0.2, "duration": 0.5}, frozenset(), Level.DEFAULT, NUMBERS,
+            {"mu": 0.2, "duration": 0.5}, unseen=NUMBERS,
         ),
         Variant(
             "shaken", "a small facade shaken without damping", "no exact answer",

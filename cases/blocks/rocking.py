@@ -91,7 +91,8 @@ def _rocked(variant: str, p: Parameters, law: Law, w: float) -> Trial:
     scene = _scene(p, start, most)
     if variant == "threshold":
         ends = History(1.01 * math.pi / w, math.pi / w)
-        study = Ladder(scene, ends, (CENTRE, MOVING), LEVELS)
+        levels = LEVELS | {Level.QUICK: (*RUNGS[:2], RUNGS[-1])}  # clumps run at the last
+        study = Ladder(scene, ends, (CENTRE, MOVING), levels)
         return Trial(study, (_threshold(p, law, w, most),))
     over = rocking.overturns(**law, A=most, w=w) if most and p["part"] > 1.0 else math.inf
     if not p["duration"] < over:

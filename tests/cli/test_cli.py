@@ -15,6 +15,8 @@ from vv.records.finding import Bit
 BAD = {
     "run": "name a case or say --all",
     "run fal": "no case or family 'fal'; did you mean fall?",
+    "run up": "no case or family 'up'; it is a variant: say fall:up",
+    "list -k nosuch": "-k 'nosuch' fits no variant; `vv list` shows all",
     "run fall:upp": "no variant 'upp'; did you mean up?",
     "run fall --codes ,": "--codes ',' names no code",
     "run fall --codes fke": "no code 'fke'; did you mean fake",

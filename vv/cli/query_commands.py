@@ -50,18 +50,22 @@ def list_cases(
 
 
 def _fitting(families: dict[str, str], cases: list[Case], keyword: str) -> dict[str, list[str]]:
-    """Case -> its variants whose names or descriptions fit an expression."""
+    """Case -> its variants whose names or descriptions fit an expression.
+
+    A title is asked where no variant of the case fits, and then speaks for all of them. Raises
+    UsageError if nothing fits.
+    """
     from vv.plan.expression import matcher
 
-    fits = matcher(keyword)
-    return {
-        case.name: [
-            v.name
-            for v in case.variants
-            if fits(f"{families[case.name]} {case.name}:{v.name} {case.title} {v.summary}")
-        ]
-        for case in cases
-    }
+    fits, fitting = matcher(keyword), {}
+    for case in cases:
+        family = families[case.name]
+        own = [v.name for v in case.variants if fits(f"{family} {case.name}:{v.name} {v.summary}")]
+        by_title = fits(f"{family} {case.name} {case.title}")
+        fitting[case.name] = own or [v.name for v in case.variants if by_title]
+    if not any(fitting.values()):
+        raise UsageError(f"-k '{keyword}' fits no variant; `vv list` shows all")
+    return fitting
 
 
 def _run_by(project: Project, names: list[str], code: str) -> set[tuple[str, str]]:

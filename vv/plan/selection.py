@@ -33,14 +33,22 @@ def _matching_variants(project: Project, pattern: str) -> dict[str, list[str]]:
     families = project.families()
     hits = [n for n, f in families.items() if fnmatch.filter((n, f), case_pattern)]
     if not hits:
-        every = {*families, *families.values()}
-        raise UsageError(f"no case or family '{case_pattern}'{name_hint(case_pattern, every)}")
+        raise UsageError(f"no case or family '{case_pattern}'{_hint(project, case_pattern)}")
     known = {case.name: [v.name for v in case.variants] for case in project.load_cases(hits)}
     found = {name: fnmatch.filter(own, variant_pattern or "*") for name, own in known.items()}
     if not any(found.values()):
         names = itertools.chain.from_iterable(known.values())
         raise UsageError(f"no variant '{variant_pattern}'{name_hint(variant_pattern, names)}")
     return found
+
+
+def _hint(project: Project, name: str) -> str:
+    """What may have been meant by a name that is no case's and no family's."""
+    families = project.families()
+    for case in project.load_cases(list(families)):
+        if name in {variant.name for variant in case.variants}:
+            return f"; it is a variant: say {case.name}:{name}"
+    return name_hint(name, {*families, *families.values()})
 
 
 def named_adapters(project: Project, patterns: Iterable[str]) -> dict[str, Adapter]:
