@@ -14,10 +14,11 @@ from vv.plan.keys import roots
 from vv.plan.project import find
 
 ROOT = Path(__file__).resolve().parents[1]
-COMPILED = re.compile(r"^@(?:compiled|called|inlined|shared)\b", re.MULTILINE)
-BY_EVENTS = (  # the kernels of `exact`, which compiles none
-    "bonds", "flow", "ledger", "modes", "path", "roots", "system",
+COMPILED = re.compile(r"^@(?:compiled|called|inlined|inlined_called|lent|shared)\b", re.MULTILINE)
+BESIDE = (  # what `exact` computes outside its kernels
+    "bonds", "flow", "ledger", "path", "system",
     "slide/clock", "slide/flow", "slide/ledger", "slide/path", "slide/system",
+    "turn/ledger", "turn/path",
 )  # fmt: skip
 SWAPS: dict[type, type] = {
     ast.Add: ast.Sub,
@@ -60,9 +61,9 @@ class Mutant(NamedTuple):
 def kernels() -> dict[str, tuple[str, ...]]:
     """File -> codes: all that is compiled, with every code that it is part of."""
     project = find(ROOT)
-    exact = [f"vv/engines/exact/{name}.py" for name in BY_EVENTS]
+    exact = [f"vv/engines/exact/{name}.py" for name in BESIDE]
     found: dict[str, tuple[str, ...]] = dict.fromkeys(exact, ("exact",))
-    for code in ("dem", "rigid", "dda"):
+    for code in ("dem", "rigid", "dda", "exact"):
         for path in import_closure(project.adapter_files(code), roots(project)):
             if path.suffix == ".py" and COMPILED.search(path.read_text()):
                 name = path.relative_to(ROOT).as_posix()
