@@ -83,3 +83,16 @@ def test_a_folder_whose_name_begins_alike_is_another(tmp_path: Path) -> None:
     assert program.poll() is None
     processes.end_those_in(tmp_path / "ab")
     assert program.wait(5) == -9
+
+
+def test_a_process_is_ended_though_a_second_signal_comes_while_it_is_stopped(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    def interrupted(pid: int) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(processes, "end_descendants", interrupted)
+    sleeper = subprocess.Popen(["sleep", "60"])
+    with pytest.raises(KeyboardInterrupt):
+        processes.end_with_descendants(sleeper.pid)
+    assert sleeper.wait(5) == -9

@@ -37,11 +37,16 @@ def end_children() -> None:
 
 
 def end_with_descendants(pid: int) -> None:
-    """End a process that still runs, with all that it started; it starts no other meanwhile."""
-    with contextlib.suppress(ProcessLookupError, PermissionError):
-        os.kill(pid, signal.SIGSTOP)
-        end_descendants(pid)
-        os.kill(pid, signal.SIGKILL)
+    """End a process that still runs, with all that it started; it starts no other meanwhile.
+
+    It is not left stopped by a signal to us that comes in between: it could not be asked to end.
+    """
+    try:
+        with contextlib.suppress(ProcessLookupError, PermissionError):
+            os.kill(pid, signal.SIGSTOP)
+            end_descendants(pid)
+    finally:
+        _kill([pid])
 
 
 def end_descendants(pid: int) -> None:
