@@ -92,6 +92,10 @@ def _judge() -> Exact:
                 1e-5, "the trapezoidal rule on the sine, with events located within the step",
                 dt=1e-3, order=2, floor=1e-7,
             ),
+            Method.FIRST_ORDER: Tolerance(
+                1e-5, "a slip begins and ends on a whole step, at a speed of no more than a dt",
+                dt=1e-3, order=1, slack="where in a step a slip ends is chance",
+            ),
             Method.PENALTY: Tolerance(
                 1e-3, "shear springs of two sides delay each beginning and end of slip",
                 kn=1e10, softness=0.5,

@@ -21,6 +21,7 @@ from reference_solutions.blocks.slip_collocation import NODES, advanced, along, 
 
 Array = NDArray[np.float64]
 
+TURN = 8 * np.arctan(np.longdouble(1))  # of which angles are taken, lest they lose digits late
 _DECAYED = 1e-10  # of the slip's greatest speed: what the last two Legendre terms may move
 _SLOW = 1e-7  # of the slip's greatest speed: the rest of the slip has the closed form
 _SOON = 1e-2  # [rad] of the fastest harmonic: T and F stay what they are for that long
@@ -42,7 +43,8 @@ class Drive(NamedTuple):
 
     def at(self, t: Array | float) -> Array:
         """Tx, Ty and F at times t, (3, ...)."""
-        angle = np.multiply.outer(self.omega, t)
+        turns = np.multiply.outer(self.omega.astype(np.longdouble), t) / TURN
+        angle = (TURN * (turns - np.floor(turns))).astype(float)
         varying = self.sine @ np.sin(angle) + self.cosine @ np.cos(angle)
         values: Array = (self.constant + varying.T).T
         return values
@@ -143,8 +145,8 @@ def _slip(drive: Drive, t: float, x: Array, end: float) -> Iterator[Step]:
     """The steps of a slip from rest, until it is at rest again or at `end`."""
     nodes, w, top, length = basis().nodes, np.zeros(2), 0.0, 0.05 / drive.omega.max()
     for _ in range(_most(drive, end - t)):
-        length = min(length, end - t)
-        *T, F = drive.at(t + length * nodes)
+        length = (t + min(length, end - t)) - t  # so that t + length is no rounded sum
+        *T, F = drive.at(np.longdouble(t) + length * nodes)
         rate = collocate(np.array(T), F, w, length)
         if rate is None:
             length /= 4.0

@@ -50,6 +50,7 @@ EFFORT = {
         "x - y / descent",
     ),
     turning_slip: (
+        "turns - np.floor(turns)",  # whole turns are none
         "float(signs @ value ** 2) - level",
         "end - t",
         "root - rise",

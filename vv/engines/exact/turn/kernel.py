@@ -10,6 +10,7 @@ from vv.engines.exact.turn.rest import end_of_rest, slack
 from vv.engines.exact.turn.series import (
     ORDER,
     REACH,
+    angle,
     expand_drive,
     expand_slip,
     expand_start,
@@ -28,8 +29,7 @@ CELL = 1.5  # [rad] of the quickest sine: pieces of rest are no longer
 @compiled
 def follow_turning(
     rows: Vector,
-    omega: Vector,
-    phase: Vector,
+    sines: Vector,
     w: Vector,
     tiny: float,
     band: float,
@@ -40,8 +40,8 @@ def follow_turning(
 ) -> tuple[int, int, float]:
     """The outcome, the number p of pieces and the time reached [s].
 
-    rows (3, 1 + k) [m/s2]: the two parts of T and F as constants and amplitudes of k sines of
-    omega [rad/s] and phase [rad]. w: (2,) the slip's velocity at t = 0 [m/s], overwritten; below
+    rows (3, 1 + k) [m/s2]: the two parts of T and F as constants and amplitudes of k sines
+    (k, 4), see `angle`. w: (2,) the slip's velocity at t = 0 [m/s], overwritten; below
     tiny [m/s] it is none. band [m2/s4]: the rounding of F^2 - |T|^2. Filled: starts (most, 3),
     when each piece starts [s], its unit of time h [s] and its end in that unit; states (most,);
     series (most, ORDER + 1, 2), of its place [m].
@@ -49,25 +49,25 @@ def follow_turning(
     t, count, place = 0.0, 0, np.zeros(2)
     drive, work, looked = np.empty((3, ORDER + 1)), np.empty((3, ORDER)), np.empty(3)
     velocity, turned, shape = np.empty((2, ORDER)), np.empty((3, ORDER + 1)), np.empty((2, ORDER))
-    quickest = omega.max() if len(omega) else 0.0
+    quickest = sines[:, 3].max() if len(sines) else 0.0
     rubs = np.abs(rows[2]).max() > 0
     moves = not rubs or math.hypot(w[0], w[1]) > tiny
     while t < duration:
         if count == len(starts):
             return FULL, count, t
         if moves:
-            pace = _pace(rows, omega, phase, t, drive)
+            pace = _pace(rows, sines, t, drive)
             h = min(duration, 1 / quickest if quickest > 0 else duration)
             if rubs:
                 h = min(h, math.hypot(w[0], w[1]) / pace)
-            expand_drive(rows, omega, phase, t, h, drive)
+            expand_drive(rows, sines, t, h, drive)
             velocity[:, 0] = w
             end = min(_step_of_slip(drive, h, velocity, work, rubs), (duration - t) / h)
         else:
-            slack(rows, omega, phase, t, looked)
+            slack(rows, sines, t, looked)
             power = 1 if looked[0] < -band else 2
             if looked[0] > band or (power == 2 and looked[1] >= 0):
-                last = end_of_rest(rows, omega, phase, t, duration, band, looked)
+                last = end_of_rest(rows, sines, t, duration, band, looked)
                 cell = CELL / quickest if quickest > 0 else duration
                 while t < last and count < len(starts):
                     h = min(cell, last - t)
@@ -80,7 +80,7 @@ def follow_turning(
                     continue
                 power = 2
             h = 1 / quickest if quickest > 0 else duration
-            expand_drive(rows, omega, phase, t, h, drive)
+            expand_drive(rows, sines, t, h, drive)
             end = _step_of_start(drive, h, power, velocity, turned, shape, work)
             if not end > 0:
                 return TOUCHED, count, t
@@ -113,12 +113,12 @@ def _keep(
 
 
 @lent
-def _pace(rows: Vector, omega: Vector, phase: Vector, t: float, work: Vector) -> float:
+def _pace(rows: Vector, sines: Vector, t: float, work: Vector) -> float:
     """What |w'| does not exceed at time t [m/s2]."""
     for r in range(3):
         work[r, 0] = rows[r, 0]
-    for i in range(len(omega)):
-        sine = math.sin(omega[i] * t + phase[i])
+    for i in range(len(sines)):
+        sine = math.sin(angle(sines, i, t))
         for r in range(3):
             work[r, 0] += rows[r, 1 + i] * sine
     pull, press = math.hypot(work[0, 0], work[1, 0]), abs(work[2, 0])

@@ -68,7 +68,9 @@ class Turn:
 def follow_turning_slider(slider: TurningSlider, duration: float) -> Turn:
     """The motion of a slider over a duration [s]; raises StoppedError if it cannot be followed."""
     rows = np.vstack((slider.relative_drive, slider.mu * slider.pressing))
+    short = slider.frequency.astype(np.float32).astype(float)
     omega = 2 * np.pi * slider.frequency
+    sines = np.stack((short, slider.frequency - short, slider.phase, omega), axis=1)
     size = np.abs(rows).sum(axis=1)
     quickest = float(omega.max(initial=0.0))
     span = min(duration, 1 / quickest) if quickest > 0 else duration
@@ -79,7 +81,7 @@ def follow_turning_slider(slider: TurningSlider, duration: float) -> Turn:
         starts, states = np.empty((room, 3)), np.empty(room)
         series = np.empty((room, ORDER + 1, 2))
         outcome, count, t = follow_turning(
-            rows, omega, slider.phase, slider.slip.copy(), still, band, duration, starts, states,
+            rows, sines, slider.slip.copy(), still, band, duration, starts, states,
             series,
         )  # fmt: skip
         if outcome == ENDED:

@@ -5,21 +5,22 @@ from __future__ import annotations
 import math
 
 from vv.engines.exact.roots import safe_step
+from vv.engines.exact.turn.series import angle
 from vv.engines.kernels.compiled import lent
 from vv.scene import Vector
 
 
 @lent
-def slack(rows: Vector, omega: Vector, phase: Vector, t: float, out: Vector) -> None:
+def slack(rows: Vector, sines: Vector, t: float, out: Vector) -> None:
     """F^2 - |T|^2 at time t [m2/s4] and its first two derivatives, (3,)."""
     out[:] = 0.0
     for r in range(3):
         value, rate, curve = rows[r, 0], 0.0, 0.0
-        for i in range(len(omega)):
-            angle, row = omega[i] * t + phase[i], rows[r, 1 + i]
-            value += row * math.sin(angle)
-            rate += row * omega[i] * math.cos(angle)
-            curve -= row * omega[i] ** 2 * math.sin(angle)
+        for i in range(len(sines)):
+            now, row = angle(sines, i, t), rows[r, 1 + i]
+            value += row * math.sin(now)
+            rate += row * sines[i, 3] * math.cos(now)
+            curve -= row * sines[i, 3] ** 2 * math.sin(now)
         sign = 1.0 if r == 2 else -1.0
         out[0] += sign * value * value
         out[1] += sign * 2 * value * rate
@@ -27,36 +28,36 @@ def slack(rows: Vector, omega: Vector, phase: Vector, t: float, out: Vector) -> 
 
 
 @lent
-def third_derivative_bound(rows: Vector, omega: Vector) -> float:
+def third_derivative_bound(rows: Vector, sines: Vector) -> float:
     """What the third derivative of F^2 - |T|^2 never exceeds [m2/s7]."""
     bound = 0.0
     for r in range(3):
         size, rate, curve, jerk = abs(rows[r, 0]), 0.0, 0.0, 0.0
-        for i in range(len(omega)):
+        for i in range(len(sines)):
             row = abs(rows[r, 1 + i])
             size += row
-            rate += row * omega[i]
-            curve += row * omega[i] ** 2
-            jerk += row * omega[i] ** 3
+            rate += row * sines[i, 3]
+            curve += row * sines[i, 3] ** 2
+            jerk += row * sines[i, 3] ** 3
         bound += 2 * (size * jerk + 3 * rate * curve)
     return bound
 
 
 @lent
 def end_of_rest(
-    rows: Vector, omega: Vector, phase: Vector, t: float, last: float, band: float, out: Vector
+    rows: Vector, sines: Vector, t: float, last: float, band: float, out: Vector
 ) -> float:
     """The time after which F^2 - |T|^2 first falls below -band, or `last`; out: (3,) for work.
 
     Steps cannot skip it: see `vv.engines.exact.roots.first_descent_below_zero`.
     """
-    jerk, held, ahead = third_derivative_bound(rows, omega), t, last - t
+    jerk, held, ahead = third_derivative_bound(rows, sines), t, last - t
     while t < last:
-        slack(rows, omega, phase, t, out)
+        slack(rows, sines, t, out)
         if out[0] > 0:
             held = t
         elif out[0] <= -band / 2:
-            return _zero(rows, omega, phase, held, t, out)
+            return _zero(rows, sines, held, t, out)
         bend = max(jerk * ahead - out[2], 0.0)
         step = min(safe_step(out[0] + band, out[1], bend), ahead)
         t += max(step, 4e-16 * t)
@@ -65,13 +66,11 @@ def end_of_rest(
 
 
 @lent
-def _zero(
-    rows: Vector, omega: Vector, phase: Vector, low: float, high: float, out: Vector
-) -> float:
+def _zero(rows: Vector, sines: Vector, low: float, high: float, out: Vector) -> float:
     """The zero of F^2 - |T|^2 in [low, high], by Newton's iteration held between two bounds."""
     t = high
     for _ in range(60):
-        slack(rows, omega, phase, t, out)
+        slack(rows, sines, t, out)
         if out[0] < 0:
             high = t
         else:

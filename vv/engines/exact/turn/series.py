@@ -7,21 +7,34 @@ import math
 from vv.engines.kernels.compiled import lent
 from vv.scene import Vector
 
+GRID = 2.0**20  # 1/s: what a time is more than a multiple of 1/GRID is kept apart
 ORDER = 24  # of the series of the place; that of the velocity is one less
 REACH = 0.18  # (1e-17)^(1/23): of the radius of convergence, so that the last term is rounding
 
 
 @lent
-def expand_drive(
-    rows: Vector, omega: Vector, phase: Vector, t: float, h: float, out: Vector
-) -> None:
+def angle(sines: Vector, i: int, t: float) -> float:
+    """The phase [rad] of a sine at time t [s], whole turns left out, as sharp late as at first.
+
+    sines (k, 4): frequency [Hz] in two parts of which the first has few digits, so that its
+    product with a time on the grid is exact; phase [rad]; 2 pi times the frequency [rad/s].
+    """
+    whole = math.floor(t * GRID) / GRID
+    turns = sines[i, 0] * whole
+    turns -= math.floor(turns)
+    turns += sines[i, 0] * (t - whole) + sines[i, 1] * t
+    return float(2 * math.pi * turns + sines[i, 2])
+
+
+@lent
+def expand_drive(rows: Vector, sines: Vector, t: float, h: float, out: Vector) -> None:
     """Coefficients (3, ORDER + 1) at time t of rows[:, 0] + rows[:, 1:] @ sines, in units of h."""
     out[:, :] = 0.0
     for r in range(3):
         out[r, 0] = rows[r, 0]
-    for i in range(len(omega)):
-        angle, turn, size = omega[i] * t + phase[i], omega[i] * h, 1.0
-        sine, cosine = math.sin(angle), math.cos(angle)
+    for i in range(len(sines)):
+        now, turn, size = angle(sines, i, t), sines[i, 3] * h, 1.0
+        sine, cosine = math.sin(now), math.cos(now)
         for n in range(out.shape[1]):
             value = size * (cosine if n % 2 else sine) * (-1.0 if n % 4 > 1 else 1.0)
             for r in range(3):
