@@ -8,6 +8,7 @@ from vv.ask import Ledger
 from vv.engines.exact.ledger import derivative, ledger_of_terms, product_integral, sum_so_far
 from vv.engines.exact.path import taylor_sum
 from vv.engines.exact.slide.path import Slide
+from vv.engines.exact.slide.system import Slider, TurningSlider
 from vv.scene import Vector
 
 
@@ -17,9 +18,21 @@ def slide_ledger(path: Slide) -> Ledger:
     What shaking and the moving wall have put in counts negative, so that the sum of all terms is
     the energy at t = 0. The wall works with the contact force on its own velocity.
     """
-    slider = path.slider
     displacement, velocity = path.motion_in_space(*_ends(path), path.waves)
-    friction, shaking, base = _works(path)
+    return ledger_on_wall(path.slider, displacement, velocity, _works(path))
+
+
+def ledger_on_wall(
+    slider: Slider | TurningSlider,
+    displacement: Vector,
+    velocity: Vector,
+    works: tuple[Vector, Vector, Vector],
+) -> Ledger:
+    """The ledger of a body on a wall from its motion in space at the ends of pieces, (p + 1, 3).
+
+    works: (p,) each [J], against friction, of the shaking and of the wall, in each piece.
+    """
+    friction, shaking, base = works
     terms = {
         "kinetic": 0.5 * slider.mass * (velocity**2).sum(axis=1),
         "friction dissipation": sum_so_far(friction),

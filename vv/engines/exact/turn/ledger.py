@@ -5,8 +5,9 @@ from __future__ import annotations
 import numpy as np
 
 from vv.ask import Ledger
-from vv.engines.exact.ledger import derivative, ledger_of_terms, product_integral, sum_so_far
+from vv.engines.exact.ledger import derivative, product_integral
 from vv.engines.exact.path import taylor_sum
+from vv.engines.exact.slide.ledger import ledger_on_wall
 from vv.engines.exact.slide.system import forces, ground
 from vv.engines.exact.turn.path import Turn
 from vv.engines.exact.turn.series import ORDER
@@ -21,16 +22,7 @@ def turn_ledger(path: Turn) -> Ledger:
     place = np.vstack((np.zeros((1, 2)), place))
     rate = np.vstack((slider.slip, rate / path.h[:, None]))
     displacement, velocity = path.motion_in_space(place, rate, times)
-    friction, shaking, base = _works(path)
-    terms = {
-        "kinetic": 0.5 * slider.mass * (velocity**2).sum(axis=1),
-        "friction dissipation": sum_so_far(friction),
-        "gravity potential": -slider.mass * displacement @ slider.gravity,
-        "load potential": -displacement @ slider.load,
-        "work left to shaking": -sum_so_far(shaking),
-        "work left to the wall": -sum_so_far(base),
-    }
-    return ledger_of_terms(terms, 1)
+    return ledger_on_wall(slider, displacement, velocity, _works(path))
 
 
 def _works(path: Turn) -> tuple[Vector, Vector, Vector]:
