@@ -61,16 +61,28 @@ SCHEMES = (
         KNOBS,
         observables=OBSERVABLES,
     ),
+    Scheme(
+        "generalised-alpha",
+        "default but for inertia, stepped by generalised alpha (Chung and Hulbert 1993) of "
+        "spectral radius 1/2: second order in dt, a swing that steps resolve is hardly damped, "
+        "and of one that they do not a step leaves half",
+        Method.DAMPED,
+        TERMS - {Term.ROTATION},
+        KNOBS,
+        observables=OBSERVABLES,
+        why_not={Term.ROTATION: "arms and normals are those of a step's begin, of first order"},
+    ),
 )
 FORMULATIONS: Mapping[str, dda.Formulation] = {
     "default": dda.DEFAULT,
     "published": dda.PUBLISHED,
     "lagged": dda.LAGGED,
+    "generalised-alpha": dda.DAMPED,
 }
 SOLVERS = tuple(
     compiled(
         scheme,
-        f"solve_{scheme.name}",
+        f"solve_{scheme.name.replace('-', '_')}",
         functools.partial(dda.refuses, formulation=FORMULATIONS[scheme.name]),
         functools.partial(dda.prepare, formulation=FORMULATIONS[scheme.name]),
     )

@@ -32,6 +32,7 @@ TERMS = frozenset(
         Term.CARRIED,
         Term.CONTACT_VISCOSITY,
         Term.HERTZ,
+        Term.MICRO_SLIP,
         Term.HERTZ_VISCOSITY,
         Term.VISCOUS_FRICTION,
     }
@@ -43,7 +44,7 @@ SCHEMES = (
         "default",
         "leapfrog from a centred start, drag at the mean of the velocities around it",
         Method.LEAPFROG,
-        TERMS,
+        TERMS | {Term.FLUID},
         KNOBS,
         lowered={Term.RIGID_CONTACT: Method.PENALTY},
         observables=OBSERVABLES,

@@ -1,99 +1,76 @@
-"""What a step of many spheres costs in dem, and how that grows, beside LIGGGHTS and YADE.
+"""What a step of many spheres costs in dem, and how that grows, beside other codes.
 
-`python -m bench.bulk` stacks spheres that turn, rub and are slowed on a floor, N = 1e2 to 1e6, and
-steps them with each code, one after the other and over again: the least CPU time per sphere and
-step, with the energy of motion at the end, which shows that all did the same. Beside them stands
-the bandwidth of the memory, as sums of arrays have it.
+`python -m bench.bulk` steps settled packs and stacks of spheres that turn, rub and are slowed, one
+code after the other and over again: the least CPU time per sphere and step, with the energy of
+motion and the contacts at the end, which show that all did the same. Beside them stands what the
+bandwidth of the memory allows, as sums of arrays have it. LAMMPS is asked if VV_LAMMPS is set.
 """
 
 from __future__ import annotations
 
 import os
-import re
 import resource
-import subprocess
-import tempfile
 import time
-from pathlib import Path
+from collections.abc import Callable
 
 import numpy as np
 
 from adapters import liggghts, yade
-from adapters.liggghts.batch import MPI
-from adapters.liggghts.deck import silent_deck
-from adapters.liggghts.setup import set_up
+from bench import bulk_codes
+from bench.bulk_codes import Cost
 from bench.evidence import conclude
-from vv.ask import Ask, History, Knobs
-from vv.engines import dem
-from vv.scene import Contact, Form, Scene, Spheres, Wall
+from bench.packs import LAW, MASS, RADIUS, settled
+from vv.scene import Scene, Spheres, Wall
 
-SIZES = {100: 20000, 1000: 4000, 10_000: 400, 50_000: 80, 200_000: 30, 1_000_000: 8}  # steps of dem
-BESIDE, ROUNDS, DT, RADIUS = 50_000, 3, 2e-5, 0.01  # the others up to so many spheres
-TIMES_LIGGGHTS, TIMES_YADE, FLAT, MEMORY = 1.8, 5.0, 1.25, 3e9
-EVERY = " every 1 check no"  # as an answer needs it; a fast LIGGGHTS seeks neighbours when it must
+PACKS = {10_000: 300, 50_000: 60}  # steps
+STACKS = {100: 20000, 1000: 2000, 10_000: 200, 50_000: 60, 200_000: 20, 1_000_000: 6}
+BESIDE, ROUNDS = 50_000, 3  # the others up to so many spheres
+FLAT, MEMORY = 1.25, 3e9
+TIMES = {"liggghts": 1.8, "yade": 5.0, "lammps": 1.3}  # as quick in a settled pack, at least
+MOVED = 700.0  # bytes that a step reads and writes for each sphere, by count of the arrays
 
 
 def stack(n: int) -> Scene:
-    """Spheres of one size in a cubic lattice, each in contact with six, in no order."""
+    """Spheres of one size in a cubic lattice on a floor, each in contact with six, in no order."""
     random, width = np.random.default_rng(1), int(np.ceil(n ** (1 / 3)))
     grid = np.stack(np.meshgrid(*[np.arange(width)] * 3, indexing="ij"), 3).reshape(-1, 3)
     grid = random.permutation(grid[np.argsort(grid[:, 2], kind="stable")][:n])
-    all_free, mass = np.ones((n, 3), bool), np.full(n, 0.01)
+    all_free = np.ones((n, 3), bool)
     spheres = Spheres(
         np.asarray(RADIUS * (1.998 * grid + 0.999), float), 0.01 * random.normal(size=(n, 3)),
-        np.full(n, RADIUS), mass, all_free, free_spin=all_free,
+        np.full(n, RADIUS), np.full(n, MASS), all_free, free_spin=all_free,
     )  # fmt: skip
-    floor, gravity = Wall(np.zeros(3), np.eye(3)[2]), np.array([0.0, 0.0, -9.81])
-    return Scene((spheres, floor), Contact(1e5, 2e4, 0.3), eta=0.1, gravity=gravity)
+    floor = Wall(np.zeros(3), np.eye(3)[2])
+    return Scene((spheres, floor), LAW, eta=0.1, gravity=np.array([0.0, 0.0, -9.81]))
 
 
-def asked(n: int, steps: int) -> Ask:
-    """Steps without output."""
-    return Ask(stack(n), History(steps * DT, steps * DT), (), Knobs(DT), energies=(Form.KINETIC,))
+def codes() -> dict[str, Callable[[Scene, int], Cost]]:
+    """What can be asked here."""
+    found: dict[str, Callable[[Scene, int], Cost]] = {"dem": bulk_codes.ours}
+    if liggghts.ADAPTER.found().installed:
+        found["liggghts"] = bulk_codes.liggghts
+    if yade.ADAPTER.found().installed:
+        found["yade"] = bulk_codes.yades
+    if "VV_LAMMPS" in os.environ:
+        found["lammps"] = bulk_codes.lammps
+    return found
 
 
-def ours(n: int, steps: int) -> tuple[float, float]:
-    """CPU ns of a sphere in a step, and the energy of motion at the end [J]."""
-    program = dem.prepare(asked(n, steps), dem.LAGGED)
-    program.warm()
-    begun = time.process_time()
-    assert program.solve() == 2
-    return 1e9 * (time.process_time() - begun) / n / steps, float(program.arguments[1][-1, 0])
-
-
-def child_seconds() -> float:
-    """CPU seconds of all children that have ended."""
-    spent = resource.getrusage(resource.RUSAGE_CHILDREN)
-    return spent.ru_utime + spent.ru_stime
-
-
-def lammps(n: int, steps: int) -> tuple[float, float]:
-    """The same of LIGGGHTS: a run less its set-up."""
-    text = silent_deck(set_up(asked(n, steps), "default"))
-    assert EVERY in text
-    text = text.replace(EVERY, "").replace("thermo_style    custom step atoms",
-        "compute ke all ke\ncompute turning all erotate/sphere\n"
-        "thermo_style    custom c_ke c_turning\nthermo_modify   norm no")  # fmt: skip
-    spent = []
-    for run in (0, steps):
-        with tempfile.TemporaryDirectory() as folder:
-            Path(folder, "in").write_text(re.sub(r"(?m)^run .*", f"run {run}", text))
-            before = child_seconds()
-            command = ["liggghts", "-in", "in", "-echo", "none", "-screen", "/dev/null"]
-            subprocess.run(command, cwd=folder, env={**os.environ, **MPI}, check=True, timeout=500)
-            spent.append(child_seconds() - before)
-            log = Path(folder, "log.liggghts").read_text()
-    moving, turning = re.findall(r"(?m)^\s+([-+.e\d]+)\s+([-+.e\d]+)\s*$", log)[-1]
-    return 1e9 * (spent[1] - spent[0]) / n / steps, float(moving) + float(turning)
-
-
-def yades(n: int, steps: int) -> float:
-    """CPU ns of a sphere in a step of YADE."""
-    ask = Ask(stack(n), History(steps * DT, steps * DT), (), Knobs(DT))
-    with tempfile.TemporaryDirectory() as folder:
-        (run,) = yade.ADAPTER.run([ask], "default", Path(folder), 0.0)
-    assert run.steps >= steps, run.reason
-    return 1e9 * run.cost.solve_cpu / n / steps
+def in_turn(name: str, scene: Scene, steps: int, figures: dict[str, float]) -> dict[str, float]:
+    """The least cost in each code [ns], of several rounds; notes what each found."""
+    least: dict[str, float] = {}
+    for _ in range(ROUNDS if len(scene.spheres) < 1_000_000 else 1):
+        for code, run in codes().items():
+            if code == "dem" or len(scene.spheres) <= BESIDE:
+                cost = run(scene, min(steps, 1000) if code == "yade" else steps)
+                least[code] = min(cost.ns, least.get(code, np.inf))
+                if np.isfinite(cost.energy):
+                    figures[f"{name}: {code}, energy of motion [J]"] = cost.energy
+                    figures[f"{name}: {code}, contacts"] = cost.contacts
+    for code, ns in least.items():
+        figures[f"{name}: {code}, CPU ns a sphere and step"] = ns
+        print(name, code, f"{ns:.1f} ns", flush=True)
+    return least
 
 
 def bandwidth() -> float:
@@ -109,35 +86,20 @@ def bandwidth() -> float:
 
 def main() -> None:
     """Measure and judge."""
-    figures: dict[str, float] = {"memory, GB/s": bandwidth()}
+    memory = bandwidth()
+    figures = {"memory, GB/s": memory, "ns a sphere and step at that": MOVED / memory}
     bars: dict[str, bool] = {}
-    least: dict[tuple[str, int], float] = {}
-    for n, steps in SIZES.items():
-        for _ in range(ROUNDS if n < 1_000_000 else 1):
-            mine, energy = ours(n, steps)
-            costs = {"dem": mine}
-            if n <= BESIDE and liggghts.ADAPTER.found().installed:
-                costs["liggghts"], other = lammps(n, steps)
-                figures[f"{n}: energy of motion in liggghts over that in dem"] = other / energy
-            if n <= BESIDE and yade.ADAPTER.found().installed:
-                costs["yade"] = yades(n, min(steps, 1000))
-            for code, cost in costs.items():
-                least[code, n] = min(cost, least.get((code, n), np.inf))
-        for (code, size), cost in least.items():
-            if size == n:
-                figures[f"{n}: {code}, CPU ns a sphere and step"] = cost
-                print(n, code, f"{cost:.1f} ns", flush=True)
+    for n, steps in PACKS.items():
+        least = in_turn(f"pack of {n}", settled(n), steps, figures)
+        for code, times in TIMES.items():
+            if code in least:
+                ratio = figures[f"pack of {n}: times {code}"] = least[code] / least["dem"]
+                bars[f"pack of {n}: {times:g} times {code}"] = ratio >= times
+    grown = {n: in_turn(f"stack of {n}", stack(n), s, figures)["dem"] for n, s in STACKS.items()}
+    bars["from 1e4 to 2e5 spheres flat to 25 %"] = grown[200_000] < FLAT * grown[10_000]
     peak = 1024 * resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
     figures["a million spheres, GB at most"] = peak / 1e9
     bars["a million spheres take less than 3 GB"] = peak < MEMORY
-    bars["from 1e4 to 2e5 spheres flat to 25 %"] = (
-        least["dem", 200_000] < FLAT * least["dem", 10_000]
-    )
-    for code, times in (("liggghts", TIMES_LIGGGHTS), ("yade", TIMES_YADE)):
-        for n in (10_000, 50_000):
-            if (code, n) in least:
-                ratio = figures[f"{n}: times {code}"] = least[code, n] / least["dem", n]
-                bars[f"{n}: {times:g} times {code}"] = ratio >= times
     conclude("bulk", figures, bars)
 
 

@@ -1,15 +1,17 @@
 """Turns one operator of the framework at a time, and counts what its own tests do not see.
 
-`python -m bench.framework_mutants` takes every place that can be turned in the layers that judge,
-measure, plan and keep; `--files 'vv/gate/*'` some, `--each N` at most N a file, a fixed random
-choice. A mutant is put to the tests of its layer that start no process, and, with `--all`, to the
-others too if it survives those. One process is forked for each from one that has the libraries.
+`python -m bench.framework_mutants` takes every place that can be turned outside the engines;
+`--files 'vv/gate/*'` some, `--each N` at most N a file, `--sample N` so many of all, the same
+number in every layer as far as it goes, fixed random choices. A mutant is put to the tests of its
+layer that start no process, and, with `--all`, to the others too if it survives those. One process
+is forked for each from one that has the libraries.
 """
 
 import argparse
 import ast
 import copy
 import importlib
+import itertools
 import random
 import tempfile
 from collections.abc import Iterator
@@ -24,8 +26,15 @@ from bench.forked_tests import passes, rewrite, with_tests
 from bench.mutants import ROOT, parsed
 from bench.schemata import copied
 
-LAYERS = ("base", "case", "gate", "insight", "plan", "records", "run", "store")
-MORE = {"records": ("insight",), "case": ("records",), "ask": ("records",)}  # layers that test it
+LAYERS = (
+    "vv/ask", "vv/base", "vv/case", "vv/cli", "vv/codes", "vv/gate", "vv/insight", "vv/output",
+    "vv/plan", "vv/records", "vv/run", "vv/scene", "vv/standins", "vv/store", "adapters", "reports",
+)  # fmt: skip
+MORE = {
+    "records": ("insight",),
+    "case": ("records",),
+    "ask": ("case", "records"),
+}  # layers that test it
 NEEDS = ("numpy", "scipy.optimize", "hypothesis.strategies", "jsonschema", "tomllib")
 SWAPS: dict[type, type] = {
     ast.Add: ast.Sub, ast.Sub: ast.Add, ast.Mult: ast.Div, ast.Div: ast.Mult,
@@ -57,15 +66,23 @@ class Mutant(NamedTuple):
         return ast.unparse(tree)
 
 
-def mutants(files: str, each: int) -> Iterator[Mutant]:
-    """At most so many of every file of the layers that the pattern names."""
-    for layer in LAYERS:
-        for path in sorted((ROOT / "vv" / layer).glob("*.py")):
-            file = path.relative_to(ROOT).as_posix()
-            if fnmatch(file, files):
-                sites = [i for i, node in enumerate(ast.walk(parsed(file))) if _turnable(node)]
-                chosen = random.Random(file).sample(sites, min(each, len(sites)))
-                yield from (Mutant(file, place) for place in sorted(chosen))
+def mutants(layer: str, files: str, each: int) -> Iterator[Mutant]:
+    """At most so many of every file of a layer that the pattern names."""
+    for path in sorted((ROOT / layer).rglob("*.py")):
+        file = path.relative_to(ROOT).as_posix()
+        if fnmatch(file, files):
+            sites = [i for i, node in enumerate(ast.walk(parsed(file))) if _turnable(node)]
+            chosen = random.Random(file).sample(sites, min(each, len(sites)))
+            yield from (Mutant(file, place) for place in sorted(chosen))
+
+
+def drawn(files: str, each: int, sample: int) -> list[Mutant]:
+    """Mutants in a random order that goes through the layers in turn, at most so many."""
+    piles = [list(mutants(layer, files, each)) for layer in LAYERS]
+    for layer, pile in zip(LAYERS, piles, strict=True):
+        random.Random(layer).shuffle(pile)
+    turns = itertools.zip_longest(*piles)
+    return [one for turn in turns for one in turn if one is not None][:sample]
 
 
 def _turnable(node: ast.AST) -> bool:
@@ -107,35 +124,42 @@ def _turned(node: ast.AST) -> ast.AST:
 
 def seen(project: Path, mutant: Mutant, stages: tuple[bool, ...]) -> bool:
     """Whether the tests of its layer turn red."""
-    layer = mutant.file.split("/")[1]
     place = project / mutant.file
     rewrite(place, mutant.text())
     try:
-        asked = (layer, *MORE.get(layer, ()))
-        return any(
-            not passes(project, f"tests/{one}", processes) for processes in stages for one in asked
-        )
+        asked = asked_of(mutant.file)
+        return any(not passes(project, one, processes) for processes in stages for one in asked)
     finally:
         rewrite(place, (ROOT / mutant.file).read_text())
+
+
+def asked_of(file: str) -> tuple[str, ...]:
+    """The tests of a file's layer: the deepest folder below tests/ that mirrors its own."""
+    parts = Path(file.removeprefix("vv/")).parts[:-1]
+    own = Path("tests", *parts)
+    while not (ROOT / own).is_dir():
+        own = own.parent
+    more = tuple(f"tests/{one}" for one in MORE.get(parts[0], ()))
+    return more if own == Path("tests") else (own.as_posix(), *more)
 
 
 def main() -> None:
     """Turn, ask, count and judge."""
     parser = argparse.ArgumentParser()
-    parser.add_argument("--files", default="vv/*", help="such as 'vv/gate/*'")
+    parser.add_argument("--files", default="*", help="such as 'vv/gate/*'")
     parser.add_argument("--each", type=int, default=1000, help="mutants a file")
+    parser.add_argument("--sample", type=int, default=10**6, help="mutants in all")
     parser.add_argument("--all", action="store_true", help="tests that start processes too")
     options = parser.parse_args()
     for name in NEEDS:
         importlib.import_module(name)
     stages = (False, True) if options.all else (False,)
-    every = list(mutants(options.files, options.each))
-    random.Random(0).shuffle(every)  # a run that is cut tells of all layers
-    left = []
+    every, left = drawn(options.files, options.each, options.sample), []
     with tempfile.TemporaryDirectory() as folder:
         project = Path(folder)
         copied(project, with_tests())
-        red = [layer for layer in LAYERS if not passes(project, f"tests/{layer}", False)]
+        asked = sorted({tests for one in every for tests in asked_of(one.file)})
+        red = [tests for tests in asked if not passes(project, tests, False)]
         for one in every:
             caught = seen(project, one, stages)
             left += [] if caught else [one.what]

@@ -146,7 +146,7 @@ def answers(questions: Sequence[Question]) -> dict[str, str]:
 
 def _asked_once(question: Question) -> str:
     """What the gate says, now or before; a hang may be a busy machine's fault."""
-    whole = f"{_sources()}{question.what}{question.changed}"
+    whole = f"{sources_digest()}{question.what}{question.changed}"
     kept = KEPT / "told" / hashlib.sha256(whole.encode()).hexdigest()
     if kept.is_file():
         return kept.read_text()
@@ -157,7 +157,7 @@ def _asked_once(question: Question) -> str:
 
 
 @functools.cache
-def _sources() -> str:
+def sources_digest() -> str:
     """Digest of all that an answer hangs on, and of how the gate is asked."""
     return source_digest([*sources(), *Path(__file__).parent.glob("*.py")])
 

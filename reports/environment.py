@@ -30,6 +30,7 @@ from reports.pages.troubles import troubles
 from reports.settings_table import setting_rows
 from reports.variant.inputs import heads
 from vv.output import table
+from vv.output.wording import in_words
 from vv.records.finding import worst_first
 from vv.records.reading import tried
 
@@ -53,6 +54,7 @@ FILTERS = (
     text.alike,
     text.sort_key,
     text.within,
+    in_words,
     typeset,
 )
 

@@ -64,4 +64,5 @@ def palette() -> str:
     system = (
         f"@media screen and (prefers-color-scheme:dark){{:root:not([data-theme=light]){{{dark}}}}}"
     )
-    return f":root{{{light}}}[data-theme=dark]{{{dark}}}{system}{classes}\n"
+    own = f"@media screen{{[data-theme=dark]{{{dark}}}}}"
+    return f":root{{{light}}}{own}{system}{classes}\n"

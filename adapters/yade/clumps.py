@@ -22,7 +22,7 @@ def clumped(plan: dict[str, Any], made: Clump) -> dict[str, Any]:
         **plan,
         "kn": plan["kn"] / count,
         "ks": plan["ks"] / count,
-        "contacts": plan["contacts"] * count,
+        "contacts": plan["contacts"] * int(made.touching.sum()),
         "charged": [{**charged, "forces": made.friction.tolist()}] if charged else [],
         "bodies": bodies,
     }

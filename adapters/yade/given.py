@@ -22,7 +22,8 @@ class Given:
     numbers: what is stated once, by name. mass (n,) [kg], load and carried (n, 3) [N, m/s]: of each
     sphere. motion: the sines of walls that move, by the number of the wall. force: (n, 3) [N] on
     the spheres at t = 0. pushed: (n,) which start at rest, and get their velocity as an impulse
-    in the first step. notes: how terms are put, one fact each.
+    in the first step; missed: (n, 3) [N] what dashpots do not push them with in it, since they are
+    at rest. notes: how terms are put, one fact each.
     """
 
     numbers: Plan
@@ -31,6 +32,7 @@ class Given:
     carried: Vector
     force: Vector
     pushed: Mask
+    missed: Vector
     motion: Mapping[int, list[Plan]]
     notes: tuple[str, ...]
 
@@ -75,6 +77,7 @@ def bare(setup: Setup) -> Given:
         carried=zeros,
         force=initial_normal_forces(setup.scene),
         pushed=np.zeros(len(spheres), bool),
+        missed=zeros,
         motion={},
         notes=tuple(_always(setup)),
     )

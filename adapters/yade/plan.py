@@ -61,7 +61,9 @@ def _columns(setup: Setup, given: Given) -> dict[str, Vector]:
         "inertia": spheres.inertia,
         "shaken": spheres.mass,
         "force": given.load,
-        "push": np.where(pushed, (given.mass[:, None] / dt - scene.eta) * early, 0.0),
+        "push": np.where(
+            pushed, (given.mass[:, None] / dt - scene.eta) * early + given.missed, 0.0
+        ),
         "carried": given.carried,
         "held": np.where(pushed, 0.0, given.carried),
         "twist": np.where(pushed, spheres.inertia[:, None] * spheres.spin / dt, 0.0),

@@ -9,6 +9,8 @@ DISAGREEMENT = "vv/gate/disagreement.py"
 EXPIRY = "vv/gate/expiry.py"
 ALL = "vv/gate/all_checks.py"
 JUDGES = "vv/case/judges.py"
+METRICS = "vv/base/metrics.py"
+RUNGS = "vv/records/rungs.py"
 DDA_AUDIT = "vv/engines/dda/general/energy.py"
 GATE, MEASURED = "tests/gate", "tests/records"
 
@@ -33,4 +35,10 @@ BUGS = (
     Bug("a missing code that is required is no matter", JUDGEMENT, "Status.NOT_INSTALLED: (Bit(0), Bit.INCOMPLETE)", "Status.NOT_INSTALLED: (Bit(0), Bit(0))", tests=GATE),
     Bug("the least of an audit instead of the largest", DDA_AUDIT, "worst[ADRIFT] = larger(worst[ADRIFT], abs(off))", "worst[ADRIFT] = larger(worst[ADRIFT], -abs(off))", tests="tests/engines/dda"),
     Bug("Coulomb's audit cannot fail", DDA_AUDIT, "np.sqrt(dot(rubs, rubs)) - mu * larger(push, 0.0)", "-mu * larger(push, 0.0)", tests="tests/engines/dda"),
+    Bug("a final error with its sign", METRICS, "abs(value[-1] - reference[-1]) / last", "(value[-1] - reference[-1]) / last", tests="tests/base"),
+    Bug("the mean of pointwise errors", METRICS, "reference[kept]) / reference[kept]).max())", "reference[kept]) / reference[kept]).mean())", tests="tests/base"),
+    Bug("an error over a scale with its sign", METRICS, "np.abs(value - reference).max() / scale", "(value - reference).max() / scale", tests="tests/base"),
+    Bug("a floor after three stalls", METRICS, "stalls < 2", "stalls < 3", tests="tests/base"),
+    Bug("findings besides the records dropped", JUDGEMENT, "return [*own, *manifest.findings]", "return own", tests=GATE),
+    Bug("the limit of the coarsest steps", RUNGS, "if r.rung.dt and r.quantities][:-4:-1]", "if r.rung.dt and r.quantities][2::-1]", tests="tests/insight"),
 )  # fmt: skip

@@ -13,6 +13,7 @@ from reference_solutions.blocks import incline
 from vv.ask import Displacement, History, Method
 from vv.case import (
     LARGEST_TOLERANCE,
+    Along,
     Case,
     Exact,
     Ladder,
@@ -30,6 +31,7 @@ from vv.scene import Block, Contact, Harmonic, Scene, Vector, Wall, box_geometry
 
 SIDE, DENSITY = 1.0, 2500.0  # m, kg/m3 times m of height: neither enters the answer
 FREE, FLAT = "two-directions-turning", 0.2  # a plate [m high] that can turn
+FIRST = "gravity-10"  # whose block is listed before its wall
 BLOCK = Displacement(1)
 
 
@@ -56,7 +58,8 @@ def _scene(variant: str, p: Parameters) -> Scene:
     shaking = Harmonic(amplitude, frequency) if amplitude.any() else None
     contact = Contact(np.inf, mu=float(np.tan(np.radians(p["phi"]))))
     gravity = np.array([0.0, 0.0, -p["g"]])
-    return Scene((wall, block), contact, gravity=gravity, axes=axes, shaking=shaking)
+    bodies = (block, wall) if variant == FIRST else (wall, block)
+    return Scene(bodies, contact, gravity=gravity, axes=axes, shaking=shaking)
 
 
 def _declare(variant: str, p: Parameters) -> Trial:
@@ -68,7 +71,12 @@ def _declare(variant: str, p: Parameters) -> Trial:
     quantities = (_both if p["Ay"] > 0 else _down)(p, scene, goal)
     timed = COARSEST if variant in ("newmark-30", "two-directions") else ()
     levels = LEVELS if timed else FEWER
-    return Trial(Ladder(scene, goal, (BLOCK,), levels, timed), quantities)
+    return Trial(Ladder(scene, goal, _seen(scene), levels, timed), quantities)
+
+
+def _seen(scene: Scene) -> tuple[Displacement]:
+    """What is observed: the block, wherever it is listed."""
+    return (Displacement(scene.body_numbers(Block)[0]),)
 
 
 def _fall(p: Parameters) -> float:
@@ -78,6 +86,7 @@ def _fall(p: Parameters) -> float:
 
 def _down(p: Parameters, scene: Scene, goal: History) -> tuple[Quantity, ...]:
     """The motion along the dip."""
+    (seen,) = _seen(scene)
     names = ("alpha", "phi", "A", "f", "g", "v0")
     return (
         Series(
@@ -85,7 +94,7 @@ def _down(p: Parameters, scene: Scene, goal: History) -> tuple[Quantity, ...]:
             symbol="d",
             unit="m",
             meaning="displacement down the dip",
-            observe=lambda run: np.asarray(run.values[BLOCK] @ scene.axes[0]),
+            observe=Along(seen, scene.axes[0]),
             reference=functools.partial(incline.newmark, **{name: p[name] for name in names}),
             judge=Exact(_tolerances(p)),
             still=_fall(p),
@@ -244,7 +253,7 @@ def _variants() -> tuple[Variant, ...]:
     undriven, one_way = frozenset({"f", "fy"}), frozenset({"fy"})
     found = [
         Variant(
-            f"gravity-{phi}", f"gravity alone, alpha 28, phi {phi}", FALL,
+            f"gravity-{phi}", f"gravity alone, alpha 28, phi {phi}" + BEFORE * (phi == 10), FALL,
             {**still, "phi": phi}, undriven,
         )
         for phi in (5, 10, 15, 20, 25)
@@ -281,6 +290,7 @@ def _variants() -> tuple[Variant, ...]:
     )  # fmt: skip
 
 
+BEFORE = ", and listed before the slope"
 FALL = "d = v0 t + (g/2)(sin alpha - cos alpha tan phi) t^2"
 NEWMARK = (
     "d'' = g (sin alpha - cos alpha tan phi) + A sin(wt) (cos alpha + sin alpha tan phi) while it "

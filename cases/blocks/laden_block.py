@@ -147,6 +147,14 @@ RATES = Tolerance(
     softness=1,
     floor=1.5e-4,
 )
+SWINGING = Tolerance(
+    1.5e-3,
+    "the block sinks as the pressure changes; and what moves the slope and the block at t = 0, "
+    "1.3 m/s2 more than their springs are charged for, leaves a swing of 1.3 sqrt(m/(4 kn)), "
+    "1.1e-3 of the speed, which this step damps within some cycles",
+    kn=1e8,
+    softness=0.5,
+)
 LATE = dataclasses.replace(
     SLOWED, late=0.5, reason=f"{SLOWED.reason}, and friction that is an iteration late adds to it"
 )
@@ -201,6 +209,7 @@ SPEEDS = {
     ),
     Method.FIRST_ORDER: WHOLE,
     Method.PENALTY: RATES,
+    Method.DAMPED: SWINGING,
     Method.LAGGING: SOON,
 }
 BOOKS = {

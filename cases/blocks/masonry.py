@@ -10,6 +10,7 @@ from cases._papers import YAGODA_BIRAN_2016
 from reference_solutions.blocks import facade, responding_block
 from vv.ask import Displacement, History, Knobs, Method, Reaction, Run
 from vv.case import (
+    Along,
     Case,
     Check,
     Exact,
@@ -137,7 +138,7 @@ def _slid(moving: tuple[Displacement, ...], p: Parameters) -> tuple[Quantity, ..
     def slid(name: str, what: str, body: Displacement) -> Quantity:
         return Series(
             name, "u", "m", f"displacement along the base of the {what}",
-            lambda run: run.values[body][:, 0], reference, _sliding(p), still=2 * p["D"],
+            Along(body, X), reference, _sliding(p), still=2 * p["D"],
         )  # fmt: skip
 
     return (

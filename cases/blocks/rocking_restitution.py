@@ -23,6 +23,7 @@ from vv.case import (
     Source,
     Tolerance,
     Trial,
+    Unexplained,
     Variant,
 )
 from vv.scene import Block, Contact, Scene, Wall, box_geometry, polyhedron_inertia
@@ -71,7 +72,9 @@ def _declare(variant: str, p: Parameters) -> Trial:
         due, due, _judge(rate),
     )  # fmt: skip
     study = Ladder(scene, goal, (CENTRE, MOVING), LEVELS)
-    return Trial(study, (exact, *_measured(variant, due, kept)))
+    weight = sum(block.mass for block in scene.blocks) * p["g"]
+    gave = Unexplained(weight * math.hypot(p["b"], p["h"]), {Method.LAGGING: LAGS})
+    return Trial(study, (exact, *_measured(variant, due, kept)), gave)
 
 
 def _lowered(p: Parameters, lean: float) -> float:
@@ -115,6 +118,12 @@ SHOWN = {
     **dict.fromkeys((Method.PENALTY, Method.LAGGING), SPRUNG),
     Method.FIRST_ORDER: "it takes an impact at the end of a step",
 }
+LAGS = Tolerance(
+    0.1,
+    "as a corner strikes, friction of the iteration before may act along the slip: 0.003 of m g R "
+    "was the most that it gave for eight blocks",
+    slack="as in the case of rocking, where it gave 0.04",
+)
 PRINTED, SCATTER = 0.005, 0.01  # of the restitution
 CITED = (
     "ElGawady, Ma, Butterworth and Ingham, Effects of interface material on the dynamic behaviour "

@@ -16,6 +16,7 @@ from reference_solutions.hard import shaken_wedge
 from reference_solutions.hard.wedge import pressing
 from vv.ask import History, Knobs, Method
 from vv.case import (
+    Along,
     Case,
     Exact,
     Ladder,
@@ -70,7 +71,7 @@ def _declare(variant: str, p: Parameters) -> Trial:
         symbol="s",
         unit="m",
         meaning="displacement down the groove",
-        observe=lambda run: np.asarray(run.values[MOVED] @ scene.axes[0]),
+        observe=Along(MOVED, scene.axes[0]),
         reference=path,
         judge=_judge(),
         still=0.5 * p["g"] * p["duration"] ** 2,

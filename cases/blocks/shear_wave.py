@@ -12,6 +12,7 @@ from reference_solutions.blocks import shear_wave
 from vv.ask import Displacement, History, Knobs, Method
 from vv.case import (
     LARGEST_TOLERANCE,
+    Along,
     Case,
     Exact,
     Ladder,
@@ -110,7 +111,7 @@ def _at(name: str, number: int, layers: int, times: Vector, p: Parameters) -> tu
     def series(name: str, what: str, due: Callable[[Vector], Vector], judge: Exact) -> Series:
         return Series(
             name, f"u_{name}", "m", f"motion of the centre of layer {number} of {layers}{what}",
-            lambda run: np.asarray(run.values[Displacement(number)] @ X), due, judge, largest,
+            Along(Displacement(number), X), due, judge, largest,
         )  # fmt: skip
 
     return (

@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 import functools
-from collections.abc import Callable
 
 import numpy as np
 
 from cases.bonds._unit import CORNERS, EDGES, OUT, ROUND, SEEN, unit
 from reference_solutions.bonds import turned_unit
-from vv.ask import Displacement, History, Knobs, Method, Run
+from vv.ask import History, Knobs, Method
 from vv.case import (
     LARGEST_TOLERANCE,
+    Along,
     Exact,
     Ladder,
     Level,
@@ -22,6 +22,7 @@ from vv.case import (
 )
 from vv.scene import Vector
 
+AXES = np.eye(3)
 SWING = History(duration=2e-6, interval=2e-8)
 THROWN = 1e-8  # s: the coarsest step of what swings
 STRETCHED = "at this angle the turn stretches the unit, which is no linear effect"
@@ -63,7 +64,7 @@ def _turned_far(p: Parameters) -> Trial:
     parts = tuple(
         Series(
             f"u{body}{'xyz'[axis]}", f"u_{body}{'xyz'[axis]}", "m",
-            f"displacement of element {body} along {'xyz'[axis]}", _along(SEEN[body], axis),
+            f"displacement of element {body} along {'xyz'[axis]}", Along(SEEN[body], AXES[axis]),
             functools.partial(_of_path, path, body, axis), _far(w), size,
         )
         for body in range(4)
@@ -84,14 +85,10 @@ def _part(w: float, sizes: Vector, body: int, axis: int) -> Series:
         f"u_{body}{'xyz'[axis]}",
         "m",
         f"displacement of element {body} along {'xyz'[axis]}",
-        _along(SEEN[body], axis),
+        Along(SEEN[body], AXES[axis]),
         lambda t: sizes[body, axis] * np.sin(w * t),
         _swung(w),
     )
-
-
-def _along(what: Displacement, axis: int) -> Callable[[Run], Vector]:
-    return lambda run: np.asarray(run.values[what][:, axis])
 
 
 def levels(coarsest: float) -> dict[Level, tuple[Knobs, ...]]:

@@ -3,14 +3,26 @@
 from __future__ import annotations
 
 import functools
+import math
 
 import numpy as np
 
 from cases._papers import LIU_2017
 from cases.bonds._quartzite import ELASTIC
 from cases.bonds._thrown import breathing, levels, turned
-from cases.bonds._unit import BASE, SEEN, as_it_is, beside, moved_ends, quantity_of, seen_at, unit
-from reference_solutions.bonds import lattice_material, tetrahedral_unit
+from cases.bonds._unit import (
+    BASE,
+    CORNERS,
+    EDGES,
+    SEEN,
+    as_it_is,
+    beside,
+    moved_ends,
+    quantity_of,
+    seen_at,
+    unit,
+)
+from reference_solutions.bonds import lattice_material, tetrahedral_unit, turning_unit
 from reference_solutions.bonds.tetrahedral_unit import Displacements, State
 from vv.ask import History, Method, Run
 from vv.case import (
@@ -29,9 +41,11 @@ from vv.case import (
     Trial,
     Variant,
 )
+from vv.scene import Vector
 
 REST = 6e-5  # s, or a multiple of it that viscosity needs
-LONGER, SPINS = 4, 17.0  # rotation is damped only through the motion of the centres
+LONGER = 4  # rotation is damped only through the motion of the centres
+ALMOST = 3e-9  # of the displacement: what that may still move, a third of what is allowed
 DECAYS = 22.0  # to a part of 3e-10 of what is thrown off balance
 
 
@@ -50,15 +64,24 @@ def _loaded(p: Parameters, turning: bool) -> Trial:
     load[0, 2] = fz
     scene = unit(p, p["eta"], free=BASE, load=load, free_spin=np.full((4, 3), turning))
     state = tetrahedral_unit.loaded(fz, kn=kn, ks=ks, d=d)
-    duration = REST * (max(LONGER, _stretch(p, ks, SPINS)) if turning else _stretch(p, ks))
+    duration = REST * (max(LONGER, _turning(p, load)) if turning else _stretch(p, ks))
     study = Ladder(scene, History(duration, duration / 10), SEEN, levels(2e-8))
     return Trial(study, _measured(kn, ks, d, state, fz))
 
 
-def _stretch(p: Parameters, ks: float, times: float = 1.0) -> int:
-    """How many times REST the unit needs to come to rest: until its slowest mode has decayed.
+def _turning(p: Parameters, load: Vector) -> int:
+    """As `_stretch`, of elements that turn, whose rotation fades by what it moves the centres."""
+    _stretch(p, 0.0)
+    if p["gamma"] == 0.0:
+        return 1
+    kn, d, m, eta = (p[name] for name in ("kn", "d", "m", "eta"))
+    springs = {"kn": kn, "ks": p["gamma"] * kn, "d": d, "m": m, "eta": eta}
+    rest = turning_unit.time_to_rest(CORNERS, EDGES, BASE, load, ALMOST, **springs)
+    return max(1, math.ceil(rest / REST))
 
-    times: how much longer than that mode it takes.
+
+def _stretch(p: Parameters, ks: float) -> int:
+    """How many times REST the unit needs to come to rest: until its slowest mode has decayed.
 
     Its modes under the load, by the rise of the top and the spread of the base: a mode of the rate
     w decays as n - sqrt(n^2 - w^2), n = eta/(2 m), or as n where it swings.
@@ -76,7 +99,7 @@ def _stretch(p: Parameters, ks: float, times: float = 1.0) -> int:
     w2 = np.linalg.eigvalsh(stiffness / np.outer(moved, moved))
     n = p["eta"] / (2 * p["m"])
     slowest = float((w2 / (n + np.sqrt(np.maximum(n**2 - w2, 0.0)))).clip(max=n).min())
-    return max(1, int(np.ceil(times * DECAYS / slowest / REST)))
+    return max(1, int(np.ceil(DECAYS / slowest / REST)))
 
 
 def _measured(kn: float, ks: float, d: float, state: State, fz: float) -> tuple[Quantity, ...]:

@@ -51,11 +51,15 @@ def _scene(p: Parameters, row: unlike_row.Row, ks: float, **motion: Any) -> Scen
     spheres = Spheres(np.outer(row.x, X), radius=RADIUS[:n], mass=row.m, **motion)
     length = np.abs(row.x[j] - row.x[i]) - p["stretch"] * STRETCHED
     bonds = Bonds(row.bonds, length, row.kn, ks * KS)
-    return Scene((spheres,), Contact(p["kn"]), gravity=p["g"] * X, bonds=bonds)
+    return Scene((spheres,), Contact(p["kn"]), p["eta"], gravity=p["g"] * X, bonds=bonds)
 
 
 def _declare(variant: str, p: Parameters) -> Trial:
     goal = History(p["duration"], p["duration"] / 60)
+    if variant == "slowed":
+        return _slowed(p, goal)
+    if p["eta"]:
+        raise ValueError(f"eta = {p['eta']!r} N s/m; the variant 'slowed' alone has drag")
     return _spinning(p, goal) if variant == "spinning" else _along(p, goal, variant == "hung")
 
 
@@ -89,6 +93,31 @@ def _along(p: Parameters, goal: History, held: bool) -> Trial:
             lambda run: run.values[Reaction(0)] @ X, lambda t: exact(t)[1], judge,
         ))  # fmt: skip
     return Trial(Ladder(scene, goal, seen, _levels(p)), tuple(quantities))
+
+
+def _slowed(p: Parameters, goal: History) -> Trial:
+    """The row of three, along which drag slows it."""
+    if p["g"]:
+        raise ValueError(f"g = {p['g']!r} m/s2; what drag slows has no weight here")
+    row, thrown = _row(p, TRIANGLE), p["v"] * THROWN
+    free = np.outer(np.ones(3, bool), X > 0)
+    scene = _scene(p, row, 0.0, velocity=np.outer(thrown, X), free=free)
+    assert scene.bonds is not None
+    exact = functools.partial(
+        unlike_row.slowed, row=row, length=scene.bonds.length, v=thrown, eta=p["eta"]
+    )
+
+    def path(body: int) -> Callable[[Vector], Vector]:
+        return lambda t: exact(t)[:, body, None]
+
+    judge, times, moving = _judge(p, 0.0), goal.times(None), range(3)
+    quantities = tuple(
+        Motion(Displacement(body), X[None], path(body), times, "m").component(
+            0, f"x{body}", f"displacement of the sphere {body} along the row", judge
+        )
+        for body in moving
+    )
+    return Trial(Ladder(scene, goal, tuple(map(Displacement, moving)), _levels(p)), quantities)
 
 
 def _spinning(p: Parameters, goal: History) -> Trial:
@@ -131,14 +160,14 @@ def _judge(p: Parameters, turned: float) -> Exact:
     """turned: by what part shears turned by steps of first order grow, over the step [1/s]."""
     coarsest = COARSEST * _unit(p)
     second = Tolerance(8e-3, AHEAD + TURNED, dt=coarsest, order=2, floor=1e-7, late=turned)
-    late = Tolerance(3e-2, "a weight that sets in half a step late shifts what swings by w dt/2",
-                     dt=coarsest, order=1)  # fmt: skip
+    late = Tolerance(3e-2, "a weight or a drag that is half a step late shifts what swings by "
+                     "w dt/2", dt=coarsest, order=1)  # fmt: skip
     exact = Tolerance(1e-11, "no event: modes, to rounding")
     return Exact({
         Method.EXACT: exact,
         Method.LINEARISED: exact,
         Method.LEAPFROG: second,
-        Method.LATE_LEAPFROG: late if p["g"] else second,
+        Method.LATE_LEAPFROG: late if p["g"] or p["eta"] else second,
     }, not_judged=dict.fromkeys((Method.SECOND_ORDER, Method.FIRST_ORDER), OTHERS))  # fmt: skip
 
 
@@ -172,6 +201,7 @@ CASE = Case(
         Parameter("stretch", 1e-3, "m", "of the first bond at the start"),
         Parameter("g", 9.81, "m/s2", "gravity along the row"),
         Parameter("spin", 5.0, "1/s", "of the first about the row"),
+        Parameter("eta", 0.0, "N s/m", "drag on every sphere"),
         Parameter("duration", 0.3, "s", "time simulated"),
     ),
     variants=(
@@ -181,6 +211,11 @@ CASE = Case(
         ),
         Variant(
             "hung", "the same, hung from the first", MODES, inert=frozenset({"ks", "spin"}),
+        ),
+        Variant(
+            "slowed", "three, each bonded to either other one, slowed by drag along the row",
+            "x' = A x for places and speeds, x = exp(A t) x(0)",
+            {"g": 0.0, "eta": 20.0}, frozenset({"ks", "spin"}),
         ),
         Variant(
             "spinning", "a line of four, each bonded to its neighbours, that spin and swing aside",

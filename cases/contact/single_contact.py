@@ -10,9 +10,10 @@ import numpy as np
 
 from cases._papers import LI_2018
 from reference_solutions.contact import single_contact as closed
-from vv.ask import Displacement, History, Knobs, Method, Run
+from vv.ask import Displacement, History, Knobs, Method
 from vv.case import (
     LARGEST_TOLERANCE,
+    Along,
     Case,
     Exact,
     Ladder,
@@ -106,15 +107,12 @@ def _declare(variant: str, p: Parameters) -> Trial:
     solve, names = REFERENCES[variant[:2]]
     shown = Displacement(body)
 
-    def observe(run: Run) -> Vector:
-        return run.values[shown] @ along
-
     y = Series(
         name="y",
         symbol="y",
         unit="m",
         meaning="displacement of the free particle along its line of motion",
-        observe=observe,
+        observe=Along(shown, along),
         reference=functools.partial(solve, **{name: p[name] for name in names}),
         judge=_judge(variant.partition("-")[0], p),
     )

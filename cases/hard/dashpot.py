@@ -11,6 +11,7 @@ from cases._books import balance
 from reference_solutions.contact import dashpot
 from vv.ask import Displacement, History, Knobs, Method, Run, Velocity
 from vv.case import (
+    Along,
     Case,
     Exact,
     Ladder,
@@ -70,6 +71,7 @@ def _apart(variant: str, kind: type[Displacement] | type[Velocity], run: Run) ->
 
 def _declare(variant: str, p: Parameters) -> Trial:
     law = {name: p[name] for name in ("m", "kn", "z")}
+    pair = variant.startswith("pair")
     unit, lasting = math.sqrt(p["m"] / p["kn"]), dashpot.lasting(**law)
     judge = _judge(p["z"], unit, _late(p["z"], unit))
     away, speed = (functools.partial(_apart, variant, kind) for kind in (Displacement, Velocity))
@@ -84,14 +86,13 @@ def _declare(variant: str, p: Parameters) -> Trial:
     )  # fmt: skip
     path = Series(
         "overlap", "u", "m", "overlap, negative after the contact",
-        lambda run: -away(run),
+        (lambda run: -away(run)) if pair else Along(Displacement(1), -Z),
         functools.partial(dashpot.overlap, **law, v=p["v"]), judge,
     )  # fmt: skip
     levels = {
         level: tuple(Knobs(dt=step * unit) for step in steps) for level, steps in RUNGS.items()
     }
     goal = History(LASTS * unit, SEEN * unit)
-    pair = variant.startswith("pair")
     scene, bodies = (_pair(p), (0, 1)) if pair else (_scene(p), (1,))
     seen = tuple(kind(body) for kind in (Displacement, Velocity) for body in bodies)
     return Trial(Ladder(scene, goal, seen, levels), (path, returned, lasted, _balance(unit)))

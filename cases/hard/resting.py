@@ -10,6 +10,7 @@ from cases._papers import LI_2018
 from reference_solutions.contact import held_sphere, resting_lattice
 from vv.ask import Displacement, History, Knobs, Method, Run, Velocity
 from vv.case import (
+    Along,
     Case,
     Exact,
     Ladder,
@@ -87,7 +88,7 @@ def _held_up(p: Parameters) -> Trial:
     unit = float(np.sqrt(p["m"] / (2 * p["ks"])))
     seen = Displacement(2)
     sunk = Series(
-        "z", "z", "m", "displacement upwards", lambda run: np.asarray(run.values[seen] @ Z),
+        "z", "z", "m", "displacement upwards", Along(seen, Z),
         height, _swings(unit),
     )  # fmt: skip
     rungs = tuple(Knobs(dt=step * unit) for step in SWINGS)

@@ -8,8 +8,9 @@ import numpy as np
 
 from cases._papers import LI_2018
 from reference_solutions.contact import settling
-from vv.ask import Displacement, History, Knobs, Method, Run
+from vv.ask import Displacement, History, Knobs, Method
 from vv.case import (
+    Along,
     Case,
     Count,
     Exact,
@@ -29,6 +30,7 @@ RADIUS = 0.1  # m; does not enter the answer
 SPHERE = Displacement(1)
 GOAL = History(0.8, 1e-4)  # twice the time to the last bounce; six outputs in the shortest flight
 Z = np.array([0.0, 0.0, 1.0])
+HEIGHT = Along(SPHERE, Z)
 LAW = ("m", "kn", "eta", "g", "height")
 
 
@@ -51,7 +53,7 @@ def _declare(variant: str, p: Parameters) -> Trial:
         symbol="z",
         unit="m",
         meaning="displacement upwards",
-        observe=_height,
+        observe=HEIGHT,
         reference=functools.partial(settling.settling, **law),
         judge=Exact(PATH),
     )
@@ -59,15 +61,11 @@ def _declare(variant: str, p: Parameters) -> Trial:
         name="bounces",
         symbol="n",
         meaning="times it leaves the floor",
-        observe=lambda run: _leaves(_height(run) + p["height"]),
+        observe=lambda run: _leaves(HEIGHT(run) + p["height"]),
         reference=lambda: sum(stage.flies for stage in settling.stages(**law)) - 1,
         judge=Exact(dict.fromkeys(PATH, WHOLE)),
     )
     return Trial(Ladder(_scene(p), GOAL, (SPHERE,), LEVELS), (moved, bounces))
-
-
-def _height(run: Run) -> Vector:
-    return np.asarray(run.values[SPHERE] @ Z)
 
 
 def _leaves(z: Vector) -> int:

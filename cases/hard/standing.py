@@ -10,6 +10,7 @@ import numpy as np
 from reference_solutions.hard import arch, falling_arch
 from vv.ask import Displacement, History, Knobs, Method, Run
 from vv.case import (
+    Along,
     Case,
     Check,
     Exact,
@@ -106,7 +107,7 @@ def _stacked(n: float) -> Exact:
 def _crown_sinking(p: Parameters) -> Quantity:
     return Series(
         "sunk", "d", "m", "downward displacement of the voussoir beside the crown",
-        lambda run: np.asarray(-run.values[Displacement(VOUSSOIRS // 2)] @ Z),
+        Along(Displacement(VOUSSOIRS // 2), -Z),
         functools.partial(
             falling_arch.sunk, n=VOUSSOIRS, thick=_thickness(p), size=p["size"], g=p["g"]
         ),

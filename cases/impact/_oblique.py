@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from reference_solutions.impact import hertz
+from reference_solutions.impact import hertz, micro_slip
 from reference_solutions.impact.rebound import WALL, After, Law, Sphere, rebound
 from vv.ask import Displacement, Method, Observable, Run, Velocity
 from vv.case import Exact, Scalar, Tolerance
@@ -59,6 +59,11 @@ class Impacts:
     def each(self) -> int:
         """Spheres in an impact."""
         return 1 if self.partner.is_wall else 2
+
+    @property
+    def slips_in_part(self) -> bool:
+        """Whether contacts slip in part, which one code alone has."""
+        return self.contact.hertz is not None and self.contact.hertz.micro_slip
 
     @property
     def reduced(self) -> float:
@@ -115,7 +120,8 @@ class Impacts:
     def after(self, name: str, choice: Choice = OURS) -> After:
         """The exact end of an impact, by the scene's law or by one that differs as codes do."""
         blow, ((a, b), h) = self.blows[name], choice
-        return rebound(
+        solve = micro_slip.rebound if self.slips_in_part else rebound
+        return solve(
             replace(self.law, a=a, b=b, h=h), self.sphere, partner=self.partner,
             vn=blow.vn, vt=blow.vt, spin=blow.spin, partner_spin=blow.partner_spin,
         )  # fmt: skip
@@ -167,6 +173,8 @@ class Impacts:
 
     def _laws(self) -> Iterator[Choice]:
         """The laws in which codes differ."""
+        if self.slips_in_part:
+            return iter((OURS,))
         return itertools.product(ARMS, SPRINGS if self.contact.hertz else SPRINGS[:1])
 
     def _nearest(self, run: Run) -> float:
@@ -186,8 +194,17 @@ class Impacts:
         )  # fmt: skip
 
     def longest(self) -> float:
-        """When the last of the overlaps is gone [s]."""
-        return max(self.after(name).cleared for name in self.blows)
+        """When the last of the overlaps is gone [s], of the slowest impact along the normal.
+
+        What happens across the normal changes it by the second order of U/R.
+        """
+        law, slowest = self.law, min(blow.vn for blow in self.blows.values())
+        if law.z:
+            frictionless = replace(law, mu=0.0)
+            return rebound(frictionless, self.sphere, partner=self.partner, vn=slowest).cleared
+        if law.p == 1.0:
+            return math.pi * math.sqrt(self.reduced / law.K)
+        return hertz.lasting(m=self.reduced, K=law.K, v=slowest)
 
 
 def judged(value: float, unit: float, steps: int, reason: str, late: float = 0.0) -> Exact:

@@ -11,6 +11,7 @@ from cases.impact._materials import CHUNG_OOI_2011, defaults, mass, moduli
 from reference_solutions.impact import hertz
 from vv.ask import Displacement, History, Knobs, Method, Run, Velocity
 from vv.case import (
+    Along,
     Case,
     Exact,
     Ladder,
@@ -89,7 +90,7 @@ def _declare(variant: str, p: Parameters) -> Trial:
     levels = {Level.QUICK: rungs[:2], Level.DEFAULT: rungs[:3], Level.PAPER: rungs}
     overlap = Series(
         "overlap", "U", "m", "overlap, negative after the contact",
-        lambda run: _approach(pair, Displacement, run),
+        functools.partial(_approach, pair, Displacement) if pair else Along(Displacement(0), -X),
         functools.partial(hertz.overlap, **law), judge,
     )  # fmt: skip
     figures = {

@@ -1,4 +1,4 @@
-"""Spheres of aluminium oxide strike glass at angles: measured, and by two contact laws."""
+"""Spheres of aluminium oxide strike glass at angles: measured, and by three contact laws."""
 
 from __future__ import annotations
 
@@ -37,7 +37,11 @@ SPIN = {  # angle of impact [degrees]: spin after it [1/s], from another figure
 ALUMINA, GLASS = (380e9, 0.23), (70e9, 0.25)  # Young's modulus [Pa], Poisson's ratio
 STEPS = (100, 200, 400, 1600)  # in the duration of a normal impact
 STRIDE, LASTS = 20, 1.1  # coarsest steps between outputs; duration over the longest contact
-HOLDS = {"linear": 15.0, "hertz": 25.0}  # degrees from which on a law is held to measurements
+HOLDS = {
+    "linear": 15.0,
+    "hertz": 25.0,
+    "micro-slip": 15.0,
+}  # degrees from which on a law is held to measurements
 SURE = 3.0  # standard uncertainties that a band is wide
 READ_KEPT, SCATTER_KEPT = 0.003, 0.005
 READ_ANGLE, SCATTER_ANGLE = 0.3, 0.4
@@ -54,7 +58,8 @@ def _contact(variant: str, p: Parameters) -> Contact:
         1.0 / sum(1.0 / of(*stuff) for stuff in (ALUMINA, GLASS))
         for of in (hertz.effective_modulus, hertz.effective_shear_modulus)
     )
-    return Contact(0.0, mu=p["mu"], hertz=Hertz(normal, shear))
+    in_part = variant == "micro-slip"
+    return Contact(0.0, mu=p["mu"], hertz=Hertz(normal, shear, micro_slip=in_part))
 
 
 def _declare(variant: str, p: Parameters) -> Trial:
@@ -148,6 +153,9 @@ NOT_HELD = {
     "9 to 10 % at 2 to 4 degrees",
     "hertz": "below 25 degrees spheres stick, in part: without micro-slip, Mindlin's stiffness "
     "gives almost all back at 2 degrees, where a fifth was lost",
+    "micro-slip": "below 15 degrees spheres stick at first, or soon: the law returns 0.3 to 6 % "
+    "too little at 2 to 10 degrees, where it is 6 to 22 % too much without micro-slip; how well "
+    "so small tangential speeds were measured is not known",
 }
 NOTE = (
     "kn, ks and mu are those of MFiX's case DEM05. The uncertainty of reading is the difference of "
@@ -186,6 +194,13 @@ CASE = Case(
             "hertz", "Hertz, and Mindlin without micro-slip",
             "m U'' = -Fn, Fn = 4/3 E sqrt(R) U^(3/2); T' = -8 G sqrt(R U) s until |T| = mu Fn; "
             "m vt' = T, 2/5 m R^2 w' = -(R - U/2) T",
+            inert=frozenset({"kn", "ks"}),
+        ),
+        Variant(
+            "micro-slip", "Hertz, and Mindlin with micro-slip",
+            "m U'' = -Fn, Fn = 4/3 E sqrt(R) U^(3/2); T = -8 G sqrt(R) int_0^sqrt(U) u dx, "
+            "u' = s' once U > x^2, cut to mu E/(4 G) (U - x^2); m vt' = T, "
+            "2/5 m R^2 w' = -(R - U/2) T",
             inert=frozenset({"kn", "ks"}),
         ),
     ),

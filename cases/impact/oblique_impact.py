@@ -57,7 +57,12 @@ def _contact(variant: str, p: Parameters, sphere: Sphere, partner: Sphere) -> Co
     """
     elastic = moduli(p, 1 if partner is WALL else 2)
     if not variant.endswith("linear"):
-        return Contact(0.0, mu=p["mu"], hertz=replace(elastic, damping=viscous.damping(p["e"])))
+        law = replace(
+            elastic,
+            damping=viscous.damping(p["e"]),
+            micro_slip=variant.endswith("micro-slip"),
+        )
+        return Contact(0.0, mu=p["mu"], hertz=law)
     reduced = Impacts(sphere, Contact(1.0), {}, partner).reduced
     radius = 1.0 / (1.0 / sphere.radius + 1.0 / partner.radius)
     factor = hertz.normal_factor(modulus=elastic.modulus, radius=radius)
@@ -96,6 +101,12 @@ LINEAR = (
     "m U'' = -Fn, Fn = kn U + eta U' >= 0; T' = -ks s until |T| = mu Fn, s the slip in the middle "
     "of the overlap; m vt' = T, 2/5 m R^2 w' = -(R - U/2) T"
 )
+MICRO_SLIP = (
+    "m U'' = -Fn, Fn = 4/3 E sqrt(R) U^(3/2); T = -8 G sqrt(R) int_0^sqrt(U) u dx, u' = s' once "
+    "U > x^2, cut to mu E/(4 G) (U - x^2), s the slip in the middle of the overlap; "
+    "m vt' = T, 2/5 m R^2 w' = -(R - U/2) T"
+)
+IN_PART = ("angle-alumina", "spun-alloy", "pair-alloy", "large-alloy")
 SPUN = {**defaults("alloy"), "R": 0.1, "mu": 0.4, "v": 0.2}
 SMALL = {"R": 1e-5, "mu": 0.3, "v": 5.0}
 ELASTIC: dict[str, tuple[str, dict[str, float]]] = {
@@ -163,6 +174,13 @@ CASE = Case(
                 level=LEVELS.get(f"{name}-linear", Level.DEFAULT),
             )
             for name, (meaning, values) in ELASTIC.items()
+        ),
+        *(
+            Variant(
+                f"{name}-micro-slip", f"{ELASTIC[name][0]}, with micro-slip", MICRO_SLIP,
+                ELASTIC[name][1], level=LEVELS.get(f"{name}-micro-slip", Level.DEFAULT),
+            )
+            for name in IN_PART
         ),
     ),
     declare=_declare,

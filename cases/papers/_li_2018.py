@@ -101,6 +101,16 @@ CLAIMS = (
           Standing.MISPRINT, "they are particle 4 and wall 3"),
     _said("Shear Contact Force", "y_2 = e^(-n t_s2) sin(wd t_s2)", Standing.MISPRINT,
           "it lacks the factor v_by/wd of Eq. 13"),
+    _said("Shear Contact Force", "'as with T2', T4 slides in its second stage", Standing.MISPRINT,
+          "as with T3: nothing slides in T2"),
+    _said("Note below Eq. 23", "v_n1 and v_n2 are among the values of Eqs. 18 to 23",
+          Standing.MISPRINT, "v_s1 and v_s2 are, and a, b, c and d besides"),
+    Statement("Shear Contact Force", "in its third stage T3 moves as in its first, about b", "",
+              Standing.REPRODUCED, "it swings by y_1, and so comes back to the limit of friction "
+              "at 0.3867 s without slip: the case `grazing`", "m", lambda: T3.y1, (_worst("T3"),)),
+    _said("Shear Contact Force", "no movement in the x direction and no rotation",
+          Standing.REPRODUCED, "the scenes lock both; what presses particle 4 on its wall is its "
+          "overlap alone", (_worst("T3"), _worst("T4"))),
     _said("Figs. 3 and 5", "VBOX and PFC2D follow the analytical curves at dt = 1e-3 s",
           Standing.REPRODUCED, "largest error in % of the largest displacement",
           tuple(map(_worst, ("T1", "T2", "T3", "T4")))),

@@ -7,7 +7,7 @@ import math
 from collections.abc import Callable
 
 from cases._papers import YAGODA_BIRAN_2016
-from reference_solutions.blocks import implicit_step, rocking
+from reference_solutions.blocks import first_motion, implicit_step, rocking
 from vv.ask import Knobs
 from vv.case.published import Figure, Paper, Seen, Standing, Statement
 
@@ -52,6 +52,12 @@ STEP = (
     _said("Eq. 2", "six unknowns a block in the plane", "6", REPRODUCED, exact=lambda: 6.0),
     _said("Eq. 4", "the matrix T of first-order displacements", "", REPRODUCED,
           "derived again; a block that turns by it grows, (1 + (th/n)^2)^n in n steps of th/n"),
+    _said("Eqs. 1, 3, 6, 7, 9, 11, 13 to 16 and 18", "as printed", "", REPRODUCED,
+          "definitions, or derived again"),
+    _said("Sec. 2", "the penalty method assures that blocks do not penetrate", "", WRONG,
+          "a spring pushes by as much as it is pressed in: the block of Table 2 at rest, on "
+          "springs of 1e9 N/m in all", unit="m",
+          exact=lambda: 2.0 * 2.0 * 0.1 * 2250.0 * 9.81 / 1e9),
     _said("Eq. 5", "d'' = (2/D^2)(d - t d0')", "", MISPRINT,
           "d'' = (2/D^2)(d - D d0'): the step and not the time"),
     _said("Eq. 8", "displacement under a sine from rest at t = 0", "", MISPRINT,
@@ -94,6 +100,10 @@ SLIDING = (
           _error("incline", "two-directions", quantity="distance"), "%"),
 )  # fmt: skip
 MODES = (
+    _said("Sec. 3.2.1", "the border between toppling and sliding while it topples is dynamic "
+          "(Yeung)", "", REPRODUCED, "tan(phi_c - delta) = tan(psi - delta)/4, derived again by "
+          "trying all modes of contact; psi on it at phi = 20, delta = 10", unit="degrees",
+          exact=lambda: first_motion.slip_joins(20.0, 10.0)),
     _said("Sec. 3.1.1", "yield acceleration of phi = 35 on 20 degrees, a_y = g tan(phi - alpha)",
           "", REPRODUCED, "down the slope; up it the block slips below -g tan(phi + alpha), which "
           "the paper leaves out", unit="m/s2", exact=lambda: 9.81 * math.tan(math.radians(15.0))),
@@ -115,6 +125,12 @@ MODES = (
           _agreeing("3d-6", "3d-20", "3d-40", "3d-50")),
 )  # fmt: skip
 ROCKING = (
+    _said("Sec. 3.3", "impacts of DDA's block are restrained by the damping of its step", "",
+          REPRODUCED, "where w dt of its contacts is about 1, as at 1e10 N/m and 2.5e-4 s: "
+          "restitution of the first impact, Housner's beside it; at other steps and stiffnesses "
+          "it is another, up to bouncing", (
+              Seen("rocking-restitution", "aspect-3", "restitution"),),
+          exact=lambda: rocking.restitution(0.2, 0.6)),
     *(
         _said("Sec. 3.3", f"a pulse that {does} the block, as its equation for small angles has "
               f"it at g = {g:g} m/s2", printed, WRONG, f"it is {least} the threshold of that "
@@ -150,6 +166,18 @@ ROCKING = (
           _error("rocking", "overturns-1e-1", quantity="time"), "%"),
 )  # fmt: skip
 RESPONDING = (
+    _said("Sec. 4.5.1", "'similarly to Eq. (14)' the acceleration of block 2 is mu g", "", MISPRINT,
+          "it is similar to Eq. 12"),
+    _said("Sec. 4.5.1", "dimensions and properties of the blocks do not enter the solution", "",
+          REPRODUCED, "its mass cancels while block 2 does not tip"),
+    _said("Sec. 4.5.2", "block 2 is so flat that it does not turn; friction from which it tips", "",
+          REPRODUCED, "its half length over its half height", exact=lambda: 2.0 / 0.1),
+    _said("Sec. 4.5.2", "two seconds without motion, in which weight settles the springs", "",
+          REPRODUCED, "the replica of the published scheme does so; where weight itself moves the "
+          f"block, as on the wedge, that starts it too early; there, {OURS}",
+          _error("shaken-wedge", "along", quantity="s"), "%"),
+    _said("Sec. 5.1.1", "the stiffness of contacts affects results; E_N at 1e7 and 1e9 N/m", "",
+          REPRODUCED, AS_IS, _own("E_N", "3d-1e7", "3d-1e9"), "%"),
     _said("Sec. 3.4", "error of 2D-DDA on a shaking foundation, generally", "< 5", REPRODUCED, OURS,
           _responding("1d-mu-0.1", "1d-mu-1"), "%"),
     _said("Fig. 18", "E_N at 2 and 3 Hz, most of the time", "< 3", REPRODUCED, AS_IS,
@@ -221,6 +249,18 @@ DAMPING = (
     _said("Sec. 5.2.2", "3 % damping and 1e-5 s make displacements several orders too small", "",
           REPRODUCED, "right over damped, after 1 s under a constant force",
           exact=lambda: 0.5 / implicit_step.damped_drive(1.0, 1e-5, 100000, 0.97)),
+    _said("Sec. 5.2.2", "with 1 % kinetic damping displacements are still highly restrained; part "
+          "of the right way", "", REPRODUCED, "1 m/s2 for 1 s, at 1e-5 s", unit="%",
+          exact=lambda: 200.0 * implicit_step.damped_drive(1.0, 1e-5, 100000, 0.99)),
+    _said("Sec. 5.2.2", "displacements fall as steps grow, by the damping of the step", "", WRONG,
+          "those of swings only: a constant force moves a mass by the right way at any step; "
+          "1 m/s2 for 1 s, at 0.1 s", unit="m",
+          exact=lambda: implicit_step.damped_drive(1.0, 0.1, 10, 1.0)),
+    _said("Sec. 5.1.2", "steps that are too short may cause false oscillations at the front of a "
+          "wave", "", OPEN, "of models of others, which are not given"),
+    _said("Sec. 3.5", "the blocks of DDA are not damped", "", WRONG,
+          "its step damps them, as Sec. 5.1.3 says; the ratio over w dt/4",
+          (Seen("elastic-block", "ringing", "damping"),), exact="1"),
     _said("Sec. 5.1.3", "2 % kinetic damping was needed for a stable solution of slopes", "", OPEN,
           "the model is not given"),
     _said("Sec. 5.2.2", "3D-DDA took steps 10 and 100 times shorter than 2D-DDA", "", OPEN,
@@ -276,6 +316,11 @@ MASONRY = (
     _said("Sec. 5.2.2", "kinetic damping without which 3D-DDA did not converge", "3", OPEN,
           "of the house, whose geometry is not given; open-close iterations of the published "
           "formulation leave most steps of such a house unconverged", unit="%"),
+    _said("Sec. 5.2.2", "step above which 3D-DDA did not converge", "0.00001", OPEN,
+          "of the house, whose geometry is not given", unit="s"),
+    _said("Sec. 5.2.1", "triangles that make a box", "12", REPRODUCED, exact=lambda: 2.0 * 6.0),
+    _said("Sec. 6", "the size of blocks matters first of all for waves", "", REPRODUCED,
+          f"with 5 and 20 layers, {OURS}", _error("shear-wave", "5", "20", quantity="top")),
     _said("Sec. 6", "DDA is proven to solve problems of rotation by rocking accurately", "", WRONG,
           "it was compared with the small-angle equation, 3.6 % off the block's own threshold, by "
           "a penalty that was fitted to it"),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import math
 from collections.abc import Callable
 
@@ -32,6 +33,7 @@ NEAR, FAR = 25, 75  # the spheres watched, of which one lies before and one beyo
 CROSSED = 100.0  # 1/w0 = sqrt(m/kn): how long a wave takes to go along the chain
 WIDTH = 8.0  # spheres: the width of a pulse
 COARSE = 0.2  # w0 dt
+Measure = Callable[[Vector, Vector], float]
 
 
 def _scene(p: Parameters, thrown: Vector, masses: Vector) -> Scene:
@@ -93,10 +95,11 @@ def _pulse(p: Parameters) -> Trial:
         return closed.motion(t, thrown, masses, p["kn"])[1][:, [NEAR - 1, FAR - 1]]
 
     t = goal.times(None)
-    exact = path(t)
+    exact = functools.cache(lambda: path(t))
 
-    def told(measure: Callable[[Vector, Vector], float]) -> tuple[Callable[[Run], float], float]:
-        return lambda run: measure(run.times, _seen(run, seen)), measure(t, exact)
+    def measured(measure: Measure) -> tuple[Callable[[Run], float], Callable[[], float]]:
+        """What is measured of a run, and of the exact motion."""
+        return lambda run: measure(run.times, _seen(run, seen)), lambda: measure(t, exact())
 
     def part(i: int, body: int) -> Series:
         return Series(
@@ -107,13 +110,13 @@ def _pulse(p: Parameters) -> Trial:
 
     returned = Scalar(
         "returned", "R^2", "", "energy that comes back past the sphere 25, over what went",
-        *told(_returned), 1.0, _judge(RETURNED[p["jump"] != 1], _coarsest(p), PASSED),
+        *measured(_returned), 1.0, _judge(RETURNED[p["jump"] != 1], _coarsest(p), PASSED),
     )  # fmt: skip
     quantities: tuple[Quantity, ...] = (part(0, NEAR), part(1, FAR), returned)
     if p["jump"] == 1.0:
         speed = Scalar(
             "speed", "c/w0", "", "spheres that the pulse's middle passes in 1/w0",
-            *told(lambda t, v: _speed(t, v) / w0), 1.0, _judge(4e-4, _coarsest(p), SPREADS),
+            *measured(lambda t, v: _speed(t, v) / w0), 1.0, _judge(4e-4, _coarsest(p), SPREADS),
         )  # fmt: skip
         quantities = (*quantities, speed)
     return Trial(Ladder(scene, goal, seen, _levels(p)), quantities)

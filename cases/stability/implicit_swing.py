@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import cmath
-import math
 from collections.abc import Callable
 
 import numpy as np
 
 from cases._papers import YAGODA_BIRAN_2016
+from cases.stability._tip import PARAMETERS, Z, frequency, scene
 from reference_solutions.blocks import implicit_step as theory
 from vv.ask import Displacement, History, Knobs, Method, Run, Velocity
 from vv.case import (
@@ -16,7 +16,6 @@ from vv.case import (
     Exact,
     Ladder,
     Level,
-    Parameter,
     Parameters,
     Scalar,
     Shown,
@@ -25,36 +24,19 @@ from vv.case import (
     Trial,
     Variant,
 )
-from vv.scene import Block, Contact, Scene, Vector, Wall, polyhedron_inertia
+from vv.scene import Vector
 
 MOVED, MOVING = Displacement(1), Velocity(1)
-Z = np.array([0.0, 0.0, 1.0])
-TIP = np.array([[0, 0, 0], [-1, -1, 2], [1, -1, 2], [1, 1, 2], [-1, 1, 2]], float) / 2  # m
-FACES = ((0, 2, 1), (0, 3, 2), (0, 4, 3), (0, 1, 4), (1, 2, 3, 4))
 STEPS = 8  # of the largest step of a variant
 FADED = 1e-6  # of the first swing: what has faded more is rounding
 
 
-def _scene(p: Parameters) -> Scene:
-    """A pyramid on its tip, which keeps upright: one point of contact, pressed by its weight."""
-    _, inertia = polyhedron_inertia(TIP, FACES, p["m"] / (1 / 3))
-    block = Block(
-        "block", TIP, FACES, p["m"], inertia,
-        velocity=p["v"] * Z,
-        free=np.array([False, False, True]),
-        free_spin=np.zeros(3, bool),
-    )  # fmt: skip
-    return Scene((Wall(np.zeros(3), Z), block), Contact(np.inf), gravity=-p["g"] * Z)
-
-
 def _declare(variant: str, p: Parameters) -> Trial:
-    w = math.sqrt(p["kn"] / p["m"])
-    if not p["v"] * w < p["g"]:
-        raise ValueError(f"v = {p['v']!r} m/s; from g/w = {p['g'] / w:.6g} m/s on, it leaves")
+    w = frequency(p)
     dt = [angle / w for angle in ANGLES[variant]]
     rungs = tuple(Knobs(one, p["kn"]) for one in dt[::-1])
     levels = {Level.QUICK: rungs[:2], Level.DEFAULT: rungs, Level.PAPER: rungs}
-    study = Ladder(_scene(p), History(STEPS * dt[-1], dt[0]), (MOVED, MOVING), levels)
+    study = Ladder(scene(p), History(STEPS * dt[-1], dt[0]), (MOVED, MOVING), levels)
     radius = _over_theory(
         "radius", "rho/rho_O", "spectral radius of a step, over theory", w, _radius,
         theory.spectral_radius, RADIUS,
@@ -116,6 +98,7 @@ ANGLES = {
 }
 OTHERS = "rigid contact has no spring: the block is thrown up, falls, and stays down"
 SHOWN = dict.fromkeys((Method.EXACT, Method.SECOND_ORDER, Method.FIRST_ORDER), OTHERS)
+SHOWN[Method.DAMPED] = "this class has another step, which damped-swing judges"
 BOTH = (Method.PENALTY, Method.LAGGING)
 RADIUS = Exact(
     dict.fromkeys(BOTH, Tolerance(1e-12, "the step is a linear map, fitted to eight outputs")),
@@ -147,12 +130,7 @@ CASE = Case(
         "They say why contacts that the step does not resolve neither blow up nor come to rest. "
         "Contact is rigid; the penalty spring that stands in for it swings.",
     ),
-    parameters=(
-        Parameter("m", 1000.0, "kg", "mass"),
-        Parameter("kn", 1e7, "N/m", "penalty stiffness at the tip"),
-        Parameter("g", 9.81, "m/s2", "gravity, which keeps the contact closed"),
-        Parameter("v", 0.05, "m/s", "velocity at the start, upwards"),
-    ),
+    parameters=PARAMETERS,
     variants=(
         Variant("complex", "w dt from 1e-3 to 1", ROOTS + "rho^2 = 1/(1 + (w dt)^2/2)",
                 inert=LINEAR),

@@ -40,9 +40,17 @@ def leans(
 
     A [m/s2], w [rad/s], T [s]: of the sine. Beyond alpha it falls, and lies still at pi/2.
     """
+    return phases(t, b=b, h=h, g=g, A=A, w=w, T=T, theta=theta)[:, 0]
+
+
+def phases(
+    t: ArrayLike, *, b: float, h: float, g: float,
+    A: float = 0.0, w: float = 1.0, T: float = 0.0, theta: float = 0.0,
+) -> Array:  # fmt: skip
+    """theta [rad] and its rate [1/s], (k, 2), as `leans`; at an impact the rate before it."""
     times = require_times(t)
     alpha, p = slenderness(b, h, g)
-    found = np.empty(len(times))
+    found = np.empty((len(times), 2))
     now, state = 0.0, (theta, 0.0)
     while now <= times[-1]:
         if state == (0.0, 0.0):
@@ -103,10 +111,10 @@ def _swing(
         one = solve_ivp(rate, span, state, "DOP853", events=(floor, flat), args=(on,),
                         dense_output=True, **_SHARP)  # fmt: skip
         here = (times >= now) & (times <= one.t[-1])
-        found[here] = one.sol(times[here])[0] if here.any() else 0.0
+        found[here] = one.sol(times[here]).T if here.any() else 0.0
         now, state = float(one.t[-1]), (float(one.y[0, -1]), float(one.y[1, -1]))
         if len(one.t_events[1]):
-            found[times > now] = side * pi / 2
+            found[times > now] = side * pi / 2, 0.0
             return inf, state
         if len(one.t_events[0]):
             return now, (0.0, state[1])

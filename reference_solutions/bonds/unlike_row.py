@@ -38,12 +38,8 @@ def along(
     length: (B,) [m] of the unstretched bonds; v: (N,) [m/s] at t = 0; g [m/s2] along the row.
     held: whether the first sphere stays. The reaction keeps it against its weight and its bonds.
     """
-    times, (i, j) = require_times(t), row.bonds.T
-    pull = np.zeros((len(row.kn), len(row.m)))  # of the second end away from the first
-    pull[np.arange(len(i)), i] -= np.sign(row.x[j] - row.x[i])
-    pull[np.arange(len(i)), j] += np.sign(row.x[j] - row.x[i])
-    first = row.kn * (np.abs(row.x[j] - row.x[i]) - length)
-    stiffness, push = pull.T @ (row.kn[:, None] * pull), row.m * g - pull.T @ first
+    times, (stiffness, pulled) = require_times(t), _springs(row, length)
+    push = row.m * g + pulled
     free = np.arange(int(held), len(row.m))
     root = np.sqrt(row.m[free])
     square, modes = np.linalg.eigh(stiffness[np.ix_(free, free)] / np.outer(root, root))
@@ -52,6 +48,35 @@ def along(
     u = np.zeros((len(times), len(row.m)))
     u[:, free] = moved.T @ modes.T / root
     return u, -(push - u @ stiffness)[:, 0]
+
+
+def slowed(t: Array, row: Row, *, length: Array, v: Array, eta: float) -> Array:
+    """Displacements (k, N) [m] at times t (k,) [s] as a drag -eta v [N s/m] slows every sphere.
+
+    length: (B,) [m] of the unstretched bonds; v: (N,) [m/s] at t = 0. Drag is the same for all,
+    and masses are not, so that no mode stays one: x' = A x for places, speeds, and 1.
+    """
+    from scipy.linalg import expm
+
+    require_positive("N s/m", eta=eta)
+    times, (stiffness, pulled), n = require_times(t), _springs(row, length), len(row.m)
+    rate = np.zeros((2 * n + 1, 2 * n + 1))
+    rate[:n, n:-1] = np.eye(n)
+    rate[n:-1, :n] = -stiffness / row.m[:, None]
+    rate[n:-1, n:-1] = -np.diag(eta / row.m)
+    rate[n:-1, -1] = pulled / row.m
+    start = np.concatenate([np.zeros(n), v, [1.0]])
+    return np.array([expm(rate * one) @ start for one in times])[:, :n]
+
+
+def _springs(row: Row, length: Array) -> tuple[Array, Array]:
+    """Stiffness (N, N) [N/m] along the row, and the forces (N,) [N] of its bonds at t = 0."""
+    i, j = row.bonds.T
+    pull = np.zeros((len(row.kn), len(row.m)))  # of the second end away from the first
+    pull[np.arange(len(i)), i] -= np.sign(row.x[j] - row.x[i])
+    pull[np.arange(len(i)), j] += np.sign(row.x[j] - row.x[i])
+    first = row.kn * (np.abs(row.x[j] - row.x[i]) - length)
+    return pull.T @ (row.kn[:, None] * pull), -pull.T @ first
 
 
 def _mode(t: Array, square: float, speed: float, load: float) -> Array:

@@ -102,7 +102,7 @@ def rebound(
     """
     if not 0.0 < vn < inf:
         raise ValueError(f"vn = {vn} m/s; the bodies must approach each other")
-    impact = _Impact(law, sphere, partner, vn)
+    impact = Impact(law, sphere, partner, vn)
     start = np.array([0.0, 0.0, -vn, vt, spin, partner_spin, 0.0])
     time, state = 0.0, start
     slips = impact.slips_first(start)
@@ -115,7 +115,7 @@ def rebound(
     raise RuntimeError(f"the contact began or ended to slip more than {MOST} times")
 
 
-class _Impact:
+class Impact:
     """The equations of two bodies in contact; states (7,): displacement, velocity, spins, T."""
 
     def __init__(self, law: Law, sphere: Sphere, partner: Sphere, vn: float) -> None:

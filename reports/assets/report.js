@@ -181,7 +181,7 @@
         const errors = common.map((i) => data.errors[label][i]).filter((e) => e !== null);
         fill(row.querySelector(".median"), median(errors), sci, errors.length === common.length ? "" : `${errors.length} of ${common.length}`);
         const middle = median(ratios[label]);
-        fill(row.querySelector(".dear"), middle === null ? null : Math.exp(middle), ratio, ratios[label].length ? `${ratios[label].length} of ${timed}` : "");
+        fill(row.querySelector(".dear"), middle === null ? null : Math.exp(middle), data.guessed ? (r) => (r === null ? "–" : `~${ratio(r)}`) : ratio, ratios[label].length ? `${ratios[label].length} of ${timed}` : "");
       });
     }
     function fill(cell, value, write, more) {
@@ -328,37 +328,99 @@
     if (hidden.size || state.get("error")) apply(); else draw();
   }
 
-  // The motion of each scheme beside the exact one.
+  // The motion of each scheme beside the exact one: marks on a line each, and the bodies drawn.
+  if (all(".playback").length) all("svg.scene use").forEach((use) => {  // each moves for itself
+    const copy = one(use.getAttribute("href").slice(1)).cloneNode(true);
+    copy.removeAttribute("id");
+    use.replaceWith(copy);
+  });
   all(".playback").forEach((box) => {
-    const data = JSON.parse(box.firstElementChild.textContent);
-    Object.values(data.codes).forEach((code) => { code[1] ||= data.exact; });  // 0: never a pixel off
-    const names = Object.keys(data.codes), H = 22 + 13 * names.length;
-    const time = (i) => Number((data.ends[0] + i / (data.exact.length - 1) * (data.ends[1] - data.ends[0])).toPrecision(3));
-    const span = [...data.exact, ...names.flatMap((name) => data.codes[name][1])].filter((v) => v !== null);
+    const data = JSON.parse(box.firstElementChild.textContent), names = Object.keys(data.codes);
+    const [name, size, first] = data.exact[0], last = first.length - 1;
+    const places = (code, k) => data.codes[code][1][k] || data.exact[k][2];  // 0: never a pixel off
+    const H = 22 + 13 * names.length;
+    const time = (i) => Number((data.ends[0] + i / last * (data.ends[1] - data.ends[0])).toPrecision(3));
+    const span = [...first, ...names.flatMap((code) => places(code, 0))].filter((v) => v !== null);
     const low = Math.min(...span), high = Math.max(...span), wide = high - low || 1;
     const x = (v) => 20 + 300 * (v - low) / wide;
-    const dots = names.map((name, i) => `<g class="c${Number(data.codes[name][0])}"><path class="lead" d="M20 ${25 + 13 * i}H320"/><circle class="full" r="4" cy="${25 + 13 * i}"/><text class="named" x="330" y="${28 + 13 * i}"></text></g>`).join("");
-    box.insertAdjacentHTML("beforeend", `<svg class="chart" viewBox="0 0 470 ${H}" aria-hidden="true"><path class="exact"/>${dots}</svg><label><button type="button" class="chip">play</button> <input type="range" min="0" max="${data.exact.length - 1}" value="0" aria-label="time"> <output></output></label>`);
-    const [bar, said, button] = [box.querySelector("input"), box.querySelector("output"), box.querySelector("button")];
+    const dots = names.map((code, i) => `<g class="c${Number(data.codes[code][0])}"><path class="lead" d="M20 ${25 + 13 * i}H320"/><circle class="full" r="4" cy="${25 + 13 * i}"/><text class="named" x="330" y="${28 + 13 * i}"></text></g>`).join("");
+    box.insertAdjacentHTML("beforeend", `<p class="small"><button type="button" class="chip">play</button> <input type="range" min="0" max="${last}" value="0" aria-label="time"> <label>bodies move as in <select></select></label><br><output></output></p><svg class="chart" viewBox="0 0 470 ${H}" aria-hidden="true"><path class="exact"/>${dots}</svg>`);
+    const [bar, said, button, chosen] = ["input", "output", "button", "select"].map((what) => box.querySelector(what));
     all(".named", box).forEach((text, i) => { text.textContent = names[i]; });
+    names.forEach((code) => chosen.append(new Option(code)));
+    const scene = data.moves.length ? acting(box.closest(".variant").querySelector("svg.scene"), data, places) : null;
+    if (!scene) chosen.parentNode.remove();
+    const value = (part) => part === null ? "none" : (part / 1000 * size).toPrecision(3);
     const step = () => {
-      const i = Number(bar.value);
-      box.querySelector(".exact").setAttribute("d", `M${x(data.exact[i])} 16V${H - 2}`);
+      const i = Number(bar.value), code = chosen.value;
+      box.querySelector(".exact").setAttribute("d", `M${x(first[i])} 16V${H - 2}`);
       all("circle", box).forEach((dot, k) => {
-        const value = data.codes[names[k]][1][i];
-        dot.setAttribute("visibility", value === null ? "hidden" : "visible");
-        if (value !== null) dot.setAttribute("cx", x(value));
+        const place = places(names[k], 0)[i];
+        dot.setAttribute("visibility", place === null ? "hidden" : "visible");
+        if (place !== null) dot.setAttribute("cx", x(place));
       });
-      said.textContent = `t = ${time(i)} s, exact ${data.name}: ${(data.exact[i] / 1000 * data.size).toPrecision(3)}`;
+      scene?.(code, i);
+      said.textContent = `t = ${time(i)} s, exact ${name}: ${value(first[i])}${scene ? `, ${code}: ${value(places(code, 0)[i])}. Dashed outline: exact; ${data.drawn}.` : ""}`;
     };
     let timer = null;
     button.addEventListener("click", () => {
       if (timer) { clearInterval(timer); timer = null; button.textContent = "play"; return; }
       button.textContent = "stop";
-      timer = setInterval(() => { bar.value = (Number(bar.value) + 1) % data.exact.length; step(); }, 60);
+      timer = setInterval(() => { bar.value = (Number(bar.value) + 1) % first.length; step(); }, 60);
     });
     bar.addEventListener("input", step);
+    chosen.addEventListener("change", step);
     box.hidden = false;
     step();
   });
+
+  // The bodies of a drawing, each with an outline where the exact answer has it: a function that
+  // puts them where a scheme has them in a frame.
+  function acting(svg, data, places) {
+    if (!svg) return null;
+    const circles = all("circle.body", svg), faces = all("path.body", svg), bodies = new Map();
+    data.moves.forEach(([k, c, cs, f, fs, dx, dy, turn]) => {
+      const key = `${c} ${cs} ${f} ${fs}`;
+      const shapes = [...circles.slice(c, c + cs), ...faces.slice(f, f + fs)];
+      if (!bodies.has(key)) bodies.set(key, { shapes, ghosts: shapes.map((shape) => shape.cloneNode()), moves: [] });
+      bodies.get(key).moves.push({ k, dx, dy, turn });
+    });
+    const start = (place) => place.find((v) => v !== null) ?? 0;
+    bodies.forEach((body) => {
+      body.ghosts.forEach((ghost) => { ghost.setAttribute("class", "ghost"); svg.append(ghost); });
+      const spots = body.shapes.flatMap((shape) => shape.cx ? [[shape.cx.baseVal.value, shape.cy.baseVal.value]]
+        : shape.getAttribute("d").slice(1).replace("z", "").split("L").map((spot) => spot.split(" ").map(Number)));
+      body.middle = [0, 1].map((axis) => spots.reduce((sum, spot) => sum + spot[axis], 0) / spots.length);
+    });
+    const gone = (body, of, i) => body.moves.reduce(([x, y, a, there], { k, dx, dy, turn }) => {
+      const place = of(k)[i], turned = place === null ? 0 : place - start(of(k));
+      return [x + dx * (place ?? 0), y + dy * (place ?? 0), a + turn * turned, there && place !== null];
+    }, [0, 0, 0, true]);
+    const put = (shapes, [x, y, angle, there], [mx, my]) => shapes.forEach((shape) => {
+      shape.setAttribute("transform", `translate(${x.toFixed(2)} ${y.toFixed(2)})${angle ? ` rotate(${angle.toFixed(3)} ${mx.toFixed(1)} ${my.toFixed(1)})` : ""}`);
+      shape.setAttribute("visibility", there ? "visible" : "hidden");
+    });
+    const tied = bonds(svg, circles);
+    return (code, i) => {
+      const shifts = new Map();
+      bodies.forEach((body) => {
+        const here = gone(body, (k) => places(code, k), i);
+        put(body.shapes, here, body.middle);
+        put(body.ghosts, gone(body, (k) => data.exact[k][2], i), body.middle);
+        body.shapes.forEach((shape) => shifts.set(shape, here));
+      });
+      tied(shifts);
+    };
+  }
+  // The bonds of a drawing follow the circles that they join: a function of how far these went.
+  function bonds(svg, circles) {
+    const path = svg.querySelector("path.bond");
+    if (!path) return () => {};
+    const at = new Map(circles.map((c) => [`${c.getAttribute("cx")} ${c.getAttribute("cy")}`, c]));
+    const ends = path.getAttribute("d").slice(1).split("M").map((bond) => bond.split("L"));
+    return (shifts) => path.setAttribute("d", ends.map((bond) => `M${bond.map((spot) => {
+      const [x, y] = spot.split(" ").map(Number), [dx, dy] = shifts.get(at.get(spot)) ?? [0, 0];
+      return `${Number((x + dx).toFixed(1))} ${Number((y + dy).toFixed(1))}`;
+    }).join("L")}`).join(""));
+  }
 })();

@@ -9,7 +9,17 @@ from markupsafe import Markup, escape
 
 from reports.drawing.axes import Axis, linear_axis, log_axis
 from reports.drawing.charts import Chart, Curve, Mask, Rim
-from reports.drawing.svg import drawing, number, path, placed, text, thinned, title
+from reports.drawing.svg import (
+    BUCKETS,
+    ROUGH,
+    drawing,
+    number,
+    path,
+    placed,
+    text,
+    thinned,
+    title,
+)
 from reports.marks import UNNUMBERED, Mark
 from vv.base.metrics import Vector
 
@@ -29,8 +39,10 @@ def draw(chart: Chart) -> Markup:
         parts.append(f'<path class="exact" d="{line}"/>')
     sizes = np.linspace(LARGE, SMALL, len(chart.curves)) if chart.x_log else [SMALL] * 99
     names = _names({curve.mark.label: _end(curve, x, y) for curve in chart.curves})
+    buckets = ROUGH if chart.y_log and not chart.x_log else BUCKETS
     for curve, size in zip(chart.curves, sizes, strict=False):
-        parts.append(_curve(curve, x, y, float(size), names.pop(curve.mark.label, "")))
+        name = names.pop(curve.mark.label, "")
+        parts.append(_curve(curve, x, y, float(size), name, buckets))
     parts += [_rim(rim, x, place) for place, rim in enumerate(chart.rims)]
     return drawing(WIDTH, HEIGHT, parts)
 
@@ -76,12 +88,12 @@ def _frame(chart: Chart, x: Axis, y: Axis) -> list[str]:
     ]
 
 
-def _curve(curve: Curve, x: Axis, y: Axis, size: float, name: str) -> str:
+def _curve(curve: Curve, x: Axis, y: Axis, size: float, name: str, buckets: int) -> str:
     """A group: the line, the markers, rings about those that are troubling, and the name."""
     px, py = x.at(curve.x), np.clip(y.at(curve.y), TOP - 4, BOTTOM + 4)
     parts = []
     if curve.joined.sum() > 1:
-        line = path(*thinned(px[curve.joined], py[curve.joined]))
+        line = path(*thinned(px[curve.joined], py[curve.joined], buckets))
         parts.append(f'<path class="line" d="{line}"/>')
     for kind, chosen in (("dots", ~curve.hollow), ("holes", curve.hollow)):
         parts.append(_markers(curve, px, py, chosen & curve.marked, kind))

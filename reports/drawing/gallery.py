@@ -41,18 +41,30 @@ def figures(
     norm: Norm,
     critical: Critical = NO_CRITICAL,
 ) -> list[Figure]:
-    """The four figures of a quantity, or those for which there is something to draw.
+    """A quantity over time and its errors over time and step, as far as there is any to draw.
 
     Errors at every stiffness and every step of a few make a map instead of curves; critical:
     stiffness -> what the steps of such a map are multiples of.
     """
     symbol = f"{quantity.symbol} [{quantity.unit}]" if quantity.unit else quantity.symbol
-    error = f"error of {quantity.symbol}, norm {NORM_NAMES[norm]}"
-    both = [*_trajectory(over_time, symbol), *_relative(over_time)]
+    error = _error(quantity, norm)
     heat = error_map(steps, critical)
-    if heat is not None:
-        return [*both, _map(heat, error)]
-    return [*both, *_step(steps, error), *_cost(steps, error)]
+    last = _step(steps, error) if heat is None else [_map(heat, error)]
+    return [*_trajectory(over_time, symbol), *_relative(over_time), *last]
+
+
+def cost_figures(
+    steps: Sequence[Ladder], quantity: QuantityFacts, norm: Norm, critical: Critical = NO_CRITICAL
+) -> list[Figure]:
+    """What errors of a quantity cost, unless a map shows them; arguments as for `figures`."""
+    if error_map(steps, critical) is not None:
+        return []
+    return _cost(steps, _error(quantity, norm))
+
+
+def _error(quantity: QuantityFacts, norm: Norm) -> str:
+    """The label of the axis of errors."""
+    return f"error of {quantity.symbol}, norm {NORM_NAMES[norm]}"
 
 
 def _map(heat: HeatMap, error: str) -> Figure:

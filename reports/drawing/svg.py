@@ -10,6 +10,7 @@ from markupsafe import Markup, escape
 from vv.base.metrics import Vector
 
 BUCKETS = 64  # of a curve, each with its lowest and highest point: pixels show no more
+ROUGH = 24  # of an error over time, the noise of which says how large it is and no more
 FEW, SLACK = 20, 0.3  # points that are all kept, and how far off a line may pass [px]
 
 
@@ -55,13 +56,13 @@ def _joined(tenths: int, before: str) -> str:
     return text if ends else f" {text}"
 
 
-def thinned(x: Vector, y: Vector) -> tuple[Vector, Vector]:
+def thinned(x: Vector, y: Vector, buckets: int = BUCKETS) -> tuple[Vector, Vector]:
     """The points of a curve that a picture shows: of many, the extremes of each bucket."""
-    if len(x) <= 2 * BUCKETS:
+    if len(x) <= 2 * buckets:
         ascends = len(x) > FEW and bool((np.diff(x) > 0).all())
         return straightened(x, y) if ascends else (x, y)
     kept = {0, len(x) - 1}
-    for part in np.array_split(np.arange(len(x)), BUCKETS):
+    for part in np.array_split(np.arange(len(x)), buckets):
         finite = part[np.isfinite(y[part])]
         if len(finite):
             kept |= {int(finite[y[finite].argmin()]), int(finite[y[finite].argmax()])}

@@ -20,8 +20,10 @@ from reports.pages.troubles import CARDS, Trouble, troubles
 from reports.text import brief
 from reports.variant.reading import TARGET
 from vv.case.published import Standing
+from vv.gate.judgement import outcome
 from vv.insight.papers import counted as standings
 from vv.output.markdown import headline
+from vv.records.outcomes import Outcome
 
 
 @dataclass(frozen=True)
@@ -40,6 +42,7 @@ class Front:
     shares: Sequence[tuple[Mark, Sequence[float | None]]]
     cards: Sequence[Trouble]
     more: int
+    known: int
     papers: Mapping[Standing, int]
     rows: Markup
     data: str
@@ -67,6 +70,7 @@ def front(book: Book) -> Front:
         shares=_shares(book, seen),
         cards=all_troubles[:CARDS],
         more=max(0, len(all_troubles) - CARDS),
+        known=sum(outcome(record) is Outcome.XFAIL for record in book.manifest.records),
         papers=standings(row for _, rows in book.beside.papers for row in rows),
         rows=coverage_map.rows(book, seen),
         data=_data(book, seen),
@@ -110,8 +114,13 @@ def _data(book: Book, seen: Overview) -> str:
         }
         for (case, variant), here in seen.costs.items()
     }
-    looks = {label: [m.colour, m.dash, m.points] for label, m in book.marks.items()}
-    parts = {"looks": looks, "targets": TARGETS, "errors": errors, "costs": costs}
+    parts: dict[str, object] = {
+        "looks": {label: [m.colour, m.dash, m.points] for label, m in book.marks.items()},
+        "targets": TARGETS,
+        "errors": errors,
+        "costs": costs,
+        "guessed": seen.guessed,
+    }
     text = json.dumps(parts, separators=(",", ":"))
     return text.replace("&", "\\u0026").replace("<", "\\u003c").replace(">", "\\u003e")
 

@@ -13,6 +13,7 @@ from reports.marks import Mark
 from reports.outcomes import RANKS, ShownOutcome, counted
 from reports.variant.reading import TARGET, judged_error, nearest
 from vv.insight.accuracy_cost import reach
+from vv.insight.effort import untimed_costs
 from vv.insight.stability_summary import Kind, stability
 from vv.records.job_record import Record
 from vv.records.outcomes import StudyKind
@@ -55,7 +56,8 @@ class Row:
 class Overview:
     """cells: place -> label -> cell. costs: place -> label -> CPU to each of TARGETS, or None.
 
-    common: how many variants a scheme of every code solves; timed: how many have costs.
+    common: how many variants a scheme of every code solves; timed: how many have costs; guessed:
+    whether none was timed alone, so that costs are those measured while other jobs ran.
     """
 
     cells: Mapping[Place, Mapping[str, Cell]]
@@ -63,6 +65,7 @@ class Overview:
     rows: Sequence[Row]
     common: int
     timed: int
+    guessed: bool
 
 
 @functools.lru_cache(maxsize=1)
@@ -72,9 +75,13 @@ def overview(book: Book) -> Overview:
         place: {label: _cell(pile) for label, pile in piles.items()}
         for place, piles in book.ran.items()
     }
+    efforts = book.efforts
+    guessed = not any(e.timed for here in efforts.values() for e in here)
+    if guessed:
+        efforts = {place: [*map(untimed_costs, here)] for place, here in efforts.items()}
     costs = {
         place: {e.label: [reach(e, target).cpu for target in TARGETS] for e in here}
-        for place, here in book.efforts.items()
+        for place, here in efforts.items()
         if any(e.timed for e in here)
     }
     common = _common(cells)
@@ -83,7 +90,7 @@ def overview(book: Book) -> Overview:
         _row(book, mark, cells, common, _ratios(costs, mark.label), steps)
         for mark in book.marks.values()
     ]
-    return Overview(cells, costs, rows, len(common), len(costs))
+    return Overview(cells, costs, rows, len(common), len(costs), guessed)
 
 
 def _cell(pile: Sequence[Record]) -> Cell:

@@ -11,8 +11,9 @@ from reports.book import Book, Place
 from reports.drawing import collect
 from reports.drawing.collect import History
 from reports.drawing.energies import JOULE, energy_figures
-from reports.drawing.gallery import Figure, figures
-from reports.drawing.playback import playback
+from reports.drawing.gallery import Figure, cost_figures, figures
+from reports.drawing.phases import phase_figures
+from reports.drawing.playback import moving, playback
 from reports.outcomes import ShownOutcome, counted, shown_outcome
 from reports.text import slug
 from reports.variant.absences import Absent, Silent, absent, silent
@@ -31,7 +32,7 @@ from vv.records.case_facts import QuantityFacts, VariantFacts
 from vv.records.job_record import Record
 from vv.records.reading import fineness
 from vv.records.recorded import RecordedResult
-from vv.scene.sketch import Sketch
+from vv.scene.picture.sketch import Sketch
 
 SEVERAL = 3  # quantities with all their figures; of more, the rest has none over time
 
@@ -135,9 +136,10 @@ def variant(book: Book, place: Place, above: Above) -> Variant:
         figures=[
             *measured_figures(book, place),
             *region_figures(facts, book.ran.get(place, {}), book.marks),
+            *([] if like else _phase(book, facts, own)),
             *([] if like else _figures(book, facts, own)),
         ],
-        playback="" if like else playback(curves, facts),
+        playback=_played(book, facts, own),
         like=like,
         has_series=any(book.arrays(r.key) for r in own if r.quantities),
         advice=advice(book.efforts.get(place, [])),
@@ -163,10 +165,18 @@ def _first_curves(book: Book, facts: VariantFacts, own: Sequence[Record]) -> lis
     return _over_time(book, facts.quantities[0], own)
 
 
+def _played(book: Book, facts: VariantFacts, own: Sequence[Record]) -> str:
+    """The motions that the page plays; '' where none is known."""
+    names = moving(facts)
+    played = [quantity for quantity in facts.quantities if quantity.name in names]
+    return playback({q.name: _over_time(book, q, own) for q in played}, facts)
+
+
 def _figures(book: Book, facts: VariantFacts, own: Sequence[Record]) -> list[Figure]:
+    """Those of all quantities; what errors cost is drawn once, since a run has all quantities."""
     energies = {q.name: _over_time(book, q, own) for q in facts.quantities if q.unit == JOULE}
     made = energy_figures(energies, facts.quantities)
-    drawn = bool(made)
+    drawn, costs = bool(made), list[Figure]()
     for number, quantity in enumerate(facts.quantities):
         measured = [one for r in own if (one := r.quantity(quantity.name))]
         if not measured:
@@ -176,7 +186,19 @@ def _figures(book: Book, facts: VariantFacts, own: Sequence[Record]) -> list[Fig
         curves = [] if many else _over_time(book, quantity, own)
         steps = collect.ladders(own, quantity.name, book.marks)
         made += figures(curves, steps, quantity, norm, dict(facts.critical))
+        if not costs:
+            costs = cost_figures(steps, quantity, norm, dict(facts.critical))
+            made += costs
     return made
+
+
+def _phase(book: Book, facts: VariantFacts, own: Sequence[Record]) -> list[Figure]:
+    """The phase picture, where a case asks for one."""
+    by_name = {quantity.name: quantity for quantity in facts.quantities}
+    if facts.phase is None:
+        return []
+    along, up = (by_name[name] for name in facts.phase)
+    return phase_figures(_over_time(book, along, own), _over_time(book, up, own), (along, up))
 
 
 def _over_time(book: Book, quantity: QuantityFacts, own: Sequence[Record]) -> list[History]:

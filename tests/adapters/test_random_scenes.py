@@ -114,7 +114,8 @@ def test_the_leapfrog_comes_to_the_exact_answer(scene: Scene) -> None:
 @FEW
 def test_a_block_slides_alike_in_all_codes_that_have_blocks(scene: Scene) -> None:
     exact = way(answer(adapters.exact.ADAPTER, asked(scene, 0.4, None)))
-    scale = max(float(np.abs(exact).max()), 0.02)  # m: a block that sticks at once goes nowhere
+    slid = np.linalg.norm(np.diff(exact, axis=0), axis=-1).sum()  # up and down: each turn costs
+    scale = max(float(slid), 0.02)  # m: a block that sticks at once goes nowhere
     for adapter, within in ((adapters.rigid.ADAPTER, 1e-4), (adapters.dda.ADAPTER, 2e-2),
                             (adapters.dem.ADAPTER, 5e-2)):  # fmt: skip
         run = answer(adapter, asked(scene, 0.4, 1e-3, 1e8))

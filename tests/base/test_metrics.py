@@ -8,12 +8,14 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from vv.base.metrics import (
+    count_before_floor,
     final_error,
     l2_error,
     max_error,
     observed_order,
     pointwise_error,
     pointwise_history,
+    scaled_error,
 )
 
 T = np.linspace(0.0, 1.0, 101)
@@ -29,6 +31,49 @@ def test_a_uniform_relative_error_is_itself_in_every_norm(norm) -> None:  # type
 @pytest.mark.parametrize("norm", NORMS)
 def test_a_perfect_answer_has_no_error(norm) -> None:  # type: ignore[no-untyped-def]
     assert norm(REFERENCE, REFERENCE) == 0.0
+
+
+@pytest.mark.parametrize(
+    ("value", "largest", "mean_square", "final", "pointwise"),
+    [
+        ([2.0, 4.0, -8.0], 0.0, 0.0, 0.0, 0.0),
+        ([2.0, 6.0, -8.0], 0.25, 2 / 84**0.5, 0.0, 0.5),  # too much
+        ([2.0, 2.0, -8.0], 0.25, 2 / 84**0.5, 0.0, 0.5),  # too little
+        ([2.0, 4.0, -6.0], 0.25, 2 / 84**0.5, 0.25, 0.25),  # at the end, on either side
+        ([2.0, 4.0, -10.0], 0.25, 2 / 84**0.5, 0.25, 0.25),
+        ([1.0, 4.0, -8.0], 0.125, 1 / 84**0.5, 0.0, 0.5),  # where little is due
+        ([3.0, 1.0, -8.0], 0.375, 10**0.5 / 84**0.5, 0.0, 0.75),  # the worst of two
+        ([2.0, 4.0, 8.0], 2.0, 16 / 84**0.5, 2.0, 2.0),  # the wrong way
+    ],
+)
+def test_each_norm_of_a_few_numbers_by_hand(
+    value: list[float], largest: float, mean_square: float, final: float, pointwise: float
+) -> None:
+    reference = np.array([2.0, 4.0, -8.0])
+    found = [norm(np.array(value), reference) for norm in NORMS]
+    assert found == pytest.approx([largest, mean_square, final, pointwise])
+    assert scaled_error(np.array(value), reference, 4.0) == pytest.approx(2 * largest)
+
+
+def test_the_final_error_has_no_measure_where_the_end_is_due_at_zero() -> None:
+    assert math.isnan(final_error(np.array([1.0, 0.5]), np.array([1.0, 0.0])))
+
+
+@pytest.mark.parametrize(
+    ("errors", "free"),
+    [
+        ([1.0, 0.5, 0.25, 0.125], 4),
+        ([1.0, 0.5, 0.4, 0.35], 1),  # two refinements that gain less than 1.5 times
+        ([1.0, 0.5, 0.25, 0.2], 4),  # one alone is no floor
+        ([1.0, 0.9, 0.8, 0.2], 4),  # it gained again
+        ([1.0, 1.0, 1.0], 0),
+        ([1.0, 0.5, 0.25, 0.24, 0.23, 0.25], 2),  # from the first of them on
+    ],
+)
+def test_a_floor_begins_where_two_refinements_gain_too_little(
+    errors: list[float], free: int
+) -> None:
+    assert count_before_floor(errors) == free
 
 
 @given(st.floats(-6, 6), st.floats(1e-6, 1e6))

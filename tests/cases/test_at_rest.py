@@ -15,7 +15,7 @@ from vv.records.record import measured
 from vv.scene import Vector
 
 HELD = [
-    ("incline", "gravity-10", {"alpha": 20.0, "phi": 25.0}, 1),
+    ("incline", "gravity-10", {"alpha": 20.0, "phi": 25.0}, 0),
     ("responding-block", "1d", {"mu": 0.0}, 1),
     ("responding-block", "2d", {"mu": 0.0}, 1),
     ("wedge", "xi-1", {"dip": 0.0}, 2),

@@ -67,7 +67,7 @@ def test_a_program_is_named_by_its_file_and_told_its_order(tiny: Tiny, mine: Pat
     assert done.returncode == 0, done.stderr
     (row,) = (line for line in done.stdout.splitlines() if line.startswith("  mine/default "))
     assert "1.00 of 1 " in row
-    assert done.stdout.splitlines()[-1].startswith("3 pass; report: ")
+    assert done.stdout.splitlines()[-1].startswith("settings: 3 pass; report: ")
 
 
 def test_a_cost_that_holds_start_and_output_is_marked_wherever_it_is_shown(

@@ -5,7 +5,7 @@ from typing import Any
 
 import pytest
 
-from tests.support.fabricated import entry, record
+from tests.support.fabricated import entry, manifest, record
 from vv.ask import Ledger, Status
 from vv.case import Check
 from vv.gate.judgement import (
@@ -14,10 +14,11 @@ from vv.gate.judgement import (
     breaches,
     counted,
     exit_bits,
+    judgement,
     outcome,
     record_findings,
 )
-from vv.records.finding import Aspect, Bit
+from vv.records.finding import Aspect, Bit, Finding, bits
 from vv.records.job_record import Record
 from vv.records.outcomes import Outcome
 from vv.records.quantity import MeasuredQuantity
@@ -218,3 +219,11 @@ def test_a_failure_is_told_with_its_numbers(
 def test_what_passes_or_is_known_is_no_finding() -> None:
     for verdict in ("pass", "xfail", "no-reference"):
         assert record_findings([of(entry(verdict, {"max": 1.0}))]) == []
+
+
+def test_what_an_invocation_found_besides_its_records_is_judged_too() -> None:
+    lost = Finding(Aspect.REGRESSION, "gone", "has a baseline, but is no longer there", bit=Bit(1))
+    whole = manifest(of(), findings=[lost])
+    assert judgement(whole) == [lost]
+    assert bits(judgement(whole)) == Bit.ACCURACY
+    assert judgement(manifest(of())) == []

@@ -14,7 +14,7 @@ from hypothesis import strategies as st
 
 from tests.support import fabricated
 from vv.base.metrics import count_before_floor
-from vv.insight.accuracy_cost import duels, front, profile, reach
+from vv.insight.accuracy_cost import FACTORS, duels, front, profile, reach, shares
 from vv.insight.effort import Effort, efforts, untimed
 from vv.records.job_record import Record
 from vv.records.manifest import CodeFound, Manifest
@@ -188,6 +188,16 @@ def test_the_step_s_part_is_not_made_small_by_an_order_that_no_scheme_has() -> N
     assert row.limit.step == pytest.approx(1e12 * (2e-3**7 - 1e-3**7) / 3)
 
 
+def test_the_limit_is_that_of_the_three_finest_of_many_steps() -> None:
+    """Coarse steps are off by another law, and by one that has a limit of its own."""
+    coarse = [(h, None, 0.5 + h, None) for h in (0.4, 0.2, 0.1)]
+    fine = [(h, None, 1e-3 + h * h, None) for h in (4e-3, 2e-3, 1e-3)]
+    row = row_of(None, [record("ours", one) for one in coarse + fine])
+    assert row.limit
+    assert row.limit.dt == 1e-3
+    assert row.limit.model == pytest.approx(1e-3)
+
+
 def test_no_model_error_is_claimed_below_what_the_limit_is_known_to() -> None:
     rows: list[Row] = [(h, 1e8, h * h, 1.0) for h in (4e-3, 2e-3, 1e-3)]
     assert "the model's part below 1.2e-06" in describe(one(rows).rows[0])
@@ -250,6 +260,13 @@ def test_an_external_code_that_cannot_get_there_is_told_from_one_that_was_not_le
     for theirs, floored in ((stuck, True), (stuck + going, False)):
         found = duels(efforts(manifest(*ours, *theirs)), (1e-5,))
         assert [(duel.ratio, duel.floored) for duel in found] == [(None, floored)] * 2
+
+
+def test_a_share_is_of_the_variants_solved_within_each_factor() -> None:
+    rows = [1.0, 1.0, FACTORS[-1], math.inf]
+    assert shares(rows)[0] == 0.5
+    assert shares(rows)[-1] == 0.75
+    assert shares([]) == []
 
 
 def test_a_profile_counts_failures_as_infinitely_dear() -> None:

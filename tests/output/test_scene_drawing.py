@@ -11,8 +11,8 @@ import pytest
 from vv.output.gallery.scene_drawing import HEIGHT, WIDTH, drawing, picture
 from vv.plan.project import find
 from vv.scene import Contact, Scene, Spheres, Wall
-from vv.scene.sketch import MOST, sketch
-from vv.scene.view import plane
+from vv.scene.picture.sketch import MOST, sketch
+from vv.scene.picture.view import plane
 
 SVG = "{http://www.w3.org/2000/svg}"
 

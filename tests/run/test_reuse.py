@@ -247,7 +247,7 @@ def test_only_what_no_second_try_would_change_lets_an_invocation_stand(
 def test_a_gate_leaves_the_report_to_its_command_and_says_so(tiny: Tiny) -> None:
     report = tiny.root / ".vv" / "report" / "index.html"
     done = tiny.vv("gate", "fall:up", "--codes", "fake/good")
-    assert "; report: vv report; details: vv explain CASE" in done.stdout
+    assert "; report: vv report; details: vv explain fall" in done.stdout
     assert not report.exists()
     assert tiny.vv("report").stdout == f"{report}\n"
     (own,) = (path.stem for path in (tiny.root / ".vv" / "manifests").iterdir())

@@ -72,6 +72,38 @@ def test_a_block_that_cannot_turn_presses_alike_on_all_corners() -> None:
     assert made.shares == pytest.approx([0.25] * 4, rel=1e-15)
 
 
+def leaning(angle: float) -> Scene:
+    """A block of sides 0.4, 0.6 and 1.2 m that rests on an edge, raised by an angle [rad]."""
+    flat = incline(0.0, 60.0, half=(0.2, 0.3, 0.6))
+    c, s = np.cos(angle), np.sin(angle)
+    block = rotated(flat, np.array([[c, 0, s], [0, 1, 0], [-s, 0, c]])).blocks[0]
+    low = (block.vertices @ flat.walls[0].normal).min()
+    down = low - flat.walls[0].point @ flat.walls[0].normal
+    lowered = dataclasses.replace(block, vertices=block.vertices - down * flat.walls[0].normal)
+    return dataclasses.replace(flat, bodies=(*flat.walls, lowered))
+
+
+@given(st.floats(0.02, 0.25), st.sampled_from([-1.0, 1.0]))
+def test_a_block_that_leans_stands_on_its_edge_and_falls_back_on_its_sole(
+    angle: float, side: float
+) -> None:
+    scene = leaning(side * angle)
+    ask = dataclasses.replace(asked(scene), knobs=Knobs(1e-5, KN))
+    assert why_no_clump(ask) is None
+    made, wall, block = clumped(ask), scene.walls[0], scene.blocks[0]
+    gap = (made.corners - wall.point) @ wall.normal - made.radius
+    (force,) = initial_normal_forces(made.springs.scene)
+    assert made.touching.sum() == 2
+    pressed = -KN / 4 * gap[made.touching].sum()
+    assert pressed == pytest.approx(force @ wall.normal, rel=1e-4)
+    assert (gap[~made.touching] > 0.3 * np.sin(angle)).all()
+    # the four lie about the corners of the sole, and not about those of a side
+    places = np.sort(np.linalg.norm(made.corners - block.centroid(), axis=1))
+    assert places == pytest.approx([np.sqrt(0.2**2 + 0.3**2 + 0.6**2)] * 4, rel=3e-3)
+    across = made.corners - made.corners.mean(axis=0)
+    assert np.linalg.norm(across, axis=1) == pytest.approx([np.hypot(0.2, 0.3)] * 4, rel=3e-3)
+
+
 def test_what_no_clump_stands_for_is_refused_with_the_reason() -> None:
     flat = responding((0.2, 0, 0), (2.0, 2.0, 2.0), 0.6)
     two = dataclasses.replace(flat, bodies=(*flat.bodies, flat.blocks[0]))
@@ -87,6 +119,13 @@ def test_what_no_clump_stands_for_is_refused_with_the_reason() -> None:
         "a stiffness of its own": soft,
         "stands on no face, but on 2 corners": dataclasses.replace(
             flat, bodies=(*flat.walls, edge)
+        ),
+        "moves on an edge": dataclasses.replace(
+            leaning(0.1),
+            bodies=(
+                *leaning(0.1).walls,
+                dataclasses.replace(leaning(0.1).blocks[0], velocity=np.array([0.1, 0, 0])),
+            ),
         ),
         "spins": dataclasses.replace(flat, bodies=(*flat.walls, spinning)),
     }

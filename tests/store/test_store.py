@@ -13,7 +13,8 @@ from vv.ask import Cost, Displacement, Ledger, Model, Observable, Run, Status, V
 from vv.base.files import write_whole
 from vv.records.finding import Bit
 from vv.scene import Term
-from vv.store.store import OBSERVABLES, Store
+from vv.store.run_arrays import OBSERVABLES
+from vv.store.store import Store
 
 SELECTION = ("run", "fall:up", "--codes", "fake/good")
 

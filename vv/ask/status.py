@@ -28,6 +28,7 @@ class Method(enum.Enum):
     SECOND_ORDER = "second order in dt"
     FIRST_ORDER = "first order in dt"
     PENALTY = "penalty contact"
+    DAMPED = "penalty contact, second order in dt by generalised alpha of radius 1/2"
     LAGGING = "penalty contact whose friction lags behind the load"
 
     @property
@@ -36,4 +37,8 @@ class Method(enum.Enum):
         return _GENERAL.get(self, self)
 
 
-_GENERAL = {Method.LEAPFROG: Method.SECOND_ORDER, Method.LATE_LEAPFROG: Method.FIRST_ORDER}
+_GENERAL = {
+    Method.LEAPFROG: Method.SECOND_ORDER,
+    Method.LATE_LEAPFROG: Method.FIRST_ORDER,
+    Method.DAMPED: Method.PENALTY,
+}

@@ -28,6 +28,7 @@ from vv.case.judges import (
 from vv.case.measured import Measured, Measurement
 from vv.case.quantity import Count, Quantity, Scalar, Series, at_rest, error_scale, evaluated
 from vv.case.region_map import RegionMap
+from vv.case.seen import Along, Turn
 from vv.case.study import (
     Grid,
     Ladder,
@@ -41,6 +42,7 @@ from vv.case.study import (
 
 __all__ = [
     "LARGEST_TOLERANCE",
+    "Along",
     "Case",
     "Check",
     "Count",
@@ -67,6 +69,7 @@ __all__ = [
     "Study",
     "Tolerance",
     "Trial",
+    "Turn",
     "Unexplained",
     "Variant",
     "at_rest",

@@ -89,13 +89,15 @@ class Unexplained:
 class Trial:
     """A variant with values for all parameters: the study to run and the quantities to judge.
 
-    regions: the map of regions that some of the quantities ask points of, for the report.
+    regions: the map of regions that some of the quantities ask points of, for the report. phase:
+    names of two quantities over time, of which the report draws the second over the first.
     """
 
     study: Study
     quantities: tuple[Quantity, ...]
     unexplained: Unexplained | None = None
     regions: RegionMap | None = None
+    phase: tuple[str, str] | None = None
 
 
 class Check(enum.Enum):

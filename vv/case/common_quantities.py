@@ -11,6 +11,7 @@ import numpy as np
 from vv.ask import Bracket, Observable, Run
 from vv.case.judges import Judge
 from vv.case.quantity import Scalar, Series, at_rest
+from vv.case.seen import Along
 from vv.scene import Vector
 
 
@@ -42,7 +43,7 @@ class Motion:
             symbol=name,
             unit=self.unit,
             meaning=meaning,
-            observe=lambda run: np.asarray(run.values[self.observable] @ self.axes[i]),
+            observe=Along(self.observable, self.axes[i]),
             reference=lambda t: self.path(t)[:, i],
             judge=judge,
             scale=lambda: self.size,

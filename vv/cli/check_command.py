@@ -51,7 +51,7 @@ def check(
 
 def _greet(adapter: Adapter, scheme: Scheme, timeout: float, scratch: Path) -> int:
     """Ask one scheme all tiny scenes that it declares; returns exit bits."""
-    from vv.codes.greetings import greetings
+    from vv.codes.greetings import greetings, unasked
     from vv.codes.handshake import Grip, judged
 
     say(f"{adapter.name}/{scheme.name} claims to be {scheme.method.value}")
@@ -60,8 +60,11 @@ def _greet(adapter: Adapter, scheme: Scheme, timeout: float, scratch: Path) -> i
         found = judged(scheme, greeting, _answers(adapter, scheme, greeting, timeout, scratch))
         say(f"  {greeting.name}: {found.words}")
         status |= {Grip.WRONG: WRONG, Grip.FAILED: CRASHED}.get(found.grip, 0)
+    missing = sorted(term.name.lower().replace("_", "-") for term in unasked(scheme))
     if not known:
-        say("  nothing to ask: it declares no spheres that fly, bounce, or are slowed by drag")
+        say("  nothing to ask: it declares neither spheres nor blocks, or reports no motion")
+    elif missing:
+        say(f"  declared and not asked, as no tiny scene shows it: {', '.join(missing)}")
     return status
 
 

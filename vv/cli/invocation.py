@@ -20,7 +20,8 @@ from vv.store.store import Store
 
 if TYPE_CHECKING:
     from reports.beside import Beside
-    from vv.case import Trial
+    from vv.case import Case, Trial
+    from vv.codes.adapter import Adapter
     from vv.records.accepted import AcceptedResult
     from vv.records.job_record import Record
     from vv.run.session import Limits
@@ -160,20 +161,26 @@ def beside(project: Project, manifest: Manifest) -> Beside:
     results = functools.cache(functools.partial(_results, project, manifest))
     known = with_exact_numbers(papers(project), project, files(project))
     found = [(paper, rows(paper, results)) for paper in known]
-    return Beside(found, functools.partial(_native, project, {}))
+    case, adapter = functools.cache(project.load_case), functools.cache(project.load_adapter)
+    return Beside(found, functools.partial(_native, case, adapter, {}))
 
 
-def _native(project: Project, trials: dict[tuple[str, str], Trial], record: Record) -> str:
+def _native(
+    load_case: Callable[[str], Case],
+    load_adapter: Callable[[str], Adapter],
+    trials: dict[tuple[str, str], Trial],
+    record: Record,
+) -> str:
     """What a code is given for a record; empty where case or code are no longer what they were."""
     from vv.plan.plan import declare_trial
 
     case, variant = record.case, record.variant
     try:
         if (case, variant) not in trials:
-            declared = declare_trial(project.load_case(case), variant, record.parameters)
+            declared = declare_trial(load_case(case), variant, record.parameters)
             trials[case, variant] = declared
         ask = trials[case, variant].study.ask(record.rung)
-        return project.load_adapter(record.code).native(ask, record.scheme)
+        return load_adapter(record.code).native(ask, record.scheme)
     except (LookupError, ValueError, UsageError):  # of a project too: ProjectError
         return ""
 

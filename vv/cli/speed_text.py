@@ -15,8 +15,10 @@ from vv.records.rungs import Point
 
 PROFILED = 1e-3  # the error for which codes are compared over many variants; the JSON has all
 NOTES = (
-    "* cheapest; <: at most, the coarsest timed setting is better already; -: not reached;",
-    "least: smallest error seen; floor: finer settings were tried and gain nothing",
+    "* cheapest; costs in the table lie on the curve through the timed settings, and may be those",
+    "of none; <: at most, the coarsest timed setting is better already; -: not reached;",
+    "least: smallest error seen; floor: finer settings were tried and gain nothing;",
+    "take: the cheapest of the timed settings themselves whose error is within that asked for",
 )
 
 
@@ -68,7 +70,7 @@ def _advice(here: Sequence[Effort]) -> Iterator[str]:
             text = f"{name}{_setting(point)}: error {error} in {spent}"
             told.setdefault(text, []).append(f"{target:g}")
     for text, targets in told.items():
-        yield f"  for {', '.join(targets)} take {text}"
+        yield f"  for {', '.join(targets)} take, of timed settings, {text}"
 
 
 def _setting(point: Point) -> str:

@@ -52,7 +52,7 @@ def _of_errors(
         looks = f"; it looks as if {like}" if like else ""
         return Handshake(Grip.WRONG, f"wrong by {last:.2g} of the largest value{looks}")
     fitted = observed_order([1 / n for n in STEPS], [*errors]) if len(errors) > 1 else None
-    if fitted is None or last < ROUNDING:
+    if fitted is None or last < ROUNDING or not greeting.smooth:
         return Handshake(Grip.FIRM, f"right, error {last:.1e}")
     seen = f"error {last:.1e} at {STEPS[-1]} steps"
     claimed = ORDERS.get(scheme.method_for(greeting.scene.terms()).general, 0.0)

@@ -135,6 +135,7 @@ def parse(path: Path, ask: Ask, model: Model, frame: Vector, started: float) -> 
     return Run(Status.RAN, "", times, seen, cost, facts["steps"], model)
 
 
+@functools.cache
 def _alone(text: str) -> str:
     """A driver without its import of what stands before it in the script."""
     lines = text.splitlines(keepends=True)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
@@ -59,6 +60,18 @@ def untimed(manifest: Manifest) -> list[Effort]:
     timed = _timed(every)
     rest = [effort for effort in every if (effort.case, effort.variant) not in timed]
     return [effort for effort in rest if effort.best is not None]
+
+
+def untimed_costs(effort: Effort) -> Effort:
+    """A scheme with its indicative costs in the place of timed ones, for want of better."""
+    rows = tuple(
+        dataclasses.replace(
+            row,
+            points=tuple(dataclasses.replace(p, cpu=p.indicative or None) for p in row.points),
+        )
+        for row in effort.rows
+    )
+    return dataclasses.replace(effort, rows=rows)
 
 
 def _timed(every: Iterable[Effort]) -> set[tuple[str, str]]:

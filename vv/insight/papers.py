@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 
@@ -78,14 +79,21 @@ def _chosen(seen: Seen, results: Results) -> dict[str, AcceptedResult]:
     """CODE/SCHEME -> its result at the rung asked for, else at its finest."""
     found: dict[str, tuple[tuple[float, float], AcceptedResult]] = {}
     for name, result in results.items():
-        variant, label, *rest = name.split(" ")
-        knobs = dict(pair.split("=") for pair in rest[0].split(",")) if rest else {}
+        variant, label, knobs = _named(name)
         if variant != seen.variant or not _is_at(seen, knobs):
             continue
         fine = (float(knobs.get("kn", 0.0)), -float(knobs.get("dt", 0.0)))
         if label not in found or fine > found[label][0]:
             found[label] = (fine, result)
     return {label: found[label][1] for label in sorted(found)}
+
+
+@functools.cache
+def _named(name: str) -> tuple[str, str, Mapping[str, str]]:
+    """Variant, CODE/SCHEME and knobs of a result, from its name; each is asked for many times."""
+    variant, label, *rest = name.split(" ")
+    knobs = dict(pair.split("=") for pair in rest[0].split(",")) if rest else {}
+    return variant, label, knobs
 
 
 def _is_at(seen: Seen, knobs: Mapping[str, str]) -> bool:

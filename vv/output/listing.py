@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Container, Mapping, Sequence
+from collections.abc import Container, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING
 
 from vv.output.terminal import say
@@ -10,7 +10,7 @@ from vv.records.outcomes import Outcome
 
 if TYPE_CHECKING:
     from vv.case import Case
-    from vv.codes.adapter import Adapter
+    from vv.codes.adapter import Adapter, Scheme
     from vv.plan.plan import Plan
 
 
@@ -65,6 +65,14 @@ def print_codes(adapters: Sequence[Adapter]) -> None:
             say(f"  to install: {found.how_to_install}")
         for scheme in adapter.schemes:
             knobs = ", ".join(scheme.knobs) or "none"
-            lowered = [f"; {m.value} in scenes with {t.value}" for t, m in scheme.lowered.items()]
-            how = f"[{scheme.method.value}{''.join(lowered)}; knobs: {knobs}]"
+            how = f"[{'; '.join(_methods(scheme))}; knobs: {knobs}]"
             say(f"  {adapter.name}/{scheme.name}: {scheme.summary} {how}")
+
+
+def _methods(scheme: Scheme) -> Iterator[str]:
+    """The class of method of a scheme, and each other that it has in some scenes, once."""
+    yield scheme.method.value
+    for method in dict.fromkeys(scheme.lowered.values()):
+        terms = [term.value for term, other in scheme.lowered.items() if other is method]
+        few = " or ".join((", ".join(terms[:-1]), terms[-1])) if terms[1:] else terms[0]
+        yield f"{method.value} in scenes with {few}"

@@ -16,6 +16,7 @@ from vv.output.wording import in_words, listed
 from vv.records.finding import Finding, worst_first
 from vv.records.job_record import Record
 from vv.records.manifest import Manifest
+from vv.records.outcomes import Outcome
 from vv.records.reading import tried
 
 INERT = ": inert, "  # as a plan words it in the note of a record
@@ -24,6 +25,9 @@ if TYPE_CHECKING:
     from vv.insight.compare import Change
     from vv.insight.history import Point
 
+FAILED = frozenset(
+    (Outcome.FAIL, Outcome.NOT_CONSERVED, Outcome.XPASS, Outcome.ERROR, Outcome.DIVERGED)
+)
 REASONS = 6  # why codes refused: the most frequent ones
 
 
@@ -44,9 +48,10 @@ def print_refusals(records: Sequence[Record]) -> None:
 
 
 def _case(records: Iterable[Record]) -> str:
-    """The one case that records are of, as it is typed; else CASE."""
-    names = {record.case for record in records}
-    return names.pop() if len(names) == 1 else "CASE"
+    """A case that records are of, the first that failed if there is one, as it is typed."""
+    given = list(records)
+    failed = (record.case for record in given if outcome(record) in FAILED)
+    return next(failed, given[0].case if given else "CASE")
 
 
 def print_inert(records: Iterable[Record]) -> None:
@@ -62,11 +67,12 @@ def print_inert(records: Iterable[Record]) -> None:
 
 
 def print_counts(records: Iterable[Record], report: str) -> None:
-    """The last line of a run: outcomes counted, where the report is, where to read why.
+    """The last line of a run: outcomes of settings counted, the report, where to read why.
 
     report: its path, or what writes it.
     """
-    say(f"{listed(counted(records))}; report: {report}; details: vv explain CASE")
+    given = list(records)
+    say(f"settings: {listed(counted(given))}; report: {report}; details: vv explain {_case(given)}")
 
 
 def print_table(records: Sequence[Record], findings: Sequence[Finding]) -> None:

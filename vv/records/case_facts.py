@@ -8,7 +8,8 @@ from dataclasses import dataclass
 from vv.case import Check, Parameter, RegionMap, Source
 from vv.records.fields import optional
 from vv.records.outcomes import JudgeKind
-from vv.scene.sketch import Sketch
+from vv.scene.picture.moved import Moved
+from vv.scene.picture.sketch import Sketch
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,7 +51,9 @@ class VariantFacts:
     """A variant: its physics in words, its terms, and what is judged.
 
     critical: (kn [N/m] or None, step [s]) what the steps of a map are multiples of. sketch: of the
-    scene, None in what was kept before there were any. regions: the map that its quantities ask.
+    scene, None in what was kept before there were any; moved: quantity -> how it moves a body of
+    it. regions: the map that its quantities ask. phase: two quantities, the second of which is
+    drawn over the first.
     """
 
     summary: str
@@ -61,7 +64,9 @@ class VariantFacts:
     quantities: tuple[QuantityFacts, ...]
     critical: tuple[tuple[float | None, float], ...] = optional(())
     sketch: Sketch | None = optional(None)  # noqa: RUF009  # None is frozen
+    moved: Mapping[str, Moved] | None = optional(None)
     regions: RegionMap | None = optional(None)  # noqa: RUF009
+    phase: tuple[str, str] | None = optional(None)
 
 
 @dataclass(frozen=True, slots=True)

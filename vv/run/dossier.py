@@ -3,12 +3,16 @@
 from __future__ import annotations
 
 import dataclasses
+from collections.abc import Sequence
 
-from vv.case import Case, Exact, Grid, Quantity, Study, Trial, Variant
+from vv.ask import Displacement
+from vv.case import Along, Case, Exact, Grid, Quantity, Series, Study, Trial, Turn, Variant
 from vv.plan.plan import Plan
 from vv.records.case_facts import CaseFacts, QuantityFacts, ToleranceFacts, VariantFacts
 from vv.records.outcomes import JudgeKind
-from vv.scene.sketch import sketch
+from vv.scene import Scene
+from vv.scene.picture.moved import Moved, gone, turned
+from vv.scene.picture.sketch import sketch
 
 
 def dossiers(plan: Plan) -> dict[str, CaseFacts]:
@@ -40,8 +44,28 @@ def _variant(variant: Variant, trial: Trial) -> VariantFacts:
         quantities=tuple(_quantity(quantity) for quantity in trial.quantities),
         critical=_critical(trial.study),
         sketch=sketch(scene),
+        moved=_moved(trial.quantities, scene) or None,
         regions=trial.regions,
+        phase=trial.phase,
     )
+
+
+def _moved(quantities: Sequence[Quantity], scene: Scene) -> dict[str, Moved]:
+    """Quantity -> how it moves a body of the sketch, for those that say how a body moves."""
+    found = {}
+    for quantity in quantities:
+        moved = _one_moved(quantity.observe, scene) if isinstance(quantity, Series) else None
+        if moved is not None:
+            found[quantity.name] = moved
+    return found
+
+
+def _one_moved(observe: object, scene: Scene) -> Moved | None:
+    if isinstance(observe, Along) and isinstance(observe.observable, Displacement):
+        return gone(scene, observe.observable.body, observe.direction)
+    if isinstance(observe, Turn):
+        return turned(scene, observe.body, observe.axis, observe.unit)
+    return None
 
 
 def _critical(study: Study) -> tuple[tuple[float | None, float], ...]:

@@ -16,6 +16,7 @@ from vv.scene.bodies import Harmonic, Pulse, Spheres, Wall
 from vv.scene.bonds import Bonds, Pairs
 from vv.scene.contact import Contact
 from vv.scene.energy import DISSIPATED, Form, Loss
+from vv.scene.fluid import Fluid
 from vv.scene.hertz import Hertz
 from vv.scene.scene import Scene
 from vv.scene.start import initial_normal_forces
@@ -37,6 +38,7 @@ __all__ = [
     "Bonds",
     "Contact",
     "Elastic",
+    "Fluid",
     "Form",
     "Harmonic",
     "Hertz",

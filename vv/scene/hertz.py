@@ -1,9 +1,9 @@
-"""Contact of elastic spheres: Hertz along the normal, Mindlin without micro-slip across it."""
+"""Contact of elastic spheres: Hertz along the normal, Mindlin across it, with micro-slip or not."""
 
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 
@@ -21,7 +21,11 @@ class Hertz:
       stiffness at U and m the reduced mass: restitution does not depend on speed (Tsuji, Tanaka
       and Ishida 1992), and the contact never pulls;
     - the shear force grows by -8 G sqrt(R U) times each increment of slip (Mindlin 1949) and is
-      capped at mu Fn, Fn with its viscous part. Surfaces meet in the middle of the overlap.
+      capped at mu Fn, Fn with its viscous part. Surfaces meet in the middle of the overlap;
+    - with micro_slip, each place of the contact has a limit of its own: at x = s sqrt(R) of a line
+      across it, what has slid since U = s^2 is cut to mu E/(4 G) (U - s^2), and the shear force is
+      -8 G sqrt(R) times the integral of that over s, 0 to sqrt(U) (Popov and Hess 2015; it is the
+      theory of Cattaneo 1938, Mindlin and Deresiewicz 1953, for any path).
 
     Raises ValueError naming the field, the value and the rule.
     """
@@ -29,6 +33,7 @@ class Hertz:
     modulus: float
     shear_modulus: float = 0.0
     damping: float = 0.0
+    micro_slip: bool = field(default=False, kw_only=True)
 
     def __post_init__(self) -> None:
         if not 0 < self.modulus < math.inf:
@@ -37,6 +42,11 @@ class Hertz:
             value = getattr(self, name)
             if not 0 <= value < math.inf:
                 raise ValueError(f"Hertz.{name} = {value!r}{unit}; it must be zero or more")
+        if self.micro_slip and (self.shear_modulus == 0.0 or self.damping > 0.0):
+            raise ValueError(
+                f"Hertz.micro_slip with shear_modulus = {self.shear_modulus!r} Pa and damping = "
+                f"{self.damping!r}; it has a shear modulus and no damping"
+            )
 
     def normal_factor(self, curvature: Vector) -> Vector:
         """K [N/m^1.5] of Fn = K U^(3/2), for the sums of 1/radius [1/m] of contacts."""

@@ -14,6 +14,7 @@ from vv.scene.block import Block
 from vv.scene.bodies import NO_SPHERES, Harmonic, Pulse, Spheres, Wall
 from vv.scene.bonds import Bonds, Pairs
 from vv.scene.contact import Contact
+from vv.scene.fluid import Fluid
 from vv.scene.hertz import Hertz
 from vv.scene.terms import Term
 
@@ -27,7 +28,8 @@ class Scene:
     acceleration of every free body [m/s2] that varies in time, or None. axes: (3, 3), the rows are
     the orthonormal directions to which `free` and `free_spin` refer. bonds: None, or the bonds; a
     bonded pair has no contact. A bond that can break must have the contact's kn and ks, and the
-    sum of the radii as its length, so that forces do not jump when contact replaces it.
+    sum of the radii as its length, so that forces do not jump when contact replaces it. fluid:
+    None, or what spheres move in.
     Raises ValueError naming the field and the value that is wrong.
     """
 
@@ -38,6 +40,7 @@ class Scene:
     axes: Vector = dataclasses.field(default_factory=lambda: np.eye(3))
     shaking: Harmonic | Pulse | None = None
     bonds: Bonds | None = None
+    fluid: Fluid | None = None
 
     def __post_init__(self) -> None:
         if not (np.isfinite(self.eta) and self.eta >= 0):
@@ -121,6 +124,7 @@ class Scene:
             Term.WALL_CONTACT: bool(self.walls),
             Term.FRICTION: self.contact.carries_shear,
             Term.DRAG: self.eta > 0,
+            Term.FLUID: self.fluid is not None and len(spheres) > 0,
             Term.GRAVITY: bool(self.gravity.any()),
             Term.LOAD: bool(spheres.load.any() or any(b.load.any() for b in blocks)),
             Term.ROTATION: bool(spheres.free_spin.any() or any(b.free_spin.any() for b in blocks)),
@@ -138,6 +142,7 @@ class Scene:
             Term.CARRIED: bool(self.locked_velocity.any()),
             Term.CONTACT_VISCOSITY: self.contact.eta_n > 0,
             Term.HERTZ: self.contact.hertz is not None,
+            Term.MICRO_SLIP: (self.contact.hertz or NO_HERTZ).micro_slip and self.contact.mu > 0,
             Term.HERTZ_VISCOSITY: (self.contact.hertz or NO_HERTZ).damping > 0,
             Term.VISCOUS_FRICTION: self.contact.viscous and self.contact.carries_shear,
         }

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from vv.ask import Ask
-from vv.scene import Block, Pulse, Term, Vector, Wall, initial_normal_forces
-from vv.standins.soften import TOUCHING
+from vv.scene import Block, Mask, Pulse, Term, Vector, Wall, initial_normal_forces
+from vv.standins.corners import feet, mass_points, shares, size_of, sole, spans_a_face
 from vv.standins.stand_in import (
     SpringScene,
     spring_scene,
@@ -17,7 +17,7 @@ from vv.standins.stand_in import (
 )
 
 SMALL = 0.01  # of a block's size: the radius of the spheres at its corners
-SIGNS = np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)], float)
+TINY = 0.001  # the same of a block that leans: it turns about the edge, not about spheres
 
 
 @dataclass(frozen=True, eq=False)
@@ -25,9 +25,10 @@ class Clump:
     """A block on one wall, as a rigid body of spheres.
 
     springs: the scene in which a single sphere stands for the block, with springs kn, ks of the
-    whole. corners: centres (k, 3) [m] of the spheres, of one radius [m], that touch the wall;
+    whole. corners: centres (k, 3) [m] of the spheres, of one radius [m], that meet the wall;
     each has springs kn/k, ks/k, and shares (k,) is its part of the normal force and friction at
-    t = 0. points: (8, 3) [m], each an eighth of the mass; they have the block's inertia.
+    t = 0; touching (k,): which are on the wall then, all but where it leans. points: (8, 3) [m],
+    each an eighth of the mass; they have the block's inertia.
     """
 
     springs: SpringScene
@@ -35,6 +36,7 @@ class Clump:
     corners: Vector
     radius: float
     shares: Vector
+    touching: Mask
     points: Vector
 
     @property
@@ -59,18 +61,21 @@ def clump(ask: Ask, springs: SpringScene) -> Clump:
 
     Spheres stand on the corners, pressed in by what their springs carry. Where the block may
     turn, the corners share the load so that nothing turns it at t = 0: friction acts below the
-    centroid. Where it may not, its lock does that, and all share alike.
+    centroid. Where it may not, its lock does that, and all share alike. A block that leans on an
+    edge starts with its weight on that: the rigid one presses less, as it begins to fall back, and
+    springs of rigid contact do not tell.
     """
     (block,), (wall,) = ask.scene.blocks, ask.scene.walls
-    size = float(np.ptp(block.vertices, axis=0).max())
-    feet = _feet(block, wall, size)
+    corners, touching, up = sole(block, wall)
     (force,) = initial_normal_forces(springs.scene)
-    shares = _shares(block, wall, feet, force, springs.charged)
-    overlap = shares * len(feet) * float(force @ wall.normal) / springs.scene.contact.kn
-    radius = SMALL * size
-    corners = feet + np.outer(radius - overlap, wall.normal)
+    part = touching / touching.sum()
+    if touching.all():
+        part = shares(block, wall, corners, force, springs.charged)
+    overlap = part * len(corners) * float(force @ wall.normal) / springs.scene.contact.kn
+    radius = (SMALL if touching.all() else TINY) * size_of(block)
+    centres = corners + (radius - overlap)[:, None] * up
     lowered = springs.scene.spheres.position[0] - block.centroid()
-    return Clump(springs, block, corners, radius, shares, _points(block) + lowered)
+    return Clump(springs, block, centres, radius, part, touching, mass_points(block) + lowered)
 
 
 def why_no_clump(ask: Ask) -> str | None:
@@ -91,11 +96,17 @@ def why_no_clump(ask: Ask) -> str | None:
 
 
 def _no_face(block: Block, wall: Wall) -> str | None:
-    """Why a block would not stand on corners that span a face."""
-    feet = _feet(block, wall, float(np.ptp(block.vertices, axis=0).max()))
-    across = feet - feet.mean(axis=0)
-    if np.linalg.matrix_rank(across, 1e-6 * float(np.abs(across).max(initial=0.0))) < 2:
-        return f"block '{block.name}' stands on no face, but on {len(feet)} corners"
+    """Why a block would not stand on corners that span a face, nor rest on an edge and lean."""
+    if spans_a_face(block, wall):
+        return None
+    count = int(feet(block, wall).sum())
+    if count != 2 or not block.free_spin.any():
+        return f"block '{block.name}' stands on no face, but on {count} corners"
+    if block.velocity.any() or wall.motion is not None:
+        return (
+            f"block '{block.name}' moves on an edge as it starts: what presses the edge is not "
+            "known, and springs would give that back"
+        )
     return None
 
 
@@ -120,12 +131,13 @@ def _sinks(made: Clump, ask: Ask) -> str | None:
 
 
 def _hurries(made: Clump, ask: Ask) -> str | None:
-    """Why a step would be too long for a block that a pulse lets rock from corner to corner.
+    """Why a step would be too long for a block that rocks from corner to corner.
 
     One that stays on its face bears longer steps than its turning does.
     """
     block, law = made.block, made.springs.scene.contact
-    if ask.dt is None or not isinstance(ask.scene.shaking, Pulse) or not block.free_spin.any():
+    rocks = isinstance(ask.scene.shaking, Pulse) or not made.touching.all()
+    if ask.dt is None or not rocks or not block.free_spin.any():
         return None
     normal, count = ask.scene.walls[0].normal, len(made.corners)
     along = np.outer(normal, normal)
@@ -147,35 +159,3 @@ def _turning(arm: Vector) -> Vector:
     """(3, 3): how a point moves as the body turns, minus the cross product of its arm."""
     x, y, z = arm
     return np.array([[0.0, z, -y], [-z, 0.0, x], [y, -x, 0.0]])
-
-
-def _feet(block: Block, wall: Wall, size: float) -> Vector:
-    """The vertices (k, 3) that lie on the wall."""
-    gap = (block.vertices - wall.point) @ wall.normal
-    return np.asarray(block.vertices[np.abs(gap) < TOUCHING * size])
-
-
-def _shares(
-    block: Block, wall: Wall, feet: Vector, force: Vector, friction: Vector | None
-) -> Vector:
-    """Each corner's part (k,) of the normal force: linear over the face, as of a rigid body."""
-    alike = np.full(len(feet), 1 / len(feet))
-    total = float(force @ wall.normal)
-    if not block.free_spin.any() or total == 0 or friction is None:
-        return alike
-    arms = feet - block.centroid()
-    # sum of shares is one, and the moment of all forces about the centroid along the wall nil
-    rows = np.column_stack([np.ones(len(feet)), arms - np.outer(arms @ wall.normal, wall.normal)])
-    centre = (arms @ wall.normal).mean() * wall.normal
-    tipping = np.cross(centre, friction[0])
-    moments = np.cross(arms, total * wall.normal).T @ rows
-    system = np.vstack([rows.sum(axis=0), moments])
-    wanted = np.concatenate([[1.0], -tipping])
-    return np.asarray(rows @ np.linalg.lstsq(system, wanted, rcond=1e-12)[0])
-
-
-def _points(block: Block) -> Vector:
-    """Eight places (8, 3) for an eighth of the mass each, with the block's inertia."""
-    moments, axes = np.linalg.eigh(block.inertia)
-    spread = np.sqrt((moments.sum() / 2 - moments) / block.mass)
-    return np.asarray(block.centroid() + (SIGNS * spread) @ axes.T)

@@ -24,27 +24,17 @@ from typing import Any, TextIO, TypeVar
 
 import numpy as np
 
-from vv.ask import (
-    Cost,
-    Displacement,
-    Ledger,
-    Model,
-    Observable,
-    Reaction,
-    Run,
-    Status,
-    Strain,
-    Velocity,
-)
+from vv.ask import Run, Status
 from vv.base.files import write_whole
 from vv.base.notices import notice
 from vv.records import codec
 from vv.records.fields import SPREAD
-from vv.records.job_record import ModelSummary, Record, RunSummary
+from vv.records.job_record import Record, RunSummary
 from vv.records.manifest import Answer, Manifest, TimedRun
 from vv.records.provenance import Provenance
-from vv.scene import Form, Term, Vector
+from vv.scene import Vector
 from vv.store import manifest
+from vv.store.run_arrays import arrays_of, run_from
 from vv.store.seal import opened_bytes, opened_text, sealed_bytes, sealed_text
 
 Found = TypeVar("Found")
@@ -53,9 +43,6 @@ DAY = 86400.0  # s, by which clocks of machines may differ
 STALE = 7 * DAY  # s that the logs of a failure are kept
 ABSENT = (FileNotFoundError, NotADirectoryError)
 UNREADABLE = (OSError, ValueError, KeyError, TypeError, EOFError, zipfile.BadZipFile)
-OBSERVABLES: Mapping[str, type[Displacement | Velocity | Reaction | Strain]] = {
-    kind.__name__: kind for kind in (Displacement, Velocity, Reaction, Strain)
-}
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,19 +50,6 @@ class _Kept:
     """What a record says of a run, and the key it belongs to."""
 
     run: RunSummary = field(metadata={SPREAD: True})  # its fields stand beside the key
-    key: str
-
-
-@dataclass(frozen=True, slots=True)
-class _Meta:
-    """All of a run but its arrays, and the key it belongs to; terms and observables by name."""
-
-    observables: tuple[tuple[str, int], ...]
-    cost: Cost
-    model: ModelSummary | None
-    ledger: Ledger | None
-    steps: int
-    reason: str
     key: str
 
 
@@ -88,9 +62,7 @@ class Store:
     def run(self, key: str) -> Run | None:
         """The stored run of that key; None if there is none or it cannot be read."""
         try:
-            arrays = self._arrays("runs", key)
-            meta = codec.read(_Meta, codec.parse(str(arrays["meta"])), "run")
-            return _run_from(meta, arrays) if meta.key == key else None
+            return run_from(self._arrays("runs", key), key)
         except ABSENT:
             return None
         except UNREADABLE as error:
@@ -104,12 +76,7 @@ class Store:
     def keep_run(self, key: str, run: Run) -> None:
         """Store a run that ran; failures are never kept."""
         if run.status is Status.RAN:
-            arrays = {f"value{i}": value for i, value in enumerate(run.values.values())}
-            arrays |= {f"energy {form.name}": value for form, value in run.energies.items()}
-            meta = np.array(codec.render(_meta(run, key)))
-            self._keep_arrays(
-                "runs", key, {"meta": meta, "t": run.times, "tried": run.tried, **arrays}
-            )
+            self._keep_arrays("runs", key, arrays_of(run, key))
 
     def summary(self, key: str) -> RunSummary | None:
         """What is stored of a run under that key of a record; None if there is nothing."""
@@ -311,41 +278,3 @@ def _undamaged(path: Path, read: Callable[[], Found]) -> Found:
         return read()
     except (ValueError, TypeError) as error:
         raise OSError(errno.EIO, f"no whole manifest: {error}", str(path)) from error
-
-
-def _meta(run: Run, key: str) -> _Meta:
-    model = run.model
-    names = tuple(sorted(term.name for term in model.terms)) if model else ()
-    return _Meta(
-        observables=tuple((type(o).__name__, o.body) for o in run.values),
-        cost=run.cost,
-        model=None if model is None else ModelSummary(model.unknowns, names, model.note),
-        ledger=run.ledger,
-        steps=run.steps,
-        reason=run.reason,
-        key=key,
-    )
-
-
-def _run_from(meta: _Meta, arrays: dict[str, Vector]) -> Run:
-    model = meta.model
-    values: dict[Observable, Vector] = {
-        OBSERVABLES[kind](body): arrays[f"value{i}"]
-        for i, (kind, body) in enumerate(meta.observables)
-    }
-    return Run(
-        Status.RAN,
-        meta.reason,
-        times=arrays["t"],
-        values=values,
-        cost=meta.cost,
-        steps=meta.steps,
-        model=None if model is None else _model_from(model),
-        ledger=meta.ledger,
-        energies={form: arrays[name] for form in Form if (name := f"energy {form.name}") in arrays},
-        tried=arrays["tried"],
-    )
-
-
-def _model_from(summary: ModelSummary) -> Model:
-    return Model(summary.unknowns, frozenset(Term[name] for name in summary.terms), summary.note)

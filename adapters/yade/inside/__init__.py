@@ -1,6 +1,7 @@
 """The program that runs inside YADE: one script, put together from the files in this folder."""
 
 import ast
+import functools
 from pathlib import Path
 
 PARTS = ("session", "bodies", "bonds", "engines", "stepping", "driver")  # as they build on another
@@ -12,9 +13,14 @@ def script(ask: str | None = None) -> str:
 
     What one file imports from another here stands before it in the script instead.
     """
+    return _whole() if ask is None else _whole().replace(EMPTY, ask)
+
+
+@functools.cache
+def _whole() -> str:
+    """All parts as one text: a report asks for it hundreds of times."""
     texts = [_alone((Path(__file__).parent / f"{part}.py").read_text()) for part in PARTS]
-    whole = "\n\n".join(texts)
-    return whole if ask is None else whole.replace(EMPTY, ask)
+    return "\n\n".join(texts)
 
 
 def _alone(text: str) -> str:

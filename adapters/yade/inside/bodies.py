@@ -6,6 +6,8 @@ import numpy as np
 
 from adapters.yade.inside.session import O, utils, yd
 
+FACETS = 1  # the number of their stuff, where it is not that of walls
+
 
 def sphere(body: dict[str, Any]) -> int:
     """Append a sphere with the given mass and inertia in place of those of its volume."""
@@ -56,7 +58,7 @@ def facet(body: dict[str, Any]) -> int:
 
     It is put in place after it was made, which keeps the point free of the corners' rounding.
     """
-    made = utils.facet(body["corners"], material=0)
+    made = utils.facet(body["corners"], material=FACETS if len(O.materials) > FACETS else 0)
     made.state.pos = made.state.refPos = body["point"]
     return int(O.bodies.append(made))
 
@@ -68,6 +70,9 @@ SHAPES = {"sphere": sphere, "clump": clump, "polyhedron": polyhedron, "wall": wa
 
 
 def charge(wall: int, sphere: int, force: list[float]) -> None:
-    """Make a contact before the first step, its shear spring charged to push the sphere so."""
+    """Make a contact before the first step, its shear spring charged to push the sphere so.
+
+    Whichever was made first, the contact's second body, which a force pushes, is the sphere.
+    """
     contact = utils.createInteraction(wall, sphere)
-    contact.phys.shearForce = force if contact.id2 == sphere else [-part for part in force]
+    contact.phys.shearForce = force

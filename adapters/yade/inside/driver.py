@@ -41,7 +41,7 @@ def build(ask: dict[str, Any]) -> None:
     """Set up the scene: bodies, contact law, engines, time step."""
     O.reset()
     if ask["hertz"]:
-        O.materials.append(stuff(ask, "walls_young"))  # the first is that of walls
+        O.materials.append([stuff(ask, "walls_young"), stuff(ask, "facets_young")])
     O.materials.append(material(ask))
     for body in ask["bodies"]:
         body["id"] = SHAPES[body["kind"]](body)

@@ -35,6 +35,16 @@ def viscosity(given: Given, setup: Setup) -> Given:
     return given.with_more(note, force=force, eta_n=float(setup.scene.contact.eta_n))
 
 
+def viscous_friction(given: Given, setup: Setup) -> Given:
+    """What a dashpot pushes at t = 0 starts at rest too, though it only touches.
+
+    Else the push would let its shear spring keep the slip of the step before t = 0. The dashpot
+    finds it at rest, and its force is added to the impulse.
+    """
+    missed = initial_viscous_forces(setup.scene)
+    return replace(given, pushed=given.pushed | missed.any(axis=1), missed=missed)
+
+
 def initial_viscous_forces(scene: Scene) -> Vector:
     """The (n, 3) forces [N] of dashpots on the spheres as they start, beside those of springs.
 

@@ -10,8 +10,8 @@ from vv.scene import Hertz, Scene, Term, initial_normal_forces
 
 NOTES = (
     "contacts by MindlinPhys, of a material that has their moduli",
-    "MindlinPhys gives a wall the radius of the sphere, whose material is therefore stiffer by the "
-    "square root of 2 in sum",
+    "MindlinPhys gives a wall the radius of the sphere, and a facet twice that; their material is "
+    "therefore stiffer, by the square roots of 2 and 3/2 in sum",
     "shear forces grow by increments; on a wall their arm is R - U",
 )
 DAMPED = (
@@ -21,17 +21,27 @@ DAMPED = (
 
 
 def elastic(given: Given, setup: Setup) -> Given:
-    """Young's modulus and Poisson's ratio of spheres, and the former of walls.
+    """Young's modulus and Poisson's ratio of spheres, and the former of walls and facets.
 
     YADE takes 1/E and 1/G as sums over both bodies, and the effective radius of a sphere and a
-    wall to be R/2.
+    wall to be R/2, of a sphere and a facet 2R/3.
     """
     law = setup.scene.contact.hertz
     if law is None:
         return given
     young, poisson = law.material()
-    stuff = {"young": young, "poisson": poisson, "walls_young": (1.0 + math.sqrt(2.0)) * young}
+    stuff = {
+        "young": young,
+        "poisson": poisson,
+        "walls_young": young * _beside(math.sqrt(2.0)),
+        "facets_young": young * _beside(math.sqrt(1.5)),
+    }
     return given.with_more(*NOTES, hertz=stuff)
+
+
+def _beside(times: float) -> float:
+    """By what one of two alike must be stiffer so that their contact is so many times as stiff."""
+    return times / (2.0 - times)
 
 
 def viscous(given: Given, setup: Setup) -> Given:

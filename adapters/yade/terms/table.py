@@ -7,7 +7,7 @@ from collections.abc import Callable, Mapping
 from adapters.yade.given import Given, bare
 from adapters.yade.setup import Setup
 from adapters.yade.terms.bonds import bonds, sheared_bonds
-from adapters.yade.terms.contact import charged, friction, viscosity
+from adapters.yade.terms.contact import charged, friction, viscosity, viscous_friction
 from adapters.yade.terms.drives import moving_walls, pulsed, shaken
 from adapters.yade.terms.forces import carried, dead_loads, drag, gravity, oblique_locks
 from adapters.yade.terms.hertz import elastic, viscous
@@ -35,7 +35,7 @@ TRANSLATIONS: Mapping[Term, Callable[[Given, Setup], Given]] = {
     Term.CONTACT_VISCOSITY: viscosity,
     Term.HERTZ: elastic,
     Term.HERTZ_VISCOSITY: viscous,
-    Term.VISCOUS_FRICTION: in_every_plan,
+    Term.VISCOUS_FRICTION: viscous_friction,
     Term.DRAG: drag,
     Term.WALL_CONTACT: walls,
     Term.OBLIQUE_LOCK: oblique_locks,

@@ -24,8 +24,12 @@ def motion(
     kn: Array,
     ks: Array,
     push: Array,
+    eta: float = 0.0,
 ) -> Array:
-    """Displacements (k, N, 3) [m] at times t (k,); x, v, spin, push: (N, 3), push constant [N]."""
+    """Displacements (k, N, 3) [m] at times t (k,); x, v, spin, push: (N, 3), push constant [N].
+
+    eta: drag -eta v on every sphere [N s/m].
+    """
     from scipy.integrate import solve_ivp
 
     n, first = len(m), (x, v, spin, np.zeros((len(bonds), 3)))
@@ -33,7 +37,10 @@ def motion(
     def rate(_: float, flat: Array) -> Array:
         state = _apart(flat, n, len(bonds))
         return np.concatenate(
-            [one.ravel() for one in _rates(state, bonds, m, r, length, kn, ks, push)]
+            [
+                one.ravel()
+                for one in _rates(state, bonds, m, r, length, kn, ks, push - eta * state[1])
+            ]
         )
 
     start = np.concatenate([one.ravel() for one in first])

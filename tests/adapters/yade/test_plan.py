@@ -61,6 +61,18 @@ def test_without_friction_or_overlap_nothing_is_pushed() -> None:
     assert sphere_of(apart)["push"] == [0.0, 0.0, 0.0]
 
 
+def test_what_only_touches_is_pushed_where_a_dashpot_would_let_it_keep_a_slip() -> None:
+    """Its own push by the dashpot at t = 0, which YADE finds at rest, is part of the impulse."""
+    falling = ball(position=[[0, 0.1, 0]], velocity=[[1.0, -3.0, 0]])
+    ask = ball_ask(UP, falling, body=1)
+    law = Contact(1e6, 1e6, 0.5, 40.0)
+    given = sphere_of(dataclasses.replace(ask, scene=dataclasses.replace(ask.scene, contact=law)))
+    assert given["velocity"] == [0.0, 0.0, 0.0]
+    gained = np.array(given["push"]) / given["mass"] * DT
+    slowed = 40.0 * 3.0 / 2.0 * DT / 2
+    assert gained == pytest.approx(np.array([1.0, -3.0 + slowed, 0.0]), rel=1e-12)
+
+
 def test_spin_of_a_touching_sphere_becomes_a_twist() -> None:
     spinning = ball(position=[[0, 0.09, 0]], spin=[[0, 0, 3]], free_spin=FREE)
     given = sphere_of(ball_ask(UP, spinning))

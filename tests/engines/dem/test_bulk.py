@@ -21,10 +21,15 @@ LAWS = {
 }
 
 
-def crowd(contact: Contact, eta: float = 0.0, walls: bool = True) -> Scene:
-    """A hundred unequal spheres, somewhat out of order, in a box that lies askew to all cells."""
-    random, count = np.random.default_rng(3), int(np.prod(COUNT))
-    grid = np.stack(np.meshgrid(*map(np.arange, COUNT), indexing="ij"), 3).reshape(-1, 3)
+def crowd(
+    contact: Contact,
+    eta: float = 0.0,
+    walls: bool = True,
+    across: tuple[int, int, int] = COUNT,
+) -> Scene:
+    """Unequal spheres, somewhat out of order, in a box that lies askew to all cells."""
+    random, count = np.random.default_rng(3), int(np.prod(across))
+    grid = np.stack(np.meshgrid(*map(np.arange, across), indexing="ij"), 3).reshape(-1, 3)
     position = RADIUS * (2.2 * random.permutation(grid) + 0.04 * random.normal(size=(count, 3)))
     radius, turned = RADIUS * random.uniform(0.9, 1.0, count), np.linalg.qr(ASKEW)[0]
     spheres = Spheres(
@@ -33,14 +38,15 @@ def crowd(contact: Contact, eta: float = 0.0, walls: bool = True) -> Scene:
         spin=10 * random.normal(size=(count, 3)),
     )  # fmt: skip
     planes = [Wall(-1.05 * RADIUS * np.ones(3) @ turned, n) for n in turned]
-    planes += [Wall(2.2 * RADIUS * (np.array(COUNT) - 0.5) @ turned, -n) for n in turned]
+    planes += [Wall(2.2 * RADIUS * (np.array(across) - 0.5) @ turned, -n) for n in turned]
     down = np.array([0.0, 0.0, -9.81]) if walls else np.zeros(3)
     return Scene((spheres, *(planes if walls else ())), contact, eta=eta, gravity=down)
 
 
-def moved(model: Bulk | Space, steps: int, leapfrog: dem.Leapfrog) -> tuple[Vector, Vector]:
-    """Path (2, n, 9) and energies (2, 7) at the start and after so many steps."""
-    count = int(np.prod(COUNT))
+def moved(
+    model: Bulk | Space, steps: int, leapfrog: dem.Leapfrog, count: int = int(np.prod(COUNT))
+) -> tuple[Vector, Vector]:
+    """Path (2, n, 6 or 9) and energies (2, 7) at the start and after so many steps."""
     outputs: Any = model.outputs(2, tuple(range(count)))
     path, energy, watched = outputs
     run = model.kernel()
@@ -66,6 +72,21 @@ def test_spheres_move_as_in_the_general_model(law: str) -> None:
             one, two = path[1, :, columns], other[1, :, columns]
             assert np.abs(one - two).max() <= 1e-7 * np.abs(two).max()
         assert energy[1] == pytest.approx(others[1], rel=1e-8, abs=1e-12 * energy[0, 0])
+
+
+@pytest.mark.parametrize("mu", [0.0, 0.5])
+def test_spheres_of_several_chunks_move_as_in_the_general_model(mu: float) -> None:
+    """Two thousand are shared out to chunks, whose borders contacts cross; some do not rub."""
+    scene = crowd(Contact(1e5, 2e4 if mu > 0 else 0.0, mu), 2e-3, across=(10, 10, 21))
+    fast, count = bulk(scene), len(scene.spheres)
+    assert fast is not None
+    (path, energy), (other, others) = (
+        moved(model, 150, dem.CENTRED, count) for model in (fast, space(scene))
+    )
+    for k in range(0, path.shape[2], 3):
+        one, two = path[1, :, k : k + 3], other[1, :, k : k + 3]
+        assert np.abs(one - two).max() <= 1e-10 * np.abs(two).max()
+    assert energy[1] == pytest.approx(others[1], rel=1e-11, abs=1e-12 * energy[0, 0])
 
 
 def test_momentum_is_kept_and_energy_explained() -> None:

@@ -29,6 +29,7 @@ def test_t1_with_all_freedoms_and_terms_is_the_same_to_rounding() -> None:
     assert (least.model.unknowns, full.model.unknowns) == (1, 6)
     others = {Term.OBLIQUE_LOCK, Term.BLOCK, Term.RIGID_CONTACT, Term.CARRIED}
     others |= {Term.CONTACT_VISCOSITY, Term.VISCOUS_FRICTION, Term.HERTZ, Term.HERTZ_VISCOSITY}
+    others |= {Term.MICRO_SLIP, Term.FLUID}
     others |= {Term.BOND, Term.BOND_SHEAR, Term.BREAKAGE}
     assert full.model.terms == ADAPTER.schemes[0].terms - others
     one, six = (displacement("T1", program.run(program.solve())) for program in (least, full))

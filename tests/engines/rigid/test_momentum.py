@@ -62,7 +62,7 @@ def _solved(
 solve: Any = numba.njit(_solved)  # not kept on disk, where it would outlive what it calls
 
 
-@pytest.mark.parametrize(("height", "mu"), [(4, 0.5), (6, 0.5), (8, 0.05)])
+@pytest.mark.parametrize(("height", "mu"), [(6, 0.5), (8, 0.5), (8, 0.05)])
 def test_momentum_reaches_the_plain_sweeps_answer_in_fewer(height: int, mu: float) -> None:
     joints, bodies, friction, falls = pile(height, mu)
     plain, ahead = falls.copy(), falls.copy()
@@ -70,7 +70,7 @@ def test_momentum_reaches_the_plain_sweeps_answer_in_fewer(height: int, mu: floa
     fast, beyond, _ = solve(joints, bodies, friction, ahead, True)
     assert max(left, beyond) <= TOLERANCE
     assert np.abs(ahead - plain).max() <= 30 * TOLERANCE
-    assert fast <= slow / 4
+    assert fast <= slow / 8
 
 
 def test_a_pile_that_slides_gains_what_friction_gives() -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import dataclasses
 import functools
 from types import ModuleType
+from typing import Any
 
 import numpy as np
 import pytest
@@ -35,7 +36,7 @@ def stepped_by_newton(swings: bool) -> np.ndarray:
     else:
         v[:, 0], push[:, 0] = THROWN, 9.81 * M
     length = LENGTH if swings else LONGER
-    given = {"m": M, "r": R, "x": x, "v": v, "spin": w, "push": push}
+    given: dict[str, Any] = {"m": M, "r": R, "x": x, "v": v, "spin": w, "push": push}
     return stepped.motion(T, ROW.bonds, length=length, kn=ROW.kn, ks=KS, **given)
 
 
@@ -76,6 +77,22 @@ def held_agrees(one: ModuleType) -> bool:
     return bool(np.abs(slow - due).max() < 1e-3 * np.abs(slow).max() and not u[:, 0].any())
 
 
+def slowed_agrees(one: ModuleType) -> bool:
+    """Whether drag slows unlike spheres as Newton's equations have it."""
+    row, x, v = one.Row(**vars(ROW)), np.zeros((4, 3)), np.zeros((4, 3))
+    x[:, 0], v[:, 0] = ROW.x, THROWN
+    found = one.slowed(T, row, length=LONGER, v=THROWN, eta=15.0)
+    due = stepped.motion(
+        T, ROW.bonds, m=M, r=R, x=x, v=v, spin=np.zeros((4, 3)), push=np.zeros((4, 3)),
+        length=LONGER, kn=ROW.kn, ks=KS, eta=15.0,
+    )[:, :, 0]  # fmt: skip
+    return bool(np.abs(found - due).max() < 1e-10 * np.abs(due).max())
+
+
+def test_drag_slows_unlike_spheres_of_a_row() -> None:
+    assert slowed_agrees(closed)
+
+
 def test_what_holds_a_row_takes_its_momentum() -> None:
     assert held_agrees(closed)
 
@@ -83,7 +100,14 @@ def test_what_holds_a_row_takes_its_momentum() -> None:
 @pytest.mark.parametrize("sign", signs(closed))
 def test_any_wrong_sign_in_the_formulas_is_caught(sign: int) -> None:
     other = turned(closed, sign)
-    assert caught(lambda: along_agrees(other) and across_agrees(other) and held_agrees(other))
+    assert caught(
+        lambda: (
+            along_agrees(other)
+            and across_agrees(other)
+            and held_agrees(other)
+            and slowed_agrees(other)
+        )
+    )
 
 
 def test_a_mass_that_is_not_positive_is_refused() -> None:

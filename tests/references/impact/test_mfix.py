@@ -6,8 +6,10 @@ import numpy as np
 import pytest
 
 from reference_solutions.checks.impact import dropped as second
+from reference_solutions.checks.impact import sinking as third
 from reference_solutions.impact import pressed_pair, slip_to_roll, spring
 from reference_solutions.impact.dropped import Drop, path
+from reference_solutions.impact.sinking import Sinking, motion
 
 G = 9.80665
 MASS = 2600.0 * 4.0 / 3.0 * math.pi * 0.1**3
@@ -73,15 +75,43 @@ def test_mfix_prints_two_sevenths_and_five_sevenths_of_a_sliding_sphere() -> Non
     assert late / SLIDE.v0 == pytest.approx(0.71428571, rel=1e-4)
 
 
+PARTICLE = Sinking(d=1e-4, rho=2000.0, rho_f=1.2, mu=1.8e-5, g=G, v0=0.4)
+
+
+@pytest.mark.parametrize(
+    "sinking", [PARTICLE, PARTICLE._replace(v0=2.0), PARTICLE._replace(d=5e-3, rho=1100.0)]
+)
+def test_two_routes_agree_on_a_sphere_that_sinks(sinking: Sinking) -> None:
+    times = np.linspace(0.0, 8.0 * min(sinking.time, 1.0), 7)
+    depth, speed = motion(times, sinking)
+    again = third.motion(times, **sinking._asdict())
+    assert depth == pytest.approx(again[0], rel=1e-10)
+    assert speed == pytest.approx(again[1], rel=1e-10)
+
+
+def test_a_sphere_sinks_at_first_under_its_weight_and_in_the_end_evenly() -> None:
+    depth, speed = motion([1e-7, 20.0], PARTICLE)
+    start = float(PARTICLE.rate(0.4))
+    assert speed[0] - 0.4 == pytest.approx(1e-7 * start, rel=1e-5)
+    assert depth[0] == pytest.approx(0.4e-7, rel=1e-5)
+    assert abs(float(PARTICLE.rate(speed[1]))) < 1e-12
+
+
+def test_mfix_prints_a_particle_that_sinks() -> None:
+    """In its frame, in which the gas rises at 0.4 m/s; position at first 0.0925 m."""
+    times = np.array([0.01, 0.05, 0.1, 0.2, 0.35])
+    depth, speed = motion(times, PARTICLE)
+    exact = [-0.01255261, -0.04078891, -0.05263133, -0.05701037, -0.05739251]
+    assert 0.4 - speed == pytest.approx(exact, abs=1e-8)
+    places = [0.09243469, 0.09127660, 0.08888122, 0.08331620, 0.07472123]
+    assert 0.0925 + 0.4 * times - depth == pytest.approx(places, abs=1e-8)
+    computed = [-0.01255313, -0.04078975, -0.05263160, -0.05701005, -0.05739209]
+    assert 0.4 - speed == pytest.approx(computed, rel=3e-3)
+
+
 def test_stokes_drag_would_have_the_particle_of_dem06_sink_a_third_too_fast() -> None:
-    gas, viscosity, size = 1.2, 1.8e-5, 1e-4
-    stokes = (2000.0 - gas) * G * size**2 / (18.0 * viscosity)
-    speed = stokes
-    for _ in range(60):  # Schiller and Naumann (1935)
-        speed = stokes / (1.0 + 0.15 * (gas * size * speed / viscosity) ** 0.687)
-    printed = 0.4 + (0.07759039 - 0.07644287) / 0.02  # against the gas
-    assert speed == pytest.approx(printed, rel=2e-3)
-    assert stokes / speed > 1.3
+    stokes = (1.0 - 1.2 / 2000.0) * G * PARTICLE.time
+    assert stokes / PARTICLE.last > 1.3
 
 
 def test_parameters_outside_their_ranges_are_refused() -> None:
@@ -91,4 +121,6 @@ def test_parameters_outside_their_ranges_are_refused() -> None:
         pressed_pair.heights(0.0, (3e-4, 1.35e-3), **PAIR)  # type: ignore[arg-type]
     with pytest.raises(ValueError, match="mu = 1000000"):
         slip_to_roll.speed(1.0, SLIDE._replace(mu=1e6))
+    with pytest.raises(ValueError, match="heavier than the fluid"):
+        motion([1.0], PARTICLE._replace(rho=1.0))
     assert spring.damping(1.0) == 0.0

@@ -86,6 +86,7 @@ def _scene(scene: Scene) -> Json:
             for body, block in zip(scene.body_numbers(Block), scene.blocks, strict=True)
         ],
         "bonds": _bonds(scene.bonds),
+        **({} if scene.fluid is None else {"fluid": dataclasses.asdict(scene.fluid)}),
     }
 
 

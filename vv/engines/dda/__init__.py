@@ -4,11 +4,12 @@ May import: base, scene, ask, standins, engines.kernels, engines.blocks.
 """
 
 from vv.ask import Ask, Run
-from vv.engines.dda.formulation import DEFAULT, LAGGED, PUBLISHED, Formulation
+from vv.engines.dda.formulation import DAMPED, DEFAULT, LAGGED, PUBLISHED, Formulation
 from vv.engines.dda.refusals import refuses
 from vv.engines.dda.solve import PreparedBlocks, prepare, solve
 
 __all__ = [
+    "DAMPED",
     "DEFAULT",
     "LAGGED",
     "PUBLISHED",
@@ -18,6 +19,7 @@ __all__ = [
     "refuses",
     "solve",
     "solve_default",
+    "solve_generalised_alpha",
     "solve_lagged",
     "solve_published",
 ]
@@ -36,3 +38,8 @@ def solve_published(ask: Ask) -> Run:
 def solve_lagged(ask: Ask) -> Run:
     """Solve an ask with friction that lags by an iteration; cost is left empty."""
     return solve(ask, LAGGED)
+
+
+def solve_generalised_alpha(ask: Ask) -> Run:
+    """Solve an ask by steps of generalised alpha; cost is left empty."""
+    return solve(ask, DAMPED)

@@ -5,7 +5,8 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from vv.engines.dda.limits import MOST, OPEN_CLOSE, SERIES, TURNS
+from vv.engines.dda.limits import MOST, OPEN_CLOSE, RADIUS, SERIES, TURNS
+from vv.engines.dda.stepping import IMPLICIT, Stepping, generalised_alpha
 from vv.standins.stand_in import SHEAR
 
 PUBLISHED_SHEAR = 0.4
@@ -19,16 +20,16 @@ class Formulation:
     tolerance: iterations end when no contact changes between open, stick and slide and no
     friction differs by more than this part of it from what the last solution gives; inf takes
     friction from the iteration before as it is (lagged). iterations: after so many, and
-    newton of Newton's, a step is cut in halves. terms: of the exponential series by which a
-    displacement gradient moves vertices; one is T d (Yagoda-Biran 2016, Eqs. 3, 4), which lets
-    turning blocks grow. turns: rounds in which the gyroscopic torque of a step is found; none
-    leaves it out, as T d does. follow: terms
-    of the series by which strains, and so stresses, turn with their block; none leaves them behind
-    in the scene's axes, which is right while a block hardly turns. settling: seconds of gravity
-    before a drive sets in. dd: the part of its velocity that a step hands on. shear: ks/kn where
-    the scene says rigid contact. pressed: contacts start with the penetration that carries the
-    loads; else as placed. charged: shear springs bear friction, of the loads at the start and
-    while a contact slides; else they start unloaded and are let go by every slip. Raises
+    newton of Newton's, a step is cut in halves. stepping: how inertia is stepped. terms: of the
+    exponential series by which a displacement gradient moves vertices; one is T d (Yagoda-Biran
+    2016, Eqs. 3, 4), which lets turning blocks grow. turns: rounds in which the gyroscopic torque
+    of a step is found; none leaves it out, as T d does. follow: terms of the series by which
+    strains, and so stresses, turn with their block; none leaves them behind in the scene's axes,
+    which is right while a block hardly turns. settling: seconds of gravity before a drive sets in.
+    dd: the part of its velocity that a step hands on. shear: ks/kn where the scene says rigid
+    contact. pressed: contacts start with the penetration that carries the loads; else as placed.
+    charged: shear springs bear friction, of the loads at the start and while a contact slides;
+    else they start unloaded and are let go by every slip. Raises
     ValueError for a number out of range.
     """
 
@@ -36,6 +37,7 @@ class Formulation:
     iterations: int
     terms: int
     newton: int = 0
+    stepping: Stepping = IMPLICIT
     turns: int = TURNS
     follow: int = SERIES
     settling: float = 0.0
@@ -72,3 +74,9 @@ PUBLISHED = Formulation(
 
 LAGGED = Formulation(tolerance=math.inf, iterations=MOST, terms=SERIES)
 """DEFAULT but for friction that lags by an iteration: what the lag alone does."""
+
+DAMPED = Formulation(
+    tolerance=1e-12, iterations=OPEN_CLOSE, terms=SERIES, newton=MOST,
+    stepping=generalised_alpha(RADIUS),
+)  # fmt: skip
+"""DEFAULT but for inertia, which generalised alpha steps: second order, known damping."""

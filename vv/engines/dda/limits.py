@@ -44,3 +44,6 @@ SERIES = 12
 
 TURNS = 12
 """Rounds in which the gyroscopic torque of a step is found: rounding, for up to 0.1 rad a step."""
+
+RADIUS = 0.5
+"""Part of a swing that a step of generalised alpha keeps where it does not resolve the swing."""

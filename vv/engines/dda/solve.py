@@ -18,6 +18,7 @@ from vv.engines.dda.limits import COULOMB, GAIN, MOMENTUM, REACH
 from vv.engines.dda.point.model import Sliding, sliding
 from vv.engines.dda.refusals import refuses, settles
 from vv.engines.dda.springs import springs
+from vv.engines.dda.stepping import IMPLICIT
 from vv.scene import Vector
 
 LEDGER = (
@@ -34,6 +35,7 @@ LEDGER = (
     "shaking potential",
     "given by contacts and inertia found anew",
 )
+SIGNED = "taken by steps of generalised alpha, which give some back"
 HELD, WORKS = slice(0, 4), slice(7, 12)
 CREATED = 12
 EPS = float(np.finfo(float).eps)
@@ -145,12 +147,17 @@ class PreparedBlocks:
         created = float(energy[-1, CREATED])
         rounding = ROUNDINGS * EPS * steps * float(largest)
         return Ledger(
-            terms=dict(zip(LEDGER, terms[-1].tolist(), strict=True)),
+            terms=dict(zip(self._names(), terms[-1].tolist(), strict=True)),
             unaccounted=float(np.abs(terms.sum(axis=1) - put_in).max()),
             peak=max(put_in, float(terms[:, HELD].sum(axis=1).max())),
             bound=rounding,
             audits=dict(self._audits(report, created, rounding)),
         )
+
+    def _names(self) -> list[str]:
+        """LEDGER, where what a step takes can only be a loss if its forces are those at its end."""
+        own = self.formulation.stepping == IMPLICIT
+        return [name if own or name != "numerical dissipation" else SIGNED for name in LEDGER]
 
     def _audits(
         self, report: Vector, created: float, rounding: float
@@ -176,7 +183,8 @@ def prepare(ask: Ask, formulation: Formulation) -> PreparedBlocks:
     """The program of an ask, with the smallest model its scene allows."""
     dd = ask.knobs.dd
     way = formulation if dd is None else dataclasses.replace(formulation, dd=dd)
-    system = sliding(ask.scene, way) or General(ask.scene, way)
+    small = sliding(ask.scene, way) if way.stepping == IMPLICIT else None
+    system = small or General(ask.scene, way)
     return PreparedBlocks(ask, way, system)
 
 

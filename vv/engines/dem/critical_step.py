@@ -92,7 +92,7 @@ def _parts(bodies: Bodies, springs: Springs) -> Vector:
     for end, sign in enumerate((-1.0, 1.0)):
         row = np.minimum(springs.rows[:, end], m - 1)
         there = springs.rows[:, end] < m
-        free = np.eye(3) if bodies.hold is None else bodies.hold[row]
+        free = np.eye(3) if bodies.hold is None or not len(bodies.hold) else bodies.hold[row]
         size = there / np.sqrt(bodies.mass[row])
         parts[:, :, end, :3] = sign * size[:, None, None] * root @ free
         if bodies.spin is not None:

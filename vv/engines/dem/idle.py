@@ -12,7 +12,8 @@ from vv.scene import Scene, Term
 
 CONTACTS = frozenset({Term.SPHERE_CONTACT, Term.WALL_CONTACT})
 VISCOUS = frozenset({Term.CONTACT_VISCOSITY, Term.HERTZ_VISCOSITY})
-OF_CONTACTS = VISCOUS | {Term.FRICTION}
+RUBBED = frozenset({Term.FRICTION, Term.MICRO_SLIP})
+OF_CONTACTS = VISCOUS | RUBBED
 OF_MOTION = VISCOUS | CONTACTS
 
 
@@ -26,7 +27,7 @@ def idle(scene: Scene) -> frozenset[Term]:
     found = frozenset() if terms & CONTACTS else OF_CONTACTS
     if not (spheres.free.any() or scene.locked_velocity.any()):
         turns = Term.FRICTION in terms and spheres.free_spin.any()
-        found |= frozenset() if turns else OF_MOTION | {Term.FRICTION}
+        found |= frozenset() if turns else OF_MOTION | RUBBED
     return terms & found
 
 

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import functools
 import operator
+from collections.abc import Callable
 from typing import Any
 
 from llvmlite import ir
@@ -31,6 +32,20 @@ class Lean(CPUContext):
         if ours is None:
             return NUMBA.get_function(self, function, signature, _firstcall)
         return functools.partial(ours, self, signature)
+
+    def get_abi_sizeof(self, ty: Any) -> int:
+        """Bytes of a type of LLVM's, which is asked for them once."""
+        return sizeof(str(ty), lambda: NUMBA.get_abi_sizeof(self, ty))
+
+
+SIZES: dict[str, int] = {}  # in bytes, of LLVM's types
+
+
+def sizeof(name: str, look: Callable[[], int]) -> int:
+    """Bytes of a type of this name; look: finds them."""
+    if name not in SIZES:
+        SIZES[name] = look()
+    return SIZES[name]
 
 
 def written(function: Any, signature: Any) -> Any:

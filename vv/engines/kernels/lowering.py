@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from typing import Any
 
-from numba.core import lowering, typed_passes
+from numba.core import cgutils, lowering, typed_passes
 from numba.core.compiler_machinery import register_pass
 
 from vv.engines.kernels.lean import element, names_element, set_element
 from vv.engines.kernels.passes import ARITHMETIC, SCALARS
 
 BASE: Any = lowering.Lower
+CODE: Any = cgutils
 
 
 class Lower(BASE):  # type: ignore[misc]
@@ -49,6 +50,32 @@ class Lower(BASE):  # type: ignore[misc]
         given = zip((target_var, index_var, value_var), signature.args, strict=True)
         values = [self._cast_var(variable, kind) for variable, kind in given]
         return set_element(self.context, signature, self.builder, values)
+
+    def storevar(self, value: Any, name: str, argidx: Any = None) -> None:
+        """Set a variable; what it was needs to be freed only where references are counted."""
+        if name in self._singly_assigned_vars or self.is_counted(name):
+            super().storevar(value, name, argidx)
+        else:
+            self._alloca_var(name, self.typeof(name))
+            self.builder.store(value, self.getvar(name))
+
+    def delvar(self, name: str) -> None:
+        """Forget a variable."""
+        if self.is_counted(name):
+            super().delvar(name)
+        elif name not in self._blk_local_varmap:
+            self._singly_assigned_vars.discard(name)
+            self._alloca_var(name, self.typeof(name))
+
+    def is_counted(self, name: str) -> bool:
+        """Whether references to what a variable holds are counted."""
+        if not self.context.enable_nrt:
+            return False
+        return bool(self.context.data_model_manager[self.typeof(name)].contains_nrt_meminfo())
+
+    def alloca_lltype(self, name: str, lltype: Any, datamodel: Any = None) -> Any:
+        """Room for a variable; nothing is noted for a debugger."""
+        return CODE.alloca_once(self.builder, lltype, name=name)
 
 
 NATIVE: Any = typed_passes.BaseNativeLowering

@@ -8,10 +8,11 @@ only linked; a `Whole`, which can be called from Python, links each of its parts
 from __future__ import annotations
 
 import gc
+from collections import defaultdict
 from typing import Any
 
 from llvmlite import ir
-from numba.core import codegen, compiler, imputils, typed_passes
+from numba.core import codegen, compiler, event, imputils, typed_passes
 from numba.core.compiler_machinery import LoweringPass, register_pass
 from numba.core.environment import lookup_environment
 
@@ -19,6 +20,7 @@ from vv.engines.kernels.lean import Lean
 from vv.engines.kernels.lowering import Write
 from vv.engines.kernels.passes import Settled, front_end
 
+EVENTS: Any = event
 ENVIRONMENT = "_ZN08NumbaEnv"  # how numba begins the names of what functions refer to at run time
 
 
@@ -209,10 +211,22 @@ class WholeCompiler(Settling):
 
     def _compile_core(self) -> Any:
         """Compile without looking for garbage, of which there is little among very much else."""
-        collects = gc.isenabled()
+        collects, heard = gc.isenabled(), EVENTS._registered
         gc.disable()
+        EVENTS._registered = defaultdict(Nobody)
         try:
             return super()._compile_core()
         finally:
+            EVENTS._registered = heard
             if collects:
                 gc.enable()
+
+
+class Nobody(list[Any]):
+    """Who hears of numba's events while a whole is compiled, of which there are 100 000."""
+
+    def append(self, listener: object) -> None:
+        """Do not listen: each part has two clocks, which are told of all that those within do."""
+
+    def remove(self, listener: object) -> None:
+        """Stop listening."""

@@ -9,7 +9,7 @@ from __future__ import annotations
 import operator
 from typing import Any
 
-from numba.core import compiler, typed_passes, types, untyped_passes
+from numba.core import compiler, ssa, typed_passes, types, untyped_passes
 from numba.core.compiler_machinery import FunctionPass, PassManager, register_pass
 from numba.core.errors import NumbaTypeError
 
@@ -19,6 +19,9 @@ ARITHMETIC = frozenset(
      operator.iadd, operator.isub, operator.imul, operator.itruediv,
      operator.lt, operator.le, operator.gt, operator.ge, operator.eq, operator.ne}
 )  # fmt: skip
+
+
+SSA: Any = ssa
 
 
 class Settled(compiler.Flags):
@@ -125,6 +128,33 @@ def refuse_gifts(state: Any) -> None:
             )
 
 
+@register_pass(mutates_CFG=True, analysis_only=False)  # type: ignore[no-untyped-call]
+class Single(FunctionPass):
+    """Give each variable one assignment (numba's ReconstructSSA, less what later passes redo)."""
+
+    _name = "single"
+
+    def __init__(self) -> None:
+        FunctionPass.__init__(self)  # type: ignore[no-untyped-call]
+
+    def run_pass(self, state: Any) -> bool:
+        state.func_ir = SSA.reconstruct_ssa(state.func_ir)
+        state.func_ir._definitions = SSA.ir_utils.build_definitions(state.func_ir.blocks)
+        return True
+
+
+@register_pass(mutates_CFG=True, analysis_only=False)  # type: ignore[no-untyped-call]
+class Joined(typed_passes.PreLowerStripPhis):
+    """Join these variables again where ways meet, as numba does it, less what is redone."""
+
+    _name = "joined"
+
+    def run_pass(self, state: Any) -> bool:
+        state.func_ir = self._strip_phi_nodes(state.func_ir)  # type: ignore[no-untyped-call]
+        state.func_ir._definitions = SSA.ir_utils.build_definitions(state.func_ir.blocks)
+        return True
+
+
 def front_end(name: str) -> Any:
     """All passes before code is written."""
     manager: Any = PassManager(name)  # type: ignore[no-untyped-call]
@@ -134,9 +164,9 @@ def front_end(name: str) -> Any:
         untyped_passes.IRProcessing,
         untyped_passes.DeadBranchPrune,
         untyped_passes.GenericRewrites,
-        untyped_passes.ReconstructSSA,
+        Single,
         Types,
-        typed_passes.PreLowerStripPhis,
+        Joined,
         typed_passes.IRLegalization,
         typed_passes.AnnotateTypes,
     ):

@@ -11,7 +11,7 @@ from collections.abc import Iterator, Sequence
 from html import escape
 
 from vv.scene import Scene
-from vv.scene.sketch import MOST, Arrow, Sketch, Spot, sketch
+from vv.scene.picture.sketch import MOST, Arrow, Sketch, Spot, sketch
 
 WIDTH, HEIGHT = 300.0, 220.0
 SCALE = 150.0  # of a picture, for the larger extent of the bodies

@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import dataclasses
+from typing import Any
 
+import numba
 import numpy as np
 import pytest
 
@@ -15,6 +17,7 @@ from vv.engines.dem.space.model import space
 from vv.engines.dem.terms.bonds import Bonds as Springs
 from vv.scene import Contact, Scene, Term, Vector, Wall, rotated, with_bodies_reversed
 
+TYPEOF: Any = numba.typeof
 HEIGHT = D * np.sqrt(2 / 3)
 BASE = np.array([[1, 1, 1], [1, 1, 0], [1, 1, 0], [1, 1, 0]], bool)
 SEEN = tuple(Displacement(i) for i in range(4))
@@ -37,6 +40,15 @@ def at_end(run: Run) -> Vector:
 def widened(u: Vector) -> float:
     x = CORNERS + u
     return float(np.mean([np.linalg.norm(x[i] - x[j]) / D - 1 for i, j in EDGES[3:]]))
+
+
+def test_bonds_share_a_kernel_whatever_loads_locks_drags_or_carries_their_ends() -> None:
+    """A kernel takes seconds to compile, one for each combination of types of its arguments."""
+    pulled = np.array([[0, 0, 1.0]] + [[0, 0, 0]] * 3)
+    thrown = elements(velocity=OUT)
+    carried = dataclasses.replace(elements(free=BASE), velocity=pulled)
+    scenes = unit(thrown), unit(elements(load=pulled)), unit(thrown, eta=3.0), unit(carried)
+    assert len({str(TYPEOF(tuple(space(scene).state))) for scene in scenes}) == 1
 
 
 @pytest.mark.parametrize("strain", [1e-6, -1e-6])

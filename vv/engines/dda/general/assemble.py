@@ -30,10 +30,10 @@ def profile(first: Index, bodies: Bodies, touch: Touch) -> None:
 @lent
 def stiffness(
     matrix: Vector, first: Index, mass: Vector, bodies: Bodies, touch: Touch, state: Index,
-    step: float, kn: float, ks: float, elastic: Vector,
+    step: float, weight: float, kn: float, ks: float, elastic: Vector,
 ) -> None:  # fmt: skip
-    """Fill the lower half of matrix (q, q): (2/D^2) M + strains + springs of closed contacts."""
-    scale = 2.0 / (step * step)
+    """Fill the lower half of matrix (q, q): weight/D^2 M + strains + springs of closed contacts."""
+    scale = weight / (step * step)
     for a in range(len(first)):
         for b in range(first[a], a + 1):
             matrix[a, b] = 0.0

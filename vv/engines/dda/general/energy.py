@@ -39,13 +39,13 @@ def held(
 @lent
 def close_step(
     ledger: Vector, worst: Vector, pull: Vector, touch: Touch, used: Index, rub: Vector,
-    relative: Vector, moved: Vector, kn: float, ks: float, mu: float, hold: float,
+    relative: Vector, moved: Vector, over: float, kn: float, ks: float, mu: float, hold: float,
 ) -> None:  # fmt: skip
     """Add what contacts did in a step; leave springs and gaps (c,) as they are at its end.
 
-    pull: (q,) becomes their generalised forces.
-    With the end force F over a displacement d, as this scheme has it, kinetic energy changes by
-    F d exactly; a spring k gives less than that to motion by k d^2/2, which is numerical loss.
+    pull: (q,) becomes their generalised forces; relative, moved: (c, 3), (w, 3) motion to where
+    forces are taken, of which the step is `over` times as much. The work of a force F over a step
+    d is F d; that a spring gives less or more by itself is numerical loss.
     """
     for a in range(len(pull)):
         pull[a] = 0.0
@@ -53,25 +53,27 @@ def close_step(
         n = at(touch.normal, k)
         opened = dot(at(relative, k), n)
         slip = add_scaled(at(relative, k), -opened, n)
-        before, after = touch.gap[k], touch.gap[k] + opened
+        before, after = touch.gap[k], touch.gap[k] + over * opened
         deep, deeper = larger(-before, 0.0), larger(-after, 0.0)
         sprung = 0.5 * kn * (deep * deep - deeper * deeper)
-        push = -kn * after if used[k] != OPEN else 0.0
-        left = sprung - push * opened
+        push = -kn * (before + opened) if used[k] != OPEN else 0.0
+        left = sprung - push * (over * opened)
         ledger[NUMERICAL] += left
         ledger[CREATED] += larger(0.0, -left)
         rubs, spring = NOWHERE, at(touch.spring, k)
         stretch = 0.5 * ks * dot(spring, spring)
         if used[k] == STICK:
+            rubs = add_scaled(NOWHERE, -ks, add_scaled(spring, 1.0, slip))
+            slip = add_scaled(NOWHERE, over, slip)
             spring = add_scaled(spring, 1.0, slip)
-            stretch += ks * dot(spring, slip) - 0.5 * ks * dot(spring, spring)
-            rubs = add_scaled(NOWHERE, -ks, spring)
+            stretch -= dot(rubs, slip) + 0.5 * ks * dot(spring, spring)
         elif used[k] == SLIDE:
             taken, was = at(rub, k), spring
-            spring = add_scaled(NOWHERE, hold / ks if ks > 0.0 else 0.0, taken)
+            borne = add_scaled(NOWHERE, hold / ks if ks > 0.0 else 0.0, taken)
+            spring = add_scaled(borne, over - 1.0, add_scaled(borne, -1.0, was))
             jump = add_scaled(spring, -1.0, was)
             stretch += hold * dot(taken, jump) - 0.5 * ks * dot(spring, spring)
-            slip = add_scaled(slip, -hold, jump)
+            slip = add_scaled(add_scaled(NOWHERE, over, slip), -hold, jump)
         else:
             spring = NOWHERE
         put(touch.spring, k, spring)
@@ -93,26 +95,27 @@ def close_step(
         worst[EXCESS] = larger(worst[EXCESS], np.sqrt(dot(rubs, rubs)) - mu * larger(push, 0.0))
         worst[PEAK] = larger(worst[PEAK], push)
         if touch.wall[k] >= 0:
-            ledger[BASE] += dot(force, at(moved, touch.wall[k]))
+            ledger[BASE] += over * dot(force, at(moved, touch.wall[k]))
         touch.gap[k] = after
         worst[DEEPEST] = larger(worst[DEEPEST], -after)
 
 
 @called
 def audit(
-    worst: Vector, pull: Vector, outer: Vector, d: Vector, step: float,
-    bodies: Bodies, motion: Motion, mass: Vector, elastic: Vector,
+    worst: Vector, pull: Vector, outer: Vector, u: Vector, begun: Vector, step: float,
+    weight: float, bodies: Bodies, motion: Motion, mass: Vector, elastic: Vector,
 ) -> None:  # fmt: skip
     """Note by how much the momentum of a block changes otherwise than its forces say [N].
 
-    pull, outer: generalised forces (q,) of contacts and of all else at the end of a step [s].
+    pull, outer: generalised forces (q,) of contacts and of all else where a step [s] takes them;
+    u (q,): unknowns there; begun (q,), weight: see `inertia`.
     """
-    q = len(d)
+    q = len(u)
     change, strain = numbers(q), numbers(q)
     gain, held_back = numbers(q), numbers(q)
     for a in range(q):
-        change[a] = 2.0 / step * (d[a] / step - motion.velocity[a])
-        strain[a] = motion.strain[a] + d[a]
+        change[a] = weight / step * (u[a] / step - begun[a])
+        strain[a] = motion.strain[a] + u[a]
     applied(gain, mass, bodies, change)
     applied(held_back, elastic, bodies, strain)
     for a in range(q):

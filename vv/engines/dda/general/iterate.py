@@ -18,8 +18,8 @@ from vv.scene import Vector
 
 
 @called
-def lightness(touch: Touch, state: Index, bodies: Bodies, step: float) -> Vector:
-    """Per contact the stiffness [N/m] by which inertia resists slip (c,): 2 m/D^2 per point."""
+def lightness(touch: Touch, state: Index, bodies: Bodies, step: float, weight: float) -> Vector:
+    """Per contact the stiffness [N/m] by which inertia resists slip (c,): weight m/D^2 a point."""
     closed = nil_numbers(len(bodies.mass))
     for k in range(len(touch.key)):
         if state[k] != OPEN:
@@ -33,19 +33,20 @@ def lightness(touch: Touch, state: Index, bodies: Bodies, step: float) -> Vector
         if touch.wall[k] < 0:
             one = touch.first[k]
             compliance += larger(closed[one], 1.0) / bodies.mass[one]
-        ease[k] = 2.0 / (step * step * compliance)
+        ease[k] = weight / (step * step * compliance)
     return ease
 
 
 @called
 def iterate(  # noqa: PLR0912 - a branch per contact state
     d: Vector, touch: Touch, bodies: Bodies, motion: Motion, mass: Vector, outer: Vector,
-    moved: Vector, step: float, kn: float, ks: float, mu: float,
+    moved: Vector, begun: Vector, step: float, weight: float, kn: float, ks: float, mu: float,
     hold: float, tolerance: float, iterations: int, most: int, elastic: Vector,
 ) -> tuple[bool, int, Index, Vector, Vector]:  # fmt: skip
     """Solve for the unknowns d (q,) of a step [s] and the states of all contacts.
 
-    outer: (q,) generalised loads at the end; moved: (w, 3) how far walls went [m]; most: solutions
+    outer: (q,) generalised loads; moved: (w, 3) how far walls go [m]; begun (q,), weight: what
+    inertia brings into the step, see `inertia`; most: solutions
     by Newton's iteration where so many iterations do not end it. Returns
     whether nothing changed any more, how many solutions were taken, then per contact what the
     last of them assumed: states (c,) and friction (c, 3) [N]; and what it gave: relative motion
@@ -57,10 +58,10 @@ def iterate(  # noqa: PLR0912 - a branch per contact state
     used, rub = counts(count), nil_rows(count)
     relative, shut = nil_rows(count), nil_rows(count)
     profile(first, bodies, touch)
-    applied(constant, mass, bodies, motion.velocity)
+    applied(constant, mass, bodies, begun)
     applied(right, elastic, bodies, motion.strain)
     for a in range(q):
-        constant[a] = outer[a] + 2.0 / step * constant[a] - right[a]
+        constant[a] = outer[a] + weight / step * constant[a] - right[a]
     for k in range(count):
         if touch.wall[k] >= 0:
             put(shut, k, at(moved, touch.wall[k]))
@@ -69,7 +70,7 @@ def iterate(  # noqa: PLR0912 - a branch per contact state
         for k in range(count):
             used[k] = touch.state[k]
         if fresh:
-            stiffness(matrix, first, mass, bodies, touch, used, step, kn, ks, elastic)
+            stiffness(matrix, first, mass, bodies, touch, used, step, weight, kn, ks, elastic)
             factorise(matrix, first)
         for a in range(q):
             right[a] = constant[a]
@@ -82,7 +83,7 @@ def iterate(  # noqa: PLR0912 - a branch per contact state
         substitute(matrix, first, right, d)
         solved += 1
         fresh, ended = False, True
-        ease = lightness(touch, used, bodies, step)
+        ease = lightness(touch, used, bodies, step, weight)
         for k in range(count):
             n = at(touch.normal, k)
             moves = add_scaled(NOWHERE, -1.0, at(shut, k))
@@ -109,6 +110,6 @@ def iterate(  # noqa: PLR0912 - a branch per contact state
     if ended or most == 0:
         return ended, solved, used, rub, relative
     ended, more, used, rub, relative = newton(
-        d, touch, bodies, mass, constant, shut, step, kn, ks, mu, tolerance, most, elastic
+        d, touch, bodies, mass, constant, shut, step, weight, kn, ks, mu, tolerance, most, elastic
     )
     return ended, solved + more, used, rub, relative

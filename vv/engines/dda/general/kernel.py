@@ -40,10 +40,12 @@ from vv.engines.dda.general.energy import (
     close_step,
     held,
 )  # fmt: skip
+from vv.engines.dda.general.inertia import Rule, brought, handed_on
 from vv.engines.dda.general.iterate import iterate
 from vv.engines.dda.general.rows import lost, note
 from vv.engines.dda.general.turning import convected
 from vv.engines.dda.limits import CUTS, GAIN
+from vv.engines.dda.stepping import IMPLICIT
 from vv.engines.kernels.arrays import (
     larger,
     nil_numbers,
@@ -58,15 +60,20 @@ from vv.engines.kernels.drive import Drive, Starts, one_of, travel, value
 from vv.engines.kernels.triples import NOWHERE, add_scaled, at, dot, put
 from vv.scene import Mask, Vector
 
+FIRST: Rule = (IMPLICIT.alpha_m, IMPLICIT.alpha_f, IMPLICIT.beta, IMPLICIT.gamma)
+# which needs no accelerations at the start, and leaves those that its forces make
+
 
 @called
 def shifted(
-    ahead: Vector, moved: Vector, shift: Vector, base: Drive, starts: Starts, time: float
-) -> None:
-    """Fill ahead (w, 3): how far walls have gone by a time [s], and moved: from shift to there."""
+    ahead: Vector, moved: Vector, shift: Vector, base: Drive, starts: Starts, time: float,
+    share: float,
+) -> None:  # fmt: skip
+    """Fill ahead (w, 3): how far walls have gone by a time [s], and moved: a share of that step."""
     for wall in range(len(shift)):
         put(ahead, wall, travel(one_of(base, starts, wall), time))
-        put(moved, wall, add_scaled(at(ahead, wall), -1.0, at(shift, wall)))
+        step = add_scaled(at(ahead, wall), -1.0, at(shift, wall))
+        put(moved, wall, add_scaled(NOWHERE, share, step))
 
 
 @lent
@@ -89,6 +96,7 @@ def move_blocks(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
     tolerance: float,
     iterations: int,
     newton: int,
+    rule: Rule,
     terms: int,
     turns: int,
     follow: int,
@@ -112,11 +120,11 @@ def move_blocks(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
 ) -> int:
     """Step all blocks by DDA; return rows filled.
 
-    settling: steps before t = 0 with drives at rest; tolerance, iterations, newton, terms, turns,
-    follow, dd: see Formulation; hold: 1 where it is charged, else 0; begun: the start; motion:
-    becomes the end; base, starts: see `drives`; shaking: a body acceleration; kn, ks [N/m] and mu
-    of every point of contact; reach [m]: see `found`; elastic: (q, 12) stiffness of strains [N m],
-    laid out as `masses` are.
+    settling: steps before t = 0 with drives at rest; rule: of all steps but the first, which is
+    DDA's own; tolerance, iterations, newton, terms, turns, follow, dd: see Formulation; hold: 1
+    where it is charged, else 0; begun: the start; motion: becomes the end; base, starts: see
+    `drives`; shaking: a body acceleration; kn, ks [N/m] and mu of every point of contact; reach
+    [m]: see `found`; elastic: (q, 12) stiffness of strains [N m], laid out as `masses` are.
 
     Every `stride` steps a row is written: path (k, b, 15): displacement, velocity and the tensor
     of strain of the watched blocks (b,); energy (k, 13) and report (k, 9): see `dda_energy`.
@@ -125,6 +133,8 @@ def move_blocks(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
     shift, ahead, moved = nil_rows(walls), nil_rows(walls), nil_rows(walls)
     mass, outer, flow = nil_table(q, 12), nil_numbers(q), nil_numbers(q)
     d, pull, turn = nil_numbers(q), nil_numbers(q), nil_numbers(q)
+    u, begun_by, rate = nil_numbers(q), nil_numbers(q), nil_numbers(q)
+    now = FIRST
     ledger, worst, done = nil_numbers(TERMS), nil_numbers(REPORTS), -settling
     put_in, ever, most = 0.0, 0.0, np.inf
     copied(motion, begun)
@@ -138,10 +148,11 @@ def move_blocks(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
         for _ in range((stride if row else 0) + (settling if row == 0 else 0)):
             begin, part = 0.0, dt
             while begin < dt:
-                shake = NOWHERE
+                shake, share = NOWHERE, 1.0 - now[1]
                 if done >= 0:
-                    shifted(ahead, moved, shift, base, starts, done * dt + begin + part)
-                    shake = value(shaking, done * dt + begin + part)
+                    shifted(ahead, moved, shift, base, starts, done * dt + begin + part, share)
+                    shake = value(shaking, done * dt + begin + share * part)
+                weight = brought(begun_by, motion.velocity, rate, now, part)
                 count = len(touch.key)
                 state, push = same_counts(touch.state, count), same_numbers(touch.push, count)
                 way = same_rows(touch.way, count)
@@ -150,8 +161,8 @@ def move_blocks(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
                 for a in range(q):
                     outer[a] += turn[a]
                 ended, solved, used, rub, relative = iterate(
-                    d, touch, bodies, motion, mass, outer, moved, part, kn, ks, mu,
-                    hold, tolerance, iterations, newton, elastic,
+                    u, touch, bodies, motion, mass, outer, moved, begun_by, part, weight, kn, ks,
+                    mu, hold, tolerance, iterations, newton, elastic,
                 )  # fmt: skip
                 worst[SOLVED] += solved
                 worst[ITERATIONS] = larger(worst[ITERATIONS], float(solved))
@@ -161,16 +172,21 @@ def move_blocks(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
                     worst[CUT] += 1
                     continue
                 worst[FAILED] += 0 if ended else 1
-                close_step(ledger, worst, pull, touch, used, rub, relative, moved, kn, ks, mu, hold)
-                audit(worst, pull, outer, d, part, bodies, motion, mass, elastic)
+                over = 1.0 / share
+                close_step(
+                    ledger, worst, pull, touch, used, rub, relative, moved, over, kn, ks, mu, hold
+                )
+                audit(worst, pull, outer, u, begun_by, part, weight, bodies, motion, mass, elastic)
+                for a in range(q):
+                    d[a] = over * u[a]
                 for i in range(len(bodies.mass)):
                     line = travelled(bodies, i, d)
                     ledger[GRAVITY] += dot(line, at(bodies.weight, i))
                     ledger[LOAD] += dot(line, at(bodies.load, i))
                     ledger[SHAKING] += bodies.mass[i] * dot(line, shake)
-                ledger[NUMERICAL] += 0.5 * applied(flow, elastic, bodies, d)
-                for a in range(q):
-                    motion.velocity[a] = 2.0 / part * d[a] - motion.velocity[a]
+                ledger[NUMERICAL] += (0.5 - now[1]) * applied(flow, elastic, bodies, d)
+                ledger[NUMERICAL] += handed_on(motion.velocity, rate, d, mass, bodies, now, part)
+                now = rule
                 displace(motion, bodies, shapes, d, terms, follow)
                 held(ledger, touch, bodies, motion, mass, kn, ks, elastic)
                 if row > 0:

@@ -15,9 +15,10 @@ from vv.engines.dda.formulation import Formulation
 from vv.engines.dda.general.unknowns import columns, rates
 from vv.engines.dda.limits import FLOAT, GRIP, REACH, STATIC, STATIC_STEPS
 from vv.engines.dda.springs import Springs
+from vv.engines.dda.stepping import IMPLICIT
 from vv.scene import Block, Scene, Term, Vector
 
-BODIES, ENDS = 6, 8  # where these stand in what the kernel is told
+ENDS = 9  # where the end of the motion stands in what the kernel is told
 
 
 @dataclass(frozen=True, eq=False)
@@ -81,21 +82,29 @@ class General:
     def at_rest(self, law: Springs, rule: tuple[Any, ...]) -> Any:
         """Where contacts carry the loads, which a few steps almost without inertia find.
 
-        Blocks stay as they are if one of them rests on nothing.
+        Blocks stay as they are if one of them rests on nothing, which the first such step shows:
+        further ones would throw it through the others.
         """
-        start = self.motion()
         heaviest = max(block.mass for block in self.scene.blocks)
         slow = float(np.sqrt(2 * heaviest * STATIC / law.kn))
-        start.velocity[:] = 0.0
         gripping = Springs(law.kn, law.ks, GRIP)
-        given = self.model_arguments(start, 0.0, gripping)
-        self.kernel()(*self.outputs(1, ()), 1, slow, STATIC_STEPS, *rule, *given)
-        end, bodies = given[ENDS], given[BODIES]
-        all_loads = np.linalg.norm(bodies.weight + bodies.load, axis=1).sum()
-        laws = ((block.elastic, size(block)) for block in self.scene.blocks)
-        most = all_loads * (1 / law.kn + sum(1 / (own.young * h) for own, h in laws if own))
-        far = np.linalg.norm(end.centre - start.centre, axis=1).max()
-        return end if far <= FLOAT * most else start
+        still = General(self.scene, dataclasses.replace(self.formulation, stepping=IMPLICIT))
+        start = end = self.motion()
+        start.velocity[:] = 0.0
+        for steps in (1, STATIC_STEPS):
+            given = still.model_arguments(start, 0.0, gripping)
+            self.kernel()(*self.outputs(1, ()), 1, slow, steps, *rule, *given)
+            end = given[ENDS]
+            if np.linalg.norm(end.centre - start.centre, axis=1).max() > self.sinks(law):
+                return start
+        return end
+
+    def sinks(self, law: Springs) -> float:
+        """How far [m] a block that rests on something can sink, by far."""
+        bodies = self.bodies()
+        loads = np.linalg.norm(bodies.weight + bodies.load, axis=1).sum()
+        soft = ((block.elastic, size(block)) for block in self.scene.blocks)
+        return float(FLOAT * loads * (1 / law.kn + sum(1 / (e.young * h) for e, h in soft if e)))
 
     def model_arguments(self, begun: Any, dd: float, law: Springs) -> tuple[Any, ...]:
         """What the kernel is told after the step."""
@@ -106,6 +115,7 @@ class General:
         shape = shapes(blocks)
         return (
             way.newton,
+            tuple(way.stepping),
             way.terms,
             way.turns,
             way.follow,

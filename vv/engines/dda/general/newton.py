@@ -40,10 +40,10 @@ def stiffened(
 @lent
 def tangent(
     matrix: Vector, first: Index, mass: Vector, bodies: Bodies, touch: Touch, turn: Vector,
-    step: float, kn: float, ks: float, mu: float, elastic: Vector,
+    step: float, weight: float, kn: float, ks: float, mu: float, elastic: Vector,
 ) -> None:  # fmt: skip
     """Fill matrix (q, q) within its profile: inertia, strains and what contacts add to them."""
-    scale = 2.0 / (step * step)
+    scale = weight / (step * step)
     for a in range(len(first)):
         for b in range(first[a], a + 1):
             matrix[a, b] = matrix[b, a] = 0.0
@@ -75,13 +75,13 @@ def moved_by(k: int, touch: Touch, d: Vector, shut: Vector) -> Triple:
 @called
 def unbalanced(
     d: Vector, touch: Touch, turn: Vector, bodies: Bodies, mass: Vector, constant: Vector,
-    shut: Vector, step: float, kn: float, ks: float, mu: float, elastic: Vector,
+    shut: Vector, step: float, weight: float, kn: float, ks: float, mu: float, elastic: Vector,
 ) -> float:  # fmt: skip
     """Set contacts to what the law has for unknowns d (q,); return what is left of the equations.
 
     That is a sum of squares, each over the inertia of its unknown [J].
     """
-    q, scale = len(d), 2.0 / (step * step)
+    q, scale = len(d), weight / (step * step)
     left, strained = numbers(q), numbers(q)
     applied(left, mass, bodies, d)
     applied(strained, elastic, bodies, d)
@@ -117,7 +117,8 @@ def unbalanced(
 @called
 def newton(
     d: Vector, touch: Touch, bodies: Bodies, mass: Vector, constant: Vector, shut: Vector,
-    step: float, kn: float, ks: float, mu: float, tolerance: float, most: int, elastic: Vector,
+    step: float, weight: float, kn: float, ks: float, mu: float, tolerance: float, most: int,
+    elastic: Vector,
 ) -> tuple[bool, int, Index, Vector, Vector]:  # fmt: skip
     """As `iterate`, from unknowns d (q,), in at most so many solutions.
 
@@ -130,11 +131,11 @@ def newton(
     used, rub, relative = counts(count), nil_rows(count), nil_rows(count)
     turn = nil_numbers(count)
     profile(first, bodies, touch)
-    rest = bodies, mass, constant, shut, step, kn, ks, mu, elastic
+    rest = bodies, mass, constant, shut, step, weight, kn, ks, mu, elastic
     left = unbalanced(d, touch, turn, *rest)
     ended, solved = False, 0
     while not ended and solved < most:
-        tangent(matrix, first, mass, bodies, touch, turn, step, kn, ks, mu, elastic)
+        tangent(matrix, first, mass, bodies, touch, turn, step, weight, kn, ks, mu, elastic)
         eliminate(matrix, first)
         for a in range(q):
             right[a] = constant[a]

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import math
 
-from vv.engines.dem.bulk.grains import BEFORE, SPUN, Grains, V, W
-from vv.engines.dem.bulk.touches import part
+from vv.engines.dem.bulk.batches import AHEAD, BEHIND, FAR, KINETIC
+from vv.engines.dem.bulk.grains import BEFORE, SPUN, TURN, Grains, V, W, part, put_part
 from vv.engines.dem.space.advance import carried_on
 from vv.engines.dem.terms.drag import Drag
 from vv.engines.kernels.compiled import lent
@@ -27,11 +27,11 @@ def drift(grains: Grains, dt: float) -> float:
 
 @lent
 def weigh(grains: Grains, gravity: Triple) -> None:
-    """Set push to the weight of each sphere, and turn to none."""
-    push, turn, mass = grains.push, grains.turn, grains.mass
+    """Set the force on each sphere to its weight, and the torque to none."""
+    acting, mass = grains.acting, grains.mass
     for i in range(len(mass)):
-        put(push, i, add_scaled(NOWHERE, mass[i], gravity))
-        put(turn, i, NOWHERE)
+        put(acting, i, add_scaled(NOWHERE, mass[i], gravity))
+        put_part(acting, i, TURN, NOWHERE)
 
 
 @lent
@@ -42,7 +42,7 @@ def place(grains: Grains, velocity: Vector, time: float, drag: Drag | None) -> f
     """
     row, kinetic = grains.row, 0.0
     for i in range(len(grains.mass)):
-        start, push = at(velocity, grains.original[i]), at(grains.push, i)
+        start, push = at(velocity, grains.original[i]), at(grains.acting, i)
         if drag is not None:
             push = add_scaled(push, -drag.eta, start)
         for c in range(3):
@@ -57,7 +57,7 @@ def place_spins(grains: Grains, spin: Vector | None, time: float) -> float:
     row, turning = grains.row, 0.0
     if spin is not None:
         for i in range(len(grains.mass)):
-            start, turn = at(spin, grains.original[i]), at(grains.turn, i)
+            start, turn = at(spin, grains.original[i]), part(grains.acting, i, TURN)
             for c in range(3):
                 row[i, W + c] = start[c] - time / grains.inertia[i] * turn[c]
             turning += 0.5 * grains.inertia[i] * dot(start, start)
@@ -67,52 +67,52 @@ def place_spins(grains: Grains, spin: Vector | None, time: float) -> float:
 @lent
 def kick(
     grains: Grains,
+    sums: Vector,
+    c: int,
+    first: int,
+    last: int,
     spin: Vector | None,
     dt: float,
     drag: Drag | None,
     lag: float,
-    slowed: tuple[float, float],
     gravity: Triple,
     way: float,
-) -> tuple[float, float, float, float]:
-    """Carry velocities and spins from half a step before now to half a step after.
+) -> None:
+    """Carry velocities and spins of spheres first to last to half a step after now.
 
-    Then displace spheres as in a time `way` [s], which is the next step or nothing, and set push to
-    their weight: one look at each for all of it. Returns sum m v- v+/2 + I w- w+/2 [J], the powers
-    [W] lost before and after now, slowed and D v-, D v+ of drag D = eta (lag v- + (1 - lag) v+),
-    and what `drift` returns.
+    Then displace them as in a time `way` [s], which is the next step or nothing, and set forces to
+    their weight: one look at each for all of it. Adds to row c of sums m v- v+/2 + I w- w+/2 [J],
+    the powers [W] before and after now of drag D = eta (lag v- + (1 - lag) v+), D v- and D v+, and
+    keeps there the square of the farthest way since neighbours were sought [m^2].
     """
-    row, push, turn, mass, inertia = (
-        grains.row,
-        grains.push,
-        grains.turn,
-        grains.mass,
-        grains.inertia,
-    )
-    since, far, kinetic, behind, ahead = grains.since, 0.0, 0.0, slowed[0], slowed[1]
-    for i in range(len(mass)):
+    row, acting, mass, inertia = grains.row, grains.acting, grains.mass, grains.inertia
+    since, far, kinetic, behind, ahead = grains.since, sums[c, FAR], 0.0, 0.0, 0.0
+    for i in range(first, last):
         old = part(row, i, V)
-        new = carried_on(old, at(push, i), mass[i], dt, drag, lag, i)
+        new = carried_on(old, at(acting, i), mass[i], dt, drag, lag, i)
         if drag is not None:
             loss = add_scaled(add_scaled(NOWHERE, drag.eta * lag, old), drag.eta * (1.0 - lag), new)
             behind += dot(loss, old)
             ahead += dot(loss, new)
-        for c in range(3):
-            row[i, BEFORE + c], row[i, V + c] = old[c], new[c]
+        put_part(row, i, BEFORE, old)
+        put_part(row, i, V, new)
         kinetic += 0.5 * mass[i] * dot(old, new)
         if spin is not None:
             spun = part(row, i, W)
-            spins = add_scaled(spun, dt / inertia[i], at(turn, i))
-            for c in range(3):
-                row[i, SPUN + c], row[i, W + c] = spun[c], spins[c]
+            spins = add_scaled(spun, dt / inertia[i], part(acting, i, TURN))
+            put_part(row, i, SPUN, spun)
+            put_part(row, i, W, spins)
             kinetic += 0.5 * inertia[i] * dot(spun, spins)
-            put(turn, i, NOWHERE)
-        put(push, i, add_scaled(NOWHERE, mass[i], gravity))
+            put_part(acting, i, TURN, NOWHERE)
+        put(acting, i, add_scaled(NOWHERE, mass[i], gravity))
         x = add_scaled(at(row, i), way, new)
         put(row, i, x)
         moved = add_scaled(x, -1.0, at(since, i))
         far = max(far, dot(moved, moved))
-    return kinetic, behind, ahead, math.sqrt(far)
+    sums[c, KINETIC] += kinetic
+    sums[c, BEHIND] += behind
+    sums[c, AHEAD] += ahead
+    sums[c, FAR] = far
 
 
 @lent

@@ -8,12 +8,14 @@ import numpy as np
 import numpy.typing as npt
 
 from vv.engines.kernels.bundles import bundle
-from vv.engines.kernels.compiled import inlined_called
+from vv.engines.kernels.compiled import inlined, inlined_called
+from vv.engines.kernels.triples import Triple
 from vv.scene import Vector
 
 Short = npt.NDArray[np.uint32]
 Flags = npt.NDArray[np.uint8]
 RADIUS, V, W, BEFORE, SPUN, WIDE = 3, 4, 7, 10, 13, 16
+TURN, ACTS = 3, 8
 
 
 class Given(NamedTuple):
@@ -33,14 +35,14 @@ class Grains(NamedTuple):
     """n spheres in an order that changes, and a row for the ground, which does not move.
 
     row (n + 1, 16): position [m], radius [m], mean velocity of the step that ended [m/s], its spin
-    [1/s], and both of the step before it. push, turn (n + 1, 3): forces [N], torques [N m].
+    [1/s], and both of the step before it. acting (2 n + 2, 8): force [N] and torque
+    [N m] on each, two numbers that nobody needs, and rows for what is put aside until a chunk ends.
     mass, inertia (n,); original (n,): which sphere of the scene each is; since (n, 3): where they
     were when neighbours were sought.
     """
 
     row: Vector
-    push: Vector
-    turn: Vector
+    acting: Vector
     mass: Vector
     inertia: Vector
     original: Short
@@ -57,5 +59,16 @@ def grains(given: Given) -> Grains:
             row[i, c] = given.position[i, c]
         row[i, RADIUS], original[i] = given.radius[i], i
     mass, inertia = given.mass.copy(), given.inertia.copy()
-    push, turn = np.zeros((n + 1, 3)), np.zeros((n + 1, 3))
-    return Grains(row, push, turn, mass, inertia, original, since)
+    return Grains(row, np.zeros((2 * n + 2, ACTS)), mass, inertia, original, since)
+
+
+@inlined
+def part(row: Vector, i: int, first: int) -> Triple:
+    """Three columns of row i of an array, from `first` on."""
+    return row[i, first], row[i, first + 1], row[i, first + 2]
+
+
+@inlined
+def put_part(row: Vector, i: int, first: int, a: Triple) -> None:
+    """Set three columns of row i of an array, from `first` on."""
+    row[i, first], row[i, first + 1], row[i, first + 2] = a

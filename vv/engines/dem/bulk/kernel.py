@@ -2,14 +2,27 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 
 from vv.engines.dem.bulk.advance import drift, kick, moving_energy, place, place_spins, weigh
+from vv.engines.dem.bulk.batches import (
+    AHEAD,
+    BEHIND,
+    KINETIC,
+    LOST,
+    NORMAL,
+    SPRUNG,
+    batches,
+    farthest,
+    total,
+)
 from vv.engines.dem.bulk.cells import cells
+from vv.engines.dem.bulk.chunks import all_forces, whole_step
 from vv.engines.dem.bulk.grains import Given, grains
 from vv.engines.dem.bulk.near import near_pairs, near_walls, nothing_near
 from vv.engines.dem.bulk.output import booked, observe
-from vv.engines.dem.bulk.press import forces
 from vv.engines.dem.bulk.skin import FIRST, adapted, narrowest, widest
 from vv.engines.dem.bulk.viscous import Dashpot, meet, room_to_meet, slow, withdraw
 from vv.engines.dem.contact.law import Law
@@ -22,7 +35,7 @@ from vv.scene import Vector
 
 
 @compiled
-def move_in_bulk(
+def move_in_bulk(  # noqa: PLR0915 - one loop, whose parts share all its variables
     path: Vector,
     energy: Vector,
     watched: Index,
@@ -44,15 +57,21 @@ def move_in_bulk(
     Every `stride` steps a line is written of path (k, b, 6 or 9) and energy (k, 7).
     """
     bulk, spin = grains(given), given.spin
-    n, rubs = len(given.mass), friction is not None
+    n, rubs, viscous = (
+        len(given.mass),
+        friction is not None,
+        None if dashpot is None else dashpot[1],
+    )
     radius, reach = narrowest(bulk), 2.0 * widest(bulk)
     skin, sought, used = FIRST * radius, 0, 0
     sorted_cells = cells(bulk, reach + skin)
     pairs = near_pairs(bulk, sorted_cells, skin, nothing_near(n), rubs)
     edges = near_walls(bulk, walls, sorted_cells, skin, nothing_near(n), rubs)
+    work = batches(pairs)
     met, new = room_to_meet(0), np.zeros((n + 1, 3))
     weigh(bulk, gravity)
-    normal, sprung, _ = forces(bulk, pairs, edges, walls, spin, law, friction, dt)
+    all_forces(bulk, pairs, edges, work, walls, law, friction, viscous, dt, True)
+    normal, sprung = total(work.sums, NORMAL), total(work.sums, SPRUNG)
     slowed = 0.0, 0.0
     if dashpot is not None:
         met = room_to_meet(len(pairs.other) + len(edges.other))
@@ -64,8 +83,9 @@ def move_in_bulk(
         withdraw(bulk, met, used)
         slowed = slow(bulk, met, used, new, dt, drag, lag)
     put_in += place_spins(bulk, spin, back * dt)
-    kinetic, _, ahead, far = kick(bulk, spin, dt, drag, lag, slowed, gravity, 0.0)
-    slipped = dragged = done = 0.0
+    kick(bulk, work.sums, 0, 0, n, spin, dt, drag, lag, gravity, 0.0)
+    ahead = slowed[1] + total(work.sums, AHEAD)
+    slipped = dragged = done = far = 0.0
 
     steps = 0
     for line in range(len(path)):
@@ -78,23 +98,33 @@ def move_in_bulk(
                 sorted_cells = cells(bulk, reach + skin)
                 pairs = near_pairs(bulk, sorted_cells, skin, pairs, rubs)
                 edges = near_walls(bulk, walls, sorted_cells, skin, edges, rubs)
+                work = batches(pairs)
                 weigh(bulk, gravity)
                 if dashpot is not None:
                     met = room_to_meet(len(pairs.other) + len(edges.other))
-            normal, sprung, lost = forces(bulk, pairs, edges, walls, spin, law, friction, dt)
-            if dashpot is not None:
+            told = step + 1 == stride
+            way = 0.0 if told else dt
+            if dashpot is None:
+                whole_step(
+                    bulk, pairs, edges, work, walls, law, friction, dt, told,
+                    spin, drag, lag, gravity, way,
+                )  # fmt: skip
+            else:
+                all_forces(bulk, pairs, edges, work, walls, law, friction, viscous, dt, told)
                 used = meet(bulk, pairs, edges, walls, met, dashpot, dt)
                 slowed = slow(bulk, met, used, new, dt, drag, lag)
-            slipped += lost
-            dragged += ahead
-            way = dt if step + 1 < stride else 0.0
-            kinetic, behind, ahead, far = kick(bulk, spin, dt, drag, lag, slowed, gravity, way)
-            dragged += behind
+                kick(bulk, work.sums, 0, 0, n, spin, dt, drag, lag, gravity, way)
+            far = math.sqrt(farthest(work.sums))
+            slipped += total(work.sums, LOST)
+            dragged += ahead + slowed[0] + total(work.sums, BEHIND)
+            ahead = slowed[1] + total(work.sums, AHEAD)
 
         observe(path, line, watched, given, bulk)
+        kinetic = total(work.sums, KINETIC)
+        normal, sprung = total(work.sums, NORMAL), total(work.sums, SPRUNG)
         held = kinetic, normal, sprung, slipped, 0.5 * dt * dragged
         done = max(done, booked(energy, line, held, given, bulk, gravity))
-        most, total = put_in + done, kinetic + normal + sprung
-        if line and not (total <= GAIN * most and moving_energy(bulk, spin) <= BLOW_UP * most):
+        most, whole = put_in + done, kinetic + normal + sprung
+        if line and not (whole <= GAIN * most and moving_energy(bulk, spin) <= BLOW_UP * most):
             return line
     return len(path)

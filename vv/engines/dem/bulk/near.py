@@ -18,12 +18,13 @@ from vv.scene import Vector
 class Near(NamedTuple):
     """Slots for contacts that may close, those of sphere i from start[i] to start[i + 1].
 
-    other (k,): the later sphere of a pair, or the wall. touching (k,): whether they did so after
-    the last step; shear (k, 3): the force on the later sphere, or on the sphere off the wall [N];
-    both are empty where nothing rubs.
+    one, other (k,): spheres i < j of a pair, or a sphere and a wall. touching (k,): whether they
+    did so after the last step; shear (k, 3): the force on the later sphere, or on the sphere off
+    the wall [N], if they touch; both are empty where nothing rubs.
     """
 
     start: Short
+    one: Short
     other: Short
     touching: Flags
     shear: Vector
@@ -33,7 +34,7 @@ class Near(NamedTuple):
 def nothing_near(n: int) -> Near:
     """No slots yet of n spheres."""
     start, none = np.zeros(n + 1, np.uint32), np.zeros(0, np.uint32)
-    return Near(start, none, np.zeros(0, np.uint8), np.zeros((0, 3)))
+    return Near(start, none, none, np.zeros(0, np.uint8), np.zeros((0, 3)))
 
 
 @inlined
@@ -104,8 +105,11 @@ def near_walls(
 @called
 def slots(start: Short, other: Short, rubs: bool) -> Near:
     """Slots of contacts none of which touched."""
-    room = len(other) if rubs else 0
-    return Near(start, other, np.zeros(room, np.uint8), np.zeros((room, 3)))
+    room, one = len(other) if rubs else 0, np.empty(len(other), np.uint32)
+    for i in range(len(start) - 1):
+        for k in range(start[i], start[i + 1]):
+            one[k] = i
+    return Near(start, one, other, np.zeros(room, np.uint8), np.zeros((room, 3)))
 
 
 @called

@@ -1,128 +1,165 @@
-"""The forces of all contacts at the end of a step, inlined into the kernel of bulk."""
+"""The forces of all pairs that touch, a batch at a time; parts of kernels.
+
+Pairs that touch are chosen among those listed, what their spheres do is fetched into scratch, the
+contacts are computed in loops of which a core does several turns at once, and forces are handed
+out.
+"""
 
 from __future__ import annotations
 
-from vv.engines.dem.bulk.grains import RADIUS, Flags, Grains
+import math
+
+from vv.engines.dem.bonds.bend import note, three
+from vv.engines.dem.bonds.blocks import WIDE
+from vv.engines.dem.bulk.batches import LOST, NORMAL, SPRUNG, Batches
+from vv.engines.dem.bulk.fetch import (
+    ACROSS,
+    ALONG,
+    ARMS,
+    CAPS,
+    CHANGED,
+    FORCE,
+    HOW_LONG,
+    INSIDE,
+    MIDWAY,
+    NORMALS,
+    OFFSET,
+    OLD,
+    RADII,
+    RELATIVE,
+    ROLLED,
+    SLIDE,
+    SPINS,
+    SPRING,
+    STIFF,
+    TORQUE,
+    choose,
+    fetch,
+    hand_out,
+)
+from vv.engines.dem.bulk.grains import Grains
 from vv.engines.dem.bulk.near import Near
-from vv.engines.dem.bulk.touches import pair_touch, wall_touch
-from vv.engines.dem.contact.law import Law, pressed, rubbed
-from vv.engines.dem.contact.touch import reduced_mass
+from vv.engines.dem.bulk.slip import slip
+from vv.engines.dem.contact.friction import share_closed, slid, tried
+from vv.engines.dem.contact.law import Law, across, pressed, stored
+from vv.engines.dem.contact.pairs import last_step
+from vv.engines.dem.contact.touch import Touch
 from vv.engines.kernels.compiled import inlined, lent
-from vv.engines.kernels.triples import NOWHERE, Triple, add_scaled, at, cross, dot, put
+from vv.engines.kernels.triples import NOWHERE, add_scaled, cross, dot
 from vv.scene import Vector
 
 
-@inlined
-def part_company(touching: Flags, shear: Vector, k: int) -> None:
-    """Forget the shear of a contact that opened."""
-    if touching[k]:
-        touching[k] = 0
-        put(shear, k, NOWHERE)
-
-
 @lent
-def pair_forces(
-    grains: Grains,
-    near: Near,
-    turns: Vector | None,
-    law: Law,
-    friction: tuple[float, float] | None,
-    dt: float,
-) -> Triple:
-    """Add the forces of pairs to push and turn; return energies [J]: normal, shear, friction's.
-
-    friction: that of the law, or None where nothing rubs; turns: None if no sphere turns.
-    """
-    row, push, turn = grains.row, grains.push, grains.turn
-    start, other, touching, shear = near.start, near.other, near.touching, near.shear
-    normal, sprung, lost = 0.0, 0.0, 0.0
-    for i in range(len(start) - 1):
-        x, radius, pushed, turned = at(row, i), row[i, RADIUS], NOWHERE, NOWHERE
-        for k in range(start[i], start[i + 1]):
-            j = other[k]
-            d, reach = add_scaled(at(row, j), -1.0, x), radius + row[j, RADIUS]
-            square = dot(d, d)
-            if square >= reach * reach:
-                if friction is not None:
-                    part_company(touching, shear, k)
-                continue
-            touch, reduced = pair_touch(row, turns, i, j, d, square, dt)
-            along, held = pressed(law, touch.overlap, reduced)
-            force = add_scaled(NOWHERE, along, touch.n)
-            normal += held
-            if friction is not None:
-                touching[k] = 1
-                across, charged, taken = rubbed(
-                    law, touch, reduced, reduced_mass(grains.mass, i, j), at(shear, k), dt
-                )
-                lost += taken
-                sprung += charged
-                put(shear, k, across)
-                force = add_scaled(force, 1.0, across)
-                if turns is not None:
-                    torque, inside = cross(across, touch.n), 0.5 * touch.overlap
-                    turned = add_scaled(turned, radius - inside, torque)
-                    put(turn, j, add_scaled(at(turn, j), row[j, RADIUS] - inside, torque))
-            pushed = add_scaled(pushed, -1.0, force)
-            put(push, j, add_scaled(at(push, j), 1.0, force))
-        put(push, i, add_scaled(at(push, i), 1.0, pushed))
-        if turns is not None:
-            put(turn, i, add_scaled(at(turn, i), 1.0, turned))
-    return normal, sprung, lost
-
-
-@lent
-def wall_forces(
-    grains: Grains,
-    near: Near,
-    walls: Vector,
-    turns: Vector | None,
-    law: Law,
-    friction: tuple[float, float] | None,
-    dt: float,
-) -> Triple:
-    """As `pair_forces`, of walls (w, 4): outward normals and how far they lie along them [m]."""
-    row, push, turn = grains.row, grains.push, grains.turn
-    start, other, touching, shear = near.start, near.other, near.touching, near.shear
-    normal, sprung, lost = 0.0, 0.0, 0.0
-    for i in range(len(start) - 1):
-        for k in range(start[i], start[i + 1]):
-            n, radius = at(walls, other[k]), row[i, RADIUS]
-            overlap = radius - dot(at(row, i), n) + walls[other[k], 3]
-            if overlap <= 0.0:
-                if friction is not None:
-                    part_company(touching, shear, k)
-                continue
-            along, held = pressed(law, overlap, radius)
-            force = add_scaled(NOWHERE, along, n)
-            normal += held
-            if friction is not None:
-                touching[k] = 1
-                touch = wall_touch(row, turns, i, n, overlap, dt)
-                across, charged, taken = rubbed(
-                    law, touch, radius, grains.mass[i], at(shear, k), dt
-                )
-                lost += taken
-                sprung += charged
-                put(shear, k, across)
-                force = add_scaled(force, 1.0, across)
-                if turns is not None:
-                    put(turn, i, add_scaled(at(turn, i), radius - 0.5 * overlap, cross(across, n)))
-            put(push, i, add_scaled(at(push, i), 1.0, force))
-    return normal, sprung, lost
-
-
-@lent
-def forces(
+def press(
     grains: Grains,
     pairs: Near,
-    edges: Near,
-    walls: Vector,
-    turns: Vector | None,
+    work: Batches,
+    c: int,
+    first: int,
+    last: int,
+    beyond: tuple[int, int],
     law: Law,
     friction: tuple[float, float] | None,
+    viscous: float | None,
     dt: float,
-) -> Triple:
-    """Add to push and turn all but what is viscous; return energies [J] as `pair_forces`."""
-    one = pair_forces(grains, pairs, turns, law, friction, dt)
-    return add_scaled(one, 1.0, wall_forces(grains, edges, walls, turns, law, friction, dt))
+    told: bool,
+) -> None:
+    """Add the forces of pairs first to last to push and turn, and what friction took to the sums.
+
+    beyond: from which sphere on forces are put aside, and by how many rows. viscous: None unless
+    contacts are. told: whether energies of springs are summed, too.
+    """
+    scratch, ends = work.scratch, work.ends
+    many = choose(grains.row, grains.acting, pairs, scratch, ends, c, first, last, friction)
+    fetch(grains.row, pairs, scratch, ends, c, many, friction, viscous)
+    if friction is None:
+        bounce(scratch, c, many, law)
+    else:
+        stick(scratch, c, many, law, viscous, dt)
+        work.sums[c, LOST] += slip(grains.row, scratch, ends, c, many)
+        combine(scratch, c, many)
+    if told:
+        sum_up(work.sums, scratch, c, many, law, friction)
+    hand_out(grains, pairs, scratch, ends, c, many, beyond, friction)
+
+
+@inlined
+def bounce(scratch: Vector, c: int, many: int, law: Law) -> None:
+    """The forces of contacts that do not rub."""
+    for q in range(many):
+        d = three(scratch, c, OFFSET, q)
+        first, second = scratch[c, RADII * WIDE + q], scratch[c, (RADII + 1) * WIDE + q]
+        length = math.sqrt(dot(d, d))
+        overlap = first + second - length
+        along = pressed(law, overlap, first * second / (first + second))[0]
+        scratch[c, ARMS * WIDE + q] = first - 0.5 * overlap
+        note(scratch, c, FORCE, q, add_scaled(NOWHERE, along / length, d))
+
+
+@inlined
+def stick(scratch: Vector, c: int, many: int, law: Law, viscous: float | None, dt: float) -> None:
+    """The forces of contacts that rub, if none slips, and what `slip` asks of them."""
+    for q in range(many):
+        d, relative = three(scratch, c, OFFSET, q), three(scratch, c, RELATIVE, q)
+        first, second = scratch[c, RADII * WIDE + q], scratch[c, (RADII + 1) * WIDE + q]
+        length = math.sqrt(dot(d, d))
+        overlap, n = first + second - length, add_scaled(NOWHERE, 1.0 / length, d)
+        n_before, m, opened = last_step(d, length, relative, dt)
+        rates = 0.0, 0.0
+        if viscous is not None:
+            change = three(scratch, c, CHANGED, q)
+            rates = (
+                dot(n_before, add_scaled(relative, -0.5, change)),
+                dot(n, add_scaled(relative, 0.5, change)),
+            )
+        inside, spins = 0.5 * (overlap + 0.5 * opened), three(scratch, c, SPINS, q)
+        rolled = add_scaled(three(scratch, c, ROLLED, q), -inside, spins)
+        past = add_scaled(relative, -1.0, cross(rolled, m))
+        twist = 0.5 * dt * dot(spins, m)
+        touch = Touch(overlap, opened, n, n_before, m, rates, past, NOWHERE, twist)
+        reduced, spring = first * second / (first + second), three(scratch, c, SPRING, q)
+        along = pressed(law, overlap, reduced)[0]
+        ks, caps = across(law, touch, reduced, 0.0, spring)  # no law of this model asks for masses
+        old, slide, trial = tried(spring, touch, slid(touch, dt)[0], ks)
+        scratch[c, ALONG * WIDE + q] = along
+        note(scratch, c, NORMALS, q, n)
+        note(scratch, c, ACROSS, q, trial)
+        note(scratch, c, OLD, q, old)
+        note(scratch, c, SLIDE, q, slide)
+        note(scratch, c, MIDWAY, q, m)
+        scratch[c, STIFF * WIDE + q] = ks
+        scratch[c, CAPS * WIDE + q], scratch[c, (CAPS + 1) * WIDE + q] = caps
+        scratch[c, HOW_LONG * WIDE + q] = dt * share_closed(overlap, opened)
+        scratch[c, INSIDE * WIDE + q] = inside
+        scratch[c, ARMS * WIDE + q] = first - 0.5 * overlap
+        scratch[c, (ARMS + 1) * WIDE + q] = second - 0.5 * overlap
+
+
+@inlined
+def combine(scratch: Vector, c: int, many: int) -> None:
+    """Forces along and across, and the torque of an arm of one metre."""
+    for q in range(many):
+        n, force = three(scratch, c, NORMALS, q), three(scratch, c, ACROSS, q)
+        note(scratch, c, FORCE, q, add_scaled(force, scratch[c, ALONG * WIDE + q], n))
+        note(scratch, c, TORQUE, q, cross(force, n))
+
+
+@inlined
+def sum_up(
+    sums: Vector,
+    scratch: Vector,
+    c: int,
+    many: int,
+    law: Law,
+    friction: tuple[float, float] | None,
+) -> None:
+    """Add what the springs of a batch hold [J]."""
+    for q in range(many):
+        first, second = scratch[c, RADII * WIDE + q], scratch[c, (RADII + 1) * WIDE + q]
+        reduced, overlap = (
+            first * second / (first + second),
+            2.0 * (first - scratch[c, ARMS * WIDE + q]),
+        )
+        sums[c, NORMAL] += pressed(law, overlap, reduced)[1]
+        if friction is not None:
+            sums[c, SPRUNG] += stored(law, overlap, reduced, three(scratch, c, ACROSS, q))

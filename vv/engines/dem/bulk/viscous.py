@@ -9,9 +9,8 @@ import math
 
 import numpy as np
 
-from vv.engines.dem.bulk.grains import RADIUS, Grains, V
+from vv.engines.dem.bulk.grains import RADIUS, Grains, V, part
 from vv.engines.dem.bulk.near import Near
-from vv.engines.dem.bulk.touches import part
 from vv.engines.dem.contact.linear import late
 from vv.engines.dem.contact.pairs import last_step
 from vv.engines.dem.space.neighbours import MET
@@ -97,10 +96,10 @@ def slow(
     """Add the forces of the contacts listed to push; return the powers [W] before and after now."""
     both = (met[0][:used], met[1][:used]), (met[0][:0], met[1][:0])
     v = grains.row[:, V : V + 3]
-    return dashpots.slow(both, grains.push, v, new, grains.mass, None, dt, drag, lag)
+    return dashpots.slow(both, grains.acting, v, new, grains.mass, None, dt, drag, lag)
 
 
 @lent
 def withdraw(grains: Grains, met: Met, used: int) -> None:
     """Take them away again."""
-    dashpots.shove((met[0][:used], met[1][:used]), grains.push, -1.0)
+    dashpots.shove((met[0][:used], met[1][:used]), grains.acting, -1.0)

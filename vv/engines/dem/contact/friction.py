@@ -39,6 +39,18 @@ def turned(s: Triple, n: Triple, angle: float) -> Triple:
 
 
 @inlined
+def rub(
+    spring: Triple, touch: Touch, ks: float, caps: tuple[float, float], dt: float
+) -> tuple[Triple, float]:
+    """The shear force [N] after a step of dt [s], and the energy [J] that friction took in it.
+
+    The arguments are those of `sheared`.
+    """
+    slide, change = slid(touch, dt)
+    return sheared(spring, touch, slide, change, ks, caps)
+
+
+@inlined
 def sheared(
     spring: Triple,
     touch: Touch,
@@ -49,13 +61,22 @@ def sheared(
 ) -> tuple[Triple, float]:
     """The shear force [N] after a step, and the energy [J] that friction took in it.
 
-    spring: that force before. It turns with the contact plane from n_before to n and by the twist
-    about n, both exactly. Then it grows by -ks times the slide [m] in the plane, up to the cap
-    mu Fn [N] (Li 2018, Eqs. 5-8, with the sign that Eq. 8 leaves out); caps: before and after the
-    step. change: slide less that of the step before. The energy is the slip, which is the slide
-    without its elastic part, times the mean of the old and the new force. Where the slide turns
-    back, what `slipping` says would give energy: then the force is along the trial force, which
-    takes some whenever the old force is below the cap, too.
+    spring, slide, ks: as for `tried`; caps: mu Fn [N] before and after the step; change: slide
+    less that of the step before.
+    """
+    old, slide, trial = tried(spring, touch, slide, ks)
+    if dot(trial, trial) <= caps[1] * caps[1]:
+        return trial, 0.0
+    return slipped(old, trial, slide, change, ks, caps)
+
+
+@inlined
+def tried(spring: Triple, touch: Touch, slide: Triple, ks: float) -> tuple[Triple, Triple, Triple]:
+    """The shear force [N] before a step, turned, the slide [m], and the force if nothing slips.
+
+    spring: the force before. It turns with the contact plane from n_before to n and by the twist
+    about n, both exactly. Then it grows by -ks times the slide in the plane, up to the cap mu Fn
+    (Li 2018, Eqs. 5-8, with the sign that Eq. 8 leaves out).
     """
     n, n_before = touch.n, touch.n_before
     old = add_scaled(
@@ -63,13 +84,51 @@ def sheared(
     )
     old, slide = twisted(old, slide, n, touch.twist)
     slide = add_scaled(slide, -dot(n, slide), n)
-    trial = add_scaled(old, -ks, slide)
-    if dot(trial, trial) <= caps[1] * caps[1]:
-        return trial, 0.0
-    new, taken = capped(old, slipping(old, trial, slide, change, ks, caps), slide, ks, caps[1])
-    if taken < 0.0:
-        new, taken = capped(old, trial, slide, ks, caps[1])
-    return new, taken
+    return old, slide, add_scaled(old, -ks, slide)
+
+
+@inlined
+def slipped(
+    old: Triple,
+    trial: Triple,
+    slide: Triple,
+    change: Triple,
+    ks: float,
+    caps: tuple[float, float],
+) -> tuple[Triple, float]:
+    """The shear force of a contact that slips, and the energy that friction took."""
+    turn = turns(slide, ks, caps)
+    return turned_by_slip(old, trial, slide, change, ks, caps, turn, math.exp(-turn))
+
+
+@inlined
+def turns(slide: Triple, ks: float, caps: tuple[float, float]) -> float:
+    """x = ks |s| dt/cap, by which `slipping` turns a force."""
+    return 2.0 * ks * math.sqrt(dot(slide, slide)) / (caps[0] + caps[1])
+
+
+@inlined
+def turned_by_slip(
+    old: Triple,
+    trial: Triple,
+    slide: Triple,
+    change: Triple,
+    ks: float,
+    caps: tuple[float, float],
+    x: float,
+    fading: float,
+) -> tuple[Triple, float]:
+    """As `slipped`, with x of `turns` and exp(-x).
+
+    The energy is the slip, which is the slide without its elastic part, times the mean of the old
+    and the new force. Where the slide turns back, what `slipping` says would give energy: then the
+    force is along the trial force, which takes some whenever the old force is below the cap, too.
+    """
+    new, taken = capped(
+        old, slipping(old, trial, slide, change, caps, x, fading), slide, ks, caps[1]
+    )
+    other, lost = capped(old, trial, slide, ks, caps[1])
+    return (new, taken) if taken >= 0.0 else (other, lost)
 
 
 @inlined
@@ -94,8 +153,9 @@ def slipping(
     trial: Triple,
     slide: Triple,
     change: Triple,
-    ks: float,
     caps: tuple[float, float],
+    x: float,
+    fading: float,
 ) -> Triple:
     """A vector along the force of a slipping contact after a step.
 
@@ -109,8 +169,6 @@ def slipping(
     moved = dot(slide, slide)
     if moved == 0.0 or dot(old, trial) <= 0.0:
         return trial
-    x = 2.0 * ks * math.sqrt(moved) / (caps[0] + caps[1])
-    fading = math.exp(-x)
     late = 0.5 * (1.0 + fading) / (1.0 - fading) - 1.0 / x if x > SMALL else x / 12.0
     across = add_scaled(change, -dot(change, slide) / moved, slide)
     aim = add_scaled(slide, late, across)

@@ -8,11 +8,11 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-from vv.engines.dem.contact.friction import sheared, slid
+from vv.engines.dem.contact.friction import rub
 from vv.engines.dem.contact.touch import Touch
 from vv.engines.kernels.compiled import inlined
-from vv.engines.kernels.triples import Triple, dot
-from vv.scene import Hertz, Scene
+from vv.engines.kernels.triples import Triple, at, dot
+from vv.scene import Hertz, Scene, Vector
 
 DEEP = 1.2  # times the overlap that would hold all energy at t = 0: room for what loads add
 TOUCHES = 1e-6  # of the way of a step: an overlap that rounding leaves to what only touches
@@ -29,6 +29,11 @@ class Elastic(NamedTuple):
     friction: tuple[float, float] | None
     damping: float | None
     stiffness: tuple[float, float]
+
+    @property
+    def columns(self) -> int:
+        """Numbers kept of a contact: the force across the normal [N]."""
+        return 3
 
 
 def elastic(scene: Scene, law: Hertz, rubs: bool) -> Elastic:
@@ -88,25 +93,42 @@ def made_up(since: float) -> float:
 
 
 @inlined
-def rubbed(
-    law: Elastic, touch: Touch, radius: float, mass: float, spring: Triple, dt: float
-) -> tuple[Triple, float, float]:
-    """The force charged by the slide times 8 G sqrt(R U), up to mu Fn.
+def across(
+    law: Elastic, touch: Touch, radius: float, mass: float, spring: Triple
+) -> tuple[float, tuple[float, float]]:
+    """8 G sqrt(R U), the mean of the step, and mu times the push.
 
-    The stiffness is the mean of the step, or of the part of it in which surfaces touched, as the
-    overlap changes evenly: that at the end would make the force first order in dt. What a spring
-    of today's stiffness would hold is no energy that can be had back, as it grows when a contact
-    opens under a force that stays.
+    The mean is that of the part of the step in which surfaces touched, as the overlap changes
+    evenly: the stiffness at the end would make the force first order in dt.
     """
     (shear, mu), overlap = law.friction, touch.overlap  # type: ignore[misc]  # asked where it rubs
     before = max(overlap + touch.opened, 0.0)
     now, then = math.sqrt(overlap), math.sqrt(before)
     mean = 2.0 / 3.0 * (overlap + now * then + before) / (now + then)
-    stiff = 8.0 * shear * math.sqrt(radius)
-    slide, change = slid(touch, dt)
     caps = limits(law, mu, touch, radius, mass, spring)
-    force, taken = sheared(spring, touch, slide, change, stiff * mean, caps)
-    return force, 0.5 * dot(force, force) / (stiff * now), taken
+    return 8.0 * shear * math.sqrt(radius) * mean, caps
+
+
+@inlined
+def stored(law: Elastic, overlap: float, radius: float, force: Triple) -> float:
+    """F^2/(2 ks), ks = 8 G sqrt(R U).
+
+    What a spring of today's stiffness would hold is no energy that can be had back, as it grows
+    when a contact opens under a force that stays.
+    """
+    shear = law.friction[0]  # type: ignore[index]  # as above
+    return 0.5 * dot(force, force) / (8.0 * shear * math.sqrt(radius) * math.sqrt(overlap))
+
+
+@inlined
+def rubbed(
+    law: Elastic, touch: Touch, radius: float, mass: float, kept: Vector, row: int, dt: float
+) -> tuple[Triple, float, float]:
+    """The spring charged by the slide, up to mu times the push."""
+    spring = at(kept, row)
+    ks, caps = across(law, touch, radius, mass, spring)
+    force, taken = rub(spring, touch, ks, caps, dt)
+    return force, stored(law, touch.overlap, radius, force), taken
 
 
 @inlined

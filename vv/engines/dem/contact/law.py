@@ -1,9 +1,10 @@
 """The law by which surfaces that touch act on each other: what it is asked, which a scene has.
 
 A law is a named tuple in a file of this folder. It has a field `friction`, None where nothing
-rubs, a property `stiffness`, kn and ks [N/m] at most, and functions in its file: `pressed` and
-`rubbed`, which contacts of pairs, of walls, and of pairs that are near each other all call, and
-`damped` if it may be viscous.
+rubs, properties `stiffness`, kn and ks [N/m] at most, and `columns`, how many numbers are kept of
+a contact from step to step, and functions in its file: `pressed` and `rubbed`, which contacts of
+pairs, of walls, and of pairs that are near each other all call, `damped` if it may be viscous, and
+`across` and `stored` if the model of many spheres has it, too.
 """
 
 from __future__ import annotations
@@ -12,10 +13,11 @@ from typing import Any
 
 from vv.engines.dem.contact.hertz import elastic
 from vv.engines.dem.contact.linear import Linear
+from vv.engines.dem.contact.micro_slip import micro_slip
 from vv.engines.dem.contact.touch import Touch
 from vv.engines.kernels.by_class import of_its_file
 from vv.engines.kernels.triples import Triple
-from vv.scene import Scene, Term
+from vv.scene import Scene, Term, Vector
 
 Law = Any
 
@@ -24,7 +26,8 @@ def law_of(scene: Scene) -> Law:
     """The law of a scene's contacts."""
     law, rubs = scene.contact, Term.FRICTION in scene.terms()
     if law.hertz is not None:
-        return elastic(scene, law.hertz, rubs)
+        in_part = rubs and law.hertz.micro_slip
+        return micro_slip(scene, law.hertz) if in_part else elastic(scene, law.hertz, rubs)
     friction = (law.ks, law.mu) if rubs else None
     return Linear(law.kn, friction, law.eta_n if law.eta_n > 0 else None)
 
@@ -39,14 +42,32 @@ def pressed(law: Law, overlap: float, radius: float) -> tuple[float, float]:
 
 
 @of_its_file
+def across(
+    law: Law, touch: Touch, radius: float, mass: float, spring: Triple
+) -> tuple[float, tuple[float, float]]:
+    """The stiffness across the normal [N/m] in a step, and mu Fn [N] before the step and after it.
+
+    radius as for `pressed`; mass: the reduced one [kg], of what can move; spring: the force across
+    before the step [N].
+    """
+    raise NotImplementedError
+
+
+@of_its_file
+def stored(law: Law, overlap: float, radius: float, force: Triple) -> float:
+    """What the spring across the normal holds [J] at a force [N]."""
+    raise NotImplementedError
+
+
+@of_its_file
 def rubbed(
-    law: Law, touch: Touch, radius: float, mass: float, spring: Triple, dt: float
+    law: Law, touch: Touch, radius: float, mass: float, kept: Vector, row: int, dt: float
 ) -> tuple[Triple, float, float]:
     """The force across the normal [N] after a step, what its spring holds [J], what friction took.
 
-    radius as for `pressed`; mass: the reduced one [kg], of what can move; spring: that force
-    before the step. It acts on the second of two surfaces, from the first to
-    which the normal points.
+    radius as for `pressed`; mass: the reduced one [kg], of what can move; kept (k, columns): what
+    is kept of contacts from step to step, of this one in a row, that force before the step first.
+    It acts on the second of two surfaces, from the first to which the normal points.
     """
     raise NotImplementedError
 

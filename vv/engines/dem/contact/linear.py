@@ -5,10 +5,11 @@ from __future__ import annotations
 import math
 from typing import NamedTuple
 
-from vv.engines.dem.contact.friction import sheared, slid
+from vv.engines.dem.contact.friction import rub
 from vv.engines.dem.contact.touch import Touch
 from vv.engines.kernels.compiled import inlined
-from vv.engines.kernels.triples import Triple, dot
+from vv.engines.kernels.triples import Triple, at, dot
+from vv.scene import Vector
 
 
 class Linear(NamedTuple):
@@ -26,6 +27,11 @@ class Linear(NamedTuple):
         """kn and ks [N/m]."""
         return self.kn, 0.0 if self.friction is None else self.friction[0]
 
+    @property
+    def columns(self) -> int:
+        """Numbers kept of a contact: the force across the normal [N]."""
+        return 3
+
 
 @inlined
 def pressed(law: Linear, overlap: float, radius: float) -> tuple[float, float]:
@@ -34,15 +40,29 @@ def pressed(law: Linear, overlap: float, radius: float) -> tuple[float, float]:
 
 
 @inlined
+def across(
+    law: Linear, touch: Touch, radius: float, mass: float, spring: Triple
+) -> tuple[float, tuple[float, float]]:
+    """ks, and mu times the push."""
+    ks, mu = law.friction  # type: ignore[misc]  # asked where it rubs
+    return ks, caps(law.kn, mu, law.eta_n, touch, spring)
+
+
+@inlined
+def stored(law: Linear, overlap: float, radius: float, force: Triple) -> float:
+    """F^2/(2 ks)."""
+    return 0.5 * dot(force, force) / law.friction[0]  # type: ignore[index]  # as above
+
+
+@inlined
 def rubbed(
-    law: Linear, touch: Touch, radius: float, mass: float, spring: Triple, dt: float
+    law: Linear, touch: Touch, radius: float, mass: float, kept: Vector, row: int, dt: float
 ) -> tuple[Triple, float, float]:
     """The spring charged by the slide, up to mu times the push."""
-    ks, mu = law.friction  # type: ignore[misc]  # asked where it rubs
-    slide, change = slid(touch, dt)
-    limits = caps(law.kn, mu, law.eta_n, touch, spring)
-    force, taken = sheared(spring, touch, slide, change, ks, limits)
-    return force, 0.5 * dot(force, force) / ks, taken
+    spring = at(kept, row)
+    ks, limits = across(law, touch, radius, mass, spring)
+    force, taken = rub(spring, touch, ks, limits, dt)
+    return force, stored(law, touch.overlap, radius, force), taken
 
 
 @inlined

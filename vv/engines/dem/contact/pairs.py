@@ -18,10 +18,11 @@ Pairs = tuple[Index, Vector, Vector, Vector]
 
 
 @inlined
-def emptied(shear: Vector) -> None:
-    """No shear (k, 3) in any contact."""
-    for k in range(len(shear)):
-        put(shear, k, NOWHERE)
+def emptied(kept: Vector) -> None:
+    """Nothing kept (k, columns) of any contact."""
+    for k in range(len(kept)):
+        for c in range(kept.shape[1]):
+            kept[k, c] = 0.0
 
 
 @inlined
@@ -114,8 +115,8 @@ def pair_forces(
     """Add the forces of pairs of spheres; return energies [J]: normal, shear, lost by friction.
 
     mass: (m,) of the spheres that move. friction: that of the law; where it is None, nothing rubs.
-    shear: (p, 3) force on the second
-    sphere [N], kept from step to step.
+    shear: (p, columns) what the law keeps from step to step, the force on the second sphere [N]
+    first.
     """
     rows, _, _, radius = pairs
     push, normal, sprung, lost = motion.push, 0.0, 0.0, 0.0
@@ -135,7 +136,7 @@ def pair_forces(
         if friction is not None:
             touch = touch_of(motion, motion.w, motion.spun, pairs, p, now, n, dt)
             both = reduced_mass(mass, i, j)
-            across, charged, taken = rubbed(law, touch, reduced, both, at(shear, p), dt)
+            across, charged, taken = rubbed(law, touch, reduced, both, shear, p, dt)
             lost += taken
             sprung += charged
             put(shear, p, across)

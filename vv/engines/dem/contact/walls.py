@@ -117,7 +117,8 @@ def wall_forces(
 ) -> tuple[float, float, float, float]:
     """Add the forces of walls on spheres; return energies [J] as `pair_forces`, work of the walls.
 
-    mass: (m,). shear: (q, 3) force on the sphere [N], kept from step to step. moving: None if no
+    mass: (m,). shear: (q, columns) what the law keeps from step to step, the force on the sphere
+    [N] first. moving: None if no
     wall moves.
     """
     rows, facing, _, radius = walls
@@ -136,7 +137,7 @@ def wall_forces(
         normal += held
         if friction is not None:
             touch = touch_of(motion, motion.w, motion.spun, walls, moving, q, overlap, dt)
-            across, charged, taken = rubbed(law, touch, radius[q], mass[i], at(shear, q), dt)
+            across, charged, taken = rubbed(law, touch, radius[q], mass[i], shear, q, dt)
             lost += taken
             sprung += charged
             put(shear, q, across)

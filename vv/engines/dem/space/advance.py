@@ -10,8 +10,10 @@ from vv.scene import Vector
 
 @inlined
 def held(a: Triple, hold: Vector | None, i: int) -> Triple:
-    """The part of a along the free directions of body i; hold: (m, 3, 3) projectors."""
+    """The part of a along the free directions of body i; hold: as in `Bodies`, or None."""
     if hold is None:
+        return a
+    if len(hold) == 0:
         return a
     return (
         hold[i, 0, 0] * a[0] + hold[i, 0, 1] * a[1] + hold[i, 0, 2] * a[2],
@@ -66,7 +68,7 @@ def kick(
     for i in range(len(mass)):
         old, push = at(v, i), held(at(force, i), hold, i)
         new = carried_on(old, push, mass[i], dt, drag, lag, i)
-        if drag is not None:
+        if drag is not None and drag.eta > 0.0:
             loss = add_scaled(add_scaled(NOWHERE, drag.eta * lag, old), drag.eta * (1.0 - lag), new)
             behind += dot(loss, old)
             ahead += dot(loss, new)
@@ -82,6 +84,8 @@ def carried_on(
 ) -> Triple:
     """The velocity of body i half a step after now, from that half a step before."""
     if drag is None:
+        return add_scaled(old, dt / mass, push)
+    if drag.eta == 0.0:
         return add_scaled(old, dt / mass, push)
     rate = drag.eta * dt / mass
     share = 1.0 / (1.0 + (1.0 - lag) * rate)

@@ -11,7 +11,8 @@ class Bodies(NamedTuple):
     """The m spheres that move.
 
     velocity, spin: (m, 3) at t = 0, spin None if none turns; mass, inertia: (m,); hold, hold_spin:
-    (m, 3, 3) projectors on the free directions, None if all are free. walls: how many
+    (m, 3, 3) projectors on the free directions, None if all are free;
+    in a scene with bonds (0, 3, 3), so that it needs no kernel of its own. walls: how many
     have rows of their own, since they move.
     """
 
@@ -22,6 +23,11 @@ class Bodies(NamedTuple):
     hold: Vector | None
     hold_spin: Vector | None
     walls: int
+
+    @property
+    def locked(self) -> bool:
+        """Whether any cannot move along some direction."""
+        return self.hold is not None and len(self.hold) > 0
 
 
 class Motion(NamedTuple):

@@ -17,7 +17,7 @@ from vv.engines.dem.space.ledger import signed, width
 from vv.engines.dem.space.neighbours import Near
 from vv.engines.dem.space.placed import Placed, placed
 from vv.engines.dem.terms import every
-from vv.scene import Scene, Term, Vector
+from vv.scene import Mask, Scene, Term, Vector
 
 
 class SpaceState(NamedTuple):
@@ -66,7 +66,7 @@ class Space:
     def outputs(self, rows: int, spheres: tuple[int, ...]) -> tuple[Vector | Index, ...]:
         """What the kernel fills, path and energy, and the rows it watches."""
         watched = self.row[np.array(spheres, np.intp)]
-        across = 3 + 3 * len(self.unknowns) + (0 if self.state.bodies.hold is None else 3)
+        across = 3 + 3 * len(self.unknowns) + (3 if self.state.bodies.locked else 0)
         forms = [form for booked in self.state.of_each_term("forms", ()) for form in booked]
         return np.empty((rows, len(watched), across)), np.zeros((rows, width(forms))), watched
 
@@ -79,8 +79,8 @@ class Space:
     def observed(self, path: Vector, index: int, sphere: int, what: Observable) -> Vector:
         """An observable (k, 3) of a sphere, which was the index-th one watched."""
         if isinstance(what, Reaction):
-            held = self.state.bodies.hold is not None
-            return np.array(path[:, index, -3:]) if held else np.zeros((len(path), 3))
+            locked = self.state.bodies.locked
+            return np.array(path[:, index, -3:]) if locked else np.zeros((len(path), 3))
         first = 0 if isinstance(what, Displacement) else 3
         return np.array(path[:, index, first : first + 3])
 
@@ -133,7 +133,13 @@ def _bodies(here: Placed, turns: bool) -> Bodies:
         spin=projected(spheres.spin[moves], scene.axes, free_spin) if turns else None,
         mass=spheres.mass[moves],
         inertia=spheres.inertia[moves],
-        hold=projectors(scene.axes, free),
+        hold=_held(scene, free),
         hold_spin=projectors(scene.axes, free_spin) if turns else None,
         walls=len(scene.walls) if here.walls_move else 0,
     )
+
+
+def _held(scene: Scene, free: Mask) -> Vector | None:
+    """Projectors on the free axes, as in `Bodies`."""
+    found = projectors(scene.axes, free)
+    return np.zeros((0, 3, 3)) if found is None and scene.bonds is not None else found

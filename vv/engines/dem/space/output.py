@@ -47,7 +47,7 @@ def observe_lock(
     path: Vector, row: int, k: int, push: Triple, hold: Vector | None, drag: Drag | None, i: int
 ) -> None:
     """The force of the locks of body i, if any is locked."""
-    if hold is not None:
+    if hold is not None and len(hold):
         force = add_scaled(held(push, hold, i), -1.0, push)
         if drag is not None:
             force = drawn(force, drag.eta, drag.steady, i)

@@ -21,19 +21,21 @@ class Carried(NamedTuple):
     """steady: (m, 3) velocities [m/s]; eta: of the drag [N s/m]; kept: work [J], power now [W]."""
 
     steady: Vector
-    eta: float | None
+    eta: float
     kept: Vector
 
 
 def build(placed: Placed) -> Carried | None:
-    """The spheres that are carried, if there are any."""
+    """The spheres that are carried, if there are any; in a scene with bonds there may be none."""
     steady, eta = placed.carried, placed.scene.eta
-    return Carried(steady, eta if eta > 0 else None, np.zeros(2)) if steady.any() else None
+    if steady.any():
+        return Carried(steady, eta, np.zeros(2))
+    return None if placed.scene.bonds is None else Carried(steady[:0], eta, np.zeros(2))
 
 
 def forms(term: Carried) -> tuple[Form, ...]:
     """What it books."""
-    return (Form.CARRYING,)
+    return (Form.CARRYING,) if len(term.steady) else ()
 
 
 @inlined
@@ -51,19 +53,19 @@ def after(term: Carried, bodies: Bodies, motion: Motion, dt: float) -> None:
 
 
 @inlined
-def upheld(push: Vector, steady: Vector, eta: float | None) -> float:
+def upheld(push: Vector, steady: Vector, eta: float) -> float:
     """The power [W] of what carries bodies at their steady velocities (m, 3) against push."""
     power = 0.0
     for i in range(len(steady)):
         c = at(steady, i)
         power -= dot(c, at(push, i))
-        if eta is not None:
-            power += eta * dot(c, c)
+        power += eta * dot(c, c)
     return power
 
 
 @inlined
 def book(term: Carried, bodies: Bodies, motion: Motion, energy: Vector, row: int) -> tuple[float]:
     """The work since t = 0."""
-    energy[row, CARRYING] = term.kept[WORK]
+    if len(term.steady):
+        energy[row, CARRYING] = term.kept[WORK]
     return (term.kept[WORK],)

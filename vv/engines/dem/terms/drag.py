@@ -11,15 +11,20 @@ from vv.scene import Vector
 
 
 class Drag(NamedTuple):
-    """-eta u' [N] with eta [N s/m], on the part of each velocity that is not steady (m, 3)."""
+    """-eta u' [N] with eta [N s/m], on the part of each velocity that is not steady.
+
+    steady: (m, 3), or None or (0, 3) if none is. An eta of 0 is no drag.
+    """
 
     eta: float
     steady: Vector | None
 
 
 def build(placed: Placed) -> Drag | None:
-    """The drag of a scene that has some."""
+    """The drag of a scene that has some; in a scene with bonds it may be nil."""
     scene, steady = placed.scene, placed.carried
+    if scene.bonds is not None:
+        return Drag(scene.eta, steady if steady.any() else steady[:0])
     return Drag(scene.eta, steady if steady.any() else None) if scene.eta > 0 else None
 
 
@@ -32,5 +37,7 @@ def resistance(term: Drag) -> Drag:
 def drawn(a: Triple, scale: float, steady: Vector | None, i: int) -> Triple:
     """a + scale times the steady velocity of body i."""
     if steady is None:
+        return a
+    if len(steady) == 0:
         return a
     return add_scaled(a, scale, at(steady, i))

@@ -8,9 +8,9 @@ from vv.engines.dem.terms import (
     bonds,
     carried,
     dashpots,
+    dead_loads,
     drag,
-    gravity,
-    load,
+    fluid,
     moving_walls,
     near_contacts,
     pair_contacts,
@@ -19,8 +19,7 @@ from vv.engines.dem.terms import (
 )
 
 TERMS: tuple[ModuleType, ...] = (
-    gravity,
-    load,
+    dead_loads,
     shaking,
     pair_contacts,
     wall_contacts,
@@ -28,6 +27,7 @@ TERMS: tuple[ModuleType, ...] = (
     bonds,
     dashpots,
     drag,
+    fluid,
     carried,
     moving_walls,
 )

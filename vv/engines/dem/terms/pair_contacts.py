@@ -16,11 +16,11 @@ from vv.engines.dem.space.springs import Springs, springs_of_contacts
 from vv.engines.kernels.compiled import inlined
 from vv.scene import Mask, Term, Vector
 
-STANDS_FOR = frozenset({Term.SPHERE_CONTACT, Term.FRICTION})
+STANDS_FOR = frozenset({Term.SPHERE_CONTACT, Term.FRICTION, Term.MICRO_SLIP})
 
 
 class PairContacts(NamedTuple):
-    """Pairs and their law: see `pair_forces`; shear: (p, 3) what is kept from step to step."""
+    """Pairs and their law: see `pair_forces`; shear: (p, columns) kept from step to step."""
 
     pairs: Pairs
     law: Law
@@ -33,7 +33,7 @@ def build(placed: Placed) -> PairContacts | None:
     if pairs is None:
         return None
     law = law_of(placed.scene)
-    return PairContacts(pairs, law, np.zeros((len(pairs[0]) if law.friction else 0, 3)))
+    return PairContacts(pairs, law, np.zeros((len(pairs[0]) if law.friction else 0, law.columns)))
 
 
 def listed(placed: Placed) -> Pairs | None:

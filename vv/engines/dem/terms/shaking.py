@@ -10,7 +10,7 @@ from vv.engines.dem.space.bodies import Bodies, Motion
 from vv.engines.dem.space.ledger import column
 from vv.engines.dem.space.placed import Placed
 from vv.engines.kernels.compiled import inlined
-from vv.engines.kernels.drive import Drive, drive, value
+from vv.engines.kernels.drive import NO_MOTION, Drive, drive, value
 from vv.engines.kernels.triples import Triple, add_scaled, at, dot, put
 from vv.scene import Form, Vector
 
@@ -26,14 +26,16 @@ class Shaking(NamedTuple):
 
 
 def build(placed: Placed) -> Shaking | None:
-    """The shaking of a scene that has some."""
+    """The shaking of a scene that has some; where walls move it may be nil."""
     motion = placed.scene.wave
-    return None if motion is None else Shaking(drive(motion), np.zeros((1, 3)), np.zeros(1))
+    if motion is None and not placed.walls_move:
+        return None
+    return Shaking(drive(motion or NO_MOTION), np.zeros((1, 3)), np.zeros(1))
 
 
 def forms(term: Shaking) -> tuple[Form, ...]:
     """What it books."""
-    return (Form.SHAKING,)
+    return (Form.SHAKING,) if len(term.drive.omega) else ()
 
 
 @inlined

@@ -18,19 +18,19 @@ from vv.engines.kernels.compiled import inlined
 from vv.engines.kernels.triples import at, put
 from vv.scene import Mask, Term, Vector
 
-STANDS_FOR = frozenset({Term.WALL_CONTACT, Term.FRICTION})
+STANDS_FOR = frozenset({Term.WALL_CONTACT, Term.FRICTION, Term.MICRO_SLIP})
 
 
 class WallContacts(NamedTuple):
-    """Walls and their law: see `wall_forces`; shear: (q, 3) what is kept from step to step.
+    """Walls and their law: see `wall_forces`; shear: (q, columns) what is kept from step to step.
 
-    charged: (q, 3) what it is at t = 0, or None.
+    charged: (q, 3) what it is at t = 0, (0, 3) for nil.
     """
 
     walls: Walls
     law: Law
     moving: Moving | None
-    charged: Vector | None
+    charged: Vector
     shear: Vector
 
 
@@ -40,9 +40,9 @@ def build(placed: Placed) -> WallContacts | None:
     if walls is None:
         return None
     moving, q = moved(placed), len(walls[0])
-    if charged is not None and not (law.friction and charged.any()):
-        charged = None
-    shear = np.zeros((q if law.friction else 0, 3))
+    if charged is None or not (law.friction and charged.any()):
+        charged = np.zeros((0, 3))
+    shear = np.zeros((q if law.friction else 0, law.columns))
     return WallContacts(walls, law, moving, charged, shear)
 
 
@@ -93,11 +93,10 @@ def begin(term: WallContacts, bodies: Bodies, motion: Motion) -> None:
 
 
 @inlined
-def charge(shear: Vector, charged: Vector | None) -> None:
+def charge(shear: Vector, charged: Vector) -> None:
     """Set the shear to what it is at t = 0."""
-    if charged is not None:
-        for q in range(len(shear)):
-            put(shear, q, at(charged, q))
+    for q in range(len(charged)):
+        put(shear, q, at(charged, q))
 
 
 @inlined

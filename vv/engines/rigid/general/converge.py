@@ -12,6 +12,7 @@ from vv.engines.rigid.general.setting import Setting
 from vv.engines.rigid.limits import (
     CARRIED,
     CHAIN,
+    ENOUGH,
     OUTER,
     POLISHED,
     SHINED,
@@ -50,6 +51,8 @@ def converged(
     chained, carries = small or apart <= CHAIN, True
     free_v, free_w = without(p, joints, bodies, v, w)
     while sweeps < setting.most and left > tolerance:
+        if not small and sweeps >= ENOUGH and left <= setting.tolerance:
+            break
         patience = STALLED if chained else CARRIED if carries else STEADIED
         few = smaller(patience, setting.most - sweeps)
         if carries and not chained:

@@ -10,15 +10,17 @@ from __future__ import annotations
 
 import numpy as np
 
-from vv.engines.kernels.arrays import larger, rows, same_rows, smaller
+from vv.engines.kernels.arrays import larger, smaller, table
 from vv.engines.kernels.compiled import called, lent
-from vv.engines.kernels.triples import add_scaled, at, put
 from vv.engines.rigid.solver.assembly import Bodies, Joints
-from vv.engines.rigid.solver.cone import Friction, changed, keep, residual, sweep
+from vv.engines.rigid.solver.batches import PAIRS, batched, packed, unpacked
+from vv.engines.rigid.solver.cone import Friction, residual
+from vv.engines.rigid.solver.lanes import swept
 from vv.scene import Vector
 
-CAP, LEAST, MOST = 0.85, 0.5, 0.98  # of the share: at first, and its bounds
-WINDOW = 12  # sweeps whose changes are summed before the cap is judged
+CAP, LEAST, MOST = 0.93, 0.5, 0.98  # of the share: at first, and its bounds
+LOOKS = 4  # sweeps after which the residual is looked at again, which costs as much as two
+WINDOW = 8  # sweeps whose changes are summed before the cap is judged
 GREW, SLOWLY = 4.0, 0.85  # of the least sum so far, and of the last: it drifts away, it creeps
 LOWERED, RAISED = 1.6, 0.75  # what the cap's distance to 1 is multiplied by
 
@@ -33,17 +35,19 @@ def carried(
     At least `fewest` sweeps are made, unless there is nothing left to improve. Returns the sweeps
     made and the residual reached, which is larger if `most` sweeps were not enough.
     """
-    b = len(v)
-    before, last = rows(len(p)), same_rows(p, len(p))
-    last_v, last_w = same_rows(v, b), same_rows(w, b)
+    place = batched(joints, bodies)
+    batches, pairs = packed(p, joints, bodies, friction, place), np.empty(1, PAIRS)
+    now, last = together(v, w), together(v, w)
     sweeps, left = 0 * most, residual(p, joints, friction, v, w)
-    cap, pace, total, least, former = CAP, 1.0, 0.0, np.inf, np.inf
+    cap, pace, total, least, former, looked = CAP, 1.0, 0.0, np.inf, np.inf, -LOOKS
     while (left > tolerance or (sweeps < fewest and left > 0.0)) and sweeps < most:
-        keep(before, p)
-        sweep(p, joints, bodies, friction, v, w)
+        size, largest = swept(pairs[0], batches, now)
         sweeps += 1
-        size, largest = changed(p, before, joints)
-        if (largest <= 2.0 * tolerance and sweeps >= fewest) or sweeps == most:
+        close = largest <= 2.0 * tolerance and sweeps >= fewest and sweeps >= looked + LOOKS
+        if close or sweeps == most:
+            looked = sweeps
+            unpacked(p, batches, place)
+            taken_apart(now, v, w)
             left = residual(p, joints, friction, v, w)
             if left <= tolerance or sweeps == most:
                 break
@@ -60,16 +64,35 @@ def carried(
                     cap = smaller(MOST, 1.0 - RAISED * (1.0 - cap))
                 least = smaller(least, total)
             former, total = total, 0.0
-        carry(p, last, share)
-        carry(v, last_v, share)
-        carry(w, last_w, share)
+        carry(now, last, share)
+        for k in range(len(batches)):
+            carry(batches[k].p, batches[k].last, share)
     return sweeps, left
+
+
+@called
+def together(v: Vector, w: Vector) -> Vector:
+    """Velocities and spins side by side, (b, 6)."""
+    made = table(len(v), 6)
+    for i in range(len(v)):
+        for k in range(3):
+            made[i, k], made[i, 3 + k] = v[i, k], w[i, k]
+    return made
+
+
+@lent
+def taken_apart(velocities: Vector, v: Vector, w: Vector) -> None:
+    """Fill v, w (b, 3) with velocities (b, 6)."""
+    for i in range(len(v)):
+        for k in range(3):
+            v[i, k], w[i, k] = velocities[i, k], velocities[i, 3 + k]
 
 
 @lent
 def carry(now: Vector, last: Vector, share: float) -> None:
-    """Take rows (k, 3) on by a share of what they differ by from the last, which they replace."""
-    for k in range(len(now)):
-        here = at(now, k)
-        put(now, k, add_scaled(here, share, add_scaled(here, -1.0, at(last, k))))
-        put(last, k, here)
+    """Take numbers (k, m) on by a share of what they changed by since the last, and keep these."""
+    for k in range(now.shape[0]):
+        for m in range(now.shape[1]):
+            here = now[k, m]
+            now[k, m] = here + share * (here - last[k, m])
+            last[k, m] = here

@@ -7,9 +7,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from vv.scene import view
 from vv.scene.arrays import Vector
 from vv.scene.bodies import Harmonic
+from vv.scene.picture import view
 from vv.scene.scene import Scene
 
 MOST = 150  # bodies, and bonds, in a sketch: beyond it a picture says no more
@@ -123,13 +123,9 @@ class _Shown:
 
     def faces(self) -> Iterator[tuple[tuple[Spot, ...], bool]]:
         """The faces of blocks that look at the reader, and whether the block is locked."""
-        towards = np.cross(self.plane[0], self.plane[1])
         for block in self.scene.blocks[:MOST]:
-            for face in block.faces:
-                corners = block.vertices[list(face)]
-                normal = np.cross(corners[1] - corners[0], corners[2] - corners[1])
-                if abs(normal @ towards) > 1e-6 * np.linalg.norm(normal) and normal @ towards > 0:
-                    yield tuple(map(self.spot, corners)), not block.free.any()
+            for corners in view.faces(block, self.plane):
+                yield tuple(map(self.spot, corners)), not block.free.any()
 
     def rails(self) -> Iterator[tuple[Spot, Spot]]:
         """The one direction, as seen, in which each of the first bodies may move, if it is one."""

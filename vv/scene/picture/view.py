@@ -5,10 +5,12 @@ from __future__ import annotations
 import numpy as np
 
 from vv.scene.arrays import Vector
+from vv.scene.block import Block
 from vv.scene.scene import Scene
 
 FLAT = 0.02  # of the largest extent: a scene that is less deep is seen straight on
 OBLIQUE = np.array([[0.87, -0.5, 0.0], [0.25, 0.43, 0.87]])  # rows: right and up, as seen
+EDGE_ON = 1e-6  # of a face: what is seen edge on has no face to show
 NAMES = ("x", "y", "z")
 
 
@@ -41,6 +43,22 @@ def names(seen: Vector) -> tuple[str, ...]:
     return tuple(found)
 
 
+def towards(seen: Vector) -> Vector:
+    """The unit direction (3,) from the scene to the reader."""
+    return np.cross(seen[0], seen[1])
+
+
+def faces(block: Block, seen: Vector) -> list[Vector]:
+    """The corners (k, 3) [m] of the faces of a block that look at the reader."""
+    found = []
+    for face in block.faces:
+        corners = block.vertices[list(face)]
+        normal = np.cross(corners[1] - corners[0], corners[2] - corners[1])
+        if normal @ towards(seen) > EDGE_ON * np.linalg.norm(normal):
+            found.append(corners)
+    return found
+
+
 def _sight(scene: Scene, shown: Vector) -> Vector:
     """The unit direction (3,) along which least of what is to be shown points."""
     skew = np.linalg.eigh(shown.T @ shown)[1][:, 0]
@@ -64,10 +82,16 @@ def _up(scene: Scene, sight: Vector) -> Vector:
 
 
 def _directions(scene: Scene) -> Vector:
-    """(n, 3) unit vectors of what a picture should show; of bodies, how they are spread."""
+    """(n, 3) unit vectors of what a picture should show; of bodies, how they are spread.
+
+    Of a block that is locked in some directions those in which it may move.
+    """
     found = [wall.normal for wall in scene.walls for _ in range(4)]
     found += [scene.gravity, *scene.spheres.velocity, *scene.spheres.load]
     found += [v for block in scene.blocks for v in (block.velocity, block.load)]
+    found += [
+        way for block in scene.blocks if not block.free.all() for way in scene.axes[block.free]
+    ]
     moves = [scene.wave, *(wall.motion for wall in scene.walls)]
     found += [along for motion in moves if motion for along, _, _ in motion.sines()]
     units = [v / np.linalg.norm(v) for v in found if np.linalg.norm(v) > 0]

@@ -7,7 +7,7 @@ import pytest
 
 from vv.records import codec
 from vv.scene import Bonds, Contact, Harmonic, Scene, Spheres, Wall
-from vv.scene.sketch import MOST, Sketch, sketch
+from vv.scene.picture.sketch import MOST, Sketch, sketch
 
 
 def spheres(n: int, **parts: object) -> Spheres:

@@ -1,0 +1,118 @@
+"""A block oscillates on its contact in steps of second order that damp what they do not resolve."""
+
+from __future__ import annotations
+
+import cmath
+from collections.abc import Callable
+
+import numpy as np
+
+from cases.stability._tip import PARAMETERS, Z, frequency, scene
+from reference_solutions.blocks import generalised_alpha as theory
+from vv.ask import Displacement, History, Knobs, Method, Run, Velocity
+from vv.case import (
+    Case,
+    Exact,
+    Ladder,
+    Level,
+    Parameters,
+    Scalar,
+    Source,
+    Tolerance,
+    Trial,
+    Variant,
+)
+
+MOVED, MOVING = Displacement(1), Velocity(1)
+ANGLES = {"resolved": (0.1, 0.3, 1.0), "unresolved": (3.0, 10.0, 30.0)}
+RADIUS = 0.5  # at an infinite angle: that of the class
+STEPS = 12  # of the largest step of a variant
+NOISE = 1e-11  # of what is fitted: two roots tell a third by no more
+FADED = 1e-6  # of the first swing: what has faded more is rounding
+
+
+def _declare(variant: str, p: Parameters) -> Trial:
+    w = frequency(p)
+    dt = [angle / w for angle in ANGLES[variant]]
+    rungs = tuple(Knobs(one, p["kn"]) for one in dt[::-1])
+    levels = {Level.QUICK: rungs[:2], Level.DEFAULT: rungs, Level.PAPER: rungs}
+    study = Ladder(scene(p), History(STEPS * dt[-1], dt[0]), (MOVED, MOVING), levels)
+    radius = _over_theory(
+        "radius", "rho/rho_O", "part of a swing that a step keeps", w, abs, theory.spectral_radius
+    )
+    period = _over_theory(
+        "period", "T/T_O", "period of a swing in steps", w, _turns, theory.slowing, 1.0
+    )
+    return Trial(study, (radius, period))
+
+
+def _over_theory(
+    name: str,
+    symbol: str,
+    meaning: str,
+    w: float,
+    seen: Callable[[complex], float],
+    due: Callable[[float, float], float],
+    power: float = 0.0,
+) -> Scalar:
+    """What the root of a run's step says, over what it should at its angle w dt."""
+
+    def observe(run: Run) -> float:
+        angle = w * float(run.times[1])
+        return float(seen(_root(run, w)) * angle**power / due(angle, RADIUS))
+
+    return Scalar(name, symbol, "", f"{meaning}, over theory", observe, 1.0, 1.0, JUDGED)
+
+
+def _turns(root: complex) -> float:
+    """Steps to a radian; none of what does not turn."""
+    return 1.0 / cmath.phase(root) if root.imag else 0.0
+
+
+def _root(run: Run, w: float) -> complex:
+    """The root of largest imaginary part of the recurrence over three outputs, fitted.
+
+    What a step makes of places, velocities and accelerations has three roots; the first output is
+    left out, since the acceleration of a start need not be told.
+    """
+    both = w * (run.values[MOVED] @ Z)[1:], (run.values[MOVING] @ Z)[1:]
+    size = np.hypot(*both)
+    last = max(6, int(np.argmax(np.append(size < FADED * size[0], True))))
+    known = np.concatenate([np.stack([x[k : last - 3 + k] for k in (2, 1, 0)], 1) for x in both])
+    ahead = np.concatenate([x[3:last] for x in both])
+    roots = np.roots([1.0, *-np.linalg.lstsq(known, ahead, rcond=NOISE)[0]])
+    return complex(roots[np.argmax(roots.imag)])
+
+
+OTHERS = "the step of this class damps otherwise; implicit-swing judges those of DDA"
+RIGID = "rigid contact has no spring: the block is thrown up, falls, and stays down"
+JUDGED = Exact(
+    {Method.DAMPED: Tolerance(1e-12, "the step is a linear map, fitted to a dozen outputs")},
+    not_judged={
+        **dict.fromkeys((Method.PENALTY, Method.LAGGING), OTHERS),
+        **dict.fromkeys((Method.EXACT, Method.SECOND_ORDER, Method.FIRST_ORDER), RIGID),
+    },
+)
+LINEAR = frozenset({"g", "v"})  # a linear map knows no size, and weight only shifts it
+CUBIC = (
+    "(1 - am) a+ + am a = -w^2 ((1 - af) x+ + af x), x+ = x + v dt + dt^2 ((1/2 - b) a + b a+), "
+    "v+ = v + dt ((1 - c) a + c a+); am = 0, af = 1/3, b = 4/9, c = 5/6"
+)
+CASE = Case(
+    name="damped-swing",
+    title="Numerical damping of second order",
+    source=Source(
+        "Chung and Hulbert (1993), A time integration algorithm for structural dynamics with "
+        "improved numerical dissipation: the generalized-alpha method, Journal of Applied "
+        "Mechanics 60(2), 371-375",
+        "10.1115/1.2900803",
+        "The step is theirs, with a spectral radius of 1/2 at infinite w dt. Contact is rigid; the "
+        "penalty spring that stands in for it swings.",
+    ),
+    parameters=PARAMETERS,
+    variants=(
+        Variant("resolved", "w dt from 0.1 to 1", CUBIC, inert=LINEAR),
+        Variant("unresolved", "w dt from 3 to 30", CUBIC, inert=LINEAR),
+    ),
+    declare=_declare,
+)

@@ -1,0 +1,24 @@
+"""Claims about the case of a rocking block: what its references say at the times of a run."""
+
+import numpy as np
+import pytest
+
+from cases.blocks.rocking import CASE
+from reference_solutions.blocks import rocking
+from vv.case import Series
+
+
+@pytest.mark.parametrize("dt", [1e-3, 5e-4, 1.25e-4])
+def test_the_way_is_that_at_the_outputs_of_a_step(dt: float) -> None:
+    """Outputs fall on whole steps: for most durations not when they do without a step."""
+    p = {**CASE.defaults("released"), "b": 0.3221, "h": 0.7388, "part": 0.2098, "duration": 1.469}
+    trial = CASE.declare("released", p)
+    times = trial.study.goal.times(dt)
+    assert not np.array_equal(times, trial.study.goal.times(None))
+    law = {name: p[name] for name in ("b", "h", "g")}
+    alpha, _ = rocking.slenderness(**law)
+    rest = alpha - np.abs(rocking.leans(times, **law, A=0.0, w=1.0, T=0.0, theta=0.2098 * alpha))
+    height = np.hypot(p["b"], p["h"]) * np.cos(rest)
+    (z,) = (q for q in trial.quantities if isinstance(q, Series) and q.name == "z")
+    assert z.reference is not None
+    assert np.asarray(z.reference(times)) == pytest.approx(height - height[0], abs=1e-12)

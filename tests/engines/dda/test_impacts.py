@@ -1,0 +1,58 @@
+"""Claims about impacts in dda: it returns of them what its springs do, by an independent route."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from vv.ask import Knobs
+from vv.engines.dda import DEFAULT, prepare
+from vv.plan.project import find
+from vv.scene import Vector
+from vv.standins.stand_in import SHEAR
+
+CASE = find().load_case("painleve")
+P = CASE.defaults("mu-2")
+KN = 1e8
+
+
+def on_springs(duration: float, dt: float) -> Vector:
+    """Where the middle of Painleve's rod comes to (x, z) [m], its end on springs KN and SHEAR KN.
+
+    A rod of mass m and length 2 l turns by y about its middle, a step of Euler's at a time.
+    """
+    m, half, mu, g = P["m"], P["half"], P["mu"], P["g"]
+    ks, inertia = SHEAR * KN, P["m"] * P["half"] ** 2 / 3
+    turn, spin, shear = math.atan(P["slope"]), 0.0, 0.0
+    x, z = half * math.cos(turn), half * math.sin(turn)
+    start = x, z
+    vx, vz = -P["V"], 0.0
+    for _ in range(round(duration / dt)):
+        c, s = math.cos(turn), math.sin(turn)
+        push = max(0.0, -KN * (z - half * s))
+        shear += dt * (vx + half * s * spin)  # the end is at the middle less half (c, s)
+        if push == 0.0:
+            shear = 0.0
+        pull = max(-mu * push, min(mu * push, -ks * shear))
+        shear = -pull / ks
+        vx += dt * pull / m
+        vz += dt * (push / m - g)
+        spin += dt * (pull * half * s - push * half * c) / inertia
+        x, z, turn = x + dt * vx, z + dt * vz, turn + dt * spin
+    return np.array([x - start[0], z - start[1]])
+
+
+def test_the_rebound_of_a_rod_that_jams_is_that_of_its_springs_and_damped_by_the_step() -> None:
+    """So it does not vanish with the step: rigid contact of restitution nil is another law."""
+    study = CASE.declare("mu-2", P).study
+    duration = study.goal.duration
+    due, ends = on_springs(duration, 1e-6), []
+    for dt in (1e-4, 2e-5, 5e-6):
+        ask = study.ask(Knobs(dt, KN))
+        program = prepare(ask, DEFAULT)
+        run = program.run(program.solve())
+        ends.append(run.values[ask.observables[0]][-1, [0, 2]])
+    off = np.linalg.norm(np.array(ends) - due, axis=1) / np.linalg.norm(due)
+    assert off[2] < off[1] < off[0]
+    assert off[2] < 2e-3

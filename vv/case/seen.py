@@ -1,0 +1,37 @@
+"""How a series reads a run, told such that a picture of the scene can follow: a way, a turn."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+
+from vv.ask import Observable, Run
+from vv.scene import Vector
+
+
+@dataclass(frozen=True, eq=False)
+class Along:
+    """The component of an observable along a direction (3,), over time (k,)."""
+
+    observable: Observable
+    direction: Vector
+
+    def __call__(self, run: Run) -> Vector:
+        """(k,), in the unit of the observable; raises KeyError if the run has it not."""
+        return np.asarray(run.values[self.observable] @ self.direction)
+
+
+@dataclass(frozen=True, eq=False)
+class Turn:
+    """The angle by which a body turns about an axis (3,), read (k,) in units of `unit` [rad]."""
+
+    body: int
+    axis: Vector
+    unit: float
+    read: Callable[[Run], Vector]
+
+    def __call__(self, run: Run) -> Vector:
+        """(k,) [unit]."""
+        return self.read(run)

@@ -1,0 +1,87 @@
+"""Tiny scenes of a sphere bonded to one that is held: pulled, sheared, torn off."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from vv.codes.greetings.greeting import (
+    FREE,
+    KN,
+    MASS,
+    PLACE,
+    RADIUS,
+    Greeting,
+    Motion,
+    Terms,
+    Z,
+    along,
+    sphere,
+    thrown,
+)
+from vv.scene import Bonds, Contact, Scene, Vector
+
+RATE = np.sqrt(KN / MASS)  # 1/s
+SOFT = 0.4  # ks/kn
+FACING = np.array([0.6, 0.0, 0.8])  # along which spheres are bonded
+ACROSS = np.array([0.6, 0.8, 0.0])
+GENTLY = 1e-6  # m/s: too slow for a bond to turn by what shows
+TORN = 0.5  # m/s of the velocity that the bond has taken as it breaks
+
+
+def pulled(terms: Terms) -> Greeting:
+    """It swings on the bond, along it."""
+    wrong = {
+        "the bond is left out": thrown(0 * Z, FACING),
+        "the bond is twice as stiff": _swing(np.sqrt(2) * RATE, FACING),
+        "the bond is half as stiff": _swing(np.sqrt(0.5) * RATE, FACING),
+    }
+    return _bonded("bond", FACING, FACING, 0.0, _swing(RATE, FACING), wrong)
+
+
+def sheared(terms: Terms) -> Greeting:
+    """It swings across the bond."""
+    rate, speed = np.sqrt(SOFT) * RATE, GENTLY * ACROSS
+    wrong = {
+        "a bond resists no shear": thrown(0 * Z, speed),
+        "a bond is as stiff across as along": _swing(RATE, speed),
+        "a bond is twice as stiff across": _swing(np.sqrt(2) * rate, speed),
+        "a bond is half as stiff across": _swing(np.sqrt(0.5) * rate, speed),
+    }
+    return _bonded("shear of a bond", Z, speed, SOFT * KN, _swing(rate, speed), wrong)
+
+
+def broken(terms: Terms) -> Greeting:
+    """It flies off as the bond breaks, at half the force that would hold it."""
+    strength = TORN * KN / RATE
+
+    def way(t: Vector) -> tuple[Vector, Vector]:
+        breaks = float(np.arcsin(TORN)) / RATE
+        on, after = np.minimum(t, breaks), np.maximum(t - breaks, 0.0)
+        return np.sin(RATE * on) / RATE + after * np.cos(RATE * on), np.cos(RATE * on)
+
+    wrong = {
+        "the bond does not break": _swing(RATE, FACING),
+        "the bond is left out": thrown(0 * Z, FACING),
+    }
+    return _bonded("breakage", FACING, FACING, 0.0, along(FACING, way), wrong, strength)
+
+
+def _swing(rate: float, speed: Vector) -> Motion:
+    """What swings about its place from a speed (3,) [m/s]; rate: its angular frequency [1/s]."""
+    return along(speed, lambda t: (np.sin(rate * t) / rate, np.cos(rate * t)))
+
+
+def _bonded(
+    name: str,
+    facing: Vector,
+    speed: Vector,
+    ks: float,
+    motion: Motion,
+    wrong: dict[str, Motion],
+    strength: float = np.inf,
+) -> Greeting:
+    """A sphere bonded to a held one, from which it faces a direction, with a speed (3,) [m/s]."""
+    bodies = (sphere(0 * Z, ~FREE, PLACE - 2 * RADIUS * facing), sphere(speed))
+    bond = Bonds(np.array([[0, 1]]), 2 * RADIUS, KN, ks, strength)  # type: ignore[arg-type]
+    scene = Scene(bodies, Contact(KN), bonds=bond)
+    return Greeting(name, scene, 0.15, motion, wrong, smooth=np.isinf(strength))

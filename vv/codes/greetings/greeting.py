@@ -1,0 +1,135 @@
+"""What a tiny scene is: how its last body moves, and how a wrong answer to it looks."""
+
+from __future__ import annotations
+
+import itertools
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from vv.ask import Ask, Displacement, History, Knobs, Observable, Run, Velocity
+from vv.codes.adapter import Scheme
+from vv.scene import Mask, Scene, Spheres, Term, Vector
+
+Motion = Callable[[Vector], tuple[Vector, Vector]]  # t (k,) [s] -> displacement, velocity (k, 3)
+Way = Callable[[Vector], tuple[Vector, Vector]]  # t (k,) [s] -> way [m], speed [m/s] (k,)
+Terms = frozenset[Term]
+
+X, Y, Z = np.eye(3)
+RADIUS, MASS, KN = 0.1, 3.0, 3e3  # m, kg, N/m
+PLACE = np.array([0.3, 0.2, 0.1])  # m; not the origin, which would hide a mistake
+FREE = np.ones(3, bool)
+OUTPUTS = 20
+STEPS = (100, 200, 400)  # of a run; three, so that an order can be seen
+ALIKE = 0.02  # of the largest way: how well an answer must fit what it is taken for
+
+
+@dataclass(frozen=True)
+class Greeting:
+    """A tiny scene: how its last body moves, and how it would if something were left out.
+
+    kn: the stiffness that stands for rigid contact [N/m]. smooth: whether an order in dt can be
+    seen; where a force ends at once it cannot.
+    """
+
+    name: str
+    scene: Scene
+    duration: float
+    motion: Motion
+    mistakes: Mapping[str, Motion] = field(default_factory=dict)
+    kn: float | None = None
+    smooth: bool = True
+
+    @property
+    def body(self) -> int:
+        """The number of the body that is looked at."""
+        return sum(len(group) for group in self.scene.bodies) - 1
+
+    def asks(self, scheme: Scheme) -> list[Ask]:
+        """The question at several steps, the longest first; one if the scheme has no step."""
+        goal = History(self.duration, self.duration / OUTPUTS)
+        steps = [self.duration / n for n in STEPS] if "dt" in scheme.knobs else [None]
+        kn = self.kn if "kn" in scheme.knobs else None
+        both = (Displacement(self.body), Velocity(self.body))
+        seen = tuple(what for what in both if type(what) in scheme.observables)
+        return [Ask(self.scene, goal, seen, Knobs(dt, kn)) for dt in steps]
+
+
+def error(greeting: Greeting, run: Run) -> float:
+    """The largest error of what a run reports, relative to the largest value of its kind."""
+    moved, speed = greeting.motion(run.times)
+    exact: dict[Observable, Vector] = {
+        Displacement(greeting.body): moved,
+        Velocity(greeting.body): speed,
+    }
+    return max(
+        float(np.abs(values - exact[what]).max() / np.abs(exact[what]).max())
+        for what, values in run.values.items()
+        if what in exact
+    )
+
+
+def likeness(greeting: Greeting, run: Run) -> str:
+    """What a wrong answer looks like, in words; empty if it looks like nothing known."""
+    values = run.values.get(Displacement(greeting.body))
+    if values is None:
+        return ""
+    scale = float(np.abs(greeting.motion(run.times)[0]).max())
+    for words, wrong in _mistakes(greeting, run.times):
+        if np.abs(values - wrong).max() <= ALIKE * max(scale, float(np.abs(wrong).max())):
+            return words
+    return ""
+
+
+def _mistakes(greeting: Greeting, t: Vector) -> Iterator[tuple[str, Vector]]:
+    """What would be reported after each mistake: words -> displacements (k, 3)."""
+    exact, velocity = greeting.motion(t)
+    for words, motion in greeting.mistakes.items():
+        yield words, motion(t)[0]
+    spheres = greeting.scene.spheres
+    start = spheres.position[-1] if len(spheres) else greeting.scene.blocks[-1].centroid()
+    yield "nothing moves", 0 * exact
+    yield "all signs are reversed", -exact
+    yield "positions are written, and displacements since t = 0 asked for", exact + start
+    yield "velocities are written in place of displacements", velocity
+    yield "rows are one output late", np.concatenate([exact[:1], exact[:-1]])
+    yield "rows are one output early", greeting.motion(t + t[1])[0]
+    yield "time runs at half its pace", greeting.motion(t / 2)[0]
+    for order in itertools.permutations(range(3)):
+        yield f"x, y, z are {', '.join('xyz'[i] for i in order)}", exact[:, order]
+
+
+def sphere(velocity: Vector, free: Mask = FREE, place: Vector = PLACE) -> Spheres:
+    """A sphere that does not turn, with a velocity (3,) [m/s]."""
+    size, mass = np.array([RADIUS]), np.array([MASS])
+    return Spheres(place[None], velocity[None], size, mass, free[None])
+
+
+def thrown(pull: Vector, speed: Vector) -> Motion:
+    """The path of what is thrown with a speed (3,) [m/s] and pulled by (3,) [m/s2]."""
+
+    def motion(t: Vector) -> tuple[Vector, Vector]:
+        return np.outer(t, speed) + np.outer(t**2 / 2, pull), speed + np.outer(t, pull)
+
+    return motion
+
+
+def along(direction: Vector, way: Way) -> Motion:
+    """What moves on a line along a direction (3,)."""
+
+    def motion(t: Vector) -> tuple[Vector, Vector]:
+        moved, speed = way(t)
+        return np.outer(moved, direction), np.outer(speed, direction)
+
+    return motion
+
+
+def both(first: Motion, second: Motion) -> Motion:
+    """The sum of two motions."""
+
+    def motion(t: Vector) -> tuple[Vector, Vector]:
+        (moved, speed), (further, faster) = first(t), second(t)
+        return moved + further, speed + faster
+
+    return motion

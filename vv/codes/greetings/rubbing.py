@@ -1,0 +1,162 @@
+"""Tiny scenes of a sphere that rubs on a wall: it sticks, slips, swings back, rolls."""
+
+from __future__ import annotations
+
+import dataclasses
+
+import numpy as np
+
+from vv.codes.greetings.contacts import ETA_N, damped
+from vv.codes.greetings.greeting import (
+    KN,
+    MASS,
+    PLACE,
+    RADIUS,
+    Greeting,
+    Motion,
+    Terms,
+    Z,
+    along,
+    both,
+    sphere,
+    thrown,
+)
+from vv.scene import Contact, Scene, Vector, Wall
+
+ACROSS = np.array([0.6, 0.8, 0.0])  # the way of slip
+LASTING = 0.5  # s
+SLIPS = 0.547161  # rad of its swing, a, at which it slips; with a tan a = 1/3 it stops at 4 a
+RATE = 10 * SLIPS / LASTING  # 1/s, so that both moments are multiples of the steps
+PRESSED, DEPTH = 60.0, 2e-4  # N, m
+TURNING = 3.5  # times as fast slip of a sphere changes that is free to turn: 1 + 5/2
+STIFF, ROUGH, FAST = 1500.0, 0.3, 2.0  # N/m, -, m/s, of slip on a viscous contact
+
+
+def skid(terms: Terms) -> Greeting:
+    """Pressed on a wall it slides, is caught by the shear spring, and swings back."""
+    wrong = {
+        "friction is left out": thrown(0 * Z, ACROSS),
+        "friction is twice as strong": _skid(RATE, 2 * _reach(RATE)),
+        "friction is half as strong": _skid(RATE, 0.5 * _reach(RATE)),
+        "the shear spring is twice as stiff": _skid(np.sqrt(2) * RATE, 0.5 * _reach(RATE)),
+        "the shear spring is half as stiff": _skid(np.sqrt(0.5) * RATE, 2 * _reach(RATE)),
+        "the shear spring has no limit": _skid(RATE, 0.999 / RATE),
+    }
+    return _on_floor("skid", 1.0, _skid(RATE, _reach(RATE)), wrong, turns=False)
+
+
+def roll(terms: Terms) -> Greeting:
+    """The same, free to turn: as slip ends it rolls."""
+    wrong = {
+        "rotation is left out": _skid(RATE / np.sqrt(TURNING), TURNING * _reach(RATE)),
+        "friction is left out": thrown(0 * Z, ACROSS),
+        "friction is twice as strong": _roll(2 * _reach(RATE)),
+        "friction turns it the other way": _turned_back(),
+    }
+    made = _on_floor("roll", TURNING, _roll(_reach(RATE)), wrong, turns=True)
+    return dataclasses.replace(made, smooth=False)  # codes measure levers to either surface
+
+
+def viscous_skid(terms: Terms) -> Greeting:
+    """It meets a wall with a dashpot aslant, and slips: the dashpot's force presses too."""
+    law = Contact(KN, STIFF, ROUGH, eta_n=ETA_N)
+    scene = Scene((Wall(PLACE - RADIUS * Z, Z), sphere(FAST * ACROSS - Z)), law)
+    wrong = {
+        "friction is left out": both(thrown(0 * Z, FAST * ACROSS), _landing),
+        "friction is twice as strong": _slipping(2 * ROUGH),
+    }
+    return Greeting("viscous skid", scene, 0.15, _slipping(ROUGH), wrong, smooth=False)
+
+
+def _on_floor(
+    name: str, times: float, motion: Motion, wrong: dict[str, Motion], turns: bool
+) -> Greeting:
+    """A sphere locked along a wall's normal; times: how much less it weighs for slip."""
+    ks = RATE**2 * MASS / times
+    law = Contact(PRESSED / DEPTH, ks, ks * _reach(RATE) / PRESSED)
+    body = sphere(ACROSS, Z == 0)
+    spins = np.full((1, 3), turns)
+    bodies = (Wall(PLACE - (RADIUS - DEPTH) * Z, Z), dataclasses.replace(body, free_spin=spins))
+    return Greeting(name, Scene(bodies, law), LASTING, motion, wrong)
+
+
+def _reach(rate: float) -> float:
+    """The way [m] of slip at which the spring yields: mu N/ks."""
+    return float(np.sin(SLIPS)) / rate
+
+
+def _slip(t: Vector, rate: float, reach: float) -> tuple[Vector, Vector]:
+    """Slip [m] and its rate from 1 m/s: on the spring, sliding, and back on the spring."""
+    begins = float(np.arcsin(min(1.0, reach * rate))) / rate
+    fast, brake = float(np.cos(rate * begins)), reach * rate**2
+    ends = begins + fast / brake
+    on, slides, back = np.minimum(t, begins), np.clip(t, begins, ends) - begins, t - ends
+    swing = rate * np.maximum(back, 0.0)
+    moved = np.sin(rate * on) / rate + fast * slides - brake * slides**2 / 2
+    speed = np.where(t < begins, np.cos(rate * on), fast - brake * slides)
+    return moved - reach * (1 - np.cos(swing)), speed - reach * rate * np.sin(swing)
+
+
+def _skid(rate: float, reach: float) -> Motion:
+    return along(ACROSS, lambda t: _slip(t, rate, reach))
+
+
+def _roll(reach: float) -> Motion:
+    """Of what slip loses the centre has one part in 3.5, and the spin the others."""
+
+    def way(t: Vector) -> tuple[Vector, Vector]:
+        moved, speed = _slip(t, RATE, reach)
+        return t + (moved - t) / TURNING, 1 + (speed - 1) / TURNING
+
+    return along(ACROSS, way)
+
+
+def _turned_back() -> Motion:
+    """Slip that grows by what turns, and stays on the limit: 1 - 5/2 in place of 1 + 5/2."""
+    brake = _reach(RATE) * RATE**2 / TURNING
+    return thrown(-brake * ACROSS, ACROSS)
+
+
+def _landing(t: Vector) -> tuple[Vector, Vector]:
+    """The way along the normal of what meets the wall at 1 m/s."""
+    overlap, end = damped(ETA_N)
+    depth, closing = overlap(np.minimum(t, end))
+    way, speed = -depth - np.maximum(t - end, 0.0) * closing, -closing
+    return np.outer(way, Z), np.outer(speed, Z)
+
+
+def _slipping(mu: float) -> Motion:
+    """On the spring until it yields; from then on slip loses mu times what the normal way does."""
+    overlap, end = damped(ETA_N)
+    rate, begins = np.sqrt(STIFF / MASS), _yields(mu)
+    deep, sinking = (float(part) for part in overlap(np.array(begins)))
+    start, speed = FAST * np.sin(rate * begins) / rate, FAST * np.cos(rate * begins)
+
+    def way(t: Vector) -> tuple[Vector, Vector]:
+        on, slides = np.minimum(t, begins), np.clip(t, begins, end) - begins
+        depth, closing = overlap(begins + slides)
+        left = speed - mu * (sinking - closing)
+        moved = start + (speed - mu * sinking) * slides + mu * (depth - deep)
+        early = t < begins
+        far = np.where(early, FAST * np.sin(rate * on) / rate, moved)
+        fast = np.where(early, FAST * np.cos(rate * on), left)
+        return far + np.maximum(t - end, 0.0) * left, fast
+
+    return both(along(ACROSS, way), _landing)
+
+
+def _yields(mu: float) -> float:
+    """When the shear spring reaches mu times spring and dashpot [s], by bisection."""
+    overlap, end = damped(ETA_N)
+    rate = np.sqrt(STIFF / MASS)
+
+    def within(t: float) -> bool:
+        depth, closing = (float(part) for part in overlap(np.array(t)))
+        held = STIFF * FAST * np.sin(rate * t) / rate
+        return bool(held < mu * (KN * depth + ETA_N * closing))
+
+    low, high = 0.0, end
+    for _ in range(60):
+        middle = (low + high) / 2
+        low, high = (middle, high) if within(middle) else (low, middle)
+    return low

@@ -1,0 +1,56 @@
+"""What inertia brings into a step, and what a step makes of velocities, as kernels.
+
+A rule holds alpha_m, alpha_f, beta and gamma, see `Stepping`. A step is solved for the unknowns
+u = (1 - alpha_f) d that blocks have where its forces are taken; d is what they have at its end.
+"""
+
+from __future__ import annotations
+
+from vv.engines.dda.general.bodies import Bodies, applied
+from vv.engines.kernels.arrays import numbers
+from vv.engines.kernels.compiled import called, lent
+from vv.scene import Vector
+
+Rule = tuple[float, float, float, float]
+
+
+@lent
+def brought(begun: Vector, velocity: Vector, rate: Vector, rule: Rule, step: float) -> float:
+    """Fill begun (q,), from velocities and accelerations `rate` (q,); return the weight.
+
+    M ((1 - alpha_m) a1 + alpha_m a0) is then weight M (u/D - begun)/D.
+    """
+    alpha_m, alpha_f, beta, _ = rule
+    share = 1.0 - alpha_f
+    lead = (0.5 - beta - alpha_m * beta / (1.0 - alpha_m)) * step
+    for a in range(len(begun)):
+        begun[a] = share * (velocity[a] + lead * rate[a])
+    return (1.0 - alpha_m) / (share * beta)
+
+
+@called
+def handed_on(
+    velocity: Vector, rate: Vector, d: Vector, mass: Vector, bodies: Bodies, rule: Rule, step: float
+) -> float:
+    """Make velocities and accelerations (q,) those after d (q,); return what inertia loses [J].
+
+    That is the work of M ((1 - alpha_m) a1 + alpha_m a0) over d less the gain in kinetic energy,
+    written in the change of the accelerations, by which DDA's own rule loses nothing.
+    """
+    alpha_m, _, beta, gamma = rule
+    q, ahead = len(d), gamma / beta
+    jump, flow = numbers(q), numbers(q)
+    for a in range(q):
+        after = (d[a] / step - velocity[a]) / (beta * step) - (0.5 / beta - 1.0) * rate[a]
+        jump[a], rate[a] = after - rate[a], after
+    applied(flow, mass, bodies, jump)
+    by_speed = step * (1.0 - gamma - alpha_m)
+    by_rate = step * step * (beta + 0.5 - gamma - 0.5 * alpha_m)
+    by_jump = step * step * (alpha_m * (0.5 - beta) - 0.5 * (1.0 - gamma) ** 2)
+    lost = 0.0
+    for a in range(q):
+        lost += flow[a] * (by_speed * velocity[a] + by_rate * rate[a] + by_jump * jump[a])
+        before = rate[a] - jump[a]
+        kept = (1.0 - ahead) * velocity[a] + step * (1.0 - 0.5 * ahead) * before
+        velocity[a] = ahead / step * d[a] + kept
+    return lost

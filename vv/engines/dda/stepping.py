@@ -1,0 +1,35 @@
+"""The numbers that make a step of generalised alpha: DDA's own, and those of a given damping."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+
+class Stepping(NamedTuple):
+    """A step D of displacements d, velocities v and accelerations a, from 0 to 1.
+
+    d = D v0 + D^2 ((1/2 - beta) a0 + beta a1), v1 = v0 + D ((1 - gamma) a0 + gamma a1), and
+    the forces a part 1 - alpha_f into the step are M ((1 - alpha_m) a1 + alpha_m a0)
+    (Chung and Hulbert 1993, Eqs. 3-8).
+    """
+
+    alpha_m: float
+    alpha_f: float
+    beta: float
+    gamma: float
+
+
+IMPLICIT = Stepping(0.0, 0.0, 0.5, 1.0)
+"""DDA's own: d'' = (2/D^2)(d - D v0), forces at the end (Yagoda-Biran 2016, Eq. 5 corrected)."""
+
+
+def generalised_alpha(radius: float) -> Stepping:
+    """The step of second order that damps least among those of a spectral radius at infinite w D.
+
+    Chung and Hulbert (1993), Eqs. 17, 20, 25. Raises ValueError for a radius beyond 0 and 1.
+    """
+    if not 0.0 <= radius <= 1.0:
+        raise ValueError(f"radius = {radius!r}; a step keeps a part between 0 and 1 of a swing")
+    alpha_m, alpha_f = (2.0 * radius - 1.0) / (radius + 1.0), radius / (radius + 1.0)
+    shift = alpha_f - alpha_m
+    return Stepping(alpha_m, alpha_f, 0.25 * (1.0 + shift) ** 2, 0.5 + shift)

@@ -1,0 +1,68 @@
+"""The forces of walls on the spheres of the bulk model, one by one; parts of kernels."""
+
+from __future__ import annotations
+
+from vv.engines.dem.bulk.batches import LOST, NORMAL, SPRUNG
+from vv.engines.dem.bulk.grains import BEFORE, RADIUS, SPUN, TURN, Grains, V, W, part, put_part
+from vv.engines.dem.bulk.near import Near
+from vv.engines.dem.contact.friction import rub
+from vv.engines.dem.contact.law import Law, across, pressed, stored
+from vv.engines.dem.contact.touch import Touch
+from vv.engines.kernels.compiled import inlined, lent
+from vv.engines.kernels.triples import NOWHERE, Triple, add_scaled, at, cross, dot, put
+from vv.scene import Vector
+
+
+@inlined
+def wall_touch(row: Vector, i: int, n: Triple, overlap: float, dt: float) -> Touch:
+    """The contact of sphere i with a wall of outward normal n."""
+    relative = part(row, i, V)
+    changed = add_scaled(relative, -1.0, part(row, i, BEFORE))
+    opened, more = dt * dot(n, relative), 0.5 * dot(n, changed)
+    rates = dot(n, relative) - more, dot(n, relative) + more
+    arm, w = 0.5 * (overlap + 0.5 * opened) - row[i, RADIUS], part(row, i, W)
+    relative = add_scaled(relative, arm, cross(w, n))
+    changed = add_scaled(changed, arm, cross(add_scaled(w, -1.0, part(row, i, SPUN)), n))
+    twist = 0.5 * dt * dot(w, n)
+    return Touch(overlap, opened, n, n, n, rates, relative, changed, twist)
+
+
+@lent
+def lean(
+    grains: Grains,
+    edges: Near,
+    walls: Vector,
+    sums: Vector,
+    c: int,
+    first: int,
+    last: int,
+    law: Law,
+    friction: tuple[float, float] | None,
+    dt: float,
+    told: bool,
+) -> None:
+    """As `press`, of walls (w, 4): outward normals and how far they lie along them [m]."""
+    row, acting = grains.row, grains.acting
+    one, other, touching, shear = edges.one, edges.other, edges.touching, edges.shear
+    for k in range(first, last):
+        i, n = one[k], at(walls, other[k])
+        radius, spring = row[i, RADIUS], NOWHERE
+        overlap = radius - dot(at(row, i), n) + walls[other[k], 3]
+        if friction is not None:
+            spring = at(shear, k) if touching[k] else NOWHERE
+            touching[k] = overlap > 0.0
+        if overlap > 0.0:
+            along, held = pressed(law, overlap, radius)
+            force = add_scaled(NOWHERE, along, n)
+            sums[c, NORMAL] += held if told else 0.0
+            if friction is not None:
+                touch = wall_touch(row, i, n, overlap, dt)
+                ks, caps = across(law, touch, radius, 0.0, spring)  # no mass matters in this model
+                rubbed, taken = rub(spring, touch, ks, caps, dt)
+                sums[c, LOST] += taken
+                sums[c, SPRUNG] += stored(law, overlap, radius, rubbed) if told else 0.0
+                put(shear, k, rubbed)
+                force = add_scaled(force, 1.0, rubbed)
+                torque = add_scaled(NOWHERE, radius - 0.5 * overlap, cross(rubbed, n))
+                put_part(acting, i, TURN, add_scaled(part(acting, i, TURN), 1.0, torque))
+            put(acting, i, add_scaled(at(acting, i), 1.0, force))

@@ -1,0 +1,129 @@
+"""What contacts are computed from, in scratch, and where their forces go; parts of kernels."""
+
+from __future__ import annotations
+
+from vv.engines.dem.bonds.bend import note, three
+from vv.engines.dem.bonds.blocks import WIDE
+from vv.engines.dem.bulk.grains import (
+    BEFORE,
+    RADIUS,
+    TURN,
+    Grains,
+    Short,
+    V,
+    W,
+    part,
+    put_part,
+)
+from vv.engines.dem.bulk.near import Near
+from vv.engines.kernels.compiled import inlined
+from vv.engines.kernels.prefetch import begin_to_read
+from vv.engines.kernels.triples import NOWHERE, Triple, add_scaled, at, dot, put
+from vv.scene import Vector
+
+SOON = 24  # pairs ahead of which rows are brought into the cache
+OFFSET, RADII, WAS, RELATIVE, ROLLED, SPINS, SPRING, CHANGED = 0, 3, 5, 6, 9, 12, 15, 18
+NORMALS, ALONG, MIDWAY, SLIDE, ACROSS, OLD, STIFF, CAPS, HOW_LONG = 0, 5, 6, 9, 12, 15, 18, 19, 21
+INSIDE, ARMS, TRIAL, MORE, TURNS, FADING, TAKEN, FORCE, TORQUE = 22, 23, 25, 28, 31, 32, 31, 6, 9
+"""Places of numbers of a contact in scratch: what `fetch` finds, and what takes its place later.
+
+All must fit into the first cache beside what is fetched.
+An offset is that of the second sphere of a pair; WAS: whether they touched before, 1 or 0; ROLLED:
+sum of radius times spin, SPINS: of spins; HOW_LONG: for how long in the step [s]; INSIDE: how far
+inside each surface the contact lies at the middle of the step [m].
+"""
+
+
+@inlined
+def choose(
+    row: Vector,
+    acting: Vector,
+    pairs: Near,
+    scratch: Vector,
+    ends: Short,
+    c: int,
+    first: int,
+    last: int,
+    friction: tuple[float, float] | None,
+) -> int:
+    """Put the pairs that touch into scratch, without a branch; return how many they are."""
+    one, other, touching, many = pairs.one, pairs.other, pairs.touching, 0
+    end = len(other) - 1
+    for k in range(first, last):
+        soon = other[min(k + SOON, end)]
+        begin_to_read(row, soon, 0)
+        begin_to_read(row, soon, 8)
+        begin_to_read(acting, soon, 0)
+        i, j = one[k], other[k]
+        d, reach = add_scaled(at(row, j), -1.0, at(row, i)), row[i, RADIUS] + row[j, RADIUS]
+        note(scratch, c, OFFSET, many, d)
+        scratch[c, RADII * WIDE + many] = row[i, RADIUS]
+        scratch[c, (RADII + 1) * WIDE + many] = row[j, RADIUS]
+        ends[c, many], ends[c, WIDE + many], ends[c, 2 * WIDE + many] = i, j, k
+        touch = dot(d, d) < reach * reach
+        if friction is not None:
+            scratch[c, WAS * WIDE + many] = touching[k]
+            touching[k] = touch
+        many += touch
+    return many
+
+
+@inlined
+def fetch(
+    row: Vector,
+    pairs: Near,
+    scratch: Vector,
+    ends: Short,
+    c: int,
+    many: int,
+    friction: tuple[float, float] | None,
+    viscous: float | None,
+) -> None:
+    """What the spheres of the chosen pairs do, and what sheared them, into scratch."""
+    if friction is not None:
+        shear = pairs.shear
+        for q in range(many):
+            i, j, k = ends[c, q], ends[c, WIDE + q], ends[c, 2 * WIDE + q]
+            note(scratch, c, RELATIVE, q, add_scaled(part(row, j, V), -1.0, part(row, i, V)))
+            w, v = part(row, i, W), part(row, j, W)
+            rolled = add_scaled(add_scaled(NOWHERE, row[i, RADIUS], w), row[j, RADIUS], v)
+            note(scratch, c, ROLLED, q, rolled)
+            note(scratch, c, SPINS, q, add_scaled(w, 1.0, v))
+            was = scratch[c, WAS * WIDE + q]
+            note(scratch, c, SPRING, q, add_scaled(NOWHERE, was, at(shear, k)))
+            if viscous is not None:
+                note(scratch, c, CHANGED, q, changed(row, i, j))
+
+
+@inlined
+def changed(row: Vector, i: int, j: int) -> Triple:
+    """How much the velocity of centre j past centre i changed since the step before [m/s]."""
+    now = add_scaled(part(row, j, V), -1.0, part(row, i, V))
+    return add_scaled(now, -1.0, add_scaled(part(row, j, BEFORE), -1.0, part(row, i, BEFORE)))
+
+
+@inlined
+def hand_out(
+    grains: Grains,
+    pairs: Near,
+    scratch: Vector,
+    ends: Short,
+    c: int,
+    many: int,
+    beyond: tuple[int, int],
+    friction: tuple[float, float] | None,
+) -> None:
+    """Add the forces of a batch to push and turn, and keep those across."""
+    acting, shear = grains.acting, pairs.shear
+    for q in range(many):
+        i, j = ends[c, q], ends[c, WIDE + q]
+        to = j + (beyond[1] if j >= beyond[0] else 0)
+        force = three(scratch, c, FORCE, q)
+        put(acting, i, add_scaled(at(acting, i), -1.0, force))
+        put(acting, to, add_scaled(at(acting, to), 1.0, force))
+        if friction is not None:
+            put(shear, ends[c, 2 * WIDE + q], three(scratch, c, ACROSS, q))
+            torque = three(scratch, c, TORQUE, q)
+            first, second = scratch[c, ARMS * WIDE + q], scratch[c, (ARMS + 1) * WIDE + q]
+            put_part(acting, i, TURN, add_scaled(part(acting, i, TURN), first, torque))
+            put_part(acting, to, TURN, add_scaled(part(acting, to, TURN), second, torque))

@@ -1,0 +1,92 @@
+"""Contacts that slip, found among those computed and computed anew together; parts of kernels."""
+
+from __future__ import annotations
+
+import math
+
+from vv.engines.dem.bonds.bend import note, three
+from vv.engines.dem.bonds.blocks import WIDE
+from vv.engines.dem.bulk.fetch import (
+    ACROSS,
+    CAPS,
+    FADING,
+    HOW_LONG,
+    INSIDE,
+    MIDWAY,
+    MORE,
+    OLD,
+    RADII,
+    SLIDE,
+    STIFF,
+    TAKEN,
+    TRIAL,
+    TURNS,
+    changed,
+)
+from vv.engines.dem.bulk.grains import SPUN, Short, W, part
+from vv.engines.dem.contact.friction import turned_by_slip, turns
+from vv.engines.kernels.compiled import inlined
+from vv.engines.kernels.triples import NOWHERE, Triple, add_scaled, cross, dot
+from vv.scene import Vector
+
+
+@inlined
+def slip(row: Vector, scratch: Vector, ends: Short, c: int, many: int) -> float:
+    """Let those contacts slip that cannot hold; return what friction took [J].
+
+    They are moved to the first columns of those places that only they need.
+    """
+    slipping, lost = 0, 0.0
+    for q in range(many):
+        trial, cap = three(scratch, c, ACROSS, q), scratch[c, (CAPS + 1) * WIDE + q]
+        ends[c, 3 * WIDE + slipping] = q
+        slipping += dot(trial, trial) > cap * cap
+    for s in range(slipping):
+        q = ends[c, 3 * WIDE + s]
+        note(scratch, c, TRIAL, s, three(scratch, c, ACROSS, q))
+        note(scratch, c, MORE, s, slid_more(row, scratch, ends, c, q))
+        note(scratch, c, OLD, s, three(scratch, c, OLD, q))
+        slide, ks = three(scratch, c, SLIDE, q), scratch[c, STIFF * WIDE + q]
+        caps = scratch[c, CAPS * WIDE + q], scratch[c, (CAPS + 1) * WIDE + q]
+        note(scratch, c, SLIDE, s, slide)
+        scratch[c, STIFF * WIDE + s] = ks
+        scratch[c, CAPS * WIDE + s], scratch[c, (CAPS + 1) * WIDE + s] = caps
+        x = turns(slide, ks, caps)
+        scratch[c, TURNS * WIDE + s], scratch[c, FADING * WIDE + s] = x, math.exp(-x)
+    turn_all(scratch, c, slipping)
+    for s in range(slipping):
+        note(scratch, c, ACROSS, ends[c, 3 * WIDE + s], three(scratch, c, TRIAL, s))
+        lost += scratch[c, TAKEN * WIDE + s]
+    return lost
+
+
+@inlined
+def turn_all(scratch: Vector, c: int, slipping: int) -> None:
+    """The forces of contacts that slip in place of those tried, and what friction takes."""
+    for s in range(slipping):
+        force, taken = turned_by_slip(
+            three(scratch, c, OLD, s),
+            three(scratch, c, TRIAL, s),
+            three(scratch, c, SLIDE, s),
+            three(scratch, c, MORE, s),
+            scratch[c, STIFF * WIDE + s],
+            (scratch[c, CAPS * WIDE + s], scratch[c, (CAPS + 1) * WIDE + s]),
+            scratch[c, TURNS * WIDE + s],
+            scratch[c, FADING * WIDE + s],
+        )
+        note(scratch, c, TRIAL, s, force)
+        scratch[c, TAKEN * WIDE + s] = taken
+
+
+@inlined
+def slid_more(row: Vector, scratch: Vector, ends: Short, c: int, q: int) -> Triple:
+    """How much more the surfaces of a chosen pair slid than in the step before [m]."""
+    i, j = ends[c, q], ends[c, WIDE + q]
+    m, inside = three(scratch, c, MIDWAY, q), scratch[c, INSIDE * WIDE + q]
+    spun = add_scaled(part(row, i, W), -1.0, part(row, i, SPUN))
+    other = add_scaled(part(row, j, W), -1.0, part(row, j, SPUN))
+    rolled = add_scaled(NOWHERE, scratch[c, RADII * WIDE + q] - inside, spun)
+    rolled = add_scaled(rolled, scratch[c, (RADII + 1) * WIDE + q] - inside, other)
+    more = add_scaled(changed(row, i, j), -1.0, cross(rolled, m))
+    more = add_scaled(more, -dot(m, more), m)
+    return add_scaled(NOWHERE, scratch[c, HOW_LONG * WIDE + q], more)

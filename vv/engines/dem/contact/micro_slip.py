@@ -1,0 +1,152 @@
+"""Contact of elastic spheres that slips in part: Hertz, and Mindlin's springs on a line.
+
+Where spheres touch along the normal as Hertz says, their tangential contact is that of a line of
+springs, of which each touches, sticks and slips for itself (Popov and Hess 2015; Jaeger
+1993): Cattaneo's and Mindlin's annuli, whatever normal force and slip do in turn.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+from vv.engines.dem.contact.friction import twisted
+from vv.engines.dem.contact.hertz import elastic
+from vv.engines.dem.contact.hertz import pressed as pressed_by_hertz
+from vv.engines.dem.contact.touch import Touch
+from vv.engines.kernels.compiled import inlined
+from vv.engines.kernels.triples import NOWHERE, Triple, add_scaled, at, dot
+from vv.scene import Hertz, Scene, Vector
+
+SPRINGS = 513  # on half of the line of the deepest contact
+ROOM = 1.01  # times the half line that a contact is expected to need
+FIRST = 4  # column of the springs, after the force and how far springs are apart
+
+
+class MicroSlip(NamedTuple):
+    """As `vv.engines.dem.contact.hertz.Elastic`, which has no viscosity here."""
+
+    modulus: float
+    friction: tuple[float, float] | None
+    damping: float | None
+    stiffness: tuple[float, float]
+
+    @property
+    def columns(self) -> int:
+        """Numbers kept of a contact: force [N], distance of springs [m^0.5], their stretches."""
+        return FIRST + 3 * SPRINGS
+
+
+def micro_slip(scene: Scene, law: Hertz) -> MicroSlip:
+    """The law of a scene whose contacts slip in part."""
+    return MicroSlip(*elastic(scene, law, rubs=True))
+
+
+@inlined
+def pressed(law: MicroSlip, overlap: float, radius: float) -> tuple[float, float]:
+    """As by Hertz without micro-slip."""
+    return pressed_by_hertz(law, overlap, radius)  # type: ignore[arg-type]  # the same fields
+
+
+@inlined
+def damped(law: MicroSlip, before: float, overlap: float, radius: float, mass: float) -> float:
+    """Nothing is viscous here."""
+    return 0.0
+
+
+@inlined
+def rubbed(
+    law: MicroSlip, touch: Touch, radius: float, mass: float, kept: Vector, row: int, dt: float
+) -> tuple[Triple, float, float]:
+    """The force of all springs, with the slide of the step carried to each of them.
+
+    The spring at x = s sqrt(R) touches once U > s^2, is stretched by the slide from then on, and
+    slips beyond mu E/(4 G) (U - s^2). Between springs the stretch is linear in s^2, as it is where
+    all slip: full slip is exact. Where a slip turns its direction, the cut is of first order.
+    """
+    shear, mu = law.friction  # type: ignore[misc]  # it always rubs
+    overlap, before = touch.overlap, max(touch.overlap + touch.opened, 0.0)
+    apart = laid(law, touch, radius, mass, kept, row)
+    most, edge = 0.25 * mu * law.modulus / shear, math.sqrt(overlap)
+    m, relative = touch.midway, touch.relative
+    slide = add_scaled(NOWHERE, dt, add_scaled(relative, -dot(m, relative), m))
+    stiff = 8.0 * shear * math.sqrt(radius)
+    force, held, taken = NOWHERE, 0.0, 0.0
+    last = int(edge / apart)
+    for k in range(last + 1):
+        depth = apart * k * apart * k
+        share = 1.0 if depth <= before else (overlap - depth) / (overlap - before)
+        old = NOWHERE if depth > before else stretch(kept, row, k)
+        old, moved = brought(old, slide, touch)
+        new = cut(add_scaled(old, share, moved), most * (overlap - depth))
+        hold(kept, row, k, new)
+        weight = stiff * weight_of(k, last, apart, edge)
+        force = add_scaled(force, -weight, new)
+        held += 0.5 * weight * dot(new, new)
+        slipped = add_scaled(moved, -1.0, add_scaled(new, -1.0, old))
+        taken += 0.5 * weight * dot(add_scaled(old, 1.0, new), slipped)
+    return force, held, taken
+
+
+@inlined
+def laid(law: MicroSlip, touch: Touch, radius: float, mass: float, kept: Vector, row: int) -> float:
+    """How far springs are apart [m^0.5], s = x/sqrt(R); a contact without force gets new ones.
+
+    They reach as far as the energy of its approach presses it. If it goes deeper than that, every
+    second spring is kept, twice as far apart.
+    """
+    overlap, force = touch.overlap, at(kept, row)
+    if dot(force, force) == 0.0:
+        held = 16.0 / 15.0 * law.modulus * math.sqrt(radius)
+        deep = (math.sqrt(overlap) ** 5 + mass * touch.rates[1] ** 2 / held) ** 0.4
+        kept[row, 3] = ROOM * math.sqrt(deep) / (SPRINGS - 1)
+        for k in range(SPRINGS):
+            hold(kept, row, k, NOWHERE)
+    while kept[row, 3] * (SPRINGS - 1) < math.sqrt(overlap):
+        kept[row, 3] *= 2.0
+        for k in range(SPRINGS):
+            hold(kept, row, k, stretch(kept, row, 2 * k) if 2 * k < SPRINGS else NOWHERE)
+    return float(kept[row, 3])
+
+
+@inlined
+def stretch(kept: Vector, row: int, k: int) -> Triple:
+    """How far spring k is stretched [m]."""
+    c = FIRST + 3 * k
+    return kept[row, c], kept[row, c + 1], kept[row, c + 2]
+
+
+@inlined
+def hold(kept: Vector, row: int, k: int, a: Triple) -> None:
+    """Keep the stretch of spring k."""
+    c = FIRST + 3 * k
+    kept[row, c], kept[row, c + 1], kept[row, c + 2] = a
+
+
+@inlined
+def brought(old: Triple, slide: Triple, touch: Touch) -> tuple[Triple, Triple]:
+    """A stretch turned with the contact plane, and the slide in that plane."""
+    n, n_before = touch.n, touch.n_before
+    tilt = -dot(n, old) / (1.0 + dot(n, n_before))
+    old, slide = twisted(add_scaled(old, tilt, add_scaled(n, 1.0, n_before)), slide, n, touch.twist)
+    return old, add_scaled(slide, -dot(n, slide), n)
+
+
+@inlined
+def cut(trial: Triple, most: float) -> Triple:
+    """A stretch cut to the most that friction allows [m]."""
+    size = math.sqrt(dot(trial, trial))
+    return trial if size <= most else add_scaled(NOWHERE, most / size, trial)
+
+
+@inlined
+def weight_of(k: int, last: int, apart: float, edge: float) -> float:
+    """The integral over s [m^0.5] of what is 1 at spring k, 0 at its neighbours or at the edge.
+
+    It is linear in s^2 in between.
+    """
+    inner = (3.0 * k - 2.0) / (6.0 * k - 3.0) if k else 0.0
+    if k < last:
+        return apart * (inner + (3.0 * k + 2.0) / (6.0 * k + 3.0))
+    at_edge = apart * k
+    return apart * inner + (edge - at_edge) * (2.0 * edge + at_edge) / (3.0 * (edge + at_edge))

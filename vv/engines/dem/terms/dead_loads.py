@@ -1,0 +1,50 @@
+"""Constant forces: gravity and dead loads."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from vv.engines.dem.space.bodies import Bodies, Motion
+from vv.engines.dem.space.ledger import column
+from vv.engines.dem.space.placed import Placed
+from vv.engines.kernels.compiled import inlined
+from vv.engines.kernels.triples import Triple, add_scaled, at, dot
+from vv.scene import Form, Vector
+
+GRAVITY, LOAD = column(Form.GRAVITY), column(Form.LOAD)
+
+
+class DeadLoads(NamedTuple):
+    """Weights and loads (m, 3) [N], and what both come to."""
+
+    weight: Vector
+    load: Vector
+    both: Vector
+
+
+def build(placed: Placed) -> DeadLoads | None:
+    """The constant forces on spheres that move, if there are any; with bonds they may be nil."""
+    scene, moves = placed.scene, placed.moves
+    weight = scene.spheres.mass[moves][:, None] * scene.gravity
+    load = scene.spheres.load[moves]
+    if scene.bonds is None and not (weight.any() or load.any()):
+        return None
+    return DeadLoads(weight, load, weight + load)
+
+
+@inlined
+def field(term: DeadLoads, push: Triple, mass: float, i: int) -> Triple:
+    """The weight of sphere i and its load."""
+    return add_scaled(push, 1.0, at(term.both, i))
+
+
+@inlined
+def book(term: DeadLoads, bodies: Bodies, motion: Motion, energy: Vector, row: int) -> tuple[float]:
+    """The work of gravity and of loads since t = 0."""
+    fallen, pushed = 0.0, 0.0
+    for i in range(len(bodies.mass)):
+        moved = at(motion.u, i)
+        fallen += dot(at(term.weight, i), moved)
+        pushed += dot(at(term.load, i), moved)
+    energy[row, GRAVITY], energy[row, LOAD] = fallen, pushed
+    return (fallen + pushed,)

@@ -1,0 +1,54 @@
+"""Which shapes of a sketch are a body, and how a motion of it along a direction or a turn looks."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from vv.scene.arrays import Vector
+from vv.scene.block import Block
+from vv.scene.bodies import Spheres
+from vv.scene.picture import view
+from vv.scene.picture.sketch import DIGITS, MOST, Spot
+from vv.scene.scene import Scene
+
+ACROSS = 0.99  # of an axis: what points less at the reader does not turn a picture in its plane
+
+
+@dataclass(frozen=True, slots=True)
+class Moved:
+    """A motion as a sketch shows it: what its unit, a metre or so many radians, does to shapes.
+
+    circles, faces: (first, count) of the shapes of the body among those of the sketch. along: by
+    how much they go to the right and up [m]; turn: by how much they turn anticlockwise [rad].
+    """
+
+    circles: tuple[int, int]
+    faces: tuple[int, int]
+    along: Spot = (0.0, 0.0)
+    turn: float = 0.0
+
+
+def gone(scene: Scene, body: int, direction: Vector) -> Moved | None:
+    """What a metre along a direction (3,) looks like; None for a body that is not in the sketch."""
+    x, y = (view.plane(scene) @ direction).round(DIGITS).tolist()
+    found = _shapes(scene, body)
+    return Moved(*found, along=(x + 0.0, y + 0.0)) if found and (x or y) else None
+
+
+def turned(scene: Scene, body: int, axis: Vector, angle: float) -> Moved | None:
+    """What a turn by an angle [rad] about an axis (3,) looks like; None if not in the plane."""
+    seen = float(axis @ view.towards(view.plane(scene)))
+    found = _shapes(scene, body)
+    return Moved(*found, turn=angle * round(seen)) if found and abs(seen) > ACROSS else None
+
+
+def _shapes(scene: Scene, body: int) -> tuple[tuple[int, int], tuple[int, int]] | None:
+    """(first, count) of the circles and of the faces that a body is drawn as."""
+    if body in (spheres := scene.body_numbers(Spheres)):
+        place = spheres.index(body)
+        return ((place, 1), (0, 0)) if place < MOST else None
+    place = scene.body_numbers(Block).index(body)
+    counts = [len(view.faces(block, view.plane(scene))) for block in scene.blocks[: place + 1]]
+    return ((0, 0), (int(np.sum(counts[:-1])), counts[-1])) if place < MOST else None

@@ -1,0 +1,81 @@
+"""Which corners a block stands on, how they share what it presses with, and points of its mass."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from vv.scene import Block, Mask, Vector, Wall
+from vv.standins.soften import TOUCHING
+
+SIGNS = np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)], float)
+FLAT = 1e-6  # of the distance of corners: less than that out of line is rounding
+
+
+def size_of(block: Block) -> float:
+    """The largest side [m] of the box around a block."""
+    return float(np.ptp(block.vertices, axis=0).max())
+
+
+def feet(block: Block, wall: Wall) -> Mask:
+    """Which vertices (n,) lie on the wall."""
+    gap = (block.vertices - wall.point) @ wall.normal
+    return np.asarray(np.abs(gap) < TOUCHING * size_of(block))
+
+
+def spans_a_face(block: Block, wall: Wall) -> bool:
+    """Whether the vertices on the wall do not lie in a line."""
+    lying = block.vertices[feet(block, wall)]
+    across = lying - lying.mean(axis=0)
+    return int(np.linalg.matrix_rank(across, FLAT * float(np.abs(across).max(initial=0.0)))) >= 2
+
+
+def sole(block: Block, wall: Wall) -> tuple[Vector, Mask, Vector]:
+    """Corners (k, 3), which of them touch the wall (k,), and where each goes up from (k, 3).
+
+    A block that stands does so on the vertices that lie on the wall. One that leans on an edge has
+    those of the face that it falls back on: of the two at the edge, the one turned more to the
+    wall; those off the wall go up along the normal of that face.
+    """
+    lies = feet(block, wall)
+    if spans_a_face(block, wall):
+        count = int(lies.sum())
+        return block.vertices[lies], np.ones(count, bool), np.tile(wall.normal, (count, 1))
+    edge = set(np.flatnonzero(lies).tolist())
+    normals = {face: _inward(block, face) for face in block.faces if edge <= set(face)}
+    face, inward = max(normals.items(), key=lambda item: float(item[1] @ wall.normal))
+    chosen = list(face)
+    touching = lies[chosen]
+    return block.vertices[chosen], touching, np.where(touching[:, None], wall.normal, inward)
+
+
+def _inward(block: Block, face: tuple[int, ...]) -> Vector:
+    """The unit normal (3,) of a face, into the block."""
+    a, b, c = block.vertices[list(face[:3])]
+    normal = np.cross(b - a, c - a)
+    return np.asarray(normal * np.sign(normal @ (block.centroid() - a)) / np.linalg.norm(normal))
+
+
+def shares(
+    block: Block, wall: Wall, feet: Vector, force: Vector, friction: Vector | None
+) -> Vector:
+    """Each corner's part (k,) of the normal force: linear over the face, as of a rigid body."""
+    alike = np.full(len(feet), 1 / len(feet))
+    total = float(force @ wall.normal)
+    if not block.free_spin.any() or total == 0 or friction is None:
+        return alike
+    arms = feet - block.centroid()
+    # sum of shares is one, and the moment of all forces about the centroid along the wall nil
+    rows = np.column_stack([np.ones(len(feet)), arms - np.outer(arms @ wall.normal, wall.normal)])
+    centre = (arms @ wall.normal).mean() * wall.normal
+    tipping = np.cross(centre, friction[0])
+    moments = np.cross(arms, total * wall.normal).T @ rows
+    system = np.vstack([rows.sum(axis=0), moments])
+    wanted = np.concatenate([[1.0], -tipping])
+    return np.asarray(rows @ np.linalg.lstsq(system, wanted, rcond=1e-12)[0])
+
+
+def mass_points(block: Block) -> Vector:
+    """Eight places (8, 3) for an eighth of the mass each, with the block's inertia."""
+    moments, axes = np.linalg.eigh(block.inertia)
+    spread = np.sqrt((moments.sum() / 2 - moments) / block.mass)
+    return np.asarray(block.centroid() + (SIGNS * spread) @ axes.T)

@@ -1,0 +1,94 @@
+"""A run as arrays, one of which holds what is no array as JSON."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from vv.ask import (
+    Cost,
+    Displacement,
+    Ledger,
+    Model,
+    Observable,
+    Reaction,
+    Run,
+    Status,
+    Strain,
+    Velocity,
+)
+from vv.records import codec
+from vv.records.job_record import ModelSummary
+from vv.scene import Form, Term, Vector
+
+OBSERVABLES: Mapping[str, type[Displacement | Velocity | Reaction | Strain]] = {
+    kind.__name__: kind for kind in (Displacement, Velocity, Reaction, Strain)
+}
+
+
+@dataclass(frozen=True, slots=True)
+class RunMeta:
+    """All of a run but its arrays, and the key it belongs to; terms and observables by name."""
+
+    observables: tuple[tuple[str, int], ...]
+    cost: Cost
+    model: ModelSummary | None
+    ledger: Ledger | None
+    steps: int
+    reason: str
+    key: str
+
+
+def arrays_of(run: Run, key: str) -> dict[str, Any]:
+    """The arrays to store of a run, by names, with its key."""
+    arrays = {f"value{i}": value for i, value in enumerate(run.values.values())}
+    arrays |= {f"energy {form.name}": value for form, value in run.energies.items()}
+    meta = np.array(codec.render(_meta(run, key)))
+    return {"meta": meta, "t": run.times, "tried": run.tried, **arrays}
+
+
+def run_from(arrays: Mapping[str, Any], key: str) -> Run | None:
+    """The run that arrays hold; None if it belongs to another key. Raises what reading raises."""
+    meta = codec.read(RunMeta, codec.parse(str(arrays["meta"])), "run")
+    return _run(meta, arrays) if meta.key == key else None
+
+
+def _run(meta: RunMeta, arrays: Mapping[str, Any]) -> Run:
+    model = meta.model
+    values: dict[Observable, Vector] = {
+        OBSERVABLES[kind](body): arrays[f"value{i}"]
+        for i, (kind, body) in enumerate(meta.observables)
+    }
+    return Run(
+        Status.RAN,
+        meta.reason,
+        times=arrays["t"],
+        values=values,
+        cost=meta.cost,
+        steps=meta.steps,
+        model=None if model is None else _model_from(model),
+        ledger=meta.ledger,
+        energies={form: arrays[name] for form in Form if (name := f"energy {form.name}") in arrays},
+        tried=arrays["tried"],
+    )
+
+
+def _meta(run: Run, key: str) -> RunMeta:
+    model = run.model
+    names = tuple(sorted(term.name for term in model.terms)) if model else ()
+    return RunMeta(
+        observables=tuple((type(o).__name__, o.body) for o in run.values),
+        cost=run.cost,
+        model=None if model is None else ModelSummary(model.unknowns, names, model.note),
+        ledger=run.ledger,
+        steps=run.steps,
+        reason=run.reason,
+        key=key,
+    )
+
+
+def _model_from(summary: ModelSummary) -> Model:
+    return Model(summary.unknowns, frozenset(Term[name] for name in summary.terms), summary.note)
