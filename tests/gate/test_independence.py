@@ -33,8 +33,8 @@ class _Project:
     def adapter_files(self, code: str) -> list[Path]:
         return [self.folder / f"{code}.py"]
 
-    def case_file(self, case: str) -> Path:
-        return self.folder / f"{case}.py"
+    def case_files(self) -> dict[str, Path]:
+        return {"fall": self.folder / "fall.py"}
 
 
 @pytest.mark.parametrize(

@@ -2,6 +2,7 @@
 
 import json
 import os
+import subprocess
 from pathlib import Path
 
 import pytest
@@ -36,6 +37,30 @@ def test_the_same_again_tells_the_same_and_exits_alike(tiny: Tiny) -> None:
     assert first.returncode == again.returncode == Bit.ACCURACY
     assert first.stdout == again.stdout
     assert "FAIL" in again.stdout
+
+
+def heads(tiny: Tiny) -> list[str]:
+    """The first lines of the manifests that are kept, oldest first."""
+    found = sorted((tiny.root / ".vv" / "manifests").iterdir())
+    return [path.read_text().partition("\n")[0] for path in found]
+
+
+def test_a_commit_of_the_same_files_stands_and_is_kept_under_its_own_name(tiny: Tiny) -> None:
+    tiny.git("init", "-q")
+    (tiny.root / ".gitignore").write_text(".vv\n__pycache__\n")
+    tiny.git("add", "-A")
+    tiny.git("commit", "-q", "-m", "first")
+    stands(tiny)
+    tiny.git("commit", "-q", "--allow-empty", "-m", "second")
+    assert stands(tiny)
+    assert stands(tiny)
+    before, after = heads(tiny)
+    now = subprocess.check_output(["git", "rev-parse", "HEAD"], cwd=tiny.root, text=True).strip()
+    assert now in after
+    assert now not in before
+    gate = tiny.vv("report")
+    assert gate.returncode == 0, gate.stderr
+    assert now[:7] in (tiny.root / ".vv" / "report" / "index.html").read_text()
 
 
 @pytest.mark.parametrize("file", ["records/*/*.npz", "manifests/*.json"])

@@ -45,7 +45,7 @@ def answered(
     stands = reuse.recall(store, before)
     if stands is not None:
         _note_standing(stands.name)
-        return stands
+        return reuse.of_this_commit(project, store, before, stands, _command())
     manifest = carried_out(project, make_plan(), limits)
     if _identity(project, asked, limits) == before:  # nobody edited anything meanwhile
         reuse.remember(store, before, manifest)
@@ -61,7 +61,7 @@ def retold(
     if not _may_stand(limits):
         return None
     identity, store = _identity(project, asked, limits), Store(project.data())
-    found = reuse.retell(store, identity, report_folder(project), required)
+    found = reuse.retell(project, store, identity, report_folder(project), required)
     if found is None:
         return None
     _note_standing(found[0])
@@ -104,9 +104,13 @@ def carried_out(
     """Carry out a plan and show the progress; returns the manifest. until: see `carry_out`."""
     from vv.run.session import carry_out
 
-    command = ["vv", *sys.argv[1:]]
     with progress() as shown:
-        return carry_out(project, plan, limits, shown, command, until=until)
+        return carry_out(project, plan, limits, shown, _command(), until=until)
+
+
+def _command() -> list[str]:
+    """What was called, as a manifest names it."""
+    return ["vv", *sys.argv[1:]]
 
 
 def reported(project: Project, manifest: Manifest) -> Path:

@@ -115,16 +115,23 @@ def _since(
     labels = {f"{name}/{s.name}" for name, adapter in adapters.items() for s in adapter.schemes}
     asked = {record.code for record in records}
     demanded = options.against is not None
+    by_case: dict[str, list[Record]] = {name: [] for name in plan.cases}
+    for record in records:
+        by_case[record.case].append(record)
     found: list[Finding] = []
     for name, case in plan.cases.items():
         was, enforced = accepted[name], Check.REGRESSION in case.enforced
-        found += regression.compare(name, records, was, Strictness(external, enforced, demanded))
+        found += regression.compare(
+            name, by_case[name], was, Strictness(external, enforced, demanded)
+        )
         variants = {variant.name for variant in case.variants}
         removed = regression.removed_results(name, was, variants, labels, asked)
         found += [dataclasses.replace(one, enforced=enforced) for one in removed]
-        found += answers.compare(name, records, answers.accepted(project, name) or {}, enforced)
+        found += answers.compare(
+            name, by_case[name], answers.accepted(project, name) or {}, enforced
+        )
         strict = options.timing and Check.SPEED in case.enforced
-        found += speed.compare(name, records, was, options.timer.processor, strict)
+        found += speed.compare(name, by_case[name], was, options.timer.processor, strict)
     return found
 
 

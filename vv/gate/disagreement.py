@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from vv.ask import Knobs
 from vv.base.metrics import Order
 from vv.case import LARGEST_TOLERANCE
-from vv.gate.expiry import expiring, in_force
+from vv.gate.expiry import by_code_and_case, expiring, in_force
 from vv.records.finding import Aspect, Bit, Finding
 from vv.records.job_record import Record
 from vv.records.outcomes import JudgeKind, Verdict
@@ -121,12 +121,14 @@ def judge(
     An entry that has expired by today excuses nothing.
     """
     given = list(records)
-    entries = in_force(disagreements, today)
+    entries = by_code_and_case(in_force(disagreements, today))
     fitted = orders(given)
-    return tuple(_judged(record, entries, fitted) for record in given)
+    return tuple(_judged(record, entries(record.code, record.case), fitted) for record in given)
 
 
 def _judged(record: Record, entries: Iterable[Disagreement], fitted: Mapping[Key, Order]) -> Record:
+    if not entries:
+        return record
     quantities = []
     for one in record.quantities:
         speaks = entries if one.judge is JudgeKind.EXACT else ()

@@ -1,9 +1,11 @@
-"""What is known of a code is known for a time: says which entries of the ledger run out."""
+"""Entries of the ledger: which speak of a code and a case, and which run out, and when."""
 
 from __future__ import annotations
 
 import datetime
+import functools
 from collections.abc import Callable, Iterable
+from fnmatch import fnmatchcase
 from typing import Protocol, TypeVar
 
 from vv.records.finding import Aspect, Bit, Finding
@@ -36,6 +38,20 @@ Entry = TypeVar("Entry", bound=Dated)
 def in_force(entries: Iterable[Entry], today: datetime.date) -> tuple[Entry, ...]:
     """The entries that have not expired; the day that one names is its last."""
     return tuple(entry for entry in entries if entry.expires >= today.isoformat())
+
+
+def by_code_and_case(entries: Iterable[Entry]) -> Callable[[str, str], tuple[Entry, ...]]:
+    """What gives the entries that speak of a code and a case; it looks for each pair once.
+
+    Most entries speak of one case and a report has thousands of records.
+    """
+    given = tuple(entries)
+
+    @functools.cache
+    def of(code: str, case: str) -> tuple[Entry, ...]:
+        return tuple(e for e in given if fnmatchcase(code, e.code) and fnmatchcase(case, e.case))
+
+    return of
 
 
 def expiring(

@@ -28,8 +28,9 @@ def shared(project: Project, plan: Plan) -> dict[tuple[str, str], Path]:
         for code in {job.code for job in plan.jobs}
     }
     found = {}
+    case_files = project.case_files()
     for case in plan.cases:
-        files = import_closure([project.case_file(case)], places)
+        files = import_closure([case_files[case]], places)
         for code, own in codes.items():
             if common := own.intersection(files):
                 found[case, code] = min(common)

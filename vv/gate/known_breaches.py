@@ -8,7 +8,7 @@ import fnmatch
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
-from vv.gate.expiry import expiring, in_force
+from vv.gate.expiry import by_code_and_case, expiring, in_force
 from vv.gate.judgement import Breach, breaches
 from vv.records.finding import Aspect, Bit, Finding
 from vv.records.job_record import Record
@@ -79,8 +79,8 @@ def judge(
     records: Iterable[Record], known: Sequence[KnownBreach], today: datetime.date
 ) -> tuple[Record, ...]:
     """The records, each with the laws that it is known to break; what has expired knows nothing."""
-    entries = in_force(known, today)
-    return tuple(_judged(record, entries) for record in records)
+    entries = by_code_and_case(in_force(known, today))
+    return tuple(_judged(record, entries(record.code, record.case)) for record in records)
 
 
 def _judged(record: Record, known: Iterable[KnownBreach]) -> Record:
@@ -105,9 +105,9 @@ def kept(
     records: Iterable[Record], known: Sequence[KnownBreach], today: datetime.date
 ) -> Iterator[Finding]:
     """A finding for each rung at which a law is not broken as an entry says: the entry is wrong."""
-    entries = in_force(known, today)
+    entries = by_code_and_case(in_force(known, today))
     for record in records:
-        for entry in entries:
+        for entry in entries(record.code, record.case):
             if entry.covers(record) and not any(map(entry.knows, breaches(record.ledger))):
                 low, high = entry.breach
                 yield Finding(

@@ -36,7 +36,8 @@ def run_keys(project: Project, plan: Plan) -> dict[int, str]:
 
 def record_keys(project: Project, plan: Plan, runs: dict[int, str]) -> dict[int, str]:
     """Job number -> key of its record: the run, parameters, class of method and case's sources."""
-    prints = {name: case_digest(project, name) for name in plan.cases}
+    places, files = roots(project), project.case_files()
+    prints = {name: case_digest(files[name], places) for name in plan.cases}
     return {
         number: digest(
             runs[number], job.case, job.variant, prints[job.case], job.parameters, job.method
@@ -67,11 +68,9 @@ def executables(project: Project, found: Found) -> dict[str, str]:
     return file_digests(found.files, project.data() / "digests.json")
 
 
-def case_digest(project: Project, case: str) -> str:
-    """Digest of what judges a case: sources of the case and of the measuring, and libraries."""
-    files = import_closure(
-        [project.case_file(case), PACKAGE / "records" / "record.py"], roots(project)
-    )
+def case_digest(case: Path, places: tuple[Path, ...]) -> str:
+    """Digest of what judges a case: sources of its file and of the measuring, and libraries."""
+    files = import_closure([case, PACKAGE / "records" / "record.py"], places)
     return digest(source_digest(files), library_versions(files))
 
 

@@ -65,6 +65,10 @@ class Project:
         within = content.home(file, (root / "cases" for root in self.roots))
         return content.name_of(Path(file.relative_to(within).parts[0]))
 
+    def case_files(self) -> dict[str, Path]:
+        """The file of every case by its name; the folders are searched once for all."""
+        return content.cases(self.roots)
+
     def case_file(self, name: str) -> Path:
         """The file of a case; raises ProjectError for an unknown name."""
         return _pick("case", name, content.cases(self.roots))

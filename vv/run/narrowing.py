@@ -44,11 +44,11 @@ def affected(project: Project, plan: Plan, changed: Iterable[Path]) -> Plan:
     places = roots(project)
     if any(path.name in EVERYTHING for path in files):
         return plan
-    judging = PACKAGE / "records" / "record.py"
+    judging, case_files = PACKAGE / "records" / "record.py", project.case_files()
     cases = {
         name
         for name in plan.cases
-        if _touched(import_closure([project.case_file(name), judging], places), files)
+        if _touched(import_closure([case_files[name], judging], places), files)
     }
     codes = {
         name

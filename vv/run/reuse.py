@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import dataclasses
 import datetime
 import functools
 import hashlib
 import os
 import platform
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from importlib import metadata
 from pathlib import Path
 
@@ -23,7 +24,7 @@ from vv.records.job_record import Record
 from vv.records.manifest import Answer, Manifest, Told
 from vv.records.outcomes import StudyKind
 from vv.store.checkout import commit
-from vv.store.provenance import machine
+from vv.store.provenance import machine, provenance, run_name
 from vv.store.store import Store
 
 LASTING = {Status.RAN, Status.REFUSED, Status.TOO_LONG, Status.NOT_INSTALLED}
@@ -45,6 +46,7 @@ def identity(
     """The digest of all that goes into an invocation; coarser than the keys of single results.
 
     So a repeated invocation costs the reading of its sources, whatever the number of its jobs.
+    The commit is none of it: where all files are the same, so are the results.
     asked: frozen data, all that decides what is run and judged. against: a folder of baselines
     that it is judged by.
     """
@@ -60,7 +62,6 @@ def identity(
         _sources(project),
         {path.name: _content(path) for path in against.glob("*.json")} if against else "",
         _libraries(),
-        list(commit(project.root)),
         machine(),
         today.isoformat(),
     )
@@ -94,6 +95,19 @@ def recall(store: Store, identity: str) -> Manifest | None:
     return manifest if all(map(store.has_series, measured)) else None  # `--json` writes them out
 
 
+def of_this_commit(
+    project: Project, store: Store, identity: str, found: Manifest, command: Sequence[str]
+) -> Manifest:
+    """A manifest that stands, kept again for the commit of now where it is of another."""
+    if (found.provenance.commit, found.provenance.dirty) == commit(project.root):
+        return found
+    now = datetime.datetime.now(datetime.UTC)
+    name, origin = run_name(now), provenance(project.root, command, now)
+    store.keep_renamed(found.name, name, origin)
+    store.keep_answer(_key(store, identity), Answer(manifest=name))
+    return dataclasses.replace(found, name=name, provenance=origin)
+
+
 def note_told(store: Store, identity: str, manifest: str, told: Told) -> None:
     """Note what an invocation that stands told at its end; of any other nothing is noted."""
     answer = store.answer(_key(store, identity))
@@ -102,13 +116,19 @@ def note_told(store: Store, identity: str, manifest: str, told: Told) -> None:
 
 
 def retell(
-    store: Store, identity: str, report: Path, required: tuple[str, ...]
+    project: Project, store: Store, identity: str, report: Path, required: tuple[str, ...]
 ) -> tuple[str, Told] | None:
-    """The manifest of an invocation that stands and what it told, of the same files; else None."""
+    """The manifest of an invocation that stands and what it told, of the same files; else None.
+
+    One of another commit is not told again, as its report names that.
+    """
     answer = store.answer(_key(store, identity))
     if answer is None or answer.told is None:
         return None
-    same = answer.told.of == told_of(store, answer.manifest, report, required)
+    if answer.told.of != told_of(store, answer.manifest, report, required):
+        return None
+    origin = store.head(answer.manifest)[1]
+    same = (origin.commit, origin.dirty) == commit(project.root)
     return (answer.manifest, answer.told) if same else None
 
 

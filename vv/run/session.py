@@ -5,7 +5,6 @@ from __future__ import annotations
 import dataclasses
 import datetime
 import enum
-import os
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -29,7 +28,7 @@ from vv.run.executor import LOCAL, Executor, Local
 from vv.run.runner import failed
 from vv.run.timing_phase import gaps, last_costs, timed_costs
 from vv.scene import Vector
-from vv.store.provenance import machine, provenance
+from vv.store.provenance import machine, provenance, run_name
 from vv.store.store import Store
 
 
@@ -123,7 +122,7 @@ def carry_out(
         baselines=found.baselines,
         recorded=found.recorded,
         timed_on=None if timer == machine() else timer,
-        name=f"{now:%Y%m%dT%H%M%S.%f}Z-{os.getpid()}",
+        name=run_name(now),
     )
     store.keep_manifest(manifest)
     return manifest

@@ -8,7 +8,7 @@ line has a seal of its own, and those of each case's line and of all lines after
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 from vv.records import codec
 from vv.records.job_record import Record
@@ -32,11 +32,25 @@ def render(manifest: Manifest) -> str:
     held = {name: part for name in rest if (part := getattr(manifest, name)) is not None}
     others = "".join(f",\n{_start(name)}{codec.render(part)}" for name, part in held.items())
     body = f'"records": {{\n{by_case}\n}}{others}}}\n'
+    return _sealed(manifest.name, manifest.provenance, lines, body)
+
+
+def renamed(text: str, old: str, name: str, provenance: Provenance) -> str:
+    """The text of a manifest under another name and from elsewhere, all else as it is.
+
+    old: its name so far. Raises ValueError if the text is no manifest, or damaged.
+    """
+    first, _, body = text.partition("\n")
+    _check(_head(first, old), ALL, body, old)
+    return _sealed(name, provenance, lines_of(iter(text.splitlines(keepends=True))), body)
+
+
+def _sealed(name: str, provenance: Provenance, lines: Mapping[str, str], body: str) -> str:
+    """The text of a manifest. lines: case -> the line of its records; body: all but the head."""
     parts = {ALL: body, **lines}
-    seals = {part: seal_of(manifest.name, text.encode()) for part, text in parts.items()}
-    head = codec.render({"holds": [*records], "provenance": manifest.provenance, "seals": seals})
-    own_seal = seal_of(manifest.name, head.encode())
-    return f'{head[:-1]}{OWN}{own_seal}",\n{body}'
+    seals = {part: seal_of(name, text.encode()) for part, text in parts.items()}
+    head = codec.render({"holds": [*lines], "provenance": provenance, "seals": seals})
+    return f'{head[:-1]}{OWN}{seal_of(name, head.encode())}",\n{body}'
 
 
 def whole(text: str, name: str) -> Manifest:

@@ -22,6 +22,11 @@ from vv.store.seal import opened_text, sealed_text
 LIBRARIES = ("numpy", "scipy", "numba")
 
 
+def run_name(now: datetime.datetime) -> str:
+    """What a run of now is called in the store; names sort by time."""
+    return f"{now:%Y%m%dT%H%M%S.%f}Z-{os.getpid()}"
+
+
 def provenance(root: Path, command: Sequence[str], now: datetime.datetime) -> Provenance:
     """What a reader needs to know about the circumstances of a result."""
     revision, dirty = commit(root)

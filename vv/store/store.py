@@ -113,6 +113,13 @@ class Store:
         """Store what one invocation did under its name, which sorts by time."""
         write_whole(self.manifest_file(what.name), manifest.render(what).encode())
 
+    def keep_renamed(self, old: str, name: str, provenance: Provenance) -> None:
+        """Store a past invocation again, as one of that name and provenance; raises OSError."""
+        text = self._of_manifest(
+            old, lambda file: manifest.renamed(file.read(), old, name, provenance)
+        )
+        write_whole(self.manifest_file(name), text.encode())
+
     def manifests(self) -> list[str]:
         """The names of past invocations, oldest first.
 
