@@ -23,7 +23,7 @@ test: setup
 	.venv/bin/ruff check .
 	.venv/bin/ruff format --check .
 	.venv/bin/mypy
-	.venv/bin/pytest
+	.venv/bin/pytest -n auto --dist loadfile
 
 gate: setup
 	@told=0; .venv/bin/vv gate --against cases/baselines $(if $(VV_REQUIRE),--require $(VV_REQUIRE)) \

@@ -26,8 +26,10 @@ def runs(tiny: Tiny, *words: str) -> int:
 def test_two_invocations_at_once_do_not_disturb_each_other(tiny: Tiny) -> None:
     words = [sys.executable, "-m", "vv", "run", "fall", "--codes", "fake/good"]
     both = [
-        subprocess.Popen([*words, "--json", f"{i}.json"], cwd=tiny.root, stdout=subprocess.DEVNULL)
-        for i in range(2)
+        subprocess.Popen(
+            [*words, *anew, "--json", f"{i}.json"], cwd=tiny.root, stdout=subprocess.DEVNULL
+        )
+        for i, anew in enumerate(([], ["--fresh"]))  # one that begins late would else just stand
     ]
     assert [process.wait(30) for process in both] == [0, 0]
     first, second = (json.loads((tiny.root / f"{i}.json").read_text())["records"] for i in range(2))
