@@ -53,6 +53,14 @@ def test_each_misbehaviour_has_its_status_and_exit_bit(tiny: Tiny, scheme: str) 
     assert reason in record["reason"]
 
 
+def test_a_run_of_which_nothing_can_be_measured_has_failed(tiny: Tiny) -> None:
+    tiny.edit("cases/fall.py", "run.values[BALL][-1, 1]", "run.values[BALL][-1, 7]")
+    code, (record,) = records(tiny, "fall:up", "--codes", "fake/good", "--level", "quick")
+    assert (record["status"], code) == ("error", int(Bit.CRASH | Bit.INCOMPLETE))
+    assert "out of bounds" in record["reason"]
+    assert record["quantities"] == []
+
+
 def test_zeros_are_called_unmoving(tiny: Tiny) -> None:
     _, (record,) = records(tiny, "fall:up", "--codes", "fake/zeros", "--level", "quick")
     assert record["quantities"][0]["note"] == "nothing moves, though the reference does"

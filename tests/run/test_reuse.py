@@ -2,6 +2,7 @@
 
 import json
 import os
+import shutil
 import subprocess
 from pathlib import Path
 
@@ -126,6 +127,20 @@ def test_where_and_how_results_are_written_does_not_change_them(tiny: Tiny, tmp_
     stands(tiny, *gate)
     assert stands(tiny, *gate, "--markdown", str(tmp_path / "gate.md"))
     assert "fall" in (tmp_path / "gate.md").read_text()
+
+
+def test_a_folder_of_baselines_that_changed_judges_anew(tiny: Tiny) -> None:
+    folder = tiny.root / "accepted"
+    gate = ("gate", "fall:up", "--codes", "fake/good", "--against", str(folder))
+    names = (tiny.root / "adapters/fake.py").read_text().partition("NAMES = (")[2].partition(")")
+    tiny.edit("adapters/fake.py", names[0], '"good", "refuses"')
+    assert tiny.vv("accept", "fall", "--reason", "first").returncode == 0
+    shutil.copytree(tiny.root / "cases" / "baselines", folder)
+    assert not stands(tiny, *gate)
+    assert stands(tiny, *gate)
+    (file,) = folder.glob("fall.json")
+    file.write_text(file.read_text() + "\n")
+    assert SAYS not in tiny.vv(*gate).stderr
 
 
 def test_what_is_required_is_looked_at_though_all_stands(tiny: Tiny) -> None:
