@@ -12,6 +12,8 @@ from vv.case import Case
 from vv.codes.adapter import Adapter, Scheme
 from vv.plan.project import Project
 
+LONGEST = 200  # characters of a pattern: names are short, and thousands of stars take minutes
+
 
 def select(project: Project, selection: Sequence[str]) -> list[tuple[Case, str]]:
     """(case, variant name) pairs for patterns FAMILY, CASE or CASE:VARIANT, in file order."""
@@ -29,6 +31,7 @@ def select(project: Project, selection: Sequence[str]) -> list[tuple[Case, str]]
 
 def _matching_variants(project: Project, pattern: str) -> dict[str, list[str]]:
     """Case -> its variants that match a pattern; raises UsageError if nothing matches."""
+    _check_length(pattern)
     case_pattern, _, variant_pattern = pattern.partition(":")
     families = project.families()
     hits = [n for n, f in families.items() if fnmatch.filter((n, f), case_pattern)]
@@ -42,6 +45,13 @@ def _matching_variants(project: Project, pattern: str) -> dict[str, list[str]]:
     return found
 
 
+def _check_length(pattern: str) -> None:
+    """Raise UsageError for a pattern that is no name of anything."""
+    if len(pattern) > LONGEST:
+        what = f"a pattern of {len(pattern)} characters, '{pattern[:20]}...'"
+        raise UsageError(f"{what}; at most {LONGEST} are read")
+
+
 def _hint(project: Project, name: str) -> str:
     """What may have been meant by a name that is no case's and no family's."""
     families = project.families()
@@ -53,7 +63,9 @@ def _hint(project: Project, name: str) -> str:
 
 def named_adapters(project: Project, patterns: Iterable[str]) -> dict[str, Adapter]:
     """Adapters that match patterns CODE or CODE/SCHEME; all of them if a pattern matches none."""
-    names = project.adapter_names()
+    names, patterns = project.adapter_names(), tuple(patterns)
+    for pattern in patterns:
+        _check_length(pattern)
     hits = [fnmatch.filter(names, pattern.partition("/")[0]) for pattern in patterns]
     wanted = {name for hit in hits for name in hit} if hits and all(hits) else set(names)
     return {name: project.load_adapter(name) for name in names if name in wanted}
