@@ -2,25 +2,18 @@
 
 import ast
 import re
-from functools import cache
 from graphlib import TopologicalSorter
 from pathlib import Path
 
 import pytest
 
 from tests import ROOT
+from tests.support.sources import FOLDERS, OURS, dotted, imported, tree
 
-OURS = ("vv", "adapters", "cases", "reports", "reference_solutions")
-FOLDERS = [path.parent for top in OURS for path in sorted((ROOT / top).rglob("__init__.py"))]
 HEAVY = {"scipy", "numba", "pandas", "matplotlib", "jinja2", "junitparser", "rich", "pint"}
 LOADED = {"engines": {"numba"}, "reports": HEAVY}  # what modules of a folder may load at once
 MODULES = 15  # in a folder
 GROWING = {"adapters", "cases", "reference_solutions"}  # by a file with each case or code
-
-
-def dotted(path: Path) -> str:
-    """The name by which a file or folder is imported."""
-    return ".".join(path.relative_to(ROOT).with_suffix("").parts)
 
 
 def own_rule(folder: Path) -> set[str] | None:
@@ -35,18 +28,6 @@ def rule(folder: Path) -> set[str]:
     """What the modules of a folder may import; the folder itself always."""
     own = own_rule(folder)
     return rule(folder.parent) if own is None else own | {dotted(folder)}
-
-
-@cache
-def tree(path: Path) -> ast.Module:
-    return ast.parse(path.read_text())
-
-
-def imported(path: Path, nodes: list[ast.AST]) -> set[str]:
-    """What import statements name: modules, or what is taken from a package."""
-    names = {a.name for node in nodes if isinstance(node, ast.Import) for a in node.names}
-    taken = [node for node in nodes if isinstance(node, ast.ImportFrom) and node.module]
-    return names | {f"{node.module}.{a.name}" for node in taken for a in node.names}
 
 
 @pytest.mark.parametrize("folder", FOLDERS, ids=dotted)
@@ -76,32 +57,3 @@ def test_folders_import_each_other_one_way_only() -> None:
     assert [*TopologicalSorter({name: rule or () for name, rule in said.items()}).static_order()]
     unruled = [name for name in said if re.fullmatch(r"vv\.\w+", name) and said[name] is None]
     assert not unruled, f"{unruled} do not say what they may import"
-
-
-def test_an_adapter_drives_one_engine_at_most() -> None:
-    for path in ROOT.glob("adapters/**/*.py"):
-        found = {n for n in imported(path, [*ast.walk(tree(path))]) if "vv.engines." in n}
-        assert len({name.split(".")[2] for name in found}) <= 1, f"{path} imports {sorted(found)}"
-
-
-def test_cases_never_name_a_code() -> None:
-    """A label such as CODE/SCHEME, or the name of a program; DEM and DDA are also methods."""
-    places = [p for p in (ROOT / "adapters").iterdir() if p.stem[0] not in "_."]
-    codes, programs = {p.stem for p in places}, {p.stem for p in places if p.is_dir()}
-    for path in ROOT.glob("cases/**/*.py"):
-        text = path.read_text().lower()
-        named = set(re.findall(r"([a-z]+)/[a-z]", text)) & codes
-        named |= set(re.findall(r"[a-z]+", text)) & programs
-        assert not named, f"{path.name} names {sorted(named)}"
-
-
-def test_every_folder_of_the_tool_is_named_on_the_architecture_page() -> None:
-    page = (ROOT / "docs" / "architecture.md").read_text()
-    named = [f.relative_to(ROOT).as_posix() for f in FOLDERS if dotted(f).startswith("vv.")]
-    assert not [name for name in named if f"`{name}/`" not in page]
-
-
-def test_every_file_starts_with_one_sentence_on_its_job() -> None:
-    for top in (*OURS, "tests", "bench"):
-        for path in (ROOT / top).rglob("*.py"):
-            assert ast.get_docstring(tree(path)), f"{path.relative_to(ROOT)} has no docstring"
