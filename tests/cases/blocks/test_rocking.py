@@ -5,7 +5,9 @@ import pytest
 
 from cases.blocks.rocking import CASE
 from reference_solutions.blocks import rocking
+from vv.ask import Knobs
 from vv.case import Series
+from vv.engines import rigid
 
 
 @pytest.mark.parametrize("dt", [1e-3, 5e-4, 1.25e-4])
@@ -22,3 +24,18 @@ def test_the_way_is_that_at_the_outputs_of_a_step(dt: float) -> None:
     (z,) = (q for q in trial.quantities if isinstance(q, Series) and q.name == "z")
     assert z.reference is not None
     assert np.asarray(z.reference(times)) == pytest.approx(height - height[0], abs=1e-12)
+
+
+@pytest.mark.parametrize(
+    "given",
+    [{"b": 0.0634, "h": 0.132, "g": 13.0, "f": 0.429}, {"b": 0.08, "h": 0.15, "f": 0.6}],
+    ids=str,
+)
+def test_a_foot_that_slips_under_a_block_thrown_over_is_solved(given: dict[str, float]) -> None:
+    trial = CASE.declare(
+        "overturns-1e-1", {**CASE.defaults("overturns-1e-1"), "mu": 5.0, **given}
+    )  # fmt: skip
+    run = rigid.solve(trial.study.ask(Knobs(1e-3)))
+    assert run.ledger is not None
+    left, allowed = run.ledger.audits["residual of contact [m/s]"]
+    assert left <= 1e-6 * allowed

@@ -45,6 +45,30 @@ def test_edges_that_cross_hold_by_friction_without_bound() -> None:
     assert np.abs(after - falls.velocity - gain).max() <= 1e-3
 
 
+@pytest.mark.parametrize("mu", [2.0, 5.0, 50.0])
+@pytest.mark.parametrize("sideways", [5.0, 6.5])
+def test_friction_that_lifts_more_than_the_push_is_solved(mu: float, sideways: float) -> None:
+    """A block tips over until its foot slips away: friction then turns it so as to lift the foot.
+
+    N (1/m + x (x + mu z)/I) = g - w^2 z: sweeps that take N and friction by turns swing up.
+    """
+    half, weight, spin = np.array([0.0634, 0.3, 0.132]), 13.0, 8.04
+    c, s = np.cos(0.977), np.sin(0.977)
+    axes = np.array([[c, 0.0, -s], [0.0, 1.0, 0.0], [s, 0.0, c]])
+    arm = (half * [-1.0, 0.0, 1.0]) @ axes
+    turns = np.array([0.0, spin, 0.0])
+    block = box("falls", arm, half, axes, velocity=np.cross(turns, arm), spin=turns)
+    scene = Scene(
+        (FLOOR, block), Contact(np.inf, mu=mu), gravity=np.array([sideways, 0.0, -weight])
+    )
+    program = solved(scene, 0.02, 2.5e-4, 2.5e-4)
+    assert program.report[:, 0].max() <= CONVERGED
+    state, borne = program.arguments[0][-2, 0], program.reactions[-1, 0]
+    (x, _, z), spin = arm + state[:3], state[7]
+    push = (weight - spin**2 * z) / (1 / block.mass + x * (x + mu * z) / block.inertia[1, 1])
+    assert borne[[0, 2]] == pytest.approx(push * np.array([-mu, 1.0]), rel=1e-2)
+
+
 def test_a_block_free_to_turn_slides_as_accurately_as_one_that_is_not() -> None:
     along = np.array([1.0, 0.0, 0.0])
     shaking = Harmonic(5.0 * along, along, np.zeros(3))

@@ -57,6 +57,19 @@ def projected(
     return add_scaled(centre, radius / size if size > radius else 1.0, left)
 
 
+@inlined
+def yielding(across: float, pull: Triple, mu: float) -> float:
+    """What a velocity [m/s] along the normal is divided by for the impulse against it [1/kg].
+
+    Friction of a slip grows with that impulse, and at the end of an arm it lifts or presses by up
+    to mu times the part of `pull` across the normal. Where this is more than the impulse does
+    itself, sweeps would swing up unless they take both together.
+    """
+    square = across * across
+    lifts = mu * mu * (dot(pull, pull) - square)
+    return across + np.sqrt(lifts) if lifts > square else across
+
+
 @lent
 def sweep(
     p: Vector, joints: Joints, bodies: Bodies, friction: Friction, v: Vector, w: Vector
@@ -68,7 +81,8 @@ def sweep(
             continue
         u = relative(joints, c, v, w)
         had = dot(before, n)
-        normal = larger(0.0, had - (dot(u, n) - friction.need[c]) / joints.across[c])
+        yields = yielding(joints.across[c], at(joints.pull, c), friction.mu)
+        normal = larger(0.0, had - (dot(u, n) - friction.need[c]) / yields)
         if normal == 0.0 and dot(before, before) == 0.0:
             continue
         u = add_scaled(u, normal - had, at(joints.pull, c))
