@@ -29,6 +29,8 @@ from reports.pages.steadiness import sections
 from reports.pages.troubles import troubles
 from reports.settings_table import setting_rows
 from reports.variant.inputs import heads
+from reports.variant.ranking import ranks
+from vv.base.private_folder import cache_root
 from vv.output import table
 from vv.output.wording import in_words
 from vv.records.finding import worst_first
@@ -61,8 +63,9 @@ FILTERS = (
 
 @functools.cache
 def _templates() -> jinja2.Environment:
-    """Templates are compiled anew, in a tenth of a second: bytecode in a store would be run."""
+    """Compiled templates lie where kernels do: in a store, bytecode of others would be run."""
     environment = jinja2.Environment(
+        bytecode_cache=_compiled(),
         loader=jinja2.FileSystemLoader(HERE / "templates"),
         autoescape=True,
         undefined=jinja2.StrictUndefined,
@@ -78,6 +81,14 @@ def _templates() -> jinja2.Environment:
         "legend": WORST_FIRST[::-1],
     }
     return environment
+
+
+def _compiled() -> jinja2.BytecodeCache | None:
+    """Where compiled templates are kept: a folder that is the user's alone; None without one."""
+    try:
+        return jinja2.FileSystemBytecodeCache(str(cache_root("templates")))
+    except OSError:
+        return None
 
 
 def _page(template: str, book: Book, **parts: Any) -> str:
@@ -170,19 +181,20 @@ def _code(book: Book, name: str) -> codes_page.Code:
 @functools.lru_cache(maxsize=1)
 def _of_codes(book: Book) -> tuple[Any, Any]:
     """What all pages of codes share."""
-    return overview(book), codes_page.ranked_tables(book)
+    return overview(book), ranks(book)
 
 
 def case_csv(book: Book, name: str) -> str:
     """case-NAME.csv: a row for each quantity of each record of what a code took on."""
     own = [r for r in book.manifest.records if r.case == name and tried(r)]
     target = io.StringIO()
-    writer = csv.DictWriter(target, COLUMNS, lineterminator="\n")
-    writer.writeheader()
+    writer = csv.writer(target, lineterminator="\n")
+    writer.writerow(COLUMNS)
     for record in own:
+        timed = "yes" if record.cost.timed else ""
         for row in table.rows(record):
-            timed = {"timed": "yes" if record.cost.timed else ""}
-            writer.writerow({c: _brief(c, one) for c, one in (row | timed).items() if c in COLUMNS})
+            row["timed"] = timed
+            writer.writerow([_brief(column, row[column]) for column in COLUMNS])
     return target.getvalue()
 
 

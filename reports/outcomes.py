@@ -6,9 +6,10 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 
 from vv.gate.judgement import counted as counted_by_outcome
-from vv.gate.judgement import outcome
+from vv.gate.judgement import outcome, outcome_by
 from vv.records.job_record import Record
 from vv.records.outcomes import Outcome
+from vv.records.quantity import MeasuredQuantity
 
 
 @dataclass(frozen=True)
@@ -76,6 +77,11 @@ RANKS = {known.key: rank for rank, known in enumerate(WORST_FIRST)}
 def shown_outcome(record: Record) -> ShownOutcome:
     """The outcome of a record, as it is shown."""
     return OUTCOMES[outcome(record)]
+
+
+def shown_by(record: Record, one: MeasuredQuantity) -> ShownOutcome:
+    """The outcome of a record by one of its quantities, as it is shown."""
+    return OUTCOMES[outcome_by(record, (one,))]
 
 
 def counted(records: Iterable[Record]) -> list[tuple[ShownOutcome, int]]:

@@ -50,14 +50,14 @@ def _came(row: Setting, stiffness: bool, valued: bool) -> str:
     numbers = [text.brief(row.record.rung.kn)] if stiffness else []
     numbers += [text.brief(one.value), text.brief(one.reference)] if valued else []
     numbers += [text.sci(one.error), text.sci(one.tolerance, 1)]
-    numbers += [text.NONE if row.local is None else f"{row.local:.2f}"]
-    cells = "".join(f"<td>{escape(number)}" for number in numbers)
+    numbers += [text.NONE if row.local is None else f"{row.local:z.2f}"]
+    cells = "".join(f"<td>{number}" for number in numbers)  # of digits, which need no escape
     note = f" <small>{escape(row.note)}</small>" if row.note else ""
     look = "" if row.outcome.look == "good" else f' class="{row.outcome.look}"'
-    return f"{cells}<td{look}>{escape(row.outcome.symbol)} {escape(row.outcome.word)}{note}"
+    return f"{cells}<td{look}>{row.outcome.symbol} {row.outcome.word}{note}"
 
 
 def _cost(record: Record) -> str:
     """The cells of what a setting costs."""
     marks = ("" if record.cost.timed else " ○") + (" ◻" if record.cost.whole else "")
-    return f"<td>{escape(text.seconds(record.cost.solve_cpu or None))}{marks}<td>{record.steps}"
+    return f"<td>{text.seconds(record.cost.solve_cpu or None)}{marks}<td>{record.steps}"

@@ -33,6 +33,11 @@ class Axis:
             known = np.log10(np.where(known > 0, known, np.nan))
         return self.start + (known - self.low) / (self.high - self.low) * (self.end - self.start)
 
+    def place(self, value: float) -> float:
+        """The place of one value, which a tick is: positive, if the axis is logarithmic."""
+        known = math.log10(value) if self.log else value
+        return self.start + (known - self.low) / (self.high - self.low) * (self.end - self.start)
+
     def value(self, part: float) -> float:
         """The value at a part of the way from start to end."""
         found = self.low + part * (self.high - self.low)

@@ -72,8 +72,8 @@ def _values(chart: Chart, axis: str, others: list[float]) -> Vector:
 
 def _frame(chart: Chart, x: Axis, y: Axis) -> list[str]:
     """Grid, ticks and labels of both axes."""
-    columns = [(float(x.at(tick)), said) for tick, said in x.ticks]
-    rows = [(float(y.at(tick)), said) for tick, said in y.ticks]
+    columns = [(x.place(tick), said) for tick, said in x.ticks]
+    rows = [(y.place(tick), said) for tick, said in y.ticks]
     grid = [f"M{number(p)} {TOP:g}V{BOTTOM:g}" for p, _ in columns]
     grid += [f"M{LEFT:g} {number(p)}H{RIGHT:g}" for p, _ in rows]
     across = "".join(f'<text x="{number(p)}">{escape(said)}</text>' for p, said in columns)
@@ -134,7 +134,7 @@ def _ring(x: float, y: float, ringed: bool, r: float) -> str:
 
 def _rim(rim: Rim, x: Axis, place: int) -> str:
     """A mark on the upper rim, crossed out, or on the lower one, with an arrow down."""
-    px = float(x.at(rim.x)) if rim.x else RIGHT - 12 - 14 * (place % 18)
+    px = x.place(rim.x) if rim.x else RIGHT - 12 - 14 * (place % 18)
     py = TOP if rim.above else BOTTOM
     a, b = number(px), number(py)
     sign = (

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import math
 
 import numpy as np
@@ -24,12 +25,11 @@ def path(x: Vector, y: Vector) -> str:
     """A line through points, each from the one before; it is broken where one is not finite."""
     parts: list[str] = []
     before: tuple[int, int] | None = None
-    tenths = np.where(np.isfinite(x) & np.isfinite(y), np.round(np.array((x, y)) * 10), np.nan)
-    for px, py in tenths.T.tolist():
-        if math.isnan(px):
+    for px, py in zip(x.tolist(), y.tolist(), strict=True):
+        if not math.isfinite(px + py):
             before = None
             continue
-        here = int(px), int(py)
+        here = round(px * 10), round(py * 10)
         if before is None:
             parts.append(f"M{_tenth(here[0])}{_joined(here[1], _tenth(here[0]))}l")
         elif here != before:
@@ -39,6 +39,7 @@ def path(x: Vector, y: Vector) -> str:
     return "".join(parts).replace("l ", "l").replace("lM", "M").removesuffix("l")
 
 
+@functools.lru_cache(maxsize=8192)
 def _tenth(tenths: int) -> str:
     """A number of tenths as a decimal without what can be left out."""
     whole, rest = divmod(abs(tenths), 10)

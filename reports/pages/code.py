@@ -12,7 +12,7 @@ from reports.outcomes import ShownOutcome, counted
 from reports.pages.overview import Overview, Row
 from reports.pages.troubles import Trouble, troubles
 from reports.variant.inputs import heads
-from reports.variant.ranking import Ranked, ranked
+from reports.variant.ranking import Ranked
 from vv.records.reading import tried
 
 
@@ -64,11 +64,6 @@ def code(
         head=heads(book).get(name, ""),
         refusals=_refusals(book, name),
     )
-
-
-def ranked_tables(book: Book) -> dict[tuple[str, str], list[Ranked]]:
-    """(case, variant) -> its schemes, most accurate first."""
-    return {place: ranked(piles, book.marks) for place, piles in book.ran.items()}
 
 
 def _lines(book: Book, name: str, place: tuple[str, str], ranks: Sequence[Ranked]) -> list[Line]:

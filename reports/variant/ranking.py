@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import functools
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from reports import plain
+from reports.book import Book, Place
 from reports.marks import Mark
 from reports.outcomes import ShownOutcome, counted, shown_outcome
 from reports.text import brief, sci
@@ -52,6 +54,12 @@ def ranked(piles: Mapping[str, Sequence[Record]], looks: Mapping[str, Mark]) -> 
     """The schemes that took a variant on, most accurate first; piles: label -> its records."""
     rows = [_ranked(pile, looks[label]) for label, pile in piles.items()]
     return sorted(rows, key=lambda row: (row.error is None, row.error or 0.0, row.mark.label))
+
+
+@functools.lru_cache(maxsize=1)
+def ranks(book: Book) -> dict[Place, list[Ranked]]:
+    """(case, variant) -> its schemes, most accurate first: pages of cases and of codes show it."""
+    return {place: ranked(piles, book.marks) for place, piles in book.ran.items()}
 
 
 @dataclass(frozen=True)

@@ -4,17 +4,19 @@ from __future__ import annotations
 
 import dataclasses
 import itertools
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from reports.marks import Mark
-from reports.outcomes import ShownOutcome, shown_outcome
+from reports.outcomes import ShownOutcome, shown_by
 from vv.base.metrics import Order, order_before_floor
 from vv.records.job_record import Record
 from vv.records.outcomes import QuantityKind
 from vv.records.quantity import MeasuredQuantity
 
 Measured = tuple[Record, MeasuredQuantity]
+Point = tuple[float | None, float | None]  # a step and the error at it
 
 
 @dataclass(frozen=True)
@@ -83,13 +85,13 @@ def _group(mark: Mark, rows: Sequence[Measured]) -> Group:
     points = [(r.rung.dt, one.error) for r, one in rows]
     notes = [[text for text in (r.reason, one.note) if text] for r, one in rows]
     shared = notes[0] if all(texts == notes[0] for texts in notes) else []
-    local = [None, *(observed_order(list(pair)) for pair in itertools.pairwise(points))]
+    local = [None, *(_between(*pair) for pair in itertools.pairwise(points))]
     made = [
         Setting(
             record=record,
             quantity=one,
-            outcome=shown_outcome(dataclasses.replace(record, quantities=(one,))),
-            local=step.order if step else None,
+            outcome=shown_by(record, one),
+            local=step,
             note="" if shared else "; ".join(texts),
         )
         for (record, one), texts, step in zip(rows, notes, local, strict=True)
@@ -98,7 +100,15 @@ def _group(mark: Mark, rows: Sequence[Measured]) -> Group:
     return Group(mark, one.name, one.unit, made, observed_order(points), shared)
 
 
-def observed_order(points: Sequence[tuple[float | None, float | None]]) -> Order | None:
+def _between(coarse: Point, fine: Point) -> float | None:
+    """The order that two settings show; None where a step or an error is missing or the same."""
+    (h, e), (less, left) = coarse, fine
+    if not (h and e and less and left) or h == less or not math.isfinite(e * left):
+        return None
+    return math.log(e / left) / math.log(h / less)
+
+
+def observed_order(points: Sequence[Point]) -> Order | None:
     """The observed order in dt over points (dt, error), coarsest first, before their floor."""
     usable = [(dt, error) for dt, error in points if dt and error]
     return order_before_floor([dt for dt, _ in usable], [error for _, error in usable])

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+import functools
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 
 from markupsafe import Markup
@@ -22,18 +23,19 @@ from reports.variant.costs import CostRow, cost_rows
 from reports.variant.inputs import Input, inputs
 from reports.variant.measurements import MeasuredRow, measured_figures, measured_rows
 from reports.variant.models import Modelled, Told, models
-from reports.variant.ranking import Dear, Ranked, cheapest, ranked, why_colours_differ
+from reports.variant.ranking import Dear, Ranked, cheapest, ranks, why_colours_differ
 from reports.variant.region_figures import region_figures
 from reports.variant.settings import Group, groups
 from vv.case import Norm
 from vv.insight.voices import votes
 from vv.output.gallery.scene_drawing import again, picture
-from vv.records.case_facts import QuantityFacts, VariantFacts
+from vv.records.case_facts import VariantFacts
 from vv.records.job_record import Record
 from vv.records.reading import fineness
 from vv.records.recorded import RecordedResult
 from vv.scene.picture.sketch import Sketch
 
+Over = Callable[[str], list[History]]  # of a quantity: its history in each scheme
 SEVERAL = 3  # quantities with all their figures; of more, the rest has none over time
 
 
@@ -104,13 +106,14 @@ def variant(book: Book, place: Place, above: Above) -> Variant:
     facts = book.manifest.cases[case].variants[name]
     piles = book.records[place]
     own = [record for pile in piles.values() for record in pile]
-    curves = _first_curves(book, facts, own)
+    over = functools.cache(lambda name: collect.histories(own, name, book.marks, book.arrays))
+    curves = over(facts.quantities[0].name) if facts.quantities else []
     like = next((v for v, other in above.curves.items() if collect.same_curve(other, curves)), "")
     if not like:
         above.curves[name] = curves
     if any(shown_outcome(record).troubling for record in own):
         like = ""  # whoever looks for what went wrong needs its own picture
-    rows = ranked(book.ran[place], book.marks)
+    rows = ranks(book)[place]
     kept = [one for one in book.manifest.recorded if (one.case, one.variant) == place]
     missing = absent(piles, book.marks)
     usual = {p.name: p.value for p in book.manifest.cases[case].parameters}
@@ -136,10 +139,10 @@ def variant(book: Book, place: Place, above: Above) -> Variant:
         figures=[
             *measured_figures(book, place),
             *region_figures(facts, book.ran.get(place, {}), book.marks),
-            *([] if like else _phase(book, facts, own)),
-            *([] if like else _figures(book, facts, own)),
+            *([] if like else _phase(facts, over)),
+            *([] if like else _figures(book, facts, own, over)),
         ],
-        playback=_played(book, facts, own),
+        playback=_played(facts, over),
         like=like,
         has_series=any(book.arrays(r.key) for r in own if r.quantities),
         advice=advice(book.efforts.get(place, [])),
@@ -158,23 +161,16 @@ def _scene(seen: Sketch | None, anchor: str, above: Above) -> Markup:
     return Markup(picture(seen, name) if fresh else again(name))  # they escape
 
 
-def _first_curves(book: Book, facts: VariantFacts, own: Sequence[Record]) -> list[History]:
-    """The first quantity over time in each scheme."""
-    if not facts.quantities:
-        return []
-    return _over_time(book, facts.quantities[0], own)
-
-
-def _played(book: Book, facts: VariantFacts, own: Sequence[Record]) -> str:
+def _played(facts: VariantFacts, over: Over) -> str:
     """The motions that the page plays; '' where none is known."""
     names = moving(facts)
-    played = [quantity for quantity in facts.quantities if quantity.name in names]
-    return playback({q.name: _over_time(book, q, own) for q in played}, facts)
+    played = [quantity.name for quantity in facts.quantities if quantity.name in names]
+    return playback({name: over(name) for name in played}, facts)
 
 
-def _figures(book: Book, facts: VariantFacts, own: Sequence[Record]) -> list[Figure]:
+def _figures(book: Book, facts: VariantFacts, own: Sequence[Record], over: Over) -> list[Figure]:
     """Those of all quantities; what errors cost is drawn once, since a run has all quantities."""
-    energies = {q.name: _over_time(book, q, own) for q in facts.quantities if q.unit == JOULE}
+    energies = {q.name: over(q.name) for q in facts.quantities if q.unit == JOULE}
     made = energy_figures(energies, facts.quantities)
     drawn, costs = bool(made), list[Figure]()
     for number, quantity in enumerate(facts.quantities):
@@ -183,7 +179,7 @@ def _figures(book: Book, facts: VariantFacts, own: Sequence[Record]) -> list[Fig
             continue
         norm = next((one.norm for one in measured if one.norm), Norm.MAX)
         many = number >= SEVERAL or (drawn and quantity.name in energies)
-        curves = [] if many else _over_time(book, quantity, own)
+        curves = [] if many else over(quantity.name)
         steps = collect.ladders(own, quantity.name, book.marks)
         made += figures(curves, steps, quantity, norm, dict(facts.critical))
         if not costs:
@@ -192,17 +188,13 @@ def _figures(book: Book, facts: VariantFacts, own: Sequence[Record]) -> list[Fig
     return made
 
 
-def _phase(book: Book, facts: VariantFacts, own: Sequence[Record]) -> list[Figure]:
+def _phase(facts: VariantFacts, over: Over) -> list[Figure]:
     """The phase picture, where a case asks for one."""
     by_name = {quantity.name: quantity for quantity in facts.quantities}
     if facts.phase is None:
         return []
     along, up = (by_name[name] for name in facts.phase)
-    return phase_figures(_over_time(book, along, own), _over_time(book, up, own), (along, up))
-
-
-def _over_time(book: Book, quantity: QuantityFacts, own: Sequence[Record]) -> list[History]:
-    return collect.histories(own, quantity.name, book.marks, book.arrays)
+    return phase_figures(over(along.name), over(up.name), (along, up))
 
 
 def _recorded(results: Sequence[RecordedResult], facts: VariantFacts) -> list[Recorded]:

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import functools
 import sys
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from types import ModuleType
 from typing import TYPE_CHECKING
 
-from vv.base.errors import UsageError
+from vv.base import closure
+from vv.base.digest import digest
 from vv.base.files import write_output
 from vv.output import result_lines, terminal
 from vv.output.progress import progress
@@ -20,8 +21,8 @@ from vv.store.store import Store
 
 if TYPE_CHECKING:
     from reports.beside import Beside
-    from vv.case import Case, Trial
-    from vv.codes.adapter import Adapter
+    from vv.case.published import Paper
+    from vv.insight.papers import Row
     from vv.records.accepted import AcceptedResult
     from vv.records.job_record import Record
     from vv.run.session import Limits
@@ -158,35 +159,50 @@ def reporter(project: Project) -> ModuleType:
 def beside(project: Project, manifest: Manifest) -> Beside:
     """What a report shows beside the records: the papers, and the input of each code."""
     from reports.beside import Beside
-    from vv.insight.papers import rows
     from vv.plan.exact_numbers import with_exact_numbers
     from vv.plan.published import files, papers
+    from vv.run.native_inputs import native_inputs
+
+    known = with_exact_numbers(papers(project), project, files(project))
+    rows = _rows(known, project, manifest)
+    return Beside(list(zip(known, rows, strict=True)), native_inputs(project))
+
+
+def _rows(
+    papers: Sequence[Paper], project: Project, manifest: Manifest
+) -> tuple[tuple[Row, ...], ...]:
+    """The rows of each paper, worked out where records, baselines or sources are new."""
+    from vv.insight import papers as insight
 
     results = functools.cache(functools.partial(_results, project, manifest))
-    known = with_exact_numbers(papers(project), project, files(project))
-    found = [(paper, rows(paper, results)) for paper in known]
-    case, adapter = functools.cache(project.load_case), functools.cache(project.load_adapter)
-    return Beside(found, functools.partial(_native, case, adapter, {}))
+    store, key = Store(project.data()), _key_of_rows(papers, project, manifest)
+    rows = store.facts(tuple[tuple[insight.Row, ...], ...], key) if key else None
+    if rows is None:
+        rows = tuple(insight.rows(paper, results) for paper in papers)
+        if key:
+            store.keep_facts(key, rows)
+    return rows
 
 
-def _native(
-    load_case: Callable[[str], Case],
-    load_adapter: Callable[[str], Adapter],
-    trials: dict[tuple[str, str], Trial],
-    record: Record,
-) -> str:
-    """What a code is given for a record; empty where case or code are no longer what they were."""
-    from vv.plan.plan import declare_trial
+def _key_of_rows(papers: Sequence[Paper], project: Project, manifest: Manifest) -> str:
+    """A digest of all that the rows are made of; empty where the records are not in the store."""
+    from vv.insight import papers as insight
+    from vv.plan.published import files
 
-    case, variant = record.case, record.variant
-    try:
-        if (case, variant) not in trials:
-            declared = declare_trial(load_case(case), variant, record.parameters)
-            trials[case, variant] = declared
-        ask = trials[case, variant].study.ask(record.rung)
-        return load_adapter(record.code).native(ask, record.scheme)
-    except (LookupError, ValueError, UsageError):  # of a project too: ProjectError
+    records = Store(project.data()).digests_of(manifest.name)
+    if not records:
         return ""
+    cases = sorted({seen.case for paper in papers for one in paper.statements for seen in one.seen})
+    folders = [root / "cases" / "baselines" for root in project.roots]
+    accepted = [folder / f"{case}.json" for folder in folders for case in cases]
+    of = [*files(project), Path(insight.__file__)]
+    sources = closure.import_closure(of, project.roots)
+    made_from = [*sources, *(path for path in accepted if path.is_file())]
+    return digest(
+        "rows of papers",
+        closure.source_digest(made_from),
+        [records.get(case, "") for case in cases],
+    )
 
 
 def _results(project: Project, manifest: Manifest, case: str) -> Mapping[str, AcceptedResult]:

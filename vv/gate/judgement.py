@@ -195,15 +195,27 @@ def outcome(record: Record) -> Outcome:
 
     A law that its ledger breaks spoils a record that would be fine; what is known, as elsewhere.
     """
+    return outcome_by(record, record.quantities)
+
+
+def outcome_by(record: Record, quantities: Sequence[MeasuredQuantity]) -> Outcome:
+    """What a record came to, as `outcome` says it, if it had these of its quantities only."""
     if not ran(record):
         return Outcome.BLOW_UP if blew_up(record) else OF_STATUS[record.status]
-    verdicts = [one.verdict for one in record.quantities]
-    worst = OF_VERDICT[min(verdicts, key=RANKS.__getitem__)] if verdicts else Outcome.NOT_REPORTED
+    worst = OF_VERDICT[_worst(quantities)] if quantities else Outcome.NOT_REPORTED
     if worst in SPOILED:
         return worst
     if next(unknown_breaches(record), None) is not None:
         return Outcome.NOT_CONSERVED
     return Outcome.XFAIL if record.known_breaches else worst
+
+
+def _worst(quantities: Sequence[MeasuredQuantity]) -> Verdict:
+    """The worst verdict; most often all are the same, which is told without a look at ranks."""
+    first = quantities[0].verdict
+    if all(one.verdict is first for one in quantities):
+        return first
+    return min((one.verdict for one in quantities), key=RANKS.__getitem__)
 
 
 def counted(records: Iterable[Record]) -> Counter[Outcome]:

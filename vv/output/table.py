@@ -42,8 +42,9 @@ def table(records: Iterable[Record]) -> pd.DataFrame:
 
 def rows(record: Record) -> Iterator[Json]:
     """A record as rows of the table, one for each of its quantities."""
+    shared = _of_record(record)
     for one in record.quantities or (None,):
-        yield _of_record(record) | _of_quantity(one)
+        yield shared | _of_quantity(one)
 
 
 def _of_record(record: Record | None) -> Json:

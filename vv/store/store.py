@@ -34,6 +34,7 @@ from vv.records.manifest import Answer, Manifest, TimedRun
 from vv.records.provenance import Provenance
 from vv.scene import Vector
 from vv.store import manifest
+from vv.store.array_files import arrays_in
 from vv.store.run_arrays import arrays_of, run_from
 from vv.store.seal import opened_bytes, opened_text, sealed_bytes, sealed_text
 
@@ -262,9 +263,7 @@ class Store:
         write_whole(self._path(layer, key, "json"), text.encode())
 
     def _arrays(self, layer: str, key: str) -> dict[str, Any]:
-        content = io.BytesIO(self._opened(layer, key))
-        with np.load(content, allow_pickle=False) as arrays:
-            return dict(arrays)
+        return arrays_in(self._opened(layer, key))
 
     def _opened(self, layer: str, key: str) -> bytes:
         return opened_bytes(f"{layer}/{key}", self._path(layer, key, "npz").read_bytes())
