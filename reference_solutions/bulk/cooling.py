@@ -1,0 +1,113 @@
+"""A gas of spheres without friction in a box: how often they meet, and how it cools.
+
+Spheres of one size, of mass m and on springs kn, on which dashpots may sit, fill a box of side L. T
+is a third of the mean of m v v [J]. Between contacts they fly free, and a contact is short, so that
+they meet as hard spheres do whose diameter is less by sqrt(pi T/2 kn), the first order in the
+overlap (Barker and Henderson 1967).
+
+Inside, the gas has the equation of state of Carnahan and Starling (1969), which is Enskog's rate of
+collisions with their pair correlation; at walls the surface tension of Henderson and Plischke
+(1987, Proceedings of the Royal Society A 410, 409-420), and where two walls meet a line tension of
+second order in the density, 2/15 d^5 n^2/2 T, by counting the pairs that a corner keeps apart.
+Those say how much gas lies at walls, which fixes its density inside, and how hard it pushes walls.
+The theorem of the virial tells from that how often spheres meet each other, and walls.
+
+Each contact of two takes 1 - e^2 of the energy of approach, T in the mean of those that meet, and
+each of one with a wall 1 - w^2, where w is nearer to one since the mass is not the reduced one; the
+square root of the energy then falls as 1/(1 + t/tau) (Haff 1983, Journal of Fluid Mechanics 134,
+401-430). What that leaves out, a gas cooler at its walls and spheres that fly on side by side, is
+of the order of 1 - e^2 times the part that walls take.
+"""
+
+from __future__ import annotations
+
+from math import pi, sqrt
+from typing import NamedTuple
+
+from reference_solutions.contact.dashpot import restitution
+from reference_solutions.parameters import require_positive
+
+HALVINGS, NUDGE = 60, 1e-6
+
+
+class Gas(NamedTuple):
+    """Solid fraction inside; contacts of two, and of one with a wall, in a second [1/s]."""
+
+    filled: float
+    pairs: float
+    walls: float
+
+
+def gas(count: int, *, side: float, d: float, m: float, kn: float, temperature: float) -> Gas:
+    """What so many spheres of diameter d [m] do in a box of this side [m]."""
+    require_positive("in SI units", side=side, d=d, m=m, kn=kn, temperature=temperature)
+    soft = sqrt(pi * temperature / (2.0 * kn))
+    hard = d - soft
+    room = (side - d + 2.0 * soft) / hard  # that centres have along an axis, in diameters
+    filled = _filled(count, room)
+    n = 6.0 * filled / pi
+    inside = 3.0 * n * _pressure(filled) * room**3
+    push = inside - 12.0 * room**2 * _tension(filled) - 12.0 * room * _edge(filled)
+    speed = sqrt(temperature / (pi * m)) / hard
+    return Gas(filled, (push - 3.0 * count) * speed, sqrt(2.0) * push / room * speed)
+
+
+def touching(found: Gas, *, m: float, kn: float) -> float:
+    """Contacts at any time, with walls included, of spheres without dashpots."""
+    return (found.pairs / sqrt(2.0) + found.walls) * pi * sqrt(m / kn)
+
+
+def cooling(count: int, found: Gas, z: float) -> float:
+    """1/tau [1/s] for z of critical damping in contacts of two."""
+    lost = found.pairs * (1.0 - restitution(z) ** 2)
+    lost += found.walls * (1.0 - restitution(z / sqrt(2.0)) ** 2)
+    return lost / (3.0 * count)
+
+
+def flatness(count: int) -> float:
+    """The mean of v^4 over the square of that of v^2, where the energy of so many is given.
+
+    All velocities of one energy are alike likely, which is Maxwell's distribution, 5/3, for many.
+    """
+    return 5.0 * count / (3.0 * count + 2.0)
+
+
+def _filled(count: int, room: float) -> float:
+    """The solid fraction inside of so many spheres, some of which lie at walls and edges."""
+    low, high = 0.0, 0.6
+    for _ in range(HALVINGS):
+        middle = 0.5 * (low + high)
+        if _held(middle, room) > count:
+            high = middle
+        else:
+            low = middle
+    return 0.5 * (low + high)
+
+
+def _held(filled: float, room: float) -> float:
+    """How many spheres the box holds at a solid fraction inside, by Gibbs: -d Omega/d mu."""
+    n, more, less = 6.0 * filled / pi, filled * (1.0 + NUDGE), filled * (1.0 - NUDGE)
+    with_mu = n * pi / 6.0 / _stiffness(filled) / (more - less)
+    faces = with_mu * (_tension(less) - _tension(more))
+    edges = with_mu * (_edge(less) - _edge(more))
+    return n * room**3 + 6.0 * room**2 * faces + 12.0 * room * edges
+
+
+def _pressure(f: float) -> float:
+    """p/(n T) of Carnahan and Starling."""
+    return (1.0 + f + f**2 - f**3) / (1.0 - f) ** 3
+
+
+def _stiffness(f: float) -> float:
+    """The slope of p over n T."""
+    return ((1.0 + 2.0 * f) ** 2 + f**4 - 4.0 * f**3) / (1.0 - f) ** 4
+
+
+def _tension(f: float) -> float:
+    """Surface tension over T, in diameters, at the plane that centres reach."""
+    return -4.5 / pi * f**2 * (1.0 + 44.0 / 35.0 * f - 0.8 * f**2) / (1.0 - f) ** 3
+
+
+def _edge(f: float) -> float:
+    """Line tension over T, in diameters, where two walls meet."""
+    return (6.0 * f / pi) ** 2 / 15.0
