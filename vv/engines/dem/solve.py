@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from vv.ask import Ask, Ledger, Model, Reaction, Run, Status
-from vv.engines.dem.bulk.model import Bulk, bulk
+from vv.engines.dem.bulk.model import Bulk, BulkState, bulk
 from vv.engines.dem.critical_step import critical_step, highest_delay
 from vv.engines.dem.idle import idle, why_left_out
 from vv.engines.dem.leapfrog import CENTRED, Leapfrog
@@ -43,7 +43,8 @@ class PreparedSpheres:
     """An ask ready to be solved as often as wanted: a `vv.codes.timing.Prepared`.
 
     system: the smallest model of its scene; stand_in: that scene, with what stands in for what
-    springs cannot do. threads: that share the bonds, if there are any; the answer is the same.
+    springs cannot do. threads: that share the bonds, or the spheres where they are many and free;
+    the answer is the same.
     """
 
     ask: Ask
@@ -71,13 +72,8 @@ class PreparedSpheres:
         goal, dt = self.ask.goal, self.ask.dt
         outputs = self.system.outputs(len(goal.times(dt)), self.spheres)
         state, leapfrog = self.system.state, (self.leapfrog.lag, self.leapfrog.back)
-        if isinstance(state, SpaceState) and self.threads > 1:
-            state = state._replace(
-                terms=tuple(
-                    term._replace(threads=self.threads) if isinstance(term, Bonds) else term
-                    for term in state.terms
-                )
-            )
+        if self.threads > 1:
+            state = _shared(state, self.threads)
         return (*outputs, goal.stride(dt), dt, *state, *leapfrog)
 
     @functools.cached_property
@@ -100,7 +96,7 @@ class PreparedSpheres:
     def _call(self, *arguments: Any) -> int:
         if self.threads == 1:
             return self._entry(*arguments)
-        from vv.engines.dem.bonds.threads import on_threads
+        from vv.engines.kernels.threads import on_threads
 
         return on_threads(self.threads, self._entry, arguments)
 
@@ -184,6 +180,16 @@ def prepare(ask: Ask, leapfrog: Leapfrog, threads: int = 1) -> PreparedSpheres:
     small = None if _wants_all(ask) else line(scene) or pressed(scene, charged)
     system = small or bulk(scene) or space(scene, charged)
     return PreparedSpheres(ask, leapfrog, system, stand_in, threads)
+
+
+def _shared(state: Any, threads: int) -> Any:
+    """What a kernel is given, with threads for all of it that can be shared out."""
+    if isinstance(state, BulkState):
+        return state._replace(threads=threads)
+    if isinstance(state, SpaceState):
+        kept = (t._replace(threads=threads) if isinstance(t, Bonds) else t for t in state.terms)
+        return state._replace(terms=tuple(kept))
+    return state
 
 
 def solve(ask: Ask, leapfrog: Leapfrog) -> Run:

@@ -5,10 +5,11 @@ from __future__ import annotations
 import math
 
 from vv.engines.dem.bulk.batches import AHEAD, BEHIND, FAR, KINETIC
+from vv.engines.dem.bulk.crowd import Crowd
 from vv.engines.dem.bulk.grains import BEFORE, SPUN, TURN, Grains, V, W, part, put_part
 from vv.engines.dem.space.advance import carried_on
 from vv.engines.dem.terms.drag import Drag
-from vv.engines.kernels.compiled import lent
+from vv.engines.kernels.compiled import inlined, lent
 from vv.engines.kernels.triples import NOWHERE, Triple, add_scaled, at, dot, put
 from vv.scene import Vector
 
@@ -64,40 +65,38 @@ def place_spins(grains: Grains, spin: Vector | None, time: float) -> float:
     return turning
 
 
+@inlined
+def taken(drag: Drag | None, lag: float, old: Triple, new: Triple) -> tuple[float, float]:
+    """The powers D v- and D v+ [W] of drag D = eta (lag v- + (1 - lag) v+)."""
+    if drag is None:
+        return 0.0, 0.0
+    loss = add_scaled(add_scaled(NOWHERE, drag.eta * lag, old), drag.eta * (1.0 - lag), new)
+    return dot(loss, old), dot(loss, new)
+
+
 @lent
-def kick(
-    grains: Grains,
-    sums: Vector,
-    c: int,
-    first: int,
-    last: int,
-    spin: Vector | None,
-    dt: float,
-    drag: Drag | None,
-    lag: float,
-    gravity: Triple,
-    way: float,
-) -> None:
+def kick(crowd: Crowd, c: int, first: int, last: int, way: float) -> None:
     """Carry velocities and spins of spheres first to last to half a step after now.
 
     Then displace them as in a time `way` [s], which is the next step or nothing, and set forces to
-    their weight: one look at each for all of it. Adds to row c of sums m v- v+/2 + I w- w+/2 [J],
-    the powers [W] before and after now of drag D = eta (lag v- + (1 - lag) v+), D v- and D v+, and
-    keeps there the square of the farthest way since neighbours were sought [m^2].
+    their weight: one look at each for all of it. Adds to row c of sums m v- v+/2 + I w- w+/2 [J]
+    and the powers [W] before and after now of drag, and keeps there the square of the farthest
+    way since neighbours were sought [m^2].
     """
+    grains, rules, sums = crowd.grains, crowd.rules, crowd.work.sums
     row, acting, mass, inertia = grains.row, grains.acting, grains.mass, grains.inertia
+    dt, drag, lag, gravity, turns = rules.dt, rules.drag, rules.lag, rules.gravity, rules.spin
     since, far, kinetic, behind, ahead = grains.since, sums[c, FAR], 0.0, 0.0, 0.0
     for i in range(first, last):
         old = part(row, i, V)
         new = carried_on(old, at(acting, i), mass[i], dt, drag, lag, i)
-        if drag is not None:
-            loss = add_scaled(add_scaled(NOWHERE, drag.eta * lag, old), drag.eta * (1.0 - lag), new)
-            behind += dot(loss, old)
-            ahead += dot(loss, new)
+        powers = taken(drag, lag, old, new)
+        behind += powers[0]
+        ahead += powers[1]
         put_part(row, i, BEFORE, old)
         put_part(row, i, V, new)
         kinetic += 0.5 * mass[i] * dot(old, new)
-        if spin is not None:
+        if turns is not None:
             spun = part(row, i, W)
             spins = add_scaled(spun, dt / inertia[i], part(acting, i, TURN))
             put_part(row, i, SPUN, spun)

@@ -19,11 +19,12 @@ from vv.engines.dem.bulk.batches import (
     total,
 )
 from vv.engines.dem.bulk.cells import cells
-from vv.engines.dem.bulk.chunks import all_forces, whole_step
+from vv.engines.dem.bulk.crowd import Crowd, Rules
 from vv.engines.dem.bulk.grains import Given, grains
 from vv.engines.dem.bulk.near import near_pairs, near_walls, nothing_near
 from vv.engines.dem.bulk.output import booked, observe
 from vv.engines.dem.bulk.skin import FIRST, adapted, narrowest, widest
+from vv.engines.dem.bulk.steps import push_all, step_all
 from vv.engines.dem.bulk.viscous import Dashpot, meet, room_to_meet, slow, withdraw
 from vv.engines.dem.contact.law import Law
 from vv.engines.dem.limits import BLOW_UP, GAIN
@@ -48,30 +49,29 @@ def move_in_bulk(  # noqa: PLR0915 - one loop, whose parts share all its variabl
     dashpot: Dashpot | None,
     gravity: Triple,
     drag: Drag | None,
+    threads: int | None,
     lag: float,
     back: float,
 ) -> int:
     """As `vv.engines.dem.space.kernel.move_in_space`, which says what the arguments mean.
 
-    walls (w, 4): outward normals and how far they lie along them [m]; friction: that of the law.
-    Every `stride` steps a line is written of path (k, b, 6 or 9) and energy (k, 7).
+    walls (w, 4): outward normals and how far they lie along them [m]; friction: that of the law;
+    threads: None for one core. Every `stride` steps a line is written of path (k, b, 6 or 9) and
+    energy (k, 7).
     """
-    bulk, spin = grains(given), given.spin
-    n, rubs, viscous = (
-        len(given.mass),
-        friction is not None,
-        None if dashpot is None else dashpot[1],
-    )
+    bulk, spin, n, rubs = grains(given), given.spin, len(given.mass), friction is not None
+    viscous = None if dashpot is None else dashpot[1]
+    rules = Rules(walls, law, friction, viscous, spin, dt, drag, lag, gravity)
     radius, reach = narrowest(bulk), 2.0 * widest(bulk)
     skin, sought, used = FIRST * radius, 0, 0
     sorted_cells = cells(bulk, reach + skin)
     pairs = near_pairs(bulk, sorted_cells, skin, nothing_near(n), rubs)
     edges = near_walls(bulk, walls, sorted_cells, skin, nothing_near(n), rubs)
-    work = batches(pairs)
+    crowd = Crowd(bulk, pairs, edges, batches(pairs), rules)
     met, new = room_to_meet(0), np.zeros((n + 1, 3))
     weigh(bulk, gravity)
-    all_forces(bulk, pairs, edges, work, walls, law, friction, viscous, dt, True)
-    normal, sprung = total(work.sums, NORMAL), total(work.sums, SPRUNG)
+    push_all(crowd, True, threads)
+    normal, sprung = total(crowd.work.sums, NORMAL), total(crowd.work.sums, SPRUNG)
     slowed = 0.0, 0.0
     if dashpot is not None:
         met = room_to_meet(len(pairs.other) + len(edges.other))
@@ -83,8 +83,8 @@ def move_in_bulk(  # noqa: PLR0915 - one loop, whose parts share all its variabl
         withdraw(bulk, met, used)
         slowed = slow(bulk, met, used, new, dt, drag, lag)
     put_in += place_spins(bulk, spin, back * dt)
-    kick(bulk, work.sums, 0, 0, n, spin, dt, drag, lag, gravity, 0.0)
-    ahead = slowed[1] + total(work.sums, AHEAD)
+    kick(crowd, 0, 0, n, 0.0)
+    ahead = slowed[1] + total(crowd.work.sums, AHEAD)
     slipped = dragged = done = far = 0.0
 
     steps = 0
@@ -98,30 +98,28 @@ def move_in_bulk(  # noqa: PLR0915 - one loop, whose parts share all its variabl
                 sorted_cells = cells(bulk, reach + skin)
                 pairs = near_pairs(bulk, sorted_cells, skin, pairs, rubs)
                 edges = near_walls(bulk, walls, sorted_cells, skin, edges, rubs)
-                work = batches(pairs)
+                crowd = Crowd(bulk, pairs, edges, batches(pairs), rules)
                 weigh(bulk, gravity)
                 if dashpot is not None:
                     met = room_to_meet(len(pairs.other) + len(edges.other))
             told = step + 1 == stride
             way = 0.0 if told else dt
             if dashpot is None:
-                whole_step(
-                    bulk, pairs, edges, work, walls, law, friction, dt, told,
-                    spin, drag, lag, gravity, way,
-                )  # fmt: skip
+                step_all(crowd, told, way, threads)
             else:
-                all_forces(bulk, pairs, edges, work, walls, law, friction, viscous, dt, told)
+                push_all(crowd, told, threads)
                 used = meet(bulk, pairs, edges, walls, met, dashpot, dt)
                 slowed = slow(bulk, met, used, new, dt, drag, lag)
-                kick(bulk, work.sums, 0, 0, n, spin, dt, drag, lag, gravity, way)
-            far = math.sqrt(farthest(work.sums))
-            slipped += total(work.sums, LOST)
-            dragged += ahead + slowed[0] + total(work.sums, BEHIND)
-            ahead = slowed[1] + total(work.sums, AHEAD)
+                kick(crowd, 0, 0, n, way)
+            sums = crowd.work.sums
+            far = math.sqrt(farthest(sums))
+            slipped += total(sums, LOST)
+            dragged += ahead + slowed[0] + total(sums, BEHIND)
+            ahead = slowed[1] + total(sums, AHEAD)
 
         observe(path, line, watched, given, bulk)
-        kinetic = total(work.sums, KINETIC)
-        normal, sprung = total(work.sums, NORMAL), total(work.sums, SPRUNG)
+        sums = crowd.work.sums
+        kinetic, normal, sprung = total(sums, KINETIC), total(sums, NORMAL), total(sums, SPRUNG)
         held = kinetic, normal, sprung, slipped, 0.5 * dt * dragged
         done = max(done, booked(energy, line, held, given, bulk, gravity))
         most, whole = put_in + done, kinetic + normal + sprung

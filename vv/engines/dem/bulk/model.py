@@ -34,6 +34,7 @@ class BulkState(NamedTuple):
     dashpot: tuple[float, float] | None
     gravity: tuple[float, float, float]
     drag: Drag | None
+    threads: int | None = None
 
 
 @dataclass(frozen=True, eq=False)

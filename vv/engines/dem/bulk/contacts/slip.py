@@ -6,7 +6,7 @@ import math
 
 from vv.engines.dem.bonds.bend import note, three
 from vv.engines.dem.bonds.blocks import WIDE
-from vv.engines.dem.bulk.fetch import (
+from vv.engines.dem.bulk.contacts.fetch import (
     ACROSS,
     CAPS,
     FADING,

@@ -36,20 +36,19 @@ inside each surface the contact lies at the middle of the step [m].
 
 @inlined
 def choose(
-    row: Vector,
-    acting: Vector,
+    grains: Grains,
     pairs: Near,
     scratch: Vector,
     ends: Short,
     c: int,
-    first: int,
-    last: int,
+    some: tuple[int, int],
     friction: tuple[float, float] | None,
 ) -> int:
-    """Put the pairs that touch into scratch, without a branch; return how many they are."""
+    """Put those of some pairs that touch into scratch, without a branch; return how many do."""
+    row, acting = grains.row, grains.acting
     one, other, touching, many = pairs.one, pairs.other, pairs.touching, 0
     end = len(other) - 1
-    for k in range(first, last):
+    for k in range(some[0], some[1]):
         soon = other[min(k + SOON, end)]
         begin_to_read(row, soon, 0)
         begin_to_read(row, soon, 8)

@@ -11,8 +11,8 @@ import math
 
 from vv.engines.dem.bonds.bend import note, three
 from vv.engines.dem.bonds.blocks import WIDE
-from vv.engines.dem.bulk.batches import LOST, NORMAL, SPRUNG, Batches
-from vv.engines.dem.bulk.fetch import (
+from vv.engines.dem.bulk.batches import LOST, NORMAL, SPRUNG
+from vv.engines.dem.bulk.contacts.fetch import (
     ACROSS,
     ALONG,
     ARMS,
@@ -37,9 +37,8 @@ from vv.engines.dem.bulk.fetch import (
     fetch,
     hand_out,
 )
-from vv.engines.dem.bulk.grains import Grains
-from vv.engines.dem.bulk.near import Near
-from vv.engines.dem.bulk.slip import slip
+from vv.engines.dem.bulk.contacts.slip import slip
+from vv.engines.dem.bulk.crowd import Crowd
 from vv.engines.dem.contact.friction import share_closed, slid, tried
 from vv.engines.dem.contact.law import Law, across, pressed, stored
 from vv.engines.dem.contact.pairs import last_step
@@ -51,26 +50,23 @@ from vv.scene import Vector
 
 @lent
 def press(
-    grains: Grains,
-    pairs: Near,
-    work: Batches,
+    crowd: Crowd,
     c: int,
-    first: int,
-    last: int,
+    some: tuple[int, int],
     beyond: tuple[int, int],
+    told: bool,
     law: Law,
     friction: tuple[float, float] | None,
     viscous: float | None,
-    dt: float,
-    told: bool,
 ) -> None:
-    """Add the forces of pairs first to last to push and turn, and what friction took to the sums.
+    """Add the forces of some pairs to push and turn, and what friction took to the sums of chunk c.
 
-    beyond: from which sphere on forces are put aside, and by how many rows. viscous: None unless
-    contacts are. told: whether energies of springs are summed, too.
+    some: the first of them, and the one after the last. beyond: from which sphere on forces are put
+    aside, and by how many rows. told: whether energies of springs are summed, too.
     """
+    grains, pairs, work, dt = crowd.grains, crowd.pairs, crowd.work, crowd.rules.dt
     scratch, ends = work.scratch, work.ends
-    many = choose(grains.row, grains.acting, pairs, scratch, ends, c, first, last, friction)
+    many = choose(grains, pairs, scratch, ends, c, some, friction)
     fetch(grains.row, pairs, scratch, ends, c, many, friction, viscous)
     if friction is None:
         bounce(scratch, c, many, law)

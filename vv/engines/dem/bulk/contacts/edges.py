@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from vv.engines.dem.bulk.batches import LOST, NORMAL, SPRUNG
-from vv.engines.dem.bulk.grains import BEFORE, RADIUS, SPUN, TURN, Grains, V, W, part, put_part
-from vv.engines.dem.bulk.near import Near
+from vv.engines.dem.bulk.crowd import Crowd
+from vv.engines.dem.bulk.grains import BEFORE, RADIUS, SPUN, TURN, V, W, part, put_part
 from vv.engines.dem.contact.friction import rub
 from vv.engines.dem.contact.law import Law, across, pressed, stored
 from vv.engines.dem.contact.touch import Touch
@@ -29,22 +29,18 @@ def wall_touch(row: Vector, i: int, n: Triple, overlap: float, dt: float) -> Tou
 
 @lent
 def lean(
-    grains: Grains,
-    edges: Near,
-    walls: Vector,
-    sums: Vector,
+    crowd: Crowd,
     c: int,
-    first: int,
-    last: int,
+    some: tuple[int, int],
+    told: bool,
     law: Law,
     friction: tuple[float, float] | None,
-    dt: float,
-    told: bool,
 ) -> None:
-    """As `press`, of walls (w, 4): outward normals and how far they lie along them [m]."""
-    row, acting = grains.row, grains.acting
+    """As `press`, of walls."""
+    edges, walls, dt, sums = crowd.edges, crowd.rules.walls, crowd.rules.dt, crowd.work.sums
+    row, acting = crowd.grains.row, crowd.grains.acting
     one, other, touching, shear = edges.one, edges.other, edges.touching, edges.shear
-    for k in range(first, last):
+    for k in range(some[0], some[1]):
         i, n = one[k], at(walls, other[k])
         radius, spring = row[i, RADIUS], NOWHERE
         overlap = radius - dot(at(row, i), n) + walls[other[k], 3]

@@ -1,0 +1,1 @@
+"""The forces of pairs and walls that touch: what they need is fetched, computed, handed out."""
