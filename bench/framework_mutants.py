@@ -31,6 +31,7 @@ LAYERS = (
     "vv/plan", "vv/records", "vv/run", "vv/scene", "vv/standins", "vv/store", "adapters", "reports",
 )  # fmt: skip
 MORE = {
+    "cli": ("run",),
     "records": ("insight",),
     "case": ("records",),
     "ask": ("case", "records"),

@@ -40,6 +40,18 @@ def test_the_same_again_tells_the_same_and_exits_alike(tiny: Tiny) -> None:
     assert "FAIL" in again.stdout
 
 
+def test_what_was_told_is_kept_for_the_same_again_and_only_then(tiny: Tiny) -> None:
+    def told() -> list[bool]:
+        answers = (tiny.root / ".vv" / "answers").rglob("*")
+        kept = [json.loads(path.read_text())["kept"] for path in answers if path.is_file()]
+        return ["told" in one for one in kept if "manifest" in one]
+
+    assert SAYS not in tiny.vv(*SELECTION, "--fresh").stderr
+    assert told() == []
+    stands(tiny)
+    assert told() == [True]
+
+
 def heads(tiny: Tiny) -> list[str]:
     """The first lines of the manifests that are kept, oldest first."""
     found = sorted((tiny.root / ".vv" / "manifests").iterdir())
