@@ -72,12 +72,26 @@ SCHEMES = (
         observables=OBSERVABLES,
         why_not={Term.ROTATION: "arms and normals are those of a step's begin, of first order"},
     ),
+    Scheme(
+        "augmented-lagrangian",
+        "rigid contact: multipliers take up the forces of all springs, along and across, until "
+        "gaps and slips are nil (Lin, Amadei, Jung and Dwyer 1996); a step hands on the velocity "
+        "of its middle, so that a blow leaves no rebound",
+        Method.FIRST_ORDER,
+        TERMS - {Term.STRAIN, Term.STRAINED_START},
+        KNOBS,
+        observables=OBSERVABLES - {Strain},
+        why_not=dict.fromkeys(
+            (Term.STRAIN, Term.STRAINED_START), "velocities of middles lag, which damps strains"
+        ),
+    ),
 )
 FORMULATIONS: Mapping[str, dda.Formulation] = {
     "default": dda.DEFAULT,
     "published": dda.PUBLISHED,
     "lagged": dda.LAGGED,
     "generalised-alpha": dda.DAMPED,
+    "augmented-lagrangian": dda.BORNE,
 }
 SOLVERS = tuple(
     compiled(

@@ -4,11 +4,12 @@ May import: base, scene, ask, standins, engines.kernels, engines.blocks.
 """
 
 from vv.ask import Ask, Run
-from vv.engines.dda.formulation import DAMPED, DEFAULT, LAGGED, PUBLISHED, Formulation
+from vv.engines.dda.formulation import BORNE, DAMPED, DEFAULT, LAGGED, PUBLISHED, Formulation
 from vv.engines.dda.refusals import refuses
 from vv.engines.dda.solve import PreparedBlocks, prepare, solve
 
 __all__ = [
+    "BORNE",
     "DAMPED",
     "DEFAULT",
     "LAGGED",
@@ -18,6 +19,7 @@ __all__ = [
     "prepare",
     "refuses",
     "solve",
+    "solve_augmented_lagrangian",
     "solve_default",
     "solve_generalised_alpha",
     "solve_lagged",
@@ -43,3 +45,8 @@ def solve_lagged(ask: Ask) -> Run:
 def solve_generalised_alpha(ask: Ask) -> Run:
     """Solve an ask by steps of generalised alpha; cost is left empty."""
     return solve(ask, DAMPED)
+
+
+def solve_augmented_lagrangian(ask: Ask) -> Run:
+    """Solve an ask with gaps held at nil by multipliers; cost is left empty."""
+    return solve(ask, BORNE)

@@ -5,8 +5,8 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from vv.engines.dda.limits import MOST, OPEN_CLOSE, RADIUS, SERIES, TURNS
-from vv.engines.dda.stepping import IMPLICIT, Stepping, generalised_alpha
+from vv.engines.dda.limits import MOST, MULTIPLIERS, OPEN_CLOSE, RADIUS, SERIES, TURNS
+from vv.engines.dda.stepping import IMPLICIT, LEAPING, Stepping, generalised_alpha
 from vv.standins.stand_in import SHEAR
 
 PUBLISHED_SHEAR = 0.4
@@ -29,8 +29,9 @@ class Formulation:
     dd: the part of its velocity that a step hands on. shear: ks/kn where the scene says rigid
     contact. pressed: contacts start with the penetration that carries the loads; else as placed.
     charged: shear springs bear friction, of the loads at the start and while a contact slides;
-    else they start unloaded and are let go by every slip. Raises
-    ValueError for a number out of range.
+    else they start unloaded and are let go by every slip. multipliers: times that multipliers take
+    up the springs' forces in a step, which ends with gaps held at nil; none leaves springs.
+    Raises ValueError for a number out of range.
     """
 
     tolerance: float
@@ -45,6 +46,7 @@ class Formulation:
     shear: float = SHEAR
     pressed: bool = True
     charged: bool = True
+    multipliers: int = 0
 
     def __post_init__(self) -> None:
         checks = {
@@ -52,6 +54,7 @@ class Formulation:
             "iterations": self.iterations >= 1,
             "terms": self.terms >= 1,
             "newton": self.newton >= 0,
+            "multipliers": self.multipliers >= 0,
             "turns": self.turns >= 0,
             "follow": self.follow >= 0,
             "settling": 0 <= self.settling < math.inf,
@@ -80,3 +83,9 @@ DAMPED = Formulation(
     stepping=generalised_alpha(RADIUS),
 )  # fmt: skip
 """DEFAULT but for inertia, which generalised alpha steps: second order, known damping."""
+
+BORNE = Formulation(
+    tolerance=1e-12, iterations=OPEN_CLOSE, terms=SERIES, newton=MOST, stepping=LEAPING,
+    pressed=False, multipliers=MULTIPLIERS,
+)  # fmt: skip
+"""Contacts whose forces multipliers bear and not springs (Lin, Amadei, Jung and Dwyer 1996)."""

@@ -47,3 +47,19 @@ TURNS = 12
 
 RADIUS = 0.5
 """Part of a swing that a step of generalised alpha keeps where it does not resolve the swing."""
+
+MULTIPLIERS = 40
+"""Times that multipliers take up the springs' forces before a step is cut; most steps need four."""
+
+HELD = 1e-10
+"""Part of the largest contact force that springs may still bear where multipliers bear forces."""
+
+FIRM = 10.0
+"""Springs under multipliers over the inertia of a contact: each pass then leaves a tenth or so."""
+
+SLOW = 0.1
+"""What a pass of multipliers may leave of the springs' forces before springs are ten times firmer.
+"""
+
+STUCK = 0.5
+"""What a pass of multipliers leaves of the springs' forces where they are rounding of gaps."""

@@ -29,6 +29,7 @@ def refuses(ask: Ask, formulation: Formulation = DEFAULT) -> str | None:
     checks = (moves_where_locked, undetermined, _turns_its_strains_away)
     found = next((reason for check in checks if (reason := check(scene))), None)
     found = found or (overlaps(scene) if rigid else None)
+    found = found or (_beyond_multipliers(scene) if formulation.multipliers else None)
     return found or (_slides_off(scene, formulation.settling) if formulation.settling else None)
 
 
@@ -52,6 +53,19 @@ def _slides_off(scene: Scene, settling: float) -> str | None:
     return (
         f"gravity pulls block '{block.name}' with {np.linalg.norm(along):.6g} N, and friction "
         f"holds {holds:.6g} N: it would slide for the {settling:g} s of gravity alone before t = 0"
+    )
+
+
+def _beyond_multipliers(scene: Scene) -> str | None:
+    """What multipliers do not bear: springs that are meant, and walls of stones."""
+    if not scene.contact.rigid:
+        return "multipliers hold gaps at nil, and the scene has contact on springs"
+    turning = [block.name for block in scene.blocks if block.free_spin.any()]
+    if len(turning) < 2:
+        return None
+    return (
+        f"blocks '{turning[0]}' and '{turning[1]}' turn: among several that do, multipliers at "
+        "redundant points with friction do not always settle"
     )
 
 

@@ -18,7 +18,7 @@ from vv.engines.dda.limits import COULOMB, GAIN, MOMENTUM, REACH
 from vv.engines.dda.point.model import Sliding, sliding
 from vv.engines.dda.refusals import refuses, settles
 from vv.engines.dda.springs import springs
-from vv.engines.dda.stepping import IMPLICIT
+from vv.engines.dda.stepping import IMPLICIT, LEAPING
 from vv.scene import Vector
 
 LEDGER = (
@@ -36,8 +36,9 @@ LEDGER = (
     "given by contacts and inertia found anew",
 )
 SIGNED = "taken by steps of generalised alpha, which give some back"
+LEAPT = "taken by blows, and by steps, whose velocities are those of their middles"
 HELD, WORKS = slice(0, 4), slice(7, 12)
-CREATED = 12
+NUMERICAL, CREATED = 5, 12
 EPS = float(np.finfo(float).eps)
 ROUNDINGS = 64  # of the peak energy, allowed for each step
 
@@ -118,6 +119,7 @@ class PreparedBlocks:
     def _start(self) -> str:
         pressed = "pressed by their loads" if self.formulation.pressed else "as placed"
         pressed += ", shear springs charged" if self.formulation.charged else ""
+        pressed += ", multipliers bear forces" if self.formulation.multipliers else ""
         settled = f", after {self.settling} steps of gravity alone" if self.settling else ""
         return f"contacts start {pressed}{settled}"
 
@@ -156,8 +158,8 @@ class PreparedBlocks:
 
     def _names(self) -> list[str]:
         """LEDGER, where what a step takes can only be a loss if its forces are those at its end."""
-        own = self.formulation.stepping == IMPLICIT
-        return [name if own or name != "numerical dissipation" else SIGNED for name in LEDGER]
+        other = {IMPLICIT: LEDGER[NUMERICAL], LEAPING: LEAPT}.get(self.formulation.stepping, SIGNED)
+        return [*LEDGER[:NUMERICAL], other, *LEDGER[NUMERICAL + 1 :]]
 
     def _audits(
         self, report: Vector, created: float, rounding: float

@@ -22,6 +22,15 @@ class Stepping(NamedTuple):
 IMPLICIT = Stepping(0.0, 0.0, 0.5, 1.0)
 """DDA's own: d'' = (2/D^2)(d - D v0), forces at the end (Yagoda-Biran 2016, Eq. 5 corrected)."""
 
+LEAPING = Stepping(0.0, 0.0, 1.0, 1.0)
+"""For blows without rebound: v1 = d/D, the velocity of a step's middle, if no a0 is handed on.
+
+Contact then makes d, and with it v1, what it allows (Paoli and Schatzman 2002, restitution nil).
+"""
+
+HALF_LEAP = Stepping(0.0, 0.0, 0.5, 0.5)
+"""The first such step, which leads from a velocity at its begin to that of its middle."""
+
 
 def generalised_alpha(radius: float) -> Stepping:
     """The step of second order that damps least among those of a spectral radius at infinite w D.

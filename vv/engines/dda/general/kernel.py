@@ -42,10 +42,11 @@ from vv.engines.dda.general.energy import (
 )  # fmt: skip
 from vv.engines.dda.general.inertia import Rule, brought, handed_on
 from vv.engines.dda.general.iterate import iterate
+from vv.engines.dda.general.multipliers import bear, close_borne, fall
 from vv.engines.dda.general.rows import lost, note
 from vv.engines.dda.general.turning import convected
 from vv.engines.dda.limits import CUTS, GAIN
-from vv.engines.dda.stepping import IMPLICIT
+from vv.engines.dda.stepping import HALF_LEAP, IMPLICIT
 from vv.engines.kernels.arrays import (
     larger,
     nil_numbers,
@@ -62,6 +63,7 @@ from vv.scene import Mask, Vector
 
 FIRST: Rule = (IMPLICIT.alpha_m, IMPLICIT.alpha_f, IMPLICIT.beta, IMPLICIT.gamma)
 # which needs no accelerations at the start, and leaves those that its forces make
+HALF: Rule = (HALF_LEAP.alpha_m, HALF_LEAP.alpha_f, HALF_LEAP.beta, HALF_LEAP.gamma)
 
 
 @called
@@ -102,6 +104,7 @@ def move_blocks(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
     follow: int,
     dd: float,
     hold: float,
+    multipliers: int | None,
     bodies: Bodies,
     begun: Motion,
     motion: Motion,
@@ -122,8 +125,9 @@ def move_blocks(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
 
     settling: steps before t = 0 with drives at rest; rule: of all steps but the first, which is
     DDA's own; tolerance, iterations, newton, terms, turns, follow, dd: see Formulation; hold: 1
-    where it is charged, else 0; begun: the start; motion: becomes the end; base, starts: see
-    `drives`; shaking: a body acceleration; kn, ks [N/m] and mu of every point of contact; reach
+    where it is charged, else 0; multipliers: None leaves springs, see Formulation; begun: the
+    start; motion: becomes the end; base, starts: see `drives`; shaking: a body acceleration;
+    kn, ks [N/m] and mu of every point of contact; reach
     [m]: see `found`; elastic: (q, 12) stiffness of strains [N m], laid out as `masses` are.
 
     Every `stride` steps a row is written: path (k, b, 15): displacement, velocity and the tensor
@@ -134,14 +138,17 @@ def move_blocks(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
     mass, outer, flow = nil_table(q, 12), nil_numbers(q), nil_numbers(q)
     d, pull, turn = nil_numbers(q), nil_numbers(q), nil_numbers(q)
     u, begun_by, rate = nil_numbers(q), nil_numbers(q), nil_numbers(q)
-    now = FIRST
+    now = FIRST if multipliers is None else HALF
+    store, stores = (kn, ks) if multipliers is None else (0.0, 0.0)
     ledger, worst, done = nil_numbers(TERMS), nil_numbers(REPORTS), -settling
-    put_in, ever, most = 0.0, 0.0, np.inf
+    put_in, ever, most, spare = 0.0, 0.0, np.inf, 0.0
+    if multipliers is not None:  # springs that bear loads hold more than rounding does
+        spare = fall(bodies, reach)
     copied(motion, begun)
     touch = found(touch_room(0 * walls), bodies, motion, shapes, moves, planes, shift, depth, reach)
     closed(touch, motion.strain, kn, ks, mu, hold)
     masses(mass, bodies, motion)
-    held(ledger, touch, bodies, motion, mass, kn, ks, elastic)
+    held(ledger, touch, bodies, motion, mass, store, stores, elastic)
     origin = same_rows(motion.centre, len(motion.centre))
 
     for row in range(len(path)):
@@ -151,7 +158,8 @@ def move_blocks(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
                 shake, share = NOWHERE, 1.0 - now[1]
                 if done >= 0:
                     shifted(ahead, moved, shift, base, starts, done * dt + begin + part, share)
-                    shake = value(shaking, done * dt + begin + share * part)
+                    late = share * part if multipliers is None else 0.0
+                    shake = value(shaking, done * dt + begin + late)
                 weight = brought(begun_by, motion.velocity, rate, now, part)
                 count = len(touch.key)
                 state, push = same_counts(touch.state, count), same_numbers(touch.push, count)
@@ -160,22 +168,35 @@ def move_blocks(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
                 convected(turn, bodies, motion, mass, elastic, part, terms, turns)
                 for a in range(q):
                     outer[a] += turn[a]
-                ended, solved, used, rub, relative = iterate(
-                    u, touch, bodies, motion, mass, outer, moved, begun_by, part, weight, kn, ks,
-                    mu, hold, tolerance, iterations, newton, elastic,
-                )  # fmt: skip
+                if multipliers is None:
+                    ended, solved, used, rub, relative = iterate(
+                        u, touch, bodies, motion, mass, outer, moved, begun_by, part, weight,
+                        kn, ks, mu, hold, tolerance, iterations, newton, elastic,
+                    )  # fmt: skip
+                else:
+                    spring = same_rows(touch.spring, count)
+                    ended, solved, used, rub, relative = bear(
+                        u, touch, bodies, motion, mass, outer, moved, begun_by, part, weight,
+                        kn, ks, mu, hold, tolerance, iterations, newton, elastic, multipliers,
+                    )  # fmt: skip
                 worst[SOLVED] += solved
                 worst[ITERATIONS] = larger(worst[ITERATIONS], float(solved))
                 if not ended and part > dt / CUTS:
                     forget(touch, state, push, way)
+                    if multipliers is not None:
+                        copy_rows(touch.spring, spring)
                     part *= 0.5
                     worst[CUT] += 1
                     continue
                 worst[FAILED] += 0 if ended else 1
                 over = 1.0 / share
-                close_step(
-                    ledger, worst, pull, touch, used, rub, relative, moved, over, kn, ks, mu, hold
-                )
+                if multipliers is None:
+                    close_step(
+                        ledger, worst, pull, touch, used, rub, relative, moved, over, kn, ks, mu,
+                        hold,
+                    )  # fmt: skip
+                else:
+                    close_borne(ledger, worst, pull, touch, used, rub, relative, moved, ks, mu)
                 audit(worst, pull, outer, u, begun_by, part, weight, bodies, motion, mass, elastic)
                 for a in range(q):
                     d[a] = over * u[a]
@@ -187,12 +208,15 @@ def move_blocks(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
                 ledger[NUMERICAL] += (0.5 - now[1]) * applied(flow, elastic, bodies, d)
                 ledger[NUMERICAL] += handed_on(motion.velocity, rate, d, mass, bodies, now, part)
                 now = rule
+                if multipliers is not None:  # what a blow was is not handed on
+                    for a in range(q):
+                        rate[a] = 0.0
                 displace(motion, bodies, shapes, d, terms, follow)
-                held(ledger, touch, bodies, motion, mass, kn, ks, elastic)
+                held(ledger, touch, bodies, motion, mass, store, stores, elastic)
                 if row > 0:
                     works = ledger[GRAVITY] + ledger[LOAD] + ledger[BASE] + ledger[SHAKING]
                     ever = larger(ever, works)
-                    most = GAIN * (put_in + ever)
+                    most = GAIN * (put_in + ever) + spare
                 if lost(ledger, most):  # contact cannot be looked for between blocks that are so
                     note(path[row], energy[row], report[row], watched, origin,
                          bodies, motion, ledger, worst)  # fmt: skip
@@ -206,7 +230,7 @@ def move_blocks(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
                 copy_rows(shift, ahead)
                 touch = found(touch, bodies, motion, shapes, moves, planes, shift, depth, reach)
                 masses(mass, bodies, motion)
-                held(ledger, touch, bodies, motion, mass, kn, ks, elastic)
+                held(ledger, touch, bodies, motion, mass, store, stores, elastic)
                 anew = ledger[KINETIC] + ledger[NORMAL] + ledger[SHEAR] - kept
                 ledger[FOUND] += anew
                 ledger[CREATED] += larger(0.0, anew)

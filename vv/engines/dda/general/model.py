@@ -121,6 +121,7 @@ class General:
             way.follow,
             dd,
             float(self.formulation.charged),
+            way.multipliers or None,
             self.bodies(),
             begun,
             self.motion(),

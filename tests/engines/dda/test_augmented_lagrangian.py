@@ -1,0 +1,170 @@
+"""Claims about dda/augmented-lagrangian: nothing sinks, kn is no matter, blows do not rebound."""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+
+import numpy as np
+import pytest
+
+from tests.scenes.dda_scenes import (
+    ALL,
+    DOWN,
+    FLOOR,
+    NONE,
+    G,
+    asked,
+    box,
+    moved,
+    rates,
+    run,
+    shaken,
+    slope,
+    stack,
+)
+from vv.ask import Ask, Displacement, History, Knobs, Run
+from vv.base.metrics import observed_order
+from vv.engines.dda import BORNE, DEFAULT, refuses
+from vv.engines.dda.general.multipliers import EPS, ROUNDINGS
+from vv.engines.dda.limits import HELD
+from vv.engines.dda.solve import LEAPT
+from vv.plan.project import find
+from vv.scene import Contact, Scene, Vector
+
+STEPS = (4e-3, 2e-3, 1e-3)
+WEDGE = find().load_case("wedge")
+SHAKEN = shaken((0.3, 0.2, 0.0), (1.0, 1.3, 1.0), 0.3)
+STACK = stack(NONE)
+STILL = dataclasses.replace(
+    STACK,
+    bodies=(
+        FLOOR,
+        *(dataclasses.replace(block, velocity=0 * block.velocity) for block in STACK.blocks),
+    ),
+)
+
+
+def wedge(xi: float, dip: float, held: float, knobs: Knobs) -> Ask:
+    given = {**WEDGE.defaults("xi-1"), "xi": xi, "dip": dip, "held": held}
+    return WEDGE.declare("xi-1", given).study.ask(knobs)
+
+
+def deepest(done: Run) -> float:
+    assert done.ledger is not None
+    return done.ledger.audits["penetration [m]"][0]
+
+
+def closes(done: Run) -> None:
+    """Every joule has a term, no audit is exceeded and no part of a step is kept unconverged."""
+    ledger = done.ledger
+    assert ledger is not None
+    assert ledger.bound is not None
+    assert ledger.unaccounted <= ledger.bound
+    for law, (seen, allowed) in ledger.audits.items():
+        assert seen <= allowed, law
+    assert done.model is not None
+    assert " 0 parts of steps kept unconverged" in done.model.note
+
+
+RESTING = {
+    "block": (slope(20, 25), 4),
+    "turning block": (slope(20, 25, spin=True), 4),
+    "stack": (STILL, 4),
+    "wedge": (wedge(1.0, 0.0, 0.5, Knobs(1e-3, 1e6)).scene, 4),
+}
+
+
+@pytest.mark.parametrize("kn", [1e7, 1e9, 1e11])
+@pytest.mark.parametrize("name", RESTING)
+def test_what_rests_no_longer_sinks_by_its_weight_over_the_springs(name: str, kn: float) -> None:
+    """Its springs are left HELD of the force at most, or a gap that is rounding."""
+    scene, points = RESTING[name]
+    weight = G * sum(block.mass for block in scene.blocks)
+    far = max(float(np.linalg.norm(block.vertices, axis=1).max()) for block in scene.blocks)
+    ask = asked(scene, 1e-3, kn, 0.2)
+    sunk, held = run(ask, DEFAULT), run(ask, BORNE)
+    assert deepest(sunk) >= 0.9 * weight * math.cos(math.radians(20)) / (points * kn)
+    bound = max(HELD * weight / kn, ROUNDINGS * EPS * far)
+    assert deepest(held) <= bound
+    assert np.abs(moved(held)).max() <= bound
+    closes(held)
+
+
+def test_answers_do_not_depend_on_the_springs_over_six_decades() -> None:
+    """Forces are right to HELD of themselves, and rounding of gaps adds 2 blur/dt^2 to g."""
+    paths = [moved(run(asked(SHAKEN, 1e-3, kn, 1.0), BORNE)) for kn in (1e6, 1e8, 1e10, 1e12)]
+    (block,) = SHAKEN.blocks
+    far = float(np.linalg.norm(block.vertices, axis=1).max()) + 0.6  # the base goes so far
+    blur = 2 * ROUNDINGS * EPS * far / 1e-3**2 / G
+    for path in paths[1:]:
+        assert np.abs(path - paths[0]).max() <= (HELD + blur) * np.abs(paths[0]).max()
+    soft, stiff = (moved(run(asked(SHAKEN, 1e-3, kn, 1.0), DEFAULT)) for kn in (1e6, 1e8))
+    assert np.abs(soft - stiff).max() > 1e-3 * np.abs(stiff).max()
+
+
+def order(scene: Scene, see: object) -> float:
+    assert callable(see)
+    right = see(run(asked(scene, 2e-5, 1e9, 0.4, 0.02), BORNE))
+    errors = []
+    for dt in STEPS:
+        off: Vector = see(run(asked(scene, dt, 1e9, 0.4, 0.02), BORNE)) - right
+        errors.append(float(np.abs(off).max()))
+    found = observed_order(list(STEPS), errors)
+    assert found is not None
+    return found.order
+
+
+def test_it_is_of_first_order_and_of_second_in_places_where_a_slide_does_not_turn() -> None:
+    straight = slope(20, 15, 2.0, velocity=1.0)
+    assert order(SHAKEN, moved) == pytest.approx(1.0, abs=0.1)
+    assert order(straight, rates) == pytest.approx(1.0, abs=0.1)
+    assert order(straight, moved) == pytest.approx(2.0, abs=0.1)
+
+
+@pytest.mark.parametrize(
+    "scene", [SHAKEN, slope(20, 22, 5.0), slope(30, 25, velocity=0.5, spin=True), STACK]
+)
+def test_every_joule_has_a_term_and_laws_are_kept(scene: Scene) -> None:
+    done = run(asked(scene, 2e-3, 1e8, 0.4, 0.02), BORNE)
+    closes(done)
+    assert done.ledger is not None
+    assert done.ledger.terms["normal elastic"] == done.ledger.terms["shear elastic"] == 0.0
+    assert done.ledger.terms["friction dissipation"] > 0.0
+
+
+def test_a_block_that_lands_stays_down_and_its_blow_takes_all_of_its_energy() -> None:
+    """On springs of DDA's own step it would be thrown up again; here it is down within a step."""
+    height = 0.1
+    falls = box((0.2, 0.2, 0.1), 2000.0, np.array([0.0, 0.0, 0.1 + height]))
+    scene = Scene((FLOOR, falls), Contact(math.inf, mu=0.5), gravity=DOWN)
+    done = run(asked(scene, 1e-3, 1e8, 0.4), BORNE)
+    closes(done)
+    assert done.ledger is not None
+    down = moved(done)[:, 2]
+    landed = round(math.sqrt(2 * height / G) / 0.01) + 1
+    assert np.abs(down[landed:] + height).max() <= ROUNDINGS * EPS
+    assert done.ledger.terms[LEAPT] == pytest.approx(falls.mass * G * height, rel=1e-9)
+    thrown = moved(run(asked(scene, 1e-3, 1e8, 0.4), DEFAULT))[landed:, 2]
+    assert thrown.max() > -0.9 * height
+
+
+@pytest.mark.parametrize("xi", [1.0, 1e-2, 1e-4, 1e-6])
+def test_a_wedge_slides_down_the_narrowest_groove(xi: float) -> None:
+    """Errors are those of forces, HELD, which friction leaves as much of the pull as it takes."""
+    ask = wedge(xi, 30.0, 0.5, Knobs(1e-2, 1e9))
+    done = run(ask, BORNE)
+    way = moved(done) @ ask.scene.axes[0]
+    due = 0.5 * (0.5 * G * math.sin(math.radians(30.0))) * done.times**2
+    assert np.abs(way - due).max() <= 10 * HELD * due[-1]
+    closes(done)
+
+
+def test_springs_and_walls_of_stones_are_refused() -> None:
+    knobs, goal = Knobs(1e-3, 1e8), History(1.0, 0.1)
+    sprung = dataclasses.replace(slope(20, 25), contact=Contact(1e8, 1e8, 0.5))
+    told = ((sprung, "contact on springs"), (stack(ALL), "'box' and 'box' turn"))
+    for scene, words in told:
+        ask = Ask(scene, goal, (Displacement(1),), knobs)
+        assert words in (refuses(ask, BORNE) or "")
+        assert refuses(ask, DEFAULT) is None
