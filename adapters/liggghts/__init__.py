@@ -115,7 +115,7 @@ class Liggghts:
 def _described(setup: Setup) -> Model:
     """Three or six freedoms for each sphere that moves, locked or not, and how that is put."""
     integrated = 3 * int(setup.moving.sum()) + 3 * int(setup.turning.sum())
-    unknowns = 6 if setup.clump is not None else integrated
+    unknowns = 6 * len(setup.clumps) if setup.clumps else integrated
     return Model(unknowns, setup.terms, "; ".join(notes(setup)))
 
 

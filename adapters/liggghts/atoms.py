@@ -54,10 +54,13 @@ def _neighbours(setup: Setup) -> Iterator[str]:
 
 
 def meets_again(setup: Setup) -> bool:
-    """Whether spheres that rub may part and touch again: all but those that locks hold together."""
+    """Whether spheres that rub may part and touch again.
+
+    Those that locks hold together do not, and those that stand for blocks do not touch.
+    """
     scene = setup.springs.scene
     spheres = scene.spheres
-    if Term.FRICTION not in scene.terms() or setup.scheme == OVERLAPPED:
+    if Term.FRICTION not in scene.terms() or setup.scheme == OVERLAPPED or setup.ask.scene.blocks:
         return False
     i, j = overlapping(spheres).T
     if len(i) < len(spheres) * (len(spheres) - 1) // 2:

@@ -1,30 +1,44 @@
-"""Puts a block to LIGGGHTS as the atoms of a rigid body in place of one sphere."""
+"""Puts blocks to LIGGGHTS as the atoms of rigid bodies in place of spheres."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import fields, replace
 
 import numpy as np
 
-from vv.scene import Block, Scene, Spheres, Wall
+from vv.scene import Scene, Spheres
 from vv.standins.clump import Clump
 
-WEIGHTLESS = 1e-18  # of the block's mass: what its centre and its corners weigh each
+WEIGHTLESS = 1e-18  # of a block's mass: what its centre and its corners weigh each
 
 
-def as_atoms(scene: Scene, made: Clump) -> Scene:
-    """The scene with its one sphere as atoms: the centre, corners, and points that hold the mass.
+def as_atoms(scene: Scene, made: Sequence[Clump]) -> Scene:
+    """The scene with its spheres as atoms: all centres, then each block's corners and points.
 
-    All springs together are those of the sphere. What loads the sphere loads the points.
+    All springs of a block together are those of its sphere. What loads a sphere loads the points,
+    which hold the mass.
     """
-    count = len(made.corners)
-    bodies = tuple(g if isinstance(g, Wall) else _atoms(g, made) for g in scene.bodies)
+    count = len(made[0].corners)
     law = replace(scene.contact, kn=scene.contact.kn / count, ks=scene.contact.ks / count)
-    return replace(scene, bodies=bodies, contact=law)
+    spheres = scene.spheres
+    parts = [_atoms(spheres.part(slice(i, i + 1)), one) for i, one in enumerate(made)]
+    centres = [atoms.part(slice(0, 1)) for atoms in parts]
+    rest = [atoms.part(slice(1, None)) for atoms in parts]
+    return replace(scene, bodies=(*scene.walls, *centres, *rest), contact=law)
 
 
-def _atoms(sphere: Spheres | Block, made: Clump) -> Spheres:
-    assert isinstance(sphere, Spheres)
+def members(made: Sequence[Clump]) -> list[list[int]]:
+    """The indices of the atoms of each block among those that `as_atoms` makes."""
+    sizes = [len(one.corners) + len(one.points) for one in made]
+    ends = len(made) + np.cumsum(sizes)
+    return [
+        [i, *range(int(end) - size, int(end))]
+        for i, (size, end) in enumerate(zip(sizes, ends, strict=True))
+    ]
+
+
+def _atoms(sphere: Spheres, made: Clump) -> Spheres:
     corners, points = len(made.corners), len(made.points)
     atoms = 1 + corners + points
     mass = np.full(atoms, float(sphere.mass[0]) / points)

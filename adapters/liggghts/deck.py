@@ -8,6 +8,7 @@ from adapters.liggghts.outputs import count_commands, output_commands
 from adapters.liggghts.sections import Deck
 from adapters.liggghts.setup import Setup
 from adapters.liggghts.terms.table import translated
+from vv.standins.clump import words
 
 DOMAIN = """\
 units           si
@@ -41,8 +42,8 @@ def silent_deck(setup: Setup, around: Sequence[str] = ()) -> str:
 def notes(setup: Setup) -> list[str]:
     """How the scene is represented, one fact each."""
     sections, stand_in = translated(setup), setup.springs.notes
-    if setup.clump is not None:
-        stand_in = f"a rigid body stands for the block: {setup.clump.words}", *stand_in[1:]
+    if setup.clumps:
+        stand_in = words(setup.clumps, "a rigid body"), *stand_in[1:]
     return [*stand_in, sections.law.note, *sections.motion_notes, *sections.notes]
 
 

@@ -7,6 +7,7 @@ import numpy as np
 from adapters.liggghts.overlaps import why_not_overlapped
 from adapters.liggghts.setup import CLUMP, HALF_STEP, OVERLAPPED, Setup, set_up
 from adapters.liggghts.terms.bonds import why_not_harmonic
+from adapters.liggghts.terms.forces import FEW
 from adapters.liggghts.terms.hertz import why_not_viscous
 from vv.ask import Ask
 from vv.codes import behind_wall, no_drag, no_sphere, no_steps, turned_spin_lock
@@ -77,10 +78,12 @@ def _spin(scene: Scene, scheme: str) -> str | None:
 
 
 def _too_many_groups(setup: Setup) -> str | None:
-    groups = len(setup.loads) + len(setup.locks) + len(setup.shaken)
+    bodies = len(setup.clumps) if len(setup.clumps) > 1 else 0
+    loads = len(setup.loads) if len(setup.loads) <= FEW else 0  # many take no groups
+    groups = loads + len(setup.locks) + len(setup.shaken) + bodies
     if groups > GROUPS:
         return (
-            f"{groups} different dead loads, locks and shaken masses; LIGGGHTS has {GROUPS} "
-            "groups for them"
+            f"{groups} different dead loads, locks, shaken masses and blocks; LIGGGHTS has "
+            f"{GROUPS} groups for them"
         )
     return None

@@ -7,12 +7,12 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from adapters.liggghts.clumps import as_atoms
+from adapters.liggghts.clumps import as_atoms, members
 from adapters.liggghts.overlaps import overlapped
 from adapters.liggghts.space import Space, space
 from vv.ask import Ask, Displacement, Observable
 from vv.scene import Mask, Scene, Spheres, Term, Vector, spheres_held_by_loads, with_loads_for_locks
-from vv.standins.clump import Clump, clump
+from vv.standins.clump import Clump, clumps
 from vv.standins.stand_in import SpringScene, spring_scene, without_rotations
 
 Alike = dict[tuple[float, ...], list[int]]  # what spheres have in common: their indices
@@ -25,7 +25,7 @@ class Setup:
 
     springs: its scene with spheres and springs in place of blocks and rigid contact. released:
     that with dead loads in place of oblique locks. scene: that with the masses, the atoms or the
-    overlaps of the scheme, which is what LIGGGHTS holds. clump: the block as a rigid body, in
+    overlaps of the scheme, which is what LIGGGHTS holds. clumps: the blocks as rigid bodies, in
     the scheme of that name. watched: what is written, each with the index of its sphere: first
     what was asked, then the displacements of spheres on which a dead load stands for a lock.
     """
@@ -35,7 +35,7 @@ class Setup:
     springs: SpringScene
     released: Scene
     scene: Scene
-    clump: Clump | None
+    clumps: tuple[Clump, ...]
     watched: tuple[tuple[Observable, int], ...]
 
     @property
@@ -68,13 +68,22 @@ class Setup:
     @functools.cached_property
     def slides(self) -> dict[int, Vector]:
         """How far (3,) [m] each sphere must slide to charge its shear spring as it starts."""
-        charged, ks = self.springs.charged, self.springs.scene.contact.ks
+        charged, ks = self.springs.charged, self.scene.contact.ks
         if charged is None or not charged.any():
             return {}
-        if self.clump is None:
-            return {i: -row / ks for i, row in enumerate(charged) if row.any()}
-        friction = self.clump.friction
-        return {1 + i: -row * len(friction) / ks for i, row in enumerate(friction)}
+        held = dict(enumerate(charged))
+        if self.clumps:
+            held = {
+                atom: row
+                for one, atoms in zip(self.clumps, self.parts, strict=True)
+                for atom, row in zip(atoms[1:], one.friction, strict=False)
+            }
+        return {i: -row / ks for i, row in held.items() if row.any()}
+
+    @functools.cached_property
+    def parts(self) -> list[list[int]]:
+        """The indices of the atoms of each rigid body: its centre, its corners, its points."""
+        return members(self.clumps)
 
     @functools.cached_property
     def loads(self) -> Alike:
@@ -104,15 +113,15 @@ def set_up(ask: Ask, scheme: str) -> Setup:
     """
     springs = spring_scene(without_rotations(ask))
     loose = with_loads_for_locks(springs.scene)
-    body = clump(ask, springs) if scheme == CLUMP else None
+    made = clumps(ask, springs) if scheme == CLUMP else ()
     scene = loose
     if scheme == OVERLAPPED:
         scene = overlapped(loose)
     elif scheme == HALF_STEP:
         scene = heavier(loose, loose.eta * ask.dt / 2)
-    elif body is not None:
-        scene = as_atoms(loose, body)
-    return Setup(ask, scheme, springs, loose, scene, body, _watched(ask, springs.scene))
+    elif made:
+        scene = as_atoms(loose, made)
+    return Setup(ask, scheme, springs, loose, scene, made, _watched(ask, springs.scene))
 
 
 def heavier(scene: Scene, extra: float) -> Scene:

@@ -1,8 +1,9 @@
-"""Puts a block to YADE as a clump in place of the sphere that stands for it."""
+"""Puts blocks to YADE as clumps in place of the spheres that stand for them."""
 
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -10,21 +11,28 @@ import numpy as np
 from vv.standins.clump import Clump
 
 
-def clumped(plan: dict[str, Any], made: Clump) -> dict[str, Any]:
-    """The driver's ask with the one sphere as a clump of spheres that touch and points that do not.
+def clumped(plan: dict[str, Any], made: Sequence[Clump]) -> dict[str, Any]:
+    """The driver's ask with its spheres as clumps of spheres that touch and points that do not.
 
-    All springs together are those of the sphere. Rotations are free as the block's are.
+    All springs of a block together are those of its sphere. Rotations are free as the block's are.
     """
-    count = len(made.corners)
-    (charged,) = plan["charged"] or [None]
-    bodies = [_clump(b, made) if b["kind"] == "sphere" else b for b in plan["bodies"]]
+    count, clumps = len(made[0].corners), iter(made)
+    numbers = [n for n, body in enumerate(plan["bodies"]) if body["kind"] == "sphere"]
+    (wall,) = set(range(len(plan["bodies"]))) - set(numbers)
     return {
         **plan,
         "kn": plan["kn"] / count,
         "ks": plan["ks"] / count,
-        "contacts": plan["contacts"] * int(made.touching.sum()),
-        "charged": [{**charged, "forces": made.friction.tolist()}] if charged else [],
-        "bodies": bodies,
+        "contacts": sum(int(one.touching.sum()) for one in made) if plan["contacts"] else 0,
+        "charged": [
+            {"wall": wall, "body": number, "forces": one.friction.tolist()}
+            for number, one in zip(numbers, made, strict=True)
+            if one.friction.any()
+        ],
+        "bodies": [
+            _clump(body, next(clumps)) if body["kind"] == "sphere" else body
+            for body in plan["bodies"]
+        ],
     }
 
 
@@ -32,16 +40,17 @@ def _clump(sphere: dict[str, Any], made: Clump) -> dict[str, Any]:
     """The sphere's data with the members: each a position, a radius and a mass.
 
     What stands on the wall weighs nothing to speak of, so that the points alone make the centroid
-    and the principal axes.
+    and the principal axes. A block that begins to tip feels other forces than the sphere, which
+    half a step before t = 0 have moved and turned it less.
     """
     small = sphere["mass"] * 1e-18
     eighth, point = sphere["mass"] / 8, made.radius * 1e-3
-    locked = "".join(
-        name for name, free in zip("XYZ", made.block.free_spin, strict=True) if not free
-    )
+    locked = "".join(name for name, free in zip("XYZ", made.free_spin, strict=True) if not free)
     return {
         **sphere,
         "kind": "clump",
+        "push": (np.array(sphere["push"]) - made.extra / 2).tolist(),
+        "twist": (np.array(sphere["twist"]) - made.moment / 2).tolist(),
         "blocked": "".join(axis for axis in sphere["blocked"] if axis in "xyz") + locked,
         "radius": made.radius,
         "inertia": sorted(np.linalg.eigvalsh(made.block.inertia).tolist()),

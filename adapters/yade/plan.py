@@ -13,14 +13,15 @@ from adapters.yade.setup import POLYHEDRA, Setup
 from adapters.yade.terms.table import translated
 from adapters.yade.terms.walls import facet_size, wall_body
 from vv.scene import Spheres, Vector, Wall
+from vv.standins.clump import words
 
 
 def plan(setup: Setup) -> Plan:
     """The driver's ask: numbers, lists and strings only, in SI units."""
     given = translated(setup)
     whole = {**given.numbers, "bodies": _bodies(setup, given)}
-    if setup.clump is not None:
-        return clumped(whole, setup.clump)
+    if setup.clumps:
+        return clumped(whole, setup.clumps)
     if setup.scheme == POLYHEDRA:
         return polyhedral(whole, setup.ask.scene, setup.springs.charged)
     return whole
@@ -29,8 +30,8 @@ def plan(setup: Setup) -> Plan:
 def notes(setup: Setup) -> list[str]:
     """How the scene is represented, one fact each."""
     stand_in = setup.springs.notes
-    if setup.clump is not None:
-        stand_in = f"a clump stands for the block: {setup.clump.words}", *stand_in[1:]
+    if setup.clumps:
+        stand_in = words(setup.clumps, "a clump"), *stand_in[1:]
     if setup.scheme == POLYHEDRA:
         polyhedron = (
             "the block is a polyhedron, in a frame whose z is the wall's normal; the volume of "

@@ -11,7 +11,7 @@ from vv.ask import Ask, Displacement, Observable
 from vv.scene import Mask, Scene, Term, Vector, spheres_held_by_loads, with_loads_for_locks
 from vv.scene.neighbours import overlapping
 from vv.scene.start import unbonded
-from vv.standins.clump import Clump, clump
+from vv.standins.clump import Clump, clumps
 from vv.standins.stand_in import SpringScene, spring_scene, without_rotations
 
 PLAIN, HALF_STEP, CLUMP, POLYHEDRA = "default", "half-step-mass", "clump", "polyhedra"
@@ -25,7 +25,7 @@ class Setup:
     asked: the ask as it came; ask: in the frame in which YADE is given it, whose axes in the
     scene's are the rows of frame (3, 3). springs: its scene with spheres and springs in place of
     blocks and rigid contact; scene: that with dead loads in place of oblique locks. extra: what
-    the scheme adds to every mass [kg]. clump: the block as a clump, in the scheme of that name.
+    the scheme adds to every mass [kg]. clumps: the blocks as clumps, in the scheme of that name.
     watched: the observables asked for; then displacements of spheres under a dead load for a lock.
     touching: which spheres overlap something at the start, (n,), which makes so many contacts.
     """
@@ -37,7 +37,7 @@ class Setup:
     springs: SpringScene
     scene: Scene
     extra: float
-    clump: Clump | None
+    clumps: tuple[Clump, ...]
     watched: tuple[Observable, ...]
     touching: Mask
     contacts: int
@@ -60,7 +60,7 @@ def set_up(asked: Ask, scheme: str) -> Setup:
     springs = spring_scene(without_rotations(ask))
     scene = with_loads_for_locks(springs.scene)
     extra = scene.eta * ask.dt / 2 if scheme == HALF_STEP else 0.0
-    body = clump(ask, springs) if scheme == CLUMP else None
+    made = clumps(ask, springs) if scheme == CLUMP else ()
     more = [
         d
         for d in map(Displacement, spheres_held_by_loads(springs.scene))
@@ -68,7 +68,7 @@ def set_up(asked: Ask, scheme: str) -> Setup:
     ]
     watched = (*ask.observables, *more)
     start = initial_contacts(scene)
-    return Setup(asked, ask, frame, scheme, springs, scene, extra, body, watched, *start)
+    return Setup(asked, ask, frame, scheme, springs, scene, extra, made, watched, *start)
 
 
 def framed(ask: Ask, scheme: str) -> Ask:

@@ -30,7 +30,7 @@ from vv.scene import (
     with_loads_for_locks,
 )
 from vv.scene.arrays import freeze
-from vv.standins.clump import clump
+from vv.standins.clump import clumps
 from vv.standins.soften import softened
 from vv.standins.stand_in import spring_scene, without_rotations
 
@@ -147,7 +147,7 @@ def test_what_stands_for_a_block_keeps_what_is_stated_of_all_else() -> None:
     springs = spring_scene(still)
     assert not lost(springs.scene, others)
     spheres = given(springs.scene)
-    assert not lost(as_atoms(spheres, clump(ask, springs)), (*others, Spheres))
+    assert not lost(as_atoms(spheres, clumps(ask, springs)), (*others, Spheres))
 
 
 def test_forces_at_the_start_are_those_of_every_pair() -> None:

@@ -10,7 +10,7 @@ from typing import Protocol
 import numpy as np
 
 from vv.ask import Ask, Displacement, Method, Model, Run, Sought, Status, Velocity
-from vv.scene import Form, Scene, Term
+from vv.scene import Form, Scene, Term, in_frame
 
 
 @dataclass(frozen=True)
@@ -152,9 +152,9 @@ def behind_wall(scene: Scene) -> str | None:
 
 def turned_spin_lock(scene: Scene, what_locks: str) -> str | None:
     """Why a code that locks rotation about the axes of its own frame cannot have a scene."""
-    masks = [*scene.spheres.free_spin, *(block.free_spin for block in scene.blocks)]
-    partly = any(free.any() and not free.all() for free in masks)
-    if partly and not np.array_equal(scene.axes, np.eye(3)):
+    partly = any(free.any() and not free.all() for free in scene.spheres.free_spin)
+    mixed = any(in_frame(scene.axes, block.free_spin) is None for block in scene.blocks)
+    if mixed or (partly and not np.array_equal(scene.axes, np.eye(3))):
         return f"rotation is locked about some axes of a turned frame; {what_locks}"
     return None
 

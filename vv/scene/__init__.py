@@ -19,9 +19,10 @@ from vv.scene.energy import DISSIPATED, Form, Loss
 from vv.scene.fluid import Fluid
 from vv.scene.hertz import Hertz
 from vv.scene.scene import Scene
-from vv.scene.start import initial_normal_forces
+from vv.scene.start import initial_normal_forces, initial_wall_forces
 from vv.scene.terms import Term
 from vv.scene.transform import (
+    in_frame,
     rotated,
     rotation_about_z,
     spheres_held_by_loads,
@@ -53,7 +54,9 @@ __all__ = [
     "Wall",
     "box_geometry",
     "face_normal",
+    "in_frame",
     "initial_normal_forces",
+    "initial_wall_forces",
     "polyhedron_inertia",
     "rotated",
     "rotation_about_z",

@@ -12,12 +12,7 @@ from vv.scene.scene import Scene
 
 def initial_normal_forces(scene: Scene) -> Vector:
     """The (n, 3) normal forces [N] of contacts and bonds on the spheres as they start."""
-    spheres, force = scene.spheres, _pull(scene)
-    for wall in scene.walls:
-        gap = (spheres.position - wall.point) @ wall.normal - spheres.radius
-        overlap = np.maximum(-gap, 0.0)
-        stiff = _stiffness(scene, overlap, 1.0 / spheres.radius)
-        force += (stiff * overlap)[:, None] * wall.normal
+    spheres, force = scene.spheres, _pull(scene) + initial_wall_forces(scene)
     pairs = unbonded(scene, overlapping(spheres))
     pairs = np.concatenate([pairs, pairs[:, ::-1]])
     i, j = pairs[np.argsort(pairs[:, 0], kind="stable")].T  # sums in the order of the spheres
@@ -26,6 +21,17 @@ def initial_normal_forces(scene: Scene) -> Vector:
     overlap = spheres.radius[j] + spheres.radius[i] - distance
     stiff = _stiffness(scene, overlap, 1.0 / spheres.radius[i] + 1.0 / spheres.radius[j])
     np.add.at(force, j, (stiff * (overlap / distance))[:, None] * offset)
+    return force
+
+
+def initial_wall_forces(scene: Scene) -> Vector:
+    """The (n, 3) normal forces [N] of walls alone on the spheres as they start."""
+    spheres, force = scene.spheres, np.zeros((len(scene.spheres), 3))
+    for wall in scene.walls:
+        gap = (spheres.position - wall.point) @ wall.normal - spheres.radius
+        overlap = np.maximum(-gap, 0.0)
+        stiff = _stiffness(scene, overlap, 1.0 / spheres.radius)
+        force += (stiff * overlap)[:, None] * wall.normal
     return force
 
 

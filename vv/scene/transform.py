@@ -87,6 +87,13 @@ def with_bodies_reversed(scene: Scene) -> Scene:
     return dataclasses.replace(scene, bodies=bodies, bonds=bonds)
 
 
+def in_frame(axes: Vector, free: Mask) -> Mask | None:
+    """Which axes of the frame (3,) are free where those of `axes` (3, 3) are; None if mixed."""
+    among = axes[free].T @ axes[free]
+    alone = np.diag(np.diag(among) > 0.5)
+    return np.diag(alone) if np.abs(among - alone).max() < 1e-12 else None
+
+
 def with_loads_for_locks(scene: Scene) -> Scene:
     """The scene with dead loads in place of oblique locks, for codes that lock frame axes only.
 

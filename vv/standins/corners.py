@@ -55,19 +55,20 @@ def _inward(block: Block, face: tuple[int, ...]) -> Vector:
     return np.asarray(normal * np.sign(normal @ (block.centroid() - a)) / np.linalg.norm(normal))
 
 
-def shares(
-    block: Block, wall: Wall, feet: Vector, force: Vector, friction: Vector | None
-) -> Vector:
-    """Each corner's part (k,) of the normal force: linear over the face, as of a rigid body."""
+def shares(block: Block, wall: Wall, feet: Vector, force: Vector, friction: Vector) -> Vector:
+    """Each corner's part (k,) of the normal force: linear over the face, as of a rigid body.
+
+    force, friction: (3,) [N], those of the wall; where friction would tip it, parts are negative.
+    """
     alike = np.full(len(feet), 1 / len(feet))
     total = float(force @ wall.normal)
-    if not block.free_spin.any() or total == 0 or friction is None:
+    if not block.free_spin.any() or total == 0:
         return alike
     arms = feet - block.centroid()
     # sum of shares is one, and the moment of all forces about the centroid along the wall nil
     rows = np.column_stack([np.ones(len(feet)), arms - np.outer(arms @ wall.normal, wall.normal)])
     centre = (arms @ wall.normal).mean() * wall.normal
-    tipping = np.cross(centre, friction[0])
+    tipping = np.cross(centre, friction)
     moments = np.cross(arms, total * wall.normal).T @ rows
     system = np.vstack([rows.sum(axis=0), moments])
     wanted = np.concatenate([[1.0], -tipping])

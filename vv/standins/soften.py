@@ -23,16 +23,16 @@ def why_no_point(scene: Scene) -> str | None:
             return f"block '{block.name}' strains; a sphere in its place would not"
         if len(scene.walls) != 1:
             return f"block '{block.name}' stands between {len(scene.walls)} walls; a sphere has one"
-    if len(scene.blocks) + len(scene.spheres) > 1 and scene.blocks:
-        return "blocks that may touch each other have faces; spheres have none"
+    if scene.blocks and len(scene.spheres):
+        return "a block that may touch spheres has faces; a sphere in its place has none"
     return None
 
 
 def as_spheres(scene: Scene) -> Scene:
     """The scene with each block as a sphere at its centroid, with the block's gap to the wall.
 
-    A block that cannot turn and meets one wall moves as a point does. Raises ValueError with the
-    reason where that is not so.
+    A block that cannot turn and meets one wall, and no other block, moves as a point does. Raises
+    ValueError with the reason where that is not so; blocks that may meet are not told.
     """
     reason = why_no_point(scene)
     if reason is not None:

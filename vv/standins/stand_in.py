@@ -8,7 +8,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from vv.ask import Ask
-from vv.scene import Block, Scene, Term, Vector
+from vv.scene import Block, Scene, Term, Vector, Wall
+from vv.standins.apart import why_not_apart
 from vv.standins.soften import (
     TOUCHING,
     as_spheres,
@@ -83,29 +84,41 @@ def without_rotations(ask: Ask) -> Ask:
 def why_no_spring_scene(ask: Ask) -> str | None:
     """Why neither springs nor spheres can stand in for what an ask has; else None."""
     reason = why_no_point(ask.scene) if ask.scene.blocks else None
+    if reason is None and len(ask.scene.blocks) > 1:
+        reason = why_not_apart(ask)
     if reason is not None or Term.RIGID_CONTACT not in ask.scene.terms():
         return reason
     if ask.knobs.kn is None:
         return "Knobs.kn is None; rigid contact needs a stiffness to stand in for it"
-    return _bounces(as_spheres(ask.scene) if ask.scene.blocks else ask.scene)
+    if not ask.scene.blocks:
+        return _bounces(ask.scene, apart=False)
+    return _bounces(as_spheres(ask.scene), apart=True)
 
 
-def _bounces(scene: Scene) -> str | None:
-    """Why springs would not do as rigid contact does: at an impact, or pressed by a lock."""
+def _bounces(scene: Scene, apart: bool) -> str | None:
+    """Why springs would not do as rigid contact does: at an impact, or pressed by a lock.
+
+    apart: whether several bodies are known never to touch each other.
+    """
     s = scene.spheres
-    if len(s) > 1 or len(scene.walls) > 1:
+    if (len(s) > 1 and not apart) or len(scene.walls) > 1:
         return "springs stand in for rigid contact between one body and one wall only"
-    for wall in scene.walls:
-        gap = float((s.position[0] - wall.point) @ wall.normal - s.radius[0])
-        if abs(gap) > TOUCHING * s.radius[0]:
-            return (
-                f"the body is {gap:.3g} m off its wall at t = 0; rigid contact says nothing of a "
-                "rebound, springs would give back all energy"
-            )
-        closing = float((s.velocity[0] - base_velocity(wall.motion)) @ wall.normal)
-        if abs(closing) > TOUCHING * (np.linalg.norm(s.velocity[0]) + fastest(wall.motion)):
-            return f"the body leaves its wall at {closing:.3g} m/s at t = 0; springs would swing"
-        locked = scene.axes[~s.free[0]]
-        if np.abs(locked @ wall.normal).max(initial=0.0) > TOUCHING:
-            return "the body is locked along the normal of its wall; what presses it is not known"
+    pairs = ((i, wall) for wall in scene.walls for i in range(len(s)))
+    return next((reason for i, wall in pairs if (reason := _bounces_off(scene, i, wall))), None)
+
+
+def _bounces_off(scene: Scene, i: int, wall: Wall) -> str | None:
+    s = scene.spheres
+    gap = float((s.position[i] - wall.point) @ wall.normal - s.radius[i])
+    if abs(gap) > TOUCHING * s.radius[i]:
+        return (
+            f"the body is {gap:.3g} m off its wall at t = 0; rigid contact says nothing of a "
+            "rebound, springs would give back all energy"
+        )
+    closing = float((s.velocity[i] - base_velocity(wall.motion)) @ wall.normal)
+    if abs(closing) > TOUCHING * (np.linalg.norm(s.velocity[i]) + fastest(wall.motion)):
+        return f"the body leaves its wall at {closing:.3g} m/s at t = 0; springs would swing"
+    locked = scene.axes[~s.free[i]]
+    if np.abs(locked @ wall.normal).max(initial=0.0) > TOUCHING:
+        return "the body is locked along the normal of its wall; what presses it is not known"
     return None

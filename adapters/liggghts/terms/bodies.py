@@ -1,4 +1,4 @@
-"""Puts a block to LIGGGHTS: as a rigid body of atoms, or as the sphere that stands for it."""
+"""Puts blocks to LIGGGHTS: as rigid bodies of atoms, or as the spheres that stand for them."""
 
 from __future__ import annotations
 
@@ -6,26 +6,42 @@ from dataclasses import replace
 
 from adapters.liggghts.sections import Deck
 from adapters.liggghts.setup import Setup
+from adapters.liggghts.words import group
 from vv.scene import Mask
 
 
 def block(deck: Deck, setup: Setup) -> Deck:
-    """All atoms moved as one body, in the freedoms it has.
+    """The atoms of each block moved as one body, in the freedoms it has.
 
-    It stands last: its first half step sees the forces of the fixes before it only.
+    That stands last: its first half step sees the forces of the fixes before it only.
     """
-    if setup.clump is None:
+    if not setup.clumps:
         return deck
-    free, free_spin = _switches(setup.spheres.free[0]), _switches(setup.clump.block.free_spin)
-    whole = f"fix body all rigid single force 1 {free} torque 1 {free_spin}"
-    note = "fix rigid: one body in six freedoms, those locked without force or torque"
+    note = "fix rigid: a body in six freedoms, those locked without force or torque"
     return replace(
         deck,
         neighbours=(*deck.neighbours, "neigh_modify    exclude group all all"),
         integrated=(),
-        last=(whole,),
+        last=tuple(_single(setup) if len(setup.clumps) == 1 else _several(setup)),
         motion_notes=(note,),
     )
+
+
+def _single(setup: Setup) -> list[str]:
+    return [f"fix body all rigid single {_freedoms(setup, 0)}"]
+
+
+def _several(setup: Setup) -> list[str]:
+    names = [f"body{number}" for number in range(len(setup.clumps))]
+    groups = [group(name, atoms) for name, atoms in zip(names, setup.parts, strict=True)]
+    freedoms = " ".join(_freedoms(setup, number) for number in range(len(names)))
+    return [*groups, f"fix bodies all rigid group {len(names)} {' '.join(names)} {freedoms}"]
+
+
+def _freedoms(setup: Setup, number: int) -> str:
+    free, free_spin = setup.spheres.free[number], setup.clumps[number].free_spin
+    body = number + 1
+    return f"force {body} {_switches(free)} torque {body} {_switches(free_spin)}"
 
 
 def _switches(free: Mask) -> str:

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from adapters.liggghts.sections import Deck
 from adapters.liggghts.setup import Setup
-from adapters.liggghts.words import group, numbers, parts
+from adapters.liggghts.words import group, parts
 
 UNCOUNTED, COUNTED = "charging shear springs", "shear springs are charged"
 
@@ -52,13 +52,14 @@ def _charging(setup: Setup) -> Iterator[str]:
     It puts into shear springs what they hold at t = 0, which no command can; then time starts.
     """
     yield f'print "{UNCOUNTED}"'
+    yield group("slid", list(setup.slides))
     for i, way in setup.slides.items():
-        yield group(f"slid{i}", [i])
-        yield f"fix slid{i} slid{i} move linear {numbers(way / setup.ask.dt)} units box"
+        yield f"set             atom {i + 1} {parts('v', (way / setup.ask.dt).tolist())}"
+    yield "fix slid slid nve/noforce"
     yield "run             1"
+    yield "unfix slid"
+    yield "group slid delete"
     for i in setup.slides:
-        yield f"unfix slid{i}"
-        yield f"group slid{i} delete"
         yield f"set             atom {i + 1} {parts('v', setup.spheres.velocity[i].tolist())}"
     yield "reset_timestep  0"
     yield f'print "{COUNTED}"'

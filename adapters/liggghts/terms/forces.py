@@ -8,7 +8,9 @@ import numpy as np
 
 from adapters.liggghts.sections import Deck
 from adapters.liggghts.setup import HALF_STEP, OVERLAPPED, Setup
-from adapters.liggghts.words import group, numbers
+from adapters.liggghts.words import AXES, group, numbers
+
+FEW = 8  # groups that loads may take
 
 
 def drag(deck: Deck, setup: Setup) -> Deck:
@@ -31,8 +33,20 @@ def gravity(deck: Deck, setup: Setup) -> Deck:
 
 
 def dead_loads(deck: Deck, setup: Setup) -> Deck:
-    """A group and a constant force for each different load."""
-    return deck.with_more(forces=_loads(setup))
+    """A group and a constant force for each different load; of many, a property of atoms.
+
+    There are few groups. Such a property can be set only after a run of no steps.
+    """
+    if len(setup.loads) <= FEW:
+        return deck.with_more(forces=_loads(setup))
+    commands = ["fix loads all property/atom loads vector no no no 0.0 0.0 0.0", "run 0"]
+    for load, carriers in setup.loads.items():
+        commands += (
+            f"set             atom {i + 1} property/atom loads {numbers(load)}" for i in carriers
+        )
+    commands += (f"variable load_{axis} atom f_loads[{n}]" for n, axis in enumerate(AXES, 1))
+    commands.append(f"fix load all addforce {' '.join(f'v_load_{axis}' for axis in AXES)}")
+    return deck.with_more(forces=commands)
 
 
 def _loads(setup: Setup) -> Iterator[str]:

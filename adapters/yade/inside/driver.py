@@ -55,7 +55,8 @@ def build(ask: dict[str, Any]) -> None:
     for held in ask["charged"]:
         body = ask["bodies"][held["body"]]
         for number, force in zip(body.get("feet", [body["id"]]), held["forces"], strict=True):
-            charge(ask["bodies"][held["wall"]]["id"], number, force)
+            if any(force):  # a foot off the wall has no contact to be charged
+                charge(ask["bodies"][held["wall"]]["id"], number, force)
     if ask["bonds"]:
         tie(ask)
 

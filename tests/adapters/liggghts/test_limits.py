@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from adapters.liggghts import ADAPTER
@@ -12,7 +13,9 @@ from tests.scenes.sliding_blocks import Frame, incline
 from tests.support.adapter_asks import FREE, UP, block_ask, case_ask
 from tests.support.liggghts_asks import HALF_STEP, PLAIN, ball, ball_ask
 from vv.ask import Status
-from vv.scene import Term
+from vv.scene import Harmonic, Term
+
+UNIT = np.array([1.0, 0.0, 0.0])
 
 REFUSED = {
     "body 1 is no sphere": ball_ask(ball(), UP, body=1),
@@ -25,7 +28,10 @@ REFUSED = {
     "raise the inertia": ball_ask(ball(free_spin=FREE), eta=1.0),
     "lies behind wall 0": ball_ask(UP, ball(position=[[0, -0.01, 0]]), body=1),
     "Knobs.kn is None": block_ask(incline(Frame(20.0), 30.0), None),
-    "has 29 groups": ball_ask(*(ball(position=[[i, 0, 0]], load=[[i, 0, 0]]) for i in range(32))),
+    "has 29 groups": ball_ask(
+        *(ball(position=[[i, 0, 0]], mass=[1.0 + i]) for i in range(32)),
+        shaking=Harmonic(UNIT, UNIT),
+    ),
 }
 
 
