@@ -86,6 +86,6 @@ DAMPED = Formulation(
 
 BORNE = Formulation(
     tolerance=1e-12, iterations=OPEN_CLOSE, terms=SERIES, newton=MOST, stepping=LEAPING,
-    pressed=False, multipliers=MULTIPLIERS,
+    shear=1.0, pressed=False, multipliers=MULTIPLIERS,
 )  # fmt: skip
 """Contacts whose forces multipliers bear and not springs (Lin, Amadei, Jung and Dwyer 1996)."""

@@ -99,6 +99,14 @@ def relieve(touch: Touch, gap: Vector, stiff: float, times: float) -> None:
         put(touch.spring, k, add_scaled(NOWHERE, 1.0 / times, at(touch.spring, k)))
 
 
+@lent
+def jammed(touch: Touch) -> None:
+    """Begin anew with contacts that stick: where one jams, none of its slips has an answer."""
+    for k in range(len(touch.key)):
+        touch.state[k], touch.push[k] = STICK, 0.0
+        put(touch.spring, k, NOWHERE)
+
+
 @called
 def bear(
     d: Vector, touch: Touch, bodies: Bodies, motion: Motion, mass: Vector, outer: Vector,
@@ -108,13 +116,14 @@ def bear(
     """As `iterate`, again and again, in at most so many passes, until springs bear nothing.
 
     kn, ks: where the springs begin, which become stiffer than the inertia of contacts, and again
-    where a pass leaves more than SLOW, unless that is rounding. touch: its pushes
+    where a pass leaves more than SLOW, unless that is rounding. A pass that does not end is begun
+    once more with all contacts stuck. touch: its pushes
     become the multipliers, and its springs those along the contact, over ks.
     """
     gap, firm = same_numbers(touch.gap, len(touch.key)), kn
     for light in lightness(touch, touch.state, bodies, step, weight):
         firm = larger(firm, FIRM * light)
-    times, passes, solved, before, ended = firm / kn, 0, 0, np.inf, False
+    times, passes, solved, before, ended, anew = firm / kn, 0, 0, np.inf, False, False
     blur = blurred(motion)
     relieve(touch, gap, firm, times)
     while True:
@@ -126,8 +135,11 @@ def bear(
         force, off = taken_up(touch, used, rub, relative, gap, firm, ks * times, mu)
         slow = off > SLOW * before
         ended = off <= HELD * force or (off > STUCK * before and off <= firm * blur)
-        if ended or not still or passes >= most:
+        if ended or passes >= most or (anew and not still):
             break
+        if not still:
+            jammed(touch)
+            anew = True
         grow = 10.0 if slow else 1.0
         before, firm, times = off, firm * grow, times * grow
         relieve(touch, gap, firm, grow)
