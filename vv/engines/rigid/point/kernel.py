@@ -7,7 +7,7 @@ import numpy as np
 from vv.engines.kernels.compiled import called, compiled, lent
 from vv.engines.kernels.drive import mean, rate
 from vv.engines.kernels.triples import Triple, add_scaled, dot
-from vv.engines.rigid.limits import BEGINS, CUTS, ENDS, GLIMPSE, GRIP, NEARLY, SPLITS
+from vv.engines.rigid.limits import BEGINS, CUTS, ENDS, GLIMPSE, GRIP, NEARLY, PARTS
 from vv.engines.rigid.point.trial import (
     NIL,
     Ground,
@@ -16,6 +16,7 @@ from vv.engines.rigid.point.trial import (
     flown,
     lands,
     pushed,
+    resolved,
     room,
     tried,
 )
@@ -102,20 +103,14 @@ def book(spent: Vector, touch: Touch, u: Triple, base: Triple, normal: Triple) -
 
 @compiled
 def move_point(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its variables
-    path: Vector,
-    energy: Vector,
-    report: Vector,
-    reaction: Vector,
-    stride: int,
-    dt: float,
-    velocity: Triple,
-    ground: Ground,
-) -> int:
+    path: Vector, energy: Vector, report: Vector, reaction: Vector,
+    stride: int, dt: float, velocity: Triple, ground: Ground,
+) -> int:  # fmt: skip
     """Step a unit mass on a plane from a velocity [m/s] at t = 0; return rows filled.
 
     v+ = v + h (gravity + load + mean shaking) + p; x+ = x + h (v + v+)/2; u.n + gap/h >= 0 at
     the end complementary to p.n. A step in which the mass lands, or slip would begin, end or turn
-    about, is cut there; a blow takes no time.
+    about, is cut there, and where it turns sharply (`resolved`); a blow takes no time.
 
     Every `stride` steps a row is written: path (k, 6): displacement, velocity; energy (k, 8),
     per mass: v^2/2, lost by friction, lost by impact, work of base, of shaking, of gravity, of
@@ -129,11 +124,11 @@ def move_point(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its 
         deepest, cuts = 0.0, 0
         for _ in range(stride if row else 0):
             begin, stopped, looked = 0.0, False, False
-            for part in range(SPLITS):
+            for part in range(PARTS):
                 now, whole = done * dt + begin, dt - begin
                 w_old = rate(ground.base, now)
                 u_old = add_scaled(v, -1.0, w_old)
-                flies, span = not touched and part + 1 < SPLITS, whole
+                flies, span = not touched and part + 1 < PARTS, whole
                 if flies:
                     span = lands(ground, x, v, now, whole)
                     if span <= CUTS * dt:
@@ -147,7 +142,10 @@ def move_point(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its 
                     d = add_scaled(NIL, 1.0 / speed, slip)
                 ended = False
                 touch = flown(ground, v, now, span) if flies else tried(ground, x, v, now, span, d)
-                if touched and part + 1 < SPLITS:
+                if touched and part + 1 < PARTS:
+                    span = straight = resolved(ground, x, v, now, whole, dt, d, touch)
+                    if span < whole:
+                        touch = tried(ground, x, v, now, span, d)
                     ended = ends(ground, touch, touched, d, span)
                     begun = not looked and (
                         begins(ground, touch, touched, d, span)
@@ -158,11 +156,11 @@ def move_point(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its 
                     )
                     looked = looked or (begun and not ended)
                     if ended or begun:
-                        span = cut(ground, x, v, now, whole, dt, d, not ended)
+                        span = cut(ground, x, v, now, straight, dt, d, not ended)
                         if span == 0.0 and ended:
                             stopped = True
                             continue
-                        span = span if span > 0.0 else whole
+                        span = span if span > 0.0 else straight
                         touch = tried(ground, x, v, now, span, d)
                 w_new = rate(ground.base, now + span)
                 v_new = add_scaled(touch.u, 1.0, w_new)

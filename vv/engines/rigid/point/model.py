@@ -61,6 +61,7 @@ class Point:
             hold=hold,
             pull=known.pull,
             fine=FINEST * known.speed,
+            quick=known.pull / known.speed,
         )
         return _triple(hold @ block.velocity), ground
 

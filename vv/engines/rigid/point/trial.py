@@ -6,12 +6,13 @@ from typing import NamedTuple
 
 import numpy as np
 
+from vv.engines.kernels.arrays import smaller, square_of
 from vv.engines.kernels.bundles import bundle
 from vv.engines.kernels.compiled import called, lent
 from vv.engines.kernels.drive import Drive, mean, rate, travel
-from vv.engines.kernels.triples import Triple, add_scaled, dot
-from vv.engines.rigid.limits import BENDS, CUTS, LOOKS
-from vv.engines.rigid.slip import bend, first_root
+from vv.engines.kernels.triples import Triple, add_scaled, cross, dot
+from vv.engines.rigid.limits import AGREE, BENDS, CUTS, HALVINGS, LOOKS, MOSTLY, VEERED
+from vv.engines.rigid.slip import STRAIGHT, bend, first_root, slow
 from vv.scene import Vector
 
 NIL = (0.0, 0.0, 0.0)
@@ -23,7 +24,7 @@ class Ground(NamedTuple):
 
     normal, gap [m] of the plane at t = 0; base, shaking: motion of the plane and acceleration;
     hold: (3, 3) projector on the free directions, which hold the normal and what the base does;
-    pull, fine: see `vv.engines.rigid.scales`.
+    pull, fine, quick: see `vv.engines.rigid.scales`; quick is pull over speed [1/s].
     """
 
     gravity: Triple
@@ -36,6 +37,7 @@ class Ground(NamedTuple):
     hold: Vector
     pull: float
     fine: float
+    quick: float
 
 
 class Touch(NamedTuple):
@@ -137,6 +139,55 @@ def tried(ground: Ground, x: Triple, v: Triple, now: float, span: float, d: Trip
                 break
             touch = pushed(ground, free, need, d, turn)
     return touch
+
+
+@called
+def resolved(
+    ground: Ground, x: Triple, v: Triple, now: float, whole: float, dt: float, d: Triple,
+    touch: Touch,
+) -> float:  # fmt: skip
+    """The part [s] of a step, whose trial this is, that two of its halves agree with.
+
+    Where slip all but stops its direction turns within a part of a step, while friction bends the
+    way to there. Elsewhere steps are far finer than that, and no halves are tried.
+    """
+    before = across(ground, add_scaled(v, -1.0, rate(ground.base, now)))
+    after, span = across(ground, touch.u), whole
+    for _ in range(HALVINGS if touch.p > 0.0 and dot(d, d) > 0.0 else 0):
+        if not veers(ground, now, span, before, after):
+            break
+        off = add_scaled(after, -1.0, across(ground, halved(ground, x, v, now, span, d).u))
+        part = smaller(AGREE * square_of(ground.quick * dt), MOSTLY)
+        if not dot(off, off) > square_of(part * ground.mu * touch.p * dt / span):
+            break
+        span *= 0.5
+        touch = tried(ground, x, v, now, span, d)
+        after = across(ground, touch.u)
+    return span
+
+
+@lent
+def veers(ground: Ground, now: float, span: float, before: Triple, after: Triple) -> bool:
+    """Whether slip turns its direction in a step, not merely about along the same line."""
+    out, square = cross(before, after), dot(before, before) * dot(after, after)
+    if dot(before, after) > 0.0:
+        return dot(out, out) > VEERED * square
+    bulge = cross(before, sagging(ground, now, span))
+    return dot(out, out) + dot(bulge, bulge) > STRAIGHT * square
+
+
+@called
+def halved(ground: Ground, x: Triple, v: Triple, now: float, span: float, d: Triple) -> Touch:
+    """A step of span [s] as two."""
+    half = 0.5 * span
+    touch = tried(ground, x, v, now, half, d)
+    end = add_scaled(touch.u, 1.0, rate(ground.base, now + half))
+    there = add_scaled(add_scaled(x, 0.5 * half, v), 0.5 * half, end)
+    slip = across(ground, touch.u)
+    speed, d = np.sqrt(dot(slip, slip)), NIL
+    if speed > slow(half, ground.pull, ground.fine):
+        d = add_scaled(NIL, 1.0 / speed, slip)
+    return tried(ground, there, end, now + half, half, d)
 
 
 @lent

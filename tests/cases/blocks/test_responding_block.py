@@ -1,0 +1,37 @@
+"""Claims about a block on a shaking foundation: slip that all but stops turns within a step."""
+
+import numpy as np
+import pytest
+
+from cases.blocks.responding_block import CASE
+from vv.ask import Knobs, Method
+from vv.engines import rigid
+from vv.records.record import measured
+
+
+@pytest.mark.parametrize("dt", [1e-3, 5e-4, 1e-4])
+@pytest.mark.parametrize(
+    ("variant", "given"),
+    [("3d", {"D": 0.15}), ("2d", {"f": 20.0, "fy": 15.0}), ("2d", {})],
+    ids=str,
+)
+def test_rigid_follows_slip_that_all_but_stops(
+    variant: str, given: dict[str, float], dt: float
+) -> None:
+    trial = CASE.declare(variant, {**CASE.defaults(variant), **given})
+    run = rigid.solve(trial.study.ask(Knobs(dt)))
+    judged = [measured(run, q, Method.SECOND_ORDER, Knobs(dt))[0] for q in trial.quantities]
+    assert {one.name: one.verdict.value for one in judged if one.verdict.value != "pass"} == {}
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_rigid_follows_slip_at_any_parameters(seed: int) -> None:
+    """Those of 3d, each up to half more or less."""
+    rng, p = np.random.default_rng(seed), CASE.defaults("3d")
+    for name in ("D", "Dy", "Dz", "f", "fy", "fz", "mu"):
+        p = {**p, name: p[name] * float(rng.uniform(0.5, 1.5))}
+    p["Dz"] = min(p["Dz"], 0.9 * p["g"] / (2 * np.pi * p["fz"]) ** 2)
+    trial = CASE.declare("3d", {**p, "duration": 2.0})
+    run = rigid.solve(trial.study.ask(Knobs(1e-3)))
+    judged = [measured(run, q, Method.SECOND_ORDER, Knobs(1e-3))[0] for q in trial.quantities]
+    assert {one.name: one.verdict.value for one in judged if one.verdict.value != "pass"} == {}
