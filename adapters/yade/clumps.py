@@ -53,10 +53,20 @@ def _clump(sphere: dict[str, Any], made: Clump) -> dict[str, Any]:
         "twist": (np.array(sphere["twist"]) - made.moment / 2).tolist(),
         "blocked": "".join(axis for axis in sphere["blocked"] if axis in "xyz") + locked,
         "radius": made.radius,
-        "inertia": sorted(np.linalg.eigvalsh(made.block.inertia).tolist()),
+        "inertia": _moments(made),
         "touching": [_member(corner, made.radius, small) for corner in made.corners],
         "points": [_member(place, point, eighth) for place in made.points],
     }
+
+
+def _moments(made: Clump) -> list[float]:
+    """The moments of inertia (3,) [kg m2] as YADE takes them: the principal ones, the least first.
+
+    A body with a locked rotation YADE turns by the moments about the axes of the frame.
+    """
+    if made.free_spin.all() or not made.free_spin.any():
+        return sorted(np.linalg.eigvalsh(made.block.inertia).tolist())
+    return [float(moment) for moment in np.diag(made.block.inertia)]
 
 
 def _member(position: Any, radius: float, mass: float) -> dict[str, Any]:

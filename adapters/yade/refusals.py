@@ -28,6 +28,7 @@ def refusal(ask: Ask, scheme: str) -> str | None:
         or _locked_spin(scene)
         or why_locks_need_more_than_loads(scene)
         or turned_spin_lock(ask.scene, "YADE locks its own axes only")
+        or _turns_about_two(ask.scene)
         or behind_wall(scene)
         or why_no_bonds(scene)
         or why_no_material(scene.contact.hertz)
@@ -42,6 +43,17 @@ def _locked_spin(scene: Scene) -> str | None:
     about = np.where(scene.spheres.free_spin, 0.0, scene.spheres.spin @ scene.axes.T)
     if about.any():
         return "a sphere has a spin in a locked freedom, which YADE would maintain"
+    return None
+
+
+def _turns_about_two(scene: Scene) -> str | None:
+    """A block that turns about one axis has one moment, about two it has products of inertia."""
+    for block in scene.blocks:
+        if int(block.free_spin.sum()) == 2:
+            return (
+                f"block '{block.name}' may turn about two axes; YADE turns a body with a locked "
+                "rotation by moments about the axes of the frame, which change as it turns"
+            )
     return None
 
 

@@ -1,0 +1,67 @@
+"""Claims about blocks on one wall that cannot meet: the bound on their ways, and refusals."""
+
+from __future__ import annotations
+
+import dataclasses
+from typing import Any
+
+import numpy as np
+from hypothesis import given
+from hypothesis import strategies as st
+
+from tests.scenes.block_scenes import HELD, box, incline, responding
+from vv.ask import Ask, Displacement, History, Knobs
+from vv.scene import Scene
+from vv.standins.apart import why_not_apart
+
+DURATION = 0.5  # s
+
+
+def asked(scene: Scene) -> Ask:
+    return Ask(scene, History(DURATION, 0.1), (Displacement(1),), Knobs(1e-4, 1e9))
+
+
+def two(along: int, gap: float, **given_block: Any) -> Scene:
+    """Two cubes of 1 m on a slope of 30 degrees without friction, apart by a gap [m] on an axis."""
+    scene = incline(30.0, 1e-6, half=(0.5, 0.5, 0.5), **given_block)
+    first = scene.blocks[0]
+    shift = (1.0 + gap) * scene.axes[along]
+    second = dataclasses.replace(first, name="second", vertices=first.vertices + shift)
+    return dataclasses.replace(scene, bodies=(*scene.bodies, second))
+
+
+@given(st.floats(0.01, 3.0))
+def test_blocks_that_slide_side_by_side_never_meet(gap: float) -> None:
+    assert why_not_apart(asked(two(1, gap, free_spin=HELD))) is None
+
+
+@given(st.floats(0.01, 3.0))
+def test_blocks_that_slide_in_line_meet_if_one_may_overtake_the_gap(gap: float) -> None:
+    """The first alone could come so far; each may, and so twice that is asked for."""
+    way = 0.5 * 9.81 * 0.5 * DURATION**2
+    reason = why_not_apart(asked(two(0, gap, free_spin=HELD)))
+    assert (reason is None) is (gap > 2 * way)
+    assert reason is None or "may touch each other" in reason
+
+
+def test_blocks_that_may_turn_need_room_all_around() -> None:
+    assert "may touch" in (why_not_apart(asked(two(1, 1.0))) or "")
+    assert why_not_apart(asked(two(1, 20.0))) is None
+
+
+def test_a_wall_that_shakes_drives_blocks_together() -> None:
+    scene = responding((0.05, 0, 0), (2.0, 0.0, 0.0), 0.6, free_spin=HELD)
+    for shift, apart in (([1.2, 0, 0], False), ([0, 1.2, 0], True)):
+        beside = box("beside", np.array([0.0, 0.0, 0.5]) + shift, [0.5] * 3, free_spin=HELD)
+        both = dataclasses.replace(scene, bodies=(*scene.bodies, beside))
+        assert (why_not_apart(asked(both)) is None) is apart
+
+
+def test_towers_nearer_than_they_are_high_are_refused_with_that_reason() -> None:
+    scene = incline(0.0, 30.0, half=(0.2, 0.2, 1.0), free_spin=HELD)
+    beside = box("beside", [0.0, 0.6, 1.0], [0.2, 0.2, 1.0], free_spin=HELD)
+    reason = why_not_apart(asked(dataclasses.replace(scene, bodies=(*scene.bodies, beside))))
+    assert reason == (
+        "blocks 'block' and 'beside' are nearer than spheres in their place, as high as their "
+        "centres"
+    )
