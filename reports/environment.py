@@ -56,6 +56,7 @@ FILTERS = (
     text.alike,
     text.sort_key,
     text.within,
+    text.unbroken,
     in_words,
     typeset,
 )

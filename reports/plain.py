@@ -6,7 +6,7 @@ import shlex
 from collections.abc import Iterable
 
 from reports.norms import NORM_NAMES
-from reports.text import short
+from reports.text import ratio, short
 from vv.case import Norm
 from vv.gate.judgement import Breach, breaches
 from vv.records.job_record import Record
@@ -14,6 +14,7 @@ from vv.records.outcomes import Outcome, Verdict
 from vv.records.quantity import MeasuredQuantity
 from vv.records.reading import rung
 
+LONG = 60  # characters of an explanation that is not told twice on a page
 LAWS = {  # of ledgers -> what a breach of it is, before the number
     "energy created": "Energy not conserved: created",
     "energy that no term explains": "Energy not accounted for:",
@@ -44,7 +45,9 @@ def excess(one: MeasuredQuantity) -> str:
         return f"{one.name} passes, though a disagreement is on record: error {short(one.error)}"
     if one.error is not None and one.tolerance is not None:
         norm = f" (norm {NORM_NAMES[one.norm]})" if one.norm not in (None, Norm.MAX) else ""
-        times = f", {one.error / one.tolerance:.2g} times it" if one.error > one.tolerance else ""
+        times = (
+            f", {ratio(one.error / one.tolerance)} times it" if one.error > one.tolerance else ""
+        )
         said = f"Error of {one.name}{norm} {short(one.error)}"
         return f"{said}, tolerance {short(one.tolerance)}{times}"
     if one.value is not None:
@@ -57,6 +60,19 @@ def with_notes(quantities: Iterable[MeasuredQuantity]) -> list[str]:
     known = list(quantities)
     notes = dict.fromkeys(one.note for one in known if one.note)
     return [*map(excess, known), *notes]
+
+
+def once(text: str, place: str, told: dict[str, str]) -> str:
+    """A text without the long explanations that stand elsewhere, to which it refers by place.
+
+    told: explanation -> the place at which it stands; those of this text are added to it.
+    """
+    known = {part: told.setdefault(part, place) for part in text.split("; ") if len(part) > LONG}
+    parts = [
+        part if known.get(part, place) == place else f"explained at {known[part]}"
+        for part in text.split("; ")
+    ]
+    return "; ".join(dict.fromkeys(parts))
 
 
 def reason(record: Record, came: Outcome) -> str:

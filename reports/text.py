@@ -8,12 +8,13 @@ import re
 from collections.abc import Iterable, Mapping
 from typing import TypeVar
 
-from markupsafe import Markup
+from markupsafe import Markup, escape
 
 Same = TypeVar("Same")
 
 NONE = "\N{EN DASH}"  # what stands where there is no number
 SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+SMALL_NUMBER = re.compile(r"\d[\d.]*e-\d+")
 LONGEST = 80  # characters of an identifier
 PLAIN = re.compile(r"[A-Za-z0-9./-]+")
 
@@ -80,6 +81,11 @@ def with_unit(value: str, unit: str) -> str:
 def within(said: str) -> Markup:
     """A long text between tags: quotes stay as they are, which attributes could not have."""
     return Markup(said.replace("&", "&amp;").replace("<", "&lt;"))
+
+
+def unbroken(said: str) -> Markup:
+    """A text whose numbers do not end a line at the hyphen of their exponent."""
+    return Markup(SMALL_NUMBER.sub(r'<span class="n">\g<0></span>', str(escape(said))))
 
 
 def slug(*names: str) -> str:

@@ -6,6 +6,7 @@ import itertools
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
+from reports import plain
 from reports.book import Book
 from reports.marks import Mark
 from reports.outcomes import ShownOutcome, counted
@@ -18,7 +19,10 @@ from vv.records.reading import tried
 
 @dataclass(frozen=True)
 class Line:
-    """One scheme on one variant: what it reached, and its place by error among who ran it."""
+    """One scheme on one variant: what it reached, and its place by error among who ran it.
+
+    why: what is not green, of which what stands in another line is referred to.
+    """
 
     link: str
     case: str
@@ -26,6 +30,7 @@ class Line:
     row: Ranked
     rank: int
     of: int
+    why: str
 
 
 @dataclass(frozen=True)
@@ -50,6 +55,7 @@ def code(
     """The view of a code; tables: the ranked schemes of each variant."""
     own = [record for record in book.manifest.records if record.code == name]
     rows = [row for row in seen.rows if row.mark.code == name]
+    told: dict[str, str] = {}
     return Code(
         name=name,
         version=next((r.code_version for r in own if r.code_version), ""),
@@ -59,20 +65,31 @@ def code(
         counts=counted(own),
         troubles=troubles(book, [f for f in book.findings if f.label.partition("/")[0] == name]),
         lines=[
-            line for place, ranks in tables.items() for line in _lines(book, name, place, ranks)
+            line
+            for place, ranks in tables.items()
+            for line in _lines(book, name, place, ranks, told)
         ],
         head=heads(book).get(name, ""),
         refusals=_refusals(book, name),
     )
 
 
-def _lines(book: Book, name: str, place: tuple[str, str], ranks: Sequence[Ranked]) -> list[Line]:
+def _lines(
+    book: Book,
+    name: str,
+    place: tuple[str, str],
+    ranks: Sequence[Ranked],
+    told: dict[str, str],
+) -> list[Line]:
     of = sum(row.error is not None for row in ranks)
     return [
-        Line(book.to_case(*place, row.mark.label), *place, row, number, of)
+        Line(
+            book.to_case(*place, row.mark.label), *place, row, number, of,
+            plain.once(row.why, f"{': '.join(place)}, {row.mark.scheme}", told),
+        )
         for number, row in enumerate(ranks, 1)
         if row.mark.code == name
-    ]
+    ]  # fmt: skip
 
 
 def _refusals(book: Book, name: str) -> list[tuple[str, str, list[tuple[str, list[str]]]]]:

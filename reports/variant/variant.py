@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 
 from markupsafe import Markup
 
+from reports import plain
 from reports.book import Book, Place
 from reports.drawing import collect
 from reports.drawing.collect import History
@@ -54,7 +55,8 @@ class Recorded:
 class Variant:
     """A variant: what was asked, and all that came of it.
 
-    like: the variant whose figures fit; voices: who agrees with whom, where three codes speak.
+    told: rows that are not green, and why; like: the variant whose figures fit; voices: who agrees
+    with whom, where three codes speak.
     """
 
     name: str
@@ -68,6 +70,7 @@ class Variant:
     ranked: Sequence[Ranked]
     cheapest: Sequence[Dear]
     differ: str
+    told: Sequence[tuple[Ranked, str]]
     voices: Sequence[str]
     groups: Sequence[Group]
     absent: Sequence[Absent]
@@ -90,6 +93,7 @@ class Above:
 
     curves: variant -> what its figures show; inputs: code -> those that are told whole;
     models: how whom modelled a scene -> variant; reasons: why nothing ran -> variant;
+    explained: what is not green, in long words -> where;
     scenes: -> the name of its picture.
     """
 
@@ -97,6 +101,7 @@ class Above:
     inputs: dict[str, list[Input]] = field(default_factory=dict)
     models: dict[Told, str] = field(default_factory=dict)
     reasons: dict[str, str] = field(default_factory=dict)
+    explained: dict[str, str] = field(default_factory=dict)
     scenes: dict[Sketch, str] = field(default_factory=dict)
 
 
@@ -130,6 +135,11 @@ def variant(book: Book, place: Place, above: Above) -> Variant:
         ranked=rows,
         cheapest=cheapest(rows),
         differ=why_colours_differ(rows),
+        told=[
+            (row, plain.once(row.why, f"{name}, {row.mark.label}", above.explained))
+            for row in rows
+            if row.why
+        ],
         voices=[vote.in_words() for vote in votes(own, kept)],
         groups=groups(piles, book.marks),
         absent=missing,

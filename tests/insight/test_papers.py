@@ -51,3 +51,19 @@ def test_what_no_record_has_is_left_out() -> None:
 
 def test_standings_are_counted_in_their_order() -> None:
     assert counted([row(Seen("case", "one", "x"))]) == {Standing.REPRODUCED: 1}
+
+
+def test_numbers_have_the_power_of_ten_that_the_paper_prints_or_one_that_people_write() -> None:
+    masses = {"one a/default": result(2.165064e7)}
+
+    def shown(printed: str) -> str:
+        seen = (Seen("case", "one", "x"),)
+        one = Statement("Eq. 1", "mass", printed, Standing.REPRODUCED, "", "kg", lambda: 1.0, seen)
+        return rows(Paper("A", "B", "", (one,)), lambda _: masses)[0].answers[0].text
+
+    assert [shown(printed) for printed in ("21.651e6", "2.1651e7", "")] == [
+        "21.651e6",
+        "2.1651e7",
+        "2.1651e7",
+    ]
+    assert shown("1e-13") == "2.1651e7"

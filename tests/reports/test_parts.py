@@ -250,6 +250,23 @@ def test_a_note_that_several_quantities_share_is_said_once() -> None:
     assert said == "; ".join([*parts, "drag is late"])
 
 
+def test_how_many_times_a_tolerance_is_a_number_that_people_say() -> None:
+    said = plain.excess(changed(entry("fail", {"max": 5.34e-3}), tolerance=2.79e-5))
+    assert said.endswith(", 191 times it")
+
+
+def test_a_long_explanation_stands_once_on_a_page_and_is_referred_to() -> None:
+    why, told = "a spring is charged for a whole step " * 2, dict[str, str]()
+    assert plain.once(f"Error 1; {why}", "here", told) == f"Error 1; {why}"
+    assert plain.once(f"Error 2; {why}", "there", told) == "Error 2; explained at here"
+    assert plain.once(f"Error 1; {why}", "here", told) == f"Error 1; {why}"
+
+
+def test_no_line_ends_within_a_small_number_and_tags_stay_text() -> None:
+    said = text.unbroken("at dt = 2.5e-5 s <b>, at-will")
+    assert said == 'at dt = <span class="n">2.5e-5</span> s &lt;b&gt;, at-will'
+
+
 def test_texts_are_read_on_every_background_light_and_dark() -> None:
     sheet = (Path(reports.__file__).parent / "assets" / "report.css").read_text()
     light, dark, system, *_ = re.findall(r"\{([^{}]*--ink:[^{}]*)\}", sheet)

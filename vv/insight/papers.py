@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import functools
+import re
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 
@@ -11,6 +12,7 @@ from vv.records.accepted import AcceptedResult
 
 Results = Mapping[str, AcceptedResult]  # by 'VARIANT CODE/SCHEME RUNG', as a baseline names them
 SHOWN = 5  # significant digits of what codes give
+POWER = re.compile(r"(?<=\d)e(-?\d+)")  # of ten, as papers' numbers are entered
 FEWEST = 1e-12  # a smaller figure is rounding
 
 
@@ -49,7 +51,7 @@ def counted(rows: Iterable[Row]) -> dict[Standing, int]:
 
 
 def _row(one: Statement, results: Callable[[str], Results]) -> Row:
-    answers = tuple(a for seen in one.seen for a in _answers(seen, results(seen.case)))
+    answers = tuple(a for seen in one.seen for a in _answers(one, seen, results(seen.case)))
     exact = one.exact if isinstance(one.exact, str) else _beside(one.exact(), one)
     return Row(
         one.place, one.what, one.printed, one.unit, exact, answers, one.standing, one.why
@@ -60,17 +62,27 @@ def _beside(value: float, one: Statement) -> str:
     """The exact number, with two digits more than are printed, five at least."""
     given = one.printed.split()[0].partition("e")[0] if one.printed else ""
     digits = sum(c.isdigit() for c in given.lstrip("-<>~0."))
-    return f"{value:.{max(SHOWN, digits + 2)}g}"
+    return _written(value, max(SHOWN, digits + 2), one)
 
 
-def _answers(seen: Seen, results: Results) -> Iterator[Answer]:
+def _written(value: float, digits: int, one: Statement) -> str:
+    """A number with the power of ten that is printed, if one is; else as people write it."""
+    power = POWER.search(one.printed)
+    scaled = value / 10.0 ** int(power[1]) if power else 0.0
+    if power and 0.01 <= abs(scaled) < 1000.0:
+        return f"{scaled:.{digits}g}{power[0]}"
+    mantissa, _, exponent = f"{value:.{digits}g}".partition("e")
+    return f"{mantissa}e{int(exponent)}" if exponent else mantissa
+
+
+def _answers(one: Statement, seen: Seen, results: Results) -> Iterator[Answer]:
     """What codes give, those together that give the same."""
     where = f"{seen.case}:{seen.variant}"
     piles: dict[str, list[str]] = {}
     for label, result in _chosen(seen, results).items():
         if (figure := _figure(seen, result)) is not None:
             shown = 0.0 if abs(figure) < FEWEST else figure * seen.times
-            piles.setdefault(f"{shown:.{SHOWN}g}", []).append(label)
+            piles.setdefault(_written(shown, SHOWN, one), []).append(label)
     for text, labels in piles.items():
         yield Answer(where, text, tuple(labels))
 
