@@ -20,7 +20,7 @@ from reports.norms import NORM_NAMES
 from reports.outcomes import WORST_FIRST, ShownOutcome
 from reports.pages import code as codes_page
 from reports.pages.case import case
-from reports.pages.findings import findings
+from reports.pages.findings import findings, refused
 from reports.pages.front import front
 from reports.pages.measured import measured
 from reports.pages.overview import overview
@@ -34,6 +34,7 @@ from vv.base.private_folder import cache_root
 from vv.output import table
 from vv.output.wording import in_words
 from vv.records.finding import worst_first
+from vv.records.outcomes import Outcome
 from vv.records.reading import tried
 
 HERE = Path(__file__).parent
@@ -43,7 +44,9 @@ COLUMNS = (  # of the table of a case; `vv report --csv` writes more
     "solve_cpu", "quantity", "unit", "value", "reference", "error", "norm", "tolerance", "verdict",
     "note",
 )  # fmt: skip
-DIGITS = {"dt": ".6g", "kn": ".6g", "solve_cpu": ".3g"}  # of all other numbers seven
+DIGITS = {  # of all other numbers seven
+    "dt": ".6g", "kn": ".6g", "solve_cpu": ".3g", "error": ".4g", "tolerance": ".4g",
+}  # fmt: skip
 FILTERS = (
     text.sci,
     text.brief,
@@ -164,7 +167,8 @@ def _attention(book: Book) -> dict[str, Any]:
         "troubles": troubles(book),
         "trouble": findings(book, ("bad", "odd")),
         "known": findings(book, ("known",)),
-        "idle": findings(book, ("idle",)),
+        "idle": findings(book, ("idle",), {Outcome.REFUSED}),
+        "refused": refused(book),
         "moved": [f for f in worst_first(book.manifest.findings) if f.compares],
         "stability": sections(book),
     }

@@ -104,7 +104,7 @@ class Mark:
     @property
     def points(self) -> str:
         """The corners as an SVG polygon, y downwards."""
-        return " ".join(f"{x:.3g},{-y:.3g}" for x, y in self.shape)
+        return " ".join(f"{x:.2g},{-y:.2g}" for x, y in self.shape)
 
 
 def mark(label: str) -> Mark:

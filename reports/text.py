@@ -15,6 +15,7 @@ Same = TypeVar("Same")
 NONE = "\N{EN DASH}"  # what stands where there is no number
 SUPERSCRIPTS = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 SMALL_NUMBER = re.compile(r"\d[\d.]*e-\d+")
+PADDED = re.compile(r"(?<=\d)e([+-])0*(\d+)")  # an exponent as programs write it
 LONGEST = 80  # characters of an identifier
 PLAIN = re.compile(r"[A-Za-z0-9./-]+")
 
@@ -84,8 +85,12 @@ def within(said: str) -> Markup:
 
 
 def unbroken(said: str) -> Markup:
-    """A text whose numbers do not end a line at the hyphen of their exponent."""
-    return Markup(SMALL_NUMBER.sub(r'<span class="n">\g<0></span>', str(escape(said))))
+    """A text whose numbers are written as in tables: 6.8e-5 for 6.8e-05, 1e9 for 1e+09.
+
+    None ends a line at the hyphen of its exponent.
+    """
+    plain = PADDED.sub(lambda found: f"e{found[1].replace('+', '')}{found[2]}", said)
+    return Markup(SMALL_NUMBER.sub(r'<span class="n">\g<0></span>', str(escape(plain))))
 
 
 def slug(*names: str) -> str:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Container, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 from reports import plain
@@ -12,6 +12,7 @@ from reports.marks import Mark
 from reports.outcomes import RANKS, WORST_FIRST, ShownOutcome
 from reports.text import brief, short
 from vv.records.job_record import Record
+from vv.records.outcomes import Outcome
 
 FEW = 3  # variants that are named though they are all of a case
 DECIMAL = re.compile(r"(?<![\w.])-?\d+(?:\.\d+(?:e[+-]?\d+)?|e[+-]?\d+)\b")
@@ -27,15 +28,15 @@ class Finding:
     where: Mapping[str, Sequence[tuple[str, str]]]
 
 
-def findings(book: Book, looks: Iterable[str]) -> list[Finding]:
+def findings(book: Book, looks: Iterable[str], without: Container[Outcome] = ()) -> list[Finding]:
     """What is to be said of the records whose outcome has one of these looks, worst first.
 
-    where: case -> (link, variant with its steps).
+    without: outcomes that are told elsewhere. where: case -> (link, variant with its steps).
     """
     wanted = frozenset(looks)
     piles: dict[tuple[int, str, str], dict[int, str]] = {}  # place among all -> reason
     for place, (record, found) in enumerate(book.shown):
-        if found.look in wanted:
+        if found.look in wanted and found.key not in without:
             why = _reason(record, found)
             key = (RANKS[found.key], record.label, DECIMAL.sub("#", why))
             piles.setdefault(key, {})[place] = why
@@ -48,6 +49,17 @@ def findings(book: Book, looks: Iterable[str]) -> list[Finding]:
         )
         for (rank, name, _), pile in sorted(piles.items(), key=lambda item: item[0])
     ]
+
+
+def refused(book: Book) -> list[tuple[str, int, int]]:
+    """(code, variants, reasons) of what each code does not support: its page has it in full."""
+    found: dict[str, tuple[set[tuple[str, str]], set[str]]] = {}
+    for record, shown in book.shown:
+        if shown.key is Outcome.REFUSED:
+            places, reasons = found.setdefault(record.code, (set(), set()))
+            places.add((record.case, record.variant))
+            reasons.add(record.reason)
+    return [(code, len(found[code][0]), len(found[code][1])) for code in sorted(found)]
 
 
 def _merged(texts: Sequence[str]) -> str:

@@ -98,7 +98,8 @@ def test_reasons_and_circumstances_are_told(manifest: Manifest, store: Store) ->
         assert words in made[CASE]
     for words in ("vv run --all", "with uncommitted changes", "gate: red"):
         assert words in made["index.html"]
-    assert "refused it is" in made["attention.html"]
+    assert "refused it is" in made["code-fate.html"]  # to which the page of attention leads
+    assert 'href="code-fate.html#refused-fate"' in made["attention.html"]
 
 
 def test_refusals_are_one_line_in_a_variant_and_blank_on_the_map(

@@ -263,8 +263,8 @@ def test_a_long_explanation_stands_once_on_a_page_and_is_referred_to() -> None:
 
 
 def test_no_line_ends_within_a_small_number_and_tags_stay_text() -> None:
-    said = text.unbroken("at dt = 2.5e-5 s <b>, at-will")
-    assert said == 'at dt = <span class="n">2.5e-5</span> s &lt;b&gt;, at-will'
+    said = text.unbroken("at dt = 2.5e-05 s <b>, at-will, 1e+09")
+    assert said == 'at dt = <span class="n">2.5e-5</span> s &lt;b&gt;, at-will, 1e9'
 
 
 def test_texts_are_read_on_every_background_light_and_dark() -> None:
