@@ -2,15 +2,12 @@
 
 from __future__ import annotations
 
-import functools
 import sys
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable
 from pathlib import Path
 from types import ModuleType
 from typing import TYPE_CHECKING
 
-from vv.base import closure
-from vv.base.digest import digest
 from vv.base.files import write_output
 from vv.output import result_lines, terminal
 from vv.output.progress import progress
@@ -21,9 +18,6 @@ from vv.store.store import Store
 
 if TYPE_CHECKING:
     from reports.beside import Beside
-    from vv.case.published import Paper
-    from vv.insight.papers import Row
-    from vv.records.accepted import AcceptedResult
     from vv.records.job_record import Record
     from vv.run.session import Limits
 
@@ -159,59 +153,11 @@ def reporter(project: Project) -> ModuleType:
 def beside(project: Project, manifest: Manifest) -> Beside:
     """What a report shows beside the records: the papers, and the input of each code."""
     from reports.beside import Beside
+    from vv.insight.rows_of_run import rows_of_run
     from vv.plan.exact_numbers import with_exact_numbers
     from vv.plan.published import files, papers
     from vv.run.native_inputs import native_inputs
 
     known = with_exact_numbers(papers(project), project, files(project))
-    rows = _rows(known, project, manifest)
+    rows = rows_of_run(known, project, manifest)
     return Beside(list(zip(known, rows, strict=True)), native_inputs(project))
-
-
-def _rows(
-    papers: Sequence[Paper], project: Project, manifest: Manifest
-) -> tuple[tuple[Row, ...], ...]:
-    """The rows of each paper, worked out where records, baselines or sources are new."""
-    from vv.insight import papers as insight
-
-    results = functools.cache(functools.partial(_results, project, manifest))
-    store, key = Store(project.data()), _key_of_rows(papers, project, manifest)
-    rows = store.facts(tuple[tuple[insight.Row, ...], ...], key) if key else None
-    if rows is None:
-        rows = tuple(insight.rows(paper, results) for paper in papers)
-        if key:
-            store.keep_facts(key, rows)
-    return rows
-
-
-def _key_of_rows(papers: Sequence[Paper], project: Project, manifest: Manifest) -> str:
-    """A digest of all that the rows are made of; empty where the records are not in the store."""
-    from vv.insight import papers as insight
-    from vv.plan.published import files
-
-    records = Store(project.data()).digests_of(manifest.name)
-    if not records:
-        return ""
-    cases = sorted({seen.case for paper in papers for one in paper.statements for seen in one.seen})
-    folders = [root / "cases" / "baselines" for root in project.roots]
-    accepted = [folder / f"{case}.json" for folder in folders for case in cases]
-    of = [*files(project), Path(insight.__file__)]
-    sources = closure.import_closure(of, project.roots)
-    made_from = [*sources, *(path for path in accepted if path.is_file())]
-    return digest(
-        "rows of papers",
-        closure.source_digest(made_from),
-        [records.get(case, "") for case in cases],
-    )
-
-
-def _results(project: Project, manifest: Manifest, case: str) -> Mapping[str, AcceptedResult]:
-    """What is accepted of a case, and what the invocation itself has of it."""
-    from vv.ask import Status
-    from vv.gate.all_checks import baseline_of
-    from vv.gate.baseline import name_of, result_of
-
-    known = baseline_of(project, case)
-    own = (r for r in manifest.records if r.case == case)
-    ran = (r for r in own if r.status is Status.RAN and not r.modified)
-    return {**(known.results if known else {}), **{name_of(r): result_of(r, "") for r in ran}}

@@ -1,0 +1,62 @@
+"""Each paper's statements beside the results of an invocation; kept until one of them changes."""
+
+from __future__ import annotations
+
+import functools
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+
+from vv.ask import Status
+from vv.base import closure
+from vv.base.digest import digest
+from vv.case.published import Paper
+from vv.gate.baseline import name_of, result_of
+from vv.insight import papers as insight
+from vv.insight.papers import Row
+from vv.plan.project import Project
+from vv.plan.published import files
+from vv.records.accepted import AcceptedResult
+from vv.records.manifest import Manifest
+from vv.store.store import Store
+
+
+def rows_of_run(
+    papers: Sequence[Paper], project: Project, manifest: Manifest
+) -> tuple[tuple[Row, ...], ...]:
+    """The rows of each paper, worked out where records, baselines or sources are new."""
+    results = functools.cache(functools.partial(_results, project, manifest))
+    store, key = Store(project.data()), _key_of_rows(papers, project, manifest)
+    rows = store.facts(tuple[tuple[insight.Row, ...], ...], key) if key else None
+    if rows is None:
+        rows = tuple(insight.rows(paper, results) for paper in papers)
+        if key:
+            store.keep_facts(key, rows)
+    return rows
+
+
+def _key_of_rows(papers: Sequence[Paper], project: Project, manifest: Manifest) -> str:
+    """A digest of all that the rows are made of; empty where the records are not in the store."""
+    records = Store(project.data()).digests_of(manifest.name)
+    if not records:
+        return ""
+    cases = sorted({seen.case for paper in papers for one in paper.statements for seen in one.seen})
+    folders = [root / "cases" / "baselines" for root in project.roots]
+    accepted = [folder / f"{case}.json" for folder in folders for case in cases]
+    of = [*files(project), Path(insight.__file__)]
+    sources = closure.import_closure(of, project.roots)
+    made_from = [*sources, *(path for path in accepted if path.is_file())]
+    return digest(
+        "rows of papers",
+        closure.source_digest(made_from),
+        [records.get(case, "") for case in cases],
+    )
+
+
+def _results(project: Project, manifest: Manifest, case: str) -> Mapping[str, AcceptedResult]:
+    """What is accepted of a case, and what the invocation itself has of it."""
+    from vv.gate.all_checks import baseline_of
+
+    known = baseline_of(project, case)
+    own = (r for r in manifest.records if r.case == case)
+    ran = (r for r in own if r.status is Status.RAN and not r.modified)
+    return {**(known.results if known else {}), **{name_of(r): result_of(r, "") for r in ran}}
