@@ -18,8 +18,6 @@ from vv.engines.dda.springs import Springs
 from vv.engines.dda.stepping import IMPLICIT
 from vv.scene import Block, Scene, Term, Vector
 
-ENDS = 9  # where the end of the motion stands in what the kernel is told
-
 
 @dataclass(frozen=True, eq=False)
 class General:
@@ -63,7 +61,7 @@ class General:
     def arguments(self, step: tuple[Any, ...], law: Springs) -> tuple[Any, ...]:
         """What the kernel is told; step: stride, dt, settling, tolerance, iterations."""
         begun = self.pressed(law, step[-2:]) if self.formulation.pressed else self.motion()
-        return (*step, *self.model_arguments(begun, self.formulation.dd, law))
+        return (*step, *self.model_arguments(begun, self.motion(), self.formulation.dd, law))
 
     def pressed(self, law: Springs, rule: tuple[Any, ...]) -> Any:
         """The start once contacts carry the loads at rest, as if no friction were exceeded.
@@ -92,9 +90,9 @@ class General:
         start = end = self.motion()
         start.velocity[:] = 0.0
         for steps in (1, STATIC_STEPS):
-            given = still.model_arguments(start, 0.0, gripping)
+            end = self.motion()
+            given = still.model_arguments(start, end, 0.0, gripping)
             self.kernel()(*self.outputs(1, ()), 1, slow, steps, *rule, *given)
-            end = given[ENDS]
             if np.linalg.norm(end.centre - start.centre, axis=1).max() > self.sinks(law):
                 return start
         return end
@@ -106,8 +104,8 @@ class General:
         soft = ((block.elastic, size(block)) for block in self.scene.blocks)
         return float(FLOAT * loads * (1 / law.kn + sum(1 / (e.young * h) for e, h in soft if e)))
 
-    def model_arguments(self, begun: Any, dd: float, law: Springs) -> tuple[Any, ...]:
-        """What the kernel is told after the step."""
+    def model_arguments(self, begun: Any, end: Any, dd: float, law: Springs) -> tuple[Any, ...]:
+        """What the kernel is told after the step; it writes the end of the motion to `end`."""
         from vv.engines.kernels.drive import NO_MOTION, drive, drives
 
         scene, blocks, way = self.scene, self.scene.blocks, self.formulation
@@ -124,7 +122,7 @@ class General:
             way.multipliers or None,
             self.bodies(),
             begun,
-            self.motion(),
+            end,
             shape,
             np.array([bool(b.free.any() or b.free_spin.any()) for b in blocks]),
             planes(scene),
