@@ -75,6 +75,8 @@ def taken_up(
             off = larger(larger(off, shear * length(slip)), shear * length(spring) - mu * push)
         elif used[k] == SLIDE and shear > 0.0:
             spring = add_scaled(NOWHERE, 1.0 / shear, at(rub, k))
+            turned = add_scaled(spring, -1.0, at(touch.spring, k))
+            off = larger(off, shear * length(turned))
             due = add_scaled(NOWHERE, mu * push, at(touch.way, k))
             off = larger(off, length(add_scaled(due, -1.0, at(rub, k))))
         touch.push[k] = push
