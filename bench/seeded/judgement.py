@@ -41,4 +41,11 @@ BUGS = (
     Bug("a floor after three stalls", METRICS, "stalls < 2", "stalls < 3", tests="tests/base"),
     Bug("findings besides the records dropped", JUDGEMENT, "return [*own, *manifest.findings]", "return own", tests=GATE),
     Bug("the limit of the coarsest steps", RUNGS, "if r.rung.dt and r.quantities][:-4:-1]", "if r.rung.dt and r.quantities][2::-1]", tests="tests/insight"),
+    Bug("a known band scaled the wrong way in dt", DISAGREEMENT, "(rung.dt or self.dt) / self.dt", "self.dt / (rung.dt or self.dt)", tests="tests/gate/test_disagreement.py"),
+    Bug("a known band scaled the wrong way in kn", DISAGREEMENT, "(self.kn / rung.kn)", "(rung.kn / self.kn)", tests="tests/gate/test_disagreement.py"),
+    Bug("a parameter of another value is the same", REGRESSION, "if then is not None and then != now:", "if then is not None and then.keys() != now.keys():", tests="tests/gate/test_decisions.py"),
+    Bug("a quantity that is no longer reported is no matter", REGRESSION, "        return Moved(name, Change.GONE, \"has a baseline, but is no longer reported\")", "        return None", tests="tests/gate/test_baseline.py"),
+    Bug("what is required need only be asked", JUDGEMENT, "seen = {record.label for record in records if ran(record)}", "seen = {record.label for record in records}", tests="tests/gate/test_judgement.py"),
+    Bug("a figure that is gone has not moved", REGRESSION, 'return float("inf")', "return 0.0", tests="tests/gate/test_decisions.py"),
+    Bug("a known breach open below", "vv/gate/known_breaches.py", "and low <= seen <= high", "and seen <= high", tests="tests/gate/test_known_breaches.py"),
 )  # fmt: skip

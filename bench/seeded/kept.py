@@ -32,4 +32,5 @@ BUGS = (
     Bug("recorded results of other parameters", "vv/gate/recorded.py", "kept.parameters.get(record.variant) == record.parameters", "kept.parameters", tests="tests/gate"),
     Bug("an infinite number read", CODEC, "if not -LARGEST <= data <= LARGEST:", "if data != data:", tests="tests/records"),
     Bug("a truth read as a number", CODEC, "if type(data) is not int:", "if not isinstance(data, int):", tests="tests/records"),
+    Bug("a search's key without its source", KEYS, "prints[job.code], how)", "prints[job.code])", tests=KEYED),
 )  # fmt: skip

@@ -32,4 +32,10 @@ BUGS = (
     Bug("the dearest round counts", TIMING, "best = min(costs,", "best = max(costs,", tests="tests/run tests/codes tests/cli"),
     Bug("a session with gaps is kept", TIMING, "if set(stored) == set(keys):", "if stored:", tests="tests/run tests/codes tests/cli"),
     Bug("a budget spent on the dearest", NARROWING, "for job in sorted(plan.jobs, key=lambda job: costs[id(job)]):", "for job in sorted(plan.jobs, key=lambda job: -costs[id(job)]):", tests="tests/run/test_narrowing.py"),
+    Bug("a search believes the nearest body", SEARCH, "max(float(np.abs(values).max()) for values", "min(float(np.abs(values).max()) for values", tests="tests/run/test_search.py"),
+    Bug("a search sees no way backwards", SEARCH, "float(np.abs(values).max())", "float(values.max())", tests="tests/run/test_search.py"),
+    Bug("ratios to the slower calibration", "vv/run/rounds.py", "unit = min(before, calibration())", "unit = max(before, calibration())", tests="tests/run/test_rounds.py"),
+    Bug("a budget for what needs it least", NARROWING, "-_telling(job, known), costs", "_telling(job, known), costs", tests="tests/run/test_narrowing.py"),
+    Bug("other versions of libraries affect nothing", NARROWING, 'EVERYTHING = ("pyproject.toml", "requirements.lock")', 'EVERYTHING = ("pyproject.toml",)', tests="tests/run/test_narrowing.py"),
+    Bug("the longest jobs shared out last", "vv/run/pace.py", "key=lambda place: -seconds[place]", "key=lambda place: seconds[place]", tests="tests/run/test_batching.py"),
 )  # fmt: skip

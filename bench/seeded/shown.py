@@ -37,4 +37,13 @@ BUGS = (
     Bug("the best of a commit as its worst", HISTORY, "[digest.closeness for _, digest in found], max)", "[digest.closeness for _, digest in found], min)", tests=INSIGHT),
     Bug("a comparison the wrong way round", COMPARE, '(x {b / a:.3g})', '(x {a / b:.3g})', tests=INSIGHT),
     Bug("the least drift as the largest", "vv/insight/stability_summary.py", "worst = max((one.errors", "worst = min((one.errors", tests=INSIGHT),
+    Bug("voices agree within the error of the coarsest step", "vv/insight/voices.py", "near = [(stiffest, min(coarser))]", "near = [(stiffest, max(coarser))]", tests=INSIGHT),
+    Bug("of each code the dearest scheme", COSTS, 'first.setdefault(name.partition("/")[0], (name, point))', 'first[name.partition("/")[0]] = (name, point)', tests=INSIGHT),
+    Bug("history backwards", HISTORY, "_points([*commits.values()][::-1])", "_points([*commits.values()])", tests=INSIGHT),
+    Bug("computed over measured upside down", "reports/drawing/scatter.py", "number(SIZE - at(point.computed))", "number(at(point.computed))", tests="tests/reports/test_beside.py"),
+    Bug("a map lost from the largest step on", "vv/insight/stability_summary.py", "{min(ratios):.3g} critical steps", "{max(ratios):.3g} critical steps", tests=INSIGHT),
+    Bug("the quantity that is farthest from its bound", "vv/output/results_table.py", "worst = max(judged, key=_closeness", "worst = min(judged, key=_closeness", tests="tests/output"),
+    Bug("exact and computed series exchanged", "vv/output/export.py", "for part in (\"value\", \"reference\")}\n", "for part in (\"reference\", \"value\")}\n    parts = dict(zip(parts, [*parts.values()][::-1], strict=True))\n", tests="tests/output"),
+    Bug("right and wrong exchanged in a map of regions", "reports/drawing/regions.py", "value == exact) for at", "value != exact) for at", tests="tests/reports/test_beside.py"),
+    Bug("a scatter of one freedom too many", "vv/insight/against_measurements.py", "logs.var(ddof=1)", "logs.var(ddof=0)", tests=INSIGHT),
 )  # fmt: skip

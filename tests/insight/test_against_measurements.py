@@ -26,6 +26,14 @@ def test_bias_and_scatter_of_a_made_up_model_are_found_again() -> None:
     assert sure == pytest.approx(0.05)
 
 
+def test_three_points_scatter_by_what_two_degrees_of_freedom_leave() -> None:
+    # ln r = -0.2, 0, 0.2: s^2 = 0.08/2; of it 0.1^2 is the measurements'
+    bias, scatter, sure = factor(_points(np.exp([-0.2, 0.0, 0.2]), 0.1))
+    assert scatter == pytest.approx(math.sqrt(0.03))
+    assert sure == pytest.approx(0.1)
+    assert bias == pytest.approx(math.exp(0.01))
+
+
 def test_a_scatter_that_the_measurements_explain_is_not_laid_on_the_model() -> None:
     assert factor(_points(np.array([0.99, 1.0, 1.01]), 0.05))[1] == 0.0
 

@@ -14,7 +14,7 @@ from hypothesis import strategies as st
 
 from tests.support import fabricated
 from vv.base.metrics import count_before_floor
-from vv.insight.accuracy_cost import FACTORS, duels, front, profile, reach, shares
+from vv.insight.accuracy_cost import FACTORS, cheapest, duels, front, profile, reach, shares
 from vv.insight.effort import Effort, efforts, untimed
 from vv.records.job_record import Record
 from vv.records.manifest import CodeFound, Manifest
@@ -64,6 +64,28 @@ def test_an_error_above_the_coarsest_costs_at_most_that_and_one_below_all_has_no
     assert found.cpu == pytest.approx(1e-5)
     assert found.bound
     assert reach(one(SECOND), 1e-7).cpu is None
+
+
+def test_of_each_code_the_cheapest_setting_of_any_scheme_is_taken() -> None:
+    rows = {
+        "ours/plain": [(1e-2, 1e-3, 4.0), (1e-3, 1e-5, 40.0)],
+        "ours/sharp": [(1e-2, 1e-4, 3.0), (1e-3, 1e-6, 90.0)],
+        "theirs/plain": [(1e-2, 1e-3, 5.0), (1e-3, 1e-5, 2.0)],
+    }
+    every = efforts(
+        manifest(
+            *(
+                dataclasses.replace(record(code, (dt, None, error, cpu)), scheme=scheme)
+                for label, settings in rows.items()
+                for code, scheme in [label.split("/")]
+                for dt, error, cpu in settings
+            )
+        )
+    )
+    found = [(label, point.dt, point.cpu) for label, point in cheapest(every, 2e-3)]
+    assert found == [("theirs/plain", 1e-3, 2.0), ("ours/sharp", 1e-2, 3.0)]
+    found = [(label, point.dt, point.cpu) for label, point in cheapest(every, 2e-5)]
+    assert found == [("theirs/plain", 1e-3, 2.0), ("ours/plain", 1e-3, 40.0)]
 
 
 def test_a_rung_without_timing_or_without_error_has_no_say_in_costs() -> None:

@@ -63,7 +63,7 @@ def point(dt: float, kn: float, error: float | None, status: str = "ran") -> Rec
 def test_a_map_says_how_much_is_lost_from_which_step_on_and_how_good_it_gets() -> None:
     told = only(
         point(2.0, 1e4, None, "diverged"),
-        point(0.2, 1e6, 30.0),
+        point(0.3, 1e6, 30.0),
         point(0.1, 1e4, 0.2),
         point(0.01, 1e6, 0.003),
         point(5.0, 1e4, None, "refused"),

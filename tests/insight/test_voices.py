@@ -63,6 +63,19 @@ def test_the_odd_one_is_named_with_its_value() -> None:
     assert vote.in_words().endswith("the odd one is d/x, 1.2")
 
 
+def test_a_voice_is_off_by_its_last_refinement_of_the_step_and_of_the_stiffness() -> None:
+    (vote,) = votes(heard({**CHORUS, "a/x": (2.0, 1.25, 1.0)}))
+    assert vote.voices[0].error == pytest.approx(0.25)
+    rungs = {(1e6, 2e-3): 9.0, (1e7, 2e-3): 3.0, (1e7, 1e-3): 2.5, (1e8, 1e-3): 2.0}
+    stiffer = [
+        changed(one, rung={"dt": dt, "kn": kn})
+        for (kn, dt), value in rungs.items()
+        for one in said("a/x", value)
+    ]
+    (vote,) = votes([*stiffer, *heard({"b/x": CHORUS["b/x"], "c/x": CHORUS["c/x"]})])
+    assert vote.voices[0].error == pytest.approx(0.5)  # 1e8 has one step; 2.0 - 2.5
+
+
 def test_a_reference_outside_of_all_errors_stands_alone() -> None:
     sharp = {name: (1.1 + 2e-4 * k, 1.1 + 1e-4 * k) for k, name in enumerate(("a/x", "b/x", "c/x"))}
     (vote,) = votes(heard(sharp))

@@ -1,6 +1,7 @@
 """What a gate writes for others: JUnit XML, Markdown, annotations."""
 
 import dataclasses
+import json
 from pathlib import Path
 from typing import Any
 
@@ -8,9 +9,11 @@ import junitparser
 import pytest
 
 from tests.conftest import Tiny
-from tests.support.fabricated import entry, manifest_of_all, record
+from tests.support.fabricated import entry, manifest_of_all, ran, record
+from tests.support.fabricated import manifest as manifest_of
 from vv.ask import Knobs
 from vv.gate.judgement import judgement
+from vv.output.export import document
 from vv.output.junit import write_junit
 from vv.output.markdown import summary, workflow_commands
 from vv.records.finding import Aspect, Bit, Finding
@@ -30,6 +33,17 @@ def manifest(tmp_path: Path) -> Manifest:
                      "dt=0.001", "y", size=3.0)  # fmt: skip
     shown = RecordedResult("bounce", "T1", "fate", "z", Knobs(), "", "7", "2025", 12, None, {})
     return dataclasses.replace(made, findings=(better, worse), recorded=(shown,))
+
+
+def test_a_document_has_what_the_code_gave_and_beside_it_what_is_exact(tmp_path: Path) -> None:
+    store = Store(tmp_path)
+    made = ran(store, "dem/default", "T1", 4e-3, "pass")
+    (told,) = json.loads(document(manifest_of(made), store))["records"]
+    kept = store.series(made.key)
+    for part in ("value", "reference"):
+        series = told["quantities"][0][part]
+        assert (series["t"], series["y"]) == (kept["t"].tolist(), kept[f"y.{part}"].tolist())
+    assert kept["y.value"].tolist() != kept["y.reference"].tolist()
 
 
 def suite_of(manifest: Manifest, path: Path, required: tuple[str, ...] = ()) -> list[Any]:

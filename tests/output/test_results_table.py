@@ -31,6 +31,14 @@ def test_each_scheme_is_shown_at_its_finest_setting_with_order_and_bound(tmp_pat
     assert (row.claimed, row.allowed, row.verdict) == (2, 1e-3, "pass")
 
 
+def test_the_quantity_that_is_closest_to_its_bound_is_shown() -> None:
+    near = entry("pass", {"max": 9e-5}, name="near", tolerance=1e-4)
+    large = entry("pass", {"max": 5e-3}, name="large", tolerance=1e-1)
+    for quantities in ([near, large], [large, near]):
+        (row,) = rows([record("a/a", "T1", 1e-3, quantities=quantities)], [])
+        assert (row.error, row.allowed) == (9e-5, 1e-4)
+
+
 def test_the_cost_of_a_whole_process_is_marked_and_explained(tmp_path: Path) -> None:
     steps = ran(Store(tmp_path), "dem/default", "T1", 1e-3, "pass")
     process = changed(steps, code="mine", cost=changed(steps.cost, whole=True))

@@ -10,8 +10,12 @@ import numpy as np
 import pytest
 
 from reports import html
+from reports.drawing.scatter import draw_scatter
+from reports.marks import Mark
 from tests.support.fabricated import case, changed, entry, manifest, record
+from tests.support.read_back import page
 from vv.case import RegionMap
+from vv.insight.against_measurements import Compared
 from vv.records.case_facts import VariantFacts
 from vv.records.job_record import Record, summary_of
 from vv.records.manifest import Manifest
@@ -57,20 +61,35 @@ def test_measured_values_stand_with_their_bars_and_charts_name_the_quantity(
     assert re.search(r"restitution at 20 deg\s+0.75 ± 0.1\s+0.1\s+0.8125", cells)
 
 
+def test_a_dot_lies_above_the_line_by_as_much_as_the_computed_value_is_too_large() -> None:
+    values = {"low": (2.25, 2.0), "high": (5.5, 6.0)}  # computed, measured
+    points = [Compared(name, "m", *pair, 0.25, 1.0, True) for name, pair in values.items()]
+    drawn = page(str(draw_scatter({Mark("a/a", 0, (), ""): points}, "s")))
+    ticks = [(float(one.named["x"]), float(one.text)) for one in drawn.every("text", class_="mid")
+             if one.text.replace(".", "").isdigit()]  # fmt: skip
+    (low, first), (high, last) = ticks[0], ticks[-1]
+    unit = (high - low) / (last - first)  # px per m, the same along both axes
+    tall = float(next(drawn.every("svg")).named["viewbox"].split()[3])
+    for dot, (computed, measured) in zip(drawn.every("circle"), values.values(), strict=True):
+        across, up = float(dot.named["cx"]), tall - float(dot.named["cy"])
+        assert first + (across - low) / unit == pytest.approx(measured, abs=0.05)
+        assert first + (up - low) / unit == pytest.approx(computed, abs=0.05)
+
+
 def test_a_map_of_regions_has_its_borders_and_marks_what_is_not_found_right(
     tmp_path: Path,
 ) -> None:
-    points = {"p": (10.0, 20.0), "q": (20.0, 10.0)}
+    points = {"p": (10.0, 20.0), "q": (20.0, 10.0), "r": (5.0, 5.0)}
     chart = RegionMap("psi [deg]", "delta [deg]", ("stays", "topples"), (BORDER,), points)
     facts = dataclasses.replace(case().variants["T1"], regions=chart)
     entries = [
         entry("pass", {}, name=name, kind="count", unit="", value=value, reference=exact)
-        for name, value, exact in (("p", 0, 0), ("q", 0, 1))
+        for name, value, exact in (("p", 0, 0), ("q", 0, 1), ("r", 1, 1))
     ]
     whole = of(facts, record("a/a", "T1", 1e-3, quantities=entries))
     page = html.build(whole, Store(tmp_path / ".vv"), tmp_path / "r").with_name("case-bounce.html")
     text = page.read_text()
-    assert "a/a: 1 of 2" in text
+    assert "a/a: 2 of 3" in text
     assert text.count('class="border"') == text.count('class="mode wrong"') == 1
     for word in ("stays", "topples", "psi [deg]", "delta [deg]"):
         assert f">{word}</text>" in text

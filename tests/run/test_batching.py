@@ -58,6 +58,10 @@ def test_piles_hold_every_place_once_and_none_exceeds_the_mean_by_more_than_one(
     assert heaviest <= sum(seconds) / count + max(seconds) + 1e-9
 
 
+def test_the_longest_are_shared_out_first_since_the_short_ones_fill_up() -> None:
+    assert list(piles([1.0, 1.0, 5.0, 1.0, 2.0], 2)) == [(2,), (0, 1, 3, 4)]
+
+
 def test_a_job_takes_what_it_took_last_time(plan: Plan) -> None:
     job = next(job for job in plan.jobs if job.code == "dem")
     last = record("dem/default", job.variant, job.ask.knobs.dt, case=job.case, cost=cost(cpu=3.0))

@@ -34,13 +34,13 @@ from vv.run.search import answers
 from vv.scene import Contact, Harmonic, Pulse, Scene, Vector
 from vv.store.store import Store
 
-BODY = Displacement(0)
+BODY, STILL = Displacement(0), Displacement(1)
 BOUND = 10.0
 SCENE = Scene((ball(np.zeros(3), np.zeros(3)),), Contact(1.0))
 
 
 class Limited:
-    """A code whose runs stay small up to a step and, beyond it, grow or are lost."""
+    """A code in whose runs one body stays near up to a step and, beyond it, goes far or is lost."""
 
     name = "limited"
     schemes = ()
@@ -73,7 +73,8 @@ class Limited:
                 yield Run(self.beyond, f"lost at {dt:g} s")
             else:
                 values: dict[Observable, Vector] = {
-                    BODY: np.full((len(times), 3), 1.0 if fine else 20.0)
+                    STILL: np.zeros((len(times), 3)),
+                    BODY: np.full((len(times), 3), 1.0 if fine else -20.0),
                 }
                 model = self.describe(ask, scheme)
                 yield Run(Status.RAN, times=times, values=values, steps=40, model=model)
