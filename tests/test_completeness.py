@@ -1,12 +1,13 @@
 """Nothing is left out: every case, quantity, tolerance, scheme and answer is there."""
 
+import functools
 from pathlib import Path
 
 import numpy as np
 import pytest
 
 from vv.ask import Method
-from vv.case import Case, Exact, Level, Parameters, Series, knobs_in_scene
+from vv.case import Case, Exact, Level, Parameters, Series, Trial, knobs_in_scene
 from vv.codes import Adapter
 from vv.gate import answers
 from vv.gate.all_checks import baseline_of
@@ -19,6 +20,13 @@ ADAPTERS = [PROJECT.load_adapter(name) for name in PROJECT.adapter_names()]
 SCHEMES = {f"{a.name}/{s.name}": s for a in ADAPTERS for s in a.schemes}
 HERE = {adapter.name for adapter in ADAPTERS if adapter.found().installed}
 ON_RECORD = {case.name: answers.accepted(PROJECT, case.name) for case in CASES}
+
+
+@functools.cache
+def declared(case: str, variant: str) -> Trial:
+    """A variant with its defaults; kept, since to declare some takes seconds."""
+    asked = next(one for one in CASES if one.name == case)
+    return asked.declare(variant, asked.defaults(variant))
 
 
 def test_every_file_in_cases_but_helpers_is_a_case() -> None:
@@ -52,7 +60,7 @@ def test_what_has_a_baseline_has_its_answers_on_record_and_refusals_have_reasons
 @pytest.mark.parametrize("case", CASES, ids=lambda case: case.name)
 def test_every_quantity_has_a_tolerance_with_its_reason(case: Case) -> None:
     for variant in case.variants:
-        trial = case.declare(variant.name, case.defaults(variant.name))
+        trial = declared(case.name, variant.name)
         assert trial.quantities
         for quantity in trial.quantities:
             judge = quantity.judge
@@ -87,7 +95,7 @@ def test_every_case_tells_its_source_its_parameters_and_its_formulas(case: Case)
 @pytest.mark.parametrize("case", CASES, ids=lambda case: case.name)
 def test_a_level_adds_rungs_and_never_changes_the_scene(case: Case) -> None:
     for variant in case.variants:
-        study = case.declare(variant.name, case.defaults(variant.name)).study
+        study = declared(case.name, variant.name).study
         quick, default, paper = (set(study.rungs[level]) for level in Level)
         assert quick <= default <= paper
         own = {tuple(getattr(knobs, name) for name in knobs_in_scene(study)) for knobs in paper}
