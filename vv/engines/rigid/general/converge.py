@@ -20,6 +20,7 @@ from vv.engines.rigid.limits import (
     STALLED,
     STEADIED,
     STIFF,
+    STUCK,
 )
 from vv.engines.rigid.solver.assembly import Bodies, Joints, load_on
 from vv.engines.rigid.solver.banded import arranged
@@ -41,12 +42,13 @@ def converged(
     They are in small scenes, and where blocks hang together in a chain. There they go on beyond
     the residual asked, for the little that they cost more: what is left adds up along a chain.
     Elsewhere sweeps with momentum and with conjugate gradients take turns: where blocks wedge, one
-    drifts away and the other creeps, and each goes on from where the other is stuck.
+    drifts away and the other creeps, and each goes on from where the other is stuck. The few steps
+    in which both are take Newton steps, too, until the residual asked is met.
     """
     blocks, sweeps, left = len(setting.mass), 0 * fewest, np.inf
     small, place, apart = blocks <= SMALL, in_order(blocks), blocks - 1
     if not small:
-        place, apart = arranged(joints, blocks)
+        place, apart = arranged(joints, bodies, blocks)
     finer = (SHINED if small else POLISHED) * tolerance
     chained, carries = small or apart <= CHAIN, True
     free_v, free_w = without(p, joints, bodies, v, w)
@@ -62,8 +64,10 @@ def converged(
         sweeps, carries = sweeps + more, not carries
         if left > tolerance:
             left = renewed(p, joints, bodies, friction, v, w, free_v, free_w)
-        if chained and left > tolerance:
-            left = polish(p, joints, bodies, friction, v, w, finer, left, place, apart)
+        stuck = not chained and sweeps >= STUCK and left > setting.tolerance
+        if (chained and left > tolerance) or stuck:
+            aim = tolerance if stuck else finer
+            left = polish(p, joints, bodies, friction, v, w, aim, left, place)
         if more == 0:
             break
     return sweeps, left
@@ -100,11 +104,11 @@ def renewed(
 @called
 def polish(
     p: Vector, joints: Joints, bodies: Bodies, friction: Friction, v: Vector, w: Vector,
-    tolerance: float, left: float, place: Index, apart: int,
+    tolerance: float, left: float, place: Index,
 ) -> float:  # fmt: skip
     """Improve p (c, 3), whose effect is in v and w and whose residual is `left`; return what is.
 
-    place, apart: see `arranged`. A round that makes the residual [m/s] no smaller is undone, and
+    place: see `arranged`. A round that makes the residual [m/s] no smaller is undone, and
     the next less stiff.
     """
     before, before_v, before_w = rows(len(p)), rows(len(v)), rows(len(w))
@@ -115,9 +119,7 @@ def polish(
         keep(before, p)
         keep(before_v, v)
         keep(before_w, w)
-        met = balanced(
-            p, before, joints, bodies, friction, v, w, tolerance, stiffness, place, apart
-        )
+        met = balanced(p, before, joints, bodies, friction, v, w, tolerance, stiffness, place)
         for c in range(len(p)):
             load_on(joints, c, bodies, v, w, add_scaled(at(p, c), -1.0, at(before, c)))
         now = residual(p, joints, friction, v, w)

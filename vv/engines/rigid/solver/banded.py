@@ -4,19 +4,33 @@ from __future__ import annotations
 
 from vv.engines.blocks.geometry import Index
 from vv.engines.kernels.arrays import counts, larger, same_counts, smaller
-from vv.engines.kernels.compiled import called, lent
-from vv.engines.rigid.solver.assembly import Joints
+from vv.engines.kernels.compiled import called, inlined, lent
+from vv.engines.rigid.solver.assembly import Bodies, Joints
 from vv.scene import Vector
 
 
+@inlined
+def moving(bodies: Bodies, i: int) -> bool:
+    """Whether impulses move a body."""
+    free = bodies.inverse[i, 0, 0] + bodies.inverse[i, 1, 1] + bodies.inverse[i, 2, 2]
+    turns = bodies.inverse_spin[i, 0, 0] + bodies.inverse_spin[i, 1, 1]
+    return bool(free + turns + bodies.inverse_spin[i, 2, 2] > 0.0)
+
+
+@inlined
+def tied(joints: Joints, c: int, bodies: Bodies) -> bool:
+    """Whether a contact passes motion from one body to the other: both can move."""
+    return moving(bodies, joints.first[c]) and moving(bodies, joints.second[c])
+
+
 @called
-def neighbours(joints: Joints, blocks: int) -> tuple[Index, Index]:
-    """The blocks that each block touches: they are other[start[i]:start[i + 1]], some repeated."""
+def neighbours(joints: Joints, bodies: Bodies, blocks: int) -> tuple[Index, Index]:
+    """The blocks that each is tied to: they are other[start[i]:start[i + 1]], some repeated."""
     start = counts(blocks + 1)
     for i in range(blocks + 1):
         start[i] = 0
     for c in range(len(joints.first)):
-        if joints.first[c] < blocks:
+        if tied(joints, c, bodies):
             start[joints.first[c] + 1] += 1
             start[joints.second[c] + 1] += 1
     for i in range(blocks):
@@ -24,7 +38,7 @@ def neighbours(joints: Joints, blocks: int) -> tuple[Index, Index]:
     other, filled = counts(start[blocks]), same_counts(start, blocks)
     for c in range(len(joints.first)):
         a, b = joints.first[c], joints.second[c]
-        if a < blocks:
+        if tied(joints, c, bodies):
             other[filled[a]], other[filled[b]] = b, a
             filled[a] += 1
             filled[b] += 1
@@ -53,12 +67,12 @@ def layers(place: Index, start: Index, other: Index, root: int, count: int) -> t
 
 
 @called
-def arranged(joints: Joints, blocks: int) -> tuple[Index, int]:
-    """Places (n,) for the blocks such that those that touch are near, and the farthest apart.
+def arranged(joints: Joints, bodies: Bodies, blocks: int) -> tuple[Index, int]:
+    """Places (n,) for the blocks such that those tied are near, and the farthest apart.
 
     In layers from a block that is as far from another as any (Cuthill and McKee 1969).
     """
-    start, other = neighbours(joints, blocks)
+    start, other = neighbours(joints, bodies, blocks)
     place, count = counts(blocks), 0 * blocks
     for i in range(blocks):
         place[i] = -1
@@ -69,9 +83,43 @@ def arranged(joints: Joints, blocks: int) -> tuple[Index, int]:
             count, _ = layers(place, start, other, far, count)
     apart = 0 * blocks
     for c in range(len(joints.first)):
-        if joints.first[c] < blocks:
+        if tied(joints, c, bodies):
             apart = larger(apart, abs(place[joints.first[c]] - place[joints.second[c]]))
     return place, apart
+
+
+@called
+def numbered(bodies: Bodies, place: Index) -> tuple[Index, int]:
+    """The equation (6 n,) of each of the six velocities of each block, and how many there are.
+
+    They follow the places (n,) of the blocks; -1 where a velocity is locked.
+    """
+    blocks, count = len(place), 0 * len(place)
+    block, row = counts(blocks), counts(6 * blocks)
+    for i in range(blocks):
+        block[place[i]] = i
+    for k in range(blocks):
+        i = block[k]
+        for r in range(6):
+            free = bodies.inverse[i, r, r] if r < 3 else bodies.inverse_spin[i, r - 3, r - 3]
+            row[6 * i + r] = count if free > 0.0 else -1
+            count += 1 if free > 0.0 else 0
+    return row, count
+
+
+@called
+def width(joints: Joints, row: Index, blocks: int) -> int:
+    """How far from the diagonal contacts reach in equations of these rows: see `numbered`."""
+    far = 5 + 0 * blocks
+    for c in range(len(joints.first)):
+        a, b = joints.first[c], joints.second[c]
+        if a < blocks and b < blocks:
+            for k in range(6):
+                for r in range(6):
+                    one, two = row[6 * a + k], row[6 * b + r]
+                    if one >= 0 and two >= 0:
+                        far = larger(far, abs(one - two))
+    return far
 
 
 @lent

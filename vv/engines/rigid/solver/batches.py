@@ -17,6 +17,7 @@ from vv.engines.kernels.arrays import counts, larger, nil_counts, square_of
 from vv.engines.kernels.compiled import called, inlined, lent
 from vv.engines.kernels.triples import Triple, at
 from vv.engines.rigid.solver.assembly import Bodies, Joints
+from vv.engines.rigid.solver.banded import moving
 from vv.engines.rigid.solver.cone import Friction, limit
 from vv.scene import Vector
 
@@ -87,14 +88,6 @@ def batched(joints: Joints, bodies: Bodies) -> Index:
         while filled[begin] == LANES:
             begin += 1
     return place
-
-
-@inlined
-def moving(bodies: Bodies, i: int) -> bool:
-    """Whether impulses move a body."""
-    free = bodies.inverse[i, 0, 0] + bodies.inverse[i, 1, 1] + bodies.inverse[i, 2, 2]
-    turns = bodies.inverse_spin[i, 0, 0] + bodies.inverse_spin[i, 1, 1]
-    return bool(free + turns + bodies.inverse_spin[i, 2, 2] > 0.0)
 
 
 @called

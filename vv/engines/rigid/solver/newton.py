@@ -16,7 +16,7 @@ from vv.engines.kernels.compiled import called, lent
 from vv.engines.kernels.triples import Triple, add_scaled, at, cross, dot, put
 from vv.engines.rigid.limits import INNER
 from vv.engines.rigid.solver.assembly import Bodies, Joints, load_on, relative, times
-from vv.engines.rigid.solver.banded import eliminate
+from vv.engines.rigid.solver.banded import eliminate, numbered, width
 from vv.engines.rigid.solver.cone import Friction, keep, limit
 from vv.scene import Vector
 
@@ -67,16 +67,15 @@ def column(joints: Joints, c: int, side: int, k: int) -> Triple:
 
 @lent
 def spread(
-    matrix: Vector, joints: Joints, c: int, bodies: Bodies, place: Index, half: int, slope: Vector
+    matrix: Vector, joints: Joints, c: int, bodies: Bodies, rows_of: Index, half: int, slope: Vector
 ) -> None:
-    """Add W J^T slope J of contact c to a matrix (6 n, 6 n) as `eliminate` takes it.
-
-    place: (n,) of the blocks in its rows.
-    """
-    blocks = len(place)
+    """Add W J^T slope J of contact c to a matrix as `eliminate` takes it; rows_of: `numbered`."""
+    blocks = len(rows_of) // 6
     for side in range(2):
         j = joints.second[c] if side else joints.first[c]
         for k in range(6 if j < blocks else 0):
+            if rows_of[6 * j + k] < 0:
+                continue
             u = column(joints, c, side, k)
             p = (dot(at(slope, 0), u), dot(at(slope, 1), u), dot(at(slope, 2), u))
             for other in range(2):
@@ -86,25 +85,26 @@ def spread(
                     arm = at(joints.arm_second if other else joints.arm_first, c)
                     v = times(bodies.inverse, i, pull)
                     w = times(bodies.inverse_spin, i, cross(arm, pull))
-                    row = 6 * place[i]
-                    here = 6 * place[j] + k - row + half
-                    for r in range(3):
-                        matrix[row + r, here - r] += v[r]
-                        matrix[row + 3 + r, here - 3 - r] += w[r]
+                    here = rows_of[6 * j + k] + half
+                    for r in range(6):
+                        row = rows_of[6 * i + r]
+                        if row >= 0:
+                            matrix[row, here - row] += v[r] if r < 3 else w[r - 3]
 
 
 @called
 def balanced(
     p: Vector, q: Vector, joints: Joints, bodies: Bodies, friction: Friction,
-    v: Vector, w: Vector, tolerance: float, stiffness: float, place: Index, apart: int,
+    v: Vector, w: Vector, tolerance: float, stiffness: float, place: Index,
 ) -> bool:  # fmt: skip
     """Fill p (c, 3) with what q (c, 3), whose effect is in v and w (b, 3), becomes.
 
     Tells whether in the end no velocity changed by more than a tenth of the tolerance [m/s].
-    place, apart: see `arranged`.
+    place: see `arranged`.
     """
-    blocks, half = len(place), 6 * apart + 5
-    m = 6 * blocks
+    blocks = len(place)
+    rows_of, m = numbered(bodies, place)
+    half = width(joints, rows_of, blocks)
     x, y = same_rows(v, len(v)), same_rows(w, len(w))
     z, o = rows(len(v)), rows(len(w))
     slope, right, matrix = nil_squares(1)[0], numbers(m), table(m, 3 * half + 1)
@@ -116,22 +116,25 @@ def balanced(
             if joints.across[c] > 0.0:
                 u = relative(joints, c, x, y)
                 put(p, c, allowed(joints, c, friction, stiffness, at(q, c), u, slope))
-                spread(matrix, joints, c, bodies, place, half, slope)
+                spread(matrix, joints, c, bodies, rows_of, half, slope)
                 load_on(joints, c, bodies, z, o, add_scaled(at(p, c), -1.0, at(q, c)))
         most = 0.0
         for i in range(blocks):
-            row = 6 * place[i]
-            for r in range(3):
-                right[row + r], right[row + 3 + r] = z[i, r] - x[i, r], o[i, r] - y[i, r]
+            for r in range(6):
+                row = rows_of[6 * i + r]
+                if row >= 0:
+                    right[row] = z[i, r] - x[i, r] if r < 3 else o[i, r - 3] - y[i, r - 3]
         for k in range(m):
             matrix[k, half] += 1.0
         eliminate(matrix, right, half)
         for i in range(blocks):
-            row = 6 * place[i]
-            for r in range(3):
-                x[i, r] += right[row + r]
-                y[i, r] += right[row + 3 + r]
-                most = larger(most, abs(right[row + r]))
+            for r in range(6):
+                row = rows_of[6 * i + r]
+                if row >= 0 and r < 3:
+                    x[i, r] += right[row]
+                    most = larger(most, abs(right[row]))
+                elif row >= 0:
+                    y[i, r - 3] += right[row]
         if most <= 0.1 * tolerance:
             return True
     return False
