@@ -49,7 +49,7 @@ def _declare(variant: str, p: Parameters) -> Trial:
         study,
         (
             Scalar("way", "d/d_N", "", "way of the block over that of damped steps",
-                   lambda run: _way(run) / due(run), 1.0, 1.0, STEPPED),
+                   lambda run: _way(run) / due(run), 1.0, 1.0, _stepped(p["dd"])),
             Scalar("d", "d", "m", "way of the block", _way, None, 1.0, Shown(VANISHES)),
             Scalar("of a t^2/2", "2d/at^2", "", "way of the block over what is right",
                    lambda run: _way(run) / whole, None, 1.0, Shown(VANISHES)),
@@ -61,10 +61,24 @@ def _way(run: Run) -> float:
     return float(run.values[BLOCK][-1] @ X)
 
 
-SUMMED = Tolerance(
-    1e-12, "the sum of the steps in closed form; what is left is the rounding of velocities"
+def _stepped(dd: float) -> Exact:
+    """To rounding, of which a step leaves some in a velocity that so many steps hand on."""
+    handed_on = min(1.0 / STEPS[-1], 1.0 / (1.0 - dd)) if dd < 1.0 else 1.0 / STEPS[-1]
+    summed = Tolerance(1e-12 + EPS * handed_on, SUMMED)
+    return Exact(
+        {Method.PENALTY: summed, Method.LAGGING: summed}, not_judged={Method.FIRST_ORDER: LEAPS}
+    )
+
+
+EPS = float(np.finfo(float).eps)
+SUMMED = (
+    "the sum of the steps in closed form; what is left is the rounding of velocities, of which "
+    "each step hands on dd: 1/(1 - dd) of them add up"
 )
-STEPPED = Exact({Method.PENALTY: SUMMED, Method.LAGGING: SUMMED})
+LEAPS = (
+    "schemes of first order may hand on the velocity of a step's middle: damped leaps go "
+    "2/(1 + r) times as far"
+)
 VANISHES = (
     "under damping the velocity ends at a dt r/(1 - r), so the way vanishes with the step: a t "
     "dt (1 + r)/(2 (1 - r)), where a t^2/2 is right"

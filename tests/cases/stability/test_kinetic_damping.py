@@ -4,8 +4,8 @@ from pathlib import Path
 
 import pytest
 
-from vv.ask import Knobs, Status
-from vv.case import Level
+from vv.ask import Knobs, Method, Status
+from vv.case import Exact, Level
 from vv.codes import Scheme
 from vv.codes.adapter import known_beforehand
 from vv.plan.plan import project_knobs
@@ -45,11 +45,12 @@ def test_a_rung_says_its_damping_and_other_rungs_are_written_as_before() -> None
     assert in_words(Knobs(dd=0.0)) == "dd=0"
 
 
-def test_a_hundred_thousand_steps_are_summed_to_rounding(tmp_path: Path) -> None:
+@pytest.mark.parametrize("scheme", ["default", "generalised-alpha"])  # a model of its own each
+def test_a_hundred_thousand_steps_are_summed_to_rounding(scheme: str, tmp_path: Path) -> None:
     """Summed plainly, places lost 1e-12 of the way at dd = 0.913."""
     trial = CASE.declare("3-per-cent", {**CASE.defaults("3-per-cent"), "dd": 0.913})
     ask = trial.study.ask(trial.study.rungs[Level.DEFAULT][-1])
-    (run,) = PROJECT.load_adapter("dda").run([ask], "default", tmp_path, 0.0)
+    (run,) = PROJECT.load_adapter("dda").run([ask], scheme, tmp_path, 0.0)
     assert trial.quantities[0].observe(run) == pytest.approx(1.0, abs=1e-13)
 
 
@@ -57,3 +58,14 @@ def test_a_hundred_thousand_steps_are_summed_to_rounding(tmp_path: Path) -> None
 def test_a_step_hands_on_a_part_of_its_velocity(dd: float) -> None:
     with pytest.raises(ValueError, match=r"dd = .*; a step hands on a part between 0 and 1"):
         Knobs(dd=dd)
+
+
+def test_the_tolerance_grows_with_the_velocities_that_are_handed_on() -> None:
+    def allowed(dd: float) -> float:
+        judge = CASE.declare("3-per-cent", {**CASE.defaults("3-per-cent"), "dd": dd}).quantities[0]
+        assert isinstance(judge.judge, Exact)
+        return judge.judge.tolerance(Method.PENALTY).value
+
+    assert allowed(0.97) == pytest.approx(1e-12, rel=0.01)
+    assert allowed(0.99999) == pytest.approx(allowed(1.0), rel=1e-6)
+    assert allowed(1.0) < 3e-11
