@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -108,7 +109,35 @@ def test_momentum_is_kept_and_energy_explained() -> None:
     assert held[1] == pytest.approx(held[0], rel=2e-3), "(w dt)^2/4 of contacts that close"
 
 
-def test_few_spheres_and_those_that_are_held_are_left_to_the_general_model() -> None:
+def partly_held(scene: Scene) -> Scene:
+    """The same, every seventh sphere held in place; some of them overlap."""
+    s = scene.spheres
+    moving = (np.arange(len(s)) % 7 > 0)[:, None] * np.ones(3, bool)
+    x = s.position.copy()
+    x[7] = x[0] + np.array([1.9 * RADIUS, 0.0, 0.0])
+    held = Spheres(
+        x, s.velocity * moving, s.radius, s.mass, moving, free_spin=moving, spin=s.spin * moving
+    )
+    return replace(scene, bodies=(held, *scene.walls))
+
+
+@pytest.mark.parametrize("law", LAWS)
+def test_spheres_move_among_those_held_as_in_the_general_model(law: str) -> None:
+    scene = partly_held(crowd(*LAWS[law]))
+    fast = bulk(scene)
+    assert fast is not None
+    assert sum(array.size for array in fast.unknowns) == 6 * 85
+    (path, energy), (other, others) = (
+        moved(model, 300, dem.CENTRED) for model in (fast, space(scene))
+    )
+    assert not path[1, ::7].any()
+    for k in (0, 3, 6):
+        one, two = path[1, :, k : k + 3], other[1, :, k : k + 3]
+        assert np.abs(one - two).max() <= 1e-9 * np.abs(two).max()
+    assert energy[1] == pytest.approx(others[1], rel=1e-9, abs=1e-12 * energy[0, 0])
+
+
+def test_few_spheres_and_those_that_are_held_in_part_are_left_to_the_general_model() -> None:
     scene = crowd(LAWS["elastic spheres that rub"][0])
     s = scene.spheres
     locked = np.ones_like(s.free)

@@ -6,7 +6,17 @@ import math
 
 from vv.engines.dem.bulk.batches import AHEAD, BEHIND, FAR, KINETIC
 from vv.engines.dem.bulk.crowd import Crowd
-from vv.engines.dem.bulk.grains import BEFORE, SPUN, TURN, Grains, V, W, part, put_part
+from vv.engines.dem.bulk.grains import (
+    BEFORE,
+    SPUN,
+    TURN,
+    Grains,
+    V,
+    W,
+    moves,
+    part,
+    put_part,
+)
 from vv.engines.dem.space.advance import carried_on
 from vv.engines.dem.terms.drag import Drag
 from vv.engines.kernels.compiled import inlined, lent
@@ -31,7 +41,7 @@ def weigh(grains: Grains, gravity: Triple) -> None:
     """Set the force on each sphere to its weight, and the torque to none."""
     acting, mass = grains.acting, grains.mass
     for i in range(len(mass)):
-        put(acting, i, add_scaled(NOWHERE, mass[i], gravity))
+        put(acting, i, add_scaled(NOWHERE, moves(mass[i]), gravity))
         put_part(acting, i, TURN, NOWHERE)
 
 
@@ -48,7 +58,7 @@ def place(grains: Grains, velocity: Vector, time: float, drag: Drag | None) -> f
             push = add_scaled(push, -drag.eta, start)
         for c in range(3):
             row[i, V + c] = start[c] - time / grains.mass[i] * push[c]
-        kinetic += 0.5 * grains.mass[i] * dot(start, start)
+        kinetic += 0.5 * moves(grains.mass[i]) * dot(start, start)
     return kinetic
 
 
@@ -61,7 +71,7 @@ def place_spins(grains: Grains, spin: Vector | None, time: float) -> float:
             start, turn = at(spin, grains.original[i]), part(grains.acting, i, TURN)
             for c in range(3):
                 row[i, W + c] = start[c] - time / grains.inertia[i] * turn[c]
-            turning += 0.5 * grains.inertia[i] * dot(start, start)
+            turning += 0.5 * moves(grains.inertia[i]) * dot(start, start)
     return turning
 
 
@@ -95,15 +105,15 @@ def kick(crowd: Crowd, c: int, first: int, last: int, way: float) -> None:
         ahead += powers[1]
         put_part(row, i, BEFORE, old)
         put_part(row, i, V, new)
-        kinetic += 0.5 * mass[i] * dot(old, new)
+        kinetic += 0.5 * moves(mass[i]) * dot(old, new)
         if turns is not None:
             spun = part(row, i, W)
             spins = add_scaled(spun, dt / inertia[i], part(acting, i, TURN))
             put_part(row, i, SPUN, spun)
             put_part(row, i, W, spins)
-            kinetic += 0.5 * inertia[i] * dot(spun, spins)
+            kinetic += 0.5 * moves(inertia[i]) * dot(spun, spins)
             put_part(acting, i, TURN, NOWHERE)
-        put(acting, i, add_scaled(NOWHERE, mass[i], gravity))
+        put(acting, i, add_scaled(NOWHERE, moves(mass[i]), gravity))
         x = add_scaled(at(row, i), way, new)
         put(row, i, x)
         moved = add_scaled(x, -1.0, at(since, i))
@@ -120,7 +130,7 @@ def moving_energy(grains: Grains, spin: Vector | None) -> float:
     row, fast = grains.row, 0.0
     for i in range(len(grains.mass)):
         v, w = part(row, i, V), part(row, i, W)
-        fast += 0.5 * grains.mass[i] * dot(v, v)
+        fast += 0.5 * moves(grains.mass[i]) * dot(v, v)
         if spin is not None:
-            fast += 0.5 * grains.inertia[i] * dot(w, w)
+            fast += 0.5 * moves(grains.inertia[i]) * dot(w, w)
     return fast

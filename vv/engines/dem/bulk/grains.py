@@ -20,7 +20,7 @@ TURN, ACTS = 3, 8
 
 class Given(NamedTuple):
     """The n spheres at t = 0: position, velocity (n, 3), spin (n, 3) or None if none turns, radius,
-    mass, inertia (n,)."""
+    mass, inertia (n,); mass and inertia of a sphere that is held are inf."""
 
     position: Vector
     velocity: Vector
@@ -37,8 +37,8 @@ class Grains(NamedTuple):
     row (n + 1, 16): position [m], radius [m], mean velocity of the step that ended [m/s], its spin
     [1/s], and both of the step before it. acting (2 n + 2, 8): force [N] and torque
     [N m] on each, two numbers that nobody needs, and rows for what is put aside until a chunk ends.
-    mass, inertia (n,); original (n,): which sphere of the scene each is; since (n, 3): where they
-    were when neighbours were sought.
+    mass, inertia (n,), inf of what is held; original (n,): which sphere of the scene each is;
+    since (n, 3): where they were when neighbours were sought.
     """
 
     row: Vector
@@ -60,6 +60,12 @@ def grains(given: Given) -> Grains:
         row[i, RADIUS], original[i] = given.radius[i], i
     mass, inertia = given.mass.copy(), given.inertia.copy()
     return Grains(row, np.zeros((2 * n + 2, ACTS)), mass, inertia, original, since)
+
+
+@inlined
+def moves(mass: float) -> float:
+    """The mass [kg] that falls and has energy of motion, or the inertia: none of what is held."""
+    return mass if mass < np.inf else 0.0
 
 
 @inlined

@@ -1,4 +1,4 @@
-"""Builds the bulk model: many spheres, free to move and to turn, and walls at rest."""
+"""Builds the bulk model: many spheres, free to move and to turn or held, and walls at rest."""
 
 from __future__ import annotations
 
@@ -49,11 +49,14 @@ class Bulk:
     def unknowns(self) -> tuple[Vector, ...]:
         """The arrays that hold a number per unknown."""
         given = self.state.given
-        return (given.velocity,) if given.spin is None else (given.velocity, given.spin)
+        moving = np.isfinite(given.mass)
+        told = (given.velocity,) if given.spin is None else (given.velocity, given.spin)
+        return tuple(array[moving] for array in told)
 
     def outputs(self, rows: int, spheres: tuple[int, ...]) -> tuple[Vector | Index, ...]:
         """What the kernel fills, path and energy, and the spheres it watches."""
-        path = np.empty((rows, len(spheres), 3 + 3 * len(self.unknowns)))
+        kinds = 1 if self.state.given.spin is None else 2
+        path = np.empty((rows, len(spheres), 3 + 3 * kinds))
         return path, np.zeros((rows, 7)), np.array(spheres, np.intp)
 
     def kernel(self) -> Callable[..., int]:
@@ -76,9 +79,10 @@ class Bulk:
     def put_in(self, energy: Vector) -> float:
         """Kinetic and elastic energy [J] at t = 0."""
         given = self.state.given
-        kinetic = 0.5 * float(given.mass @ (given.velocity**2).sum(axis=1))
+        moving = np.isfinite(given.mass)
+        kinetic = 0.5 * float(given.mass[moving] @ (given.velocity[moving] ** 2).sum(axis=1))
         if given.spin is not None:
-            kinetic += 0.5 * float(given.inertia @ (given.spin**2).sum(axis=1))
+            kinetic += 0.5 * float(given.inertia[moving] @ (given.spin[moving] ** 2).sum(axis=1))
         return kinetic + float(energy[0, 1] + energy[0, 2])
 
     def bound(self, energy: Vector, leapfrog: Leapfrog, dt: float) -> float | None:
@@ -87,19 +91,21 @@ class Bulk:
 
 
 def bulk(scene: Scene) -> Bulk | None:
-    """The bulk model of a scene of many spheres that are all free; None of others.
+    """The bulk model of a scene of many spheres, each free or held; None of others.
 
     Rotation is left out where no friction can change it and nothing turns.
     """
     spheres, terms = scene.spheres, scene.terms()
-    if len(spheres) < MANY or not terms <= HAS or not spheres.free.all():
+    rubs, moving = Term.FRICTION in terms, spheres.free[:, 0]
+    alike = [spheres.free, spheres.free_spin] if rubs or spheres.spin.any() else [spheres.free]
+    if not terms <= HAS or np.count_nonzero(moving) < MANY:
         return None
-    rubs = Term.FRICTION in terms
-    if (rubs or spheres.spin.any()) and not spheres.free_spin.all():
+    if not all((free == moving[:, None]).all() for free in alike):
         return None
     law, eta_n = law_of(scene), scene.contact.eta_n
-    given = Given(spheres.position, spheres.velocity, spheres.spin if rubs else None,
-                  spheres.radius, spheres.mass, spheres.inertia)  # fmt: skip
+    mass, inertia = (np.where(moving, what, np.inf) for what in (spheres.mass, spheres.inertia))
+    spin = spheres.spin if rubs else None
+    given = Given(spheres.position, spheres.velocity, spin, spheres.radius, mass, inertia)
     walls: Any = [[*wall.normal, wall.point @ wall.normal] for wall in scene.walls]
     state = BulkState(
         given,
@@ -111,6 +117,11 @@ def bulk(scene: Scene) -> Bulk | None:
         Drag(scene.eta, None) if scene.eta > 0 else None,
     )
     left_out = {Term.ROTATION} if spheres.spin.any() and not rubs else set()
-    count = len(spheres)
+    return Bulk(state, terms - left_out, _words(int(moving.sum()), len(spheres), rubs))
+
+
+def _words(count: int, whole: int, rubs: bool) -> str:
+    """What is modelled: so many of all spheres move."""
     words = f"{3 * count * (2 if rubs else 1)} unknowns: {count} free spheres"
-    return Bulk(state, terms - left_out, f"{words}{' that turn' if rubs else ''}, kept by cells")
+    words += " that turn" if rubs else ""
+    return f"{words}, kept by cells" + (f", {whole - count} held" if whole > count else "")

@@ -55,8 +55,19 @@ def longer(other: Short, used: int, room: int) -> Short:
 
 @called
 def near_pairs(grains: Grains, cells: Cells, skin: float, old: Near, rubs: bool) -> Near:
-    """The pairs whose gap is less than the skin [m], with the friction of those that touch."""
-    row, begin, many, nx, ny, nz = grains.row, cells.begin, 0, cells.nx, cells.ny, cells.nz
+    """The pairs whose gap is less than the skin [m], with the friction of those that touch.
+
+    Two that are held are no pair.
+    """
+    mass, row, begin, many, nx, ny, nz = (
+        grains.mass,
+        grains.row,
+        cells.begin,
+        0,
+        cells.nx,
+        cells.ny,
+        cells.nz,
+    )
     n = len(grains.mass)
     start, other = np.zeros(n + 1, np.uint32), np.empty(max(len(old.other), 8 * n), np.uint32)
     for cell in range(nx * ny * nz):
@@ -71,7 +82,7 @@ def near_pairs(grains: Grains, cells: Cells, skin: float, old: Near, rubs: bool)
                 base = (above * ny + ahead) * nx
                 first = begin[base + max(x - 1, 0)] if line > 0 else i + 1
                 for j in range(first, begin[base + min(x + 1, nx - 1) + 1]):
-                    if close(row, i, j, skin):
+                    if close(row, i, j, skin) and (mass[i] < np.inf or mass[j] < np.inf):
                         if many == len(other):
                             other = longer(other, many, 2 * many)
                         other[many] = j
@@ -87,10 +98,10 @@ def near_walls(
     grains: Grains, walls: Vector, cells: Cells, skin: float, old: Near, rubs: bool
 ) -> Near:
     """As `near_pairs`, of walls (w, 4): outward normals and how far they lie along them [m]."""
-    row, n, many = grains.row, len(grains.mass), 0
+    row, mass, n, many = grains.row, grains.mass, len(grains.mass), 0
     start, other = np.zeros(n + 1, np.uint32), np.empty(n + len(walls), np.uint32)
     for i in range(n):
-        for w in range(len(walls)):
+        for w in range(len(walls) if mass[i] < np.inf else 0):
             if dot(at(row, i), at(walls, w)) - walls[w, 3] < row[i, RADIUS] + skin:
                 if many == len(other):
                     other = longer(other, many, 2 * many)
