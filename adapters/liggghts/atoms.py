@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 
 import numpy as np
@@ -13,6 +14,7 @@ from adapters.liggghts.words import AXES, bounds, group, numbers, parts
 from vv.scene import Mask, Term, Vector
 from vv.scene.neighbours import overlapping
 
+BINS = 64  # for each of many spheres
 STRAIGHT = 1e-12  # of the distance of two: less than that out of line is rounding
 
 
@@ -46,18 +48,30 @@ def _neighbours(setup: Setup) -> Iterator[str]:
     else hands it to the next contact of the pair: where there can be one, it seeks in every step.
     """
     radius = float(setup.spheres.radius.max())
-    longest = float((setup.room.outer[1] - setup.room.outer[0]).max())
     yield f"neighbor        {0.2 * radius!r} bin"
-    # few bins for so large a box
     often = "every 1 check no " if meets_again(setup) else ""
-    yield f"neigh_modify    delay 0 {often}binsize {max(2 * radius, longest / 20)!r}"
+    yield f"neigh_modify    delay 0 {often}binsize {max(2 * radius, _bin(setup))!r}"
+
+
+def _bin(setup: Setup) -> float:
+    """The side of a bin [m]: few of them for so large a box, but more where spheres are many.
+
+    All the spheres may lie in a corner of the box, and a bin should still hold few.
+    """
+    sides = setup.room.outer[1] - setup.room.outer[0]
+    if not many(setup):
+        return float(sides.max() / 20)
+    return math.cbrt(sides.prod() / (BINS * len(setup.spheres)))
 
 
 def meets_again(setup: Setup) -> bool:
     """Whether spheres that rub may part and touch again.
 
-    Those that locks hold together do not, and those that stand for blocks do not touch.
+    Those that locks hold together do not, and those that stand for blocks do not touch. Where
+    nothing is to be told, as where costs alone are asked, no answer depends on it.
     """
+    if not (setup.ask.observables or setup.ask.energies):
+        return False
     scene = setup.springs.scene
     spheres = scene.spheres
     if Term.FRICTION not in scene.terms() or setup.scheme == OVERLAPPED or setup.ask.scene.blocks:

@@ -186,6 +186,20 @@ def test_speed_prints_what_an_error_costs_and_writes_it(tiny: Tiny, tmp_path: Pa
     assert timed == {0.1, 0.05}
 
 
+def test_scaling_has_a_scene_of_its_own_and_says_who_cannot_step_it(
+    tiny: Tiny, tmp_path: Path
+) -> None:
+    assert tiny.vv("speed", "fall", "--scaling", "100").returncode == 64
+    assert tiny.vv("speed", "--scaling", "99").returncode == 64
+    target = tmp_path / "scaling.json"
+    done = tiny.vv("speed", "--scaling", "100", "--codes", "fake/good", "--json", str(target))
+    assert done.returncode == 0, done.stderr
+    assert "fake/good with 100 spheres: fake/good does not support:" in done.stdout
+    (size,) = json.loads(target.read_text())["sizes"]
+    assert size["seconds"] == {}
+    assert size["bandwidth"] > 1e8
+
+
 def test_speed_says_so_where_nothing_is_timed(tiny: Tiny) -> None:
     tiny.edit("cases/fall.py", "timed=RUNGS[:2]", "timed=()")
     done = tiny.vv("speed")

@@ -32,11 +32,25 @@ def speed(
         Path | None,
         typer.Option("--json", metavar="FILE", help="Write all that is shown, as JSON."),
     ] = None,
+    scaling: Annotated[
+        int,
+        typer.Option(
+            "--scaling",
+            metavar="N",
+            help="Show instead what a sphere costs a step, of 100 spheres up to so many.",
+        ),
+    ] = 0,
 ) -> None:
     """Time the cases that ask for it, and show what CPU time each code needs for what error.
 
-    At level paper everything selected is timed, which takes minutes.
+    At level paper everything selected is timed, which takes minutes. `--scaling 10000` takes
+    seconds, `--scaling 1000000` minutes.
     """
+    if scaling:
+        if selection:
+            raise UsageError("--scaling has a scene of its own; name no case beside it")
+        _scale(codes, scaling, json_file)
+        return
     from vv.cli import invocation
     from vv.gate.judgement import RUN_BITS, exit_bits
     from vv.plan.plan import Options, with_jobs_kept
@@ -62,6 +76,33 @@ def speed(
     invocation.print_summary(manifest, invocation.LATER)
     _show(project, manifest, bool(selection), json_file)
     raise typer.Exit(exit_bits(manifest.records) & RUN_BITS)
+
+
+def _scale(codes: str, largest: int, json_file: Path | None) -> None:
+    """Measure how costs grow with the number of spheres, and tell each size as it is known."""
+    from vv.growth import words
+    from vv.growth.measured import FEWEST, grown, label
+    from vv.plan.selection import choose_schemes, named_adapters
+    from vv.records import codec
+
+    if largest < FEWEST:
+        raise UsageError(f"--scaling {largest}: it begins with {FEWEST} spheres")
+    project, named = options.with_programs(find(), codes)
+    adapters = named_adapters(project, named)
+    every = {name: one for name, one in adapters.items() if one.found().installed}
+    default = [f"{name}/{one.schemes[0].name}" for name, one in every.items()]
+    chosen = [
+        (code, scheme)
+        for code, scheme in choose_schemes(every, [p for p in named if "/" in p] or default)
+    ]
+    labels, found = [label(code, scheme) for code, scheme in chosen], []
+    say(*words.heading(labels))
+    for size in grown(chosen, largest):
+        found.append(size)
+        say(words.row(size, labels))
+    say(*words.notes(found))
+    if json_file:
+        write_output(json_file, codec.render(words.document(found)).encode())
 
 
 def _show(project: Project, manifest: Manifest, selected: bool, json_file: Path | None) -> None:

@@ -1,0 +1,107 @@
+"""Claims about what a step costs as scenes grow: what is measured, of whom, and how it is told."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from vv.ask import Ask, Cost, Method, Model, Run, Status
+from vv.codes import Found, Scheme
+from vv.growth import measured, words
+from vv.growth.measured import Size, grown, sizes
+from vv.growth.stack import CONTACTS, stack
+from vv.growth.triad import bandwidth
+from vv.scene.neighbours import overlapping
+
+WORDS = "takes a second to begin and so long a step"
+SCHEME = Scheme("default", WORDS, Method.LEAPFROG, stack(100).terms())
+
+
+class Pretended:
+    """A code that says what its steps cost; from some size on it fails."""
+
+    name, schemes = "pretended", (SCHEME,)
+
+    def __init__(self, seconds: float, most: int = 10**9) -> None:
+        self.seconds, self.most, self.asked = seconds, most, list[int]()
+
+    def found(self) -> Found:
+        return Found(True)
+
+    def refuses(self, ask: Ask, scheme: str) -> str | None:
+        return None
+
+    def describe(self, ask: Ask, scheme: str) -> Model:
+        return Model(0, frozenset())
+
+    def native(self, ask: Ask, scheme: str) -> str:
+        return ""
+
+    def run(self, asks: Sequence[Ask], scheme: str, scratch: Path, repeat: float) -> Iterator[Run]:
+        for ask in asks:
+            n = len(ask.scene.spheres)
+            self.asked.append(n)
+            if n > self.most:
+                yield Run(Status.ERROR, "no memory")
+            else:
+                spent = 1.0 + self.seconds * n * ask.goal.steps(ask.dt)
+                yield Run(Status.RAN, cost=Cost(solve_cpu=spent))
+
+
+@pytest.fixture(autouse=True)
+def quick(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(measured, "bandwidth", lambda: 1e10)
+    monkeypatch.setattr(measured, "WORK", 4000)
+
+
+@pytest.mark.parametrize(
+    ("largest", "told"), [(100, (100,)), (5000, (100, 1000, 5000)), (10000, (100, 1000, 10000))]
+)
+def test_sizes_grow_tenfold_up_to_the_largest(largest: int, told: tuple[int, ...]) -> None:
+    assert sizes(largest) == told
+
+
+def test_what_a_run_begins_with_is_no_part_of_a_step() -> None:
+    code = Pretended(3e-7)
+    for size in grown([(code, SCHEME)], 1000):
+        assert size.seconds == {"pretended/default": pytest.approx(3e-7)}
+        assert size.limit == pytest.approx(28.8e-9), "18 numbers and 3 springs, read and written"
+
+
+def test_who_fails_is_asked_for_no_more_spheres_and_said_to_have_failed() -> None:
+    weak, strong = Pretended(1e-7, most=500), Pretended(1e-7)
+    strong.name = "strong"
+    found = list(grown([(weak, SCHEME), (strong, SCHEME)], 10_000))
+    assert [len(size.seconds) for size in found] == [2, 1, 1]
+    assert max(weak.asked) == 1000
+    assert "pretended/default with 1000 spheres: error: no memory" in words.notes(found)
+
+
+def test_a_code_without_the_physics_is_told_why() -> None:
+    lacking = Scheme("default", "", Method.LEAPFROG, frozenset())
+    (size,) = grown([(Pretended(1.0), lacking)], 100)
+    assert "does not support" in size.failed["pretended/default"]
+
+
+@pytest.mark.parametrize("n", [100, 1000, 3000])
+def test_nearly_all_spheres_of_the_scene_touch_six(n: int) -> None:
+    scene = stack(n)
+    s, pairs = scene.spheres, len(overlapping(scene.spheres))
+    assert len(s) == pytest.approx(n, rel=0.05)
+    gaps = [(s.position - wall.point) @ wall.normal - s.radius for wall in scene.walls]
+    leaning = np.count_nonzero(np.array(gaps) < 0)
+    assert 2 * pairs + leaning == 2 * CONTACTS * len(s)
+
+
+def test_lines_say_how_costs_grow() -> None:
+    found = [Size(n, 10, 2e10, {"one/default": cost}) for n, cost in ((100, 1e-7), (1000, 1.5e-7))]
+    assert words.row(found[0], ["one/default", "two/default"]).split() == ["100", "100", "-", "14"]
+    assert any("1.50 times" in line for line in words.notes(found))
+    assert words.document(found)["sizes"][1]["seconds"] == {"one/default": 1.5e-7}
+
+
+def test_memory_has_a_bandwidth_of_this_century() -> None:
+    assert 1e8 < bandwidth() < 1e13

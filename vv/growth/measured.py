@@ -1,0 +1,100 @@
+"""Measures what a sphere costs a step in each code, one code after the other and over again."""
+
+from __future__ import annotations
+
+import tempfile
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from vv.ask import Status
+from vv.codes import Adapter, Scheme
+from vv.codes.adapter import known_beforehand
+from vv.growth.stack import CONTACTS, asked, stack
+from vv.growth.triad import bandwidth, least_traffic
+from vv.scene import Scene
+
+WORK = 400_000  # spheres times steps of a measurement, about
+FEWEST = 100  # spheres
+BRIEF, LONGER, ROUNDS = 2, 4, 3  # steps at least; the longer run's over the shorter's
+
+
+@dataclass(frozen=True)
+class Size:
+    """What was found with so many spheres: CPU seconds of one in a step, by labels of schemes.
+
+    limit: what the memory would take for what must be read and written, if no cache held it [s];
+    failed: why a scheme told nothing, and is not asked for more spheres.
+    """
+
+    spheres: int
+    steps: int
+    memory: float
+    seconds: dict[str, float] = field(default_factory=dict)
+    failed: dict[str, str] = field(default_factory=dict)
+
+    @property
+    def limit(self) -> float:
+        """Seconds of a sphere in a step at the bandwidth of the memory."""
+        return least_traffic(CONTACTS) / self.memory
+
+
+def sizes(largest: int) -> tuple[int, ...]:
+    """The fewest spheres and ten times as many, again and again, and the largest."""
+    if largest < FEWEST:
+        raise ValueError(f"largest = {largest}; scaling begins with {FEWEST} spheres")
+    tens = [FEWEST * 10**k for k in range(len(str(largest))) if FEWEST * 10**k < largest]
+    return (*tens, largest)
+
+
+def grown(schemes: Iterable[tuple[Adapter, Scheme]], largest: int) -> Iterator[Size]:
+    """What each size costs, from small to large; who fails is asked no more."""
+    left = list(schemes)
+    for n in sizes(largest):
+        found = _measure(left, n)
+        left = [(code, one) for code, one in left if label(code, one) not in found.failed]
+        yield found
+
+
+def label(code: Adapter, scheme: Scheme) -> str:
+    """CODE/SCHEME."""
+    return f"{code.name}/{scheme.name}"
+
+
+def _measure(schemes: Sequence[tuple[Adapter, Scheme]], n: int) -> Size:
+    """The difference of a longer and a shorter run, so that what a run begins with is left out."""
+    scene, steps = stack(n), max(BRIEF, WORK // n)
+    n = len(scene.spheres)
+    size = Size(n, steps * LONGER, bandwidth())
+    least: dict[str, list[float]] = {}
+    for _ in range(ROUNDS):
+        for code, scheme in schemes:
+            name = label(code, scheme)
+            if name not in size.failed:
+                told = _costs(code, scheme, scene, steps)
+                if isinstance(told, str):
+                    size.failed[name] = told
+                else:
+                    least[name] = [
+                        min(pair) for pair in zip(told, least.get(name, told), strict=True)
+                    ]
+    for name, (short, long) in least.items():
+        if name not in size.failed:
+            size.seconds[name] = (long - short) / (n * steps * (LONGER - 1))
+    return size
+
+
+def _costs(code: Adapter, scheme: Scheme, scene: Scene, steps: int) -> list[float] | str:
+    """CPU seconds of a shorter and a longer run; or why there are none."""
+    asks = [asked(scene, steps), asked(scene, LONGER * steps)]
+    settled = known_beforehand(code, scheme, asks[0], code.found())
+    if settled is not None:
+        return settled.reason
+    with tempfile.TemporaryDirectory(prefix="vv-scaling-") as folder:
+        runs = list(code.run(asks, scheme.name, Path(folder), 0.0))
+    for run in runs:
+        if run.status is not Status.RAN:
+            return f"{run.status.value}: {run.reason}"
+        if run.cost.whole:
+            return "its program does not say what its steps alone cost"
+    return [run.cost.solve_cpu for run in runs]

@@ -1,0 +1,74 @@
+"""What sizes cost, as lines of text and as data for other programs."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import Any
+
+from vv.growth.measured import Size
+from vv.growth.stack import CONTACTS
+from vv.growth.triad import least_traffic
+
+LIMIT = "memory"
+
+
+def heading(labels: Sequence[str]) -> Iterator[str]:
+    """What the columns are."""
+    yield (
+        "CPU ns of a sphere in a step, without set-up: spheres that turn and rub, in a lattice in "
+        "a box"
+    )
+    yield f"{'spheres':>9}" + "".join(f"  {name:>{_wide(name)}}" for name in (*labels, LIMIT))
+
+
+def row(size: Size, labels: Sequence[str]) -> str:
+    """A line of the table."""
+    told = [(name, size.seconds.get(name)) for name in labels] + [(LIMIT, size.limit)]
+    cells = (f"  {_ns(seconds):>{_wide(name)}}" for name, seconds in told)
+    return f"{size.spheres:>9}" + "".join(cells)
+
+
+def notes(found: Sequence[Size]) -> Iterator[str]:
+    """What the last column means, who told nothing, and how costs grow."""
+    best = max(size.memory for size in found)
+    yield (
+        f"{LIMIT}: {least_traffic(CONTACTS):g} bytes, a sphere's place, velocity and spin and the "
+        "springs of its contacts read and written once, at the bandwidth of a triad of arrays in "
+        f"the same run, {best / 1e9:.1f} GB/s at most; small scenes lie in the caches"
+    )
+    for size in found:
+        for name, why in size.failed.items():
+            yield f"{name} with {size.spheres} spheres: {why}"
+    for name in {name: None for size in found for name in size.seconds}:
+        costs = {size.spheres: size.seconds[name] for size in found if name in size.seconds}
+        few, many = min(costs), max(costs)
+        if many > few and costs[few] > 0:
+            times = costs[many] / costs[few]
+            yield f"{name}: one of {many} spheres takes {times:.2f} times what one of {few} takes"
+
+
+def document(found: Sequence[Size]) -> dict[str, Any]:
+    """The same for other programs, in SI units."""
+    return {
+        "what": "CPU seconds of a sphere in a step",
+        "bytes": least_traffic(CONTACTS),
+        "sizes": [
+            {
+                "spheres": size.spheres,
+                "steps": size.steps,
+                "bandwidth": size.memory,
+                "limit": size.limit,
+                "seconds": size.seconds,
+                "failed": size.failed,
+            }
+            for size in found
+        ],
+    }
+
+
+def _wide(name: str) -> int:
+    return max(7, len(name))
+
+
+def _ns(seconds: float | None) -> str:
+    return "-" if seconds is None else f"{1e9 * seconds:.0f}"
