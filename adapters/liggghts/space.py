@@ -9,6 +9,8 @@ import numpy as np
 from vv.scene import Scene, Vector, Wall, initial_normal_forces
 from vv.standins.soften import fastest
 
+CROWD = 1000  # spheres: many
+
 
 @dataclass(frozen=True, eq=False)
 class Space:
@@ -27,7 +29,9 @@ class Space:
 def space(scene: Scene, time: float) -> Space:
     """The space for a run of `time` [s]: ten radii and twice the longest free path on all sides.
 
-    A wall that moves may carry what lies on it for as long at its highest speed.
+    A wall that moves may carry what lies on it for as long at its highest speed. Of many spheres
+    it ends ten radii behind a wall, since in a box far larger than what holds them, each would be
+    looked for among all.
     """
     spheres = scene.spheres
     forces = initial_normal_forces(scene) / spheres.mass[:, None] + scene.gravity
@@ -37,12 +41,30 @@ def space(scene: Scene, time: float) -> Space:
     speeds += sum(fastest(wall.motion) for wall in scene.walls)
     paths = speeds * time + pulls * time**2 / 2
     moving = spheres.free.any(axis=1) | spheres.free_spin.any(axis=1)
-    reach = 10 * spheres.radius.max() + 2 * np.where(moving, paths, 0.0).max()
+    about = 10 * spheres.radius.max()
+    reach = about + 2 * np.where(moving, paths, 0.0).max()
     low, high = spheres.position.min(axis=0) - reach, spheres.position.max(axis=0) + reach
+    if len(spheres) >= CROWD:
+        low, high = _between_walls(scene.walls, low, high, about)
     triangles = {n: triangle(w, low, high) for n, w in enumerate(scene.walls) if is_mesh(w)}
     points = np.vstack([low, high, *triangles.values()])
     margin = 0.01 * reach + max((travel(wall) for wall in scene.walls), default=0.0)
     return Space(low, high, triangles, (points.min(axis=0) - margin, points.max(axis=0) + margin))
+
+
+def _between_walls(
+    walls: tuple[Wall, ...], low: Vector, high: Vector, about: float
+) -> tuple[Vector, Vector]:
+    """low and high, no farther behind planes across an axis than so much [m]."""
+    low, high = low.copy(), high.copy()
+    for wall in walls:
+        if not is_mesh(wall):
+            axis = int(np.abs(wall.normal).argmax())
+            if wall.normal[axis] > 0:
+                low[axis] = max(low[axis], wall.point[axis] - about)
+            else:
+                high[axis] = min(high[axis], wall.point[axis] + about)
+    return low, high
 
 
 def oblique(wall: Wall) -> bool:

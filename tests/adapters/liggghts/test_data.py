@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from adapters.liggghts import ADAPTER, data
+from adapters.liggghts.space import space
 from tests.support.installed import only_with
 from vv.ask import Ask, Displacement, History, Knobs, Run, Status
 from vv.scene import Contact, Scene, Spheres, Wall
@@ -40,10 +41,16 @@ def solved(scratch: Path) -> Run:
 def test_spheres_of_a_file_move_as_those_created_one_by_one(
     monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
-    """To rounding: masses are made of densities."""
+    """To rounding: masses are made of densities. The box ends behind the wall then."""
     one = solved(tmp_path / "one")
     monkeypatch.setattr(data, "MANY", COUNT)
     monkeypatch.setattr("adapters.liggghts.words.FEW", 5)
+    before = space(ask().scene, 0.2)
+    monkeypatch.setattr("adapters.liggghts.space.CROWD", COUNT)
+    after = space(ask().scene, 0.2)
+    assert before.low[2] < -10.0
+    assert after.low == pytest.approx([*before.low[:2], -10.0 * ask().scene.spheres.radius.max()])
+    assert after.high == pytest.approx(before.high)
     deck = ADAPTER.native(ask(), "default")
     assert "read_data" in deck
     assert "create_atoms" not in deck

@@ -154,3 +154,19 @@ def test_an_ask_of_many_free_spheres_is_given_the_bulk_model() -> None:
     scene = crowd(LAWS["elastic spheres that rub"][0])
     ask = Ask(scene, History(2 * DT, DT), (Displacement(0),), Knobs(DT))
     assert isinstance(dem.prepare(ask, dem.CENTRED).system, Bulk)
+
+
+@pytest.mark.parametrize("sunk", [0.15, 0.05])
+def test_of_many_spheres_the_deepest_contact_is_told_itself(sunk: float) -> None:
+    """All are pressed a little, so that one which held all their energy would be deep."""
+    grid = np.stack(np.meshgrid(*map(np.arange, (6, 6, 6)), indexing="ij"), 3).reshape(-1, 3)
+    x = RADIUS * 1.97 * np.asarray(grid, float)
+    x[0] -= (sunk - 0.03) * np.array([-RADIUS, 0.0, 0.0])
+    free = np.ones((len(x), 3), bool)
+    s = Spheres(x, np.zeros_like(x), np.full(len(x), RADIUS), np.full(len(x), 0.01), free)
+    seen = tuple(Displacement(i) for i in range(len(x)))
+    run = dem.solve_default(Ask(Scene((s,), Contact(1e5)), History(1e-9, 1e-9), seen, Knobs(1e-9)))
+    assert run.ledger is not None
+    told, allowed = run.ledger.audits["penetration [m]"]
+    assert told == pytest.approx(sunk * RADIUS, rel=1e-4)
+    assert (told > allowed) == (sunk > 0.1)

@@ -59,3 +59,14 @@ def test_lagged_viscosity_lowers_the_critical_step() -> None:
     lagged = 2 * ((n**2 + k**2) ** 0.5 - n) / k**2
     assert dem.critical_step(scene, dem.LAGGED) == pytest.approx(lagged, rel=1e-10)
     assert dem.critical_step(scene, dem.CENTRED) == pytest.approx(2 / k, rel=1e-10)
+
+
+def test_spheres_that_are_held_and_overlap_make_no_step_critical() -> None:
+    """Of many spheres that touch nothing, two that cannot move are pressed together."""
+    x = np.arange(300.0)[:, None] * np.array([3.0, 0.0, 0.0])
+    moves = (np.arange(300) < 298)[:, None] * np.ones(3, bool)
+    x[299] = x[298] + np.array([1.9, 0.0, 0.0])
+    apart = Spheres(x, np.zeros_like(x), np.ones(300), np.full(300, 2.0), moves)
+    assert dem.critical_step(Scene((apart,), Contact(1e4)), dem.CENTRED) == pytest.approx(
+        2.0 / np.sqrt(2e4 / 2.0)
+    )

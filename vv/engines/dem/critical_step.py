@@ -111,7 +111,7 @@ def _together(parts: Vector, rows: Index, m: int) -> float:
     lines = 3 * which[:, None, None] + np.arange(3)[:, None]
     lines, columns = np.broadcast_arrays(lines, columns)
     values = parts[which, :, end]
-    if not len(parts):
+    if not values.any():  # no spring, or only such as lie between what is held
         return 0.0
     if 6 * m <= DENSE:
         whole = np.zeros((3 * len(parts), 6 * m))

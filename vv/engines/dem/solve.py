@@ -13,6 +13,7 @@ import numpy as np
 from vv.ask import Ask, Ledger, Model, Reaction, Run, Status
 from vv.engines.dem.bulk.model import Bulk, BulkState, bulk
 from vv.engines.dem.critical_step import critical_step, highest_delay
+from vv.engines.dem.deepest import deepest
 from vv.engines.dem.idle import idle, why_left_out
 from vv.engines.dem.leapfrog import CENTRED, Leapfrog
 from vv.engines.dem.limits import BLOW_UP, GAIN
@@ -35,6 +36,7 @@ GAINED = "energy that comes from nowhere [J]"
 A contact that closes within a step brings kn (v dt)^2/8, which is as much if all is in its motion.
 """
 COULOMB = 1e-9  # of the largest force: friction is cut to mu N as it is found
+DEPTH = "penetration [m]"
 SOFT = 0.1  # of the smallest radius: a deeper overlap is no contact of spheres any more
 
 
@@ -161,6 +163,8 @@ class PreparedSpheres:
             bound = min(bound, peak)
         gap = terms.sum(axis=1) - put_in
         audits = {} if isinstance(self.system, Line) else dict(_audits(self.stand_in.scene, terms))
+        if isinstance(self.system, Bulk) and DEPTH in audits:
+            audits[DEPTH] = self._depth(path, terms, audits[DEPTH])
         if self.stand_in.scene.bonds is not None:
             order = 2 if self.leapfrog == CENTRED else 1
             audits[GAINED] = float(gap.max(initial=0.0)), peak * (self.ask.dt / self.limit) ** order
@@ -171,6 +175,20 @@ class PreparedSpheres:
             bound=bound,
             audits=audits,
         )
+
+    def _depth(self, path: Vector, terms: Vector, told: tuple[float, float]) -> tuple[float, float]:
+        """The deepest overlap [m] where most is pressed and at the end, and what is allowed.
+
+        That of one contact which holds all the energy says nothing of thousands: where it is
+        beyond what is allowed, and all that moves is watched, overlaps are looked at themselves.
+        """
+        if told[0] <= told[1]:
+            return told
+        rows = int(terms[:, 1].argmax()), len(path) - 1
+        scene = self.stand_in.scene
+        found = [deepest(scene, self.spheres, path[row, :, :3]) for row in rows]
+        seen = [one for one in found if one is not None]
+        return (max(seen), told[1]) if seen else told
 
 
 def prepare(ask: Ask, leapfrog: Leapfrog, threads: int = 1) -> PreparedSpheres:
@@ -255,7 +273,7 @@ def _audits(scene: Scene, terms: Vector) -> Iterator[tuple[str, tuple[float, flo
     if not law.kn > 0 or not len(scene.spheres) or scene.bonds is not None:
         return
     radius = float(scene.spheres.radius.min())
-    yield "penetration [m]", (float(np.sqrt(2 * normal.max() / law.kn)), SOFT * radius)
+    yield DEPTH, (float(np.sqrt(2 * normal.max() / law.kn)), SOFT * radius)
     if len(scene.spheres) == len(scene.walls) == 1 and not law.eta_n > 0:
         push, drag = np.sqrt(2 * law.kn * normal), np.sqrt(2 * law.ks * shear)
         beyond = float((drag - law.mu * push).max())

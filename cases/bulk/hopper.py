@@ -1,0 +1,213 @@
+"""Grains leave a silo through a hole in its floor: how many a second, measured, and what height is.
+
+A plane wall has no opening, in any code: the floor is one layer of grains that are held.
+"""
+
+from __future__ import annotations
+
+import math
+from functools import partial
+
+import numpy as np
+
+from reference_solutions.bulk import hopper
+from vv.ask import Displacement, History, Knobs, Run
+from vv.case import (
+    Case,
+    Invariant,
+    Ladder,
+    Level,
+    Measured,
+    Measurement,
+    Parameter,
+    Parameters,
+    Scalar,
+    Source,
+    Trial,
+    Variant,
+)
+from vv.scene import Contact, Scene, Spheres, Vector, Wall
+
+D = 0.01  # diameter of the largest grain, and of those of the floor [m]
+SIZES, MEAN = (0.85, 1.0), 0.925  # diameters over D
+WIDE, LAYERS, RISE = 10, 14, 0.88  # of the silo and its filling [D]
+DEEP = 10.0  # where grains come to rest, below the floor [D]
+STIFF, SHEAR, DAMPED, DENSE = 2e3, 2.0 / 7.0, 0.3, 2500.0
+FILLED = 0.59  # of what is poured
+FROM, TO, SLACK = 0.1, 0.4, 1.2  # parts that have left; time given for it over that of the law
+ROWS, TOLD = 50, 0.1  # times of output; to which part of the law's the rate is told
+
+
+def _sites(wide: float, pitch: float, aside: bool) -> Vector:
+    """Points of a triangular lattice (n, 2) within a square of side `wide` about the axis [D]."""
+    reach = int(wide / pitch) + 2
+    i, j = (axis.ravel() for axis in np.meshgrid(*[np.arange(-reach, reach + 1)] * 2))
+    x = (i + 0.5 * (j % 2) + 0.5 * aside) * pitch
+    y = (j * math.sqrt(0.75) + aside * math.sqrt(1.0 / 12.0)) * pitch
+    inside = np.maximum(abs(x), abs(y)) <= 0.5 * wide
+    return np.asarray(np.column_stack([x, y])[inside])
+
+
+def _grains(seed: int) -> tuple[Vector, Vector]:
+    """Centres (n, 3) and diameters (n,) of the filling [D], none of which overlap."""
+    layers = [
+        np.insert(_sites(WIDE - 1.0, 1.0, bool(k % 2)), 2, 1.0 + RISE * k, axis=1)
+        for k in range(LAYERS)
+    ]
+    x = np.concatenate(layers)
+    random = np.random.default_rng(seed)
+    size = random.uniform(*SIZES, len(x))
+    return x + 0.5 * (1 - size)[:, None] * random.uniform(-1, 1, (len(x), 3)) / math.sqrt(3.0), size
+
+
+def _floor(opening: float) -> Vector:
+    """Centres (n, 3) [D] of grains side by side round the hole, and of a lattice around these."""
+    ring, many = hopper.edge(opening)
+    turn = 2.0 * math.pi * np.arange(many) / many
+    edge = ring * np.column_stack([np.cos(turn), np.sin(turn)])
+    rest = _sites(WIDE - 0.02, 1.02, False)
+    plate = np.concatenate([edge, rest[np.hypot(*rest.T) > ring + 0.9]])
+    return np.insert(plate, 2, 0.0, axis=1)
+
+
+def _scene(variant: str, p: Parameters) -> tuple[Scene, int]:
+    """Grains above a floor that is held, between four planes and above one; how many fall."""
+    opening = p["opening"]
+    filling, size = _grains(int(variant.rpartition("-")[2]))
+    plate, count = _floor(opening), len(filling)
+    x = D * np.concatenate([filling, plate])
+    radius = 0.5 * D * np.concatenate([size, np.ones(len(plate))])
+    mass = DENSE * 4.0 / 3.0 * math.pi * radius**3
+    moves = (np.arange(len(x)) < count)[:, None] * np.ones(3, bool)
+    spheres = Spheres(x, np.zeros_like(x), radius, mass, moves, free_spin=moves)
+    kn = STIFF * mass.max() * p["g"] / D
+    law = Contact(kn, SHEAR * kn, p["mu"], DAMPED * math.sqrt(2.0 * kn * mass.max()))
+    normals = [sign * axis for axis in np.eye(3)[:2] for sign in (1.0, -1.0)]
+    sides = [Wall(-0.5 * WIDE * D * normal, normal) for normal in normals]
+    below = Wall(np.array([0.0, 0.0, -DEEP * D]), np.eye(3)[2])
+    return Scene((spheres, *sides, below), law, gravity=np.array([0.0, 0.0, -p["g"]])), count
+
+
+def _places(scene: Scene, count: int, run: Run) -> Vector:
+    """Where the grains that fall are (k, n, 3) [m]."""
+    moved = np.stack([run.values[Displacement(i)] for i in range(count)], axis=1)
+    return scene.spheres.position[:count] + moved
+
+
+def _when(scene: Scene, count: int, run: Run, part: float) -> float:
+    """When a part of all has left [s]; no number if it never has."""
+    left = (_places(scene, count, run)[:, :, 2] < 0.0).sum(axis=1)
+    if left[-1] < part * count:
+        return math.nan
+    return float(np.interp(part * count, left, run.times))
+
+
+def _between(scene: Scene, count: int, first: float, last: float, run: Run) -> float:
+    """Grains a second while these parts leave; none where they do not."""
+    spent = _when(scene, count, run, last) - _when(scene, count, run, first)
+    return (last - first) * count / spent if spent > 0 else 0.0
+
+
+def _rate(scene: Scene, count: int, law: float, run: Run) -> float:
+    """Grains a second, as far as they are no chance."""
+    return law * TOLD * round(_between(scene, count, FROM, TO, run) / law / TOLD)
+
+
+def _slows(scene: Scene, count: int, run: Run) -> float:
+    """The rate of the second half of that time over that of the first, told likewise."""
+    middle = 0.5 * (FROM + TO)
+    first = _between(scene, count, FROM, middle, run)
+    second = _between(scene, count, middle, TO, run)
+    return TOLD * round(second / first / TOLD) if first > 0 else 0.0
+
+
+def _astray(scene: Scene, count: int, run: Run) -> float:
+    """How many grains have left elsewhere than through the hole: beside it, or the silo."""
+    x = _places(scene, count, run) / D
+    wide = np.abs(x[:, :, :2]).max(axis=2) > 0.5 * WIDE
+    crossed = (x[:-1, :, 2] > 0.5) & (x[1:, :, 2] < 0.0)
+    beside = np.hypot(x[:-1, :, 0], x[:-1, :, 1]) > 0.5 * WIDE
+    return float((wide.any(axis=0) | (crossed & beside).any(axis=0)).sum())
+
+
+def _declare(variant: str, p: Parameters) -> Trial:
+    scene, count = _scene(variant, p)
+    unit, opening = math.sqrt(MEAN * D / p["g"]), hopper.across(p["opening"]) / MEAN
+    law, sure = hopper.rate(opening, FILLED) / unit, hopper.uncertainty(opening)
+    lasts = SLACK * (TO * count / law + 4.0 * unit)
+    goal_rows = lasts / ROWS
+    step = math.sqrt(D / p["g"] / STIFF) / 4.0
+    dt = goal_rows / math.ceil(goal_rows / step)
+    goal = History(lasts, goal_rows)
+    seen = tuple(Displacement(i) for i in range(count))
+    ladder = Ladder(scene, goal, seen, dict.fromkeys(Level, (Knobs(dt=dt),)))
+    measured = Measurement(law, 0.0, sure * law, CONDITIONS, CITED)
+    return Trial(ladder, (
+        Scalar(
+            "rate", "W", "1/s", f"grains a second, from {FROM:.0%} to {TO:.0%} of all",
+            partial(_rate, scene, count, law), None, 1.0, Measured(measured, 3 * sure * law, BAND),
+        ),
+        Scalar(
+            "steady", "W2/W1", "", "rate of the second half of these over that of the first",
+            partial(_slows, scene, count), 1.0, 1.0, Invariant(STEADY, NO_HEAD),
+        ),
+        Scalar(
+            "astray", "n", "", "grains that left the silo elsewhere",
+            partial(_astray, scene, count), 0.0, 1.0, Invariant(0.5, CLOSED),
+        ),
+    ))  # fmt: skip
+
+
+STEADY = 0.25
+CITED = (
+    "Beverloo, Leniger and van de Velde (1961), Chem. Eng. Sci. 15, 260-269: C = 0.58, k = 1.4 for "
+    "spheres, as others cite it, who give C from 0.55 to 0.65"
+)
+CONDITIONS = (
+    "seeds, sand and beads in flat-bottomed silos, whose hole is six grains across or more; the "
+    "bulk density is that of what was poured, here 0.59 of the grains'"
+)
+BAND = "three standard uncertainties of the two constants"
+NO_HEAD = (
+    "the rate does not depend on the height (Janssen's silo); 200 grains leave in each half, one "
+    "by one, which tells their rate to some per cent, and it is told to 0.1"
+)
+CLOSED = "grains of the floor are closer than any that falls is wide"
+NOTE = (
+    "A plane wall has no opening in these codes, so that the floor is a layer of glued grains, "
+    "which round the hole stand side by side; the hole is taken for a circle of the same area. "
+    "Grains are spheres with friction and without rolling "
+    "resistance. Stiffness, 2e3 m g/d, damping, friction and sizes are chosen. The ways of grains "
+    "are chance: the rate is told to a tenth. Beverloo's paper could not be read: his law is as "
+    "others cite it."
+)
+CASE = Case(
+    name="hopper",
+    title="A silo empties through a hole, measured",
+    source=Source(
+        "Beverloo, Leniger and van de Velde (1961), The flow of granular solids through orifices, "
+        "Chemical Engineering Science 15(3-4), 260-269",
+        "10.1016/0009-2509(61)85030-6",
+        NOTE,
+    ),
+    parameters=(
+        Parameter("mu", 0.5, "", "friction of grains"),
+        Parameter("g", 9.81, "m/s2", "gravity"),
+        Parameter("opening", 5.0, "", "clear width of the hole, in diameters of the largest grain"),
+    ),
+    variants=tuple(
+        Variant(
+            f"{name}-1",
+            f"a hole of {across} mean grains, random start 1",
+            "W = C rho sqrt(g) (D - k d)^(5/2)",
+            {"opening": clear},
+            inert=frozenset({"mu", "g", "opening"}),
+            level=level,
+        )
+        for name, across, clear, level in (
+            ("narrow", 5.1, 4.5, Level.PAPER),
+            ("wide", 6.7, 6.0, Level.DEFAULT),
+        )
+    ),
+    declare=_declare,
+)  # fmt: skip

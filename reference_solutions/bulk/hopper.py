@@ -1,0 +1,45 @@
+"""How fast grains leave a silo through a round hole in its flat floor: the law of Beverloo (1961).
+
+W = C rho sqrt(g) (D - k d)^(5/2): grains fall freely from a dome over the hole, whose edge keeps
+centres away, and the height of what lies above does not matter. Lengths are in diameters d of a
+grain, times in sqrt(d/g).
+"""
+
+from __future__ import annotations
+
+import math
+
+FREE, EDGE = 0.58, 1.4
+"""C and k of spheres."""
+FREE_SURE, EDGE_SURE = 0.03, 0.1
+"""Standard uncertainties: C is given from 0.55 to 0.65, and k of spheres as 1.5 or 1.4."""
+
+
+PITCH = 1.02
+
+
+def edge(clear: float) -> tuple[float, int]:
+    """The radius on which grains stand side by side round a hole, and how many they are."""
+    ring = 0.5 * (clear + 1.0)
+    return ring, int(math.pi / math.asin(0.5 * PITCH / ring))
+
+
+def across(clear: float) -> float:
+    """The diameter of a circle as large as what these grains leave open, seen from above.
+
+    It is the polygon through their centres less the sector of each that lies in it.
+    """
+    ring, many = edge(clear)
+    polygon = 0.5 * many * ring**2 * math.sin(2.0 * math.pi / many)
+    sectors = many / 8.0 * (math.pi - 2.0 * math.pi / many)
+    return 2.0 * math.sqrt((polygon - sectors) / math.pi)
+
+
+def rate(opening: float, filled: float) -> float:
+    """Grains in a unit of time; filled: solid fraction of grains as poured."""
+    return FREE * filled * 6.0 / math.pi * math.pow(opening - EDGE, 2.5)
+
+
+def uncertainty(opening: float) -> float:
+    """Of the rate, over it: by both constants."""
+    return math.hypot(FREE_SURE / FREE, 2.5 * EDGE_SURE / (opening - EDGE))
