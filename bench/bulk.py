@@ -3,7 +3,7 @@
 `python -m bench.bulk [packs] [threads] [stacks]` steps settled packs and stacks of spheres that
 turn, rub and are slowed, one code after the other and over again: the least CPU time per sphere and
 step, with the energy of motion and the contacts at the end, which show that all did the same.
-Beside them stands what the bandwidth of the memory allows, as sums of arrays have it. Packs are
+Beside them stands what the bandwidth of the memory allows, as a triad of arrays has it. Packs are
 stepped by two threads and by two ranks of LIGGGHTS, too, by the wall: two cores must be free.
 LAMMPS is asked if VV_LAMMPS is set.
 """
@@ -13,7 +13,6 @@ from __future__ import annotations
 import os
 import resource
 import sys
-import time
 from collections.abc import Callable
 
 import numpy as np
@@ -23,8 +22,10 @@ from bench import bulk_codes, bulk_shared
 from bench.bulk_codes import Cost
 from bench.bulk_shared import Shared
 from bench.evidence import conclude
-from bench.packs import LAW, MASS, RADIUS, settled
-from vv.scene import Scene, Spheres, Wall
+from bench.packs import settled
+from vv.growth.stack import stack
+from vv.growth.triad import bandwidth
+from vv.scene import Scene
 
 PACKS = {10_000: 300, 50_000: 60}  # steps
 STACKS = {100: 20000, 1000: 2000, 10_000: 200, 50_000: 60, 200_000: 20, 1_000_000: 6}
@@ -39,20 +40,6 @@ SHARED = {
     "liggghts, two ranks": (bulk_shared.liggghts, 2),
 }
 MOVED = 700.0  # bytes that a step reads and writes for each sphere, by count of the arrays
-
-
-def stack(n: int) -> Scene:
-    """Spheres of one size in a cubic lattice on a floor, each in contact with six, in no order."""
-    random, width = np.random.default_rng(1), int(np.ceil(n ** (1 / 3)))
-    grid = np.stack(np.meshgrid(*[np.arange(width)] * 3, indexing="ij"), 3).reshape(-1, 3)
-    grid = random.permutation(grid[np.argsort(grid[:, 2], kind="stable")][:n])
-    all_free = np.ones((n, 3), bool)
-    spheres = Spheres(
-        np.asarray(RADIUS * (1.998 * grid + 0.999), float), 0.01 * random.normal(size=(n, 3)),
-        np.full(n, RADIUS), np.full(n, MASS), all_free, free_spin=all_free,
-    )  # fmt: skip
-    floor = Wall(np.zeros(3), np.eye(3)[2])
-    return Scene((spheres, floor), LAW, eta=0.1, gravity=np.array([0.0, 0.0, -9.81]))
 
 
 def codes() -> dict[str, Callable[[Scene, int], Cost]]:
@@ -110,17 +97,6 @@ def in_rounds(scene: Scene, steps: int) -> dict[str, Shared]:
     return found
 
 
-def bandwidth() -> float:
-    """GB/s of a sum of two arrays that no cache holds, the best of ten."""
-    one, two = np.ones(20_000_000), np.ones(20_000_000)
-    out, least = np.empty_like(one), np.inf
-    for _ in range(10):
-        begun = time.perf_counter()
-        np.add(one, two, out=out)
-        least = min(least, time.perf_counter() - begun)
-    return float(3 * out.nbytes / least / 1e9)
-
-
 def packs(figures: dict[str, float]) -> dict[str, bool]:
     """Settled packs in all codes, on one core; the bars."""
     bars: dict[str, bool] = {}
@@ -157,7 +133,7 @@ PARTS = {"packs": packs, "threads": threads, "stacks": stacks}
 
 def main(*parts: str) -> None:
     """Measure and judge."""
-    memory = bandwidth()
+    memory = bandwidth() / 1e9
     figures = {"memory, GB/s": memory, "ns a sphere and step at that": MOVED / memory}
     bars: dict[str, bool] = {}
     for part in parts or PARTS:
