@@ -19,7 +19,7 @@ from vv.scene import Contact, Scene, Spheres, Vector, Wall
 RADIUS, MASS, FILLED, DT = 0.01, 0.01, 0.56, 2e-5
 LAW, SOFT = Contact(1e5, 2e4, 0.3), Contact(1e3)
 APART, SETTLED = (20.0, 1500), (0.5, 12000)  # drag [N s/m], and steps, of either stage
-TILE, AGAIN = 10_000, 500  # spheres of a pack in a row; steps in which all of a row settle
+TILE, AGAIN = 10_000, 2500  # spheres of a pack in a row; steps in which all of a row settle
 KEPT = Path(".vv")
 DOWN = np.array([0.0, 0.0, -9.81])
 
