@@ -161,7 +161,8 @@ def _declare(variant: str, p: Parameters) -> Trial:
     )  # fmt: skip
     gain = Scalar(
         "gain", "max(E2 - E1)", "J", "growth of the energy of motion, springs and height",
-        lambda run: gained(p, scene, run), 0.0, 2.0 * LARGEST * weight, Invariant(1e-3, DRAGGED),
+        lambda run: _told(gained(p, scene, run), FINE * LARGEST * weight), 0.0,
+        2.0 * LARGEST * weight, Invariant(1e-3, DRAGGED),
     )  # fmt: skip
     ladder = Ladder(scene, GOAL, (*SEEN, *FAST), dict.fromkeys(Level, (Knobs(dt=5e-5),)))
     return Trial(ladder, (floor, sides, coordination, rest, heavy, lost, gain))

@@ -1,7 +1,7 @@
 """The command line: the only place that puts the parts together and prints.
 
-May import: base, scene, ask, case, codes, store, plan, records, gate, run, insight, output,
-reports.
+May import: base, scene, ask, case, codes, growth, store, plan, records, gate, run, insight,
+output, reports.
 """
 
 from __future__ import annotations
