@@ -24,6 +24,7 @@ from reports.variant.costs import CostRow, cost_rows
 from reports.variant.inputs import Input, inputs
 from reports.variant.measurements import MeasuredRow, measured_figures, measured_rows
 from reports.variant.models import Modelled, Told, models
+from reports.variant.other_codes import PrintedRow, printed_rows
 from reports.variant.ranking import Dear, Ranked, cheapest, ranks, why_colours_differ
 from reports.variant.region_figures import region_figures
 from reports.variant.settings import Group, groups
@@ -77,6 +78,7 @@ class Variant:
     silent: Sequence[Silent]
     models: Sequence[Modelled]
     measured: Sequence[MeasuredRow]
+    printed: Sequence[PrintedRow]
     figures: Sequence[Figure]
     playback: str
     like: str
@@ -146,6 +148,7 @@ def variant(book: Book, place: Place, above: Above) -> Variant:
         silent=silent(missing, name, above.reasons),
         models=models(rows, name, above.models),
         measured=measured_rows(book, place),
+        printed=printed_rows(piles, facts.quantities),
         figures=[
             *measured_figures(book, place),
             *region_figures(facts, book.ran.get(place, {}), book.marks),

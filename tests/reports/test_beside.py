@@ -19,7 +19,7 @@ from vv.insight.against_measurements import Compared
 from vv.records.case_facts import VariantFacts
 from vv.records.job_record import Record, summary_of
 from vv.records.manifest import Manifest
-from vv.records.quantity import MeasurementFacts
+from vv.records.quantity import MeasurementFacts, PrintedFacts
 from vv.store.store import Store
 
 BORDER = ((0.0, 0.0), (30.0, 30.0))
@@ -74,6 +74,26 @@ def test_a_dot_lies_above_the_line_by_as_much_as_the_computed_value_is_too_large
         across, up = float(dot.named["cx"]), tall - float(dot.named["cy"])
         assert first + (across - low) / unit == pytest.approx(measured, abs=0.05)
         assert first + (up - low) / unit == pytest.approx(computed, abs=0.05)
+
+
+def test_answers_of_other_codes_stand_apart_from_what_was_measured(tmp_path: Path) -> None:
+    facts = case().variants["T1"]
+    (one,) = facts.quantities
+    asked = changed(one, name="e", unit="", meaning="restitution", judge="code-to-code")
+    other = PrintedFacts(0.75, 5e-5, "another code", "its manual", 0.1)
+    given = [
+        record("a/a", "T1", dt, quantities=[
+            entry(verdict, {}, name="e", unit="", judge="code-to-code", value=value,
+                  kind="scalar", printed=other)
+        ])
+        for dt, value, verdict in ((2e-3, 0.8, "pass"), (1e-3, 0.9375, "fail"))
+    ]  # fmt: skip
+    whole = of(changed(facts, quantities=[asked]), *given)
+    folder = html.build(whole, Store(tmp_path / ".vv"), tmp_path / "r").parent
+    assert not (folder / "measured.html").exists()
+    cells = re.sub(r"<[^>]*>", " ", (folder / "case-bounce.html").read_text())
+    assert re.search(r"restitution\s+another code\s+0.75\s+0.1\s+0.9375 \(outside\)", cells)
+    assert "Beside measurements" not in cells
 
 
 def test_a_map_of_regions_has_its_borders_and_marks_what_is_not_found_right(

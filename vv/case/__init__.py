@@ -13,6 +13,7 @@ from vv.case.case import (
     Unexplained,
     Variant,
 )
+from vv.case.code_to_code import CodeToCode, Printed
 from vv.case.common_quantities import Motion, largest_step, last_stable_step
 from vv.case.judges import (
     LARGEST_TOLERANCE,
@@ -45,6 +46,7 @@ __all__ = [
     "Along",
     "Case",
     "Check",
+    "CodeToCode",
     "Count",
     "Exact",
     "Grid",
@@ -59,6 +61,7 @@ __all__ = [
     "Norm",
     "Parameter",
     "Parameters",
+    "Printed",
     "Quantity",
     "RegionMap",
     "Scalar",

@@ -8,6 +8,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 from vv.ask import Knobs, Method
+from vv.case.code_to_code import CodeToCode
 from vv.case.measured import Measured
 
 
@@ -120,7 +121,7 @@ class Shown:
     reason: str
 
 
-Judge = Exact | Interval | Invariant | Shown | Measured
+Judge = Exact | Interval | Invariant | Shown | Measured | CodeToCode
 
 
 def judge_for_method(judge: Judge, method: Method) -> Judge:

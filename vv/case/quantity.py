@@ -7,6 +7,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from vv.ask import Run
+from vv.case.code_to_code import CodeToCode
 from vv.case.judges import Exact, Interval, Invariant, Judge
 from vv.case.measured import Measured
 from vv.scene import Vector
@@ -57,7 +58,7 @@ class Series:
         _require_answer(self.name, self.reference, self.judge)
         if self.still is not None:
             error_scale(self.name, self.still)
-        if isinstance(self.judge, Interval | Measured):
+        if isinstance(self.judge, Interval | Measured | CodeToCode):
             raise ValueError(f"quantity '{self.name}': a series cannot be judged by an interval")
         if self.scale is not None and not callable(self.scale):
             error_scale(self.name, self.scale)
@@ -111,3 +112,5 @@ def _require_answer(name: str, reference: object, judge: Judge) -> None:
         raise ValueError(f"quantity '{name}' is judged by its error and has no reference")
     if reference is not None and isinstance(judge, Measured):
         raise ValueError(f"quantity '{name}' has an exact reference beside its measurement")
+    if reference is not None and isinstance(judge, CodeToCode):
+        raise ValueError(f"quantity '{name}' has an exact reference beside another code's answer")

@@ -13,7 +13,7 @@ from vv.records.finding import Aspect, Bit, Finding, bits
 from vv.records.job_record import Record
 from vv.records.manifest import Manifest
 from vv.records.outcomes import JudgeKind, Outcome, StudyKind, Verdict
-from vv.records.quantity import MeasuredQuantity, MeasurementFacts
+from vv.records.quantity import MeasuredQuantity, MeasurementFacts, PrintedFacts
 from vv.records.reading import ran, rung
 from vv.scene import DISSIPATED
 
@@ -129,6 +129,8 @@ def _in_words(one: MeasuredQuantity) -> str:
         text = f"error {one.error:.3g}, tolerance {one.tolerance:.3g}"
     elif one.value is not None and one.measurement is not None:
         text = against_measurement(one.value, one.measurement) + f": {one.why}"
+    elif one.value is not None and one.printed is not None:
+        text = against_code(one.value, one.printed) + f": {one.why}"
     elif one.value is not None:
         text = f"value {one.value:.6g}: {one.why}"
     else:
@@ -140,6 +142,12 @@ def against_measurement(value: float, seen: MeasurementFacts) -> str:
     """A computed value beside the measured one, which is no exact answer and no other code's."""
     band = "shown" if seen.band is None else f"band {seen.band:.3g}"
     return f"computed {value:.6g}, measured {seen.value:.6g} +- {seen.uncertainty:.2g}, {band}"
+
+
+def against_code(value: float, other: PrintedFacts) -> str:
+    """A computed value beside that of another code, which is no exact answer and not measured."""
+    band = "shown" if other.band is None else f"band {other.band:.3g}"
+    return f"computed {value:.6g}, {other.code} has {other.value:.6g}, {band}"
 
 
 def _of_ledger(record: Record, enforced: Container[Check]) -> Iterator[Finding]:

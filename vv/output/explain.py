@@ -7,8 +7,8 @@ import math
 from collections.abc import Iterable, Mapping
 from typing import TypeVar
 
-from vv.case import Case, Exact, Measured, Quantity
-from vv.gate.judgement import against_measurement, outcome
+from vv.case import Case, CodeToCode, Exact, Measured, Quantity
+from vv.gate.judgement import against_code, against_measurement, outcome
 from vv.insight.voices import votes
 from vv.output.terminal import say
 from vv.output.wording import in_words
@@ -79,6 +79,9 @@ def _explain_quantity(quantity: Quantity) -> None:
     if isinstance(judge, Measured):
         _explain_measurement(judge)
         return
+    if isinstance(judge, CodeToCode):
+        _explain_code_to_code(judge)
+        return
     if not isinstance(judge, Exact):
         say(f"    {type(judge).__name__.lower()}: {judge.reason}")
         return
@@ -100,6 +103,17 @@ def _explain_measurement(judge: Measured) -> None:
     say(
         f"    measured: {seen.value:g}, digitised to {seen.digitisation:g}, experiment to "
         f"{seen.experiment:g}; {seen.conditions}; {seen.source}"
+    )
+    allowed = "shown beside it" if judge.band is None else f"within {judge.band:g} of it"
+    say(f"    {allowed}: {judge.reason}")
+
+
+def _explain_code_to_code(judge: CodeToCode) -> None:
+    """What another code answered, and how far a code may be from it."""
+    other = judge.answer
+    say(
+        f"    code-to-code, neither exact nor measured: {other.code} has {other.value:g}, rounded "
+        f"to {other.rounding:g}; {other.source}"
     )
     allowed = "shown beside it" if judge.band is None else f"within {judge.band:g} of it"
     say(f"    {allowed}: {judge.reason}")
@@ -149,6 +163,8 @@ def _in_words(record: Record) -> str:
 def _quantity_in_words(one: MeasuredQuantity) -> str:
     if one.measurement is not None and one.value is not None:
         text = f"{one.name}: {against_measurement(one.value, one.measurement)}"
+    elif one.printed is not None and one.value is not None:
+        text = f"{one.name}: {against_code(one.value, one.printed)}"
     elif one.tolerance is None:
         text = f"{one.name}: {one.value}, {one.why}"
     else:

@@ -62,7 +62,8 @@ class QuantityKind(enum.Enum):
 class JudgeKind(enum.Enum):
     """How a quantity is judged: by its error, by its value, as conserved, or not at all.
 
-    MEASURED: by its distance from a measurement, which is no error of a code, nor a code's own.
+    MEASURED: by its distance from a measurement, which is no error of a code. CODE_TO_CODE: by its
+    distance from what another code answered, which is no error either.
     """
 
     EXACT = "exact"
@@ -70,6 +71,7 @@ class JudgeKind(enum.Enum):
     INVARIANT = "invariant"
     SHOWN = "shown"
     MEASURED = "measured"
+    CODE_TO_CODE = "code-to-code"
 
 
 class CostKind(enum.Enum):

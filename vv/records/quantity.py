@@ -6,7 +6,16 @@ import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 
-from vv.case import Norm
+from vv.case import (
+    CodeToCode,
+    Exact,
+    Interval,
+    Invariant,
+    Judge,
+    Measured,
+    Norm,
+    Shown,
+)
 from vv.records.fields import optional
 from vv.records.outcomes import JudgeKind, QuantityKind, Verdict
 
@@ -29,6 +38,17 @@ class MeasurementFacts:
 
 
 @dataclass(frozen=True, slots=True)
+class PrintedFacts:
+    """Another code's answer and the band about it; its parts are those of `vv.case.Printed`."""
+
+    value: float
+    rounding: float
+    code: str
+    source: str
+    band: float | None
+
+
+@dataclass(frozen=True, slots=True)
 class MeasuredQuantity:
     """A quantity of a run: value, errors, and what it is worth.
 
@@ -37,8 +57,9 @@ class MeasuredQuantity:
     relative, None where one is not finite; scale: what they are relative to. figures: a few
     numbers that stand for the value. norm: of the error that is judged; None: the maximum.
     tolerance: the bound on that error at this rung, and why it is that; note: what the judge has
-    to add. measurement: what a number was compared with in place of a reference; it then has no
-    errors, so that no ranking, map or order mixes it with the accuracy of codes.
+    to add. measurement, printed: what was measured, or answered by another code, with which a
+    number was compared in place of a reference; it then has no errors, so that no ranking, map or
+    order mixes it with the accuracy of codes.
     """
 
     name: str
@@ -57,8 +78,24 @@ class MeasuredQuantity:
     note: str
     verdict: Verdict
     measurement: MeasurementFacts | None = optional(None)  # noqa: RUF009  # None is frozen
+    printed: PrintedFacts | None = optional(None)  # noqa: RUF009
 
     @property
     def error(self) -> float | None:
         """The error in the norm that judges; None if it has none."""
         return self.errors.get(self.norm or Norm.MAX)
+
+
+_KINDS: Mapping[type, JudgeKind] = {
+    Exact: JudgeKind.EXACT,
+    Interval: JudgeKind.INTERVAL,
+    Invariant: JudgeKind.INVARIANT,
+    Shown: JudgeKind.SHOWN,
+    Measured: JudgeKind.MEASURED,
+    CodeToCode: JudgeKind.CODE_TO_CODE,
+}
+
+
+def judge_kind(judge: Judge) -> JudgeKind:
+    """What records say of how a quantity is judged."""
+    return _KINDS[type(judge)]

@@ -12,6 +12,7 @@ import numpy as np
 from vv.ask import Ask, Knobs, Ledger, Method, Model, Run, Status
 from vv.base import metrics
 from vv.case import (
+    CodeToCode,
     Count,
     Exact,
     Interval,
@@ -30,8 +31,8 @@ from vv.case import (
     judge_for_method,
 )
 from vv.records.job_record import JobCost, ModelSummary, RunSummary
-from vv.records.outcomes import JudgeKind, QuantityKind, Verdict
-from vv.records.quantity import MeasuredQuantity, MeasurementFacts
+from vv.records.outcomes import QuantityKind, Verdict
+from vv.records.quantity import MeasuredQuantity, MeasurementFacts, PrintedFacts, judge_kind
 from vv.scene import Vector
 
 LARGEST = 1e100  # SI units: beyond it a run has diverged, and squares of it soon overflow
@@ -148,13 +149,14 @@ def measured(
         errors=found.errors,
         scale=found.scale,
         figures=found.figures,
-        judge=JudgeKind(type(judge).__name__.lower()),
+        judge=judge_kind(judge),
         norm=norm,
         tolerance=tolerance,
         why=why,
         note=found.note,
         verdict=Verdict.NO_REFERENCE,
         measurement=_measurement(judge),
+        printed=_printed(judge),
     )
     return dataclasses.replace(made, verdict=_verdict(quantity, judge, made)), found.arrays
 
@@ -172,6 +174,13 @@ def _measurement(judge: Judge) -> MeasurementFacts | None:
     if not isinstance(judge, Measured):
         return None
     return MeasurementFacts(**dataclasses.asdict(judge.measurement), band=judge.band)
+
+
+def _printed(judge: Judge) -> PrintedFacts | None:
+    """What a record keeps of another code's answer; None of other judges."""
+    if not isinstance(judge, CodeToCode):
+        return None
+    return PrintedFacts(**dataclasses.asdict(judge.answer), band=judge.band)
 
 
 def _figures(run: Run, quantity: Quantity, judge: Judge, method: Method) -> _Figures:
@@ -250,7 +259,9 @@ def _verdict(quantity: Quantity, judge: Judge, found: MeasuredQuantity) -> Verdi
     if isinstance(judge, Shown):
         return Verdict.NO_REFERENCE
     if isinstance(judge, Measured):
-        return _by_measurement(judge, found.value)
+        return _by_band(judge.band, judge.measurement.value, found.value)
+    if isinstance(judge, CodeToCode):
+        return _by_band(judge.band, judge.answer.value, found.value)
     if isinstance(judge, Interval):
         good = found.value is not None and judge.low <= found.value <= judge.high
         return Verdict.PASS if good else Verdict.FAIL
@@ -261,11 +272,11 @@ def _verdict(quantity: Quantity, judge: Judge, found: MeasuredQuantity) -> Verdi
     return Verdict.PASS if good else Verdict.FAIL
 
 
-def _by_measurement(judge: Measured, value: float | None) -> Verdict:
+def _by_band(band: float | None, middle: float, value: float | None) -> Verdict:
     """Within the band or not; without a band it is shown."""
-    if judge.band is None:
+    if band is None:
         return Verdict.NO_REFERENCE
-    good = value is not None and abs(value - judge.measurement.value) <= judge.band
+    good = value is not None and abs(value - middle) <= band
     return Verdict.PASS if good else Verdict.FAIL
 
 

@@ -9,7 +9,7 @@ from vv.ask import Displacement
 from vv.case import Along, Case, Exact, Grid, Quantity, Series, Study, Trial, Turn, Variant
 from vv.plan.plan import Plan
 from vv.records.case_facts import CaseFacts, QuantityFacts, ToleranceFacts, VariantFacts
-from vv.records.outcomes import JudgeKind
+from vv.records.quantity import judge_kind
 from vv.scene import Scene
 from vv.scene.picture.moved import Moved, gone, turned
 from vv.scene.picture.sketch import sketch
@@ -83,7 +83,7 @@ def _quantity(quantity: Quantity) -> QuantityFacts:
         symbol=quantity.symbol,
         unit=getattr(quantity, "unit", ""),
         meaning=quantity.meaning,
-        judge=JudgeKind(type(judge).__name__.lower()),
+        judge=judge_kind(judge),
     )
     if not isinstance(judge, Exact):
         return dataclasses.replace(facts, reason=judge.reason)
