@@ -162,7 +162,8 @@ def _declare(variant: str, p: Parameters) -> Trial:
         ),
         Scalar(
             "height", "h/r0", "", "height at the axis over the radius at first",
-            partial(_top, scene, count, start), None, 1.0, Measured(_height(a), None, ONE_GRAIN),
+            partial(_top, scene, count, start), None, 1.0,
+            Measured(_height(a), None, ONE_GRAIN, law=True),
         ),
         Scalar(
             "gain", "max(E - E0)", "J", "energy of motion and height beyond that at the start",
@@ -185,7 +186,7 @@ def _judge(a: float, wide: float) -> Measured:
     value = column.run_out(a)
     seen = Measurement(value, PRINTED * a, SCATTER * value, CONDITIONS, CITED)
     grain = (1.0 + value) / column.height(a) / wide
-    return Measured(seen, SURE * seen.uncertainty + grain, BAND)
+    return Measured(seen, SURE * seen.uncertainty + grain, BAND, law=True)
 
 
 def _height(a: float) -> Measurement:

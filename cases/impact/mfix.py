@@ -1,4 +1,4 @@
-"""DEM01 to DEM04 and DEM06 of MFiX: spheres that fall, bounce, are pressed, slip and sink."""
+"""DEM01 to DEM06 of MFiX: spheres that fall, bounce, are pressed, slip, strike glass and sink."""
 
 from __future__ import annotations
 
@@ -10,6 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from cases.impact import _dem05, _printed
 from reference_solutions.impact import pressed_pair, slip_to_roll
 from reference_solutions.impact.dropped import Drop, path
 from reference_solutions.impact.sinking import Sinking, motion
@@ -22,6 +23,7 @@ from vv.case import (
     Level,
     Parameter,
     Parameters,
+    Scalar,
     Series,
     Source,
     Tolerance,
@@ -83,7 +85,7 @@ def _dropped(bounces: int, p: Parameters) -> Setting:
     )  # fmt: skip
     return Setting(
         Scene((sphere, Wall(FLOOR_LEVEL, Z)), contact, gravity=-p["g"] * Z), (height,),
-        last.since + last.speed / p["g"], math.sqrt(m / p["kn"]), (0.08, 0.04, 0.02, 0.005),
+        last.since + last.speed / p["g"], math.sqrt(m / p["kn"]), (0.08, 0.04, 0.02, 0.005, 0.001),
         0.5 * bounces, 0.1 * (1 + bounces),
     )  # fmt: skip
 
@@ -110,7 +112,8 @@ def _pressed(p: Parameters) -> Setting:
     )  # fmt: skip
     return Setting(
         Scene((pair, *walls), Contact(p["kn"]), gravity=-p["g"] * Z), series,
-        1e-3, math.sqrt(float(masses.min()) / (3.0 * p["kn"])), (0.08, 0.04, 0.02, 0.005), 2.0, 0.4,
+        1e-3, math.sqrt(float(masses.min()) / (3.0 * p["kn"])), (0.08, 0.04, 0.02, 0.005, 0.001),
+        2.0, 0.4,
     )  # fmt: skip
 
 
@@ -127,7 +130,7 @@ def _slipping(p: Parameters) -> Setting:
     contact = Contact(p["kn"], p["kn"], p["mu"])
     return Setting(
         Scene((sphere, Wall(FLOOR_LEVEL, Z)), contact, gravity=-p["g"] * Z), (speed,),
-        1.4 * slide.rolls, 1.0 / slide.w, (0.2, 0.1, 0.05, 0.02), 0.04, 0.1,
+        1.4 * slide.rolls, 1.0 / slide.w, (0.2, 0.1, 0.05, 0.02, 0.005), 0.04, 0.1,
     )  # fmt: skip
 
 
@@ -153,7 +156,7 @@ def _sinking(p: Parameters) -> Setting:
     )  # fmt: skip
     return Setting(
         Scene((sphere,), Contact(p["kn"]), gravity=-p["g"] * Z, fluid=fluid), series,
-        0.35, sinking.time, (0.1, 0.05, 0.025, 0.005), 0.02, 0.2,
+        0.35, sinking.time, (0.1, 0.05, 0.025, 0.005, 0.001), 0.02, 0.2,
     )  # fmt: skip
 
 
@@ -167,7 +170,16 @@ KINDS: dict[str, Callable[[Parameters], Setting]] = {
 OUTPUTS = 400
 
 
+PRINTED: dict[str, Callable[[Parameters], tuple[Scalar, ...]]] = {
+    "dem01": _printed.falls,
+    "dem02-0.9": _printed.tops,
+    "dem06": _printed.sinks,
+}
+
+
 def _declare(variant: str, p: Parameters) -> Trial:
+    if variant.startswith("dem05"):
+        return _dem05.struck(variant.removeprefix("dem05-"), p)
     setting = KINDS[variant.partition("-")[0]](p)
     stride = max(1, round(setting.duration / (OUTPUTS * setting.steps[0] * setting.unit)))
     interval = stride * setting.steps[0] * setting.unit
@@ -184,7 +196,9 @@ def _declare(variant: str, p: Parameters) -> Trial:
         Series(name, symbol, unit, meaning, observe, answer, _judge(setting))
         for name, symbol, unit, meaning, observe, answer in setting.series
     )
-    return Trial(Ladder(setting.scene, goal, tuple(sorted(seen, key=str)), levels), series)
+    printed = PRINTED[variant](p) if variant in PRINTED else ()
+    ladder = Ladder(setting.scene, goal, tuple(sorted(seen, key=str)), levels)
+    return Trial(ladder, (*series, *printed))
 
 
 def _judge(setting: Setting) -> Exact:
@@ -213,20 +227,22 @@ NOTE = (
     "contact that the manual holds them against. DEM03 is here without losses, since MFiX gives "
     "each contact a dashpot of its own, and with overlaps of a tenth of MFiX's, whose are a fifth "
     "of the radius. DEM04 starts at rest on the normal spring, where MFiX sets the sphere down "
-    "without overlap; it slips up to 2/7 v0/(mu g) and rolls at 5/7 v0, but for "
-    "the swing of the shear spring. DEM05 is the case kharaz. DEM06 is here in the frame "
-    "of the gas, which rises at 0.4 m/s in MFiX's: what MFiX integrates beside it has all 8 "
-    "printed digits of the answer, and its particle, coupled one way, is within 0.005 % of the "
+    "without overlap; it slips up to 2/7 v0/(mu g) and rolls at 5/7 v0, but for the swing of the "
+    "shear spring. DEM05, whose measurements are the case kharaz, is here by exact laws at the "
+    "angles that MFiX prints. DEM06 is here in the frame of the gas, which rises at 0.4 m/s in "
+    "MFiX's: what MFiX integrates beside it has all 8 printed digits of the answer, and its "
+    "particle, coupled one way, is within 0.005 % of the "
     "velocity. Coupled both ways it disturbs a gas of 5 cells across by 0.6 to 5 %, which is no "
     "answer for one particle in much gas."
 )
 TENTH = 0.03426520412623277  # damping that leaves a restitution of 0.9 if contact never pulls
 DROPPED = {"R": 0.1, "rho": 2600.0, "h": 0.5, "kn": 5e4}
 GAS = ("rho_f", "viscosity")
+STRUCK = {"R": 2.5e-3, "rho": 4000.0, "kn": 1.72e7, "mu": 0.092, "v": 3.9}
 SMALL = {"R": 5e-4, "h": 4.95e-4, "rho": 2e4, "kn": 1e3}
 CASE = Case(
     name="mfix",
-    title="Verification cases DEM01 to DEM04 and DEM06 of MFiX",
+    title="Verification cases DEM01 to DEM06 of MFiX",
     source=Source(
         "MFiX Software Verification and Validation Manual, DEM01 to DEM06, National Energy "
         "Technology Laboratory (Garg, Galvin, Li and Pannala 2012, Powder Technology 220, 122-137)",
@@ -271,6 +287,18 @@ CASE = Case(
             "dem04", "DEM04: a sphere slips on a wall until it rolls",
             "m v' = T, T' = -ks s until |T| = mu m g, s' = 7/2 T/m",
             {"R": 5e-4, "rho": 1e4}, inert=frozenset({"rho2", "h", "h2", "H", *GAS}),
+        ),
+        Variant(
+            "dem05-linear", "DEM05: aluminium oxide strikes glass, linear springs",
+            "m U'' = -kn U; T' = -ks s until |T| = mu kn U; m vt' = T, 2/5 m R^2 w' = -(R - U/2) T",
+            STRUCK, inert=frozenset({"rho2", "h", "h2", "H", "z", "g", *GAS}), level=Level.DEFAULT,
+        ),
+        Variant(
+            "dem05-hertz", "DEM05: the same by Hertz's law, and Mindlin's without micro-slip",
+            "m U'' = -4/3 E sqrt(R) U^(3/2); T' = -8 G sqrt(R U) s until |T| = mu Fn; m vt' = T, "
+            "2/5 m R^2 w' = -(R - U/2) T",
+            STRUCK, inert=frozenset({"rho2", "h", "h2", "H", "z", "g", "kn", *GAS}),
+            level=Level.DEFAULT,
         ),
         Variant(
             "dem06", "DEM06: a sphere sinks in gas, ever more evenly",

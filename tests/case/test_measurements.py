@@ -1,5 +1,7 @@
 """Claims about measurements as references: no error of a code, a band with a reason, a verdict."""
 
+import dataclasses
+
 import numpy as np
 import pytest
 
@@ -33,6 +35,17 @@ def test_a_value_is_judged_by_the_band_about_the_measurement(
     found, _ = measured(RUN, _judged(value, band), Method.FIRST_ORDER, Knobs(1e-3))
     assert found.verdict is verdict
     assert found.judge is JudgeKind.MEASURED
+
+
+def test_at_other_parameters_only_a_measured_law_has_something_to_say() -> None:
+    at_home = _judged(5.0, 0.1)
+    judged = [
+        measured(RUN, dataclasses.replace(at_home, judge=judge), Method.EXACT, Knobs(), True)[0]
+        for judge in (at_home.judge, Measured(SEEN, 0.1, "the law holds", law=True))
+    ]
+    assert [one.judge for one in judged] == [JudgeKind.SHOWN, JudgeKind.MEASURED]
+    assert [one.verdict for one in judged] == [Verdict.NO_REFERENCE, Verdict.FAIL]
+    assert judged[0].measurement is None
 
 
 def test_the_distance_from_a_measurement_is_no_error_of_a_code() -> None:

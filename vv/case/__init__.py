@@ -24,6 +24,7 @@ from vv.case.judges import (
     Norm,
     Shown,
     Tolerance,
+    judge_elsewhere,
     judge_for_method,
 )
 from vv.case.measured import Measured, Measurement
@@ -78,6 +79,7 @@ __all__ = [
     "at_rest",
     "error_scale",
     "evaluated",
+    "judge_elsewhere",
     "judge_for_method",
     "knob_grid",
     "knobs_in_scene",

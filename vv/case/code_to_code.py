@@ -10,8 +10,8 @@ from dataclasses import dataclass
 class Printed:
     """What another code answered, in the unit of its quantity, as it is printed.
 
-    rounding: half of its last digit, or how well it could be read; code: which one, and what it
-    solved otherwise; source: where it is printed.
+    rounding: half of its last digit, or how well it could be read; code: which one, and its case;
+    source: where it is printed.
     Raises ValueError for a value or a rounding that is no number, or a code without a name.
     """
 

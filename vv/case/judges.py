@@ -134,3 +134,13 @@ def judge_for_method(judge: Judge, method: Method) -> Judge:
         if one in judge.tolerances:
             return judge
     return Shown(f"no tolerance for what is {method.value}")
+
+
+ELSEWHERE = "the parameters are not those of what was measured, or answered by another code"
+
+
+def judge_elsewhere(judge: Judge) -> Judge:
+    """The judge at other parameters than the case's own: Shown, where they are not known to it."""
+    if isinstance(judge, CodeToCode) or (isinstance(judge, Measured) and not judge.law):
+        return Shown(ELSEWHERE)
+    return judge

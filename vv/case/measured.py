@@ -44,12 +44,15 @@ class Measured:
 
     The band says what the model may miss, with the reason; it is no tolerance of a method: a code
     that solves the model exactly may lie anywhere in it, and outside if the model does not hold.
+    law: whether the measurement is worked out from the parameters, by a law that was measured;
+    else it holds for the case's own alone, and at others nothing is compared with it.
     Raises ValueError for a band below the uncertainty of the measurement.
     """
 
     measurement: Measurement
     band: float | None
     reason: str
+    law: bool = False
 
     def __post_init__(self) -> None:
         least = self.measurement.uncertainty

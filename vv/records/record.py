@@ -28,6 +28,7 @@ from vv.case import (
     at_rest,
     error_scale,
     evaluated,
+    judge_elsewhere,
     judge_for_method,
 )
 from vv.records.job_record import JobCost, ModelSummary, RunSummary
@@ -131,10 +132,14 @@ class _Figures:
 
 
 def measured(
-    run: Run, quantity: Quantity, method: Method, knobs: Knobs
+    run: Run, quantity: Quantity, method: Method, knobs: Knobs, modified: bool = False
 ) -> tuple[MeasuredQuantity, Mapping[str, Vector]]:
-    """A quantity of a run as a record has it, and the arrays of its series."""
+    """A quantity of a run as a record has it, and the arrays of its series.
+
+    modified: the parameters are not the case's own.
+    """
     judge = judge_for_method(quantity.judge, method)
+    judge = judge_elsewhere(judge) if modified else judge
     if isinstance(quantity, Scalar) and not quantity.is_reported(run):
         judge = NOT_REPORTED
     norm, tolerance, why = _bound(judge, method, knobs)

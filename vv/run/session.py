@@ -220,7 +220,7 @@ def _kept(plan: Plan, job: Job, run: Run, key: str, store: Store) -> Record:
     arrays: dict[str, Vector] = {}
     try:
         for quantity in trial.quantities if run.status is Status.RAN else ():
-            one, series = measured(run, quantity, job.method, job.ask.knobs)
+            one, series = measured(run, quantity, job.method, job.ask.knobs, job.modified)
             quantities.append(one)
             arrays.update(series)
     except Exception as error:
