@@ -219,7 +219,8 @@ def judged(value: float, unit: float, steps: int, reason: str, late: float = 0.0
         (LEAST + late) / steps,
         "a viscous force from half a step before: as if the mass were less by z w dt, which "
         "changes speeds along the normal and what friction can be by up to pi z^2 and pi z times "
-        "half of that; at least half of what elastic forces may be off at the coarsest step",
+        "half of that; a contact that begins without it loses z w dt of the speed, pi z over the "
+        "steps; at least half of what elastic forces may be off at the coarsest step",
         dt=dt, order=1,
     )  # fmt: skip
     return Exact({Method.SECOND_ORDER: step, Method.FIRST_ORDER: behind})

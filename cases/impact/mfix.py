@@ -156,7 +156,7 @@ def _sinking(p: Parameters) -> Setting:
     )  # fmt: skip
     return Setting(
         Scene((sphere,), Contact(p["kn"]), gravity=-p["g"] * Z, fluid=fluid), series,
-        0.35, sinking.time, (0.1, 0.05, 0.025, 0.005, 0.001), 0.02, 0.2,
+        0.35, 1.0 / sinking.quickest, (0.1, 0.05, 0.025, 0.005, 0.001), 0.02, 0.2,
     )  # fmt: skip
 
 

@@ -28,6 +28,7 @@ STEPS = (100, 200, 400, 1600)  # in the duration of a normal impact
 FINE = 6400  # on springs with losses too, at the finest level: dashpots leave larger errors
 LARGE = 5.0  # radii of the larger of two spheres
 LOSSY = 2.0  # times the tolerance without losses
+ROUGH = 0.4  # friction beyond which velocities across the normal change by more in proportion
 STRIDE, LASTS = 20, 1.1  # coarsest steps between outputs; duration over the longest contact
 
 
@@ -82,13 +83,14 @@ def _declare(variant: str, p: Parameters) -> Trial:
     steps = (*STEPS, FINE) if law.z and law.p == 1.0 else STEPS
     rungs = tuple(Knobs(dt=unit / n) for n in steps)
     levels = {Level.QUICK: rungs[:2], Level.DEFAULT: rungs[:3], Level.PAPER: rungs}
-    lossy = LOSSY if law.z else 1.0
+    grown = max(1.0, p["mu"] / ROUGH)  # friction changes a velocity by mu times that along
+    lossy = grown * (LOSSY if law.z else 1.0)
     path = judged(
         4.0 * lossy / STEPS[0] ** 2, unit, STEPS[0],
         "(w dt)^2/24 of the swings along the normal and across it, which is up to twice as quick, "
         "and as much where contact, stick or slip begins within a step, of which there are "
         "several, twice where a viscous force ends it",
-        late=(2.8 if law.p == 1.0 else 2.4) * law.z,
+        late=grown * (math.pi if law.p == 1.0 else 2.4) * law.z,
     )  # fmt: skip
     quantities = (impacts.worst(path), impacts.nearest(path), impacts.lasting(path))
     return Trial(Ladder(impacts.scene(), goal, impacts.seen(), levels), quantities)

@@ -39,11 +39,7 @@ def printed_rows(
 
 
 def _row(finest: Mapping[str, Record], facts: QuantityFacts) -> PrintedRow | None:
-    found = {
-        label: one
-        for label, record in finest.items()
-        if (one := record.quantity(facts.name))
-    }
+    found = {label: one for label, record in finest.items() if (one := record.quantity(facts.name))}
     printed = next((one.printed for one in found.values()), None)
     if printed is None:
         return None

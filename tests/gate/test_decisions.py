@@ -281,6 +281,32 @@ def test_a_failure_is_known_within_its_band(
     assert found.quantities[0].verdict is Verdict(verdict)
 
 
+def test_at_other_parameters_a_pass_is_no_news() -> None:
+    passing = record("dem/default", "T1", 1e-3, quantities=[entry("pass", {"max": 1e-4})])
+    for modified, verdict in ((False, Verdict.XPASS), (True, Verdict.PASS)):
+        (found,) = judge([changed(passing, modified=modified)], [Disagreement(**KNOWN)], TODAY)
+        assert found.quantities[0].verdict is verdict
+
+
+@pytest.mark.parametrize(
+    ("order", "modified", "verdict"),
+    [(1.0, False, "xfail"), (1.4, False, "fail"), (1.4, True, "xfail"), (1.7, True, "fail")],
+)
+def test_an_order_may_leave_its_band_by_a_half_at_other_parameters(
+    order: float, modified: bool, verdict: str
+) -> None:
+    known = Disagreement(**{**KNOWN, "dt": 1e-3, "error": (4e-3, 3.9e-2), "order": (0.9, 1.1)})
+    runs = [
+        record(
+            "dem/default", "T1", dt, modified=modified,
+            quantities=[entry("fail", {"max": 1e-2 * (dt / 1e-3) ** order})],
+        )
+        for dt in (1.2e-3, 1e-3, 8e-4)
+    ]  # fmt: skip
+    found = judge(runs, [known], TODAY)
+    assert {one.quantities[0].verdict for one in found} == {Verdict(verdict)}
+
+
 def test_a_band_above_the_largest_tolerance_holds_for_other_parameters_too() -> None:
     known = Disagreement(**{**KNOWN, "error": (0.3, 0.4)})
     (found,) = judge([failing(0.35, modified=True)], [known], TODAY)

@@ -49,7 +49,7 @@ def initial_viscous_forces(scene: Scene) -> Vector:
     """The (n, 3) forces [N] of dashpots on the spheres as they start, beside those of springs.
 
     A contact pushes with max(0, kn U + eta_n U'). What touches without overlap is a contact where
-    YADE makes one: of a sphere on a wall always, of two if rounding leaves them an overlap. Walls
+    YADE makes one: of a sphere on a wall, and of two whose distance rounding leaves no gap. Walls
     that move do so from the end of its first step.
     """
     spheres, force = scene.spheres, np.zeros((len(scene.spheres), 3))
@@ -63,7 +63,7 @@ def initial_viscous_forces(scene: Scene) -> Vector:
     distance = np.sqrt(squared)
     normal = offset / distance[:, None]
     closing = np.einsum("ij,ij->i", spheres.velocity[i] - spheres.velocity[j], normal)
-    push = np.where(squared < reach**2, _damping(scene, reach - distance, closing), 0.0)
+    push = np.where(squared <= reach**2, _damping(scene, reach - distance, closing), 0.0)
     np.add.at(force, j, push[:, None] * normal)
     np.add.at(force, i, -push[:, None] * normal)
     return force
