@@ -44,7 +44,7 @@ class Sinking(NamedTuple):
     def quickest(self) -> float:
         """1/s, the largest rate at which two speeds near each other become one: -dv'/dv."""
         reynolds = self.rho_f * self.d * max(self.v0, self.last) / self.mu
-        return (1.0 + (1.0 + POWER) * FACTOR * reynolds**POWER) / self.time
+        return float((1.0 + (1.0 + POWER) * FACTOR * reynolds**POWER) / self.time)
 
     @property
     def last(self) -> float:
