@@ -3,7 +3,8 @@
 `python -m bench.framework_mutants` takes every place that can be turned outside the engines;
 `--files 'vv/gate/*'` some, `--each N` at most N a file, `--sample N` so many of all, the same
 number in every layer as far as it goes, fixed random choices. A mutant is put to the tests of its
-layer that start no process, and, with `--all`, to the others too if it survives those. One process
+layer that start no process, first to the files that name its module, and, with `--all`, to the
+others too if it survives those. What is red counts if it is green without the mutant. One process
 is forked for each from one that has the libraries.
 """
 
@@ -13,6 +14,7 @@ import copy
 import importlib
 import itertools
 import random
+import re
 import tempfile
 from collections.abc import Iterator
 from fnmatch import fnmatch
@@ -22,7 +24,7 @@ from typing import NamedTuple
 from scipy.stats import binomtest
 
 from bench.evidence import conclude
-from bench.forked_tests import passes, rewrite, with_tests
+from bench.forked_tests import green, passes, rewrite, with_tests
 from bench.mutants import ROOT, parsed
 from bench.schemata import copied
 
@@ -123,25 +125,32 @@ def _turned(node: ast.AST) -> ast.AST:
     return made
 
 
-def seen(project: Path, mutant: Mutant, stages: tuple[bool, ...]) -> bool:
-    """Whether the tests of its layer turn red."""
+def seen_by(project: Path, mutant: Mutant, stages: tuple[bool, ...]) -> tuple[str, bool] | None:
+    """The tests that turn red, and whether they are those that start processes; None: no tests."""
     place = project / mutant.file
     rewrite(place, mutant.text())
     try:
-        asked = asked_of(mutant.file)
-        return any(not passes(project, one, processes) for processes in stages for one in asked)
+        asked = ((one, processes) for processes in stages for one in asked_of(mutant.file))
+        return next((one for one in asked if not passes(project, *one)), None)
     finally:
         rewrite(place, (ROOT / mutant.file).read_text())
 
 
 def asked_of(file: str) -> tuple[str, ...]:
-    """The tests of a file's layer: the deepest folder below tests/ that mirrors its own."""
+    """The tests of a file's layer, those that name its module first.
+
+    They lie in the deepest folder below tests/ that mirrors its own, and in those of MORE.
+    """
     parts = Path(file.removeprefix("vv/")).parts[:-1]
     own = Path("tests", *parts)
     while not (ROOT / own).is_dir():
         own = own.parent
     more = tuple(f"tests/{one}" for one in MORE.get(parts[0], ()))
-    return more if own == Path("tests") else (own.as_posix(), *more)
+    folders = more if own == Path("tests") else (own.as_posix(), *more)
+    tests = [path for folder in folders for path in sorted((ROOT / folder).rglob("test_*.py"))]
+    word = re.compile(rf"\b{Path(file).stem}\b")
+    naming = [one.relative_to(ROOT).as_posix() for one in tests if word.search(one.read_text())]
+    return (*naming, *folders)
 
 
 def main() -> None:
@@ -155,21 +164,23 @@ def main() -> None:
     for name in NEEDS:
         importlib.import_module(name)
     stages = (False, True) if options.all else (False,)
-    every, left = drawn(options.files, options.each, options.sample), []
+    every = drawn(options.files, options.each, options.sample)
+    left, red = list[str](), set[str]()
     with tempfile.TemporaryDirectory() as folder:
         project = Path(folder)
         copied(project, with_tests())
-        asked = sorted({tests for one in every for tests in asked_of(one.file)})
-        red = [tests for tests in asked if not passes(project, tests, False)]
         for one in every:
-            caught = seen(project, one, stages)
-            left += [] if caught else [one.what]
-            print("seen  " if caught else "unseen", one.what, flush=True)
+            by = seen_by(project, one, stages)
+            if by is None:
+                left.append(one.what)
+            elif not green(project, *by):
+                red.add(by[0])
+            print(f"{by[0] if by else 'unseen':<44} {one.what}", flush=True)
     rate = len(left) / max(1, len(every))
     low, high = binomtest(len(left), max(1, len(every))).proportion_ci(method="wilson")
     figures = {
         "mutants": len(every), "not seen": left, "rate": rate, "at 95 %": [low, high],
-        "red without one": red,
+        "red without one": sorted(red),
     }  # fmt: skip
     conclude("framework_mutants", figures, {"green without": not red, "5 % at most": rate <= 0.05})
 

@@ -22,7 +22,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 
 from bench.evidence import conclude
-from bench.forked_tests import passes, rewrite, with_tests
+from bench.forked_tests import green, passes, rewrite, with_tests
 from bench.mutants import ROOT
 from bench.mutations import HANGS, KEPT, sources_digest
 from bench.schemata import copied
@@ -110,12 +110,6 @@ def caught_by(project: Path, bug: Bug, rest: bool) -> str:
 def unharmed(project: Path, code: str, cases: tuple[str, ...]) -> str:
     """What the gate says where nothing is changed: '' if it is green."""
     return _gate(project, code, cases)
-
-
-@functools.cache
-def green(project: Path, tests: str, processes: bool) -> bool:
-    """Whether tests pass where nothing is changed."""
-    return passes(project, tests, processes)
 
 
 def _selections(bug: Bug, rest: bool) -> Iterator[tuple[str, ...]]:

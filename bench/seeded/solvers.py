@@ -64,4 +64,5 @@ BUGS = (
     Bug("positions by the velocity at the end", RIGID_EVENTS, "put(state.centre, i, add_scaled(add_scaled(at(state.centre, i), 0.5 * span, at(state.v, i)),\n                                  0.5 * span, v))", "put(state.centre, i, add_scaled(at(state.centre, i), span, v))", "rigid", "knife-edge responding-block:3d-turning"),
     Bug('a landing found in one trial', RIGID_LANDING, 'for _ in range(LANDINGS if there and 0.0 < span < whole else 0):', 'for _ in range(0):', 'rigid', 'tumbling spin-stopped'),
     Bug("friction does not turn within a step", RIGID_BENDS, "turn = bend(before, sag, after, pull)", "turn = add_scaled(NIL, 0.0, bend(before, sag, after, pull))", "rigid", "incline:two-directions-turning"),
+    Bug("walls had not moved before t = 0", "vv/engines/dem/terms/moving_walls.py", "    move(term, bodies, motion, -dt, dt)\n", "", "dem", "responding-block shaken-corner", "tests/engines/dem/test_space.py"),
 )  # fmt: skip
