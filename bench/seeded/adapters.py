@@ -41,4 +41,7 @@ BUGS = (
     Bug("weight of the raised mass", SETUP, "load=g.load + g.mass[:, None] * scene.gravity", "load=g.load + (g.mass + extra)[:, None] * scene.gravity", "liggghts", "settling"),
     Bug("every corner as stiff as the block", CLUMPS, "kn=scene.contact.kn / count", "kn=scene.contact.kn", "liggghts", "incline"),
     Bug("the spring charged the wrong way", SETUP, "{i: -row / ks for i, row", "{i: row / ks for i, row", "liggghts", "incline"),
+    Bug("answers turned the wrong way", "adapters/yade/answers.py", "values @ setup.frame, strict", "values @ setup.frame.T, strict", tests="tests/adapters/yade/test_answers.py"),
+    Bug("velocities begin at nil", "adapters/liggghts/answers.py", "np.zeros(3) if isinstance(o, Displacement) else speeds[i]", "np.zeros(3)", tests="tests/adapters/liggghts/test_answers.py"),
+    Bug("spins of the first that are listed", "adapters/liggghts/atoms.py", "for row, vector in zip(given.tolist(), rows[given].tolist(), strict=True):", "for row, vector in enumerate(rows[given].tolist()):", tests="tests/adapters/liggghts/test_deck.py"),
 )  # fmt: skip

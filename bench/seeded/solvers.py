@@ -65,4 +65,9 @@ BUGS = (
     Bug('a landing found in one trial', RIGID_LANDING, 'for _ in range(LANDINGS if there and 0.0 < span < whole else 0):', 'for _ in range(0):', 'rigid', 'tumbling spin-stopped'),
     Bug("friction does not turn within a step", RIGID_BENDS, "turn = bend(before, sag, after, pull)", "turn = add_scaled(NIL, 0.0, bend(before, sag, after, pull))", "rigid", "incline:two-directions-turning"),
     Bug("walls had not moved before t = 0", "vv/engines/dem/terms/moving_walls.py", "    move(term, bodies, motion, -dt, dt)\n", "", "dem", "responding-block shaken-corner", "tests/engines/dem/test_space.py"),
+    Bug("a viscous contact half as stiff", "vv/engines/dem/contact/hertz.py", "math.sqrt(mass * 2.0 * modulus * math.sqrt(radius * overlap))", "math.sqrt(mass * modulus * math.sqrt(radius * overlap))", "dem", "restitution", "tests/engines/dem/contact"),
+    Bug("Reynolds number of the radius", "vv/engines/dem/terms/fluid.py", "reynolds = fluid.density * across / fluid.viscosity", "reynolds = fluid.density * 0.5 * across / fluid.viscosity", "dem", "mfix:dem06*", "tests/engines/dem"),
+    Bug("a pulse that does not end", "vv/engines/kernels/drive.py", "sine = np.sin(angle) if time <= drive.until[k] else 0.0", "sine = np.sin(angle)", "dda", "rocking:stands rocking:topples", "tests/adapters/test_pulses.py"),
+    Bug("slip booked at the velocity before the step", "vv/engines/rigid/point/kernel.py", "slid = add_scaled(add_scaled(NIL, 0.5, u), 0.5, touch.u)", "slid = u", "rigid", "incline", "tests/engines/rigid/test_sliding.py"),
+    Bug("a shear spring that does not turn with its plane", FRICTION, "        spring, -dot(n, spring) / (1.0 + dot(n, n_before)), add_scaled(n, 1.0, n_before)\n", "        spring, -dot(n, spring), n\n", "dem", "bounce", "tests/engines/dem/contact"),
 )  # fmt: skip

@@ -42,6 +42,16 @@ def test_an_answer_becomes_a_run(tmp_path: Path) -> None:
     assert run.model == Model(3, frozenset(), "as described")
 
 
+def test_an_answer_in_another_frame_is_told_in_the_scene_s(tmp_path: Path) -> None:
+    rows = np.array([[0.36, 0.48, -0.8], [-0.8, 0.6, 0.0], [0.48, 0.64, 0.6]])
+    setup = dataclasses.replace(set_up(ball_ask(ball()), PLAIN), frame=rows)
+    values = np.zeros((1, 11, 3))
+    values[0, :, 2] = np.arange(11.0)  # along the third axis of YADE's frame
+    run = parse(answered(tmp_path, values), setup, MODEL, started=11.0)
+    assert run is not None
+    assert run.values[Displacement(0)][-1] == pytest.approx(10.0 * rows[2])
+
+
 def test_only_the_first_answer_of_a_program_carries_its_start(tmp_path: Path) -> None:
     path = answered(tmp_path, np.zeros((1, 11, 3)), ready=0.0)
     run = parse(path, set_up(ball_ask(ball()), PLAIN), MODEL, started=11.0)
