@@ -35,6 +35,7 @@ BRIEF = 0.02 * math.sqrt(9.81)  # duration over sqrt(R/g): all turn by less than
 OUTPUTS = 10
 TURNS = 2e-3  # of the way: what the turning of a block changes within the duration
 STEPS = ((20, 1e10), (40, 1e10), (40, 1e11), (80, 1e11))  # in the duration, and kn [N/m]
+SHORT = (400, 1e10)  # which explicit codes bear
 NEAR, AWAY = 0.5, 2.0  # degrees from a border: points beside it, and at least, all others
 STEEPEST, SLENDEREST, STOUTEST = 75.0, 6.0, 70.0  # degrees: psi and delta of the chart
 SEVERAL, UNDER_GRAVITY = 22, 17  # points for a friction angle, and for a slope
@@ -155,7 +156,8 @@ def _declare(variant: str, p: Parameters) -> Trial:
     duration = BRIEF * math.sqrt(p["R"] / p["g"])
     goal = History(duration, duration / OUTPUTS)
     seen = tuple(Displacement(1 + number) for number in range(len(points)))
-    rungs = tuple(Knobs(duration / n, kn * _stiff(p)) for n, kn in STEPS)
+    short = variant.endswith("short")
+    rungs = tuple(Knobs(duration / n, kn * _stiff(p)) for n, kn in ((SHORT,) if short else STEPS))
     levels = {Level.QUICK: rungs[:2], Level.DEFAULT: rungs[:3], Level.PAPER: rungs}
     study = Ladder(_scene(variant, p, points), goal, seen, levels)
     modes = tuple(_mode(number, point, p) for number, point in enumerate(points))
@@ -301,6 +303,17 @@ CASE = Case(
                 {"alpha": float(alpha)}, INERT, Level.DEFAULT,
             )
             for alpha in (14, 32, 50)
+        ),
+        *(
+            Variant(
+                f"{like}-short", f"as {like}, at a step that explicit codes bear", FORMULA,
+                given, INERT | still, Level.QUICK if like == "2d-20" else Level.DEFAULT,
+            )
+            for like, given, still in (
+                ("2d-20", {"phi": 20.0}, {"alpha"}),
+                ("3d-20", {"phi": 20.0}, {"alpha"}),
+                ("gravity-32", {"alpha": 32.0}, set[str]()),
+            )
         ),
     ),
     declare=_declare,

@@ -80,9 +80,10 @@ def test_the_chart_of_first_motions_is_right_at_every_point(
     assert quantities["worst"].observe(run) < 1e-3
 
 
+@pytest.mark.parametrize("variant", ["3d-6", "3d-20"])  # in the first no block is to tip
 @pytest.mark.parametrize("code", CODES)
-def test_a_step_that_throws_one_of_many_blocks_about_is_refused(code: str) -> None:
-    ask, _ = charted("3d-20")
+def test_a_step_that_throws_one_of_many_blocks_about_is_refused(code: str, variant: str) -> None:
+    ask, _ = charted(variant)
     long = dataclasses.replace(ask, knobs=Knobs(5e-4, 1e10))
     assert "the springs of its corners are stable up to" in (
         CODES[code].refuses(long, "clump") or ""
