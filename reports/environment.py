@@ -12,7 +12,7 @@ from typing import Any
 import jinja2
 from markupsafe import Markup, escape
 
-from reports import text
+from reports import library, text
 from reports.book import Book
 from reports.formula import typeset
 from reports.looks import defined, glyph, palette
@@ -143,18 +143,23 @@ def whole_page(book: Book) -> str:
         measured=measured(book),
         style=Markup(style()),
         script=Markup(script()),
+        library=Markup(library.script()),
         **_attention(book),
     )
 
 
 def style() -> str:
     """report.css"""
-    return palette() + (HERE / "assets" / "report.css").read_text(encoding="utf-8")
+    return palette() + library.style() + _asset("report.css")
 
 
 def script() -> str:
     """report.js"""
-    return (HERE / "assets" / "report.js").read_text(encoding="utf-8")
+    return _asset("report.js") + (_asset("zoom.js") if library.script() else "")
+
+
+def _asset(name: str) -> str:
+    return (HERE / "assets" / name).read_text(encoding="utf-8")
 
 
 def inputs_script(book: Book) -> str:

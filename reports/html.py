@@ -27,6 +27,7 @@ TOOL = Path(closure.__file__).parents[2]  # below which the modules that a repor
 FRONT = "index.html"
 PAPERS = "papers.html"
 INPUTS = "inputs.js"
+ZOOM = "uplot.js"
 MEASURED = "measured.html"
 STAMPS = "stamps.json"  # name of a file -> digest of what it was made from, and of the file
 
@@ -98,11 +99,14 @@ def _files(book: Book, known: Mapping[str, str]) -> Iterator[File]:
     known: case -> digest of its records, where the store has them.
     """
     from reports import environment as env
+    from reports import library
     from reports.variant.inputs import heads
 
-    looks = sources()
+    looks = _digest((library.script(), library.style()))
     yield File("report.css", looks, env.style)
     yield File("report.js", looks, env.script)
+    if library.script():
+        yield File(ZOOM, looks, library.script)
     yield File(INPUTS, _digest(heads(book)), functools.partial(env.inputs_script, book))
     of_cases = {case: _of_case(book, case, known.get(case)) for case in book.manifest.cases}
     for case, made_from in of_cases.items():

@@ -51,7 +51,10 @@ class Rim:
 
 @dataclass(frozen=True, eq=False)
 class Chart:
-    """A figure as data. exact: the reference (x, y) as a line. guides: slopes to compare with."""
+    """A figure as data. guides: slopes to compare with.
+
+    exact: the reference (x, y) as a grey line, or what `grey` says that it is.
+    """
 
     x_label: str
     y_label: str
@@ -61,6 +64,7 @@ class Chart:
     exact: tuple[Vector, Vector] | None = None
     rims: tuple[Rim, ...] = ()
     guides: tuple[int, ...] = ()
+    grey: str = "exact"
 
 
 def trajectory(histories: Sequence[History], label: str) -> Chart | None:
@@ -121,7 +125,9 @@ def error_against_cost(ladders: Sequence[Ladder], label: str) -> Chart:
             curves.append(_curve(ladder.mark, [p.cpu for p in inside], inside, hollow))
     rims, steps = _rims(ladders, low, "cpu"), _front(ladders, low)
     name = "CPU of the stepping loop [s]"
-    return Chart(name, label, True, True, tuple(curves), exact=steps, rims=rims, guides=(-1, -2))
+    return Chart(
+        name, label, True, True, tuple(curves), steps, rims, guides=(-1, -2), grey="the front"
+    )
 
 
 def _front(ladders: Sequence[Ladder], low: float) -> tuple[Vector, Vector] | None:

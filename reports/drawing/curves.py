@@ -44,7 +44,15 @@ def draw(chart: Chart) -> Markup:
         name = names.pop(curve.mark.label, "")
         parts.append(_curve(curve, x, y, float(size), name, buckets))
     parts += [_rim(rim, x, place) for place, rim in enumerate(chart.rims)]
-    return drawing(WIDTH, HEIGHT, parts)
+    return drawing(WIDTH, HEIGHT, parts, told=_told(chart, x, y))
+
+
+def _told(chart: Chart, x: Axis, y: Axis) -> str:
+    """The axes, for a reader who zooms; nothing where a curve turns back, which no zoom draws."""
+    if not (chart.x_log or all(np.all(np.diff(curve.x) >= 0) for curve in chart.curves)):
+        return ""
+    grey = f' data-grey="{escape(chart.grey)}"' if chart.exact else ""
+    return f' data-x="{x.told()}" data-y="{y.told()}"{grey}'
 
 
 def _axes(chart: Chart) -> tuple[Axis, Axis]:

@@ -107,8 +107,13 @@ def title(said: str) -> str:
     return f"<title>{escape(said)}</title>"
 
 
-def drawing(width: float, height: float, parts: list[str], kind: str = "chart") -> Markup:
-    """The parts as one picture, hidden from who hears the page: words stand beside it."""
+def drawing(
+    width: float, height: float, parts: list[str], kind: str = "chart", told: str = ""
+) -> Markup:
+    """The parts as one picture, hidden from who hears the page: words stand beside it.
+
+    told: attributes that say more of it to the page's script.
+    """
     box = f"0 0 {number(width)} {number(height)}"
-    head = f'<svg class="{escape(kind)}" viewBox="{box}" aria-hidden="true">'
+    head = f'<svg class="{escape(kind)}"{told} viewBox="{box}" aria-hidden="true">'
     return Markup(f"{head}{''.join(parts)}</svg>")

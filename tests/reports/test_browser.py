@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+import hashlib
 import re
 from pathlib import Path
 
 import pytest
 
-from reports import html
+from reports import html, library
 from reports.beside import Beside
+from reports.text import brief, sci
 from tests.support.browser import CHROMIUM, Opened, opened
 from tests.support.fabricated import HEAD, TAIL, manifest_of_all, native, with_external
 from vv.case.published import Paper, Standing
@@ -94,6 +96,32 @@ PAPER = """
   said.rows = all("table.papers tbody th").map((cell) => cell.textContent);
   said.links = all("table.papers a").map((link) => link.getAttribute("href"));
 """
+ZOOM = """
+  const buttons = all("figure h3 .chip");
+  const steps = buttons.find((b) => b.closest("figure").textContent.includes("Error against step"));
+  said.many = buttons.length;
+  steps.click();
+  const figure = steps.closest("figure");
+  for (let i = 0; i < 100 && !figure.plot; i++) await wait(10);
+  const plot = figure.plot;
+  said.names = plot.series.map((one) => one.label);
+  said.values = plot.series.slice(1).map((one, i) => plot.data[i + 1].filter((v) => v != null));
+  said.steps = plot.data[0];
+  const ends = () => ["x", "y"].flatMap((k) => [plot.scales[k].min, plot.scales[k].max]);
+  said.whole = ends();
+  const over = plot.over.getBoundingClientRect();
+  const mouse = (what, x, y) => (what === "mouseup" ? document : plot.over).dispatchEvent(
+    new MouseEvent(what, { bubbles: true, movementX: 1, clientX: over.left + x,
+                           clientY: over.top + y }));
+  mouse("mousedown", 100, 50); mouse("mousemove", 300, 250); mouse("mouseup", 300, 250);
+  await wait(50);
+  said.part = ends();
+  one("dialog .u-series:nth-child(2) th").click();
+  said.hidden = plot.series[1].show === false;
+  one("dialog button").click();
+  await wait(50);
+  said.closed = all("dialog").length;
+"""
 WIDE = "said.wide = [innerWidth, document.documentElement.scrollWidth];"
 
 
@@ -146,6 +174,28 @@ def test_a_case_tells_points_plays_motion_and_opens_at_a_scheme(
     assert said["moved"]
     assert said["time"].startswith("t = 0.5")
     assert said["target"] == at[1:]
+
+
+def test_a_chart_is_zoomed_into_by_the_library_and_shows_the_numbers_of_the_table(
+    folder: Path, tmp_path: Path
+) -> None:
+    said = quiet(opened(folder / "case-bounce.html", ZOOM, tmp_path)).said
+    page = (folder / "case-bounce.html").read_text()
+    assert said["many"] > 2
+    assert {"dem/default", "other/default"} <= set(said["names"])
+    assert all(f"<td>{sci(error)}" in page for error in said["values"][0])
+    assert all(float(sci(error)) == error for error in said["values"][0])
+    assert all(f"<tr><td>{brief(dt)}" in page for dt in said["steps"])
+    (left, right, low, high), part = said["whole"], said["part"]
+    assert left < part[0] < part[1] < right
+    assert low < part[2] < part[3] < high
+    assert said["hidden"]
+    assert said["closed"] == 0
+
+
+def test_the_library_is_the_one_that_its_authors_released() -> None:
+    digest = hashlib.sha256(library.script().encode()).hexdigest()
+    assert digest == "2d27e8ad3d228164525ce213f9dc716f39b4e3aee0cc773fb3491c96cf4921a2"  # 1.6.31
 
 
 def test_the_input_of_a_code_is_saved_whole(folder: Path, tmp_path: Path) -> None:
