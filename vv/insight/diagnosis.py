@@ -172,9 +172,17 @@ def _factor(rungs: Sequence[Record]) -> Said | None:
             if one.verdict not in (Verdict.FAIL, Verdict.XFAIL) or value is None or not due:
                 continue
             for factor in FACTORS:
-                if abs(value / due - factor) <= NEAR:
+                if abs(value / due - factor) <= NEAR and _throughout(one, factor):
                     return Pattern.FACTOR, _slip(one.name, factor)
     return None
+
+
+def _throughout(one: MeasuredQuantity, factor: float) -> bool:
+    """Whether a factor seen at the end explains the largest error, too: of a number it does."""
+    largest = one.errors.get(Norm.MAX)
+    return one.value is not None or (
+        largest is not None and abs(largest - abs(factor - 1.0)) <= 2.0 * NEAR
+    )
 
 
 def _slip(name: str, factor: float) -> str:
