@@ -71,7 +71,7 @@ def patterns(
     return list(diagnose(records, terms))
 
 
-SINGLE: Asked = {name: (CONTACTS, STEPS) for name in ("T1", "T2", "T3", "T4")}
+SINGLE: Asked = dict.fromkeys(("T1", "T2", "T3", "T4"), (CONTACTS, STEPS))
 ROLLING: Asked = {"floor": (BOUNCE, (5e-7, 2.5e-7)), "T3": (CONTACTS, STEPS)}
 
 

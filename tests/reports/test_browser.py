@@ -76,7 +76,7 @@ INPUT = """
     said.shown = !button.hidden;
     said.blob = null;
     button.click();
-    while (!said.blob) await wait(10);
+    await until(() => said.blob);
     said.texts.push([said.file, await said.blob.text()]);
   }
   one("[data-whole]").click();
@@ -102,7 +102,7 @@ ZOOM = """
   said.many = buttons.length;
   steps.click();
   const figure = steps.closest("figure");
-  for (let i = 0; i < 100 && !figure.plot; i++) await wait(10);
+  await until(() => figure.plot);
   const plot = figure.plot;
   said.names = plot.series.map((one) => one.label);
   said.values = plot.series.slice(1).map((one, i) => plot.data[i + 1].filter((v) => v != null));

@@ -21,6 +21,12 @@ PROBE = """<script>addEventListener("load", async () => {
   const all = (what) => [...document.querySelectorAll(what)], one = (what) => all(what)[0];
   const seen = (what) => all(what).filter((e) => e.checkVisibility());
   const wait = (ms) => new Promise((done) => setTimeout(done, ms));
+  // A file is read in real time, while that of waits runs ahead: turns of the loop take none.
+  const turn = () => new Promise((done) => {
+    const channel = new MessageChannel();
+    channel.port1.onmessage = done; channel.port2.postMessage(0);
+  });
+  const until = async (test) => { for (let i = 0; i < 1e6 && !test(); i++) await turn(); };
   const said = {}; try { %s } catch (error) { said.failed = String(error); }
   said.asked = performance.getEntriesByType("resource").map((e) => e.name);
   document.title = "SAID " + JSON.stringify(said) + " DIAS";
