@@ -209,7 +209,7 @@
     function draw() {
       const box = one("profile");
       if (!box) return;
-      one("target-said").textContent = data.targets[target].toExponential(0);
+      one("target-said").textContent = targets[target].textContent;
       const [rows, solved] = profiles(), names = Object.keys(rows).filter((label) => rows[label].length);
       const worst = Math.max(10, ...names.map((label) => Math.max(...rows[label].map(([r]) => r)))) * 1.6;
       const W = 470, H = 290, L = 52, R = 356, T = 10, B = 248;

@@ -110,38 +110,25 @@ class Above:
 def variant(book: Book, place: Place, above: Above) -> Variant:
     """The view of a variant."""
     case, name = place
-    facts = book.manifest.cases[case].variants[name]
-    piles = book.records[place]
+    facts, piles = book.manifest.cases[case].variants[name], book.records[place]
     own = [record for pile in piles.values() for record in pile]
     over = functools.cache(lambda name: collect.histories(own, name, book.marks, book.arrays))
-    curves = over(facts.quantities[0].name) if facts.quantities else []
-    like = next((v for v, other in above.curves.items() if collect.same_curve(other, curves)), "")
-    if not like:
-        above.curves[name] = curves
-    if any(shown_outcome(record).troubling for record in own):
-        like = ""  # whoever looks for what went wrong needs its own picture
-    rows = ranks(book)[place]
+    like = _like(name, over(facts.quantities[0].name) if facts.quantities else [], own, above)
+    rows, missing = ranks(book)[place], absent(piles, book.marks)
     kept = [one for one in book.manifest.recorded if (one.case, one.variant) == place]
-    missing = absent(piles, book.marks)
-    usual = {p.name: p.value for p in book.manifest.cases[case].parameters}
-    given = own[0].parameters if own else {}
     return Variant(
         name=name,
         anchor=slug(case, name),
         facts=facts,
         scene=_scene(facts.sketch, slug(case, name), above),
-        settings={key: value for key, value in given.items() if value != usual.get(key)},
+        settings=_settings(book, case, own),
         modified=any(record.modified for record in own),
         command=f"vv run {case}:{name}",
         outcomes=counted(own),
         ranked=rows,
         cheapest=cheapest(rows),
         differ=why_colours_differ(rows),
-        told=[
-            (row, plain.once(row.why, f"{name}, {row.mark.label}", above.explained))
-            for row in rows
-            if row.why
-        ],
+        told=_told(rows, name, above),
         voices=[vote.in_words() for vote in votes(own, kept)],
         groups=groups(piles, book.marks),
         absent=missing,
@@ -149,12 +136,7 @@ def variant(book: Book, place: Place, above: Above) -> Variant:
         models=models(rows, name, above.models),
         measured=measured_rows(book, place),
         printed=printed_rows(piles, facts.quantities),
-        figures=[
-            *measured_figures(book, place),
-            *region_figures(facts, book.ran.get(place, {}), book.marks),
-            *([] if like else _phase(facts, over)),
-            *([] if like else _figures(book, facts, own, over)),
-        ],
+        figures=_all_figures(book, place, own, over, bool(like)),
         playback=_played(facts, over),
         like=like,
         has_series=any(book.arrays(r.key) for r in own if r.quantities),
@@ -163,6 +145,45 @@ def variant(book: Book, place: Place, above: Above) -> Variant:
         inputs=inputs(book, place, above.inputs),
         recorded=_recorded(kept, facts),
     )
+
+
+def _like(name: str, curves: list[History], own: Sequence[Record], above: Above) -> str:
+    """The variant above whose figures serve here too; '' if none does."""
+    like = next((v for v, other in above.curves.items() if collect.same_curve(other, curves)), "")
+    if not like:
+        above.curves[name] = curves
+    if any(shown_outcome(record).troubling for record in own):
+        return ""  # whoever looks for what went wrong needs its own picture
+    return like
+
+
+def _settings(book: Book, case: str, own: Sequence[Record]) -> dict[str, float]:
+    """The parameters that are not those of the case."""
+    usual = {p.name: p.value for p in book.manifest.cases[case].parameters}
+    given = own[0].parameters if own else {}
+    return {key: value for key, value in given.items() if value != usual.get(key)}
+
+
+def _told(rows: Sequence[Ranked], name: str, above: Above) -> list[tuple[Ranked, str]]:
+    """What is not green and why, long reasons once on a page."""
+    return [
+        (row, plain.once(row.why, f"{name}, {row.mark.label}", above.explained))
+        for row in rows
+        if row.why
+    ]
+
+
+def _all_figures(
+    book: Book, place: Place, own: Sequence[Record], over: Over, like: bool
+) -> list[Figure]:
+    """All figures of a variant; like: whether those of another serve for what runs over time."""
+    facts = book.manifest.cases[place[0]].variants[place[1]]
+    return [
+        *measured_figures(book, place),
+        *region_figures(facts, book.ran.get(place, {}), book.marks),
+        *([] if like else _phase(facts, over)),
+        *([] if like else _figures(book, facts, own, over)),
+    ]
 
 
 def _scene(seen: Sketch | None, anchor: str, above: Above) -> Markup:

@@ -153,7 +153,7 @@ def test_the_front_page_filters_sorts_searches_and_keeps_it_in_the_address(
     assert said["afterChip"][2] > 0
     assert said["afterLine"] == [0, 0]
     assert "error=0.01" in said["target"][0]
-    assert said["target"][1] == "1e-2"
+    assert said["target"][1] == "0.01"
     assert said["sorted"] == sorted(said["sorted"])
     assert (said["found"], said["foundAgain"]) == (0, 1)
     assert (said["folded"], said["unfolded"]) == (0, 2)

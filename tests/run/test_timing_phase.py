@@ -46,11 +46,14 @@ def plan() -> Plan:
     return make_plan(Project(ROOT), ["single-contact:T1"], Options(codes=("exact", "dem")))
 
 
-def costs(plan: Plan, store: Store, place: Rounds) -> dict[int, JobCost]:
-    """What a session says of the plan's jobs, each of which ran."""
+def costs(
+    plan: Plan, store: Store, place: Rounds, told: list[int] | None = None
+) -> dict[int, JobCost]:
+    """What a session says of the plan's jobs, each of which ran; told: what it says of itself."""
     ran: list[Record] = [record(f"{j.code}/{j.scheme}", j.variant, None) for j in plan.jobs]
     keys = {number: f"run{number}" for number in range(len(plan.jobs))}
-    return timed_costs(plan, ran, keys, store, 1.0, False, place)
+    begin = (told if told is not None else []).append
+    return timed_costs(plan, ran, keys, store, 1.0, False, place, begin)
 
 
 def numbers(plan: Plan) -> list[int]:
@@ -78,6 +81,8 @@ def test_a_session_answers_again_only_if_it_timed_all(
     timed = numbers(plan)[missing:]
     place = Rounds([(number, Cost(solve_cpu=1.0), 1.0) for number in timed])
     store = Store(tmp_path)
-    assert set(costs(plan, store, place)) == set(timed)
-    assert set(costs(plan, store, place)) == set(timed)
+    told: list[int] = []
+    assert set(costs(plan, store, place, told)) == set(timed)
+    assert set(costs(plan, store, place, told)) == set(timed)
     assert place.asked == sessions
+    assert told == [len(numbers(plan))] * sessions  # who waits is told for how many settings

@@ -33,6 +33,9 @@ class _Silent:
     def done(self, record: Record) -> None:
         """Say nothing."""
 
+    def timing(self, settings: int) -> None:
+        """Say nothing."""
+
 
 @dataclass(eq=False)
 class Invocation:

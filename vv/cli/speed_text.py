@@ -68,7 +68,7 @@ def _advice(here: Sequence[Effort]) -> Iterator[str]:
             error = "-" if point.error is None else f"{point.error:.1e}"
             spent = duration(point.cpu or 0.0)
             text = f"{name}{_setting(point)}: error {error} in {spent}"
-            told.setdefault(text, []).append(f"{target:g}")
+            told.setdefault(text, []).append(f"{target:.0e}")
     for text, targets in told.items():
         yield f"  for {', '.join(targets)} take, of timed settings, {text}"
 

@@ -23,6 +23,7 @@ if TYPE_CHECKING:
 
 EVERY = 2.0  # s between two plain lines
 LOST = (Status.ERROR, Status.TIMEOUT, Status.DIVERGED)
+EACH = 0.3  # s for a setting that is timed, with the start of its code
 NAMED = 6  # lost jobs that are named as they come; the end of a run tells them all
 
 
@@ -56,6 +57,10 @@ class _Bar:
         for task in self.bars.task_ids:
             self.bars.update(task, advance=1, refresh=True)
 
+    def timing(self, settings: int) -> None:
+        """Say that settings are timed, which fills no bar: no run is added."""
+        self.bars.console.print(_timing(settings))
+
 
 class _Lines:
     """A line now and then, and one for each of the first runs that are lost."""
@@ -83,6 +88,10 @@ class _Lines:
             left = (now - self.begun) / self.count * (self.jobs - self.count)
             note(f"{self.count} of {self.jobs} runs, about {_round(left)} left")
 
+    def timing(self, settings: int) -> None:
+        """Say that settings are timed."""
+        note(_timing(settings))
+
     def _name(self, record: Record) -> None:
         if self.lost <= NAMED:
             job = f"{record.case}:{record.variant} {record.label} {rung(record)}".rstrip()
@@ -92,3 +101,9 @@ class _Lines:
 def _round(seconds: float) -> str:
     """A time that is only estimated: 8 s, 3 min."""
     return f"{seconds:.0f} s" if seconds < 99.5 else f"{seconds / 60:.0f} min"
+
+
+def _timing(settings: int) -> str:
+    many = f"{settings} settings" if settings != 1 else "one setting"
+    about = _round(EACH * settings)
+    return f"timing {many}, one after the other on one core: about {about} on an idle machine"

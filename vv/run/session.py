@@ -41,6 +41,9 @@ class Progress(Protocol):
     def done(self, record: Record) -> None:
         """A record is there."""
 
+    def timing(self, settings: int) -> None:
+        """That many settings are timed now, one after the other."""
+
 
 class Timing(enum.Enum):
     """Where timed costs come from: nowhere, the last session, one that is stored, or a new one."""
@@ -103,7 +106,7 @@ def carry_out(
     if len(ordered) < len(plan.jobs):
         kept = {id(plan.jobs[number]) for number in records}
         plan, limits = with_jobs_kept(plan, lambda job: id(job) in kept), _untimed(limits)
-    costs = _costs(plan, ordered, stored, limits, place)
+    costs = _costs(plan, ordered, stored, limits, place, progress.timing)
     timed = [
         dataclasses.replace(record, cost=costs.get(i, record.cost))
         for i, record in enumerate(ordered)
@@ -147,15 +150,20 @@ class _Keys:
 
 
 def _costs(
-    plan: Plan, records: Sequence[Record], stored: _Keys, limits: Limits, place: Executor
+    plan: Plan,
+    records: Sequence[Record],
+    stored: _Keys,
+    limits: Limits,
+    place: Executor,
+    begin: Callable[[int], None],
 ) -> dict[int, JobCost]:
-    """Job number -> timed cost, from the session that the limits ask for."""
+    """Job number -> timed cost, from the session that the limits ask for; begin: as there."""
     if limits.timing is Timing.NONE:
         return {}
     if limits.timing is Timing.LAST:
         return last_costs(plan, stored.runs, stored.store)
     new = limits.fresh or limits.timing is Timing.NEW
-    return timed_costs(plan, records, stored.runs, stored.store, limits.timeout, new, place)
+    return timed_costs(plan, records, stored.runs, stored.store, limits.timeout, new, place, begin)
 
 
 def _code(project: Project, plan: Plan, code: str) -> CodeFound:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 
 from vv.ask import Cost
 from vv.base.digest import digest
@@ -26,10 +26,12 @@ def timed_costs(
     timeout: float,
     fresh: bool,
     place: Executor,
+    begin: Callable[[int], None] = lambda count: None,
 ) -> dict[int, JobCost]:
     """Job number -> cost, for the jobs to be timed that ran; all from one session.
 
-    A stored session answers if it timed the very same runs on the machine where `place` times.
+    A stored session answers if it timed the very same runs on the machine where `place` times;
+    if none does, begin is told how many there are.
     `relative` is solve_cpu over that of the calibration kernel, the least and the largest of the
     rounds.
     """
@@ -38,6 +40,7 @@ def timed_costs(
     session = digest(sorted(keys), place.timer().fingerprint, REPEAT, ROUNDS)
     stored = None if fresh else store.timings(session)
     if stored is None and numbers:
+        begin(len(numbers))
         stored = _measure(plan, numbers, run_keys, timeout, place)
         if set(stored) == set(keys):  # a session with gaps is no session to compare within
             store.keep_timings(session, stored)
