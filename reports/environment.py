@@ -40,9 +40,8 @@ from vv.records.reading import tried
 HERE = Path(__file__).parent
 LOOKS = "<!-- looks -->"  # in a template: where the looks of what is in the page are defined
 COLUMNS = (  # of the table of a case; `vv report --csv` writes more
-    "variant", "code", "scheme", "method", "dt", "kn", "status", "reason", "steps", "timed",
-    "solve_cpu", "quantity", "unit", "value", "reference", "error", "norm", "tolerance", "verdict",
-    "note",
+    "variant", "code", "scheme", "dt", "kn", "reason", "steps", "timed", "solve_cpu",
+    "quantity", "unit", "value", "reference", "error", "norm", "tolerance", "verdict", "note",
 )  # fmt: skip
 DIGITS = {  # of all other numbers seven
     "dt": ".6g", "kn": ".6g", "solve_cpu": ".3g", "error": ".4g", "tolerance": ".4g",
@@ -204,6 +203,7 @@ def case_csv(book: Book, name: str) -> str:
         timed = "yes" if record.cost.timed else ""
         for row in table.rows(record):
             row["timed"] = timed
+            row["verdict"] = row["verdict"] or row["status"]
             writer.writerow([_brief(column, row[column]) for column in COLUMNS])
     return target.getvalue()
 

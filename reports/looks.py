@@ -10,7 +10,7 @@ from markupsafe import Markup, escape
 from reports.marks import COLOURS, Mark
 
 USED = re.compile(r'href="#k(\d+)"')
-DRAWN = re.compile(r'class="k(\d+)"')
+DRAWN = re.compile(r'class="k(\d+)[ "]')
 KINDS = (("dots", "f", "full"), ("holes", "o", "open"))  # of markers: path, name, shape
 
 

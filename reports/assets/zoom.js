@@ -112,7 +112,7 @@
   }
   function zoom(svg, title) {
     const x = axis(svg, "x", L, R), y = axis(svg, "y", B, T), curves = series(svg, x, y), box = opened(title);
-    const across = svg.querySelector("svg > text.mid").textContent, up = svg.querySelector("g[transform*=rotate] text").textContent;
+    const across = svg.querySelector("svg > text.mid").textContent, up = svg.querySelector(".up").textContent;
     const value = (_, at) => said(at);
     const size = () => ({ width: box.clientWidth - 32, height: Math.round(0.62 * innerHeight) });
     const plot = new globalThis.uPlot({

@@ -26,7 +26,8 @@ from vv.base.metrics import Vector
 WIDTH, HEIGHT = 470.0, 290.0
 LEFT, RIGHT, TOP, BOTTOM = 52.0, 356.0, 10.0, 248.0  # of the axes; names of curves to the right,
 # where the page's style moves them
-SMALL, LARGE = 3.0, 4.6  # radius of a marker
+SMALL, LARGER = 3.0, 0.2  # radius of a marker, and how much larger each next size is
+SIZES = 8  # beyond the least, which the page's style knows: the first curve has the largest markers
 LEADING = 10.5  # between names at the ends of curves
 
 
@@ -37,12 +38,12 @@ def draw(chart: Chart) -> Markup:
     if chart.exact:
         line = path(*thinned(x.at(chart.exact[0]), y.at(chart.exact[1])))
         parts.append(f'<path class="exact" d="{line}"/>')
-    sizes = np.linspace(LARGE, SMALL, len(chart.curves)) if chart.x_log else [SMALL] * 99
+    sizes = np.linspace(SIZES, 0, len(chart.curves)) if chart.x_log else [0] * 99
     names = _names({curve.mark.label: _end(curve, x, y) for curve in chart.curves})
     buckets = ROUGH if chart.y_log and not chart.x_log else BUCKETS
     for curve, size in zip(chart.curves, sizes, strict=False):
         name = names.pop(curve.mark.label, "")
-        parts.append(_curve(curve, x, y, float(size), name, buckets))
+        parts.append(_curve(curve, x, y, round(float(size)), name, buckets))
     parts += [_rim(rim, x, place) for place, rim in enumerate(chart.rims)]
     return drawing(WIDTH, HEIGHT, parts, told=_told(chart, x, y))
 
@@ -86,17 +87,16 @@ def _frame(chart: Chart, x: Axis, y: Axis) -> list[str]:
     grid += [f"M{LEFT:g} {number(p)}H{RIGHT:g}" for p, _ in rows]
     across = "".join(f'<text x="{number(p)}">{escape(said)}</text>' for p, said in columns)
     up = "".join(f'<text y="{number(p)}">{escape(said)}</text>' for p, said in rows)
-    middle = f"translate(11 {(TOP + BOTTOM) / 2:g}) rotate(-90)"
     return [
         f'<path class="grid" d="{"".join(grid)}"/>',
         f'<g class="mid" transform="translate(0 {BOTTOM + 13:g})">{across}</g>',
         f'<g class="end" transform="translate({LEFT - 5:g} 3)">{up}</g>',
         text((LEFT + RIGHT) / 2, HEIGHT - 10, chart.x_label, "mid"),
-        f'<g transform="{middle}">{text(0, 0, chart.y_label, "mid")}</g>',
+        f'<text class="up">{escape(chart.y_label)}</text>',
     ]
 
 
-def _curve(curve: Curve, x: Axis, y: Axis, size: float, name: str, buckets: int) -> str:
+def _curve(curve: Curve, x: Axis, y: Axis, size: int, name: str, buckets: int) -> str:
     """A group: the line, the markers, rings about those that are troubling, and the name."""
     px, py = x.at(curve.x), np.clip(y.at(curve.y), TOP - 4, BOTTOM + 4)
     parts = []
@@ -106,17 +106,20 @@ def _curve(curve: Curve, x: Axis, y: Axis, size: float, name: str, buckets: int)
     for kind, chosen in (("dots", ~curve.hollow), ("holes", curve.hollow)):
         parts.append(_markers(curve, px, py, chosen & curve.marked, kind))
     if curve.ringed.any():
-        round_it = [_ring(*spot, size + 3) for spot in zip(px, py, curve.ringed, strict=True)]
+        round_it = [
+            _ring(*spot, SMALL + LARGER * size + 3)
+            for spot in zip(px, py, curve.ringed, strict=True)
+        ]
         parts.append(f'<path class="ring" d="{"".join(round_it)}"/>')
     return _group(curve.mark, "".join([*parts, name]), size)
 
 
-def _group(mark: Mark, inner: str, size: float = SMALL) -> str:
-    """What belongs to a code/scheme; size: radius of its markers, where it is not the usual."""
-    large = f' stroke-width="{size:.1f}"' if size != SMALL else ""
+def _group(mark: Mark, inner: str, size: int = 0) -> str:
+    """What belongs to a code/scheme; size: of its markers, 0 is the least."""
+    large = f" s{size}" if size else ""
     if mark.number == UNNUMBERED:
         return f'<g class="key c{mark.colour}" data-k="{escape(mark.label)}">{inner}</g>'
-    return f'<g class="k{mark.number}"{large}>{inner}</g>'
+    return f'<g class="k{mark.number}{large}">{inner}</g>'
 
 
 def _markers(curve: Curve, px: Vector, py: Vector, chosen: Mask, kind: str) -> str:
@@ -136,7 +139,8 @@ def _ring(x: float, y: float, ringed: bool, r: float) -> str:
     if not ringed:
         return ""
     return (
-        f"M{number(x - r)} {number(y)}a{r:g} {r:g} 0 1 0 {2 * r:g} 0a{r:g} {r:g} 0 1 0 {-2 * r:g} 0"
+        f"M{number(x - r)} {number(y)}a{r:.3g} {r:.3g} 0 1 0 {2 * r:.3g} 0"
+        f"a{r:.3g} {r:.3g} 0 1 0 {-2 * r:.3g} 0"
     )
 
 

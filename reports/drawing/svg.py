@@ -10,8 +10,8 @@ from markupsafe import Markup, escape
 
 from vv.base.metrics import Vector
 
-BUCKETS = 64  # of a curve, each with its lowest and highest point: pixels show no more
-ROUGH = 24  # of an error over time, the noise of which says how large it is and no more
+BUCKETS = 48  # of a curve, each with its lowest and highest point: pixels show no more
+ROUGH = 18  # of an error over time, the noise of which says how large it is and no more
 FEW, SLACK = 20, 0.3  # points that are all kept, and how far off a line may pass [px]
 
 

@@ -8,14 +8,16 @@ from dataclasses import dataclass
 
 from reports.variant.ranking import Ranked
 
-Told = tuple[tuple[str, ...], str]  # of whom it is told, and what
+WORTH = 0.7  # of what is told: a difference that is longer saves too little
+Told = dict[tuple[str, ...], tuple[str, str]]  # of whom -> at which variant, and what
 
 
 @dataclass(frozen=True)
 class Modelled:
     """Schemes that modelled a scene in the same way, and how; or what all of a code share.
 
-    like: the variant above on the page for which the same is told; empty if there is none.
+    like: the variant above on the page for which the same is told, but for the note; empty if
+    there is none.
     """
 
     note: str
@@ -24,21 +26,48 @@ class Modelled:
     like: str = ""
 
     @property
+    def who(self) -> str:
+        """Whom it is of, in words."""
+        labels = ", ".join(row.mark.label for row in self.rows)
+        return f"{self.code}, all schemes" if self.code else labels
+
+    @property
+    def energy(self) -> str:
+        """What the balances of energy of these say."""
+        many = len(self.rows) > 1
+        told = [(row.mark.label, row.balance) for row in self.rows if row.balance]
+        return "; ".join(f"{label} {said}" if many else said for label, said in told)
+
+    @property
     def names(self) -> tuple[str, ...]:
         """Whom it is of."""
         return self.code, *(row.mark.label for row in self.rows)
 
 
-def models(rows: Sequence[Ranked], variant: str, above: dict[Told, str]) -> list[Modelled]:
+def models(rows: Sequence[Ranked], variant: str, above: Told) -> list[Modelled]:
     """How the schemes modelled a scene, a row for each way.
 
-    above: what stands above on the page -> the variant it is told of; the rest is added to it.
+    above: what stands above on the page; what is told here for the first time is added to it.
     """
-    return [
-        dataclasses.replace(one, like="" if like == variant else like)
-        for one in _all_models(rows)
-        for like in [above.setdefault((one.names, one.note), variant)]
-    ]
+    return [_beside(one, variant, above) for one in _all_models(rows)]
+
+
+def _beside(one: Modelled, variant: str, above: Told) -> Modelled:
+    """What is told of whom, by how it differs from what stands above where that is shorter."""
+    like, told = above.setdefault(one.names, (variant, one.note))
+    but = _difference(told, one.note)
+    if like == variant or len(but) > WORTH * len(one.note):
+        return one
+    return dataclasses.replace(one, note=but, like=like)
+
+
+def _difference(told: str, note: str) -> str:
+    """The clauses of a note that are not told, and what of the told does not hold."""
+    before, now = told.split("; "), note.split("; ")
+    new = [clause for clause in now if clause not in before]
+    subjects = {clause.split()[0] for clause in new if clause}
+    gone = [c for c in before if c not in now and c.split()[0] not in subjects]
+    return "; ".join([*new, *(f"not: {clause}" for clause in gone)])
 
 
 def _all_models(rows: Sequence[Ranked]) -> list[Modelled]:

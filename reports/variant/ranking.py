@@ -133,14 +133,12 @@ def _closeness(record: Record) -> float:
 
 
 def _balance(record: Record) -> str:
-    """What the balance of energy of a run says."""
+    """The energy that a run does not account for, and what its scheme promises of it."""
     ledger = record.ledger
     if ledger is None:
         return ""
-    promised = (
-        "nothing is promised" if ledger.bound is None else f"promised {brief_j(ledger.bound)}"
-    )
-    return f"Energy not accounted for: {brief_j(ledger.unaccounted)}; {promised}."
+    promised = "nothing promised" if ledger.bound is None else f"of {brief_j(ledger.bound)}"
+    return f"off {brief_j(ledger.unaccounted)} {promised}"
 
 
 def brief_j(energy: float) -> str:

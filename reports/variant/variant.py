@@ -16,7 +16,7 @@ from reports.drawing.energies import JOULE, energy_figures
 from reports.drawing.gallery import Figure, cost_figures, figures
 from reports.drawing.phases import phase_figures
 from reports.drawing.playback import moving, playback
-from reports.outcomes import ShownOutcome, counted, shown_outcome
+from reports.outcomes import ShownOutcome, counted, shown_by, shown_outcome
 from reports.text import slug
 from reports.variant.absences import Absent, Silent, absent, silent
 from reports.variant.advice import Advice, advice
@@ -31,14 +31,14 @@ from reports.variant.settings import Group, groups
 from vv.case import Norm
 from vv.insight.voices import votes
 from vv.output.gallery.scene_drawing import again, picture
-from vv.records.case_facts import VariantFacts
+from vv.records.case_facts import QuantityFacts, VariantFacts
 from vv.records.job_record import Record
 from vv.records.reading import fineness
 from vv.records.recorded import RecordedResult
 from vv.scene.picture.sketch import Sketch
 
 Over = Callable[[str], list[History]]  # of a quantity: its history in each scheme
-SEVERAL = 3  # quantities with all their figures; of more, the rest has none over time
+SEVERAL = 3  # quantities with figures; of more, only those of which something is out of bounds
 
 
 @dataclass(frozen=True)
@@ -57,7 +57,7 @@ class Variant:
     """A variant: what was asked, and all that came of it.
 
     told: rows that are not green, and why; like: the variant whose figures fit; voices: who agrees
-    with whom, where three codes speak.
+    with whom, where three codes speak; undrawn: symbols of quantities that have numbers only.
     """
 
     name: str
@@ -82,6 +82,7 @@ class Variant:
     figures: Sequence[Figure]
     playback: str
     like: str
+    undrawn: Sequence[str]
     has_series: bool
     advice: Sequence[Advice]
     costs: Sequence[CostRow]
@@ -94,14 +95,14 @@ class Above:
     """What stands above a variant on its page and need not be told again; each variant adds to it.
 
     curves: variant -> what its figures show; inputs: code -> those that are told whole;
-    models: how whom modelled a scene -> variant; reasons: why nothing ran -> variant;
+    models: how whom modelled a scene, and at which variant; reasons: why nothing ran -> variant;
     explained: what is not green, in long words -> where;
     scenes: -> the name of its picture.
     """
 
     curves: dict[str, list[History]] = field(default_factory=dict)
     inputs: dict[str, list[Input]] = field(default_factory=dict)
-    models: dict[Told, str] = field(default_factory=dict)
+    models: Told = field(default_factory=dict)
     reasons: dict[str, str] = field(default_factory=dict)
     explained: dict[str, str] = field(default_factory=dict)
     scenes: dict[Sketch, str] = field(default_factory=dict)
@@ -139,6 +140,7 @@ def variant(book: Book, place: Place, above: Above) -> Variant:
         figures=_all_figures(book, place, own, over, bool(like)),
         playback=_played(facts, over),
         like=like,
+        undrawn=[one.symbol for one in facts.quantities if not _is_drawn(one, facts, own)],
         has_series=any(book.arrays(r.key) for r in own if r.quantities),
         advice=advice(book.efforts.get(place, [])),
         costs=cost_rows(book, place),
@@ -207,19 +209,26 @@ def _figures(book: Book, facts: VariantFacts, own: Sequence[Record], over: Over)
     energies = {q.name: over(q.name) for q in facts.quantities if q.unit == JOULE}
     made = energy_figures(energies, facts.quantities)
     drawn, costs = bool(made), list[Figure]()
-    for number, quantity in enumerate(facts.quantities):
+    for quantity in facts.quantities:
         measured = [one for r in own if (one := r.quantity(quantity.name))]
-        if not measured:
+        if not measured or not _is_drawn(quantity, facts, own):
             continue
         norm = next((one.norm for one in measured if one.norm), Norm.MAX)
-        many = number >= SEVERAL or (drawn and quantity.name in energies)
-        curves = [] if many else over(quantity.name)
+        curves = [] if drawn and quantity.name in energies else over(quantity.name)
         steps = collect.ladders(own, quantity.name, book.marks)
         made += figures(curves, steps, quantity, norm, dict(facts.critical))
         if not costs:
             costs = cost_figures(steps, quantity, norm, dict(facts.critical))
             made += costs
     return made
+
+
+def _is_drawn(quantity: QuantityFacts, facts: VariantFacts, own: Sequence[Record]) -> bool:
+    """Whether a quantity has figures: one of the first, or some scheme is out of bounds in it."""
+    seen = ((r, one) for r in own if (one := r.quantity(quantity.name)))
+    return quantity in facts.quantities[:SEVERAL] or any(
+        shown_by(record, one).troubling for record, one in seen
+    )
 
 
 def _phase(facts: VariantFacts, over: Over) -> list[Figure]:

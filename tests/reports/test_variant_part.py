@@ -34,6 +34,11 @@ from vv.records.recorded import RecordedQuantity, RecordedResult
 from vv.store.store import Store
 
 
+def words(page: str) -> str:
+    """A page without what keeps lines from ending within its numbers."""
+    return re.sub('<span class="n">|</span>', "", page)
+
+
 def test_red_is_explained_by_the_setting_that_fails_and_not_by_the_finest(
     manifest: Manifest, store: Store
 ) -> None:
@@ -47,7 +52,7 @@ def test_red_is_explained_by_the_setting_that_fails_and_not_by_the_finest(
     assert "≠ not conserved 1" in row
     assert "✓ pass 2" in row
     said = "at dt = 0.004 s: Energy not conserved: created 1.39e3 J, allowed 2.00e-10 J"
-    assert f"dem/default</b> {said} " in page
+    assert f"dem/default</b> {said} " in words(page)
     assert "vv run bounce:T1 --codes dem/default --rung dt=0.004" in page
 
 
@@ -57,7 +62,7 @@ def test_a_larger_error_that_is_green_is_explained_by_its_class(store: Store) ->
     )
     late = entry("xfail", {"max": 1.1e-4}, tolerance=1e-5, note="drag is late")
     sharp = record("b/sharp", "T1", 1e-3, quantities=[late])
-    text = built(manifest_of(rough, sharp), store)
+    text = words(built(manifest_of(rough, sharp), store))
     assert "a/rough (penalty) has 2.1e-4 of 1.0e-3 and passes" in text
     assert "b/sharp (second order) has 1.1e-4 of 1.0e-5 and is &#39;known disagreement&#39;" in text
 
