@@ -45,11 +45,10 @@ def excess(one: MeasuredQuantity) -> str:
         return f"{one.name} passes, though a disagreement is on record: error {short(one.error)}"
     if one.error is not None and one.tolerance is not None:
         norm = f" (norm {NORM_NAMES[one.norm]})" if one.norm not in (None, Norm.MAX) else ""
-        times = (
-            f", {ratio(one.error / one.tolerance)} times it" if one.error > one.tolerance else ""
-        )
-        said = f"Error of {one.name}{norm} {short(one.error)}"
-        return f"{said}, tolerance {short(one.tolerance)}{times}"
+        said, due = f"Error of {one.name}{norm} {short(one.error)}", short(one.tolerance)
+        if one.error <= one.tolerance:
+            return f"{said}, tolerance {due}"
+        return f"{said}, {ratio(one.error / one.tolerance)} times the tolerance {due}"
     if one.value is not None:
         return f"{one.name} = {short(one.value)}: {one.why}"
     return f"{one.name} is not finite"

@@ -11,10 +11,12 @@ from reports import plain
 from reports.book import Book
 from reports.marks import Mark
 from vv.gate.judgement import breaches
+from vv.output.finding_lines import THAN
 from vv.output.gallery.scene_drawing import picture
 from vv.records.finding import Aspect, Finding, worst_first
 from vv.records.job_record import Record
 
+BOUND = "; it may move "  # in what the gate says of a change: how much of one is none, and why
 CARDS = 10  # on the front page
 JUDGED = (Aspect.ACCURACY, Aspect.CONSERVATION, Aspect.RUN)
 
@@ -23,8 +25,8 @@ JUDGED = (Aspect.ACCURACY, Aspect.CONSERVATION, Aspect.RUN)
 class Trouble:
     """Findings of one kind on one scheme and case, told by the worst of them.
 
-    red: whether it turns the gate red. others: the places of the rest, as links and words. scene:
-    the drawing of the worst's.
+    red: whether it turns the gate red. bound: of a change, what would be none, and why. others: the
+    places of the rest, as links and words. scene: the drawing of the worst's.
     """
 
     red: bool
@@ -33,6 +35,7 @@ class Trouble:
     where: str
     link: str
     text: str
+    bound: str
     setting: str
     command: str
     pattern: str
@@ -42,7 +45,10 @@ class Trouble:
 
 
 def troubles(book: Book, findings: Iterable[Finding] | None = None) -> list[Trouble]:
-    """All that has a bit in the gate's judgement, worst first, grouped."""
+    """All that has a bit in the gate's judgement, grouped: what is red first, worst first.
+
+    Before what changed stands what is wrong in itself, which explains more.
+    """
     known = book.by_setting
     patterns = {(d.case, d.label): d.text for d in book.patterns}
     piles: dict[tuple[str, str, str, str], list[Finding]] = {}
@@ -51,11 +57,14 @@ def troubles(book: Book, findings: Iterable[Finding] | None = None) -> list[Trou
             law = one.check is Aspect.CONSERVATION  # one leak breaks several at once
             key = one.case, one.label, one.check.value, "" if law else one.kind
             piles.setdefault(key, []).append(one)
+    ordered = sorted(
+        piles.values(), key=lambda pile: (not pile[0].red, pile[0].check not in JUDGED)
+    )
     return [
         _trouble(
             book, pile, known.get(_place(pile[0])), patterns.get((pile[0].case, pile[0].label))
         )
-        for pile in piles.values()
+        for pile in ordered
     ]
 
 
@@ -67,6 +76,7 @@ def _trouble(
     book: Book, pile: Sequence[Finding], record: Record | None, pattern: str | None
 ) -> Trouble:
     worst = pile[0]
+    text, _, bound = _text(worst, record).partition(BOUND)
     others = dict.fromkeys((f.case, f.variant) for f in pile[1:] if f.variant != worst.variant)
     names = [worst.variant, *([worst.label] if worst.label else [])] if worst.variant else []
     return Trouble(
@@ -75,7 +85,8 @@ def _trouble(
         mark=book.marks.get(worst.label),
         where=f"{worst.case}:{worst.variant}" if worst.variant else worst.case or "all",
         link=book.to_case(worst.case, *names) if worst.case else "",
-        text=_text(worst, record),
+        text=text,
+        bound=f"{BOUND.removeprefix('; ').capitalize()}{bound}." if bound else "",
         setting=plain.setting(record) if record else worst.rung,
         command=plain.command(record) if record else f"vv run {worst.case}".strip(),
         pattern=pattern or "",
@@ -95,7 +106,8 @@ def _scene(book: Book, one: Finding) -> Markup:
 def _text(one: Finding, record: Record | None) -> str:
     """A finding in plain words: by the record that it is of, if it judges that alone."""
     if record is None or one.check not in JUDGED:
-        return one.text[:1].upper() + one.text[1:]
+        said = f"{THAN.get(one.kind, '')}{one.text}"
+        return said[:1].upper() + said[1:]
     if one.check is Aspect.CONSERVATION:
         for found in breaches(record.ledger):
             if found[0] == one.kind:

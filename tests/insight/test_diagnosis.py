@@ -105,5 +105,7 @@ def test_bugs_seeded_into_a_code_that_runs_are_named_on_the_page_of_the_case(tin
     for factor, said in (("-1.0", "a sign is swapped"), ("2.0", "a term counts twice")):
         before = "1.0" if factor == "-1.0" else "-1.0"
         tiny.edit("adapters/fake.py", f"FACTOR = {before}", f"FACTOR = {factor}")
-        tiny.vv("run", "fall:up", "--codes", "fake/good")
+        told = tiny.vv("run", "fall:up", "--codes", "fake/good")
         assert said in page.read_text()
+        (line,) = (one for one in told.stdout.splitlines() if one.startswith("  pattern: "))
+        assert said in line

@@ -73,7 +73,7 @@ def gate(
     invocation.print_summary(manifest, invocation.LATER)
     findings = judgement(manifest, required)
     _write_outputs(project, manifest, findings, junit, markdown)
-    print_findings(findings, manifest.records, level, options.named_files(project))
+    print_findings(findings, manifest.records, level, options.named_files(project), manifest)
     raise typer.Exit(bits(findings))
 
 

@@ -178,7 +178,7 @@ def _conclude(project: Project, manifest: Manifest, ending: Ending) -> Told:
         result_lines.print_table(manifest.records, findings)
         judged = [one for one in findings if one.bit]
         named = options.named_files(project)
-        result_lines.print_findings(judged, manifest.records, ending.level, named)
+        result_lines.print_findings(judged, manifest.records, ending.level, named, manifest)
         invocation.print_summary(manifest, str(report))
 
     notes, lines = terminal.overheard(print_results)

@@ -7,11 +7,15 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from types import MappingProxyType
+from typing import TYPE_CHECKING
 
 from vv.case import Level
 from vv.records.finding import Aspect, Change, Finding, worst_first
 from vv.records.job_record import Record
 from vv.records.reading import rung
+
+if TYPE_CHECKING:
+    from vv.insight.diagnosis import Diagnosis
 
 SHOWN = 12  # lines of findings; the report and the files have all
 THAN = {  # how a change since the baseline is told
@@ -49,11 +53,14 @@ def lines(
     records: Iterable[Record],
     level: Level,
     programs: Mapping[str, Path] = NO_PROGRAMS,
+    patterns: Sequence[Diagnosis] = (),
 ) -> Iterator[str]:
     """Red ones first and worst first; below each red one the command that runs it again.
 
-    programs: the files by which codes were named that are found by no other name.
+    programs: the files by which codes were named that are found by no other name. patterns: what
+    failures of a scheme in a case look like, told with the first of them.
     """
+    looks = {(one.case, one.label): one.text for one in patterns}
     at = {(r.case, r.variant, r.label, rung(r)): r for r in records}
     ranked = folded(findings)
     for one in ranked[:SHOWN]:
@@ -61,6 +68,8 @@ def lines(
         again = rerun(one.finding, at, level, programs)
         if one.finding.red and again:
             yield f"  again: {again}"
+        if one.finding.red and (look := looks.pop((one.finding.case, one.finding.label), "")):
+            yield f"  pattern: {look}"
     if len(ranked) > SHOWN:
         red = sum(one.finding.red for one in ranked[SHOWN:])
         yield f"and {len(ranked) - SHOWN} more, {red} of them red; the report has them all"

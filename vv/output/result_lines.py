@@ -86,14 +86,18 @@ def print_findings(
     records: Sequence[Record] = (),
     level: Level = Level.DEFAULT,
     programs: Mapping[str, Path] = finding_lines.NO_PROGRAMS,
+    manifest: Manifest | None = None,
 ) -> None:
     """The findings of a gate, red ones first and worst first, and then its colour.
 
-    programs: see `vv.output.finding_lines.lines`.
+    programs: see `vv.output.finding_lines.lines`. manifest: that of the records, from which
+    patterns of failures are known.
     """
+    from vv.insight.diagnosis import diagnoses
     from vv.output.markdown import headline
 
-    say(*finding_lines.lines(findings, records, level, programs))
+    patterns = diagnoses(manifest) if manifest and any(one.red for one in findings) else []
+    say(*finding_lines.lines(findings, records, level, programs, patterns))
     say(f"gate: {headline(findings)}")
 
 
