@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import functools
+import itertools
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
@@ -94,11 +95,20 @@ class Book:
         return diagnoses(self.manifest)
 
     def quiet(self, case: str = "", variant: str = "", label: str = "") -> bool:
-        """Whether nothing of a case, variant or scheme turns the gate red; '' stands for all."""
-        return not any(
-            case in ("", f.case) and variant in ("", f.variant) and f.label.startswith(label)
+        """Whether nothing of a case, variant or scheme turns the gate red; '' stands for all.
+
+        label: a scheme, or `CODE/` for all of a code.
+        """
+        return (case, variant, label) not in self._loud
+
+    @functools.cached_property
+    def _loud(self) -> set[tuple[str, str, str]]:
+        """The places, with '' for all, that have something red."""
+        names = (
+            (("", f.case), ("", f.variant), ("", f.label, f"{f.label.partition('/')[0]}/"))
             for f in self.red
         )
+        return {place for choices in names for place in itertools.product(*choices)}
 
     @functools.cached_property
     def efforts(self) -> dict[Place, list[Effort]]:
