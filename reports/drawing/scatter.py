@@ -4,14 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 
+import numpy as np
 from markupsafe import Markup, escape
 
+from reports.drawing.axes import linear_axis
 from reports.drawing.svg import drawing, number, text, title
 from reports.marks import Mark
 from vv.insight.against_measurements import Compared
 
 SIZE, EDGE = 340.0, 44.0  # of the picture and its margins [px]
-TICKS = 4  # along an axis
 Points = Mapping[Mark, Sequence[Compared]]
 
 
@@ -20,16 +21,16 @@ def draw_scatter(points: Points, quantity: str) -> Markup:
     every = [point for own in points.values() for point in own]
     values = [value for point in every for value in (point.computed, point.measured)]
     spread = max(max(values) - min(values), 2 * max(point.uncertainty for point in every))
-    low, high = min(values) - 0.08 * spread, max(values) + 0.08 * spread
+    ends = np.array([min(values) - 0.08 * spread, max(values) + 0.08 * spread])
+    axis = linear_axis(ends, EDGE, SIZE - EDGE, 0.0)
 
     def at(value: float) -> float:
-        return EDGE + (SIZE - 2 * EDGE) * min(max((value - low) / (high - low), 0.0), 1.0)
+        return min(max(axis.place(value), EDGE), SIZE - EDGE)
 
-    parts = [*_frame(at(low), at(high), quantity)]
-    for k in range(TICKS):
-        value = low + (high - low) * (k + 0.5) / TICKS
-        parts.append(text(at(value), SIZE - EDGE + 16, f"{value:.3g}", "mid"))
-        parts.append(text(EDGE - 6, SIZE - at(value) + 4, f"{value:.3g}", "end"))
+    parts = [*_frame(EDGE, SIZE - EDGE, quantity)]
+    for value, said in axis.ticks:
+        parts.append(text(at(value), SIZE - EDGE + 16, said, "mid"))
+        parts.append(text(EDGE - 6, SIZE - at(value) + 4, said, "end"))
     for mark, own in points.items():
         parts += _points(mark, own, at)
     return drawing(SIZE, SIZE, parts, "chart square")
