@@ -33,7 +33,7 @@ from reports.variant.ranking import ranks
 from vv.base.private_folder import cache_root
 from vv.output import table
 from vv.output.wording import in_words
-from vv.records.finding import worst_first
+from vv.records.finding import Change, worst_first
 from vv.records.outcomes import Outcome
 from vv.records.reading import tried
 
@@ -167,13 +167,17 @@ def inputs_script(book: Book) -> str:
 
 
 def _attention(book: Book) -> dict[str, Any]:
+    moved = [f for f in worst_first(book.manifest.findings) if f.compares]
+    without = [f for f in moved if f.kind == Change.NEW.value and not f.red]
     return {
         "troubles": troubles(book),
         "trouble": findings(book, ("bad", "odd")),
         "known": findings(book, ("known",)),
         "idle": findings(book, ("idle",), {Outcome.REFUSED}),
         "refused": refused(book),
-        "moved": [f for f in worst_first(book.manifest.findings) if f.compares],
+        "without": list(dict.fromkeys(f.case for f in without)),
+        "unheld": len(without),
+        "moved": [f for f in moved if f.kind != Change.NEW.value or f.red],
         "stability": sections(book),
     }
 
