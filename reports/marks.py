@@ -23,7 +23,18 @@ COLOURS = (
     ("#8a5528", "#cf9f70"),
     ("#5f7200", "#a9bf3f"),
 )
-DASHES = ("", "6 2.5", "2 2", "8 2.5 2 2.5", "4 1.5", "1.2 1.6", "10 3", "3 1.5 1 1.5")
+DASHES = (
+    "",
+    "6 2.5",
+    "2 2",
+    "8 2.5 2 2.5",
+    "4 1.5",
+    "1.2 1.6",
+    "10 3",
+    "3 1.5 1 1.5",
+    "5 1 1 1 1 1",
+    "1 3",
+)
 # what came with vv, so that no two of it look alike; all others by a digest of their names
 CODES = ("dem", "yade", "liggghts", "exact", "rigid", "dda", "lmgc90", "pybullet", "kratos")
 SCHEMES = (
@@ -35,6 +46,8 @@ SCHEMES = (
     "clump",
     "pre-overlapped",
     "polyhedra",
+    "generalised-alpha",
+    "augmented-lagrangian",
 )
 
 

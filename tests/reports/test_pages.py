@@ -14,6 +14,7 @@ from reports.variant import reading
 from tests.support.built_report import CASE, built, pages
 from tests.support.fabricated import (
     STEPS,
+    case,
     changed,
     entry,
     record,
@@ -23,6 +24,7 @@ from tests.support.html_tags import Tags
 from vv.ask import Status
 from vv.case.published import Paper, Standing
 from vv.insight.papers import Answer, Row
+from vv.records.finding import Aspect, Bit, Change, Finding
 from vv.records.manifest import Manifest
 from vv.records.outcomes import Outcome, Verdict
 from vv.scene import Contact, Scene, Spheres, Wall
@@ -143,3 +145,57 @@ def test_the_pattern_of_a_failure_is_named_where_its_author_looks(store: Store) 
     made = pages(manifest_of(*stuck), store)
     for page in (CASE, "code-a.html", "index.html", "attention.html"):
         assert "it does not converge: error 0.013 to 0.013 as dt shrinks" in made[page]
+
+
+def test_a_card_says_first_what_is_wrong_and_then_what_changed(
+    manifest: Manifest, store: Store
+) -> None:
+    said = "error 0.08, now 0.5; it may move by 0.1: rounding"
+    worse = Finding(
+        Aspect.REGRESSION, Change.WORSE.value, said, "bounce", "T1", "dem/default", bit=Bit.ACCURACY
+    )
+    wrong = record("dem/published", "T2", 1e-3, quantities=[entry("fail", {"max": 0.1})])
+    whole = dataclasses.replace(manifest_of(wrong), findings=(worse,))
+    page = pages(whole, store)["attention.html"]
+    wrong_at, moved_at = (
+        page.index("Error of y 0.1, 100 times"),
+        page.index("Worse than accepted: error"),
+    )
+    assert wrong_at < moved_at
+    assert "now 0.5</p>" in page
+    assert "It may move by 0.1: rounding.</p>" in page
+
+
+def test_of_many_quantities_those_in_bounds_beyond_the_first_have_numbers_only(
+    store: Store,
+) -> None:
+    names = [f"q{i}" for i in range(5)]
+    facts = case()
+    (height,) = facts.variants["T1"].quantities
+    many = tuple(dataclasses.replace(height, name=name, symbol=name) for name in names)
+    variant = dataclasses.replace(facts.variants["T1"], quantities=many)
+    rungs = [
+        record("a/a", "T1", dt, quantities=[
+            entry("fail" if name == "q4" else "pass", {"max": dt / 4}, name=name) for name in names
+        ])
+        for dt in STEPS
+    ]  # fmt: skip
+    cases = {"bounce": dataclasses.replace(facts, variants={"T1": variant})}
+    page = pages(manifest_of(*rungs, cases=cases), store)[CASE]
+    assert page.count("<h3>Error against step</h3>") == 4
+    assert "in the table of all settings: q3.</p>" in page
+
+
+def test_how_a_code_models_a_variant_is_told_by_what_differs_from_one_above(store: Store) -> None:
+    shared = "springs kn = 1e8 N/m; a sphere stands for the block; a long clause that both share"
+    notes = {"T1": f"{shared}; started late", "T2": shared.replace("1e8", "1e9")}
+    runs = [
+        record(
+            "a/a", name, 1e-3, quantities=[entry("pass", {"max": 1e-4})],
+            model={"unknowns": 1, "terms": ["gravity"], "note": note},
+        )
+        for name, note in notes.items()
+    ]  # fmt: skip
+    page = pages(manifest_of(*runs), store)[CASE]
+    assert "a/a</b>: springs kn = 1e8 N/m; a sphere stands" in page
+    assert '<a href="#bounce--T1">T1</a>, but springs kn = 1e9 N/m; not: started late' in page
