@@ -152,8 +152,9 @@ def test_a_card_says_first_what_is_wrong_and_then_what_changed(
 ) -> None:
     said = "error 0.08, now 0.5; it may move by 0.1: rounding"
     worse = Finding(
-        Aspect.REGRESSION, Change.WORSE.value, said, "bounce", "T1", "dem/default", bit=Bit.ACCURACY
-    )
+        Aspect.REGRESSION, Change.WORSE.value, said, "bounce", "T1", "dem/default",
+        bit=Bit.ACCURACY, size=1e9,
+    )  # fmt: skip
     wrong = record("dem/published", "T2", 1e-3, quantities=[entry("fail", {"max": 0.1})])
     whole = dataclasses.replace(manifest_of(wrong), findings=(worse,))
     page = pages(whole, store)["attention.html"]
