@@ -328,7 +328,7 @@
 
     if (state.get("find")) { search.value = state.get("find"); find(); }
     if (state.get("show")) write(state.get("show"));
-    if (state.get("sort")) sort(one("which"), parseInt(state.get("sort"), 10), !state.get("sort").endsWith("-"));
+    if (state.get("sort") && one("which")) sort(one("which"), parseInt(state.get("sort"), 10), !state.get("sort").endsWith("-"));
     if (hidden.size || state.get("error")) apply(); else draw();
   }
 

@@ -106,7 +106,9 @@ def test_importing_the_report_costs_no_templates() -> None:
 
 
 def test_an_empty_run_and_one_of_failures_only_have_pages(store: Store) -> None:
-    assert "Nothing was run" in pages(manifest_of(), store)["index.html"]
+    empty = pages(manifest_of(), store)["index.html"]
+    assert "Nothing was run" in empty
+    assert not any(f'id="{name}"' in empty for name in ("which", "map"))  # nothing to show in them
     failed = [record("a/b", "T1", dt, status="error", reason="boom") for dt in STEPS]
     made = pages(manifest_of(*failed), store)
     assert "boom" in made["attention.html"]
