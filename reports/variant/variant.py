@@ -38,7 +38,7 @@ from vv.records.recorded import RecordedResult
 from vv.scene.picture.sketch import Sketch
 
 Over = Callable[[str], list[History]]  # of a quantity: its history in each scheme
-SEVERAL = 3  # quantities with figures; of more, only those of which something is out of bounds
+SEVERAL = 2  # quantities with figures; of more, only those of which something is out of bounds
 
 
 @dataclass(frozen=True)

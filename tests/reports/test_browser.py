@@ -66,7 +66,7 @@ CASE = """
   bar.value = 20; bar.dispatchEvent(new Event("input"));
   said.moved = before !== null && one(".playback circle").getAttribute("cx") !== before;
   said.time = one(".playback output").textContent;
-  said.target = one(":target")?.id;
+  said.target = document.getElementById(location.hash.slice(1))?.id;
 """
 INPUT = """
   URL.createObjectURL = (blob) => { said.blob = blob; return "#"; };
@@ -114,12 +114,12 @@ ZOOM = """
     new MouseEvent(what, { bubbles: true, movementX: 1, clientX: over.left + x,
                            clientY: over.top + y }));
   mouse("mousedown", 100, 50); mouse("mousemove", 300, 250); mouse("mouseup", 300, 250);
-  await wait(50);
+  await until(() => ends()[0] !== said.whole[0]);
   said.part = ends();
   one("dialog .u-series:nth-child(2) th").click();
   said.hidden = plot.series[1].show === false;
   one("dialog button").click();
-  await wait(50);
+  await until(() => !all("dialog").length);
   said.closed = all("dialog").length;
 """
 WIDE = "said.wide = [innerWidth, document.documentElement.scrollWidth];"

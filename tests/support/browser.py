@@ -17,20 +17,22 @@ OPTIONS = (
     "--disable-background-networking", "--disable-sync", "--enable-logging=stderr",
     "--host-resolver-rules=MAP * ~NOTFOUND",
 )  # fmt: skip
-PROBE = """<script>addEventListener("load", async () => {
-  const all = (what) => [...document.querySelectorAll(what)], one = (what) => all(what)[0];
-  const seen = (what) => all(what).filter((e) => e.checkVisibility());
-  const wait = (ms) => new Promise((done) => setTimeout(done, ms));
-  // A file is read in real time, while that of waits runs ahead: turns of the loop take none.
-  const turn = () => new Promise((done) => {
-    const channel = new MessageChannel();
-    channel.port1.onmessage = done; channel.port2.postMessage(0);
+# An iframe that is still written to keeps the page from being loaded, after which it is dumped:
+# so a script may wait for files in real time, of which a busy machine needs more.
+PROBE = """<script>
+  const hold = document.body.appendChild(document.createElement("iframe"));
+  hold.contentDocument.open();
+  addEventListener("DOMContentLoaded", async () => {
+    const all = (what) => [...document.querySelectorAll(what)], one = (what) => all(what)[0];
+    const seen = (what) => all(what).filter((e) => e.checkVisibility());
+    const wait = (ms) => new Promise((done) => setTimeout(done, ms));
+    const until = async (test) => { for (let i = 0; i < 3000 && !test(); i++) await wait(10); };
+    const said = {}; try { %s } catch (error) { said.failed = String(error); }
+    said.asked = performance.getEntriesByType("resource").map((e) => e.name);
+    document.title = "SAID " + JSON.stringify(said) + " DIAS";
+    hold.contentDocument.close();
   });
-  const until = async (test) => { for (let i = 0; i < 1e6 && !test(); i++) await turn(); };
-  const said = {}; try { %s } catch (error) { said.failed = String(error); }
-  said.asked = performance.getEntriesByType("resource").map((e) => e.name);
-  document.title = "SAID " + JSON.stringify(said) + " DIAS";
-});</script></body>"""
+</script></body>"""
 
 
 @dataclass(frozen=True)
@@ -47,7 +49,7 @@ def opened(page: Path, script: str, scratch: Path, at: str = "", width: int = 12
     probe = page.with_name(f"probe-{page.name}")
     probe.write_text(page.read_text(encoding="utf-8").replace("</body>", PROBE % script))
     words = [CHROMIUM, *OPTIONS, f"--user-data-dir={scratch / 'profile'}"]
-    words += [f"--window-size={width},900", "--virtual-time-budget=5000", "--dump-dom"]
+    words += [f"--window-size={width},900", "--dump-dom"]
     done = subprocess.run(
         [*words, f"file://{probe}{at}"], capture_output=True, text=True, timeout=120, check=False
     )
