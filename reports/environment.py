@@ -22,7 +22,7 @@ from reports.pages import code as codes_page
 from reports.pages.case import case
 from reports.pages.findings import findings, refused
 from reports.pages.front import front
-from reports.pages.measured import measured
+from reports.pages.measured import measured, together
 from reports.pages.overview import overview
 from reports.pages.papers import papers
 from reports.pages.steadiness import sections
@@ -126,7 +126,7 @@ def papers_page(book: Book) -> str:
 
 def measured_page(book: Book) -> str:
     """measured.html: what codes give beside what was measured."""
-    return _page("measured.html.j2", book, measured=measured(book))
+    return _page("measured.html.j2", book, measured=measured(book), together=together(book))
 
 
 def whole_page(book: Book) -> str:
@@ -140,6 +140,7 @@ def whole_page(book: Book) -> str:
         overview=_of_codes(book)[0],
         papers=papers(book),
         measured=measured(book),
+        together=together(book),
         style=Markup(style()),
         script=Markup(script()),
         library=Markup(library.script()),

@@ -145,7 +145,8 @@ def _declare(variant: str, p: Parameters) -> Trial:
     return Trial(ladder, (
         Scalar(
             "rate", "W", "1/s", f"grains a second, from {FROM:.0%} to {TO:.0%} of all",
-            partial(_rate, scene, count, law), None, 1.0, Measured(measured, 3 * sure * law, BAND),
+            partial(_rate, scene, count, law), None, 1.0,
+            Measured(measured, 3 * sure * law, BAND, law=True),
         ),
         Scalar(
             "steady", "W2/W1", "", "rate of the second half of these over that of the first",

@@ -7,9 +7,10 @@ from dataclasses import dataclass
 
 from reports.book import Book
 from reports.drawing.gallery import Figure
+from reports.drawing.ratios import Kind, draw_biases, draw_ratios
 from reports.marks import Mark
 from reports.variant.measurements import measured_figures
-from vv.insight.against_measurements import Agreement
+from vv.insight.against_measurements import Agreement, Compared, Factor, Overall, overall
 
 
 @dataclass(frozen=True)
@@ -29,6 +30,49 @@ class MeasuredPart:
     name: str
     lines: Sequence[Line]
     figures: Sequence[Figure]
+
+
+@dataclass(frozen=True)
+class Together:
+    """All measurements at once: each scheme's statistics, and figures of them."""
+
+    lines: Sequence[tuple[Mark, Overall]]
+    figures: Sequence[Figure]
+
+
+def together(book: Book) -> Together:
+    """What all measurements say of each scheme."""
+    found = [one for group in book.agreements.values() for one in group]
+    lines = [(book.marks[one.label], one) for one in overall(found)]
+    rows: list[tuple[Mark, str, Factor]] = []
+    for mark, one in lines:
+        rows += [(mark, "held", one.held), (mark, "all", one.every)]
+    ratios = Figure(
+        draw_ratios(_kinds(book)), "All that was measured: computed over measured",
+        "On the line both are equal. Grey: two standard uncertainties of the measurement. Filled: "
+        "held to it by a band; hollow: shown only. Dots of codes that agree lie on each other.",
+        "computed over measured values of every quantity, a column for each kind",
+    )  # fmt: skip
+    biases = Figure(
+        draw_biases(rows), "Bias of each scheme, and two scatters either way",
+        "Grey: two standard uncertainties of the measurements. Held: where a law is meant to hold; "
+        "all: where it is only shown too.",
+        "bias and scatter of each scheme, which the table beside them has as numbers",
+    )  # fmt: skip
+    return Together(lines, (ratios, biases) if lines else ())
+
+
+def _kinds(book: Book) -> list[Kind]:
+    """Measured values by variant and symbol, in the order of the cases."""
+    found: dict[tuple[str, str], dict[Mark, list[Compared]]] = {}
+    for (case, variant), group in book.agreements.items():
+        facts = {q.name: q for q in book.manifest.cases[case].variants[variant].quantities}
+        for one in group:
+            for point in one.points:
+                of = f"{case}: {variant}", facts[point.quantity].symbol
+                own = found.setdefault(of, {}).setdefault(book.marks[one.label], [])
+                own.append(point)
+    return [Kind(name, symbol, points) for (name, symbol), points in found.items()]
 
 
 def measured(book: Book) -> list[MeasuredPart]:

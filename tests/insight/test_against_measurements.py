@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from tests.support.fabricated import entry, record
-from vv.insight.against_measurements import Compared, factor
+from vv.insight.against_measurements import Agreement, Compared, factor, overall
 from vv.records.quantity import MeasurementFacts
 from vv.records.reading import ran
 
@@ -48,3 +48,18 @@ def test_a_measured_quantity_of_a_record_is_read_as_it_was_written() -> None:
     kept = record("dem/default", "T1", 1e-3, quantities=[one])
     assert ran(kept)
     assert kept.quantities[0].measurement == facts
+
+
+def test_a_scheme_has_one_statistic_of_all_variants_and_one_of_what_is_shown_too() -> None:
+    held = _points(np.array([0.98, 1.0, 1.02]), 0.01)
+    shown = [Compared("far", "", 3.0, 2.0, 0.02, None, False)]
+    found = [
+        Agreement("a", "x", "dem/default", tuple(held), *factor(held)),
+        Agreement("b", "y", "dem/default", tuple(shown), *factor(shown)),
+        Agreement("b", "y", "yade/default", tuple(shown), *factor(shown)),
+    ]
+    dem, yade = overall(found)
+    assert (dem.label, dem.count, dem.within, dem.points) == ("dem/default", 3, 3, 4)
+    assert dem.held == factor(held)
+    assert dem.every == factor([*held, *shown])
+    assert (yade.count, yade.points, yade.every.bias) == (0, 1, None)

@@ -10,12 +10,13 @@ import numpy as np
 import pytest
 
 from reports import html
+from reports.drawing.ratios import Kind, draw_biases, draw_ratios
 from reports.drawing.scatter import draw_scatter
 from reports.marks import Mark
 from tests.support.fabricated import case, changed, entry, manifest, record
 from tests.support.read_back import page
 from vv.case import RegionMap
-from vv.insight.against_measurements import Compared
+from vv.insight.against_measurements import Compared, Factor
 from vv.records.case_facts import VariantFacts
 from vv.records.job_record import Record, summary_of
 from vv.records.manifest import Manifest
@@ -74,6 +75,37 @@ def test_a_dot_lies_above_the_line_by_as_much_as_the_computed_value_is_too_large
         across, up = float(dot.named["cx"]), tall - float(dot.named["cy"])
         assert first + (across - low) / unit == pytest.approx(measured, abs=0.05)
         assert first + (up - low) / unit == pytest.approx(computed, abs=0.05)
+
+
+def test_all_measurements_stand_in_one_picture_with_bars_and_every_scheme() -> None:
+    held = Compared("low", "m", 2.25, 2.0, 0.25, 1.0, True)
+    shown = Compared("high", "m", 3.0, 6.0, 0.3, None, False)
+    marks = Mark("a/a", 0, (), ""), Mark("b/b", 1, (), "")
+    drawn = page(str(draw_ratios([
+        Kind("case: one", "s", {marks[0]: [held, shown], marks[1]: [shown]}),
+        Kind("case: two", "t", {marks[1]: [held]}),
+    ])))  # fmt: skip
+    dots = [*drawn.every("circle")]
+    assert [dot.named["class"] for dot in dots] == ["full", "open", "open", "full"]
+    assert len([*drawn.every("path", class_="sure")]) == 3
+    level = {one.text: float(one.named["y"]) - 4 for one in drawn.every("text", class_="end")
+             if one.text.replace(".", "").isdigit()}  # fmt: skip
+    assert float(dots[1].named["cy"]) == pytest.approx(level["0.5"], abs=0.2)
+    assert level["1.1"] > float(dots[0].named["cy"]) > level["1.25"]
+    assert float(dots[0].named["cx"]) < float(dots[1].named["cx"]) < float(dots[3].named["cx"])
+
+
+def test_a_bias_is_drawn_where_it_is_with_two_scatters_either_way() -> None:
+    mark = Mark("a/a", 0, (), "")
+    rows = [(mark, "held", Factor(1.25, 0.1, 0.02)), (mark, "all", Factor(None, None, None))]
+    drawn = page(str(draw_biases(rows)))
+    (dot,) = drawn.every("circle")
+    level = {one.text: float(one.named["x"]) for one in drawn.every("text", class_="mid")}
+    assert float(dot.named["cx"]) == pytest.approx(level["1.25"], abs=0.2)
+    (line,) = drawn.every("path", class_="line")
+    first, last = re.findall(r"[MH]([\d.]+)", line.named["d"])
+    assert level["1"] == pytest.approx(float(first), abs=0.2)  # 1.25 (1 - 0.2)
+    assert level["1.5"] == pytest.approx(float(last), abs=0.2)
 
 
 def test_answers_of_other_codes_stand_apart_from_what_was_measured(tmp_path: Path) -> None:

@@ -10,6 +10,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
@@ -60,6 +61,44 @@ class Agreement:
         return tuple(point for point in self.points if point.band is not None)
 
 
+class Factor(NamedTuple):
+    """Bias, scatter of the model, and relative uncertainty of the measurements; None of too few."""
+
+    bias: float | None
+    scatter: float | None
+    sure: float | None
+
+
+@dataclass(frozen=True)
+class Overall:
+    """A scheme against all that was measured, in whichever variant; a point counts for each law.
+
+    held: of the points with a band; every: of those that are only shown too, since where a law is
+    held was chosen by people who knew where it fails.
+    """
+
+    label: str
+    count: int
+    within: int
+    points: int
+    held: Factor
+    every: Factor
+
+
+def overall(found: Sequence[Agreement]) -> list[Overall]:
+    """Each scheme once, in the order in which they are found."""
+    points: dict[str, list[Compared]] = {}
+    for one in found:
+        points.setdefault(one.label, []).extend(one.points)
+    return [_overall(label, own) for label, own in points.items()]
+
+
+def _overall(label: str, points: Sequence[Compared]) -> Overall:
+    held = [point for point in points if point.band is not None]
+    within = sum(point.within for point in held)
+    return Overall(label, len(held), within, len(points), factor(held), factor(points))
+
+
 def agreements(manifest: Manifest) -> list[Agreement]:
     """All schemes on all variants with a measurement, in the order of the cases."""
     finest: dict[tuple[str, str, str], Record] = {}
@@ -88,7 +127,7 @@ def _agreement(record: Record) -> Agreement:
     return Agreement(record.case, record.variant, record.label, points, *factor(held))
 
 
-def factor(points: Sequence[Compared]) -> tuple[float | None, float | None, float | None]:
+def factor(points: Sequence[Compared]) -> Factor:
     """Bias, scatter of the model, and relative uncertainty of the measurements.
 
     With r = ln(computed/measured) of n points, s^2 = sum (r - mean)^2/(n - 1) is the sum of the
@@ -97,8 +136,8 @@ def factor(points: Sequence[Compared]) -> tuple[float | None, float | None, floa
     """
     used = [one for one in points if one.computed > 0 and one.measured > 0]
     if len(used) < FEWEST:
-        return None, None, None
+        return Factor(None, None, None)
     logs = np.log([one.computed / one.measured for one in used])
     sure = math.sqrt(float(np.mean([(one.uncertainty / one.measured) ** 2 for one in used])))
     model = math.sqrt(max(float(logs.var(ddof=1)) - sure**2, 0.0))
-    return math.exp(float(logs.mean()) + 0.5 * (model**2 - sure**2)), model, sure
+    return Factor(math.exp(float(logs.mean()) + 0.5 * (model**2 - sure**2)), model, sure)
