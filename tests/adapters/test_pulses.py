@@ -1,4 +1,4 @@
-"""Claims about body accelerations that end, in codes that have sines only."""
+"""Claims about body accelerations that end, also in codes that have sines only."""
 
 import math
 from pathlib import Path
@@ -6,9 +6,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+import adapters.dda
 import adapters.liggghts
+import adapters.rigid
 import adapters.yade
 from cases.blocks.rocking import CASE
+from tests.scenes.block_scenes import box
 from tests.support.installed import require
 from vv.ask import Ask, Displacement, History, Knobs, Status
 from vv.case import Ladder
@@ -16,6 +19,8 @@ from vv.codes import Adapter
 from vv.scene import Contact, Harmonic, Pulse, Scene, Spheres
 
 CODES: dict[str, Adapter] = {"yade": adapters.yade.ADAPTER, "liggghts": adapters.liggghts.ADAPTER}
+OURS: dict[str, Adapter] = {"rigid": adapters.rigid.ADAPTER, "dda": adapters.dda.ADAPTER}
+KN = {"dda": 1e8}  # N/m
 A, F, CUT, END = 3.0, 2.0, 0.09, 0.2  # m/s2, Hz, s, s
 X = np.array([1.0, 0.0, 0.0])
 
@@ -28,11 +33,19 @@ def shaken() -> Scene:
     return Scene((ball,), Contact(1e6, 1e6, 0.5), shaking=pulse)
 
 
-@pytest.mark.parametrize("code", CODES)
+def shaken_block() -> Scene:
+    """A block in the open, likewise."""
+    block = box("box", np.zeros(3), np.full(3, 0.5), free=X > 0, free_spin=X > 1)
+    pulse = Pulse(Harmonic(A * X, F * X), CUT)
+    return Scene((block,), Contact(np.inf, mu=0.5), shaking=pulse)
+
+
+@pytest.mark.parametrize("code", [*CODES, *OURS])
 def test_a_body_coasts_once_its_pulse_has_ended(code: str, tmp_path: Path) -> None:
-    w, adapter = 2.0 * math.pi * F, CODES[code]
+    w, adapter = 2.0 * math.pi * F, {**CODES, **OURS}[code]
     require(adapter)
-    ask = Ask(shaken(), History(END, END / 20), (Displacement(0),), Knobs(dt=1e-4))
+    scene = shaken_block() if code in OURS else shaken()
+    ask = Ask(scene, History(END, END / 20), (Displacement(0),), Knobs(1e-4, KN.get(code)))
     (run,) = adapter.run([ask], "default", tmp_path, 0.0)
     assert run.status is Status.RAN, run
     speed, went = A / w * (1.0 - math.cos(w * CUT)), A / w * (CUT - math.sin(w * CUT) / w)
