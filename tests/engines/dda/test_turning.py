@@ -13,6 +13,7 @@ from tests.scenes.block_scenes import box
 from vv.ask import Ask, Displacement, History, Knobs
 from vv.engines.dda import DEFAULT, PUBLISHED, Formulation, prepare
 from vv.engines.dda.general.bodies import Motion
+from vv.gate.judgement import breaches
 from vv.scene import Contact, Scene, Vector
 
 HALF = np.array([0.3, 0.2, 0.4])  # m: inertia is least about z, greatest about y
@@ -95,3 +96,13 @@ def test_a_spin_about_a_main_axis_turns_a_block_the_way_it_says(axis: int) -> No
     spin = 3.0 * np.eye(3)[axis]
     rotation, _, _ = spun(spin, 1.0, 1e-2)
     assert np.abs(rotation - Rotation.from_rotvec(spin).as_matrix()).max() <= 1e-12
+
+
+@pytest.mark.parametrize("velocity", [(0.0, 0.46875, 0.0), (0.0, 0.3, 0.1)])
+def test_roundings_of_the_motion_of_what_nothing_acts_on_break_no_law(
+    velocity: tuple[float, ...],
+) -> None:
+    thrown = box("thrown", np.zeros(3), HALF, velocity=velocity, free=np.array([0, 1, 1], bool))
+    scene, goal = Scene((thrown,), Contact(np.inf)), History(0.2, 0.025)
+    program = prepare(Ask(scene, goal, (Displacement(0),), Knobs(2.5e-3, 1e8)), DEFAULT)
+    assert list(breaches(program.run(program.solve()).ledger)) == []

@@ -176,9 +176,17 @@ class PreparedBlocks:
             yield "energy created [J]", (created, rounding)
         if not lags:
             yield "Coulomb: friction beyond mu N [N]", (excess, COULOMB * peak)
-        yield "momentum beside the forces [N]", (adrift, MOMENTUM * peak)
+        yield "momentum beside the forces [N]", (adrift, max(MOMENTUM * peak, self._roundings()))
         smallest = min(size(block) for block in self.ask.scene.blocks)
         yield "penetration [m]", (deepest, REACH * smallest)
+
+    def _roundings(self) -> float:
+        """The force [N] that rounding makes of the momenta at t = 0, where none may act."""
+        rates = (
+            block.mass * (np.linalg.norm(block.velocity) + size(block) * np.linalg.norm(block.spin))
+            for block in self.ask.scene.blocks
+        )
+        return ROUNDINGS * EPS * float(sum(rates)) / self.ask.dt
 
 
 def prepare(ask: Ask, formulation: Formulation) -> PreparedBlocks:
