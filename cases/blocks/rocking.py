@@ -179,7 +179,7 @@ def _first_swing(
 
     return Scalar(
         "first swing", "max|e|/alpha", "", "largest error of the lean until the first impact, over "
-        "alpha", largest, 0.0, 1.0, _falls_back(rate),
+        "alpha", largest, 0.0, 1.0, _falls_back(rate, p["part"]),
     )  # fmt: skip
 
 
@@ -281,17 +281,22 @@ def _swings(rate: float) -> Exact:
     return Exact({Method.SECOND_ORDER: five}, not_judged=SHOWN)
 
 
-def _falls_back(rate: float) -> Exact:
-    """The first swing, at the rate p [1/s]."""
+def _falls_back(rate: float, part: float) -> Exact:
+    """The first swing, at the rate p [1/s], from so much of alpha.
+
+    What shifts alpha is felt as a part of what is left to the top, by which the block falls back.
+    """
+    felt = min(50.0, max(1.0, 0.4 / (1.0 - part)))
     bounds = {
         Method.SECOND_ORDER: Tolerance(
             min(LARGEST_TOLERANCE, (rate * COARSE) ** 2), "(p dt)^2/12 of the rate",
             dt=COARSE, order=2,
         ),
         Method.PENALTY: Tolerance(
-            0.5 * rate * COARSE + 5e-4, "a start half a step off; and what stands on small spheres "
-            "at its corners turns about these, a thousandth of its size across",
-            dt=COARSE, order=1, floor=5e-4,
+            0.5 * rate * COARSE + 5e-4 * felt, "a start half a step off; and what stands on small "
+            "spheres at its corners turns about these, a thousandth of its size across, which is "
+            "felt over 1 - part: the nearer the top, the less brings it back",
+            dt=COARSE, order=1, floor=5e-4 * felt,
         ),
     }  # fmt: skip
     shown = {method: why for method, why in SHOWN.items() if method not in bounds}

@@ -43,17 +43,17 @@ REST = np.full(3, -np.pi / 2)  # the phase at which 1 - cos stands still
 OUTPUTS = 100
 
 
-def column(p: Parameters, layers: int) -> Scene:
+def column(p: Parameters, layers: int, unlike: bool = False) -> Scene:
     """Layers in the plane, so wide that they shear and do not bend, on a base that shakes along.
 
     They begin as their weight has strained them. Friction never ends: no joint slips.
     """
-    thick, stretch = p["H"] / layers, 2.0 * p["G"] * (1.0 + p["nu"])
-    blocks = []
-    for i in range(layers):
+    blocks, thick = [], p["H"] / layers
+    for i, layer in enumerate(soil(p, layers, unlike)):
+        stretch = 2.0 * layer.G * (1.0 + p["nu"])
         half = np.array([p["width"] / 2, 0.5, thick / 2])
         vertices, faces = box_geometry((i + 0.5) * thick * Z, half, np.eye(3))
-        mass, inertia = polyhedron_inertia(vertices, faces, p["rho"])
+        mass, inertia = polyhedron_inertia(vertices, faces, layer.rho)
         elastic = Elastic(stretch, p["nu"], relaxed=True)
         blocks.append(
             Block(
@@ -64,6 +64,15 @@ def column(p: Parameters, layers: int) -> Scene:
     motion = Harmonic(p["D"] * X, p["F"] * X, REST)
     base = Wall(np.zeros(3), Z, motion)
     return Scene((base, *blocks), Contact(np.inf, mu=p["mu"]), gravity=-p["g"] * Z)
+
+
+def soil(p: Parameters, layers: int, unlike: bool = False) -> list[shear_wave.Layer]:
+    """The layers from the base up: alike, or each softer and lighter than the one below."""
+    rise = [1.0 - (2.0 * i + 1.0) / layers if unlike else 0.0 for i in range(layers)]
+    thick = p["H"] / layers
+    return [
+        shear_wave.Layer(thick, p["G"] * (1.0 + 0.6 * x), p["rho"] * (1.0 + 0.1 * x)) for x in rise
+    ]
 
 
 def speed(p: Parameters) -> float:

@@ -7,7 +7,7 @@ import functools
 import numpy as np
 
 from cases._papers import YAGODA_BIRAN_2016
-from cases.blocks.shear_wave import X, column, speed
+from cases.blocks.shear_wave import X, column, soil, speed
 from reference_solutions.blocks import shear_wave
 from vv.ask import Displacement, History, Knobs, Method, Run
 from vv.case import (
@@ -27,24 +27,27 @@ from vv.case import (
 )
 
 LAYERS = {"five-layers": 5}
-MANY = 15
+MANY, UNLIKE = 15, "unlike"
 LASTING = 0.7  # of the duration: what comes later is taken for lasting
 
 
 def _declare(variant: str, p: Parameters) -> Trial:
     layers = LAYERS.get(variant, MANY)
     goal = History(p["duration"], RUNGS[-1].dt or 1.0)
-    study = Ladder(column(p, layers), goal, (Displacement(layers),), dict.fromkeys(Level, RUNGS))
-    return Trial(study, _ratios(p, layers))
+    unlike = variant == UNLIKE
+    scene = column(p, layers, unlike)
+    study = Ladder(scene, goal, (Displacement(layers),), dict.fromkeys(Level, RUNGS))
+    return Trial(study, _ratios(p, layers, unlike))
 
 
-def _ratios(p: Parameters, layers: int) -> tuple[Quantity, ...]:
-    shape = {"height": p["H"], "c": speed(p)}
-    middle = p["H"] * (1.0 - 0.5 / layers)
-    damped = shear_wave.continuous_ratio(F=p["F"], y=middle, **shape, damping=p["shake"])
+def _ratios(p: Parameters, layers: int, unlike: bool) -> tuple[Quantity, ...]:
+    shape, listed = {"height": p["H"], "c": speed(p)}, soil(p, layers, unlike)
+    damped = shear_wave.unlike_continuous_ratio(F=p["F"], layers=listed, damping=p["shake"])
 
     def exact(run: Run) -> float:
         dt = float(run.times[1])
+        if unlike:
+            return abs(shear_wave.unlike_ratio(F=p["F"], dt=dt, layers=listed))
         return abs(shear_wave.layered_ratio(F=p["F"], dt=dt, layers=layers, **shape))
 
     ratio = functools.partial(_ratio, p, layers)
@@ -99,8 +102,8 @@ CASE = Case(
     source=Source(
         *YAGODA_BIRAN_2016,
         "Secs. 3.5 and 5.1.3, Fig. 10: layers and record are not given. Here are equal layers and "
-        "lasting sines, for which the step itself has an exact answer; SHAKE's, with the constant "
-        "2.3 % that the paper takes for the step's damping, stands beside it.",
+        "unlike ones, and lasting sines, for which the step itself has an exact answer; SHAKE's, "
+        "with the constant 2.3 % that the paper takes for the step's damping, stands beside it.",
     ),
     parameters=(
         Parameter("H", 30.0, "m", "height of the column"),
@@ -123,6 +126,11 @@ CASE = Case(
                 Level.DEFAULT,
             )
             for F in (1.5, 2.5, 4.0, 7.5)
+        ),
+        Variant(
+            UNLIKE, "fifteen unlike layers of 2 m, each softer than the one below, at 2.5 Hz",
+            "Z = a - b^2/(a + Z') from the top down, a = G/h - W^2 rho h/3, b = G/h + W^2 rho h/6",
+            {"F": 2.5}, INERT, Level.DEFAULT,
         ),
     ),
     declare=_declare,

@@ -306,6 +306,10 @@ WAVES = (
           "layers and record are not given; beside it ratios of 15 equal layers over SHAKE's with "
           "2.3 % damping, at 1.5, 2.5 and 7.5 Hz", tuple(
               Seen("site-response", v, "over SHAKE's") for v in ("1.5hz", "2.5hz", "7.5hz"))),
+    _said("Sec. 3.5", "they agree for layers that are not alike, too", "", OPEN,
+          "neither layers nor record are given; a code over the answer of its own step, for 15 "
+          "layers, each softer than the one below", (Seen("site-response", "unlike", "ratio"),),
+          exact="1"),
     _said("Sec. 5.1.3", "amplification and resonance agree extremely well with SHAKE's at 2.3 % "
           "damping", "", OPEN, "the model is not given; codes agree with the answer of their own "
           "step at the resonance", (Seen("site-response", "2.5hz", "ratio"),), exact="1"),

@@ -10,12 +10,19 @@ In n layers that strain uniformly, q of a layer of h = H/n follows from cos q h 
 (1 - W^2 h^2/3c^2)/(1 + W^2 h^2/6c^2), W = w, as for linear finite elements with consistent mass.
 DDA's step dt takes W^2 = (4/dt^2) sin(w dt/2) tan(w dt/2) exp(-i w dt/2) in place of w^2: it damps.
 SHAKE has a constant damping ratio z: q = w/(c sqrt(1 - 2 z^2 + 2 i z sqrt(1 - z^2))).
+Unlike layers, of stiffness matrices (a, -b; -b, a), follow from the top: what bears the motion of a
+layer's lower end is Z = a - b^2/(a + Z'), Z' that of the layer above, and its upper end moves by
+b/(a + Z') of it. Uniform strain has a = G/h - W^2 rho h/3 and b = G/h + W^2 rho h/6, a wave has
+a = G q cot q h and b = G q/sin q h.
 Every function raises ValueError for a parameter out of range.
 """
 
 from cmath import acos, exp
 from cmath import cos as ccos
+from cmath import sin as csin
 from cmath import sqrt as csqrt
+from cmath import tan as ctan
+from collections.abc import Sequence
 from math import ceil, pi, sin, sqrt, tan
 from typing import NamedTuple
 
@@ -120,3 +127,49 @@ def continuous_ratio(*, F: float, y: float, height: float, c: float, damping: fl
         raise ValueError(f"damping = {z}; a ratio of damping must be below 1")
     q = 2.0 * pi * F / (c * csqrt(1.0 - 2.0 * z * z + 2.0j * z * sqrt(1.0 - z * z)))
     return abs(ccos(q * (height - y)) / ccos(q * height))
+
+
+class Layer(NamedTuple):
+    """Thickness [m], shear modulus [Pa] and density [kg/m3]."""
+
+    thick: float
+    G: float
+    rho: float
+
+
+def unlike_ratio(*, F: float, dt: float, layers: Sequence[Layer]) -> complex:
+    """As `layered_ratio`, of layers that are listed from the base up."""
+    require_positive("in SI units", F=F, dt=dt)
+    half = pi * F * dt
+    if not half < pi / 2.0:
+        raise ValueError(f"F = {F} Hz; steps of {dt} s tell no sine from {0.5 / dt:.6g} Hz on")
+    square = 4.0 / dt**2 * sin(half) * tan(half) * exp(-1j * half)
+    springs = [(one.G / one.thick, square * one.rho * one.thick) for one in layers]
+    below, top = _carried([(k - m / 3.0, k + m / 6.0) for k, m in springs])
+    return 0.5 * (below + top)
+
+
+def unlike_continuous_ratio(*, F: float, layers: Sequence[Layer], damping: float) -> float:
+    """The size of the motion of the top layer's middle over the base's, at a damping ratio."""
+    require_positive("in SI units", F=F)
+    require_at_least_0("", damping=damping)
+    z = damping
+    if not z < 1.0:
+        raise ValueError(f"damping = {z}; a ratio of damping must be below 1")
+    soft = 1.0 - 2.0 * z * z + 2.0j * z * sqrt(1.0 - z * z)
+    waves = [(one.G * soft, 2.0 * pi * F * csqrt(one.rho / (one.G * soft))) for one in layers]
+    turns = [(G * q, q * one.thick) for (G, q), one in zip(waves, layers, strict=True)]
+    below, top = _carried([(stiff / ctan(x), stiff / csin(x)) for stiff, x in turns])
+    return abs(0.5 * (below + top) / ccos(0.5 * turns[-1][1]))
+
+
+def _carried(layers: list[tuple[complex, complex]]) -> tuple[complex, complex]:
+    """The motions of the top layer's ends over the base's; layers: a and b, from the base up."""
+    above, shares = 0j, []
+    for a, b in reversed(layers):
+        shares.append(b / (a + above))
+        above = a - b * b / (a + above)
+    below = complex(1.0)
+    for share in shares[:0:-1]:
+        below *= share
+    return below, below * shares[0]

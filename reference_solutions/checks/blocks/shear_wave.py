@@ -1,5 +1,6 @@
 """Second routes to shear waves in a column: modes, and matrices of elements stepped by DDA."""
 
+from collections.abc import Sequence
 from math import pi
 
 import numpy as np
@@ -72,6 +73,36 @@ def continuous_ratio(*, F: float, height: float, c: float, damping: float) -> fl
     turned = np.exp(2j * np.arcsin(damping)) * stiff
     matrix = (turned - (2.0 * pi * F) ** 2 * mass)[1:]
     return float(abs(np.linalg.solve(matrix[:, 1:], -matrix[:, 0])[-1]))
+
+
+def unlike_ratio(*, F: float, dt: float, layers: Sequence[tuple[float, float, float]]) -> complex:
+    """As `layered_ratio`, of layers of thickness, shear modulus and density from the base up."""
+    mass, stiff = _unlike(layers)
+    e = np.exp(2j * pi * F * dt)
+    moved = (e - 1.0) - 2.0 * (e - 1.0) / (e + 1.0)
+    matrix = (2.0 / dt**2 * moved * mass + e * stiff)[1:]
+    u = np.concatenate([[1.0], np.linalg.solve(matrix[:, 1:], -matrix[:, 0])])
+    return complex(u[-1] + u[-2]) / 2.0
+
+
+def unlike_continuous_ratio(
+    *, F: float, layers: Sequence[tuple[float, float, float]], damping: float, parts: int = 100
+) -> float:
+    """The size of the motion of the top layer's middle, by many elements of SHAKE's material."""
+    fine = [(thick / parts, G, rho) for thick, G, rho in layers for _ in range(parts)]
+    mass, stiff = _unlike(fine)
+    matrix = (np.exp(2j * np.arcsin(damping)) * stiff - (2.0 * pi * F) ** 2 * mass)[1:]
+    return float(abs(np.linalg.solve(matrix[:, 1:], -matrix[:, 0])[-1 - parts // 2]))
+
+
+def _unlike(layers: Sequence[tuple[float, float, float]]) -> tuple[Array, Array]:
+    """Consistent mass and stiffness (n, n) of linear elements."""
+    n = len(layers) + 1
+    mass, stiff = np.zeros((n, n)), np.zeros((n, n))
+    for i, (thick, G, rho) in enumerate(layers):
+        mass[i : i + 2, i : i + 2] += rho * thick / 6.0 * np.array([[2.0, 1.0], [1.0, 2.0]])
+        stiff[i : i + 2, i : i + 2] += G / thick * np.array([[1.0, -1.0], [-1.0, 1.0]])
+    return mass, stiff
 
 
 def _elements(count: int, height: float, c: float) -> tuple[Array, Array]:

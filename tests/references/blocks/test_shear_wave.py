@@ -10,6 +10,9 @@ from reference_solutions.blocks import shear_wave
 from reference_solutions.checks.blocks import shear_wave as second
 from tests.support.turned_signs import caught, signs, turned
 
+SOILS = ((3.0, 3e8, 2200.0), (1.0, 5e7, 1800.0), (1.5, 2e8, 2000.0), (2.0, 1e8, 1900.0))
+UNLIKE = [shear_wave.Layer(*soil) for soil in SOILS]
+ALIKE = [shear_wave.Layer(2.0, 1.8e8, 2000.0)] * 15
 T = np.linspace(0.0, 0.5, 21)
 WAVES = [
     {"y": 13.0, "height": 20.0, "c": 316.0, "D": 1.0, "F": 5.0},
@@ -50,7 +53,22 @@ def apart(first: ModuleType, other: ModuleType = second) -> float:
     for law in (*DAMPED, HEAVY):
         ratio = first.continuous_ratio(y=law["height"], **law)
         off.append(abs(ratio / other.continuous_ratio(**law) - 1.0) / 2e-4)
+    for F in (2.5, 7.5, 19.0):
+        soils: dict[str, Any] = {"F": F, "dt": 8e-3, "layers": UNLIKE}
+        off.append(abs(first.unlike_ratio(**soils) / other.unlike_ratio(**soils) - 1.0) / 1e-9)
+        wave: dict[str, Any] = {"F": F, "layers": UNLIKE, "damping": 0.1}
+        ratio = first.unlike_continuous_ratio(**wave) / other.unlike_continuous_ratio(**wave)
+        off.append(abs(ratio - 1.0) / 2e-4)
     return float(max(off))
+
+
+def test_layers_that_are_alike_are_those_of_one_material() -> None:
+    law = {"F": 2.5, "dt": 8e-3}
+    one = shear_wave.layered_ratio(**law, layers=15, height=30.0, c=300.0)
+    assert shear_wave.unlike_ratio(**law, layers=ALIKE) == pytest.approx(one, rel=1e-12)
+    damped = shear_wave.continuous_ratio(F=7.5, y=29.0, height=30.0, c=300.0, damping=0.023)
+    many = shear_wave.unlike_continuous_ratio(F=7.5, layers=ALIKE, damping=0.023)
+    assert many == pytest.approx(damped, rel=1e-12)
 
 
 def test_the_two_routes_agree() -> None:
@@ -74,6 +92,9 @@ def test_shake_has_the_figures_that_were_seen_and_the_step_those_of_its_own() ->
             "stepped_displacement",
             "layered_ratio",
             "continuous_ratio",
+            "unlike_ratio",
+            "unlike_continuous_ratio",
+            "_carried",
         ),
         (
             "ceil(c * float(t.max(initial=0.0)) / (2.0 * height)) + 1",
