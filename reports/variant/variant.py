@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import functools
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 
 from markupsafe import Markup
@@ -12,33 +12,27 @@ from reports import plain
 from reports.book import Book, Place
 from reports.drawing import collect
 from reports.drawing.collect import History
-from reports.drawing.energies import JOULE, energy_figures
-from reports.drawing.gallery import Figure, cost_figures, figures
-from reports.drawing.phases import phase_figures
+from reports.drawing.gallery import Figure
 from reports.drawing.playback import moving, playback
-from reports.outcomes import ShownOutcome, counted, shown_by, shown_outcome
+from reports.outcomes import ShownOutcome, counted, shown_outcome
 from reports.text import slug
 from reports.variant.absences import Absent, Silent, absent, silent
 from reports.variant.advice import Advice, advice
 from reports.variant.costs import CostRow, cost_rows
+from reports.variant.figures import Over, all_figures, is_drawn
 from reports.variant.inputs import Input, inputs
-from reports.variant.measurements import MeasuredRow, measured_figures, measured_rows
+from reports.variant.measurements import MeasuredRow, measured_rows
 from reports.variant.models import Modelled, Told, models
 from reports.variant.other_codes import PrintedRow, printed_rows
 from reports.variant.ranking import Dear, Ranked, cheapest, ranks, why_colours_differ
-from reports.variant.region_figures import region_figures
 from reports.variant.settings import Group, groups
-from vv.case import Norm
 from vv.insight.voices import votes
 from vv.output.gallery.scene_drawing import again, picture
-from vv.records.case_facts import QuantityFacts, VariantFacts
+from vv.records.case_facts import VariantFacts
 from vv.records.job_record import Record
 from vv.records.reading import fineness
 from vv.records.recorded import RecordedResult
 from vv.scene.picture.sketch import Sketch
-
-Over = Callable[[str], list[History]]  # of a quantity: its history in each scheme
-SEVERAL = 2  # quantities with figures; of more, only those of which something is out of bounds
 
 
 @dataclass(frozen=True)
@@ -137,10 +131,10 @@ def variant(book: Book, place: Place, above: Above) -> Variant:
         models=models(rows, name, above.models),
         measured=measured_rows(book, place),
         printed=printed_rows(piles, facts.quantities),
-        figures=_all_figures(book, place, own, over, bool(like)),
+        figures=all_figures(book, place, own, over, bool(like)),
         playback=_played(facts, over),
         like=like,
-        undrawn=[one.symbol for one in facts.quantities if not _is_drawn(one, facts, own)],
+        undrawn=[one.symbol for one in facts.quantities if not is_drawn(one, facts, own)],
         has_series=any(book.arrays(r.key) for r in own if r.quantities),
         advice=advice(book.efforts.get(place, [])),
         costs=cost_rows(book, place),
@@ -175,19 +169,6 @@ def _told(rows: Sequence[Ranked], name: str, above: Above) -> list[tuple[Ranked,
     ]
 
 
-def _all_figures(
-    book: Book, place: Place, own: Sequence[Record], over: Over, like: bool
-) -> list[Figure]:
-    """All figures of a variant; like: whether those of another serve for what runs over time."""
-    facts = book.manifest.cases[place[0]].variants[place[1]]
-    return [
-        *measured_figures(book, place),
-        *region_figures(facts, book.ran.get(place, {}), book.marks),
-        *([] if like else _phase(facts, over)),
-        *([] if like else _figures(book, facts, own, over)),
-    ]
-
-
 def _scene(seen: Sketch | None, anchor: str, above: Above) -> Markup:
     """The picture of a scene; of one that stands above, what shows it again."""
     if seen is None:
@@ -202,42 +183,6 @@ def _played(facts: VariantFacts, over: Over) -> str:
     names = moving(facts)
     played = [quantity.name for quantity in facts.quantities if quantity.name in names]
     return playback({name: over(name) for name in played}, facts)
-
-
-def _figures(book: Book, facts: VariantFacts, own: Sequence[Record], over: Over) -> list[Figure]:
-    """Those of all quantities; what errors cost is drawn once, since a run has all quantities."""
-    energies = {q.name: over(q.name) for q in facts.quantities if q.unit == JOULE}
-    made = energy_figures(energies, facts.quantities)
-    drawn, costs = bool(made), list[Figure]()
-    for quantity in facts.quantities:
-        measured = [one for r in own if (one := r.quantity(quantity.name))]
-        if not measured or not _is_drawn(quantity, facts, own):
-            continue
-        norm = next((one.norm for one in measured if one.norm), Norm.MAX)
-        curves = [] if drawn and quantity.name in energies else over(quantity.name)
-        steps = collect.ladders(own, quantity.name, book.marks)
-        made += figures(curves, steps, quantity, norm, dict(facts.critical))
-        if not costs:
-            costs = cost_figures(steps, quantity, norm, dict(facts.critical))
-            made += costs
-    return made
-
-
-def _is_drawn(quantity: QuantityFacts, facts: VariantFacts, own: Sequence[Record]) -> bool:
-    """Whether a quantity has figures: one of the first, or some scheme is out of bounds in it."""
-    seen = ((r, one) for r in own if (one := r.quantity(quantity.name)))
-    return quantity in facts.quantities[:SEVERAL] or any(
-        shown_by(record, one).troubling for record, one in seen
-    )
-
-
-def _phase(facts: VariantFacts, over: Over) -> list[Figure]:
-    """The phase picture, where a case asks for one."""
-    by_name = {quantity.name: quantity for quantity in facts.quantities}
-    if facts.phase is None:
-        return []
-    along, up = (by_name[name] for name in facts.phase)
-    return phase_figures(over(along.name), over(up.name), (along, up))
 
 
 def _recorded(results: Sequence[RecordedResult], facts: VariantFacts) -> list[Recorded]:

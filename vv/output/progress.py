@@ -23,6 +23,7 @@ if TYPE_CHECKING:
 
 EVERY = 2.0  # s between two plain lines
 LOST = (Status.ERROR, Status.TIMEOUT, Status.DIVERGED)
+EARLY = 0.03  # of all runs: before that, the rest seemed to take hours that takes minutes
 EACH = 0.3  # s for a setting that is timed, with the start of its code
 NAMED = 6  # lost jobs that are named as they come; the end of a run tells them all
 
@@ -85,8 +86,13 @@ class _Lines:
         now = time.monotonic()
         if now - self.last > EVERY and self.count < self.jobs:
             self.last = now
-            left = (now - self.begun) / self.count * (self.jobs - self.count)
-            note(f"{self.count} of {self.jobs} runs, about {_round(left)} left")
+            note(f"{self.count} of {self.jobs} runs{self._left(now)}")
+
+    def _left(self, now: float) -> str:
+        """How long the rest may take: nothing is said of it while kernels compile at the start."""
+        if self.count < EARLY * self.jobs:
+            return ""
+        return f", about {_round((now - self.begun) / self.count * (self.jobs - self.count))} left"
 
     def timing(self, settings: int) -> None:
         """Say that settings are timed."""
