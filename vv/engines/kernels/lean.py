@@ -16,6 +16,8 @@ from numba.core import cgutils as numba_code
 from numba.core import types
 from numba.core.cpu import CPUContext
 
+from vv.engines.kernels.counting import Counting
+
 CODE: Any = numba_code
 TUPLE: Any = types.BaseTuple
 NUMBA: Any = CPUContext
@@ -32,6 +34,17 @@ class Lean(CPUContext):
         if ours is None:
             return NUMBA.get_function(self, function, signature, _firstcall)
         return functools.partial(ours, self, signature)
+
+    @property
+    def nrt(self) -> Any:
+        """What writes the code that counts references."""
+        return Counting(self, self.enable_nrt)
+
+    def get_constant_generic(self, builder: Any, ty: Any, val: Any) -> Any:
+        """A constant; a function of ours is none, since calls know it by its type."""
+        if isinstance(ty, types.Dispatcher):
+            return self.get_dummy_value()
+        return super().get_constant_generic(builder, ty, val)
 
     def get_abi_sizeof(self, ty: Any) -> int:
         """Bytes of a type of LLVM's, which is asked for them once."""

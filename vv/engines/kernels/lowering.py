@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+from collections import defaultdict
 from typing import Any
 
 from numba.core import cgutils, lowering, typed_passes
+from numba.core import ir as numba_ir
 from numba.core.compiler_machinery import register_pass
 
+from vv.engines.kernels.counting import holds_references
+from vv.engines.kernels.folding import Folding
 from vv.engines.kernels.lean import element, names_element, set_element
 from vv.engines.kernels.passes import ARITHMETIC, SCALARS
 
@@ -18,6 +22,30 @@ class Lower(BASE):  # type: ignore[misc]
     """Writes the code of a function."""
 
     known: dict[Any, Any] = {}  # signatures of arithmetic, which are the same for ever  # noqa: RUF012
+
+    def setup_function(self, fndesc: Any) -> None:
+        """Begin the code of a function."""
+        super().setup_function(fndesc)
+        self.builder.__class__ = Folding
+
+    def _find_singly_assigned_variable(self) -> None:
+        """Find what needs no room in memory: what is set once and counts no references.
+
+        What counts some needs none either if it is freed where it is set.
+        """
+        self._blk_local_varmap: dict[str, Any] = {}
+        self._singly_assigned_vars = {
+            name
+            for name, places, ends in lives(self.blocks)
+            if len(places) == 1 and (not self.is_counted(name) or ends == set(places))
+        }
+
+    def loadvar(self, name: str) -> Any:
+        """The value of a variable."""
+        if name in self._blk_local_varmap:
+            return self._blk_local_varmap[name]
+        self._singly_assigned_vars.discard(name)  # its code is written before what sets it
+        return super().loadvar(name)
 
     def lower_binop(self, resty: Any, expr: Any, op: Any) -> Any:
         """One operation on two values."""
@@ -63,19 +91,34 @@ class Lower(BASE):  # type: ignore[misc]
         """Forget a variable."""
         if self.is_counted(name):
             super().delvar(name)
-        elif name not in self._blk_local_varmap:
-            self._singly_assigned_vars.discard(name)
-            self._alloca_var(name, self.typeof(name))
 
     def is_counted(self, name: str) -> bool:
         """Whether references to what a variable holds are counted."""
-        if not self.context.enable_nrt:
-            return False
-        return bool(self.context.data_model_manager[self.typeof(name)].contains_nrt_meminfo())
+        context = self.context
+        kind = self.fndesc.typemap[name]
+        return context.enable_nrt and holds_references(context.data_model_manager, kind)
 
     def alloca_lltype(self, name: str, lltype: Any, datamodel: Any = None) -> Any:
         """Room for a variable; nothing is noted for a debugger."""
-        return CODE.alloca_once(self.builder, lltype, name=name)
+        if self.is_counted(name):
+            return CODE.alloca_once(self.builder, lltype, name=name)  # begins as nil, to be freed
+        with self.builder.goto_entry_block():
+            return self.builder.alloca(lltype, name=name)
+
+
+def lives(blocks: Any) -> list[tuple[str, list[Any], set[Any]]]:
+    """Variables, the block of each of their assignments, and the blocks in which they end."""
+    places: dict[str, list[Any]] = defaultdict(list)
+    ends: dict[str, set[Any]] = defaultdict(set)
+    for label, block in blocks.items():
+        for statement in block.body:
+            if isinstance(statement, numba_ir.Assign):
+                places[statement.target.name].append(label)
+            elif isinstance(statement, numba_ir.Del):
+                ends[statement.value].add(label)
+            elif isinstance(statement, numba_ir.Return):
+                ends[statement.value.name].add(label)
+    return [(name, places[name], ends[name]) for name in places]
 
 
 NATIVE: Any = typed_passes.BaseNativeLowering
