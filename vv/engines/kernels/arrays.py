@@ -10,6 +10,7 @@ from typing import TypeVar
 import numpy as np
 import numpy.typing as npt
 
+from vv.engines.kernels import rooms
 from vv.engines.kernels.compiled import called, inlined, lent
 from vv.scene import Mask, Vector
 
@@ -21,19 +22,19 @@ Number = TypeVar("Number", int, float)
 @called
 def numbers(n: int) -> Vector:
     """Room for n numbers."""
-    return np.empty(n)
+    return rooms.numbers(n)
 
 
 @called
 def counts(n: int) -> Index:
     """Room for n integers."""
-    return np.empty(n, np.int64)
+    return rooms.counts(n)
 
 
 @called
 def table(n: int, m: int) -> Vector:
     """Room for numbers (n, m)."""
-    return np.empty((n, m))
+    return rooms.table(n, m)
 
 
 @called
@@ -45,7 +46,7 @@ def rows(n: int) -> Vector:
 @called
 def squares(n: int) -> Vector:
     """Room for n matrices (n, 3, 3)."""
-    return np.empty((n, 3, 3))
+    return rooms.squares(n)
 
 
 @called
@@ -94,7 +95,7 @@ def nil_squares(n: int) -> Vector:
 @called
 def unmarked(n: int) -> Mask:
     """n times False."""
-    made = np.empty(n, np.bool_)
+    made = rooms.marks(n)
     for i in range(n):
         made[i] = False
     return made

@@ -17,16 +17,29 @@ from numba.core import types
 from numba.core.cpu import CPUContext
 
 from vv.engines.kernels.counting import Counting
+from vv.engines.kernels.direct import CONVENTION, Outward
 
 CODE: Any = numba_code
 TUPLE: Any = types.BaseTuple
 NUMBA: Any = CPUContext
 BUFFER, SHAPE, STRIDES = 4, 5, 6  # the places of these words of an array
+RANGES = (types.range_state32_type, types.range_state64_type)
+COUNTS = (types.range_iter32_type, types.range_iter64_type)
 NUMBERS = (types.Float, types.Integer, types.Boolean)
 
 
 class Lean(CPUContext):
-    """numba's way to write code, but for what this module writes."""
+    """numba's way to write code, but for what this module writes.
+
+    direct: whether the function that is written is called directly.
+    """
+
+    direct = False
+
+    @property
+    def call_conv(self) -> Any:
+        """How functions of numba's own are called."""
+        return Outward(self) if self.direct else CONVENTION(self)
 
     def get_function(self, function: Any, signature: Any, _firstcall: bool = True) -> Any:
         """What writes the code of a call."""
@@ -64,9 +77,9 @@ def sizeof(name: str, look: Callable[[], int]) -> int:
 def written(function: Any, signature: Any) -> Any:
     """What of this module writes the code of a call; None if nothing does."""
     args = signature.args
-    if function == "getiter" and args[0] == types.range_state64_type:
+    if function == "getiter" and args[0] in RANGES:
         return begun
-    if function == "iternext" and args[0] == types.range_iter64_type:
+    if function == "iternext" and args[0] in COUNTS:
         return next_one
     if isinstance(function, types.Function):
         for key, fits, ours in CALLS:
@@ -177,7 +190,7 @@ def next_one(context: Any, signature: Any, builder: Any, args: Any, loc: Any = N
 
 
 CALLS: tuple[Any, ...] = (
-    (range, lambda s: len(s.args) < 3 and s.return_type == types.range_state64_type, counted),
+    (range, lambda s: len(s.args) < 3 and s.return_type in RANGES, counted),
     (len, lambda s: isinstance(s.args[0], types.Array) and s.args[0].ndim, length),
     (operator.getitem, lambda s: names_element(*s.args), element),
     (

@@ -10,6 +10,7 @@ from numba.core import ir as numba_ir
 from numba.core.compiler_machinery import register_pass
 
 from vv.engines.kernels.counting import holds_references
+from vv.engines.kernels.direct import Direct, MayRaiseError, declared
 from vv.engines.kernels.folding import Folding
 from vv.engines.kernels.lean import element, names_element, set_element
 from vv.engines.kernels.passes import ARITHMETIC, SCALARS
@@ -23,10 +24,28 @@ class Lower(BASE):  # type: ignore[misc]
 
     known: dict[Any, Any] = {}  # signatures of arithmetic, which are the same for ever  # noqa: RUF012
 
+    @property
+    def call_conv(self) -> Any:
+        """How the function that is written is called."""
+        return Direct(self.context) if self.context.direct else self.context.call_conv
+
     def setup_function(self, fndesc: Any) -> None:
         """Begin the code of a function."""
-        super().setup_function(fndesc)
-        self.builder.__class__ = Folding
+        if self.context.direct:
+            self.function = declared(self.context, self.module, fndesc)
+            self.entry_block = self.function.append_basic_block("entry")
+            self.builder = Folding(self.entry_block)
+            self.call_helper = None
+        else:
+            super().setup_function(fndesc)
+            self.builder.__class__ = Folding
+
+    def lower_inst(self, inst: Any) -> None:
+        """One statement."""
+        if self.context.direct and isinstance(inst, numba_ir.Return):
+            self.builder.ret(self.loadvar(inst.value.name))
+        else:
+            super().lower_inst(inst)
 
     def _find_singly_assigned_variable(self) -> None:
         """Find what needs no room in memory: what is set once and counts no references.
@@ -134,3 +153,12 @@ class Write(NATIVE):  # type: ignore[misc]
     def lowering_class(self) -> Any:
         """What writes it."""
         return Lower
+
+    def run_pass(self, state: Any) -> bool:
+        """Write it to be called directly, if it is a part and cannot raise."""
+        state.targetctx.direct = state.flags.no_compile
+        try:
+            return bool(super().run_pass(state))
+        except MayRaiseError:
+            state.targetctx.direct = False
+            return bool(super().run_pass(state))

@@ -11,11 +11,11 @@ import gc
 from collections import defaultdict
 from typing import Any
 
-from llvmlite import ir
-from numba.core import codegen, compiler, event, imputils, typed_passes
+from numba.core import codegen, compiler, event, typed_passes
 from numba.core.compiler_machinery import LoweringPass, register_pass
 from numba.core.environment import lookup_environment
 
+from vv.engines.kernels.direct import call_that_raises, direct_call
 from vv.engines.kernels.lean import Lean
 from vv.engines.kernels.lowering import Write
 from vv.engines.kernels.passes import Settled, front_end
@@ -25,17 +25,7 @@ ENVIRONMENT = "_ZN08NumbaEnv"  # how numba begins the names of what functions re
 
 
 class Part(codegen.JITCodeLibrary):
-    """A function to be linked, and what it calls.
-
-    succeeds: whether it cannot raise, so that those who call it need not ask whether it did.
-    """
-
-    succeeds = True
-
-    def add_ir_module(self, module: Any) -> None:
-        """Take in the code of a function."""
-        self.succeeds = self.succeeds and all(map(returns_nil, module.functions))
-        super().add_ir_module(module)
+    """A function to be linked, and what it calls."""
 
     def _optimize_functions(self, ll_module: Any) -> None:
         ll_module.data_layout = self._codegen._data_layout
@@ -71,34 +61,6 @@ class Whole(codegen.JITCodeLibrary):
             self._final_module.link_in(module_of(library), preserve=True)
         self._linking_libraries = []
         super().finalize()
-
-
-def returns_nil(function: Any) -> bool:
-    """Whether the status that a function returns, if any, is nil wherever it ends."""
-    for block in function.blocks:
-        if isinstance(block.terminator, ir.Ret) and block.terminator.operands:
-            status = block.terminator.operands[0]
-            if not (isinstance(status, ir.Constant) and status.constant == 0):
-                return False
-    return True
-
-
-def plain_call(described: Any, library: Part) -> Any:
-    """What writes the code that calls a part which cannot raise: numba's, less its questions."""
-
-    def call(context: Any, builder: Any, signature: Any, args: Any) -> Any:
-        function = context.declare_function(builder.module, described)
-        convention, kind = context.call_conv, described.restype
-        with builder.goto_entry_block():
-            place = builder.alloca(convention.get_return_type(kind).pointee)
-        words = convention._get_arg_packer(described.argtypes).as_arguments(builder, args)
-        builder.call(function, [place, ir.Constant(function.args[1].type, None), *words])
-        value = context.get_returned_value(builder, kind, builder.load(place))
-        return imputils.impl_ret_new_ref(context, builder, kind, value)
-
-    made: Any = call
-    made.signature, made.libs = described.argtypes, (library,)
-    return made
 
 
 def linked(libraries: list[Any]) -> list[Any]:
@@ -151,11 +113,9 @@ class HandOver(LoweringPass):
     def run_pass(self, state: Any) -> bool:
         # numba knows a function by a builtin, which runs its machine code; any of its own will do
         lowered, key = state["cr"], [state.library].append
-        if state.library.succeeds:
-            call = plain_call(lowered.fndesc, state.library)
-            state.targetctx._defns[key].append(call, call.signature)
-        else:
-            state.targetctx.insert_user_function(key, lowered.fndesc, [state.library])
+        write = direct_call if state.targetctx.direct else call_that_raises
+        call = write(lowered.fndesc, state.library)
+        state.targetctx._defns[key].append(call, call.signature)
         state["cr"] = lowered._replace(cfunc=key)
         return True
 

@@ -1,0 +1,103 @@
+"""Arrays that kernels make, without the questions that numba asks before.
+
+It asks whether so much can be addressed, and raises what Python would raise if there is no memory;
+here the process ends then, which is told as a crash of the code.
+"""
+
+from __future__ import annotations
+
+import functools
+from types import SimpleNamespace
+from typing import Any, cast
+
+import numpy as np
+import numpy.typing as npt
+
+from vv.engines.kernels.compiled import Deferred
+from vv.scene import Mask, Vector
+
+ALIGNED = 32  # bytes, as numba aligns arrays
+
+
+def _numbers(n: int) -> Vector:
+    """Room for n numbers."""
+    return np.empty(n)
+
+
+def _counts(n: int) -> npt.NDArray[np.int64]:
+    """Room for n integers."""
+    return np.empty(n, np.int64)
+
+
+def _marks(n: int) -> Mask:
+    """Room for n truths."""
+    return np.empty(n, np.bool_)
+
+
+def _table(n: int, m: int) -> Vector:
+    """Room for numbers (n, m)."""
+    return np.empty((n, m))
+
+
+def _squares(n: int) -> Vector:
+    """Room for n matrices (n, 3, 3)."""
+    return np.empty((n, 3, 3))
+
+
+def _wrap(item: str, size: int, tail: tuple[int, ...], function: Any) -> Any:
+    """What numba is told of such a function; tail: the axes that are always of this length."""
+    from numba.core import types
+    from numba.core.registry import cpu_target
+    from numba.extending import intrinsic
+
+    given = function.__code__.co_argcount
+    kind = types.Array(getattr(types, item), given + len(tail), "C")
+    signature = kind(*[types.intp] * given)
+
+    def write(context: Any, builder: Any, signature: Any, args: Any) -> Any:
+        shape = [*args, *(context.get_constant(types.intp, n) for n in tail)]
+        return allocated(context, builder, kind, size, shape)
+
+    @intrinsic
+    def one(context: Any, n: Any) -> Any:
+        return signature, write
+
+    @intrinsic
+    def two(context: Any, n: Any, m: Any) -> Any:
+        return signature, write
+
+    typing: Any = cpu_target.typing_context
+    typing.refresh()
+    return SimpleNamespace(_numba_type_=typing.resolve_value_type(one if given == 1 else two))
+
+
+def allocated(context: Any, builder: Any, kind: Any, size: int, shape: list[Any]) -> Any:
+    """The code for an array of this shape, whose elements have so many bytes."""
+    from numba.core import cgutils, types
+    from numba.np.arrayobj import populate_array
+
+    from vv.engines.kernels.direct import end_process
+
+    strides: list[Any] = [context.get_constant(types.intp, size)]
+    for length in reversed(shape):
+        strides.insert(0, builder.mul(strides[0], length))
+    memory = context.nrt.meminfo_alloc_aligned_unchecked(builder, strides[0], ALIGNED)
+    code: Any = cgutils
+    with code.if_unlikely(builder, code.is_null(builder, memory)):
+        end_process(builder)
+    array = context.make_array(kind)(context, builder)
+    data = builder.bitcast(context.nrt.meminfo_data(builder, memory), array.data.type)
+    fill: Any = populate_array
+    fill(array, data, shape, strides[1:], size, memory)
+    return array._getvalue()
+
+
+def _made(function: Any, item: str, size: int, tail: tuple[int, ...] = ()) -> Any:
+    return cast(Any, Deferred(function, functools.partial(_wrap, item, size, tail)))
+
+
+numbers = _made(_numbers, "float64", 8)
+counts = _made(_counts, "int64", 8)
+marks = _made(_marks, "bool_", 1)
+table = _made(_table, "float64", 8)
+squares = _made(_squares, "float64", 8, (3, 3))
