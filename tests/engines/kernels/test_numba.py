@@ -6,6 +6,7 @@ from typing import Any, NamedTuple
 import numba
 import numpy as np
 import pytest
+from llvmlite import ir
 from numba.core import (
     codegen,
     compiler,
@@ -22,14 +23,17 @@ from numba.core.callconv import CPUCallConv
 from numba.core.cpu import CPUContext
 from numba.core.errors import TypingError
 from numba.core.runtime import nrt
+from numba.core.runtime.context import NRTContext
+from numba.np import arrayobj
 
 from vv.engines.kernels.arrays import nil_numbers
 from vv.engines.kernels.bundle_types import DATA
 from vv.engines.kernels.bundles import bundle
 from vv.engines.kernels.compiled import called, compiled, lent
-from vv.engines.kernels.lean import BUFFER, SHAPE, STRIDES
-from vv.engines.kernels.parts import Part, linked
-from vv.engines.kernels.passes import Settled
+from vv.engines.kernels.compiler.folding import Folding
+from vv.engines.kernels.compiler.lean import BUFFER, SHAPE, STRIDES
+from vv.engines.kernels.compiler.parts import Part, linked
+from vv.engines.kernels.compiler.passes import Settled
 from vv.scene import Vector
 
 CHANGED = (
@@ -44,10 +48,15 @@ MEMBERS: tuple[tuple[Any, tuple[str, ...]], ...] = (
     (compiler.CompilerBase, ("_compile_core", "define_pipelines")),
     (compiler.Flags, ("values", "copy", "options")),
     (CPUContext, ("get_function", "insert_user_function", "unpack_value", "pack_value", "cast")),
-    (CPUCallConv, ("get_return_type", "_get_arg_packer")),
+    (CPUCallConv, ("get_function_type", "decode_arguments", "return_user_exc")),
+    (CPUCallConv, ("return_status_propagate", "return_dynamic_user_exc")),
     (lowering.Lower, ("lower_binop", "lower_getitem", "lower_setitem", "_cast_var")),
     (lowering.Lower, ("storevar", "delvar", "alloca_lltype", "_alloca_var", "getvar")),
-    (CPUContext, ("get_abi_sizeof",)),
+    (lowering.Lower, ("loadvar", "_find_singly_assigned_variable", "setup_function", "call_conv")),
+    (CPUContext, ("get_abi_sizeof", "get_constant_generic", "nrt", "call_conv")),
+    (NRTContext, ("get_meminfos", "meminfo_alloc_aligned_unchecked", "meminfo_data")),
+    (codegen.CPUCodeLibrary, ("_optimize_final_module",)),
+    (arrayobj, ("populate_array",)),
     (typed_passes.PreLowerStripPhis, ("_strip_phi_nodes",)),
     (ssa, ("reconstruct_ssa",)),
     (event, ("_registered", "register", "unregister")),
@@ -106,6 +115,26 @@ def doubtful(number: int) -> int:
 def told(number: int) -> int:
     """Calls what may raise."""
     return doubtful(number)
+
+
+@called
+def halves(n: int) -> tuple[Vector, Vector]:
+    """Two arrays, one of which is set on one way only."""
+    low = nil_numbers(n)
+    high = low
+    if n > 2:
+        high = nil_numbers(2 * n)
+    return low, high
+
+
+@compiled
+def halved(n: int, rounds: int) -> int:
+    """The length of the second array, made so often."""
+    length = 0
+    for _ in range(rounds):
+        low, high = halves(n)
+        length = len(high) + 0 * len(low)
+    return length
 
 
 @compiled
@@ -168,6 +197,35 @@ def test_what_a_part_raises_reaches_python() -> None:
     assert told(2) == 2
     with pytest.raises(ValueError, match="too many"):
         told(3)
+
+
+def test_arrays_that_parts_return_are_freed() -> None:
+    halved(3, 1)
+    runtime._nrt.memsys_enable_stats()
+    before = runtime.rtsys.get_allocation_stats()
+    assert halved(3, 10) == 6
+    after = runtime.rtsys.get_allocation_stats()
+    assert after.alloc - before.alloc == after.free - before.free == 20
+
+
+def test_a_word_of_a_structure_is_found_where_it_was_put() -> None:
+    word = ir.IntType(64)
+    pair = ir.LiteralStructType([word, word])
+    block = ir.Function(
+        ir.Module(), ir.FunctionType(word, [word, word]), "some"
+    ).append_basic_block()
+    builder, (first, second) = Folding(block), block.function.args
+    made = builder.insert_value(ir.Constant(pair, ir.Undefined), first, 0)
+    whole = builder.insert_value(made, second, 1)
+    assert builder.extract_value(whole, 0) is first
+    assert builder.extract_value(whole, [1]) is second
+    nest = ir.LiteralStructType([pair, word])
+    outer = builder.insert_value(ir.Constant(nest, ir.Undefined), whole, 0)
+    assert builder.extract_value(outer, [0, 1]) is second
+    changed = builder.insert_value(outer, first, [0, 1])
+    assert builder.extract_value(changed, [0, 1]) is first
+    assert builder.extract_value(changed, [0, 0]) is first
+    assert builder.extract_value(changed, 0) is not whole
 
 
 def test_elements_and_ranges_are_those_of_python() -> None:

@@ -25,7 +25,7 @@ def wrap(function: Any) -> Any:
     from numba.core.registry import cpu_target
     from numba.extending import overload
 
-    from vv.engines.kernels.parts import PartCompiler
+    from vv.engines.kernels.compiler.parts import PartCompiler
 
     inline: Any = {"forceinline": True, "pipeline_class": PartCompiler}
     options: Any = {**inline, **LENT, **HIDDEN, **ROUNDING}

@@ -58,6 +58,14 @@ def compiled(function: Kernel) -> Kernel:
     return cast(Kernel, Deferred(function, whole))
 
 
+def compiled_to_branch(function: Kernel) -> Kernel:
+    """As `compiled`, for a kernel that decides more than it computes, whose loops are short.
+
+    They are neither unrolled nor made of vectors, which would be a tenth of what compiling takes.
+    """
+    return cast(Kernel, Deferred(function, functools.partial(whole, branches=True)))
+
+
 def inlined(function: Kernel) -> Kernel:
     """A function for kernels to call: it becomes part of them and has no entry from Python.
 
@@ -92,7 +100,7 @@ def part(function: Kernel, **options: Any) -> Kernel:
     def wrap(function: Kernel) -> Any:
         import numba
 
-        from vv.engines.kernels.parts import PartCompiler
+        from vv.engines.kernels.compiler.parts import PartCompiler
 
         return numba.njit(pipeline_class=PartCompiler, **options, **HIDDEN, **ROUNDING)(function)
 
@@ -111,20 +119,19 @@ def shared(function: Kernel) -> Kernel:
     return cast(Kernel, Deferred(function, wrap))
 
 
-def whole(function: Kernel) -> Any:
-    """What numba makes of a function that is called from Python."""
+def whole(function: Kernel, branches: bool = False) -> Any:
+    """What numba makes of a function that is called from Python; branches: its loops are short."""
     import numba
 
-    from vv.engines.kernels.parts import WholeCompiler
+    from vv.engines.kernels.compiler.parts import BranchingCompiler, WholeCompiler
 
     config: Any = numba.config
     before = config.CACHE_DIR
     folder = cache_folder(Path(function.__code__.co_filename))
     config.CACHE_DIR = str(folder)  # numba reads it once, as it wraps a function
     try:
-        kernel: Any = numba.njit(cache=True, pipeline_class=WholeCompiler, **ENTRY, **ROUNDING)(
-            function
-        )
+        compiler = BranchingCompiler if branches else WholeCompiler
+        kernel: Any = numba.njit(cache=True, pipeline_class=compiler, **ENTRY, **ROUNDING)(function)
     finally:
         config.CACHE_DIR = before
     kernel.compile = once(kernel.compile, folder / function.__name__)
@@ -150,7 +157,11 @@ def load() -> None:
 
     cpu_target.typing_context.refresh()
     cpu_target.target_context.refresh()
-    for name in ("vv.engines.kernels.parts", "numba.core.boxing", "numba.core.runtime.context"):
+    for name in (
+        "vv.engines.kernels.compiler.parts",
+        "numba.core.boxing",
+        "numba.core.runtime.context",
+    ):
         importlib.import_module(name)
 
 

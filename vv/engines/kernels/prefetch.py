@@ -22,7 +22,7 @@ def _wrap(function: Any) -> Any:
     from numba.core.registry import cpu_target
     from numba.extending import intrinsic
 
-    from vv.engines.kernels.lean import place_of
+    from vv.engines.kernels.compiler.lean import place_of
 
     pair: Any = cast(Any, types).UniTuple(types.uintp, 2)
 

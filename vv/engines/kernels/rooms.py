@@ -7,6 +7,7 @@ here the process ends then, which is told as a crash of the code.
 from __future__ import annotations
 
 import functools
+from collections.abc import Callable
 from types import SimpleNamespace
 from typing import Any, cast
 
@@ -76,7 +77,7 @@ def allocated(context: Any, builder: Any, kind: Any, size: int, shape: list[Any]
     from numba.core import cgutils, types
     from numba.np.arrayobj import populate_array
 
-    from vv.engines.kernels.direct import end_process
+    from vv.engines.kernels.compiler.direct import end_process
 
     strides: list[Any] = [context.get_constant(types.intp, size)]
     for length in reversed(shape):
@@ -96,8 +97,8 @@ def _made(function: Any, item: str, size: int, tail: tuple[int, ...] = ()) -> An
     return cast(Any, Deferred(function, functools.partial(_wrap, item, size, tail)))
 
 
-numbers = _made(_numbers, "float64", 8)
-counts = _made(_counts, "int64", 8)
-marks = _made(_marks, "bool_", 1)
-table = _made(_table, "float64", 8)
-squares = _made(_squares, "float64", 8, (3, 3))
+numbers: Callable[[int], Vector] = _made(_numbers, "float64", 8)
+counts: Callable[[int], npt.NDArray[np.int64]] = _made(_counts, "int64", 8)
+marks: Callable[[int], Mask] = _made(_marks, "bool_", 1)
+table: Callable[[int, int], Vector] = _made(_table, "float64", 8)
+squares: Callable[[int], Vector] = _made(_squares, "float64", 8, (3, 3))

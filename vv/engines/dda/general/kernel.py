@@ -56,7 +56,7 @@ from vv.engines.kernels.arrays import (
     same_numbers,
     same_rows,
 )
-from vv.engines.kernels.compiled import called, compiled, lent
+from vv.engines.kernels.compiled import called, compiled_to_branch, lent
 from vv.engines.kernels.drive import Drive, Starts, one_of, travel, value
 from vv.engines.kernels.triples import NOWHERE, add_scaled, at, dot, put
 from vv.scene import Mask, Vector
@@ -86,7 +86,7 @@ def forget(touch: Touch, state: Index, push: Vector, way: Vector) -> None:
         put(touch.way, k, at(way, k))
 
 
-@compiled
+@compiled_to_branch
 def move_blocks(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its variables
     path: Vector,
     energy: Vector,

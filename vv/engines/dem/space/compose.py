@@ -13,7 +13,7 @@ from numba.extending import overload
 
 from vv.engines.kernels.by_class import hook_of
 from vv.engines.kernels.compiled import HIDDEN, LENT, ROUNDING
-from vv.engines.kernels.parts import PartCompiler
+from vv.engines.kernels.compiler.parts import PartCompiler
 
 Hook = TypeVar("Hook", bound=Callable[..., object])
 OPTIONS: Any = {"forceinline": True, "pipeline_class": PartCompiler, **LENT, **HIDDEN, **ROUNDING}

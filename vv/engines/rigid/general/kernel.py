@@ -17,7 +17,7 @@ from vv.engines.kernels.arrays import (
     same_rows,
     smaller,
 )
-from vv.engines.kernels.compiled import called, compiled, lent
+from vv.engines.kernels.compiled import called, compiled_to_branch, lent
 from vv.engines.kernels.drive import mean
 from vv.engines.kernels.triples import add_scaled, at, dot, put
 from vv.engines.rigid.general.energy import DRIVEN, SHOVED, book, kinetic
@@ -104,7 +104,7 @@ def watch(path: Vector, watched: Index, state: State, centre: Vector) -> None:
             path[k, 6 + c] = state.w[i, c]
 
 
-@compiled
+@compiled_to_branch
 def move_rigid(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its variables
     path: Vector, energy: Vector, report: Vector, reaction: Vector, watched: Index,
     stride: int, dt: float, setting: Setting,

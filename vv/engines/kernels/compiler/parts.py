@@ -11,14 +11,15 @@ import gc
 from collections import defaultdict
 from typing import Any
 
+from llvmlite import binding as llvm
 from numba.core import codegen, compiler, event, typed_passes
 from numba.core.compiler_machinery import LoweringPass, register_pass
 from numba.core.environment import lookup_environment
 
-from vv.engines.kernels.direct import call_that_raises, direct_call
-from vv.engines.kernels.lean import Lean
-from vv.engines.kernels.lowering import Write
-from vv.engines.kernels.passes import Settled, front_end
+from vv.engines.kernels.compiler.direct import call_that_raises, direct_call
+from vv.engines.kernels.compiler.lean import Lean
+from vv.engines.kernels.compiler.lowering import Write
+from vv.engines.kernels.compiler.passes import Settled, front_end
 
 EVENTS: Any = event
 ENVIRONMENT = "_ZN08NumbaEnv"  # how numba begins the names of what functions refer to at run time
@@ -61,6 +62,21 @@ class Whole(codegen.JITCodeLibrary):
             self._final_module.link_in(module_of(library), preserve=True)
         self._linking_libraries = []
         super().finalize()
+
+
+class Branching(Whole):
+    """A whole whose loops are short: they are neither unrolled nor made of vectors."""
+
+    def _optimize_final_module(self) -> None:
+        ours = self._codegen
+        first, told = ours._module_pass_manager(loop_vectorize=False, opt=0, cost="cheap")
+        first.run(self._final_module, told)
+        tuned = llvm.create_pipeline_tuning_options(speed_level=3)
+        tuned.loop_vectorization = tuned.slp_vectorization = tuned.loop_unrolling = False
+        told = llvm.create_pass_builder(ours._tm, tuned)
+        passes = told.getModulePassManager()
+        passes.add_refprune_pass()
+        passes.run(self._final_module, told)
 
 
 def linked(libraries: list[Any]) -> list[Any]:
@@ -162,10 +178,12 @@ class PartCompiler(Settling):
 class WholeCompiler(Settling):
     """Compiles a whole."""
 
+    library: type[Whole] = Whole
+
     def define_pipelines(self) -> list[Any]:
         """As numba wants them."""
         state = self.state
-        state.library = Whole(state.targetctx.codegen(), state.func_id.func_qualname)
+        state.library = self.library(state.targetctx.codegen(), state.func_id.func_qualname)
         state.library.enable_object_caching()
         return [pipeline("whole", Refer)]
 
@@ -180,6 +198,12 @@ class WholeCompiler(Settling):
             EVENTS._registered = heard
             if collects:
                 gc.enable()
+
+
+class BranchingCompiler(WholeCompiler):
+    """Compiles a whole whose loops are short."""
+
+    library = Branching
 
 
 class Nobody(list[Any]):

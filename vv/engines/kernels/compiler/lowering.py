@@ -9,11 +9,11 @@ from numba.core import cgutils, lowering, typed_passes
 from numba.core import ir as numba_ir
 from numba.core.compiler_machinery import register_pass
 
-from vv.engines.kernels.counting import holds_references
-from vv.engines.kernels.direct import Direct, MayRaiseError, declared
-from vv.engines.kernels.folding import Folding
-from vv.engines.kernels.lean import element, names_element, set_element
-from vv.engines.kernels.passes import ARITHMETIC, SCALARS
+from vv.engines.kernels.compiler.counting import holds_references
+from vv.engines.kernels.compiler.direct import Direct, MayRaiseError, declared
+from vv.engines.kernels.compiler.folding import Folding
+from vv.engines.kernels.compiler.lean import element, names_element, set_element
+from vv.engines.kernels.compiler.passes import ARITHMETIC, SCALARS
 
 BASE: Any = lowering.Lower
 CODE: Any = cgutils

@@ -14,6 +14,7 @@ from numba.core import callconv, cgutils, errors, imputils
 
 CONVENTION: Any = callconv.CPUCallConv
 CODE: Any = cgutils
+OURS: Any = imputils
 NUMBA_ERROR: Any = errors.NumbaError
 
 
@@ -77,7 +78,7 @@ def direct_call(described: Any, library: Any) -> Any:
 
     def call(context: Any, builder: Any, signature: Any, args: Any) -> Any:
         value = builder.call(declared(context, builder.module, described), args)
-        return imputils.impl_ret_new_ref(context, builder, described.restype, value)
+        return OURS.impl_ret_new_ref(context, builder, described.restype, value)
 
     made: Any = call
     made.signature, made.libs = described.argtypes, (library,)
@@ -86,7 +87,7 @@ def direct_call(described: Any, library: Any) -> Any:
 
 def call_that_raises(described: Any, library: Any) -> Any:
     """What writes the code that calls a function in numba's way, from what can hand on an error."""
-    ours: Any = imputils.user_function(described, (library,))
+    ours = OURS.user_function(described, (library,))
 
     def call(context: Any, builder: Any, signature: Any, args: Any) -> Any:
         if getattr(context, "direct", False):

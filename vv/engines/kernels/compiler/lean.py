@@ -16,8 +16,8 @@ from numba.core import cgutils as numba_code
 from numba.core import types
 from numba.core.cpu import CPUContext
 
-from vv.engines.kernels.counting import Counting
-from vv.engines.kernels.direct import CONVENTION, Outward
+from vv.engines.kernels.compiler.counting import Counting
+from vv.engines.kernels.compiler.direct import CONVENTION, Outward
 
 CODE: Any = numba_code
 TUPLE: Any = types.BaseTuple
@@ -56,8 +56,8 @@ class Lean(CPUContext):
     def get_constant_generic(self, builder: Any, ty: Any, val: Any) -> Any:
         """A constant; a function of ours is none, since calls know it by its type."""
         if isinstance(ty, types.Dispatcher):
-            return self.get_dummy_value()
-        return super().get_constant_generic(builder, ty, val)
+            return NUMBA.get_dummy_value(self)
+        return NUMBA.get_constant_generic(self, builder, ty, val)
 
     def get_abi_sizeof(self, ty: Any) -> int:
         """Bytes of a type of LLVM's, which is asked for them once."""
