@@ -46,6 +46,7 @@ SURE = 3.0  # standard uncertainties that a band is wide
 READ_KEPT, SCATTER_KEPT = 0.003, 0.005
 READ_ANGLE, SCATTER_ANGLE = 0.3, 0.4
 READ_SPIN, SCATTER_SPIN = 6.0, 0.1  # 1/s: 0.01 of the largest; part of the value
+OVER = "angle of impact [degrees]"
 CITED = "Kharaz, Gorham and Salman (2001), Powder Technology 120(3), 281-291"
 CONDITIONS = "5 mm sphere of aluminium oxide, 3.9 m/s, on a thick plate of soda-lime glass, dry"
 
@@ -91,6 +92,7 @@ def _kept(variant: str, impacts: Impacts, angle: float) -> Scalar:
     seen = Measurement(
         KEPT[angle], READ_KEPT, SCATTER_KEPT, CONDITIONS,
         f"{CITED}, tangential restitution, as digitised for the DEM benchmarks of CIMNE",
+        OVER, angle,
     )  # fmt: skip
     return Scalar(
         f"kept-{name}", "et", "", f"tangential restitution at {name} degrees",
@@ -105,6 +107,7 @@ def _rebound(variant: str, impacts: Impacts, angle: float) -> Scalar:
     seen = Measurement(
         REBOUND[angle], READ_ANGLE, SCATTER_ANGLE, CONDITIONS,
         f"{CITED}, angle of rebound, as the verification manual of MFiX has it",
+        OVER, angle,
     )  # fmt: skip
 
     def observed(run: object) -> float:
@@ -123,6 +126,7 @@ def _spin(impacts: Impacts, angle: float) -> Scalar:
     seen = Measurement(
         SPIN[angle], READ_SPIN, SCATTER_SPIN * SPIN[angle], CONDITIONS,
         f"{CITED}, spin after the impact, as the verification manual of MFiX has it",
+        OVER, angle,
     )  # fmt: skip
     arm = 2.5 / impacts.sphere.radius
     return Scalar(

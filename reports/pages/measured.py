@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from reports.book import Book
 from reports.drawing.gallery import Figure
 from reports.drawing.ratios import Kind, draw_biases, draw_ratios
+from reports.drawing.sweeps import Curve, draw_sweep
 from reports.marks import Mark
 from reports.variant.measurements import measured_figures
 from vv.insight.against_measurements import Agreement, Compared, Factor, Overall, overall
@@ -34,10 +35,14 @@ class MeasuredPart:
 
 @dataclass(frozen=True)
 class Together:
-    """All measurements at once: each scheme's statistics, and figures of them."""
+    """All measurements at once: each scheme's statistics, and figures of them.
+
+    sweeps: what was measured over a condition, with every law and code of a case.
+    """
 
     lines: Sequence[tuple[Mark, Overall]]
     figures: Sequence[Figure]
+    sweeps: Sequence[Figure]
 
 
 def together(book: Book) -> Together:
@@ -59,7 +64,32 @@ def together(book: Book) -> Together:
         "all: where it is only shown too.",
         "bias and scatter of each scheme, which the table beside them has as numbers",
     )  # fmt: skip
-    return Together(lines, (ratios, biases) if lines else ())
+    return Together(lines, (ratios, biases) if lines else (), _sweeps(book))
+
+
+def _sweeps(book: Book) -> list[Figure]:
+    """A figure for each kind of value that a case has over a varied condition."""
+    found: dict[tuple[str, str, str, str], list[Curve]] = {}
+    for (case, variant), group in book.agreements.items():
+        facts = {q.name: q for q in book.manifest.cases[case].variants[variant].quantities}
+        for one in group:
+            kinds: dict[tuple[str, str, str, str], list[Compared]] = {}
+            for point in one.points:
+                if point.at is not None:
+                    of = facts[point.quantity]
+                    kinds.setdefault((case, of.symbol, of.unit, point.over), []).append(point)
+            for kind, points in kinds.items():
+                found.setdefault(kind, []).append((variant, book.marks[one.label], points))
+    return [
+        Figure(
+            draw_sweep(curves, f"{symbol} [{unit}]" if unit else symbol, over),
+            f"{case}: {symbol} over the {over}",
+            "Points: measured, with two standard uncertainties. Lines: each law, in the colour of "
+            "the code; its name stands at its first point.",
+            f"{symbol} of {case} over the {over}, measured and by every law and code",
+        )
+        for (case, symbol, unit, over), curves in found.items()
+    ]
 
 
 def _kinds(book: Book) -> list[Kind]:

@@ -12,6 +12,7 @@ import pytest
 from reports import html
 from reports.drawing.ratios import Kind, draw_biases, draw_ratios
 from reports.drawing.scatter import draw_scatter
+from reports.drawing.sweeps import draw_sweep
 from reports.marks import Mark
 from tests.support.fabricated import case, changed, entry, manifest, record
 from tests.support.read_back import page
@@ -93,6 +94,31 @@ def test_all_measurements_stand_in_one_picture_with_bars_and_every_scheme() -> N
     assert float(dots[1].named["cy"]) == pytest.approx(level["0.5"], abs=0.2)
     assert level["1.1"] > float(dots[0].named["cy"]) > level["1.25"]
     assert float(dots[0].named["cx"]) < float(dots[1].named["cx"]) < float(dots[3].named["cx"])
+
+
+def test_what_was_measured_over_an_angle_has_a_line_for_each_law_and_bars() -> None:
+    def points(*computed: float) -> list[Compared]:
+        return [
+            Compared(f"q{k}", "", value, 0.5, 0.05, None, False, "angle [degrees]", 10.0 * k)
+            for k, value in enumerate(computed)
+        ]
+
+    marks = Mark("a/a", 0, (), ""), Mark("b/b", 1, (), "")
+    drawn = page(str(draw_sweep(
+        [("soft", marks[0], points(0.25, 0.75)), ("soft", marks[1], points(0.25, 0.5)),
+         ("stiff", marks[0], points(1.0, 0.75))], "e", "angle [degrees]",
+    )))  # fmt: skip
+    assert len([*drawn.every("path", class_="line")]) == 3
+    assert [one.text for one in drawn.every("text")].count("soft") == 1
+    bars = [re.findall(r"[\d.]+", one.named["d"]) for one in drawn.every("path", class_="seen")]
+    dots = [*drawn.every("circle", class_="seen")]
+    assert [float(dot.named["cx"]) for dot in dots] == [float(bar[0]) for bar in bars]
+    for dot, (_, low, high) in zip(dots, bars, strict=True):
+        assert float(low) > float(dot.named["cy"]) > float(high)
+    stiff = [*drawn.every("path", class_="line")][2].named["d"]
+    first, second = (float(up) for up in re.findall(r"[\d.]+", stiff)[1::2])
+    drop = float(bars[0][1]) - float(bars[0][2])  # px of four uncertainties, 0.2
+    assert second - first == pytest.approx(0.25 * drop / 0.2, abs=0.5)
 
 
 def test_a_bias_is_drawn_where_it_is_with_two_scatters_either_way() -> None:

@@ -11,7 +11,8 @@ class Measurement:
     """A measured value, in the unit of its quantity, with standard uncertainties.
 
     digitisation: of reading it off a print; experiment: of the value printed, or of its scatter.
-    conditions: of the experiment; source: where it is published, and who read it off.
+    conditions: of the experiment; source: where it is published, and who read it off. over, at:
+    the condition that was varied, with its unit, and its value here; '' and None if none was.
     Raises ValueError unless the uncertainties are finite, not negative and not both zero: a number
     without any is no measurement.
     """
@@ -21,6 +22,8 @@ class Measurement:
     experiment: float
     conditions: str
     source: str
+    over: str = ""
+    at: float | None = None
 
     def __post_init__(self) -> None:
         if not math.isfinite(self.value):

@@ -27,6 +27,7 @@ class Compared:
     """A computed number beside the measured one, both in the unit of the quantity.
 
     band: how far apart they may be, None where they are only shown; within: whether they are.
+    over, at: the condition that was varied, and its value.
     """
 
     quantity: str
@@ -36,6 +37,8 @@ class Compared:
     uncertainty: float
     band: float | None
     within: bool
+    over: str = ""
+    at: float | None = None
 
 
 @dataclass(frozen=True)
@@ -118,7 +121,8 @@ def _agreement(record: Record) -> Agreement:
     points = tuple(
         Compared(
             one.name, one.unit, one.value, one.measurement.value, one.measurement.uncertainty,
-            one.measurement.band, one.verdict is Verdict.PASS,
+            one.measurement.band, one.verdict is Verdict.PASS, one.measurement.over,
+            one.measurement.at,
         )
         for one in record.quantities
         if one.measurement is not None and one.value is not None

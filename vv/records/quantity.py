@@ -30,6 +30,8 @@ class MeasurementFacts:
     conditions: str
     source: str
     band: float | None
+    over: str = optional("")
+    at: float | None = optional(None)
 
     @property
     def uncertainty(self) -> float:
