@@ -16,7 +16,15 @@ import adapters.dem
 import adapters.exact
 import adapters.rigid
 from tests.scenes.other_worlds import rescaled
-from tests.scenes.random_scenes import any_spheres, in_a_row, mirrored, moving, slopes, thrown
+from tests.scenes.random_scenes import (
+    any_blocks,
+    any_spheres,
+    in_a_row,
+    mirrored,
+    moving,
+    slopes,
+    thrown,
+)
 from vv.ask import Ask, Displacement, History, Knobs, Run, Status
 from vv.codes import Adapter, known_beforehand
 from vv.gate.judgement import breaches
@@ -73,6 +81,15 @@ def test_a_scheme_that_does_not_refuse_a_scene_models_all_of_it(scene: Scene) ->
             if known_beforehand(adapter, scheme, ask, adapter.found()) is None:
                 left_out = scene.terms() - adapter.describe(ask, scheme.name).terms
                 assert not left_out, f"{adapter.name}/{scheme.name}"
+
+
+@given(any_blocks())
+@FEW
+def test_blocks_end_well_wherever_they_are_taken_and_keep_to_the_laws(scene: Scene) -> None:
+    for adapter in (adapters.rigid.ADAPTER, adapters.dda.ADAPTER):
+        run = answer(adapter, asked(scene, 0.2, 2.5e-3, 1e8))
+        assert run.status in ENDS, run.reason
+        assert list(breaches(run.ledger)) == [], adapter.name
 
 
 @given(thrown())

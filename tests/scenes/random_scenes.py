@@ -8,8 +8,9 @@ from typing import Any
 import numpy as np
 from hypothesis import strategies as st
 
+from tests.scenes.block_scenes import box
 from tests.scenes.sliding_blocks import Frame, incline
-from vv.scene import Contact, Scene, Spheres, Vector, Wall, rotated
+from vv.scene import Contact, Harmonic, Scene, Spheres, Vector, Wall, rotated
 
 MIRROR = np.diag([1.0, -1.0, 1.0])
 
@@ -34,7 +35,7 @@ def directions() -> st.SearchStrategy[Vector]:
 def frames() -> st.SearchStrategy[Vector]:
     """Three orthonormal rows, the frame's own or not."""
     turned = directions().map(lambda n: np.eye(3) - 2.0 * np.outer(n, n))
-    return st.one_of(st.just(np.eye(3)), turned)
+    return st.one_of(st.builds(np.eye, st.just(3)), turned)
 
 
 @st.composite
@@ -106,6 +107,34 @@ def slopes(draw: st.DrawFn) -> Scene:
     frame = Frame(draw(part(5.0, 40.0)), draw(part(0.0, 3.0)), draw(st.booleans()))
     return incline(frame, draw(part(8.0, 45.0)), A=draw(st.sampled_from([0.0, 2.0])),
                    f=draw(part(1.0, 3.0)), v0=draw(part(-1.0, 1.0)) + 1 / 128)  # fmt: skip
+
+
+@st.composite
+def any_blocks(draw: st.DrawFn) -> Scene:
+    """One or two boxes on a floor, over it or in the open: locked or not, thrown, spinning, pulled.
+
+    A floor moves in its plane only: one that rises into what is locked has no answer.
+    """
+    blocks, top = [], 0.0
+    for name in draw(st.sampled_from(["a", "ab"])):
+        half, axes = np.array([draw(part(0.1, 0.6)) for _ in range(3)]), draw(frames())
+        axes[0] *= np.linalg.det(axes)  # no mirror
+        up = np.linalg.norm(half) if draw(st.booleans()) else float(half @ np.abs(axes[:, 2]))
+        top += float(up)
+        free, spins = (np.array(draw(st.tuples(*3 * [st.booleans()]))) for _ in range(2))
+        blocks.append(
+            box(name, [draw(part(-0.1, 0.1)), draw(part(-0.1, 0.1)), top], half, axes, free=free,
+                free_spin=spins, velocity=draw(vectors(1.0)) * draw(st.booleans()) * free,
+                spin=draw(vectors(2.0)) * draw(st.booleans()) * spins,
+                load=draw(vectors(300.0)) * draw(st.booleans()))
+        )  # fmt: skip
+        top += float(up)
+    moves = Harmonic(draw(vectors(0.05)) * [1.0, 1.0, 0.0], np.ones(3))
+    floor = Wall(np.zeros(3), np.array([0.0, 0.0, 1.0]), draw(st.sampled_from([None, None, moves])))
+    weight = np.array([draw(part(-3.0, 3.0)), draw(part(-3.0, 3.0)), -9.81])
+    gravity = weight * draw(st.sampled_from([1.0, 1e-3, 0.0]))
+    law = Contact(np.inf, mu=draw(st.sampled_from([0.0, 0.2, 0.6, 1.5])))
+    return Scene((*[floor] * draw(st.booleans()), *blocks), law, gravity=gravity)
 
 
 def mirrored(scene: Scene) -> Scene:
