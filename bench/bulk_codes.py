@@ -31,7 +31,7 @@ from vv.scene import Form, Scene
 from vv.scene.neighbours import overlapping
 
 DT = 2e-5
-NIL = 1e-9  # damping of walls in LAMMPS, whose forces are not finite without any
+WALL = "granular hooke {kn!r} 0 tangential linear_history {ks!r} 0 {mu!r} damping mass_velocity"
 EVERY = " every 1 check no"  # as an answer needs it
 TOLD = """\
 compute ke all ke
@@ -106,14 +106,18 @@ def told_deck(scene: Scene, steps: int) -> str:
 
 
 def lammps(scene: Scene, steps: int) -> Cost:
-    """The same of LAMMPS, which has the law of contacts as its style gran/hooke/history."""
+    """The same of LAMMPS, which has the law of contacts as its style gran/hooke/history.
+
+    Walls of that style have a spring of friction that versions up to July 2025 multiply by the
+    radius of the contact, some 1e-3 m: they hardly rub. Walls are granular for that reason.
+    """
     home, law, s = Path(os.environ["VV_LAMMPS"]), scene.contact, scene.spheres
-    style = f"{law.kn!r} {law.ks!r} {NIL} {NIL} {law.mu!r} 0"
+    style = WALL.format(kn=law.kn, ks=law.ks, mu=law.mu)
     walls = []
     for k, wall in enumerate(scene.walls):
         axis, place = int(np.abs(wall.normal).argmax()), float(wall.point @ abs(wall.normal))
         sides = f"{place!r} NULL" if wall.normal.sum() > 0 else f"NULL {place!r}"
-        walls.append(f"fix wall{k} all wall/gran hooke/history {style} {'xyz'[axis]}plane {sides}")
+        walls.append(f"fix wall{k} all wall/gran {style} {'xyz'[axis]}plane {sides}")
     text = LAMMPS.format(
         kn=law.kn, ks=law.ks, mu=law.mu, walls="\n".join(walls), eta=scene.eta, dt=DT,
         g=float(-scene.gravity[2]), told=TOLD, steps=steps,
