@@ -32,7 +32,7 @@ D = 0.01  # diameter of the largest grain, and of those of the floor [m]
 SIZES, MEAN = (0.85, 1.0), 0.925  # diameters over D
 WIDE, LAYERS, RISE = 10, 14, 0.88  # of the silo and its filling [D]
 DEEP = 10.0  # where grains come to rest, below the floor [D]
-STIFF, SHEAR, DAMPED, DENSE = 2e3, 2.0 / 7.0, 0.3, 2500.0
+STIFF, SHEAR, DAMPED, DENSE = 3e3, 2.0 / 7.0, 0.3, 2500.0
 FILLED = 0.59  # of what is poured
 FROM, TO, SLACK = 0.1, 0.4, 1.2  # parts that have left; time given for it over that of the law
 ROWS, TOLD = 50, 0.1  # times of output; to which part of the law's the rate is told
@@ -145,7 +145,7 @@ def _declare(variant: str, p: Parameters) -> Trial:
     return Trial(ladder, (
         Scalar(
             "rate", "W", "1/s", f"grains a second, from {FROM:.0%} to {TO:.0%} of all",
-            partial(_rate, scene, count, law), None, 1.0,
+            partial(_rate, scene, count, law), None, law,
             Measured(measured, 3 * sure * law, BAND, law=True),
         ),
         Scalar(
@@ -178,7 +178,7 @@ NOTE = (
     "A plane wall has no opening in these codes, so that the floor is a layer of glued grains, "
     "which round the hole stand side by side; the hole is taken for a circle of the same area. "
     "Grains are spheres with friction and without rolling "
-    "resistance. Stiffness, 2e3 m g/d, damping, friction and sizes are chosen. The ways of grains "
+    "resistance. Stiffness, 3e3 m g/d, damping, friction and sizes are chosen. The ways of grains "
     "are chance: the rate is told to a tenth. Beverloo's paper could not be read: his law is as "
     "others cite it."
 )
