@@ -1,9 +1,7 @@
 """Settled random packs of equal spheres in a box: made once and kept below .vv/, for benches.
 
 Centres are drawn at random, pushed apart by drag and soft springs, and settle under gravity with
-the friction of the bench. Spheres are numbered along the box, as codes that sort them would. A pack
-of several times TILE spheres is as many packs in a row, whose boxes lose the walls between them and
-which settle once more.
+the friction of the bench. Spheres are numbered along the box, as codes that sort them would.
 """
 
 from __future__ import annotations
@@ -19,7 +17,6 @@ from vv.scene import Contact, Scene, Spheres, Vector, Wall
 RADIUS, MASS, FILLED, DT = 0.01, 0.01, 0.56, 2e-5
 LAW, SOFT = Contact(1e5, 2e4, 0.3), Contact(1e3)
 APART, SETTLED = (20.0, 1500), (0.5, 12000)  # drag [N s/m], and steps, of either stage
-TILE, AGAIN = 10_000, 2500  # spheres of a pack in a row; steps in which all of a row settle
 KEPT = Path(".vv")
 DOWN = np.array([0.0, 0.0, -9.81])
 
@@ -29,16 +26,8 @@ def settled(n: int) -> Scene:
     path = KEPT / f"pack-{n}.npz"
     if not path.exists():
         path.parent.mkdir(exist_ok=True)
-        np.savez(path, x=packed(n) if n <= TILE else in_a_row(n // TILE))
-    x = np.asarray(np.load(path)["x"], float)
-    return box(x, width(n)) if n <= TILE else box(x, width(TILE), n // TILE)
-
-
-def in_a_row(many: int) -> Vector:
-    """Where the spheres of so many packs in a row come to rest (n, 3) [m]."""
-    one, side = settled(TILE).spheres.position, width(TILE)
-    x = np.concatenate([one + np.array([k * side, 0.0, 0.0]) for k in range(many)])
-    return after(replace(box(x, side, many), eta=SETTLED[0]), DT, AGAIN)
+        np.savez(path, x=packed(n))
+    return box(np.asarray(np.load(path)["x"], float), width(n))
 
 
 def width(n: int) -> float:
@@ -58,16 +47,15 @@ def packed(n: int) -> Vector:
     return x[np.lexsort(cell.T)]
 
 
-def box(x: Vector, side: float, long: int = 1) -> Scene:
-    """Spheres at rest in a box without a lid, so many times as long as it is wide."""
+def box(x: Vector, side: float) -> Scene:
+    """Spheres at rest in a box without a lid."""
     n = len(x)
     free = np.ones((n, 3), bool)
     spheres = Spheres(
         x, np.zeros((n, 3)), np.full(n, RADIUS), np.full(n, MASS), free, free_spin=free
     )
     walls = [Wall(np.zeros(3), normal) for normal in np.eye(3)]
-    far = side * np.array([long, 1.0, 1.0])
-    walls += [Wall(far, -normal) for normal in np.eye(3)[:2]]
+    walls += [Wall(np.full(3, side), -normal) for normal in np.eye(3)[:2]]
     return Scene((spheres, *walls), LAW, eta=0.1, gravity=DOWN)
 
 
