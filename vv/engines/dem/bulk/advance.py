@@ -98,6 +98,10 @@ def kick(crowd: Crowd, c: int, first: int, last: int, way: float) -> None:
     dt, drag, lag, gravity, turns = rules.dt, rules.drag, rules.lag, rules.gravity, rules.spin
     since, far, kinetic, behind, ahead = grains.since, sums[c, FAR], 0.0, 0.0, 0.0
     for i in range(first, last):
+        if mass[i] == math.inf:  # held: what pushes it is forgotten
+            put(acting, i, NOWHERE)
+            put_part(acting, i, TURN, NOWHERE)
+            continue
         old = part(row, i, V)
         new = carried_on(old, at(acting, i), mass[i], dt, drag, lag, i)
         powers = taken(drag, lag, old, new)
@@ -105,15 +109,15 @@ def kick(crowd: Crowd, c: int, first: int, last: int, way: float) -> None:
         ahead += powers[1]
         put_part(row, i, BEFORE, old)
         put_part(row, i, V, new)
-        kinetic += 0.5 * moves(mass[i]) * dot(old, new)
+        kinetic += 0.5 * mass[i] * dot(old, new)
         if turns is not None:
             spun = part(row, i, W)
             spins = add_scaled(spun, dt / inertia[i], part(acting, i, TURN))
             put_part(row, i, SPUN, spun)
             put_part(row, i, W, spins)
-            kinetic += 0.5 * moves(inertia[i]) * dot(spun, spins)
+            kinetic += 0.5 * inertia[i] * dot(spun, spins)
             put_part(acting, i, TURN, NOWHERE)
-        put(acting, i, add_scaled(NOWHERE, moves(mass[i]), gravity))
+        put(acting, i, add_scaled(NOWHERE, mass[i], gravity))
         x = add_scaled(at(row, i), way, new)
         put(row, i, x)
         moved = add_scaled(x, -1.0, at(since, i))
