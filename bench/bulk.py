@@ -32,7 +32,7 @@ STACKS = {100: 20000, 1000: 2000, 10_000: 200, 50_000: 60, 200_000: 20, 1_000_00
 BESIDE, ROUNDS = 50_000, 3  # the others up to so many spheres
 FLAT, MEMORY = 1.25, 3e9
 TIMES = {"liggghts": 1.8, "yade": 5.0, "lammps": 1.3}  # as quick in a settled pack, at least
-WINDOW = {10_000: 20, 50_000: 10}  # steps of packs on two cores
+WINDOW = {10_000: 20, 50_000: 20}  # steps of packs on two cores
 TWO, SAME = 1.5, 0.01  # times as quick as two ranks, at least; energies of motion agree to
 SHARED = {
     "dem, one thread": (bulk_shared.ours, 1),
