@@ -67,6 +67,15 @@ def test_more_words_than_anybody_types_are_refused_at_once(tiny: Tiny, option: s
     assert f"at most {MOST} are taken" in done.stderr
 
 
+def test_a_gallery_is_not_written_over_the_cases_of_a_project(tiny: Tiny) -> None:
+    own = sorted(path.name for path in (tiny.root / "cases").iterdir())
+    done = tiny.vv("docs", "--output", ".")
+    assert done.returncode == Bit.USAGE
+    assert "is no page of a gallery" in done.stderr
+    assert sorted(path.name for path in (tiny.root / "cases").iterdir()) == own
+    assert "only --picture takes it" in tiny.vv("docs", "--codes", "fake").stderr
+
+
 def test_a_commit_without_results_is_told_how_to_make_them(tiny: Tiny) -> None:
     assert "git switch --detach HEAD~1 && vv run CASE" in tiny.vv("diff", "HEAD~1").stderr
     tiny.git("init", "-q")

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import shutil
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
@@ -44,15 +43,28 @@ def docs(
     if picture is not None:
         _picture(project, selection or [], options.codes(codes), picture)
         return
+    if codes != "*":
+        raise UsageError(f"--codes {codes}: only --picture takes it; the pages are of all codes")
+    old = _pages_of_cases(output)
     names = _cases(project, selection or ["*"])
     files = {**case_pages(project, names), **({} if selection else code_pages(project))}
-    if not selection:
-        shutil.rmtree(output / "cases", ignore_errors=True)  # of cases that are no more
+    for page in () if selection else old:  # some are of cases that are no more
+        page.unlink()
     for place, text in files.items():
         path = output / place
         path.parent.mkdir(parents=True, exist_ok=True)
         write_whole(path, text.encode())
     say(f"{len(files)} files in {output}")
+
+
+def _pages_of_cases(gallery: Path) -> list[Path]:
+    """The pages and drawings in a gallery; raises UsageError where anything else lies there."""
+    found = sorted((gallery / "cases").glob("*"))
+    for one in found:
+        if one.suffix not in (".md", ".svg") or not one.is_file():
+            rule = "is no page of a gallery, whose pages are written anew; name another folder"
+            raise UsageError(f"--output {gallery}: {one} {rule}")
+    return found
 
 
 def _cases(project: Project, selection: Sequence[str]) -> list[str]:
