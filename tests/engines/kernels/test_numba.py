@@ -111,10 +111,16 @@ def doubtful(number: int) -> int:
     return number
 
 
+@called
+def between(number: int) -> int:
+    """Raises nothing itself, but calls what may."""
+    return doubtful(number)
+
+
 @compiled
 def told(number: int) -> int:
-    """Calls what may raise."""
-    return doubtful(number)
+    """Calls what may raise, by way of another part."""
+    return between(number)
 
 
 @called
