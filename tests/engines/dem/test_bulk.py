@@ -114,7 +114,7 @@ def partly_held(scene: Scene) -> Scene:
     s = scene.spheres
     moving = (np.arange(len(s)) % 7 > 0)[:, None] * np.ones(3, bool)
     x = s.position.copy()
-    x[7] = x[0] + np.array([1.9 * RADIUS, 0.0, 0.0])
+    x[7] = x[0] + np.array([1.7 * RADIUS, 0.0, 0.0])
     held = Spheres(
         x, s.velocity * moving, s.radius, s.mass, moving, free_spin=moving, spin=s.spin * moving
     )
