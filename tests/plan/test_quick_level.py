@@ -1,4 +1,4 @@
-"""The quick level is small, but leaves no case and no scheme out."""
+"""The quick level is small, but leaves no scheme out, and of cases only three with many spheres."""
 
 from collections import defaultdict
 from collections.abc import Callable
@@ -9,6 +9,11 @@ from vv.plan.plan import Job, Options, make_plan
 from vv.plan.project import Project
 
 PROJECT = Project(ROOT)
+LARGE = {
+    "column-collapse",
+    "homogeneous-cooling",
+    "hopper",
+}  # seconds in each code
 
 
 def steps(job: Job) -> int:
@@ -30,7 +35,9 @@ def rungs(level: Level, count: Callable[[Job], int]) -> dict[tuple[str, str], in
 
 def test_every_case_and_scheme_has_two_rungs_at_the_quick_level_or_all_it_has() -> None:
     quick, whole = rungs(Level.QUICK, steps), rungs(Level.DEFAULT, lambda _: 1)
-    assert {case for case, _ in quick} == set(PROJECT.case_names())
+    assert {case for case, _ in quick} == set(PROJECT.case_names()) - LARGE
     for (case, label), own in whole.items():
+        if case in LARGE:
+            continue
         there = quick[case, label]
         assert there >= min(own, 2), f"{case} runs {label} at {there} rungs at the quick level"

@@ -54,6 +54,8 @@ def test_the_chart_can_be_asked_at_any_friction(phi: float) -> None:
 def test_all_points_of_the_paper_s_charts_are_there() -> None:
     count = {"2d": 0, "3d": 0, "gravity": 0}
     for variant in CASE.variants:
+        if variant.name.endswith("-short"):
+            continue  # the points of another variant, at shorter steps
         trial = CASE.declare(variant.name, CASE.defaults(variant.name))
         count[variant.name.partition("-")[0]] += len(trial.quantities) - 2
     assert count == {"2d": 110, "3d": 88, "gravity": 51}

@@ -40,16 +40,15 @@ class Bodies(NamedTuple):
 class Motion(NamedTuple):
     """Where blocks are: what a step changes.
 
-    vertex: (v, 3) [m]; normal: (f, 3); centre, way: (n, 3) where it is, and how far it went [m];
-    rounded: (n, 3) what the sums of ways lost, which 1e5 steps make 1e-12 of a way; second:
-    (n, 3, 3) integral of rho r r^T about the centre [kg m2]; velocity: (q,); strain: (q,) sums of
-    all d, of which those of strains count, and turn with their block.
+    vertex: (v, 3) [m]; normal: (f, 3); centre: (n, 3) [m]; rounded: (n, 3) what rounding put into
+    a centre, which in 1e5 steps would be 1e-12 of a way; second: (n, 3, 3) integral of rho r r^T
+    about the centre [kg m2]; velocity: (q,); strain: (q,) sums of all d, of which those of strains
+    count, and turn with their block.
     """
 
     vertex: Vector
     normal: Vector
     centre: Vector
-    way: Vector
     rounded: Vector
     second: Vector
     velocity: Vector
@@ -69,7 +68,6 @@ def copied(to: Motion, source: Motion) -> None:
     copy_rows(to.vertex, source.vertex)
     copy_rows(to.normal, source.normal)
     copy_rows(to.centre, source.centre)
-    copy_rows(to.way, source.way)
     copy_rows(to.rounded, source.rounded)
     for i in range(len(to.second)):
         copy_rows(to.second[i], source.second[i])
@@ -159,12 +157,9 @@ def displace(
     for i in range(len(bodies.mass)):
         stretched(whole, bodies, i, d, terms)
         before = at(motion.centre, i)
-        centre = add_scaled(before, 1.0, travelled(bodies, i, d))
-        went = at(motion.way, i)
         owed = add_scaled(travelled(bodies, i, d), -1.0, at(motion.rounded, i))
-        way = add_scaled(went, 1.0, owed)
-        put(motion.rounded, i, add_scaled(add_scaled(way, -1.0, went), -1.0, owed))
-        put(motion.way, i, way)
+        centre = add_scaled(before, 1.0, owed)
+        put(motion.rounded, i, add_scaled(add_scaled(centre, -1.0, before), -1.0, owed))
         for k in range(shapes.vertex_start[i], shapes.vertex_start[i + 1]):
             arm = add_scaled(at(motion.vertex, k), -1.0, before)
             put(motion.vertex, k, add_scaled(centre, 1.0, mapped(whole, arm)))

@@ -149,7 +149,7 @@ def move_blocks(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
     closed(touch, motion.strain, kn, ks, mu, hold)
     masses(mass, bodies, motion)
     held(ledger, touch, bodies, motion, mass, store, stores, elastic)
-    origin = same_rows(motion.way, len(motion.way))
+    origin = same_rows(motion.centre, len(motion.centre))
 
     for row in range(len(path)):
         for _ in range((stride if row else 0) + (settling if row == 0 else 0)):
@@ -239,7 +239,8 @@ def move_blocks(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
                     begin = dt
             done += 1
         if row == 0:
-            copy_rows(origin, motion.way)
+            copy_rows(origin, motion.centre)
+            motion.rounded[:] = 0.0
             for term in range(STRAIN + 1, TERMS):
                 ledger[term] = 0.0
             put_in = ledger[KINETIC] + ledger[NORMAL] + ledger[SHEAR] + ledger[STRAIN]

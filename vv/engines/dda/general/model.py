@@ -177,7 +177,7 @@ class General:
         velocity = np.concatenate(starts)
         second = [0.5 * np.trace(b.inertia) * np.eye(3) - b.inertia for b in blocks]
         vertex = shape.vertex + centre[owner]
-        start = (vertex, shape.normal.copy(), centre, 0 * centre, 0 * centre)
+        start = (vertex, shape.normal.copy(), centre, 0 * centre)
         return Motion(*start, np.array(second), velocity, 0 * velocity)
 
     def kernel(self) -> Callable[..., int]:

@@ -31,7 +31,7 @@ def note(
         rate = travelled(bodies, i, motion.velocity)
         gradient(tensor, bodies, bodies.strains[i], bodies.start[i + 1], motion.strain)
         for c in range(3):
-            path[b, c] = motion.way[i, c] - origin[i, c]
+            path[b, c] = motion.centre[i, c] - origin[i, c] - motion.rounded[i, c]
             path[b, 3 + c] = rate[c]
             for j in range(3):
                 path[b, 6 + 3 * c + j] = tensor[c, j]
