@@ -98,6 +98,17 @@ def test_the_scale_is_that_which_was_accepted_and_one_where_there_was_none() -> 
     assert found.size == pytest.approx(3.0, rel=1e-3)
 
 
+@pytest.mark.parametrize(("off", "kinds"), [(2e-6, []), (4e-6, ["moved"])])
+def test_a_figure_far_above_its_scale_moves_by_its_own_last_bits(
+    off: float, kinds: list[str]
+) -> None:
+    """3000 is kept to twelve digits, 5e-9, and may move by 3e-6."""
+    figures = {"final": 3000.0, "mean": 1.0}
+    far = requantified(ran(None), figures=figures, scale=1.0)
+    moved = requantified(far, figures={**figures, "final": 3000.0 + off})
+    assert [found.kind for found in compared([moved], accepted(far))] == kinds
+
+
 def test_the_bands_are_these() -> None:
     assert (IN_HOUSE.width, EXTERNAL.width) == (1e-9, 1e-6)
 

@@ -2,7 +2,8 @@
 
 Bands apply to figures over the scale that was accepted, and to errors, which are relative
 already: a tiny error may multiply without leaving them, since that is rounding. Where an answer
-is off by more than its scale, its last bits are worth as much more, and bands are as much wider.
+is off by more than its scale, or is larger than it and has no error that would say so, its last
+bits are worth as much more, and bands are as much wider.
 """
 
 from __future__ import annotations
@@ -158,7 +159,8 @@ def _change(
         return Moved(name, change, f"error {_in_words(before)}, now {_in_words(error)}")
     drift = (error or 0.0) - (before or 0.0)
     shift = _shift(then, now)
-    width = band.width * max(1.0, before or 0.0, error or 0.0)
+    beyond = _size(then) if error is None else max(before or 0.0, error)
+    width = band.width * max(1.0, beyond)
     size = min(max(abs(drift), shift) / width, LARGE)
     if abs(drift) > width:
         return _error_moved(
@@ -191,6 +193,12 @@ def _shift(then: AcceptedQuantity, now: MeasuredQuantity) -> float:
         return float("inf")
     changes = [abs(a - b) for a, b in pairs if a is not None and b is not None]
     return max(changes, default=0.0) / (then.scale or 1.0)
+
+
+def _size(then: AcceptedQuantity) -> float:
+    """The largest figure over the scale that was accepted."""
+    figures = [abs(value) for value in then.figures.values() if value is not None]
+    return max(figures, default=0.0) / (then.scale or 1.0)
 
 
 def _in_words(error: float | None) -> str:
