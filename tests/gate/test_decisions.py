@@ -202,6 +202,16 @@ def test_a_baseline_reads_back_and_one_of_another_case_is_refused(tmp_path: Path
         ({"status": "refused", "reason": "no springs"}, None, False),
         ({"status": "refused", "reason": "too hot"}, "refused otherwise", False),
         ({"status": "error", "reason": "too hot"}, None, False),
+        (
+            {"variant": "T4", "status": "refused", "reason": "dt = 2.5e-4 s is too long"},
+            None,
+            False,
+        ),
+        (
+            {"variant": "T4", "status": "refused", "reason": "dt = 1e-3 s is too short"},
+            "refused otherwise",
+            False,
+        ),
         ({"case": "fall"}, None, False),
         ({"modified": True}, None, False),
         ({"variant": "T2"}, None, False),  # on record with its unknowns
@@ -212,7 +222,9 @@ def test_a_baseline_reads_back_and_one_of_another_case_is_refused(tmp_path: Path
 def test_an_answer_is_compared_with_that_on_record(
     changes: dict[str, Any], kind: str | None, red: bool
 ) -> None:
-    known: answers.Answers = {"dem/default": {"T1": "no springs", "T2": 7}}
+    known: answers.Answers = {
+        "dem/default": {"T1": "no springs", "T2": 7, "T4": "dt = 0.001 s is too long"}
+    }
     found = list(answers.compare("bounce", [ran(**changes)], known, True))
     assert [(one.kind, one.red) for one in found] == ([(kind, red)] if kind else [])
 

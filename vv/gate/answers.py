@@ -8,6 +8,7 @@ is not in the file, a new code or variant, is not compared.
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 
@@ -21,6 +22,7 @@ from vv.records.finding import NOTICE, Aspect, Bit, Finding
 from vv.records.job_record import Record
 from vv.records.reading import rung
 
+NUMBER = re.compile(r"\d+(\.\d+)?(e[-+]?\d+)?")
 Answers = dict[str, dict[str, int | str]]  # scheme -> variant -> unknowns, or why it refuses
 
 
@@ -101,9 +103,14 @@ def compare(
         if record.status is Status.RAN:
             text = f"was refused: {was}; to accept that it runs: vv accept {case} --reason ..."
             yield _finding(record, "no longer refused", text, Bit.ACCURACY, enforced)
-        elif record.status is Status.REFUSED and record.reason != was:
+        elif record.status is Status.REFUSED and _worded(record.reason) != _worded(was):
             text = f"was refused: {was}; now: {record.reason}"
             yield _finding(record, "refused otherwise", text, NOTICE, enforced)
+
+
+def _worded(reason: str) -> str:
+    """A reason without its numbers, which may be those of a step and differ from rung to rung."""
+    return NUMBER.sub("#", reason)
 
 
 def _finding(record: Record, kind: str, text: str, bit: Bit, enforced: bool) -> Finding:
