@@ -191,6 +191,7 @@ def test_scaling_has_a_scene_of_its_own_and_says_who_cannot_step_it(
 ) -> None:
     assert tiny.vv("speed", "fall", "--scaling", "100").returncode == 64
     assert tiny.vv("speed", "--scaling", "99").returncode == 64
+    assert tiny.vv("speed", "--scaling", "0").returncode == 64
     target = tmp_path / "scaling.json"
     done = tiny.vv("speed", "--scaling", "100", "--codes", "fake/good", "--json", str(target))
     assert done.returncode == 0, done.stderr

@@ -33,20 +33,20 @@ def speed(
         typer.Option("--json", metavar="FILE", help="Write all that is shown, as JSON."),
     ] = None,
     scaling: Annotated[
-        int,
+        int | None,
         typer.Option(
             "--scaling",
             metavar="N",
             help="Show instead what a sphere costs a step, of 100 spheres up to so many.",
         ),
-    ] = 0,
+    ] = None,
 ) -> None:
     """Time the cases that ask for it, and show what CPU time each code needs for what error.
 
     At level paper everything selected is timed, which takes minutes. `--scaling 10000` takes
     seconds, `--scaling 1000000` minutes.
     """
-    if scaling:
+    if scaling is not None:
         if selection:
             raise UsageError("--scaling has a scene of its own; name no case beside it")
         _scale(codes, scaling, json_file)
