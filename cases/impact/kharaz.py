@@ -16,6 +16,7 @@ from vv.case import (
     Measurement,
     Parameter,
     Parameters,
+    Quantity,
     Scalar,
     Source,
     Trial,
@@ -51,7 +52,7 @@ CITED = "Kharaz, Gorham and Salman (2001), Powder Technology 120(3), 281-291"
 CONDITIONS = "5 mm sphere of aluminium oxide, 3.9 m/s, on a thick plate of soda-lime glass, dry"
 
 
-def _contact(variant: str, p: Parameters) -> Contact:
+def contact(variant: str, p: Parameters) -> Contact:
     """Linear springs, or the moduli of both materials together."""
     if variant == "linear":
         return Contact(p["kn"], p["ks"], p["mu"])
@@ -66,24 +67,31 @@ def _contact(variant: str, p: Parameters) -> Contact:
 def _declare(variant: str, p: Parameters) -> Trial:
     sphere = Sphere(p["R"], p["rho"] * 4.0 / 3.0 * math.pi * p["R"] ** 3)
     blows = at_angles(p["v"], iter(sorted({*KEPT, *REBOUND, *SPIN})))
-    impacts = Impacts(sphere, _contact(variant, p), blows)
+    impacts = Impacts(sphere, contact(variant, p), blows)
+    ladder, exact = struck(impacts, p["v"])
+    quantities = list(exact)
+    quantities += [_kept(variant, impacts, angle) for angle in KEPT]
+    quantities += [_rebound(variant, impacts, angle) for angle in REBOUND]
+    quantities += [_spin(impacts, angle) for angle in SPIN]
+    return Trial(ladder, tuple(quantities))
+
+
+def struck(impacts: Impacts, v: float) -> tuple[Ladder, tuple[Quantity, ...]]:
+    """Impacts at the speed v [m/s] in steps of a normal one, and what is judged exactly of them."""
     law = impacts.law
-    linear = math.pi * math.sqrt(sphere.mass / law.K)
-    unit = linear if law.p == 1.0 else hertz.lasting(m=sphere.mass, K=law.K, v=p["v"])
+    linear = math.pi * math.sqrt(impacts.sphere.mass / law.K)
+    unit = linear if law.p == 1.0 else hertz.lasting(m=impacts.sphere.mass, K=law.K, v=v)
     interval = unit / STEPS[0] * STRIDE
     goal = History(interval * math.ceil(LASTS * impacts.longest() / interval), interval)
     rungs = tuple(Knobs(dt=unit / n) for n in STEPS)
     levels = {Level.QUICK: rungs[:2], Level.DEFAULT: rungs[:3], Level.PAPER: rungs}
-    solved = judged(
+    path = judged(
         1.0 / STEPS[0] ** 2, unit, STEPS[0],
         "(w dt)^2/24 of the swings along the normal and across it, which is up to twice as quick, "
         "and as much where contact, stick or slip begins and ends within a step",
     )  # fmt: skip
-    quantities = [impacts.worst(solved), impacts.nearest(solved), impacts.lasting(solved)]
-    quantities += [_kept(variant, impacts, angle) for angle in KEPT]
-    quantities += [_rebound(variant, impacts, angle) for angle in REBOUND]
-    quantities += [_spin(impacts, angle) for angle in SPIN]
-    return Trial(Ladder(impacts.scene(), goal, impacts.seen(), levels), tuple(quantities))
+    exact = impacts.worst(path), impacts.nearest(path), impacts.lasting(path)
+    return Ladder(impacts.scene(), goal, impacts.seen(), levels), exact
 
 
 def _kept(variant: str, impacts: Impacts, angle: float) -> Scalar:

@@ -179,7 +179,7 @@ PRINTED: dict[str, Callable[[Parameters], tuple[Scalar, ...]]] = {
 
 def _declare(variant: str, p: Parameters) -> Trial:
     if variant.startswith("dem05"):
-        return _dem05.struck(variant.removeprefix("dem05-"), p)
+        return _dem05.trial(variant.removeprefix("dem05-"), p)
     setting = KINDS[variant.partition("-")[0]](p)
     stride = max(1, round(setting.duration / (OUTPUTS * setting.steps[0] * setting.unit)))
     interval = stride * setting.steps[0] * setting.unit
