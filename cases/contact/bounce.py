@@ -28,6 +28,7 @@ from vv.case import (
 from vv.scene import Contact, Scene, Spheres, Vector, Wall, rotated, rotation_about_z
 
 Path = Callable[[Vector], Vector]  # times (k,) -> displacements (k, directions)
+Why = tuple[str, str] | tuple[()]  # of the second order, of the first
 
 ANGLE = 0.9  # rad; arbitrary, far from every axis and diagonal
 GOAL = History(duration=0.036, interval=1e-4)
@@ -95,7 +96,7 @@ def _declare(variant: str, p: Parameters) -> Trial:
         seen = (Displacement(0), Displacement(1))
         paths = [functools.partial(_pair_path, p, what.body) for what in seen]
         motions = [_motion(w, scene, 2, path) for w, path in zip(seen, paths, strict=True)]
-        quantities = _of_pair(motions, step)
+        quantities = _of_pair(motions, step, p)
     return Trial(Ladder(scene, GOAL, seen, _levels(step)), quantities)
 
 
@@ -122,15 +123,28 @@ def _of_sphere(motion: Motion, step: float, arm: float) -> tuple[Quantity, ...]:
     return (*parts, motion.distance(judge))
 
 
-def _of_pair(motions: list[Motion], step: float) -> tuple[Quantity, ...]:
-    # only friction acts across the line of centres, a part of what acts along it
-    along, across = _judge(step, 2e-4, 2.5e-3), _judge(step, 5e-5, 6e-4)
-    parts = (("x", "along the first line of centres", along), ("y", "across it", across))
-    return tuple(
-        motion.component(i, f"{axis}{n}", f"displacement of sphere {n} {how}", judge)
-        for n, motion in enumerate(motions, 1)
-        for i, (axis, how, judge) in enumerate(parts)
-    )
+def _of_pair(motions: list[Motion], step: float, p: Parameters) -> tuple[Quantity, ...]:
+    quantities: list[Quantity] = []
+    for n, motion in enumerate(motions, 1):
+        second, first = _thrown_off(p, n, step)
+        way = float(np.linalg.norm(motion.path(GOAL.times(None)), axis=1).max())
+        # only friction acts across the line of centres: mu of what acts along it, twice if it turns
+        for i, (axis, how, part) in enumerate(PARTS):
+            share = min(2 * p["mu"], 1.0) ** part / way
+            judge = _judge(step, second * share + ROUNDED, first * share + ROUNDED, why=OF_PAIR)
+            what = f"displacement of sphere {n} {how}"
+            quantities.append(motion.component(i, f"{axis}{n}", what, judge))
+    return tuple(quantities)
+
+
+def _thrown_off(p: Parameters, n: int, step: float) -> tuple[float, float]:
+    """How far [m] the ends of contacts within steps [s], and a load half a step late, throw one."""
+    light = 1 / _mass(p, p["r1"]), 1 / _mass(p, p["r2"])
+    pull, share = p["load"] * sum(light), light[n - 1] / sum(light)
+    closing = np.sqrt(p["v_n"] ** 2 + 2 * pull * p["gap"])
+    swing = p["kn"] * sum(light) * step**2
+    flown = float(share * GOAL.duration)
+    return float(closing * swing / 4) * flown, pull * step / 2 * flown
 
 
 def _levels(coarsest: float) -> dict[Level, tuple[Knobs, ...]]:
@@ -138,32 +152,34 @@ def _levels(coarsest: float) -> dict[Level, tuple[Knobs, ...]]:
     return {Level.QUICK: rungs[:3:2], Level.DEFAULT: rungs, Level.PAPER: rungs}
 
 
-def _judge(coarsest: float, second: float, first: float, arm: float = 0.0) -> Judge:
+def _judge(step: float, second: float, first: float, arm: float = 0.0, why: Why = ()) -> Judge:
     """second, first: bounds at the coarsest step [s]; arm: what half of U/r makes of the force."""
+    rubbed, late = why or ON_FLOOR
     return Exact({
         Method.EXACT: Tolerance(
             1e-11,
             "the two routes to the answer agree to 1e-12, over a dozen located events",
         ),
-        Method.SECOND_ORDER: Tolerance(
-            second,
-            "a contact lasts for more than a hundred steps: (k dt)^2/24 = 3e-5 for its swings, as "
-            "much again for each of its ends and those of slip, over up to four bounces; on the "
-            "floor codes differ by the arm of the shear force, r - U/2 for r, with U/r = 1e-5",
-            dt=coarsest,
-            order=2,
-            floor=arm,
-        ),
-        Method.FIRST_ORDER: Tolerance(
-            first,
-            "weight and load a taken half a step late at the start change the speed v of the first "
-            "impact by a dt/2v, 6e-5 on the floor and 2e-3 between two, and what follows as much",
-            dt=coarsest,
-            order=1,
-        ),
+        Method.SECOND_ORDER: Tolerance(second, rubbed, dt=step, order=2, floor=arm),
+        Method.FIRST_ORDER: Tolerance(first, late, dt=step, order=1),
     })  # fmt: skip
 
 
+ON_FLOOR = (
+    "a contact lasts for more than a hundred steps: (k dt)^2/24 = 3e-5 for its swings, as much "
+    "again for each of its ends and those of slip, over four bounces; codes differ by the arm of "
+    "the shear force, r - U/2 for r, with U/r = 1e-5",
+    "weight and load taken half a step late at the start change the speed v of the first impact "
+    "by g dt/2v, 6e-5, and what follows as much",
+)
+OF_PAIR = (
+    "each end of a contact lies within a step, and costs up to (k dt)^2/8 of the closing speed, "
+    "k^2 = kn (1/m1 + 1/m2); both ends of one that go the same way are allowed for the whole time",
+    "the load is taken half a step late at the start: the speed of closing lacks a dt/2 for the "
+    "whole time, a = P (1/m1 + 1/m2)",
+)
+ROUNDED = 1e-11  # of the way: what a code may be off where nothing pushes
+PARTS = (("x", "along the first line of centres", 0), ("y", "across it", 1))
 NOWHERE: Judge = Exact(dict.fromkeys(
     (Method.EXACT, Method.SECOND_ORDER, Method.FIRST_ORDER),
     Tolerance(1e-12, "nothing moves it there, or it is locked: rounding only"),

@@ -4,9 +4,13 @@ from __future__ import annotations
 
 import pytest
 
+from cases.bonds import _detour, tetrahedral_unit
+from vv.ask import Method
 from vv.case import Level, Scalar, evaluated
 from vv.engines import dem
 from vv.plan.project import find
+from vv.records.outcomes import Verdict
+from vv.records.record import measured
 
 CASE = find().load_case("tetrahedral-unit")
 
@@ -20,6 +24,21 @@ def test_mass_stiffness_and_viscosity_do_not_enter_the_state_of_rest(
     (modulus,) = (q for q in trial.quantities if isinstance(q, Scalar) and q.name == "E")
     assert modulus.reference is not None
     assert modulus.observe(run) == pytest.approx(evaluated(modulus.reference), rel=2e-7)
+
+
+@pytest.mark.parametrize("given", [{"m": 1e-3}, {"gamma": 0.5, "m": 3e-4, "eta": 4.0}, {}])
+def test_what_a_spring_keeps_of_the_way_to_rest_is_the_error_and_within_its_tolerance(
+    given: dict[str, float],
+) -> None:
+    p = {**CASE.defaults("pulled"), **given}
+    trial, ks = CASE.declare("pulled", p), p["gamma"] * p["kn"]
+    knobs = trial.study.rungs[Level.QUICK][0]
+    run = dem.solve_default(trial.study.ask(knobs))
+    off = _detour.left_off(p, ks, tetrahedral_unit._force(p, ks), trial.study.ask(knobs).dt)
+    for quantity in trial.quantities[: len(off)]:
+        found, _ = measured(run, quantity, Method.SECOND_ORDER, knobs)
+        assert found.verdict is Verdict.PASS
+        assert found.error == pytest.approx(off[quantity.name].kept, rel=0.05)
 
 
 @pytest.mark.parametrize("variant", ["pulled", "gamma-0", "gamma-1-pressed", "turning"])
