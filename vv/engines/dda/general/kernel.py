@@ -104,7 +104,7 @@ def move_blocks(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
     follow: int,
     dd: float,
     hold: float,
-    multipliers: int | None,
+    multipliers: int,
     bodies: Bodies,
     begun: Motion,
     motion: Motion,
@@ -124,11 +124,11 @@ def move_blocks(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
     """Step all blocks by DDA; return rows filled.
 
     settling: steps before t = 0 with drives at rest; rule: of all steps but the first, which is
-    DDA's own; tolerance, iterations, newton, terms, turns, follow, dd: see Formulation; hold: 1
-    where it is charged, else 0; multipliers: None leaves springs, see Formulation; begun: the
-    start; motion: becomes the end; base, starts: see `drives`; shaking: a body acceleration;
-    kn, ks [N/m] and mu of every point of contact; reach
-    [m]: see `found`; elastic: (q, 12) stiffness of strains [N m], laid out as `masses` are.
+    DDA's own; tolerance, iterations, newton, terms, turns, follow, dd, multipliers: see
+    Formulation; hold: 1 where it is charged, else 0; begun: the start; motion: becomes the end;
+    base, starts: see `drives`; shaking: a body acceleration; kn, ks [N/m] and mu of every point
+    of contact; reach [m]: see `found`; elastic: (q, 12) stiffness of strains [N m], laid out as
+    `masses` are.
 
     Every `stride` steps a row is written: path (k, b, 15): displacement, velocity and the tensor
     of strain of the watched blocks (b,); energy (k, 13) and report (k, 9): see `dda_energy`.
@@ -138,11 +138,11 @@ def move_blocks(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
     mass, outer, flow = nil_table(q, 12), nil_numbers(q), nil_numbers(q)
     d, pull, turn = nil_numbers(q), nil_numbers(q), nil_numbers(q)
     u, begun_by, rate = nil_numbers(q), nil_numbers(q), nil_numbers(q)
-    now = FIRST if multipliers is None else HALF
-    store, stores = (kn, ks) if multipliers is None else (0.0, 0.0)
+    now = FIRST if multipliers == 0 else HALF
+    store, stores = (kn, ks) if multipliers == 0 else (0.0, 0.0)
     ledger, worst, done = nil_numbers(TERMS), nil_numbers(REPORTS), -settling
     put_in, ever, most, spare = 0.0, 0.0, np.inf, 0.0
-    if multipliers is not None:  # springs that bear loads hold more than rounding does
+    if multipliers > 0:  # springs that bear loads hold more than rounding does
         spare = fall(bodies, reach)
     copied(motion, begun)
     touch = found(touch_room(0 * walls), bodies, motion, shapes, moves, planes, shift, depth, reach)
@@ -158,7 +158,7 @@ def move_blocks(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
                 shake, share = NOWHERE, 1.0 - now[1]
                 if done >= 0:
                     shifted(ahead, moved, shift, base, starts, done * dt + begin + part, share)
-                    late = share * part if multipliers is None else 0.0
+                    late = share * part if multipliers == 0 else 0.0
                     shake = value(shaking, done * dt + begin + late)
                 weight = brought(begun_by, motion.velocity, rate, now, part)
                 count = len(touch.key)
@@ -168,7 +168,7 @@ def move_blocks(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
                 convected(turn, bodies, motion, mass, elastic, part, terms, turns)
                 for a in range(q):
                     outer[a] += turn[a]
-                if multipliers is None:
+                if multipliers == 0:
                     ended, solved, used, rub, relative = iterate(
                         u, touch, bodies, motion, mass, outer, moved, begun_by, part, weight,
                         kn, ks, mu, hold, tolerance, iterations, newton, elastic,
@@ -183,14 +183,14 @@ def move_blocks(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
                 worst[ITERATIONS] = larger(worst[ITERATIONS], float(solved))
                 if not ended and part > dt / CUTS:
                     forget(touch, state, push, way)
-                    if multipliers is not None:
+                    if multipliers > 0:
                         copy_rows(touch.spring, spring)
                     part *= 0.5
                     worst[CUT] += 1
                     continue
                 worst[FAILED] += 0 if ended else 1
                 over = 1.0 / share
-                if multipliers is None:
+                if multipliers == 0:
                     close_step(
                         ledger, worst, pull, touch, used, rub, relative, moved, over, kn, ks, mu,
                         hold,
@@ -208,7 +208,7 @@ def move_blocks(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
                 ledger[NUMERICAL] += (0.5 - now[1]) * applied(flow, elastic, bodies, d)
                 ledger[NUMERICAL] += handed_on(motion.velocity, rate, d, mass, bodies, now, part)
                 now = rule
-                if multipliers is not None:  # what a blow was is not handed on
+                if multipliers > 0:  # what a blow was is not handed on
                     for a in range(q):
                         rate[a] = 0.0
                 displace(motion, bodies, shapes, d, terms, follow)

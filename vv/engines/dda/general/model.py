@@ -119,7 +119,7 @@ class General:
             way.follow,
             dd,
             float(self.formulation.charged),
-            way.multipliers or None,
+            way.multipliers,
             self.bodies(),
             begun,
             end,
