@@ -11,6 +11,7 @@ from hypothesis import strategies as st
 from tests.scenes.block_scenes import box
 from tests.scenes.sliding_blocks import Frame, incline
 from vv.scene import Contact, Harmonic, Scene, Spheres, Vector, Wall, rotated
+from vv.scene.rising import gives_way
 
 MIRROR = np.diag([1.0, -1.0, 1.0])
 
@@ -113,14 +114,14 @@ def slopes(draw: st.DrawFn) -> Scene:
 def any_blocks(draw: st.DrawFn) -> Scene:
     """One or two boxes on a floor, over it or in the open: locked or not, thrown, spinning, pulled.
 
-    A floor moves in its plane only: one that rises into what is locked has no answer.
+    A floor rises only where every block can give way: else a scene is refused.
     """
     blocks, top = [], 0.0
     for name in draw(st.sampled_from(["a", "ab"])):
         half, axes = np.array([draw(part(0.1, 0.6)) for _ in range(3)]), draw(frames())
         axes[0] *= np.linalg.det(axes)  # no mirror
-        up = np.linalg.norm(half) if draw(st.booleans()) else float(half @ np.abs(axes[:, 2]))
-        top += float(up)
+        reach = np.linalg.norm(half) if draw(st.booleans()) else float(half @ np.abs(axes[:, 2]))
+        top += float(reach)
         free, spins = (np.array(draw(st.tuples(*3 * [st.booleans()]))) for _ in range(2))
         blocks.append(
             box(name, [draw(part(-0.1, 0.1)), draw(part(-0.1, 0.1)), top], half, axes, free=free,
@@ -128,9 +129,11 @@ def any_blocks(draw: st.DrawFn) -> Scene:
                 spin=draw(vectors(2.0)) * draw(st.booleans()) * spins,
                 load=draw(vectors(300.0)) * draw(st.booleans()))
         )  # fmt: skip
-        top += float(up)
-    moves = Harmonic(draw(vectors(0.05)) * [1.0, 1.0, 0.0], np.ones(3))
-    floor = Wall(np.zeros(3), np.array([0.0, 0.0, 1.0]), draw(st.sampled_from([None, None, moves])))
+        top += float(reach)
+    up = np.array([0.0, 0.0, 1.0])
+    rises = all(gives_way(block, up, np.eye(3)) for block in blocks)
+    moves = Harmonic(draw(vectors(0.05)) * [1.0, 1.0, float(rises)], np.ones(3))
+    floor = Wall(np.zeros(3), up, draw(st.sampled_from([None, None, moves])))
     weight = np.array([draw(part(-3.0, 3.0)), draw(part(-3.0, 3.0)), -9.81])
     gravity = weight * draw(st.sampled_from([1.0, 1e-3, 0.0]))
     law = Contact(np.inf, mu=draw(st.sampled_from([0.0, 0.2, 0.6, 1.5])))

@@ -16,6 +16,7 @@ from vv.scene.bonds import Bonds, Pairs
 from vv.scene.contact import Contact
 from vv.scene.fluid import Fluid
 from vv.scene.hertz import Hertz
+from vv.scene.rising import rises_into
 from vv.scene.terms import Term
 
 
@@ -29,7 +30,8 @@ class Scene:
     the orthonormal directions to which `free` and `free_spin` refer. bonds: None, or the bonds; a
     bonded pair has no contact. A bond that can break must have the contact's kn and ks, and the
     sum of the radii as its length, so that forces do not jump when contact replaces it. fluid:
-    None, or what spheres move in.
+    None, or what spheres move in. A wall in rigid contact must not rise into a block that is
+    locked along the wall's normal.
     Raises ValueError naming the field and the value that is wrong.
     """
 
@@ -53,6 +55,10 @@ class Scene:
             raise ValueError("Scene.bodies has walls only; at least one sphere or block is needed")
         if self.bonds is not None:
             _check_bonds(self, self.bonds)
+        if not np.isfinite(self.contact.kn):
+            why = rises_into(self.walls, self.blocks, self.axes)
+            if why:
+                raise ValueError(f"Scene.bodies: {why}")
 
     @functools.cached_property
     def spheres(self) -> Spheres:
