@@ -1,1 +1,1 @@
-"""Benchmarks: each prints and writes its figures as JSON and exits 1 below its bar."""
+"""Benchmarks, in folders by what they show: each prints figures as JSON, exits 1 below its bar."""

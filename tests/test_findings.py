@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from bench.sensitivity import answer
+from bench.mutation.sensitivity import answer
 from tests import ROOT
 from vv.ask import Knobs, Status
 from vv.case import Level, Norm

@@ -1,9 +1,9 @@
 """Spheres without friction settle in a box: whatever their ways, their rest obeys exact laws.
 
 After some collisions the ways of spheres differ from code to code, and are not compared: when that
-begins, `python -m bench.divergence` finds. What is compared are laws of their rest and of how they
-lose their energy, over some seeds here and over many, with confidence intervals, in
-`python -m bench.ensembles`.
+begins, `python -m bench.chance.divergence` finds. What is compared are laws of their rest and of
+how they lose their energy, over some seeds here and over many, with confidence intervals, in
+`python -m bench.chance.ensembles`.
 """
 
 from __future__ import annotations

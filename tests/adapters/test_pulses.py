@@ -11,7 +11,7 @@ import adapters.liggghts
 import adapters.rigid
 import adapters.yade
 from cases.blocks.rocking import CASE
-from tests.scenes.block_scenes import box
+from tests.scenes.blocks.block_scenes import box
 from tests.support.installed import require
 from vv.ask import Ask, Displacement, History, Knobs, Status
 from vv.case import Ladder

@@ -13,7 +13,7 @@ import adapters.dem
 import adapters.liggghts
 import adapters.yade
 from tests.scenes.law_by_scipy import reference
-from tests.scenes.unlike_spheres import SCENES, facing, rolled, spheres
+from tests.scenes.spheres.unlike_spheres import SCENES, facing, rolled, spheres
 from tests.support.installed import require
 from vv.ask import Ask, Run, Status
 from vv.codes import Adapter

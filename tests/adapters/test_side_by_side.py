@@ -12,7 +12,7 @@ import adapters.liggghts
 import adapters.yade
 from cases.blocks.failure_modes import CASE as CHART
 from cases.blocks.rocking import CASE as ROCKING
-from tests.scenes.block_scenes import FREE, HELD, box, incline
+from tests.scenes.blocks.block_scenes import FREE, HELD, box, incline
 from tests.support.installed import require
 from vv.ask import Ask, Displacement, History, Knobs, Run, Status
 from vv.case import Ladder, Quantity

@@ -10,8 +10,8 @@ import pytest
 
 import adapters.liggghts
 import adapters.yade
-from tests.scenes.driven_blocks import off
-from tests.scenes.known_slides import (
+from tests.scenes.blocks.driven_blocks import off
+from tests.scenes.blocks.known_slides import (
     ASKS,
     BLOCK,
     BOUNCED,

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from bench.cost_trust import Place, gaps, rankings
+from bench.waits.cost_trust import Place, gaps, rankings
 
 A: Place = ("case", "variant", "a/a", 1e-3, None)
 B: Place = ("case", "variant", "b/b", 1e-4, None)

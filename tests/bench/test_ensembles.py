@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from bench.divergence import parted
-from bench.ensembles import QUANTITIES, asked, interval
+from bench.chance.divergence import parted
+from bench.chance.ensembles import QUANTITIES, asked, interval
 from vv.engines import dem
 
 

@@ -6,8 +6,8 @@ import ast
 
 import pytest
 
-from bench.mutants import COMPILED, ROOT, kernels, mechanical, parsed
-from bench.seeded_bugs import KINDS, changed
+from bench.mutation.mutants import COMPILED, ROOT, kernels, mechanical, parsed
+from bench.mutation.seeded_bugs import KINDS, changed
 
 PLAIN = {  # nothing to turn: they only call others
     "vv/engines/kernels/triples.py", "vv/engines/dem/space/forces.py",

@@ -12,7 +12,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from tests import ROOT
-from tests.scenes.block_scenes import box
+from tests.scenes.blocks.block_scenes import box
 from tests.scenes.small_scenes import small_scene
 from vv.ask import Ask, Displacement, History, Knobs, Status, Strain, Velocity
 from vv.base.digest import digest

@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from tests.scenes.bonded_scenes import CORNERS, EDGES, KN, KS, D, elements, tied, unit
+from tests.scenes.spheres.bonded_scenes import CORNERS, EDGES, KN, KS, D, elements, tied, unit
 from vv.ask import Ask, Displacement, History, Knobs, Status
 from vv.base.digest import digest
 from vv.codes import known_beforehand, python_script, source, unsupported

@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from tests.scenes.block_scenes import FREE, box
+from tests.scenes.blocks.block_scenes import FREE, box
 from tests.scenes.random_scenes import directions, frames, part
 from vv.scene import Block, Contact, Harmonic, Mask, Scene, Vector, Wall, rotated
 from vv.scene.rising import highest_rise

@@ -11,8 +11,8 @@ import pytest
 from adapters.liggghts.clumps import as_atoms
 from adapters.liggghts.overlaps import overlapped
 from adapters.liggghts.setup import heavier
-from tests.scenes.bonded_scenes import tied, unit
-from tests.scenes.sliding_blocks import Frame, incline
+from tests.scenes.blocks.sliding_blocks import Frame, incline
+from tests.scenes.spheres.bonded_scenes import tied, unit
 from tests.support.adapter_asks import block_ask
 from vv.ask import Ask
 from vv.scene import (

@@ -14,7 +14,7 @@ from cases.blocks.responding_block import CASE as RESPONDING
 from cases.contact.bounce import CASE as BOUNCE
 from cases.contact.single_contact import CASE as SINGLE_CONTACT
 from cases.hard.wedge import CASE as WEDGE
-from tests.scenes import stacked_blocks
+from tests.scenes.blocks import stacked_blocks
 from tests.scenes.other_worlds import rescaled, shifted
 from vv.ask import Ask, Displacement, History, Knobs, Run, Velocity
 from vv.case import Case

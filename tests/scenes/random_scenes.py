@@ -8,8 +8,8 @@ from typing import Any
 import numpy as np
 from hypothesis import strategies as st
 
-from tests.scenes.block_scenes import box
-from tests.scenes.sliding_blocks import Frame, incline
+from tests.scenes.blocks.block_scenes import box
+from tests.scenes.blocks.sliding_blocks import Frame, incline
 from vv.scene import Contact, Harmonic, Scene, Spheres, Vector, Wall, rotated
 from vv.scene.rising import gives_way
 

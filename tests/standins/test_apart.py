@@ -9,7 +9,7 @@ import numpy as np
 from hypothesis import given
 from hypothesis import strategies as st
 
-from tests.scenes.block_scenes import HELD, box, incline, responding
+from tests.scenes.blocks.block_scenes import HELD, box, incline, responding
 from vv.ask import Ask, Displacement, History, Knobs
 from vv.scene import Scene
 from vv.standins.apart import why_not_apart

@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from tests.scenes.block_scenes import incline, responding
+from tests.scenes.blocks.block_scenes import incline, responding
 from vv.ask import Ask, Displacement, History, Knobs
 from vv.scene import Contact, Scene, Term, initial_normal_forces, rotated, rotation_about_z
 from vv.standins.clump import Clump, clumps, why_no_clump

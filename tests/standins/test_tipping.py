@@ -10,7 +10,7 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from reference_solutions.blocks.first_motion import Mode, acceleration, mode
-from tests.scenes.block_scenes import incline
+from tests.scenes.blocks.block_scenes import incline
 from vv.ask import Ask, Displacement, History, Knobs
 from vv.scene import Scene, rotated, rotation_about_z
 from vv.standins.clump import Clump, clumps, why_no_clump

@@ -13,7 +13,7 @@ from adapters.liggghts import ADAPTER
 from adapters.liggghts.deck import deck, silent_deck
 from adapters.liggghts.setup import Setup
 from cases.contact.single_contact import CASE
-from tests.scenes.sliding_blocks import Frame, incline
+from tests.scenes.blocks.sliding_blocks import Frame, incline
 from tests.support import live_asks
 from tests.support.installed import only_with
 from tests.support.live_asks import TRIALS, error

@@ -10,7 +10,7 @@ import pytest
 from adapters.liggghts import ADAPTER
 from cases.blocks.incline import CASE as INCLINE
 from cases.blocks.responding_block import CASE as RESPONDING
-from tests.scenes.sliding_blocks import Frame, incline
+from tests.scenes.blocks.sliding_blocks import Frame, incline
 from tests.support.adapter_asks import DT, block_ask, case_ask
 from tests.support.liggghts_asks import CLUMP, PLAIN, deck_of, words
 from vv.ask import Knobs

@@ -10,7 +10,7 @@ import pytest
 
 from adapters.liggghts import ADAPTER
 from adapters.liggghts.overlaps import OVERLAP, overlapped
-from tests.scenes.bonded_scenes import CORNERS, EDGES, KN, KS, D, elements, tied, unit
+from tests.scenes.spheres.bonded_scenes import CORNERS, EDGES, KN, KS, D, elements, tied, unit
 from tests.support.installed import only_with
 from vv.ask import Ask, Displacement, History, Knobs, Status
 from vv.case import Grid, Level

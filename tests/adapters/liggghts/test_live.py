@@ -15,7 +15,7 @@ from adapters.liggghts import ADAPTER
 from adapters.liggghts.batch import MPI
 from cases.contact.bounce import CASE as BOUNCE
 from reference_solutions.contact import bouncing_pair
-from tests.scenes.sliding_blocks import responding
+from tests.scenes.blocks.sliding_blocks import responding
 from tests.support import live_asks
 from tests.support.installed import only_with
 from tests.support.live_asks import (

@@ -12,7 +12,7 @@ import pytest
 
 from adapters.yade import ADAPTER
 from adapters.yade.inside import script
-from tests.scenes.bonded_scenes import CORNERS, EDGES, KN, KS, D, M, elements, tied, unit
+from tests.scenes.spheres.bonded_scenes import CORNERS, EDGES, KN, KS, D, M, elements, tied, unit
 from tests.support.installed import only_with
 from tests.support.yade_asks import plan_of
 from vv.ask import Ask, Displacement, History, Knobs, Reaction, Run, Status

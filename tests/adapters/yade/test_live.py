@@ -15,7 +15,7 @@ from adapters.yade import ADAPTER
 from adapters.yade.installed import PYTHON
 from cases.hard.dashpot import CASE as DASHPOT
 from reference_solutions.contact import dashpot
-from tests.scenes.sliding_blocks import responding
+from tests.scenes.blocks.sliding_blocks import responding
 from tests.support import live_asks
 from tests.support.installed import only_with
 from tests.support.live_asks import (

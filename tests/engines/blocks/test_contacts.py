@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from tests.scenes.block_scenes import ACROSS, FLOOR, IN_PLANE, box
+from tests.scenes.blocks.block_scenes import ACROSS, FLOOR, IN_PLANE, box
 from vv.engines.blocks.geometry import depth_axis, planes, shapes
 from vv.scene import Block, Contact, Scene, Vector, Wall, polyhedron_inertia
 

@@ -8,7 +8,7 @@ import math
 import numpy as np
 import pytest
 
-from tests.scenes.dda_scenes import (
+from tests.scenes.blocks.dda_scenes import (
     ALL,
     FLOOR,
     NONE,

@@ -13,7 +13,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from adapters.dda import ADAPTER, FORMULATIONS, SCHEMES
-from tests.scenes.dda_scenes import (
+from tests.scenes.blocks.dda_scenes import (
     DOWN,
     FLOOR,
     G,

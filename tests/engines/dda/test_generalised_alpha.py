@@ -7,7 +7,7 @@ import dataclasses
 import numpy as np
 import pytest
 
-from tests.scenes.dda_scenes import asked, moved, run, shaken, slope
+from tests.scenes.blocks.dda_scenes import asked, moved, run, shaken, slope
 from vv.ask import History, Knobs, Run
 from vv.base.metrics import observed_order
 from vv.engines.dda import DAMPED, DEFAULT, Formulation

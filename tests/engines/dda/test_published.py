@@ -10,7 +10,7 @@ import pytest
 
 from adapters.dda import ADAPTER, FORMULATIONS
 from reference_solutions.blocks import incline, responding_block
-from tests.scenes.dda_scenes import (
+from tests.scenes.blocks.dda_scenes import (
     G,
     asked,
     box,

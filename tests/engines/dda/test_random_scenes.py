@@ -9,7 +9,7 @@ import numpy as np
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-from tests.scenes.dda_scenes import DOWN, FLOOR, box
+from tests.scenes.blocks.dda_scenes import DOWN, FLOOR, box
 from vv.ask import Ask, Displacement, History, Knobs, Status
 from vv.engines.dda import DEFAULT, Formulation, prepare
 from vv.engines.dda.general.energy import FAILED

@@ -10,7 +10,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from tests.scenes.dda_scenes import ALL, DOWN, FLOOR, G, asked, box, general, moved, run
+from tests.scenes.blocks.dda_scenes import ALL, DOWN, FLOOR, G, asked, box, general, moved, run
 from vv.ask import Run
 from vv.engines.dda import DEFAULT, LAGGED
 from vv.scene import Contact, Scene

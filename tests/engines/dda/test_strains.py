@@ -12,7 +12,7 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 from adapters.dda import ADAPTER, FORMULATIONS
-from tests.scenes.dda_scenes import ALL, DOWN, FLOOR, NONE, G, asked, box, slope
+from tests.scenes.blocks.dda_scenes import ALL, DOWN, FLOOR, NONE, G, asked, box, slope
 from tests.scenes.other_worlds import rescaled
 from vv.ask import Ask, Displacement, History, Knobs, Run, Status, Strain, Velocity
 from vv.codes import known_beforehand

@@ -9,7 +9,7 @@ import pytest
 from scipy.integrate import solve_ivp
 from scipy.spatial.transform import Rotation
 
-from tests.scenes.block_scenes import box
+from tests.scenes.blocks.block_scenes import box
 from vv.ask import Ask, Displacement, History, Knobs
 from vv.engines.dda import DEFAULT, PUBLISHED, Formulation, prepare
 from vv.engines.dda.general.bodies import Motion

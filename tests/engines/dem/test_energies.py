@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from adapters.dem import SCHEMES
-from tests.scenes.bonded_scenes import elements, unit
+from tests.scenes.spheres.bonded_scenes import elements, unit
 from vv.ask import Ask, Displacement, History, Knobs, Model, Run, Status
 from vv.codes import unseen
 from vv.engines import dem

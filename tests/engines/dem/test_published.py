@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from cases.contact.single_contact import CASE
-from tests.scenes.dem_contacts import PLAIN, STEPS, displacement, error
+from tests.scenes.spheres.dem_contacts import PLAIN, STEPS, displacement, error
 from tests.support.adapter_asks import case_ask as asked
 from vv.ask import History
 from vv.engines import dem

@@ -11,9 +11,9 @@ import pytest
 
 from adapters.dem import ADAPTER, LEAPFROGS, SCHEMES
 from reference_solutions.blocks import incline, responding_block
-from tests.scenes.dem_contacts import unknowns_passed
-from tests.scenes.driven_blocks import THREE, UP, G, carried, off, sines, slope
+from tests.scenes.blocks.driven_blocks import THREE, UP, G, carried, off, sines, slope
 from tests.scenes.small_scenes import FLOOR, ball
+from tests.scenes.spheres.dem_contacts import unknowns_passed
 from vv.ask import Ask, Displacement, History, Knobs, Method, Run, Status
 from vv.codes import Scheme, unsupported
 from vv.engines import dem

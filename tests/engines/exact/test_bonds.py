@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from scipy.linalg import expm
 
-from tests.scenes.bonded_scenes import CORNERS, EDGES, KN, KS, D, M, elements, tied, unit
+from tests.scenes.spheres.bonded_scenes import CORNERS, EDGES, KN, KS, D, M, elements, tied, unit
 from vv.ask import Ask, Displacement, History, Knobs, Run, Status
 from vv.engines import dem
 from vv.engines.exact import assemble_bonded, refusal, solve, solve_linearised

@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 from cases.contact.single_contact import CASE
+from tests.scenes.blocks.exact_slides import apart
 from tests.scenes.event_located import event_located
-from tests.scenes.exact_slides import apart
 from tests.scenes.small_scenes import DOWN, FLOOR, KINDS, ball, crowded, small_scene
 from vv.ask import Ask, Displacement, History, Run, Status, Velocity
 from vv.engines.exact import Path as Motion

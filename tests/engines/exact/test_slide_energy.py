@@ -7,8 +7,8 @@ from pathlib import Path
 import pytest
 
 from adapters.exact import ADAPTER
-from tests.scenes.exact_slides import BOX, ran, slid
-from tests.scenes.sliding_blocks import Frame, incline, random_scene, responding
+from tests.scenes.blocks.exact_slides import BOX, ran, slid
+from tests.scenes.blocks.sliding_blocks import Frame, incline, random_scene, responding
 from vv.ask import Ask, History, Velocity
 from vv.scene import Scene
 

@@ -9,8 +9,8 @@ import pytest
 
 from reference_solutions.blocks import incline as slopes
 from reference_solutions.blocks import responding_block
-from tests.scenes.exact_slides import BOX, DOWN, EXACT, LEVEL, apart, ran, slid
-from tests.scenes.sliding_blocks import (
+from tests.scenes.blocks.exact_slides import BOX, DOWN, EXACT, LEVEL, apart, ran, slid
+from tests.scenes.blocks.sliding_blocks import (
     Frame,
     G,
     block,

@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 from adapters.exact import ADAPTER
-from tests.scenes.exact_slides import BOX, DOWN, LEVEL
-from tests.scenes.sliding_blocks import FREE, Frame, G, block, incline, responding, wall
+from tests.scenes.blocks.exact_slides import BOX, DOWN, LEVEL
+from tests.scenes.blocks.sliding_blocks import FREE, Frame, G, block, incline, responding, wall
 from vv.ask import Ask, History, Status
 from vv.engines.exact import solve
 from vv.scene import Contact, Harmonic, Mask, Scene, Vector, Wall

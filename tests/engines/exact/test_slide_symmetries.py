@@ -7,8 +7,8 @@ import dataclasses
 import numpy as np
 import pytest
 
-from tests.scenes.exact_slides import BOX, LEVEL, apart, ran
-from tests.scenes.sliding_blocks import Frame, incline, random_scene, responding, wall
+from tests.scenes.blocks.exact_slides import BOX, LEVEL, apart, ran
+from tests.scenes.blocks.sliding_blocks import Frame, incline, random_scene, responding, wall
 from vv.engines.exact.slide.clock import Clock
 from vv.scene import Harmonic, Spheres, Vector, rotated
 

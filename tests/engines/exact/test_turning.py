@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 from reference_solutions.blocks import turning_slip
-from tests.scenes.exact_slides import BOX, DOWN, LEVEL, apart, ran, turned
-from tests.scenes.sliding_blocks import FREE, Frame, G, block, wall
+from tests.scenes.blocks.exact_slides import BOX, DOWN, LEVEL, apart, ran, turned
+from tests.scenes.blocks.sliding_blocks import FREE, Frame, G, block, wall
 from vv.ask import Ask, History, Status
 from vv.engines.exact import solve
 from vv.scene import Contact, Harmonic, Scene, Vector

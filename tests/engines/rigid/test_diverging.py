@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from tests.cases.hard.test_standing import scene
-from tests.scenes.block_scenes import DOWN, FLOOR, box
+from tests.scenes.blocks.block_scenes import DOWN, FLOOR, box
 from vv.ask import Ask, Displacement, History, Knobs, Run, Status
 from vv.engines import dda, rigid
 from vv.engines.dda import Formulation

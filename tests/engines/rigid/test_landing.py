@@ -9,7 +9,7 @@ from cases.hard.painleve import CASE as PAINLEVE
 from cases.hard.painleve import LAW
 from reference_solutions.hard import painleve_rod
 from tests.engines.rigid.test_motion import solved
-from tests.scenes.block_scenes import ACROSS, DOWN, FLOOR, FREE, HELD, IN_PLANE, G, box
+from tests.scenes.blocks.block_scenes import ACROSS, DOWN, FLOOR, FREE, HELD, IN_PLANE, G, box
 from vv.ask import Ask, Knobs
 from vv.engines import rigid
 from vv.engines.rigid import PreparedRigidBlocks

@@ -8,8 +8,18 @@ from typing import Any
 import numpy as np
 import pytest
 
-from tests.scenes.block_scenes import DOWN, FLOOR, FREE, HELD, G, box, incline, running_bond, slope
-from tests.scenes.failure_modes import charted, points, seen
+from tests.scenes.blocks.block_scenes import (
+    DOWN,
+    FLOOR,
+    FREE,
+    HELD,
+    G,
+    box,
+    incline,
+    running_bond,
+    slope,
+)
+from tests.scenes.blocks.failure_modes import charted, points, seen
 from vv.ask import Ask, Displacement, History, Knobs, Status, Velocity
 from vv.engines import rigid
 from vv.engines.rigid import PreparedRigidBlocks

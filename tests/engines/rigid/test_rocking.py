@@ -11,7 +11,7 @@ from scipy.integrate import solve_ivp
 
 from cases.blocks.rocking import CASE as ROCKING
 from tests.engines.rigid.test_motion import solved
-from tests.scenes.block_scenes import ACROSS, DOWN, FLOOR, IN_PLANE, G, box
+from tests.scenes.blocks.block_scenes import ACROSS, DOWN, FLOOR, IN_PLANE, G, box
 from vv.ask import Ask, Knobs, Status
 from vv.case import Series
 from vv.engines import rigid

@@ -10,7 +10,7 @@ import pytest
 
 from reference_solutions.blocks import incline as slides
 from reference_solutions.blocks import responding_block as responds
-from tests.scenes.block_scenes import FREE, HELD, incline, responding, slope
+from tests.scenes.blocks.block_scenes import FREE, HELD, incline, responding, slope
 from vv.ask import Ask, Displacement, History, Knobs, Run, Status
 from vv.engines import rigid
 from vv.engines.rigid import PreparedRigidBlocks

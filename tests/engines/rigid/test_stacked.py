@@ -7,7 +7,7 @@ import functools
 import numpy as np
 from scipy.integrate import solve_ivp
 
-from tests.scenes import stacked_blocks
+from tests.scenes.blocks import stacked_blocks
 from vv.ask import Ask, Displacement, History, Knobs, Status
 from vv.engines import rigid
 from vv.scene import Vector

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from tests.engines.rigid.test_motion import ends, solved
-from tests.scenes.block_scenes import DOWN, FLOOR, HELD, G, box, incline
+from tests.scenes.blocks.block_scenes import DOWN, FLOOR, HELD, G, box, incline
 from vv.scene import Contact, Harmonic, Scene
 
 CONVERGED = 1e-12  # m/s

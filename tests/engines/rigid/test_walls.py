@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from tests.engines.rigid.test_motion import solved
-from tests.scenes.block_scenes import DOWN, FREE, HELD, G, box, running_bond
+from tests.scenes.blocks.block_scenes import DOWN, FREE, HELD, G, box, running_bond
 from vv.ask import Ask, Displacement, History, Knobs, Reaction, Velocity
 from vv.engines import rigid
 from vv.scene import Contact, Harmonic, Scene

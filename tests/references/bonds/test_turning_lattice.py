@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 from reference_solutions.bonds import close_packed_lattice, lattice_material, turning_lattice
 from reference_solutions.bonds.close_packed_lattice import SIZES, Lattice, lattice
 from reference_solutions.checks.bonds import turning_lattice as points
-from tests.scenes.bonded_scenes import CORNERS, EDGES, KN, KS, D
+from tests.scenes.spheres.bonded_scenes import CORNERS, EDGES, KN, KS, D
 from tests.support.turned_signs import caught, signs, turned
 
 Array = NDArray[np.float64]

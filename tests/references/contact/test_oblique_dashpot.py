@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from reference_solutions.contact import oblique_dashpot
 from reference_solutions.contact.oblique_dashpot import Impact
 from tests.scenes.event_located import event_located
-from tests.scenes.oblique_impact import oblique
+from tests.scenes.spheres.oblique_impact import oblique
 from tests.support.turned_signs import caught, signs, turned
 
 THERE_AND_BACK = Impact(2.0, 1e4, 3e4, 0.3, 0.05, 0.3, 0.1)  # sticks, slips, sticks, slips back

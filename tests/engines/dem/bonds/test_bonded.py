@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from reference_solutions.bonds import close_packed_lattice, lattice_material, tetrahedral_unit
-from tests.scenes.bonded_scenes import CORNERS, EDGES, KN, KS, D, M, elements, tied, unit
+from tests.scenes.spheres.bonded_scenes import CORNERS, EDGES, KN, KS, D, M, elements, tied, unit
 from vv.ask import Ask, Displacement, History, Knobs, Run, Status, Velocity
 from vv.engines import dem
 from vv.engines.dem.space.model import space

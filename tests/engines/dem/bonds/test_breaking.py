@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from cases.bonds.tetrahedral_strength import CASE
-from tests.scenes.bonded_scenes import CORNERS, EDGES, KN, KS, D, M, elements, tied, unit
+from tests.scenes.spheres.bonded_scenes import CORNERS, EDGES, KN, KS, D, M, elements, tied, unit
 from vv.ask import Ask, Displacement, History, Knobs, Observable, Reaction, Run, Status, Velocity
 from vv.case import Scalar
 from vv.engines import dem

@@ -10,8 +10,8 @@ import sys
 import numpy as np
 import pytest
 
-from bench.lattice_threads import program
-from tests.scenes.bonded_scenes import CORNERS, KN, KS, M, elements, tied, unit
+from bench.speed.lattice_threads import program
+from tests.scenes.spheres.bonded_scenes import CORNERS, KN, KS, M, elements, tied, unit
 from vv.ask import Ask, Displacement, History, Knobs
 from vv.engines import dem
 from vv.engines.dem.bonds import blocks
@@ -73,7 +73,7 @@ def test_two_threads_give_the_bits_of_one() -> None:
     Slow where kernels are not cached: that for threads is compiled for this test alone.
     """
     script = (
-        "from bench.lattice_threads import program\n"
+        "from bench.speed.lattice_threads import program\n"
         f"one, two = program({SIZE}, 60), program({SIZE}, 60, threads=2)\n"
         "assert one.solve() == two.solve() == 2\n"
         "assert one.arguments[1][-1, 10] > 0.0, 'no bond breaks'\n"

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from reference_solutions.contact.oblique_dashpot import Impact, motion
-from tests.scenes.oblique_impact import oblique, on_moving_wall, seen_from_it
+from tests.scenes.spheres.oblique_impact import oblique, on_moving_wall, seen_from_it
 from vv.ask import Ask, Displacement, History, Knobs, Run, Status, Velocity
 from vv.engines import dem
 from vv.plan.project import find

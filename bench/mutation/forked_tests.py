@@ -1,0 +1,90 @@
+"""Asks pytest about a copy of the project, in processes forked from one with the libraries."""
+
+from __future__ import annotations
+
+import functools
+import itertools
+import os
+import signal
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+from bench.mutation.mutants import ROOT
+
+PROCESSES = {"tiny", "copy", "accepted", "first", "project", "kept"}  # fixtures that start some
+REWRITTEN = "ignore:Module already imported:pytest.PytestAssertRewriteWarning"
+LIMIT = 600  # s after which what is asked counts as red: it hangs
+READ = ("tests", "docs", "examples", ".ci")
+BESIDE = ("README.md", "CONTRIBUTING.md", "CHANGELOG.md", "Makefile", "requirements.lock")
+LATER = itertools.count(int(time.time()))  # a second of its own for each file that is rewritten
+OWN = ("vv", "tests", "bench", "reports", "cases", "adapters", "reference_solutions")
+
+
+class _Selected:
+    """A plug-in of pytest: only the tests that start no process, or only those that do."""
+
+    def __init__(self, processes: bool) -> None:
+        self.processes = processes
+
+    def pytest_collection_modifyitems(self, items: list[pytest.Item]) -> None:
+        """Keep one of both kinds."""
+        items[:] = [i for i in items if self.processes == bool(_fixtures(i) & PROCESSES)]
+
+
+def _fixtures(item: pytest.Item) -> set[str]:
+    return set(getattr(item, "fixturenames", ()))
+
+
+def passes(project: Path, tests: str, processes: bool | None = None) -> bool:
+    """Whether pytest is content with a folder or file of tests, asked in a process of its own.
+
+    processes: whether only tests that start some are asked, or only the others; None: all.
+    """
+    child = os.fork()
+    if child == 0:
+        try:
+            os._exit(_tested(project, tests, processes))
+        finally:
+            os._exit(2)
+    return os.waitpid(child, 0)[1] == 0
+
+
+@functools.cache
+def green(project: Path, tests: str, processes: bool) -> bool:
+    """Whether tests pass in a copy in which nothing is changed."""
+    return passes(project, tests, processes)
+
+
+def _tested(project: Path, tests: str, processes: bool | None) -> int:
+    signal.alarm(LIMIT)
+    sys.dont_write_bytecode = False  # the next process reads it
+    os.chdir(project)
+    os.environ["PYTHONPATH"] = str(project)
+    sys.path.insert(0, str(project))
+    for name in [n for n in sys.modules if n.partition(".")[0] in OWN]:
+        del sys.modules[name]
+    os.dup2(os.open(os.devnull, os.O_WRONLY), 1)
+    os.dup2(1, 2)
+    words = ["-x", "-q", "-p", "no:cacheprovider", "-W", REWRITTEN, tests]
+    chosen = [] if processes is None else [_Selected(processes)]
+    status = pytest.main(words, plugins=chosen)
+    return 0 if status in (pytest.ExitCode.OK, pytest.ExitCode.NO_TESTS_COLLECTED) else 1
+
+
+@functools.cache
+def with_tests() -> dict[str, bytes]:
+    """What a copy of the project needs besides: the tests, and what they read."""
+    found = [path for folder in READ for path in (ROOT / folder).rglob("*")]
+    found += [ROOT / name for name in BESIDE]
+    wanted = [p for p in found if p.is_file() and p.suffix not in (".pyc", ".svg")]
+    return {path.relative_to(ROOT).as_posix(): path.read_bytes() for path in wanted}
+
+
+def rewrite(path: Path, text: str) -> None:
+    """Replace a source so that Python sees it: bytecode is known by whole seconds and size."""
+    path.write_text(text)
+    then = next(LATER)
+    os.utime(path, (then, then))

@@ -1,0 +1,133 @@
+"""Mechanical mutants of the kernels: operators turned, constants moved, one at a time."""
+
+import ast
+import copy
+import functools
+import random
+import re
+from collections.abc import Iterator
+from pathlib import Path
+from typing import NamedTuple
+
+from vv.base.closure import import_closure
+from vv.plan.keys import roots
+from vv.plan.project import find
+
+ROOT = Path(__file__).resolve().parents[2]
+COMPILED = re.compile(r"^@(?:compiled|called|inlined|inlined_called|lent|shared)\b", re.MULTILINE)
+BESIDE = (  # what `exact` computes outside its kernels
+    "bonds", "flow", "ledger", "path", "system",
+    "slide/clock", "slide/flow", "slide/ledger", "slide/path", "slide/system",
+    "turn/ledger", "turn/path",
+)  # fmt: skip
+SWAPS: dict[type, type] = {
+    ast.Add: ast.Sub,
+    ast.Sub: ast.Add,
+    ast.Mult: ast.Div,
+    ast.Div: ast.Mult,
+    ast.Lt: ast.GtE,
+    ast.LtE: ast.Gt,
+    ast.Gt: ast.LtE,
+    ast.GtE: ast.Lt,
+    ast.And: ast.Or,
+    ast.Or: ast.And,
+    ast.USub: ast.UAdd,
+}  # fmt: skip
+SYMBOLS = {
+    ast.Add: "+", ast.Sub: "-", ast.Mult: "*", ast.Div: "/", ast.Lt: "<", ast.LtE: "<=",
+    ast.Gt: ">", ast.GtE: ">=", ast.And: "and", ast.Or: "or", ast.USub: "-", ast.UAdd: "+",
+}  # fmt: skip
+
+
+class Mutant(NamedTuple):
+    """A node of a kernel to turn: what that is, its file, codes to ask, its place in ast.walk."""
+
+    what: str
+    file: str
+    codes: tuple[str, ...]
+    place: int
+
+    def text(self) -> str:
+        """The file's text with this node turned."""
+        tree = copy.deepcopy(parsed(self.file))
+        node = list(ast.walk(tree))[self.place]
+        changed = turned(node)
+        for name, value in vars(changed).items():
+            setattr(node, name, value)
+        return ast.unparse(tree)
+
+
+@functools.cache
+def kernels() -> dict[str, tuple[str, ...]]:
+    """File -> codes: all that is compiled, with every code that it is part of."""
+    project = find(ROOT)
+    exact = [f"vv/engines/exact/{name}.py" for name in BESIDE]
+    found: dict[str, tuple[str, ...]] = dict.fromkeys(exact, ("exact",))
+    for code in ("dem", "rigid", "dda", "exact"):
+        for path in import_closure(project.adapter_files(code), roots(project)):
+            if path.suffix == ".py" and COMPILED.search(path.read_text()):
+                name = path.relative_to(ROOT).as_posix()
+                found[name] = (*found.get(name, ()), code)
+    return found
+
+
+@functools.cache
+def parsed(file: str) -> ast.Module:
+    """A file's tree, not to be changed."""
+    return ast.parse((ROOT / file).read_text())
+
+
+def mechanical(each: int) -> Iterator[Mutant]:
+    """Operators turned and constants moved, a fixed random choice of `each` in every kernel.
+
+    The first of every kernel comes before the second of any: a run that is cut tells of all.
+    """
+    chosen = {file: _chosen(file)[:each] for file in kernels()}
+    for turn in range(each):
+        for file, places in chosen.items():
+            if turn < len(places):
+                node = list(ast.walk(parsed(file)))[places[turn]]
+                yield Mutant(_what(file, node), file, kernels()[file], places[turn])
+
+
+def _chosen(file: str) -> list[int]:
+    """The places of all that can be turned in a file, in a random order of its own."""
+    sites = [place for place, node in enumerate(ast.walk(parsed(file))) if _turnable(node)]
+    return random.Random(file).sample(sites, len(sites))
+
+
+def _turnable(node: ast.AST) -> bool:
+    if isinstance(node, ast.Constant):
+        return isinstance(node.value, float) and node.value != 0.0
+    if isinstance(node, ast.Compare):
+        return type(node.ops[0]) in SWAPS
+    return isinstance(node, ast.BinOp | ast.BoolOp | ast.UnaryOp) and type(node.op) in SWAPS
+
+
+def turned(node: ast.AST) -> ast.expr:
+    """A copy of a node that can be turned, turned."""
+    made = copy.deepcopy(node)
+    if isinstance(made, ast.Constant):
+        assert isinstance(made.value, float)
+        made.value = 1.1 * made.value
+    elif isinstance(made, ast.Compare):
+        made.ops[0] = SWAPS[type(made.ops[0])]()
+    else:
+        assert isinstance(made, ast.BinOp | ast.BoolOp | ast.UnaryOp)
+        made.op = SWAPS[type(made.op)]()
+    return made
+
+
+def _what(file: str, node: ast.AST) -> str:
+    """Where a node is, and what becomes of it."""
+    where = f"{file}:{getattr(node, 'lineno', 0)}:{getattr(node, 'col_offset', 0)}"
+    return f"{where} {_word(node)} -> {_word(turned(node))}"
+
+
+def _word(node: ast.AST) -> str:
+    if isinstance(node, ast.Constant):
+        return str(node.value)
+    if isinstance(node, ast.Compare):
+        return SYMBOLS[type(node.ops[0])]
+    assert isinstance(node, ast.BinOp | ast.BoolOp | ast.UnaryOp)
+    return SYMBOLS[type(node.op)]

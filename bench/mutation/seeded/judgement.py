@@ -1,0 +1,51 @@
+"""Bugs by which the gate would judge wrongly: what is wrong passes, or nobody can fail."""
+
+from bench.mutation.seeded.bug import Bug
+
+RECORD = "vv/records/record.py"
+JUDGEMENT = "vv/gate/judgement.py"
+REGRESSION = "vv/gate/regression.py"
+DISAGREEMENT = "vv/gate/disagreement.py"
+EXPIRY = "vv/gate/expiry.py"
+ALL = "vv/gate/all_checks.py"
+JUDGES = "vv/case/judges.py"
+METRICS = "vv/base/metrics.py"
+RUNGS = "vv/records/rungs.py"
+DDA_AUDIT = "vv/engines/dda/general/energy.py"
+GATE, MEASURED = "tests/gate", "tests/records"
+
+BUGS = (
+    Bug("an interval judged on its lower side only", RECORD, "judge.low <= found.value <= judge.high", "judge.low <= found.value", tests=MEASURED),
+    Bug("an interval judged on its upper side only", RECORD, "judge.low <= found.value <= judge.high", "found.value <= judge.high", tests=MEASURED),
+    Bug("audits judged only where a bound is promised", JUDGEMENT, "in ledger.audits.items():", "in (ledger.audits if ledger.bound is not None else {}).items():", tests=GATE),
+    Bug("an audit that is not a number passes", JUDGEMENT, "        if not seen <= allowed:", "        if seen > allowed:", tests=GATE),
+    Bug("energy that is not a number passes", JUDGEMENT, "if not seen <= ledger.bound", "if seen > ledger.bound", tests=GATE),
+    Bug("dissipation that gives is not seen", JUDGEMENT, "laws[f\"negative {name} [J]\"] = -value", "laws[f\"negative {name} [J]\"] = value - abs(value)", tests=GATE),
+    Bug("--against DIR ignored", ALL, "baseline.read(against, case) if against else baseline_of", "baseline_of(project, case) if against else baseline_of", tests="tests/gate tests/cli"),
+    Bug("what became too long vanishes", REGRESSION, "(Status.REFUSED, Status.NOT_RUN, Status.TOO_LONG)", "(Status.REFUSED, Status.NOT_RUN)", tests=GATE),
+    Bug("drift over the scale of today", REGRESSION, "(then.scale or 1.0)", "(now.scale or 1.0)", tests=GATE),
+    Bug("output times off by 1 % pass", RECORD, "rtol=1e-9, atol=0.0", "rtol=2e-2, atol=0.0", tests=MEASURED),
+    Bug("terms left out pass", RECORD, "ask.scene.terms() - run.model.terms:", "False:", tests=MEASURED),
+    Bug("a copy of the reference passes", RECORD, "return bool(same and np.ptp(value) > 0)", "return False", tests=MEASURED),
+    Bug("what never moves passes", RECORD, "np.ptp(value) == 0 and", "np.ptp(value) < 0 and", tests=MEASURED),
+    Bug("a tolerance above the largest", JUDGES, "return min(LARGEST_TOLERANCE, max(self.floor, bound))", "return max(self.floor, bound)", tests="tests/case"),
+    Bug("a band of a disagreement open below", DISAGREEMENT, "low <= one.error <= high", "one.error <= high", tests=GATE),
+    Bug("any order is known", DISAGREEMENT, "and in_band and in_order:", "and in_band:", tests=GATE),
+    Bug("an expired entry excuses", EXPIRY, "entry.expires >= today.isoformat()", "entry.expires >= ''", tests=GATE),
+    Bug("a missing code that is required is no matter", JUDGEMENT, "Status.NOT_INSTALLED: (Bit(0), Bit.INCOMPLETE)", "Status.NOT_INSTALLED: (Bit(0), Bit(0))", tests=GATE),
+    Bug("the least of an audit instead of the largest", DDA_AUDIT, "worst[ADRIFT] = larger(worst[ADRIFT], abs(off))", "worst[ADRIFT] = larger(worst[ADRIFT], -abs(off))", tests="tests/engines/dda"),
+    Bug("Coulomb's audit cannot fail", DDA_AUDIT, "np.sqrt(dot(rubs, rubs)) - mu * larger(push, 0.0)", "-mu * larger(push, 0.0)", tests="tests/engines/dda"),
+    Bug("a final error with its sign", METRICS, "abs(value[-1] - reference[-1]) / last", "(value[-1] - reference[-1]) / last", tests="tests/base"),
+    Bug("the mean of pointwise errors", METRICS, "reference[kept]) / reference[kept]).max())", "reference[kept]) / reference[kept]).mean())", tests="tests/base"),
+    Bug("an error over a scale with its sign", METRICS, "np.abs(value - reference).max() / scale", "(value - reference).max() / scale", tests="tests/base"),
+    Bug("a floor after three stalls", METRICS, "stalls < 2", "stalls < 3", tests="tests/base"),
+    Bug("findings besides the records dropped", JUDGEMENT, "return [*own, *manifest.findings]", "return own", tests=GATE),
+    Bug("the limit of the coarsest steps", RUNGS, "if r.rung.dt and r.quantities][:-4:-1]", "if r.rung.dt and r.quantities][2::-1]", tests="tests/insight"),
+    Bug("a known band scaled the wrong way in dt", DISAGREEMENT, "(rung.dt or self.dt) / self.dt", "self.dt / (rung.dt or self.dt)", tests="tests/gate/test_disagreement.py"),
+    Bug("a known band scaled the wrong way in kn", DISAGREEMENT, "(self.kn / rung.kn)", "(rung.kn / self.kn)", tests="tests/gate/test_disagreement.py"),
+    Bug("a parameter of another value is the same", REGRESSION, "if then is not None and then != now:", "if then is not None and then.keys() != now.keys():", tests="tests/gate/test_decisions.py"),
+    Bug("a quantity that is no longer reported is no matter", REGRESSION, "        return Moved(name, Change.GONE, \"has a baseline, but is no longer reported\")", "        return None", tests="tests/gate/test_baseline.py"),
+    Bug("what is required need only be asked", JUDGEMENT, "seen = {record.label for record in records if ran(record)}", "seen = {record.label for record in records}", tests="tests/gate/test_judgement.py"),
+    Bug("a figure that is gone has not moved", REGRESSION, 'return float("inf")', "return 0.0", tests="tests/gate/test_decisions.py"),
+    Bug("a known breach open below", "vv/gate/known_breaches.py", "and low <= seen <= high", "and seen <= high", tests="tests/gate/test_known_breaches.py"),
+)  # fmt: skip

@@ -1,0 +1,36 @@
+"""Bugs in what is kept and read back: damage unseen, results under the wrong key, lost digits."""
+
+from bench.mutation.seeded.bug import Bug
+
+SEAL = "vv/store/seal.py"
+STORE = "vv/store/store.py"
+MANIFEST = "vv/store/manifest.py"
+PROVENANCE = "vv/store/provenance.py"
+CODEC = "vv/records/codec.py"
+KEYS = "vv/plan/keys.py"
+FILES = "vv/base/files.py"
+KEPT, KEYED = "tests/store", "tests/plan/test_keys.py tests/store"
+
+BUGS = (
+    Bug("a broken seal of a text opened", SEAL, "if whole != sealed_text(name, text):", "if False:", tests=KEPT),
+    Bug("a broken seal of arrays opened", SEAL, "if whole[-SIZE:] != seal_of", "if whole[:0] != seal_of", tests=KEPT),
+    Bug("a seal that any name opens", SEAL, "hashlib.blake2b(name.encode(", "hashlib.blake2b(''.encode(", tests=KEPT),
+    Bug("a manifest's first line unsealed", MANIFEST, "    if end != f'", "    if False and end != f'", tests=KEPT),
+    Bug("a case's records unsealed", MANIFEST, "    _check(seals, case, own, name)\n", "", tests=KEPT),
+    Bug("a manifest of the future is the latest", STORE, "return [name for name in names if name <= tomorrow]", "return names", tests=KEPT),
+    Bug("the latest is the oldest", STORE, "for name in reversed(self.manifests()):", "for name in self.manifests():", tests=KEPT),
+    Bug("failures kept as runs", STORE, "if run.status is Status.RAN:", "if run.status is not None:", tests="tests/store tests/run"),
+    Bug("half a file where one is killed", FILES, "os.replace(temporary, path)", "path.write_bytes(content[: len(content) // 2]); os.replace(temporary, path)", tests="tests/store tests/base"),
+    Bug("a program known by a time that can be set back", PROVENANCE, "state.st_ctime_ns", "state.st_mtime_ns", tests="tests/store tests/plan/test_keys.py"),
+    Bug("a run's key without its scheme", KEYS, "job.code, job.scheme, prints", "job.code, prints", tests=KEYED),
+    Bug("a run's key without its sources", KEYS, "prints[job.code], how)", "how)", tests=KEYED),
+    Bug("a run's key without its executables", KEYS, "python, sorted(external.values())", "python", tests=KEYED),
+    Bug("a record's key without its class of method", KEYS, "job.parameters, job.method", "job.parameters", tests=KEYED),
+    Bug("a record's key without its parameters", KEYS, "job.parameters, job.method", "job.method", tests=KEYED),
+    Bug("settings alike in three digits share a name", "vv/records/reading.py", "{value:.12g}", "{value:.3g}", tests="tests/records tests/gate tests/run"),
+    Bug("accepted figures of three digits", "vv/gate/baseline.py", "DIGITS = 12", "DIGITS = 3", tests="tests/gate"),
+    Bug("recorded results of other parameters", "vv/gate/recorded.py", "kept.parameters.get(record.variant) == record.parameters", "kept.parameters", tests="tests/gate"),
+    Bug("an infinite number read", CODEC, "if not -LARGEST <= data <= LARGEST:", "if data != data:", tests="tests/records"),
+    Bug("a truth read as a number", CODEC, "if type(data) is not int:", "if not isinstance(data, int):", tests="tests/records"),
+    Bug("a search's key without its source", KEYS, "prints[job.code], how)", "prints[job.code])", tests=KEYED),
+)  # fmt: skip

@@ -1,0 +1,41 @@
+"""Bugs in how an invocation runs: what is asked, what is taken again, what is timed or stopped."""
+
+from bench.mutation.seeded.bug import Bug
+
+RUNNER = "vv/run/runner.py"
+SEARCH = "vv/run/search.py"
+REUSE = "vv/run/reuse.py"
+SESSION = "vv/run/session.py"
+TIMING = "vv/run/timing_phase.py"
+NARROWING = "vv/run/narrowing.py"
+SETTINGS = "vv/plan/settings.py"
+RUN = "tests/run"
+
+BUGS = (
+    Bug("a lost step counts as stable", SEARCH, "if run.status is not Status.RAN:\n        return LOST", "if run.status is not Status.RAN:\n        return 0.0", tests=RUN),
+    Bug("a search that never narrows", SEARCH, "np.geomspace(stable, lost, self.bracket.tries + 2)[1:-1]", "np.geomspace(stable, lost, self.bracket.tries + 2)[:-2]", tests=RUN),
+    Bug("a search refined once", SEARCH, "range(max(one.bracket.rounds for one in searches))", "range(min(2, max(one.bracket.rounds for one in searches)))", tests=RUN),
+    Bug("a search reports its last step", SEARCH, "first = self.runs[min(self.runs)]", "first = self.runs[max(self.runs)]", tests=RUN),
+    Bug("the rest of a batch is lost", RUNNER, "        waiting.append(left)", "        pass", tests="tests/run/test_runner.py"),
+    Bug("the ask after the one that died fails", RUNNER, "left = left.rest(1)", "left = left.rest(2)", tests="tests/run/test_runner.py"),
+    Bug("answers come under the numbers of others", RUNNER, "yield worker.batch.numbers[worker.answered], run", "yield worker.batch.numbers[-1 - worker.answered], run", tests="tests/run/test_runner.py"),
+    Bug("the clock of the first ask runs on", RUNNER, "worker.deadline = time.monotonic() + worker.timeout\n", "pass\n", tests="tests/run/test_runner.py"),
+    Bug("an invocation known without its environment", REUSE, "{name: value for name, value in os.environ.items() if name.startswith(SEEN)}", "{}", tests=RUN),
+    Bug("an invocation known without its sources", REUSE, "        _sources(project),\n", "", tests=RUN),
+    Bug("an invocation known without its day", REUSE, "        today.isoformat(),\n", "", tests="tests/plan/test_keys.py"),
+    Bug("an invocation known without its baselines", REUSE, '_content(path) for path in against.glob("*.json")} if against else ""', '"" for path in against.glob("*.json")} if against else ""', tests=RUN),
+    Bug("what failed stands", REUSE, "return status in LASTING or", "return True or", tests="tests/run/test_reuse.py"),
+    Bug("a session with gaps stands", REUSE, " and not manifest.untimed:", ":", tests="tests/run/test_reuse.py"),
+    Bug("--fresh ignored", SESSION, "usable = not limits.fresh and plan", "usable = plan", tests="tests/store/test_store.py"),
+    Bug("results of a code that is not here", SESSION, "not limits.fresh and plan.found[job.code].installed", "not limits.fresh", tests="tests/store/test_store.py"),
+    Bug("a run that cannot be measured has run", SESSION, "run, quantities = failed(error), []", "quantities = []", tests="tests/cli/test_outcomes.py"),
+    Bug("the dearest round counts", TIMING, "best = min(costs,", "best = max(costs,", tests="tests/run tests/codes tests/cli"),
+    Bug("a session with gaps is kept", TIMING, "if set(stored) == set(keys):", "if stored:", tests="tests/run tests/codes tests/cli"),
+    Bug("a budget spent on the dearest", NARROWING, "for job in sorted(plan.jobs, key=lambda job: costs[id(job)]):", "for job in sorted(plan.jobs, key=lambda job: -costs[id(job)]):", tests="tests/run/test_narrowing.py"),
+    Bug("a search believes the nearest body", SEARCH, "max(float(np.abs(values).max()) for values", "min(float(np.abs(values).max()) for values", tests="tests/run/test_search.py"),
+    Bug("a search sees no way backwards", SEARCH, "float(np.abs(values).max())", "float(values.max())", tests="tests/run/test_search.py"),
+    Bug("ratios to the slower calibration", "vv/run/rounds.py", "unit = min(before, calibration())", "unit = max(before, calibration())", tests="tests/run/test_rounds.py"),
+    Bug("a budget for what needs it least", NARROWING, "-_telling(job, known), costs", "_telling(job, known), costs", tests="tests/run/test_narrowing.py"),
+    Bug("other versions of libraries affect nothing", NARROWING, 'EVERYTHING = ("pyproject.toml", "requirements.lock")', 'EVERYTHING = ("pyproject.toml",)', tests="tests/run/test_narrowing.py"),
+    Bug("the longest jobs shared out last", "vv/run/pace.py", "key=lambda place: -seconds[place]", "key=lambda place: seconds[place]", tests="tests/run/test_batching.py"),
+)  # fmt: skip

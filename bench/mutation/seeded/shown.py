@@ -1,0 +1,49 @@
+"""Bugs in the numbers that reports, tables and answers show."""
+
+from bench.mutation.seeded.bug import Bug
+
+READING = "reports/variant/reading.py"
+RANKING = "reports/variant/ranking.py"
+TEXT = "reports/text.py"
+CASE = "reports/pages/case.py"
+CHARTS = "reports/drawing/charts.py"
+COLLECT = "reports/drawing/collect.py"
+COSTS = "vv/insight/accuracy_cost.py"
+EFFORT = "vv/insight/effort.py"
+HISTORY = "vv/insight/history.py"
+COMPARE = "vv/insight/compare.py"
+RUNGS = "vv/records/rungs.py"
+RECORD = "vv/records/record.py"
+PAGES, INSIGHT = "tests/reports", "tests/insight"
+
+BUGS = (
+    Bug("tolerance over error inverted", READING, "return one.tolerance / one.error if", "return one.error / one.tolerance if", tests=PAGES),
+    Bug("the finest setting is the coarsest", RANKING, "finest = measured[-1] if", "finest = measured[0] if", tests=PAGES),
+    Bug("the map shows the coarsest setting", "reports/pages/overview.py", "for r in reversed(pile) if r.quantities", "for r in pile if r.quantities", tests=PAGES),
+    Bug("milliseconds that are microseconds", TEXT, '(1.0, 1e3, "ms")', '(1.0, 1e6, "ms")', tests=PAGES),
+    Bug("compared with the source at any step", CASE, "if record.rung.dt in (dt, None)", "if record.rung.dt is not dt", tests=PAGES),
+    Bug("profiles upside down", CHARTS, "levels = np.arange(1, len(ratios) + 1) / len(row)", "levels = 1 - np.arange(1, len(ratios) + 1) / len(row)", tests=PAGES),
+    Bug("a curve of the coarsest setting", COLLECT, "kept = arrays(ran[-1].key)", "kept = arrays(ran[0].key)", tests=PAGES),
+    Bug("the worst scheme ranked first", RANKING, "(row.error is None, row.error or 0.0, row.mark.label)", "(row.error is None, -(row.error or 0.0), row.mark.label)", tests=PAGES),
+    Bug("the advice is the dearest setting", "reports/variant/advice.py", "in sorted(able, key=lambda row: row[:2]):", "in sorted(able, key=lambda row: row[:2])[::-1]:", tests=PAGES),
+    Bug("the value of a number where the exact one is", "reports/settings_table.py", "text.brief(one.value), text.brief(one.reference)", "text.brief(one.value), text.brief(one.value)", tests=PAGES),
+    Bug("the start told as the end", RECORD, '"final": _finite(value[-1])', '"final": _finite(value[0])', tests="tests/records"),
+    Bug("the exact end is the code's own", RECORD, "end=_finite(reference[-1])", "end=_finite(value[-1])", tests="tests/records"),
+    Bug("a cost interpolated from the wrong end", COSTS, "before[0] * (cpu / before[0]) ** share", "cpu * (before[0] / cpu) ** share", tests="tests/reports/test_readback.py"),
+    Bug("a floor though the next stiffness gains", EFFORT, " or any(map(_gains, rows[at + 1 :]))", "", tests=INSIGHT),
+    Bug("a missing error counts as accurate", COSTS, "(p.cpu, max(p.error, LEAST), p) for p in effort.points if p.cpu and p.error is not None", "(p.cpu, max(p.error or 0.0, LEAST), p) for p in effort.points if p.cpu", tests=INSIGHT),
+    Bug("an error of which a part is missing", RUNGS, "finite and len(finite) == len(errors)", "finite", tests="tests/insight tests/records"),
+    Bug("the model's part is the step's", RUNGS, "return Limit(h1, found, model, step,", "return Limit(h1, found, step, model,", tests="tests/insight tests/records"),
+    Bug("the best of a commit as its worst", HISTORY, "[digest.closeness for _, digest in found], max)", "[digest.closeness for _, digest in found], min)", tests=INSIGHT),
+    Bug("a comparison the wrong way round", COMPARE, '(x {b / a:.3g})', '(x {a / b:.3g})', tests=INSIGHT),
+    Bug("the least drift as the largest", "vv/insight/stability_summary.py", "worst = max((one.errors", "worst = min((one.errors", tests=INSIGHT),
+    Bug("voices agree within the error of the coarsest step", "vv/insight/voices.py", "near = [(stiffest, min(coarser))]", "near = [(stiffest, max(coarser))]", tests=INSIGHT),
+    Bug("of each code the dearest scheme", COSTS, 'first.setdefault(name.partition("/")[0], (name, point))', 'first[name.partition("/")[0]] = (name, point)', tests=INSIGHT),
+    Bug("history backwards", HISTORY, "_points([*commits.values()][::-1])", "_points([*commits.values()])", tests=INSIGHT),
+    Bug("computed over measured upside down", "reports/drawing/scatter.py", "number(SIZE - at(point.computed))", "number(at(point.computed))", tests="tests/reports/drawing/test_beside.py"),
+    Bug("a map lost from the largest step on", "vv/insight/stability_summary.py", "{min(ratios):.3g} critical steps", "{max(ratios):.3g} critical steps", tests=INSIGHT),
+    Bug("the quantity that is farthest from its bound", "vv/output/results_table.py", "worst = max(judged, key=_closeness", "worst = min(judged, key=_closeness", tests="tests/output"),
+    Bug("exact and computed series exchanged", "vv/output/export.py", "for part in (\"value\", \"reference\")}\n", "for part in (\"reference\", \"value\")}\n    parts = dict(zip(parts, [*parts.values()][::-1], strict=True))\n", tests="tests/output"),
+    Bug("right and wrong exchanged in a map of regions", "reports/drawing/regions.py", "value == exact) for at", "value != exact) for at", tests="tests/reports/drawing/test_beside.py"),
+    Bug("a scatter of one freedom too many", "vv/insight/against_measurements.py", "logs.var(ddof=1)", "logs.var(ddof=0)", tests=INSIGHT),
+)  # fmt: skip

@@ -1,0 +1,1 @@
+"""Claims about figures: maps, motion, phases, and what was measured beside them."""

@@ -1,0 +1,1 @@
+"""Scenes of blocks, and second routes to how they move."""

@@ -1,0 +1,1 @@
+"""Scenes of spheres: in contact, in oblique impacts, on bonds."""
