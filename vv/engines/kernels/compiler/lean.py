@@ -158,14 +158,17 @@ def counted(context: Any, signature: Any, builder: Any, args: Any, loc: Any = No
 
 
 def begun(context: Any, signature: Any, builder: Any, args: Any, loc: Any = None) -> Any:
-    """What counts along a range; numba's where the steps may be others than one."""
+    """What counts along a range, from one step before its first number."""
     last = args[0]
     if not (isinstance(last, ir.instructions.InsertValue) and steps_by_one(last)):
-        return NUMBA.get_function(context, "getiter", signature)(builder, args)
+        made = NUMBA.get_function(context, "getiter", signature)(builder, args)
+        now, step = (builder.extract_value(made, place) for place in (0, 2))
+        builder.store(builder.sub(builder.load(now), step), now)
+        return made
     first, end = (builder.extract_value(last, place) for place in (0, 1))
     with builder.goto_entry_block():
         now, left = builder.alloca(first.type), builder.alloca(first.type)
-    builder.store(first, now)
+    builder.store(builder.sub(first, first.type(1)), now)
     some = builder.icmp_signed(">", end, first)
     builder.store(builder.select(some, builder.sub(end, first), first.type(0)), left)
     return together(
@@ -180,12 +183,16 @@ def steps_by_one(made: Any) -> bool:
 
 
 def next_one(context: Any, signature: Any, builder: Any, args: Any, loc: Any = None) -> Any:
-    """The next number of a range, and whether there was one."""
+    """The next number of a range, and whether there was one.
+
+    The number is that which is kept: LLVM then sees that it is not negative where the first is not,
+    and that the elements it names follow each other.
+    """
     now, step, left = (builder.extract_value(args[0], place) for place in (0, 2, 3))
-    count, value = builder.load(left), builder.load(now)
+    count, value = builder.load(left), builder.add(builder.load(now), step, flags=["nsw"])
     there = builder.icmp_signed(">", count, count.type(0))
     builder.store(builder.sub(count, count.type(1), flags=["nsw"]), left)
-    builder.store(builder.add(value, step), now)
+    builder.store(value, now)
     return together(builder, context.get_value_type(signature.return_type), value, there)
 
 
