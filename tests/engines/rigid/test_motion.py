@@ -53,6 +53,14 @@ def ends(program: PreparedRigidBlocks) -> Vector:
     return path[-1, ::2, :3]
 
 
+@pytest.mark.parametrize("free_spin", [HELD, FREE])
+def test_a_block_that_nothing_drives_stays_where_it_is(free_spin: Vector) -> None:
+    alone = box("alone", [0.0, 0.0, 1.0], [0.3] * 3, free_spin=free_spin)
+    for bodies in ((alone,), (FLOOR, alone)):
+        path = solved(Scene(bodies, Contact(np.inf, mu=0.2)), 0.1).arguments[0]
+        assert (path[..., :3] == 0.0).all()
+
+
 def turn(seed: int) -> Vector:
     q = np.linalg.qr(np.random.default_rng(seed).normal(size=(3, 3)))[0]
     return np.asarray(q * np.sign(np.linalg.det(q)))

@@ -7,8 +7,9 @@ import dataclasses
 import os
 import resource
 import shutil
+import signal
 import time
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -19,6 +20,7 @@ from vv.codes.program.result import RESULT
 
 ASK = "ask.json"
 REFUSED = 3  # the exit code with which a program refuses what it is asked
+TOO_LARGE = (-signal.SIGXFSZ, 128 + signal.SIGXFSZ)  # how it, or a shell of it, ends by `_bounded`
 JITTER = 0.02  # CPU s by which clocks of a program and of the system may differ
 WHOLE = "its cost is that of the whole process, start and output included"
 
@@ -38,10 +40,11 @@ def run(command: Sequence[str], asked: Question, folder: Path) -> Run:
     (folder / ASK).write_text(asked.text)
     before, begun = _cpu_of_children(), time.perf_counter()
     try:
-        program = external.start(command, folder, errors=folder / "stderr.log")
+        with _bounded():
+            program = external.start(command, folder, errors=folder / "stderr.log")
     except OSError as error:
         return Run(Status.ERROR, f"{command[0]} cannot be started: {error.strerror}")
-    _bound(program)
+    _fix_bound(program)
     try:
         too_much = external.await_end(program, folder)
     finally:
@@ -66,7 +69,8 @@ def _answer(
         reason = external.last_line(folder / "stderr.log")
         return Run(Status.REFUSED, reason or f"exit code {REFUSED}, and no reason on stderr")
     if code != 0:
-        return Run(Status.ERROR, external.how_it_ended(program))
+        how = external.how_it_ended(program)
+        return Run(Status.ERROR, f"{_grew()}; {how}" if code in TOO_LARGE else how)
     found, stepping = answer.read(folder, asked.ask, asked.model)
     return _costed(found, stepping, spent) if found.status is Status.RAN else found
 
@@ -102,8 +106,32 @@ def _shorten(folder: Path) -> None:
             os.truncate(path, external.TAIL)
 
 
-def _bound(program: external.Process) -> None:
-    """Let no file grow endlessly, not even one without a name, which no look at a folder finds."""
-    most = 2 * external.LARGEST_LOG  # what lies in the folder is noticed first
+def _grew() -> str:
+    return f"the program was ended, for a file that it wrote grew beyond {_most() / 1e6:g} MB"
+
+
+def _most() -> int:
+    """Bytes of a file: what lies in the folder is noticed first."""
+    return 2 * external.LARGEST_LOG
+
+
+@contextlib.contextmanager
+def _bounded() -> Iterator[None]:
+    """Let no file grow endlessly, not even one without a name, which no look at a folder finds.
+
+    What is started inherits the bound before it can start anything itself.
+    """
+    soft, hard = resource.getrlimit(resource.RLIMIT_FSIZE)
+    unbound = resource.RLIM_INFINITY
+    least = min(one for one in (_most(), soft, hard) if one != unbound)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (least, hard))
+    try:
+        yield
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, (soft, hard))
+
+
+def _fix_bound(program: external.Process) -> None:
+    """Let the program not lift its bound."""
     with contextlib.suppress(OSError):  # it has ended
-        resource.prlimit(program.process.pid, resource.RLIMIT_FSIZE, (most, most))
+        resource.prlimit(program.process.pid, resource.RLIMIT_FSIZE, (_most(), _most()))

@@ -61,7 +61,7 @@ class Point:
             hold=hold,
             pull=known.pull,
             fine=FINEST * known.speed,
-            quick=known.pull / known.speed,
+            quick=known.pull / known.speed if known.speed else 0.0,  # nothing ever moves
         )
         return _triple(hold @ block.velocity), ground
 
