@@ -1,5 +1,6 @@
 """What is kept, and what is run again and why."""
 
+import dataclasses
 import json
 import os
 import typing
@@ -9,9 +10,11 @@ import numpy as np
 import pytest
 
 from tests.conftest import Tiny
+from tests.support.fabricated import record
 from vv.ask import Cost, Displacement, Ledger, Model, Observable, Run, Status, Velocity
 from vv.base.files import write_whole
 from vv.records.finding import Bit
+from vv.records.job_record import RunSummary
 from vv.scene import Term
 from vv.store.run_arrays import OBSERVABLES
 from vv.store.store import Store
@@ -146,6 +149,16 @@ def test_a_run_comes_back_as_it_was_kept(tmp_path: Path) -> None:
     )
     assert list(again.values) == list(run.values)
     assert all(np.array_equal(again.values[o], run.values[o]) for o in run.values)
+
+
+def test_what_a_record_says_of_a_run_comes_back_as_it_was_kept(tmp_path: Path) -> None:
+    whole = record("dem/default", "T1", 1e-3)
+    names = [field.name for field in dataclasses.fields(RunSummary)]
+    said = RunSummary(**{name: getattr(whole, name) for name in names})
+    store = Store(tmp_path)
+    assert store.summary("ab12") is None
+    store.keep_summary("ab12", said, {})
+    assert store.summary("ab12") == said
 
 
 def test_a_damaged_file_counts_as_absent(tmp_path: Path) -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from tests.scenes.blocks.block_scenes import FREE, HELD, box
 from vv.records import codec
 from vv.scene import Bonds, Contact, Harmonic, Scene, Spheres, Wall
 from vv.scene.picture.sketch import MOST, Sketch, sketch
@@ -46,6 +47,12 @@ def test_what_is_held_driven_loaded_and_bonded_is_told() -> None:
     assert seen.held == (True, False)
     assert seen.bonds == (((-0.25, 0.0), (0.25, 0.0)),)
     assert sorted(arrow.what for arrow in seen.arrows) == ["load", "shaking", "velocity"]
+
+
+def test_a_block_that_is_locked_is_told_from_one_that_is_not() -> None:
+    for free in (FREE, HELD):
+        seen = sketch(Scene((box("one", [0.0] * 3, [0.5] * 3, free=free),), Contact(np.inf)))
+        assert set(seen.fixed) == {not free.any()}
 
 
 @pytest.mark.parametrize("n", [1000, 5000])
