@@ -21,6 +21,7 @@ from vv.engines.kernels.prefetch import begin_to_read
 from vv.engines.kernels.triples import NOWHERE, Triple, add_scaled, at, dot, put
 from vv.scene import Vector
 
+TOGETHER = 8  # contacts that a core computes in one instruction, at most
 SOON = 24  # pairs ahead of which rows are brought into the cache
 OFFSET, RADII, WAS, RELATIVE, ROLLED, SPINS, SPRING, CHANGED = 0, 3, 5, 6, 9, 12, 15, 18
 NORMALS, ALONG, MIDWAY, SLIDE, ACROSS, OLD, STIFF, CAPS, HOW_LONG = 0, 5, 6, 9, 12, 15, 18, 19, 21
@@ -65,6 +66,15 @@ def choose(
             touching[k] = touch
         many += touch
     return many
+
+
+@inlined
+def filled(many: int) -> int:
+    """So many columns or a few more, so that none is left over from those computed together.
+
+    What is computed of the rest is not looked at: a loop of single contacts would take longer.
+    """
+    return -(-many // TOGETHER) * TOGETHER
 
 
 @inlined

@@ -35,6 +35,7 @@ from vv.engines.dem.bulk.contacts.fetch import (
     TORQUE,
     choose,
     fetch,
+    filled,
     hand_out,
 )
 from vv.engines.dem.bulk.contacts.slip import slip
@@ -68,12 +69,13 @@ def press(
     scratch, ends = work.scratch, work.ends
     many = choose(grains, pairs, scratch, ends, c, some, friction)
     fetch(grains.row, pairs, scratch, ends, c, many, friction, viscous)
+    full = filled(many)
     if friction is None:
-        bounce(scratch, c, many, law)
+        bounce(scratch, c, full, law)
     else:
-        stick(scratch, c, many, law, viscous, dt)
+        stick(scratch, c, full, law, viscous, dt)
         work.sums[c, LOST] += slip(grains.row, scratch, ends, c, many)
-        combine(scratch, c, many)
+        combine(scratch, c, full)
     if told:
         sum_up(work.sums, scratch, c, many, law, friction)
     hand_out(grains, pairs, scratch, ends, c, many, beyond, friction)

@@ -22,6 +22,7 @@ from vv.engines.dem.bulk.contacts.fetch import (
     TRIAL,
     TURNS,
     changed,
+    filled,
 )
 from vv.engines.dem.bulk.grains import SPUN, Short, W, part
 from vv.engines.dem.contact.friction import turned_by_slip, turns
@@ -53,7 +54,7 @@ def slip(row: Vector, scratch: Vector, ends: Short, c: int, many: int) -> float:
         scratch[c, CAPS * WIDE + s], scratch[c, (CAPS + 1) * WIDE + s] = caps
         x = turns(slide, ks, caps)
         scratch[c, TURNS * WIDE + s], scratch[c, FADING * WIDE + s] = x, math.exp(-x)
-    turn_all(scratch, c, slipping)
+    turn_all(scratch, c, filled(slipping))
     for s in range(slipping):
         note(scratch, c, ACROSS, ends[c, 3 * WIDE + s], three(scratch, c, TRIAL, s))
         lost += scratch[c, TAKEN * WIDE + s]
