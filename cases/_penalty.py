@@ -11,11 +11,13 @@ STEPS = {
     1e10: (5e-5, 2.5e-5, 1.25e-5),
 }
 RUNGS = tuple(Knobs(dt, kn) for kn, steps in STEPS.items() for dt in steps)
-COARSEST = tuple(Knobs(steps[0], kn) for kn, steps in STEPS.items())  # of each stiffness: timed
-LEVELS = {
-    Level.QUICK: RUNGS[:2],
-    Level.DEFAULT: (*RUNGS[:3], *COARSEST[1:]),  # three steps where they are cheapest
-    Level.PAPER: RUNGS,
-}
-# for variants that are not timed: the stiffest springs are left out
-FEWER = {**LEVELS, Level.DEFAULT: RUNGS[:4]}
+
+
+def levels(*stiffer: Knobs) -> dict[Level, tuple[Knobs, ...]]:
+    """Three steps on the softest springs, where they are cheapest, and one for each stiffer one.
+
+    At the level of the paper there are all of them.
+    """
+    usual = (*RUNGS[:3], *stiffer)
+    whole = sorted({*usual, *RUNGS}, key=lambda rung: (rung.kn or 0.0, -(rung.dt or 0.0)))
+    return {Level.QUICK: RUNGS[:2], Level.DEFAULT: usual, Level.PAPER: tuple(whole)}

@@ -8,9 +8,9 @@ import functools
 import numpy as np
 
 from cases._papers import YAGODA_BIRAN_2016
-from cases._penalty import COARSEST, FEWER, LEVELS
+from cases._penalty import RUNGS, levels
 from reference_solutions.blocks import incline
-from vv.ask import Displacement, History, Method
+from vv.ask import Displacement, History, Knobs, Method
 from vv.case import (
     LARGEST_TOLERANCE,
     Along,
@@ -33,6 +33,7 @@ SIDE, DENSITY = 1.0, 2500.0  # m, kg/m3 times m of height: neither enters the an
 FREE, FLAT = "two-directions-turning", 0.2  # a plate [m high] that can turn
 FIRST = "gravity-10"  # whose block is listed before its wall
 BLOCK = Displacement(1)
+STIFFER = Knobs(2.5e-4, 1e9)
 
 
 def _axes(alpha: float) -> Vector:
@@ -69,9 +70,8 @@ def _declare(variant: str, p: Parameters) -> Trial:
         raise ValueError(f"phi = {p['phi']!r} deg; the plate would tip")
     scene, goal = _scene(variant, p), History(p["duration"], p["duration"] / 400)
     quantities = (_both if p["Ay"] > 0 else _down)(p, scene, goal)
-    timed = COARSEST if variant in ("newmark-30", "two-directions") else ()
-    levels = LEVELS if timed else FEWER
-    return Trial(Ladder(scene, goal, _seen(scene), levels, timed), quantities)
+    timed = (RUNGS[0], STIFFER) if variant in ("newmark-30", "two-directions") else ()
+    return Trial(Ladder(scene, goal, _seen(scene), levels(STIFFER), timed), quantities)
 
 
 def _seen(scene: Scene) -> tuple[Displacement]:

@@ -82,6 +82,9 @@ SETTINGS = {
     "3d-1e9": _shaken("3d", 23, 10.0, 1e9),
 }  # fmt: skip
 
+ONE_OF_A_FIGURE = ("launch-0.1", "sine", "5hz", "0.5m", "mu-1", "2d", "3d-1e8")
+USUAL = {"fall-30": Level.QUICK, **dict.fromkeys(ONE_OF_A_FIGURE, Level.DEFAULT)}
+
 
 def _declare(variant: str, _: Parameters) -> Trial:
     own = SETTINGS[variant]
@@ -160,7 +163,7 @@ CASE = Case(
         Variant(
             name, f"{own.case.name}:{own.variant} at {own.steps[0]:g} s and {own.kn:g} N/m",
             own.case.variant(own.variant).formula,
-            level=Level.QUICK if name == "fall-30" else Level.DEFAULT,
+            level=USUAL.get(name, Level.PAPER),
         )
         for name, own in SETTINGS.items()
     ),

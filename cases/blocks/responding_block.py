@@ -8,7 +8,7 @@ from collections.abc import Callable, Mapping
 import numpy as np
 
 from cases._papers import YAGODA_BIRAN_2016
-from cases._penalty import COARSEST, FEWER, LEVELS
+from cases._penalty import RUNGS, levels
 from reference_solutions.blocks import responding_block
 from vv.ask import Displacement, History, Knobs, Method
 from vv.case import (
@@ -101,11 +101,13 @@ def _declare(variant: str, p: Parameters) -> Trial:
         for i, axis in enumerate("xyz"[:directions])
     )
     whole = (motion.distance(judge),) if directions > 1 else ()
-    timed = COARSEST if variant in ("1d", "2d", "3d") else ()
-    levels = _resolved(_with_stiff(LEVELS if timed else FEWER), p)
-    return Trial(Ladder(_scene(variant, p), goal, (BLOCK,), levels, timed), (*parts, *whole))
+    timed = (RUNGS[0], STIFFER, STIFFEST) if variant in ("1d", "2d", "3d") else ()
+    rungs = _resolved(levels(STIFFER, STIFFEST), p)
+    return Trial(Ladder(_scene(variant, p), goal, (BLOCK,), rungs, timed), (*parts, *whole))
 
 
+STIFFER, STIFFEST = Knobs(2.5e-4, 1e9), Knobs(1e-4, 1e10)
+RESOLVED = (Knobs(1e-4, 1e9), STIFFEST)  # where hardly any other step is
 STIFFNESSES = (1e7, 2.4e7, 5.6e7, 1.3e8, 3.2e8, 7.5e8, 1.8e9, 4.2e9, 1e10)
 STEPS = (5e-4, 2e-4, 1e-4, 5e-5, 2e-5, 1e-5)  # at 1e-3 explicit codes diverge on the stiffest
 THIN = knob_grid((5e-4, 2e-4), (1e7, 1.3e8, 7.5e8))  # stable in explicit codes too
@@ -120,22 +122,21 @@ EXPLORED = Shown(
 )
 
 
-def _with_stiff(levels: Mapping[Level, tuple[Knobs, ...]]) -> dict[Level, tuple[Knobs, ...]]:
-    """The levels, each with springs stiff enough to see 1 % of friction through what they delay."""
-    return {level: tuple(dict.fromkeys((*rungs, COARSEST[-1]))) for level, rungs in levels.items()}
-
-
 def _resolved(
     levels: Mapping[Level, tuple[Knobs, ...]], p: Parameters
 ) -> dict[Level, tuple[Knobs, ...]]:
-    """The levels without steps on which an answer is chance, as turns of the slip come on them."""
+    """The levels without steps on which an answer is chance, as turns of the slip come on them.
+
+    Each has springs stiff enough to see 1 % of friction through what they delay.
+    """
     lost = _kept(p) if _directions(p) == 1 else 0.0
     fine = {
-        level: tuple(rung for rung in rungs if lost * (rung.dt or 0.0) <= CHANCE)
+        level: tuple(
+            rung for rung in dict.fromkeys((*rungs, STIFFEST)) if lost * (rung.dt or 0.0) <= CHANCE
+        )
         for level, rungs in levels.items()
     }
-    stiff = levels[Level.DEFAULT][-2:]
-    return {level: rungs if len(rungs) > 1 else stiff for level, rungs in fine.items()}
+    return {level: rungs if len(rungs) > 1 else RESOLVED for level, rungs in fine.items()}
 
 
 def _kept(p: Parameters) -> float:

@@ -417,9 +417,11 @@ CASE = Case(
         ),
         *(
             Variant(name, f"the largest amplitude it survives, searched with {what}", SHAKEN, {},
-                    frozenset({"mu", "duration", "part"}), Level.DEFAULT)
-            for name, what in (("search", "stiff contacts"),
-                               ("search-soft", "contacts of 1e7 N/m, where there are any"))
+                    frozenset({"mu", "duration", "part"}), level)
+            for name, what, level in (
+                ("search", "stiff contacts", Level.DEFAULT),
+                ("search-soft", "contacts of 1e7 N/m, where there are any", Level.PAPER),
+            )
         ),
     ),
     declare=_declare,

@@ -161,7 +161,7 @@ WHOLE = (Knobs(COARSE, SOFT), Knobs(2e-4, SOFT), Knobs(1e-4, SOFT))
 FINE = (Knobs(1e-4, STIFF), Knobs(4e-5, STIFF), Knobs(2e-5, STIFF))
 LEVELS: dict[str, dict[Level, tuple[Knobs, ...]]] = {
     "5": dict.fromkeys(Level, SHORT),
-    "20": dict.fromkeys(Level, WHOLE),
+    "20": {Level.QUICK: WHOLE[:2], Level.DEFAULT: WHOLE[:2], Level.PAPER: WHOLE},
     "40": dict.fromkeys(Level, FINE),
 }
 WAVE = "u = sum (-1)^k (f(t - (2kH + y)/c) + f(t - (2(k+1)H - y)/c)), f = D (1 - cos 2 pi F t)"

@@ -123,7 +123,7 @@ CASE = Case(
         *(
             Variant(
                 f"{F:g}hz", f"fifteen layers of 2 m at {F:g} Hz", RATIO, {"F": F}, INERT,
-                Level.DEFAULT,
+                Level.DEFAULT if F in (2.5, 7.5) else Level.PAPER,
             )
             for F in (1.5, 2.5, 4.0, 7.5)
         ),

@@ -218,7 +218,7 @@ VARIANTS = (
     *(
         Variant(
             name, f"a box of the lattice loaded along {what}", BALANCE, inert=frozenset({"m"}),
-            level=Level.DEFAULT if name == "vertex" else Level.PAPER, unseen=NO_SIZE,
+            level=Level.PAPER, unseen=NO_SIZE,
         )
         for name, what in (
             ("vertex", "another vertex of the unit, 70.5 degrees from c"),

@@ -299,7 +299,8 @@ CASE = Case(
             Variant(
                 name, f"at the paper's rate, with Eq. 28 for V = {HURRIED[name]:.4g} d^3",
                 "as without rate; at it, what viscosity leaves is shown", _of_paper(name),
-                frozenset({"m", "eta", "rate"}), Level.DEFAULT,
+                frozenset({"m", "eta", "rate"}),
+                Level.DEFAULT if name.startswith("pulled") else Level.PAPER,
             )
             for name in HURRIED
         ),

@@ -179,11 +179,6 @@ def _declare(variant: str, p: Parameters) -> Trial:
     return (_cooled if p["z"] > 0 else _elastic)(scene, p, dt)
 
 
-def _level(seed: int) -> Level:
-    """One seed of each kind by default."""
-    return Level.DEFAULT if seed == SEEDS[0] else Level.PAPER
-
-
 DRAWN = "told in units of twice this, so that what is chance does not move a result"
 WIDE = "one seed tells it to some per cent, and it is told in units of 15 to 20 %"
 CASE = Case(
@@ -209,7 +204,8 @@ CASE = Case(
             Variant(
                 f"viscous-{seed}", f"{COUNT} spheres, e = 0.90, random start {seed}",
                 "E = E(0)/(1 + t/tau)^2; 1/tau = (C (1 - e^2) + R (1 - w^2))/(3 N)",
-                level=_level(seed), unseen=dict.fromkeys(("m", "kn", "v", "z"), WIDE),
+                level=Level.DEFAULT if seed == SEEDS[0] else Level.PAPER,
+                unseen=dict.fromkeys(("m", "kn", "v", "z"), WIDE),
             )
             for seed in SEEDS
         ),
@@ -217,7 +213,8 @@ CASE = Case(
             Variant(
                 f"elastic-{seed}", f"{COUNT} spheres without dashpots, random start {seed}",
                 "c = (C/sqrt(2) + R) pi sqrt(m/kn); <v4>/<v2>2 = 5 N/(3 N + 2); E = E(0)",
-                {"z": 0.0}, level=_level(seed), unseen=dict.fromkeys(("m", "kn", "v"), WIDE),
+                {"z": 0.0}, level=Level.PAPER,
+                unseen=dict.fromkeys(("m", "kn", "v"), WIDE),
             )
             for seed in SEEDS[:2]
         ),

@@ -114,7 +114,7 @@ CASE = Case(
             "ten time constants at 20 Hz",
             ALONG_X.formula,
             {**BOTH, "f": 20.0, "duration": 68.0},
-            level=Level.DEFAULT,
+            level=Level.PAPER,
         ),
         Variant(
             "100hz",

@@ -105,6 +105,15 @@ def test_what_is_not_installed_keeps_its_results_and_what_refuses_loses_them() -
     assert refused.acceptances == {}
 
 
+def test_variants_that_only_a_higher_level_runs_keep_their_results() -> None:
+    kept = accepted(ran(), ran(variant="T0"))
+    without = acceptance.accepted("bounce", kept, [ran()], ACCEPTANCE, (), {"T0"})
+    assert without.results == kept.results
+    assert without.parameters.keys() == {"T0", "T1"}
+    gone = acceptance.accepted("bounce", kept, [ran()], ACCEPTANCE, ())
+    assert gone.parameters.keys() == {"T1"}
+
+
 def test_rendered_text_reads_back_and_has_a_result_a_line() -> None:
     kept = accepted(ran(), ran(variant="T0"))
     text = render(kept)

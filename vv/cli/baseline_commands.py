@@ -67,8 +67,10 @@ def accept(
         circumstances.versions,
     )
     folder = baselines_of(project)
+    variants = project.load_case(case).variants
+    later = {one.name for one in variants if not one.runs_at(Level.DEFAULT)}
     new = acceptance.accepted(
-        case, baseline_of(project, case), manifest.records, taken, manifest.external()
+        case, baseline_of(project, case), manifest.records, taken, manifest.external(), later
     )
     path = folder / f"{case}.json"
     write_whole(path, render(new).encode())

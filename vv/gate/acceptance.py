@@ -28,18 +28,23 @@ def accepted(
     records: Iterable[Record],
     acceptance: Acceptance,
     external: Collection[str],
+    later: Collection[str] = (),
 ) -> Baseline:
     """The baseline with these records put in, and with the acceptance they came by.
 
-    Results of codes that are not installed here stay; those of schemes that now refuse, or are
-    no more, go. A result that did not leave its band stays as it was, so that small changes
-    cannot add up unseen.
+    Results of codes that are not installed here stay, and those of `later` variants, which only
+    a higher level runs; those of schemes that now refuse, or are no more, go. A result that did
+    not leave its band stays as it was, so that small changes cannot add up unseen.
     """
     given = [r for r in records if r.case == case]
     old = baseline or Baseline(case)
     number = str(1 + max(map(int, old.acceptances), default=0))
     absent = {r.label for r in given if r.status is Status.NOT_INSTALLED}
-    results = {n: v for n, v in old.results.items() if n.split(" ")[1] in absent}
+    results = {
+        name: result
+        for name, result in old.results.items()
+        if name.split(" ")[0] in later or name.split(" ")[1] in absent
+    }
     for record in filter(acceptable, given):
         name = name_of(record)
         results[name] = _accepted_result(old.results.get(name), record, number, external)

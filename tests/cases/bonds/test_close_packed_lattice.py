@@ -61,5 +61,5 @@ def test_the_costly_blocks_wait_for_the_level_paper() -> None:
         for level in (Level.QUICK, Level.DEFAULT)
     }
     assert shown[Level.QUICK] == {"82"}
-    assert shown[Level.DEFAULT] == {"82", "255", "580", "1105", "82-turning", "vertex"}
+    assert shown[Level.DEFAULT] == {"82", "255", "580", "1105", "82-turning"}
     assert all(v.runs_at(Level.PAPER) for v in CASE.variants)
