@@ -10,18 +10,22 @@ from llvmlite import ir
 from numba.core import (
     codegen,
     compiler,
+    compiler_machinery,
     datamodel,
     event,
     imputils,
     lowering,
     ssa,
     typed_passes,
+    typeinfer,
     types,
     untyped_passes,
 )
+from numba.core import ir as numba_ir
 from numba.core.callconv import CPUCallConv
 from numba.core.cpu import CPUContext
 from numba.core.errors import TypingError
+from numba.core.rewrites import registry
 from numba.core.runtime import nrt
 from numba.core.runtime.context import NRTContext
 from numba.np import arrayobj
@@ -32,6 +36,7 @@ from vv.engines.kernels.bundles import bundle
 from vv.engines.kernels.compiled import called, compiled, lent
 from vv.engines.kernels.compiler.folding import Folding
 from vv.engines.kernels.compiler.lean import BUFFER, SHAPE, STRIDES
+from vv.engines.kernels.compiler.manager import quietly
 from vv.engines.kernels.compiler.parts import Part, linked
 from vv.engines.kernels.compiler.passes import Settled
 from vv.scene import Vector
@@ -61,9 +66,13 @@ MEMBERS: tuple[tuple[Any, tuple[str, ...]], ...] = (
     (ssa, ("reconstruct_ssa",)),
     (event, ("_registered", "register", "unregister")),
     (typed_passes, ("NopythonTypeInference", "PreLowerStripPhis", "IRLegalization")),
-    (typed_passes, ("AnnotateTypes", "BaseNativeLowering", "NoPythonBackend")),
+    (typed_passes, ("BaseNativeLowering", "NoPythonBackend")),
     (untyped_passes, ("TranslateByteCode", "FixupArgs", "IRProcessing", "DeadBranchPrune")),
-    (untyped_passes, ("GenericRewrites",)),
+    (compiler_machinery.PassManager, ("_runPass",)),
+    (registry.rewrite_registry, ("rewrites",)),
+    (typeinfer, ("ConstraintNetwork", "new_error_context")),
+    (lowering.Lower, ("lower_block", "lower_inst", "lower_assign", "pre_block", "post_block")),
+    (numba_ir.Inst, ("_rec_list_vars", "list_vars")),
     (imputils, ("user_function", "impl_ret_borrowed", "impl_ret_new_ref")),
 )
 runtime: Any = nrt
@@ -155,6 +164,33 @@ def looped(table: Vector, first: int, end: int) -> float:
     return total
 
 
+@lent
+def text_added(value: float) -> float:
+    """What has no type."""
+    return value + "some"  # type: ignore[operator]
+
+
+@compiled
+def adds_text(value: float) -> float:
+    """Calls what has no type."""
+    return text_added(value)
+
+
+@lent
+def times_count(value: float, count: int) -> float:
+    """So many times the value."""
+    return value * count
+
+
+@compiled
+def three_times(value: float) -> float:
+    """Six times the value, by constants of two sizes and a variable."""
+    total = times_count(value, 1) + times_count(value, 2)
+    for k in range(4):
+        total += times_count(value, k) / 2.0
+    return total
+
+
 @pytest.mark.parametrize(("owner", "names"), MEMBERS, ids=lambda value: str(value)[:40])
 def test_numba_still_has_what_kernels_are_compiled_by(owner: Any, names: tuple[str, ...]) -> None:
     missing = [name for name in names if not hasattr(owner, name)]
@@ -197,6 +233,31 @@ def test_a_lent_part_reads_a_bundle_and_leaves_its_references_alone() -> None:
 def test_a_lent_part_that_is_given_an_array_is_refused() -> None:
     with pytest.raises(TypingError, match="nobody would free it"):
         asks(2)
+
+
+def test_an_error_of_types_names_the_line_of_the_part_that_has_it() -> None:
+    with pytest.raises(TypingError) as failed:
+        adds_text(1.0)
+    source, first = inspect.getsourcelines(text_added.__wrapped__)  # type: ignore[attr-defined]
+    line = first + next(k for k, text in enumerate(source) if "return" in text)
+    assert f'test_numba.py", line {line}:' in str(failed.value)
+
+
+def test_variables_are_those_that_numba_lists() -> None:
+    made: Any = numba_ir
+    here = made.Loc("file", 1)
+    scope = made.Scope(None, here)
+    one, two, three = (made.Var(scope, name, here) for name in "abc")
+    statement = made.Assign(made.Expr.call(one, [two], {"key": three}, here), two, here)
+    listed = [variable.name for variable in statement.list_vars()]
+    with quietly():
+        assert [variable.name for variable in statement.list_vars()] == listed == [*"abcb"]
+
+
+def test_a_part_is_compiled_once_whatever_constants_it_is_given() -> None:
+    assert three_times(2.0) == 12.0
+    signatures = times_count.dispatcher.signatures  # type: ignore[attr-defined]
+    assert len(signatures) == 1
 
 
 def test_what_a_part_raises_reaches_python() -> None:

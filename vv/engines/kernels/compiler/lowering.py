@@ -8,6 +8,7 @@ from typing import Any
 from numba.core import cgutils, lowering, typed_passes
 from numba.core import ir as numba_ir
 from numba.core.compiler_machinery import register_pass
+from numba.core.errors import NumbaError
 
 from vv.engines.kernels.compiler.counting import holds_references
 from vv.engines.kernels.compiler.direct import Direct, MayRaiseError, declared
@@ -40,9 +41,27 @@ class Lower(BASE):  # type: ignore[misc]
             super().setup_function(fndesc)
             self.builder.__class__ = Folding
 
+    def lower_block(self, block: Any) -> None:
+        """All statements of a block."""
+        self.pre_block(block)
+        try:
+            for statement in block.body:
+                self.loc = statement.loc
+                self.lower_inst(statement)
+        except NumbaError as error:
+            error.add_context(f"writing {statement} at {self.loc}")
+            raise
+        self.post_block(block)
+
     def lower_inst(self, inst: Any) -> None:
         """One statement."""
-        if self.context.direct and isinstance(inst, numba_ir.Return):
+        if isinstance(inst, numba_ir.Assign):
+            name, value = inst.target.name, inst.value
+            argument = value.index + 1 if isinstance(value, numba_ir.Arg) else None
+            self.storevar(self.lower_assign(self.typeof(name), inst), name, argument)
+        elif isinstance(inst, numba_ir.Del):
+            self.delvar(inst.value)
+        elif self.context.direct and isinstance(inst, numba_ir.Return):
             self.builder.ret(self.loadvar(inst.value.name))
         else:
             super().lower_inst(inst)

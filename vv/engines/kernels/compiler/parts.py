@@ -8,20 +8,19 @@ only linked; a `Whole`, which can be called from Python, links each of its parts
 from __future__ import annotations
 
 import gc
-from collections import defaultdict
 from typing import Any
 
 from llvmlite import binding as llvm
-from numba.core import codegen, compiler, event, typed_passes
+from numba.core import codegen, compiler, typed_passes
 from numba.core.compiler_machinery import LoweringPass, register_pass
 from numba.core.environment import lookup_environment
 
 from vv.engines.kernels.compiler.direct import call_that_raises, direct_call
 from vv.engines.kernels.compiler.lean import Lean
 from vv.engines.kernels.compiler.lowering import Write
+from vv.engines.kernels.compiler.manager import quietly
 from vv.engines.kernels.compiler.passes import Settled, front_end
 
-EVENTS: Any = event
 ENVIRONMENT = "_ZN08NumbaEnv"  # how numba begins the names of what functions refer to at run time
 
 
@@ -189,13 +188,12 @@ class WholeCompiler(Settling):
 
     def _compile_core(self) -> Any:
         """Compile without looking for garbage, of which there is little among very much else."""
-        collects, heard = gc.isenabled(), EVENTS._registered
+        collects = gc.isenabled()
         gc.disable()
-        EVENTS._registered = defaultdict(Nobody)
         try:
-            return super()._compile_core()
+            with quietly():
+                return super()._compile_core()
         finally:
-            EVENTS._registered = heard
             if collects:
                 gc.enable()
 
@@ -204,13 +202,3 @@ class BranchingCompiler(WholeCompiler):
     """Compiles a whole whose loops are short."""
 
     library = Branching
-
-
-class Nobody(list[Any]):
-    """Who hears of numba's events while a whole is compiled, of which there are 100 000."""
-
-    def append(self, listener: object) -> None:
-        """Do not listen: each part has two clocks, which are told of all that those within do."""
-
-    def remove(self, listener: object) -> None:
-        """Stop listening."""

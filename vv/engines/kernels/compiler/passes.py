@@ -10,8 +10,11 @@ import operator
 from typing import Any
 
 from numba.core import compiler, ssa, typed_passes, types, untyped_passes
-from numba.core.compiler_machinery import FunctionPass, PassManager, register_pass
+from numba.core.compiler_machinery import FunctionPass, register_pass
 from numba.core.errors import NumbaTypeError
+from numba.core.rewrites import registry
+
+from vv.engines.kernels.compiler.manager import Passes
 
 SCALARS = (types.Integer, types.Float, types.Boolean, types.IntegerLiteral, types.BooleanLiteral)
 ARITHMETIC = frozenset(
@@ -22,6 +25,7 @@ ARITHMETIC = frozenset(
 
 
 SSA: Any = ssa
+REWRITES: Any = registry.rewrite_registry.rewrites["before-inference"]
 
 
 class Settled(compiler.Flags):
@@ -47,7 +51,7 @@ class Settled(compiler.Flags):
 
 
 class Remembering:
-    """numba's typing context, which remembers the types of arithmetic and of elements of arrays."""
+    """numba's typing context, which remembers the types of calls and of elements of arrays."""
 
     def __init__(self, context: Any, known: dict[Any, Any]) -> None:
         self._context, self._known = context, known
@@ -59,6 +63,8 @@ class Remembering:
         """The signature of a call."""
         if keywords or not plain(function, args):
             return self._context.resolve_function_type(function, args, keywords)
+        if isinstance(function, types.Dispatcher):  # whose callers need no copy for each constant
+            args = tuple(map(types.unliteral, args))
         key = (function, *args)
         if key not in self._known:
             self._known[key] = self._context.resolve_function_type(function, args, keywords)
@@ -80,7 +86,9 @@ class Remembering:
 
 
 def plain(function: Any, args: Any) -> bool:
-    """Whether a call is arithmetic of numbers, or reads an element of an array."""
+    """Whether a call is of a part, arithmetic of numbers, or reads an element of an array."""
+    if isinstance(function, types.Dispatcher):
+        return True
     if not isinstance(function, types.Function):
         return False
     if function.typing_key in ARITHMETIC:
@@ -89,6 +97,25 @@ def plain(function: Any, args: Any) -> bool:
 
 
 KNOWN: dict[Any, Any] = {}
+
+
+@register_pass(mutates_CFG=True, analysis_only=False)  # type: ignore[no-untyped-call]
+class Constants(FunctionPass):
+    """Tell what is indexed, raised and computed with constants (numba's GenericRewrites)."""
+
+    _name = "constants"
+
+    def __init__(self) -> None:
+        FunctionPass.__init__(self)  # type: ignore[no-untyped-call]
+
+    def run_pass(self, state: Any) -> bool:
+        blocks = state.func_ir.blocks
+        for kind in REWRITES:
+            one = kind(state)
+            for label in [*blocks]:
+                while one.match(state.func_ir, blocks[label], None, None):
+                    blocks[label] = one.apply()
+        return True
 
 
 @register_pass(mutates_CFG=True, analysis_only=False)  # type: ignore[no-untyped-call]
@@ -157,18 +184,17 @@ class Joined(typed_passes.PreLowerStripPhis):
 
 def front_end(name: str) -> Any:
     """All passes before code is written."""
-    manager: Any = PassManager(name)  # type: ignore[no-untyped-call]
+    manager = Passes(name)
     for made in (
         untyped_passes.TranslateByteCode,
         untyped_passes.FixupArgs,
         untyped_passes.IRProcessing,
         untyped_passes.DeadBranchPrune,
-        untyped_passes.GenericRewrites,
+        Constants,
         Single,
         Types,
         Joined,
         typed_passes.IRLegalization,
-        typed_passes.AnnotateTypes,
     ):
         manager.add_pass(made, made.__name__)
     return manager
