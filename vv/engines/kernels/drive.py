@@ -7,6 +7,7 @@ from typing import NamedTuple
 import numpy as np
 import numpy.typing as npt
 
+from vv.engines.kernels.arrays import larger, smaller
 from vv.engines.kernels.bundles import bundle
 from vv.engines.kernels.compiled import called, lent
 from vv.engines.kernels.triples import Triple, add_scaled, at
@@ -97,7 +98,7 @@ def mean(drive: Drive, time: float, step: float) -> Triple:
     """The mean of the motion from time to time + step."""
     total = (0.0, 0.0, 0.0)
     for k in range(len(drive.omega)):
-        lasts = min(max(drive.until[k] - time, 0.0), step)
+        lasts = smaller(larger(drive.until[k] - time, 0.0), step)
         half = 0.5 * drive.omega[k] * lasts
         smooth = lasts / step * (np.sin(half) / half if half > 0.0 else 1.0)
         middle = np.sin(drive.omega[k] * time + half + drive.phase[k])

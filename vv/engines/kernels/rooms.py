@@ -40,24 +40,36 @@ def _table(n: int, m: int) -> Vector:
     return np.empty((n, m))
 
 
+def _count_table(n: int, m: int) -> npt.NDArray[np.int64]:
+    """Room for integers (n, m)."""
+    return np.empty((n, m), np.int64)
+
+
 def _squares(n: int) -> Vector:
     """Room for n matrices (n, 3, 3)."""
     return np.empty((n, 3, 3))
 
 
-def _wrap(item: str, size: int, tail: tuple[int, ...], function: Any) -> Any:
+def _row_table(n: int, m: int) -> Vector:
+    """Room for vectors (n, m, 3)."""
+    return np.empty((n, m, 3))
+
+
+def _wrap(item: np.dtype[Any], tail: tuple[int, ...], function: Any) -> Any:
     """What numba is told of such a function; tail: the axes that are always of this length."""
     from numba.core import types
     from numba.core.registry import cpu_target
     from numba.extending import intrinsic
+    from numba.np.numpy_support import from_dtype
 
+    number: Any = from_dtype
     given = function.__code__.co_argcount
-    kind = types.Array(getattr(types, item), given + len(tail), "C")
+    kind = types.Array(number(item), given + len(tail), "C")
     signature = kind(*[types.intp] * given)
 
     def write(context: Any, builder: Any, signature: Any, args: Any) -> Any:
         shape = [*args, *(context.get_constant(types.intp, n) for n in tail)]
-        return allocated(context, builder, kind, size, shape)
+        return allocated(context, builder, kind, item.itemsize, shape)
 
     @intrinsic
     def one(context: Any, n: Any) -> Any:
@@ -93,12 +105,24 @@ def allocated(context: Any, builder: Any, kind: Any, size: int, shape: list[Any]
     return array._getvalue()
 
 
-def _made(function: Any, item: str, size: int, tail: tuple[int, ...] = ()) -> Any:
-    return cast(Any, Deferred(function, functools.partial(_wrap, item, size, tail)))
+def _made(function: Any, item: Any, tail: tuple[int, ...] = ()) -> Any:
+    return cast(Any, Deferred(function, functools.partial(_wrap, np.dtype(item), tail)))
 
 
-numbers: Callable[[int], Vector] = _made(_numbers, "float64", 8)
-counts: Callable[[int], npt.NDArray[np.int64]] = _made(_counts, "int64", 8)
-marks: Callable[[int], Mask] = _made(_marks, "bool_", 1)
-table: Callable[[int, int], Vector] = _made(_table, "float64", 8)
-squares: Callable[[int], Vector] = _made(_squares, "float64", 8, (3, 3))
+def of_records(item: np.dtype[Any]) -> Callable[[int], Any]:
+    """What makes room for n records of this type."""
+
+    def records(n: int) -> Any:
+        """Room for n records."""
+        return np.empty(n, item)
+
+    return cast(Callable[[int], Any], _made(records, item))
+
+
+numbers: Callable[[int], Vector] = _made(_numbers, np.float64)
+counts: Callable[[int], npt.NDArray[np.int64]] = _made(_counts, np.int64)
+marks: Callable[[int], Mask] = _made(_marks, np.bool_)
+table: Callable[[int, int], Vector] = _made(_table, np.float64)
+count_table: Callable[[int, int], npt.NDArray[np.int64]] = _made(_count_table, np.int64)
+squares: Callable[[int], Vector] = _made(_squares, np.float64, (3, 3))
+row_table: Callable[[int, int], Vector] = _made(_row_table, np.float64, (3,))

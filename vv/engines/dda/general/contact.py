@@ -11,6 +11,7 @@ from vv.engines.blocks.geometry import Index, Planes, Shapes
 from vv.engines.dda.general.bodies import Bodies, Motion
 from vv.engines.dda.general.matrices import mapped
 from vv.engines.dda.law import STICK
+from vv.engines.kernels import rooms
 from vv.engines.kernels.arrays import counts, nil_counts, nil_numbers, nil_rows
 from vv.engines.kernels.bundles import bundle
 from vv.engines.kernels.compiled import called, lent
@@ -51,8 +52,8 @@ def touch_room(count: int) -> Touch:
     return Touch(
         nil_counts(count), nil_counts(count), nil_rows(count),
         nil_numbers(count), nil_rows(count), nil_numbers(count), nil_rows(count),
-        nil_counts(count), np.empty((count, MOST), np.int64),
-        np.empty((count, MOST, 3)), nil_counts(count),
+        nil_counts(count), rooms.count_table(count, MOST),
+        rooms.row_table(count, MOST), nil_counts(count),
         counts(count), counts(count),
     )  # fmt: skip
 

@@ -7,7 +7,7 @@ u = (1 - alpha_f) d that blocks have where its forces are taken; d is what they 
 from __future__ import annotations
 
 from vv.engines.dda.general.bodies import Bodies, applied
-from vv.engines.kernels.arrays import numbers
+from vv.engines.kernels.arrays import numbers, square_of
 from vv.engines.kernels.compiled import called, lent
 from vv.scene import Vector
 
@@ -46,7 +46,7 @@ def handed_on(
     applied(flow, mass, bodies, jump)
     by_speed = step * (1.0 - gamma - alpha_m)
     by_rate = step * step * (beta + 0.5 - gamma - 0.5 * alpha_m)
-    by_jump = step * step * (alpha_m * (0.5 - beta) - 0.5 * (1.0 - gamma) ** 2)
+    by_jump = step * step * (alpha_m * (0.5 - beta) - 0.5 * square_of(1.0 - gamma))
     lost = 0.0
     for a in range(q):
         lost += flow[a] * (by_speed * velocity[a] + by_rate * rate[a] + by_jump * jump[a])

@@ -48,6 +48,7 @@ from vv.engines.dda.general.turning import convected
 from vv.engines.dda.limits import CUTS, GAIN
 from vv.engines.dda.stepping import HALF_LEAP, IMPLICIT
 from vv.engines.kernels.arrays import (
+    clear,
     larger,
     nil_numbers,
     nil_rows,
@@ -240,7 +241,7 @@ def move_blocks(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
             done += 1
         if row == 0:
             copy_rows(origin, motion.centre)
-            motion.rounded[:] = 0.0
+            clear(motion.rounded)
             for term in range(STRAIN + 1, TERMS):
                 ledger[term] = 0.0
             put_in = ledger[KINETIC] + ledger[NORMAL] + ledger[SHEAR] + ledger[STRAIN]

@@ -8,6 +8,7 @@ from vv.engines.blocks.contacts import Contacts, matched
 from vv.engines.kernels.arrays import (
     marked,
     nil_rows,
+    rows,
     same_rows,
     smaller,
     square_of,
@@ -83,12 +84,22 @@ def ends_after(
 
 
 @called
+def shared_out(impulse: Vector, span: float) -> Vector:
+    """The mean forces (c, 3) [N] of impulses within a span [s]."""
+    force = rows(len(impulse))
+    for c in range(len(impulse)):
+        for k in range(3):
+            force[c, k] = impulse[c, k] / span
+    return force
+
+
+@called
 def hinted(trial: Trial, span: float) -> Past:
     """What a step of this span must know to begin with the impulses of a trial.
 
     A rod that is about to jam takes ever more sweeps to find, from nothing, the impulse that does.
     """
-    return Past(trial.key, trial.p / span, unmarked(len(trial.p)), trial.joints)
+    return Past(trial.key, shared_out(trial.p, span), unmarked(len(trial.p)), trial.joints)
 
 
 @lent
@@ -158,4 +169,4 @@ def remembered(trial: Trial, span: float, least: float) -> Past:
         u = relative(trial.joints, c, trial.v, trial.w)
         slip = add_scaled(u, -dot(u, n), n)
         still[c] = dot(slip, slip) <= least * least and dot(at(trial.p, c), n) > 0.0
-    return Past(trial.key, trial.p / span, still, trial.joints)
+    return Past(trial.key, shared_out(trial.p, span), still, trial.joints)

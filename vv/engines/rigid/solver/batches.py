@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 
 from vv.engines.blocks.geometry import Index
+from vv.engines.kernels import rooms
 from vv.engines.kernels.arrays import counts, larger, nil_counts, square_of
 from vv.engines.kernels.compiled import called, inlined, lent
 from vv.engines.kernels.triples import Triple, at
@@ -57,6 +58,8 @@ PAIRS = np.dtype(
 )
 """Velocities of the bodies of a batch, and what impulses changed by: see `changed`."""
 
+batch_room, pairs_room = rooms.of_records(BATCH), rooms.of_records(PAIRS)
+
 
 @called
 def batched(joints: Joints, bodies: Bodies) -> Index:
@@ -96,7 +99,7 @@ def packed(p: Vector, joints: Joints, bodies: Bodies, friction: Friction, place:
     many = 0 * len(p)
     for c in range(len(p)):
         many = larger(many, place[c] // LANES + 1)
-    batches = np.empty(many, BATCH)
+    batches = batch_room(many)
     for k in range(many):
         batches[k].filled = 0
     for c in range(len(p)):

@@ -13,7 +13,7 @@ import numpy as np
 from vv.engines.kernels.arrays import larger, smaller, table
 from vv.engines.kernels.compiled import called, lent
 from vv.engines.rigid.solver.assembly import Bodies, Joints
-from vv.engines.rigid.solver.batches import PAIRS, batched, packed, unpacked
+from vv.engines.rigid.solver.batches import batched, packed, pairs_room, unpacked
 from vv.engines.rigid.solver.cone import Friction, residual
 from vv.engines.rigid.solver.lanes import swept
 from vv.scene import Vector
@@ -36,7 +36,7 @@ def carried(
     made and the residual reached, which is larger if `most` sweeps were not enough.
     """
     place = batched(joints, bodies)
-    batches, pairs = packed(p, joints, bodies, friction, place), np.empty(1, PAIRS)
+    batches, pairs = packed(p, joints, bodies, friction, place), pairs_room(1)
     now, last = together(v, w), together(v, w)
     sweeps, left = 0 * most, residual(p, joints, friction, v, w)
     cap, pace, total, least, former, looked = CAP, 1.0, 0.0, np.inf, np.inf, -LOOKS
