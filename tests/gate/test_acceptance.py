@@ -1,0 +1,58 @@
+"""What may be accepted, how it is numbered and kept, one row a decision, by hand."""
+
+import json
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from tests.support.fabricated import changed, entry, record
+from vv.base.errors import UsageError
+from vv.gate import acceptance, baseline
+from vv.records import codec
+from vv.records.accepted import Acceptance, Baseline, Place
+from vv.records.job_record import Record
+
+ACCEPTANCE = Acceptance("c", False, Place("P", "S"), "r", "u", {})
+
+
+def ran(error: float | None = 1e-4, **changes: Any) -> Record:
+    figures = {"final": 3.0, "mean": 1.0}
+    quantity = entry("pass", {"max": error}, scale=2.0, figures=figures)
+    return changed(record("dem/default", "T1", 1e-3, quantities=[quantity]), **changes)
+
+
+def accepted(*records: Record, old: Baseline | None = None) -> Baseline:
+    return acceptance.accepted("bounce", old, records, ACCEPTANCE, ())
+
+
+@pytest.mark.parametrize(
+    ("verdicts", "good"),
+    [
+        (["pass", "xfail", "no-reference"], True),
+        (["pass", "fail"], False),
+        (["fail", "pass"], False),
+        (["pass", "xpass"], False),
+    ],
+)
+def test_every_quantity_must_be_right_to_be_accepted(verdicts: list[str], good: bool) -> None:
+    quantities = [entry(verdict, {"max": 1e-4}) for verdict in verdicts]
+    assert acceptance.acceptable(changed(ran(), quantities=quantities)) is good
+
+
+def test_an_acceptance_gets_the_number_after_the_largest() -> None:
+    kept = accepted(ran(variant="T1"))
+    for error, number in ((2e-4, "2"), (3e-4, "3")):
+        kept = accepted(ran(), ran(error, variant="T2"), old=kept)
+        assert {result.by for result in kept.results.values()} == {"1", number}
+    assert set(kept.acceptances) == {"1", "3"}  # of 2 nothing is left
+
+
+def test_a_baseline_reads_back_and_one_of_another_case_is_refused(tmp_path: Path) -> None:
+    assert baseline.read(tmp_path, "bounce") is None
+    kept = accepted(ran())
+    for name in ("bounce", "fall"):
+        (tmp_path / f"{name}.json").write_text(json.dumps(codec.to_data(kept)))
+    assert baseline.read(tmp_path, "bounce") == kept
+    with pytest.raises(UsageError, match="not a baseline of fall"):
+        baseline.read(tmp_path, "fall")

@@ -1,0 +1,107 @@
+"""What is compared with answers and results on record, one row a decision, by hand."""
+
+import datetime
+import json
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from tests.support.fabricated import changed, entry, record
+from vv.gate import answers, recorded
+from vv.records.accepted import Place
+from vv.records.job_record import Record
+from vv.records.recorded import RecordedFile
+
+TODAY = datetime.date(2027, 1, 1)
+
+
+def ran(error: float | None = 1e-4, **changes: Any) -> Record:
+    figures = {"final": 3.0, "mean": 1.0}
+    quantity = entry("pass", {"max": error}, scale=2.0, figures=figures)
+    return changed(record("dem/default", "T1", 1e-3, quantities=[quantity]), **changes)
+
+
+@pytest.mark.parametrize(
+    ("changes", "kind", "red"),
+    [
+        ({}, "no longer refused", True),
+        ({"status": "refused", "reason": "no springs"}, None, False),
+        ({"status": "refused", "reason": "too hot"}, "refused otherwise", False),
+        ({"status": "error", "reason": "too hot"}, None, False),
+        (
+            {"variant": "T4", "status": "refused", "reason": "dt = 2.5e-4 s is too long"},
+            None,
+            False,
+        ),
+        (
+            {"variant": "T4", "status": "refused", "reason": "dt = 1e-3 s is too short"},
+            "refused otherwise",
+            False,
+        ),
+        ({"case": "fall"}, None, False),
+        ({"modified": True}, None, False),
+        ({"variant": "T2"}, None, False),  # on record with its unknowns
+        ({"variant": "T3"}, None, False),  # not on record
+        ({"scheme": "other"}, None, False),
+    ],
+)
+def test_an_answer_is_compared_with_that_on_record(
+    changes: dict[str, Any], kind: str | None, red: bool
+) -> None:
+    known: answers.Answers = {
+        "dem/default": {"T1": "no springs", "T2": 7, "T4": "dt = 0.001 s is too long"}
+    }
+    found = list(answers.compare("bounce", [ran(**changes)], known, True))
+    assert [(one.kind, one.red) for one in found] == ([(kind, red)] if kind else [])
+
+
+def recorded_file() -> RecordedFile:
+    utc = "2026-12-22T10:00:00+00:00"
+    return RecordedFile("yade", "", "2.0", utc, "c", False, Place("P", "S"))
+
+
+def series(_: str) -> dict[str, np.ndarray]:
+    t = np.linspace(0.0, 1.0, 101)
+    return {"t": t, "y.value": t * t}
+
+
+def theirs(dt: float, **changes: Any) -> Record:
+    quantity = entry("pass", {"max": 1e-4}, figures={"final": 1.0 / 3.0})
+    made = record("yade/default", "T1", dt, quantities=[quantity])
+    return changed(made, **changes)
+
+
+def test_recorded_are_runs_at_the_case_s_own_parameters_and_the_finest_with_its_series(
+    tmp_path: Path,
+) -> None:
+    runs = [theirs(2e-3), theirs(1e-3), theirs(5e-4, modified=True), theirs(4e-3, status="error")]
+    (path,) = recorded.write_recorded(tmp_path, runs, series, {"yade": recorded_file()})
+    assert path == tmp_path / "yade" / "bounce.json"
+    results = json.loads(path.read_text())["results"]
+    assert sorted(results) == ["T1 yade/default dt=0.001", "T1 yade/default dt=0.002"]
+    fine, coarse = (results[name]["y"] for name in sorted(results))
+    assert fine["final"] == coarse["final"] == 0.333333
+    assert "t" not in coarse
+    assert (len(fine["t"]), fine["t"][0], fine["t"][-1], fine["y"][-1]) == (41, 0.0, 1.0, 1.0)
+
+
+@pytest.mark.parametrize(
+    ("changes", "count"),
+    [
+        ({}, 1),
+        ({"status": "ran"}, 0),
+        ({"status": "refused"}, 0),
+        ({"parameters": {"m": 2.0}}, 0),
+        ({"case": "other"}, 0),
+        ({"variant": "T9"}, 0),
+    ],
+)
+def test_recorded_results_stand_where_the_code_is_absent(
+    tmp_path: Path, changes: dict[str, Any], count: int
+) -> None:
+    recorded.write_recorded(tmp_path, [theirs(1e-3)], series, {"yade": recorded_file()})
+    asked = theirs(1e-3, **{"status": "not-installed", **changes})
+    found = recorded.shown(tmp_path, [asked], TODAY)
+    assert [one.days for one in found] == [10] * count
