@@ -12,6 +12,7 @@ from tests.engines.rigid.test_momentum import MOST, TOLERANCE, pile
 from vv.engines.blocks.geometry import Index
 from vv.engines.kernels.arrays import nil_rows
 from vv.engines.rigid.general.converge import polish
+from vv.engines.rigid.limits import STIFF
 from vv.engines.rigid.solver.assembly import Bodies, Joints
 from vv.engines.rigid.solver.banded import arranged, numbered, width
 from vv.engines.rigid.solver.cone import Friction, residual, sweep
@@ -31,7 +32,7 @@ def _solved(
         sweep(p, joints, bodies, friction, v, w)
         left, sweeps = residual(p, joints, friction, v, w), sweeps + 1
         if newton and sweeps % 60 == 0:
-            left = polish(p, joints, bodies, friction, v, w, TOLERANCE, left, place)
+            left = polish(p, joints, bodies, friction, v, w, TOLERANCE, left, place, STIFF)
     return sweeps, left
 
 

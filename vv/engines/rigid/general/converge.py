@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from vv.engines.blocks.geometry import Index
-from vv.engines.kernels.arrays import in_order, rows, same_rows, smaller
+from vv.engines.kernels.arrays import clear, in_order, rows, same_rows, smaller
 from vv.engines.kernels.compiled import called, lent
 from vv.engines.kernels.triples import add_scaled, at
 from vv.engines.rigid.general.setting import Setting
@@ -13,10 +13,12 @@ from vv.engines.rigid.limits import (
     CARRIED,
     CHAIN,
     ENOUGH,
+    FAR,
     OUTER,
     POLISHED,
     SHINED,
     SMALL,
+    SOFT,
     STALLED,
     STEADIED,
     STIFF,
@@ -42,15 +44,16 @@ def converged(
     They are in small scenes, and where blocks hang together in a chain. There they go on beyond
     the residual asked, for the little that they cost more: what is left adds up along a chain.
     Elsewhere sweeps with momentum and with conjugate gradients take turns: where blocks wedge, one
-    drifts away and the other creeps, and each goes on from where the other is stuck. The few steps
-    in which both are take Newton steps, too, until the residual asked is met.
+    drifts away and the other creeps, and each goes on from where the other is stuck. In the few
+    steps in which both are they begin anew, once, without impulses, where they are far from the
+    residual asked, and otherwise take Newton steps.
     """
     blocks, sweeps, left = len(setting.mass), 0 * fewest, np.inf
     small, place, apart = blocks <= SMALL, in_order(blocks), blocks - 1
     if not small:
         place, apart = arranged(joints, bodies, blocks)
     finer = (SHINED if small else POLISHED) * tolerance
-    chained, carries = small or apart <= CHAIN, True
+    chained, carries, anew = small or apart <= CHAIN, True, False
     free_v, free_w = without(p, joints, bodies, v, w)
     while sweeps < setting.most and left > tolerance:
         if not small and sweeps >= ENOUGH and left <= setting.tolerance:
@@ -65,9 +68,13 @@ def converged(
         if left > tolerance:
             left = renewed(p, joints, bodies, friction, v, w, free_v, free_w)
         stuck = not chained and sweeps >= STUCK and left > setting.tolerance
-        if (chained and left > tolerance) or stuck:
-            aim = tolerance if stuck else finer
-            left = polish(p, joints, bodies, friction, v, w, aim, left, place)
+        if stuck and not anew and left > FAR * setting.tolerance:
+            clear(p)
+            left = renewed(p, joints, bodies, friction, v, w, free_v, free_w)
+            anew, carries = True, True
+        elif (chained and left > tolerance) or stuck:
+            aim, stiffness = (tolerance, SOFT) if stuck else (finer, STIFF)
+            left = polish(p, joints, bodies, friction, v, w, aim, left, place, stiffness)
         if more == 0:
             break
     return sweeps, left
@@ -104,15 +111,14 @@ def renewed(
 @called
 def polish(
     p: Vector, joints: Joints, bodies: Bodies, friction: Friction, v: Vector, w: Vector,
-    tolerance: float, left: float, place: Index,
+    tolerance: float, left: float, place: Index, stiffness: float,
 ) -> float:  # fmt: skip
     """Improve p (c, 3), whose effect is in v and w and whose residual is `left`; return what is.
 
-    place: see `arranged`. A round that makes the residual [m/s] no smaller is undone, and
-    the next less stiff.
+    place: see `arranged`; stiffness: of the first round. A round that makes the residual [m/s] no
+    smaller is undone, and the next less stiff.
     """
     before, before_v, before_w = rows(len(p)), rows(len(v)), rows(len(w))
-    stiffness = STIFF
     for _ in range(OUTER):
         if left <= tolerance or stiffness < 1.0:
             break
