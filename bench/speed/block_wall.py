@@ -58,9 +58,9 @@ def main() -> None:
         "residual at most 5e-6 m/s at every step": max(
             part["residual, largest [m/s]"] for part in parts.values()
         ) <= CREEPS,
-        "at most 40 ms a step on one core": max(
+        "at most 25 ms a step on one core": max(
             part["CPU [ms a step]"] for part in parts.values()
-        ) <= 40,
+        ) <= 25,
         "penetration under 1 mm": max(
             part["penetration, largest [m]"] for part in parts.values()
         ) < 1e-3,
