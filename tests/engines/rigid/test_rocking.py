@@ -86,3 +86,16 @@ def test_a_block_just_below_the_threshold_comes_back_and_just_beyond_it_overturn
 def test_an_impact_needs_no_more_friction_than_its_impulse_leans(mu: float) -> None:
     """It leans by 0.24; what a corner crept before must not decide which way it holds."""
     assert rocked("released", 1e-3, mu) <= 2e-5
+
+
+def test_a_corner_that_stays_loses_nothing_by_friction_whatever_the_step() -> None:
+    """Nor does it where the other corner lands: only push and friction together lose in a blow."""
+    changed = {"b": 0.12, "h": 0.4, "part": 0.93, "duration": 0.9}
+    p = {**ROCKING.defaults("released"), **changed}
+    scene = ROCKING.declare("released", p).study.ask(Knobs(1e-3)).scene
+    program = solved(scene, 0.9)
+    rubbed, hit, arms = (program.energies[:, k] for k in (1, 2, 7))
+    assert hit[-1] >= 1.0  # it has landed
+    assert np.abs(rubbed).max() <= 1e-11
+    assert np.diff(hit).min() >= -1e-12
+    assert 1e-6 <= np.abs(arms).max() <= 1e-3  # of second order

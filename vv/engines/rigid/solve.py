@@ -31,8 +31,9 @@ LEDGER = (
     "shaking potential",
     "potential of gravity and loads",
     "taken by push-out",
+    "taken by arms that turn",
 )
-SIGNS = np.array([1.0, 1.0, 1.0, -1.0, -1.0, -1.0, 1.0])
+SIGNS = np.array([1.0, 1.0, 1.0, -1.0, -1.0, -1.0, 1.0, 1.0])
 EPS = float(np.finfo(float).eps)
 ROUNDINGS = 64  # of the peak energy, allowed for each step
 
@@ -75,7 +76,7 @@ class PreparedRigidBlocks:
 
     @property
     def energies(self) -> Vector:
-        """The ledger's terms (k, 7) [J] in time, whose sum is constant, after a solve."""
+        """The ledger's terms (k, 8) [J] in time, whose sum is constant, after a solve."""
         return np.asarray(self.system.joules(self.arguments[1]) * SIGNS + 0.0)
 
     @property

@@ -1,11 +1,16 @@
-"""Kernels for the energies of rigid blocks: what moves, and what each step's impulses did."""
+"""Kernels for the energies of rigid blocks: what moves, and what each step's impulses did.
+
+An impulse acts on mean arms at mean velocities, where a corner that stays as its block turns about
+it is not quite still: the mean of products is not the product of means. What that does has a name
+of its own. It is of second order, of either sign, and neither friction nor a blow.
+"""
 
 from __future__ import annotations
 
 from vv.engines.kernels.arrays import nil_rows, squares
 from vv.engines.kernels.compiled import called, lent
 from vv.engines.kernels.drive import mean
-from vv.engines.kernels.triples import Triple, add_scaled, at, dot, put
+from vv.engines.kernels.triples import Triple, add_scaled, at, cross, dot, put
 from vv.engines.rigid.general.lever_arms import turned_back
 from vv.engines.rigid.general.setting import Setting, State, wall_rates
 from vv.engines.rigid.general.step import Trial
@@ -14,15 +19,20 @@ from vv.engines.rigid.solver.assembly import Joints, relative
 from vv.scene import Vector
 
 NIL = (0.0, 0.0, 0.0)
-RUBBED, HIT, BASE, SHAKEN, DRIVEN, SHOVED = range(6)
+RUBBED, HIT, BASE, SHAKEN, DRIVEN, SHOVED, TURNED = range(7)
 
 
 @lent
 def work(
-    account: Vector, joints: Joints, c: int, p: Triple, v: Vector, w: Vector, blocks: int
-) -> None:
-    """Add to account (6,) [J] what an impulse p at contact c did at mean velocities v, w (b, 3)."""
-    n, u = at(joints.normal, c), relative(joints, c, v, w)
+    account: Vector, joints: Joints, c: int, p: Triple, v: Vector, w: Vector, blocks: int,
+    apart: Triple,
+) -> None:  # fmt: skip
+    """Add to account (7,) [J] what an impulse p at contact c did at mean velocities v, w (b, 3).
+
+    apart: the mean of the contact's velocities at both ends less that of its mean arms [m/s].
+    """
+    n, u = at(joints.normal, c), add_scaled(relative(joints, c, v, w), 1.0, apart)
+    account[TURNED] += dot(p, apart)
     normal = dot(p, n)
     account[HIT] -= normal * dot(u, n)
     account[RUBBED] -= dot(p, u) - normal * dot(u, n)
@@ -30,24 +40,47 @@ def work(
         account[BASE] += dot(p, at(v, joints.first[c]))
 
 
+@lent
+def turned(trial: Trial, c: int, gained: Vector) -> Triple:
+    """What is missing [m/s] from mean spins on mean arms to the mean of spins on their arms.
+
+    gained: (b, 3) [1/s], half of what spins change by in the step; half of what arms do is that
+    from the middle to the end.
+    """
+    a, b = trial.joints.first[c], trial.joints.second[c]
+    one = add_scaled(at(trial.joints.arm_first, c), -1.0, at(trial.middle.arm_first, c))
+    two = add_scaled(at(trial.joints.arm_second, c), -1.0, at(trial.middle.arm_second, c))
+    return add_scaled(cross(at(gained, b), two), -1.0, cross(at(gained, a), one))
+
+
 @called
 def book(
-    account: Vector, setting: Setting, state: State, trial: Trial, now: float, span: float
-) -> None:
-    """Add to account (6,) [J] what contacts, walls, shaking and forces did in a step."""
+    account: Vector, setting: Setting, state: State, trial: Trial, now: float, span: float,
+    blow: bool,
+) -> None:  # fmt: skip
+    """Add to account (7,) [J] what contacts, walls, shaking and forces did in a step.
+
+    All that contacts take in a blow is lost by impact. The slip of a corner may turn about within
+    it, so that friction gives there what the push has taken: only their sum has a sign.
+    """
+    rubbed = account[RUBBED]
     n, b = len(setting.mass), len(trial.v)
-    v_mid, w_mid = nil_rows(b), nil_rows(b)
+    v_mid, w_mid, gained = nil_rows(b), nil_rows(b), nil_rows(b)
     wall_rates(setting, now, v_mid)
     for i in range(b):
         had = at(state.v, i) if i < n else at(v_mid, i)
         put(v_mid, i, add_scaled(add_scaled(NIL, 0.5, had), 0.5, at(trial.v, i)))
         if i < n:
             put(w_mid, i, add_scaled(add_scaled(NIL, 0.5, at(state.w, i)), 0.5, at(trial.w, i)))
+            put(gained, i, add_scaled(at(trial.w, i), -1.0, at(w_mid, i)))
     for c in range(len(trial.p)):
         p = turned_back(trial.turn, c, at(trial.acted, c))
-        work(account, trial.middle, c, p, v_mid, w_mid, n)
+        work(account, trial.middle, c, p, v_mid, w_mid, n, turned(trial, c, gained))
         rest = add_scaled(at(trial.p, c), -1.0, at(trial.acted, c))
-        work(account, trial.joints, c, rest, v_mid, w_mid, n)
+        work(account, trial.joints, c, rest, v_mid, w_mid, n, NIL)
+    if blow:
+        account[HIT] += account[RUBBED] - rubbed
+        account[RUBBED] = rubbed
     shake = mean(setting.shaking, now, span)
     for i in range(n):
         account[SHAKEN] += span * setting.mass[i] * dot(shake, at(v_mid, i))

@@ -118,17 +118,18 @@ def move_rigid(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its 
     step is cut where a contact closes at a speed, where a slip ends and, once, where one begins.
 
     Every `stride` steps a row is written: path (k, b, 9): displacement, velocity and spin of
-    the watched; energy (k, 7) [J]: kinetic, lost by friction, lost by impact, work of walls, of
-    shaking, of gravity and loads, of push-out; report (k, 4): residual [m/s], sweeps, deepest
-    penetration [m] and cuts, the largest since the row before, cuts in all; reaction (k, b, 3):
-    forces [N] of contacts and shaking on bodies as the row is reached; in the first, of step one.
+    the watched; energy (k, 8) [J]: kinetic, lost by friction, lost by impact, work of walls, of
+    shaking, of gravity and loads, of push-out, of arms that turn; report (k, 4): residual [m/s],
+    sweeps, deepest penetration [m] and cuts, the largest since the row before, cuts in all;
+    reaction (k, b, 3): forces [N] of contacts and shaking on bodies as the row is reached; in the
+    first, of step one.
     """
     n = len(setting.mass)
     rotation = nil_squares(n)
     for i in range(n):
         rotation[i, 0, 0] = rotation[i, 1, 1] = rotation[i, 2, 2] = 1.0
     state = State(same_rows(centre, n), rotation, same_rows(v, n), same_rows(w, n))
-    account, contacts = nil_numbers(6), empty_contacts(64 + 0 * n)
+    account, contacts = nil_numbers(7), empty_contacts(64 + 0 * n)
     past = nothing(contacts, setting)
     parts = SPLITS if n <= SMALL else 1
     pressed, done = nil_rows(reaction.shape[1]), 0
@@ -177,7 +178,7 @@ def move_rigid(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its 
                 before = State(
                     same_rows(state.centre, n), state.rotation, state.v, same_rows(state.w, n)
                 )
-                book(account, setting, state, trial, now, span)
+                book(account, setting, state, trial, now, span, blow)
                 move(setting, state, trial, span)
                 deepest = separate(account, setting, state, trial, before, now, span)
                 lasting = dt / CUTS if blow else larger(span, BRIEF * dt)  # of a blow nothing lasts

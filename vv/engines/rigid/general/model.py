@@ -61,7 +61,7 @@ class Space:
         path = np.empty((rows, len(watched), 9))
         pressed = np.zeros((rows, len(self.scene.blocks) + len(self.scene.walls), 3))
         which = np.array(watched, np.int64)
-        return path, np.empty((rows, 7)), np.empty((rows, 4)), pressed, which
+        return path, np.empty((rows, 8)), np.empty((rows, 4)), pressed, which
 
     def arguments(self, dt: float) -> tuple[Any, ...]:
         """What the kernel is told about the scene, after the step [s]."""

@@ -76,10 +76,10 @@ class Point:
         return path
 
     def joules(self, energy: Vector) -> Vector:
-        """The energies (k, 7) [J]; the kernel gives them per mass, loads apart from gravity."""
-        held = energy[:, :7] * self.lone.block.mass
-        held[:, 5] += energy[:, 6] * self.lone.block.mass
-        held[:, 6] = energy[:, 7] * self.lone.block.mass
+        """The energies (k, 8) [J]; the kernel gives them per mass, loads apart from gravity."""
+        held = energy * self.lone.block.mass
+        held[:, 5] += held[:, 6]
+        held[:, 6], held[:, 7] = held[:, 7], 0.0  # a point has no arms
         return held
 
     def newtons(self, reaction: Vector) -> Vector:
