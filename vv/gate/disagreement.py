@@ -21,7 +21,7 @@ from vv.records.reading import rung
 from vv.records.rungs import Key, ladder, orders
 
 WIDEST = 10.0  # largest over smallest error of a band: more than a decade says nothing
-BROADEST = 1.5  # width of a band of orders: of 0, 1 and 2, and of their negatives, two at most
+BROADEST = 0.6  # width of a band of orders: it holds one of 0, 1 and 2 at most
 
 ELSEWHERE = 0.5  # by which an order may leave its band at other parameters than the case's own
 
