@@ -93,12 +93,11 @@ class _Contact:
 
     def rate_of_slide(self, y: Array) -> float:
         """s [m/s]."""
-        _, tangent, overlap = self.impact.frame(y)
-        return self.impact.slip(y, tangent, overlap)
+        return self.impact.slip(y)
 
     def growth(self, y: Array) -> float:
         """h U' [m/s]."""
-        return -self.h * float(y[2:4] @ self.impact.frame(y)[0])
+        return self.h * self.impact.closing(y)[1]
 
     def overlap(self, y: Array) -> float:
         """U [m], at least 0."""

@@ -13,6 +13,7 @@ at which the contact begins or ends to slip. There is no closed form, but for a 
 throughout: vt falls by mu (1 + e) vn.
 """
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cache
 from math import copysign, hypot, inf, sqrt
@@ -116,12 +117,17 @@ def rebound(
 
 
 class Impact:
-    """The equations of two bodies in contact; states (7,): displacement, velocity, spins, T."""
+    """The equations of two bodies in contact; states (7,): displacement, velocity, spins, T.
+
+    They are written for single numbers: arrays of two take several times as long.
+    """
 
     def __init__(self, law: Law, sphere: Sphere, partner: Sphere, vn: float) -> None:
         self.law, self.sphere, self.partner = law, sphere, partner
-        self.gap = sphere.radius + partner.radius
+        self.gap, self.is_wall = sphere.radius + partner.radius, partner.is_wall
         one, two = sphere, partner
+        self.inertia = 0.4 * one.mass * one.radius**2
+        self.other_inertia = 1.0 if two.is_wall else 0.4 * two.mass * two.radius**2
         self.mass = one.mass if two.is_wall else one.mass * two.mass / (one.mass + two.mass)
         self.damping = 2.0 * law.z * sqrt(self.mass * law.p * law.K)
         deep = ((law.p + 1.0) * self.mass * vn**2 / (2.0 * law.K)) ** (1.0 / (law.p + 1.0))
@@ -129,15 +135,22 @@ class Impact:
         turn = vn / sphere.radius
         self.sizes = np.array([deep, deep, vn, vn, turn, turn, law.K * deep**law.p])
 
-    def frame(self, y: Array) -> tuple[Array, Array, float]:
-        """Normal, tangent, overlap, which is taken from displacements without cancellation."""
-        if self.partner.is_wall:
-            return np.array([1.0, 0.0]), np.array([0.0, 1.0]), -float(y[0])
+    def frame(self, y: Sequence[float] | Array) -> tuple[float, float, float]:
+        """The normal (c, s), to which (-s, c) is the tangent, and the overlap.
+
+        This is taken from displacements without cancellation.
+        """
+        if self.is_wall:
+            return 1.0, 0.0, -float(y[0])
         gap, along, across = self.gap, float(y[0]), float(y[1])
         distance = hypot(gap + along, across)
         overlap = -(2.0 * gap * along + along**2 + across**2) / (gap + distance)
-        normal = np.array([gap + along, across]) / distance
-        return normal, np.array([-normal[1], normal[0]]), overlap
+        return (gap + along) / distance, across / distance, overlap
+
+    def closing(self, y: Sequence[float] | Array) -> tuple[float, float]:
+        """The overlap, and how fast it grows along the normal."""
+        c, s, overlap = self.frame(y)
+        return overlap, -(c * float(y[2]) + s * float(y[3]))
 
     def clearing(self, y: Array) -> float:
         """How long bodies that no longer touch overlap [s], as they go on."""
@@ -156,39 +169,44 @@ class Impact:
     def arms(self, part: float, overlap: float) -> tuple[float, float]:
         """The radii [m] less a part of the overlap; 0 for a wall."""
         short = part * overlap
-        second = 0.0 if self.partner.is_wall else self.partner.radius - short
+        second = 0.0 if self.is_wall else self.partner.radius - short
         return self.sphere.radius - short, second
 
-    def slip(self, y: Array, tangent: Array, overlap: float) -> float:
+    def slip(self, y: Sequence[float] | Array) -> float:
         """s [m/s]."""
+        c, s, overlap = self.frame(y)
         first, second = self.arms(self.law.a, overlap)
-        return float(y[2:4] @ tangent - first * y[4] - second * y[5])
+        across = c * float(y[3]) - s * float(y[2])
+        return across - first * float(y[4]) - second * float(y[5])
 
     def slope(self, y: Array, slips: float) -> Array:
         """y'; slips: the sign of T where the contact slips, else 0."""
-        normal, tangent, overlap = self.frame(y)
-        push = max(self.push(overlap, -float(y[2:4] @ normal)), 0.0)
-        rubbing = slips * self.law.mu * push if slips else y[6]
-        one, two = self.sphere, self.partner
-        rate = (push * normal + rubbing * tangent) / self.mass
+        now = y.tolist()
+        c, s, overlap = self.frame(now)
+        push = max(self.push(overlap, -(c * now[2] + s * now[3])), 0.0)
+        rubbing = slips * self.law.mu * push if slips else now[6]
         first, second = self.arms(self.law.b, overlap)
-        spun = -first * rubbing / (0.4 * one.mass * one.radius**2)
-        other = 0.0 if two.is_wall else -second * rubbing / (0.4 * two.mass * two.radius**2)
-        charging = 0.0 if slips else self.charging(y, tangent, overlap, float(y[6]))
-        return np.array([y[2], y[3], rate[0], rate[1], spun, other, charging])
+        return np.array([
+            now[2],
+            now[3],
+            (push * c - rubbing * s) / self.mass,
+            (push * s + rubbing * c) / self.mass,
+            -first * rubbing / self.inertia,
+            -second * rubbing / self.other_inertia,
+            0.0 if slips else self.charging(now, now[6]),
+        ])  # fmt: skip
 
-    def charging(self, y: Array, tangent: Array, overlap: float, force: float) -> float:
+    def charging(self, y: Sequence[float] | Array, force: float) -> float:
         """T' without slip, where T is `force`."""
-        stiff = float(self.law.S * max(overlap, 0.0) ** (self.law.p - 1.0))
-        rate = -stiff * self.slip(y, tangent, overlap)
+        overlap, closing = self.closing(y)
+        rate = -float(self.law.S * max(overlap, 0.0) ** (self.law.p - 1.0)) * self.slip(y)
         if self.law.h and overlap > 0.0:
-            closing = -float(y[2:4] @ self.frame(y)[0])
             rate += self.law.h * (self.law.p - 1.0) * force * closing / overlap
         return rate
 
     def slips_first(self, y: Array) -> float:
         """The sign of T if the contact slips from the start: all forces grow as t^p then."""
-        law, slip = self.law, self.slip(y, np.array([0.0, 1.0]), 0.0)
+        law, slip = self.law, self.slip(y)
         growth = law.p - law.h * (law.p - 1.0)  # T' of T = S v^(p - 1) s t^p/growth
         cap = growth * law.mu * law.K * -float(y[2])
         slips = law.mu == 0.0 or (self.damping == 0.0 and law.S * abs(slip) > cap)
@@ -200,8 +218,8 @@ class Impact:
         from scipy.integrate import solve_ivp
 
         def ends(t: float, y: Array) -> float:
-            normal, _, overlap = self.frame(y)
-            return self.push(overlap, -float(y[2:4] @ normal)) if overlap > 0.0 else overlap
+            overlap, closing = self.closing(y)
+            return self.push(overlap, closing) if overlap > 0.0 else overlap
 
         def changes(t: float, y: Array) -> float:
             if self.law.mu == 0.0:
@@ -219,26 +237,24 @@ class Impact:
             raise RuntimeError(f"the contact did not end within {self.longest:.3g} s")
         state = found.y[:, -1].copy()
         if slips:
-            normal, _, overlap = self.frame(state)
-            push = max(self.push(overlap, -float(state[2:4] @ normal)), 0.0)
-            state[6] = slips * self.law.mu * push
+            state[6] = slips * self.law.mu * max(self.push(*self.closing(state)), 0.0)
         return float(found.t[-1]), state, bool(len(found.t_events[0]))
 
     def reserve(self, y: Array) -> float:
         """mu Fn - |T|."""
-        normal, _, overlap = self.frame(y)
-        return self.law.mu * self.push(overlap, -float(y[2:4] @ normal)) - abs(float(y[6]))
+        return self.law.mu * self.push(*self.closing(y)) - abs(float(y[6]))
 
     def exceeding(self, y: Array, slips: float) -> float:
         """By how much faster |T| would grow without slip than its limit, [N/s]."""
-        normal, tangent, overlap = self.frame(y)
-        law, deep, closing = self.law, max(overlap, 1e-300), -float(y[2:4] @ normal)
-        across = float(y[2:4] @ tangent)
-        turning = 0.0 if self.partner.is_wall else across**2 / (self.gap - overlap)
+        c, s, overlap = self.frame(y)
+        law, deep = self.law, max(overlap, 1e-300)
+        closing = -(c * float(y[2]) + s * float(y[3]))
+        across = c * float(y[3]) - s * float(y[2])
+        turning = 0.0 if self.is_wall else across**2 / (self.gap - overlap)
         slowing = -max(self.push(overlap, closing), 0.0) / self.mass - turning
         half = 0.5 * law.p - 0.5
         rate = law.K * law.p * deep ** (law.p - 1.0) * closing
         if self.damping:
             rate += self.damping * deep**half * (half * closing**2 / deep + slowing)
         force = slips * law.mu * max(self.push(overlap, closing), 0.0)
-        return float(slips * self.charging(y, tangent, overlap, force) - law.mu * rate)
+        return float(slips * self.charging(y, force) - law.mu * rate)
