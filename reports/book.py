@@ -17,6 +17,7 @@ from vv.insight.against_measurements import Agreement, agreements
 from vv.insight.diagnosis import Diagnosis, diagnoses
 from vv.insight.effort import Effort, every_effort
 from vv.insight.history import Point
+from vv.insight.stability_summary import StabilityStatement, stability
 from vv.records.finding import Finding
 from vv.records.job_record import Record
 from vv.records.manifest import Manifest
@@ -57,6 +58,14 @@ class Book:
         return found
 
     @functools.cached_property
+    def of_case(self) -> dict[str, list[Record]]:
+        """Case -> its records, as they stand in the manifest."""
+        found: dict[str, list[Record]] = {case: [] for case in self.manifest.cases}
+        for record in self.manifest.records:
+            found.setdefault(record.case, []).append(record)
+        return found
+
+    @functools.cached_property
     def ran(self) -> dict[Place, dict[str, list[Record]]]:
         """As `records`, of those only that a code took on."""
         return {
@@ -88,6 +97,11 @@ class Book:
     def red(self) -> list[Finding]:
         """The findings that turn the gate red."""
         return [finding for finding in self.findings if finding.red]
+
+    @functools.cached_property
+    def stability(self) -> list[StabilityStatement]:
+        """What the records say of largest steps, drift and counts."""
+        return stability(self.manifest)
 
     @functools.cached_property
     def patterns(self) -> list[Diagnosis]:

@@ -200,7 +200,7 @@ def _of_codes(book: Book) -> tuple[Any, Any]:
 
 def case_csv(book: Book, name: str) -> str:
     """case-NAME.csv: a row for each quantity of each record of what a code took on."""
-    own = [r for r in book.manifest.records if r.case == name and tried(r)]
+    own = filter(tried, book.of_case[name])
     target = io.StringIO()
     writer = csv.writer(target, lineterminator="\n")
     writer.writerow(COLUMNS)

@@ -136,7 +136,7 @@ def _of_case(book: Book, case: str, records: str | None) -> str:
     past = [_without_time(point) for point in book.past.get(case, ())]
     parts = (
         whole.cases[case],
-        records or [r for r in whole.records if r.case == case],
+        records or book.of_case[case],
         [f for f in whole.findings if f.case == case],
         whole.baselines.get(case),
         [r for r in whole.recorded if r.case == case],

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections import Counter
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 
 from vv.gate.judgement import counted as counted_by_outcome
@@ -86,5 +87,13 @@ def shown_by(record: Record, one: MeasuredQuantity) -> ShownOutcome:
 
 def counted(records: Iterable[Record]) -> list[tuple[ShownOutcome, int]]:
     """(outcome, how many) for the outcomes there are, worst first."""
-    counts = counted_by_outcome(records)
+    return _worst_first(counted_by_outcome(records))
+
+
+def summed(shown: Iterable[ShownOutcome]) -> list[tuple[ShownOutcome, int]]:
+    """As `counted`, of outcomes that are known already."""
+    return _worst_first(Counter(one.key for one in shown))
+
+
+def _worst_first(counts: Mapping[Outcome, int]) -> list[tuple[ShownOutcome, int]]:
     return [(OUTCOMES[key], counts[key]) for key in sorted(counts, key=RANKS.__getitem__)]

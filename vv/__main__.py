@@ -4,7 +4,7 @@ import gc
 import os
 
 LIBRARIES = ("OMP", "OPENBLAS", "MKL", "NUMBA")
-ALLOCATED = 100_000  # before garbage is sought: nearly all that an invocation reads stays in use
+ALLOCATED = 1_000_000  # before garbage is sought: nearly all that an invocation reads stays in use
 
 
 def main() -> None:

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from reports import plain
 from reports.book import Book
 from reports.marks import Mark
-from reports.outcomes import ShownOutcome, counted
+from reports.outcomes import ShownOutcome, summed
 from reports.pages.overview import Overview, Row
 from reports.pages.troubles import Trouble, troubles
 from reports.variant.inputs import heads
@@ -53,16 +53,16 @@ def code(
     book: Book, name: str, seen: Overview, tables: Mapping[tuple[str, str], Sequence[Ranked]]
 ) -> Code:
     """The view of a code; tables: the ranked schemes of each variant."""
-    own = [record for record in book.manifest.records if record.code == name]
+    own = [(record, came) for record, came in book.shown if record.code == name]
     rows = [row for row in seen.rows if row.mark.code == name]
     told: dict[str, str] = {}
     return Code(
         name=name,
-        version=next((r.code_version for r in own if r.code_version), ""),
+        version=next((r.code_version for r, _ in own if r.code_version), ""),
         in_house=name not in book.manifest.external(),
         marks=[row.mark for row in rows],
         rows=rows,
-        counts=counted(own),
+        counts=summed(came for _, came in own),
         troubles=troubles(book, [f for f in book.findings if f.label.partition("/")[0] == name]),
         lines=[
             line

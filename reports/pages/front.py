@@ -13,14 +13,13 @@ from reports.book import Book
 from reports.drawing import charts
 from reports.drawing.curves import draw
 from reports.marks import Mark
-from reports.outcomes import ShownOutcome, counted
+from reports.outcomes import OUTCOMES, ShownOutcome, summed
 from reports.pages import coverage_map
 from reports.pages.overview import TARGETS, Overview, overview
 from reports.pages.troubles import CARDS, Trouble, troubles
 from reports.text import brief
 from reports.variant.reading import TARGET
 from vv.case.published import Standing
-from vv.gate.judgement import outcome
 from vv.insight.papers import counted as standings
 from vv.output.markdown import headline
 from vv.records.outcomes import Outcome
@@ -51,7 +50,7 @@ class Front:
 def front(book: Book) -> Front:
     """The view of the front page."""
     seen, all_troubles = overview(book), troubles(book)
-    external = book.manifest.external()
+    external, counts = book.manifest.external(), summed(came for _, came in book.shown)
     ratios = _profile(book, seen, TARGET)
     chart = charts.shares(
         [(book.marks[label], row) for label, row in ratios.items()],
@@ -61,7 +60,7 @@ def front(book: Book) -> Front:
         verdict=headline(book.findings),
         red=any(f.red for f in book.findings),
         reported=sum(1 for f in book.findings if f.bit and not f.red and not f.improves),
-        counts=counted(book.manifest.records),
+        counts=counts,
         overview=seen,
         codes={m.code: m.code not in external for m in book.marks.values()},
         profile=draw(chart) if chart else Markup(""),
@@ -70,7 +69,7 @@ def front(book: Book) -> Front:
         shares=_shares(book, seen),
         cards=all_troubles[:CARDS],
         more=max(0, len(all_troubles) - CARDS),
-        known=sum(outcome(record) is Outcome.XFAIL for record in book.manifest.records),
+        known=dict(counts).get(OUTCOMES[Outcome.XFAIL], 0),
         papers=standings(row for _, rows in book.beside.papers for row in rows),
         rows=coverage_map.rows(book, seen),
         data=_data(book, seen),

@@ -10,13 +10,12 @@ from dataclasses import dataclass
 
 from reports.book import Book, Place
 from reports.marks import Mark
-from reports.outcomes import RANKS, ShownOutcome, counted
-from reports.variant.reading import TARGET, judged_error, nearest
+from reports.outcomes import ShownOutcome
+from reports.variant.ranking import ranks
+from reports.variant.reading import TARGET
 from vv.insight.accuracy_cost import reach
 from vv.insight.effort import untimed_costs
-from vv.insight.stability_summary import Kind, stability
-from vv.records.job_record import Record
-from vv.records.outcomes import StudyKind
+from vv.insight.stability_summary import Kind
 
 TARGETS = (1e-2, 1e-3, 1e-4, 1e-5, 1e-6)
 
@@ -72,8 +71,8 @@ class Overview:
 def overview(book: Book) -> Overview:
     """The numbers of a manifest."""
     cells = {
-        place: {label: _cell(pile) for label, pile in piles.items()}
-        for place, piles in book.ran.items()
+        place: {row.mark.label: Cell(row.error, row.cpu, row.worst, row.ladder) for row in rows}
+        for place, rows in ranks(book).items()
     }
     efforts = book.efforts
     guessed = not any(e.timed for here in efforts.values() for e in here)
@@ -91,14 +90,6 @@ def overview(book: Book) -> Overview:
         for mark in book.marks.values()
     ]
     return Overview(cells, costs, rows, len(common), len(costs), guessed)
-
-
-def _cell(pile: Sequence[Record]) -> Cell:
-    finest = next((r for r in reversed(pile) if r.quantities), pile[-1])
-    one = nearest(finest)
-    worst = min((outcome for outcome, _ in counted(pile)), key=lambda o: RANKS[o.key])
-    ladder = finest.study is StudyKind.LADDER
-    return Cell(judged_error(one), finest.cost.solve_cpu or None, worst, ladder)
 
 
 def _solved(cell: Cell) -> bool:
@@ -131,7 +122,7 @@ def _ratios(costs: Mapping[Place, Mapping[str, Sequence[float | None]]], label: 
 def _steps(book: Book) -> dict[str, tuple[float, float]]:
     """Label -> the least and largest stable step found, over what theory gives."""
     found: dict[str, list[float]] = {}
-    for one in stability(book.manifest):
+    for one in book.stability:
         if one.kind is Kind.STEP and one.value is not None and one.due:
             found.setdefault(one.label, []).append(one.value / one.due)
     return {label: (min(values), max(values)) for label, values in found.items()}

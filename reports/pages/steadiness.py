@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from reports.book import Book
 from reports.marks import Mark
-from vv.insight.stability_summary import Kind, StabilityStatement, stability
+from vv.insight.stability_summary import Kind, StabilityStatement
 
 KINDS = {
     Kind.STEP: (
@@ -45,7 +45,7 @@ class Stable:
 
 def sections(book: Book) -> list[Stable]:
     """A section for each kind there is anything of."""
-    statements = stability(book.manifest)
+    statements = book.stability
     return [
         Stable(title, caption, _lines(book, [one for one in statements if one.kind is kind]))
         for kind, (title, caption) in KINDS.items()

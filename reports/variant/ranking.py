@@ -16,6 +16,7 @@ from reports.variant.settings import observed_order
 from vv.base.metrics import Order
 from vv.records import codec
 from vv.records.job_record import ModelSummary, Record
+from vv.records.outcomes import StudyKind
 
 
 @dataclass(frozen=True)
@@ -28,6 +29,7 @@ class Ranked:
     anchor: str
     mark: Mark
     outcomes: Sequence[tuple[ShownOutcome, int]]
+    ladder: bool
     error: float | None
     quantity: str
     tolerance: float | None
@@ -98,6 +100,7 @@ def _ranked(pile: Sequence[Record], mark: Mark) -> Ranked:
         anchor=anchor(finest),
         mark=mark,
         outcomes=outcomes,
+        ladder=finest.study is StudyKind.LADDER,
         error=judged_error(one),
         quantity=one.name if one and len(finest.quantities) > 1 else "",
         tolerance=one.tolerance if one else None,

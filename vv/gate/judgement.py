@@ -176,13 +176,11 @@ def breaches(ledger: Ledger | None) -> Iterator[Breach]:
     if ledger is None:
         return
     if ledger.bound is not None:
-        laws = {f"{UNEXPLAINED} [J]": ledger.unaccounted}
+        if not ledger.unaccounted <= ledger.bound:
+            yield f"{UNEXPLAINED} [J]", ledger.unaccounted, ledger.bound
         for name, value in ledger.terms.items():
-            if name in DISSIPATED:
-                laws[f"negative {name} [J]"] = -value
-        yield from (
-            (law, seen, ledger.bound) for law, seen in laws.items() if not seen <= ledger.bound
-        )
+            if name in DISSIPATED and not -value <= ledger.bound:
+                yield f"negative {name} [J]", -value, ledger.bound
     for law, (seen, allowed) in ledger.audits.items():
         if not seen <= allowed:
             yield law, seen, allowed
@@ -213,7 +211,7 @@ def outcome_by(record: Record, quantities: Sequence[MeasuredQuantity]) -> Outcom
     worst = OF_VERDICT[_worst(quantities)] if quantities else Outcome.NOT_REPORTED
     if worst in SPOILED:
         return worst
-    if next(unknown_breaches(record), None) is not None:
+    if record.ledger and next(unknown_breaches(record), None) is not None:
         return Outcome.NOT_CONSERVED
     return Outcome.XFAIL if record.known_breaches else worst
 

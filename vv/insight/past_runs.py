@@ -41,12 +41,16 @@ class Digest:
 
 @dataclass(frozen=True)
 class PastRuns:
-    """Reads past runs in parts; of damaged ones there is nothing, which is said once."""
+    """Reads past runs in parts; of damaged ones there is nothing, which is said once.
+
+    Runs that hold the same records of a case say the same: that is worked out for one of them.
+    """
 
     store: Store
     at_hand: Mapping[str, Manifest]
     passed_over: Callable[[str], None]
     heads: dict[str, Head] = field(default_factory=dict)
+    held: dict[str, Mapping[str, str]] = field(default_factory=dict)
     opened: dict[str, Read | None] = field(default_factory=dict)
 
     def head(self, name: str) -> Head:
@@ -56,15 +60,28 @@ class PastRuns:
         return self.heads[name]
 
     def digest(self, name: str, case: str) -> Digest:
-        """What a past run says of a case; what a stored run says is worked out once."""
-        key = digest(name, case, _sources())
-        known = self.store.facts(Digest, key) if name not in self.at_hand else None
+        """What a past run says of a case; what is stored of one is worked out once."""
+        stored = self._held(name).get(case, "")
+        key = digest(stored, _sources())
+        known = self.store.facts(Digest, key) if stored else None
         if known is None:
             read = self._records(name, case)
             known = digest_of(read or ())
-            if read is not None and self.store.manifest_file(name).is_file():
+            if read is not None and stored:
                 self.store.keep_facts(key, known)
         return known
+
+    def _held(self, name: str) -> Mapping[str, str]:
+        """Case -> digest of the records that a run holds of it; empty if it is not stored."""
+        if name not in self.held:
+            key = digest("held", name)
+            known = self.store.facts(dict[str, str], key)
+            if known is None:
+                known = self.store.digests_of(name)
+                if known:
+                    self.store.keep_facts(key, known)
+            self.held[name] = known
+        return self.held[name]
 
     def _records(self, name: str, case: str) -> Sequence[Record] | None:
         """The records of a case in a past run; None if they are damaged."""

@@ -17,6 +17,7 @@ from collections.abc import Callable, Hashable, Mapping
 from typing import Any, NoReturn, TypeVar
 
 from vv.records.fields import OMITTED, SPREAD
+from vv.records.reader_source import class_reader, mapping_reader
 
 Json = dict[str, Any]  # what is on its way to or from a file, and nowhere else
 Reader = Callable[[Any], Any]
@@ -184,12 +185,14 @@ def _items(kinds: tuple[Any, ...]) -> Reader:
 
 def _entries(key_kind: Any, kind: Any) -> Reader:
     key_reader, inner = _reader(key_kind), _reader(kind)
+    build = mapping_reader(key_kind, kind, key_reader, inner)
 
     def entries(data: Any) -> dict[Any, Any]:
         if type(data) is not dict:
             _refuse(data, "must be an object")
         try:
-            return {key_reader(key): inner(one) for key, one in data.items()}
+            whole: dict[Any, Any] = build(data)
+            return whole
         except DamagedError:
             for key, one in data.items():
                 _inside(f".{key}", inner, one)
@@ -204,9 +207,11 @@ def _fields(kind: Any) -> Reader:
     spread = next((f.name for f in dataclasses.fields(kind) if SPREAD in f.metadata), None)
     readers = {name: _reader(hint) for name, hint in hints.items()}
 
+    whole = class_reader(kind, hints, readers)
+
     def build(data: Any) -> Any:
         try:
-            return kind(**{name: readers[name](one) for name, one in data.items()})
+            return whole(data)
         except (AttributeError, KeyError, TypeError, ValueError):
             _diagnose(kind, readers, data)
             raise
