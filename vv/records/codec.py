@@ -16,8 +16,8 @@ import typing
 from collections.abc import Callable, Hashable, Mapping
 from typing import Any, NoReturn, TypeVar
 
+from vv.base.reader_source import class_reader, mapping_reader
 from vv.records.fields import OMITTED, SPREAD
-from vv.records.reader_source import class_reader, mapping_reader
 
 Json = dict[str, Any]  # what is on its way to or from a file, and nowhere else
 Reader = Callable[[Any], Any]

@@ -1,4 +1,4 @@
-"""Writes the functions that read records, as `dataclasses` writes those that make them.
+"""Writes functions that make objects of plain data, as `dataclasses` writes those of classes.
 
 Nearly all values of records are plain, and there are a million of them in a report: a function
 written for a class tests them where they stand, and calls the reader of a field for others only.
