@@ -11,9 +11,13 @@ from vv.engines.dem.bonds.law import Frail, arms, beyond, charged, rolled, stret
 from vv.engines.dem.contact.friction import turned
 from vv.engines.dem.space.neighbours import State
 from vv.engines.kernels.compiled import inlined
+from vv.engines.kernels.prefetch import begin_to_read
 from vv.engines.kernels.triples import NOWHERE, Triple, add_scaled, at, cross, dot, put
 from vv.scene import Vector
 
+LINE = (
+    8  # numbers in a line of the cache: WIDE of these hold all numbers but radii and what differs
+)
 Like = tuple[float, float, float, float]
 MOVED, STEP, SPIN_I, SPIN_J = 0, 3, 6, 9  # places in scratch: displacements, velocities, spins
 FORCE, TORQUE, ARMS, NORMAL, SHEARED, HIT, SCRATCH = 12, 15, 18, 20, 21, 22, 23
@@ -48,10 +52,23 @@ def own(table: Vector, like: Like | None, which: int, k: int, q: int) -> float:
 
 @inlined
 def fetch(
-    scratch: Vector, c: int, ends: Ends, k: int, many: int, u: Vector, v: Vector, w: Vector | None
+    scratch: Vector,
+    c: int,
+    table: Vector,
+    ends: Ends,
+    k: int,
+    many: int,
+    u: Vector,
+    v: Vector,
+    w: Vector | None,
 ) -> None:
-    """How the ends of the bonds of block k move, and turn, into row c of scratch."""
+    """How the ends of the bonds of block k move, and turn, into row c of scratch.
+
+    Meanwhile, what is known of the bonds of the next block is brought into the cache.
+    """
+    soon = min(k + 1, len(table) - 1)
     for q in range(many):
+        begin_to_read(table, soon, q * LINE)
         i, j = ends[k, q], ends[k, WIDE + q]
         note(scratch, c, MOVED, q, add_scaled(at(u, j), -1.0, at(u, i)))
         note(scratch, c, STEP, q, add_scaled(at(v, j), -1.0, at(v, i)))

@@ -57,7 +57,7 @@ def sweep(
     normal, sheared, breaking = 0.0, 0.0, 0
     for k in range(share[c], share[c + 1]):
         here = min(WIDE, many - k * WIDE)
-        fetch(scratch, c, ends, k, here, u, v, w)
+        fetch(scratch, c, table, ends, k, here, u, v, w)
         found = bend(scratch, c, table, k, here, dt, like, ks, w, frail, state)
         if found > 0:
             breaking += found
