@@ -8,6 +8,8 @@ from unittest import mock
 
 from tests.support.fabricated import manifest_of_all
 from vv.insight.history import history
+from vv.records.manifest import Manifest
+from vv.records.provenance import Provenance
 from vv.store.store import Store
 
 
@@ -22,3 +24,19 @@ def test_a_past_run_is_read_once_and_says_the_same_later(tmp_path: Path) -> None
         assert history(store, "bounce", print) == first
     store.keep_manifest(dataclasses.replace(whole, name=f"{whole.name}.1", records=()))
     assert history(store, "bounce", print) == first
+
+
+def test_runs_that_hold_the_same_records_are_read_once(tmp_path: Path) -> None:
+    store = Store(tmp_path / ".vv")
+    whole = manifest_of_all(store)
+    store.keep_manifest(whole)
+    first = history(store, "bounce", print)
+    again = dataclasses.replace(whole, name=f"{whole.name}.1")
+    store.keep_manifest(dataclasses.replace(again, provenance=elsewhere(again)))
+    with mock.patch.object(Store, "reader", side_effect=AssertionError("read again")):
+        both = history(store, "bounce", print)
+    assert [point.closeness for point in both] == [first[0].closeness] * 2
+
+
+def elsewhere(manifest: Manifest) -> Provenance:
+    return dataclasses.replace(manifest.provenance, commit="another")
