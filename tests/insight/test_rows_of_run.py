@@ -1,0 +1,59 @@
+"""Claims about papers beside an invocation: what is worked out once, and which records count."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from tests.conftest import tiny_project
+from tests.support.fabricated import changed, entry, manifest, record
+from vv.case.published import Paper, Seen, Standing, Statement
+from vv.insight.rows_of_run import rows_of_run
+from vv.plan.exact_numbers import with_exact_numbers
+from vv.plan.project import Project, find
+
+SEEN = (Seen("bounce", "T1", "y"),)
+
+
+def paper(exact: float, asked: list[float]) -> Paper:
+    """A paper of two statements, the second without an exact number; `asked` grows by each call."""
+
+    def number() -> float:
+        asked.append(exact)
+        return exact
+
+    one = Statement("Eq. 1", "what", "2.0", Standing.REPRODUCED, "", "m", number, SEEN)
+    return Paper("A", "B", "", (one, Statement("Eq. 2", "a", "1", Standing.OPEN, "no number")))
+
+
+@pytest.fixture
+def project(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Project:
+    monkeypatch.delenv("VV_DATA", raising=False)
+    return find(tiny_project(tmp_path).root)
+
+
+def test_an_exact_number_is_worked_out_once_and_kept(project: Project) -> None:
+    asked: list[float] = []
+    for _ in range(2):
+        (found,) = with_exact_numbers([paper(2.5, asked)], project, [])
+        first, second = found.statements
+        assert callable(first.exact)
+        assert first.exact() == 2.5
+        assert not callable(second.exact)
+    assert asked == [2.5]
+
+
+def test_what_ran_at_other_parameters_or_not_at_all_answers_no_statement(project: Project) -> None:
+    value = entry("pass", {"max": 1e-4}, figures={"value": 2.0})
+    good = record("dem/default", "T1", 1e-3, quantities=[value])
+    rows: tuple[tuple[dict[str, Any], int], ...] = (
+        ({}, 1),
+        ({"modified": True}, 0),
+        ({"status": "error"}, 0),
+    )
+    for changes, answers in rows:
+        whole = manifest(changed(good, **changes))
+        ((row, _),) = rows_of_run([paper(2.0, [])], project, whole)
+        assert len(row.answers) == answers, changes
