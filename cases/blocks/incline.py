@@ -17,6 +17,7 @@ from vv.case import (
     Case,
     Exact,
     Ladder,
+    Level,
     Motion,
     Parameter,
     Parameters,
@@ -254,13 +255,14 @@ def _variants() -> tuple[Variant, ...]:
     found = [
         Variant(
             f"gravity-{phi}", f"gravity alone, alpha 28, phi {phi}" + BEFORE * (phi == 10), FALL,
-            {**still, "phi": phi}, undriven,
+            {**still, "phi": phi}, undriven, Level.DEFAULT if phi in (15, 20) else Level.QUICK,
         )
         for phi in (5, 10, 15, 20, 25)
     ]  # fmt: skip
     found += [
         Variant(f"gravity-45-{phi}", f"gravity alone, alpha 45, phi {phi}", FALL,
-                {**still, "alpha": 45.0, "phi": phi}, undriven)
+                {**still, "alpha": 45.0, "phi": phi}, undriven,
+                Level.QUICK if phi == 10 else Level.DEFAULT)
         for phi in (10, 20, 30)
     ]  # fmt: skip
     found += [
@@ -272,13 +274,13 @@ def _variants() -> tuple[Variant, ...]:
     ]  # fmt: skip
     found += [
         Variant(f"newmark-{phi}", f"horizontal sine, phi {phi}", NEWMARK,
-                {**sine, "phi": phi}, one_way)
+                {**sine, "phi": phi}, one_way, Level.QUICK if phi == 30 else Level.DEFAULT)
         for phi in (22, 30, 35)
     ]  # fmt: skip
     return (
         *found,
         Variant("newmark-3d", "horizontal sine on a steep slope", NEWMARK,
-                {"alpha": 45.0, "phi": 50.0, "A": 2.0}, one_way),
+                {"alpha": 45.0, "phi": 50.0, "A": 2.0}, one_way, Level.DEFAULT),
         Variant("two-way", "a sine strong enough to drive the block uphill too", NEWMARK,
                 {**sine, "phi": 30.0, "A": 20.0}, one_way),
         Variant("two-directions", "a sine along the dip and one along the strike", TURN,

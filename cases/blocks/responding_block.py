@@ -294,12 +294,12 @@ def _variants() -> tuple[Variant, ...]:
                 inert=frozenset({"fy", "fz"}), level=level)
         for name, level, p in (
             ("1d", Level.QUICK, {"D": 0.2, "f": 2.0, "mu": 0.6}),
-            ("1d-3hz", Level.DEFAULT, {"D": 0.2, "f": 3.0, "mu": 0.6}),
-            ("1d-5hz", Level.QUICK, {"D": 0.2, "f": 5.0, "mu": 0.6}),
-            ("1d-0.3m", Level.DEFAULT, {"D": 0.3, "f": 1.0, "mu": 0.6}),
-            ("1d-0.5m", Level.DEFAULT, {"D": 0.5, "f": 1.0, "mu": 0.6}),
+            ("1d-3hz", Level.PAPER, {"D": 0.2, "f": 3.0, "mu": 0.6}),
+            ("1d-5hz", Level.DEFAULT, {"D": 0.2, "f": 5.0, "mu": 0.6}),
+            ("1d-0.3m", Level.PAPER, {"D": 0.3, "f": 1.0, "mu": 0.6}),
+            ("1d-0.5m", Level.PAPER, {"D": 0.5, "f": 1.0, "mu": 0.6}),
             ("1d-1m", Level.DEFAULT, {"D": 1.0, "f": 1.0, "mu": 0.6}),
-            ("1d-mu-0.1", Level.QUICK, {"D": 0.5, "f": 1.0, "mu": 0.1}),
+            ("1d-mu-0.1", Level.DEFAULT, {"D": 0.5, "f": 1.0, "mu": 0.1}),
             ("1d-mu-1", Level.QUICK, {"D": 0.5, "f": 1.0, "mu": 1.0}),
         )
     ]  # fmt: skip

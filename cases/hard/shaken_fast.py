@@ -69,7 +69,7 @@ FIVE = (Knobs(5e-4, 1e8), Knobs(2.5e-4, 1e8), Knobs(1e-4, 1e9))
 TWENTY = (Knobs(2.5e-4, 1e8), Knobs(1e-4, 1e9))
 HUNDRED = (Knobs(4e-5, 1e9), Knobs(2e-5, 1e10))
 LEVELS = {
-    "5hz": {Level.QUICK: FIVE[::2], Level.DEFAULT: FIVE, Level.PAPER: FIVE},
+    "5hz": {Level.QUICK: FIVE[:2], Level.DEFAULT: FIVE, Level.PAPER: FIVE},
     "20hz": {Level.QUICK: TWENTY[:1], Level.DEFAULT: TWENTY[:1], Level.PAPER: TWENTY},
     "100hz": {Level.QUICK: HUNDRED[:1], Level.DEFAULT: HUNDRED, Level.PAPER: HUNDRED},
 }
