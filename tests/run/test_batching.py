@@ -87,6 +87,21 @@ def test_processes_here_share_a_scheme_where_there_are_fewer_schemes_than_they_a
     assert list(Local(1, lambda: tmp_path).shares(jobs, 2)) == [(0, 1, 2, 3, 4)]
 
 
+def test_the_schemes_that_come_last_are_shared_out_where_they_have_many_jobs(
+    tmp_path: Path,
+) -> None:
+    plan = make_plan(Project(ROOT), ["single-contact"], Options(codes=("dem",)))
+    whole = dict(enumerate(plan.jobs))
+    made = batches(whole, plan, Local(2, lambda: tmp_path))
+    assert [batch.scheme for batch in made] == ["default", "published", "published"]
+    assert sorted(n for batch in made for n in batch.numbers) == sorted(whole)
+    few = {n: job for n, job in whole.items() if job.variant == "T1"}
+    assert [one.scheme for one in batches(few, plan, Local(2, lambda: tmp_path))] == [
+        "default",
+        "published",
+    ]
+
+
 def test_a_port_where_nothing_listens_is_told_at_once(plan: Plan) -> None:
     pytest.importorskip("distributed")
     with socket.socket() as free:

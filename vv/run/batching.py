@@ -8,20 +8,27 @@ from vv.plan.plan import Job, Plan
 from vv.run.executor import Executor
 from vv.run.runner import Batch
 
+MANY = 100  # jobs of a scheme that are worth a second process
+
 
 def batches(waiting: Mapping[int, Job], plan: Plan, place: Executor) -> list[Batch]:
     """The batches of each scheme, as many as suit the place where they are answered.
 
     First a batch of each engine that compiles its kernels, which its other schemes then find;
-    then external programs, which take longest. In each searches are last: what needs no rounds
-    is then answered by a program that starts once.
+    then external programs, which take longest. Those other schemes are last: where they have many
+    jobs these are shared out, so that no process is left without work while one ends. In each
+    searches are last: what needs no rounds is then answered by a program that starts once.
     """
     groups: dict[tuple[str, str], list[int]] = {}
     for number, job in sorted(waiting.items(), key=lambda item: item[1].ask.search is not None):
         groups.setdefault((job.code, job.scheme), []).append(number)
     made = []
+    begun: set[str] = set()
     for (code, scheme), numbers in groups.items():
-        for share in place.shares([waiting[number] for number in numbers], len(groups)):
+        last = code in begun and not plan.found[code].files and len(numbers) > MANY
+        begun.add(code)
+        jobs = [waiting[number] for number in numbers]
+        for share in place.shares(jobs, 1 if last else len(groups)):
             chosen = tuple(numbers[one] for one in share)
             asks = tuple(waiting[number].ask for number in chosen)
             made.append(Batch(plan.adapters[code], scheme, chosen, asks))
