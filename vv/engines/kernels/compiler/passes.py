@@ -9,7 +9,15 @@ from __future__ import annotations
 import operator
 from typing import Any
 
-from numba.core import compiler, ssa, typed_passes, types, untyped_passes
+from numba.core import (
+    compiler,
+    interpreter,
+    ssa,
+    transforms,
+    typed_passes,
+    types,
+    untyped_passes,
+)
 from numba.core.compiler_machinery import FunctionPass, register_pass
 from numba.core.errors import NumbaTypeError
 from numba.core.rewrites import registry
@@ -25,6 +33,9 @@ ARITHMETIC = frozenset(
 
 
 SSA: Any = ssa
+LOOPS: Any = transforms
+READER: Any = interpreter.Interpreter
+NEEDLESS = frozenset({"peep_hole_delete_with_exit", "peep_hole_fuse_dict_add_updates"})
 REWRITES: Any = registry.rewrite_registry.rewrites["before-inference"]
 
 
@@ -91,12 +102,39 @@ def plain(function: Any, args: Any) -> bool:
         return True
     if not isinstance(function, types.Function):
         return False
-    if function.typing_key in ARITHMETIC:
-        return all(isinstance(arg, SCALARS) for arg in args)
+    if all(isinstance(arg, SCALARS) for arg in args):
+        return True
     return function.typing_key is operator.getitem and isinstance(args[0], types.Array)
 
 
 KNOWN: dict[Any, Any] = {}
+
+
+class Reader(READER):  # type: ignore[misc]
+    """Reads what Python compiled of a function, in which there is no `with` and no dict."""
+
+    def post_process(self, peepholes: Any, func_ir: Any) -> Any:
+        """Join what Python took apart."""
+        wanted = [one for one in peepholes if one.__name__ not in NEEDLESS]
+        return super().post_process(wanted, func_ir)
+
+
+@register_pass(mutates_CFG=True, analysis_only=False)  # type: ignore[no-untyped-call]
+class Read(FunctionPass):
+    """Read a function."""
+
+    _name = "read"
+
+    def __init__(self) -> None:
+        FunctionPass.__init__(self)  # type: ignore[no-untyped-call]
+
+    def run_pass(self, state: Any) -> bool:
+        state.func_ir = made = Reader(state.func_id).interpret(state.bc)
+        if made.is_generator:
+            raise NumbaTypeError(f"{state.func_id.func_qualname} is a generator")
+        made.blocks = LOOPS.canonicalize_cfg(made.blocks)
+        made.generator_info = None
+        return True
 
 
 @register_pass(mutates_CFG=True, analysis_only=False)  # type: ignore[no-untyped-call]
@@ -186,9 +224,8 @@ def front_end(name: str) -> Any:
     """All passes before code is written."""
     manager = Passes(name)
     for made in (
-        untyped_passes.TranslateByteCode,
+        Read,
         untyped_passes.FixupArgs,
-        untyped_passes.IRProcessing,
         untyped_passes.DeadBranchPrune,
         Constants,
         Single,
