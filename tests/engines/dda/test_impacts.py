@@ -6,8 +6,9 @@ import math
 
 import numpy as np
 
+from cases.blocks.rocking_restitution import CASE as ROCKING
 from vv.ask import Knobs
-from vv.engines.dda import DEFAULT, prepare
+from vv.engines.dda import DEFAULT, prepare, solve
 from vv.plan.project import find
 from vv.scene import Vector
 from vv.standins.stand_in import SHEAR
@@ -56,3 +57,12 @@ def test_the_rebound_of_a_rod_that_jams_is_that_of_its_springs_and_damped_by_the
     off = np.linalg.norm(np.array(ends) - due, axis=1) / np.linalg.norm(due)
     assert off[2] < off[1] < off[0]
     assert off[2] < 2e-3
+
+
+def test_forces_that_stiff_springs_make_of_rounding_are_in_the_bound_of_the_energy() -> None:
+    p = {**ROCKING.defaults("aspect-3"), "b": 0.13, "h": 0.41}
+    ask = ROCKING.declare("aspect-3", p).study.ask(Knobs(1e-3, 1e10))
+    done = solve(ask, DEFAULT)
+    assert done.ledger is not None
+    assert done.ledger.bound is not None
+    assert done.ledger.unaccounted <= done.ledger.bound <= 1e-9 * done.ledger.peak
