@@ -19,7 +19,7 @@ PAGE = (ROOT / "docs" / "findings.md").read_text()
 BULLETS = [line[2:] for line in PAGE.splitlines() if line.startswith("- ")]
 QUOTED = re.compile(r"`([^`]+)`")
 SHOWN_BY = re.compile(
-    r"vv run .*|python -m bench\.\w+|tests/[\w/]*(\.py)?|reference_solutions/[\w/]*\.py"
+    r"vv run .*|python -m bench\.[\w.]+|tests/[\w/]*(\.py)?|reference_solutions/[\w/]*\.py"
 )
 
 
