@@ -47,8 +47,8 @@ FAR = 10.0
 
 Where blocks wedge, friction allows several answers, and of some of them sweeps keep away: from the
 impulses of a hair's breadth beside, what was missing grew by 1.8 % in each. The step of a sliding
-wall of 205 blocks that was near such an answer had 2e-4 m/s left after 20 000 sweeps and as many
-Newton steps as they allow; from no impulses it takes 980 sweeps to another one.
+wall of 205 blocks that was near such an answer had 7e-5 m/s left after 20 000 sweeps, with Newton
+steps among them; from no impulses it takes 980 sweeps to another one.
 """
 
 STALLED = 60
