@@ -191,9 +191,8 @@ LEANING = (
 
 def _at_rest(off: _detour.Off) -> Judge:
     """How an answer at rest is judged by the equilibrium path, where a swing leaves it off."""
-    floor = min(1e-8 + 1.1 * off.kept, LARGEST_TOLERANCE)
-    allowed = min(floor + 1.1 * off.late, LARGEST_TOLERANCE)
-    settled = Tolerance(allowed, SETTLED, dt=off.dt, order=1, floor=floor)
+    kept = min(1e-8 + 1.1 * off.kept, LARGEST_TOLERANCE)
+    settled = Tolerance(kept, SETTLED, late=1.1 * off.late / off.dt)
     return Exact(
         {
             Method.EXACT: Tolerance(
