@@ -40,7 +40,7 @@ class Off(NamedTuple):
 def left_off(p: Parameters, ks: float, fz: float, dt: float) -> Mapping[str, Off]:
     """By how much each quantity is off at rest after a load Fz [N] at once, at a step dt [s].
 
-    late: where the length of a bond is that of a step's end, half a step late, as in YADE.
+    late: where the length of a bond is that of a step's end, half a step late.
     """
     bonds = stiffness(p["kn"], ks)
     rest = np.asarray(np.linalg.solve(bonds, [fz, 0.0]), np.float64)
