@@ -19,7 +19,7 @@ PAGES, INSIGHT = "tests/reports", "tests/insight"
 BUGS = (
     Bug("tolerance over error inverted", READING, "return one.tolerance / one.error if", "return one.error / one.tolerance if", tests=PAGES),
     Bug("the finest setting is the coarsest", RANKING, "finest = measured[-1] if", "finest = measured[0] if", tests=PAGES),
-    Bug("the map shows the coarsest setting", "reports/pages/overview.py", "for r in reversed(pile) if r.quantities", "for r in pile if r.quantities", tests=PAGES),
+    Bug("a scheme is told by its best outcome", RANKING, "return self.outcomes[0][0]", "return self.outcomes[-1][0]", tests=PAGES),
     Bug("milliseconds that are microseconds", TEXT, '(1.0, 1e3, "ms")', '(1.0, 1e6, "ms")', tests=PAGES),
     Bug("compared with the source at any step", CASE, "if record.rung.dt in (dt, None)", "if record.rung.dt is not dt", tests=PAGES),
     Bug("profiles upside down", CHARTS, "levels = np.arange(1, len(ratios) + 1) / len(row)", "levels = 1 - np.arange(1, len(ratios) + 1) / len(row)", tests=PAGES),

@@ -64,14 +64,14 @@ class Whole(codegen.JITCodeLibrary):
 
 
 class Branching(Whole):
-    """A whole whose loops are short: they are neither unrolled nor made of vectors."""
+    """A whole whose loops are short: none is unrolled."""
 
     def _optimize_final_module(self) -> None:
         ours = self._codegen
         first, told = ours._module_pass_manager(loop_vectorize=False, opt=0, cost="cheap")
         first.run(self._final_module, told)
         tuned = llvm.create_pipeline_tuning_options(speed_level=3)
-        tuned.loop_vectorization = tuned.slp_vectorization = tuned.loop_unrolling = False
+        tuned.slp_vectorization = tuned.loop_unrolling = False
         told = llvm.create_pass_builder(ours._tm, tuned)
         passes = told.getModulePassManager()
         passes.add_refprune_pass()
