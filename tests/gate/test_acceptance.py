@@ -2,28 +2,14 @@
 
 import json
 from pathlib import Path
-from typing import Any
 
 import pytest
 
-from tests.support.fabricated import changed, entry, record
+from tests.support.acceptances import accepted, ran
+from tests.support.fabricated import changed, entry
 from vv.base.errors import UsageError
 from vv.gate import acceptance, baseline
 from vv.records import codec
-from vv.records.accepted import Acceptance, Baseline, Place
-from vv.records.job_record import Record
-
-ACCEPTANCE = Acceptance("c", False, Place("P", "S"), "r", "u", {})
-
-
-def ran(error: float | None = 1e-4, **changes: Any) -> Record:
-    figures = {"final": 3.0, "mean": 1.0}
-    quantity = entry("pass", {"max": error}, scale=2.0, figures=figures)
-    return changed(record("dem/default", "T1", 1e-3, quantities=[quantity]), **changes)
-
-
-def accepted(*records: Record, old: Baseline | None = None) -> Baseline:
-    return acceptance.accepted("bounce", old, records, ACCEPTANCE, ())
 
 
 @pytest.mark.parametrize(

@@ -1,27 +1,14 @@
 """What is compared with what was accepted, one row a decision, by hand."""
 
-from typing import Any
-
 import pytest
 
-from tests.support.fabricated import changed, entry, record, requantified
-from vv.gate import acceptance, regression
+from tests.support.acceptances import accepted, ran
+from tests.support.fabricated import changed, requantified
+from vv.gate import regression
 from vv.gate.regression import EXTERNAL, IN_HOUSE, LARGE, Strictness
-from vv.records.accepted import Acceptance, Baseline, Place
+from vv.records.accepted import Baseline
 from vv.records.finding import Bit, Finding
 from vv.records.job_record import Record
-
-ACCEPTANCE = Acceptance("c", False, Place("P", "S"), "r", "u", {})
-
-
-def ran(error: float | None = 1e-4, **changes: Any) -> Record:
-    figures = {"final": 3.0, "mean": 1.0}
-    quantity = entry("pass", {"max": error}, scale=2.0, figures=figures)
-    return changed(record("dem/default", "T1", 1e-3, quantities=[quantity]), **changes)
-
-
-def accepted(*records: Record, old: Baseline | None = None) -> Baseline:
-    return acceptance.accepted("bounce", old, records, ACCEPTANCE, ())
 
 
 def compared(now: list[Record], then: Baseline | None, demanded: bool = False) -> list[Finding]:

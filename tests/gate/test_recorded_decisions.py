@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from tests.support.acceptances import ran
 from tests.support.fabricated import changed, entry, record
 from vv.gate import answers, recorded
 from vv.records.accepted import Place
@@ -15,12 +16,6 @@ from vv.records.job_record import Record
 from vv.records.recorded import RecordedFile
 
 TODAY = datetime.date(2027, 1, 1)
-
-
-def ran(error: float | None = 1e-4, **changes: Any) -> Record:
-    figures = {"final": 3.0, "mean": 1.0}
-    quantity = entry("pass", {"max": error}, scale=2.0, figures=figures)
-    return changed(record("dem/default", "T1", 1e-3, quantities=[quantity]), **changes)
 
 
 @pytest.mark.parametrize(
