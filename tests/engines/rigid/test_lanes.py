@@ -12,10 +12,11 @@ from tests.engines.rigid.test_momentum import pile
 from vv.engines.blocks.geometry import Index
 from vv.engines.kernels.arrays import nil_rows
 from vv.engines.rigid.solver.assembly import Bodies, Joints
-from vv.engines.rigid.solver.batches import LANES, PAIRS, batched, packed, unpacked
+from vv.engines.rigid.solver.batches import packed, pairs_room, unpacked
 from vv.engines.rigid.solver.cone import Friction, sweep
 from vv.engines.rigid.solver.lanes import swept
 from vv.engines.rigid.solver.momentum import taken_apart, together
+from vv.engines.rigid.solver.seats import DEPTH, LANES, runs, seated
 from vv.scene import Vector
 
 SWEEPS = 5
@@ -24,12 +25,12 @@ SWEEPS = 5
 def _side_by_side(
     joints: Joints, bodies: Bodies, friction: Friction, v: Vector
 ) -> tuple[Index, Vector]:
-    p, w, place = nil_rows(len(joints.first)), nil_rows(len(v)), batched(joints, bodies)
-    batches, pairs = packed(p, joints, bodies, friction, place), np.empty(1, PAIRS)
-    velocities = together(v, w)
+    p, w = nil_rows(len(joints.first)), nil_rows(len(v))
+    batches, layers, place = packed(p, joints, bodies, friction)
+    pairs, velocities = pairs_room(1), together(v, w)
     for _ in range(SWEEPS):
-        swept(pairs[0], batches, velocities)
-    unpacked(p, batches, place)
+        swept(pairs[0], batches, layers, velocities)
+    unpacked(p, layers, place)
     taken_apart(velocities, v, w)
     return place, p
 
@@ -42,6 +43,13 @@ def _one_by_one(joints: Joints, bodies: Bodies, friction: Friction, v: Vector) -
 
 
 side_by_side: Any = numba.njit(_side_by_side)  # not kept on disk, as in test_momentum.py
+
+
+def _seats(joints: Joints, bodies: Bodies) -> tuple[Index, Index]:
+    return seated(joints, bodies, *runs(joints))
+
+
+seats: Any = numba.njit(_seats)
 one_by_one: Any = numba.njit(_one_by_one)
 
 
@@ -67,12 +75,29 @@ def test_no_block_is_twice_in_a_batch_and_few_lanes_are_empty() -> None:
     joints, bodies, friction, falls = pile(60, 0.5)
     place, _ = side_by_side(joints, bodies, friction, falls)
     assert len(np.unique(place)) == len(place)
-    for batch in range(place.max() // LANES + 1):
-        here = place // LANES == batch
-        blocks = np.concatenate([joints.first[here], joints.second[here]])
+    seat, depth = seats(joints, bodies)
+    for batch in range(len(depth)):
+        pairs = 4 * np.flatnonzero(seat // LANES == batch)
+        blocks = np.concatenate([joints.first[pairs], joints.second[pairs]])
         blocks = blocks[blocks < 60]
         assert len(np.unique(blocks)) == len(blocks)
     assert place.max() + 1 <= 1.2 * len(place)
+
+
+def test_contacts_of_a_pair_share_a_lane_and_what_is_too_many_has_another() -> None:
+    joints, bodies, _, falls = pile(2, 0.5)
+    fields: list[Any] = [np.repeat(field, 3, axis=0) for field in joints]
+    place, _ = side_by_side(
+        Joints(*fields),
+        bodies,
+        Friction(0.5, np.zeros(24), np.zeros((24, 3)), np.zeros((24, 3))),
+        falls,
+    )
+    for pair in (place[:12], place[12:]):
+        assert len(np.unique(pair[:DEPTH] % LANES)) == 1
+        assert (np.diff(pair[:DEPTH]) == LANES).all()
+        assert len(np.unique(pair[DEPTH:] % LANES)) == 1
+        assert set(pair[DEPTH:] // LANES).isdisjoint(pair[:DEPTH] // LANES)
 
 
 def test_a_contact_that_nothing_can_push_is_in_no_batch() -> None:

@@ -55,7 +55,7 @@ def _row_table(n: int, m: int) -> Vector:
     return np.empty((n, m, 3))
 
 
-def _wrap(item: np.dtype[Any], tail: tuple[int, ...], function: Any) -> Any:
+def _wrap(item: np.dtype[Any], tail: tuple[int, ...], nil: bool, function: Any) -> Any:
     """What numba is told of such a function; tail: the axes that are always of this length."""
     from numba.core import types
     from numba.core.registry import cpu_target
@@ -69,7 +69,7 @@ def _wrap(item: np.dtype[Any], tail: tuple[int, ...], function: Any) -> Any:
 
     def write(context: Any, builder: Any, signature: Any, args: Any) -> Any:
         shape = [*args, *(context.get_constant(types.intp, n) for n in tail)]
-        return allocated(context, builder, kind, item.itemsize, shape)
+        return allocated(context, builder, kind, item.itemsize, shape, nil)
 
     @intrinsic
     def one(context: Any, n: Any) -> Any:
@@ -84,8 +84,8 @@ def _wrap(item: np.dtype[Any], tail: tuple[int, ...], function: Any) -> Any:
     return SimpleNamespace(_numba_type_=typing.resolve_value_type(one if given == 1 else two))
 
 
-def allocated(context: Any, builder: Any, kind: Any, size: int, shape: list[Any]) -> Any:
-    """The code for an array of this shape, whose elements have so many bytes."""
+def allocated(context: Any, builder: Any, kind: Any, size: int, shape: list[Any], nil: bool) -> Any:
+    """The code for an array of this shape, whose elements have so many bytes; nil: all zeros."""
     from numba.core import cgutils, types
     from numba.np.arrayobj import populate_array
 
@@ -101,22 +101,24 @@ def allocated(context: Any, builder: Any, kind: Any, size: int, shape: list[Any]
     array = context.make_array(kind)(context, builder)
     data = builder.bitcast(context.nrt.meminfo_data(builder, memory), array.data.type)
     fill: Any = populate_array
+    if nil:
+        code.memset(builder, data, strides[0], 0)
     fill(array, data, shape, strides[1:], size, memory)
     return array._getvalue()
 
 
-def _made(function: Any, item: Any, tail: tuple[int, ...] = ()) -> Any:
-    return cast(Any, Deferred(function, functools.partial(_wrap, np.dtype(item), tail)))
+def _made(function: Any, item: Any, tail: tuple[int, ...] = (), nil: bool = False) -> Any:
+    return cast(Any, Deferred(function, functools.partial(_wrap, np.dtype(item), tail, nil)))
 
 
-def of_records(item: np.dtype[Any]) -> Callable[[int], Any]:
-    """What makes room for n records of this type."""
+def of_nil_records(item: np.dtype[Any]) -> Callable[[int], Any]:
+    """What makes n records of this type, all of whose numbers are nil."""
 
     def records(n: int) -> Any:
-        """Room for n records."""
-        return np.empty(n, item)
+        """n records."""
+        return np.zeros(n, item)
 
-    return cast(Callable[[int], Any], _made(records, item))
+    return cast(Callable[[int], Any], _made(records, item, nil=True))
 
 
 numbers: Callable[[int], Vector] = _made(_numbers, np.float64)

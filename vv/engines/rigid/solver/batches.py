@@ -2,8 +2,10 @@
 
 A sweep in order waits for each contact before it goes to the next. Those of a batch do not see one
 another, and their numbers lie side by side: a compiler makes a loop over them one of wide
-instructions, at a third of the time. It must know how far apart the fields of a batch are, so that
-these are records.
+instructions, at a third of the time. Faces touch at several corners: a batch has the contacts of
+eight pairs of bodies, one of each pair in a layer, so that what is known of the bodies is fetched
+once for all of them, which would take longer than to compute a layer. A compiler must know how far
+apart fields are, so that these are records.
 """
 
 from __future__ import annotations
@@ -14,16 +16,15 @@ import numpy as np
 
 from vv.engines.blocks.geometry import Index
 from vv.engines.kernels import rooms
-from vv.engines.kernels.arrays import counts, larger, nil_counts, square_of
+from vv.engines.kernels.arrays import counts, larger, square_of
 from vv.engines.kernels.compiled import called, inlined, lent
 from vv.engines.kernels.triples import Triple, at
 from vv.engines.rigid.solver.assembly import Bodies, Joints
-from vv.engines.rigid.solver.banded import moving
 from vv.engines.rigid.solver.cone import Friction, limit
+from vv.engines.rigid.solver.seats import LANES, runs, seated
 from vv.scene import Vector
 
-LANES = 8
-Record = Any  # an element of an array of BATCH or PAIRS, whose fields are arrays
+Record = Any  # an element of an array of BATCH, LAYER or PAIRS, whose fields are arrays
 
 
 def _field(numbers: int) -> tuple[type, tuple[int, int]]:
@@ -33,20 +34,33 @@ def _field(numbers: int) -> tuple[type, tuple[int, int]]:
 BATCH = np.dtype(
     [
         ("filled", np.uint64),  # unsigned, or lanes counted up to it might be negative
+        ("lanes", np.uint64),
+        ("begin", np.int64),
+        ("end", np.int64),
         ("first", np.int64, LANES),  # rows of the velocities
         ("second", np.int64, LANES),
-        *((name, *_field(3)) for name in ("normal", "arm_first", "arm_second", "pull")),
-        *((name, *_field(3)) for name in ("p", "last", "centre")),
         *((name, *_field(6)) for name in ("inverse_first", "spin_first")),
         *((name, *_field(6)) for name in ("inverse_second", "spin_second")),
+    ]
+)
+"""Up to eight pairs of bodies, so many as are filled, whose contacts are layers[begin:end].
+
+lanes: LANES, which a compiler must not know, or it would make no vectors of a loop so short;
+inverses of masses and inertias as `upper` has them.
+"""
+
+LAYER = np.dtype(
+    [
+        *((name, *_field(3)) for name in ("normal", "arm_first", "arm_second", "pull")),
+        *((name, *_field(3)) for name in ("p", "last", "centre")),
         *((name, np.float64, LANES) for name in ("need", "across", "along", "radius", "stiff")),
     ]
 )
-"""Up to eight contacts, so many as are filled. As in `Joints` and `Friction`, but for these.
+"""A contact of each pair of a batch; all nil where a pair has none, which pushes nothing.
 
-across, along: the inverses of those [kg], nil where they are nil; stiff: the square of the larger
-[1/kg2]; centre, radius: those of `limit`, for a unit impulse; last: p a sweep before; inverses of
-masses and inertias as `upper` has them.
+As in `Joints` and `Friction`, but for across, along: the inverses of those [kg], nil where they are
+nil; stiff: the square of the larger [1/kg2]; centre, radius: those of `limit`, for a unit impulse;
+last: p a sweep before.
 """
 
 PAIRS = np.dtype(
@@ -58,81 +72,65 @@ PAIRS = np.dtype(
 )
 """Velocities of the bodies of a batch, and what impulses changed by: see `changed`."""
 
-batch_room, pairs_room = rooms.of_records(BATCH), rooms.of_records(PAIRS)
+batch_room, layer_room, pairs_room = map(rooms.of_nil_records, (BATCH, LAYER, PAIRS))
 
 
 @called
-def batched(joints: Joints, bodies: Bodies) -> Index:
-    """The place (c,) of each contact, its batch times LANES and its lane; -1 where none can push.
+def packed(
+    p: Vector, joints: Joints, bodies: Bodies, friction: Friction
+) -> tuple[Record, Record, Index]:
+    """The batches and layers of contacts with impulses p (c, 3).
 
-    Each goes to the first batch with room that none of its moving bodies is in.
+    With the place (c,) of each contact, its layer times LANES and its lane; -1 where none can push.
     """
-    count, b = len(joints.first), len(bodies.centre)
-    degree, most = nil_counts(b), 0 * count
-    for c in range(count):
-        for body in (joints.first[c], joints.second[c]):
-            degree[body] += 1
-            if moving(bodies, body):
-                most = larger(most, degree[body])
-    limit = count // LANES + 2 * most + 1
-    taken = nil_counts(b * limit)
-    place, filled, begin = counts(count), nil_counts(limit), 0 * count
-    for c in range(count):
-        place[c] = -1
-        if joints.across[c] <= 0.0:
-            continue
-        one, two, k = joints.first[c] * limit, joints.second[c] * limit, begin
-        while filled[k] == LANES or taken[one + k] + taken[two + k] > 0:
-            k += 1
-        place[c] = k * LANES + filled[k]
-        filled[k] += 1
-        taken[one + k] += 1 if moving(bodies, joints.first[c]) else 0
-        taken[two + k] += 1 if moving(bodies, joints.second[c]) else 0
-        while filled[begin] == LANES:
-            begin += 1
-    return place
-
-
-@called
-def packed(p: Vector, joints: Joints, bodies: Bodies, friction: Friction, place: Index) -> Record:
-    """The batches of contacts with impulses p (c, 3), for their places from `batched`."""
-    many = 0 * len(p)
+    run, begin = runs(joints)
+    seat, depth = seated(joints, bodies, run, begin)
+    batches, place, layer = batch_room(len(depth)), counts(len(p)), 0 * len(p)
+    for k in range(len(depth)):
+        batches[k].lanes, batches[k].begin = LANES, layer
+        layer += depth[k]
+        batches[k].end = layer
+    layers = layer_room(layer)
+    nth = 0 * layer
     for c in range(len(p)):
-        many = larger(many, place[c] // LANES + 1)
-    batches = batch_room(many)
-    for k in range(many):
-        batches[k].filled = 0
-    for c in range(len(p)):
-        if place[c] >= 0:
-            batch, lane = batches[place[c] // LANES], place[c] % LANES
-            batch.filled = lane + 1
-            fill(batch, lane, c, joints, bodies, friction)
-            set_lane(batch.p, lane, at(p, c))
-            set_lane(batch.last, lane, at(p, c))
-    return batches
+        place[c], r = -1, run[c]
+        if r >= 0:
+            nth = 0 if begin[r] == c else nth + 1
+            batch, lane = batches[seat[r] // LANES], seat[r] % LANES
+            if nth == 0:
+                fill_pair(batch, lane, joints.first[c], joints.second[c], bodies)
+            here = batch.begin + nth
+            fill(layers[here], lane, c, joints, friction)
+            set_lane(layers[here].p, lane, at(p, c))
+            set_lane(layers[here].last, lane, at(p, c))
+            place[c] = here * LANES + lane
+    return batches, layers, place
 
 
 @lent
-def fill(
-    batch: Record, lane: int, c: int, joints: Joints, bodies: Bodies, friction: Friction
-) -> None:
-    """Write all but the impulse of a contact into a lane."""
-    a, b = joints.first[c], joints.second[c]
+def fill_pair(batch: Record, lane: int, a: int, b: int, bodies: Bodies) -> None:
+    """Write two bodies into a lane."""
+    batch.filled = larger(batch.filled, np.uint64(lane + 1))
     batch.first[lane], batch.second[lane] = a, b
-    set_lane(batch.normal, lane, at(joints.normal, c))
-    set_lane(batch.arm_first, lane, at(joints.arm_first, c))
-    set_lane(batch.arm_second, lane, at(joints.arm_second, c))
-    set_lane(batch.pull, lane, at(joints.pull, c))
     upper(batch.inverse_first, lane, bodies.inverse, a)
     upper(batch.inverse_second, lane, bodies.inverse, b)
     upper(batch.spin_first, lane, bodies.inverse_spin, a)
     upper(batch.spin_second, lane, bodies.inverse_spin, b)
-    batch.need[lane], batch.across[lane] = friction.need[c], 1.0 / joints.across[c]
-    batch.along[lane] = 1.0 / joints.along[c] if joints.along[c] > 0.0 else 0.0
-    batch.stiff[lane] = square_of(larger(joints.across[c], joints.along[c]))
+
+
+@lent
+def fill(layer: Record, lane: int, c: int, joints: Joints, friction: Friction) -> None:
+    """Write all but the impulse of a contact into a lane."""
+    set_lane(layer.normal, lane, at(joints.normal, c))
+    set_lane(layer.arm_first, lane, at(joints.arm_first, c))
+    set_lane(layer.arm_second, lane, at(joints.arm_second, c))
+    set_lane(layer.pull, lane, at(joints.pull, c))
+    layer.need[lane], layer.across[lane] = friction.need[c], 1.0 / joints.across[c]
+    layer.along[lane] = 1.0 / joints.along[c] if joints.along[c] > 0.0 else 0.0
+    layer.stiff[lane] = square_of(larger(joints.across[c], joints.along[c]))
     centre, radius = limit(friction.mu, at(friction.d, c), at(friction.turn, c))
-    set_lane(batch.centre, lane, centre)
-    batch.radius[lane] = radius
+    set_lane(layer.centre, lane, centre)
+    layer.radius[lane] = radius
 
 
 @inlined
@@ -146,13 +144,13 @@ def upper(field: Vector, lane: int, matrices: Vector, i: int) -> None:
 
 
 @lent
-def unpacked(p: Vector, batches: Record, place: Index) -> None:
-    """Fill p (c, 3) with the impulses of batches."""
+def unpacked(p: Vector, layers: Record, place: Index) -> None:
+    """Fill p (c, 3) with the impulses of layers."""
     for c in range(len(p)):
         if place[c] >= 0:
-            batch, lane = batches[place[c] // LANES], place[c] % LANES
+            layer, lane = layers[place[c] // LANES], place[c] % LANES
             for k in range(3):
-                p[c, k] = batch.p[k, lane]
+                p[c, k] = layer.p[k, lane]
 
 
 @inlined

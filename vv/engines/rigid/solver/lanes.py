@@ -7,7 +7,8 @@ import numpy as np
 from vv.engines.kernels.arrays import larger
 from vv.engines.kernels.compiled import inlined, lent
 from vv.engines.kernels.triples import Triple, add_scaled, cross, dot
-from vv.engines.rigid.solver.batches import LANES, Record, lane_of, set_lane
+from vv.engines.rigid.solver.batches import Record, lane_of, set_lane
+from vv.engines.rigid.solver.seats import LANES
 from vv.scene import Vector
 
 
@@ -34,31 +35,31 @@ def give_back(pairs: Record, batch: Record, velocities: Vector) -> None:
 
 
 @inlined
-def closing(pairs: Record, batch: Record, lane: int) -> Triple:
+def closing(pairs: Record, layer: Record, lane: int) -> Triple:
     """The relative velocity of a contact."""
-    one = cross(lane_of(pairs.w_first, lane), lane_of(batch.arm_first, lane))
-    two = cross(lane_of(pairs.w_second, lane), lane_of(batch.arm_second, lane))
+    one = cross(lane_of(pairs.w_first, lane), lane_of(layer.arm_first, lane))
+    two = cross(lane_of(pairs.w_second, lane), lane_of(layer.arm_second, lane))
     u = add_scaled(lane_of(pairs.v_second, lane), -1.0, lane_of(pairs.v_first, lane))
     return add_scaled(add_scaled(u, 1.0, two), -1.0, one)
 
 
 @inlined
-def normal_step(batch: Record, lane: int, u: Triple, had: float) -> float:
+def normal_step(layer: Record, lane: int, u: Triple, had: float) -> float:
     """The normal impulse of one projected step from `had`."""
-    n = lane_of(batch.normal, lane)
-    wanted = had - (dot(u, n) - batch.need[lane]) * batch.across[lane]
+    n = lane_of(layer.normal, lane)
+    wanted = had - (dot(u, n) - layer.need[lane]) * layer.across[lane]
     return wanted if wanted > 0.0 else 0.0
 
 
 @inlined
-def tangential_step(batch: Record, lane: int, u: Triple, p: Triple, normal: float) -> Triple:
+def tangential_step(layer: Record, lane: int, u: Triple, p: Triple, normal: float) -> Triple:
     """The tangential impulse of one projected step from p, under a normal impulse."""
-    n = lane_of(batch.normal, lane)
+    n = lane_of(layer.normal, lane)
     flat = add_scaled(p, -dot(p, n), n)
-    flat = add_scaled(flat, -batch.along[lane], add_scaled(u, -dot(u, n), n))
-    centre = add_scaled((0.0, 0.0, 0.0), normal, lane_of(batch.centre, lane))
+    flat = add_scaled(flat, -layer.along[lane], add_scaled(u, -dot(u, n), n))
+    centre = add_scaled((0.0, 0.0, 0.0), normal, lane_of(layer.centre, lane))
     left = add_scaled(flat, -1.0, centre)
-    size, radius = np.sqrt(dot(left, left)), normal * batch.radius[lane]
+    size, radius = np.sqrt(dot(left, left)), normal * layer.radius[lane]
     return add_scaled(centre, radius / size if size > radius else 1.0, left)
 
 
@@ -77,35 +78,38 @@ def impelled(velocity: Vector, inverse: Vector, lane: int, sign: float, p: Tripl
 
 
 @lent
-def press(pairs: Record, batch: Record) -> None:
-    """One step of each contact of a batch; adds to the pairs what impulses changed by."""
-    for lane in range(batch.filled):
-        n, p, u = lane_of(batch.normal, lane), lane_of(batch.p, lane), closing(pairs, batch, lane)
+def press(pairs: Record, batch: Record, layer: Record) -> None:
+    """One step of each contact of a layer; adds to the pairs what impulses changed by."""
+    for lane in range(batch.lanes):
+        n, p, u = lane_of(layer.normal, lane), lane_of(layer.p, lane), closing(pairs, layer, lane)
         had = dot(p, n)
-        normal = normal_step(batch, lane, u, had)
-        u = add_scaled(u, normal - had, lane_of(batch.pull, lane))
-        after = add_scaled(tangential_step(batch, lane, u, p, normal), normal, n)
+        normal = normal_step(layer, lane, u, had)
+        u = add_scaled(u, normal - had, lane_of(layer.pull, lane))
+        after = add_scaled(tangential_step(layer, lane, u, p, normal), normal, n)
         change = add_scaled(after, -1.0, p)
-        one = cross(lane_of(batch.arm_first, lane), change)
-        two = cross(lane_of(batch.arm_second, lane), change)
+        one = cross(lane_of(layer.arm_first, lane), change)
+        two = cross(lane_of(layer.arm_second, lane), change)
         impelled(pairs.v_first, batch.inverse_first, lane, -1.0, change)
         impelled(pairs.w_first, batch.spin_first, lane, -1.0, one)
         impelled(pairs.v_second, batch.inverse_second, lane, 1.0, change)
         impelled(pairs.w_second, batch.spin_second, lane, 1.0, two)
-        set_lane(batch.p, lane, after)
+        set_lane(layer.p, lane, after)
         square = dot(change, change)
         pairs.square[lane] += square
-        pairs.largest[lane] = larger(pairs.largest[lane], square * batch.stiff[lane])
+        pairs.largest[lane] = larger(pairs.largest[lane], square * layer.stiff[lane])
 
 
 @lent
-def swept(pairs: Record, batches: Record, velocities: Vector) -> tuple[float, float]:
+def swept(
+    pairs: Record, batches: Record, layers: Record, velocities: Vector
+) -> tuple[float, float]:
     """One pass over all batches; returns what `changed` does."""
     for lane in range(LANES):
         pairs.square[lane] = pairs.largest[lane] = 0.0
     for k in range(len(batches)):
         fetch(pairs, batches[k], velocities)
-        press(pairs, batches[k])
+        for m in range(batches[k].begin, batches[k].end):
+            press(pairs, batches[k], layers[m])
         give_back(pairs, batches[k], velocities)
     size, largest = 0.0, 0.0
     for lane in range(LANES):

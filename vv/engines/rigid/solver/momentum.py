@@ -13,7 +13,7 @@ import numpy as np
 from vv.engines.kernels.arrays import larger, smaller, table
 from vv.engines.kernels.compiled import called, lent
 from vv.engines.rigid.solver.assembly import Bodies, Joints
-from vv.engines.rigid.solver.batches import batched, packed, pairs_room, unpacked
+from vv.engines.rigid.solver.batches import packed, pairs_room, unpacked
 from vv.engines.rigid.solver.cone import Friction, residual
 from vv.engines.rigid.solver.lanes import swept
 from vv.scene import Vector
@@ -35,18 +35,18 @@ def carried(
     At least `fewest` sweeps are made, unless there is nothing left to improve. Returns the sweeps
     made and the residual reached, which is larger if `most` sweeps were not enough.
     """
-    place = batched(joints, bodies)
-    batches, pairs = packed(p, joints, bodies, friction, place), pairs_room(1)
+    batches, layers, place = packed(p, joints, bodies, friction)
+    pairs = pairs_room(1)
     now, last = together(v, w), together(v, w)
     sweeps, left = 0 * most, residual(p, joints, friction, v, w)
     cap, pace, total, least, former, looked = CAP, 1.0, 0.0, np.inf, np.inf, -LOOKS
     while (left > tolerance or (sweeps < fewest and left > 0.0)) and sweeps < most:
-        size, largest = swept(pairs[0], batches, now)
+        size, largest = swept(pairs[0], batches, layers, now)
         sweeps += 1
         close = largest <= 2.0 * tolerance and sweeps >= fewest and sweeps >= looked + LOOKS
         if close or sweeps == most:
             looked = sweeps
-            unpacked(p, batches, place)
+            unpacked(p, layers, place)
             taken_apart(now, v, w)
             left = residual(p, joints, friction, v, w)
             if left <= tolerance or sweeps == most:
@@ -65,8 +65,8 @@ def carried(
                 least = smaller(least, total)
             former, total = total, 0.0
         carry(now, last, share)
-        for k in range(len(batches)):
-            carry(batches[k].p, batches[k].last, share)
+        for k in range(len(layers)):
+            carry(layers[k].p, layers[k].last, share)
     return sweeps, left
 
 
