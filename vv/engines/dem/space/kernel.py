@@ -12,11 +12,13 @@ from vv.engines.dem.space.output import booked, motion_energy, observe
 from vv.engines.dem.space.room import rest, room
 from vv.engines.dem.space.steps import drift, kick, place, place_spins, spin_on
 from vv.engines.kernels.arrays import larger, nil_counts
-from vv.engines.kernels.compiled import compiled
+from vv.engines.kernels.compiled import compiled_to_branch
 from vv.scene import Vector
 
+START, STEP, END = 0, 1, 2  # viscous forces: those that act at t = 0, and those of a step
 
-@compiled
+
+@compiled_to_branch
 def move_in_space(
     path: Vector,
     energy: Vector,
@@ -42,37 +44,40 @@ def move_in_space(
     m = len(bodies.mass)
     slots, many, since = no_slots(), nil_counts(1), rest(m)
     begin(terms, bodies, motion)
-    if near is not None:
-        slots = gathered(near, motion.u, slots, many)
-    normal, sprung, _, _ = forces(terms, bodies, motion, dt, slots, many)
-    start(terms, bodies, motion, dt)
-    slow(terms, bodies, motion, 0.0, slots, many, lag)
-    after(terms, bodies, motion, 0.0)
-    put_in = normal + sprung + place(terms, bodies, motion, back * dt)
-    withdraw(terms, bodies, motion, slots, many)
-    slowed = slow(terms, bodies, motion, dt, slots, many, lag)
-    kinetic, _, ahead = kick(terms, bodies, motion, dt, lag, slowed)
-    put_in += place_spins(motion.w, bodies.spin, motion.turn, bodies, back * dt)
-    spinning = spin_on(motion.w, motion.spun, motion.turn, bodies, dt)
-    slipped = dragged = moved = done = 0.0
+    put_in = ahead = slipped = dragged = moved = done = 0.0
+    normal = sprung = kinetic = spinning = 0.0
 
-    steps = 0
+    # what is done at t = 0 is the first pass of the loop, so that each force is compiled only once
+    steps = -1
     for row in range(len(path)):
-        for _ in range(stride if row else 0):
-            drift(motion, m, dt)
+        for _ in range(stride if row else 1):
             steps += 1
-            move(terms, bodies, motion, steps * dt, dt)
-            if near is not None and strayed(motion, since, near):
+            if steps:
+                drift(motion, m, dt)
+                move(terms, bodies, motion, steps * dt, dt)
+            if near is not None and (steps == 0 or strayed(motion, since, near)):
                 note_places(since, motion.u)
                 slots = gathered(near, motion.u, slots, many)
             normal, sprung, lost, work = forces(terms, bodies, motion, dt, slots, many)
-            slowed = slow(terms, bodies, motion, dt, slots, many, lag)
-            after(terms, bodies, motion, dt)
-            slipped += lost
-            moved += work
+            if steps:
+                slipped += lost
+                moved += work
+            else:
+                start(terms, bodies, motion, dt)
+            slowed = 0.0, 0.0
+            for stage in range(START if steps == 0 else STEP, END):
+                span = 0.0 if stage == START else dt
+                slowed = slow(terms, bodies, motion, span, slots, many, lag)
+                if stage == START or steps:
+                    after(terms, bodies, motion, span)
+                if stage == START:
+                    put_in = normal + sprung + place(terms, bodies, motion, back * dt)
+                    put_in += place_spins(motion.w, bodies.spin, motion.turn, bodies, back * dt)
+                    withdraw(terms, bodies, motion, slots, many)
             dragged += ahead
             kinetic, behind, ahead = kick(terms, bodies, motion, dt, lag, slowed)
-            dragged += behind
+            if steps:
+                dragged += behind
             spinning = spin_on(motion.w, motion.spun, motion.turn, bodies, dt)
 
         observe(path, row, watched, terms, bodies, motion)
