@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -178,19 +178,21 @@ class Impacts:
         return itertools.product(ARMS, SPRINGS if self.contact.hertz else SPRINGS[:1])
 
     def _nearest(self, run: Run) -> float:
-        return min(max(self.error(name, run, law) for name in self.blows) for law in self._laws())
+        return least_of_largest(
+            (self.error(name, run, law) for name in self.blows) for law in self._laws()
+        )
 
     def lasting(self, judge: Exact) -> Scalar:
         """The largest error of when bodies no longer overlap, relative to each."""
 
-        def worst(run: Run, law: Choice) -> float:
-            due = {name: self.after(name, law).cleared for name in self.blows}
-            return max(abs(self.parting(name, run) / due[name] - 1.0) for name in self.blows)
+        def errors(run: Run, law: Choice) -> Iterator[float]:
+            for name in self.blows:
+                yield abs(self.parting(name, run) / self.after(name, law).cleared - 1.0)
 
         return Scalar(
             "lasting", "max|tc/tc* - 1|", "",
             "largest error of when an overlap is gone, by the nearest of these laws",
-            lambda run: min(worst(run, law) for law in self._laws()), 0.0, 1.0, judge,
+            lambda run: least_of_largest(errors(run, law) for law in self._laws()), 0.0, 1.0, judge,
         )  # fmt: skip
 
     def longest(self) -> float:
@@ -205,6 +207,25 @@ class Impacts:
         if law.p == 1.0:
             return math.pi * math.sqrt(self.reduced / law.K)
         return hertz.lasting(m=self.reduced, K=law.K, v=slowest)
+
+
+def least_of_largest(rows: Iterable[Iterable[float]]) -> float:
+    """The least of the largest numbers of rows; nan if a number is.
+
+    A row is given up at a number that is larger than the largest of another: each is computed when
+    it is asked for, and costs an integration.
+    """
+    least = math.inf
+    for row in rows:
+        largest = -math.inf
+        for number in row:
+            if math.isnan(number):
+                return math.nan
+            largest = max(largest, number)
+            if largest >= least:
+                break
+        least = min(least, largest)
+    return least
 
 
 def judged(value: float, unit: float, steps: int, reason: str, late: float = 0.0) -> Exact:

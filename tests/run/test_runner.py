@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import os
 import time
 from collections.abc import Iterator, Sequence
@@ -32,10 +33,19 @@ class Deadly:
             yield Run(Status.RAN, str(ask.number))
 
 
-def batch(code: Any, numbers: range) -> Batch:
+class Telling(Deadly):
+    """A code that answers with the process that it runs in."""
+
+    def run(self, asks: Sequence[Any], scheme: str, scratch: Path, repeat: float) -> Iterator[Run]:
+        """One Run for each ask, as far as it comes."""
+        for one in super().run(asks, scheme, scratch, repeat):
+            yield dataclasses.replace(one, reason=str(os.getpid()))
+
+
+def batch(code: Any, numbers: range, stays: bool = False) -> Batch:
     """Asks that have no more than a number."""
     asks: list[Any] = [SimpleNamespace(search=None, number=number) for number in numbers]
-    return Batch(code, "default", tuple(numbers), tuple(asks))
+    return Batch(code, "default", tuple(numbers), tuple(asks), stays=stays)
 
 
 @pytest.mark.parametrize("at", [0, 1, 3])
@@ -68,3 +78,39 @@ def test_each_ask_has_its_own_time(tmp_path: Path, monkeypatch: pytest.MonkeyPat
     monkeypatch.setattr("vv.run.runner.GRACE", 0.0)
     found = dict(run_batches([batch(Deadly(-1, -1, 0.8), range(4))], 1, 2.0, lambda: tmp_path))
     assert [found[n].status for n in range(4)] == [Status.RAN] * 4
+
+
+@pytest.mark.parametrize(("stays", "processes"), [(True, 1), (False, 3)])
+def test_a_worker_that_stays_answers_the_next_batches_of_its_code_and_no_other(
+    stays: bool, processes: int, tmp_path: Path
+) -> None:
+    code, other, folders = Telling(-1, -1), Telling(-1, -1), iter(range(9))
+
+    def scratch() -> Path:
+        (folder := tmp_path / str(next(folders))).mkdir()
+        return folder
+
+    due = [batch(code, range(n, n + 2), stays) for n in (0, 2, 4)]
+    due.append(batch(other, range(6, 8), stays))
+    found = dict(run_batches(due, 1, 30.0, scratch))
+    who = [found[n].reason for n in range(8)]
+    assert found.keys() == set(range(8))
+    assert len({*who[:6]}) == processes
+    assert who[6] == who[7] not in who[:6]
+
+
+@pytest.mark.parametrize("dies", [2, 3])
+def test_one_that_dies_in_a_later_batch_of_a_worker_costs_its_own_ask_alone(
+    dies: int, tmp_path: Path
+) -> None:
+    code, folders = Deadly(dies, -1), iter(range(9))
+
+    def scratch() -> Path:
+        (folder := tmp_path / str(next(folders))).mkdir()
+        return folder
+
+    due = [batch(code, range(n, n + 2), True) for n in (0, 2, 4)]
+    found = dict(run_batches(due, 1, 30.0, scratch))
+    assert found.keys() == set(range(6))
+    assert "exit code 3" in found.pop(dies).reason
+    assert {number: run.reason for number, run in found.items()} == {n: str(n) for n in found}

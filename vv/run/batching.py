@@ -31,7 +31,8 @@ def batches(waiting: Mapping[int, Job], plan: Plan, place: Executor) -> list[Bat
         for share in place.shares(jobs, 1 if last else len(groups)):
             chosen = tuple(numbers[one] for one in share)
             asks = tuple(waiting[number].ask for number in chosen)
-            made.append(Batch(plan.adapters[code], scheme, chosen, asks))
+            within = not plan.found[code].files  # in the worker: no program is started
+            made.append(Batch(plan.adapters[code], scheme, chosen, asks, stays=within))
     first = {batch.adapter.name: batch for batch in reversed(made)}
 
     def turn(batch: Batch) -> int:

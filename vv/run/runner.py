@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import contextlib
 import ctypes
+import dataclasses
 import multiprocessing
 import os
 import shutil
@@ -33,33 +34,61 @@ GRACE = 5.0  # s a batch gets besides, for the start of its program
 
 @dataclass(frozen=True, eq=False)
 class Batch:
-    """Asks that one worker answers in order; numbers: what the caller knows them by."""
+    """Asks that one worker answers in order; numbers: what the caller knows them by.
+
+    stays: whether the worker may go on with a next batch of the same adapter, since nothing that
+    was started is left behind: what it has in memory, such as kernels, is then there already.
+    """
 
     adapter: Adapter
     scheme: str
     numbers: tuple[int, ...]
     asks: tuple[Ask, ...]
     repeat: float = 0.0
+    stays: bool = False
 
     def rest(self, answered: int) -> Batch:
         """The asks after the first `answered` ones."""
         later = slice(answered, None)
-        return Batch(self.adapter, self.scheme, self.numbers[later], self.asks[later], self.repeat)
+        return dataclasses.replace(self, numbers=self.numbers[later], asks=self.asks[later])
 
 
 @dataclass(eq=False)
 class _Worker:
-    """A running batch: how far it is, and when its present ask is overdue; timeout [s]."""
+    """A running batch: how far it is, and when its present ask is overdue; timeout [s].
+
+    known: the batches that its process can be told to answer, by their place, through `orders`.
+    """
 
     batch: Batch
+    known: Sequence[Batch]
     process: BaseProcess
     pipe: Connection
+    orders: Connection
     scratch: Path
     timeout: float
     deadline: float
     answered: int = 0
     failed: bool = False
     hung_up: bool = False
+
+    @property
+    def complete(self) -> bool:
+        """Whether all asks of its batch are answered."""
+        return self.answered == len(self.batch.asks)
+
+    def goes_on_with(self, waiting: deque[Batch]) -> bool:
+        """Whether it takes what is waiting next, which it then does."""
+        fits = self.complete and not self.hung_up and self.batch.stays
+        if not (fits and waiting and any(one is waiting[0] for one in self.known)):
+            return False
+        try:
+            self.orders.send(next(i for i, one in enumerate(self.known) if one is waiting[0]))
+        except OSError:  # it is gone
+            return False
+        self.batch, self.answered = waiting.popleft(), 0
+        self.deadline = time.monotonic() + self.timeout + GRACE
+        return True
 
 
 def run_batches(
@@ -75,10 +104,11 @@ def run_batches(
     try:
         while waiting or running:
             while waiting and len(running) < workers:
-                running.append(_start(waiting.popleft(), timeout, scratch()))
+                running.append(_start(waiting.popleft(), waiting, timeout, scratch()))
             for worker in list(running):
                 yield from _answers(worker)
-            for worker in [w for w in running if _is_over(w)]:
+            over = [w for w in running if _is_over(w)]
+            for worker in [w for w in over if not w.goes_on_with(waiting)]:
                 running.remove(worker)
                 yield from _finish(worker, waiting)
             _sleep_until_news(running)
@@ -87,36 +117,52 @@ def run_batches(
             _kill(worker)
 
 
-def _start(batch: Batch, timeout: float, scratch: Path) -> _Worker:
+def _start(batch: Batch, waiting: Iterable[Batch], timeout: float, scratch: Path) -> _Worker:
     context = multiprocessing.get_context("fork")
     receiver, sender = context.Pipe(duplex=False)
-    process = context.Process(target=_work, args=(batch, sender, scratch), daemon=True)
+    orders, orderer = context.Pipe(duplex=False)
+    later = [one for one in waiting if one.stays and one.adapter is batch.adapter]
+    known = (batch, *later) if batch.stays else (batch,)
+    process = context.Process(target=_work, args=(known, orders, sender, scratch), daemon=True)
     process.start()
     with contextlib.suppress(OSError):  # the worker does the same; whoever comes first
         os.setpgid(process.pid or 0, process.pid or 0)
     sender.close()
+    orders.close()
     deadline = time.monotonic() + timeout + GRACE
-    return _Worker(batch, process, receiver, scratch, timeout, deadline)
+    return _Worker(batch, known, process, receiver, orderer, scratch, timeout, deadline)
 
 
-def _work(batch: Batch, pipe: Connection, scratch: Path) -> None:
-    """In the worker: answer the asks, one message each."""
+def _work(known: Sequence[Batch], orders: Connection, pipe: Connection, scratch: Path) -> None:
+    """In the worker: answer the asks of the first batch, one message each, then as is ordered."""
     with contextlib.suppress(OSError):
         os.setpgid(0, 0)
     _die_with_parent()
     adopt_orphans()
-    if batch.repeat > 0:  # timed: one core, whatever the program would take
+    if known[0].repeat > 0:  # timed: one core, whatever the program would take
         os.sched_setaffinity(0, {max(os.sched_getaffinity(0))})
     with open(scratch / "worker.log", "wb", buffering=0) as log:
         os.dup2(log.fileno(), 1)
         os.dup2(log.fileno(), 2)
+    batch = known[0]
+    while _answered(batch, pipe, scratch) and batch.stays and len(known) > 1:
+        batch = known[orders.recv()]
+    end_children()  # what a program has left behind
+
+
+def _answered(batch: Batch, pipe: Connection, scratch: Path) -> bool:
+    """Answer the asks of a batch; whether nothing went wrong with that."""
+    sent = 0
     try:
         for run in answers(batch.adapter, batch.asks, batch.scheme, scratch, batch.repeat):
             pipe.send(run)
+            sent += 1
     except Exception as error:
         traceback.print_exc()
-        pipe.send(failed(error))
-    end_children()  # what a program has left behind
+        if sent < len(batch.asks):
+            pipe.send(failed(error))
+        return False
+    return True
 
 
 def failed(error: Exception) -> Run:
@@ -155,8 +201,7 @@ def _answers(worker: _Worker) -> Iterator[tuple[int, Run]]:
 
 
 def _is_over(worker: _Worker) -> bool:
-    complete = worker.answered == len(worker.batch.asks)
-    return complete or worker.hung_up or time.monotonic() > worker.deadline
+    return worker.complete or worker.hung_up or time.monotonic() > worker.deadline
 
 
 def _finish(worker: _Worker, waiting: deque[Batch]) -> Iterator[tuple[int, Run]]:
@@ -198,6 +243,7 @@ def _kill(worker: _Worker) -> None:
     if worker.hung_up or worker.failed:
         end_those_in(worker.scratch)
     worker.pipe.close()
+    worker.orders.close()
 
 
 def _sleep_until_news(running: Sequence[_Worker]) -> None:

@@ -25,16 +25,30 @@ def answers(
     """Yield one Run per ask, in order, as `Adapter.run` does; searches next to each other as one.
 
     Each call of the adapter has a folder of its own: what it names by an ask's number must not be
-    taken for the answer to another.
+    taken for the answer to another. What is sought first goes along with the plain asks before it,
+    so that a program starts once for both, unless these are timed.
     A step that a code refuses is run all the same where the first one is not refused: a search
     asks what comes of it.
     """
-    for sought, group in itertools.groupby(asks, key=lambda ask: ask.search is not None):
-        if sought:
-            yield from _found(adapter, list(group), scheme, scratch)
+    left = list(asks)
+    while left:
+        plain = list(itertools.takewhile(lambda ask: ask.search is None, left))
+        sought = itertools.takewhile(lambda ask: ask.search is not None, left[len(plain) :])
+        searches = [_Search(ask, ask.search) for ask in sought if ask.search is not None]
+        if repeat and plain:
+            yield from _run(adapter, plain, scheme, scratch, repeat)
+            left = left[len(plain) :]
         else:
-            folder = Path(tempfile.mkdtemp(prefix="asks-", dir=scratch))
-            yield from adapter.run(list(group), scheme, folder, repeat)
+            yield from _found(adapter, plain, searches, scheme, scratch)
+            left = left[len(plain) + len(searches) :]
+
+
+def _run(
+    adapter: Adapter, asks: Sequence[Ask], scheme: str, scratch: Path, repeat: float = 0.0
+) -> Iterator[Run]:
+    """As the adapter, in a folder of its own."""
+    folder = Path(tempfile.mkdtemp(prefix="asks-", dir=scratch))
+    return adapter.run(asks, scheme, folder, repeat)
 
 
 @dataclass(eq=False)
@@ -89,14 +103,23 @@ class _Search:
         return f"at {where}: {self.runs[lost].reason if reach == LOST else grown}"
 
 
-def _found(adapter: Adapter, asks: Sequence[Ask], scheme: str, scratch: Path) -> Iterator[Run]:
-    """The answers to searches, all of which take their rounds together: a program starts once."""
-    searches = [_Search(ask, ask.search) for ask in asks if ask.search is not None]
-    for number in range(max(one.bracket.rounds for one in searches)):
+def _found(
+    adapter: Adapter,
+    plain: Sequence[Ask],
+    searches: Sequence[_Search],
+    scheme: str,
+    scratch: Path,
+) -> Iterator[Run]:
+    """The answers to plain asks, then to searches, all of which take their rounds together."""
+    rounds = max((one.bracket.rounds for one in searches), default=1)
+    for number in range(rounds):
         due = [s for s in searches if number < s.bracket.rounds]
         probes = [(one, value) for one in due for value in one.values()]
-        folder = Path(tempfile.mkdtemp(prefix=f"round-{number}-", dir=scratch))
-        runs = adapter.run([one.ask_at(value) for one, value in probes], scheme, folder, 0.0)
+        before = plain if number == 0 else ()
+        runs = _run(
+            adapter, [*before, *(one.ask_at(value) for one, value in probes)], scheme, scratch
+        )
+        yield from itertools.islice(runs, len(before))
         for (one, value), run in zip(probes, runs, strict=True):
             one.runs[value] = run
     yield from (one.run() for one in searches)

@@ -83,27 +83,33 @@ def read(seen: Seen, row: np.ndarray) -> None:
     for k, (kind, body) in enumerate(seen):
         if kind != "reaction":
             state = O.bodies[body["id"]].state
-            row[k] = state.vel if kind == "velocity" else np.subtract(state.pos, body["origin"])
-            check_finite(kind, row[k])
+            row[k] = vector = list(state.vel) if kind == "velocity" else way(state, body)
+            check_finite(kind, vector)
 
 
 def read_later(ask: dict[str, Any], seen: Seen, row: np.ndarray) -> None:
     """Make velocities the mean of half a step early and late, and read reactions."""
     for k, (kind, body) in enumerate(seen):
         if kind == "velocity":
-            row[k] = (row[k] + np.array(O.bodies[body["id"]].state.vel)) / 2
+            vel = O.bodies[body["id"]].state.vel
+            row[k] = [(early + late) / 2 for early, late in zip(row[k].tolist(), vel, strict=True)]
         elif kind == "reaction":
-            row[k] = locked(body, reaction(ask, body))
-            check_finite(kind, row[k])
+            row[k] = vector = locked(body, reaction(ask, body))
+            check_finite(kind, vector)
 
 
-def check_finite(kind: str, vector: np.ndarray) -> None:
+# Plain numbers from here on: arrays this short would cost as much as the steps between them.
+def way(state: Any, body: dict[str, Any]) -> list[float]:
+    """How far a body is from where it began."""
+    return [now - first for now, first in zip(state.pos, body["origin"], strict=True)]
+
+
+def check_finite(kind: str, vector: list[float]) -> None:
     """Refuse a run in which what is observed is not finite."""
     if not math.isfinite(vector[0] + vector[1] + vector[2]):
         raise RunError("diverged", f"{kind} not finite at t = {O.iter * O.dt:.6g} s")
 
 
-# Plain numbers in these two: arrays this short would cost as much as the steps between them.
 def reaction(ask: dict[str, Any], body: dict[str, Any]) -> list[float]:
     """The force [N] that would keep a body's velocity: against all forces of the last step."""
     mass, gravity = body["mass"], ask["gravity"]
