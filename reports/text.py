@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import hashlib
 import math
 import re
@@ -93,6 +94,7 @@ def unbroken(said: str) -> Markup:
     return Markup(SMALL_NUMBER.sub(r'<span class="n">\g<0></span>', str(escape(plain))))
 
 
+@functools.cache
 def slug(*names: str) -> str:
     """An identifier of a place, and the name of a file: other names, other identifiers."""
     return "--".join(map(_plain, names))

@@ -111,8 +111,12 @@
     return box;
   }
   function zoom(svg, title) {
-    const x = axis(svg, "x", L, R), y = axis(svg, "y", B, T), curves = series(svg, x, y), box = opened(title);
+    const x = axis(svg, "x", L, R), y = axis(svg, "y", B, T);
     const across = svg.querySelector("svg > text.mid").textContent, up = svg.querySelector(".up").textContent;
+    return plotted(title, [across, x], [up, y], series(svg, x, y));
+  }
+  function plotted(title, [across, x], [up, y], curves) {
+    const box = opened(title);
     const value = (_, at) => said(at);
     const size = () => ({ width: box.clientWidth - 32, height: Math.round(0.62 * innerHeight) });
     const plot = new globalThis.uPlot({
@@ -129,6 +133,49 @@
     new ResizeObserver(() => box.open && plot.setSize(size())).observe(box);
     return plot;
   }
+
+  // The errors of a quantity against the step, from the rows of the table of all settings.
+  const look = (label) => {
+    const symbol = all("symbol[data-k]").find((one) => one.dataset.k === label);
+    if (!symbol) return {};
+    const dash = getComputedStyle(symbol.querySelector(".line")).strokeDasharray.match(/[\d.]+/g);
+    return { stroke: getComputedStyle(symbol).getPropertyValue("--c").trim(), dash: dash?.map(Number) };
+  };
+  function inTable(table, quantity) {
+    const columns = all("thead th", table).map((head) => head.textContent.split(" ")[0]);
+    const [kn, error] = [columns.indexOf("kn"), columns.indexOf("error")], found = new Map();
+    let label = null;
+    all("tbody tr", table).forEach((row) => {
+      const head = row.querySelector("th");
+      if (head) {
+        const [of, what] = head.firstChild.textContent.split(" \u00b7 ");
+        label = what === quantity || what?.startsWith(`${quantity} [`) ? of : null;
+      } else if (label !== null) {
+        const cells = all("td", row).map((cell) => cell.textContent), value = Number(cells[error]);
+        const name = kn < 0 ? label : `${label}, kn ${cells[kn]} N/m`;
+        if (!found.has(name)) found.set(name, { name, points: [], width: 1.5, ...look(label) });
+        if (value > 0) cells[0].split(", ").map(Number).filter((dt) => dt > 0).forEach((dt) => found.get(name).points.push([dt, value]));
+      }
+    });
+    const curves = [...found.values()].filter((one) => one.points.length);
+    curves.forEach((one) => one.points.sort((a, b) => a[0] - b[0]));
+    return curves;
+  }
+  const around = (values) => ({ log: true, ends: [Math.min(...values) / 1.2, Math.max(...values) * 1.2] });
+  all("[data-draw]").forEach((place) => {
+    const table = place.closest(".variant").querySelector("table.rungs"), symbol = place.textContent;
+    const curves = table ? inTable(table, place.dataset.draw) : [];
+    if (!curves.length) return;
+    const button = Object.assign(document.createElement("button"), { type: "button", className: "chip", textContent: symbol });
+    const [steps, errors] = [0, 1].map((k) => around(curves.flatMap((one) => one.points.map((point) => point[k]))));
+    const title = `Error of ${symbol} against step`;
+    button.setAttribute("aria-label", `draw: ${title}`);
+    button.addEventListener("click", () => library().then(() => {
+      place.plot = plotted(title, ["dt [s]", steps], [`error of ${symbol}`, errors], curves);
+    }));
+    place.replaceChildren(button);
+    place.closest("[data-drawn]").hidden = false;
+  });
 
   all("figure").forEach((figure) => {
     const svg = figure.querySelector("svg.chart[data-x]"), head = figure.querySelector("h3");

@@ -49,8 +49,9 @@ def figures(
     symbol = f"{quantity.symbol} [{quantity.unit}]" if quantity.unit else quantity.symbol
     error = _error(quantity, norm)
     heat = error_map(steps, critical)
-    last = _step(steps, error) if heat is None else [_map(heat, error)]
-    return [*_trajectory(over_time, symbol), *_relative(over_time), *last]
+    of = quantity.symbol
+    last = _step(steps, error, of) if heat is None else [_map(heat, error, of)]
+    return [*_trajectory(over_time, symbol), *_relative(over_time, of), *last]
 
 
 def cost_figures(
@@ -59,7 +60,7 @@ def cost_figures(
     """What errors of a quantity cost, unless a map shows them; arguments as for `figures`."""
     if error_map(steps, critical) is not None:
         return []
-    return _cost(steps, _error(quantity, norm))
+    return _cost(steps, _error(quantity, norm), quantity.symbol)
 
 
 def _error(quantity: QuantityFacts, norm: Norm) -> str:
@@ -67,7 +68,7 @@ def _error(quantity: QuantityFacts, norm: Norm) -> str:
     return f"error of {quantity.symbol}, norm {NORM_NAMES[norm]}"
 
 
-def _map(heat: HeatMap, error: str) -> Figure:
+def _map(heat: HeatMap, error: str, of: str) -> Figure:
     """The map, with the stiffness that serves each code best at its finest step."""
     best = [f"{panel.mark.label} {brief(panel.best())} N/m" for panel in heat.panels]
     panels = heat.panels
@@ -84,7 +85,7 @@ def _map(heat: HeatMap, error: str) -> Figure:
         for panel in heat.panels
     ]
     alt = f"{error} over step and stiffness: {', '.join(ends)}"
-    return Figure(draw_map(heat), "Error over step and contact stiffness", caption, alt)
+    return Figure(draw_map(heat), f"Error of {of} over step and contact stiffness", caption, alt)
 
 
 def _trajectory(over_time: Sequence[History], symbol: str) -> list[Figure]:
@@ -106,7 +107,7 @@ def _trajectory(over_time: Sequence[History], symbol: str) -> list[Figure]:
     ]
 
 
-def _relative(over_time: Sequence[History]) -> list[Figure]:
+def _relative(over_time: Sequence[History], of: str) -> list[Figure]:
     chart, sunk = charts.relative_errors(over_time)
     if chart is None:
         return []
@@ -118,19 +119,21 @@ def _relative(over_time: Sequence[History]) -> list[Figure]:
         "Settings as before; the paper's norm at each time, left out where |reference| is "
         f"below {100 * POINTWISE_THRESHOLD:g} % of its maximum.{below}"
     )
-    alt = f"Relative error over time; largest: {', '.join([_in_short(largest), *low])}"
-    return [Figure(draw(chart), "Relative error over time", caption, alt)]
+    alt = f"Relative error of {of} over time; largest: {', '.join([_in_short(largest), *low])}"
+    return [Figure(draw(chart), f"Relative error of {of} over time", caption, alt)]
 
 
-def _step(steps: Sequence[Ladder], error: str) -> list[Figure]:
+def _step(steps: Sequence[Ladder], error: str, of: str) -> list[Figure]:
     chart = charts.error_against_step(steps, error)
     if chart is None or not (chart.curves or any(rim.above for rim in chart.rims)):
         return []  # no error anywhere
     caption = f"Dashed: slopes to compare with.{_rims(chart)}"
-    return [Figure(draw(chart), "Error against step", caption, f"{error}: {_ranges(steps)}")]
+    return [
+        Figure(draw(chart), f"Error of {of} against step", caption, f"{error}: {_ranges(steps)}")
+    ]
 
 
-def _cost(steps: Sequence[Ladder], error: str) -> list[Figure]:
+def _cost(steps: Sequence[Ladder], error: str, of: str) -> list[Figure]:
     chart = charts.error_against_cost(steps, error)
     if not (chart.curves or any(rim.above for rim in chart.rims)):
         return []  # no error anywhere
@@ -148,7 +151,7 @@ def _cost(steps: Sequence[Ladder], error: str) -> list[Figure]:
     lost = f" Not drawn, no cost measured at some setting: {listed(free)}." if free else ""
     caption = f"{kinds.get((filled, hollow), '')} One solve, without start-up.{_rims(chart)}{lost}"
     alt = f"{error} against CPU seconds: {_costs(steps)}"
-    return [Figure(draw(chart), "Error against cost", caption.strip(), alt)]
+    return [Figure(draw(chart), f"Error of {of} against cost", caption.strip(), alt)]
 
 
 def _rims(chart: Chart) -> str:

@@ -111,11 +111,21 @@ def heads(book: Book) -> dict[str, str]:
 
     They are those that its first and its last input share.
     """
-    ends: dict[str, list[Record]] = {}
-    for record in (r for place in book.places for r in chosen(book, place)):
-        ends[record.code] = [*ends.get(record.code, [record])[:1], record]
-    found = {code: _shared(map(book.beside.native, pair)) for code, pair in ends.items()}
+    ends = [_first_inputs(book, places) for places in (book.places, book.places[::-1])]
+    found = {code: _shared(book.beside.native(end[code]) for end in ends) for code in ends[0]}
     return {code: head for code, head in found.items() if head}
+
+
+def _first_inputs(book: Book, places: Iterable[Place]) -> dict[str, Record]:
+    """External code -> the record of its input on the first of these variants where it has one."""
+    found: dict[str, Record] = {}
+    wanted = book.manifest.external()
+    for place in places:
+        for record in chosen(book, place):
+            found.setdefault(record.code, record)
+        if found.keys() == wanted:
+            break
+    return found
 
 
 def _shared(texts: Iterable[str]) -> str:

@@ -51,7 +51,7 @@ class Variant:
     """A variant: what was asked, and all that came of it.
 
     told: rows that are not green, and why; like: the variant whose figures fit; voices: who agrees
-    with whom, where three codes speak; undrawn: symbols of quantities that have numbers only.
+    with whom, where three codes speak; undrawn: (name, symbol) of quantities in bounds.
     """
 
     name: str
@@ -76,7 +76,7 @@ class Variant:
     figures: Sequence[Figure]
     playback: str
     like: str
-    undrawn: Sequence[str]
+    undrawn: Sequence[tuple[str, str]]
     has_series: bool
     advice: Sequence[Advice]
     costs: Sequence[CostRow]
@@ -134,7 +134,7 @@ def variant(book: Book, place: Place, above: Above) -> Variant:
         figures=all_figures(book, place, own, over, bool(like)),
         playback=_played(facts, over),
         like=like,
-        undrawn=[one.symbol for one in facts.quantities if not is_drawn(one, facts, own)],
+        undrawn=[(q.name, q.symbol) for q in facts.quantities if not is_drawn(q, facts, own)],
         has_series=any(book.arrays(r.key) for r in own if r.quantities),
         advice=advice(book.efforts.get(place, [])),
         costs=cost_rows(book, place),

@@ -27,7 +27,7 @@ def refused(value: Any) -> Any:
 def read(data: dict[str, Any]) -> Any:
     hints = typing.get_type_hints(Thing)
     readers = {name: list if name == "parts" else refused for name in hints}
-    return class_reader(Thing, hints, readers)(data)
+    return class_reader(Thing, hints, readers, lambda _: None)(data)
 
 
 def test_what_is_left_out_has_its_default() -> None:
@@ -54,5 +54,12 @@ def test_a_value_of_another_kind_goes_to_the_reader_of_the_field(wrong: dict[str
 
 
 def test_entries_are_read_key_by_key() -> None:
-    lengths = mapping_reader(str, int, refused, len)
+    lengths = mapping_reader(str, int, refused, len, None)
     assert lengths({"a": "12", "b": ""}) == {"a": 2, "b": 0}
+
+
+def test_a_word_of_a_closed_list_is_looked_up_and_any_other_goes_to_its_reader() -> None:
+    lengths = mapping_reader(str, int, refused, len, {"a": 1})
+    assert lengths({"a": "12"}) == {1: 2}
+    with pytest.raises(ValueError, match="b"):
+        lengths({"b": "12"})

@@ -6,8 +6,10 @@ import dataclasses
 from pathlib import Path
 from unittest import mock
 
-from tests.support.fabricated import manifest_of_all
+from tests.support.fabricated import manifest_of_all, requantified
+from vv.case import Norm
 from vv.insight.history import history
+from vv.insight.past_runs import PastRuns
 from vv.records.manifest import Manifest
 from vv.records.provenance import Provenance
 from vv.store.store import Store
@@ -36,6 +38,22 @@ def test_runs_that_hold_the_same_records_are_read_once(tmp_path: Path) -> None:
     with mock.patch.object(Store, "reader", side_effect=AssertionError("read again")):
         both = history(store, "bounce", print)
     assert [point.closeness for point in both] == [first[0].closeness] * 2
+
+
+def test_what_a_history_came_to_is_kept_until_a_run_holds_something_new(tmp_path: Path) -> None:
+    store = Store(tmp_path / ".vv")
+    whole = manifest_of_all(store)
+    store.keep_manifest(whole)
+    first = history(store, "bounce", print)
+    later = dataclasses.replace(whole.provenance, utc="2026-01-02T00:00:00+00:00")
+    store.keep_manifest(dataclasses.replace(whole, name=f"{whole.name}.1", provenance=later))
+    with mock.patch.object(PastRuns, "digest", side_effect=AssertionError("worked out again")):
+        again = history(store, "bounce", print)
+    assert again == [dataclasses.replace(first[0], utc=later.utc)]
+    worse = requantified(whole.records[0], verdict="fail", errors={Norm.MAX: 0.5}, norm=None)
+    other = dataclasses.replace(whole, name=f"{whole.name}.2", records=(worse,))
+    store.keep_manifest(other)
+    assert history(store, "bounce", print) != again
 
 
 def elsewhere(manifest: Manifest) -> Provenance:

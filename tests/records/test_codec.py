@@ -22,7 +22,7 @@ from vv.records.job_record import JobCost, ModelSummary, Record
 from vv.records.provenance import Machine, Provenance
 from vv.records.quantity import MeasuredQuantity
 from vv.records.recorded import RecordedQuantity
-from vv.store import manifest
+from vv.store import manifest, record_list
 
 KEPT = Path(__file__).with_name("manifest.json")  # of one case, by the code before the classes
 SCHEMA = json.loads((Path(vv.__file__).parent / "records" / "record.schema.json").read_text())
@@ -42,14 +42,42 @@ CLASSES: dict[type, dict[str, Any]] = {
 WRITTEN_OUT = {"provenance"}  # fields of a document's records that stand once in a manifest
 
 
-def test_a_manifest_of_before_is_written_byte_for_byte_as_it_was() -> None:
+def test_a_manifest_of_before_is_read_and_loses_nothing_when_it_is_written_again() -> None:
+    """In it each record is whole; now it is written by what it has other than the one before."""
     text = KEPT.read_text(encoding="utf-8")
     found = manifest.whole(text, "kept")
-    assert manifest.render(found) == text
+    again = manifest.whole(manifest.render(found), "kept")
+    assert codec.render(again, sort_keys=True) == codec.render(found, sort_keys=True)
+    assert len(manifest.render(found)) < len(text)
     assert {r.cost.timed for r in found.records} == {True, False}
     assert found.findings
     assert found.baselines
     assert found.recorded
+
+
+def test_a_record_in_a_list_keeps_what_it_alone_has() -> None:
+    """Values that are equal and yet written otherwise are not taken for the same."""
+    one = record("dem/default", "T1", 1e-3)
+    breach = dataclasses.replace(one, known_breaches=("energy",), parameters={"m": 0.0})
+    many = [one, breach, breach, dataclasses.replace(one, parameters={"m": -0.0}), one]
+    text = record_list.render(many)
+    assert [*map(repr, record_list.read(codec.parse(text), "records"))] == [*map(repr, many)]
+    assert [len(each) for each in codec.parse(text)][1:] == [2, 0, 2, 1]
+
+
+@pytest.mark.parametrize(
+    ("data", "said"),
+    [
+        ({}, "records = {}; must be a list"),
+        ([1], r"records\[0\] = 1; must be an object"),
+        ([{"steps": 3}], r"records\[0\]; .*missing"),
+        ([{"steps": "3"}], r"records\[0\].steps = '3'; must be a whole number"),
+        ([{"stepz": 3}], r"records\[0\].stepz = 3; is no field of Record"),
+    ],
+)
+def test_what_is_no_list_of_records_is_named(data: object, said: str) -> None:
+    with pytest.raises(DamagedError, match=said):
+        record_list.read(data, "records")
 
 
 @pytest.mark.parametrize("kind", CLASSES, ids=lambda kind: kind.__name__)

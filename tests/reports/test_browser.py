@@ -98,7 +98,7 @@ PAPER = """
 """
 ZOOM = """
   const buttons = all("figure h3 .chip");
-  const steps = buttons.find((b) => b.closest("figure").textContent.includes("Error against step"));
+  const steps = buttons.find((b) => b.closest("figure").textContent.includes("of y against step"));
   said.many = buttons.length;
   steps.click();
   const figure = steps.closest("figure");

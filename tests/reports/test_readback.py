@@ -219,12 +219,12 @@ def figure(part: Node, title: str) -> Node:
 
 
 def test_curves_over_steps_and_cost_lead_through_the_errors(pages: dict[str, Node]) -> None:
-    drawn = curves(figure(of(pages, "T1"), "Error against step"))
+    drawn = curves(figure(of(pages, "T1"), "Error of y against step"))
     assert set(drawn) == {"dem/default", "yade/default", "liggghts/default"}
     for label, points in drawn.items():
         known = [(dt, e) for dt, e in zip(STEPS, ERRORS["T1"][label], strict=True) if e]
         assert points == [pytest.approx(pair, rel=0.02) for pair in known]
-    drawn = curves(figure(of(pages, "T1"), "Error against cost"))
+    drawn = curves(figure(of(pages, "T1"), "Error of y against cost"))
     for label in ("dem/default", "yade/default"):
         for k, point in enumerate(drawn[label]):
             assert point[0] == pytest.approx(CPU["T1"][label][k], rel=0.03)

@@ -62,13 +62,13 @@ def test_same_results_give_the_same_bytes(manifest: Manifest, store: Store) -> N
 
 
 def test_missing_series_leave_tables_and_ladders(manifest: Manifest, store: Store) -> None:
-    assert "Relative error over time" in built(manifest, store)
+    assert "Relative error of y over time" in built(manifest, store)
     shutil.rmtree(store.root / "records")
     shutil.rmtree(store.root / "report")
     page = built(manifest, store)
     assert "not in the store" in page
-    assert "Error against step" in page
-    assert "Relative error over time" not in page
+    assert "Error of y against step" in page
+    assert "Relative error of y over time" not in page
 
 
 def test_stored_records_are_told_apart_case_by_case(manifest: Manifest, store: Store) -> None:

@@ -21,14 +21,24 @@ PLAIN: Mapping[Any, str] = {  # type -> the test that a value of it stands; `one
 }
 
 
-def class_reader(kind: Any, hints: Mapping[str, Any], readers: Mapping[str, Reader]) -> Reader:
-    """What makes an object of a class of its fields by name; raises KeyError for other fields."""
+def class_reader(
+    kind: Any,
+    hints: Mapping[str, Any],
+    readers: Mapping[str, Reader],
+    words: Callable[[Any], Mapping[str, Any] | None],
+) -> Reader:
+    """What makes an object of a class of its fields by name; raises KeyError for other fields.
+
+    words: the members by their words of a closed list, None for any other hint; see `_read`.
+    """
     known: dict[str, Any] = {"kind": kind}
     parts = []
     for number, field in enumerate(dataclasses.fields(kind)):
         name = field.name
-        part = _read(hints[name], f"data[{name!r}]", f"read{number}")
         known[f"read{number}"] = readers[name]
+        known[f"words{number}"] = listed = words(hints[name])
+        inside = f"words{number}" if listed else None
+        part = _read(hints[name], f"data[{name!r}]", f"read{number}", inside)
         if field.default is not dataclasses.MISSING:
             known[f"default{number}"] = field.default
             part = f"({part}) if {name!r} in data else default{number}"
@@ -40,15 +50,19 @@ def class_reader(kind: Any, hints: Mapping[str, Any], readers: Mapping[str, Read
     return _made(f"if len(data) != {held}: raise KeyError", f"kind({', '.join(parts)})", known)
 
 
-def mapping_reader(key_hint: Any, hint: Any, read_key: Reader, read: Reader) -> Reader:
-    """What makes a dictionary of the entries of an object."""
-    pair = f"({_read(key_hint, 'key', 'read_key')}): {_read(hint, 'part', 'read')}"
-    text = f"{{{pair} for key, part in data.items()}}"
-    return _made("", text, {"read_key": read_key, "read": read})
+def mapping_reader(
+    key_hint: Any, hint: Any, read_key: Reader, read: Reader, words: Mapping[str, Any] | None
+) -> Reader:
+    """What makes a dictionary of the entries of an object. words: of the keys; as above."""
+    key = _read(key_hint, "key", "read_key", "words" if words else None)
+    text = f"{{({key}): {_read(hint, 'part', 'read', None)} for key, part in data.items()}}"
+    return _made("", text, {"read_key": read_key, "read": read, "words": words})
 
 
-def _read(hint: Any, value: str, reader: str) -> str:
-    """The expression that reads a value."""
+def _read(hint: Any, value: str, reader: str, words: str | None) -> str:
+    """The expression that reads a value. words: the name of its closed list, if it is of one."""
+    if words:  # TypeError for what cannot be a word, for which the reader has an error of its own
+        return f"one if (one := {words}.get({value})) is not None else {reader}({value})"
     test = PLAIN.get(hint)
     return f"one if {test.format(value)} else {reader}(one)" if test else f"{reader}({value})"
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import functools
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
@@ -17,14 +18,18 @@ PATIENCE = 60.0  # CPU seconds after which a code has had its chance
 
 @dataclass(frozen=True)
 class Effort:
-    """A scheme on a variant; rows by stiffness, softest first. floor: of all its knobs."""
+    """A scheme on a variant; rows by stiffness, softest first."""
 
     case: str
     variant: str
     label: str
     external: bool
     rows: tuple[Row, ...]
-    floor: Floor | None
+
+    @functools.cached_property
+    def floor(self) -> Floor | None:
+        """The floor of all its knobs."""
+        return _floor(self.rows)
 
     @property
     def points(self) -> tuple[Point, ...]:
@@ -105,7 +110,7 @@ def _effort(
         row_of(kn, [r for r in pile if r.rung.kn == kn])
         for kn in dict.fromkeys(record.rung.kn for record in pile)
     )
-    return Effort(*key, bool(codes[pile[0].code].files), rows, _floor(rows))
+    return Effort(*key, bool(codes[pile[0].code].files), rows)
 
 
 def _floor(rows: Sequence[Row]) -> Floor | None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import functools
 import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
@@ -56,6 +57,43 @@ def histories(
     sentence on each past run that is damaged.
     """
     past = PastRuns(store, at_hand, functools.cache(passed_over))
+    told = {case: [*last.values()] for case, last in _last_runs(store, past, cases).items()}
+    keys = {case: past.key_of([name for name, _ in runs], case) for case, runs in told.items()}
+    kept = {case: store.facts(tuple[Point, ...], key) for case, key in keys.items() if key}
+    found = _worked_out(store, past, [case for case in told if not kept.get(case)])
+    points = {case: _points([*runs.values()][::-1]) for case, runs in found.items()}
+    for case, new in points.items():
+        if keys[case] and len(new) == len(told[case]):  # else one of these says nothing of the case
+            store.keep_facts(keys[case], new)
+    for case, runs in told.items():
+        if own := kept.get(case):
+            points[case] = [
+                dataclasses.replace(point, utc=at.utc, commit=at.commit, dirty=at.dirty)
+                for point, (_, at) in zip(own, runs[::-1], strict=True)
+            ]
+    return {case: points[case] for case in told}
+
+
+def _last_runs(
+    store: Store, past: PastRuns, cases: Iterable[str]
+) -> dict[str, dict[tuple[str, bool], tuple[str, Provenance]]]:
+    """Case -> commit -> name and provenance of the newest run that holds it, newest first."""
+    found: dict[str, dict[tuple[str, bool], tuple[str, Provenance]]] = {c: {} for c in cases}
+    for name in store.manifests()[::-1]:
+        short = {case for case, commits in found.items() if len(commits) < COMMITS}
+        if not short:
+            break
+        holds, provenance = past.head(name)
+        for case in short.intersection(holds):
+            at = provenance.commit, provenance.dirty
+            found[case].setdefault(at, (name, provenance))
+    return found
+
+
+def _worked_out(
+    store: Store, past: PastRuns, cases: Iterable[str]
+) -> dict[str, dict[tuple[str, bool], Past]]:
+    """Case -> commit -> its newest run with unmodified records, newest first."""
     found: dict[str, dict[tuple[str, bool], Past]] = {case: {} for case in cases}
     for name in store.manifests()[::-1]:  # each is read once, and only what is asked of it
         short = {case for case, commits in found.items() if len(commits) < COMMITS}
@@ -68,7 +106,7 @@ def histories(
                 own = past.digest(name, case)
                 if own.outcomes:
                     found[case][at] = provenance, own
-    return {case: _points([*commits.values()][::-1]) for case, commits in found.items()}
+    return found
 
 
 def _points(found: Sequence[Past]) -> list[Point]:

@@ -71,6 +71,11 @@ class PastRuns:
                 self.store.keep_facts(key, known)
         return known
 
+    def key_of(self, names: Sequence[str], case: str) -> str:
+        """A digest of all that these runs hold of a case; empty if one of them is not stored."""
+        held = [self._held(name).get(case, "") for name in names]
+        return digest("history", held, _sources()) if held and all(held) else ""
+
     def _held(self, name: str) -> Mapping[str, str]:
         """Case -> digest of the records that a run holds of it; empty if it is not stored."""
         if name not in self.held:
@@ -109,9 +114,10 @@ def digest_of(records: Iterable[Record]) -> Digest:
 
 @functools.cache
 def _sources() -> str:
-    """Digest of the sources that decide what is worked out."""
+    """Digest of the sources that decide what is worked out, here and in the history of a case."""
     here = Path(__file__)
-    return closure.source_digest(closure.import_closure([here], (here.parents[2],)))
+    own = [here, here.with_name("history.py")]
+    return closure.source_digest(closure.import_closure(own, (here.parents[2],)))
 
 
 def _measured(

@@ -56,7 +56,12 @@ def parse(text: str) -> Any:
 
 def render(value: object, **style: Any) -> str:
     """Records, or what holds some, as a text in JSON; style: as of `json.dumps`."""
-    return json.dumps(to_data(value), allow_nan=False, **style)
+    return dump(to_data(value), **style)
+
+
+def dump(data: object, **style: Any) -> str:
+    """Plain data as a text in JSON; style: as of `json.dumps`."""
+    return json.dumps(data, allow_nan=False, **style)
 
 
 def read(kind: type[Kind], data: object, name: str) -> Kind:
@@ -66,6 +71,21 @@ def read(kind: type[Kind], data: object, name: str) -> Kind:
     except DamagedError as error:
         raise error.within(name) from None
     return found
+
+
+def members(kind: type, data: object) -> Json:
+    """Some fields of a class, read from those members that an object has; raises DamagedError."""
+    readers = _readers(kind)
+    if type(data) is not dict:
+        _refuse(data, "must be an object")
+    try:
+        return {member: readers[member](one) for member, one in data.items()}
+    except (DamagedError, KeyError):
+        for member, one in data.items():
+            if member not in readers:
+                raise DamagedError(one, f"is no field of {kind.__name__}", f".{member}") from None
+            _inside(f".{member}", readers[member], one)
+        raise
 
 
 def to_data(value: Any) -> Any:
@@ -140,6 +160,12 @@ def _written(kind: Any) -> tuple[tuple[str, Any, bool], ...]:
 
 
 @functools.cache
+def _readers(kind: Any) -> dict[str, Reader]:
+    """What reads each field of a class."""
+    return {name: _reader(hint) for name, hint in typing.get_type_hints(kind).items()}
+
+
+@functools.cache
 def _reader(kind: Any) -> Reader:
     """What reads a value of a type."""
     origin, arguments = typing.get_origin(kind), typing.get_args(kind)
@@ -185,7 +211,7 @@ def _items(kinds: tuple[Any, ...]) -> Reader:
 
 def _entries(key_kind: Any, kind: Any) -> Reader:
     key_reader, inner = _reader(key_kind), _reader(kind)
-    build = mapping_reader(key_kind, kind, key_reader, inner)
+    build = mapping_reader(key_kind, kind, key_reader, inner, _listed(key_kind))
 
     def entries(data: Any) -> dict[Any, Any]:
         if type(data) is not dict:
@@ -203,11 +229,10 @@ def _entries(key_kind: Any, kind: Any) -> Reader:
 
 def _fields(kind: Any) -> Reader:
     """A class by its fields; a member that is none of them goes to the field that is spread."""
-    hints = typing.get_type_hints(kind)
+    hints, readers = typing.get_type_hints(kind), _readers(kind)
     spread = next((f.name for f in dataclasses.fields(kind) if SPREAD in f.metadata), None)
-    readers = {name: _reader(hint) for name, hint in hints.items()}
 
-    whole = class_reader(kind, hints, readers)
+    whole = class_reader(kind, hints, readers, _listed)
 
     def build(data: Any) -> Any:
         try:
@@ -247,13 +272,22 @@ def _diagnose(kind: Any, readers: Mapping[str, Reader], data: Any) -> None:
 def _member_of(kind: type[enum.Enum]) -> Reader:
     if issubclass(kind, enum.IntFlag):
         return lambda data: kind(_whole(data))
-    members = {name: member for member, name in _words(kind).items()}
+    members = _listed(kind) or {}
 
     def member(data: Any) -> enum.Enum:
         found = members.get(data) if type(data) is str else None
         return found if found is not None else _refuse(data, f"must be of {', '.join(members)}")
 
     return member
+
+
+def _listed(kind: Any) -> dict[str, enum.Enum] | None:
+    """The members of a closed list by their words; None for what is no such list."""
+    if not (isinstance(kind, type) and issubclass(kind, enum.Enum)):
+        return None
+    if issubclass(kind, enum.IntFlag):
+        return None
+    return {name: member for member, name in _words(kind).items()}
 
 
 def _inside(place: str, inner: Reader, data: Any) -> Any:

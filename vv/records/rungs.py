@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
@@ -67,14 +68,37 @@ class Limit:
 class Row:
     """The rungs of a scheme that differ in dt alone, coarsest first.
 
-    order: of the rungs before the floor, None where they are too few. floor: of dt at this kn.
+    pile: the records of the points, of which the rest is worked out where it is asked for.
     """
 
     kn: float | None
     points: tuple[Point, ...]
-    order: Order | None
-    floor: Floor | None
-    limit: Limit | None
+    pile: tuple[Record, ...]
+
+    @functools.cached_property
+    def order(self) -> Order | None:
+        """The order in dt of the rungs before the floor; None where they are too few."""
+        known = self._known
+        return order_before_floor([dt for dt, _ in known], [error for _, error in known])
+
+    @functools.cached_property
+    def floor(self) -> Floor | None:
+        """The floor of dt at this kn; None where smaller steps still gain."""
+        errors = [error for _, error in self._known]
+        if count_before_floor(errors) == len(errors):
+            return None
+        why = f"two refinements of dt improved less than {LEAST_IMPROVEMENT:g} times"
+        return Floor(min(errors), why)
+
+    @functools.cached_property
+    def limit(self) -> Limit | None:
+        """Where small steps lead at this kn."""
+        return _limit(self.pile)
+
+    @property
+    def _known(self) -> list[tuple[float, float]]:
+        """(dt, error) of the rungs that have both."""
+        return [(p.dt, p.error) for p in self.points if p.dt and p.error]
 
     @property
     def errors(self) -> list[float]:
@@ -84,13 +108,7 @@ class Row:
 
 def row_of(kn: float | None, pile: Sequence[Record]) -> Row:
     """The row that records of one scheme and stiffness make, coarsest first."""
-    points = tuple(map(_point, pile))
-    known = [(p.dt, p.error) for p in points if p.dt and p.error]
-    errors = [error for _, error in known]
-    order = order_before_floor([dt for dt, _ in known], errors)
-    why = f"two refinements of dt improved less than {LEAST_IMPROVEMENT:g} times"
-    floor = Floor(min(errors), why) if count_before_floor(errors) < len(errors) else None
-    return Row(kn, points, order, floor, _limit(pile))
+    return Row(kn, tuple(map(_point, pile)), tuple(pile))
 
 
 def _point(record: Record) -> Point:

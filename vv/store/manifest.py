@@ -14,6 +14,7 @@ from vv.records import codec
 from vv.records.job_record import Record
 from vv.records.manifest import Manifest
 from vv.records.provenance import Provenance
+from vv.store import record_list
 from vv.store.seal import BrokenSealError, seal_of
 
 HEAD = ("holds", "provenance")
@@ -26,7 +27,7 @@ def render(manifest: Manifest) -> str:
     records: dict[str, list[Record]] = {}
     for record in manifest.records:
         records.setdefault(record.case, []).append(record)
-    lines = {case: f"{_start(case)}{codec.render(own)}" for case, own in records.items()}
+    lines = {case: f"{_start(case)}{record_list.render(own)}" for case, own in records.items()}
     by_case = ",\n".join(lines.values())
     rest = (name for name in codec.names(Manifest) if name not in (*HEAD, "records", "name"))
     held = {name: part for name in rest if (part := getattr(manifest, name)) is not None}
@@ -60,7 +61,10 @@ def whole(text: str, name: str) -> Manifest:
     found = codec.parse(text)
     if not isinstance(found, dict) or not isinstance(found.get("records"), dict):
         raise ValueError("its records are not by case")
-    own = codec.read(dict[str, tuple[Record, ...]], found["records"], "manifest.records")
+    own = {
+        case: record_list.read(pile, f"manifest.records.{case}")
+        for case, pile in found["records"].items()
+    }
     records = tuple(record for case in own.values() for record in case)
     parts = {part: data for part, data in found.items() if part not in ("holds", "seals", "seal")}
     bare = codec.read(Manifest, {**parts, "records": [], "name": name}, "manifest")
@@ -95,7 +99,7 @@ def records(lines: Iterator[str], case: str, name: str) -> tuple[Record, ...]:
     if not own and case not in seals["seals"]:
         return ()
     _check(seals, case, own, name)
-    return codec.read(tuple[Record, ...], codec.parse(own[len(start) :]), "records")
+    return record_list.read(codec.parse(own[len(start) :]), "records")
 
 
 def lines_of(lines: Iterator[str]) -> dict[str, str]:

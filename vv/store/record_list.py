@@ -1,0 +1,61 @@
+"""Records in a list, each written by what it has other than the one before it.
+
+Those of one scheme on one variant share most of what they say, and refusals nearly all: so a
+manifest is half as long, and what is shared is read once. A record that names its case is whole.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from typing import Any
+
+from vv.records import codec
+from vv.records.codec import DamagedError, Json
+from vv.records.job_record import Record
+
+WHOLE = "case"  # the member that only a record has which is written whole
+FIELDS = codec.names(Record)
+
+
+def render(records: Iterable[Record]) -> str:
+    """Records of one case as a text in JSON."""
+    return codec.dump([*_differences(records)])
+
+
+def read(data: object, name: str) -> tuple[Record, ...]:
+    """Records of plain data; raises DamagedError, in which `name` stands for the list."""
+    if type(data) is not list:
+        raise DamagedError(data, "must be a list", name)
+    found: list[Record] = []
+    members: Mapping[str, Any] = {}
+    for number, one in enumerate(data):
+        try:
+            own = codec.members(Record, one)
+            members = own if WHOLE in own else {**members, **own}
+            found.append(Record(**members))
+        except DamagedError as error:
+            raise error.within(f"{name}[{number}]") from None
+        except TypeError as error:  # a member that has no default is in none so far
+            raise DamagedError(codec.MISSING, str(error), f"{name}[{number}]") from error
+    return tuple(found)
+
+
+def _differences(records: Iterable[Record]) -> Iterator[Json]:
+    before: Record | None = None
+    written: Json = {}
+    for record in records:
+        if before is None:
+            written = {name: codec.to_data(getattr(record, name)) for name in FIELDS}
+            yield codec.to_data(record)
+        else:
+            new = [name for name in FIELDS if getattr(record, name) is not getattr(before, name)]
+            parts = {name: codec.to_data(getattr(record, name)) for name in new}
+            other = {name: one for name, one in parts.items() if not _alike(one, written[name])}
+            written |= other
+            yield other
+        before = record
+
+
+def _alike(one: object, other: object) -> bool:
+    """Whether two values are written alike: 0.0 and -0.0 are not, nor are 1 and 1.0."""
+    return one == other and (type(one) is str or repr(one) == repr(other))
