@@ -174,7 +174,7 @@
       place.plot = plotted(title, ["dt [s]", steps], [`error of ${symbol}`, errors], curves);
     }));
     place.replaceChildren(button);
-    place.closest("[data-drawn]").hidden = false;
+    place.parentElement.querySelector("[data-drawn]").hidden = false;
   });
 
   all("figure").forEach((figure) => {

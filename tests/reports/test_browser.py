@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import hashlib
 import re
 from pathlib import Path
@@ -12,7 +13,18 @@ from reports import html, library
 from reports.beside import Beside
 from reports.text import brief, sci
 from tests.support.browser import CHROMIUM, Opened, opened
-from tests.support.fabricated import HEAD, TAIL, manifest_of_all, native, with_external
+from tests.support.fabricated import (
+    HEAD,
+    STEPS,
+    TAIL,
+    case,
+    entry,
+    manifest,
+    manifest_of_all,
+    native,
+    record,
+    with_external,
+)
 from vv.case.published import Paper, Standing
 from vv.insight.papers import Answer, Row
 from vv.store.store import Store
@@ -122,6 +134,14 @@ ZOOM = """
   await until(() => !all("dialog").length);
   said.closed = all("dialog").length;
 """
+DRAW = """
+  const place = one("[data-draw='q2']");
+  said.offered = !one("[data-drawn]").hidden;
+  place.querySelector("button").click();
+  await until(() => place.plot);
+  said.names = place.plot.series.map((one) => one.label);
+  said.drawn = place.plot.data.map((row) => [...row]);
+"""
 WIDE = "said.wide = [innerWidth, document.documentElement.scrollWidth];"
 
 
@@ -191,6 +211,32 @@ def test_a_chart_is_zoomed_into_by_the_library_and_shows_the_numbers_of_the_tabl
     assert low < part[2] < part[3] < high
     assert said["hidden"]
     assert said["closed"] == 0
+
+
+def test_a_quantity_in_bounds_is_drawn_from_the_table_when_it_is_asked_for(
+    store: Store, tmp_path: Path
+) -> None:
+    """Drawn beforehand, a thousand of them would make half the report."""
+    names = ("q0", "q1", "q2")
+    facts = case()
+    (height,) = facts.variants["T1"].quantities
+    many = tuple(dataclasses.replace(height, name=name, symbol=name) for name in names)
+    variant = dataclasses.replace(facts.variants["T1"], quantities=many)
+    rungs = [
+        record(label, "T1", dt, quantities=[
+            entry("pass", {"max": dt / 4}, name=name) for name in names
+        ])
+        for label in ("dem/default", "yade/default") for dt in STEPS
+    ]  # fmt: skip
+    cases = {"bounce": dataclasses.replace(facts, variants={"T1": variant})}
+    whole = manifest(*rungs, cases=cases)
+    front = html.build(whole, store, store.root / "report")
+    said = quiet(opened(front.parent / "case-bounce.html", DRAW, tmp_path)).said
+    assert said["offered"]
+    assert said["names"][1:] == ["dem/default", "yade/default"]
+    steps, *errors = said["drawn"]
+    assert steps == sorted(STEPS)
+    assert errors == [[pytest.approx(dt / 4) for dt in steps]] * 2
 
 
 def test_the_library_is_the_one_that_its_authors_released() -> None:
