@@ -2,7 +2,9 @@
 
 `python -m bench.mutation.framework_mutants` takes every place that can be turned outside the
 engines; `--files 'vv/gate/*'` some, `--each N` at most N a file, `--sample N` so many of all, the
-same number in every layer as far as it goes, fixed random choices. A mutant is put to the tests of
+same number in every layer as far as it goes, fixed random choices; with `--seed K` they are drawn
+from all places alike, so that what survives of them is an estimate for the whole, with its
+confidence: `--all --sample 100 --seed 1`. A mutant is put to the tests of
 its layer that start no process, first to the files that name its module, and, with `--all`, to the
 others too if it survives those. What is red counts if it is green without the mutant. One process
 is forked for each from one that has the libraries.
@@ -29,9 +31,11 @@ from bench.mutation.mutants import ROOT, parsed
 from bench.mutation.schemata import copied
 
 LAYERS = (
-    "vv/ask", "vv/base", "vv/case", "vv/cli", "vv/codes", "vv/gate", "vv/insight", "vv/output",
-    "vv/plan", "vv/records", "vv/run", "vv/scene", "vv/standins", "vv/store", "adapters", "reports",
+    "vv/ask", "vv/base", "vv/case", "vv/cli", "vv/codes", "vv/gate", "vv/growth", "vv/insight",
+    "vv/output", "vv/plan", "vv/records", "vv/run", "vv/scene", "vv/standins", "vv/store",
+    "adapters", "reports",
 )  # fmt: skip
+EVERY = 10**6  # more than there are
 MORE = {
     "cli": ("run",),
     "records": ("insight",),
@@ -86,6 +90,12 @@ def drawn(files: str, each: int, sample: int) -> list[Mutant]:
         random.Random(layer).shuffle(pile)
     turns = itertools.zip_longest(*piles)
     return [one for turn in turns for one in turn if one is not None][:sample]
+
+
+def uniform(files: str, sample: int, seed: int) -> list[Mutant]:
+    """So many mutants, each place that can be turned being as likely as any other."""
+    every = [one for layer in LAYERS for one in mutants(layer, files, EVERY)]
+    return random.Random(seed).sample(every, min(sample, len(every)))
 
 
 def _turnable(node: ast.AST) -> bool:
@@ -158,13 +168,18 @@ def main() -> None:
     parser = argparse.ArgumentParser()
     parser.add_argument("--files", default="*", help="such as 'vv/gate/*'")
     parser.add_argument("--each", type=int, default=1000, help="mutants a file")
-    parser.add_argument("--sample", type=int, default=10**6, help="mutants in all")
+    parser.add_argument("--sample", type=int, default=EVERY, help="mutants in all")
+    parser.add_argument("--seed", type=int, help="drawn from all places alike, with this seed")
     parser.add_argument("--all", action="store_true", help="tests that start processes too")
     options = parser.parse_args()
     for name in NEEDS:
         importlib.import_module(name)
     stages = (False, True) if options.all else (False,)
-    every = drawn(options.files, options.each, options.sample)
+    every = (
+        drawn(options.files, options.each, options.sample)
+        if options.seed is None
+        else uniform(options.files, options.sample, options.seed)
+    )
     left, red = list[str](), set[str]()
     with tempfile.TemporaryDirectory() as folder:
         project = Path(folder)
