@@ -31,7 +31,7 @@ BUGS = (
     Bug("a bond as long as its radii", YADE_BONDS, '"overlap": reach - scene.bonds.length', '"overlap": 0.0 * reach', "yade", "unlike-bonds:row"),
     Bug("every bond as stiff across as along", YADE_BONDS, '"ks": scene.bonds.ks', '"ks": scene.bonds.kn', "yade", "unlike-bonds:spinning"),
     Bug("dashpots forgotten in the first half step", YADE_CONTACT, "force = initial_viscous_forces(setup.scene)", "force = 0.0 * initial_viscous_forces(setup.scene)", "yade", "dashpot"),
-    Bug("velocities half a step early", STEPPING, "row[k] = (row[k] + np.array(O.bodies[body[\"id\"]].state.vel)) / 2", "pass", "yade", "bounce resting"),
+    Bug("velocities half a step early", STEPPING, "[(early + late) / 2 for", "[early for", "yade", "bounce resting"),
     Bug("kinds of bonds swapped where they differ", BONDS, "{b + 1} {kind + 1} {i + 1}", "{b + 1} {len(kinds) - kind} {i + 1}", "liggghts", "unlike-bonds:row"),
     Bug("a bond twice as stiff", BONDS, "{kn / 2!r} {length!r}", "{kn!r} {length!r}", "liggghts", "long-swing:bonded stability-map:unit"),
     Bug("the way of a moving wall forgotten", DRIVES, "zip(AXES, (scale * along).tolist(), strict=True)", "zip(AXES, (scale * np.abs(along)).tolist(), strict=True)", "liggghts", "shaken-corner responding-block"),

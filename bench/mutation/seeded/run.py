@@ -13,8 +13,10 @@ RUN = "tests/run"
 
 BUGS = (
     Bug("a lost step counts as stable", SEARCH, "if run.status is not Status.RAN:\n        return LOST", "if run.status is not Status.RAN:\n        return 0.0", tests=RUN),
+    Bug("what is sought first is lost among the plain asks", SEARCH, "itertools.islice(runs, len(before))", "itertools.islice(runs, len(before) + 1)", tests=RUN),
+    Bug("a worker that stays forgets the next batch", RUNNER, "        self.batch, self.answered = waiting.popleft(), 0", "        self.batch, self.answered = waiting.popleft(), 1", tests="tests/run/test_runner.py"),
     Bug("a search that never narrows", SEARCH, "np.geomspace(stable, lost, self.bracket.tries + 2)[1:-1]", "np.geomspace(stable, lost, self.bracket.tries + 2)[:-2]", tests=RUN),
-    Bug("a search refined once", SEARCH, "range(max(one.bracket.rounds for one in searches))", "range(min(2, max(one.bracket.rounds for one in searches)))", tests=RUN),
+    Bug("a search refined once", SEARCH, "for number in range(rounds):", "for number in range(min(2, rounds)):", tests=RUN),
     Bug("a search reports its last step", SEARCH, "first = self.runs[min(self.runs)]", "first = self.runs[max(self.runs)]", tests=RUN),
     Bug("the rest of a batch is lost", RUNNER, "        waiting.append(left)", "        pass", tests="tests/run/test_runner.py"),
     Bug("the ask after the one that died fails", RUNNER, "left = left.rest(1)", "left = left.rest(2)", tests="tests/run/test_runner.py"),
