@@ -39,7 +39,7 @@ BUGS = (
     Bug("the least drift as the largest", "vv/insight/stability_summary.py", "worst = max((one.errors", "worst = min((one.errors", tests=INSIGHT),
     Bug("voices agree within the error of the coarsest step", "vv/insight/voices.py", "near = [(stiffest, min(coarser))]", "near = [(stiffest, max(coarser))]", tests=INSIGHT),
     Bug("of each code the dearest scheme", COSTS, 'first.setdefault(name.partition("/")[0], (name, point))', 'first[name.partition("/")[0]] = (name, point)', tests=INSIGHT),
-    Bug("history backwards", HISTORY, "_points([*commits.values()][::-1])", "_points([*commits.values()])", tests=INSIGHT),
+    Bug("history backwards", HISTORY, "_points([*runs.values()][::-1])", "_points([*runs.values()])", tests=INSIGHT),
     Bug("computed over measured upside down", "reports/drawing/scatter.py", "number(SIZE - at(point.computed))", "number(at(point.computed))", tests="tests/reports/drawing/test_beside.py"),
     Bug("a map lost from the largest step on", "vv/insight/stability_summary.py", "{min(ratios):.3g} critical steps", "{max(ratios):.3g} critical steps", tests=INSIGHT),
     Bug("the quantity that is farthest from its bound", "vv/output/results_table.py", "worst = max(judged, key=_closeness", "worst = min(judged, key=_closeness", tests="tests/output"),
