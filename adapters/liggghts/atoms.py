@@ -10,11 +10,12 @@ import numpy as np
 from adapters.liggghts.data import many, read_data
 from adapters.liggghts.sections import Deck, Law
 from adapters.liggghts.setup import OVERLAPPED, Setup
+from adapters.liggghts.space import CROWD
 from adapters.liggghts.words import AXES, bounds, group, numbers, parts
 from vv.scene import Mask, Term, Vector
 from vv.scene.neighbours import overlapping
 
-BINS = 64  # for each of many spheres
+BINS = 64  # for each sphere of a crowd
 STRAIGHT = 1e-12  # of the distance of two: less than that out of line is rounding
 
 
@@ -58,10 +59,10 @@ def _bin(setup: Setup) -> float:
 
     All the spheres may lie in a corner of the box, and a bin should still hold few.
     """
-    sides = setup.room.outer[1] - setup.room.outer[0]
-    if not many(setup):
+    sides, count = setup.room.outer[1] - setup.room.outer[0], len(setup.spheres)
+    if count < CROWD:
         return float(sides.max() / 20)
-    return math.cbrt(sides.prod() / (BINS * len(setup.spheres)))
+    return math.cbrt(sides.prod() / (BINS * count))
 
 
 def meets_again(setup: Setup) -> bool:

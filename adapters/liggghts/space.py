@@ -9,7 +9,7 @@ import numpy as np
 from vv.scene import Scene, Vector, Wall, initial_normal_forces
 from vv.standins.soften import fastest
 
-CROWD = 1000  # spheres: many
+CROWD = 400  # spheres, among which looking for each takes longer than all else
 
 
 @dataclass(frozen=True, eq=False)
