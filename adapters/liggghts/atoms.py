@@ -15,7 +15,8 @@ from adapters.liggghts.words import AXES, bounds, group, numbers, parts
 from vv.scene import Mask, Term, Vector
 from vv.scene.neighbours import overlapping
 
-BINS = 64  # for each sphere of a crowd
+BINS = 256  # for each sphere of a crowd
+ASIDE = 2.25  # radii: bins narrower than what two spheres reach are looked through in vain
 STRAIGHT = 1e-12  # of the distance of two: less than that out of line is rounding
 
 
@@ -51,7 +52,7 @@ def _neighbours(setup: Setup) -> Iterator[str]:
     radius = float(setup.spheres.radius.max())
     yield f"neighbor        {0.2 * radius!r} bin"
     often = "every 1 check no " if meets_again(setup) else ""
-    yield f"neigh_modify    delay 0 {often}binsize {max(2 * radius, _bin(setup))!r}"
+    yield f"neigh_modify    delay 0 {often}binsize {max(ASIDE * radius, _bin(setup))!r}"
 
 
 def _bin(setup: Setup) -> float:

@@ -30,7 +30,7 @@ SEEDS = (1, 2, 3)
 TALL, APART, FLOOR = 0.98, 1.02, 3.0  # height over radius; grains of the floor; its radius
 SIZES = (0.85, 1.0)  # diameters over D
 STIFF, SHEAR, DAMPED, DENSE = 2e4, 2.0 / 7.0, 0.3, 2500.0
-LASTS, ROWS = 6.0, 12  # of sqrt(height over gravity): three are measured; times of output
+LASTS, ROWS = 4.5, 9  # of sqrt(height over gravity): three are measured; times of output
 TOLD, RAYS = 0.25, 360
 
 
@@ -253,7 +253,7 @@ CASE = Case(
             f"a grain of a fifth of the radius, random start {seed}",
             FORMULA,
             inert=frozenset({"mu", "g", "wide"}),
-            level=Level.PAPER,
+            level=Level.DEFAULT if seed == SEEDS[0] else Level.PAPER,
         )
         for seed in SEEDS
     ),
