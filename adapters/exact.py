@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import dataclasses
-import functools
 import time
 from pathlib import Path
 
@@ -16,8 +15,9 @@ from vv.engines import exact
 SCHEMES = (
     Scheme(
         "default",
-        "from event to located event by Taylor series, in scenes whose contact normals and bonds "
-        "stay; in rigid contact one body that slips on a wall",
+        "from event to located event, in closed form where one unknown meets one contact, else by "
+        "Taylor series, in scenes whose contact normals and bonds stay; in rigid contact one body "
+        "that slips on a wall",
         Method.EXACT,
         exact.TERMS,
         knobs=(),
@@ -53,21 +53,24 @@ def _solver(scheme: Scheme, function: str, prepare: exact.Prepare) -> Solver:
 def _run(ask: Ask, prepare: exact.Prepare, repeat: float) -> Run:
     """One ask, part by part on the clock.
 
-    Cost: setup is building the equations; startup is loading the kernel of a slip that turns, or
-    compiling it; solve is following the motion from event to event; output is evaluating the
-    observables and the energies. Raises exact.RefusedError.
+    Cost: setup is building the equations; startup is loading the kernel, or compiling it; solve
+    is following the motion from event to event, as a kernel does that is given its arrays, like
+    those of the other codes of ours; output is evaluating the observables and the energies.
+    Raises exact.RefusedError.
     """
     began = time.process_time()
     problem = prepare(ask)
+    flow = exact.ready(problem, exact.duration(ask))
     built = time.process_time()
-    exact.warm(problem)
+    flow.warm()
     before = Cost(setup=built - began, startup=time.process_time() - built)
     try:
-        path, cost = timed(functools.partial(exact.move, problem, exact.duration(ask)), repeat)
+        told, cost = timed(flow.follow, repeat)
+        solved = time.process_time()
+        path = flow.path(told)
     except exact.StoppedError as reason:
         model = exact.model(ask.scene, problem)
         return Run(Status.DIVERGED, str(reason), cost=before, model=model)
-    solved = time.process_time()
     run = exact.answer(ask, path)
     output = time.process_time() - solved
     cost = dataclasses.replace(cost, setup=before.setup, startup=before.startup, output=output)

@@ -199,11 +199,23 @@ def _stopping(p: Parameters, times: float) -> Tolerance:
     return Tolerance(
         float(np.clip(times * cycles * stretch / _slid(p), 1e-9, LARGEST_TOLERANCE)),
         f"each cycle costs some stretches mu N/ks of the shear spring, {times:g} at most; what "
-        "shakes is taken half a step late, and what stops stops with a step",
+        "shakes is taken half a step late, as is what drives at once, and what stops stops with a "
+        "step",
         kn=SPRING,
         softness=1,
-        late=1.2 * float(speed) / _slid(p),
+        late=1.2 * (float(speed) + _begun(p)) / _slid(p),
     )
+
+
+def _begun(p: Parameters) -> float:
+    """What a start half a step late costs over the step [m/s], where the block slides at once.
+
+    It is half the change of speed that weight and friction make by the end, or until it stops.
+    """
+    pull = p["g"] * float(np.sin(np.radians(p["alpha"]))) - _friction(p)
+    if pull > 0:
+        return 0.5 * pull * p["duration"]
+    return 0.5 * min(abs(p["v0"]), -pull * p["duration"])
 
 
 def _turning(p: Parameters) -> Tolerance:

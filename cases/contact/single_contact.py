@@ -134,10 +134,11 @@ def _judge(test: str, p: Parameters) -> Exact:
     phase = (k * STEP) ** 2 * (0.25 * (1 + (2 * n / k) ** 2) if n else 0.4)
     return Exact({
         Method.EXACT: Tolerance(
-            1e-13,
-            "rounding errors of about a hundred operations, eps = 2.2e-16 each",
-            slack="T1 and T2 are exact to a few eps; T3 and T4 lose two digits where slip begins "
-            "and ends, and one bound is used for all four",
+            1e-13 + (SHALLOW * _rounding(p) if test in ("T3", "T4") else 0.0),
+            "rounding errors of about a hundred operations, eps = 2.2e-16 each; in T3 and T4 also "
+            "that of the overlap, which is a difference of coordinates as large as r: eps r/dx "
+            "of the limit of friction, times 1 + sqrt 2 of the largest displacement at most",
+            slack="T1 and T2 are exact to a few eps, T3 and T4 where coordinates are round",
         ),
         Method.SECOND_ORDER: Tolerance(
             float(min(phase, LARGEST_TOLERANCE)),
@@ -160,7 +161,19 @@ def _judge(test: str, p: Parameters) -> Exact:
     })  # fmt: skip
 
 
+def _rounding(p: Parameters) -> float:
+    """What part of the overlap rounding of the coordinates is."""
+    dx = closed.overlap(**{name: p[name] for name in OVERLAP})
+    return float(np.finfo(float).eps) * p["r"] / dx
+
+
 STEP = 1e-3  # s
+SHALLOW = 1 + np.sqrt(2)
+"""By what part of the largest displacement T3 and T4 change with the limit of friction y1.
+
+With s = k y1/v_b, in units of v_b/k: the slip (1 - s^2)/2s changes by (1 + s^2)/2s, which is the
+largest displacement, the swing about it by s, and its phase by sqrt(1 - s^2)/s of a circle of s.
+"""
 
 
 def _variants() -> tuple[Variant, ...]:

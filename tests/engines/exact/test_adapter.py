@@ -35,7 +35,8 @@ def test_accumulating_events_are_an_answer(monkeypatch: pytest.MonkeyPatch) -> N
 
 
 def test_too_many_steps_are_an_answer(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
-    monkeypatch.setattr("vv.engines.exact.flow.MOST_STEPS", 100)
+    for module in ("flow", "line.flow"):
+        monkeypatch.setattr(f"vv.engines.exact.{module}.MOST_STEPS", 100)
     (run,) = ADAPTER.run([asked("T3", 20.0)], "default", tmp_path, 0.0)
     assert run.status is Status.DIVERGED
     assert "more than 100 steps" in run.reason

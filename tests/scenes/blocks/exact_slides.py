@@ -12,8 +12,7 @@ from vv.engines.exact import (
     Turn,
     TurningSlider,
     assemble_slider,
-    follow_slider,
-    follow_turning_slider,
+    move,
     solve,
 )
 from vv.scene import Scene, Vector
@@ -33,13 +32,17 @@ def ran(scene: Scene, duration: float, interval: float | None = None) -> Run:
 def slid(scene: Scene, duration: float) -> Slide:
     slider = assemble_slider(scene)
     assert isinstance(slider, Slider)
-    return follow_slider(slider, duration)
+    slide = move(slider, duration)
+    assert isinstance(slide, Slide)
+    return slide
 
 
 def turned(scene: Scene, duration: float) -> Turn:
     slider = assemble_slider(scene)
     assert isinstance(slider, TurningSlider)
-    return follow_turning_slider(slider, duration)
+    turn = move(slider, duration)
+    assert isinstance(turn, Turn)
+    return turn
 
 
 def apart(found: Vector, expected: Vector) -> float:

@@ -6,15 +6,18 @@ May import: base, scene, ask, standins, engines.kernels.
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import Any, Protocol
 
 from vv.ask import Ask, Displacement, Ledger, Model, Run, Status
 from vv.engines.exact.bonds import assemble_bonded, assemble_linearised
-from vv.engines.exact.flow import StoppedError, follow
+from vv.engines.exact.flow import SystemFlow, follow
 from vv.engines.exact.ledger import ledger
+from vv.engines.exact.line.flow import LineFlow
+from vv.engines.exact.line.model import line_of
 from vv.engines.exact.modelled import BONDS, TERMS
 from vv.engines.exact.path import Path
 from vv.engines.exact.reachability import RefusedError
-from vv.engines.exact.slide.flow import follow_slider, lift_off
+from vv.engines.exact.slide.flow import SliderFlow, lift_off
 from vv.engines.exact.slide.ledger import slide_ledger
 from vv.engines.exact.slide.path import Slide
 from vv.engines.exact.slide.system import (
@@ -23,9 +26,10 @@ from vv.engines.exact.slide.system import (
     assemble_slider,
     describe_slider,
 )
+from vv.engines.exact.stopped import StoppedError
 from vv.engines.exact.system import System, assemble, describe
 from vv.engines.exact.turn.ledger import turn_ledger
-from vv.engines.exact.turn.path import Turn, follow_turning_slider
+from vv.engines.exact.turn.path import Turn, TurningFlow
 from vv.scene import Scene
 from vv.standins.soften import as_spheres
 
@@ -47,20 +51,32 @@ __all__ = [
     "assemble_slider",
     "duration",
     "follow",
-    "follow_slider",
-    "follow_turning_slider",
     "model",
     "move",
     "prepare",
     "prepare_linearised",
+    "ready",
     "refusal",
     "solve",
     "solve_linearised",
-    "warm",
 ]
 
 Problem = System | Slider | TurningSlider
+Motion = Path | Slide | Turn
 Prepare = Callable[[Ask], Problem]
+
+
+class Flow(Protocol):
+    """Follows a motion from event to event."""
+
+    def warm(self) -> None:
+        """Load the kernel, or compile it."""
+
+    def follow(self) -> Any:
+        """Do what is timed; raises StoppedError if the motion cannot be followed."""
+
+    def path(self, told: Any, /) -> Motion:
+        """The motion of which `follow` told."""
 
 
 def prepare(ask: Ask) -> Problem:
@@ -90,18 +106,20 @@ def refusal(ask: Ask, prepare: Prepare = prepare) -> str | None:
     return None
 
 
-def move(problem: Problem, duration: float) -> Path | Slide | Turn:
-    """The exact motion over a duration [s]; raises StoppedError if it cannot be followed."""
+def ready(problem: Problem, duration: float) -> Flow:
+    """What follows the motion over a duration [s], ready to do so as often as wanted."""
     if isinstance(problem, TurningSlider):
-        return follow_turning_slider(problem, duration)
+        return TurningFlow(problem, duration)
     if isinstance(problem, Slider):
-        return follow_slider(problem, duration)
-    return follow(problem, duration)
+        return SliderFlow(problem, duration)
+    line = line_of(problem)
+    return SystemFlow(problem, duration) if line is None else LineFlow(problem, line, duration)
 
 
-def warm(problem: Problem) -> None:
-    """Load the kernel that a problem needs, or compile it."""
-    move(problem, 1e-300)
+def move(problem: Problem, duration: float) -> Motion:
+    """The exact motion over a duration [s]; raises StoppedError if it cannot be followed."""
+    flow = ready(problem, duration)
+    return flow.path(flow.follow())
 
 
 def model(scene: Scene, problem: Problem) -> Model:
@@ -134,7 +152,7 @@ def duration(ask: Ask) -> float:
     return float(ask.goal.times(ask.knobs.dt)[-1])
 
 
-def answer(ask: Ask, path: Path | Slide | Turn) -> Run:
+def answer(ask: Ask, path: Motion) -> Run:
     """The run of an ask, with its observables and ledger taken from an exact motion."""
     times = ask.goal.times(ask.knobs.dt)
     values = {}
@@ -151,7 +169,7 @@ def answer(ask: Ask, path: Path | Slide | Turn) -> Run:
     )
 
 
-def _ledger(path: Path | Slide | Turn) -> Ledger:
+def _ledger(path: Motion) -> Ledger:
     if isinstance(path, Turn):
         return turn_ledger(path)
     return slide_ledger(path) if isinstance(path, Slide) else ledger(path)

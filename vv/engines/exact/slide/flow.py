@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+import functools
+from collections.abc import Callable
+from typing import Any
+
 import numpy as np
 
-from vv.engines.exact.flow import StoppedError
 from vv.engines.exact.guards import GUARD_ROUNDING
 from vv.engines.exact.modes import STATES, State
 from vv.engines.exact.roots import first_descent_below_zero
@@ -12,34 +15,65 @@ from vv.engines.exact.slide.clock import ORDER, Clock, Instant
 from vv.engines.exact.slide.kernel import CROWDED, ENDED, follow_line
 from vv.engines.exact.slide.path import Slide
 from vv.engines.exact.slide.system import Slider, TurningSlider
+from vv.engines.exact.stopped import StoppedError
+from vv.engines.kernels.compiled import entry
 
 MOST_EVENTS = 1_000  # in one cell; more are taken for an accumulation
 MOST_STEPS = 1_000_000  # in one run
 FEW = 128  # pieces for which there is room at first
 
 
-def follow_slider(slider: Slider, duration: float) -> Slide:
-    """The motion of a slider over a duration [s]; raises StoppedError if it cannot be followed."""
-    clock = Clock.of(slider.frequency, slider.phase, duration)
-    end, start = clock.instant(duration), np.concatenate(((0.0,), slider.base @ slider.along))
-    friction, room = slider.mu * slider.pressing, min(FEW, MOST_STEPS)
-    rows = np.array([slider.drive, slider.relative_drive, friction, start])
-    begun = slider.speed, STATES.index(_state(slider)), _fastest(slider, clock)
-    angles = clock.angles(end[0] + 1)
-    while True:
-        starts, states = np.empty((room, 3)), np.empty(room, np.int64)
-        series = np.empty((room, ORDER + 1))
-        outcome, count = follow_line(
-            rows, angles, clock.turn, clock.rate, end[1], begun, MOST_EVENTS, starts, states,
-            series,
-        )  # fmt: skip
-        cell, part, length = starts[:count].T
-        if outcome == ENDED:
-            cells = cell.astype(np.int64)
-            return Slide(slider, clock, cells, part, length, series[:count], states[:count], end)
-        if outcome == CROWDED or room >= MOST_STEPS:
-            raise StoppedError(_why(outcome, clock, (cell.max(initial=0.0), 0.0)))
-        room = min(4 * room, MOST_STEPS)
+class SliderFlow:
+    """A slider ready to be followed over a duration [s], as often as wanted."""
+
+    def __init__(self, slider: Slider, duration: float) -> None:
+        self.slider, self.clock = slider, Clock.of(slider.frequency, slider.phase, duration)
+        self.end = self.clock.instant(duration)
+        self.room = min(FEW, MOST_STEPS)
+        self.filled = self._filled()
+
+    def warm(self) -> None:
+        """Load the kernel, or compile it."""
+        self._kernel  # noqa: B018 - looked up, and kept
+
+    def follow(self) -> int:
+        """Do what is timed, the number of pieces; raises StoppedError if it cannot be followed."""
+        while True:
+            outcome, count = self._kernel(*self._given, *self.filled)
+            if outcome == ENDED:
+                return count
+            if outcome == CROWDED or self.room >= MOST_STEPS:
+                cell = self.filled[0][:count, 0].max(initial=0.0)
+                raise StoppedError(_why(outcome, self.clock, (cell, 0.0)))
+            self.room = min(4 * self.room, MOST_STEPS)
+            self.filled = self._filled()
+
+    def path(self, count: int) -> Slide:
+        """The motion of which `follow` told."""
+        starts, states, series = (array[:count] for array in self.filled)
+        cell, part, length = starts.T
+        cells = cell.astype(np.int64)
+        return Slide(self.slider, self.clock, cells, part, length, series, states, self.end)
+
+    @functools.cached_property
+    def _given(self) -> tuple[Any, ...]:
+        """What the kernel is told of the slider."""
+        slider, clock = self.slider, self.clock
+        start = np.concatenate(((0.0,), slider.base @ slider.along))
+        friction = slider.mu * slider.pressing
+        rows = np.array([slider.drive, slider.relative_drive, friction, start])
+        begun = slider.speed, STATES.index(_state(slider)), _fastest(slider, clock)
+        angles = clock.angles(self.end[0] + 1)
+        return rows, angles, clock.turn, clock.rate, self.end[1], begun, MOST_EVENTS
+
+    @functools.cached_property
+    def _kernel(self) -> Callable[..., tuple[int, int]]:
+        return entry(follow_line, (*self._given, *self.filled))
+
+    def _filled(self) -> tuple[Any, ...]:
+        """What the kernel fills."""
+        room = self.room
+        return np.empty((room, 3)), np.empty(room, np.int64), np.empty((room, ORDER + 1))
 
 
 def _why(outcome: int, clock: Clock, instant: Instant) -> str:

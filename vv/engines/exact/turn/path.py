@@ -8,11 +8,11 @@ from dataclasses import dataclass
 import numpy as np
 import numpy.typing as npt
 
-from vv.engines.exact.flow import StoppedError
 from vv.engines.exact.guards import GUARD_ROUNDING
 from vv.engines.exact.path import taylor_sum
 from vv.engines.exact.roots import EPS
 from vv.engines.exact.slide.system import TurningSlider
+from vv.engines.exact.stopped import StoppedError
 from vv.engines.exact.turn.kernel import ENDED, FULL, REST, follow_turning
 from vv.engines.exact.turn.series import ORDER
 from vv.scene import Vector
@@ -97,3 +97,22 @@ def follow_turning_slider(slider: TurningSlider, duration: float) -> Turn:
                 f"t = {t:.6g} s"
             )
         room *= 4
+
+
+class TurningFlow:
+    """A slider ready to be followed over a duration [s], as often as wanted."""
+
+    def __init__(self, slider: TurningSlider, duration: float) -> None:
+        self.slider, self.duration = slider, duration
+
+    def warm(self) -> None:
+        """Load the kernel, or compile it."""
+        follow_turning_slider(self.slider, 1e-300)
+
+    def follow(self) -> Turn:
+        """Do what is timed; raises StoppedError if the motion cannot be followed."""
+        return follow_turning_slider(self.slider, self.duration)
+
+    def path(self, turn: Turn) -> Turn:
+        """The motion of which `follow` told."""
+        return turn
