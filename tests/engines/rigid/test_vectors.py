@@ -1,4 +1,4 @@
-"""Contacts are pressed several at once: the loop over a batch is one of vectors of numbers."""
+"""Loops of the contact solver are made of vectors of numbers: of contacts, of equations."""
 
 import re
 from typing import Any
@@ -8,15 +8,39 @@ import numpy as np
 
 from vv.engines.kernels.compiled import ENTRY, ROUNDING
 from vv.engines.kernels.compiler.parts import BranchingCompiler
+from vv.engines.rigid.solver.banded import eliminate
 from vv.engines.rigid.solver.batches import BATCH, LAYER, PAIRS, Record
 from vv.engines.rigid.solver.lanes import press
 from vv.engines.rigid.solver.seats import LANES
+from vv.scene import Vector
 
 
 def pressed(pairs: Record, batches: Record, layers: Record) -> None:
     """Press each contact of each batch once."""
     for k in range(len(batches)):
         press(pairs[0], batches[k], layers[k])
+
+
+def eliminated(matrix: Vector, right: Vector, half: int) -> None:
+    """Solve equations in a band."""
+    eliminate(matrix, right, half)
+
+
+def test_equations_in_a_band_are_solved_several_numbers_at_once() -> None:
+    eliminate.dispatcher  # type: ignore[attr-defined]  # noqa: B018 - as below
+    kernel: Any = numba.njit(pipeline_class=BranchingCompiler, **ENTRY, **ROUNDING)(eliminated)
+    rng, m, half = np.random.default_rng(7), 60, 9
+    far = np.abs(np.subtract.outer(np.arange(m), np.arange(m))) > half
+    full = np.where(far, 0.0, rng.normal(size=(m, m)))
+    band, solution = np.zeros((m, 3 * half + 1)), rng.normal(size=m)
+    for i in range(m):
+        for j in range(max(0, i - half), min(m, i + half + 1)):
+            band[i, j - i + half] = full[i, j]
+    right = full @ solution
+    kernel(band, right, half)
+    assert np.abs(right - solution).max() <= 1e-13 * np.linalg.cond(full)
+    (code,) = kernel.inspect_llvm().values()
+    assert re.search(r"fmul contract <\d+ x double>", code)
 
 
 def test_contacts_of_a_batch_are_pressed_several_at_once() -> None:

@@ -51,3 +51,9 @@ def test_a_sliding_wall_begins_anew_where_the_impulses_of_before_lead_nowhere() 
     residuals, sweeps = program.report[:, 0], program.report[:, 1]
     assert residuals.max() <= 5e-6
     assert sweeps.max() <= 5000
+
+
+def test_a_wall_shaken_three_times_as_hard_is_solved_as_closely() -> None:
+    for amplitude in (0.02, 0.06):
+        program = solved(running_bond(4, 4, amplitude, frequency=3.0), 0.1, interval=DT)
+        assert program.report[:, 0].max() <= 2.5e-6 * np.sqrt(G * 0.3)

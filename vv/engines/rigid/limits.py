@@ -12,6 +12,12 @@ FINEST, COARSE, CONVERGED = 3e-13, 1.9e-6, 4.6e-6
 """Of a scene's speed: the largest residual asked of small scenes, where more would flatten the
 order, and of others; and one above which friction creeps and a run is not to be believed."""
 
+CRAWLS = 2.5e-6
+"""Of the speed of a fall over the smallest block: no larger residual is asked of large scenes.
+
+However fast a wall is shaken, what it creeps by is seen beside the blocks of which it is built.
+"""
+
 FEWEST, MOST, SMALL_MOST = 20, 20_000, 1000
 """Sweeps made at least, and at most; in small scenes there is no least.
 

@@ -17,12 +17,14 @@ from vv.scene import Harmonic, Scene
 class Scales:
     """weight, pull: what forces, and what forces and drives together, make of a block [m/s2].
 
-    speed: how fast it is at least soon [m/s]. Without forces the drives count as weight.
+    speed: how fast it is at least soon [m/s]; fall: what falling makes over the size of the
+    smallest [m/s]. Without forces the drives count as weight.
     """
 
     weight: float
     pull: float
     speed: float
+    fall: float
 
 
 def scales(scene: Scene) -> Scales:
@@ -38,7 +40,8 @@ def scales(scene: Scene) -> Scales:
         for block, size in zip(blocks, sizes, strict=True)
     ]
     carried = max((_rate(one, 1) for one in walls), default=0.0)
-    return Scales(weight or pull, pull, float(max(thrown) + carried + np.sqrt(pull * min(sizes))))
+    speed = float(max(thrown) + carried + np.sqrt(pull * min(sizes)))
+    return Scales(weight or pull, pull, speed, math.sqrt((weight or pull) * min(sizes)))
 
 
 def _rate(motion: Harmonic | None, times: int) -> float:

@@ -12,6 +12,7 @@ from vv.engines.blocks.geometry import depth_axis, planes, shapes
 from vv.engines.rigid.limits import (
     BENDS,
     COARSE,
+    CRAWLS,
     FEWEST,
     FINE,
     FINEST,
@@ -89,7 +90,9 @@ class Space:
             slack=(TOUCHING if small else LOOSELY) * float(forms.size.min()),
             step=dt,
             pull=known.pull,
-            tolerance=(FINEST if small else COARSE) * known.speed,
+            tolerance=FINEST * known.speed
+            if small
+            else min(COARSE * known.speed, CRAWLS * known.fall),
             finest=FINE * known.weight * dt if small else np.inf,
             fewest=0 if small else FEWEST,
             most=SMALL_MOST if small else MOST,
