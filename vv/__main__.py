@@ -14,7 +14,10 @@ def main() -> None:
     gc.set_threshold(ALLOCATED)
     from vv import cli
 
-    cli.main()
+    try:
+        cli.main()
+    finally:
+        gc.freeze()  # else a million objects are looked through before all of them go anyway
 
 
 if __name__ == "__main__":
