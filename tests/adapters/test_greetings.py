@@ -138,14 +138,19 @@ WRONG: dict[Term, tuple[Wrong, ...]] = {
 }  # fmt: skip
 
 
-def seen(greeting: Greeting, wrong: Wrong) -> bool:
-    """Whether a tiny scene tells a code that has something wrong, as another scene is right."""
-    if greeting.scene.digest() == wrong(greeting.scene).digest():
-        return False
+def told(greeting: Greeting, wrong: Wrong) -> Handshake:
+    """What is said of a code that has something wrong, as another scene is right."""
     (*_, ask) = greeting.asks(DEM.schemes[0])
     mistaken = dataclasses.replace(ask, scene=wrong(ask.scene))
     (run,) = DEM.run([mistaken], "default", Path(), 0.0)
-    return judged(DEM.schemes[0], greeting, [run]).grip is Grip.WRONG
+    return judged(DEM.schemes[0], greeting, [run])
+
+
+def seen(greeting: Greeting, wrong: Wrong) -> bool:
+    """Whether a tiny scene tells a code that has something wrong."""
+    if greeting.scene.digest() == wrong(greeting.scene).digest():
+        return False
+    return told(greeting, wrong).grip is Grip.WRONG
 
 
 @pytest.mark.parametrize("term", WRONG, ids=lambda term: term.name)
@@ -159,3 +164,26 @@ def test_a_code_with_any_one_declared_term_wrong_is_told(term: Term) -> None:
 def test_a_wrong_answer_is_tried_for_every_term_that_spheres_show() -> None:
     shown = frozenset().union(*(one.scene.terms() for one in greetings(DEM.schemes[0])))
     assert shown - {Term.BLOCK, Term.RIGID_CONTACT} == set(WRONG)
+
+
+@pytest.mark.parametrize(
+    ("name", "wrong", "words"),
+    [
+        ("roll", WRONG[Term.ROTATION][0], "rotation is left out"),
+        ("roll", _times("mu", 0.5), "friction is half as strong"),
+        ("roll", _times("mu", 1e3), "friction has no limit"),
+        ("skid", _times("mu", 1e3), "friction has no limit"),
+        ("skid", _times("mu", 2.0), "friction has no limit, or twice"),
+    ],
+)
+def test_friction_and_rotation_that_are_wrong_are_named(
+    name: str, wrong: Wrong, words: str
+) -> None:
+    known = {one.name: one for one in greetings(DEM.schemes[0])}
+    assert f"it looks as if {words}" in told(known[name], wrong).words
+
+
+def test_an_answer_a_little_off_is_not_taken_for_axes_in_their_own_order() -> None:
+    known = {one.name: one for one in greetings(DEM.schemes[0])}
+    assert told(known["roll"], _times("ks", 1.12)).words.startswith("wrong by")
+    assert "x, y, z" not in told(known["roll"], _times("ks", 1.12)).words

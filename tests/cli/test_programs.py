@@ -143,7 +143,7 @@ def test_a_program_that_is_not_there_is_missed(tiny: Tiny) -> None:
 @pytest.mark.parametrize(
     ("words", "message"),
     [
-        ("run fall --code nowhere.toml", "--codes nowhere.toml: there is no file nowhere.toml"),
+        ("run fall --code nowhere.toml", "there is no file nowhere.toml"),
         ("run fall --code Mine.toml", "a name must be lower-case letters, digits and _"),
         ("run fall --code fake.toml", "a code's name must be unique"),
         ("run fall --code mine.toml/fast", "no code 'mine/fast'"),

@@ -160,7 +160,7 @@ def with_programs(project: Project, text: str) -> tuple[Project, tuple[str, ...]
             continue
         file = Path(named["file"])
         if not file.is_file():
-            raise UsageError(f"--codes {part}: there is no file {file}")
+            raise UsageError(f"there is no file {file}")
         files.append(file)
         patterns.append(f"{name_of(file)}{named['scheme'] or ''}")
     return project.with_programs(files), tuple(patterns)

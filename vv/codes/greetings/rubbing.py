@@ -15,6 +15,7 @@ from vv.codes.greetings.greeting import (
     Greeting,
     Motion,
     Terms,
+    Way,
     Z,
     along,
     both,
@@ -30,17 +31,19 @@ RATE = 10 * SLIPS / LASTING  # 1/s, so that both moments are multiples of the st
 PRESSED, DEPTH = 60.0, 2e-4  # N, m
 TURNING = 3.5  # times as fast slip of a sphere changes that is free to turn: 1 + 5/2
 STIFF, ROUGH, FAST = 1500.0, 0.3, 2.0  # N/m, -, m/s, of slip on a viscous contact
+UNLIMITED = "friction has no limit, or twice the right one"
+REVERSED = "the shear force is reversed"
 
 
 def skid(terms: Terms) -> Greeting:
     """Pressed on a wall it slides, is caught by the shear spring, and swings back."""
     wrong = {
         "friction is left out": thrown(0 * Z, ACROSS),
-        "friction is twice as strong": _skid(RATE, 2 * _reach(RATE)),
         "friction is half as strong": _skid(RATE, 0.5 * _reach(RATE)),
         "the shear spring is twice as stiff": _skid(np.sqrt(2) * RATE, 0.5 * _reach(RATE)),
         "the shear spring is half as stiff": _skid(np.sqrt(0.5) * RATE, 2 * _reach(RATE)),
-        "the shear spring has no limit": _skid(RATE, 0.999 / RATE),
+        UNLIMITED: _skid(RATE, np.inf),
+        REVERSED: along(ACROSS, _driven),
     }
     return _on_floor("skid", 1.0, _skid(RATE, _reach(RATE)), wrong, turns=False)
 
@@ -48,9 +51,11 @@ def skid(terms: Terms) -> Greeting:
 def roll(terms: Terms) -> Greeting:
     """The same, free to turn: as slip ends it rolls."""
     wrong = {
-        "rotation is left out": _skid(RATE / np.sqrt(TURNING), TURNING * _reach(RATE)),
+        "rotation is left out": _skid(RATE / np.sqrt(TURNING), _reach(RATE)),
         "friction is left out": thrown(0 * Z, ACROSS),
-        "friction is twice as strong": _roll(2 * _reach(RATE)),
+        "friction is half as strong": _roll(0.5 * _reach(RATE)),
+        UNLIMITED: _roll(np.inf),
+        REVERSED: _of_centre(_driven),
         "friction turns it the other way": _turned_back(),
     }
     made = _on_floor("roll", TURNING, _roll(_reach(RATE)), wrong, turns=True)
@@ -86,8 +91,12 @@ def _reach(rate: float) -> float:
 
 
 def _slip(t: Vector, rate: float, reach: float) -> tuple[Vector, Vector]:
-    """Slip [m] and its rate from 1 m/s: on the spring, sliding, and back on the spring."""
-    begins = float(np.arcsin(min(1.0, reach * rate))) / rate
+    """Slip [m] and its rate from 1 m/s: on the spring, sliding, and back on the spring.
+
+    A spring that yields beyond 1/rate turns back before it does.
+    """
+    reach = min(reach, 1.0 / rate)
+    begins = float(np.arcsin(reach * rate)) / rate
     fast, brake = float(np.cos(rate * begins)), reach * rate**2
     ends = begins + fast / brake
     on, slides, back = np.minimum(t, begins), np.clip(t, begins, ends) - begins, t - ends
@@ -101,11 +110,25 @@ def _skid(rate: float, reach: float) -> Motion:
     return along(ACROSS, lambda t: _slip(t, rate, reach))
 
 
+def _driven(t: Vector) -> tuple[Vector, Vector]:
+    """Slip [m] and its rate from 1 m/s, where the spring drives on what it should hold."""
+    reach = _reach(RATE)
+    begins = float(np.arcsinh(reach * RATE)) / RATE
+    on, slides = np.minimum(t, begins), np.maximum(t - begins, 0.0)
+    drive = reach * RATE**2
+    moved = np.sinh(RATE * on) / RATE + np.cosh(RATE * begins) * slides + drive * slides**2 / 2
+    return moved, np.cosh(RATE * on) + drive * slides
+
+
 def _roll(reach: float) -> Motion:
+    return _of_centre(lambda t: _slip(t, RATE, reach))
+
+
+def _of_centre(slip: Way) -> Motion:
     """Of what slip loses the centre has one part in 3.5, and the spin the others."""
 
     def way(t: Vector) -> tuple[Vector, Vector]:
-        moved, speed = _slip(t, RATE, reach)
+        moved, speed = slip(t)
         return t + (moved - t) / TURNING, 1 + (speed - 1) / TURNING
 
     return along(ACROSS, way)
