@@ -196,6 +196,7 @@ def test_scaling_has_a_scene_of_its_own_and_says_who_cannot_step_it(
     done = tiny.vv("speed", "--scaling", "100", "--codes", "fake/good", "--json", str(target))
     assert done.returncode == 0, done.stderr
     assert "fake/good with 100 spheres: fake/good does not support:" in done.stdout
+    assert done.stdout.splitlines()[1].split() == ["spheres", "memory"]
     (size,) = json.loads(target.read_text())["sizes"]
     assert size["seconds"] == {}
     assert size["bandwidth"] > 1e8

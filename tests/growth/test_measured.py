@@ -84,6 +84,18 @@ def test_a_code_without_the_physics_is_told_why() -> None:
     lacking = Scheme("default", "", Method.LEAPFROG, frozenset())
     (size,) = grown([(Pretended(1.0), lacking)], 100)
     assert "does not support" in size.failed["pretended/default"]
+    assert not measured.can_step(Pretended(1.0), lacking)
+    assert measured.can_step(Pretended(1.0), SCHEME)
+
+
+@pytest.mark.parametrize(("huge", "calls"), [(10**9, 3), (100, 1)])
+def test_the_largest_scenes_are_measured_once(
+    monkeypatch: pytest.MonkeyPatch, huge: int, calls: int
+) -> None:
+    monkeypatch.setattr(measured, "HUGE", huge)
+    code = Pretended(1e-7)
+    list(grown([(code, SCHEME)], 100))
+    assert len(code.asked) == 2 * calls
 
 
 @pytest.mark.parametrize("n", [100, 1000, 3000])

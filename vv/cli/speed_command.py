@@ -81,7 +81,7 @@ def speed(
 def _scale(codes: str, largest: int, json_file: Path | None) -> None:
     """Measure how costs grow with the number of spheres, and tell each size as it is known."""
     from vv.growth import words
-    from vv.growth.measured import FEWEST, grown, label
+    from vv.growth.measured import FEWEST, can_step, grown, label
     from vv.plan.selection import choose_schemes, named_adapters
     from vv.records import codec
 
@@ -95,7 +95,7 @@ def _scale(codes: str, largest: int, json_file: Path | None) -> None:
         (code, scheme)
         for code, scheme in choose_schemes(every, [p for p in named if "/" in p] or default)
     ]
-    labels, found = [label(code, scheme) for code, scheme in chosen], []
+    labels, found = [label(*one) for one in chosen if can_step(*one)], []
     say(*words.heading(labels))
     for size in grown(chosen, largest):
         found.append(size)
