@@ -249,6 +249,12 @@ def test_only_whole_cases_of_whole_codes_are_recorded(tiny: Tiny, words: str) ->
     assert "record writes whole cases of whole codes, not '" in done.stderr
 
 
+def test_record_of_nothing_named_is_refused(tiny: Tiny) -> None:
+    done = tiny.vv("record")
+    assert (done.returncode, done.stdout) == (64, "")
+    assert done.stderr == "vv: record runs all that it is given: name cases or --codes\n"
+
+
 @pytest.mark.parametrize(
     ("file", "old", "new", "told"),
     [

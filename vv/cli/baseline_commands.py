@@ -101,6 +101,8 @@ def record(
     for part, mark in (*((s, ":") for s in selection or ()), (codes, "/")):
         if mark in part:
             raise UsageError(f"record writes whole cases of whole codes, not '{part}'")
+    if not selection and codes == "*":
+        raise UsageError("record runs all that it is given: name cases or --codes")
     plan = _both_levels(project, selection, codes)
     external = {code for code, found in plan.found.items() if found.files}
     plan = with_jobs_kept(plan, lambda job: job.code in external)
