@@ -137,5 +137,5 @@ def _in_words(factor: float) -> str:
     if factor == 1.0:
         return "motion to the scale of the drawing"
     if factor > 1.0:
-        return f"motion drawn {factor:g} times larger than the bodies"
-    return f"motion drawn {1 / factor:g} times smaller than the bodies"
+        return f"motion magnified {factor:g} times, bodies to scale"
+    return f"motion reduced {1 / factor:g} times, bodies to scale"

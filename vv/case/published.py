@@ -22,6 +22,11 @@ class Standing(enum.Enum):
     WRONG = "wrong"
     OPEN = "cannot be computed"
 
+    def counted(self, count: int) -> str:
+        """The number of statements of which this became, in words."""
+        plural = "s" if self is Standing.MISPRINT and count != 1 else ""
+        return f"{count} {self.value}{plural}"
+
 
 class Figure(enum.Enum):
     """Which number of a quantity answers a statement; the value is its name in stored results."""

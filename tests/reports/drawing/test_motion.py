@@ -78,8 +78,8 @@ def played(store: Store, size: float) -> dict[str, object]:
     ("size", "words", "far"),
     [  # y reaches 1 m, and a drawing of `size` m is 150 pixels wide
         (2.0, "motion to the scale of the drawing", 75.0),
-        (200.0, "motion drawn 50 times larger than the bodies", 37.5),
-        (0.2, "motion drawn 10 times smaller than the bodies", 75.0),
+        (200.0, "motion magnified 50 times, bodies to scale", 37.5),
+        (0.2, "motion reduced 10 times, bodies to scale", 75.0),
     ],
 )
 def test_a_motion_is_drawn_so_large_that_it_is_seen_and_says_so(
