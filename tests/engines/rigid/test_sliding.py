@@ -16,7 +16,7 @@ from vv.engines import rigid
 from vv.engines.rigid import PreparedRigidBlocks
 from vv.engines.rigid.general.model import Space
 from vv.engines.rigid.point.model import Point
-from vv.scene import Block, Harmonic, Scene, Vector
+from vv.scene import Block, Harmonic, Scene, Vector, Wall
 
 G = 9.81
 SINE = Harmonic(np.array([5.0, 0.0, 0.0]), np.array([1.0, 0.0, 0.0]))
@@ -120,6 +120,20 @@ def test_a_responding_block_in_a_plane_and_in_space() -> None:
         assert order(errors) >= 1.8
 
 
+def weakened(scene: Scene, part: float) -> Scene:
+    """The scene with gravity, what shakes it and what its walls do so many times as large."""
+
+    def less(motion: Harmonic | None) -> Harmonic | None:
+        return motion and dataclasses.replace(motion, amplitude=part * motion.amplitude)
+
+    bodies = tuple(
+        dataclasses.replace(body, motion=less(body.motion)) if isinstance(body, Wall) else body
+        for body in scene.bodies
+    )
+    gravity, shaking = part * scene.gravity, less(scene.wave)
+    return dataclasses.replace(scene, bodies=bodies, gravity=gravity, shaking=shaking)
+
+
 SCENES = {
     "gravity": incline(28, 15, free_spin=HELD),
     "sine": incline(20, 22, SINE, free_spin=HELD),
@@ -141,6 +155,15 @@ def test_a_point_mass_moves_as_the_general_model_does_and_costs_less(scene: Scen
         assert run.ledger.bound is not None
         assert run.ledger.unaccounted <= run.ledger.bound
         assert np.diff(program.energies[:, 1]).min() >= -1e-12 * run.ledger.peak
+
+
+@pytest.mark.parametrize("part", [1e-3, 1e-6])
+@pytest.mark.parametrize("scene", SCENES.values(), ids=SCENES)
+def test_weak_fields_make_the_same_motion_so_many_times_as_small(scene: Scene, part: float) -> None:
+    strong, weak = (
+        moved(rigid.solve(ask(one, 1e-3, 2.0))) for one in (scene, weakened(scene, part))
+    )
+    assert np.abs(weak / part - strong).max() <= 1e-11 * np.abs(strong).max()
 
 
 def loosened(scene: Scene) -> Scene:

@@ -151,7 +151,7 @@ BLOW = 1e-9
 PARTS = 512
 """Parts a step of a point mass is cut into at most, where slip ends, and where it turns sharply."""
 
-HALVINGS, VEERED, AGREE, MOSTLY = 24, 0.01, 40.0, 0.02
+HALVINGS, VEERED, AGREE, MOSTLY = 24, 0.01, 7.0, 0.02
 """Halvings of a step of a point mass in which the square of the sine of the angle that slip turns
 by is more than the second. Its halves must agree to the third, times the square of the step over
 the time in which drives turn about, and to the last, of what friction makes of a step: so the whole

@@ -42,7 +42,7 @@ class Point:
         walls = np.zeros((rows, 1, 3))
         return np.empty((rows, 6)), np.empty((rows, 8)), np.empty((rows, 4)), walls
 
-    def arguments(self, _: float) -> tuple[Any, ...]:
+    def arguments(self, dt: float) -> tuple[Any, ...]:
         """What the kernel is told about the scene, after the step [s]."""
         from vv.engines.kernels.drive import NO_MOTION, drive
         from vv.engines.rigid.point.trial import Ground
@@ -60,8 +60,8 @@ class Point:
             shaking=drive(scene.shaking or NO_MOTION),
             hold=hold,
             pull=known.pull,
-            fine=FINEST * known.speed,
-            quick=known.pull / known.speed if known.speed else 0.0,  # nothing ever moves
+            fine=FINEST * (known.given + known.pull * dt),
+            quick=known.quick,
         )
         return _triple(hold @ block.velocity), ground
 

@@ -24,7 +24,7 @@ class Ground(NamedTuple):
 
     normal, gap [m] of the plane at t = 0; base, shaking: motion of the plane and acceleration;
     hold: (3, 3) projector on the free directions, which hold the normal and what the base does;
-    pull, fine, quick: see `vv.engines.rigid.scales`; quick is pull over speed [1/s].
+    pull, quick: see `vv.engines.rigid.scales`; fine: what rounding makes of slip at most [m/s].
     """
 
     gravity: Triple
