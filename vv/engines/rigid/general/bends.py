@@ -2,16 +2,19 @@
 
 from __future__ import annotations
 
+import numpy as np
+
 from vv.engines.kernels.compiled import called, lent
 from vv.engines.kernels.drive import mean, one_of, rate
 from vv.engines.kernels.triples import Triple, add_scaled, at, dot, put
 from vv.engines.rigid.general.setting import Setting
 from vv.engines.rigid.slip import bend
-from vv.engines.rigid.solver.assembly import Joints, relative
+from vv.engines.rigid.solver.assembly import Joints, relative, times
 from vv.engines.rigid.solver.cone import Friction
 from vv.scene import Vector
 
 NIL = (0.0, 0.0, 0.0)
+ALIKE = 1e-7  # sine of the angle by which two normals do not differ
 
 
 @lent
@@ -27,7 +30,9 @@ def bent(
         if dot(d, d) == 0.0 or normal <= 0.0:
             continue
         before, after = relative(joints, c, v_old, w_old), relative(joints, c, v, w)
-        sag = sagging(setting, now, span, joints.first[c], n)
+        sag = sagging(setting, now, span, joints, c)
+        if dot(sag, sag) > 0.0:
+            sag = guided(sag, joints, c, p, len(setting.mass))
         pull = friction.mu * normal * joints.along[c]
         before, after = add_scaled(before, -dot(before, n), n), add_scaled(after, -dot(after, n), n)
         turn = bend(before, sag, after, pull)
@@ -37,14 +42,40 @@ def bent(
 
 
 @called
-def sagging(setting: Setting, now: float, span: float, body: int, normal: Triple) -> Triple:
-    """How far drives take slip on a wall halfway from the mean of its first and last [m/s]."""
-    sag, wall = NIL, body - len(setting.mass)
+def sagging(setting: Setting, now: float, span: float, joints: Joints, c: int) -> Triple:
+    """How far drives take a block on a wall halfway from the mean of its first and last [m/s].
+
+    Relative to the wall, as if no contact guided the block.
+    """
+    sag, wall, block = NIL, joints.first[c] - len(setting.mass), joints.second[c]
     if wall < 0:
         return sag
     sag = add_scaled(sag, 0.5 * span, mean(setting.shaking, now, 0.5 * span))
     sag = add_scaled(sag, -0.5 * span, mean(setting.shaking, now, span))
+    sag = times(setting.inverse, block, add_scaled(NIL, setting.mass[block], sag))
     base = one_of(setting.drives, setting.drive_start, wall)
     sag = add_scaled(sag, -1.0, rate(base, now + 0.5 * span))
-    sag = add_scaled(add_scaled(sag, 0.5, rate(base, now)), 0.5, rate(base, now + span))
-    return add_scaled(sag, -dot(sag, normal), normal)
+    return add_scaled(add_scaled(sag, 0.5, rate(base, now)), 0.5, rate(base, now + span))
+
+
+@lent
+def guided(sag: Triple, joints: Joints, c: int, p: Vector, blocks: int) -> Triple:
+    """What is left of a velocity at contact c where walls press on its block: along their groove.
+
+    On walls with one normal that is its part in their plane, on three it is nothing.
+    """
+    n, out = at(joints.normal, c), NIL
+    sag = add_scaled(sag, -dot(sag, n), n)
+    for k in range(len(p)):
+        m = at(joints.normal, k)
+        presses = joints.second[k] == joints.second[c] and dot(at(p, k), m) > 0.0
+        if not presses or joints.first[k] < blocks:
+            continue
+        m = add_scaled(add_scaled(m, -dot(m, n), n), -dot(m, out), out)
+        size = np.sqrt(dot(m, m))
+        if size > ALIKE:
+            if dot(out, out) > 0.0:
+                return NIL
+            out = add_scaled(NIL, 1.0 / size, m)
+            sag = add_scaled(sag, -dot(sag, out), out)
+    return sag

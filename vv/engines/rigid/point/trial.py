@@ -80,18 +80,23 @@ def pushed(ground: Ground, u: Triple, need: float, d: Triple, turn: Triple) -> T
 
 
 @lent
-def thrown(ground: Ground, v: Triple, now: float, span: float) -> Triple:
-    """The velocity after a step of span [s] without contact."""
+def freed(ground: Ground, a: Triple) -> Triple:
+    """The part of a vector along what the mass is free in."""
     hold = ground.hold
-    a = add_scaled(
-        add_scaled(ground.gravity, 1.0, ground.load), 1.0, mean(ground.shaking, now, span)
-    )
-    push = (
+    return (
         hold[0, 0] * a[0] + hold[0, 1] * a[1] + hold[0, 2] * a[2],
         hold[1, 0] * a[0] + hold[1, 1] * a[1] + hold[1, 2] * a[2],
         hold[2, 0] * a[0] + hold[2, 1] * a[1] + hold[2, 2] * a[2],
     )
-    return add_scaled(v, span, push)
+
+
+@lent
+def thrown(ground: Ground, v: Triple, now: float, span: float) -> Triple:
+    """The velocity after a step of span [s] without contact."""
+    push = add_scaled(
+        add_scaled(ground.gravity, 1.0, ground.load), 1.0, mean(ground.shaking, now, span)
+    )
+    return add_scaled(v, span, freed(ground, push))
 
 
 @called
@@ -194,7 +199,7 @@ def halved(ground: Ground, x: Triple, v: Triple, now: float, span: float, d: Tri
 def sagging(ground: Ground, now: float, span: float) -> Triple:
     """How far the drives take the slip halfway from the mean of its first and last [m/s]."""
     sag = add_scaled(NIL, 0.5 * span, mean(ground.shaking, now, 0.5 * span))
-    sag = add_scaled(sag, -0.5 * span, mean(ground.shaking, now, span))
+    sag = freed(ground, add_scaled(sag, -0.5 * span, mean(ground.shaking, now, span)))
     sag = add_scaled(sag, -1.0, rate(ground.base, now + 0.5 * span))
     sag = add_scaled(
         add_scaled(sag, 0.5, rate(ground.base, now)), 0.5, rate(ground.base, now + span)
