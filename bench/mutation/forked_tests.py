@@ -8,6 +8,7 @@ import os
 import signal
 import sys
 import time
+from collections.abc import Sequence
 from pathlib import Path
 
 import pytest
@@ -38,8 +39,8 @@ def _fixtures(item: pytest.Item) -> set[str]:
     return set(getattr(item, "fixturenames", ()))
 
 
-def passes(project: Path, tests: str, processes: bool | None = None) -> bool:
-    """Whether pytest is content with a folder or file of tests, asked in a process of its own.
+def passes(project: Path, *tests: str, processes: bool | None = None) -> bool:
+    """Whether pytest is content with folders, files or single tests, asked in a process of its own.
 
     processes: whether only tests that start some are asked, or only the others; None: all.
     """
@@ -55,10 +56,10 @@ def passes(project: Path, tests: str, processes: bool | None = None) -> bool:
 @functools.cache
 def green(project: Path, tests: str, processes: bool) -> bool:
     """Whether tests pass in a copy in which nothing is changed."""
-    return passes(project, tests, processes)
+    return passes(project, tests, processes=processes)
 
 
-def _tested(project: Path, tests: str, processes: bool | None) -> int:
+def _tested(project: Path, tests: Sequence[str], processes: bool | None) -> int:
     signal.alarm(LIMIT)
     sys.dont_write_bytecode = False  # the next process reads it
     os.chdir(project)
@@ -68,7 +69,7 @@ def _tested(project: Path, tests: str, processes: bool | None) -> int:
         del sys.modules[name]
     os.dup2(os.open(os.devnull, os.O_WRONLY), 1)
     os.dup2(1, 2)
-    words = ["-x", "-q", "-p", "no:cacheprovider", "-W", REWRITTEN, tests]
+    words = ["-x", "-q", "-p", "no:cacheprovider", "-W", REWRITTEN, *tests]
     chosen = [] if processes is None else [_Selected(processes)]
     status = pytest.main(words, plugins=chosen)
     return 0 if status in (pytest.ExitCode.OK, pytest.ExitCode.NO_TESTS_COLLECTED) else 1

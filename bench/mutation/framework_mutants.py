@@ -4,200 +4,179 @@
 engines; `--files 'vv/gate/*'` some, `--each N` at most N a file, `--sample N` so many of all, the
 same number in every layer as far as it goes, fixed random choices; with `--seed K` they are drawn
 from all places alike, so that what survives of them is an estimate for the whole, with its
-confidence: `--all --sample 100 --seed 1`. A mutant is put to the tests of
-its layer that start no process, first to the files that name its module, and, with `--all`, to the
-others too if it survives those. What is red counts if it is green without the mutant. One process
-is forked for each from one that has the libraries.
+confidence. A mutant is put to the tests that run its line, those of its own folder first, then the
+quickest, until one is red that is green without it; then to the others of their files. What is
+turned where a file is imported is put to tests that run anything of the file. `equivalent.txt`
+names mutants that behave as the original does, which do not count.
 """
 
 import argparse
-import ast
-import copy
 import importlib
-import itertools
-import random
-import re
+import json
+import os
 import tempfile
-from collections.abc import Iterator
-from fnmatch import fnmatch
+from collections import Counter
+from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any
 
 from scipy.stats import binomtest
 
 from bench.evidence import conclude
-from bench.mutation.forked_tests import green, passes, rewrite, with_tests
-from bench.mutation.mutants import ROOT, parsed
+from bench.mutation.collected_tests import Collected, collected
+from bench.mutation.covering_tests import records, told_of
+from bench.mutation.forked_tests import passes, rewrite, with_tests
+from bench.mutation.framework_sites import EVERY, Mutant, drawn, uniform
+from bench.mutation.mutants import ROOT
 from bench.mutation.schemata import copied
 
-LAYERS = (
-    "vv/ask", "vv/base", "vv/case", "vv/cli", "vv/codes", "vv/gate", "vv/growth", "vv/insight",
-    "vv/output", "vv/plan", "vv/records", "vv/run", "vv/scene", "vv/standins", "vv/store",
-    "adapters", "reports",
-)  # fmt: skip
-EVERY = 10**6  # more than there are
-MORE = {
-    "cli": ("run",),
-    "records": ("insight",),
-    "case": ("records",),
-    "ask": ("case", "records"),
-}  # layers that test it
+APART = {"engines", "references", "cases", "bench", "support", "scenes", "__pycache__"}
 NEEDS = ("numpy", "scipy.optimize", "hypothesis.strategies", "jsonschema", "tomllib")
-SWAPS: dict[type, type] = {
-    ast.Add: ast.Sub, ast.Sub: ast.Add, ast.Mult: ast.Div, ast.Div: ast.Mult,
-    ast.Lt: ast.GtE, ast.LtE: ast.Gt, ast.Gt: ast.LtE, ast.GtE: ast.Lt,
-    ast.Eq: ast.NotEq, ast.NotEq: ast.Eq, ast.Is: ast.IsNot, ast.IsNot: ast.Is,
-    ast.In: ast.NotIn, ast.NotIn: ast.In, ast.And: ast.Or, ast.Or: ast.And,
-}  # fmt: skip
-NAMES = {"min": "max", "max": "min", "any": "all", "all": "any"}
+LONGEST = 120.0  # s that the tests take which one mutant is put to, without it
+SPARE, HANGING = 30.0, 5.0  # s and times of what tests take without a mutant: it hangs
 
 
-class Mutant(NamedTuple):
-    """A node of a file, by its place in ast.walk."""
+class Asked:
+    """Puts mutants to the tests that were recorded as running them."""
 
-    file: str
-    place: int
+    def __init__(self, project: Path, seconds: dict[str, float], lines: dict[str, Any]) -> None:
+        self.project, self.seconds, self.lines = project, seconds, lines
+        self._green: dict[str, bool] = {}
 
-    @property
-    def what(self) -> str:
-        """Where it is, and what it is."""
-        node = list(ast.walk(parsed(self.file)))[self.place]
-        line = getattr(node, "lineno", 0)
-        return f"{self.file}:{line} {ast.unparse(node)[:90]}  ->  {ast.unparse(_turned(node))[:90]}"
+    def tests(self, mutant: Mutant) -> list[str]:
+        """Those that run its statement, then the others of their files; or any of its file."""
+        here = self.lines.get(mutant.file, {})
+        running = {one for line in mutant.lines for one in here.get(line, ())}
+        if not mutant.when_called or not running:
+            return self._first(mutant, {one for tests in here.values() for one in tests})
+        files = {one.partition("::")[0] for one in running}
+        beside = {one for one in self.seconds if one.partition("::")[0] in files}
+        return self._first(mutant, running) + self._first(mutant, beside - running)
 
-    def text(self) -> str:
-        """The file with this node turned."""
-        tree = copy.deepcopy(parsed(self.file))
-        node = list(ast.walk(tree))[self.place]
-        vars(node).update(vars(_turned(node)))
-        return ast.unparse(tree)
+    def _first(self, mutant: Mutant, tests: Iterable[str]) -> list[str]:
+        """As many as fit in the time: those of its own folder first, then the quickest."""
+        own = f"tests/{Path(mutant.file.removeprefix('vv/')).parts[0]}/"
+        ordered = sorted(tests, key=lambda one: (not one.startswith(own), self.seconds[one], one))
+        left, chosen = LONGEST, list[str]()
+        for one in ordered:
+            if self.seconds[one] <= left:
+                left -= self.seconds[one]
+                chosen.append(one)
+        return chosen
 
+    def red_of(self, collected: Collected, mutant: Mutant) -> str | None:
+        """The test that sees a mutant in loaded functions, if any."""
+        tests = self.tests(mutant)
+        place = self.project / mutant.file
+        try:
+            rewrite(place, mutant.text())
+            while tests:
+                red = collected.red_of(tests, self._limit(tests), mutant)
+                if red not in self.seconds:
+                    return red
+                rewrite(place, (ROOT / mutant.file).read_text())
+                if self.green(collected, red):
+                    return red
+                rewrite(place, mutant.text())
+                tests = [one for one in tests if one != red]
+            return None
+        finally:
+            rewrite(place, (ROOT / mutant.file).read_text())
 
-def mutants(layer: str, files: str, each: int) -> Iterator[Mutant]:
-    """At most so many of every file of a layer that the pattern names."""
-    for path in sorted((ROOT / layer).rglob("*.py")):
-        file = path.relative_to(ROOT).as_posix()
-        if fnmatch(file, files):
-            sites = [i for i, node in enumerate(ast.walk(parsed(file))) if _turnable(node)]
-            chosen = random.Random(file).sample(sites, min(each, len(sites)))
-            yield from (Mutant(file, place) for place in sorted(chosen))
+    def green(self, collected: Collected, test: str) -> bool:
+        """Whether a test is green without a mutant, now too."""
+        if test not in self._green:
+            self._green[test] = collected.red_of([test], self._limit([test]), None) is None
+        return self._green[test]
 
+    def red_on_import(self, mutant: Mutant) -> str | None:
+        """Whether tests that import a mutant anew see it."""
+        place = self.project / mutant.file
+        try:
+            rewrite(place, mutant.text())
+            red = not passes(self.project, *self.tests(mutant))
+        finally:
+            rewrite(place, (ROOT / mutant.file).read_text())
+        return "when imported" if red else None
 
-def drawn(files: str, each: int, sample: int) -> list[Mutant]:
-    """Mutants in a random order that goes through the layers in turn, at most so many."""
-    piles = [list(mutants(layer, files, each)) for layer in LAYERS]
-    for layer, pile in zip(LAYERS, piles, strict=True):
-        random.Random(layer).shuffle(pile)
-    turns = itertools.zip_longest(*piles)
-    return [one for turn in turns for one in turn if one is not None][:sample]
-
-
-def uniform(files: str, sample: int, seed: int) -> list[Mutant]:
-    """So many mutants, each place that can be turned being as likely as any other."""
-    every = [one for layer in LAYERS for one in mutants(layer, files, EVERY)]
-    return random.Random(seed).sample(every, min(sample, len(every)))
-
-
-def _turnable(node: ast.AST) -> bool:
-    if isinstance(node, ast.Compare):
-        return type(node.ops[0]) in SWAPS
-    if isinstance(node, ast.BinOp):
-        words = any(isinstance(side, ast.Constant | ast.JoinedStr) and not _is_number(side)
-                    for side in (node.left, node.right))  # fmt: skip
-        return type(node.op) in SWAPS and not words
-    if isinstance(node, ast.Constant):
-        return isinstance(node.value, float) and node.value != 0.0
-    if isinstance(node, ast.Call):
-        return isinstance(node.func, ast.Name) and node.func.id in NAMES
-    return isinstance(node, ast.BoolOp) or (
-        isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.Not)
-    )
-
-
-def _is_number(node: ast.AST) -> bool:
-    return isinstance(node, ast.Constant) and isinstance(node.value, int | float)
-
-
-def _turned(node: ast.AST) -> ast.AST:
-    made = copy.deepcopy(node)
-    if isinstance(made, ast.Compare):
-        made.ops[0] = SWAPS[type(made.ops[0])]()
-    elif isinstance(made, ast.BinOp | ast.BoolOp):
-        made.op = SWAPS[type(made.op)]()
-    elif isinstance(made, ast.Constant):
-        assert isinstance(made.value, float)
-        made.value = 1.5 * made.value
-    elif isinstance(made, ast.Call):
-        assert isinstance(made.func, ast.Name)
-        made.func.id = NAMES[made.func.id]
-    elif isinstance(made, ast.UnaryOp):  # not x: x itself, as a truth
-        made.op, made.operand = ast.Not(), ast.UnaryOp(ast.Not(), made.operand)
-    return made
+    def _limit(self, tests: Sequence[str]) -> float:
+        return SPARE + HANGING * sum(self.seconds[one] for one in tests)
 
 
-def seen_by(project: Path, mutant: Mutant, stages: tuple[bool, ...]) -> tuple[str, bool] | None:
-    """The tests that turn red, and whether they are those that start processes; None: no tests."""
-    place = project / mutant.file
-    rewrite(place, mutant.text())
-    try:
-        asked = ((one, processes) for processes in stages for one in asked_of(mutant.file))
-        return next((one for one in asked if not passes(project, *one)), None)
-    finally:
-        rewrite(place, (ROOT / mutant.file).read_text())
+def seen(mutants: Sequence[Mutant], project: Path, tests: Sequence[str]) -> dict[Mutant, str]:
+    """What sees each mutant; '' for those that nothing sees."""
+    told: dict[Mutant, str] = {}
+    map_of_tests = project / "told.json"
+
+    def put(collected: Collected) -> None:
+        seconds, lines = told_of(records(collected))
+        asked = Asked(project, seconds, lines)
+        for one in (one for one in mutants if one.when_called):
+            told[one] = _said(one, asked.red_of(collected, one))
+        kept = [[one.file, one.place, by] for one, by in told.items()]
+        map_of_tests.write_text(json.dumps([seconds, lines, kept]))
+
+    collected(project, tests, put)
+    seconds, lines, kept = json.loads(map_of_tests.read_text())
+    numbered = {file: {int(k): v for k, v in found.items()} for file, found in lines.items()}
+    asked = Asked(project, seconds, numbered)
+    told |= {Mutant(file, place): by for file, place, by in kept}
+    for one in (one for one in mutants if not one.when_called):
+        told[one] = _said(one, asked.red_on_import(one))
+    return told
 
 
-def asked_of(file: str) -> tuple[str, ...]:
-    """The tests of a file's layer, those that name its module first.
+def _said(mutant: Mutant, by: str | None) -> str:
+    print(f"{by or 'UNSEEN':<60} {mutant.what}", flush=True)
+    return by or ""
 
-    They lie in the deepest folder below tests/ that mirrors its own, and in those of MORE.
-    """
-    parts = Path(file.removeprefix("vv/")).parts[:-1]
-    own = Path("tests", *parts)
-    while not (ROOT / own).is_dir():
-        own = own.parent
-    more = tuple(f"tests/{one}" for one in MORE.get(parts[0], ()))
-    folders = more if own == Path("tests") else (own.as_posix(), *more)
-    tests = [path for folder in folders for path in sorted((ROOT / folder).rglob("test_*.py"))]
-    word = re.compile(rf"\b{Path(file).stem}\b")
-    naming = [one.relative_to(ROOT).as_posix() for one in tests if word.search(one.read_text())]
-    return (*naming, *folders)
+
+def folders() -> Iterator[str]:
+    """Where the tests lie that are asked: the framework's own."""
+    for path in sorted((ROOT / "tests").iterdir()):
+        if path.is_dir() and path.name not in APART:
+            yield f"tests/{path.name}"
+
+
+def survival(left: int, of: int) -> dict[str, Any]:
+    """A rate and its confidence interval."""
+    low, high = binomtest(left, of).proportion_ci(method="wilson")
+    return {"mutants": of, "rate": left / of, "at 95 %": [low, high]}
 
 
 def main() -> None:
     """Turn, ask, count and judge."""
     parser = argparse.ArgumentParser()
     parser.add_argument("--files", default="*", help="such as 'vv/gate/*'")
+    parser.add_argument("--only", default="", help="words in what is turned")
     parser.add_argument("--each", type=int, default=1000, help="mutants a file")
     parser.add_argument("--sample", type=int, default=EVERY, help="mutants in all")
     parser.add_argument("--seed", type=int, help="drawn from all places alike, with this seed")
-    parser.add_argument("--all", action="store_true", help="tests that start processes too")
+    parser.add_argument("--tests", nargs="+", default=[*folders()], help="folders of tests")
     options = parser.parse_args()
+    os.nice(10)
     for name in NEEDS:
         importlib.import_module(name)
-    stages = (False, True) if options.all else (False,)
     every = (
         drawn(options.files, options.each, options.sample)
         if options.seed is None
         else uniform(options.files, options.sample, options.seed)
     )
-    left, red = list[str](), set[str]()
+    every = [one for one in every if options.only in one.what]
     with tempfile.TemporaryDirectory() as folder:
-        project = Path(folder)
-        copied(project, with_tests())
-        for one in every:
-            by = seen_by(project, one, stages)
-            if by is None:
-                left.append(one.what)
-            elif not green(project, *by):
-                red.add(by[0])
-            print(f"{by[0] if by else 'unseen':<44} {one.what}", flush=True)
-    rate = len(left) / max(1, len(every))
-    low, high = binomtest(len(left), max(1, len(every))).proportion_ci(method="wilson")
+        copied(Path(folder), with_tests())
+        told = seen(every, Path(folder), options.tests)
+    left = [one for one, by in told.items() if not by]
+    layers = Counter(Path(one.file).parent.as_posix() for one in told)
     figures = {
-        "mutants": len(every), "not seen": left, "rate": rate, "at 95 %": [low, high],
-        "red without one": sorted(red),
-    }  # fmt: skip
-    conclude("framework_mutants", figures, {"green without": not red, "5 % at most": rate <= 0.05})
+        **survival(len(left), len(told)),
+        "not seen": [one.key for one in left],
+        "of each folder": {
+            layer: survival(sum(Path(one.file).parent.as_posix() == layer for one in left), n)
+            for layer, n in sorted(layers.items())
+        },
+    }
+    conclude("framework_mutants", figures, {"5 % at most": figures["rate"] <= 0.05})
 
 
 if __name__ == "__main__":

@@ -98,7 +98,7 @@ def caught_by(project: Path, bug: Bug, rest: bool) -> str:
                 rewrite(place, (ROOT / bug.file).read_text())
                 return SPOILT if unharmed(project, bug.code, cases) else answer
         asked = [(one, starts) for starts in (False, True) for one in _tests(bug, rest)]
-        red = next((one for one in asked if not passes(project, *one)), None)
+        red = next((one for one in asked if not passes(project, one[0], processes=one[1])), None)
     finally:
         rewrite(place, (ROOT / bug.file).read_text())
     if red is None:

@@ -6,7 +6,6 @@ import ast
 
 import pytest
 
-from bench.mutation import framework_mutants
 from bench.mutation.mutants import COMPILED, ROOT, kernels, mechanical, parsed
 from bench.mutation.seeded_bugs import KINDS, changed
 
@@ -28,22 +27,6 @@ def test_every_file_that_compiles_a_kernel_has_mutants_in_a_code_that_it_is_part
     assert {mutant.file for mutant in mechanical(1)} >= compiled - PLAIN
     assert {codes[0] for codes in found.values()} == {"dem", "exact", "rigid", "dda"}
     assert found["vv/engines/kernels/drive.py"] == ("dem", "rigid", "dda")
-
-
-def test_a_sample_of_the_framework_is_drawn_from_every_layer_anew_with_every_seed() -> None:
-    first, again, other = (framework_mutants.uniform("*", 200, seed) for seed in (1, 1, 2))
-    assert first == again
-    assert len({*first}) == len({*other}) == 200
-    assert len({*first} & {*other}) < 20
-    layers = [sum(m.file.startswith(f"{layer}/") for m in (*first, *other))
-              for layer in framework_mutants.LAYERS]  # fmt: skip
-    assert sum(layers) == 400
-    assert sum(n > 0 for n in layers) > 12
-
-
-def test_every_layer_but_the_engines_has_mutants() -> None:
-    layers = {f"vv/{path.parent.name}" for path in (ROOT / "vv").glob("*/__init__.py")}
-    assert layers - {"vv/engines"} == {one for one in framework_mutants.LAYERS if "/" in one}
 
 
 def test_a_mutant_differs_from_its_file_and_is_still_a_program() -> None:

@@ -1,0 +1,139 @@
+"""Tests of a copy of the project, collected once; each question to them is put in a fork.
+
+A fork begins with every module loaded and every cache as collection left it. A mutant of what runs
+when a function is called is put into the loaded functions, so that nothing is imported anew.
+"""
+
+import gc
+import os
+import signal
+import sys
+import time
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from pathlib import Path
+from types import CodeType, FunctionType
+
+import pytest
+
+from bench.mutation.forked_tests import LIMIT, OWN, REWRITTEN
+from bench.mutation.framework_sites import Mutant
+
+
+class Collected:
+    """A plug-in of pytest that does something else with the tests than to run them."""
+
+    def __init__(self, project: Path, work: Callable[["Collected"], None]) -> None:
+        self.project, self._work = project, work
+        self.tests: dict[str, pytest.Item] = {}
+        self.red: list[str] = []
+        self._functions: dict[str, list[FunctionType]] = {}
+
+    def pytest_runtestloop(self, session: pytest.Session) -> bool:
+        """Stand in for the run of all tests."""
+        self.tests = {item.nodeid: item for item in session.items}
+        for one in gc.get_objects():
+            if isinstance(one, FunctionType):
+                self._functions.setdefault(one.__code__.co_filename, []).append(one)
+        gc.freeze()  # so that forks share what is there
+        self._work(self)
+        return True
+
+    def pytest_runtest_logreport(self, report: pytest.TestReport) -> None:
+        """Note what is red."""
+        if report.failed:
+            self.red.append(report.nodeid)
+
+    def run(self, names: Sequence[str]) -> Iterator[tuple[str, bool]]:
+        """Run tests here, in turn: name, and whether it is green."""
+        for name, after in zip(names, [*names[1:], None], strict=True):
+            item, following = self.tests[name], after and self.tests[after]
+            item.config.hook.pytest_runtest_protocol(item=item, nextitem=following or None)
+            yield name, name not in self.red
+
+    def red_of(self, names: Sequence[str], seconds: float, mutant: Mutant | None) -> str | None:
+        """The first test that is not green with a mutant, asked in a fork, or what it says else.
+
+        seconds: CPU time after which it hangs.
+        """
+        reading, writing = os.pipe()
+
+        def ask() -> None:
+            if mutant is not None:
+                self._put_in(mutant)
+            for name, fine in self.run(names):
+                if not fine:
+                    os.write(writing, name.encode())
+                    return
+
+        status = forked(ask, seconds)
+        os.close(writing)
+        with os.fdopen(reading, "rb") as told:
+            return told.read().decode() or (f"ends with {status}" if status else None)
+
+    def _put_in(self, mutant: Mutant) -> None:
+        """Let every loaded function of a file have the code that it has with a mutant."""
+        path = str(self.project / mutant.file)
+        made = {_place(code): code for code in _codes(compile(mutant.tree(), path, "exec"))}
+        for function in self._functions.get(path, ()):
+            if (code := made.get(_place(function.__code__))) is not None:
+                function.__code__ = code
+
+
+def collected(project: Path, tests: Iterable[str], work: Callable[[Collected], None]) -> None:
+    """Let pytest collect the tests of a copy, in a fork, and do something with them."""
+
+    def start() -> None:
+        os.chdir(project)
+        os.environ["PYTHONPATH"] = str(project)
+        sys.path.insert(0, str(project))
+        for name in [n for n in sys.modules if n.partition(".")[0] in OWN]:
+            del sys.modules[name]
+        words = ["-q", "-s", "-p", "no:cacheprovider", "-W", REWRITTEN, *tests]
+        status = pytest.main(words, plugins=[Collected(project, work)])
+        assert status in (pytest.ExitCode.OK, pytest.ExitCode.NO_TESTS_COLLECTED), status
+
+    child = os.fork()
+    if child == 0:
+        _ended(start)
+    if os.waitpid(child, 0)[1]:
+        raise RuntimeError("the tests cannot be collected")
+
+
+def forked(work: Callable[[], None], seconds: float) -> int:
+    """Do something in a silent fork that has so much CPU time, then end whatever it started."""
+    sys.stdout.flush()
+    child = os.fork()
+    if child == 0:
+        os.setsid()
+        signal.alarm(LIMIT)
+        signal.setitimer(signal.ITIMER_PROF, seconds)
+        os.dup2(os.open(os.devnull, os.O_WRONLY), 1)
+        os.dup2(1, 2)
+        _ended(work)
+    status = os.waitpid(child, 0)[1]
+    try:
+        os.killpg(child, signal.SIGKILL)
+    except ProcessLookupError:  # it left nothing behind
+        time.sleep(0)
+    return status
+
+
+def _ended(work: Callable[[], None]) -> None:
+    try:
+        work()
+        sys.stdout.flush()
+        os._exit(0)
+    except BaseException:
+        sys.excepthook(*sys.exc_info())
+        os._exit(2)
+
+
+def _codes(code: CodeType) -> Iterator[CodeType]:
+    yield code
+    for one in code.co_consts:
+        if isinstance(one, CodeType):
+            yield from _codes(one)
+
+
+def _place(code: CodeType) -> tuple[str, int, tuple[str, ...]]:
+    return code.co_qualname, code.co_firstlineno, code.co_freevars

@@ -1,0 +1,108 @@
+"""The bench of mutants of the framework: what it turns, what it asks, and how it puts one in."""
+
+import gc
+from pathlib import Path
+from types import SimpleNamespace
+from typing import Any, cast
+
+import pytest
+
+from bench.mutation.collected_tests import Collected, forked
+from bench.mutation.framework_mutants import LONGEST, Asked
+from bench.mutation.framework_sites import (
+    EVERY,
+    LAYERS,
+    Mutant,
+    equivalents,
+    mutants,
+    turnable,
+    uniform,
+)
+from bench.mutation.mutants import ROOT
+from vv.gate import judgement
+
+FILE = "vv/gate/judgement.py"
+
+
+def named(words: str, file: str = FILE) -> Mutant:
+    """The one mutant of a file whose change begins with these words."""
+    (found,) = (one for one in mutants("vv", file, EVERY) if one.change.startswith(words))
+    return found
+
+
+def asked(mutant: Mutant, **of_line: dict[str, float]) -> list[str]:
+    """Tests that a mutant is put to; of_line: seconds of those that run its line or another."""
+    own, other = mutant.lines[0], mutant.lines[-1] + 1
+    seconds = {**of_line.get("own", {}), **of_line.get("other", {}), **of_line.get("none", {})}
+    lines = {own: [*of_line.get("own", {})], other: [*of_line.get("other", {})]}
+    return Asked(Path(), seconds, {mutant.file: lines}).tests(mutant)
+
+
+def test_a_sample_of_the_framework_is_drawn_from_every_layer_anew_with_every_seed() -> None:
+    first, again, other = (uniform("*", 200, seed) for seed in (1, 1, 2))
+    assert first == again
+    assert len({*first}) == len({*other}) == 200
+    assert len({*first} & {*other}) < 20
+    layers = [sum(m.file.startswith(f"{one}/") for m in (*first, *other)) for one in LAYERS]
+    assert sum(layers) == 400
+    assert sum(n > 0 for n in layers) > 12
+
+
+def test_every_layer_but_the_engines_has_mutants() -> None:
+    layers = {f"vv/{path.parent.name}" for path in (ROOT / "vv").glob("*/__init__.py")}
+    assert layers - {"vv/engines"} == {one for one in LAYERS if "/" in one}
+
+
+def test_a_mutant_that_is_known_as_equivalent_is_there_with_a_reason_and_is_not_drawn() -> None:
+    files = {key.partition(" ")[0] for key in equivalents()}
+    assert equivalents().keys() <= {one.key for file in files for one in turnable(file)}
+    assert not equivalents().keys() & {one.key for one in uniform("*", EVERY, 1)}
+    assert all(why.strip() for why in equivalents().values())
+
+
+OWN, FAR = "tests/gate/test_judgement.py", "tests/output/test_rows.py"
+
+
+def test_a_mutant_is_put_to_the_tests_that_run_its_line_those_of_its_folder_first() -> None:
+    one = named("one.error / one.tolerance")
+    own = {f"{FAR}::a": 1.0, f"{OWN}::slow": 5.0, f"{OWN}::quick": 2.0}
+    assert asked(one, own=own) == [f"{OWN}::quick", f"{OWN}::slow", f"{FAR}::a"]
+    beside = {f"{OWN}::other": 0.1, "tests/run/test_x.py::far": 0.1}
+    assert asked(one, own=own, none=beside)[-1] == f"{OWN}::other"
+    assert asked(one, own={f"{OWN}::long": 1.1 * LONGEST}) == []
+
+
+def test_a_mutant_that_no_test_runs_is_put_to_those_of_its_file() -> None:
+    assert asked(named("one.error / one.tolerance"), other={f"{OWN}::a": 1.0}) == [f"{OWN}::a"]
+
+
+def test_what_runs_on_import_is_told_from_what_runs_when_called() -> None:
+    every = list(mutants("vv", "vv/scene/*", EVERY))
+    on_import = {one.what for one in every if not one.when_called}
+    assert 0 < len(on_import) < 0.2 * len(every)
+    assert named("one.error / one.tolerance").when_called
+
+
+def test_the_lines_of_a_mutant_are_its_statement_s_without_the_body() -> None:
+    one = named("one.value is not None and one.printed is not None")
+    assert len(one.lines) == 1
+    assert one.lines[0] == one.node.lineno
+
+
+def test_a_mutant_is_put_into_functions_that_are_loaded() -> None:
+    whole = Collected(ROOT, lambda _: None)
+    whole.pytest_runtestloop(cast(pytest.Session, SimpleNamespace(items=[])))
+    gc.unfreeze()
+    row: Any = SimpleNamespace(
+        error=None, tolerance=None, value=None, measurement=None, printed=None, note=""
+    )
+    assert judgement._in_words(row) == "not finite"
+
+    def told(mutant: Mutant | None) -> None:
+        if mutant:
+            whole._put_in(mutant)
+        assert judgement._in_words(row) == "not finite"
+
+    assert forked(lambda: told(None), 60.0) == 0
+    assert forked(lambda: told(named("one.error is not None and one.tol")), 60.0) == 0
+    assert forked(lambda: told(named("one.value is not None  ->")), 60.0) != 0
