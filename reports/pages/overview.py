@@ -13,7 +13,7 @@ from reports.marks import Mark
 from reports.outcomes import ShownOutcome
 from reports.variant.ranking import ranks
 from reports.variant.reading import TARGET
-from vv.insight.accuracy_cost import reach
+from vv.insight.accuracy_cost import error_cost
 from vv.insight.effort import untimed_costs
 from vv.insight.stability_summary import Kind
 
@@ -79,7 +79,7 @@ def overview(book: Book) -> Overview:
     if guessed:
         efforts = {place: [*map(untimed_costs, here)] for place, here in efforts.items()}
     costs = {
-        place: {e.label: [reach(e, target).cpu for target in TARGETS] for e in here}
+        place: {e.label: [error_cost(e, target).cpu for target in TARGETS] for e in here}
         for place, here in efforts.items()
         if any(e.timed for e in here)
     }

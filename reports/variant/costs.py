@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from reports.book import Book, Place
 from reports.marks import Mark
 from reports.text import brief, sci
-from vv.insight.accuracy_cost import TARGETS, Reach, reach
+from vv.insight.accuracy_cost import TARGETS, ErrorCost, error_cost
 from vv.insight.effort import Effort
 from vv.records.job_record import Record
 from vv.records.rungs import describe
@@ -19,7 +19,7 @@ class CostRow:
     """A scheme: what each error costs it, its smallest error, floors and limits in words."""
 
     mark: Mark
-    reached: Sequence[Reach]
+    reached: Sequence[ErrorCost]
     best: float | None
     notes: Sequence[str]
 
@@ -32,7 +32,7 @@ def cost_rows(book: Book, place: Place) -> list[CostRow]:
     return [
         CostRow(
             book.marks[e.label],
-            [reach(e, target) for target in TARGETS],
+            [error_cost(e, target) for target in TARGETS],
             e.best,
             [*_notes(e), *_whole(book.records[place][e.label])],
         )

@@ -26,7 +26,7 @@ from reports.variant.models import Modelled, Told, models
 from reports.variant.other_codes import PrintedRow, printed_rows
 from reports.variant.ranking import Dear, Ranked, cheapest, ranks, why_colours_differ
 from reports.variant.settings import Group, groups
-from vv.insight.voices import votes
+from vv.insight.agreement import agreements
 from vv.output.gallery.scene_drawing import again, picture
 from vv.records.case_facts import VariantFacts
 from vv.records.job_record import Record
@@ -50,7 +50,7 @@ class Recorded:
 class Variant:
     """A variant: what was asked, and all that came of it.
 
-    told: rows that are not green, and why; like: the variant whose figures fit; voices: who agrees
+    told: rows that are not green, and why; like: the variant whose figures fit; answers: who agrees
     with whom, where three codes speak; undrawn: (name, symbol) of quantities in bounds.
     """
 
@@ -66,7 +66,7 @@ class Variant:
     cheapest: Sequence[Dear]
     differ: str
     told: Sequence[tuple[Ranked, str]]
-    voices: Sequence[str]
+    answers: Sequence[str]
     groups: Sequence[Group]
     absent: Sequence[Absent]
     silent: Sequence[Silent]
@@ -124,7 +124,7 @@ def variant(book: Book, place: Place, above: Above) -> Variant:
         cheapest=cheapest(rows),
         differ=why_colours_differ(rows),
         told=_told(rows, name, above),
-        voices=[vote.in_words() for vote in votes(own, kept)],
+        answers=[agreement.in_words() for agreement in agreements(own, kept)],
         groups=groups(piles, book.marks),
         absent=missing,
         silent=silent(missing, name, above.reasons),

@@ -1,4 +1,4 @@
-"""What accuracy costs: interpolation, floors, fronts and duels on records made up for it."""
+"""What accuracy costs: interpolation, floors, fronts and comparisons on records made up for it."""
 
 from __future__ import annotations
 
@@ -14,7 +14,15 @@ from hypothesis import strategies as st
 
 from tests.support import fabricated
 from vv.base.metrics import count_before_floor
-from vv.insight.accuracy_cost import FACTORS, cheapest, duels, front, profile, reach, shares
+from vv.insight.accuracy_cost import (
+    FACTORS,
+    cheapest,
+    comparisons,
+    error_cost,
+    front,
+    profile,
+    shares,
+)
 from vv.insight.effort import Effort, efforts, untimed
 from vv.records.job_record import Record
 from vv.records.manifest import CodeFound, Manifest
@@ -56,14 +64,14 @@ SECOND = [(h, None, 100 * h * h, 1e-7 / h) for h in (1e-2, 1e-3, 1e-4)]
 
 
 def test_the_cost_of_an_error_lies_on_the_line_between_rungs() -> None:
-    assert reach(one(SECOND), 1e-5).cpu == pytest.approx(1e-7 / math.sqrt(1e-7))
+    assert error_cost(one(SECOND), 1e-5).cpu == pytest.approx(1e-7 / math.sqrt(1e-7))
 
 
 def test_an_error_above_the_coarsest_costs_at_most_that_and_one_below_all_has_no_cost() -> None:
-    found = reach(one(SECOND), 0.5)
+    found = error_cost(one(SECOND), 0.5)
     assert found.cpu == pytest.approx(1e-5)
     assert found.bound
-    assert reach(one(SECOND), 1e-7).cpu is None
+    assert error_cost(one(SECOND), 1e-7).cpu is None
 
 
 def test_of_each_code_the_cheapest_setting_of_any_scheme_is_taken() -> None:
@@ -90,7 +98,7 @@ def test_of_each_code_the_cheapest_setting_of_any_scheme_is_taken() -> None:
 
 def test_a_rung_without_timing_or_without_error_has_no_say_in_costs() -> None:
     rows: list[Row] = [*SECOND, (1e-5, None, 1e-8, None), (1e-6, None, None, 1.0)]
-    assert reach(one(rows), 1e-7).cpu is None
+    assert error_cost(one(rows), 1e-7).cpu is None
     assert one(rows).best == 1e-8
 
 
@@ -262,14 +270,14 @@ def test_a_duel_is_between_the_best_of_both_sides_and_tells_steppers_apart() -> 
             *(record("theirs", (h, None, 100 * h * h, 1e-5 / h)) for h in (1e-2, 1e-3, 1e-4)),
         )
     )
-    free, stepping = duels(every, (1e-5,))
+    free, stepping = comparisons(every, (1e-5,))
     assert (free.ours, stepping.ours, free.theirs) == (
         "exact/default",
         "ours/default",
         "theirs/default",
     )
     assert stepping.ratio == pytest.approx(1e-2)
-    lost = duels(every, (1e-9,))[0]
+    lost = comparisons(every, (1e-9,))[0]
     assert lost.ratio is None
     assert lost.least == pytest.approx(1e-6)
     assert not lost.floored
@@ -280,7 +288,7 @@ def test_an_external_code_that_cannot_get_there_is_told_from_one_that_was_not_le
     stuck = [record("theirs", (2.0**-i, None, 1e-3, 1.0)) for i in range(3)]
     going = [record("theirs", row, scheme="other") for row in SECOND[:2]]
     for theirs, floored in ((stuck, True), (stuck + going, False)):
-        found = duels(efforts(manifest(*ours, *theirs)), (1e-5,))
+        found = comparisons(efforts(manifest(*ours, *theirs)), (1e-5,))
         assert [(duel.ratio, duel.floored) for duel in found] == [(None, floored)] * 2
 
 

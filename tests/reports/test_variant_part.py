@@ -198,4 +198,4 @@ def test_who_agrees_with_whom_is_told_where_three_codes_speak(store: Store) -> N
     assert "agree within their errors" not in speak(*two)
     page = speak(*two, ("third/default", 1.0), ("odd/default", 7.0))
     assert "dem/default, other/default, third/default agree within their errors" in page
-    assert "the odd one is odd/default, 7.001" in page
+    assert "odd/default differs, 7.001" in page

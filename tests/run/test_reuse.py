@@ -40,16 +40,16 @@ def test_the_same_again_tells_the_same_and_exits_alike(tiny: Tiny) -> None:
     assert "FAIL" in again.stdout
 
 
-def test_what_was_told_is_kept_for_the_same_again_and_only_then(tiny: Tiny) -> None:
-    def told() -> list[bool]:
+def test_what_was_printed_is_kept_for_the_same_again_and_only_then(tiny: Tiny) -> None:
+    def printed() -> list[bool]:
         answers = (tiny.root / ".vv" / "answers").rglob("*")
         kept = [json.loads(path.read_text())["kept"] for path in answers if path.is_file()]
-        return ["told" in one for one in kept if "manifest" in one]
+        return ["printed" in one for one in kept if "manifest" in one]
 
     assert SAYS not in tiny.vv(*SELECTION, "--fresh").stderr
-    assert told() == []
+    assert printed() == []
     stands(tiny)
-    assert told() == [True]
+    assert printed() == [True]
 
 
 def heads(tiny: Tiny) -> list[str]:

@@ -112,7 +112,7 @@ def main() -> None:
     try:
         code = app(standalone_mode=False)
     except UsageError as error:
-        code = terminal.complain(str(error))
+        code = terminal.print_error(str(error))
     except typer.Exit as stop:
         code = stop.exit_code
     except (typer.Abort, KeyboardInterrupt):
@@ -121,13 +121,13 @@ def main() -> None:
         os.dup2(os.open(os.devnull, os.O_WRONLY), 1)  # the reader left; nothing more to say
         code = 0
     except OSError as error:
-        code = terminal.complain(f"cannot use {error.filename}: {error.strerror}")
+        code = terminal.print_error(f"cannot use {error.filename}: {error.strerror}")
     except Exception as error:
         if message := _message(error):
-            code = terminal.complain(*message.splitlines())
+            code = terminal.print_error(*message.splitlines())
         else:
             traceback.print_exc()
             code = CRASHED  # and not 1, with which Python ends and which would say accuracy
     if code == INTERRUPTED:  # which the option parser may have made of it
-        terminal.complain("interrupted; what has finished is kept")
+        terminal.print_error("interrupted; what has finished is kept")
     sys.exit(code or 0)

@@ -81,7 +81,7 @@ def case_pages(project: Project, names: Sequence[str]) -> Files:
 def _of_case(project: Project, name: str) -> Iterator[tuple[Path, str]]:
     from vv.output.gallery.case_page import CasePage
     from vv.plan.plan import Options, make_plan
-    from vv.run.dossier import dossier
+    from vv.run.case_facts import case_facts
 
     case = project.load_case(name)
     first = min((variant.level for variant in case.variants), key=lambda level: level.rank)
@@ -93,7 +93,9 @@ def _of_case(project: Project, name: str) -> Iterator[tuple[Path, str]]:
         if len(scenes) < DRAWN and (text := _drawing(trial.study.scene)) and text not in scenes:
             scenes[text] = f"{name}-{variant}.svg"
             drawn[variant] = scenes[text]
-    page = CasePage(case, project.family(name), dossier(case, plan), drawn, _answers(project, case))
+    page = CasePage(
+        case, project.family(name), case_facts(case, plan), drawn, _answers(project, case)
+    )
     yield Path("cases", f"{name}.md"), page.text()
     for text, file in scenes.items():
         yield Path("cases", file), text

@@ -1,4 +1,4 @@
-"""Carries out a plan as one invocation: progress, files, the last line, and the report of it."""
+"""Carries out a plan as one invocation: progress, output files, summary and report."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from vv.output import result_lines, terminal
 from vv.output.progress import progress
 from vv.plan.plan import Plan
 from vv.plan.project import Project
-from vv.records.manifest import Manifest, Told
+from vv.records.manifest import Manifest, PrintedOutput
 from vv.store.store import Store
 
 if TYPE_CHECKING:
@@ -27,53 +27,53 @@ LATER = "vv report"  # what writes the report where a command does not
 def answered(
     project: Project, asked: tuple[object, ...], make_plan: Callable[[], Plan], limits: Limits
 ) -> Manifest:
-    """As `carried_out`, but if nothing has changed since the same call, its manifest is returned.
+    """Carry out a plan, or return the manifest of the same call if nothing has changed since.
 
-    asked: frozen data that the plan is made of. How many processes may be used, and where else
-    results are to be written, does not decide them.
+    asked: frozen data that the plan is made of. The number of processes and files to be written
+    are not part of it, since results do not depend on them.
     """
     from vv.run import reuse
 
-    if not _may_stand(limits):
+    if not _may_reuse(limits):
         return carried_out(project, make_plan(), limits)
     store, before = Store(project.data()), _identity(project, asked, limits)
-    stands = reuse.recall(store, before)
-    if stands is not None:
-        _note_standing(stands.name)
-        return reuse.of_this_commit(project, store, before, stands, _command())
+    known = reuse.recall(store, before)
+    if known is not None:
+        _note_unchanged(known.name)
+        return reuse.of_this_commit(project, store, before, known, _command())
     manifest = carried_out(project, make_plan(), limits)
     if _identity(project, asked, limits) == before:  # nobody edited anything meanwhile
         reuse.remember(store, before, manifest)
     return manifest
 
 
-def retold(
+def printed_before(
     project: Project, asked: tuple[object, ...], limits: Limits, required: tuple[str, ...]
-) -> Told | None:
-    """What the same call told at its end, if nothing has changed since; else None."""
+) -> PrintedOutput | None:
+    """What the same call printed at its end, if nothing has changed since; else None."""
     from vv.run import reuse
 
-    if not _may_stand(limits):
+    if not _may_reuse(limits):
         return None
     identity, store = _identity(project, asked, limits), Store(project.data())
-    found = reuse.retell(project, store, identity, report_folder(project), required)
+    found = reuse.output_of(project, store, identity, report_folder(project), required)
     if found is None:
         return None
-    _note_standing(found[0])
+    _note_unchanged(found[0])
     return found[1]
 
 
-def note_told(
-    project: Project, asked: tuple[object, ...], limits: Limits, name: str, told: Told
+def keep_output(
+    project: Project, asked: tuple[object, ...], limits: Limits, name: str, printed: PrintedOutput
 ) -> None:
-    """Note what a call told at its end, for the same call to tell it again."""
+    """Keep what a call printed at its end, so that the same call can print it again."""
     from vv.run import reuse
 
-    if _may_stand(limits):
-        reuse.note_told(Store(project.data()), _identity(project, asked, limits), name, told)
+    if _may_reuse(limits):
+        reuse.keep_output(Store(project.data()), _identity(project, asked, limits), name, printed)
 
 
-def _may_stand(limits: Limits) -> bool:
+def _may_reuse(limits: Limits) -> bool:
     from vv.run.session import Timing
 
     return not (limits.fresh or limits.timing is Timing.NEW)
@@ -86,7 +86,7 @@ def _identity(project: Project, asked: tuple[object, ...], limits: Limits) -> st
     return reuse.identity(project, (*asked, limits.timing), now_utc().date(), limits.against)
 
 
-def _note_standing(name: str) -> None:
+def _note_unchanged(name: str) -> None:
     terminal.note(f"nothing has changed since {name}")
 
 
@@ -104,7 +104,7 @@ def carried_out(
 
 
 def _command() -> list[str]:
-    """What was called, as a manifest names it."""
+    """The command line, as a manifest states it."""
     return ["vv", *sys.argv[1:]]
 
 
@@ -136,7 +136,7 @@ def write_records(project: Project, manifest: Manifest, json_file: Path | None) 
 
 
 def print_summary(manifest: Manifest, report: str) -> None:
-    """Say how it went and where the report is."""
+    """Print refusals, parameters without effect, counts, and where the report is."""
     result_lines.print_refusals(manifest.records)
     result_lines.print_inert(manifest.records)
     result_lines.print_counts(manifest.records, report)

@@ -18,7 +18,7 @@ from vv.plan.project import Project, find
 if TYPE_CHECKING:
     from vv.ask import Knobs
     from vv.plan.plan import Plan
-    from vv.records.manifest import Manifest, Told
+    from vv.records.manifest import Manifest, PrintedOutput
     from vv.run.session import Limits
     from vv.store.store import Store
 
@@ -118,17 +118,17 @@ def run(
             return
         until = fails(project) if first else None
         manifest = invocation.carried_out(project, plan, limits, until)
-        told = _conclude(project, manifest, ending)
+        printed = _conclude(project, manifest, ending)
     else:
         asked = "run", tuple(selection or ()), chosen, keyword
-        stands = None if json_file else invocation.retold(project, asked, limits, required)
-        told = stands or _told_first(project, asked, make_plan, limits, ending)
-    for text in told.notes:
+        known = None if json_file else invocation.printed_before(project, asked, limits, required)
+        printed = known or _run_and_keep(project, asked, make_plan, limits, ending)
+    for text in printed.notes:
         terminal.note(text)
-    terminal.say(*told.lines)
+    terminal.say(*printed.lines)
     if show:
         typer.launch(str(invocation.report_folder(project) / "index.html"))
-    raise typer.Exit(told.status)
+    raise typer.Exit(printed.status)
 
 
 def _limits(jobs: int, timeout: float, fresh: bool, timed: bool, executor: str) -> Limits:
@@ -144,29 +144,29 @@ def _limits(jobs: int, timeout: float, fresh: bool, timed: bool, executor: str) 
     )
 
 
-def _told_first(
+def _run_and_keep(
     project: Project,
     asked: tuple[object, ...],
     make_plan: Callable[[], Plan],
     limits: Limits,
     ending: Ending,
-) -> Told:
+) -> PrintedOutput:
     """Answer a call that does not stand yet, and note what it tells."""
     from vv.cli import invocation
 
     manifest = invocation.answered(project, asked, make_plan, limits)
-    told = _conclude(project, manifest, ending)
-    invocation.note_told(project, asked, limits, manifest.name, told)
-    return told
+    printed = _conclude(project, manifest, ending)
+    invocation.keep_output(project, asked, limits, manifest.name, printed)
+    return printed
 
 
-def _conclude(project: Project, manifest: Manifest, ending: Ending) -> Told:
+def _conclude(project: Project, manifest: Manifest, ending: Ending) -> PrintedOutput:
     """Write the records and the report; returns what there is to tell of them."""
     from vv.cli import invocation
     from vv.gate.judgement import judgement
     from vv.output import result_lines
     from vv.records.finding import bits
-    from vv.records.manifest import Told
+    from vv.records.manifest import PrintedOutput
     from vv.run import reuse
     from vv.store.store import Store
 
@@ -181,10 +181,10 @@ def _conclude(project: Project, manifest: Manifest, ending: Ending) -> Told:
         result_lines.print_findings(judged, manifest.records, ending.level, named, manifest)
         invocation.print_summary(manifest, str(report))
 
-    notes, lines = terminal.overheard(print_results)
+    notes, lines = terminal.captured(print_results)
     store, folder = Store(project.data()), invocation.report_folder(project)
-    of = reuse.told_of(store, manifest.name, folder, ending.required)
-    return Told(tuple(notes), tuple(lines), bits(findings), of)
+    of = reuse.output_key(store, manifest.name, folder, ending.required)
+    return PrintedOutput(tuple(notes), tuple(lines), bits(findings), of)
 
 
 def _list_jobs(project: Project, store: Store, plan: Plan, fresh: bool) -> None:

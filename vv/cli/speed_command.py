@@ -108,12 +108,12 @@ def _scale(codes: str, largest: int, json_file: Path | None) -> None:
 def _show(project: Project, manifest: Manifest, selected: bool, json_file: Path | None) -> None:
     """Print what an error costs, and write it to a file if one is named."""
     from vv.cli import speed_text
-    from vv.insight.accuracy_cost import TARGETS, duels
+    from vv.insight.accuracy_cost import TARGETS, comparisons
     from vv.insight.effort import efforts, untimed
     from vv.output.cost_document import document
 
     every, rest = efforts(manifest), untimed(manifest)
-    fights = duels(every, TARGETS)
+    compared = comparisons(every, TARGETS)
     cases = {record.case for record in manifest.records}
     left = [] if selected else [name for name in project.case_names() if name not in cases]
     for line in (
@@ -126,7 +126,7 @@ def _show(project: Project, manifest: Manifest, selected: bool, json_file: Path 
     ):
         say(*line.split("\n"))
     if json_file:
-        write_output(json_file, document(every, rest, fights).encode())
+        write_output(json_file, document(every, rest, compared).encode())
 
 
 def _all_timed(plan: Plan) -> Iterator[Job]:

@@ -7,7 +7,15 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 
-from vv.insight.accuracy_cost import FACTORS, TARGETS, Reach, cheapest, profile, reach, shares
+from vv.insight.accuracy_cost import (
+    FACTORS,
+    TARGETS,
+    ErrorCost,
+    cheapest,
+    error_cost,
+    profile,
+    shares,
+)
 from vv.insight.effort import Effort
 from vv.output.wording import duration
 from vv.records.job_record import Record
@@ -31,7 +39,7 @@ def tables(every: Sequence[Effort]) -> Iterator[str]:
         yield f"{place[0]}:{place[1]}: CPU time of the stepping loop to reach an error of"
         heads = "".join(f"{target:>11.0e}" for target in TARGETS)
         yield f"  {'scheme':<{wide}}{heads}{'least':>10}        order in dt"
-        costs = [[reach(one, target) for target in TARGETS] for one in here]
+        costs = [[error_cost(one, target) for target in TARGETS] for one in here]
         best = [_least(column) for column in zip(*costs, strict=True)]
         for one, row in zip(here, costs, strict=True):
             cells = "".join(f"{_cost(r, b):>11}" for r, b in zip(row, best, strict=True))
@@ -43,11 +51,11 @@ def tables(every: Sequence[Effort]) -> Iterator[str]:
         yield from ("", *NOTES)
 
 
-def _least(column: Sequence[Reach]) -> float | None:
+def _least(column: Sequence[ErrorCost]) -> float | None:
     return min((reached.cpu for reached in column if reached.cpu is not None), default=None)
 
 
-def _cost(reached: Reach, best: float | None) -> str:
+def _cost(reached: ErrorCost, best: float | None) -> str:
     if reached.cpu is None:
         return "-"
     mark = "*" if reached.cpu == best else ""

@@ -1,6 +1,6 @@
-"""What an error costs: interpolated between rungs, the front, who is fastest, and profiles.
+"""What an error costs: interpolation between rungs, Pareto front, rankings and profiles.
 
-Costs count from timed rungs only, which are of one session.
+Only timed rungs count, since all of these were timed in one session.
 """
 
 from __future__ import annotations
@@ -14,15 +14,22 @@ from vv.insight.effort import Effort
 from vv.records.rungs import Point
 
 TARGETS = (1e-2, 1e-3, 1e-4, 1e-6)  # relative errors that users ask for
-FACTORS = (1.0, 2.0, 10.0, 100.0, 1e4)  # times the cost of the cheapest, at which profiles are told
+FACTORS = (
+    1.0,
+    2.0,
+    10.0,
+    100.0,
+    1e4,
+)  # times the cost of the cheapest, at which profiles are printed
 Ranked = TypeVar("Ranked", bound=tuple[Any, ...])
 LEAST = 1e-17  # stands for an error of zero on a logarithmic scale
 
 
 @dataclass(frozen=True)
-class Reach:
-    """What an error costs a scheme. cpu None: it was not reached. bound: it costs that at most.
+class ErrorCost:
+    """The CPU time [s] a scheme needs for an error. cpu None: the error was not reached.
 
+    bound: cpu is an upper bound, as the coarsest timed rung is accurate enough already.
     point: the cheapest timed rung that is as accurate.
     """
 
@@ -31,8 +38,8 @@ class Reach:
     point: Point | None = None
 
 
-def reach(effort: Effort, target: float) -> Reach:
-    """What an error costs: interpolated between rungs on logarithmic scales."""
+def error_cost(effort: Effort, target: float) -> ErrorCost:
+    """What an error costs a scheme, interpolated between rungs on logarithmic scales."""
     timed = [
         (p.cpu, max(p.error, LEAST), p) for p in effort.points if p.cpu and p.error is not None
     ]
@@ -40,16 +47,16 @@ def reach(effort: Effort, target: float) -> Reach:
     for cpu, error, point in sorted(timed, key=lambda row: (row[0], row[1])):
         if error <= target:
             if before is None:
-                return Reach(cpu, True, point)
+                return ErrorCost(cpu, True, point)
             share = math.log(before[1] / target) / math.log(before[1] / error)
-            return Reach(before[0] * (cpu / before[0]) ** share, False, point)
+            return ErrorCost(before[0] * (cpu / before[0]) ** share, False, point)
         if before is None or error < before[1]:
             before = cpu, error
-    return Reach(None)
+    return ErrorCost(None)
 
 
 def front(every: Iterable[Effort]) -> list[tuple[str, Point]]:
-    """(label, point) of the timed rungs that none beats in both error and cost, cheapest first."""
+    """The Pareto front of error and cost: (label, point) of timed rungs, cheapest first."""
     timed = [
         (p.cpu, p.error, effort.label, p)
         for effort in every
@@ -60,7 +67,7 @@ def front(every: Iterable[Effort]) -> list[tuple[str, Point]]:
 
 
 def unbeaten(rows: Iterable[Ranked]) -> list[Ranked]:
-    """The rows, each a cost, an error and more, that none before them beats in their error."""
+    """Of rows (cost, error, ...) sorted by cost, those whose error is less than all before."""
     kept: list[Ranked] = []
     for row in rows:
         if not kept or row[1] < kept[-1][1]:
@@ -69,8 +76,8 @@ def unbeaten(rows: Iterable[Ranked]) -> list[Ranked]:
 
 
 def cheapest(every: Iterable[Effort], target: float) -> list[tuple[str, Point]]:
-    """(label, point) of the cheapest timed rung of each code as accurate, cheapest code first."""
-    found = [(effort.label, reach(effort, target).point) for effort in every]
+    """(label, point) of each code's cheapest timed rung within the error, cheapest code first."""
+    found = [(effort.label, error_cost(effort, target).point) for effort in every]
     able = [(p.cpu, name, p) for name, p in found if p is not None and p.cpu is not None]
     first: dict[str, tuple[str, Point]] = {}
     for _, name, point in sorted(able, key=lambda row: row[:2]):
@@ -79,13 +86,13 @@ def cheapest(every: Iterable[Effort], target: float) -> list[tuple[str, Point]]:
 
 
 @dataclass(frozen=True)
-class Duel:
-    """The best of our own engines against the best external code at an error, on a variant.
+class Comparison:
+    """The cheapest in-house engine and the cheapest external code at an error, on one variant.
 
-    ratio: our cost over theirs; None where one of them does not get there; loose: theirs may be
-    cheaper, as their coarsest timed rung is more accurate already. ours, theirs: labels, '' for
-    nobody; least: the smallest error of the external codes, if they do not get there; floored:
-    none of them gets lower at any rung, by the rule for a floor.
+    stepping: only engines that step in time are compared. ours, theirs: labels, '' if none
+    reaches the error. ratio: our cost over theirs; None if one is missing. loose: theirs may be
+    cheaper, as their coarsest timed rung is more accurate already. least: the smallest error of
+    the external codes, if none reaches the target; floored: each has reached its floor.
     """
 
     case: str
@@ -100,8 +107,8 @@ class Duel:
     floored: bool
 
 
-def duels(every: Sequence[Effort], targets: Sequence[float]) -> list[Duel]:
-    """One for each variant and error, over all our engines and over those that step in time."""
+def comparisons(every: Sequence[Effort], targets: Sequence[float]) -> list[Comparison]:
+    """Two for each variant and error: of all in-house engines, and of those that step in time."""
     variants = dict.fromkeys((e.case, e.variant) for e in every if e.external)
     found = []
     for case, variant in variants:
@@ -110,22 +117,22 @@ def duels(every: Sequence[Effort], targets: Sequence[float]) -> list[Duel]:
         for target in targets:
             for stepping in (False, True):
                 ours = [e for e in here if not e.external and (e.stepping or not stepping)]
-                found.append(_duel(case, variant, target, stepping, ours, theirs))
+                found.append(_comparison(case, variant, target, stepping, ours, theirs))
     return found
 
 
-def _duel(
+def _comparison(
     case: str,
     variant: str,
     target: float,
     stepping: bool,
     ours: Sequence[Effort],
     theirs: Sequence[Effort],
-) -> Duel:
+) -> Comparison:
     mine, other = _cheapest(ours, target), _cheapest(theirs, target)
     ratio = mine[0] / other[0] if mine and other else None
     least = min((e.best for e in theirs if e.best is not None), default=None)
-    return Duel(
+    return Comparison(
         case, variant, target, stepping, mine[1] if mine else "", other[1] if other else "",
         ratio, bool(other and other[2]), None if other else least,
         other is None and all(e.floor for e in theirs if e.best is not None),
@@ -133,7 +140,7 @@ def _duel(
 
 
 def _cheapest(every: Sequence[Effort], target: float) -> tuple[float, str, bool] | None:
-    found = [(reach(effort, target), effort.label) for effort in every]
+    found = [(error_cost(effort, target), effort.label) for effort in every]
     return min(((r.cpu, name, r.bound) for r, name in found if r.cpu is not None), default=None)
 
 
@@ -146,7 +153,7 @@ def profile(every: Sequence[Effort], target: float) -> dict[str, list[float]]:
     names = dict.fromkeys(e.label for e in every)
     ratios: dict[str, list[float]] = {name: [] for name in names}
     for place in dict.fromkeys((e.case, e.variant) for e in every):
-        here = {e.label: reach(e, target).cpu for e in every if (e.case, e.variant) == place}
+        here = {e.label: error_cost(e, target).cpu for e in every if (e.case, e.variant) == place}
         best = min((cpu for cpu in here.values() if cpu is not None), default=None)
         if best is not None:
             for name in names:

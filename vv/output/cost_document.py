@@ -6,28 +6,31 @@ import functools
 import math
 from collections.abc import Callable, Sequence
 
-from vv.insight.accuracy_cost import TARGETS, Duel, cheapest, front, profile, reach
+from vv.insight.accuracy_cost import TARGETS, Comparison, cheapest, error_cost, front, profile
 from vv.insight.effort import Effort
 from vv.records import codec
 from vv.records.rungs import Point
 
 
-def document(every: Sequence[Effort], rest: Sequence[Effort], fights: Sequence[Duel]) -> str:
-    """Efforts, duels and profiles, without infinities. rest: what was not timed."""
+def document(
+    every: Sequence[Effort], untimed: Sequence[Effort], compared: Sequence[Comparison]
+) -> str:
+    """Efforts, comparisons and profiles as JSON, without infinities."""
     efforts = [
-        {**codec.to_data(one), "reach": {f"{t:g}": reach(one, t) for t in TARGETS}} for one in every
+        {**codec.to_data(one), "reach": {f"{t:g}": error_cost(one, t) for t in TARGETS}}
+        for one in every
     ]
     return codec.render(
         {
             "targets": TARGETS,
             "efforts": efforts,
-            "indicative": rest,
+            "indicative": untimed,
             "fronts": _of_variants(every, front),
             "cheapest": {
                 f"{target:g}": _of_variants(every, functools.partial(cheapest, target=target))
                 for target in TARGETS
             },
-            "duels": fights,
+            "duels": compared,
             "profiles": {f"{target:g}": _profile(every, target) for target in TARGETS},
         }
     )

@@ -9,7 +9,7 @@ from typing import TypeVar
 
 from vv.case import Case, CodeToCode, Exact, Measured, Quantity
 from vv.gate.judgement import against_code, against_measurement, outcome
-from vv.insight.voices import votes
+from vv.insight.agreement import agreements
 from vv.output.terminal import say
 from vv.output.wording import in_words
 from vv.plan.plan import Plan
@@ -24,7 +24,7 @@ Result = TypeVar("Result", Record, RecordedResult)
 def print_explanation(plan: Plan, manifests: Iterable[Manifest]) -> None:
     """Explain the planned variants, show their last results, and who agrees with whom."""
     past = tuple(manifests)
-    results, heard = _last_results(past), votes(*_last_records(past))
+    results, heard = _last_results(past), agreements(*_last_records(past))
     for name, case in plan.cases.items():
         doi = f", doi:{case.source.doi}" if case.source.doi else ""
         say(case.title, f"  source: {case.source.citation}{doi}")
@@ -34,9 +34,9 @@ def print_explanation(plan: Plan, manifests: Iterable[Manifest]) -> None:
         for variant in case.variants:
             if (name, variant.name) in plan.trials:
                 _explain_variant(plan, case, variant.name, results)
-                for vote in heard:
-                    if (vote.case, vote.variant) == (name, variant.name):
-                        say(f"  voices: {vote.in_words()}")
+                for agreement in heard:
+                    if (agreement.case, agreement.variant) == (name, variant.name):
+                        say(f"  agreement: {agreement.in_words()}")
 
 
 def _explain_variant(

@@ -16,13 +16,13 @@ if TYPE_CHECKING:
 
 def print_jobs(plan: Plan, stored: Container[int]) -> None:
     """What would run, a line for each scheme and variant; stored: numbers of what is answered."""
-    from vv.output.results_table import by_fate
+    from vv.output.results_table import by_outcome
 
     waiting: dict[tuple[str, str], list[str]] = {}
-    fates: dict[str, Outcome] = {}
+    outcomes: dict[str, Outcome] = {}
     for number, job in enumerate(plan.jobs):
         if job.settled:
-            fates.setdefault(f"{job.code}/{job.scheme}", Outcome(job.settled.status.value))
+            outcomes.setdefault(f"{job.code}/{job.scheme}", Outcome(job.settled.status.value))
         else:
             mark = "  (stored)" if number in stored else ""
             setting = job.label.removeprefix(job.name).strip()
@@ -30,8 +30,8 @@ def print_jobs(plan: Plan, stored: Container[int]) -> None:
     for (name, mark), settings in waiting.items():
         say(f"{name}  {' '.join(settings)}".rstrip() + mark)
     took = {name.split()[1] for name, _ in waiting}
-    if rest := {name: fate for name, fate in fates.items() if name not in took}:
-        say(by_fate(rest))
+    if rest := {name: fate for name, fate in outcomes.items() if name not in took}:
+        say(by_outcome(rest))
     kept = sum(len(own) for (_, mark), own in waiting.items() if mark)
     run = sum(map(len, waiting.values())) - kept
     say(f"{len(plan.jobs)} jobs, {run} would run, {kept} are stored")

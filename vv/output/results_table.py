@@ -171,14 +171,14 @@ def unsupported(records: Iterable[Record]) -> str:
     """One line on the schemes that took nothing on; empty if every one took something."""
     given = list(records)
     took = {record.label for record in filter(tried, given)}
-    return by_fate({r.label: outcome(r) for r in given if r.label not in took})
+    return by_outcome({r.label: outcome(r) for r in given if r.label not in took})
 
 
-def by_fate(fates: Mapping[str, Outcome]) -> str:
-    """Schemes by what came of them, in a line. fates: CODE/SCHEME -> outcome."""
+def by_outcome(outcomes: Mapping[str, Outcome]) -> str:
+    """Schemes by what came of them, in a line. outcomes: CODE/SCHEME -> outcome."""
     parts = []
-    for why in dict.fromkeys(fates.values()):
-        names = [name for name, one in fates.items() if one is why]
+    for why in dict.fromkeys(outcomes.values()):
+        names = [name for name, one in outcomes.items() if one is why]
         parts.append(f"{in_words(why)}: {', '.join(_by_code(names))}")
     return "; ".join(parts)
 

@@ -26,7 +26,7 @@ def note(text: str) -> None:
     print(one_line(text), file=sys.stderr, flush=True)
 
 
-def overheard(speaker: Callable[[], None]) -> tuple[list[str], list[str]]:
+def captured(speaker: Callable[[], None]) -> tuple[list[str], list[str]]:
     """The notes and the lines that a call prints, which are kept from standard error and output."""
     notes, lines = io.StringIO(), io.StringIO()
     with contextlib.redirect_stderr(notes), contextlib.redirect_stdout(lines):
@@ -34,7 +34,7 @@ def overheard(speaker: Callable[[], None]) -> tuple[list[str], list[str]]:
     return notes.getvalue().splitlines(), lines.getvalue().splitlines()
 
 
-def complain(text: str, *more: str) -> int:
+def print_error(text: str, *more: str) -> int:
     """Print an error line, and more below it; return the exit status of a usage error."""
     for line in (f"vv: {text}", *more):
         print(one_line(line), file=sys.stderr)

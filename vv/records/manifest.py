@@ -65,11 +65,11 @@ class TimedRun:
 
 
 @dataclass(frozen=True, slots=True)
-class Told:
-    """What an invocation told at its end.
+class PrintedOutput:
+    """What an invocation printed at its end.
 
     notes, lines: on standard error and standard output; status: its exit status; of: the digest
-    of the files that it tells of, and of the codes that were required.
+    of the files that the lines describe, and of the codes that were required.
     """
 
     notes: tuple[str, ...]
@@ -80,8 +80,8 @@ class Told:
 
 @dataclass(frozen=True, slots=True)
 class Answer:
-    """What is noted of an invocation: its manifest, what it told; of a report: its files' state."""
+    """What is kept of an invocation (manifest, printed output) or of a report (file states)."""
 
     manifest: str = optional("")
     report: tuple[int, ...] = optional(())
-    told: Told | None = optional(None)  # noqa: RUF009  # None is frozen
+    printed: PrintedOutput | None = optional(None)  # noqa: RUF009  # None is frozen

@@ -85,7 +85,7 @@ def within(plan: Plan, budget: float, manifests: Sequence[Manifest]) -> Plan:
     for job in sorted(plan.jobs, key=lambda job: costs[id(job)]):
         waiting.setdefault(key(job)[:3], []).append(job)
     ranked = sorted(
-        (max(0, place - 1), -_telling(job, known), costs[id(job)], number)
+        (max(0, place - 1), -_closeness_to_tolerance(job, known), costs[id(job)], number)
         for ladder in waiting.values()
         for place, job in enumerate(ladder)
         for number in [plan.jobs.index(job)]
@@ -107,7 +107,7 @@ def _cost(job: Job, known: Mapping[Key, Record]) -> float:
     return record.cost.elapsed
 
 
-def _telling(job: Job, known: Mapping[Key, Record]) -> float:
+def _closeness_to_tolerance(job: Job, known: Mapping[Key, Record]) -> float:
     """How close to its tolerance a job was; infinite if it is new or did not do well."""
     record = known.get(key(job))
     if record is None or _wrong(record):

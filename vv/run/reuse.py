@@ -1,4 +1,4 @@
-"""Whether an invocation stands already: asked the same, of the same sources, machine and day."""
+"""Reuses an earlier invocation if nothing has changed that its results depend on."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from vv.plan.content import written
 from vv.plan.keys import PACKAGE
 from vv.plan.project import Project
 from vv.records.job_record import Record
-from vv.records.manifest import Answer, Manifest, Told
+from vv.records.manifest import Answer, Manifest, PrintedOutput
 from vv.records.outcomes import StudyKind
 from vv.store.checkout import commit
 from vv.store.provenance import machine, provenance, run_name
@@ -43,12 +43,11 @@ SEEN = (
 def identity(
     project: Project, asked: tuple[object, ...], today: datetime.date, against: Path | None = None
 ) -> str:
-    """The digest of all that goes into an invocation; coarser than the keys of single results.
+    """The digest of everything that decides what an invocation gives.
 
-    So a repeated invocation costs the reading of its sources, whatever the number of its jobs.
-    The commit is none of it: where all files are the same, so are the results.
-    asked: frozen data, all that decides what is run and judged. against: a folder of baselines
-    that it is judged by.
+    A repeated invocation then costs only the reading of its sources, whatever the number of jobs.
+    The commit is left out: where all files are the same, so are the results.
+    asked: frozen data, the selection and options. against: the folder of baselines to judge by.
     """
     adapters = [project.load_adapter(name) for name in project.adapter_names()]
     found = {adapter.name: adapter.found() for adapter in adapters}
@@ -68,22 +67,22 @@ def identity(
 
 
 def remember(store: Store, identity: str, manifest: Manifest) -> None:
-    """Note what an invocation came to, unless something in it may go better another time.
+    """Keep the manifest of an invocation for reuse, unless a repetition may give a better one.
 
-    A timing session with gaps may: what it failed to time is timed again.
+    It may where a job crashed, or where a timing session has gaps, which are timed again.
     """
     if all(map(is_reusable, manifest.records)) and not manifest.untimed:
         store.keep_answer(_key(store, identity), Answer(manifest=manifest.name))
 
 
 def is_reusable(record: Record) -> bool:
-    """Whether a job is not run again as long as nothing changes; in a map blow-ups are results."""
+    """Whether a record may be reused while nothing changes; in a map blow-ups are results."""
     status = record.status
     return status in LASTING or (status is Status.DIVERGED and record.study is StudyKind.GRID)
 
 
 def recall(store: Store, identity: str) -> Manifest | None:
-    """The manifest of an invocation that stands; else None."""
+    """The manifest kept for this identity; None if there is none or its series are gone."""
     answer = store.answer(_key(store, identity))
     if answer is None:
         return None
@@ -98,7 +97,7 @@ def recall(store: Store, identity: str) -> Manifest | None:
 def of_this_commit(
     project: Project, store: Store, identity: str, found: Manifest, command: Sequence[str]
 ) -> Manifest:
-    """A manifest that stands, kept again for the commit of now where it is of another."""
+    """The reused manifest, kept again under the present commit if it was made at another."""
     if (found.provenance.commit, found.provenance.dirty) == commit(project.root):
         return found
     now = datetime.datetime.now(datetime.UTC)
@@ -108,54 +107,54 @@ def of_this_commit(
     return dataclasses.replace(found, name=name, provenance=origin)
 
 
-def note_told(store: Store, identity: str, manifest: str, told: Told) -> None:
-    """Note what an invocation that stands told at its end; of any other nothing is noted."""
+def keep_output(store: Store, identity: str, manifest: str, printed: PrintedOutput) -> None:
+    """Keep what an invocation printed, if its manifest is the one kept for this identity."""
     answer = store.answer(_key(store, identity))
     if answer is not None and answer.manifest == manifest:
-        store.keep_answer(_key(store, identity), Answer(manifest, told=told))
+        store.keep_answer(_key(store, identity), Answer(manifest, printed=printed))
 
 
-def retell(
+def output_of(
     project: Project, store: Store, identity: str, report: Path, required: tuple[str, ...]
-) -> tuple[str, Told] | None:
-    """The manifest of an invocation that stands and what it told, of the same files; else None.
+) -> tuple[str, PrintedOutput] | None:
+    """The name of the reusable manifest and what was printed of it; None if files differ since.
 
-    One of another commit is not told again, as its report names that.
+    Output of another commit is not reused, since the report names the commit.
     """
     answer = store.answer(_key(store, identity))
-    if answer is None or answer.told is None:
+    if answer is None or answer.printed is None:
         return None
-    if answer.told.of != told_of(store, answer.manifest, report, required):
+    if answer.printed.of != output_key(store, answer.manifest, report, required):
         return None
     origin = store.head(answer.manifest)[1]
     same = (origin.commit, origin.dirty) == commit(project.root)
-    return (answer.manifest, answer.told) if same else None
+    return (answer.manifest, answer.printed) if same else None
 
 
-def told_of(store: Store, manifest: str, report: Path, required: tuple[str, ...]) -> str:
-    """The digest of what is told of: files of a manifest, a report and records; codes required."""
+def output_key(store: Store, manifest: str, report: Path, required: tuple[str, ...]) -> str:
+    """The digest of what printed lines describe: manifest, report, records, codes required."""
     states = _state(store.manifest_file(manifest)), _state_of_all(report), store.state()
     return digest(states, required)
 
 
 def note_report(store: Store, name: str, report: Path) -> None:
-    """Note the report of a manifest as it lies there, in a folder."""
+    """Keep the states of the files of a report, to notice later whether they were changed."""
     store.keep_answer(digest("report", name), Answer(report=_state_of_all(report)))
 
 
 def untouched(store: Store, name: str, report: Path) -> bool:
-    """Whether the report is that of a manifest, as it was left."""
+    """Whether the report in the folder is that of the manifest, and unchanged."""
     answer = store.answer(digest("report", name))
     return answer is not None and answer.report == _state_of_all(report)
 
 
 def _key(store: Store, identity: str) -> str:
-    """The identity and the timing session of now, which the invocation itself may have made."""
+    """The identity and the last timing session, which the invocation itself may have made."""
     return digest(identity, store.last_session())
 
 
 def _sources(project: Project) -> dict[str, str]:
-    """Every file of the tool and of the project's content, by its place there, and its digest."""
+    """Path -> digest of every source file of vv and of the project."""
     roots = dict.fromkeys((project.root, imports.OWN))
     folders = [
         ("vv", PACKAGE),
@@ -170,7 +169,7 @@ def _sources(project: Project) -> dict[str, str]:
 
 
 def _content(path: Path) -> str:
-    """Read anew each time: a file may be edited while an invocation goes on."""
+    """The digest of a file, read anew each time: it may be edited during an invocation."""
     return hashlib.sha256(path.read_bytes()).hexdigest()
 
 
@@ -188,18 +187,18 @@ def _files(folder: Path) -> Iterator[Path]:
 
 @functools.cache
 def _libraries() -> list[str]:
-    """Python, and what it can import of what is installed, wherever it lies."""
+    """The versions of Python and of all packages that are installed."""
     installed = {f"{one.name} {one.version}" for one in metadata.distributions()}
     return [platform.python_version(), sys.prefix, *sorted(installed)]
 
 
 def _state_of_all(folder: Path) -> tuple[int, ...]:
-    """The states of all files of a folder; empty where there is none."""
+    """The states of all files of a folder; empty if there are none."""
     return tuple(number for path in sorted(folder.glob("*")) for number in _state(path))
 
 
 def _state(path: Path) -> tuple[int, ...]:
-    """Size and times of change of a file, which cannot be set back; empty where there is none."""
+    """Size and times of change of a file; empty if it does not exist."""
     try:
         state = path.stat()
     except OSError:

@@ -23,7 +23,7 @@ from vv.records.outcomes import StudyKind
 from vv.records.quantity import MeasuredQuantity
 from vv.records.record import checked, measured, summarised, within
 from vv.run.batching import batches
-from vv.run.dossier import dossiers
+from vv.run.case_facts import case_facts_of
 from vv.run.executor import LOCAL, Executor, Local
 from vv.run.runner import failed
 from vv.run.timing_phase import gaps, last_costs, timed_costs
@@ -118,7 +118,7 @@ def carry_out(
     manifest = Manifest(
         provenance=provenance(project.root, command, now),
         codes={code: _code(project, plan, code) for code in sorted({j.code for j in plan.jobs})},
-        cases=dossiers(plan),
+        cases=case_facts_of(plan),
         untimed=gaps(plan, ordered, costs) if limits.timing in MEASURED else (),
         records=found.records,
         findings=found.findings,

@@ -37,7 +37,7 @@ BUGS = (
     Bug("the best of a commit as its worst", HISTORY, "[digest.closeness for _, digest in found], max)", "[digest.closeness for _, digest in found], min)", tests=INSIGHT),
     Bug("a comparison the wrong way round", COMPARE, '(x {b / a:.3g})', '(x {a / b:.3g})', tests=INSIGHT),
     Bug("the least drift as the largest", "vv/insight/stability_summary.py", "worst = max((one.errors", "worst = min((one.errors", tests=INSIGHT),
-    Bug("voices agree within the error of the coarsest step", "vv/insight/voices.py", "near = [(stiffest, min(coarser))]", "near = [(stiffest, max(coarser))]", tests=INSIGHT),
+    Bug("answers agree within the error of the coarsest step", "vv/insight/agreement.py", "near = [(stiffest, min(coarser))]", "near = [(stiffest, max(coarser))]", tests=INSIGHT),
     Bug("of each code the dearest scheme", COSTS, 'first.setdefault(name.partition("/")[0], (name, point))', 'first[name.partition("/")[0]] = (name, point)', tests=INSIGHT),
     Bug("history backwards", HISTORY, "_points([*runs.values()][::-1])", "_points([*runs.values()])", tests=INSIGHT),
     Bug("computed over measured upside down", "reports/drawing/scatter.py", "number(SIZE - at(point.computed))", "number(at(point.computed))", tests="tests/reports/drawing/test_beside.py"),

@@ -17,7 +17,7 @@ from tests.support.fabricated import case, manifest, ran
 from vv.plan.plan import declare_trial
 from vv.plan.project import find
 from vv.records.case_facts import CaseFacts
-from vv.run.dossier import _moved
+from vv.run.case_facts import _moved
 from vv.scene.picture.moved import Moved
 from vv.scene.picture.sketch import Sketch
 from vv.store.store import Store

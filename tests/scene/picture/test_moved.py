@@ -10,7 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from vv.scene import Block, Contact, Scene, Spheres, Wall, box_geometry
-from vv.scene.picture.moved import gone, turned
+from vv.scene.picture.moved import shifted, turned
 from vv.scene.picture.sketch import MOST, sketch
 
 X, Y, Z = np.eye(3)
@@ -35,7 +35,7 @@ def test_the_circle_of_a_sphere_goes_as_if_the_scene_were_drawn_with_it_there(
     body: int, way: np.ndarray
 ) -> None:
     scene = row(3)
-    moved = gone(scene, body, way)
+    moved = shifted(scene, body, way)
     assert moved is not None
     assert moved.circles == (body - 1, 1)
     assert moved.faces == (0, 0)
@@ -43,15 +43,15 @@ def test_the_circle_of_a_sphere_goes_as_if_the_scene_were_drawn_with_it_there(
 
 
 def test_what_goes_towards_the_reader_or_is_not_drawn_does_not_move() -> None:
-    assert gone(row(3), 1, Y) is None
-    assert gone(row(MOST + 1), MOST, X) is not None
-    assert gone(row(MOST + 1), MOST + 1, X) is None
+    assert shifted(row(3), 1, Y) is None
+    assert shifted(row(MOST + 1), MOST, X) is not None
+    assert shifted(row(MOST + 1), MOST + 1, X) is None
 
 
 def test_the_faces_of_a_block_are_those_of_the_sketch_after_the_blocks_before() -> None:
     blocks = (cube(0.0), cube(3.0))
     scene = Scene((Wall(-0.5 * Z, Z), *blocks), Contact(1e6), gravity=-9.81 * Z)
-    moved = gone(scene, 2, X)
+    moved = shifted(scene, 2, X)
     assert moved is not None
     start, count = moved.faces
     assert count > 0

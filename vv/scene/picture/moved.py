@@ -30,7 +30,7 @@ class Moved:
     turn: float = 0.0
 
 
-def gone(scene: Scene, body: int, direction: Vector) -> Moved | None:
+def shifted(scene: Scene, body: int, direction: Vector) -> Moved | None:
     """What a metre along a direction (3,) looks like; None for a body that is not in the sketch."""
     x, y = (view.plane(scene) @ direction).round(DIGITS).tolist()
     found = _shapes(scene, body)

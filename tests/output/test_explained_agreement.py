@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from tests.insight.test_voices import CHORUS, heard, written_down
+from tests.insight.test_agreement import AGREEING, records_of, written_down
 from tests.support.fabricated import NOWHERE
 from vv.output import explain
 from vv.records.manifest import Manifest
@@ -10,8 +10,8 @@ from vv.records.manifest import Manifest
 
 def test_the_newest_results_of_each_scheme_are_heard() -> None:
     newest, before = (
-        Manifest(NOWHERE, {}, {}, (), tuple(heard(voices)), (), {}, ())
-        for voices in ({"a/x": (1.03, 1.01)}, {**CHORUS, "a/x": (5.0, 5.0)})
+        Manifest(NOWHERE, {}, {}, (), tuple(records_of(answers)), (), {}, ())
+        for answers in ({"a/x": (1.03, 1.01)}, {**AGREEING, "a/x": (5.0, 5.0)})
     )
     records, _ = explain._last_records([newest, before])
     values = {r.label: r.quantities[0].figures["final"] for r in records}
@@ -21,6 +21,6 @@ def test_the_newest_results_of_each_scheme_are_heard() -> None:
 def test_what_is_recorded_is_heard_while_the_newest_invocation_lacks_the_code() -> None:
     absent, kept = written_down("a/x", 1.03, 1.01)
     lacking = Manifest(NOWHERE, {}, {}, (), tuple(absent), (), {}, tuple(kept))
-    having = Manifest(NOWHERE, {}, {}, (), tuple(heard(CHORUS)), (), {}, ())
+    having = Manifest(NOWHERE, {}, {}, (), tuple(records_of(AGREEING)), (), {}, ())
     assert explain._last_records([lacking, having])[1] == kept
     assert explain._last_records([having, lacking])[1] == []

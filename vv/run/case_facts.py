@@ -11,16 +11,16 @@ from vv.plan.plan import Plan
 from vv.records.case_facts import CaseFacts, QuantityFacts, ToleranceFacts, VariantFacts
 from vv.records.quantity import judge_kind
 from vv.scene import Scene
-from vv.scene.picture.moved import Moved, gone, turned
+from vv.scene.picture.moved import Moved, shifted, turned
 from vv.scene.picture.sketch import sketch
 
 
-def dossiers(plan: Plan) -> dict[str, CaseFacts]:
+def case_facts_of(plan: Plan) -> dict[str, CaseFacts]:
     """Case name -> its prose, parameters, variants and quantities, for the variants planned."""
-    return {name: dossier(case, plan) for name, case in plan.cases.items()}
+    return {name: case_facts(case, plan) for name, case in plan.cases.items()}
 
 
-def dossier(case: Case, plan: Plan) -> CaseFacts:
+def case_facts(case: Case, plan: Plan) -> CaseFacts:
     """What one case says of itself."""
     trials = {v: trial for (name, v), trial in plan.trials.items() if name == case.name}
     return CaseFacts(
@@ -62,7 +62,7 @@ def _moved(quantities: Sequence[Quantity], scene: Scene) -> dict[str, Moved]:
 
 def _one_moved(observe: object, scene: Scene) -> Moved | None:
     if isinstance(observe, Along) and isinstance(observe.observable, Displacement):
-        return gone(scene, observe.observable.body, observe.direction)
+        return shifted(scene, observe.observable.body, observe.direction)
     if isinstance(observe, Turn):
         return turned(scene, observe.body, observe.axis, observe.unit)
     return None
