@@ -23,8 +23,6 @@ from numba.extending import (
     unbox,
 )
 
-from vv.engines.kernels.bundles import Bundled
-
 DATA = 3  # words of numba's MemInfo before the pointer to what it holds: refct, dtor, dtor_info
 
 
@@ -50,6 +48,7 @@ register_model(Bundle)(cast(Any, models).StructRefModel)
 def learn(origin: type, made: type) -> None:
     """Let numba know the values of a named tuple, and the class by which kernels make them."""
     typeof_impl.register(origin)(typeof_bundle)
+    typeof_impl.register(type(made))(typeof_maker)
     lower_builtin(made, types.VarArg(types.Any))(make)
 
 
@@ -58,7 +57,6 @@ def typeof_bundle(value: Any, context: Any) -> Bundle:
     return Bundle(type(value), tuple(typeof_impl(field, context) for field in value))
 
 
-@typeof_impl.register(Bundled)
 def typeof_maker(origin: Any, context: Any) -> Any:
     """The type of a named tuple's class, which kernels call to make one."""
 
