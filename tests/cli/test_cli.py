@@ -167,7 +167,7 @@ def test_a_result_folder_that_cannot_be_used_is_named(tiny: Tiny) -> None:
     done = tiny.vv("run", "fall:up", "--codes", "fake/good", VV_DATA="/dev/null")
     assert (done.returncode, done.stderr) == (
         64,
-        "vv: cannot use /dev/null/scratch: Not a directory\n",
+        "vv: cannot use /dev/null/scratch (from VV_DATA): Not a directory\n",
     )
 
 

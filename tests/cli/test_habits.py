@@ -53,6 +53,16 @@ def test_list_filters_by_family_code_and_words(tiny: Tiny) -> None:
     assert tiny.vv("list", "--code", "fake/weightless").stdout == ""
 
 
+def test_list_and_codes_take_names(tiny: Tiny) -> None:
+    out = tiny.vv("list", "fall:sl*").stdout
+    assert ("fall:slow" in out, "fall:up" in out) == (True, False)
+    assert tiny.vv("list", "fall", "-k", "slowly").stdout.count("  fall:") == 1
+    assert "no case or family 'fell'; did you mean fall?" in tiny.vv("list", "fell").stderr
+    schemes = tiny.vv("codes", "fake").stdout.splitlines()
+    assert all("fake" in line for line in schemes if not line.startswith("  to install"))
+    assert "no code 'fakd'" in tiny.vv("codes", "fakd").stderr
+
+
 def test_explain_can_be_asked_about_one_code(tiny: Tiny) -> None:
     out = tiny.vv("explain", "fall:up", "--codes", "fake/good").stdout
     assert ("fake/good" in out, "fake/coarse" in out) == (True, False)

@@ -195,6 +195,16 @@ def test_a_handshake_says_what_is_right_and_what_is_wrong(tiny: Tiny, mine: Path
     shutil.rmtree(folder)
 
 
+def test_a_program_that_hangs_is_asked_once(tiny: Tiny, mine: Path) -> None:
+    (tiny.root / "mine.sh").write_text("sleep 60")
+    done = tiny.vv("check", "mine.toml", "--timeout", "0.5")
+    assert done.returncode == 8
+    assert done.stdout.splitlines()[-1] == "  1 more not asked, since it gave no answer in 0.5 s"
+    folder = Path(done.stderr.removeprefix("questions and answers of what failed: ").strip())
+    assert len(list(folder.rglob("ask.json"))) == 1
+    shutil.rmtree(folder)
+
+
 @pytest.mark.parametrize(
     ("address", "message"),
     [

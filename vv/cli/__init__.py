@@ -103,6 +103,14 @@ def _message(error: Exception) -> str:
     return raised_within(error) if parser is None else str(parser()) or "a command is missing"
 
 
+def _place(error: OSError) -> str:
+    """The file that cannot be used, and the variable that names its folder."""
+    folders = {name: os.environ.get(name, "") for name in ("VV_DATA", "VV_CACHE")}
+    path = f"{error.filename}/"
+    named = [n for n, folder in folders.items() if folder and path.startswith(f"{folder}/")]
+    return f"{error.filename}" + "".join(f" (from {name})" for name in named)
+
+
 def main() -> None:
     """Run the command line; bad input gets one line and exit status 64, never a traceback.
 
@@ -121,7 +129,7 @@ def main() -> None:
         os.dup2(os.open(os.devnull, os.O_WRONLY), 1)  # the reader left; nothing more to say
         code = 0
     except OSError as error:
-        code = terminal.print_error(f"cannot use {error.filename}: {error.strerror}")
+        code = terminal.print_error(f"cannot use {_place(error)}: {error.strerror}")
     except Exception as error:
         if message := _message(error):
             code = terminal.print_error(*message.splitlines())

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import tempfile
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
@@ -56,10 +57,14 @@ def _greet(adapter: Adapter, scheme: Scheme, timeout: float, scratch: Path) -> i
 
     say(f"{adapter.name}/{scheme.name} claims to be {scheme.method.value}")
     status, known = 0, greetings(scheme)
-    for greeting in known:
-        found = judged(scheme, greeting, _answers(adapter, scheme, greeting, timeout, scratch))
+    for number, greeting in enumerate(known, 1):
+        runs = _answers(adapter, scheme, greeting, timeout, scratch)
+        found = judged(scheme, greeting, runs)
         say(f"  {greeting.name}: {found.words}")
         status |= {Grip.WRONG: WRONG, Grip.FAILED: CRASHED}.get(found.grip, 0)
+        if runs[-1].status is Status.TIMEOUT and number < len(known):
+            say(f"  {len(known) - number} more not asked, since it gave no answer in {timeout:g} s")
+            break
     missing = sorted(term.name.lower().replace("_", "-") for term in unasked(scheme))
     if not known:
         say("  nothing to ask: it declares neither spheres nor blocks, or reports no motion")
@@ -71,7 +76,7 @@ def _greet(adapter: Adapter, scheme: Scheme, timeout: float, scratch: Path) -> i
 def _answers(
     adapter: Adapter, scheme: Scheme, greeting: Greeting, timeout: float, scratch: Path
 ) -> list[Run]:
-    """What comes of the question at each step, in order."""
+    """What comes of the question at each step, in order; nothing is asked after a timeout."""
     from vv.records.record import checked
     from vv.run.runner import Batch, run_batches
 
@@ -84,5 +89,10 @@ def _answers(
     def folder() -> Path:
         return Path(tempfile.mkdtemp(prefix=f"{greeting.name.replace(' ', '-')}-", dir=scratch))
 
-    answered = dict(run_batches([batch], 1, timeout, folder))
-    return [checked(answered[number], ask) for number, ask in enumerate(asks)]
+    runs = {}
+    with contextlib.closing(run_batches([batch], 1, timeout, folder)) as answers:
+        for number, run in answers:
+            runs[number] = checked(run, asks[number])
+            if run.status is Status.TIMEOUT:
+                break
+    return [runs[number] for number in sorted(runs)]

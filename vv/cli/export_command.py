@@ -64,7 +64,7 @@ def export(
     else:
         text, label = _input(project, selection, asked, form)
     write_output(output or Path("-"), text.encode())
-    note(f"written: {label}")
+    note(f"written: {label}" + (f" in {output}" if output else ""))
 
 
 def _question(case: Case, variant: str, asked: Options) -> str:

@@ -21,6 +21,7 @@ PAST = 20  # invocations in which a last result is looked for
 
 
 def list_cases(
+    selection: options.Selection = None,
     family: Annotated[
         str, typer.Option("--family", metavar="FAMILY", help="Only this family; globs allowed.")
     ] = "*",
@@ -39,14 +40,30 @@ def list_cases(
         from vv.base.hints import name_hint
 
         raise UsageError(f"no family '{family}'{name_hint(family, families.values())}")
-    cases = project.load_cases(names)
-    shown = {case.name: [v.name for v in case.variants] for case in cases}
+    selected = _selected(project, selection or [])
+    cases = project.load_cases([name for name in names if not selected or name in selected])
+    shown = {case.name: selected.get(case.name) or _all_variants(case) for case in cases}
     if keyword:
-        shown = _fitting(families, cases, keyword)
+        fitting = _fitting(families, cases, keyword)
+        shown = {name: [v for v in own if v in fitting[name]] for name, own in shown.items()}
     if code:
         runs = _run_by(project, [name for name in names if shown[name]], code)
         shown = {name: [v for v in own if (name, v) in runs] for name, own in shown.items()}
     print_cases([case for case in cases if shown[case.name]], shown, families)
+
+
+def _selected(project: Project, patterns: list[str]) -> dict[str, list[str]]:
+    """Case -> its variants that patterns select; empty without patterns."""
+    from vv.plan.selection import select
+
+    found: dict[str, list[str]] = {}
+    for case, variant in select(project, patterns) if patterns else ():
+        found.setdefault(case.name, []).append(variant)
+    return found
+
+
+def _all_variants(case: Case) -> list[str]:
+    return [variant.name for variant in case.variants]
 
 
 def _fitting(families: dict[str, str], cases: list[Case], keyword: str) -> dict[str, list[str]]:
@@ -62,7 +79,7 @@ def _fitting(families: dict[str, str], cases: list[Case], keyword: str) -> dict[
         family = families[case.name]
         own = [v.name for v in case.variants if fits(f"{family} {case.name}:{v.name} {v.summary}")]
         by_title = fits(f"{family} {case.name} {case.title}")
-        fitting[case.name] = own or [v.name for v in case.variants if by_title]
+        fitting[case.name] = own or (_all_variants(case) if by_title else [])
     if not any(fitting.values()):
         raise UsageError(f"-k '{keyword}' fits no variant; `vv list` shows all")
     return fitting
@@ -81,12 +98,18 @@ def _run_by(project: Project, names: list[str], code: str) -> set[tuple[str, str
     }
 
 
-def list_codes() -> None:
+def list_codes(
+    names: Annotated[
+        list[str] | None, typer.Argument(metavar="CODE", help="Only these codes; globs allowed.")
+    ] = None,
+) -> None:
     """List codes: found or not, version, path, schemes, how to install what is missing."""
     from vv.output.listing import print_codes
+    from vv.plan.selection import choose_schemes, named_adapters
 
-    project = find()
-    print_codes([project.load_adapter(name) for name in project.adapter_names()])
+    patterns = names or ["*"]
+    chosen = choose_schemes(named_adapters(find(), patterns), patterns)
+    print_codes(list({adapter.name: adapter for adapter, _ in chosen}.values()))
 
 
 def explain(

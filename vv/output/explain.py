@@ -140,13 +140,15 @@ def _by_scheme(results: Iterable[Result]) -> dict[tuple[str, ...], list[Result]]
 
 
 def _last_results(manifests: Iterable[Manifest]) -> dict[tuple[str, ...], list[str]]:
-    """The newest result of each (case, variant, code, scheme): when, then each rung in words."""
+    """The newest result of each (case, variant, code, scheme): when, then each rung in words.
+
+    Results of modified parameters are left out, since the tolerances shown are not theirs.
+    """
     found: dict[tuple[str, ...], list[str]] = {}
     for manifest in manifests:
-        newest: dict[tuple[str, ...], list[str]] = {}
-        for r in manifest.records:
-            key = r.case, r.variant, r.code, r.scheme
-            newest.setdefault(key, [manifest.provenance.utc]).append(_in_words(r))
+        own = _by_scheme(record for record in manifest.records if not record.modified)
+        when = manifest.provenance.utc
+        newest = {place: [when, *map(_in_words, records)] for place, records in own.items()}
         found = {**newest, **found}
     return found
 
@@ -155,9 +157,8 @@ def _in_words(record: Record) -> str:
     errors = "; ".join(map(_quantity_in_words, record.quantities))
     knobs = (("dt", record.rung.dt), ("kn", record.rung.kn))
     at = " ".join(f"{knob} {value:g}" for knob, value in knobs if value)
-    changed = ", modified parameters" if record.modified else ""
     came = in_words(outcome(record))
-    return f"{at}{': ' if at else ''}{came}{changed}: {errors or record.reason}"
+    return f"{at}{': ' if at else ''}{came}: {errors or record.reason}"
 
 
 def _quantity_in_words(one: MeasuredQuantity) -> str:

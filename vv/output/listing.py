@@ -60,7 +60,7 @@ def print_codes(adapters: Sequence[Adapter]) -> None:
     for adapter in adapters:
         found = adapter.found()
         state = f"{found.version}  {found.path}" if found.installed else "not installed"
-        say(f"{adapter.name}  {state}")
+        say(f"{adapter.name}  {state}".rstrip())
         if not found.installed:
             say(f"  to install: {found.how_to_install}")
         for scheme in adapter.schemes:

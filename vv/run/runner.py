@@ -12,7 +12,7 @@ import signal
 import time
 import traceback
 from collections import deque
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Generator, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from multiprocessing.connection import Connection, wait
 from multiprocessing.process import BaseProcess
@@ -93,7 +93,7 @@ class _Worker:
 
 def run_batches(
     batches: Iterable[Batch], workers: int, timeout: float, scratch: Callable[[], Path]
-) -> Iterator[tuple[int, Run]]:
+) -> Generator[tuple[int, Run], None, None]:
     """Yield (number, run) as answers come in, from at most `workers` processes at a time.
 
     timeout: seconds for each ask. A worker that overruns it is killed with all it started; one
