@@ -5,7 +5,8 @@ import pytest
 
 from vv.ask import Ask, Displacement, History, Knobs
 from vv.engines import dem
-from vv.engines.dem.solve import refuses, solve
+from vv.engines.dem.refusals import refuses
+from vv.engines.dem.solve import solve
 from vv.scene import Contact, Fluid, Scene, Spheres, Term
 
 

@@ -6,8 +6,9 @@ May import: base, scene, ask, standins, engines.kernels.
 from vv.ask import Ask, Run
 from vv.engines.dem.critical_step import critical_step
 from vv.engines.dem.leapfrog import CENTRED, LAGGED, Leapfrog
+from vv.engines.dem.refusals import refuses, unstable
 from vv.engines.dem.safe_step import safe_step
-from vv.engines.dem.solve import PreparedSpheres, prepare, refuses, solve, unstable
+from vv.engines.dem.solve import PreparedSpheres, prepare, solve
 
 __all__ = [
     "CENTRED",

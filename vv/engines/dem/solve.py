@@ -3,29 +3,26 @@
 from __future__ import annotations
 
 import functools
-import math
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
-from vv.ask import Ask, Ledger, Model, Reaction, Run, Status
+from vv.ask import Ask, Ledger, Model, Run, Status
 from vv.engines.dem.bulk.model import Bulk, BulkState, bulk
-from vv.engines.dem.critical_step import critical_step, highest_delay
+from vv.engines.dem.critical_step import critical_step
 from vv.engines.dem.deepest import deepest
-from vv.engines.dem.idle import idle, why_left_out
+from vv.engines.dem.idle import idle
 from vv.engines.dem.leapfrog import CENTRED, Leapfrog
 from vv.engines.dem.limits import BLOW_UP, GAIN
 from vv.engines.dem.line.model import Line, line
 from vv.engines.dem.pressed.model import Pressed, pressed
-from vv.engines.dem.safe_step import PACKED
+from vv.engines.dem.refusals import refuses, wants_all
 from vv.engines.dem.space.model import Space, SpaceState, space
 from vv.engines.dem.terms.bonds import Bonds
 from vv.scene import Form, Scene, Vector
-from vv.scene.scene import LOCKED_SPEED
 from vv.standins.stand_in import SpringScene, spring_scene
-from vv.standins.stand_in import why_no_spring_scene as why_not_rigid
 
 FORMS = tuple(Form)  # the columns of a ledger, in their order
 EPS = float(np.finfo(float).eps)
@@ -195,7 +192,7 @@ def prepare(ask: Ask, leapfrog: Leapfrog, threads: int = 1) -> PreparedSpheres:
     """The program of an ask, with the smallest model its scene allows."""
     stand_in = spring_scene(ask)
     scene, charged = stand_in.scene, stand_in.charged
-    small = None if _wants_all(ask) else line(scene) or pressed(scene, charged)
+    small = None if wants_all(ask) else line(scene) or pressed(scene, charged)
     system = small or bulk(scene) or space(scene, charged)
     return PreparedSpheres(ask, leapfrog, system, stand_in, threads)
 
@@ -219,48 +216,6 @@ def solve(ask: Ask, leapfrog: Leapfrog) -> Run:
     return program.run(program.solve())
 
 
-def refuses(ask: Ask) -> str | None:
-    """Why an ask cannot be run honestly; else None."""
-    dt, goal = ask.knobs.dt, ask.goal
-    if dt is None:
-        return "Knobs.dt is None; an explicit scheme needs a step"
-    if goal.steps(dt) == 0:
-        return f"dt = {dt!r} s leaves no step in History.duration = {goal.duration!r} s"
-    reason = why_not_rigid(ask)
-    if reason is not None:
-        return reason
-    scene = spring_scene(ask).scene
-    return (
-        _spins_where_locked(scene)
-        or _coincident(scene)
-        or _unknown_reaction(ask, scene)
-        or _rings(scene, dt)
-        or why_left_out(scene, _wants_all(ask))
-    )
-
-
-def _wants_all(ask: Ask) -> bool:
-    """Whether only the general model answers: it has all energies and reactions."""
-    return bool(ask.energies) or any(isinstance(what, Reaction) for what in ask.observables)
-
-
-def unstable(ask: Ask, leapfrog: Leapfrog) -> str | None:
-    """Why the step of an ask is too large, with the largest stable one and its rule; else None.
-
-    Such a step may be solved all the same, to see what comes of it.
-    """
-    dt = ask.knobs.dt
-    limit = critical_step(spring_scene(ask).scene, leapfrog)
-    if dt is None or dt <= limit:
-        return None
-    late = (ask.scene.eta > 0 or ask.scene.contact.viscous) and leapfrog.lag > 0.5
-    rule = "2 (sqrt(n^2 + w^2) - n)/w^2, n = eta/2m + eta_n/kn w^2/2" if late else "2/w"
-    return (
-        f"dt = {dt:.6g} s is beyond the largest stable step {limit:.6g} s = {rule}, w the highest "
-        f"frequency of its contacts; {PACKED * limit:.3g} s is safe however like spheres touch"
-    )
-
-
 def _audits(scene: Scene, terms: Vector) -> Iterator[tuple[str, tuple[float, float]]]:
     """What the springs' energies (k, 2) [J] at the outputs say of friction and overlap.
 
@@ -278,46 +233,3 @@ def _audits(scene: Scene, terms: Vector) -> Iterator[tuple[str, tuple[float, flo
         push, drag = np.sqrt(2 * law.kn * normal), np.sqrt(2 * law.ks * shear)
         beyond = float((drag - law.mu * push).max())
         yield "Coulomb: friction beyond mu N [N]", (max(beyond, 0.0), COULOMB * float(push.max()))
-
-
-def _spins_where_locked(scene: Scene) -> str | None:
-    spheres = scene.spheres
-    parts = spheres.spin @ scene.axes.T
-    size = np.abs(parts).max(axis=1, keepdims=True, initial=0.0)
-    for i, axis in np.argwhere(~spheres.free_spin & (np.abs(parts) > LOCKED_SPEED * size))[:1]:
-        along = f"{parts[i, axis]:.6g} 1/s along a locked axis"
-        return f"Spheres.spin[{i}] has {along}; a locked body must not turn there"
-    return None
-
-
-def _coincident(scene: Scene) -> str | None:
-    position = scene.spheres.position
-    order = np.lexsort(position.T)
-    same = np.flatnonzero(~np.diff(position[order], axis=0).any(axis=1))
-    if len(same):
-        first, second = np.sort(order[same[0] : same[0] + 2])
-        return f"spheres {first} and {second} have one centre; a contact needs a normal"
-    return None
-
-
-def _rings(scene: Scene, dt: float) -> str | None:
-    """A viscous force that half a step would turn round goes on to and fro, and makes energy."""
-    ratio = highest_delay(scene) if scene.contact.viscous else 0.0
-    longest = 0.5 / ratio * critical_step(scene, CENTRED) ** 2 if ratio else math.inf
-    if dt <= longest:
-        return None
-    return (
-        f"dt = {dt:.6g} s is beyond {longest:.6g} s = 2 kn/(eta_n w^2), in half of which viscous "
-        "contact stops what approaches; w the highest frequency of its contacts"
-    )
-
-
-def _unknown_reaction(ask: Ask, scene: Scene) -> str | None:
-    """The forces on all bodies that stay in place are summed up in one row."""
-    for what in ask.observables:
-        if isinstance(what, Reaction):
-            i = scene.sphere_index(what.body)
-            moving = scene.spheres.free[i].any() or scene.spheres.free_spin[i].any()
-            if not (moving or scene.locked_velocity[i].any()):
-                return f"the reaction on body {what.body}, which cannot move, is not modelled"
-    return None

@@ -10,7 +10,8 @@ from reference_solutions.impact.rebound import Law, Sphere
 from vv.ask import Ask, History, Knobs, Velocity
 from vv.engines import dem
 from vv.engines.dem.contact.micro_slip import weight_of
-from vv.engines.dem.solve import refuses, solve
+from vv.engines.dem.refusals import refuses
+from vv.engines.dem.solve import solve
 from vv.scene import Bonds, Contact, Hertz, Scene, Spheres, Vector, Wall
 
 RADIUS, MASS, E, G, MU = 0.1, 11.0, 7e9, 1.5e9, 0.3
