@@ -57,7 +57,7 @@ def _ends(heat: HeatMap) -> tuple[int, int]:
 
 def _colour(error: float, ends: tuple[int, int]) -> str:
     part = (math.log10(min(error, WRONG)) - ends[0]) / (ends[1] - ends[0])
-    return SCALE[round(min(1.0, max(0.0, part)) * (len(SCALE) - 1))]
+    return SCALE[round(part * (len(SCALE) - 1))]
 
 
 def _panel(

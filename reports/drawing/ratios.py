@@ -61,21 +61,17 @@ def _range(kinds: Sequence[Kind]) -> tuple[float, float]:
         for own in kind.points.values():
             for one in own:
                 sure = 2.0 * one.uncertainty / one.measured
-                found += [_ratio(one), 1.0 - sure, 1.0 + sure]
+                found += [one.computed / one.measured, 1.0 - sure, 1.0 + sure]
     return 0.95 * max(min(found), 0.25), 1.05 * min(max(found), 4.0)
 
 
-def _ratio(one: Compared) -> float:
-    """Computed over measured, kept off zero so that its logarithm is drawn."""
-    return max(one.computed / one.measured, 0.05)
-
-
 def _logarithmic(ends: tuple[float, float], first: float, last: float) -> Place:
-    low, high = map(math.log, ends)
+    """Places on a logarithmic axis, at its ends for what lies beyond."""
+    low, high = ends
 
     def at(value: float) -> float:
-        share = (math.log(value) - low) / (high - low)
-        return first + (last - first) * min(max(share, 0.0), 1.0)
+        share = math.log(min(max(value, low), high) / low) / math.log(high / low)
+        return first + (last - first) * share
 
     return at
 
@@ -96,7 +92,7 @@ def _measured(kind: Kind, start: float, at: Place) -> Iterator[str]:
     """Bars of two standard uncertainties about 1, and the name of the kind below."""
     for k, one in enumerate(kind.slots.values()):
         sure = 2.0 * one.uncertainty / one.measured
-        x, ends = number(start + SLOT * (k + 0.5)), (max(1.0 - sure, 0.05), 1.0 + sure)
+        x, ends = number(start + SLOT * (k + 0.5)), (1.0 - sure, 1.0 + sure)
         yield f'<path class="sure" d="M{x} {number(at(ends[0]))}V{number(at(ends[1]))}"/>'
     middle = start + 0.5 * SLOT * len(kind.slots)
     aside = f"translate({number(middle + 4)} {number(TOP + TALL + 14)}) rotate(-32)"
@@ -107,7 +103,7 @@ def _dots(mark: Mark, kind: Kind, start: float, at: Place) -> Iterator[str]:
     """Filled where a band holds them, hollow where they are shown."""
     slots = list(kind.slots)
     for one in kind.points.get(mark, ()):
-        x, y = start + SLOT * (slots.index(one.quantity) + 0.5), at(_ratio(one))
+        x, y = start + SLOT * (slots.index(one.quantity) + 0.5), at(one.computed / one.measured)
         shape = "open" if one.band is None else "full"
         said = (
             f"{mark.label}, {kind.name}, {one.quantity}: computed {one.computed:.4g}, measured "
@@ -117,41 +113,55 @@ def _dots(mark: Mark, kind: Kind, start: float, at: Place) -> Iterator[str]:
         yield f'<circle class="{shape}" {place}>{title(said)}</circle>'
 
 
+@dataclass(frozen=True)
+class _Row:
+    """A scheme on some measurements: bias, with two scatters either way, and what these allow."""
+
+    mark: Mark
+    of: str
+    bias: float
+    scatter: float
+    sure: float
+
+    @property
+    def ends(self) -> tuple[float, float]:
+        """Two scatters below the bias and above it."""
+        either = 2.0 * self.scatter
+        return self.bias * max(1.0 - either, 0.2), self.bias * (1.0 + either)
+
+
 def draw_biases(rows: Sequence[tuple[Mark, str, Factor]]) -> Markup:
     """Bias of schemes with two scatters either way; grey: what the measurements are sure to."""
-    known = [(mark, of, one) for mark, of, one in rows if one.bias and one.scatter is not None]
-    spread = [
-        max(one.bias * (1.0 + 2.0 * one.scatter), 1.0 / (one.bias * max(1 - 2 * one.scatter, 0.2)),
-            1.0 + 2.0 * (one.sure or 0.0))
-        for _, _, one in known if one.bias and one.scatter is not None
-    ]  # fmt: skip
+    known = [_Row(mark, of, one.bias, one.scatter, one.sure or 0.0) for mark, of, one in rows
+             if one.bias is not None and one.scatter is not None]  # fmt: skip
+    spread = [far for row in known for far in (row.ends[1], 1.0 / row.ends[0], 1 + 2 * row.sure)]
     most = 1.05 * max([1.02, *spread])
     at = _logarithmic((1.0 / most, most), NAMED, WIDE - RIGHT)
     low = TOP + ROW * len(known)
-    parts = [f'<path class="frame" d="M{number(at(1.0))} {number(TOP)}V{number(low)}"/>']
     told = [at(1.0)]
-    for tick in (1.0, *TICKS, 0.95, 1.05, 0.98, 1.02):
+    parts = [f'<path class="frame" d="M{number(told[0])} {number(TOP)}V{number(low)}"/>',
+             text(told[0], low + 16, "1", "mid")]  # fmt: skip
+    for tick in (*TICKS, 0.95, 1.05, 0.98, 1.02):
         x = at(tick)
-        free = NAMED < x < WIDE - RIGHT and min(abs(x - other) for other in told) > APART
-        if free or (tick == 1.0 and len(told) == 1):
+        if NAMED < x < WIDE - RIGHT and min(abs(x - other) for other in told) > APART:
             told.append(x)
             parts.append(text(x, low + 16, f"{tick:g}", "mid"))
-    for k, (mark, of, one) in enumerate(known):
-        parts += _row(mark, of, one, TOP + ROW * (k + 0.5), at)
+    for k, row in enumerate(known):
+        parts += _row(row, TOP + ROW * (k + 0.5), at)
     return drawing(WIDE, low + 24, parts)
 
 
-def _row(mark: Mark, of: str, one: Factor, y: float, at: Place) -> Iterator[str]:
-    bias, scatter, sure = one.bias or 1.0, one.scatter or 0.0, one.sure or 0.0
-    yield text(0, y + 4, f"{mark.label}, {of}")
-    first, last = at(1.0 / (1.0 + 2.0 * sure)), at(1.0 + 2.0 * sure)
+def _row(row: _Row, y: float, at: Place) -> Iterator[str]:
+    name = f"{row.mark.label}, {row.of}"
+    yield text(0, y + 4, name)
+    first, last = at(1.0 / (1.0 + 2.0 * row.sure)), at(1.0 + 2.0 * row.sure)
     yield (
         f'<rect class="sure" x="{number(first)}" y="{number(y - 7)}" '
         f'width="{number(last - first)}" height="14"/>'
     )
-    ends = bias * max(1.0 - 2.0 * scatter, 0.2), bias * (1.0 + 2.0 * scatter)
-    said = f"{mark.label}, {of}: bias {bias:.4f}, scatter {100 * scatter:.2f} %"
-    yield f'<g class="c{mark.colour}" data-k="{escape(mark.label)}">'
-    yield f'<path class="line" d="M{number(at(ends[0]))} {number(y)}H{number(at(ends[1]))}"/>'
-    place = f'cx="{number(at(bias))}" cy="{number(y)}" r="4"'
+    left, right = map(at, row.ends)
+    said = f"{name}: bias {row.bias:.4f}, scatter {100 * row.scatter:.2f} %"
+    yield f'<g class="c{row.mark.colour}" data-k="{escape(row.mark.label)}">'
+    yield f'<path class="line" d="M{number(left)} {number(y)}H{number(right)}"/>'
+    place = f'cx="{number(at(row.bias))}" cy="{number(y)}" r="4"'
     yield f'<circle class="full" {place}>{title(said)}</circle></g>'

@@ -22,8 +22,7 @@ def draw_sweep(curves: Sequence[Curve], quantity: str, over: str) -> Markup:
     seen = {one.quantity: one for _, _, points in curves for one in points}
     every = [one for _, _, points in curves for one in points]
     x = _scale([one.at or 0.0 for one in every], LEFT, WIDE - RIGHT)
-    values = [one.computed for one in every]
-    values += [one.measured + sign * one.uncertainty for one in every for sign in (-2, 2)]
+    values = [value for one in every for value in (one.computed, *_ends(one))]
     y = _scale(values, TALL - FOOT, EDGE)
     parts = [*_frame(x, y, quantity, over)]
     named: set[str] = set()
@@ -90,9 +89,14 @@ def _curve(
 def _bar(one: Compared, x: Scale, y: Scale) -> str:
     """A measured point with its bar."""
     across, up = number(x.at(one.at or 0.0)), number(y.at(one.measured))
-    ends = [number(y.at(one.measured + sign * one.uncertainty)) for sign in (-2, 2)]
+    ends = [number(y.at(end)) for end in _ends(one)]
     said = title(f"{one.quantity}: measured {one.measured:.4g} ± {one.uncertainty:.2g}")
     return (
         f'<path class="seen" d="M{across} {ends[0]}V{ends[1]}"/>'
         f'<circle class="seen" cx="{across}" cy="{up}" r="3">{said}</circle>'
     )
+
+
+def _ends(one: Compared) -> tuple[float, float]:
+    """Two standard uncertainties below a measured value and above it."""
+    return one.measured - 2 * one.uncertainty, one.measured + 2 * one.uncertainty
