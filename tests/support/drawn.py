@@ -46,7 +46,6 @@ def near(*wanted: float) -> Any:
     return pytest.approx(list(wanted), abs=0.0501)
 
 
-def placed(*wanted: tuple[str, float, float]) -> list[Any]:
+def placed(*wanted: tuple[object, ...]) -> list[Any]:
     """Words with places, to compare with."""
-    return [(said, pytest.approx(x, abs=0.0501), pytest.approx(y, abs=0.0501))
-            for said, x, y in wanted]  # fmt: skip
+    return [(said, *(pytest.approx(one, abs=0.0501) for one in where)) for said, *where in wanted]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import math
 
 import numpy as np
 import pytest
@@ -41,9 +42,9 @@ def test_frame_and_numbers_of_a_linear_chart() -> None:
     assert numbers(below.named["transform"]) == [0, 261]
     assert numbers(beside.named["transform"]) == [47, 3]
     said = [(one.text, float(one.named["x"])) for one in below.every("text")]
-    assert said == [(f"{t}", pytest.approx(x_of(t), abs=0.06)) for t in range(5)]
+    assert said == placed(*((f"{t}", x_of(t)) for t in range(5)))
     said = [(one.text, float(one.named["y"])) for one in beside.every("text")]
-    assert said == [(f"{v}", pytest.approx(y_of(v), abs=0.06)) for v in (0, 5, 10)]
+    assert said == placed(*((f"{v}", y_of(v)) for v in (0, 5, 10)))
     grid = paths(drawn, "grid")[0]
     ways = [n for t in range(5) for n in (x_of(t), 10, 248)]
     ways += [n for v in (0, 5, 10) for n in (52, y_of(v), 356)]
@@ -61,7 +62,7 @@ def test_a_curve_is_a_line_with_markers_and_a_name_led_to() -> None:
     )
     (group,) = drawn.every("g", class_="k7")
     (name,) = group.every("text")
-    assert (name.text, float(name.named["y"])) == ("a/a", pytest.approx(y_of(5) + 3, abs=0.06))
+    assert [(name.text, float(name.named["y"]))] == placed(("a/a", y_of(5) + 3))
     assert len([*group.every("path")]) == 2  # the name stands right beside its end
 
 
@@ -112,17 +113,17 @@ def test_names_keep_within_the_drawing() -> None:
 
 LOG = Chart(
     "dt [s]", "e", True, True,
-    (curve(A, [1e-3, 1e-2, 1e-1], [1e-4, 1e-3, 1e-2]), curve(B, [1e-2, 1e-1], [1e-3, 1e-3])),
+    (curve(A, [1e-3, 1e-2, 1e-1], [1e-4, 1e-3, 1e-2]), curve(B, [1e-2, 3e-2], [1e-3, 1e-3])),
     guides=(1, -2),
 )  # fmt: skip
 
 
 def log_x(dt: float) -> float:
-    return 52 + 304 * (np.log10(dt) + 3.12) / 2.24  # two decades, and 6 % of them either way
+    return 52 + 304 * (math.log10(dt) + 3.12) / 2.24  # two decades, and 6 % of them either way
 
 
 def log_y(error: float) -> float:
-    return 248 - 238 * (np.log10(error) + 4.12) / 2.24
+    return 248 - 238 * (math.log10(error) + 4.12) / 2.24
 
 
 def test_a_logarithmic_chart_has_six_per_cent_of_room_and_markers_of_unlike_sizes() -> None:
@@ -238,9 +239,36 @@ def test_dips_of_an_error_over_time_leave_the_axis_and_are_drawn_at_its_foot() -
     assert max(feet) == 252
 
 
+def test_a_guide_ends_at_the_edge_of_the_axes() -> None:
+    steep = dataclasses.replace(LOG, curves=(curve(A, [1e-3, 1e-2], [1e-6, 1e-2]),), guides=(1,))
+    ((x0, y0, dx, dy),) = paths(read(draw(steep)), "guide")
+    # 10^-3.12 to 10^-1.88 across, 10^-6.24 to 10^-1.76 up, on a line on which both are equal
+    ends = [248 - 238 * (6.24 - exponent) / 4.48 for exponent in (1.88, 3.12)]
+    assert [x0, y0, x0 + dx, y0 + dy] == pytest.approx([356, ends[0], 52, ends[1]], abs=0.1)
+
+
+def test_an_infinite_value_is_marked_above_the_axes() -> None:
+    one = curve(A, [0.0, 1.0, 4.0], [0.0, math.inf, 10.0])
+    (dots,) = paths(read(draw(dataclasses.replace(LINEAR, curves=(one,)))), "dots")
+    assert dots[3] == 6
+
+
+@pytest.mark.parametrize(
+    ("x_log", "y_log", "most"), [(False, True, 38), (False, False, 98), (True, True, 98)]
+)
+def test_noise_of_an_error_over_time_is_drawn_with_fewer_points(
+    x_log: bool, y_log: bool, most: int
+) -> None:
+    wave = [10.0 ** ((7 * k) % 11 - 11) for k in range(1, 401)]
+    one = curve(A, [float(k) for k in range(1, 401)], wave)
+    (line,) = paths(read(draw(Chart("x", "y", x_log, y_log, (one,)))), "line")
+    assert 0.7 * most < len(line) / 2 <= most
+
+
 def test_a_curve_that_turns_back_has_no_zoom() -> None:
     back = curve(A, [0.0, 2.0, 1.0], [0.0, 1.0, 2.0])
-    for chart, zooms in ((dataclasses.replace(LINEAR, curves=(back,)), False), (LOG, True)):
+    both = dataclasses.replace(LINEAR, curves=(*LINEAR.curves, back))
+    for chart, zooms in ((both, False), (LINEAR, True)):
         assert ("data-x" in next(read(draw(chart)).every("svg")).named) is zooms
     log = dataclasses.replace(LOG, curves=(curve(A, [1e-1, 1e-2], [1e-1, 1e-2]),))
     assert "data-x" in next(read(draw(log)).every("svg")).named
