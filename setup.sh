@@ -96,11 +96,19 @@ environment() {
     version .venv/bin/python >.venv/made-for
 }
 
+# Compile what was installed on all cores, where pip takes one; tests of packages are left out.
+compiled() { # PYTHON
+    local folder
+    folder=$("$1" -c 'import sysconfig; print(sysconfig.get_path("purelib"))')
+    "$1" -m compileall -q -j 0 -x '/tests/' "$folder" >/dev/null || true # templates may not compile
+}
+
 packages() {
     local pip=(.venv/bin/python -m pip)
     cat requirements.lock pyproject.toml | cmp -s - .venv/installed && return
     say "installing the packages of requirements.lock into .venv"
-    "${pip[@]}" install --quiet --no-deps --requirement requirements.lock
+    "${pip[@]}" install --quiet --no-deps --no-compile --requirement requirements.lock
+    compiled "${pip[@]:0:1}"
     "${pip[@]}" install --quiet --no-deps --no-build-isolation --editable .
     "${pip[@]}" check >"$SCRATCH/check" || fail "requirements.lock: $(cat "$SCRATCH/check")"
     cat requirements.lock pyproject.toml >.venv/installed
