@@ -32,15 +32,18 @@ from bench.mutation.schemata import copied
 
 APART = {"engines", "references", "cases", "bench", "support", "scenes", "__pycache__"}
 NEEDS = ("numpy", "scipy.optimize", "hypothesis.strategies", "jsonschema", "tomllib")
-LONGEST = 120.0  # s that the tests take which one mutant is put to, without it
+LONGEST = 120.0  # s that the tests may take which one mutant is put to, without it
 SPARE, HANGING = 30.0, 5.0  # s and times of what tests take without a mutant: it hangs
 
 
 class Asked:
     """Puts mutants to the tests that were recorded as running them."""
 
-    def __init__(self, project: Path, seconds: dict[str, float], lines: dict[str, Any]) -> None:
+    def __init__(
+        self, project: Path, seconds: dict[str, float], lines: dict[str, Any], longest: float
+    ) -> None:
         self.project, self.seconds, self.lines = project, seconds, lines
+        self.longest = longest
         self._green: dict[str, bool] = {}
 
     def tests(self, mutant: Mutant) -> list[str]:
@@ -57,7 +60,7 @@ class Asked:
         """As many as fit in the time: those of its own folder first, then the quickest."""
         own = f"tests/{Path(mutant.file.removeprefix('vv/')).parts[0]}/"
         ordered = sorted(tests, key=lambda one: (not one.startswith(own), self.seconds[one], one))
-        left, chosen = LONGEST, list[str]()
+        left, chosen = self.longest, list[str]()
         for one in ordered:
             if self.seconds[one] <= left:
                 left -= self.seconds[one]
@@ -103,14 +106,16 @@ class Asked:
         return SPARE + HANGING * sum(self.seconds[one] for one in tests)
 
 
-def seen(mutants: Sequence[Mutant], project: Path, tests: Sequence[str]) -> dict[Mutant, str]:
+def seen(
+    mutants: Sequence[Mutant], project: Path, tests: Sequence[str], longest: float
+) -> dict[Mutant, str]:
     """What sees each mutant; '' for those that nothing sees."""
     told: dict[Mutant, str] = {}
     map_of_tests = project / "told.json"
 
     def put(collected: Collected) -> None:
         seconds, lines = told_of(records(collected))
-        asked = Asked(project, seconds, lines)
+        asked = Asked(project, seconds, lines, longest)
         for one in (one for one in mutants if one.when_called):
             told[one] = _said(one, asked.red_of(collected, one))
         kept = [[one.file, one.place, by] for one, by in told.items()]
@@ -119,7 +124,7 @@ def seen(mutants: Sequence[Mutant], project: Path, tests: Sequence[str]) -> dict
     collected(project, tests, put)
     seconds, lines, kept = json.loads(map_of_tests.read_text())
     numbered = {file: {int(k): v for k, v in found.items()} for file, found in lines.items()}
-    asked = Asked(project, seconds, numbered)
+    asked = Asked(project, seconds, numbered, longest)
     told |= {Mutant(file, place): by for file, place, by in kept}
     for one in (one for one in mutants if not one.when_called):
         told[one] = _said(one, asked.red_on_import(one))
@@ -153,6 +158,7 @@ def main() -> None:
     parser.add_argument("--sample", type=int, default=EVERY, help="mutants in all")
     parser.add_argument("--seed", type=int, help="drawn from all places alike, with this seed")
     parser.add_argument("--tests", nargs="+", default=[*folders()], help="folders of tests")
+    parser.add_argument("--longest", type=float, default=LONGEST, help="s of tests a mutant")
     options = parser.parse_args()
     os.nice(10)
     for name in NEEDS:
@@ -165,7 +171,7 @@ def main() -> None:
     every = [one for one in every if options.only in one.what]
     with tempfile.TemporaryDirectory() as folder:
         copied(Path(folder), with_tests())
-        told = seen(every, Path(folder), options.tests)
+        told = seen(every, Path(folder), options.tests, options.longest)
     left = [one for one, by in told.items() if not by]
     layers = Counter(Path(one.file).parent.as_posix() for one in told)
     figures = {

@@ -35,7 +35,7 @@ def asked(mutant: Mutant, **of_line: dict[str, float]) -> list[str]:
     own, other = mutant.lines[0], mutant.lines[-1] + 1
     seconds = {**of_line.get("own", {}), **of_line.get("other", {}), **of_line.get("none", {})}
     lines = {own: [*of_line.get("own", {})], other: [*of_line.get("other", {})]}
-    return Asked(Path(), seconds, {mutant.file: lines}).tests(mutant)
+    return Asked(Path(), seconds, {mutant.file: lines}, LONGEST).tests(mutant)
 
 
 def test_a_sample_of_the_framework_is_drawn_from_every_layer_anew_with_every_seed() -> None:

@@ -22,6 +22,8 @@ def compared(now: list[Record], then: Baseline | None, demanded: bool = False) -
         (8.2e34, 8.2e34 * (1 + 1e-6), "error 8.2e+34, now 8.20001e+34"),
         (8.2e34, 8.2e34 * (1 - 1e-6), None),  # as wrong as before
         (8.2e34, 4.1e34, "error 8.2e+34, now 4.1e+34"),
+        (1.2, 1.2 * (1 - 3e-9), None),
+        (1.0, 1.0 - 3e-9, "error 1, now 0.999999997"),  # not above its scale
     ],
 )
 def test_a_change_of_an_error_is_told_in_digits_that_show_it(
@@ -71,13 +73,21 @@ def test_the_scale_is_that_which_was_accepted_and_one_where_there_was_none() -> 
     assert found.size == pytest.approx(3.0, rel=1e-3)
 
 
-@pytest.mark.parametrize(("off", "kinds"), [(2e-6, []), (4e-6, ["moved"])])
+def test_an_error_above_one_may_move_by_the_larger_of_before_and_now() -> None:
+    for then, now in ((1000.0, 0.5), (0.5, 1000.0)):
+        (found,) = compared([requantified(ran(), errors={"max": now})], accepted(ran(then)))
+        assert "it may move by 1e-06:" in found.text
+        assert found.size == pytest.approx(999.5 / 1e-6)
+
+
+@pytest.mark.parametrize("scale", [1.0, None])
+@pytest.mark.parametrize(("off", "kinds"), [(2.5e-6, []), (4e-6, ["moved"])])
 def test_a_figure_far_above_its_scale_moves_by_its_own_last_bits(
-    off: float, kinds: list[str]
+    off: float, kinds: list[str], scale: float | None
 ) -> None:
-    """3000 is kept to twelve digits, 5e-9, and may move by 3e-6."""
+    """3000 is kept to twelve digits, 5e-9, and may move by 3e-6; without a scale that is 1."""
     figures = {"final": 3000.0, "mean": 1.0}
-    far = requantified(ran(None), figures=figures, scale=1.0)
+    far = requantified(ran(None), figures=figures, scale=scale)
     moved = requantified(far, figures={**figures, "final": 3000.0 + off})
     assert [found.kind for found in compared([moved], accepted(far))] == kinds
 

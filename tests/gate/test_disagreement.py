@@ -6,7 +6,7 @@ from typing import Any
 
 import pytest
 
-from tests.support.fabricated import entry, record, requantified
+from tests.support.fabricated import changed, entry, record, requantified
 from vv.ask import Knobs
 from vv.base.errors import UsageError
 from vv.gate.disagreement import Disagreement, dated, judge
@@ -87,6 +87,16 @@ def test_outside_of_it_on_either_side_it_is_news(
     records: list[Record], change: dict[str, Any], verdict: str
 ) -> None:
     assert verdicts(records, **change) == {Verdict(verdict)}
+
+
+@pytest.mark.parametrize(
+    ("slope", "verdict"), [(0.3, "fail"), (0.5, "xfail"), (1.5, "xfail"), (1.7, "fail")]
+)
+def test_at_other_parameters_an_order_may_leave_its_band_by_half(
+    slope: float, verdict: str
+) -> None:
+    records = [changed(one, modified=True) for one in ladder(slope)]
+    assert verdicts(records) == {Verdict(verdict)}
 
 
 def test_an_unmoving_result_is_never_a_known_disagreement() -> None:

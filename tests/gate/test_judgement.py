@@ -1,6 +1,7 @@
 """What a record comes to, as tables of truths written by hand, one row a decision."""
 
 import math
+from dataclasses import replace
 from typing import Any
 
 import pytest
@@ -9,6 +10,8 @@ from tests.support.fabricated import entry, manifest, record
 from vv.ask import Ledger, Status
 from vv.case import Check
 from vv.gate.judgement import (
+    against_code,
+    against_measurement,
     blew_up,
     breach_in_words,
     breaches,
@@ -21,7 +24,7 @@ from vv.gate.judgement import (
 from vv.records.finding import Aspect, Bit, Finding, bits
 from vv.records.job_record import Record
 from vv.records.outcomes import Outcome
-from vv.records.quantity import MeasuredQuantity
+from vv.records.quantity import MeasuredQuantity, MeasurementFacts, PrintedFacts
 
 FATES = [  # status, exit bits of an optional code, of a required one, outcome
     ("ran", 0, 0, "pass"),
@@ -35,6 +38,8 @@ FATES = [  # status, exit bits of an optional code, of a required one, outcome
 ]
 UNEXPLAINED = "energy that no term explains [J]"
 LOSS = "friction dissipation"
+SEEN = MeasurementFacts(2.0, 0.3, 0.4, "dry", "Someone (2001)", 0.4)  # of uncertainty 0.5
+PRINTED = PrintedFacts(2.0, 0.05, "other", "Someone (2001)", 0.25)
 GOOD = entry("pass", {"max": 1e-4})
 
 
@@ -205,6 +210,12 @@ def test_a_failure_sets_the_bit_of_its_judge_where_the_case_enforces_it(
         ({"value": 2.5, "why": "in [0, 1]"}, "value 2.5: in [0, 1]", 0.0),
         ({"tolerance": None, "value": 2.5, "why": "why"}, "value 2.5: why", 0.0),
         ({"errors": {"max": None}}, "not finite", 0.0),
+        ({"value": 2.5, "why": "far", "measurement": SEEN},
+         "computed 2.5, measured 2 +- 0.5, band 0.4: far", 0.0),
+        ({"value": 2.5, "why": "far", "printed": PRINTED},
+         "computed 2.5, other has 2, band 0.25: far", 0.0),
+        ({"measurement": SEEN}, "not finite", 0.0),
+        ({"printed": PRINTED}, "not finite", 0.0),
     ],
 )  # fmt: skip
 def test_a_failure_is_told_with_its_numbers(
@@ -214,6 +225,12 @@ def test_a_failure_is_told_with_its_numbers(
     (found,) = record_findings([of(entry("fail", **given))])
     assert found.text == text
     assert found.size == pytest.approx(size)
+
+
+def test_a_value_without_a_band_is_shown_beside_another() -> None:
+    seen, printed = replace(SEEN, band=None), replace(PRINTED, band=None)
+    assert against_measurement(2.5, seen) == "computed 2.5, measured 2 +- 0.5, shown"
+    assert against_code(2.5, printed) == "computed 2.5, other has 2, shown"
 
 
 def test_what_passes_or_is_known_is_no_finding() -> None:

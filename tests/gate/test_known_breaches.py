@@ -101,6 +101,16 @@ def test_an_entry_warns_for_thirty_days_and_is_red_when_over(
     assert known_breaches.dated([broken(variant="T2")], known, TODAY) == []
 
 
+def test_an_entry_that_covers_one_of_several_records_speaks_of_them() -> None:
+    known = [KnownBreach(**{**KNOWN, "expires": "2026-12-31"})]
+    assert len(known_breaches.dated([broken(variant="T2"), broken()], known, TODAY)) == 1
+
+
+@pytest.mark.parametrize("low", [0.02, 3.0])
+def test_a_band_may_be_as_wide_as_a_decade(low: float) -> None:
+    assert KnownBreach(**{**KNOWN, "breach": (low, 10 * low)}).breach[0] == low
+
+
 def test_a_known_breach_hides_no_other() -> None:
     audits = {LAW: (0.013, 0.01), "Coulomb [N]": (2.0, 1.0)}
     ledger = {"terms": {}, "unaccounted": 0.0, "peak": 1.0, "bound": 1e-9, "audits": audits}

@@ -65,3 +65,9 @@ def test_the_factor_is_that_between_the_nearest_ends_of_the_intervals(
 def test_the_calibration_kernel_takes_about_a_millisecond() -> None:
     """A thousandth to a thousand: a clock that ran backwards or summed would be far off."""
     assert 1e-5 < speed.calibration() < 1.0
+
+
+def test_the_calibration_kernel_takes_the_least_of_a_few(monkeypatch: pytest.MonkeyPatch) -> None:
+    clock = iter([10.0, 15.0, 20.0, 22.0, 30.0, 33.0, 40.0, 44.0, 50.0, 56.0])
+    monkeypatch.setattr(speed.time, "process_time", lambda: next(clock))
+    assert speed.calibration() == 2.0

@@ -21,8 +21,10 @@ from vv.scene import (
     rotation_about_z,
     with_bodies_reversed,
 )
+from vv.scene.block import face_normal, volume_and_centroid
 
 Faces = tuple[tuple[int, ...], ...]
+FAR = np.array([5.0, -7.0, 9.0])
 CUBE, FACES = box_geometry(np.zeros(3), np.full(3, 0.5), np.eye(3))
 
 
@@ -53,6 +55,53 @@ def test_a_cube_weighs_and_turns_as_a_cube() -> None:
 def test_a_mass_must_be_positive_and_finite(mass: float) -> None:
     with pytest.raises(ValueError, match=r"block 'odd': mass = .* kg; it must be positive"):
         made(mass=mass)
+
+
+@pytest.mark.parametrize("size", [1e-5, 1.0, 1e5])
+def test_a_block_of_any_size_lies_anywhere_and_no_face_of_it_is_warped(size: float) -> None:
+    assert made(size * (CUBE + FAR)).centroid() == pytest.approx(size * FAR)
+    for off, refused in ((1e-11, False), (1e-7, True)):
+        warped = size * CUBE
+        warped[7, 2] += off * size
+        if refused:
+            with pytest.raises(ValueError, match="face 1: its vertices do not lie in one plane"):
+                made(warped)
+        else:
+            assert made(warped).faces
+
+
+def test_the_normal_of_a_face_is_that_wherever_it_lies() -> None:
+    for face, normal in zip(FACES, np.repeat(np.eye(3)[::-1], 2, axis=0), strict=True):
+        found = face_normal(CUBE + FAR, face)
+        assert np.abs(found) == pytest.approx(normal)
+
+
+def test_a_pyramid_has_its_centroid_at_a_quarter_of_its_height() -> None:
+    base = [[-1.0, -1.0, 0.0], [1.0, -1.0, 0.0], [1.0, 1.0, 0.0], [-1.0, 1.0, 0.0]]
+    vertices = np.array([*base, [0.0, 0.0, 4.0]])
+    faces = ((3, 2, 1, 0), (0, 1, 4), (1, 2, 4), (2, 3, 4), (3, 0, 4))
+    volume, centre = volume_and_centroid(vertices, faces)
+    assert volume == pytest.approx(16.0 / 3.0)
+    assert centre == pytest.approx([0.0, 0.0, 1.0], abs=1e-15)
+
+
+def test_a_long_box_far_off_weighs_and_turns_as_one() -> None:
+    vertices, faces = box_geometry(FAR, [1.0, 0.5, 1.5], np.eye(3))
+    mass, inertia = polyhedron_inertia(vertices, faces, 100.0)
+    assert mass == pytest.approx(600.0)
+    sides = np.array([2.0, 1.0, 3.0]) ** 2
+    assert inertia == pytest.approx(np.diag(mass / 12 * (sides.sum() - sides)), abs=1e-9)
+
+
+@pytest.mark.parametrize("off", [0.8e-12, 1.2e-12])
+def test_an_inertia_is_symmetric_but_for_rounding(off: float) -> None:
+    inertia = np.eye(3) + 0.1
+    inertia[0, 1] *= 1 + off
+    if off < 1e-12:
+        assert made(inertia=inertia).mass
+    else:
+        with pytest.raises(ValueError, match="must be symmetric"):
+            made(inertia=inertia)
 
 
 def test_an_inertia_must_be_positive() -> None:

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from vv.scene import Spheres, Vector
-from vv.scene.neighbours import overlapping
+from vv.scene.neighbours import _candidates, overlapping
 
 
 def spheres(place: Vector, radius: Vector) -> Spheres:
@@ -42,3 +42,19 @@ def test_an_overlap_by_rounding_is_left_out_where_the_least_is_named() -> None:
 
 def test_one_sphere_has_no_neighbour() -> None:
     assert overlapping(spheres(np.zeros((1, 3)), np.ones(1))).shape == (0, 2)
+
+
+def test_no_more_pairs_are_looked_at_than_lie_in_cells_that_touch() -> None:
+    """Of a lattice of cells with a sphere each: itself and half of 26 neighbours at most."""
+    place = np.array([*itertools.product(range(-50, 50, 10), repeat=3)], float)
+    looked_at = sum(len(pairs) for pairs in _candidates(spheres(place, np.full(1000, 4.9))))
+    assert 0 < looked_at <= 13 * 1000
+    apart = spheres(100.0 * place, np.full(1000, 4.9))
+    assert sum(len(pairs) for pairs in _candidates(apart)) == 0
+
+
+def test_a_cell_is_wider_than_what_may_overlap() -> None:
+    """Two that overlap by 1e-9, one short of a border, the other behind the next one but one."""
+    one = 2 - 2e-9 - 1e-12
+    place = np.array([[0.0, 0, 0], [one, 9.0, 0], [one + 2 - 1e-9, 9.0, 0]])
+    assert overlapping(spheres(place, np.ones(3))).tolist() == [[1, 2]]

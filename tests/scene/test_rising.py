@@ -44,9 +44,22 @@ def test_the_message_names_wall_block_rise_and_rule() -> None:
         lifted(motion, FLAT, HELD, gap=0.01)
 
 
+def test_a_floor_that_lies_high_rises_from_there() -> None:
+    motion = Harmonic(np.array([0.0, 0.0, 0.02]), np.ones(3), np.zeros(3))
+    for gap, refused in ((0.01, True), (0.03, False)):
+        one = box("one", [0.0, 0.0, 7.5 + gap], [0.5] * 3, free=FLAT, free_spin=HELD)
+        bodies = (Wall(7.0 * UP, UP, motion), one)
+        if refused:
+            with pytest.raises(ValueError, match="cannot give way"):
+                Scene(bodies, Contact(np.inf))
+        else:
+            assert Scene(bodies, Contact(np.inf)).blocks
+
+
 def test_a_floor_may_rise_as_far_as_the_gap_is_and_into_springs() -> None:
     motion = Harmonic(np.array([0.0, 0.0, 0.02]), np.ones(3), np.zeros(3))
     assert lifted(motion, FLAT, HELD, gap=0.0201).blocks
+    assert lifted(motion, FLAT, HELD, gap=0.02).blocks  # but for rounding
     assert lifted(motion, FLAT, HELD, kn=1e6).blocks
 
 

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from tests.scenes.blocks.block_scenes import FREE, HELD, box
+from tests.scenes.other_worlds import shifted
 from vv.records import codec
 from vv.scene import Bonds, Contact, Harmonic, Scene, Spheres, Wall
 from vv.scene.picture.sketch import MOST, Sketch, sketch
@@ -53,6 +54,66 @@ def test_a_block_that_is_locked_is_told_from_one_that_is_not() -> None:
     for free in (FREE, HELD):
         seen = sketch(Scene((box("one", [0.0] * 3, [0.5] * 3, free=free),), Contact(np.inf)))
         assert set(seen.fixed) == {not free.any()}
+
+
+X, Y, Z = np.eye(3)
+
+
+def balls(*rows: tuple[float, float, float, float], free: object = True) -> Spheres:
+    """Spheres of these places and radii."""
+    n, given = len(rows), np.array(rows)
+    mask = np.broadcast_to(np.array(free, bool), (n, 3))
+    return Spheres(given[:, :3], np.zeros((n, 3)), given[:, 3], np.ones(n), mask)
+
+
+@pytest.mark.parametrize("size", [1e-3, 1.0, 1e3])
+@pytest.mark.parametrize(("gap", "touch"), [(-0.1, True), (0.0, True), (1e-7, True), (1e-4, False)])
+def test_where_spheres_and_walls_touch_is_marked(size: float, gap: float, touch: bool) -> None:
+    """Of radii 1 and 3 side by side, 8 wide together, the larger on the ground."""
+    two = balls((0.0, 0.0, 0.0, size), ((4.0 + gap) * size, 0.0, 0.0, 3 * size))
+    ground = Wall(-(3.0 + gap) * size * Z, Z)
+    seen = sketch(Scene((two, ground), Contact(1e3), gravity=-Z))
+    expected = [(-0.25, 0.0), (0.125, -0.375)] if touch else []
+    assert len(seen.touching) == len(expected)
+    assert np.array(seen.touching) == pytest.approx(np.array(expected), abs=0.02)
+    if gap == 0.0:
+        assert seen.touching == tuple(expected)
+
+
+@pytest.mark.parametrize(
+    ("free", "rail"),
+    [
+        ([True, False, False], (1.0, 0.0)),
+        ([False, False, True], (0.0, 1.0)),
+        ([True, True, False], (1.0, 0.0)),  # y points at the reader
+        ([True, False, True], None),
+        ([False, True, False], None),
+        ([False] * 3, None),
+        ([True] * 3, None),
+    ],
+)
+def test_the_only_direction_in_which_a_body_may_move_as_seen_is_its_rail(
+    free: list[bool], rail: tuple[float, float] | None
+) -> None:
+    ground = Wall(-Z, Z)
+    ball = sketch(Scene((balls((0.0, 0.0, 0.0, 1.0), free=free), ground), Contact(1e3), gravity=-Z))
+    turns = np.ones(3, bool)
+    one = box("one", [0.0] * 3, [1.0] * 3, free=np.array(free), free_spin=turns)
+    block = sketch(Scene((one, ground), Contact(1e3), gravity=-Z, shaking=Harmonic(X, X)))
+    for seen in (ball, block):
+        assert seen.axes == ("x", "z")
+        assert [way for _, way in seen.rails] == ([rail] if rail else [])
+
+
+def test_a_sketch_is_the_same_wherever_the_scene_lies() -> None:
+    wall = Wall(-3.0 * X, X)
+    here = Scene((wall, spheres(1)), Contact(1e3), gravity=-Z)
+    assert sketch(shifted(here, 1e3 * (X + Y - Z))) == sketch(here)
+
+
+def test_no_arrow_has_a_negative_zero() -> None:
+    for way in (X, -X, Z, -Z):
+        assert "-0.0" not in str(sketch(Scene((spheres(1),), Contact(1e3), gravity=way)).arrows)
 
 
 @pytest.mark.parametrize("n", [1000, 5000])

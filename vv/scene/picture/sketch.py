@@ -144,7 +144,7 @@ class _Shown:
         group = self.scene.spheres
         place, radius = group.position[:MOST], group.radius[:MOST]
         gaps = np.linalg.norm(place[:, None] - place[None], axis=2) - radius - radius[:, None]
-        for i, j in np.argwhere(np.triu(gaps < NIL * radius.min(initial=1.0), 1))[:MOST]:
+        for i, j in np.argwhere(np.triu(gaps < NIL * radius.min(initial=np.inf), 1))[:MOST]:
             yield self.spot(place[i] + radius[i] / (radius[i] + radius[j]) * (place[j] - place[i]))
         for wall in self.scene.walls:
             off = (place - wall.point) @ wall.normal
@@ -183,7 +183,7 @@ class _Shown:
             yield from (self._arrow(None, along, what) for along, _, _ in motion.sines())
 
     def _arrow(self, place: Vector | None, along: Vector, what: str) -> Arrow:
-        seen = self._direction(self.plane @ along / (np.linalg.norm(along) or 1.0))
+        seen = self._direction(self.plane @ along / np.linalg.norm(along))
         return Arrow((0.0, 0.0) if place is None else self.spot(place), seen, what)
 
     def _direction(self, along: Vector) -> Spot:
