@@ -69,5 +69,5 @@ def test_the_calibration_kernel_takes_about_a_millisecond() -> None:
 
 def test_the_calibration_kernel_takes_the_least_of_a_few(monkeypatch: pytest.MonkeyPatch) -> None:
     clock = iter([10.0, 15.0, 20.0, 22.0, 30.0, 33.0, 40.0, 44.0, 50.0, 56.0])
-    monkeypatch.setattr(speed.time, "process_time", lambda: next(clock))
+    monkeypatch.setattr("vv.gate.speed.time.process_time", lambda: next(clock))
     assert speed.calibration() == 2.0

@@ -86,7 +86,7 @@ def test_a_pyramid_has_its_centroid_at_a_quarter_of_its_height() -> None:
 
 
 def test_a_long_box_far_off_weighs_and_turns_as_one() -> None:
-    vertices, faces = box_geometry(FAR, [1.0, 0.5, 1.5], np.eye(3))
+    vertices, faces = box_geometry(FAR, np.array([1.0, 0.5, 1.5]), np.eye(3))
     mass, inertia = polyhedron_inertia(vertices, faces, 100.0)
     assert mass == pytest.approx(600.0)
     sides = np.array([2.0, 1.0, 3.0]) ** 2

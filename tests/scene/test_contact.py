@@ -1,5 +1,7 @@
 """What a contact law says of itself, and what it refuses, one row a decision."""
 
+from typing import Any
+
 import numpy as np
 import pytest
 
@@ -9,8 +11,9 @@ from vv.scene import Contact, Hertz
 @pytest.mark.parametrize("name", ["ks", "mu", "eta_n"])
 @pytest.mark.parametrize("value", [-1.0, np.inf, np.nan])
 def test_a_value_out_of_range_is_named(name: str, value: float) -> None:
+    given: dict[str, Any] = {name: value}
     with pytest.raises(ValueError, match=rf"Contact\.{name} = "):
-        Contact(1e3, **{name: value})
+        Contact(1e3, **given)
 
 
 @pytest.mark.parametrize("kn", [0.0, -1.0, np.nan])

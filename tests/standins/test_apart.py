@@ -6,13 +6,14 @@ import dataclasses
 from typing import Any
 
 import numpy as np
+import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
 from tests.scenes.blocks.block_scenes import HELD, box, incline, responding
 from vv.ask import Ask, Displacement, History, Knobs
-from vv.scene import Scene
-from vv.standins.apart import why_not_apart
+from vv.scene import Contact, Harmonic, Scene, Wall
+from vv.standins.apart import _ways, why_not_apart
 
 DURATION = 0.5  # s
 
@@ -65,3 +66,33 @@ def test_towers_nearer_than_they_are_high_are_refused_with_that_reason() -> None
         "blocks 'block' and 'beside' are nearer than spheres in their place, as high as their "
         "centres"
     )
+
+
+X, Y, Z = np.eye(3)
+DRIVEN = Wall(np.zeros(3), Z, Harmonic(0.05 * X, 2.0 * X))
+SHAKEN = Harmonic(2.0 * Y, Y)
+PULLS = np.array([3.0 + 0.05 * (4 * np.pi) ** 2, 2.0, 10.0])  # load, wall, shaking, weight
+SPEEDS = np.array([0.05 * 4 * np.pi - 0.1, 0.2, 0.0])  # seen from the wall
+
+
+def bound(**given_block: Any) -> Any:
+    """How far a cube of 1 m and 1000 kg on a wall that moves may come in half a second."""
+    one = box("one", 0.5 * Z, [0.5] * 3, load=3000.0 * X, velocity=0.1 * X + 0.2 * Y,
+              **given_block)  # fmt: skip
+    law = Contact(np.inf)
+    return _ways(one, DRIVEN, asked(Scene((DRIVEN, one), law, 0.0, -10.0 * Z, shaking=SHAKEN)))
+
+
+def test_a_block_that_cannot_turn_comes_as_far_as_its_speed_and_pulls_take_it() -> None:
+    way = SPEEDS * 0.5 + 0.5 * PULLS * 0.25
+    free = np.array([True, True, False])
+    assert bound(free_spin=HELD) == pytest.approx(way)
+    assert bound(free=free, free_spin=HELD) == pytest.approx(way * free)
+
+
+def test_a_block_that_turns_comes_as_far_anywhere_and_its_corners_farther() -> None:
+    """Of its inertia, m/6, by the energy of its spin too; corners are sqrt(3/4) m from it."""
+    start = np.sqrt(SPEEDS @ SPEEDS + 2.0**2 / 6)
+    way = start * 0.5 + 0.5 * np.linalg.norm(PULLS) * 0.25
+    farthest = way * (1.0 + np.sqrt(0.75) * np.sqrt(6.0))
+    assert bound(spin=2.0 * Z) == pytest.approx([farthest] * 3)

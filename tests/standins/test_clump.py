@@ -9,11 +9,21 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from tests.scenes.blocks.block_scenes import incline, responding
+from tests.scenes.blocks.block_scenes import DOWN, FLOOR, box, incline, responding
 from vv.ask import Ask, Displacement, History, Knobs
-from vv.scene import Contact, Scene, Term, initial_normal_forces, rotated, rotation_about_z
-from vv.standins.clump import Clump, clumps, why_no_clump
-from vv.standins.stand_in import SpringScene, spring_scene, without_rotations
+from vv.scene import (
+    Contact,
+    Harmonic,
+    Pulse,
+    Scene,
+    Term,
+    initial_normal_forces,
+    rotated,
+    rotation_about_z,
+)
+from vv.standins.clump import Clump, _unlike, clumps, why_no_clump
+from vv.standins.clump import words as told
+from vv.standins.stand_in import SHEAR, SpringScene, spring_scene, without_rotations
 
 KN = 1e9
 HELD, FREE = np.zeros(3, bool), np.ones(3, bool)
@@ -146,3 +156,59 @@ def test_what_no_clump_stands_for_is_refused_with_the_reason() -> None:
     assert "lets a corner sink by" in (why_no_clump(asked(flat, 1e5)) or "")
     assert Term.ROTATION in flat.terms()
     assert why_no_clump(asked(flat)) is None
+
+
+def on_floor(mu: float, **given_block: object) -> Scene:
+    """A cube of 1 m and 1000 kg on a floor, which may go up and turn about y, and is shaken."""
+    up, about = np.array([False, False, True]), np.array([False, True, False])
+    one = box("one", [0.0, 0.0, 0.5], [0.5] * 3, **{"free": up, "free_spin": about, **given_block})
+    wave = Harmonic(np.array([1.0, 0.0, 0.0]), np.ones(3))
+    return Scene((FLOOR, one), Contact(np.inf, mu=mu), gravity=DOWN, shaking=Pulse(wave, 0.5))
+
+
+@pytest.mark.parametrize(("mu", "stiff"), [(0.0, 0.25), (0.6, 0.25 + SHEAR * 0.49**2)])
+def test_a_step_too_long_for_the_springs_of_corners_is_refused(mu: float, stiff: float) -> None:
+    """Turning by a on arms of half a metre, with springs kn and SHEAR kn; spheres are 1 cm high.
+
+    The inertia is m/6; the step is at most 2 over the largest angular frequency.
+    """
+    longest = 2.0 / np.sqrt(max(1.0, 6 * stiff) * KN / 1000.0)
+    for part, words in ((0.99, ""), (1.01, "stable up to")):
+        ask = dataclasses.replace(asked(on_floor(mu)), knobs=Knobs(part * longest, KN))
+        assert words in (why_no_clump(ask) or "none")
+        assert bool(words) is (why_no_clump(ask) is not None)
+
+
+def test_only_what_rocks_is_bound_to_that_step() -> None:
+    long = Knobs(1.0, KN)
+    one = on_floor(0.6)
+    alone = dataclasses.replace(one, shaking=None)
+    assert why_no_clump(dataclasses.replace(asked(alone), knobs=long)) is None
+    held = on_floor(0.6, free_spin=HELD)
+    assert why_no_clump(dataclasses.replace(asked(held), knobs=long)) is None
+    beside = box("two", [99.0, 0.0, 0.5], [0.5] * 3, free=one.blocks[0].free,
+                 free_spin=one.blocks[0].free_spin)  # fmt: skip
+    two = dataclasses.replace(alone, bodies=(*alone.bodies, beside))
+    why = why_no_clump(Ask(two, History(1e-3, 1e-3), (Displacement(1),), long))
+    assert "stable up to" in (why or "")
+
+
+def test_a_spring_so_soft_that_a_corner_sinks_is_refused_with_how_far() -> None:
+    why = why_no_clump(asked(on_floor(0.6), 1e5))
+    assert why == (
+        "kn = 100000 N/m lets a corner sink by 0.0981 m at t = 0, through its sphere of 0.01 m"
+    )
+
+
+def test_blocks_that_stand_on_unlike_numbers_of_corners_are_refused() -> None:
+    one, other = (clumped(asked(on_floor(0.6))) for _ in range(2))
+    assert _unlike((one, other)) is None
+    fewer = dataclasses.replace(other, corners=other.corners[:3])
+    assert "stand on 4 and 3 corners" in (_unlike((one, fewer)) or "")
+
+
+def test_a_clump_says_what_it_is_made_of_and_of_how_many_it_is_the_first() -> None:
+    made = clumped(asked(on_floor(0.6)))
+    assert made.words.startswith("4 spheres of 0.01 m on its corners")
+    assert told([made], "a clump") == f"a clump stands for the block: {made.words}"
+    assert told([made, made], "a clump").startswith("a clump stands for each of 2 blocks: of the")

@@ -198,7 +198,7 @@ def _hurries(made: Clump, ask: Ask) -> str | None:
     block, kn = made.block, ask.knobs.kn
     pulsed = isinstance(ask.scene.shaking, Pulse)
     rocks = pulsed or len(ask.scene.blocks) > 1 or not made.touching.all()
-    if ask.dt is None or kn is None or not rocks or not block.free_spin.any():
+    if kn is None or not rocks or not block.free_spin.any():
         return None
     along, axes = np.outer(made.normal, made.normal), ask.scene.axes
     ks = SHEAR * kn if ask.scene.contact.mu > 0 else 0.0

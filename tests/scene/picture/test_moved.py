@@ -44,7 +44,7 @@ def test_the_circle_of_a_sphere_goes_as_if_the_scene_were_drawn_with_it_there(
 
 def test_a_motion_along_an_axis_has_no_negative_zero() -> None:
     for way in (X, -X, Z, -Z):
-        assert "-0.0" not in str(gone(row(3), 1, way))
+        assert "-0.0" not in str(shifted(row(3), 1, way))
 
 
 def test_what_goes_towards_the_reader_or_is_not_drawn_does_not_move() -> None:

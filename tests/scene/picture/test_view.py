@@ -1,4 +1,4 @@
-"""From where a scene is seen, by hand: the line of sight, what is up, and which faces look at it."""
+"""From where a scene is seen, by hand: the line of sight, what is up, the faces that look at it."""
 
 from __future__ import annotations
 
