@@ -10,5 +10,5 @@ from vv.base.printable import one_line
 
 @functools.cache
 def notice(text: str) -> None:
-    """Print a line on standard error, the first time it is said."""
+    """Print a line on standard error, once per process."""
     print(f"vv: {one_line(text)}", file=sys.stderr, flush=True)

@@ -24,7 +24,7 @@ def printable(text: str) -> str:
 
 
 def one_line(text: str) -> str:
-    """As `printable`, in one line: ends of lines, with the blanks about them, become a blank."""
+    """As `printable`, in one line: line breaks and the blanks around them become one blank."""
     if text.isascii() and text.isprintable():
         return text
     return printable(LINE_ENDS.sub(" ", text).replace("\t", " "))

@@ -114,7 +114,7 @@ def _lacked(scheme: Scheme, term: Term) -> str:
 
 
 def no_steps(ask: Ask) -> str | None:
-    """Why steps do not fit an ask: one too long for its duration, or none to search among."""
+    """Why the steps do not fit an ask: longer than its duration, or none to search among."""
     dt = ask.knobs.dt
     if dt is None and ask.search is not None and ask.search.sought is Sought.STEP:
         return "it has no step, of which the largest stable one is searched"
@@ -124,12 +124,12 @@ def no_steps(ask: Ask) -> str | None:
 
 
 def no_drag(scene: Scene) -> str | None:
-    """Why a scheme that differs from a code's default in drag alone is not for a scene."""
+    """Why a scheme that differs from the default in drag alone is refused: there is no drag."""
     return None if scene.eta else "nothing drags, so it would repeat what `default` does"
 
 
 def no_sphere(ask: Ask, scene: Scene) -> str | None:
-    """Why a code of spheres cannot report what an ask wants of a scene: a body is none."""
+    """Why a code of spheres cannot report an observable: it belongs to a body that is no sphere."""
     try:
         for seen in ask.observables:
             scene.sphere_index(seen.body)
@@ -139,7 +139,7 @@ def no_sphere(ask: Ask, scene: Scene) -> str | None:
 
 
 def behind_wall(scene: Scene) -> str | None:
-    """Why a code whose walls push from a surface cannot have a scene: a centre lies behind one."""
+    """Why a code whose walls are surfaces refuses a scene: a sphere's centre lies behind one."""
     for number, wall in enumerate(scene.walls):
         height = (scene.spheres.position - wall.point) @ wall.normal
         if height.min() <= 0:
@@ -151,7 +151,7 @@ def behind_wall(scene: Scene) -> str | None:
 
 
 def turned_spin_lock(scene: Scene, what_locks: str) -> str | None:
-    """Why a code that locks rotation about the axes of its own frame cannot have a scene."""
+    """Why a code that locks rotation about its own axes only refuses a scene."""
     partly = any(free.any() and not free.all() for free in scene.spheres.free_spin)
     mixed = any(in_frame(scene.axes, block.free_spin) is None for block in scene.blocks)
     if mixed or (partly and not np.array_equal(scene.axes, np.eye(3))):
@@ -165,7 +165,7 @@ def unsupported(scheme: Scheme, terms: frozenset[Term]) -> frozenset[Term]:
 
 
 def unseen(scheme: Scheme, ask: Ask) -> str | None:
-    """What an ask wants to see and a scheme does not report; None if there is nothing."""
+    """The observables asked for that a scheme does not report; None if it reports all."""
     kinds = {type(what) for what in ask.observables} - scheme.observables
     forms = [form for form in ask.energies if form not in scheme.energies]
     energy = [f"energy over time ({'; '.join(form.value for form in forms)})"] if forms else []

@@ -16,14 +16,14 @@ from vv.store.store import Store
 
 
 def native_inputs(project: Project) -> Callable[[Record], str]:
-    """What tells the input of a record's code, in that code's own language."""
+    """A function that returns the input of a record's code in that code's own language."""
     case, adapter = functools.cache(project.load_case), functools.cache(project.load_adapter)
     native = functools.partial(_native, case, adapter, {})
     return functools.partial(_kept, Store(project.data()), native)
 
 
 def _kept(store: Store, native: Callable[[Record], str], record: Record) -> str:
-    """The input of a code for a record, which follows from all that its key is a digest of."""
+    """The stored input of a code for a record, which depends only on what its key digests."""
     key = digest("native input", record.key)
     known = store.facts(str, key) if record.key else native(record)
     if known is None:
@@ -38,7 +38,7 @@ def _native(
     trials: dict[tuple[str, str], Trial],
     record: Record,
 ) -> str:
-    """What a code is given for a record; empty where case or code are no longer what they were."""
+    """The input of a code for a record; empty if case or code have changed since."""
     case, variant = record.case, record.variant
     try:
         if (case, variant) not in trials:

@@ -23,7 +23,7 @@ def key(job: Job) -> Key:
 
 
 def key_of(record: Record) -> Key:
-    """The job that a record is of, by the same."""
+    """The key of the job that a record belongs to."""
     return record.case, record.variant, record.label, rung(record)
 
 
@@ -38,7 +38,7 @@ def past(manifests: Iterable[Manifest]) -> dict[Key, Record]:
 
 @dataclass(frozen=True)
 class Pace:
-    """Seconds of a job: what its program takes to start, which a batch pays once, and the rest."""
+    """Expected seconds of a job: start of its program, paid once per batch, and the solve."""
 
     start: float
     rest: float
@@ -71,7 +71,7 @@ def _pace(plan: Plan, job: Job, known: Mapping[Key, Record], kept: Mapping[Key, 
 
 
 def piles(seconds: Sequence[float], count: int) -> Iterator[tuple[int, ...]]:
-    """Share out what takes so many seconds [s] to at most so many piles of about the same time.
+    """Distribute jobs of known durations [s] to a few piles of about equal total duration.
 
     Yields the places in each pile, ascending; the longest come first to the pile that is least.
     """

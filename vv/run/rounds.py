@@ -17,7 +17,7 @@ Timed = tuple[int, Cost, float]  # job, what a solve cost, and that over the cal
 
 
 def rounds(batches: Sequence[Batch], timeout: float, scratch: Callable[[], Path]) -> list[Timed]:
-    """What the solves of batches cost that repeat them: once for each round and job that ran."""
+    """Costs of repeated solves: one for each round and job that ran."""
     seen: list[Timed] = []
     for _ in range(ROUNDS):
         for batch in batches:

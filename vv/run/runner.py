@@ -34,7 +34,7 @@ GRACE = 5.0  # s a batch gets besides, for the start of its program
 
 @dataclass(frozen=True, eq=False)
 class Batch:
-    """Asks that one worker answers in order; numbers: what the caller knows them by.
+    """Asks that one worker answers in order; numbers: the caller's numbers of the asks.
 
     stays: whether the worker may go on with a next batch of the same adapter, since nothing that
     was started is left behind: what it has in memory, such as kernels, is then there already.
@@ -134,7 +134,7 @@ def _start(batch: Batch, waiting: Iterable[Batch], timeout: float, scratch: Path
 
 
 def _work(known: Sequence[Batch], orders: Connection, pipe: Connection, scratch: Path) -> None:
-    """In the worker: answer the asks of the first batch, one message each, then as is ordered."""
+    """In the worker: answer the first batch, one message for each ask, then batches on order."""
     with contextlib.suppress(OSError):
         os.setpgid(0, 0)
     _die_with_parent()
@@ -151,7 +151,7 @@ def _work(known: Sequence[Batch], orders: Connection, pipe: Connection, scratch:
 
 
 def _answered(batch: Batch, pipe: Connection, scratch: Path) -> bool:
-    """Answer the asks of a batch; whether nothing went wrong with that."""
+    """Answer the asks of a batch; returns whether the worker may go on."""
     sent = 0
     try:
         for run in answers(batch.adapter, batch.asks, batch.scheme, scratch, batch.repeat):
@@ -166,7 +166,7 @@ def _answered(batch: Batch, pipe: Connection, scratch: Path) -> bool:
 
 
 def failed(error: Exception) -> Run:
-    """What comes of an adapter or a measurement that raised an error: what it says, and where."""
+    """The run of an adapter or measurement that raised an error: its message and location."""
     last = traceback.extract_tb(error.__traceback__)[-1]
     where = f"{Path(last.filename).name}:{last.lineno}"
     return Run(Status.ERROR, f"{type(error).__name__}: {error} ({where})")
@@ -205,7 +205,7 @@ def _is_over(worker: _Worker) -> bool:
 
 
 def _finish(worker: _Worker, waiting: deque[Batch]) -> Iterator[tuple[int, Run]]:
-    """End a worker; what it left over is queued, after the ask in flight has been failed."""
+    """End a worker: the ask in flight fails, the rest of its batch is queued again."""
     left = worker.batch.rest(worker.answered)
     if worker.hung_up:
         worker.process.join()

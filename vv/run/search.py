@@ -22,7 +22,7 @@ LOST = float("inf")  # the reach of a run that did not come to its end
 def answers(
     adapter: Adapter, asks: Sequence[Ask], scheme: str, scratch: Path, repeat: float
 ) -> Iterator[Run]:
-    """Yield one Run per ask, in order, as `Adapter.run` does; searches next to each other as one.
+    """Yield one Run per ask, in order, as `Adapter.run` does; adjacent searches run together.
 
     Each call of the adapter has a folder of its own: what it names by an ask's number must not be
     taken for the answer to another. What is sought first goes along with the plain asks before it,
@@ -46,29 +46,29 @@ def answers(
 def _run(
     adapter: Adapter, asks: Sequence[Ask], scheme: str, scratch: Path, repeat: float = 0.0
 ) -> Iterator[Run]:
-    """As the adapter, in a folder of its own."""
+    """Run asks by the adapter in a new folder."""
     folder = Path(tempfile.mkdtemp(prefix="asks-", dir=scratch))
     return adapter.run(asks, scheme, folder, repeat)
 
 
 @dataclass(eq=False)
 class _Search:
-    """How far the search for an ask is; runs: step [s], or times the shaking -> what came of it."""
+    """The state of a search. runs: value tried (step [s], or factor of the shaking) -> its run."""
 
     ask: Ask
     bracket: Bracket
     runs: dict[float, Run] = field(default_factory=dict)
 
     def tried(self) -> Vector:
-        """(n, 2) what was tried so far, ascending, and how far each reached."""
+        """(n, 2) values tried so far, ascending, and the largest response at each."""
         return np.array([(value, _reach(self.runs[value])) for value in sorted(self.runs)])
 
     def ask_at(self, value: float) -> Ask:
-        """What is asked to try a value."""
+        """The ask that tries a value."""
         return VARIED[self.bracket.sought](self.ask, value)
 
     def values(self) -> list[float]:
-        """What to try next; nothing once the highest of the bracket is stable."""
+        """Values to try next; none once the highest of the bracket is stable."""
         if not self.runs:
             low = self.ask.dt if self.bracket.sought is Sought.STEP else 1.0
             return list(np.geomspace(low, low * self.bracket.span, self.bracket.tries))
@@ -78,7 +78,7 @@ class _Search:
         return list(np.geomspace(stable, lost, self.bracket.tries + 2)[1:-1])
 
     def run(self) -> Run:
-        """The Run of what was tried first, with all that was tried; its failure if it failed."""
+        """The Run of the first value with all values tried; the failed run if that one failed."""
         first = self.runs[min(self.runs)]
         if _reach(first) == LOST:
             return first
@@ -93,7 +93,7 @@ class _Search:
         )
 
     def _beyond(self) -> str:
-        """What comes of the least value that is unstable."""
+        """The run of the smallest value that is unstable."""
         lost = self.bracket.stability_limits(self.tried())[1]
         if lost is None:
             return "all that was tried is stable"
@@ -110,7 +110,7 @@ def _found(
     scheme: str,
     scratch: Path,
 ) -> Iterator[Run]:
-    """The answers to plain asks, then to searches, all of which take their rounds together."""
+    """Yield runs of plain asks, then of searches, which all advance one round at a time."""
     rounds = max((one.bracket.rounds for one in searches), default=1)
     for number in range(rounds):
         due = [s for s in searches if number < s.bracket.rounds]
@@ -134,6 +134,6 @@ def _reach(run: Run) -> float:
 
 
 def _sum(costs: Sequence[Cost]) -> Cost:
-    """What several runs cost together; a program that they share starts with the first."""
+    """The total cost of several runs; start-up of a shared program is counted with the first."""
     names = ("startup", "setup", "solve_cpu", "solve_wall", "output")
     return Cost(**{name: sum(getattr(cost, name) for cost in costs) for name in names})

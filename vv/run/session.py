@@ -33,16 +33,16 @@ from vv.store.store import Store
 
 
 class Progress(Protocol):
-    """Is told how many jobs have to run, once what needs no running is known, and each record."""
+    """Is notified of the number of jobs to run, of each record, and of the timing phase."""
 
     def begin(self, jobs: int) -> None:
-        """So many jobs have to run; the records that are told from here on are theirs."""
+        """The number of jobs to run is known; later calls of `done` are for these jobs."""
 
     def done(self, record: Record) -> None:
-        """A record is there."""
+        """One record is finished."""
 
     def timing(self, settings: int) -> None:
-        """That many settings are timed now, one after the other."""
+        """The timing phase begins; it times so many settings, one after the other."""
 
 
 class Timing(enum.Enum):
@@ -75,7 +75,7 @@ class Limits:
 
 
 def now_utc() -> datetime.datetime:
-    """The time, as everything that is written down states it."""
+    """The present time in UTC, as all records state it."""
     return datetime.datetime.now(datetime.UTC)
 
 
@@ -157,7 +157,7 @@ def _costs(
     place: Executor,
     begin: Callable[[int], None],
 ) -> dict[int, JobCost]:
-    """Job number -> timed cost, from the session that the limits ask for; begin: as there."""
+    """Job number -> timed cost, from the timing session that `limits.timing` asks for."""
     if limits.timing is Timing.NONE:
         return {}
     if limits.timing is Timing.LAST:
@@ -173,7 +173,7 @@ def _code(project: Project, plan: Plan, code: str) -> CodeFound:
 
 
 def _executor(project: Project, plan: Plan, limits: Limits, store: Store) -> Executor:
-    """What answers batches, as the limits name it."""
+    """The executor that `limits.executor` names."""
     if limits.executor == LOCAL:
         return Local(limits.workers, store.scratch)
     from vv.run.cluster import Cluster
@@ -214,12 +214,12 @@ def _records(
 
 
 def _known(job: Job, key: str, store: Store | None) -> Run | None:
-    """What comes of a job without running it: what is stored, or else a refusal."""
+    """The result of a job that need not run: the stored run, or a refusal known beforehand."""
     return (store.run(key) if store else None) or job.settled
 
 
 def _kept(plan: Plan, job: Job, run: Run, key: str, store: Store) -> Record:
-    """Measure a run, keep what there is to say of it if it says something, and return the record.
+    """Measure a run, store the measured summary if the run is meaningful, and return the record.
 
     A run of which a quantity cannot be measured has failed: it may be what the case is to show.
     """
@@ -242,14 +242,14 @@ def _kept(plan: Plan, job: Job, run: Run, key: str, store: Store) -> Record:
 
 
 def _annotated(model: ModelSummary | None, inert: str) -> ModelSummary | None:
-    """The model with what is inert of the parameters that were changed in its note."""
+    """The model; its note names changed parameters that have no effect."""
     if model is None or not inert:
         return model
     return dataclasses.replace(model, note=f"{model.note}; {inert}" if model.note else inert)
 
 
 def _record(plan: Plan, job: Job, key: str, run: RunSummary) -> Record:
-    """What came of a job, with what it was; `key` leads to the arrays of its series."""
+    """The record of a job; `key` is that of its stored series."""
     return Record(
         case=job.case,
         variant=job.variant,

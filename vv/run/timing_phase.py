@@ -62,7 +62,7 @@ def _due(plan: Plan, records: Sequence[Record]) -> list[int]:
 
 
 def last_costs(plan: Plan, run_keys: Mapping[int, str], store: Store) -> dict[int, JobCost]:
-    """Job number -> cost as the last session found it, for the very same runs."""
+    """Job number -> cost of the last timing session, for runs with the same key."""
     session = store.last_session()
     costs = (store.timings(session) if session else None) or {}
     jobs = range(len(plan.jobs))

@@ -32,7 +32,7 @@ Measured = tuple[list[Timed], list[str]]  # and why some batches were not timed
 
 @dataclass(frozen=True)
 class Task:
-    """A batch as it travels: the code by its name, and the digest that it has at the head.
+    """A batch as it is sent: the code's name, and the code's digest at the sender.
 
     root: the folder of the project, which must be there for the workers too; None for what came
     with vv. programs: TOML files of further codes.
@@ -63,7 +63,7 @@ def measure(tasks: Sequence[Task], timeout: float) -> Measured:
 
 
 def answer(task: Task, timeout: float) -> Answers:
-    """What comes of a task, or for every ask the reason why it cannot be taken on."""
+    """The runs of a task, or for each ask the reason why this worker cannot run it."""
     if reason := _why_not(task):
         return [(n, Run(Status.ERROR, f"{socket.gethostname()}: {reason}")) for n in task.numbers]
     with tempfile.TemporaryDirectory(prefix="vv-", ignore_cleanup_errors=True) as root:
@@ -72,7 +72,7 @@ def answer(task: Task, timeout: float) -> Answers:
 
 
 def _batch(task: Task) -> Batch:
-    """The batch that a task stands for, with what its code needs in memory."""
+    """The batch of a task, with its code loaded."""
     adapter = _project(task).load_adapter(task.code)
     if load := adapter.found().load:
         load()
@@ -88,7 +88,7 @@ def _project(task: Task) -> Project:
 
 @functools.cache
 def _digest(root: Path | None, programs: tuple[Path, ...], code: str) -> str:
-    """The digest of a code when it was first asked for: later edits are not in memory."""
+    """The digest of a code when it was loaded: later edits are not in memory."""
     project = _project(Task(root, programs, code, "", "", (), (), 0.0))
     return keys.code_digest(project, project.load_adapter(code).found(), code)
 
@@ -107,7 +107,7 @@ def _why_not(task: Task) -> str:
 
 
 def _told(run: Run) -> Run:
-    """The run; where its reason names a folder of the worker, with the end of the log in it."""
+    """The run; a reason that names a folder of this worker gets the end of the log there."""
     place = PLACE.search(run.reason)
     if place is None:
         return run

@@ -37,7 +37,7 @@ def render(manifest: Manifest) -> str:
 
 
 def renamed(text: str, old: str, name: str, provenance: Provenance) -> str:
-    """The text of a manifest under another name and from elsewhere, all else as it is.
+    """The text of a manifest with another name and provenance, otherwise unchanged.
 
     old: its name so far. Raises ValueError if the text is no manifest, or damaged.
     """
@@ -55,7 +55,7 @@ def _sealed(name: str, provenance: Provenance, lines: Mapping[str, str], body: s
 
 
 def whole(text: str, name: str) -> Manifest:
-    """The manifest of a text, of that name; raises ValueError if it is not one, or damaged."""
+    """Parse a manifest of this name; raises ValueError if the text is no manifest or damaged."""
     first, _, body = text.partition("\n")
     _check(_head(first, name), ALL, body, name)
     found = codec.parse(text)

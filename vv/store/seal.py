@@ -14,7 +14,7 @@ START = len(BEFORE) + SIZE + len(BETWEEN)
 
 
 class BrokenSealError(ValueError):
-    """A content is not what was kept under its name."""
+    """The content differs from what was stored under this name."""
 
 
 def seal_of(name: str, content: bytes) -> str:

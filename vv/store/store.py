@@ -49,7 +49,7 @@ UNREADABLE = (OSError, ValueError, KeyError, TypeError, EOFError, zipfile.BadZip
 
 @dataclass(frozen=True, slots=True)
 class _Kept:
-    """What a record says of a run, and the key it belongs to."""
+    """The stored summary of a record, and the key it belongs to."""
 
     run: RunSummary = field(metadata={SPREAD: True})  # its fields stand beside the key
     key: str
@@ -81,12 +81,12 @@ class Store:
             self._keep_arrays("runs", key, arrays_of(run, key))
 
     def summary(self, key: str) -> RunSummary | None:
-        """What is stored of a run under that key of a record; None if there is nothing."""
+        """The measured summary stored under a record's key; None if there is none."""
         kept = self._read(_Kept, "records", key)
         return kept.run if kept and kept.key == key else None
 
     def keep_summary(self, key: str, run: RunSummary, series: Mapping[str, Vector]) -> None:
-        """Store what a record says of a run, and beside it the arrays of its series."""
+        """Store the measured summary of a run, and the arrays of its series."""
         self._keep_arrays("records", key, series)
         self._write("records", key, _Kept(run, key))
 
@@ -101,7 +101,7 @@ class Store:
             return {}
 
     def has_series(self, key: str) -> bool:
-        """Whether the arrays kept beside a record are there, and what was kept."""
+        """Whether the arrays of a record's series are there and undamaged."""
         try:
             self._opened("records", key)
         except ABSENT:
@@ -112,7 +112,7 @@ class Store:
         return True
 
     def keep_manifest(self, what: Manifest) -> None:
-        """Store what one invocation did under its name, which sorts by time."""
+        """Store the manifest of an invocation under its name; names sort by time."""
         write_whole(self.manifest_file(what.name), manifest.render(what).encode())
 
     def keep_renamed(self, old: str, name: str, provenance: Provenance) -> None:
@@ -143,24 +143,24 @@ class Store:
         return self.root / "manifests" / f"{name}.json"
 
     def state(self) -> tuple[int, ...]:
-        """Sizes and times of change of all that is kept with records: any damage moves one."""
+        """Sizes and times of change of all stored records: any change of a file changes one."""
         folders = sorted(self.root.glob("records/*"))
         files = sorted((one.name, one.stat()) for place in folders for one in os.scandir(place))
         return tuple(n for _, s in files for n in (s.st_size, s.st_mtime_ns, s.st_ctime_ns))
 
     def latest(self) -> Manifest | None:
-        """The newest past invocation that can be read, or None; a word is said of the others."""
+        """The newest past invocation that can be read, or None; damaged ones are named."""
         for name in reversed(self.manifests()):
             if found := self.newest_of([name], notice):
                 return found[0]
         return None
 
     def newest(self, most: int, passed_over: Callable[[str], None]) -> list[Manifest]:
-        """The newest past invocations, newest first; `passed_over` is told of damaged ones."""
+        """The newest past invocations, newest first; `passed_over` is called for damaged ones."""
         return self.newest_of(self.manifests()[-most:], passed_over)
 
     def newest_of(self, names: Sequence[str], passed_over: Callable[[str], None]) -> list[Manifest]:
-        """Those of these past invocations, oldest first, that can be read, newest first."""
+        """The readable ones of these past invocations, newest first; names: oldest first."""
         found = []
         for name in reversed(names):
             try:
@@ -178,7 +178,7 @@ class Store:
         return self.reader(name)(case)
 
     def digests_of(self, name: str) -> dict[str, str]:
-        """Case -> digest of its records as a past invocation holds them; empty if it is none.
+        """Case -> digest of its records in a past invocation; empty if it cannot be read.
 
         For who has read it whole and so knows that it is undamaged.
         """
@@ -189,13 +189,13 @@ class Store:
             return {}
 
     def reader(self, name: str) -> Callable[[str], tuple[Record, ...]]:
-        """What reads the records of a case in a past invocation; both raise as `manifest`."""
+        """Reads the records of a case in a past invocation; raises as `manifest`."""
         lines = self._of_manifest(name, list)
         path = self.manifest_file(name)
         return lambda case: _undamaged(path, lambda: manifest.records(iter(lines), case, name))
 
     def timings(self, session: str) -> Session | None:
-        """A timing session, by the digest of what it timed and where."""
+        """The timing session of this digest of what was timed and on which machine."""
         return self._read(Session, "timings", session)
 
     def keep_timings(self, session: str, timings: Session) -> None:
@@ -208,19 +208,19 @@ class Store:
         return files[-1].stem if files else ""
 
     def answer(self, key: str) -> Answer | None:
-        """What is noted of an invocation, by the digest of all it depends on."""
+        """What is kept of an invocation under the digest of all it depends on."""
         return self._read(Answer, "answers", key)
 
     def keep_answer(self, key: str, answer: Answer) -> None:
-        """Note what an invocation came to."""
+        """Keep the manifest's name and printed output of an invocation for reuse."""
         self._write("answers", key, answer)
 
     def facts(self, kind: type[Found], key: str) -> Found | None:
-        """What was worked out of results once, by the digest of all it was made from."""
+        """Facts derived from results, under the digest of all they were derived from."""
         return self._read(kind, "facts", key)
 
     def keep_facts(self, key: str, facts: object) -> None:
-        """Store what was worked out of results."""
+        """Store facts derived from results."""
         self._write("facts", key, facts)
 
     def scratch(self) -> Path:
@@ -243,7 +243,7 @@ class Store:
             return _undamaged(path, lambda: read(file))
 
     def _read(self, kind: type[Found], layer: str, key: str) -> Found | None:
-        """What a file holds; None where there is none, or it is damaged."""
+        """The content of a file; None if it is missing or damaged."""
         try:
             whole = self._path(layer, key, "json").read_text(encoding="utf-8")
             text = opened_text(f"{layer}/{key}", whole)
