@@ -62,6 +62,7 @@ MEMBERS: tuple[tuple[Any, tuple[str, ...]], ...] = (
     (lowering.Lower, ("loadvar", "_find_singly_assigned_variable", "setup_function", "call_conv")),
     (CPUContext, ("get_abi_sizeof", "get_constant_generic", "nrt", "call_conv")),
     (NRTContext, ("get_meminfos", "meminfo_alloc_aligned_unchecked", "meminfo_data")),
+    (CPUContext, ("create_cpython_wrapper", "get_python_api", "make_array", "make_tuple")),
     (codegen.CPUCodeLibrary, ("_optimize_final_module",)),
     (arrayobj, ("populate_array",)),
     (typed_passes.PreLowerStripPhis, ("_strip_phi_nodes",)),

@@ -58,24 +58,39 @@ def kick(
     drag: Drag | None,
     lag: float,
     slowed: tuple[float, float],
-) -> Triple:
+) -> tuple[float, float]:
     """Carry v (m + 1, 3) from half a step before now to half a step after; keep it in before.
 
-    mass: (m,), the moment of inertia where v is a spin. Returns sum m v- v+/2 [J] and the powers
-    [W] lost before and after now: slowed, and D v-, D v+ of drag D = eta (lag v- + (1 - lag) v+).
+    mass: (m,), the moment of inertia where v is a spin. Returns the powers [W] lost before and
+    after now: slowed, and D v-, D v+ of drag D = eta (lag v- + (1 - lag) v+).
     """
-    kinetic, behind, ahead = 0.0, slowed[0], slowed[1]
+    if drag is None:
+        coast(v, before, force, mass, hold, dt)
+        return slowed
+    if drag.eta == 0.0:
+        coast(v, before, force, mass, hold, dt)
+        return slowed
+    behind, ahead = slowed
     for i in range(len(mass)):
         old, push = at(v, i), held(at(force, i), hold, i)
         new = carried_on(old, push, mass[i], dt, drag, lag, i)
-        if drag is not None and drag.eta > 0.0:
-            loss = add_scaled(add_scaled(NOWHERE, drag.eta * lag, old), drag.eta * (1.0 - lag), new)
-            behind += dot(loss, old)
-            ahead += dot(loss, new)
+        loss = add_scaled(add_scaled(NOWHERE, drag.eta * lag, old), drag.eta * (1.0 - lag), new)
+        behind += dot(loss, old)
+        ahead += dot(loss, new)
         put(before, i, old)
         put(v, i, new)
-        kinetic += 0.5 * mass[i] * dot(old, new)
-    return kinetic, behind, ahead
+    return behind, ahead
+
+
+@inlined
+def coast(
+    v: Vector, before: Vector, force: Vector, mass: Vector, hold: Vector | None, dt: float
+) -> None:
+    """As `kick`, of what nothing slows."""
+    for i in range(len(mass)):
+        old = at(v, i)
+        put(before, i, old)
+        put(v, i, add_scaled(old, dt / mass[i], held(at(force, i), hold, i)))
 
 
 @inlined

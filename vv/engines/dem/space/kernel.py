@@ -8,7 +8,7 @@ from vv.engines.dem.space.bodies import Bodies
 from vv.engines.dem.space.forces import forces, slow
 from vv.engines.dem.space.hooks import Terms, after, begin, move, start, withdraw
 from vv.engines.dem.space.neighbours import Near, gathered, no_slots, note_places, strayed
-from vv.engines.dem.space.output import booked, motion_energy, observe
+from vv.engines.dem.space.output import booked, moving_energy, moving_energy_after, observe
 from vv.engines.dem.space.room import rest, room
 from vv.engines.dem.space.steps import drift, kick, place, place_spins, spin_on
 from vv.engines.kernels.arrays import larger, nil_counts
@@ -45,7 +45,7 @@ def move_in_space(
     slots, many, since = no_slots(), nil_counts(1), rest(m)
     begin(terms, bodies, motion)
     put_in = ahead = slipped = dragged = moved = done = 0.0
-    normal = sprung = kinetic = spinning = 0.0
+    normal = sprung = 0.0
 
     # what is done at t = 0 is the first pass of the loop, so that each force is compiled only once
     steps = -1
@@ -75,15 +75,17 @@ def move_in_space(
                     put_in += place_spins(motion.w, bodies.spin, motion.turn, bodies, back * dt)
                     withdraw(terms, bodies, motion, slots, many)
             dragged += ahead
-            kinetic, behind, ahead = kick(terms, bodies, motion, dt, lag, slowed)
+            behind, ahead = kick(terms, bodies, motion, dt, lag, slowed)
             if steps:
                 dragged += behind
-            spinning = spin_on(motion.w, motion.spun, motion.turn, bodies, dt)
+            spin_on(motion.w, motion.spun, motion.turn, bodies, dt)
 
         observe(path, row, watched, terms, bodies, motion)
-        held = kinetic + spinning, normal, sprung, slipped, 0.5 * dt * dragged
+        kinetic = moving_energy(bodies, motion)
+        held = kinetic, normal, sprung, slipped, 0.5 * dt * dragged
         done = larger(done, booked(energy, row, terms, bodies, motion, held, moved))
-        most, total = put_in + done, kinetic + spinning + normal + sprung
-        if row and not (total <= GAIN * most and motion_energy(bodies, motion) <= BLOW_UP * most):
+        most, total = put_in + done, kinetic + normal + sprung
+        fastest = moving_energy_after(bodies, motion)
+        if row and not (total <= GAIN * most and fastest <= BLOW_UP * most):
             return row
     return len(path)

@@ -78,19 +78,29 @@ def booked(
 
 
 @inlined
-def motion_energy(bodies: Bodies, motion: Motion) -> float:
-    """m v+^2/2 and I w+^2/2 [J]."""
-    fast = 0.0
-    for i in range(len(bodies.mass)):
-        fast += 0.5 * bodies.mass[i] * dot(at(motion.v, i), at(motion.v, i))
-    return fast + turning_energy(bodies.inertia, motion.w)
+def moving_energy(bodies: Bodies, motion: Motion) -> float:
+    """m v- v+/2 and I w- w+/2 [J]."""
+    fast = moving(bodies.mass, motion.before, motion.v)
+    return fast + turning(bodies.inertia, motion.spun, motion.w)
 
 
 @inlined
-def turning_energy(inertia: Vector, w: Vector | None) -> float:
-    """I w+^2/2 [J], if any sphere turns."""
+def moving_energy_after(bodies: Bodies, motion: Motion) -> float:
+    """m v+^2/2 and I w+^2/2 [J]."""
+    fast = moving(bodies.mass, motion.v, motion.v)
+    return fast + turning(bodies.inertia, motion.w, motion.w)
+
+
+@inlined
+def turning(inertia: Vector, w: Vector | None, other: Vector | None) -> float:
+    """As `moving`, of spins, if any sphere turns."""
+    return 0.0 if w is None or other is None else moving(inertia, w, other)
+
+
+@inlined
+def moving(mass: Vector, v: Vector, other: Vector) -> float:
+    """The sum of m v v'/2 [J]."""
     fast = 0.0
-    if w is not None:
-        for i in range(len(inertia)):
-            fast += 0.5 * inertia[i] * dot(at(w, i), at(w, i))
+    for i in range(len(mass)):
+        fast += 0.5 * mass[i] * dot(at(v, i), at(other, i))
     return fast

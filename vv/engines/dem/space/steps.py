@@ -6,7 +6,7 @@ from vv.engines.dem.space import advance
 from vv.engines.dem.space.bodies import Bodies, Motion
 from vv.engines.dem.space.hooks import Terms, resistance
 from vv.engines.kernels.compiled import inlined
-from vv.engines.kernels.triples import Triple, add_scaled, at, put
+from vv.engines.kernels.triples import add_scaled, at, put
 from vv.scene import Vector
 
 
@@ -37,11 +37,10 @@ def place_spins(
 @inlined
 def kick(
     terms: Terms, bodies: Bodies, motion: Motion, dt: float, lag: float, slowed: tuple[float, float]
-) -> Triple:
+) -> tuple[float, float]:
     """Carry v from half a step before now to half a step after; keep it in before.
 
-    Returns sum m v- v+/2 [J] and the powers [W] lost to drag before and after now;
-    slowed: those that are lost otherwise.
+    Returns the powers [W] lost to drag before and after now; slowed: those that are lost otherwise.
     """
     v, before, push = motion.v, motion.before, motion.push
     return advance.kick(
@@ -52,10 +51,7 @@ def kick(
 @inlined
 def spin_on(
     w: Vector | None, spun: Vector | None, turn: Vector | None, bodies: Bodies, dt: float
-) -> float:
-    """As `kick`, of spins, if any sphere turns; returns sum I w- w+/2 [J]."""
-    if w is None or spun is None or turn is None:
-        return 0.0
-    return advance.kick(w, spun, turn, bodies.inertia, bodies.hold_spin, dt, None, 0.5, (0.0, 0.0))[
-        0
-    ]
+) -> None:
+    """As `kick`, of spins, if any sphere turns."""
+    if w is not None and spun is not None and turn is not None:
+        advance.kick(w, spun, turn, bodies.inertia, bodies.hold_spin, dt, None, 0.5, (0.0, 0.0))

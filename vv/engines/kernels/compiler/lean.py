@@ -18,6 +18,7 @@ from numba.core.cpu import CPUContext
 
 from vv.engines.kernels.compiler.counting import Counting
 from vv.engines.kernels.compiler.direct import CONVENTION, Outward
+from vv.engines.kernels.compiler.entry import add_entry, is_plain
 
 CODE: Any = numba_code
 TUPLE: Any = types.BaseTuple
@@ -58,6 +59,15 @@ class Lean(CPUContext):
         if isinstance(ty, types.Dispatcher):
             return NUMBA.get_dummy_value(self)
         return NUMBA.get_constant_generic(self, builder, ty, val)
+
+    def create_cpython_wrapper(
+        self, library: Any, fndesc: Any, env: Any, call_helper: Any, release_gil: bool = False
+    ) -> None:
+        """Add what Python calls to a library."""
+        if is_plain(fndesc):
+            add_entry(self, library, fndesc)
+        else:
+            NUMBA.create_cpython_wrapper(self, library, fndesc, env, call_helper, release_gil)
 
     def get_abi_sizeof(self, ty: Any) -> int:
         """Bytes of a type of LLVM's, which is asked for them once."""

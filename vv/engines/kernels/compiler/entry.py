@@ -1,0 +1,124 @@
+"""How Python calls kernels: their arguments have the types compiled for, and are only borrowed.
+
+numba looks at each argument again and counts references to it, which takes as long as ten steps of
+a small scene, and writes several blocks of code for each. Whoever calls holds on to the arguments,
+and has seen their types (`vv.engines.kernels.compiled.entry`).
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from llvmlite import ir
+from numba.core import cgutils, types
+from numba.np import arrayobj
+
+from vv.engines.kernels.bundle_types import Bundle, filled
+
+CODE: Any = cgutils
+TUPLE: Any = types.BaseTuple
+ARRAYS: Any = arrayobj
+WORD = ir.IntType(64)
+BYTES: Any = ir.IntType(8).as_pointer()
+ITEMS = tuple.__basicsize__  # bytes before the items of a tuple
+DATA = object.__basicsize__  # bytes before an array's pointer to its data
+SHAPE, STRIDES = DATA + 16, DATA + 24  # bytes before these pointers: the number of axes is between
+
+
+def is_plain(described: Any) -> bool:
+    """Whether a function returns an integer and takes all its arguments from the caller."""
+    given = not any(isinstance(kind, types.Omitted) for kind in described.argtypes)
+    return given and isinstance(described.restype, types.Integer)
+
+
+def add_entry(context: Any, library: Any, described: Any) -> None:
+    """Add to a library what Python calls, in place of numba's."""
+    module, kinds = context.create_module("wrapper"), described.argtypes
+    python = context.get_argument_type(types.pyobject)
+    kind = ir.FunctionType(python, [python] * 3)  # what the function belongs to, arguments, names
+    outer = ir.Function(module, kind, described.llvm_cpython_wrapper_name)
+    builder = ir.IRBuilder(outer.append_basic_block("entry"))
+    api, found = context.get_python_api(builder), outer.args[1]
+    refuse_unless(builder, api, api.tuple_size(found), len(kinds))
+    given = Given(context, builder, api)
+    args = given.items(kinds, found)
+    with CODE.if_unlikely(builder, given.wrong):
+        given.free()
+        builder.ret(api.get_null_object())
+    call = context.call_conv
+    wanted = call.get_function_type(described.restype, kinds)
+    inner = ir.Function(module, wanted, described.llvm_func_name)
+    status, value = call.call_function(
+        builder, inner, described.restype, kinds, args, attrs=("noinline",)
+    )
+    given.free()
+    with builder.if_then(status.is_ok, likely=True):
+        builder.ret(api.from_native_return(described.restype, value, None))
+    call.raise_error(builder, api, status)
+    builder.ret(api.get_null_object())
+    library.add_ir_module(module)
+
+
+def refuse_unless(builder: Any, api: Any, found: Any, wanted: int) -> None:
+    """Raise TypeError for another number of arguments than is wanted."""
+    with CODE.if_unlikely(builder, builder.icmp_signed("!=", found, found.type(wanted))):
+        api.err_set_string("PyExc_TypeError", f"this kernel takes {wanted} arguments")
+        builder.ret(api.get_null_object())
+
+
+def word(builder: Any, base: Any, offset: int, kind: Any) -> Any:
+    """The value of this type so many bytes after a pointer."""
+    place = builder.gep(builder.bitcast(base, BYTES), [WORD(offset)])
+    return builder.load(builder.bitcast(place, kind.as_pointer()))
+
+
+class Given:
+    """What writes the code that takes values out of Python's objects.
+
+    wrong: whether a number could not be read; bundles: those that were made, each after its type.
+    """
+
+    def __init__(self, context: Any, builder: Any, api: Any) -> None:
+        self.context, self.builder, self.api = context, builder, api
+        self.wrong: Any = CODE.false_bit
+        self.bundles: list[tuple[Any, Any]] = []
+
+    def value(self, kind: Any, found: Any) -> Any:
+        """The value of an object."""
+        if isinstance(kind, types.Array):
+            return self.array(kind, found)
+        if isinstance(kind, TUPLE):
+            return self.context.make_tuple(self.builder, kind, self.items(kind, found))
+        if isinstance(kind, Bundle):
+            fields = self.items([wanted for _, wanted in kind._fields], found)
+            made = filled(self.context, self.builder, kind, fields)
+            self.bundles.append((kind, made))
+            return made
+        native = self.api.to_native_value(kind, found)
+        self.wrong = self.builder.or_(self.wrong, native.is_error)
+        return native.value
+
+    def items(self, kinds: Any, whole: Any) -> list[Any]:
+        """The values of a tuple's items."""
+        places = (word(self.builder, whole, ITEMS + 8 * k, whole.type) for k in range(len(kinds)))
+        return [self.value(kind, place) for kind, place in zip(kinds, places, strict=True)]
+
+    def array(self, kind: Any, found: Any) -> Any:
+        """An array that holds no reference."""
+        context, builder = self.context, self.builder
+        array = context.make_array(kind)(context, builder)
+        shape, strides = (self.along(kind.ndim, found, first) for first in (SHAPE, STRIDES))
+        size = context.get_abi_sizeof(context.get_data_type(kind.dtype))
+        data = word(builder, found, DATA, array.data.type)
+        ARRAYS.populate_array(array, data, shape, strides, size, None)
+        return array._getvalue()
+
+    def free(self) -> None:
+        """Free the bundles."""
+        for kind, made in self.bundles:
+            self.context.nrt.decref(self.builder, kind, made)
+
+    def along(self, axes: int, found: Any, offset: int) -> list[Any]:
+        """The numbers of all axes to which the pointer there points."""
+        first = word(self.builder, found, offset, WORD.as_pointer())
+        return [word(self.builder, first, 8 * axis, WORD) for axis in range(axes)]
