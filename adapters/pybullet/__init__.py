@@ -11,6 +11,7 @@ from vv.ask import Ask, Displacement, Method, Velocity
 from vv.codes import Scheme
 from vv.codes.driven import Driven
 from vv.codes.own_python import Driver, Home
+from vv.scene import Wall
 from vv.standins.boxed import BOXED, boxed, why_no_boxes
 
 DEFAULT = Scheme(
@@ -32,7 +33,17 @@ NOTES = (
 
 def _refusal(ask: Ask) -> str | None:
     """What PyBullet cannot represent though it has every term."""
-    return why_no_boxes(ask) or why_no_shapes(ask.scene)
+    return why_no_boxes(ask) or _why_no_base(ask) or why_no_shapes(ask.scene)
+
+
+def _why_no_base(ask: Ask) -> str | None:
+    """Why what an ask has of walls cannot be: they are at rest, and blocks are seen from them."""
+    scene = ask.scene
+    moves = {wall.motion is not None for wall in scene.walls}
+    if len(moves) > 1:
+        return "a wall moves and another does not; blocks are seen from one frame"
+    walls = set(scene.body_numbers(Wall)) & {seen.body for seen in ask.observables}
+    return f"body {min(walls)} is a wall, of which nothing is told" if walls else None
 
 
 def _plan(ask: Ask) -> dict[str, Any]:

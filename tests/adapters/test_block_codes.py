@@ -21,7 +21,7 @@ from tests.support.installed import require
 from vv.ask import Ask, Displacement, History, Knobs, Run, Status
 from vv.case import Case, Ladder, Series
 from vv.codes import Adapter
-from vv.scene import Block, Contact, Harmonic, Pulse
+from vv.scene import Block, Contact, Harmonic, Pulse, Wall
 
 CODES: dict[str, Adapter] = {
     "lmgc90": adapters.lmgc90.ADAPTER,
@@ -80,6 +80,21 @@ def test_lmgc90_takes_blocks_of_one_density_only() -> None:
 def test_pybullet_locks_rotation_about_axes_of_inertia_only() -> None:
     reason = CODES["pybullet"].refuses(asked(KNIFE_EDGE, "topples")[0], "default")
     assert reason == "block 'upper' is locked about an axis that is none of its inertia"
+
+
+def test_pybullet_has_one_frame_for_all_walls_and_tells_nothing_of_them() -> None:
+    ask, _ = asked(LADEN, "level")
+    refuses = CODES["pybullet"].refuses
+    (wall,) = ask.scene.walls
+    assert wall.motion is not None
+    assert refuses(ask, "default") is None
+    still = dataclasses.replace(wall, point=wall.point - 99 * wall.normal, motion=None)
+    both = dataclasses.replace(ask.scene, bodies=(*ask.scene.bodies, still))
+    reason = refuses(dataclasses.replace(ask, scene=both), "default")
+    assert reason == "a wall moves and another does not; blocks are seen from one frame"
+    number = ask.scene.body_numbers(Wall)[0]
+    seen = dataclasses.replace(ask, observables=(Displacement(number),))
+    assert refuses(seen, "default") == f"body {number} is a wall, of which nothing is told"
 
 
 @pytest.mark.parametrize("code", CODES)

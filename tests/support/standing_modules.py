@@ -1,0 +1,26 @@
+"""Puts modules of a code that is not installed in place, so that its driver can be loaded."""
+
+from __future__ import annotations
+
+import importlib
+import sys
+from collections.abc import Iterator, Mapping
+from types import ModuleType
+from typing import Any
+
+
+def driver_with(name: str, modules: Mapping[str, Any]) -> Iterator[Any]:
+    """A driver, loaded with these modules beside it and forgotten with them afterwards."""
+    before = {one: sys.modules.get(one) for one in (name, *modules)}
+    sys.modules.pop(name, None)
+    for one, content in modules.items():
+        made = ModuleType(one)
+        vars(made).update(content)
+        sys.modules[one] = made
+    try:
+        yield importlib.import_module(name)
+    finally:
+        for one, module in before.items():
+            sys.modules.pop(one, None)
+            if module is not None:
+                sys.modules[one] = module
