@@ -21,6 +21,10 @@ NUMBERS = [
 ]
 
 
+BOUNDS = [one for _, one in STATEMENTS if one.printed[:1] in ("<", ">")]
+PUBLISHED = "dda/published"  # steps by the paper's own equations
+
+
 def accepted(case: str) -> dict[str, AcceptedResult]:
     baseline = baseline_of(PROJECT, case)
     return dict(baseline.results) if baseline else {}
@@ -35,6 +39,21 @@ def test_a_number_is_reproduced_if_it_rounds_to_what_is_printed_and_only_then(
     same = math.isclose(one.exact(), one.number, rel_tol=0.0, abs_tol=one.allowance)
     if one.standing in (Standing.REPRODUCED, Standing.MISPRINT, Standing.DIFFERS):
         assert same == (one.standing is Standing.REPRODUCED), (one.exact(), one.number)
+
+
+@pytest.mark.parametrize("one", BOUNDS, ids=lambda one: f"{one.place} {one.what}")
+def test_a_bound_is_reproduced_if_the_papers_own_equations_keep_it_and_only_then(
+    one: Statement,
+) -> None:
+    (row,) = rows(Paper("A", "B", "", (one,)), accepted)
+    found = [float(answer.text) for answer in row.answers if PUBLISHED in answer.codes]
+    if not found:
+        assert not isinstance(one.exact, str)
+        found = [one.exact()]
+    below, limit = one.printed[0] == "<", float(one.printed[1:])
+    kept = all((figure < limit) is below for figure in found)
+    if one.standing in (Standing.REPRODUCED, Standing.DIFFERS):
+        assert kept == (one.standing is Standing.REPRODUCED), (found, one.printed)
 
 
 def test_what_a_statement_points_to_is_there() -> None:
