@@ -5,7 +5,7 @@ from __future__ import annotations
 import functools
 from collections.abc import Mapping
 
-from vv.ask import Displacement, Method, Strain, Velocity
+from vv.ask import Displacement, Impulse, Method, Reaction, Strain, Velocity
 from vv.codes import Scheme
 from vv.codes.in_house import InHouse, compiled, part_of_vv
 from vv.engines import dda
@@ -29,7 +29,7 @@ TERMS = frozenset(
     }
 )
 KNOBS = ("dt", "kn", "dd")
-OBSERVABLES = frozenset({Displacement, Velocity, Strain})
+OBSERVABLES = frozenset({Displacement, Velocity, Reaction, Impulse, Strain})
 SCHEMES = (
     Scheme(
         "default",

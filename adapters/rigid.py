@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from vv.ask import Displacement, Method, Reaction, Velocity
+from vv.ask import Displacement, Impulse, Method, Reaction, Velocity
 from vv.codes import Scheme
 from vv.codes.in_house import InHouse, compiled, part_of_vv
 from vv.engines import rigid
@@ -28,7 +28,7 @@ DEFAULT = Scheme(
             Term.BASE_MOTION,
         }
     ),
-    observables=frozenset({Displacement, Velocity, Reaction}),
+    observables=frozenset({Displacement, Velocity, Reaction, Impulse}),
 )
 SOLVER = compiled(DEFAULT, "solve", rigid.refuses, rigid.prepare)
 ADAPTER = InHouse("rigid", "vv.engines.rigid", (SOLVER,), part_of_vv)

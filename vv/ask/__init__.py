@@ -5,7 +5,14 @@ May import: base, scene.
 
 from vv.ask.ask import Ask
 from vv.ask.goals import Bracket, History, Knobs, Sought
-from vv.ask.observables import Displacement, Observable, Reaction, Strain, Velocity
+from vv.ask.observables import (
+    Displacement,
+    Impulse,
+    Observable,
+    Reaction,
+    Strain,
+    Velocity,
+)
 from vv.ask.run import Cost, Ledger, Model, Run
 from vv.ask.status import Method, Status
 
@@ -15,6 +22,7 @@ __all__ = [
     "Cost",
     "Displacement",
     "History",
+    "Impulse",
     "Knobs",
     "Ledger",
     "Method",

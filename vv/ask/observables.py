@@ -27,6 +27,13 @@ class Reaction:
 
 
 @dataclass(frozen=True)
+class Impulse:
+    """Observable: the integral of that force since t = 0, (3,) per time [N s]; blows count."""
+
+    body: int
+
+
+@dataclass(frozen=True)
 class Strain:
     """Observable: the normal strains of a block along the scene's axes, (3,) per time.
 
@@ -36,4 +43,4 @@ class Strain:
     body: int
 
 
-Observable = Displacement | Velocity | Reaction | Strain
+Observable = Displacement | Velocity | Reaction | Impulse | Strain

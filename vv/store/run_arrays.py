@@ -11,6 +11,7 @@ import numpy as np
 from vv.ask import (
     Cost,
     Displacement,
+    Impulse,
     Ledger,
     Model,
     Observable,
@@ -24,8 +25,8 @@ from vv.records import codec
 from vv.records.job_record import ModelSummary
 from vv.scene import Form, Term, Vector
 
-OBSERVABLES: Mapping[str, type[Displacement | Velocity | Reaction | Strain]] = {
-    kind.__name__: kind for kind in (Displacement, Velocity, Reaction, Strain)
+OBSERVABLES: Mapping[str, type[Observable]] = {
+    kind.__name__: kind for kind in (Displacement, Velocity, Reaction, Impulse, Strain)
 }
 
 

@@ -10,7 +10,18 @@ from typing import Any
 
 import numpy as np
 
-from vv.ask import Ask, Displacement, Ledger, Model, Observable, Run, Status, Strain
+from vv.ask import (
+    Ask,
+    Displacement,
+    Impulse,
+    Ledger,
+    Model,
+    Observable,
+    Reaction,
+    Run,
+    Status,
+    Strain,
+)
 from vv.engines.blocks.checks import block_index, size
 from vv.engines.dda.formulation import Formulation
 from vv.engines.dda.general.model import General
@@ -113,6 +124,10 @@ class PreparedBlocks:
     def _seen(self, what: Observable, path: Vector, index: int) -> Vector:
         if isinstance(what, Strain):
             return self.system.strains(path, index)
+        if isinstance(what, Reaction | Impulse) and isinstance(self.system, General):
+            times = self.ask.goal.times(self.ask.dt)[: len(path)]
+            forces, impulses = self.system.locked(path, index, self.watched[index], times)
+            return forces if isinstance(what, Reaction) else impulses
         moved = self.system.watched(path, index)
         return moved[:, :3] if isinstance(what, Displacement) else moved[:, 3:]
 
@@ -206,7 +221,8 @@ def prepare(ask: Ask, formulation: Formulation) -> PreparedBlocks:
     """The program of an ask, with the smallest model its scene allows."""
     dd = ask.knobs.dd
     way = formulation if dd is None else dataclasses.replace(formulation, dd=dd)
-    small = sliding(ask.scene, way) if way.stepping == IMPLICIT else None
+    held = any(isinstance(what, Reaction | Impulse) for what in ask.observables)
+    small = sliding(ask.scene, way) if way.stepping == IMPLICIT and not held else None
     system = small or General(ask.scene, way)
     return PreparedBlocks(ask, way, system)
 

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from vv.ask import Ask, Displacement, Ledger, Model, Reaction, Run, Status
+from vv.ask import Ask, Displacement, Impulse, Ledger, Model, Reaction, Run, Status
 from vv.engines.blocks.checks import (
     block_index,
     moves_where_locked,
@@ -97,9 +97,10 @@ class PreparedRigidBlocks:
         for index, what in enumerate(self.ask.observables):
             moved = self.system.watched(path[:rows], index)
             values[what] = moved[:, :3] if isinstance(what, Displacement) else moved[:, 3:6]
-            if isinstance(what, Reaction) and isinstance(self.system, Space):
-                acted = self.arguments[3][:rows]
-                values[what] = self.system.locked(acted, self.watched[index])
+            if isinstance(what, Reaction | Impulse) and isinstance(self.system, Space):
+                acted, times = self.arguments[3][:rows], goal.times(dt)[:rows]
+                forces, impulses = self.system.locked(acted, self.watched[index], times)
+                values[what] = forces if isinstance(what, Reaction) else impulses
         model, steps = self.model, goal.stride(dt) * (rows - 1 if whole else rows)
         return Run(
             status=Status.RAN if whole else Status.DIVERGED,
@@ -140,7 +141,7 @@ class PreparedRigidBlocks:
 
 def prepare(ask: Ask) -> PreparedRigidBlocks:
     """The program of an ask, with the smallest model its scene allows."""
-    held = any(isinstance(what, Reaction) for what in ask.observables)
+    held = any(isinstance(what, Reaction | Impulse) for what in ask.observables)
     return PreparedRigidBlocks(ask, (None if held else point(ask.scene)) or Space(ask.scene))
 
 

@@ -28,7 +28,8 @@ class Touch(NamedTuple):
     key: (c,); state: (c,) open, stick or slide; spring: (c, 3) shear stretch [m]; push: (c,)
     normal force [N]; way: (c, 3) against which friction acts; gap: (c,) [m]; normal: (c, 3);
     wall: (c,) number of the wall or -1; column: (c, MOST) unknowns; field: (c, MOST, 3) how each
-    moves the second body relative to the first; columns: (c,) how many; first, second: (c,).
+    moves the second body relative to the first; columns: (c,) how many; first, second: (c,);
+    force: (c, 3) on the second body in the step [N].
     """
 
     key: Index
@@ -44,6 +45,7 @@ class Touch(NamedTuple):
     columns: Index
     first: Index
     second: Index
+    force: Vector
 
 
 @called
@@ -54,7 +56,7 @@ def touch_room(count: int) -> Touch:
         nil_numbers(count), nil_rows(count), nil_numbers(count), nil_rows(count),
         nil_counts(count), rooms.count_table(count, MOST),
         rooms.row_table(count, MOST), nil_counts(count),
-        counts(count), counts(count),
+        counts(count), counts(count), nil_rows(count),
     )  # fmt: skip
 
 

@@ -90,6 +90,7 @@ def close_step(
                 )
                 worst[RESIDUAL] = larger(worst[RESIDUAL], np.sqrt(dot(off, off)))
         force = add_scaled(rubs, push, n)
+        put(touch.force, k, force)
         for m in range(touch.columns[k]):
             pull[touch.column[k, m]] += dot(at(touch.field[k], m), force)
         worst[EXCESS] = larger(worst[EXCESS], np.sqrt(dot(rubs, rubs)) - mu * larger(push, 0.0))

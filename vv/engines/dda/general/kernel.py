@@ -43,7 +43,7 @@ from vv.engines.dda.general.energy import (
 from vv.engines.dda.general.inertia import Rule, brought, handed_on
 from vv.engines.dda.general.iterate import iterate
 from vv.engines.dda.general.multipliers import bear, close_borne, fall
-from vv.engines.dda.general.rows import lost, note
+from vv.engines.dda.general.rows import lost, note, press
 from vv.engines.dda.general.turning import convected
 from vv.engines.dda.limits import CUTS, GAIN
 from vv.engines.dda.stepping import HALF_LEAP, IMPLICIT
@@ -131,8 +131,10 @@ def move_blocks(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
     of contact; reach [m]: see `found`; elastic: (q, 12) stiffness of strains [N m], laid out as
     `masses` are.
 
-    Every `stride` steps a row is written: path (k, b, 15): displacement, velocity and the tensor
-    of strain of the watched blocks (b,); energy (k, 13) and report (k, 9): see `dda_energy`.
+    Every `stride` steps a row is written: path (k, b, 21): displacement, velocity, the tensor of
+    strain, force and impulse since t = 0 of contacts and shaking, of the watched blocks (b,), the
+    force as the row is reached, in the first that of step one; energy (k, 13) and report (k, 9):
+    see `dda_energy`.
     """
     walls, q = len(planes.point), len(begun.velocity)
     shift, ahead, moved = nil_rows(walls), nil_rows(walls), nil_rows(walls)
@@ -151,6 +153,7 @@ def move_blocks(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
     masses(mass, bodies, motion)
     held(ledger, touch, bodies, motion, mass, store, stores, elastic)
     origin = same_rows(motion.centre, len(motion.centre))
+    pressed, given = nil_rows(len(origin)), nil_rows(len(origin))
 
     for row in range(len(path)):
         for _ in range((stride if row else 0) + (settling if row == 0 else 0)):
@@ -198,6 +201,7 @@ def move_blocks(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
                     )  # fmt: skip
                 else:
                     close_borne(ledger, worst, pull, touch, used, rub, relative, moved, ks, mu)
+                press(pressed, given, touch, bodies, shake, part)
                 audit(worst, pull, outer, u, begun_by, part, weight, bodies, motion, mass, elastic)
                 for a in range(q):
                     d[a] = over * u[a]
@@ -220,7 +224,7 @@ def move_blocks(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
                     most = GAIN * (put_in + ever) + spare
                 if lost(ledger, most):  # contact cannot be looked for between blocks that are so
                     note(path[row], energy[row], report[row], watched, origin,
-                         bodies, motion, ledger, worst)  # fmt: skip
+                         bodies, motion, pressed, given, ledger, worst)  # fmt: skip
                     return row
                 ledger[DAMPED] += (1.0 - dd * dd) * ledger[KINETIC]
                 for a in range(q):
@@ -239,13 +243,21 @@ def move_blocks(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
                 if begin + part > dt * (1.0 + 1e-12):
                     begin = dt
             done += 1
+            if done == 1:
+                for b in range(len(watched)):
+                    for c in range(3):
+                        path[0, b, 15 + c] = pressed[watched[b], c]
         if row == 0:
             copy_rows(origin, motion.centre)
             clear(motion.rounded)
+            clear(given)
             for term in range(STRAIN + 1, TERMS):
                 ledger[term] = 0.0
             put_in = ledger[KINETIC] + ledger[NORMAL] + ledger[SHEAR] + ledger[STRAIN]
-        note(path[row], energy[row], report[row], watched, origin, bodies, motion, ledger, worst)
+        note(
+            path[row], energy[row], report[row], watched, origin, bodies, motion, pressed, given,
+            ledger, worst,
+        )  # fmt: skip
         if lost(ledger, most):
             return row
     return len(path)

@@ -56,7 +56,7 @@ class General:
     def outputs(self, rows: int, watched: tuple[int, ...]) -> tuple[Any, ...]:
         """What the kernel fills first, and the blocks it watches."""
         energy, report = np.empty((rows, 13)), np.empty((rows, 9))
-        return np.empty((rows, len(watched), 15)), energy, report, np.array(watched, np.int64)
+        return np.empty((rows, len(watched), 21)), energy, report, np.array(watched, np.int64)
 
     def arguments(self, step: tuple[Any, ...], law: Springs) -> tuple[Any, ...]:
         """What the kernel is told; step: stride, dt, settling, tolerance, iterations."""
@@ -192,8 +192,19 @@ class General:
 
     def strains(self, path: Vector, index: int) -> Vector:
         """Normal strains (k, 3) of the block observed as the index-th, along the scene's axes."""
-        tensor = path[:, index, 6:].reshape(-1, 3, 3)
+        tensor = path[:, index, 6:15].reshape(-1, 3, 3)
         return np.asarray(np.einsum("ar,krc,ac->ka", self.scene.axes, tensor, self.scene.axes))
+
+    def locked(self, path: Vector, index: int, block: int, times: Vector) -> tuple[Vector, Vector]:
+        """Forces (k, 3) [N] and impulses since t = 0 [N s] of the locks on the index-th observed.
+
+        They are what its other forces leave unbalanced; it is the block of this number.
+        """
+        one, axes = self.scene.blocks[block], self.scene.axes[~self.scene.blocks[block].free]
+        steady = one.load + one.mass * self.scene.gravity
+        forces = path[:, index, 15:18] + steady
+        impulses = path[:, index, 18:21] + np.outer(times, steady)
+        return -forces @ axes.T @ axes, -impulses @ axes.T @ axes
 
 
 def _stiff(scene: Scene) -> Scene:

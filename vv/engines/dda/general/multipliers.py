@@ -174,6 +174,7 @@ def close_borne(
         ledger[NUMERICAL] -= push * opened
         ledger[CREATED] += larger(0.0, push * opened)
         force = add_scaled(rubs, push, n)
+        put(touch.force, k, force)
         for m in range(touch.columns[k]):
             pull[touch.column[k, m]] += dot(at(touch.field[k], m), force)
         worst[EXCESS] = larger(worst[EXCESS], length(rubs) - mu * push)

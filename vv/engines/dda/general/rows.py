@@ -6,9 +6,11 @@ import numpy as np
 
 from vv.engines.blocks.geometry import Index
 from vv.engines.dda.general.bodies import Bodies, Motion, gradient, travelled
+from vv.engines.dda.general.contact import Touch
 from vv.engines.dda.general.energy import KINETIC, NORMAL, REPORTS, SHEAR, STRAIN, TERMS
 from vv.engines.kernels.arrays import rows
 from vv.engines.kernels.compiled import called, lent
+from vv.engines.kernels.triples import NOWHERE, Triple, add_scaled, at, put
 from vv.scene import Vector
 
 
@@ -19,12 +21,32 @@ def lost(ledger: Vector, most: float) -> bool:
     return not (total <= most and total < np.inf)
 
 
+@lent
+def press(
+    pressed: Vector, given: Vector, touch: Touch, bodies: Bodies, shake: Triple, step: float
+) -> None:
+    """Fill pressed (n, 3) with forces of contacts and shaking on blocks in a step [N].
+
+    given: (n, 3) has their impulses [N s] added.
+    """
+    for i in range(len(pressed)):
+        put(pressed, i, add_scaled(NOWHERE, bodies.mass[i], shake))
+    for k in range(len(touch.key)):
+        two = touch.second[k]
+        put(pressed, two, add_scaled(at(pressed, two), 1.0, at(touch.force, k)))
+        if touch.wall[k] < 0:
+            one = touch.first[k]
+            put(pressed, one, add_scaled(at(pressed, one), -1.0, at(touch.force, k)))
+    for i in range(len(pressed)):
+        put(given, i, add_scaled(at(given, i), step, at(pressed, i)))
+
+
 @called
 def note(
     path: Vector, energy: Vector, report: Vector, watched: Index, origin: Vector,
-    bodies: Bodies, motion: Motion, ledger: Vector, worst: Vector,
+    bodies: Bodies, motion: Motion, pressed: Vector, given: Vector, ledger: Vector, worst: Vector,
 ) -> None:  # fmt: skip
-    """Write a row: path (b, 15), energy (13,) and report (9,)."""
+    """Write a row: path (b, 21), energy (13,) and report (9,); pressed, given: see `press`."""
     tensor = rows(3)
     for b in range(len(watched)):
         i = watched[b]
@@ -33,6 +55,7 @@ def note(
         for c in range(3):
             path[b, c] = motion.centre[i, c] - origin[i, c] - motion.rounded[i, c]
             path[b, 3 + c] = rate[c]
+            path[b, 15 + c], path[b, 18 + c] = pressed[i, c], given[i, c]
             for j in range(3):
                 path[b, 6 + 3 * c + j] = tensor[c, j]
     for term in range(TERMS):

@@ -30,13 +30,14 @@ from vv.engines.rigid.general.events import (
     strained,
 )
 from vv.engines.rigid.general.landing import lands_after, struck
+from vv.engines.rigid.general.lever_arms import turned_back
 from vv.engines.rigid.general.setting import Setting, State, pace, shift_at
 from vv.engines.rigid.general.step import Trial, attempt, nothing
 from vv.engines.rigid.general.turning import turn_by
 from vv.engines.rigid.limits import APART, BLOW, BRIEF, CUTS, HITS, NEARLY, PUSHES, SMALL, SPLITS
 from vv.engines.rigid.slip import slow
 from vv.engines.rigid.solver.assembly import relative
-from vv.engines.rigid.solver.cone import keep, push_out
+from vv.engines.rigid.solver.cone import push_out
 from vv.scene import Vector
 
 NIL = (0.0, 0.0, 0.0)
@@ -81,16 +82,34 @@ def separate(
 
 
 @lent
+def impel(given: Vector, setting: Setting, trial: Trial, now: float, span: float) -> None:
+    """Add to given (b, 3) the impulses [N s] of contacts and shaking on bodies in a step."""
+    shake = mean(setting.shaking, now, span)
+    for i in range(len(setting.mass)):
+        put(given, i, add_scaled(at(given, i), span * setting.mass[i], shake))
+    for c in range(len(trial.p)):
+        a, b = trial.joints.first[c], trial.joints.second[c]
+        late = add_scaled(at(trial.p, c), -1.0, at(trial.acted, c))
+        p = add_scaled(turned_back(trial.turn, c, at(trial.acted, c)), 1.0, late)
+        put(given, b, add_scaled(at(given, b), 1.0, p))
+        put(given, a, add_scaled(at(given, a), -1.0, p))
+
+
+@lent
 def press(force: Vector, setting: Setting, trial: Trial, now: float, span: float) -> None:
     """Sum the forces (b, 3) [N] of contacts and shaking on bodies, as means of a step."""
     clear(force)
-    shake = mean(setting.shaking, now, span)
-    for i in range(len(setting.mass)):
-        put(force, i, add_scaled(NIL, setting.mass[i], shake))
-    for c in range(len(trial.p)):
-        a, b = trial.joints.first[c], trial.joints.second[c]
-        put(force, b, add_scaled(at(force, b), 1.0 / span, at(trial.p, c)))
-        put(force, a, add_scaled(at(force, a), -1.0 / span, at(trial.p, c)))
+    impel(force, setting, trial, now, span)
+    for i in range(len(force)):
+        put(force, i, add_scaled(NIL, 1.0 / span, at(force, i)))
+
+
+@lent
+def record(row: Vector, force: Vector, given: Vector) -> None:
+    """Fill row (b, 6) with forces and impulses (b, 3)."""
+    for i in range(len(row)):
+        for c in range(3):
+            row[i, c], row[i, 3 + c] = force[i, c], given[i, c]
 
 
 @lent
@@ -121,8 +140,8 @@ def move_rigid(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its 
     the watched; energy (k, 8) [J]: kinetic, lost by friction, lost by impact, work of walls, of
     shaking, of gravity and loads, of push-out, of arms that turn; report (k, 4): residual [m/s],
     sweeps, deepest penetration [m] and cuts, the largest since the row before, cuts in all;
-    reaction (k, b, 3): forces [N] of contacts and shaking on bodies as the row is reached; in the
-    first, of step one.
+    reaction (k, b, 6): forces [N] of contacts and shaking on bodies as the row is reached, in the
+    first of step one, and their impulses since t = 0 [N s].
     """
     n = len(setting.mass)
     rotation = nil_squares(n)
@@ -132,7 +151,7 @@ def move_rigid(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its 
     account, contacts = nil_numbers(7), empty_contacts(64 + 0 * n)
     past = nothing(contacts, setting)
     parts = SPLITS if n <= SMALL else 1
-    pressed, done = nil_rows(reaction.shape[1]), 0
+    pressed, given, done = nil_rows(reaction.shape[1]), nil_rows(reaction.shape[1]), 0
     for row in range(len(path)):
         for c in range(report.shape[1]):
             report[row, c] = 0.0
@@ -183,6 +202,7 @@ def move_rigid(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its 
                 deepest = separate(account, setting, state, trial, before, now, span)
                 lasting = dt / CUTS if blow else larger(span, BRIEF * dt)  # of a blow nothing lasts
                 past = remembered(trial, lasting, least)
+                impel(given, setting, trial, now, span)
                 if not blow:
                     press(pressed, setting, trial, now, span)
                 blow = False
@@ -197,9 +217,9 @@ def move_rigid(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its 
                 report[row, 3] += 1.0
             done += 1
             if done == 1:
-                keep(reaction[0], pressed)
+                record(reaction[0], pressed, nil_rows(len(given)))
         if row > 0:
-            keep(reaction[row], pressed)
+            record(reaction[row], pressed, given)
         watch(path[row], watched, state, centre)
         energy[row, 0] = total = kinetic(setting, state)
         for c in range(len(account)):

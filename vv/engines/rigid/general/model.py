@@ -60,7 +60,7 @@ class Space:
     def outputs(self, rows: int, watched: tuple[int, ...]) -> tuple[Any, ...]:
         """What the kernel fills: path, energy, report, reaction; and the blocks it watches."""
         path = np.empty((rows, len(watched), 9))
-        pressed = np.zeros((rows, len(self.scene.blocks) + len(self.scene.walls), 3))
+        pressed = np.zeros((rows, len(self.scene.blocks) + len(self.scene.walls), 6))
         which = np.array(watched, np.int64)
         return path, np.empty((rows, 8)), np.empty((rows, 4)), pressed, which
 
@@ -121,13 +121,18 @@ class Space:
 
     def newtons(self, reaction: Vector) -> Vector:
         """Forces of the walls on the blocks (k, w, 3) [N]."""
-        return np.asarray(-reaction[:, len(self.scene.blocks) :])
+        return np.asarray(-reaction[:, len(self.scene.blocks) :, :3])
 
-    def locked(self, reaction: Vector, block: int) -> Vector:
-        """Forces (k, 3) [N] of the locks on a block: what its other forces leave unbalanced."""
+    def locked(self, reaction: Vector, block: int, times: Vector) -> tuple[Vector, Vector]:
+        """Forces (k, 3) [N] and impulses since t = 0 [N s] of the locks on a block.
+
+        They are what its other forces leave unbalanced.
+        """
         one = self.scene.blocks[block]
-        others = reaction[:, block] + one.load + one.mass * self.scene.gravity
-        return np.asarray(others @ (_projector(self.scene.axes, one.free) - np.eye(3)))
+        steady = one.load + one.mass * self.scene.gravity
+        bears = _projector(self.scene.axes, one.free) - np.eye(3)
+        forces = reaction[:, block, :3] + steady
+        return forces @ bears, (reaction[:, block, 3:] + np.outer(times, steady)) @ bears
 
 
 def _projector(axes: Vector, free: Mask) -> Vector:
