@@ -24,6 +24,13 @@ class Scaled(NamedTuple):
     scale: float
 
 
+@bundle
+class Outer(NamedTuple):
+    """A bundle within one."""
+
+    inner: Scaled
+
+
 class Both(NamedTuple):
     """A bundle within a tuple, beside a table and what is not there."""
 
@@ -45,6 +52,12 @@ def thousandths(out: Vector, both: Both, factor: float, times: int, whole: bool)
         total *= factor * times
     out[:] = total
     return int(1000.0 * total)
+
+
+@compiled
+def scale_within(outer: Outer) -> int:
+    """The scale, as an integer."""
+    return int(outer.inner.scale)
 
 
 def arguments(table: Vector) -> tuple[Any, ...]:
@@ -75,6 +88,16 @@ def test_a_call_keeps_and_frees_nothing_that_it_was_given() -> None:
     made = after[0].mi_alloc - before[0].mi_alloc
     assert made == after[0].mi_free - before[0].mi_free == 10  # the bundle, and no array
     assert after[1] == before[1]
+
+
+def test_a_bundle_within_a_bundle_is_freed_once() -> None:
+    given = (Outer(Scaled(np.ones(2), 3.0)),)
+    call = entry(scale_within, given)
+    runtime._nrt.memsys_enable_stats()
+    before = runtime.rtsys.get_allocation_stats()
+    assert call(*given) == 3
+    after = runtime.rtsys.get_allocation_stats()
+    assert after.mi_alloc - before.mi_alloc == after.mi_free - before.mi_free == 2
 
 
 def test_another_number_of_arguments_and_what_is_no_number_are_refused() -> None:

@@ -90,8 +90,10 @@ class Given:
         if isinstance(kind, TUPLE):
             return self.context.make_tuple(self.builder, kind, self.items(kind, found))
         if isinstance(kind, Bundle):
+            before = len(self.bundles)
             fields = self.items([wanted for _, wanted in kind._fields], found)
             made = filled(self.context, self.builder, kind, fields)
+            del self.bundles[before:]  # those among its fields, which it frees
             self.bundles.append((kind, made))
             return made
         native = self.api.to_native_value(kind, found)
