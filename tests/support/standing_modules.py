@@ -4,15 +4,20 @@ from __future__ import annotations
 
 import importlib
 import sys
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from types import ModuleType
 from typing import Any
 
 
-def driver_with(name: str, modules: Mapping[str, Any]) -> Iterator[Any]:
-    """A driver, loaded with these modules beside it and forgotten with them afterwards."""
-    before = {one: sys.modules.get(one) for one in (name, *modules)}
-    sys.modules.pop(name, None)
+def driver_with(name: str, modules: Mapping[str, Any], parts: Sequence[str] = ()) -> Iterator[Any]:
+    """A driver, loaded with these modules beside it and forgotten with them afterwards.
+
+    parts: what it is made of besides, which imports these modules too.
+    """
+    own = (name, *parts)
+    before = {one: sys.modules.get(one) for one in (*own, *modules)}
+    for one in own:
+        sys.modules.pop(one, None)
     for one, content in modules.items():
         made = ModuleType(one)
         vars(made).update(content)

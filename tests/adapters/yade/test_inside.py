@@ -1,0 +1,369 @@
+"""Claims about the program inside YADE, with one that touches nothing in its place, by hand.
+
+Masses, radii, loads and directions are unlike, so that none can stand for another.
+"""
+
+from __future__ import annotations
+
+import json
+import math
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
+
+import numpy as np
+import pytest
+
+from adapters.yade.inside import PARTS
+from tests.support.standing_modules import driver_with
+from tests.support.still_yade import Omega, Utils, modules
+
+DT = 0.1
+OMEGA, UTILS = Omega(), Utils()
+INSIDE = "adapters.yade.inside"
+
+
+@pytest.fixture
+def driver() -> Iterator[Any]:
+    OMEGA.reset()
+    UTILS.interactions.clear()
+    parts = [f"{INSIDE}.{part}" for part in PARTS[:-1]]
+    yield from driver_with(f"{INSIDE}.driver", modules(OMEGA, UTILS), parts)
+
+
+def part(driver: Any, name: str) -> Any:
+    """A module that the driver is made of."""
+    assert driver
+    return sys.modules[f"{INSIDE}.{name}"]
+
+
+def sphere(**changes: Any) -> dict[str, Any]:
+    """It starts half a step early: v0 - a dt/2, a = (4/2 + 1, 0, 6/2 - 5)."""
+    whole = {
+        "kind": "sphere", "position": [1.0, 2.0, 3.0], "initial": [1.5, 0.0, -2.0],
+        "velocity": [1.5 - 3.0 * 0.05, 0.0, -2.0 + 2.0 * 0.05], "spin": [0.1, 0.0, 0.0],
+        "radius": 0.5, "mass": 2.0, "inertia": 0.2, "shaken": 1.8, "force": [4.0, 0.0, 6.0],
+        "push": [0.0] * 3, "twist": [0.0] * 3, "carried": [0.0] * 3, "held": [0.0] * 3,
+        "blocked": "yXYZ",
+    }  # fmt: skip
+    return {**whole, **changes}
+
+
+def wall(**changes: Any) -> dict[str, Any]:
+    whole = {"kind": "wall", "point": [0.0, 0.0, -9.0], "normal": [0.0, 0.0, 1.0], "motion": []}
+    return {**whole, **changes}
+
+
+def asked(*bodies: dict[str, Any], **changes: Any) -> dict[str, Any]:
+    whole = {
+        "dt": DT, "steps": 4, "stride": 2, "kn": 3e6, "ks": 1.5e6, "mu": 0.5, "eta_n": 0.0,
+        "hertz": {}, "gravity": [1.0, 0.0, -5.0], "drag": 0.0, "shaking": [], "ends": None,
+        "charged": [], "bonds": [], "contacts": 0, "moves": True, "volumes": False,
+        "bodies": [*bodies] or [sphere()], "observe": [["displacement", 0], ["velocity", 0]],
+    }  # fmt: skip
+    return {**whole, **changes}
+
+
+def test_displacements_and_velocities_are_exact_in_free_flight(driver: Any) -> None:
+    values, facts = driver.solve(asked())
+    for row, t in enumerate((0.0, 0.2, 0.4)):
+        assert values[0, row] == pytest.approx([1.5 * t + 1.5 * t**2, 0.0, -2.0 * t - t**2])
+        assert values[1, row] == pytest.approx([1.5 + 3 * t, 0.0, -2.0 - 2 * t])
+    assert (facts["status"], facts["unknowns"], facts["steps"]) == ("ran", 2, 5)
+    assert (facts["repeats"], facts["spread"]) == (1, 0.0)
+    _, facts = driver.solve(asked(observe=[["displacement", 0]]))
+    assert facts["steps"] == 4  # none beyond the end, which displacements do not need
+
+
+def test_a_reaction_is_against_all_forces_along_blocked_axes(driver: Any) -> None:
+    held = sphere(
+        blocked="xzXYZ", velocity=[0.0] * 3, push=[0.25, 0.5, -0.75], force=[4.0, 7.0, 6.0]
+    )
+    values, _ = driver.solve(asked(held, observe=[["reaction", 0]]))
+    # -(4 + 2 1) and -(6 - 2 5); what pushes in the first step alone does not stay
+    assert values[0] == pytest.approx(np.array([[-6.0, 0.0, 4.0]] * 3))
+    going = sphere(
+        blocked="xzXYZ", velocity=[0.25, 0.0, 0.0], carried=[1.0, 0.0, 2.0], held=[0.25, 0.0, 0.5],
+        force=[0.0] * 3,
+    )  # fmt: skip
+    values, _ = driver.solve(asked(going, observe=[["reaction", 0]], drag=8.0))
+    # at t = 0 the drag on what it does not yet carry is added: 8 (1 - 0.25), 8 (2 - 0.5)
+    assert values[0, 0] == pytest.approx([-2.0 + 6.0, 0.0, 10.0 + 12.0])
+    assert values[0, 1] == pytest.approx([-2.0, 0.0, 10.0])
+
+
+def test_what_is_carried_starts_after_the_first_step_and_catches_up(driver: Any) -> None:
+    body = sphere(blocked="xyzXYZ", velocity=[0.25, 0.0, 0.0], carried=[1.0, 0.0, 0.0],
+                  held=[0.25, 0.0, 0.0])  # fmt: skip
+    values, _ = driver.solve(asked(body, observe=[["displacement", 0]]))
+    assert values[0, :, 0] == pytest.approx([0.0, 0.2, 0.4])
+
+
+def test_pushes_and_twists_end_with_the_first_step(driver: Any) -> None:
+    for push, twist in (([0.0, 9.0, 0.0], [0.0] * 3), ([0.0] * 3, [0.0, 0.0, 3.0])):
+        ask = asked(sphere(push=push, twist=twist))
+        driver.build(ask)
+        assert OMEGA.forces.force[0] == pytest.approx(np.add([4.0, 0.0, 6.0], push))
+        assert OMEGA.forces.torque[0] == twist
+        part(driver, "stepping").first_step(ask)
+        assert OMEGA.forces.force[0].tolist() == [4.0, 0.0, 6.0]
+        assert OMEGA.forces.torque[0] == [0, 0, 0]
+    driver.build(asked(sphere(force=[0.0] * 3)))
+    assert OMEGA.forces.force == {}
+
+
+def test_bare_steps_are_as_many_as_asked(driver: Any) -> None:
+    ask = asked()
+    driver.build(ask)
+    cpu, whole = part(driver, "stepping").bare(ask)
+    assert OMEGA.iter == 4
+    assert 0.0 <= cpu < 1.0
+    assert 0.0 <= whole < 60.0
+
+
+def test_time_spent_reading_is_taken_off_the_steps(
+    driver: Any, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    stepping, now = part(driver, "stepping"), [100.0]
+
+    def tick(seconds: float) -> None:
+        now[0] += seconds
+
+    clock = SimpleNamespace(process_time=lambda: now[0], perf_counter=lambda: 2 * now[0])
+    monkeypatch.setattr(stepping, "time", clock)
+    step = OMEGA.step
+
+    def slow_step() -> None:
+        tick(1.0)
+        step()
+
+    monkeypatch.setattr(OMEGA, "step", slow_step)
+    for name in ("check_contacts", "read_first", "read", "read_later"):
+        monkeypatch.setattr(stepping, name, lambda *given: tick(0.125))
+    ask = asked()
+    driver.build(ask)
+    _, cpu, whole, reading = stepping.watched(ask)
+    # five steps; contacts and start, then two rows of two readings
+    assert (cpu, whole, reading) == (5.0, 10.75, 0.75)
+    driver.build(ask)
+    assert stepping.bare(ask) == (4.0, 8.0)
+
+
+def test_timed_is_what_a_clock_gained(driver: Any) -> None:
+    now = iter((5.0, 7.5))
+    assert part(driver, "session").timed(lambda: next(now), lambda one: one, 0) == 2.5
+
+
+@pytest.mark.parametrize(
+    ("repeat", "costs", "repeats", "least", "spread"),
+    [
+        (10.0, (21.0,), 1, 21.0, 0.0),  # long enough as it was watched
+        (10.0, (20.0, 6.0, 5.0, 8.0), 3, 5.0, 0.6),
+        (10.0, (20.0, 3.0, 2.0, 3.0, 4.0), 4, 2.0, 1.0),
+    ],
+)
+def test_solves_are_repeated_until_they_took_so_long(
+    driver: Any, monkeypatch: pytest.MonkeyPatch, repeat: float, costs: tuple[float, ...],
+    repeats: int, least: float, spread: float,
+) -> None:  # fmt: skip
+    first, *more = costs
+    left = iter(more)
+    monkeypatch.setattr(driver, "watched", lambda ask: (np.zeros(1), first, 2 * first, 0.5))
+    monkeypatch.setattr(driver, "bare", lambda ask: ((cpu := next(left)), 3 * cpu))
+    monkeypatch.setattr(driver, "check_end", lambda ask: None)
+    _, facts = driver.solve(asked(), repeat)
+    wall_of = 2 if repeats == 1 else 3
+    assert (facts["repeats"], facts["solve_cpu"]) == (repeats, least)
+    assert (facts["solve_wall"], facts["output"]) == (wall_of * least, 0.5)
+    assert facts["spread"] == pytest.approx(spread)
+    assert not [*left]
+
+
+def test_a_run_that_must_not_count_is_refused(driver: Any) -> None:
+    stepping = part(driver, "stepping")
+    with pytest.raises(stepping.RunError, match="found 0 of 2 contacts"):
+        driver.solve(asked(contacts=2))
+    OMEGA.contacts = 2
+    stepping.check_contacts(asked(contacts=2))
+    still = sphere(velocity=[0.0] * 3, force=[-2.0, 0.0, 10.0])
+    with pytest.raises(stepping.RunError, match="nothing moved in 5 steps"):
+        driver.solve(asked(still))
+    driver.solve(asked(still, moves=False))
+    floor = wall(point=[0.0, 0.0, 2.5])
+    with pytest.raises(stepping.RunError, match="centre of body 1 went through a wall"):
+        driver.solve(asked(floor, sphere(velocity=[0.0, 0.0, -2.0]), observe=[]))
+    driver.solve(asked(wall(), sphere(), observe=[]))
+    with pytest.raises(stepping.RunError, match=r"velocity not finite at t = 0\.2 s"):
+        driver.solve(asked(sphere(velocity=[math.inf, 0.0, 0.0]), observe=[["velocity", 0]]))
+    with pytest.raises(stepping.RunError, match="a position is not finite after 4 steps"):
+        driver.solve(asked(sphere(velocity=[math.nan, 0.0, 0.0]), observe=[]))
+
+
+def test_drag_and_shaking_are_engines_of_like_spheres_that_move(driver: Any) -> None:
+    fixed = sphere(blocked="xyzXYZ", radius=0.75)
+    bodies = [
+        wall(), sphere(), sphere(radius=0.25, shaken=3.0), fixed,
+        sphere(blocked="xyz", carried=[1.0, 0.0, 0.0], radius=0.25),
+    ]  # fmt: skip
+    sine = {"A": [1.0, 0.0, 2.0], "f": 3.0, "fi": 0.5}
+    driver.build(asked(*bodies, drag=6.0, shaking=[sine], ends=7))
+    found = {one.kind: [e for e in OMEGA.engines if e.kind == one.kind] for one in OMEGA.engines}
+    drags = [(one.nu, one.ids) for one in found["LinearDragEngine"]]
+    assert drags == [(pytest.approx(2 / math.pi), [1]), (pytest.approx(4 / math.pi), [2, 4])]
+    shakes = [(one.A, one.f, one.fi, one.ids) for one in found["HarmonicForceEngine"]]
+    assert shakes == [
+        ([1.8, 0.0, 3.6], [3.0] * 3, [0.5] * 3, [1, 4]),
+        ([3.0, 0.0, 6.0], [3.0] * 3, [0.5] * 3, [2]),
+    ]
+    (runner,) = found["PyRunner"]
+    assert (runner.firstIterRun, runner.iterPeriod, runner.nDo) == (7, 1, 1)
+    newton = OMEGA.engines[-1]
+    assert (newton.kind, newton.damping, newton.gravity) == (
+        "NewtonIntegrator",
+        0,
+        [1.0, 0.0, -5.0],
+    )
+    driver.build(asked(*bodies))
+    assert {one.kind for one in OMEGA.engines} == {
+        "ForceResetter", "InsertionSortCollider", "InteractionLoop", "NewtonIntegrator"
+    }  # fmt: skip
+
+
+def test_a_moving_wall_has_its_sines_and_an_oblique_one_its_place(driver: Any) -> None:
+    sine = {"A": [0.1, 0.0, 0.2], "f": 3.0, "fi": 0.5}
+    down = wall(normal=[0.0, -1.0, 0.0], motion=[sine])
+    facet = {"kind": "facet", "corners": [[1.0] * 3] * 3, "point": [1.0, 2.0, 3.0],
+             "normal": [0.6, 0.0, 0.8]}  # fmt: skip
+    driver.build(asked(wall(), down, facet, sphere()))
+    (engine,) = [one for one in OMEGA.engines if one.kind == "CombinedKinematicEngine"]
+    assert engine.ids == [1]
+    (harmonic,) = engine.comb
+    assert (harmonic.A, harmonic.f, harmonic.fi) == ([0.1, 0.0, 0.2], [3.0] * 3, [0.5] * 3)
+    assert [(one.axis, one.sense) for one in OMEGA.bodies[:2]] == [(2, 1), (1, -1)]
+    assert (OMEGA.bodies[2].material, OMEGA.bodies[2].state.pos) == (0, [1.0, 2.0, 3.0])
+    young = {"young": 1e9, "walls_young": 2e9, "facets_young": 3e9, "poisson": 0.25}
+    driver.build(asked(facet, sphere(), hertz=young))
+    assert OMEGA.bodies[0].material == 1
+    assert [one.young for one in OMEGA.materials[0]] == [2e9, 3e9]
+    assert (OMEGA.materials[1].young, OMEGA.materials[1].poisson) == (1e9, 0.25)
+    assert OMEGA.materials[1].frictionAngle == pytest.approx(math.atan(0.5))
+
+
+@pytest.mark.parametrize(
+    ("changes", "physics", "law"),
+    [
+        ({}, "Ip2_FrictMat_FrictMat_FrictPhys", "Law2_ScGeom_FrictPhys_CundallStrack"),
+        ({"eta_n": 7.0}, "Ip2_ViscElMat_ViscElMat_ViscElPhys", "Law2_ScGeom_ViscElPhys_Basic"),
+        (
+            {"hertz": dict.fromkeys(("young", "walls_young", "facets_young", "poisson"), 0.25)},
+            "Ip2_FrictMat_FrictMat_MindlinPhys", "Law2_ScGeom_MindlinPhys_Mindlin",
+        ),
+        ({"volumes": True}, "Ip2_PolyhedraMat_PolyhedraMat_PolyhedraPhys",
+         "Law2_PolyhedraGeom_PolyhedraPhys_Volumetric"),
+    ],
+)  # fmt: skip
+def test_each_law_of_contact_has_its_parts_and_its_stuff(
+    driver: Any, changes: dict[str, Any], physics: str, law: str
+) -> None:
+    driver.build(asked(wall(), sphere(), **changes))
+    (loop,) = [one for one in OMEGA.engines if one.kind == "InteractionLoop"]
+    _, (made_of,), (acts,) = loop.given
+    assert (made_of.kind, acts.kind) == (physics, law)
+    stuff = OMEGA.materials[-1]
+    if not changes:
+        assert (made_of.kn.val, made_of.ks.val) == (3e6, 1.5e6)
+        assert stuff.frictionAngle == pytest.approx(math.atan(0.5))
+    if "eta_n" in changes:
+        assert (stuff.kn, stuff.ks, stuff.cn, stuff.cs) == (6e6, 3e6, 14.0, 0)
+    if "volumes" in changes:
+        assert (stuff.young, stuff.poisson) == (6e6, 0.5)
+
+
+def test_elastic_contact_is_damped_along_its_normal_only(driver: Any) -> None:
+    engines = part(driver, "engines")
+    young = dict.fromkeys(("young", "walls_young", "facets_young", "poisson"), 0.25)
+    physics, _ = engines.law_of(asked(hertz=young | {"damping": 0.3}))
+    assert (physics.betan.val, physics.betas.val) == (0.3, 0.0)
+    assert not hasattr(engines.law_of(asked(hertz=young))[0], "betan")
+
+
+def test_contacts_are_charged_where_a_foot_is_pressed(driver: Any) -> None:
+    held = {"wall": 0, "body": 1, "forces": [[0.0, 2.0, 0.0]]}
+    driver.build(asked(wall(), sphere(), charged=[held]))
+    ((first, second, phys),) = UTILS.interactions
+    assert (first, second, phys.shearForce) == (0, 1, [0.0, 2.0, 0.0])
+    UTILS.interactions.clear()
+    foot = {"position": [0.0] * 3, "radius": 0.125, "density": 5.0}
+    point = {"position": [1.0] * 3, "radius": 0.25, "density": 6.0}
+    clump = sphere(kind="clump", touching=[foot] * 2, points=[point], inertia=[1.0, 2.0, 3.0])
+    held = {"wall": 0, "body": 1, "forces": [[0.0] * 3, [1.0, 0.0, 0.0]]}
+    driver.build(asked(wall(), clump, charged=[held]))
+    ((first, second, phys),) = UTILS.interactions
+    assert (first, second, phys.shearForce) == (0, 2, [1.0, 0.0, 0.0])
+    assert [(b.radius, b.material.density, b.mask) for b in OMEGA.bodies[1:4]] == [
+        (0.125, 5.0, 1), (0.125, 5.0, 1), (0.25, 6.0, 0)
+    ]  # fmt: skip
+    state = OMEGA.bodies[4].state
+    assert (state.mass, state.inertia, state.blockedDOFs) == (2.0, [1.0, 2.0, 3.0], "yXYZ")
+    assert part(driver, "stepping").unknowns() == 6 + 2  # of a wall, and of the clump
+
+
+def test_bonds_have_their_springs_and_spheres_those_of_contacts(driver: Any) -> None:
+    bond = {"pair": [1, 0], "kn": 5.0, "ks": 6.0, "overlap": 0.1, "tension": 7.0, "shear": 8.0}
+    driver.build(asked(sphere(), sphere(radius=0.25), bonds=[bond], kn=4.0, ks=2.0))
+    ((first, second, phys),) = UTILS.interactions
+    assert (first, second) == (1, 0)
+    assert vars(phys) == {
+        "kn": 5.0, "ks": 6.0, "unp": 0.1, "fragile": True, "cohesionBroken": False,
+        "normalAdhesion": 7.0, "shearAdhesion": 8.0,
+    }  # fmt: skip
+    assert [(one.material.young, one.material.poisson) for one in OMEGA.bodies] == [
+        (8.0, 0.5),
+        (16.0, 0.5),
+    ]
+    alike = asked(sphere(), sphere(), bonds=[bond])
+    driver.build(alike)
+    assert OMEGA.bodies[0].material is OMEGA.bodies[1].material
+
+
+def test_an_answer_is_whole_or_says_what_was_wrong(
+    driver: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def answered(ask: dict[str, Any], ready: float) -> dict[str, Any]:
+        path = tmp_path / "ask.json"
+        path.write_text(json.dumps(ask | {"repeat": 0.0}))
+        driver.answer(str(path), ready)
+        found: dict[str, Any] = json.loads((tmp_path / "ask.json.answer").read_text())
+        return found
+
+    fine = answered(asked(), 3.5)
+    assert (fine["status"], fine["ready"], fine["version"]) == ("ran", 3.5, "still")
+    assert 0.0 <= fine["output"] < 5.0
+    assert np.load(tmp_path / "ask.json.npy").shape == (2, 3, 3)
+    lost = answered(asked(contacts=1), 0.0)
+    assert lost["status"] == "error"
+    assert lost["reason"].startswith("YADE found 0 of 1")
+    broken = answered({"dt": 1.0}, 0.0)
+    assert (broken["status"], broken["reason"]) == ("error", "KeyError: 'hertz'")
+
+
+def test_the_program_answers_files_or_prints_what_is_written_in(
+    driver: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    told: list[tuple[str, float]] = []
+    monkeypatch.setattr(
+        OMEGA, "tmpFilename", lambda: str(tmp_path / "none" / "file"), raising=False
+    )
+    monkeypatch.setattr(driver, "answer", lambda path, ready: told.append((path, ready)))
+    monkeypatch.setattr("sys.argv", ["driver", "a", "b"])
+    driver.main()
+    assert [path for path, _ in told] == ["a", "b"]
+    assert told[0][1] > 0.0 == told[1][1]  # start-up is that of the first
+    monkeypatch.setattr(driver, "ASK", asked(observe=[["displacement", 0]]))
+    driver.main()
+    _, heading, *rows = capsys.readouterr().out.splitlines()
+    assert heading == "# t [s], displacement of body 0: x, y, z [SI]"
+    assert [float(row.split()[0]) for row in rows] == pytest.approx([0.0, 0.2, 0.4])
+    assert float(rows[2].split()[1]) == pytest.approx(1.5 * 0.4 + 1.5 * 0.16)
