@@ -1,0 +1,192 @@
+"""Claims about charts as data: what is drawn, what is on a rim, what is joined, by hand."""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+
+import numpy as np
+import pytest
+
+from reports.drawing import charts
+from reports.drawing.collect import History, Ladder, Point
+from reports.drawing.gallery import cost_figures, figures
+from reports.marks import COLOURS, DASHES, ROUND, SHAPES, Mark, mark
+from tests.support.fabricated import case
+from vv.case import Norm
+
+T = np.linspace(0.0, 1.0, 13)
+WAVE = 2.0 + np.sin(3 * T)
+NAMES = ("a/a", "b/b", "c/c", "d/d", "e/e")
+A, B, C, D, E = (Mark(name, 0, (), "") for name in NAMES)
+(QUANTITY,) = case().variants["T1"].quantities
+
+
+def history(one: Mark, dt: float | None, error: float) -> History:
+    return History(one, dt, T, WAVE * (1 + error * T), WAVE)
+
+
+def test_relative_errors_far_below_those_of_steps_are_told_and_not_drawn() -> None:
+    chart, sunk = charts.relative_errors([
+        history(A, 0.1, -0.1), history(B, 0.2, 0.4), history(C, None, 5e-5),
+        history(D, None, 2e-4), history(E, None, 0.0),
+    ])  # fmt: skip
+    assert chart is not None
+    assert [curve.mark for curve in chart.curves] == [A, B, D]
+    assert sunk == {"c/c": pytest.approx(5e-5), "e/e": 0.0}
+    assert chart.curves[0].y == pytest.approx(0.1 * T)
+    alone, none = charts.relative_errors([history(C, None, 5e-5)])
+    assert alone is not None
+    assert len(alone.curves) == 1
+    assert none == {}
+    assert charts.relative_errors([history(E, 1e-3, 0.0)]) == (None, {})
+    nothing = dataclasses.replace(history(A, 0.1, 0.1), reference=0 * T)
+    assert charts.relative_errors([nothing]) == (None, {})
+
+
+def test_markers_over_time_lie_between_each_other() -> None:
+    chart = charts.trajectory([history(one, 0.1, 0.1) for one in (A, B)], "y")
+    assert chart is not None
+    # thirteen outputs: every second is marked, the second scheme one later
+    assert [np.flatnonzero(curve.marked).tolist() for curve in chart.curves] == [
+        [0, 2, 4, 6, 8, 10, 12], [1, 3, 5, 7, 9, 11]
+    ]  # fmt: skip
+    assert not chart.curves[0].joined.any()  # markers on the reference, no line
+    bare = [dataclasses.replace(history(A, 0.1, 0.1), reference=None)]
+    chart = charts.trajectory(bare, "y")
+    assert chart is not None
+    assert chart.curves[0].joined.all()
+    assert chart.exact is None
+
+
+def point(dt: float | None, error: float | None, cpu: float = 1.0, timed: bool = True) -> Point:
+    return Point(dt, error, cpu, timed, error is None)
+
+
+LADDERS = [
+    Ladder(A, None, (point(0.2, 0.04, 1.0), point(0.1, 0.01, 2.0, False), point(0.05, None, 4.0))),
+    Ladder(B, None, (point(None, 2e-5, 8.0),)),
+    Ladder(C, None, (point(None, 5e-6, 9.0),)),
+    Ladder(D, None, (point(0.1, 0.0, 3.0), point(0.025, 0.02, 0.0))),
+]
+
+
+def test_errors_over_steps_have_level_lines_and_rims() -> None:
+    chart = charts.error_against_step(LADDERS, "e")
+    assert chart is not None
+    assert [(c.mark.label, c.x.tolist(), c.y.tolist()) for c in chart.curves] == [
+        ("a/a", [0.2, 0.1], [0.04, 0.01]),
+        ("b/b", [0.025, 0.2], [2e-5, 2e-5]),  # above a thousandth of the least with a step
+        ("d/d", [0.025], [0.02]),
+    ]
+    assert [(r.mark.label, r.x, r.above) for r in chart.rims] == [
+        ("a/a", 0.05, True), ("c/c", None, False), ("d/d", 0.1, False)
+    ]  # fmt: skip
+    assert chart.curves[0].tips == ("0.2;4.00e-2", "0.1;1.00e-2")
+    assert charts.error_against_step([LADDERS[1]], "e") is None
+
+
+def test_errors_over_cost_have_hollow_points_a_front_and_rims() -> None:
+    chart = charts.error_against_cost(LADDERS, "e")
+    a, b = chart.curves
+    assert (a.x.tolist(), a.hollow.tolist()) == ([1.0, 2.0], [False, True])
+    assert a.joined.all()  # one alone is timed
+    assert (b.mark, b.x.tolist()) == (B, [8.0])
+    assert chart.exact is not None
+    assert [part.tolist() for part in chart.exact] == [[1.0, 8.0, 8.0], [0.04, 0.04, 2e-5]]
+    assert [(r.mark.label, r.x, r.above) for r in chart.rims] == [
+        ("a/a", 4.0, True), ("c/c", 9.0, False), ("d/d", 3.0, False)
+    ]  # fmt: skip
+    assert a.tips[1] == "0.1;1.00e-2;2 s ○"
+    third = dataclasses.replace(
+        LADDERS[0], points=(*LADDERS[0].points[:2], point(0.05, 0.005, 4.0))
+    )
+    (curve,) = charts.error_against_cost([third], "e").curves
+    assert curve.joined.tolist() == [True, False, True]
+    hollow = Ladder(A, None, (point(0.2, 0.04, 1.0, False),))
+    assert charts.error_against_cost([hollow], "e").exact is None
+
+
+def test_shares_are_stairs_that_end_at_twice_the_largest() -> None:
+    chart = charts.shares([(A, [4.0, 1.0, math.inf, 2.0]), (B, [math.inf] * 4)], "share")
+    assert chart is not None
+    (curve,) = chart.curves
+    assert curve.x.tolist() == [1.0, 2.0, 2.0, 4.0, 4.0, 8.0]
+    assert curve.y.tolist() == [0.25, 0.25, 0.5, 0.5, 0.75, 0.75]
+    assert curve.marked.tolist() == [True, False] * 3
+    assert charts.shares([(B, [math.inf])], "share") is None
+
+
+def test_captions_name_what_is_on_the_rims_and_what_has_no_cost() -> None:
+    (steps,) = figures([], LADDERS, QUANTITY, Norm.MAX)
+    assert steps.caption == (
+        "Dashed: slopes to compare with. Crossed on the upper rim, without a result: a/a. "
+        "On the lower rim, below the axis: c/c and d/d."
+    )
+    assert steps.alt.endswith("of 4 schemes, least c/c 5.00e-6, most d/d 0 to 2.00e-2")
+    (cost,) = cost_figures(LADDERS, QUANTITY, Norm.MAX)
+    assert cost.caption == (
+        "Filled, joined: timed alone on one core; grey: the front. Hollow: indicative. One solve, "
+        "without start-up. Crossed on the upper rim, without a result: a/a. On the lower rim, "
+        "below the axis: c/c and d/d. Not drawn, no cost measured at some setting: d/d."
+    )
+    assert "least c/c 5.00e-6 for 9.00e0 s, most d/d 2.00e-2 for 0 s" in cost.alt
+    (cost,) = cost_figures(LADDERS[1:3], QUANTITY, Norm.MAX)
+    assert cost.caption.startswith("Timed alone on one core; grey: the front, which nobody beats.")
+    lost = [Ladder(A, None, (point(0.1, None),)), Ladder(B, None, (point(0.2, 0.0),))]
+    assert len(figures([], lost, QUANTITY, Norm.MAX)) == 1  # a cross is something to draw
+    assert figures([], lost[1:], QUANTITY, Norm.MAX) == []
+    assert cost_figures(lost[1:], QUANTITY, Norm.MAX) == []
+
+
+def test_captions_over_time_name_the_steps_that_are_not_the_usual_one() -> None:
+    over = [
+        history(A, 0.1, 0.1),
+        history(B, 0.1, 0.2),
+        history(C, 0.05, 0.4),
+        history(D, None, 1e-5),
+    ]
+    value, relative = figures(over, [], QUANTITY, Norm.MAX)
+    assert value.caption == (
+        "Finest setting of each, dt = 0.1 s, but c/c 0.05 s; the grey line is the reference."
+    )
+    assert relative.caption.endswith("of its maximum. Not drawn, far below: d/d (at most 1.0e-5).")
+    assert relative.alt.endswith("a/a 1.00e-1, b/b 2.00e-1, c/c 4.00e-1, d/d (at most 1.0e-5)")
+    alike, _ = figures(over[:2], [], QUANTITY, Norm.MAX)
+    assert alike.caption == "Finest setting, dt = 0.1 s; the grey line is the reference."
+    exact, _ = figures(over[3:], [], QUANTITY, Norm.MAX)
+    assert exact.caption.startswith("No code here has a step")
+
+
+def test_a_look_is_the_colour_of_a_code_the_dash_of_a_scheme_and_the_shape_of_both() -> None:
+    assert mark("yade/published").shape == ROUND  # 3 1 + 4 2 = 11 of eleven shapes
+    assert mark("liggghts/half-step-mass").shape == SHAPES[10]
+    assert (mark("exact/clump").colour, mark("exact/clump").dash) == (3, DASHES[5])
+    assert mark("kratos/augmented-lagrangian").shape == SHAPES[(24 + 36) % 11]
+    other = mark("zzz/default")
+    assert 0 <= other.colour < len(COLOURS)
+    assert len({mark(name).colour for name in ("zzz/a", "yyy/a", "xxx/a", "www/a")}) > 1
+
+
+def test_shapes_are_regular_and_upright_within_about_a_unit() -> None:
+    square, triangle, diamond = SHAPES[1:4]
+    half = 1.15 * math.sqrt(0.5)
+    assert np.array(square) == pytest.approx(
+        np.array([(half, half), (half, -half), (-half, -half), (-half, half)])
+    )
+    side = 1.1 * math.sqrt(0.75)
+    assert np.array(triangle) == pytest.approx(np.array([(0, 1.1), (side, -0.55), (-side, -0.55)]))
+    assert np.array(diamond) == pytest.approx(
+        np.array([(0, 1.15), (1.15, 0), (0, -1.15), (-1.15, 0)]), abs=1e-12
+    )
+    assert np.array(SHAPES[4]) == pytest.approx(-np.array(triangle), abs=1e-12)  # points down
+    assert np.array(SHAPES[7][0]) == pytest.approx([1.1, 0.0], abs=1e-12)  # and right, and left
+    assert np.array(SHAPES[9][0]) == pytest.approx([-1.1, 0.0], abs=1e-12)
+    cross = np.array(SHAPES[5])
+    assert cross[:3].tolist() == [[-0.33, 0.95], [0.33, 0.95], [0.33, 0.33]]
+    assert cross[3:6].tolist() == [[0.95, 0.33], [0.95, -0.33], [0.33, -0.33]]
+    radii = np.linalg.norm(SHAPES[6], axis=1)
+    assert radii == pytest.approx([1.1, 0.5] * 5)
+    star = np.unwrap(np.arctan2(*np.array(SHAPES[6]).T))
+    assert np.diff(star) == pytest.approx(np.full(9, math.pi / 5))
+    assert Mark("a/a", 0, ((0.5, 0.25), (-0.125, -1.0)), "").points == "0.5,-0.25 -0.12,1"
