@@ -104,7 +104,8 @@ def solve(ask: dict[str, Any], repeat: float = 0.0) -> tuple[np.ndarray, dict[st
         solves.append(bare(ask))
     least, most = min(solves), max(solves)
     cost = {"setup": min(setups), "solve_cpu": least[0], "solve_wall": least[1]}
-    more = {"repeats": len(solves), "spread": most[0] / least[0] - 1}
+    spread = most[0] / least[0] - 1 if least[0] > 0 else 0.0  # shorter than a coarse clock's tick
+    more = {"repeats": len(solves), "spread": spread}
     return values, {"status": "ran", "reason": "", **made, **cost, **more}
 
 

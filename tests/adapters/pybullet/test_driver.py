@@ -174,7 +174,8 @@ def test_blocks_are_seen_from_the_wall_that_moves_and_told_from_the_ground(drive
 def test_shaking_ends_with_half_of_it_in_the_step_about_its_end(driver: Any) -> None:
     sines = [[[2.0, 0.0, 4.0], 3.0, 0.25]]
     for t, until, part in (
-        (0.1, None, 1.0), (0.1, 0.22, 1.0), (0.2, 0.22, 0.7), (0.25, 0.22, 0.2), (0.3, 0.22, 0.0)
+        (0.1, None, 1.0), (0.1, 0.22, 1.0), (0.15, 0.24, 1.0), (0.2, 0.22, 0.7),
+        (0.25, 0.22, 0.2), (0.3, 0.22, 0.0)
     ):  # fmt: skip
         size = part * math.sin(3 * t + 0.25)
         found = driver.shaken(asked(shaking=sines, until=until), t)
@@ -186,9 +187,10 @@ def test_shaking_ends_with_half_of_it_in_the_step_about_its_end(driver: Any) -> 
 
 
 def test_what_the_engine_is_told_of_bodies_and_contacts(driver: Any) -> None:
-    hull = block(2, half=[], axes=[[0, 1, 0], [-1, 0, 0], [0, 0, 1]])
+    hull = block(2, half=[], free_spin=[False] * 3, axes=[[0, 1, 0], [-1, 0, 0], [0, 0, 1]])
     held = block(3, free=[False] * 3, free_spin=[False] * 3)
-    turned = block(4, free=[False] * 3)
+    assert block(1)["free"] == [True, False, True]  # in part free is not fixed
+    turned = block(4, free=[False] * 3, free_spin=[False, True, False])
     ask = asked(walls=[wall()], blocks=[block(1), hull, held, turned])
     bodies = driver.build(ask)
     assert list(bodies) == [0, 1, 2, 3, 4]

@@ -72,7 +72,6 @@ def test_displacements_and_velocities_are_exact_in_free_flight(driver: Any) -> N
         assert values[0, row] == pytest.approx([1.5 * t + 1.5 * t**2, 0.0, -2.0 * t - t**2])
         assert values[1, row] == pytest.approx([1.5 + 3 * t, 0.0, -2.0 - 2 * t])
     assert (facts["status"], facts["unknowns"], facts["steps"]) == ("ran", 2, 5)
-    assert (facts["repeats"], facts["spread"]) == (1, 0.0)
     _, facts = driver.solve(asked(observe=[["displacement", 0]]))
     assert facts["steps"] == 4  # none beyond the end, which displacements do not need
 
@@ -102,13 +101,15 @@ def test_what_is_carried_starts_after_the_first_step_and_catches_up(driver: Any)
 
 
 def test_pushes_and_twists_end_with_the_first_step(driver: Any) -> None:
-    for push, twist in (([0.0, 9.0, 0.0], [0.0] * 3), ([0.0] * 3, [0.0, 0.0, 3.0])):
-        ask = asked(sphere(push=push, twist=twist))
+    for push, twist, force in (
+        ([0.0, 9.0, 0.0], [0.0] * 3, [4.0, 0.0, 6.0]), ([0.0] * 3, [0.0, 0.0, 3.0], [0.0] * 3)
+    ):  # fmt: skip
+        ask = asked(sphere(push=push, twist=twist, force=force))
         driver.build(ask)
-        assert OMEGA.forces.force[0] == pytest.approx(np.add([4.0, 0.0, 6.0], push))
+        assert OMEGA.forces.force[0] == pytest.approx(np.add(force, push))
         assert OMEGA.forces.torque[0] == twist
         part(driver, "stepping").first_step(ask)
-        assert OMEGA.forces.force[0].tolist() == [4.0, 0.0, 6.0]
+        assert OMEGA.forces.force[0].tolist() == force
         assert OMEGA.forces.torque[0] == [0, 0, 0]
     driver.build(asked(sphere(force=[0.0] * 3)))
     assert OMEGA.forces.force == {}
@@ -162,6 +163,7 @@ def test_timed_is_what_a_clock_gained(driver: Any) -> None:
         (10.0, (21.0,), 1, 21.0, 0.0),  # long enough as it was watched
         (10.0, (20.0, 6.0, 5.0, 8.0), 3, 5.0, 0.6),
         (10.0, (20.0, 3.0, 2.0, 3.0, 4.0), 4, 2.0, 1.0),
+        (0.0, (0.0, 0.0, 0.0, 0.0), 3, 0.0, 0.0),  # each within a tick of the clock
     ],
 )
 def test_solves_are_repeated_until_they_took_so_long(
@@ -173,7 +175,10 @@ def test_solves_are_repeated_until_they_took_so_long(
     monkeypatch.setattr(driver, "watched", lambda ask: (np.zeros(1), first, 2 * first, 0.5))
     monkeypatch.setattr(driver, "bare", lambda ask: ((cpu := next(left)), 3 * cpu))
     monkeypatch.setattr(driver, "check_end", lambda ask: None)
+    setups = iter((0.5, 0.25, 0.75, 1.0, 2.0))
+    monkeypatch.setattr(driver, "timed", lambda *given: next(setups))
     _, facts = driver.solve(asked(), repeat)
+    assert facts["setup"] == (0.5 if repeats == 1 else 0.25)
     wall_of = 2 if repeats == 1 else 3
     assert (facts["repeats"], facts["solve_cpu"]) == (repeats, least)
     assert (facts["solve_wall"], facts["output"]) == (wall_of * least, 0.5)
@@ -338,9 +343,10 @@ def test_an_answer_is_whole_or_says_what_was_wrong(
         found: dict[str, Any] = json.loads((tmp_path / "ask.json.answer").read_text())
         return found
 
+    monkeypatch.setattr(driver, "timed", lambda clock, work, *given: work(*given) or 2.0)
     fine = answered(asked(), 3.5)
     assert (fine["status"], fine["ready"], fine["version"]) == ("ran", 3.5, "still")
-    assert 0.0 <= fine["output"] < 5.0
+    assert 2.0 <= fine["output"] < 3.0  # beside what the readings took
     assert np.load(tmp_path / "ask.json.npy").shape == (2, 3, 3)
     lost = answered(asked(contacts=1), 0.0)
     assert lost["status"] == "error"
