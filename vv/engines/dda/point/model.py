@@ -11,6 +11,7 @@ import numpy as np
 from vv.engines.blocks.geometry import depth_axis
 from vv.engines.blocks.single_block import Lone, lone
 from vv.engines.dda.formulation import Formulation
+from vv.engines.dda.limits import FLOAT
 from vv.engines.dda.springs import Springs
 from vv.scene import Scene, Term, Vector
 
@@ -52,7 +53,7 @@ class Sliding:
 
         block, wall, hold = self.lone.block, self.lone.wall, self.lone.hold
         way = self.formulation
-        start = way.dd, way.pressed, float(way.charged)
+        start = way.dd, way.pressed and self._rests(law), float(way.charged)
         vectors = (block.velocity, self.scene.gravity, block.load)
         shaking = drive(self.scene.shaking or NO_MOTION)
         felt = shaking._replace(direction=shaking.direction @ hold)
@@ -63,6 +64,11 @@ class Sliding:
             None if wall.motion is None else drive(wall.motion),
             None if self.scene.shaking is None else felt,
         )  # fmt: skip
+
+    def _rests(self, law: Springs) -> bool:
+        """Whether the block is no farther off its wall than springs could sink, by far."""
+        load = self.lone.block.mass * self.scene.gravity + self.lone.block.load
+        return self.lone.gap <= FLOAT * float(np.linalg.norm(load)) / law.kn
 
     def kernel(self) -> Callable[..., int]:
         """The compiled kernel; the first call imports numba."""
