@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+from types import SimpleNamespace
+
 import pytest
 
+from vv.ask import Run, Status
 from vv.codes import timed
+from vv.codes.timing import run_timed
 
 
 class Clock:
@@ -55,3 +59,46 @@ def test_a_budget_is_spent_and_the_least_counts_but_for_the_first(clock: Clock) 
 def test_a_first_call_beyond_the_budget_is_the_only_one(clock: Clock) -> None:
     _, cost = timed(clock.solve, 4.0)
     assert (clock.calls, cost.solve_cpu, cost.repeats) == (1, 5.0, 1)
+
+
+def test_the_least_is_told_of_cpu_and_of_wall_each_a_call_s_share(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Of blocks of 1000 calls, a microsecond each or three; wall runs twice as fast, or 8 times."""
+    calls, now = 0, [100.0, 100.0]
+
+    def solve() -> None:
+        nonlocal calls
+        calls += 1
+        late = 1000 < calls <= 2000
+        now[0] += 3e-6 if late else 1e-6
+        now[1] += 24e-6 if late else 2e-6
+
+    monkeypatch.setattr("time.process_time", lambda: now[0])
+    monkeypatch.setattr("time.perf_counter", lambda: now[1])
+    _, cost = timed(solve, 4.5e-3)
+    assert cost.repeats == calls - 1
+    assert cost.solve_cpu == pytest.approx(1e-6, rel=1e-3)
+    assert cost.solve_wall == pytest.approx(2e-6, rel=1e-2)
+    assert cost.spread == pytest.approx(2.0, rel=0.01)
+
+
+def test_each_part_of_a_run_is_on_the_clock(monkeypatch: pytest.MonkeyPatch) -> None:
+    now = [100.0]
+    monkeypatch.setattr("time.process_time", lambda: now[0])
+    monkeypatch.setattr("time.perf_counter", lambda: 3.0 * now[0])
+
+    def takes(seconds: float, result: object = None) -> object:
+        now[0] += seconds
+        return result
+
+    prepared = SimpleNamespace(
+        warm=lambda: takes(2.0),
+        solve=lambda: takes(4.0, "rows"),
+        run=lambda rows: takes(8.0, Run(Status.RAN, str(rows))),
+    )
+    run = run_timed(lambda: takes(1.0, prepared), 0.0)  # type: ignore[arg-type,return-value]
+    cost = run.cost
+    assert run.reason == "rows"
+    assert (cost.setup, cost.startup, cost.solve_cpu, cost.output) == (1.0, 2.0, 4.0, 8.0)
+    assert cost.solve_wall == 12.0

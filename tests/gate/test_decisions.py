@@ -108,6 +108,15 @@ def test_what_another_check_tells_is_not_told_twice(status: str) -> None:
     assert compared([changed(ran(), status=status, quantities=[])], accepted(ran())) == []
 
 
+@pytest.mark.parametrize(("code", "width"), [("dem", 1e-9), ("yade", 1e-6)])
+def test_a_code_of_others_has_the_wider_band(code: str, width: float) -> None:
+    for part, moved in ((0.9, False), (1.2, True)):
+        now = requantified(ran(code=code), errors={"max": 1e-4 + part * width})
+        strict = Strictness(("yade",), True, False)
+        found = regression.compare("bounce", [now], accepted(ran(code=code)), strict)
+        assert bool(found) is moved
+
+
 def test_a_result_or_a_case_without_a_baseline_is_red_only_where_one_is_demanded() -> None:
     fresh, refused = ran(variant="T2"), changed(ran(), status="refused", quantities=[])
     for then, kind in ((None, "no baseline"), (accepted(ran()), "new")):

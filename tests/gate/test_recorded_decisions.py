@@ -100,3 +100,15 @@ def test_recorded_results_stand_where_the_code_is_absent(
     asked = theirs(1e-3, **{"status": "not-installed", **changes})
     found = recorded.shown(tmp_path, [asked], TODAY)
     assert [one.days for one in found] == [10] * count
+
+
+def test_seconds_on_record_are_by_case_variant_scheme_and_rung(tmp_path: Path) -> None:
+    unset = record("yade/default", "T2", None, quantities=[])
+    runs = [theirs(1e-3), unset, theirs(2e-3)]
+    runs[2] = changed(runs[2], cost=changed(runs[2].cost, solve_cpu=0.0))
+    recorded.write_recorded(tmp_path, runs, series, {"yade": recorded_file()})
+    assert recorded.seconds_recorded(tmp_path, "yade", "bounce") == {
+        ("bounce", "T1", "yade/default", "dt=0.001"): 1e-4,
+        ("bounce", "T2", "yade/default", ""): 1e-4,
+    }
+    assert recorded.seconds_recorded(tmp_path, "yade", "fall") == {}

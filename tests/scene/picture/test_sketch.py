@@ -72,7 +72,7 @@ def test_where_spheres_and_walls_touch_is_marked(size: float, gap: float, touch:
     """Of radii 1 and 3 side by side, 8 wide together, the larger on the ground."""
     two = balls((0.0, 0.0, 0.0, size), ((4.0 + gap) * size, 0.0, 0.0, 3 * size))
     ground = Wall(-(3.0 + gap) * size * Z, Z)
-    seen = sketch(Scene((two, ground), Contact(1e3), gravity=-Z))
+    seen = sketch(shifted(Scene((two, ground), Contact(1e3), gravity=-Z), 16 * size * (X + Z)))
     expected = [(-0.25, 0.0), (0.125, -0.375)] if touch else []
     assert len(seen.touching) == len(expected)
     assert np.array(seen.touching) == pytest.approx(np.array(expected), abs=0.02)

@@ -94,6 +94,9 @@ def test_a_scene_of_any_size_is_seen_alike_wherever_it_lies(size: float) -> None
         (-Z, X, Z, Y),
         (-Z - 0.8e-6 * X, Z, Z, Y),  # but for rounding
         (-Z - 1.2e-6 * X, Z, Z, X),
+        (-SLANT, Z, SLANT, Y),
+        (np.array([0.0, -0.6, -0.8]), Z, np.array([0.0, 0.6, 0.8]), np.array([0.0, 0.8, -0.6])),
+        (0 * Z, np.array([0.6, 0.64, 0.48]), X, Z),
         (-Z, Z, np.array([0.0, 0.6, 0.8]), np.array([0.0, -0.8, 0.6])),
     ],
 )
