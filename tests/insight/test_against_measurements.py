@@ -1,13 +1,15 @@
 """Claims about bias and scatter of computed against measured values."""
 
 import math
+from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import pytest
 
-from tests.support.fabricated import entry, record
-from vv.insight.against_measurements import Agreement, Compared, factor, overall
-from vv.records.quantity import MeasurementFacts
+from tests.support.fabricated import entry, manifest, record
+from vv.insight.against_measurements import Agreement, Compared, agreements, factor, overall
+from vv.records.quantity import MeasuredQuantity, MeasurementFacts
 from vv.records.reading import ran
 
 
@@ -63,3 +65,28 @@ def test_a_scheme_has_one_statistic_of_all_variants_and_one_of_what_is_shown_too
     assert dem.held == factor(held)
     assert dem.every == factor([*held, *shown])
     assert (yade.count, yade.points, yade.every.bias) == (0, 1, None)
+
+
+def measured(value: float | None, band: float | None = 0.1, **more: Any) -> MeasuredQuantity:
+    facts = MeasurementFacts(2.0, 0.03, 0.04, "dry", "somebody", band)
+    return entry(
+        "pass", {}, judge="measured", value=value, kind="scalar", measurement=facts, **more
+    )
+
+
+def test_the_finest_run_with_a_measurement_is_compared_by_the_values_it_has() -> None:
+    plain = entry("pass", {"max": 1e-4})
+    rows = (measured(2.05), measured(None, name="b"), measured(3.0, None, name="c"), plain)
+    runs = [record("dem/default", "T1", dt, quantities=rows) for dt in (2e-3, 1e-3)]
+    lost = record("dem/default", "T2", 1e-3, status="error", quantities=rows)
+    bare = record("other/default", "T1", 1e-3, quantities=[plain])
+    (found,) = agreements(manifest(*runs, lost, bare))
+    assert (found.case, found.variant, found.label) == ("bounce", "T1", "dem/default")
+    assert [point.quantity for point in found.points] == ["y", "c"]
+    assert [point.quantity for point in found.held] == ["y"]
+
+
+def test_only_ratios_of_what_is_positive_enter_a_statistic() -> None:
+    good = _points(np.array([0.98, 1.0, 1.02]), 0.01)
+    off = [replace(good[0], computed=-1.0), replace(good[0], measured=-1.0)]
+    assert factor([*good, *off]) == factor(good)

@@ -1,6 +1,7 @@
 """How two runs compare, and a case over commits."""
 
 import dataclasses
+import math
 from pathlib import Path
 
 import pytest
@@ -46,6 +47,30 @@ def test_errors_orders_and_costs_move_by_themselves() -> None:
     assert set(kinds(ladder(), ladder(slope=1.5))) == {"error", "order"}
     assert kinds(ladder(), ladder(cpu=2.0)) == ["cost"] * 3
     assert kinds(ladder(), ladder(cpu=1.2)) == []  # noise
+
+
+def test_how_far_errors_and_costs_moved_is_told_with_its_factor() -> None:
+    for one, other, text, size in (
+        (ladder()[:1], ladder(4.0)[:1], "0.0016 -> 0.0064 (x 4)", 4.0),
+        (ladder(4.0)[:1], ladder()[:1], "0.0064 -> 0.0016 (x 0.25)", 4.0),
+        (ladder(cpu=2.0)[:1], ladder(cpu=8.0)[:1], "2 -> 8 calibration kernels (x 4)", 4.0),
+        (ladder(cpu=8.0)[:1], ladder(cpu=2.0)[:1], "8 -> 2 calibration kernels (x 0.25)", 4.0),
+    ):
+        (found,) = (c for c in changes(manifest(*one), manifest(*other)) if c.kind != "outcome")
+        assert found.text == text
+        assert found.size == pytest.approx(math.log(size))
+
+
+@pytest.mark.parametrize(
+    ("was", "now", "count"),
+    [(1e-4, 0.0, 1), (0.0, 1e-4, 1), (1e-30, 2e-30, 0), (1e-4, 1.0000001e-4, 0)],
+)
+def test_an_error_that_comes_or_goes_has_moved_and_rounding_has_not(
+    was: float, now: float, count: int
+) -> None:
+    one, other = (record("dem/default", "T1", 1e-3, quantities=[entry("pass", {"max": error})])
+                  for error in (was, now))  # fmt: skip
+    assert kinds([one], [other]) == ["error"] * count
 
 
 def test_outcomes_and_what_one_of_them_lacks_are_told_first() -> None:

@@ -23,7 +23,7 @@ from vv.insight.accuracy_cost import (
     profile,
     shares,
 )
-from vv.insight.effort import Effort, efforts, untimed
+from vv.insight.effort import Effort, efforts, untimed, untimed_costs
 from vv.records.job_record import Record
 from vv.records.manifest import CodeFound, Manifest
 from vv.records.rungs import describe, row_of
@@ -305,3 +305,71 @@ def test_a_profile_counts_failures_as_infinitely_dear() -> None:
     found = profile(efforts(manifest(*rows)), 1e-5)
     assert found["ours/default"] == [1.0, 1.0]
     assert found["theirs/default"] == [pytest.approx(10.0), math.inf]
+
+
+def test_a_rung_counts_for_the_front_if_it_has_both_cost_and_error() -> None:
+    rows = [(1e-2, None, 1e-1, None), (1e-3, None, None, 1.0), (1e-4, None, 1e-3, 2.0)]
+    assert [point.dt for _, point in front([one(rows)])] == [1e-4]
+
+
+def test_the_largest_of_several_errors_that_are_judged_is_a_rung_s() -> None:
+    both = tuple(
+        fabricated.entry("pass", {"max": error}, name=name)
+        for name, error in (("a", 2e-4), ("b", 3e-2))
+    )
+    whole = dataclasses.replace(record("ours", (1e-3, None, 1e-3, 1.0)), quantities=both)
+    assert row_of(None, [whole]).errors == [3e-2]
+
+
+def test_orders_and_floors_are_of_rungs_with_a_step_and_an_error() -> None:
+    rows = [(4e-3, None, 4e-2, 1.0), (None, None, 1e-2, 1.0), (2e-3, None, None, 1.0),
+            (1e-3, None, 1e-2, 1.0)]  # fmt: skip
+    row = row_of(None, [record("ours", one) for one in rows])
+    assert row._known == [(4e-3, 4e-2), (1e-3, 1e-2)]
+    flat = [(dt, None, error, 1.0) for dt, error in ((4e-3, 3e-3), (2e-3, 1e-3), (1e-3, 1.1e-3))]
+    floor = row_of(None, [record("ours", one) for one in flat]).floor
+    assert floor is None or floor.error == 1e-3
+
+
+def test_the_parts_of_model_and_step_are_over_the_scale_of_a_quantity() -> None:
+    """Finals 1 + 4e-2, 1 + 1e-2, 1 + 2.5e-3: of order 2, to 1, where 0.9 is due."""
+    pile = []
+    for dt, error in ((4e-3, 4e-2), (2e-3, 1e-2), (1e-3, 2.5e-3)):
+        whole = record("ours", (dt, 1e6, error, 1.0))
+        seen = dataclasses.replace(whole.quantities[0], scale=4.0, end=0.9)
+        pile.append(dataclasses.replace(whole, quantities=(seen,)))
+    limit = row_of(1e6, pile).limit
+    assert limit is not None
+    assert limit.model == pytest.approx(0.1 / 4)
+    assert limit.step == pytest.approx(2.5e-3 / 4)
+    unscaled = [
+        dataclasses.replace(r, quantities=(dataclasses.replace(r.quantities[0], scale=None),))
+        for r in pile
+    ]
+    bare = row_of(1e6, unscaled).limit
+    assert bare is not None
+    assert (bare.model, bare.step) == (None, None)
+
+
+def test_a_limit_is_described_where_there_is_a_stiffness_and_by_what_is_known_of_it() -> None:
+    def told(kn: float | None, end: float | None) -> str:
+        pile = []
+        for dt, error in ((4e-3, 4e-2), (2e-3, 1e-2), (1e-3, 2.5e-3)):
+            whole = record("ours", (dt, kn, error, 1.0))
+            seen = dataclasses.replace(whole.quantities[0], end=end)
+            pile.append(dataclasses.replace(whole, quantities=(seen,)))
+        return describe(row_of(kn, pile))
+
+    assert told(None, 1.0) == ""
+    assert told(1e6, None) == "final value: the step's part 2.5e-03 at dt = 0.001, of order 2.00"
+    assert "limit of small steps 1.0e-01 off the exact" in told(1e6, 0.9)
+    assert "the model's part below" in told(1e6, 1.0)
+
+
+def test_costs_that_are_not_timed_stand_in_where_there_are_some() -> None:
+    rows = [(2e-3, None, 1e-2, None), (1e-3, None, 1e-3, None)]
+    (found,) = untimed(manifest(*(record("ours", row) for row in rows)))
+    assert [p.cpu for row in untimed_costs(found).rows for p in row.points] == [1e-3, 1e-3]
+    free = dataclasses.replace(record("ours", rows[0]), cost=fabricated.cost(cpu=0.0))
+    (none,) = untimed(manifest(free))
+    assert [p.cpu for row in untimed_costs(none).rows for p in row.points] == [None]

@@ -3,6 +3,7 @@
 import dataclasses
 import math
 from collections.abc import Mapping
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -26,7 +27,7 @@ from vv.case import Count, Exact, Interval, Invariant, Judge, Norm, Scalar, Seri
 from vv.records.job_record import RunSummary
 from vv.records.outcomes import JudgeKind, Verdict
 from vv.records.quantity import MeasuredQuantity
-from vv.records.record import checked, measured, summarised
+from vv.records.record import _by_band, checked, measured, summarised, within
 from vv.scene import Contact, Form, Scene, Spheres, Term, Vector  # fmt: skip
 
 WAY, SPEED = Displacement(0), Velocity(0)
@@ -273,3 +274,37 @@ def test_a_summary_says_what_the_run_was() -> None:
     assert found.model is not None
     assert (found.model.unknowns, found.model.terms) == (1, ("gravity", "sphere"))
     assert summarised(run(model=None), ()).model is None
+
+
+@pytest.mark.parametrize(
+    ("value", "band", "verdict"),
+    [
+        (2.25, 0.25, "pass"),
+        (1.75, 0.25, "pass"),
+        (2.3, 0.25, "fail"),
+        (1.7, 0.25, "fail"),
+        (-2.0, 0.25, "fail"),
+        (None, 0.25, "fail"),
+        (9.0, None, "no-reference"),
+        (None, None, "no-reference"),
+    ],
+)
+def test_a_value_lies_within_its_band_or_is_shown_without_one(
+    value: float | None, band: float | None, verdict: str
+) -> None:
+    assert _by_band(band, 2.0, value).value == verdict
+
+
+@pytest.mark.parametrize(
+    ("own", "unexplained", "bound"),
+    [(1e-9, None, 1e-9), (1e-9, 1e-3, 1e-3), (1e-2, 1e-3, 1e-2), (None, 1e-3, None)],
+)
+def test_the_larger_of_two_bounds_holds_of_what_no_term_explains(
+    own: float | None, unexplained: float | None, bound: float | None
+) -> None:
+    allowed: Any = unexplained and SimpleNamespace(at=lambda method, knobs: unexplained)
+    found = within(run(ledger=ledger(bound=own)), allowed, Method.EXACT, Knobs())
+    assert found.ledger is not None
+    assert found.ledger.bound == bound
+    bare = run(ledger=None)
+    assert within(bare, allowed, Method.EXACT, Knobs()) is bare
