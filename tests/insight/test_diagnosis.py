@@ -109,3 +109,79 @@ def test_bugs_seeded_into_a_code_that_runs_are_named_on_the_page_of_the_case(tin
         assert said in page.read_text()
         (line,) = (one for one in told.stdout.splitlines() if one.startswith("  pattern: "))
         assert said in line
+
+
+@pytest.mark.parametrize(
+    ("slope", "pattern"),
+    [
+        (0.25, Pattern.STUCK),
+        (0.4, None),  # as at a floor
+        (0.8, Pattern.LOW_ORDER),
+        (1.35, Pattern.LOW_ORDER),
+        (1.45, None),
+    ],
+)
+def test_an_order_is_flat_below_a_third_and_late_by_more_than_six_tenths(
+    slope: float, pattern: Pattern | None
+) -> None:
+    found = [*diagnose([rung(dt, 10 * dt**slope) for dt in STEPS], TERMS)]
+    assert [one.pattern for one in found] == ([pattern] if pattern else [])
+
+
+def test_an_error_that_falls_once_does_converge() -> None:
+    errors = (1e-2, 1e-2, 2.5e-3, 2.5e-3)
+    found = [*diagnose([rung(dt, e) for dt, e in zip(STEPS, errors, strict=True)], TERMS)]
+    assert Pattern.STUCK not in [one.pattern for one in found]
+
+
+@pytest.mark.parametrize(
+    ("value", "named"), [(4.0, True), (4.05, True), (3.95, True), (4.08, False), (3.92, False)]
+)
+def test_a_factor_is_one_within_three_hundredths(value: float, named: bool) -> None:
+    """Of 2: no slip leaves behind 2.04; errors over the exact one are then those of a slip."""
+    rows = [rung(dt, 9e-3 * dt / 1e-3, value=value, reference=2.0) for dt in STEPS[:1]]
+    assert (Pattern.FACTOR in [one.pattern for one in diagnose(rows, TERMS)]) is named
+
+
+def test_the_quantity_farthest_outside_its_tolerance_is_looked_at() -> None:
+    def two(dt: float, far: float) -> Record:
+        quantities = [
+            entry("fail", {"max": 5e-2 * dt}, name="near", tolerance=1e-4),
+            entry("fail", {"max": far}, name="far", tolerance=1e-6),
+            entry("pass", {"max": None}, name="lost", tolerance=1e-9),
+            entry("pass", {"max": 9.0}, name="shown", tolerance=None),
+        ]
+        return record("a/a", "T2", dt, quantities=quantities)
+
+    found = only([two(dt, 1e-3) for dt in STEPS])
+    assert found.text == "it does not converge: error 0.001 to 0.001 as dt shrinks"
+
+
+def test_a_variant_is_wrong_if_one_of_its_quantities_is() -> None:
+    rows = [
+        record("a/a", "T2", dt, quantities=[
+            entry("pass", {"max": 1e-6}, name="good", tolerance=1e-5),
+            entry("fail", {"max": 1e-2}, name="bad", tolerance=1e-5),
+        ])
+        for dt in STEPS
+    ]  # fmt: skip
+    assert only(rows).pattern is Pattern.STUCK
+
+
+@pytest.mark.parametrize(
+    ("mean", "scale", "final", "grows"),
+    [
+        (0.8, 1.0, 1.0, True),
+        (0.9, 1.0, 1.0, False),  # not above its mean square by far
+        (0.8, 4.0, 4.0, True),  # over its scale
+        (0.8, 4.0, 1.0, False),
+        (0.7, 1.0, 0.85, False),  # it was worse before
+    ],
+)
+def test_an_error_grows_if_it_is_largest_at_the_end_and_above_its_mean_square(
+    mean: float, scale: float, final: float, grows: bool
+) -> None:
+    parts: dict[str, Any] = {"scale": scale, "figures": {"final": final}, "end": 1e-30}
+    rows = [rung(dt, 1.0 * dt**2 * 1e6, errors={"l2": mean}, **parts) for dt in (2e-3, 1e-3)]
+    found = [*diagnose(rows, TERMS)]
+    assert [one.pattern for one in found] == ([Pattern.GROWTH] if grows else [])
