@@ -140,3 +140,38 @@ def test_a_recorded_result_counts_in_its_class_of_method_alone() -> None:
     live = records_of({"a/x": AGREEING["a/x"], "b/x": AGREEING["b/x"]})
     absent, kept = written_down("c/x", *AGREEING["c/x"], method="penalty")
     assert agreements([*live, *absent], kept) == []
+
+
+def test_results_of_modified_parameters_and_of_what_did_not_run_have_no_say() -> None:
+    for changes in ({"modified": True}, {"status": "error"}):
+        others = records_of({"a/x": AGREEING["a/x"], "b/x": AGREEING["b/x"]})
+        assert agreements([*others, *said("c/x", *AGREEING["c/x"], **changes)]) == []
+    live = records_of({"a/x": AGREEING["a/x"], "b/x": AGREEING["b/x"]})
+    absent, kept = written_down("c/x", *AGREEING["c/x"], modified=True)
+    assert agreements([*live, *absent], kept) == []
+
+
+def test_stiffness_is_refined_last_from_the_stiffest_of_the_softer_springs() -> None:
+    rungs = {(1e6, 1e-3): 9.0, (1e7, 2e-3): 7.0, (1e7, 1e-3): 3.0, (1e8, 1e-3): 2.0}
+    stiffer = [
+        changed(one, rung={"dt": dt, "kn": kn})
+        for (kn, dt), value in rungs.items()
+        for one in said("a/x", value)
+    ]
+    others = records_of({"b/x": AGREEING["b/x"], "c/x": AGREEING["c/x"]})
+    (agreement,) = agreements([*stiffer, *others])
+    assert agreement.answers[0].error == pytest.approx(1.0)  # 2.0 - 3.0, at the finest step
+
+
+def test_rounding_of_the_scale_is_no_disagreement() -> None:
+    same = {name: (1.0 + k * 1e-13, 1.0 + k * 1e-13) for k, name in enumerate(("a/x", "b/x"))}
+    (agreement,) = agreements(records_of({**same, "c/x": (1.0 + 1e-10, 1.0 + 1e-10)}))
+    assert [one.label for one in agreement.agreeing] == ["a/x", "b/x"]
+    assert [one.label for one in agreement.odd] == ["c/x"]
+
+
+def test_a_reference_with_which_one_of_those_that_agree_does_is_not_disagreed_with() -> None:
+    wide = {"a/x": (1.5, 1.1), "b/x": (1.1001, 1.1), "c/x": (1.1001, 1.1)}
+    (agreement,) = agreements(records_of(wide))
+    assert len(agreement.agreeing) == 3
+    assert not agreement.alone

@@ -373,3 +373,8 @@ def test_costs_that_are_not_timed_stand_in_where_there_are_some() -> None:
     free = dataclasses.replace(record("ours", rows[0]), cost=fabricated.cost(cpu=0.0))
     (none,) = untimed(manifest(free))
     assert [p.cpu for row in untimed_costs(none).rows for p in row.points] == [None]
+
+
+def test_a_rung_that_is_worse_than_one_before_does_not_move_the_line_of_costs() -> None:
+    rows = [(4e-3, None, 1e-1, 1.0), (2e-3, None, 5e-1, 2.0), (1e-3, None, 1e-3, 4.0)]
+    assert error_cost(one(rows), 1e-2).cpu == pytest.approx(2.0)  # half way from 1 to 4

@@ -131,3 +131,21 @@ def test_what_is_to_be_conserved_and_has_no_value_is_not_finite() -> None:
     assert only(kept(None)).text == "what is seen: not finite"
     assert "kept to 1e-09 of its scale" in only(kept(None, figures={"end": 1.0})).text
     assert "kept to 1e-09 of its scale" in only(kept(1.0)).text
+
+
+def test_one_value_that_is_not_finite_among_several_is_told() -> None:
+    good, bad = kept(1.0), kept(None)
+    assert "not finite" in only(changed(good, rung={"dt": 2e-3, "kn": None}), bad).text
+
+
+def test_counts_at_every_step_are_of_several_with_a_step() -> None:
+    assert "1 at every step" in only(counted(1e-4, 1), counted(None, 1)).text
+    assert "at every step" not in only(counted(1e-4, 1)).text
+    assert "at every step" not in only(counted(None, 1), counted(None, 1)).text
+
+
+def test_a_point_of_a_map_is_as_bad_as_its_worst_quantity() -> None:
+    two = [entry("no-reference", {"max": error}, name=name, judge="shown")
+           for name, error in (("a", 0.1), ("b", 30.0))]  # fmt: skip
+    told = only(changed(point(0.1, 1e4, 0.1), quantities=two), point(0.01, 1e4, 0.1))
+    assert told.value == 0.5

@@ -1,0 +1,103 @@
+"""Parts of the store by hand: records by their differences, arrays, scratch, names, digests."""
+
+from __future__ import annotations
+
+import io
+import json
+import os
+import time
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from tests.support.acceptances import ran
+from tests.support.fabricated import changed
+from vv.records import codec
+from vv.store import array_files, provenance, record_list
+from vv.store.store import DAY, STALE, Store
+
+
+def test_a_record_is_written_by_what_it_has_other_than_the_one_before() -> None:
+    first = ran()
+    records = [first, changed(first, variant="T2"), changed(first, variant="T2", steps=7), first]
+    _, second, third, fourth = json.loads(record_list.render(records))
+    assert second == {"variant": "T2"}
+    assert third == {"steps": 7}
+    assert fourth == {"variant": "T1", "steps": first.steps}
+    assert record_list.read(codec.parse(record_list.render(records)), "records") == tuple(records)
+
+
+@pytest.mark.parametrize(
+    ("one", "other", "alike"),
+    [
+        ("a", "a", True),
+        ("a", "b", False),
+        (1.0, 1.0, True),
+        (1, 1.0, False),
+        (0.0, -0.0, False),
+        ({"a": 1}, {"a": 1}, True),
+        ({"a": 1}, {"a": 1.0}, False),
+        (None, None, True),
+        (1, 2, False),
+    ],
+)
+def test_values_are_alike_that_are_written_alike(one: object, other: object, alike: bool) -> None:
+    assert record_list._alike(one, other) is alike
+
+
+@pytest.mark.parametrize(
+    "array",
+    [
+        np.arange(6.0).reshape(2, 3),
+        np.asfortranarray(np.arange(6.0).reshape(2, 3)),
+        np.zeros(0),
+        np.array(3.5),
+        np.arange(4, dtype=np.int32),
+    ],
+    ids=["rows", "columns", "none", "one", "whole"],
+)
+@pytest.mark.parametrize("version", [(1, 0), (2, 0)])
+def test_arrays_are_read_as_numpy_reads_them(array: Any, version: tuple[int, int]) -> None:
+    file = io.BytesIO()
+    np.lib.format.write_array(file, array, version=version)
+    found = array_files._array(file.getvalue())
+    assert found.dtype == array.dtype
+    assert found.shape == array.shape
+    assert (found == array).all()
+
+
+def test_scratch_goes_after_a_week(tmp_path: Path) -> None:
+    store = Store(tmp_path)
+    assert STALE == 7 * 24 * 3600
+    young, old = store.scratch(), store.scratch()
+    for folder, age in ((young, 6.9 * DAY), (old, 7.1 * DAY)):
+        then = time.time() - age
+        os.utime(folder, (then, then))
+    store.clear_scratch()
+    assert (young.exists(), old.exists()) == (True, False)
+
+
+@pytest.mark.parametrize(("ahead", "known"), [(0.9, True), (1.1, False)])
+def test_a_past_run_whose_name_lies_more_than_a_day_ahead_is_none(
+    tmp_path: Path, ahead: float, known: bool
+) -> None:
+    assert DAY == 24 * 3600
+    name = time.strftime("%Y%m%dT%H%M%S", time.gmtime(time.time() + ahead * DAY))
+    (tmp_path / "manifests").mkdir()
+    for one in ("20250101T000000", name):
+        (tmp_path / "manifests" / f"{one}.json").write_text("")
+    assert (name in Store(tmp_path).manifests()) is known
+    assert Store(tmp_path).manifests()[0] == "20250101T000000"
+
+
+def test_a_file_is_read_again_only_when_it_changes(tmp_path: Path) -> None:
+    file, memory = tmp_path / "program", tmp_path / "digests.json"
+    file.write_text("one")
+    first = provenance.file_digests([file], memory)
+    then = memory.stat().st_mtime_ns
+    assert provenance.file_digests([file], memory) == first
+    assert memory.stat().st_mtime_ns == then
+    file.write_text("other")
+    assert provenance.file_digests([file], memory) != first
