@@ -8,10 +8,11 @@ from xml.etree import ElementTree
 import numpy as np
 import pytest
 
+from vv.output.gallery import scene_drawing
 from vv.output.gallery.scene_drawing import HEIGHT, WIDTH, drawing, picture
 from vv.plan.project import find
 from vv.scene import Contact, Scene, Spheres, Wall
-from vv.scene.picture.sketch import MOST, sketch
+from vv.scene.picture.sketch import MOST, Arrow, Sketch, sketch
 from vv.scene.picture.view import plane
 
 SVG = "{http://www.w3.org/2000/svg}"
@@ -102,3 +103,62 @@ def test_a_scene_of_walls_and_one_point_is_drawn_all_the_same() -> None:
     tiny = spheres(1, radius=[1e-12])
     floor = Wall((0.0, 0.0, 0.0), (0.0, 1.0, 0.0))  # type: ignore[arg-type]
     assert drawing(Scene((floor, tiny), Contact(1e6))).startswith("<svg")
+
+
+def test_every_shape_of_a_sketch_lies_where_it_is_by_hand() -> None:
+    """150 to the larger extent, y upwards, about (140, 104); strokes of a wall go behind it."""
+    seen = Sketch(
+        size=2.5, axes=("x", "-z"), bodies=5, circles=((0.1, 0.2, 0.1),), held=(True,),
+        walls=(((0.0, -0.4), (0.0, 1.0)),), rails=(((0.1, 0.2), (1.0, 0.0)),),
+        touching=((0.1, 0.1),), bonds=(((0.0, 0.0), (0.2, 0.2)),),
+        arrows=(
+            Arrow((0.0, 0.0), (0.0, -1.0), "gravity"), Arrow((0.1, 0.2), (1.0, 0.0), "velocity"),
+            Arrow((0.1, 0.2), (0.0, -0.5), "load"), Arrow((0.1, 0.2), (0.0, 0.05), "load"),
+        ),
+    )  # fmt: skip
+    wall, circle, bond, rail, touch, fall, name, moves, load, *legend = scene_drawing.shapes(seen)
+    strokes = "".join(f"M{140 + 93 * k / 8:.1f} 164l-4.2 6" for k in range(-8, 9))
+    assert wall == f'<path class="hatch" d="M47 164L233 164{strokes}"/>'.replace(".0 ", " ")
+    assert circle == '<circle class="body held" cx="155" cy="74" r="15"/>'
+    assert bond == '<path class="bond" d="M140 104L170 74"/>'
+    assert rail == '<path class="rail" d="M110 74L200 74"/>'
+    assert touch == '<circle class="touch" cx="155" cy="89" r="1.8"/>'
+    assert 'class="arrow moves" d="M272 25L272 55M275 49L272 55L269 49"' in fall
+    assert name == '<text x="272" y="67" class="mid">gravity</text>'
+    assert 'class="arrow moves" d="M155 74L185 74M179 71L185 74L179 77"' in moves
+    assert 'class="arrow load" d="M155 74L155 89M158 83L155 89L152 83"' in load
+    assert legend == [
+        '<path class="rule" d="M65 200v6m0-3h150m0-3v6"/>',
+        '<text x="140" y="216" class="mid">2.5 m</text>',
+        '<path class="rule" d="M262 212h22m-4-3l4 3l-4 3m-18-3v-22m-3 4l3-4l3 4"/>',
+        '<text x="290" y="215">x</text>',
+        '<text x="259" y="187">-z</text>',
+        '<text x="6" y="12">1 of 5 bodies</text>',
+    ]
+
+
+def test_a_wall_aslant_and_a_rail_upwards_lie_where_they_are_by_hand() -> None:
+    """A normal (0.6, 0.8): along it (0.8, 0.6) in the picture, where y goes down."""
+    line, *strokes = scene_drawing._wall((0.0, 0.0), (1.2, 1.6)).split("M")[1:]
+    assert line == "65.6 48.2L214.4 159.8"
+    assert strokes[0] == "65.6 48.2l-7 2.3"
+    assert strokes[-1].startswith("214.4 159.8l")
+    assert len(strokes) == 17
+    assert scene_drawing._rail(((0.0, 0.0), (0.6, 0.8))) == "M113 140L167 68"
+
+
+def test_bodies_that_are_all_drawn_are_not_counted() -> None:
+    wall = ((0.0, -0.5), (0.0, 1.0))
+    for bodies, circles, walls, counted in ((2, 1, 1, False), (3, 1, 1, True), (1, 1, 0, False)):
+        seen = Sketch(1.0, (), bodies, circles * ((0.0, 0.0, 0.5),), circles * (False,),
+                      walls=walls * (wall,))  # fmt: skip
+        assert any(" bodies" in one for one in scene_drawing.shapes(seen)) is counted
+
+
+def test_several_shakings_have_one_name_and_a_tiny_sphere_is_seen() -> None:
+    twice = (Arrow((0.0, 0.0), (1.0, 0.0), "shaking"), Arrow((0.0, 0.0), (0.0, 1.0), "shaking"))
+    seen = Sketch(1.0, (), 1, ((0.0, 0.0, 1e-4),), (False,), arrows=twice)
+    made = [*scene_drawing.shapes(seen)]
+    assert sum(">shaking</text>" in one for one in made) == 1
+    assert sum('class="arrow' in one for one in made) == 2
+    assert made[0] == '<circle class="body" cx="140" cy="104" r="0.8"/>'
