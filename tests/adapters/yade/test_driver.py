@@ -30,6 +30,17 @@ from vv.scene import Contact, Scene
 pytestmark = only_with(ADAPTER)
 
 
+def test_yade_starts_without_a_prompt_and_hides_none(tmp_path: Path) -> None:
+    """IPython, a third of the start, is not loaded with YADE, and can be had afterwards."""
+    file = tmp_path / "in-yade.py"
+    after = 'import IPython\nprint(bool(loaded), hasattr(IPython, "embed"))\n'
+    file.write_text(f'{script()}\nloaded = "prompt_toolkit" in sys.modules\n{after}')
+    env = {"VV_YADE": ADAPTER.found().path, "HOME": str(tmp_path)}
+    command = [str(PYTHON), "-E", str(file)]
+    told = subprocess.run(command, env=env, capture_output=True, text=True, check=True).stdout
+    assert told.splitlines()[-1] == "False True"
+
+
 def test_what_failed_is_no_result_and_the_next_ask_still_runs(tmp_path: Path) -> None:
     through = Scene((ball(0.05, [0, -100, 0]), FLOOR), Contact(10.0))
     asks = [history(flight(1e4), 1e-2, 50.0), history(through, 1e-3), history(flight(0.0), 1e-2)]
