@@ -24,6 +24,7 @@ from vv.case import (
     Tolerance,
     Trial,
     Variant,
+    remembered,
 )
 from vv.scene import Bonds, Contact, Pairs, Scene, Spheres, Vector
 
@@ -71,8 +72,10 @@ def _along(p: Parameters, goal: History, held: bool) -> Trial:
         free[0], thrown[0] = [False, True, False], 0.0
     scene = _scene(p, row, 0.0, velocity=np.outer(thrown, X), free=free)
     assert scene.bonds is not None
-    exact = functools.partial(
-        unlike_row.along, row=row, length=scene.bonds.length, v=thrown, g=p["g"], held=held
+    exact = remembered(
+        functools.partial(
+            unlike_row.along, row=row, length=scene.bonds.length, v=thrown, g=p["g"], held=held
+        )
     )
 
     def path(body: int) -> Callable[[Vector], Vector]:
@@ -103,8 +106,10 @@ def _slowed(p: Parameters, goal: History) -> Trial:
     free = np.outer(np.ones(3, bool), X > 0)
     scene = _scene(p, row, 0.0, velocity=np.outer(thrown, X), free=free)
     assert scene.bonds is not None
-    exact = functools.partial(
-        unlike_row.slowed, row=row, length=scene.bonds.length, v=thrown, eta=p["eta"]
+    exact = remembered(
+        functools.partial(
+            unlike_row.slowed, row=row, length=scene.bonds.length, v=thrown, eta=p["eta"]
+        )
     )
 
     def path(body: int) -> Callable[[Vector], Vector]:
@@ -127,8 +132,8 @@ def _spinning(p: Parameters, goal: History) -> Trial:
     scene = _scene(
         p, row, p["ks"], velocity=aside @ ACROSS, free=free, spin=np.outer(spin, X), free_spin=free
     )
-    exact = functools.partial(
-        unlike_row.across, row=row, r=RADIUS, ks=p["ks"] * KS, spin=spin, v=aside
+    exact = remembered(
+        functools.partial(unlike_row.across, row=row, r=RADIUS, ks=p["ks"] * KS, spin=spin, v=aside)
     )
 
     def path(body: int) -> Callable[[Vector], Vector]:

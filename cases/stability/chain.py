@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import functools
 import math
 from collections.abc import Callable
 
@@ -24,6 +23,7 @@ from vv.case import (
     Tolerance,
     Trial,
     Variant,
+    remembered,
 )
 from vv.scene import Contact, Scene, Spheres, Vector, Wall
 
@@ -91,15 +91,15 @@ def _pulse(p: Parameters) -> Trial:
     scene, seen = _scene(p, thrown, masses), (Velocity(NEAR), Velocity(FAR))
     goal = History(CROSSED / w0, 0.5 / w0)
 
+    @remembered
     def path(t: Vector) -> Vector:
         return closed.motion(t, thrown, masses, p["kn"])[1][:, [NEAR - 1, FAR - 1]]
 
     t = goal.times(None)
-    exact = functools.cache(lambda: path(t))
 
     def measured(measure: Measure) -> tuple[Callable[[Run], float], Callable[[], float]]:
         """What is measured of a run, and of the exact motion."""
-        return lambda run: measure(run.times, _seen(run, seen)), lambda: measure(t, exact())
+        return lambda run: measure(run.times, _seen(run, seen)), lambda: measure(t, path(t))
 
     def part(i: int, body: int) -> Series:
         return Series(

@@ -66,7 +66,7 @@ def slowed(t: Array, row: Row, *, length: Array, v: Array, eta: float) -> Array:
     rate[n:-1, n:-1] = -np.diag(eta / row.m)
     rate[n:-1, -1] = pulled / row.m
     start = np.concatenate([np.zeros(n), v, [1.0]])
-    return np.array([expm(rate * one) @ start for one in times])[:, :n]
+    return np.asarray((expm(rate * times[:, None, None]) @ start)[:, :n])
 
 
 def _springs(row: Row, length: Array) -> tuple[Array, Array]:
@@ -117,5 +117,5 @@ def across(t: Array, row: Row, *, r: Array, ks: Array, spin: Array, v: Array) ->
             rate[spins[e], s] = 1j * sense * arm[e] * ks[k] / inertia[e]
     start = np.zeros(3 * n + b, complex)
     start[speeds] = v[:, 0] + 1j * v[:, 1]
-    found = np.array([expm(rate * one) @ start for one in times])[:, places]
+    found = (expm(rate * times[:, None, None]) @ start)[:, places]
     return np.stack([found.real, found.imag], axis=-1)

@@ -30,6 +30,7 @@ from vv.case.judges import (
 from vv.case.measured import Measured, Measurement
 from vv.case.quantity import Count, Quantity, Scalar, Series, at_rest, error_scale, evaluated
 from vv.case.region_map import RegionMap
+from vv.case.remembered import remembered
 from vv.case.seen import Along, Turn
 from vv.case.study import (
     Grid,
@@ -85,5 +86,6 @@ __all__ = [
     "knobs_in_scene",
     "largest_step",
     "last_stable_step",
+    "remembered",
     "why_too_long",
 ]

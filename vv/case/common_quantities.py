@@ -11,6 +11,7 @@ import numpy as np
 from vv.ask import Bracket, Observable, Run
 from vv.case.judges import Judge
 from vv.case.quantity import Scalar, Series, at_rest
+from vv.case.remembered import remembered
 from vv.case.seen import Along
 from vv.scene import Vector
 
@@ -31,9 +32,14 @@ class Motion:
     still: float | None = None
 
     @functools.cached_property
+    def exact(self) -> Callable[[Vector], Vector]:
+        """The exact history, which all components ask for."""
+        return remembered(self.path)
+
+    @functools.cached_property
     def size(self) -> float:
         """The scale of all errors: the largest norm of the exact vector over time."""
-        largest = float(np.linalg.norm(self.path(self.times), axis=1).max())
+        largest = float(np.linalg.norm(self.exact(self.times), axis=1).max())
         return self.still if self.still is not None and at_rest(largest, self.still) else largest
 
     def component(self, i: int, name: str, meaning: str, judge: Judge) -> Series:
@@ -44,7 +50,7 @@ class Motion:
             unit=self.unit,
             meaning=meaning,
             observe=Along(self.observable, self.axes[i]),
-            reference=lambda t: self.path(t)[:, i],
+            reference=lambda t: self.exact(t)[:, i],
             judge=judge,
             scale=lambda: self.size,
             still=self.still,
@@ -64,7 +70,7 @@ class Motion:
         )
 
     def _farthest(self, run: Run) -> float:
-        gap = run.values[self.observable] @ self.axes.T - self.path(run.times)
+        gap = run.values[self.observable] @ self.axes.T - self.exact(run.times)
         return float(np.linalg.norm(gap, axis=1).max())
 
 
