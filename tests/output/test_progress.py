@@ -21,4 +21,4 @@ def test_the_time_left_is_told_once_some_runs_are_done_and_timing_says_for_how_m
     lines = capsys.readouterr().err.splitlines()
     assert lines[0] == "1 of 100 runs"
     assert lines[9] == "10 of 100 runs, about 15 min left"
-    assert lines[-1].startswith("timing 20 settings, one after the other on one core: about 6 s")
+    assert lines[-1].startswith("timing 20 settings, one after the other on one core: about 4 s")

@@ -1,35 +1,98 @@
-"""Rounds of timing: each solve over the calibration beside it, every batch as often, in turn."""
+"""Visits of timing: each solve over the calibration beside it, and measured again where unsure."""
 
-from collections.abc import Iterator, Sequence
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
+from typing import cast
 
 import pytest
 
-from vv.ask import Cost, Run, Status
+from vv.ask import Ask, Cost, Run, Status
+from vv.codes.adapter import Adapter
 from vv.run import rounds
+from vv.run.rounds import DRIFT, ENOUGH, Timed
 from vv.run.runner import Batch
+
+SURE, UNSURE = Cost(solve_cpu=12.0, repeats=ENOUGH), Cost(solve_cpu=12.0, repeats=ENOUGH - 1)
+FAILED = Run(Status.ERROR, "lost", cost=SURE)
+Visited = list[tuple[str, tuple[int, ...], int, float]]
+
+
+@pytest.fixture
+def session(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> Session:
+    return Session(monkeypatch, tmp_path)
+
+
+class Session:
+    """Timing of batches whose answers are given, beside calibrations that are given."""
+
+    def __init__(self, patched: pytest.MonkeyPatch, scratch: Path) -> None:
+        self.patched, self.scratch = patched, scratch
+        self.visited: Visited = []
+
+    def timed(
+        self, batches: Mapping[str, Mapping[int, Run]], units: Sequence[float]
+    ) -> list[Timed]:
+        """units: [s] of the calibration, before and after each visit."""
+        left = iter(units)
+
+        def answered(
+            given: Sequence[Batch], workers: int, timeout: float, scratch: object
+        ) -> Iterator[tuple[int, Run]]:
+            (batch,) = given
+            self.visited.append((batch.scheme, batch.numbers, workers, timeout))
+            yield from ((number, batches[batch.scheme][number]) for number in batch.numbers)
+
+        self.patched.setattr(rounds, "calibration", lambda: next(left))
+        self.patched.setattr(rounds, "run_batches", answered)
+        found = rounds.rounds([_batch(*one) for one in batches.items()], 7.0, lambda: self.scratch)
+        assert not [*left], "as many visits as calibrations were given for"
+        return found
+
+
+def _batch(scheme: str, runs: Mapping[int, Run]) -> Batch:
+    asks = cast("tuple[Ask, ...]", tuple(f"ask {number}" for number in runs))
+    return Batch(cast("Adapter", None), scheme, tuple(runs), asks)
+
+
+def _ran(cost: Cost) -> Run:
+    return Run(Status.RAN, cost=cost)
 
 
 def test_a_solve_is_told_over_the_faster_calibration_beside_it_and_failures_are_left_out(
-    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+    session: Session,
 ) -> None:
-    units = iter([2.0, 3.0, 5.0, 4.0, 1.0, 2.0, 8.0, 6.0])  # before and after each visit [s]
-    visited = []
+    batches = {"a": {1: _ran(UNSURE), 2: FAILED, 3: _ran(Cost())}, "b": {4: _ran(UNSURE)}}
+    found = session.timed(batches, [2.0, 3.0, 5.0, 4.0, 1.0, 2.0, 8.0, 6.0])
+    assert [(number, over) for number, _, over in found] == [
+        (1, 6.0),
+        (4, 3.0),
+        (1, 12.0),
+        (4, 2.0),
+    ]
+    assert session.visited == [("a", (1, 2, 3), 1, 7.0), ("b", (4,), 1, 7.0)] * 2
 
-    def answered(
-        batches: Sequence[str], workers: int, timeout: float, scratch: object
-    ) -> Iterator[tuple[int, Run]]:
-        (batch,) = batches
-        visited.append((batch, workers, timeout))
-        yield ord(batch), Run(Status.RAN, cost=Cost(solve_cpu=12.0))
-        yield 0, Run(Status.ERROR, "lost", cost=Cost(solve_cpu=12.0))
-        yield 1, Run(Status.RAN, cost=Cost())
 
-    monkeypatch.setattr(rounds, "calibration", lambda: next(units))
-    monkeypatch.setattr(rounds, "run_batches", answered)
-    batches: list[Batch] = ["a", "b"]  # type: ignore[list-item]  # only handed on
-    found = rounds.rounds(batches, 7.0, lambda: tmp_path)
-    assert [(chr(number), over) for number, _, over in found] == [
-        ("a", 6.0), ("b", 3.0), ("a", 12.0), ("b", 2.0)
+def test_only_what_was_repeated_too_little_or_failed_is_measured_again(session: Session) -> None:
+    batches = {
+        "a": {1: _ran(SURE), 2: _ran(UNSURE), 3: _ran(SURE), 4: FAILED},
+        "b": {5: _ran(SURE)},
+        "c": {6: _ran(UNSURE)},
+    }
+    found = session.timed(batches, [1.0] * 10)
+    assert [one[:2] for one in session.visited] == [
+        ("a", (1, 2, 3, 4)), ("b", (5,)), ("c", (6,)), ("a", (2, 4)), ("c", (6,))
     ]  # fmt: skip
-    assert visited == [("a", 1, 7.0), ("b", 1, 7.0)] * 2
+    assert [number for number, *_ in found] == [1, 2, 3, 5, 6, 2, 6]
+
+
+@pytest.mark.parametrize("when", ["before", "after"])
+def test_a_batch_beside_which_the_machine_was_slower_is_measured_again_as_a_whole(
+    session: Session, when: str
+) -> None:
+    slow, fair = 1.01 * DRIFT, 0.99 * DRIFT
+    beside = [slow, 1.0] if when == "before" else [1.0, slow]
+    batches = {"a": {1: _ran(SURE), 2: _ran(SURE)}, "b": {3: _ran(SURE)}}
+    session.timed(batches, [*beside, fair, 1.0, 1.0, 1.0])
+    assert [one[:2] for one in session.visited] == [("a", (1, 2)), ("b", (3,)), ("a", (1, 2))]

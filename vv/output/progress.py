@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 EVERY = 2.0  # s between two plain lines
 LOST = (Status.ERROR, Status.TIMEOUT, Status.DIVERGED)
 EARLY = 0.03  # of all runs: before that, the rest seemed to take hours that takes minutes
-EACH = 0.3  # s for a setting that is timed, with the start of its code
+EACH = 0.2  # s for a setting that is timed, with the start of its code
 NAMED = 6  # lost jobs that are named as they come; the end of a run tells them all
 
 

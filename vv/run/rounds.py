@@ -1,30 +1,68 @@
-"""Measures solves one at a time, on one core, in rounds that visit every scheme in turn."""
+"""Measures solves one at a time, on one core, in a visit to every scheme, and in a second one."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+import dataclasses
+from collections.abc import Callable, Collection, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 
 from vv.ask import Cost, Status
 from vv.gate.speed import calibration
 from vv.run.runner import Batch, run_batches
 
-# CPU seconds spent on each point over all rounds: eighty blocks of a millisecond, of which the
-# least counts; 0.2 s lowered none of 13 figures by more than 6 %, and cost half a minute more
-REPEAT = 0.08
-ROUNDS = 2  # every code is visited that often, so that drift of the machine hits all alike
+# CPU seconds spent on each point in a visit: forty blocks of a millisecond, of which the least
+# counts. On a busy machine a second visit lowered none of 170 figures of five repeats or more by
+# more than 5 %, but those of fewer by up to 15 %: these are visited again.
+REPEAT = 0.04
+ENOUGH = 5  # repeats of which the least stands
+# Nor does a visit stand where the calibration kernel took more than this times its least of the
+# session: the machine was slower then than for the other schemes.
+DRIFT = 1.1
 Timed = tuple[int, Cost, float]  # job, what a solve cost, and that over the calibration kernel
 
 
+@dataclass(frozen=True)
+class _Visit:
+    """What was measured of a batch; least, most: the calibration kernel before and after it."""
+
+    batch: Batch
+    seen: tuple[Timed, ...]
+    least: float
+    most: float
+
+    def unsure(self, best: float) -> Batch:
+        """What of the batch is to be measured again; best: the kernel's least of the session."""
+        stands = {number for number, cost, _ in self.seen if cost.repeats >= ENOUGH}
+        return _without(self.batch, () if self.most > DRIFT * best else stands)
+
+
 def rounds(batches: Sequence[Batch], timeout: float, scratch: Callable[[], Path]) -> list[Timed]:
-    """Costs of repeated solves: one for each round and job that ran."""
-    seen: list[Timed] = []
-    for _ in range(ROUNDS):
-        for batch in batches:
-            before = calibration()
-            answers = list(run_batches([batch], 1, timeout, scratch))
-            unit = min(before, calibration())
-            for number, run in answers:
-                if run.status is Status.RAN and run.cost.solve_cpu > 0:
-                    seen.append((number, run.cost, run.cost.solve_cpu / unit))
-    return seen
+    """What the solves of batches cost that repeat them: for each job that ran one or two times."""
+    first = [_visit(batch, timeout, scratch) for batch in batches]
+    best = min((visit.least for visit in first), default=0.0)
+    again = [batch for visit in first if (batch := visit.unsure(best)).asks]
+    second = [_visit(batch, timeout, scratch) for batch in again]
+    return [one for visit in (*first, *second) for one in visit.seen]
+
+
+def _without(batch: Batch, numbers: Collection[int]) -> Batch:
+    """The asks of a batch but those that are known by these numbers."""
+    left = [place for place, number in enumerate(batch.numbers) if number not in numbers]
+    return dataclasses.replace(
+        batch,
+        numbers=tuple(batch.numbers[place] for place in left),
+        asks=tuple(batch.asks[place] for place in left),
+    )
+
+
+def _visit(batch: Batch, timeout: float, scratch: Callable[[], Path]) -> _Visit:
+    before = calibration()
+    answers = list(run_batches([batch], 1, timeout, scratch))
+    least, most = sorted((before, calibration()))
+    seen = (
+        (number, run.cost, run.cost.solve_cpu / least)
+        for number, run in answers
+        if run.status is Status.RAN and run.cost.solve_cpu > 0
+    )
+    return _Visit(batch, tuple(seen), least, most)

@@ -1,4 +1,4 @@
-"""The timing phase: solves measured one at a time, on one core, in rounds across the codes."""
+"""The timing phase: solves measured one at a time, on one core, in visits to all codes in turn."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from vv.records.manifest import TimedRun
 from vv.records.outcomes import CostKind
 from vv.records.reading import ran
 from vv.run.executor import Executor
-from vv.run.rounds import REPEAT, ROUNDS
+from vv.run.rounds import DRIFT, ENOUGH, REPEAT
 from vv.run.runner import Batch
 from vv.store.store import Session, Store
 
@@ -33,11 +33,11 @@ def timed_costs(
     A stored session answers if it timed the very same runs on the machine where `place` times;
     if none does, begin is told how many there are.
     `relative` is solve_cpu over that of the calibration kernel, the least and the largest of the
-    rounds.
+    visits.
     """
     numbers = _due(plan, records)
     keys = {run_keys[n]: n for n in numbers}
-    session = digest(sorted(keys), place.timer().fingerprint, REPEAT, ROUNDS)
+    session = digest(sorted(keys), place.timer().fingerprint, REPEAT, ENOUGH, DRIFT)
     stored = None if fresh else store.timings(session)
     if stored is None and numbers:
         begin(len(numbers))
@@ -91,7 +91,7 @@ def _measure(
             scheme,
             tuple(members),
             tuple(plan.jobs[n].ask for n in members),
-            REPEAT / ROUNDS,
+            REPEAT,
         )
         for (code, scheme), members in groups.items()
     ]
@@ -109,7 +109,7 @@ def _timed(costs: Sequence[Cost], ratios: Sequence[float]) -> TimedRun:
 
 
 def _best(costs: Sequence[Cost]) -> Cost:
-    """The cheapest round, with the repeats of all and the spread over all of them."""
+    """The cheapest visit, with the repeats of all and the spread over all of them."""
     best = min(costs, key=lambda cost: cost.solve_cpu)
     most = max(cost.solve_cpu * (1 + cost.spread) for cost in costs)
     spread = (most - best.solve_cpu) / best.solve_cpu if best.solve_cpu > 0 else 0.0
