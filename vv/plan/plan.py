@@ -76,6 +76,10 @@ class Job:
         """The outcome if known without running, such as refused or not installed; else None."""
         return self.settle()
 
+    def settle_as(self, outcome: Run | None) -> None:
+        """Take what `settle` said in another process."""
+        vars(self)["settled"] = outcome
+
     @property
     def label(self) -> str:
         """The job as shown to people: case:variant code/scheme knobs."""

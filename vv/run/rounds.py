@@ -12,7 +12,7 @@ from vv.gate.speed import calibration
 from vv.run.runner import Batch, run_batches
 
 # CPU seconds spent on each point in a visit: forty blocks of a millisecond, of which the least
-# counts. On a busy machine a second visit lowered none of 170 figures of five repeats or more by
+# counts. On a busy machine a second visit lowered none of 139 figures of five repeats or more by
 # more than 5 %, but those of fewer by up to 15 %: these are visited again.
 REPEAT = 0.04
 ENOUGH = 5  # repeats of which the least stands

@@ -17,6 +17,7 @@ from vv.gate.all_checks import GateOptions, judged
 from vv.plan import keys
 from vv.plan.plan import Job, Plan, with_jobs_kept
 from vv.plan.project import Project
+from vv.plan.settling import settle
 from vv.records.job_record import JobCost, ModelSummary, Record, RunSummary
 from vv.records.manifest import CodeFound, Manifest
 from vv.records.outcomes import StudyKind
@@ -191,16 +192,21 @@ def _records(
 
     What stands of a code that is here was not refused: its key holds all that a refusal hangs on.
     """
-    waiting, store = {}, stored.store
+    unknown, store = {}, stored.store
     for number, job in enumerate(plan.jobs):
         key = stored.records[number]
         usable = not limits.fresh and plan.found[job.code].installed
         if usable and (summary := store.summary(key)) is not None and store.has_series(key):
             yield number, _record(plan, job, key, summary)
-        elif (run := _known(job, stored.runs[number], store if usable else None)) is not None:
+        elif usable and (run := store.run(stored.runs[number])) is not None:
             yield number, _kept(plan, job, run, key, store)
         else:
-            waiting[number] = job
+            unknown[number] = job
+    settle([*unknown.values()], limits.workers)
+    waiting = {number: job for number, job in unknown.items() if job.settled is None}
+    for number, job in unknown.items():
+        if job.settled is not None:
+            yield number, _kept(plan, job, job.settled, stored.records[number], store)
     begin(len(waiting))
     loads = {plan.found[job.code].load for job in waiting.values()}
     for load in filter(None, loads):
@@ -211,11 +217,6 @@ def _records(
         whole = checked(run, job.ask)
         store.keep_run(stored.runs[number], whole)
         yield number, _kept(plan, job, whole, stored.records[number], store)
-
-
-def _known(job: Job, key: str, store: Store | None) -> Run | None:
-    """The result of a job that need not run: the stored run, or a refusal known beforehand."""
-    return (store.run(key) if store else None) or job.settled
 
 
 def _kept(plan: Plan, job: Job, run: Run, key: str, store: Store) -> Record:
