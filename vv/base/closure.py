@@ -6,7 +6,6 @@ import hashlib
 import os
 import re
 from collections.abc import Iterable, Iterator
-from importlib import metadata
 from pathlib import Path
 
 CONTENT_PACKAGES = (
@@ -138,6 +137,8 @@ def _data_files(folder: Path) -> list[Path]:
 
 @functools.cache
 def _version(library: str) -> str:
+    from importlib import metadata  # not for a quick look: it brings the package email
+
     try:
         return metadata.version(library)
     except metadata.PackageNotFoundError:
