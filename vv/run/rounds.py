@@ -12,10 +12,10 @@ from vv.gate.speed import calibration
 from vv.run.runner import Batch, run_batches
 
 # CPU seconds spent on each point in a visit: forty blocks of a millisecond, of which the least
-# counts. On a busy machine a second visit lowered none of 139 figures of five repeats or more by
-# more than 5 %, but those of fewer by up to 15 %: these are visited again.
+# counts. On a busy machine a second visit lowered none of 174 figures of three repeats or more by
+# more than 9 %, but 56 of fewer by up to 15 %: these are visited again.
 REPEAT = 0.04
-ENOUGH = 5  # repeats of which the least stands
+ENOUGH = 3  # repeats of which the least stands
 # Nor does a visit stand where the calibration kernel took more than this times its least of the
 # session: the machine was slower then than for the other schemes.
 DRIFT = 1.1
