@@ -36,7 +36,7 @@ BUGS = (
     Bug("a budget spent on the dearest", NARROWING, "for job in sorted(plan.jobs, key=lambda job: costs[id(job)]):", "for job in sorted(plan.jobs, key=lambda job: -costs[id(job)]):", tests="tests/run/test_narrowing.py"),
     Bug("a search believes the nearest body", SEARCH, "max(float(np.abs(values).max()) for values", "min(float(np.abs(values).max()) for values", tests="tests/run/test_search.py"),
     Bug("a search sees no way backwards", SEARCH, "float(np.abs(values).max())", "float(values.max())", tests="tests/run/test_search.py"),
-    Bug("ratios to the slower calibration", "vv/run/rounds.py", "unit = min(before, calibration())", "unit = max(before, calibration())", tests="tests/run/test_rounds.py"),
+    Bug("ratios to the slower calibration", "vv/run/rounds.py", "run.cost.solve_cpu / least", "run.cost.solve_cpu / most", tests="tests/run/test_rounds.py"),
     Bug("a budget for what needs it least", NARROWING, "-_closeness_to_tolerance(job, known), costs", "_closeness_to_tolerance(job, known), costs", tests="tests/run/test_narrowing.py"),
     Bug("other versions of libraries affect nothing", NARROWING, 'EVERYTHING = ("pyproject.toml", "requirements.lock")', 'EVERYTHING = ("pyproject.toml",)', tests="tests/run/test_narrowing.py"),
     Bug("the longest jobs shared out last", "vv/run/pace.py", "key=lambda place: -seconds[place]", "key=lambda place: seconds[place]", tests="tests/run/test_batching.py"),
