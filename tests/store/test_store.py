@@ -118,13 +118,15 @@ def test_timing_repeats_its_solves_alone_and_once(tiny: Tiny) -> None:
     words = ("run", "--all", "--codes", "fake/good", "--json", "out.json")
     tiny.vv(*words, FAKE_LOG=str(log))
     timed = [line for line in log.read_text().splitlines() if not line.endswith(" 0.0")]
-    assert len(timed) == 8  # two variants, two timed rungs, two rounds
+    visits = len(timed) / 4  # of two variants at two timed rungs
+    assert visits in (1, 2)  # two if the machine was slower beside one of them
     records = json.loads((tiny.root / "out.json").read_text())["records"]
     kinds = [(r["rung"]["dt"], r["cost"]["kind"]) for r in records if r["variant"] == "up"]
     assert kinds == [(0.1, "timed"), (0.05, "timed"), (0.025, "indicative")]
     assert len({r["cost"]["session"] for r in records if r["cost"]["kind"] == "timed"}) == 1
     tiny.vv(*words, FAKE_LOG=str(log))
-    assert sum(1 for line in log.read_text().splitlines() if not line.endswith(" 0.0")) == 8
+    again = [line for line in log.read_text().splitlines() if not line.endswith(" 0.0")]
+    assert again == timed
 
 
 def test_a_run_comes_back_as_it_was_kept(tmp_path: Path) -> None:
