@@ -31,9 +31,8 @@ def why_no_polyhedron(ask: Ask) -> str | None:
 
 
 def _no_face(block: Block, wall: Wall) -> str | None:
-    height = (block.vertices - wall.point) @ wall.normal
     size = float(np.ptp(block.vertices, axis=0).max())
-    if float(np.ptp(height)) < THINNEST * size:
+    if float(np.ptp(block.vertices @ wall.normal)) < THINNEST * size:
         return f"block '{block.name}' is thinner than {THINNEST:g} of its size; YADE may miss it"
     if _area(block, wall) == 0:
         return f"block '{block.name}' stands on no face; an edge has no area to press on"
