@@ -1,4 +1,4 @@
-"""Energy of a strained hexagonal close-packed lattice in a box that repeats: the second route.
+"""A strained hexagonal close-packed lattice in a box that repeats: the second route.
 
 The box has four elements; their bonds are found by distance among the images, and all four are
 free to move until the energy is least.
@@ -12,11 +12,37 @@ from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
 BOX = np.array([1.0, sqrt(3.0), sqrt(8.0 / 3.0)])
+STRAINS = [
+    (np.outer(a, b) + np.outer(b, a)) / 2.0 for i, a in enumerate(np.eye(3)) for b in np.eye(3)[i:]
+]
 PLACES = BOX * np.array([[0, 0, 0], [0.5, 0.5, 0], [0.5, 1 / 6, 0.5], [0, 2 / 3, 0.5]])
 
 
 def energy(strain: Array, *, kn: float, ks: float, d: float) -> float:
     """Joules per cubic metre under a symmetric strain (3, 3), to second order."""
+    stretch, weight = _relaxed(strain, kn, ks)
+    force = d * weight * stretch
+    return float(0.25 * (force @ force) / (BOX.prod() * d**3))  # each bond is met twice
+
+
+def opening(direction: Array, *, kn: float, ks: float, xb: float, d: float) -> float:
+    """The tension [Pa] along a unit vector (3,) at which the first bond is longer by xb [m].
+
+    The strain is that of which the energies of pairs of strains say that it bears the tension.
+    """
+    springs = {"kn": kn, "ks": ks, "d": d}
+    alone = [energy(one, **springs) for one in STRAINS]
+    stiff = [
+        [energy(one + other, **springs) - a - b for other, b in zip(STRAINS, alone, strict=True)]
+        for one, a in zip(STRAINS, alone, strict=True)
+    ]
+    strains = np.linalg.solve(stiff, [direction @ one @ direction for one in STRAINS])
+    stretch, _ = _relaxed(np.einsum("s,sij->ij", strains, np.array(STRAINS)), kn, ks)
+    return float(xb / (d * stretch[::3].max()))
+
+
+def _relaxed(strain: Array, kn: float, ks: float) -> tuple[Array, Array]:
+    """What bonds are longer by, in diameters, and move across by, twice; and roots of springs."""
     rows, right, weight = [], [], []
     for i, j in product(range(4), repeat=2):
         for image in product((-1, 0, 1), repeat=3):
@@ -24,7 +50,7 @@ def energy(strain: Array, *, kn: float, ks: float, d: float) -> float:
             length = np.linalg.norm(r)
             if not 0.9 < length < 1.1:
                 continue
-            basis = np.linalg.svd(r[None])[2]  # along the bond, then across it
+            basis = np.array([r / length, *np.linalg.svd(r[None])[2][1:]])  # along, then across
             for axis, k in zip(basis, (kn, ks, ks), strict=True):
                 row = np.zeros(12)
                 row[3 * j : 3 * j + 3] += axis
@@ -34,5 +60,4 @@ def energy(strain: Array, *, kn: float, ks: float, d: float) -> float:
                 weight.append(sqrt(k))
     matrix, moved, root = np.array(rows), np.array(right), np.array(weight)
     shift = np.linalg.lstsq(root[:, None] * matrix, -root * moved)[0]
-    stretch = d * root * (moved + matrix @ shift)
-    return float(0.25 * (stretch @ stretch) / (BOX.prod() * d**3))  # each bond is met twice
+    return moved + matrix @ shift, root

@@ -16,14 +16,21 @@ SPRINGS = {"kn": ELEMENT.kn, "ks": ELEMENT.ks, "d": D}
 STRAINS = np.random.default_rng(2017).normal(size=(8, 6))
 
 
+STRONG = {**SPRINGS, "xb": ELEMENT.xb}
+SIDES = np.random.default_rng(17).normal(size=(3, 3))
+
+
 def apart(route: ModuleType, second: ModuleType = repeated) -> float:
-    """The largest relative difference of the two routes in energy."""
+    """The largest relative difference of the two routes, in energy and in strength."""
     stiff = np.linalg.inv(route.compliance(**SPRINGS))
     off = []
     for e in STRAINS:
         tensor = np.array([[e[0], e[5] / 2, e[4] / 2], [0, e[1], e[3] / 2], [0, 0, e[2]]])
         tensor += np.triu(tensor, 1).T
         off.append(0.5 * e @ stiff @ e / second.energy(tensor, **SPRINGS) - 1.0)
+    for side in SIDES:
+        n = side / np.linalg.norm(side)
+        off.append(route.opening(side, **STRONG) / second.opening(n, **STRONG) - 1.0)
     return float(np.abs(off).max())
 
 
@@ -47,6 +54,23 @@ def test_along_its_other_three_axes_it_is_not() -> None:
     assert along([1.0, 0.0, 0.0]) == along([0.3, 0.4, 0.0]) == pytest.approx(0.9112, abs=1e-4)
     tilts = np.linspace(0.0, np.pi / 2, 200)
     assert min(along([np.sin(t), 0.0, np.cos(t)]) for t in tilts) == pytest.approx(0.829, abs=1e-3)
+
+
+def test_pulled_along_the_axis_of_the_unit_its_first_bond_opens_at_eq_7() -> None:
+    due = lattice_material.tensile_strength(**STRONG)
+    assert lattice_directions.opening([0.0, 0.0, 1.0], **STRONG) == pytest.approx(due, rel=1e-12)
+
+
+def test_it_is_weaker_along_all_other_directions() -> None:
+    def share(direction: list[float]) -> float:
+        whole = lattice_material.tensile_strength(**STRONG)
+        return lattice_directions.opening(direction, **STRONG) / whole
+
+    assert share([0.0, np.sqrt(8), 1.0]) == pytest.approx(0.9311, abs=1e-4)
+    assert share([1.0, 0.0, 0.0]) == pytest.approx(0.5589, abs=1e-4)
+    assert share([0.0, 1.0, 0.0]) == pytest.approx(0.8084, abs=1e-4)
+    tilted = np.random.default_rng(1).normal(size=(500, 3)).tolist()
+    assert all(0.53 < share(direction) < 1.0 for direction in tilted)
 
 
 @pytest.mark.parametrize("sign", signs(lattice_directions, without=("-1.0",)))
