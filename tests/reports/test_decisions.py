@@ -7,13 +7,14 @@ from typing import Any
 
 import pytest
 
+import reports.pages.case as case_page
 import reports.pages.code as code_page
 from reports import environment, text
 from reports.formula import MINUS, PRIME, typeset
 from reports.marks import marks
 from reports.outcomes import OUTCOMES
 from reports.pages import coverage_map, front, troubles
-from reports.variant import absences, inputs, models, ranking, settings
+from reports.variant import absences, inputs, measurements, models, ranking, settings
 from reports.variant.reading import TARGET
 from reports.variant.region_figures import region_figures
 from tests.support.fabricated import case, changed, cost, entry, record
@@ -315,3 +316,41 @@ def test_a_map_of_regions_is_drawn_where_there_is_one_and_something_is_found() -
     assert len(region_figures(mapped, {"a/a": [seen]}, looks)) == 1
     assert region_figures(mapped, {"a/a": []}, looks) == []
     assert region_figures(facts, {"a/a": [seen]}, looks) == []
+
+
+def test_quantities_that_are_judged_alike_stand_together() -> None:
+    facts = case()
+    (one,) = facts.variants["T1"].quantities
+    (bound,) = (one.tolerances or {}).values()
+    wide = changed(one, name="w", tolerances={"second order in dt": changed(bound, value=0.5)})
+    alike, free = changed(one, name="z"), changed(one, name="v", norm="final")
+    piles = case_page._judged_alike([(q, ["T1"]) for q in (one, wide, alike, free)])
+    assert [[q.name for q, _ in pile] for pile in piles] == [["y", "z"], ["w"], ["v"]]
+    assert [(q.name, names) for q, names in case_page._quantities(facts)] == [("y", ["T1", "T2"])]
+    assert case_page._stated_step(facts) == 1e-3
+    bare = changed(one, tolerances={"exact": changed(bound, dt=None)})
+    variants = {name: changed(v, quantities=[bare]) for name, v in facts.variants.items()}
+    assert case_page._stated_step(changed(facts, variants=variants)) is None
+    runs = [record("a/a", "T1", dt, quantities=[entry("pass", {"pointwise": e})]) for dt, e in
+            ((2e-3, 0.5), (1e-3, 0.25))]  # fmt: skip
+    runs.append(record("b/b", "T1", None, quantities=[entry("pass", {"pointwise": 0.125})]))
+    assert case_page._pointwise(runs, 2e-3) == {"a/a": 0.5, "b/b": 0.125}
+
+
+@pytest.mark.parametrize(
+    ("computed", "within"), [(1.0, True), (1.19, True), (1.21, False), (0.79, False)]
+)
+def test_a_value_is_within_two_uncertainties_either_way(computed: float, within: bool) -> None:
+    assert measurements._within(some(computed=computed, measured=1.0, uncertainty=0.1)) is within
+
+
+def test_the_words_that_meanings_begin_with_are_their_title() -> None:
+    assert measurements._common(["height of a ball", "height of a wall"]) == "Height of a"
+    assert measurements._common(["height"]) == "Height"
+    assert measurements._common(["one", "other"]) == "One"
+
+
+def test_a_word_within_a_name_is_no_prose() -> None:
+    assert str(typeset("k = 2while")) == (
+        "<math><mi>k</mi><mo>=</mo><mn>2</mn><mi>while</mi></math>"
+    )
