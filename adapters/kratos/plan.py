@@ -46,7 +46,7 @@ def _locked_spin(scene: Scene) -> str | None:
 def _no_material(contact: Contact) -> str | None:
     """Why no material has the moduli of a contact; springs are given as they are."""
     law = contact.hertz
-    if law is None or (3 * law.shear_modulus < law.modulus and -1.0 < _poisson(law) < 0.5):
+    if law is None or (3 * law.shear_modulus < law.modulus and _poisson(law) < 0.5):
         return None
     return "Kratos takes materials, and none with a ratio of Poisson's has these moduli of contacts"
 

@@ -204,6 +204,8 @@ def test_what_gave_nothing_is_anchored_once_and_whole_if_nothing_of_it_ran() -> 
         "b/b": [record("b/b", "T1", 1e-3, quantities=[entry("pass", {"max": 1e-3})]),
                 record("b/b", "T1", 2e-3, status="refused", reason="it will not")],
     }  # fmt: skip
+    part = [record("b/b", "T1", 1e-3, **blown), record("b/b", "T1", 2e-3, status="refused")]
+    assert [one.anchor for one in absences.absent({"b/b": part}, looks)] == ["", ""]
     first, second = absences.absent(piles, looks)
     assert (first.mark.label, first.reason, first.whole) == ("a/a", "it blew up", False)
     assert len(first.settings) == 2

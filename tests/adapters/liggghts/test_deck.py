@@ -58,6 +58,18 @@ def test_neighbours_are_sought_in_every_step_only_where_spheres_that_rub_may_mee
         assert "every" not in sought(other)
 
 
+@pytest.mark.parametrize(("aside", "sought"), [(1e-12, True), (1e-13, False)])
+def test_a_pair_locked_along_its_line_meets_again_if_it_is_out_of_line_by_more_than_rounding(
+    aside: float, sought: bool
+) -> None:
+    """A millionth of a millionth of 0.199 m."""
+    across = np.array([[False, True, False]])
+    pair = ball(free=across), ball(position=[[0.199, 0.1 + aside, 0.0]], free=across)
+    first = dataclasses.replace(pair[0], position=np.array([[0.0, 0.1, 0.0]]))
+    (line,) = words(deck_of(ball_ask(first, pair[1]), PLAIN), "neigh_modify")
+    assert ("every" in line) is sought
+
+
 def test_ids_follow_the_order_of_spheres_and_locks_come_last() -> None:
     fixed_last = deck_of(case_ask("T1-swapped"), PLAIN)
     assert words(fixed_last, "group", "shifted") == [["id", "1"]]

@@ -11,12 +11,13 @@ import numpy as np
 import pytest
 
 from adapters.yade.clumps import _clump
-from adapters.yade.polyhedra import polyhedral
+from adapters.yade.inside import _alone
+from adapters.yade.polyhedra import _area, polyhedral
 from adapters.yade.terms import hertz
 from adapters.yade.terms.walls import facet_size, walls
 from tests.adapters.liggghts.test_numbers import ROOM
 from tests.support.adapter_asks import UP, ball, ball_ask
-from tests.support.yade_asks import plan_of
+from tests.support.yade_asks import HALF_STEP, PLAIN, plan_of, sphere_of
 from vv.scene import Contact, Harmonic, Hertz, Pulse, Wall, box_geometry
 
 
@@ -117,3 +118,23 @@ def test_a_polyhedron_slides_in_its_first_step_as_charges_its_spring(
     assert np.array(body["vertices"])[:, 2].tolist() == pytest.approx(
         (vertices[:, 2] - 1.0).tolist()
     )
+
+
+def test_loads_add_up_with_the_weight_of_raised_masses() -> None:
+    ask = ball_ask(ball(load=[[3.0, 0.0, 0.0]]), gravity=np.array([0.0, -9.81, 0.0]), eta=3.0)
+    assert sphere_of(ask, PLAIN)["force"] == [3.0, 0.0, 0.0]
+    assert sphere_of(ask, HALF_STEP)["force"] == pytest.approx([3.0, -19.62, 0.0])
+
+
+def test_only_a_face_on_the_wall_has_an_area() -> None:
+    floor = Wall(np.zeros(3), np.array([0.0, 0.0, 1.0]))
+    for height, area in ((1.0, 4.0), (1.1, 0.0)):
+        sides = np.array([2.0, 0.5, 1.0])
+        vertices, faces = box_geometry(np.array([0.0, 0.0, height]), sides, np.eye(3))
+        block: Any = some(vertices=vertices, faces=faces)
+        assert _area(block, floor) == pytest.approx(area)
+
+
+def test_imports_of_other_parts_go_with_all_their_lines() -> None:
+    text = "from adapters.yade.inside.x import (\n    a,\n)\nimport os\nfrom os import path\n"
+    assert _alone(text) == "import os\nfrom os import path\n"
