@@ -58,7 +58,7 @@ def test_neighbours_are_sought_in_every_step_only_where_spheres_that_rub_may_mee
         assert "every" not in sought(other)
 
 
-@pytest.mark.parametrize(("aside", "sought"), [(1e-12, True), (1e-13, False)])
+@pytest.mark.parametrize(("aside", "sought"), [(2.5e-13, True), (1e-13, False)])
 def test_a_pair_locked_along_its_line_meets_again_if_it_is_out_of_line_by_more_than_rounding(
     aside: float, sought: bool
 ) -> None:

@@ -45,10 +45,10 @@ def test_the_atoms_of_clumps_share_mass_load_and_springs() -> None:
     assert scene.walls == (UP,)
     atoms = scene.spheres  # both centres, then corners and points of the first, then the second's
     assert atoms.mass == pytest.approx(
-        [2e-18, 4e-18, *[2e-18] * 4, *[0.25] * 8, *[4e-18] * 4, *[0.5] * 8], rel=1e-12
+        [2e-18, 4e-18, *[2e-18] * 4, *[0.25] * 8, *[4e-18] * 4, *[0.5] * 8], rel=1e-12, abs=0.0
     )
     assert atoms.radius == pytest.approx(
-        [1e-5, 2e-5, *[0.01] * 4, *[1e-5] * 8, *[0.02] * 4, *[2e-5] * 8], rel=1e-12
+        [1e-5, 2e-5, *[0.01] * 4, *[1e-5] * 8, *[0.02] * 4, *[2e-5] * 8], rel=1e-12, abs=0.0
     )
     loads = [0.0] * 14 + [0.0] * 4 + [1e6 / 8] * 8
     assert atoms.load[:, 0] == pytest.approx(loads)
@@ -250,3 +250,13 @@ def test_bonds_are_alike_to_a_billionth(off: float, refused: bool) -> None:
         bonds = tied(pairs=np.array([[0, 1]]))
         said = why_not_overlapped(unit(elements(third), bonds)) or ""
         assert ("as near as those on one" in said) is near
+
+
+def test_more_than_eight_loads_are_a_property_of_the_atoms_that_carry_them() -> None:
+    balls = [ball(position=[[k, 0, 0]], load=[[k, 0, 2.0]]) for k in range(1, 10)]
+    text = deck_of(ball_ask(*balls), PLAIN)
+    rows = [row for row in words(text, "set", "atom") if row[1] == "property/atom"]
+    assert [[int(row[0]), *map(float, row[3:])] for row in rows] == [
+        [k, k, 0.0, 2.0] for k in range(1, 10)
+    ]
+    assert not words(text, "fix", "load0")

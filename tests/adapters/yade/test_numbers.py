@@ -13,6 +13,7 @@ import pytest
 from adapters.yade.clumps import _clump
 from adapters.yade.inside import _alone
 from adapters.yade.polyhedra import _area, polyhedral
+from adapters.yade.setup import initial_contacts
 from adapters.yade.terms import hertz
 from adapters.yade.terms.walls import facet_size, walls
 from tests.adapters.liggghts.test_numbers import ROOM
@@ -91,7 +92,8 @@ def test_a_clump_has_weightless_feet_eight_points_and_half_of_what_tips_it(
     foot, point = found["touching"][0], found["points"][0]
     assert (len(found["touching"]), len(found["points"])) == (4, 8)
     assert foot["radius"] == 0.01
-    assert foot["density"] * 4 / 3 * math.pi * 1e-6 == pytest.approx(2e-18)
+    weightless = foot["density"] * 4 / 3 * math.pi * 1e-6
+    assert weightless == pytest.approx(2e-18, rel=1e-9, abs=0.0)
     assert point["radius"] == pytest.approx(1e-5)
     assert point["density"] * 4 / 3 * math.pi * 1e-15 == pytest.approx(0.25)
 
@@ -138,3 +140,11 @@ def test_only_a_face_on_the_wall_has_an_area() -> None:
 def test_imports_of_other_parts_go_with_all_their_lines() -> None:
     text = "from adapters.yade.inside.x import (\n    a,\n)\nimport os\nfrom os import path\n"
     assert _alone(text) == "import os\nfrom os import path\n"
+
+
+def test_a_sphere_touches_a_wall_where_the_wall_is() -> None:
+    for height, touches in ((2.0999, True), (2.1001, False), (0.0999, True)):
+        sphere = ball(position=[[0.0, height, 0.0]])
+        wall = Wall(np.array([0.0, 2.0, 0.0]), np.array([0.0, 1.0, 0.0]))
+        found, count = initial_contacts(ball_ask(sphere, wall).scene)
+        assert (found.tolist(), count) == ([touches], int(touches))
