@@ -45,9 +45,9 @@ class Record(NamedTuple):
         return all(digest(file) == then for file, then in self.digests.items())
 
 
-def digest(file: str) -> str:
-    """Digest of a file of the project; '' if it is not there."""
-    path = ROOT / file
+def digest(file: str, root: Path = ROOT) -> str:
+    """Digest of a file of the project, or of a copy of it; '' if it is not there."""
+    path = root / file
     return hashlib.sha256(path.read_bytes()).hexdigest()[:16] if path.is_file() else ""
 
 
@@ -71,7 +71,10 @@ def records(collected: Collected) -> Iterator[Record]:
 
 def _record(collected: Collected, file: str, names: Sequence[str], place: Path) -> None:
     """Write the record of a file of tests; of one that hangs or crashes, an empty one."""
-    write_whole(place, json.dumps(Record({}, {}, {file: digest(file)})._asdict()).encode())
+    write_whole(
+        place,
+        json.dumps(Record({}, {}, {file: digest(file, collected.project)})._asdict()).encode(),
+    )
     with tempfile.TemporaryDirectory() as folder:
         forked(lambda: _traced(collected, file, names, place, Path(folder)), LONGEST)
 
@@ -95,7 +98,8 @@ def _traced(
         part.read()
     for data in (coverage.get_data(), *parts):
         _gather(lines, data, collected.project, seconds)
-    known = Record(seconds, lines, {one: digest(one) for one in (file, *lines)})
+    digests = {one: digest(one, collected.project) for one in (file, *lines)}
+    known = Record(seconds, lines, digests)
     write_whole(place, json.dumps(known._asdict()).encode())
 
 

@@ -8,6 +8,7 @@ from typing import Any, cast
 import pytest
 
 from bench.mutation.collected_tests import Collected, forked
+from bench.mutation.covering_tests import Record, digest
 from bench.mutation.framework_mutants import LONGEST, Asked
 from bench.mutation.framework_sites import (
     EVERY,
@@ -106,3 +107,13 @@ def test_a_mutant_is_put_into_functions_that_are_loaded() -> None:
     assert forked(lambda: told(None), 60.0) == 0
     assert forked(lambda: told(named("one.error is not None and one.tol")), 60.0) == 0
     assert forked(lambda: told(named("one.value is not None  ->")), 60.0) != 0
+
+
+def test_a_record_holds_as_long_as_the_files_are_those_of_the_copy_it_was_made_in(
+    tmp_path: Path,
+) -> None:
+    (tmp_path / "vv" / "gate").mkdir(parents=True)
+    (tmp_path / FILE).write_bytes((ROOT / FILE).read_bytes())
+    assert Record({}, {}, {FILE: digest(FILE, tmp_path)}).holds
+    (tmp_path / FILE).write_text("edited while it was recorded")
+    assert not Record({}, {}, {FILE: digest(FILE, tmp_path)}).holds
