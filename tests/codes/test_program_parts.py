@@ -13,6 +13,7 @@ import numpy as np
 import pytest
 
 from vv.ask import Ask, Cost, Displacement, History, Knobs, Model, Run, Status
+from vv.base.errors import UsageError
 from vv.codes import own_python, script
 from vv.codes.program import adapter, declared, process, question, result
 from vv.codes.program.bad_answer import BadAnswerError
@@ -104,6 +105,16 @@ def test_a_size_is_a_finite_number_zero_or_more(value: object, size: bool) -> No
 )
 def test_a_time_is_a_number_of_seconds_less_than_thirty_years(value: object, good: bool) -> None:
     assert declared._is_time(value) is good
+
+
+def test_a_pace_is_a_pair_of_times() -> None:
+    def read(pair: object) -> tuple[float, float]:
+        return declared._pace(declared.Entry(Path("code.toml"), "scheme.a.pace", pair))
+
+    assert read([1e-6, 0]) == (1e-6, 0.0)
+    for pair in ([1e-6, "x"], ["x", 1e-6], [1e-6], 1e-6):
+        with pytest.raises(UsageError, match="CPU seconds of a step"):
+            read(pair)
 
 
 def test_objects_that_are_long_have_their_entries_on_lines_of_their_own() -> None:
