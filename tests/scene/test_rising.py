@@ -72,12 +72,33 @@ def test_a_floor_rises_as_high_as_it_is_seen_to(
     assert rise == pytest.approx(highest_seen(motion, normal), abs=1e-5 * (1 + rise))
 
 
-@given(ROUND, ROUND, directions())
-def test_a_floor_of_unlike_frequencies_never_rises_higher(
-    size: Vector, phase: Vector, normal: Vector
+UNLIKE = [(0.5, 1.0, 2.125), (1.0, 2.0, 1.0), (0.375, 0.625, 1.5)]
+
+
+@given(st.sampled_from(UNLIKE), ROUND, ROUND, directions())
+def test_a_floor_whose_frequencies_are_multiples_of_one_rises_no_higher_than_it_is_seen_to(
+    frequencies: tuple[float, ...], size: Vector, phase: Vector, normal: Vector
 ) -> None:
-    motion = Harmonic(size, np.array([0.5, 1.0, 2.125]), phase)
-    assert highest_seen(motion, normal) <= highest_rise(Wall(np.zeros(3), normal, motion)) + 1e-12
+    motion = Harmonic(size, np.array(frequencies), phase)
+    rise = highest_rise(Wall(np.zeros(3), normal, motion))
+    assert rise == pytest.approx(highest_seen(motion, normal), abs=1e-5 * (1 + np.abs(size).sum()))
+
+
+def test_a_floor_whose_tops_never_meet_may_lie_below_what_is_locked() -> None:
+    """Sines of 1 and 2 Hz that start together: 0.0176 m at most, and not 0.02."""
+    motion = Harmonic(np.full(3, 0.01), np.array([1.0, 2.0, 2.0]), np.zeros(3), np.array([UP, UP,
+                      [1.0, 0.0, 0.0]]))  # fmt: skip
+    assert lifted(motion, FLAT, HELD, gap=0.0177).blocks
+    with pytest.raises(ValueError, match=r"rises by up to 0\.0176"):
+        lifted(motion, FLAT, HELD, gap=0.0175)
+
+
+def test_tops_of_frequencies_that_share_no_multiple_are_taken_to_meet() -> None:
+    """As they nearly do in the long run."""
+    motion = Harmonic(np.array([0.0, 0.0, 0.01]), np.array([1.0, 1.0, np.sqrt(2.0)]), np.zeros(3))
+    both = dataclasses.replace(motion, amplitude=np.array([0.01, 0.0, 0.01]))
+    along = np.array([1.0, 0.0, 1.0]) / np.sqrt(2.0)
+    assert highest_rise(Wall(np.zeros(3), along, both)) == pytest.approx(0.02 / np.sqrt(2.0))
 
 
 @given(MASKS, MASKS, directions())
