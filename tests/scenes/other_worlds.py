@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from vv.scene import Block, Harmonic, Scene, Spheres, Vector, Wall
+from vv.scene import Block, Contact, Harmonic, Scene, Spheres, Vector, Wall
 
 POWERS = {  # of the units of length, time and mass in what a scene is made of
     "position": (1, 0, 0),
@@ -28,6 +28,10 @@ POWERS = {  # of the units of length, time and mass in what a scene is made of
     "eta_n": (0, -1, 1),
     "gravity": (1, -2, 0),
     "young": (-1, -2, 1),
+    "modulus": (-1, -2, 1),
+    "shear_modulus": (-1, -2, 1),
+    "density": (-3, 0, 1),
+    "viscosity": (-1, -1, 1),
     "frequency": (0, -1, 0),
 }
 SHAKEN, MOVED = (1, -2, 0), (1, 0, 0)  # of an amplitude, which is an acceleration or a length
@@ -52,9 +56,10 @@ def rescaled(scene: Scene, length: float, time: float, mass: float) -> Scene:
     scaled: Scene = dataclasses.replace(
         _rescaled(scene, units),
         bodies=bodies,
-        contact=_rescaled(scene.contact, units),
+        contact=_contact(scene.contact, units),
         shaking=_in_units(scene.wave, units, SHAKEN),
         bonds=scene.bonds and _rescaled(scene.bonds, units),
+        fluid=scene.fluid and _rescaled(scene.fluid, units),
     )
     return scaled
 
@@ -66,6 +71,11 @@ def _body(group: Spheres | Wall | Block, units: tuple[float, ...]) -> Any:
     if isinstance(group, Block) and group.elastic:
         return dataclasses.replace(scaled, elastic=_rescaled(group.elastic, units))
     return scaled
+
+
+def _contact(contact: Contact, units: tuple[float, ...]) -> Contact:
+    scaled: Contact = _rescaled(contact, units)
+    return dataclasses.replace(scaled, hertz=contact.hertz and _rescaled(contact.hertz, units))
 
 
 def _in_units(

@@ -62,7 +62,7 @@ def held_inverse(inertia: Vector, hold: Vector, out: Vector) -> None:
     """out = the inverse (3, 3) of the inertia on the directions that hold (3, 3) projects on.
 
     hold inertia hold is completed by its trace times the other directions, inverted, and stripped
-    of these again.
+    of these again; projected, so that no rounding is left where a spin is locked.
     """
     trace = inertia[0, 0] + inertia[1, 1] + inertia[2, 2]
     a = nil_squares(1)[0]
@@ -80,4 +80,10 @@ def held_inverse(inertia: Vector, hold: Vector, out: Vector) -> None:
     for i in range(3):
         for j in range(3):
             other = ((1.0 if i == j else 0.0) - hold[i, j]) / trace
-            out[i, j] = out[i, j] / determinant - other
+            a[i, j] = out[i, j] / determinant - other
+    for i in range(3):
+        for j in range(3):
+            out[i, j] = 0.0
+            for k in range(3):
+                for m in range(3):
+                    out[i, j] += hold[i, k] * a[k, m] * hold[m, j]

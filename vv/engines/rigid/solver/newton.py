@@ -11,7 +11,16 @@ from __future__ import annotations
 import numpy as np
 
 from vv.engines.blocks.geometry import Index
-from vv.engines.kernels.arrays import clear, larger, nil_squares, numbers, rows, same_rows, table
+from vv.engines.kernels.arrays import (
+    clear,
+    larger,
+    nil_numbers,
+    nil_squares,
+    numbers,
+    rows,
+    same_rows,
+    table,
+)
 from vv.engines.kernels.compiled import called, lent
 from vv.engines.kernels.triples import Triple, add_scaled, at, cross, dot, put
 from vv.engines.rigid.limits import INNER
@@ -56,19 +65,43 @@ def allowed(
     return add_scaled(add_scaled(centre, share, left), normal, n)
 
 
+@called
+def levers(joints: Joints, blocks: int) -> Vector:
+    """The longest arm (n,) [m] of each block: times it a spin is a velocity, as the others are.
+
+    Pivots are chosen among both, and must not depend on the unit of length.
+    """
+    lever = nil_numbers(blocks)
+    for c in range(len(joints.first)):
+        for side in range(2):
+            i = joints.second[c] if side else joints.first[c]
+            if i < blocks:
+                arm = at(joints.arm_second if side else joints.arm_first, c)
+                lever[i] = larger(lever[i], np.sqrt(dot(arm, arm)))
+    for i in range(blocks):
+        if lever[i] == 0.0:
+            lever[i] = 1.0  # nothing touches it, or nothing that turns it
+    return lever
+
+
 @lent
-def column(joints: Joints, c: int, side: int, k: int) -> Triple:
-    """How the relative velocity at contact c changes with unknown k of six of one of its bodies."""
+def column(joints: Joints, c: int, side: int, k: int, lever: float) -> Triple:
+    """How the relative velocity at contact c changes with unknown k of six of one of its bodies.
+
+    The last three are spins times a lever [m].
+    """
     axis = (1.0 * (k % 3 == 0), 1.0 * (k % 3 == 1), 1.0 * (k % 3 == 2))
     if k >= 3:
-        axis = cross(axis, at(joints.arm_second if side else joints.arm_first, c))
+        arm = at(joints.arm_second if side else joints.arm_first, c)
+        axis = add_scaled(NIL, 1.0 / lever, cross(axis, arm))
     return axis if side else add_scaled(NIL, -1.0, axis)
 
 
 @lent
 def spread(
-    matrix: Vector, joints: Joints, c: int, bodies: Bodies, rows_of: Index, half: int, slope: Vector
-) -> None:
+    matrix: Vector, joints: Joints, c: int, bodies: Bodies, rows_of: Index, half: int,
+    slope: Vector, lever: Vector,
+) -> None:  # fmt: skip
     """Add W J^T slope J of contact c to a matrix as `eliminate` takes it; rows_of: `numbered`."""
     blocks = len(rows_of) // 6
     for side in range(2):
@@ -76,7 +109,7 @@ def spread(
         for k in range(6 if j < blocks else 0):
             if rows_of[6 * j + k] < 0:
                 continue
-            u = column(joints, c, side, k)
+            u = column(joints, c, side, k, lever[j])
             p = (dot(at(slope, 0), u), dot(at(slope, 1), u), dot(at(slope, 2), u))
             for other in range(2):
                 i = joints.second[c] if other else joints.first[c]
@@ -89,7 +122,7 @@ def spread(
                     for r in range(6):
                         row = rows_of[6 * i + r]
                         if row >= 0:
-                            matrix[row, here - row] += v[r] if r < 3 else w[r - 3]
+                            matrix[row, here - row] += v[r] if r < 3 else lever[i] * w[r - 3]
 
 
 @called
@@ -104,7 +137,7 @@ def balanced(
     """
     blocks = len(place)
     rows_of, m = numbered(bodies, place)
-    half = width(joints, rows_of, blocks)
+    half, lever = width(joints, rows_of, blocks), levers(joints, blocks)
     x, y = same_rows(v, len(v)), same_rows(w, len(w))
     z, o = rows(len(v)), rows(len(w))
     slope, right, matrix = nil_squares(1)[0], numbers(m), table(m, 3 * half + 1)
@@ -116,14 +149,15 @@ def balanced(
             if joints.across[c] > 0.0:
                 u = relative(joints, c, x, y)
                 put(p, c, allowed(joints, c, friction, stiffness, at(q, c), u, slope))
-                spread(matrix, joints, c, bodies, rows_of, half, slope)
+                spread(matrix, joints, c, bodies, rows_of, half, slope, lever)
                 load_on(joints, c, bodies, z, o, add_scaled(at(p, c), -1.0, at(q, c)))
         most = 0.0
         for i in range(blocks):
             for r in range(6):
                 row = rows_of[6 * i + r]
                 if row >= 0:
-                    right[row] = z[i, r] - x[i, r] if r < 3 else o[i, r - 3] - y[i, r - 3]
+                    gap = z[i, r] - x[i, r] if r < 3 else lever[i] * (o[i, r - 3] - y[i, r - 3])
+                    right[row] = gap
         for k in range(m):
             matrix[k, half] += 1.0
         eliminate(matrix, right, half)
@@ -134,7 +168,7 @@ def balanced(
                     x[i, r] += right[row]
                     most = larger(most, abs(right[row]))
                 elif row >= 0:
-                    y[i, r - 3] += right[row]
+                    y[i, r - 3] += right[row] / lever[i]
         if most <= 0.1 * tolerance:
             return True
     return False

@@ -1,0 +1,128 @@
+"""Claims that the in-house codes know no unit: in others of length, time or mass, answers stay.
+
+Units that are powers of two change no rounding, so that not one bit may differ; a tolerance in m,
+s or kg would make it.
+"""
+
+from __future__ import annotations
+
+import dataclasses
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from tests.adapters.test_metamorphic import SCHEMES, ran
+from tests.scenes.blocks.block_scenes import HELD, incline
+from tests.scenes.other_worlds import rescaled
+from vv.ask import Ask, Displacement, History, Knobs, Observable, Reaction, Run, Status, Velocity
+from vv.engines import rigid
+from vv.plan.project import find
+from vv.scene import Scene, Vector
+
+PROJECT = find(Path(__file__))
+OWN = [label for label in SCHEMES if label.split("/")[0] in ("exact", "dem", "dda", "rigid")]
+SIZES = (2.0**-10, 2.0**10)
+UNITS = [
+    tuple(size if k == unit else 1.0 for k in range(3)) for unit in range(3) for size in SIZES
+] + [(2.0**-8, 2.0**5, 2.0**9)]
+WORDS = [f"length x {u[0]:g}, time x {u[1]:g}, mass x {u[2]:g}" for u in UNITS]
+COARSE, FINE = Knobs(1e-3, 1e9), Knobs(1e-4, 1e9)
+SCENES = {
+    "single-contact:T2": (Knobs(1e-3), 400),
+    "bounce:pair": (Knobs(2e-5), 600),
+    "unlike-bonds:hung": (Knobs(1e-4), 200),
+    "hertz-impact:glass": (Knobs(2e-7), 300),
+    "incline:newmark-30": (FINE, 6000),
+    "responding-block:2d": (FINE, 1500),
+    "responding-block:3d-turning": (COARSE, 200),
+    "slow-slide:slope": (FINE, 160),
+    "shaken-wedge:level": (COARSE, 300),
+    "rocking:released": (COARSE, 400),
+    "tumbling:corner": (COARSE, 200),
+    "painleve:mu-1.34": (FINE, 300),
+    "standing:arch": (COARSE, 50),
+    "failure-modes:3d-40": (COARSE, 20),  # many blocks, which take Newton steps
+}
+SETTLES = "dda/published"  # it lets blocks settle for 2 s, whatever a second is
+
+
+def scene_of(name: str) -> Scene:
+    """The scene of a variant."""
+    case, variant = name.split(":")
+    found = PROJECT.load_case(case)
+    return found.declare(variant, found.defaults(variant)).study.scene
+
+
+AT_REST = {
+    "a point mass on a slope": incline(20, 25, free_spin=HELD),
+    "a cube on a slope": incline(20, 25),
+    "a stack of ten": scene_of("standing:stack-10"),
+}
+
+
+def asked(name: str) -> Ask:
+    """What a case asks, for so many steps of its own."""
+    case, variant = name.split(":")
+    (knobs, steps), found = SCENES[name], PROJECT.load_case(case)
+    study = found.declare(variant, found.defaults(variant)).study
+    assert knobs.dt is not None
+    goal = History(steps * knobs.dt, steps * knobs.dt / 10)
+    return Ask(study.scene, goal, study.observables, knobs)
+
+
+def in_units(ask: Ask, units: tuple[float, ...]) -> Ask:
+    """The ask in other units, its knobs and its times too."""
+    length, time, mass = units
+    knobs, goal = ask.knobs, ask.goal
+    assert knobs.dt is not None
+    kn = None if knobs.kn is None else knobs.kn * mass / time**2
+    return dataclasses.replace(
+        ask,
+        scene=rescaled(ask.scene, length, time, mass),
+        goal=History(goal.duration * time, goal.interval * time),
+        knobs=Knobs(knobs.dt * time, kn),
+    )
+
+
+def unit_of(what: Observable, units: tuple[float, ...]) -> float:
+    """What a value is multiplied by in these units."""
+    length, time, mass = units
+    kinds = {Displacement: length, Velocity: length / time, Reaction: mass * length / time**2}
+    return kinds[type(what)]
+
+
+def values(run: Run, units: tuple[float, ...]) -> dict[Observable, Vector]:
+    """What was observed, in the units of the scene that was not changed."""
+    return {what: value / unit_of(what, units) for what, value in run.values.items()}
+
+
+@pytest.mark.parametrize("name", SCENES)
+@pytest.mark.parametrize("label", OWN)
+def test_other_units_change_no_bit(label: str, name: str, tmp_path: Path) -> None:
+    here = asked(name)
+    tried = [here, *(in_units(here, units) for units in UNITS)]
+    one, *others = ran(*SCHEMES[label], tried, tmp_path)
+    if one.status is Status.REFUSED:
+        pytest.skip(one.reason)
+    assert one.status is Status.RAN, one.reason
+    seen = zip(WORDS, UNITS, others, strict=True)
+    for words, units, other in seen:
+        if label == SETTLES and units[1] != 1.0:
+            continue
+        assert other.status is Status.RAN, (words, other.reason)
+        for what, value in values(other, units).items():
+            assert np.array_equal(value, one.values[what]), words
+
+
+@pytest.mark.parametrize("unit", [1e-3, 1.0, 1e3])
+@pytest.mark.parametrize("which", [0, 1, 2], ids=("length", "time", "mass"))
+@pytest.mark.parametrize("name", AT_REST)
+def test_the_floor_bears_what_rests_on_it_in_any_unit(name: str, which: int, unit: float) -> None:
+    units = tuple(unit if k == which else 1.0 for k in range(3))
+    ask = in_units(Ask(AT_REST[name], History(0.1, 0.01), (Displacement(1),), Knobs(1e-3)), units)
+    program = rigid.prepare(ask)
+    assert program.run(program.solve()).status is Status.RAN
+    weight = sum(block.mass for block in ask.scene.blocks) * ask.scene.gravity
+    borne = program.reactions[1:].sum(axis=1) + weight
+    assert np.abs(borne).max() <= 1e-9 * np.linalg.norm(weight)
