@@ -92,11 +92,11 @@ def _parts(bodies: Bodies, springs: Springs) -> Vector:
     for end, sign in enumerate((-1.0, 1.0)):
         row = np.minimum(springs.rows[:, end], m - 1)
         there = springs.rows[:, end] < m
-        free = np.eye(3) if bodies.hold is None or not len(bodies.hold) else bodies.hold[row]
+        free = bodies.hold[row] if len(bodies.hold) else np.eye(3)
         size = there / np.sqrt(bodies.mass[row])
         parts[:, :, end, :3] = sign * size[:, None, None] * root @ free
-        if bodies.spin is not None:
-            free = np.eye(3) if bodies.hold_spin is None else bodies.hold_spin[row]
+        if bodies.turns:
+            free = bodies.hold_spin[row] if len(bodies.hold_spin) else np.eye(3)
             size = there * springs.arms[:, end] / np.sqrt(bodies.inertia[row])
             lever = np.cross(np.eye(3)[None], n[:, None, :])
             parts[:, :, end, 3:] = size[:, None, None] * root @ lever @ free

@@ -22,13 +22,15 @@ class Elastic(NamedTuple):
     """Effective modulus [Pa]; friction: effective shear modulus [Pa] and mu, or None.
 
     damping: z of the viscous force 2 z sqrt(m kn) U', or None.
-    stiffness: kn and ks [N/m] of the deepest contact that the energy at t = 0 can make.
+    stiffness: kn and ks [N/m] of the deepest contact that the energy at t = 0 can make. asked: see
+    `law.py`.
     """
 
     modulus: float
     friction: tuple[float, float] | None
     damping: float | None
     stiffness: tuple[float, float]
+    asked: int | None = None
 
     @property
     def columns(self) -> int:

@@ -1,10 +1,12 @@
 """The law by which surfaces that touch act on each other: what it is asked, which a scene has.
 
-A law is a named tuple in a file of this folder. It has a field `friction`, None where nothing
-rubs, properties `stiffness`, kn and ks [N/m] at most, and `columns`, how many numbers are kept of
-a contact from step to step, and functions in its file: `pressed` and `rubbed`, which contacts of
-pairs, of walls, and of pairs that are near each other all call, `damped` if it may be viscous, and
-`across` and `stored` if the model of many spheres has it, too.
+A law is a named tuple in a file of this folder. It has fields `friction`, of which the second
+number is mu, and which is None where nothing rubs, and `asked`: None, or any number where each step
+asks what rubs and turns, and friction that is nil is there, too (`NO_FRICTION`). It has properties
+`stiffness`, kn and ks [N/m] at most, and `columns`, how many numbers are kept of a contact from
+step to step, and functions in its file: `pressed` and `rubbed`, which contacts of pairs, of walls,
+and of pairs that are near each other all call, `damped` if it may be viscous, and `across` and
+`stored` if the model of many spheres has it, too.
 """
 
 from __future__ import annotations
@@ -16,20 +18,37 @@ from vv.engines.dem.contact.linear import Linear
 from vv.engines.dem.contact.micro_slip import micro_slip
 from vv.engines.dem.contact.touch import Touch
 from vv.engines.kernels.by_class import of_its_file
+from vv.engines.kernels.compiled import inlined
 from vv.engines.kernels.triples import Triple
 from vv.scene import Scene, Term, Vector
 
 Law = Any
+NO_FRICTION = (0.0, 0.0)
 
 
 def law_of(scene: Scene) -> Law:
     """The law of a scene's contacts."""
-    law, rubs = scene.contact, Term.FRICTION in scene.terms()
+    law, rough = scene.contact, Term.FRICTION in scene.terms()
     if law.hertz is not None:
-        in_part = rubs and law.hertz.micro_slip
-        return micro_slip(scene, law.hertz) if in_part else elastic(scene, law.hertz, rubs)
-    friction = (law.ks, law.mu) if rubs else None
+        in_part = rough and law.hertz.micro_slip
+        return micro_slip(scene, law.hertz) if in_part else elastic(scene, law.hertz, rough)
+    friction = (law.ks, law.mu) if rough else None
     return Linear(law.kn, friction, law.eta_n if law.eta_n > 0 else None)
+
+
+def rubs(law: Law) -> bool:
+    """Whether surfaces rub."""
+    return law.friction is not None and law.friction[1] > 0.0
+
+
+@inlined
+def turning(turn: Vector | None, asked: int | None) -> bool:
+    """Whether spheres turn, if there are torques of any; asked: that of the law."""
+    if turn is None:
+        return False
+    if asked is None:
+        return True
+    return len(turn) > 0
 
 
 @of_its_file

@@ -16,11 +16,13 @@ class Linear(NamedTuple):
     """kn [N/m]; friction: ks [N/m] and mu, or None (Li 2018, Eqs. 4-8); eta_n [N s/m], or None.
 
     Dashpots push by themselves (`vv/engines/dem/terms/dashpots.py`); here they limit friction.
+    asked: see `law.py`.
     """
 
     kn: float
     friction: tuple[float, float] | None
     eta_n: float | None
+    asked: int | None = None
 
     @property
     def stiffness(self) -> tuple[float, float]:

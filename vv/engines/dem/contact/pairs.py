@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from vv.engines.dem.contact.law import Law, pressed, rubbed
+from vv.engines.dem.contact.law import Law, pressed, rubbed, turning
 from vv.engines.dem.contact.touch import Touch, reduced_mass
 from vv.engines.dem.rows import Index
 from vv.engines.dem.space.bodies import Motion
@@ -60,6 +60,7 @@ def touch_of(
     motion: Motion,
     w: Vector | None,
     spun: Vector | None,
+    turns: bool,
     pairs: Pairs,
     p: int,
     now: tuple[float, Triple, float],
@@ -77,14 +78,16 @@ def touch_of(
         dot(n, add_scaled(relative, 0.5, changed)),
     )
     if w is not None and spun is not None:
-        # the contact point lies in the middle of the overlap, at the middle of the step
-        inside = 0.5 * (overlap + 0.5 * opened)
-        first, second = pairs[3][p, 0] - inside, pairs[3][p, 1] - inside
-        rolled = add_scaled(add_scaled(NOWHERE, first, at(w, i)), second, at(w, j))
-        rolled_before = add_scaled(add_scaled(NOWHERE, first, at(spun, i)), second, at(spun, j))
-        relative = add_scaled(relative, -1.0, cross(rolled, m))
-        changed = add_scaled(changed, -1.0, cross(add_scaled(rolled, -1.0, rolled_before), m))
-        twist = 0.5 * dt * dot(add_scaled(at(w, i), 1.0, at(w, j)), m)
+        twist = 0.0
+        if turns:
+            # the contact point lies in the middle of the overlap, at the middle of the step
+            inside = 0.5 * (overlap + 0.5 * opened)
+            first, second = pairs[3][p, 0] - inside, pairs[3][p, 1] - inside
+            rolled = add_scaled(add_scaled(NOWHERE, first, at(w, i)), second, at(w, j))
+            rolled_before = add_scaled(add_scaled(NOWHERE, first, at(spun, i)), second, at(spun, j))
+            relative = add_scaled(relative, -1.0, cross(rolled, m))
+            changed = add_scaled(changed, -1.0, cross(add_scaled(rolled, -1.0, rolled_before), m))
+            twist = 0.5 * dt * dot(add_scaled(at(w, i), 1.0, at(w, j)), m)
     else:
         twist = None
     return Touch(overlap, opened, n, n_before, m, rates, relative, changed, twist)
@@ -92,10 +95,16 @@ def touch_of(
 
 @inlined
 def turn_pair(
-    turn: Vector | None, pairs: Pairs, p: int, overlap: float, n: Triple, across: Triple
+    turn: Vector | None,
+    turns: bool,
+    pairs: Pairs,
+    p: int,
+    overlap: float,
+    n: Triple,
+    across: Triple,
 ) -> None:
     """Add the torques of a force across the contact of pair p, if any sphere turns."""
-    if turn is not None:
+    if turn is not None and turns:
         rows, _, _, radius = pairs
         i, j, torque = rows[p, 0], rows[p, 1], cross(across, n)
         put(turn, i, add_scaled(at(turn, i), radius[p, 0] - 0.5 * overlap, torque))
@@ -109,15 +118,32 @@ def pair_forces(
     dt: float,
     pairs: Pairs,
     law: Law,
-    friction: tuple[float, float] | None,
+    asked: int | None,
     shear: Vector,
 ) -> Triple:
     """Add the forces of pairs of spheres; return energies [J]: normal, shear, lost by friction.
 
-    mass: (m,) of the spheres that move. friction: that of the law; where it is None, nothing rubs.
-    shear: (p, columns) what the law keeps from step to step, the force on the second sphere [N]
-    first.
+    mass: (m,) of the spheres that move. asked: that of the law. shear: (p, columns) what it keeps
+    from step to step, the force on the second sphere [N] first.
     """
+    if asked is not None and law.friction[1] == 0.0:
+        return each_pair(motion, mass, dt, pairs, law, None, False, shear)
+    turns = turning(motion.turn, asked)
+    return each_pair(motion, mass, dt, pairs, law, law.friction, turns, shear)
+
+
+@inlined
+def each_pair(
+    motion: Motion,
+    mass: Vector,
+    dt: float,
+    pairs: Pairs,
+    law: Law,
+    friction: tuple[float, float] | None,
+    turns: bool,
+    shear: Vector,
+) -> Triple:
+    """As `pair_forces`; friction: that of the law, or None where nothing rubs."""
     rows, _, _, radius = pairs
     push, normal, sprung, lost = motion.push, 0.0, 0.0, 0.0
     for p in range(len(rows)):
@@ -134,14 +160,14 @@ def pair_forces(
         force = add_scaled(NOWHERE, along, n)
         normal += held
         if friction is not None:
-            touch = touch_of(motion, motion.w, motion.spun, pairs, p, now, n, dt)
+            touch = touch_of(motion, motion.w, motion.spun, turns, pairs, p, now, n, dt)
             both = reduced_mass(mass, i, j)
             across, charged, taken = rubbed(law, touch, reduced, both, shear, p, dt)
             lost += taken
             sprung += charged
             put(shear, p, across)
             force = add_scaled(force, 1.0, across)
-            turn_pair(motion.turn, pairs, p, overlap, n, across)
+            turn_pair(motion.turn, turns, pairs, p, overlap, n, across)
         put(push, i, add_scaled(at(push, i), -1.0, force))
         put(push, j, add_scaled(at(push, j), 1.0, force))
     return normal, sprung, lost

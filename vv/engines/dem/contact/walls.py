@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from vv.engines.dem.contact.law import Law, pressed, rubbed
+from vv.engines.dem.contact.law import Law, pressed, rubbed, turning
 from vv.engines.dem.contact.pairs import emptied
 from vv.engines.dem.contact.touch import Touch
 from vv.engines.dem.rows import Index
@@ -75,6 +75,7 @@ def touch_of(
     motion: Motion,
     w: Vector | None,
     spun: Vector | None,
+    turns: bool,
     walls: Walls,
     moving: Moving | None,
     q: int,
@@ -87,19 +88,23 @@ def touch_of(
     opened, more = dt * dot(n, relative), 0.5 * dot(n, changed)
     rates = dot(n, relative) - more, dot(n, relative) + more
     if w is not None and spun is not None:
-        arm = 0.5 * (overlap + 0.5 * opened) - radius
-        relative = add_scaled(relative, arm, cross(at(w, i), n))
-        changed = add_scaled(changed, arm, cross(add_scaled(at(w, i), -1.0, at(spun, i)), n))
-        twist = 0.5 * dt * dot(at(w, i), n)
+        twist = 0.0
+        if turns:
+            arm = 0.5 * (overlap + 0.5 * opened) - radius
+            relative = add_scaled(relative, arm, cross(at(w, i), n))
+            changed = add_scaled(changed, arm, cross(add_scaled(at(w, i), -1.0, at(spun, i)), n))
+            twist = 0.5 * dt * dot(at(w, i), n)
     else:
         twist = None
     return Touch(overlap, opened, n, n, n, rates, relative, changed, twist)
 
 
 @inlined
-def turn_sphere(turn: Vector | None, walls: Walls, q: int, overlap: float, across: Triple) -> None:
+def turn_sphere(
+    turn: Vector | None, turns: bool, walls: Walls, q: int, overlap: float, across: Triple
+) -> None:
     """Add the torque of a force across the contact with a wall, if any sphere turns."""
-    if turn is not None:
+    if turn is not None and turns:
         i, arm = walls[0][q], walls[3][q] - 0.5 * overlap
         put(turn, i, add_scaled(at(turn, i), arm, cross(across, at(walls[1], q))))
 
@@ -111,16 +116,34 @@ def wall_forces(
     dt: float,
     walls: Walls,
     law: Law,
-    friction: tuple[float, float] | None,
+    asked: int | None,
     shear: Vector,
     moving: Moving | None,
 ) -> tuple[float, float, float, float]:
     """Add the forces of walls on spheres; return energies [J] as `pair_forces`, work of the walls.
 
-    mass: (m,). shear: (q, columns) what the law keeps from step to step, the force on the sphere
-    [N] first. moving: None if no
-    wall moves.
+    mass: (m,). asked: that of the law. shear: (q, columns) what it keeps from step to step, the
+    force on the sphere [N] first. moving: None if no wall moves.
     """
+    if asked is not None and law.friction[1] == 0.0:
+        return each_wall(motion, mass, dt, walls, law, None, False, shear, moving)
+    turns = turning(motion.turn, asked)
+    return each_wall(motion, mass, dt, walls, law, law.friction, turns, shear, moving)
+
+
+@inlined
+def each_wall(
+    motion: Motion,
+    mass: Vector,
+    dt: float,
+    walls: Walls,
+    law: Law,
+    friction: tuple[float, float] | None,
+    turns: bool,
+    shear: Vector,
+    moving: Moving | None,
+) -> tuple[float, float, float, float]:
+    """As `wall_forces`; friction: that of the law, or None where nothing rubs."""
     rows, facing, _, radius = walls
     push, normal, sprung, lost, work = motion.push, 0.0, 0.0, 0.0, 0.0
     for q in range(len(rows)):
@@ -136,13 +159,13 @@ def wall_forces(
         force = add_scaled(NOWHERE, along, n)
         normal += held
         if friction is not None:
-            touch = touch_of(motion, motion.w, motion.spun, walls, moving, q, overlap, dt)
+            touch = touch_of(motion, motion.w, motion.spun, turns, walls, moving, q, overlap, dt)
             across, charged, taken = rubbed(law, touch, radius[q], mass[i], shear, q, dt)
             lost += taken
             sprung += charged
             put(shear, q, across)
             force = add_scaled(force, 1.0, across)
-            turn_sphere(motion.turn, walls, q, overlap, across)
+            turn_sphere(motion.turn, turns, walls, q, overlap, across)
         keep(moving, q, force)
         work += carried(motion.v, moving, q, dt)
         put(push, i, add_scaled(at(push, i), 1.0, force))

@@ -28,7 +28,7 @@ def place(
     velocity: Vector,
     force: Vector,
     mass: Vector,
-    hold: Vector | None,
+    hold: Vector,
     time: float,
     drag: Drag | None,
 ) -> float:
@@ -53,7 +53,7 @@ def kick(
     before: Vector,
     force: Vector,
     mass: Vector,
-    hold: Vector | None,
+    hold: Vector,
     dt: float,
     drag: Drag | None,
     lag: float,
@@ -61,8 +61,8 @@ def kick(
 ) -> tuple[float, float]:
     """Carry v (m + 1, 3) from half a step before now to half a step after; keep it in before.
 
-    mass: (m,), the moment of inertia where v is a spin. Returns the powers [W] lost before and
-    after now: slowed, and D v-, D v+ of drag D = eta (lag v- + (1 - lag) v+).
+    mass: (m,). Returns the powers [W] lost before and after now: slowed, and D v-, D v+ of drag
+    D = eta (lag v- + (1 - lag) v+).
     """
     if drag is None:
         coast(v, before, force, mass, hold, dt)
@@ -83,10 +83,8 @@ def kick(
 
 
 @inlined
-def coast(
-    v: Vector, before: Vector, force: Vector, mass: Vector, hold: Vector | None, dt: float
-) -> None:
-    """As `kick`, of what nothing slows."""
+def coast(v: Vector, before: Vector, force: Vector, mass: Vector, hold: Vector, dt: float) -> None:
+    """As `kick`, of what nothing slows; spins with moments of inertia, too."""
     for i in range(len(mass)):
         old = at(v, i)
         put(before, i, old)

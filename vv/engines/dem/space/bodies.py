@@ -10,24 +10,29 @@ from vv.scene import Vector
 class Bodies(NamedTuple):
     """The m spheres that move.
 
-    velocity, spin: (m, 3) at t = 0, spin None if none turns; mass, inertia: (m,); hold, hold_spin:
-    (m, 3, 3) projectors on the free directions, None if all are free;
-    in a scene with bonds (0, 3, 3), so that it needs no kernel of its own. walls: how many
-    have rows of their own, since they move.
+    velocity, spin: (m, 3) at t = 0; mass, inertia: (m,); hold, hold_spin: (m, 3, 3) projectors on
+    the free directions, (0, 3, 3) if all are free. If none turns, spin is None, or (0, 3) where
+    each step asks (`placed.py`), and inertia (0,). walls: how many have rows of their own, since
+    they move.
     """
 
     velocity: Vector
     spin: Vector | None
     mass: Vector
     inertia: Vector
-    hold: Vector | None
-    hold_spin: Vector | None
+    hold: Vector
+    hold_spin: Vector
     walls: int
 
     @property
     def locked(self) -> bool:
         """Whether any cannot move along some direction."""
-        return self.hold is not None and len(self.hold) > 0
+        return len(self.hold) > 0
+
+    @property
+    def turns(self) -> bool:
+        """Whether any turns."""
+        return self.spin is not None and len(self.spin) > 0
 
 
 class Motion(NamedTuple):
@@ -37,7 +42,7 @@ class Motion(NamedTuple):
     have another for each moving wall.
     u: displacements [m]; v, w: mean velocities and spins of the step that ended, before, spun: of
     the one before it; push, turn: forces [N] and torques [N m]. w, spun and turn are None if no
-    sphere turns.
+    sphere turns, or have no rows where each step asks.
     """
 
     u: Vector

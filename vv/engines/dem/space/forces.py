@@ -18,7 +18,7 @@ def forces(
     """Fill push and turn of a motion, but for what is viscous; return energies [J] as `force`."""
     for i in range(len(bodies.mass)):
         put(motion.push, i, field(terms, NOWHERE, bodies.mass[i], i))
-    no_torque(motion.turn, len(bodies.mass))
+    no_torque(motion.turn)
     normal, shear, lost, work = force(terms, bodies, motion, dt, slots, many)
     normal, shear = release(terms, (normal, shear), bodies, motion, dt, slots, many)
     return normal, shear, lost, work
@@ -33,8 +33,8 @@ def slow(
 
 
 @inlined
-def no_torque(turn: Vector | None, m: int) -> None:
-    """Clear the torques of m spheres, if any turns."""
+def no_torque(turn: Vector | None) -> None:
+    """Clear the torques of spheres, if any turns; the last row is that of the ground."""
     if turn is not None:
-        for i in range(m):
+        for i in range(len(turn) - 1):
             put(turn, i, NOWHERE)

@@ -61,7 +61,8 @@ class Space:
     def unknowns(self) -> tuple[Vector, ...]:
         """The arrays that hold a number per unknown; locked components are carried along."""
         bodies = self.state.bodies
-        return (bodies.velocity,) if bodies.spin is None else (bodies.velocity, bodies.spin)
+        spin = bodies.spin if bodies.turns else None
+        return (bodies.velocity,) if spin is None else (bodies.velocity, spin)
 
     def outputs(self, rows: int, spheres: tuple[int, ...]) -> tuple[Vector | Index, ...]:
         """What the kernel fills, path and energy, and the rows it watches."""
@@ -128,18 +129,21 @@ def _bodies(here: Placed, turns: bool) -> Bodies:
     """The spheres that move."""
     scene, moves, spheres = here.scene, here.moves, here.scene.spheres
     free, free_spin = spheres.free[moves], spheres.free_spin[moves]
+    spin = np.zeros((0, 3)) if here.asks else None
+    if turns:
+        spin = projected(spheres.spin[moves], scene.axes, free_spin)
     return Bodies(
         velocity=projected(spheres.velocity[moves], scene.axes, free) + here.carried,
-        spin=projected(spheres.spin[moves], scene.axes, free_spin) if turns else None,
+        spin=spin,
         mass=spheres.mass[moves],
-        inertia=spheres.inertia[moves],
+        inertia=spheres.inertia[moves] if turns else np.zeros(0),
         hold=_held(scene, free),
-        hold_spin=projectors(scene.axes, free_spin) if turns else None,
+        hold_spin=_held(scene, free_spin) if turns else np.zeros((0, 3, 3)),
         walls=len(scene.walls) if here.walls_move else 0,
     )
 
 
-def _held(scene: Scene, free: Mask) -> Vector | None:
+def _held(scene: Scene, free: Mask) -> Vector:
     """Projectors on the free axes, as in `Bodies`."""
     found = projectors(scene.axes, free)
-    return np.zeros((0, 3, 3)) if found is None and scene.bonds is not None else found
+    return np.zeros((0, 3, 3)) if found is None else found

@@ -37,17 +37,17 @@ def observe_spin(
     path: Vector, row: int, k: int, i: int, w: Vector | None, spun: Vector | None
 ) -> None:
     """The mean spin of body i, if any turns."""
-    if w is not None and spun is not None:
+    if w is not None and spun is not None and len(w):
         for c in range(3):
             path[row, k, 6 + c] = 0.5 * (spun[i, c] + w[i, c])
 
 
 @inlined
 def observe_lock(
-    path: Vector, row: int, k: int, push: Triple, hold: Vector | None, drag: Drag | None, i: int
+    path: Vector, row: int, k: int, push: Triple, hold: Vector, drag: Drag | None, i: int
 ) -> None:
     """The force of the locks of body i, if any is locked."""
-    if hold is not None and len(hold):
+    if len(hold):
         force = add_scaled(held(push, hold, i), -1.0, push)
         if drag is not None:
             force = drawn(force, drag.eta, drag.steady, i)

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import functools
 from dataclasses import dataclass
 
 import numpy as np
 
 from vv.engines.dem.bonds.layout import Bonded, bonded, near
+from vv.engines.dem.contact.law import NO_FRICTION, Law, law_of
 from vv.engines.dem.rows import Index
 from vv.engines.dem.space.neighbours import Near
 from vv.scene import Mask, Scene, Vector
@@ -27,6 +29,26 @@ class Placed:
     charged: Vector | None
     bonds: Bonded
     near: Near | None
+
+    @property
+    def may_touch(self) -> bool:
+        """Whether a sphere that moves can meet a wall or another sphere."""
+        return bool(self.moves.any()) and (len(self.scene.walls) > 0 or len(self.scene.spheres) > 1)
+
+    @property
+    def asks(self) -> bool:
+        """Whether each step asks what rubs and turns.
+
+        It does where it takes so long that this costs next to nothing: fewer kernels are compiled.
+        """
+        dear = self.walls_move or self.scene.contact.viscous
+        return dear and self.scene.bonds is None
+
+    @functools.cached_property
+    def law(self) -> Law:
+        """The law of contacts."""
+        law = law_of(self.scene)
+        return law._replace(friction=law.friction or NO_FRICTION, asked=0) if self.asks else law
 
     @property
     def walls_move(self) -> bool:

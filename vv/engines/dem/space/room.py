@@ -19,7 +19,7 @@ from vv.scene import Vector
 def room(given: Bodies) -> tuple[Bodies, Motion]:
     """The bodies with projectors of their own, and their motion before anything has moved."""
     m = len(given.mass)
-    hold, hold_spin = own(given.hold), own(given.hold_spin)
+    hold, hold_spin = copied(given.hold), copied(given.hold_spin)
     bodies = Bodies(
         given.velocity, given.spin, given.mass, given.inertia, hold, hold_spin, given.walls
     )
@@ -49,7 +49,7 @@ def copied(hold: Vector) -> Vector:
 
 
 def spins(spin: Any, rows: int) -> Any:
-    """Room for spins, those before, and torques (rows, 3), or None where no sphere turns."""
+    """Room for spins, those before, and torques (rows, 3), as many as `Motion` has."""
 
 
 @overload(spins, jit_options=OPTIONS | COUNTED, strict=False)
@@ -57,16 +57,9 @@ def typed_spins(spin: Any, rows: Any) -> Any:
     """What numba compiles of `spins`."""
     if isinstance(spin, types.NoneType):
         return lambda spin, rows: (None, None, None)
-    return lambda spin, rows: (rest(rows), rest(rows), rest(rows))
 
+    def made(spin: Any, rows: Any) -> Any:
+        turning = rows if len(spin) else 0
+        return rest(turning), rest(turning), rest(turning)
 
-def own(hold: Any) -> Any:
-    """A copy of projectors, and None of None."""
-
-
-@overload(own, jit_options=OPTIONS | COUNTED, strict=False)
-def typed_own(hold: Any) -> Any:
-    """What numba compiles of `own`."""
-    if isinstance(hold, types.NoneType):
-        return lambda hold: None
-    return lambda hold: copied(hold)  # noqa: PLW0108 - numba wants a function of Python
+    return made

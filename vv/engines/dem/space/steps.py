@@ -54,4 +54,4 @@ def spin_on(
 ) -> None:
     """As `kick`, of spins, if any sphere turns."""
     if w is not None and spun is not None and turn is not None:
-        advance.kick(w, spun, turn, bodies.inertia, bodies.hold_spin, dt, None, 0.5, (0.0, 0.0))
+        advance.coast(w, spun, turn, bodies.inertia, bodies.hold_spin, dt)

@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vv.engines.dem.contact.law import Law, damped, law_of, pressed
+from vv.engines.dem.contact.law import Law, damped, pressed
 from vv.engines.dem.contact.pairs import Pairs, apart
 from vv.engines.dem.contact.touch import reduced_mass
 from vv.engines.dem.contact.walls import Moving, Walls, into_wall
@@ -42,7 +42,8 @@ Met = tuple[Index, Vector]
 class Dashpots(NamedTuple):
     """The contacts that are viscous, and their law.
 
-    met: all listed contacts; those that are gathered have it in their slots. new: room for
+    met: all listed contacts; those that are gathered have it in their slots. near: None if none
+    are gathered. new: room for
     velocities, a row for each of `Motion.v`. moving: how walls move, or None; done (4,): the power
     [W] that walls which move had after the last step, have before and after now, and their work
     since t = 0 [J].
@@ -52,6 +53,7 @@ class Dashpots(NamedTuple):
     walls: Walls | None
     law: Law
     met: Met
+    near: int | None
     new: Vector
     moving: Moving | None
     done: Vector
@@ -71,7 +73,8 @@ def build(placed: Placed) -> Dashpots | None:
     both = np.concatenate(ends)
     met = both, np.zeros((len(both), MET))
     new = np.zeros((m + 1 + (0 if moving is None else len(scene.walls)), 3))
-    return Dashpots(pairs, walls, law_of(scene), met, new, moving, np.zeros(4))
+    near = None if placed.near is None else len(placed.near.radius)
+    return Dashpots(pairs, walls, placed.law, met, near, new, moving, np.zeros(4))
 
 
 def models(term: Dashpots) -> frozenset[Term]:
@@ -111,13 +114,32 @@ def viscous(
 ) -> tuple[float, float]:
     """The forces of all dashpots."""
     meet(term.met, motion.u, term.pairs, term.walls, term.moving, term.law, bodies.mass)
-    near = slots.rows[: many[0]], slots.offset, slots.gap, slots.radii
-    meet((slots.rows, slots.met), motion.u, near, None, None, term.law, bodies.mass)
-    mets = term.met, (slots.rows[: many[0]], slots.met)
     foresee(term.new, motion, len(bodies.mass) + 1)
-    taken = slow(mets, motion.push, motion.v, term.new, bodies.mass, bodies.hold, dt, drag, lag)
+    taken = slow_all(term, term.near, bodies, motion, dt, slots, many, drag, lag)
     carry(term, term.moving, motion.v, len(bodies.mass))
     return taken
+
+
+@inlined
+def slow_all(
+    term: Dashpots,
+    near: int | None,
+    bodies: Bodies,
+    motion: Motion,
+    dt: float,
+    slots: Slots,
+    many: Index,
+    drag: Drag | None,
+    lag: float,
+) -> tuple[float, float]:
+    """Add the forces of listed contacts, and of gathered ones if there are any; see `slow`."""
+    new, mass, hold = term.new, bodies.mass, bodies.hold
+    if near is None:
+        return slow((term.met, None), motion.push, motion.v, new, mass, hold, dt, drag, lag)
+    pairs = slots.rows[: many[0]], slots.offset, slots.gap, slots.radii
+    meet((slots.rows, slots.met), motion.u, pairs, None, None, term.law, mass)
+    mets = term.met, (slots.rows[: many[0]], slots.met)
+    return slow(mets, motion.push, motion.v, new, mass, hold, dt, drag, lag)
 
 
 @inlined
@@ -149,7 +171,14 @@ def carry(term: Dashpots, moving: Moving | None, v: Vector, ground: int) -> None
 @inlined
 def after(term: Dashpots, bodies: Bodies, motion: Motion, dt: float) -> None:
     """The work of moving walls in a step, by the trapezoidal rule."""
-    term.done[WORK] += 0.5 * dt * (term.done[EARLIER] + term.done[BEHIND])
+    worked(term.done, term.moving, dt)
+
+
+@inlined
+def worked(done: Vector, moving: Moving | None, dt: float) -> None:
+    """Add the work of a step, if any wall moves."""
+    if moving is not None:
+        done[WORK] += 0.5 * dt * (done[EARLIER] + done[BEHIND])
 
 
 @inlined
@@ -164,7 +193,14 @@ def book(term: Dashpots, bodies: Bodies, motion: Motion, energy: Vector, row: in
 def withdraw(term: Dashpots, bodies: Bodies, motion: Motion, slots: Slots, many: Index) -> None:
     """Take them away again."""
     shove(term.met, motion.push, -1.0)
-    shove((slots.rows[: many[0]], slots.met), motion.push, -1.0)
+    withdraw_gathered(term.near, motion.push, slots, many)
+
+
+@inlined
+def withdraw_gathered(near: int | None, push: Vector, slots: Slots, many: Index) -> None:
+    """Take the forces of gathered contacts away, if there are any."""
+    if near is not None:
+        shove((slots.rows[: many[0]], slots.met), push, -1.0)
 
 
 @inlined
@@ -211,7 +247,7 @@ def close(
 
 @inlined
 def slow(
-    mets: tuple[Met, Met],
+    mets: tuple[Met, Met | None],
     push: Vector,
     v: Vector,
     new: Vector,
@@ -246,15 +282,16 @@ def slow(
 
 
 @inlined
-def forget(met: Met) -> None:
+def forget(met: Met | None) -> None:
     """No viscous force in any contact."""
-    for k in range(len(met[0])):
-        met[1][k, FORCE] = 0.0
+    if met is not None:
+        for k in range(len(met[0])):
+            met[1][k, FORCE] = 0.0
 
 
 @inlined
 def settle_all(
-    met: Met,
+    met: Met | None,
     reached: tuple[float, float],
     v: Vector,
     new: Vector,
@@ -265,6 +302,8 @@ def settle_all(
     lag: float,
 ) -> tuple[float, float]:
     """One sweep over contacts; returns the largest force and change [N], with those before."""
+    if met is None:
+        return reached
     ends, kept = met
     most, change = reached
     for k in range(len(ends)):
@@ -277,8 +316,12 @@ def settle_all(
 
 
 @inlined
-def powers(met: Met, before: tuple[float, float], v: Vector, new: Vector) -> tuple[float, float]:
+def powers(
+    met: Met | None, before: tuple[float, float], v: Vector, new: Vector
+) -> tuple[float, float]:
     """What contacts take [W] before and after now, added to what others do."""
+    if met is None:
+        return before
     ends, kept = met
     behind, ahead = before
     for k in range(len(ends)):
@@ -322,8 +365,10 @@ def settled(
 
 
 @inlined
-def shove(met: Met, push: Vector, sign: float) -> None:
+def shove(met: Met | None, push: Vector, sign: float) -> None:
     """Add the forces of all contacts to push, or take them away."""
+    if met is None:
+        return
     ends, kept = met
     for k in range(len(ends)):
         force, j = add_scaled(NOWHERE, sign * kept[k, FORCE], at(kept, k)), ends[k, 1]

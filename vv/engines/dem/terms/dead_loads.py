@@ -15,34 +15,34 @@ GRAVITY, LOAD = column(Form.GRAVITY), column(Form.LOAD)
 
 
 class DeadLoads(NamedTuple):
-    """Weights and loads (m, 3) [N], and what both come to."""
+    """Weights and loads (m, 3) [N], and what both come to; (0, 3) if all are nil."""
 
     weight: Vector
     load: Vector
     both: Vector
 
 
-def build(placed: Placed) -> DeadLoads | None:
-    """The constant forces on spheres that move, if there are any; with bonds they may be nil."""
+def build(placed: Placed) -> DeadLoads:
+    """The constant forces on spheres that move; every scene has them, so that few kernels do."""
     scene, moves = placed.scene, placed.moves
     weight = scene.spheres.mass[moves][:, None] * scene.gravity
     load = scene.spheres.load[moves]
-    if scene.bonds is None and not (weight.any() or load.any()):
-        return None
+    if not (weight.any() or load.any()):
+        weight, load = weight[:0], load[:0]
     return DeadLoads(weight, load, weight + load)
 
 
 @inlined
 def field(term: DeadLoads, push: Triple, mass: float, i: int) -> Triple:
     """The weight of sphere i and its load."""
-    return add_scaled(push, 1.0, at(term.both, i))
+    return add_scaled(push, 1.0, at(term.both, i)) if len(term.both) else push
 
 
 @inlined
 def book(term: DeadLoads, bodies: Bodies, motion: Motion, energy: Vector, row: int) -> tuple[float]:
     """The work of gravity and of loads since t = 0."""
     fallen, pushed = 0.0, 0.0
-    for i in range(len(bodies.mass)):
+    for i in range(len(term.both)):
         moved = at(motion.u, i)
         fallen += dot(at(term.weight, i), moved)
         pushed += dot(at(term.load, i), moved)

@@ -21,11 +21,11 @@ class Drag(NamedTuple):
 
 
 def build(placed: Placed) -> Drag | None:
-    """The drag of a scene that has some; in a scene with bonds it may be nil."""
+    """The drag of a scene that has some; with bonds, or where each step asks, it may be nil."""
     scene, steady = placed.scene, placed.carried
-    if scene.bonds is not None:
-        return Drag(scene.eta, steady if steady.any() else steady[:0])
-    return Drag(scene.eta, steady if steady.any() else None) if scene.eta > 0 else None
+    if scene.eta == 0.0 and scene.bonds is None and not placed.asks:
+        return None
+    return Drag(scene.eta, steady if steady.any() else steady[:0])
 
 
 def resistance(term: Drag) -> Drag:

@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vv.engines.dem.contact.law import Law, law_of
+from vv.engines.dem.contact.law import Law, rubs
 from vv.engines.dem.contact.pairs import pair_forces
 from vv.engines.dem.rows import Index
 from vv.engines.dem.space.bodies import Bodies, Motion
@@ -27,17 +27,17 @@ class NearContacts(NamedTuple):
 
 def build(placed: Placed) -> NearContacts | None:
     """The contacts, where pairs are gathered."""
-    return NearContacts(law_of(placed.scene)) if placed.near else None
+    return NearContacts(placed.law) if placed.near else None
 
 
 def models(term: NearContacts) -> frozenset[Term]:
     """What it models of a scene."""
-    return STANDS_FOR if term.law.friction else frozenset({Term.SPHERE_CONTACT})
+    return STANDS_FOR if rubs(term.law) else frozenset({Term.SPHERE_CONTACT})
 
 
 def turns(term: NearContacts) -> bool:
     """Whether it may turn spheres."""
-    return term.law.friction is not None
+    return rubs(term.law)
 
 
 def springs(term: NearContacts, near: Near) -> tuple[Springs, Mask]:
@@ -61,7 +61,7 @@ def highest_square(term: NearContacts, near: Near, bodies: Bodies) -> float:
     """No less than w^2 [1/s2] of a contact between any two spheres."""
     lightest = np.sort(1.0 / bodies.mass)[-2:].sum()
     across = 1.0 / bodies.mass
-    if bodies.spin is not None:
+    if bodies.turns:
         radius = np.zeros(len(across) + 1)
         np.maximum.at(radius, np.minimum(near.row, len(across)), near.radius)
         across = across + radius[: len(across)] ** 2 / bodies.inertia
@@ -76,7 +76,5 @@ def force(
     """The forces of all pairs that are near each other."""
     k, law = many[0], term.law
     pairs = slots.rows[:k], slots.offset[:k], slots.gap[:k], slots.radii[:k]
-    normal, shear, lost = pair_forces(
-        motion, bodies.mass, dt, pairs, law, law.friction, slots.shear
-    )
+    normal, shear, lost = pair_forces(motion, bodies.mass, dt, pairs, law, law.asked, slots.shear)
     return normal, shear, lost, 0.0

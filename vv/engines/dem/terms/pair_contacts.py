@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vv.engines.dem.contact.law import Law, law_of
+from vv.engines.dem.contact.law import Law, rubs
 from vv.engines.dem.contact.pairs import Pairs, emptied, pair_forces
 from vv.engines.dem.rows import Index
 from vv.engines.dem.space.bodies import Bodies, Motion
@@ -28,24 +28,22 @@ class PairContacts(NamedTuple):
 
 
 def build(placed: Placed) -> PairContacts | None:
-    """The contacts of all pairs, if spheres may touch and are few and without bonds."""
+    """The contacts of all pairs, if spheres are few and without bonds; of one there are none."""
     pairs = listed(placed)
     if pairs is None:
         return None
-    law = law_of(placed.scene)
-    return PairContacts(pairs, law, np.zeros((len(pairs[0]) if law.friction else 0, law.columns)))
+    law = placed.law
+    return PairContacts(pairs, law, np.zeros((len(pairs[0]) if rubs(law) else 0, law.columns)))
 
 
 def listed(placed: Placed) -> Pairs | None:
     """All pairs of which one moves: rows, first offset, first gap, radii."""
-    if placed.scene.bonds is not None or placed.near is not None:
+    if placed.scene.bonds is not None or placed.near is not None or not placed.may_touch:
         return None
     spheres, moves, row = placed.scene.spheres, placed.moves, placed.row
     i, j = np.triu_indices(len(spheres), 1)
     kept = moves[i] | moves[j]
     i, j = i[kept], j[kept]
-    if not len(i):
-        return None
     offset = spheres.position[j] - spheres.position[i]
     radii = np.stack([spheres.radius[i], spheres.radius[j]], axis=1)
     gap = np.linalg.norm(offset, axis=1) - radii.sum(axis=1)
@@ -54,12 +52,12 @@ def listed(placed: Placed) -> Pairs | None:
 
 def models(term: PairContacts) -> frozenset[Term]:
     """What it models of a scene."""
-    return STANDS_FOR if term.law.friction else frozenset({Term.SPHERE_CONTACT})
+    return STANDS_FOR if rubs(term.law) else frozenset({Term.SPHERE_CONTACT})
 
 
 def turns(term: PairContacts) -> bool:
     """Whether it may turn spheres."""
-    return term.law.friction is not None
+    return rubs(term.law)
 
 
 def springs(term: PairContacts, near: object) -> tuple[Springs, Mask]:
@@ -81,6 +79,6 @@ def force(
     """The forces of all pairs."""
     law = term.law
     normal, shear, lost = pair_forces(
-        motion, bodies.mass, dt, term.pairs, law, law.friction, term.shear
+        motion, bodies.mass, dt, term.pairs, law, law.asked, term.shear
     )
     return normal, shear, lost, 0.0

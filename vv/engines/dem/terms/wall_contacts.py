@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from vv.engines.dem.contact.law import Law, law_of
+from vv.engines.dem.contact.law import Law, rubs
 from vv.engines.dem.contact.pairs import emptied
 from vv.engines.dem.contact.walls import Moving, Walls, stilled, wall_forces
 from vv.engines.dem.rows import Index
@@ -35,28 +35,28 @@ class WallContacts(NamedTuple):
 
 
 def build(placed: Placed) -> WallContacts | None:
-    """The contacts with all walls, if there are any."""
-    walls, charged, law = listed(placed), placed.charged, law_of(placed.scene)
+    """The contacts with all walls, of which there may be none; None if nothing can touch."""
+    walls, charged, law = listed(placed), placed.charged, placed.law
     if walls is None:
         return None
     moving, q = moved(placed), len(walls[0])
-    if charged is None or not (law.friction and charged.any()):
+    if charged is None or not (rubs(law) and charged.any()):
         charged = np.zeros((0, 3))
-    shear = np.zeros((q if law.friction else 0, law.columns))
+    shear = np.zeros((q if rubs(law) else 0, law.columns))
     return WallContacts(walls, law, moving, charged, shear)
 
 
 def listed(placed: Placed) -> Walls | None:
     """Every moving sphere with every wall: row, normal, first gap, radius."""
     scene, moves = placed.scene, placed.moves
-    if not scene.walls or not moves.any():
+    if not placed.may_touch or (scene.bonds is not None and not scene.walls):
         return None
     position, radius = scene.spheres.position[moves], scene.spheres.radius[moves]
-    count = len(scene.walls)
     gaps = [(position - wall.point) @ wall.normal - radius for wall in scene.walls]
-    normals = np.repeat([wall.normal for wall in scene.walls], len(radius), axis=0)
-    rows = np.tile(placed.row[moves], count)
-    return rows, normals, np.concatenate(gaps), np.tile(radius, count)
+    normals = np.array([wall.normal for wall in scene.walls]).reshape(-1, 3)
+    normals, gap = np.repeat(normals, len(radius), axis=0), np.concatenate([[], *gaps])
+    count = len(scene.walls)
+    return np.tile(placed.row[moves], count), normals, gap, np.tile(radius, count)
 
 
 def moved(placed: Placed) -> Moving | None:
@@ -70,12 +70,12 @@ def moved(placed: Placed) -> Moving | None:
 
 def models(term: WallContacts) -> frozenset[Term]:
     """What it models of a scene."""
-    return STANDS_FOR if term.law.friction else frozenset({Term.WALL_CONTACT})
+    return STANDS_FOR if rubs(term.law) else frozenset({Term.WALL_CONTACT})
 
 
 def turns(term: WallContacts) -> bool:
     """Whether it may turn spheres."""
-    return term.law.friction is not None
+    return rubs(term.law)
 
 
 def springs(term: WallContacts, near: object) -> tuple[Springs, Mask]:
@@ -105,6 +105,4 @@ def force(
 ) -> tuple[float, float, float, float]:
     """The forces of walls on spheres."""
     law = term.law
-    return wall_forces(
-        motion, bodies.mass, dt, term.walls, law, law.friction, term.shear, term.moving
-    )
+    return wall_forces(motion, bodies.mass, dt, term.walls, law, law.asked, term.shear, term.moving)
