@@ -194,17 +194,28 @@ def _friction(p: Parameters) -> float:
 def _stopping(p: Parameters, times: float) -> Tolerance:
     """For a block that stops and slips again; times: how many stretches of its spring a cycle."""
     cycles = max(1.0, max(p["f"], p["fy"] if p["Ay"] else 0.0) * p["duration"])
-    stretch = _friction(p) * MASS / SPRING
+    stretch = max(times * _friction(p), 0.0 if p["Ay"] else _sunk(p)) * MASS / SPRING
     speed = np.hypot(p["A"] / p["f"], p["Ay"] / p["fy"]) / (2 * np.pi)
     return Tolerance(
-        float(np.clip(times * cycles * stretch / _slid(p), 1e-9, LARGEST_TOLERANCE)),
-        f"each cycle costs some stretches mu N/ks of the shear spring, {times:g} at most; what "
-        "shakes is taken half a step late, as is what drives at once, and what stops stops with a "
-        "step",
+        float(np.clip(cycles * stretch / _slid(p), 1e-9, LARGEST_TOLERANCE)),
+        f"each cycle costs some stretches mu N/ks of the shear spring, {times:g} at most, or what "
+        "the speed at which it sinks as slip begins and ends makes of a cycle; what shakes is "
+        "taken half a step late, as is what drives at once, and what stops stops with a step",
         kn=SPRING,
         softness=1,
         late=1.2 * (float(speed) + _begun(p)) / _slid(p),
     )
+
+
+def _sunk(p: Parameters) -> float:
+    """What sinking costs a cycle, over m/kn [m/s2].
+
+    The block sinks by m A sin(alpha) sin(wt)/kn, and friction makes of the speed of that tan(phi)
+    times as much slip: w m A sin(alpha) tan(phi)/kn at most, as much again by the swing that the
+    start leaves, both where slip begins and where it ends. All of a cycle 2 pi/w keeps that.
+    """
+    alpha, phi = np.radians([p["alpha"], p["phi"]])
+    return float(4.0 * 2.0 * np.pi * p["A"] * np.sin(alpha) * np.tan(phi))
 
 
 def _begun(p: Parameters) -> float:

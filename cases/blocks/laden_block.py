@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+from collections.abc import Mapping
 
 import numpy as np
 
@@ -13,6 +14,7 @@ from reference_solutions.blocks import laden_block
 from reference_solutions.contact.shaken_spring import Sine
 from vv.ask import Displacement, History, Knobs, Method, Observable, Velocity
 from vv.case import (
+    LARGEST_TOLERANCE,
     Case,
     Exact,
     Ladder,
@@ -111,17 +113,53 @@ def _declare(variant: str, p: Parameters) -> Trial:
     _check(variant, p)
     way = Motion(SEEN[0], axes, lambda t: _motion(p, t)[0], times, "m")
     speed = Motion(SEEN[1], axes, lambda t: _motion(p, t)[1], times, "m/s")
+    slips, rises = (_in_proportion(one, p, 0) for one in (SLIPS, RISES))
+    speeds = _in_proportion(SPEEDS, p, 1)
     parts = (
-        way.component(0, "slip", "displacement along the slip", Exact(SLIPS)),
-        way.component(1, "rise", "displacement along the normal of the slope", Exact(RISES)),
+        way.component(0, "slip", "displacement along the slip", slips),
+        way.component(1, "rise", "displacement along the normal of the slope", rises),
         way.component(
             2, "drift", "displacement down the slope, which the load prevents", Exact(DRIFTS)
         ),
-        speed.component(0, "slipping", "velocity along the slip", Exact(SPEEDS)),
-        speed.component(1, "rising", "velocity along the normal of the slope", Exact(SPEEDS)),
+        speed.component(0, "slipping", "velocity along the slip", speeds),
+        speed.component(1, "rising", "velocity along the normal of the slope", speeds),
         balance(BOOKS),
     )
     return Trial(Ladder(_scene(variant, p), goal, SEEN, levels(Knobs(1e-4, 1e9))), parts)
+
+
+def _in_proportion(bounds: Mapping[Method, Tolerance], p: Parameters, what: int) -> Exact:
+    """The bounds for springs, in proportion to what drives the block, over its way or speed.
+
+    what: 0 for the way, 1 for the speed. They are those of the case's own parameters.
+    """
+    own = CASE.defaults("level")
+    larger = [
+        abs(drive / usual) for drive, usual in zip(_driven(p), _driven(own), strict=True) if usual
+    ]
+    moved = [
+        float(np.abs(_motion(one, np.linspace(0, one["duration"], SAMPLES))[what]).max())
+        for one in (p, own)
+    ]
+    times = max(1.0, *larger) * moved[1] / moved[0]
+    return Exact({
+        method: _times(one, times) if one.kn is not None else one for method, one in bounds.items()
+    })  # fmt: skip
+
+
+def _driven(p: Parameters) -> tuple[float, ...]:
+    """Shaking [m/s2], the way of the slope [m] and what slows the block [m/s2], with friction."""
+    pressed = p["press"] + p["g"] * np.cos(np.radians(p["alpha"]))
+    slowed = p["mu"] * pressed - p["push"]
+    return p["a"], p["D"], slowed, p["mu"] * p["a"], p["mu"] * p["D"]
+
+
+def _times(bound: Tolerance, times: float) -> Tolerance:
+    """A bound that is so many times as large, as a tolerance may be."""
+    value = min(times * bound.value, LARGEST_TOLERANCE)
+    floor, late = min(times * bound.floor, value), times * bound.late
+    reason = f"{bound.reason}; in proportion to the largest drive over the motion"
+    return dataclasses.replace(bound, value=value, floor=floor, late=late, reason=reason)
 
 
 SUNK = Tolerance(

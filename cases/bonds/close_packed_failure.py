@@ -216,24 +216,32 @@ def _both(value: float, reason: str) -> Exact:
 
 def _near(p: Parameters, block: Lattice) -> Exact:
     return _both(
-        min(LARGEST_TOLERANCE, _waves(block, 5e-3) * max(1.0, abs(p["rate"]))),
-        f"viscosity adds a thousandth at a rate of 1/s; {WAVES}",
+        min(LARGEST_TOLERANCE, _waves(block, 5e-3) * max(1.0, _pace(p))),
+        f"viscosity adds a thousandth at a rate of 1/s; {WAVES}; {PACED}",
     )
 
 
 def _steps(p: Parameters, block: Lattice) -> Exact:
     return _both(
-        min(LARGEST_TOLERANCE, _waves(block, 6e-3) * max(1.0, abs(p["rate"]))),
-        f"outputs are 3e-6 of strain apart; viscosity adds a thousandth at a rate of 1/s; {WAVES}",
+        min(LARGEST_TOLERANCE, _waves(block, 6e-3) * max(1.0, _pace(p))),
+        "outputs are 3e-6 of strain apart; viscosity adds a thousandth at a rate of 1/s; "
+        f"{WAVES}; {PACED}",
     )
 
 
 def _open(p: Parameters) -> Exact:
     return _both(
-        min(LARGEST_TOLERANCE, 1e-4 * max(1.0, abs(p["rate"]))),
+        min(LARGEST_TOLERANCE, 1e-4 * max(1.0, _pace(p))),
         "the path of units without a base is exact; viscosity adds in proportion to the rate, and "
         "waves are left of the last opening",
     )
+
+
+def _pace(p: Parameters) -> float:
+    """How far a bond is stretched while a wave passes it, over xb, and over that by default."""
+    given = {one.name: one.value for one in BRITTLE}
+    passes = np.sqrt(p["m"] / given["m"] * given["kn"] / p["kn"])
+    return float(abs(p["rate"]) * p["d"] / given["d"] * given["xb"] / p["xb"] * passes)
 
 
 def _waves(block: Lattice, small: float) -> float:
@@ -246,6 +254,7 @@ WAVES = (
     "the wave of an opening takes along what bears up to a twentieth less, in blocks of more than "
     "82 elements, at any rate"
 )
+PACED = "both grow with what a bond is stretched by, of xb, while a wave passes it"
 TIES = (0.02, 0.005, 0.08)  # of the largest stretch: bonds that open at once; the first is shown
 TIED = "no balance says which of nearly equal bonds opens first, and this may depend on it"
 STRETCHED = _both(

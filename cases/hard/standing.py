@@ -65,6 +65,9 @@ def _arch(p: Parameters) -> list[Block]:
 
 
 def _declare(variant: str, p: Parameters) -> Trial:
+    if variant in ARCHES and not (p["part"] < 1.0 if variant == "arch-thin" else p["part"] > 1.0):
+        rule = "falls below 1" if variant == "arch-thin" else "stands above 1 only"
+        raise ValueError(f"part = {p['part']!r}; an arch {rule}, the smallest that stands")
     blocks = _arch(p) if variant in ARCHES else _stack(p)
     contact = Contact(np.inf, mu=p["mu"])
     scene = Scene((Wall(np.zeros(3), Z), *blocks), contact, gravity=-p["g"] * Z)

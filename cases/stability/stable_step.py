@@ -106,7 +106,7 @@ def _masses(p: Parameters) -> Trial:
 def _viscous(p: Parameters) -> Trial:
     w, n = math.sqrt(p["ks"] / p["m"]), p["eta"] / (2 * p["m"])
     middle, late = stability.centred(w), stability.lagged(w, n)
-    bracket = Bracket(SPAN, NEAR * p["v"] / w)
+    bracket = Bracket(max(SPAN, PAST * middle / (START * late)), NEAR * p["v"] / w)
     study = Search(_along_wall(p), (SECOND,), START * late, LONG, bracket)
     limit = largest_step("limit", middle, TWO, bracket, CENTRED)
     return Trial(study, (limit, largest_step("late", late, LATE_LIMIT, bracket, LATE)))
@@ -120,6 +120,7 @@ def _block(p: Parameters) -> Trial:
 
 
 START, SPAN = 0.45, 5.0  # of the lowest limit that theory knows: where a search begins, how far
+PAST = 1.4  # of the highest limit that a class is judged by: so far a search goes at least
 SHORT, LONG = 200, 1000  # steps of a run: drag makes an unstable swing grow as much more slowly
 FAR, NEAR = 1e3, 3.0  # swings; drag keeps a stable swing within one
 SLOWER = 10.0  # the base heaves that much more slowly than the block swings on its spring

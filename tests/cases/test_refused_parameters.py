@@ -13,6 +13,8 @@ from vv.plan.project import find
         ("long-swing", "bonded", {"v_a": 0.0}, "v_a = 0.0 m/s; the sphere must swing"),
         ("stable-step", "undamped", {"mu": 0.0}, "mu = 0.0; it must be positive"),
         ("stable-step", "viscous", {"ks": 0.0}, "ks = 0.0 N/m; it must be positive"),
+        ("standing", "arch", {"part": 0.973}, "part = 0.973; an arch stands above 1 only"),
+        ("standing", "arch-thin", {"part": 1.0}, "part = 1.0; an arch falls below 1"),
         ("tetrahedral-path", "out", {"rate": 2000.0}, "rate = 2000.0 1/s; it must not exceed 250"),
     ],
 )

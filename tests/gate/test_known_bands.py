@@ -108,6 +108,7 @@ def test_an_entry_warns_if_it_speaks_of_one_record_of_many() -> None:
     [
         ({"dt": 0.0}, "both must be > 0"),
         ({"error": (0.0, 0.0)}, "both must be > 0"),
+        ({"error": None, "order": None}, "error none; both must be > 0"),
         ({"error": (0.06, 0.2), "order": (0.0, 1.0)}, "must end at 0.1"),
         ({"error": (0.06, 0.2), "order": (0.0, 0.0)}, None),  # stays where it is
     ],
@@ -127,3 +128,44 @@ def test_a_stiffness_moves_a_band_only_if_both_name_one() -> None:
     none = record("dem/default", "T1", 1e-3).rung
     assert known.band(soft) == pytest.approx((5e-2, 2e-1))
     assert known.band(none) == unspoken.band(soft) == KNOWN["error"]
+
+
+def test_an_entry_without_a_band_speaks_of_other_parameters_alone() -> None:
+    known = Disagreement(**{**KNOWN, "error": None, "order": None, "elsewhere": 0.5})
+    for error, modified, verdict in (
+        (1e-2, False, "fail"),
+        (1e-2, True, "xfail"),
+        (0.4, True, "xfail"),
+        (0.6, True, "fail"),
+    ):
+        (found,) = judge([failing(error, modified=modified)], [known], TODAY)
+        assert found.quantities[0].verdict is Verdict(verdict)
+    passing = record("dem/default", "T1", 1e-3, quantities=[entry("pass", {"max": 1e-4})])
+    (found,) = judge([passing], [known], TODAY)
+    assert found.quantities[0].verdict is Verdict.PASS
+
+
+def test_an_entry_may_say_how_far_off_a_code_is_elsewhere() -> None:
+    known = Disagreement(**{**KNOWN, "elsewhere": 0.5})
+    for error, modified, verdict in (
+        (0.4, True, "xfail"),
+        (0.6, True, "fail"),
+        (0.4, False, "fail"),
+    ):
+        (found,) = judge([failing(error, modified=modified)], [known], TODAY)
+        assert found.quantities[0].verdict is Verdict(verdict)
+
+
+@pytest.mark.parametrize("modified", [False, True])
+@pytest.mark.parametrize(("other", "verdict"), [(9e-4, "xfail"), (1.1e-3, "fail"), (None, "fail")])
+def test_a_code_that_has_another_quantity_s_answer_instead_is_known_at_any_parameters(
+    other: float | None, verdict: str, modified: bool
+) -> None:
+    known = Disagreement(**{**KNOWN, "error": None, "order": None, "instead": "late"})
+    late = entry("no-reference", {"max": other}, name="late")
+    wrong = changed(failing(0.7).quantities[0], tolerance=1e-3)
+    run = changed(failing(0.7), quantities=[wrong, late], modified=modified)
+    (found,) = judge([run], [known], TODAY)
+    assert found.quantities[0].verdict is Verdict(verdict)
+    (alone,) = judge([changed(run, quantities=[wrong])], [known], TODAY)
+    assert alone.quantities[0].verdict is Verdict.FAIL

@@ -212,3 +212,25 @@ def test_a_clump_says_what_it_is_made_of_and_of_how_many_it_is_the_first() -> No
     assert made.words.startswith("4 spheres of 0.01 m on its corners")
     assert told([made], "a clump") == f"a clump stands for the block: {made.words}"
     assert told([made, made], "a clump").startswith("a clump stands for each of 2 blocks: of the")
+
+
+def slow(phi: float, v0: float, dt: float) -> Ask:
+    """A plate that may turn on a slope of 20 degrees, thrown down."""
+    scene = incline(20.0, phi, v0=v0, half=(0.5, 0.5, 0.1))
+    return Ask(scene, History(1.0, 0.1), (Displacement(1),), Knobs(dt, KN))
+
+
+@pytest.mark.parametrize(
+    ("phi", "v0", "dt", "refused"),
+    [
+        (30.0, 0.1, 1e-3, True),  # it stops
+        (30.0, 0.1, 1e-5, False),
+        (30.0, 0.0, 1e-3, False),  # it rests, on springs that are charged
+        (15.0, 0.1, 1e-3, False),  # it slides on
+    ],
+)
+def test_a_block_that_friction_stops_needs_a_step_that_its_springs_bear(
+    phi: float, v0: float, dt: float, refused: bool
+) -> None:
+    reason = why_no_clump(slow(phi, v0, dt))
+    assert (reason is not None and "its corners are stable up to" in reason) == refused

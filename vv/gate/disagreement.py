@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 from vv.ask import Knobs
 from vv.base.metrics import Order
-from vv.case import LARGEST_TOLERANCE
+from vv.case import LARGEST_TOLERANCE, Norm
 from vv.gate.expiry import by_code_and_case, expiring, in_force
 from vv.records.finding import Aspect, Bit, Finding
 from vv.records.job_record import Record
@@ -37,7 +37,10 @@ class Disagreement:
     nothing, or that is moved with the step though its errors are such that no tolerance allows; a
     figure that stays where it is may be as far off as it likes. An entry without an order claims
     none, and its errors stay where they are as the step changes. rungs: globs on the settings that
-    it speaks of, written dt=0.001,kn=100000000. expires: ISO date.
+    it speaks of, written dt=0.001,kn=100000000. elsewhere: the largest error at other parameters
+    than the case's own; an entry without `error` speaks of those alone. instead: the quantity of
+    the same run whose exact answer the code has instead, to within the tolerance of its own, at
+    any parameters. expires: ISO date.
     """
 
     code: str
@@ -47,20 +50,24 @@ class Disagreement:
     variants: tuple[str, ...]
     quantity: str
     dt: float
-    error: tuple[float, float]
     reason: str
     expires: str
+    error: tuple[float, float] | None = None
+    elsewhere: float | None = None
+    instead: str = ""
     order: tuple[float, float] | None = None
     kn: float | None = None
     softness: float = 0.0
     rungs: tuple[str, ...] = ("*",)
 
     def __post_init__(self) -> None:
-        for name, (low, high) in (("error", self.error), ("order", self.order or (0.0, 0.0))):
-            if not low <= high:
-                raise ValueError(f"{name} = [{low:g}, {high:g}]; a band must not be empty")
-        if not (self.dt > 0 and self.error[0] > 0):
-            raise ValueError(f"dt = {self.dt:g} s, error from {self.error[0]:g}; both must be > 0")
+        for name, band in (("error", self.error), ("order", self.order)):
+            if band and not band[0] <= band[1]:
+                raise ValueError(f"{name} = [{band[0]:g}, {band[1]:g}]; a band must not be empty")
+        least = self.elsewhere if self.error is None else self.error[0]
+        if not self.dt > 0 or not (self.instead or (least is not None and least > 0)):
+            told = "none" if least is None else f"from {least:g}"
+            raise ValueError(f"dt = {self.dt:g} s, error {told}; both must be > 0")
         self._check_widths()
         if not self.reason.strip():
             raise ValueError("reason is empty; say what the code does otherwise")
@@ -68,7 +75,7 @@ class Disagreement:
 
     def _check_widths(self) -> None:
         """Raise ValueError for bands that exclude nothing."""
-        low, high = self.error
+        low, high = self.error or (0.0, 0.0)
         if high > WIDEST * low:
             raise ValueError(
                 f"error = [{low:g}, {high:g}]; a band must end within a factor of {WIDEST:g}"
@@ -102,16 +109,19 @@ class Disagreement:
         )
         if not all(fnmatch.fnmatchcase(name, glob) for name, glob in pairs):
             return False  # nearly always, and a rung takes long to write out
+        if not (self.error or self.instead or record.modified):
+            return False
         several = ((record.variant, self.variants), (rung(record), self.rungs))
         return all(any(fnmatch.fnmatchcase(n, glob) for glob in globs) for n, globs in several)
 
     def band(self, rung: Knobs) -> tuple[float, float]:
-        """The least and the largest error expected at a rung."""
+        """The least and the largest error expected at a rung of the case's own parameters."""
+        low, high = self.error or (0.0, 0.0)
         middle = sum(self.order) / 2 if self.order else 0.0
         scale = float(((rung.dt or self.dt) / self.dt) ** middle)
         if self.kn and rung.kn:
             scale *= (self.kn / rung.kn) ** self.softness
-        return self.error[0] * scale, self.error[1] * scale
+        return low * scale, high * scale
 
 
 def judge(
@@ -147,6 +157,8 @@ def _turned(
 ) -> MeasuredQuantity:
     low, high = known.band(record.rung)
     in_band = one.error is not None and low <= one.error <= high
+    if known.instead:
+        in_band = _has(record, known.instead, one.tolerance)
     if one.verdict is Verdict.PASS:
         if in_band and one.tolerance is not None and one.tolerance < high:
             return one  # the band reaches to both sides
@@ -156,8 +168,9 @@ def _turned(
         return dataclasses.replace(one, verdict=Verdict.XPASS, note=note)
     if one.note:
         return one  # nothing moves, or the like: worse than any disagreement
-    if record.modified:  # bands were measured at the case's own parameters
-        in_band = one.error is not None and one.error <= max(LARGEST_TOLERANCE, high)
+    if record.modified and not known.instead:  # bands were measured at the case's own parameters
+        largest = known.elsewhere or max(LARGEST_TOLERANCE, high)
+        in_band = one.error is not None and one.error <= largest
     slope = order.order if order else math.nan
     claimed = known.order
     margin = ELSEWHERE if record.modified else 0.0
@@ -169,6 +182,12 @@ def _turned(
     what = f"order {slope:.3f}" if in_band else f"error {one.error}"
     note = f"{what} lies outside the band of the known disagreement"
     return dataclasses.replace(one, note=note)
+
+
+def _has(record: Record, name: str, tolerance: float | None) -> bool:
+    """Whether a record has the exact answer of the quantity of that name."""
+    errors = [one.errors.get(Norm.MAX) for one in record.quantities if one.name == name]
+    return any(tolerance is not None and e is not None and e <= tolerance for e in errors)
 
 
 def dated(

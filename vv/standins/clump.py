@@ -192,12 +192,14 @@ def _sinks(made: Clump, ask: Ask) -> str | None:
 def _hurries(made: Clump, ask: Ask) -> str | None:
     """Why a step would be too long for a block that rocks from corner to corner.
 
-    One alone that stays on its face bears longer steps than its turning does. Among several,
-    rounding is enough to set one off: forty steps threw blocks that only slide by all of their way.
+    One alone that slides on its face bears longer steps than its turning does, since friction
+    caps what grows; where it stops, it lets go and sets off again. Among several, rounding is
+    enough to set one off: forty steps threw blocks that only slide by all of their way.
     """
     block, kn = made.block, ask.knobs.kn
     pulsed = isinstance(ask.scene.shaking, Pulse)
-    rocks = pulsed or len(ask.scene.blocks) > 1 or not made.touching.all()
+    several = len(ask.scene.blocks) > 1
+    rocks = pulsed or several or not made.touching.all() or _stops(made, ask.scene)
     if kn is None or not rocks or not block.free_spin.any():
         return None
     along, axes = np.outer(made.normal, made.normal), ask.scene.axes
@@ -215,6 +217,16 @@ def _hurries(made: Clump, ask: Ask) -> str | None:
     if ask.dt < longest:
         return None
     return f"dt = {ask.dt:g} s; the springs of its corners are stable up to {longest:.3g} s"
+
+
+def _stops(made: Clump, scene: Scene) -> bool:
+    """Whether a block that moves at t = 0 is stopped by friction, where nothing shakes it."""
+    block, (wall,) = made.block, scene.walls
+    if scene.shaking is not None or wall.motion is not None or not block.velocity.any():
+        return False
+    load = block.load + block.mass * scene.gravity
+    press = -float(load @ made.normal)
+    return bool(np.linalg.norm(load + press * made.normal) < scene.contact.mu * press)
 
 
 def _turning(arm: Vector) -> Vector:
