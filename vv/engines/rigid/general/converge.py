@@ -14,6 +14,7 @@ from vv.engines.rigid.limits import (
     CHAIN,
     ENOUGH,
     FAR,
+    LEAPT,
     OUTER,
     POLISHED,
     SHINED,
@@ -27,6 +28,7 @@ from vv.engines.rigid.limits import (
 from vv.engines.rigid.solver.assembly import Bodies, Joints, load_on
 from vv.engines.rigid.solver.banded import arranged
 from vv.engines.rigid.solver.cone import Friction, keep, residual, solve_contacts
+from vv.engines.rigid.solver.drift import drifted
 from vv.engines.rigid.solver.momentum import carried
 from vv.engines.rigid.solver.newton import balanced
 from vv.scene import Vector
@@ -36,6 +38,66 @@ NIL = (0.0, 0.0, 0.0)
 
 @called
 def converged(
+    setting: Setting, joints: Joints, bodies: Bodies, friction: Friction,
+    p: Vector, v: Vector, w: Vector, fewest: int, tolerance: float,
+) -> tuple[int, float]:  # fmt: skip
+    """Improve p (c, 3), whose effect is in v and w, until the residual [m/s] is met.
+
+    Where many blocks form no chain, sweeps leap along what they drift by. A step that leaps lead
+    astray is begun again without, and the better of both answers is kept. Returns the sweeps made
+    and the residual reached.
+    """
+    blocks = len(setting.mass)
+    if blocks <= SMALL:
+        return in_turns(setting, joints, bodies, friction, p, v, w, fewest, tolerance)
+    place, apart = arranged(joints, bodies, blocks)
+    if apart <= CHAIN:
+        return in_turns(setting, joints, bodies, friction, p, v, w, fewest, tolerance)
+    start, start_v, start_w = same_rows(p, len(p)), same_rows(v, len(v)), same_rows(w, len(w))
+    sweeps, left = leaping(setting, joints, bodies, friction, p, v, w, fewest, tolerance, place)
+    if left <= setting.tolerance:
+        return sweeps, left
+    best, best_v, best_w = same_rows(p, len(p)), same_rows(v, len(v)), same_rows(w, len(w))
+    keep(p, start)
+    keep(v, start_v)
+    keep(w, start_w)
+    more, other = in_turns(setting, joints, bodies, friction, p, v, w, fewest, tolerance)
+    if other > left:
+        keep(p, best)
+        keep(v, best_v)
+        keep(w, best_w)
+    return sweeps + more, smaller(left, other)
+
+
+@called
+def leaping(
+    setting: Setting, joints: Joints, bodies: Bodies, friction: Friction,
+    p: Vector, v: Vector, w: Vector, fewest: int, tolerance: float, place: Index,
+) -> tuple[int, float]:  # fmt: skip
+    """Sweep with leaps; where these are stuck begin anew, once, without impulses, where they are
+    far from the residual asked, and otherwise take Newton steps.
+    """
+    sweeps, left, anew, more = 0 * fewest, np.inf, False, 1
+    free_v, free_w = without(p, joints, bodies, v, w)
+    while sweeps < LEAPT and left > tolerance and more > 0:
+        if sweeps >= ENOUGH and left <= setting.tolerance:
+            break
+        few = smaller(STUCK, LEAPT - sweeps)
+        more, left = drifted(p, joints, bodies, friction, v, w, tolerance, fewest, few)
+        sweeps += more
+        if left > tolerance:
+            left = renewed(p, joints, bodies, friction, v, w, free_v, free_w)
+        if left > FAR * setting.tolerance and not anew:
+            clear(p)
+            left = renewed(p, joints, bodies, friction, v, w, free_v, free_w)
+            anew = True
+        elif left > setting.tolerance:
+            left = polish(p, joints, bodies, friction, v, w, tolerance, left, place, SOFT)
+    return sweeps, left
+
+
+@called
+def in_turns(
     setting: Setting, joints: Joints, bodies: Bodies, friction: Friction,
     p: Vector, v: Vector, w: Vector, fewest: int, tolerance: float,
 ) -> tuple[int, float]:  # fmt: skip
