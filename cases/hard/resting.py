@@ -244,6 +244,7 @@ ELSEWHERE = (
     "how much shear springs and spins hold and return depends on all parameters; `above` and the "
     "variant `booked` judge at any"
 )
+STICKS = "while friction holds the sphere its motion is that of the shear springs alone"
 GAINS = Exact({
     method: Tolerance(
         1e-8,
@@ -300,6 +301,7 @@ CASE = Case(
             "z = -(m g/2 ks)(1 - cos wt), w^2 = 2 ks/m, while m g < mu N, N = kn r squeeze; else "
             "it slides where its springs bear mu N",
             {"squeeze": HELD_BY}, frozenset({"n", "rows"}),
+            unseen=dict.fromkeys(("kn", "mu", "squeeze"), STICKS),
         ),
         Variant(
             "booked",
