@@ -170,8 +170,8 @@ CLAIMS = (
               "until 0.2 s, then both fall: T4's at the end over its largest", "", _left_of_error),
     _said("Table 1", "density, radius, stiffnesses, friction, viscosity and step",
           Standing.REPRODUCED, "taken as they are by all cases of this paper; r is 50 m"),
-    _said("Introduction", "PFC2D and YADE agree on problems of one and two particles (Chen and "
-          "others)", Standing.OPEN, "of another paper; beside it T1 and T3 in codes, among them "
-          "YADE", (_worst("T1"), _worst("T3"))),
+    _said("Introduction", "PFC2D and another code of its kind agree on problems of one and "
+          "two particles (Chen and others)", Standing.OPEN, "of another paper; beside it T1 and T3 "
+          "in all codes", (_worst("T1"), _worst("T3"))),
 )  # fmt: skip
 PAPER = Paper("Li et al. (2018)", *LI_2018, NUMBERS + CLAIMS)

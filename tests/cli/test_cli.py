@@ -123,7 +123,7 @@ def test_explain_shows_formula_parameters_tolerances_and_the_last_result(tiny: T
 def test_export_writes_the_native_input(tiny: Tiny) -> None:
     words = ("export", "fall:up", "--code", "fake", "--rung", "dt=0.5", "--output", "in.txt")
     done = tiny.vv(*words)
-    assert (done.returncode, done.stderr) == (0, "written: fall:up fake/good dt=0.5\n")
+    assert (done.returncode, done.stderr) == (0, "written: fall:up fake/good dt=0.5 in in.txt\n")
     assert (tiny.root / "in.txt").read_text() == "fall 0.5\n"
 
 
