@@ -6,7 +6,6 @@ s or kg would make it.
 
 from __future__ import annotations
 
-import dataclasses
 from pathlib import Path
 
 import numpy as np
@@ -14,7 +13,7 @@ import pytest
 
 from tests.adapters.test_metamorphic import SCHEMES, ran
 from tests.scenes.blocks.block_scenes import HELD, incline
-from tests.scenes.other_worlds import rescaled
+from tests.scenes.metamorphic import in_units
 from vv.ask import Ask, Displacement, History, Knobs, Observable, Reaction, Run, Status, Velocity
 from vv.engines import rigid
 from vv.plan.project import find
@@ -69,20 +68,6 @@ def asked(name: str) -> Ask:
     assert knobs.dt is not None
     goal = History(steps * knobs.dt, steps * knobs.dt / 10)
     return Ask(study.scene, goal, study.observables, knobs)
-
-
-def in_units(ask: Ask, units: tuple[float, ...]) -> Ask:
-    """The ask in other units, its knobs and its times too."""
-    length, time, mass = units
-    knobs, goal = ask.knobs, ask.goal
-    assert knobs.dt is not None
-    kn = None if knobs.kn is None else knobs.kn * mass / time**2
-    return dataclasses.replace(
-        ask,
-        scene=rescaled(ask.scene, length, time, mass),
-        goal=History(goal.duration * time, goal.interval * time),
-        knobs=Knobs(knobs.dt * time, kn),
-    )
 
 
 def unit_of(what: Observable, units: tuple[float, ...]) -> float:

@@ -111,10 +111,10 @@ def _units(name: str, one: Known) -> Iterator[Twin]:
             units = (1.0,) * unit + (size,) + (1.0,) * (2 - unit)
             small = 1.0 / units[0]
             undo = functools.partial(np.multiply, small)
-            yield Twin(f"{kind} x {size:g}", name, one.ask, _in(one.ask, units), undo, ROUNDED)
+            yield Twin(f"{kind} x {size:g}", name, one.ask, in_units(one.ask, units), undo, ROUNDED)
 
 
-def _in(ask: Ask, units: tuple[float, ...]) -> Ask:
+def in_units(ask: Ask, units: tuple[float, ...]) -> Ask:
     """The ask in other units, its knobs and its times too."""
     length, time, mass = units
     knobs, goal = ask.knobs, ask.goal
