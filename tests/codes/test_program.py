@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from tests.support.live_asks import COARSE, flight
+from tests.support.adapters.live_asks import COARSE, flight
 from vv.ask import Ask, Displacement, History, Knobs, Method, Run, Status, Velocity
 from vv.base.errors import UsageError
 from vv.codes import external, program

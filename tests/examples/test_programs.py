@@ -9,7 +9,7 @@ from pathlib import Path
 import pytest
 
 from tests import ROOT
-from tests.support.live_asks import TRIALS, error
+from tests.support.adapters.live_asks import TRIALS, error
 from vv.ask import Knobs
 from vv.base.metrics import observed_order
 from vv.codes import program

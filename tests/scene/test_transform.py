@@ -13,7 +13,7 @@ from adapters.liggghts.overlaps import overlapped
 from adapters.liggghts.setup import heavier
 from tests.scenes.blocks.sliding_blocks import Frame, incline
 from tests.scenes.spheres.bonded_scenes import tied, unit
-from tests.support.adapter_asks import block_ask
+from tests.support.adapters.small_asks import block_ask
 from vv.ask import Ask
 from vv.scene import (
     Block,

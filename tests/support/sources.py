@@ -7,7 +7,14 @@ from pathlib import Path
 from tests import ROOT
 
 OURS = ("vv", "adapters", "cases", "reports", "reference_solutions")
-FOLDERS = [path.parent for top in OURS for path in sorted((ROOT / top).rglob("__init__.py"))]
+
+
+def _folders(top: str) -> list[Path]:
+    return [path.parent for path in sorted((ROOT / top).rglob("__init__.py"))]
+
+
+FOLDERS = [folder for top in OURS for folder in _folders(top)]
+TESTS = _folders("tests")
 
 
 def dotted(path: Path) -> str:

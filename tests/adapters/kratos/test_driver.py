@@ -10,7 +10,7 @@ from typing import Any
 
 import pytest
 
-from tests.support.standing_modules import driver_with
+from tests.support.adapters.fake_modules import driver_with
 from vv.codes.served import Stopwatch
 
 DT = 0.1

@@ -10,8 +10,8 @@ import pytest
 from adapters.kratos import ADAPTER
 from adapters.kratos.plan import plan
 from reference_solutions.impact import hertz
+from tests.support.adapters.live_asks import COARSE, TRIALS, error, ran
 from tests.support.installed import only_with
-from tests.support.live_asks import COARSE, TRIALS, error, ran
 from vv.ask import Ask, Displacement, History, Knobs
 from vv.codes import unsupported
 from vv.scene import Contact, Hertz, Scene, Spheres, Wall

@@ -11,8 +11,8 @@ import pytest
 from adapters.liggghts.answers import parse
 from adapters.liggghts.costs import loops
 from adapters.liggghts.setup import set_up
-from tests.support.adapter_asks import DT, case_ask
-from tests.support.liggghts_asks import PLAIN, ball, ball_ask
+from tests.support.adapters.liggghts_asks import PLAIN, ball, ball_ask
+from tests.support.adapters.small_asks import DT, case_ask
 from vv.ask import Ask, Displacement, Model, Run, Status, Velocity
 from vv.scene import Vector
 

@@ -14,9 +14,9 @@ from adapters.liggghts.deck import deck, silent_deck
 from adapters.liggghts.setup import Setup
 from cases.contact.single_contact import CASE
 from tests.scenes.blocks.sliding_blocks import Frame, incline
-from tests.support import live_asks
+from tests.support.adapters import live_asks
+from tests.support.adapters.live_asks import TRIALS, error
 from tests.support.installed import only_with
-from tests.support.live_asks import TRIALS, error
 from vv.ask import Ask, Displacement, History, Knobs, Status
 from vv.codes import external
 

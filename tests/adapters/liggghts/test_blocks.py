@@ -11,8 +11,8 @@ from adapters.liggghts import ADAPTER
 from cases.blocks.incline import CASE as INCLINE
 from cases.blocks.responding_block import CASE as RESPONDING
 from tests.scenes.blocks.sliding_blocks import Frame, incline
-from tests.support.adapter_asks import DT, block_ask, case_ask
-from tests.support.liggghts_asks import CLUMP, PLAIN, deck_of, words
+from tests.support.adapters.liggghts_asks import CLUMP, PLAIN, deck_of, words
+from tests.support.adapters.small_asks import DT, block_ask, case_ask
 from vv.ask import Knobs
 from vv.case import Case
 from vv.standins.stand_in import spring_scene

@@ -13,8 +13,8 @@ from hypothesis import strategies as st
 from adapters.liggghts.deck import silent_deck
 from adapters.liggghts.setup import set_up
 from adapters.liggghts.space import triangle
-from tests.support.adapter_asks import DT, UP, case_ask
-from tests.support.liggghts_asks import HALF_STEP, PLAIN, ball, ball_ask, deck_of, words
+from tests.support.adapters.liggghts_asks import HALF_STEP, PLAIN, ball, ball_ask, deck_of, words
+from tests.support.adapters.small_asks import DT, UP, case_ask
 from vv.ask import Ask
 from vv.scene import Contact, Harmonic, Wall, rotated, rotation_about_z
 from vv.standins.soften import acceleration_of

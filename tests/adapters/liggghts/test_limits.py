@@ -10,8 +10,8 @@ import pytest
 from adapters.liggghts import ADAPTER
 from cases.contact.single_contact import CASE
 from tests.scenes.blocks.sliding_blocks import Frame, incline
-from tests.support.adapter_asks import FREE, UP, block_ask, case_ask
-from tests.support.liggghts_asks import HALF_STEP, PLAIN, ball, ball_ask
+from tests.support.adapters.liggghts_asks import HALF_STEP, PLAIN, ball, ball_ask
+from tests.support.adapters.small_asks import FREE, UP, block_ask, case_ask
 from vv.ask import Status
 from vv.scene import Harmonic, Term
 

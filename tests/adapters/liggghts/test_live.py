@@ -16,9 +16,8 @@ from adapters.liggghts.batch import MPI
 from cases.contact.bounce import CASE as BOUNCE
 from reference_solutions.contact import bouncing_pair
 from tests.scenes.blocks.sliding_blocks import responding
-from tests.support import live_asks
-from tests.support.installed import only_with
-from tests.support.live_asks import (
+from tests.support.adapters import live_asks
+from tests.support.adapters.live_asks import (
     COARSE,
     FINE,
     FLOOR,
@@ -35,6 +34,7 @@ from tests.support.live_asks import (
     rolling,
     undamped,
 )
+from tests.support.installed import only_with
 from vv.ask import Ask, Displacement, History, Knobs, Status
 from vv.scene import Contact, Harmonic, Scene, rotated, rotation_about_z
 

@@ -19,8 +19,8 @@ from adapters.liggghts.overlaps import overlapped, why_not_overlapped
 from adapters.liggghts.setup import Setup, set_up
 from adapters.liggghts.terms.hertz import restitution, why_not_viscous
 from tests.scenes.spheres.bonded_scenes import KN, D, M, elements, tied, unit
-from tests.support.adapter_asks import FREE, UP
-from tests.support.liggghts_asks import CLUMP, PLAIN, ball, ball_ask, deck_of, words
+from tests.support.adapters.liggghts_asks import CLUMP, PLAIN, ball, ball_ask, deck_of, words
+from tests.support.adapters.small_asks import FREE, UP
 from vv.scene import Contact, Harmonic, Hertz, Pulse, Scene, Spheres, Wall
 from vv.standins.clump import Clump
 

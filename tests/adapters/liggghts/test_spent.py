@@ -17,8 +17,8 @@ from adapters.liggghts.batch import _times
 from adapters.liggghts.costs import cost, startup
 from adapters.liggghts.setup import CLUMP, PLAIN, Setup
 from adapters.liggghts.terms import hertz
-from tests.support.adapter_asks import UP
-from tests.support.liggghts_asks import ball, ball_ask, deck_of
+from tests.support.adapters.liggghts_asks import ball, ball_ask, deck_of
+from tests.support.adapters.small_asks import UP
 from vv.scene import Contact, Hertz
 
 LOOP = "Loop time of {} on 1 procs\nOutpt time (%) = {} (1)\n"

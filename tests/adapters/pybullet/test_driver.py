@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from tests.support.standing_modules import driver_with
+from tests.support.adapters.fake_modules import driver_with
 from vv.codes.served import RunError, Stopwatch
 
 DT = 0.1

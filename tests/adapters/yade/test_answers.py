@@ -12,8 +12,8 @@ import pytest
 
 from adapters.yade.answers import parse
 from adapters.yade.setup import set_up
-from tests.support.adapter_asks import ball, ball_ask, case_ask
-from tests.support.yade_asks import PLAIN, plan_of
+from tests.support.adapters.small_asks import ball, ball_ask, case_ask
+from tests.support.adapters.yade_asks import PLAIN, plan_of
 from vv.ask import Displacement, Model, Status, Velocity
 
 FACTS = {

@@ -14,8 +14,8 @@ from adapters.yade.setup import set_up
 from cases.blocks.incline import CASE as INCLINE
 from cases.blocks.responding_block import CASE as RESPONDING
 from tests.scenes.blocks.sliding_blocks import Frame, incline, responding
-from tests.support.adapter_asks import DT, block_ask, case_ask
-from tests.support.yade_asks import CLUMP, PLAIN, POLYHEDRA, plan_of
+from tests.support.adapters.small_asks import DT, block_ask, case_ask
+from tests.support.adapters.yade_asks import CLUMP, PLAIN, POLYHEDRA, plan_of
 from vv.ask import History, Knobs
 from vv.case import Case
 from vv.standins.stand_in import spring_scene

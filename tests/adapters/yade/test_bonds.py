@@ -13,8 +13,8 @@ import pytest
 from adapters.yade import ADAPTER
 from adapters.yade.inside import script
 from tests.scenes.spheres.bonded_scenes import CORNERS, EDGES, KN, KS, D, M, elements, tied, unit
+from tests.support.adapters.yade_asks import plan_of
 from tests.support.installed import only_with
-from tests.support.yade_asks import plan_of
 from vv.ask import Ask, Displacement, History, Knobs, Reaction, Run, Status
 from vv.engines import dem
 from vv.scene import (

@@ -12,8 +12,7 @@ import adapters.yade
 from adapters.yade import ADAPTER
 from adapters.yade.inside import script
 from adapters.yade.installed import PYTHON
-from tests.support.installed import only_with
-from tests.support.live_asks import (
+from tests.support.adapters.live_asks import (
     FINE,
     FLOOR,
     SEEN,
@@ -24,6 +23,7 @@ from tests.support.live_asks import (
     history,
     undamped,
 )
+from tests.support.installed import only_with
 from vv.ask import Knobs, Status
 from vv.scene import Contact, Scene
 

@@ -17,8 +17,8 @@ import numpy as np
 import pytest
 
 from adapters.yade.inside import PARTS
-from tests.support.standing_modules import driver_with
-from tests.support.still_yade import Omega, Utils, modules
+from tests.support.adapters.fake_modules import driver_with
+from tests.support.adapters.still_yade import Omega, Utils, modules
 
 DT = 0.1
 OMEGA, UTILS = Omega(), Utils()

@@ -10,8 +10,8 @@ import pytest
 
 from adapters.yade import ADAPTER
 from cases.contact.single_contact import CASE
-from tests.support.adapter_asks import UP, ball, ball_ask, case_ask
-from tests.support.yade_asks import HALF_STEP, PLAIN
+from tests.support.adapters.small_asks import UP, ball, ball_ask, case_ask
+from tests.support.adapters.yade_asks import HALF_STEP, PLAIN
 from vv.ask import Status
 from vv.scene import Spheres, Term, Wall, rotated, rotation_about_z
 

@@ -16,9 +16,8 @@ from adapters.yade.installed import PYTHON
 from cases.hard.dashpot import CASE as DASHPOT
 from reference_solutions.contact import dashpot
 from tests.scenes.blocks.sliding_blocks import responding
-from tests.support import live_asks
-from tests.support.installed import only_with
-from tests.support.live_asks import (
+from tests.support.adapters import live_asks
+from tests.support.adapters.live_asks import (
     COARSE,
     FINE,
     SEEN,
@@ -33,6 +32,7 @@ from tests.support.live_asks import (
     history,
     rolling,
 )
+from tests.support.installed import only_with
 from vv.ask import Ask, Displacement, History, Knobs
 from vv.case import Scalar
 from vv.scene import Contact, Scene, rotated, rotation_about_z, with_bodies_reversed

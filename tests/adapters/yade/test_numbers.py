@@ -17,8 +17,8 @@ from adapters.yade.setup import initial_contacts
 from adapters.yade.terms import hertz
 from adapters.yade.terms.walls import facet_size, walls
 from tests.adapters.liggghts.test_numbers import ROOM
-from tests.support.adapter_asks import UP, ball, ball_ask
-from tests.support.yade_asks import HALF_STEP, PLAIN, plan_of, sphere_of
+from tests.support.adapters.small_asks import UP, ball, ball_ask
+from tests.support.adapters.yade_asks import HALF_STEP, PLAIN, plan_of, sphere_of
 from vv.scene import Contact, Harmonic, Hertz, Pulse, Wall, box_geometry
 
 

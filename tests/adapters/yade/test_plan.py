@@ -13,8 +13,8 @@ from hypothesis import strategies as st
 
 from adapters.yade import ADAPTER
 from adapters.yade.terms.walls import wall_body
-from tests.support.adapter_asks import DT, FREE, UP, ball, ball_ask, case_ask
-from tests.support.yade_asks import HALF_STEP, PLAIN, plan_of, sphere_of
+from tests.support.adapters.small_asks import DT, FREE, UP, ball, ball_ask, case_ask
+from tests.support.adapters.yade_asks import HALF_STEP, PLAIN, plan_of, sphere_of
 from vv.scene import Contact, Harmonic, Spheres, Wall, rotation_about_z
 
 

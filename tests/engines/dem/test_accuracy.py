@@ -10,7 +10,7 @@ import pytest
 from adapters.dem import LEAPFROGS, SCHEMES
 from cases.contact.single_contact import CASE
 from tests.scenes.spheres.dem_contacts import PLAIN, STEPS, VARIANTS, error
-from tests.support.adapter_asks import case_ask as asked
+from tests.support.adapters.small_asks import case_ask as asked
 from vv.ask import Ask, Displacement, History, Knobs, Method, Run, Status, Velocity
 from vv.engines import dem
 from vv.engines.dem.solve import solve

@@ -14,7 +14,7 @@ import pytest
 
 from adapters.dem import ADAPTER
 from tests import ROOT
-from tests.support.adapter_asks import case_ask as asked
+from tests.support.adapters.small_asks import case_ask as asked
 from vv.ask import Displacement, Knobs, Status
 from vv.base import closure
 from vv.engines import dem

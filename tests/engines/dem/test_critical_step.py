@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from adapters.dem import LEAPFROGS
-from tests.support.adapter_asks import case_ask as asked
+from tests.support.adapters.small_asks import case_ask as asked
 from vv.ask import Ask, Displacement, History, Knobs, Status
 from vv.engines import dem
 from vv.engines.dem.solve import solve

@@ -12,7 +12,7 @@ import pytest
 from adapters.dem import ADAPTER, LEAPFROGS, SCHEMES
 from tests import ROOT
 from tests.scenes.spheres.dem_contacts import VARIANTS, displacement, forced, unknowns_passed
-from tests.support.adapter_asks import case_ask as asked
+from tests.support.adapters.small_asks import case_ask as asked
 from vv.ask import Displacement
 from vv.codes import Scheme, unsupported
 from vv.engines import dem

@@ -7,7 +7,7 @@ import pytest
 
 from cases.contact.single_contact import CASE
 from tests.scenes.spheres.dem_contacts import PLAIN, STEPS, displacement, error
-from tests.support.adapter_asks import case_ask as asked
+from tests.support.adapters.small_asks import case_ask as asked
 from vv.ask import History
 from vv.engines import dem
 from vv.scene import Vector

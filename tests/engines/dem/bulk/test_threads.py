@@ -8,7 +8,7 @@ import sys
 
 import pytest
 
-from tests.engines.dem.test_bulk import DT, crowd
+from tests.engines.dem.bulk.test_bulk import DT, crowd
 from vv.ask import Ask, Displacement, History, Knobs
 from vv.engines import dem
 from vv.engines.dem.bulk.model import BulkState
@@ -33,7 +33,7 @@ def program(law: str, threads: int) -> dem.PreparedSpheres:
 def test_threads_give_the_bits_of_one_core(law: str) -> None:
     """In a process of its own: this one is held to one thread. Three do not divide four chunks."""
     script = (
-        "from tests.engines.dem.test_bulk_threads import program\n"
+        "from tests.engines.dem.bulk.test_threads import program\n"
         f"told = [program({law!r}, threads) for threads in (1, 2, 3)]\n"
         "assert [one.solve() for one in told] == [4, 4, 4]\n"
         "assert told[0].arguments[1][-1, 3] > 0.0, 'nothing rubs'\n"

@@ -8,8 +8,8 @@ from typing import Any
 from adapters.liggghts import ADAPTER
 from adapters.liggghts.deck import deck
 from adapters.liggghts.setup import set_up
-from tests.support import adapter_asks
-from tests.support.adapter_asks import DT
+from tests.support.adapters import small_asks
+from tests.support.adapters.small_asks import DT
 from vv.ask import Ask, Displacement, Knobs, Velocity
 from vv.scene import Spheres, Wall
 
@@ -18,11 +18,11 @@ PLAIN, HALF_STEP, CLUMP, _ = (scheme.name for scheme in ADAPTER.schemes)
 
 def ball(**changes: Any) -> Spheres:
     """One free sphere of 2 kg and 0.1 m at rest, which touches the plane y = 0 from above."""
-    return adapter_asks.ball(**{"position": [[0, 0.1, 0]], **changes})
+    return small_asks.ball(**{"position": [[0, 0.1, 0]], **changes})
 
 
 def ball_ask(*bodies: Spheres | Wall, body: int = 0, dt: float | None = DT, **scene: Any) -> Ask:
-    ask = adapter_asks.ball_ask(*bodies, body=body, **scene)
+    ask = small_asks.ball_ask(*bodies, body=body, **scene)
     seen = (Displacement(body), Velocity(body))
     return dataclasses.replace(ask, observables=seen, knobs=Knobs(dt=dt))
 

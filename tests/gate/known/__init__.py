@@ -1,0 +1,1 @@
+"""Claims about known disagreements: their bands, their dates, known breaches of laws."""
