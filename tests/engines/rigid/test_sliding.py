@@ -166,6 +166,32 @@ def test_weak_fields_make_the_same_motion_so_many_times_as_small(scene: Scene, p
     assert np.abs(weak / part - strong).max() <= 1e-11 * np.abs(strong).max()
 
 
+def sliding_down(t: Vector) -> Vector:
+    return down_dip(20, slides.newmark(t, alpha=20, phi=22, g=G, A=5.0, f=1.0, v0=0.0))
+
+
+def responding_in_a_plane(t: Vector) -> Vector:
+    d = responds.two_directions(t, Dx=0.3, fx=2.0, Dy=0.2, fy=4.0, mu=0.6, g=G)
+    return np.pad(d, ((0, 0), (0, 1)))
+
+
+@pytest.mark.parametrize("part", [1.0, 1e-3, 1e-6])
+@pytest.mark.parametrize(
+    ("name", "exact"), [("sine", sliding_down), ("plane", responding_in_a_plane)]
+)
+def test_the_general_model_is_of_second_order_in_weak_fields_too(
+    name: str, exact: Callable[[Vector], Vector], part: float
+) -> None:
+    errors = []
+    for dt in (1e-3, 5e-4, 2.5e-4):
+        question = ask(weakened(SCENES[name], part), dt, 2.0)
+        program = PreparedRigidBlocks(question, Space(question.scene))
+        run = program.run(program.solve())
+        off = moved(run) / part - exact(run.times)
+        errors.append(float(np.linalg.norm(off, axis=1).max()))
+    assert all(1.9 <= order(errors[i : i + 2]) <= 2.1 for i in range(2))
+
+
 def loosened(scene: Scene) -> Scene:
     """The scene with rotation freed."""
     bodies = tuple(

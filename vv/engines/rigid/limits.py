@@ -12,6 +12,13 @@ FINEST, COARSE, CONVERGED = 3e-13, 1.9e-6, 4.6e-6
 """Of a scene's speed: the largest residual asked of small scenes, where more would flatten the
 order, and of others; and one above which friction creeps and a run is not to be believed."""
 
+LONG = 1e4
+"""Steps in which a weak field makes the speed that residuals of small scenes are parts of.
+
+What it makes of its blocks as they fall by their own size is less by the root of the field; what
+it makes within a run, by the field.
+"""
+
 CRAWLS = 2.5e-6
 """Of the speed of a fall over the smallest block: no larger residual is asked of large scenes.
 

@@ -16,6 +16,7 @@ from vv.engines.rigid.limits import (
     FEWEST,
     FINE,
     FINEST,
+    LONG,
     LOOSELY,
     MOST,
     SMALL,
@@ -90,7 +91,7 @@ class Space:
             slack=(TOUCHING if small else LOOSELY) * float(forms.size.min()),
             step=dt,
             pull=known.pull,
-            tolerance=FINEST * known.speed
+            tolerance=FINEST * min(known.speed, known.given + LONG * known.pull * dt)
             if small
             else min(COARSE * known.speed, CRAWLS * known.fall),
             finest=FINE * known.weight * dt if small else np.inf,
