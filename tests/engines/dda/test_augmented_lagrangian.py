@@ -25,6 +25,7 @@ from tests.scenes.blocks.dda_scenes import (
 )
 from vv.ask import Ask, Displacement, History, Knobs, Run
 from vv.base.metrics import observed_order
+from vv.case import Series
 from vv.engines.dda import BORNE, DEFAULT, refuses
 from vv.engines.dda.general.multipliers import EPS, ROUNDINGS
 from vv.engines.dda.limits import HELD
@@ -33,7 +34,7 @@ from vv.plan.project import find
 from vv.scene import Contact, Scene, Vector
 
 STEPS = (4e-3, 2e-3, 1e-3)
-WEDGE = find().load_case("wedge")
+WEDGE, SHAKEN_WEDGE = (find().load_case(name) for name in ("wedge", "shaken-wedge"))
 SHAKEN = shaken((0.3, 0.2, 0.0), (1.0, 1.3, 1.0), 0.3)
 STACK = stack(NONE)
 STILL = dataclasses.replace(
@@ -157,6 +158,19 @@ def test_a_wedge_slides_down_the_narrowest_groove(xi: float) -> None:
     way = moved(done) @ ask.scene.axes[0]
     due = 0.5 * (0.5 * G * math.sin(math.radians(30.0))) * done.times**2
     assert np.abs(way - due).max() <= 10 * HELD * due[-1]
+    closes(done)
+
+
+def test_a_wedge_that_friction_all_but_holds_begins_to_slide_as_it_should() -> None:
+    """Its first slips are 1e-11 m; friction across them would wedge it, and hold it back."""
+    near = {**SHAKEN_WEDGE.defaults("level"), "dip": 33.2, "xi": 1.18, "A": 1.92, "duration": 0.3}
+    trial = SHAKEN_WEDGE.declare("level", near)
+    done = run(trial.study.ask(Knobs(1e-4, 1e10)), BORNE)
+    (s,) = trial.quantities
+    assert isinstance(s, Series)
+    assert s.reference is not None
+    way, due = s.observe(done), s.reference(done.times)
+    assert np.abs(way - due).max() <= 5e-8
     closes(done)
 
 

@@ -63,3 +63,7 @@ SLOW = 0.1
 
 STUCK = 0.5
 """What a pass of multipliers leaves of the springs' forces where they are rounding of gaps."""
+
+PATIENT = 12
+"""Passes of multipliers before friction that still turns where next to nothing slips is left as it
+is: until then springs become firmer, since gaps that are rounding say nothing of it."""

@@ -23,7 +23,7 @@ from vv.engines.dda.general.energy import (
 )
 from vv.engines.dda.general.iterate import iterate, lightness
 from vv.engines.dda.law import OPEN, SLIDE, STICK
-from vv.engines.dda.limits import FIRM, HELD, SLOW, STUCK
+from vv.engines.dda.limits import FIRM, HELD, PATIENT, SLOW, STUCK
 from vv.engines.kernels.arrays import larger, same_numbers
 from vv.engines.kernels.compiled import called, lent
 from vv.engines.kernels.triples import NOWHERE, Triple, add_scaled, at, dot, put
@@ -52,14 +52,15 @@ def fall(bodies: Bodies, reach: float) -> float:
 def taken_up(
     touch: Touch, used: Index, rub: Vector, relative: Vector, gap: Vector, stiff: float,
     shear: float, mu: float,
-) -> tuple[float, float]:  # fmt: skip
+) -> tuple[float, float, bool]:  # fmt: skip
     """Make touch.push and touch.spring what multipliers bear from now on: all of each force.
 
     gap: (c,) the true ones before the step [m]; stiff, shear: of the springs [N/m], by which
-    touch.spring is a force. Returns the largest force [N], and the most by which one is not what
-    it will be: what springs bear, and what breaks the law of a contact.
+    touch.spring is a force. Returns the largest force [N], the most by which one is not what it
+    will be: what springs bear, and what breaks the law of a contact; and whether friction turns
+    slowly somewhere, since a pass turns it by the slip times the springs over mu N.
     """
-    off = most = 0.0
+    off, most, turns = 0.0, 0.0, False
     for k in range(len(touch.key)):
         n, moves = at(touch.normal, k), at(relative, k)
         opened, spring = dot(moves, n), NOWHERE
@@ -77,11 +78,14 @@ def taken_up(
             spring = add_scaled(NOWHERE, 1.0 / shear, at(rub, k))
             turned = add_scaled(spring, -1.0, at(touch.spring, k))
             off = larger(off, shear * length(turned))
+            slip = add_scaled(moves, -opened, n)
+            faint = shear * length(slip) < FIRM * mu * push
+            turns = turns or (faint and shear * length(turned) > HELD * mu * push)
             due = add_scaled(NOWHERE, mu * push, at(touch.way, k))
             off = larger(off, length(add_scaled(due, -1.0, at(rub, k))))
         touch.push[k] = push
         put(touch.spring, k, spring)
-    return most, off
+    return most, off, turns
 
 
 @lent
@@ -118,9 +122,9 @@ def bear(
     """As `iterate`, again and again, in at most so many passes, until springs bear nothing.
 
     kn, ks: where the springs begin, which become stiffer than the inertia of contacts, and again
-    where a pass leaves more than SLOW, unless that is rounding. A pass that does not end is begun
-    once more with all contacts stuck. touch: its pushes
-    become the multipliers, and its springs those along the contact, over ks.
+    where a pass leaves more than SLOW, unless that is rounding and friction has turned as slip has.
+    A pass that does not end is begun once more with all contacts stuck. touch: its pushes become
+    the multipliers, and its springs those along the contact, over ks.
     """
     gap, firm = same_numbers(touch.gap, len(touch.key)), kn
     for light in lightness(touch, touch.state, bodies, step, weight):
@@ -134,9 +138,10 @@ def bear(
             ks * times, mu, hold, tolerance, iterations, newton, elastic,
         )  # fmt: skip
         solved, passes = solved + more, passes + 1
-        force, off = taken_up(touch, used, rub, relative, gap, firm, ks * times, mu)
+        force, off, turns = taken_up(touch, used, rub, relative, gap, firm, ks * times, mu)
         slow = off > SLOW * before
-        ended = off <= HELD * force or (off > STUCK * before and off <= firm * blur)
+        stuck = off > STUCK * before and off <= firm * blur
+        ended = off <= HELD * force or (stuck and (not turns or passes >= PATIENT))
         if ended or passes >= most or (anew and not still):
             break
         if not still:
