@@ -4,6 +4,7 @@ A fork begins with every module loaded and every cache as collection left it. A 
 when a function is called is put into the loaded functions, so that nothing is imported anew.
 """
 
+import functools
 import gc
 import os
 import signal
@@ -17,6 +18,8 @@ import pytest
 
 from bench.mutation.forked_tests import LIMIT, OWN, REWRITTEN
 from bench.mutation.framework_sites import Mutant
+
+SLOW = 20.0  # times its CPU time that a busy machine may take for something
 
 
 class Collected:
@@ -51,15 +54,21 @@ class Collected:
             yield name, name not in self.red
 
     def red_of(self, names: Sequence[str], seconds: float, mutant: Mutant | None) -> str | None:
-        """The first test that is not green with a mutant, asked in a fork, or what it says else.
+        """The first test that is not green with a mutant, asked in a fork, or what it says else."""
+        change = functools.partial(self._put_in, mutant) if mutant is not None else _nothing
+        return self.red_with(names, seconds, change)
+
+    def red_with(
+        self, names: Sequence[str], seconds: float, change: Callable[[], None]
+    ) -> str | None:
+        """The first test that is not green after a change, made in a fork, or what it says else.
 
         seconds: CPU time after which it hangs.
         """
         reading, writing = os.pipe()
 
         def ask() -> None:
-            if mutant is not None:
-                self._put_in(mutant)
+            change()
             for name, fine in self.run(names):
                 if not fine:
                     os.write(writing, name.encode())
@@ -77,6 +86,10 @@ class Collected:
         for function in self._functions.get(path, ()):
             if (code := made.get(_place(function.__code__))) is not None:
                 function.__code__ = code
+
+
+def _nothing() -> None:
+    """Change nothing."""
 
 
 def collected(project: Path, tests: Iterable[str], work: Callable[[Collected], None]) -> None:
@@ -105,7 +118,7 @@ def forked(work: Callable[[], None], seconds: float) -> int:
     child = os.fork()
     if child == 0:
         os.setsid()
-        signal.alarm(LIMIT)
+        signal.alarm(max(LIMIT, int(SLOW * seconds)))  # for what waits and spends nothing
         signal.setitimer(signal.ITIMER_PROF, seconds)
         os.dup2(os.open(os.devnull, os.O_WRONLY), 1)
         os.dup2(1, 2)

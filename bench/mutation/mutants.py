@@ -90,6 +90,15 @@ def mechanical(each: int) -> Iterator[Mutant]:
                 yield Mutant(_what(file, node), file, kernels()[file], places[turn])
 
 
+def all_places(folder: str) -> Iterator[Mutant]:
+    """All that can be turned below a folder, compiled or not, in the order of files and places."""
+    for path in sorted((ROOT / folder).rglob("*.py")):
+        file = path.relative_to(ROOT).as_posix()
+        nodes = list(ast.walk(parsed(file)))
+        for place in sorted(_chosen(file)):
+            yield Mutant(_what(file, nodes[place]), file, kernels().get(file, ()), place)
+
+
 def _chosen(file: str) -> list[int]:
     """The places of all that can be turned in a file, in a random order of its own."""
     sites = [place for place, node in enumerate(ast.walk(parsed(file))) if _turnable(node)]

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import dataclasses
 import socket
 from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
 
 import pytest
 from hypothesis import given
@@ -11,8 +14,10 @@ from hypothesis import strategies as st
 
 from tests import ROOT
 from tests.support.fabricated import cost, manifest, record
+from vv.ask import History, Knobs
 from vv.plan.plan import Options, Plan, make_plan
 from vv.plan.project import Project
+from vv.records.manifest import Manifest
 from vv.run.batching import batches
 from vv.run.cluster import Cluster
 from vv.run.executor import Local
@@ -77,6 +82,49 @@ def test_a_job_that_never_ran_here_takes_what_was_recorded_of_it_or_its_scheme_e
     assert expected == job.ask.goal.steps(job.ask.knobs.dt or 0.0) * (step + 2 * body)
     kept = paces(plan, [], [ROOT / "cases" / "recorded"])[id(job)].rest
     assert kept != expected
+
+
+@pytest.mark.parametrize(
+    ("dt", "spheres", "blocks", "seconds"),
+    [
+        (0.01, 3, 2, 200 * (3e-3 + 5 * 2e-4)),
+        (0.01, 0, 1, 200 * (3e-3 + 2e-4)),
+        (None, 2, 0, 3e-3 + 2 * 2e-4),
+    ],
+)
+def test_a_scheme_takes_what_its_steps_and_bodies_cost_each_step_or_once_without_steps(
+    dt: float | None, spheres: int, blocks: int, seconds: float
+) -> None:
+    assert expected(dt, spheres, blocks, (3e-3, 2e-4)) == pytest.approx(seconds)
+
+
+def test_a_job_of_which_nothing_is_known_takes_a_moment() -> None:
+    assert expected(0.01, 3, 2, (0.0, 0.0)) == 0.05
+
+
+def expected(dt: float | None, spheres: int, blocks: int, pace: tuple[float, float]) -> float:
+    """Seconds of a job of 2 s whose scheme has a pace, of which nothing is on record."""
+    scene = SimpleNamespace(spheres=SimpleNamespace(mass=[1.0] * spheres), blocks=[None] * blocks)
+    ask = SimpleNamespace(knobs=Knobs(dt), scene=scene, goal=History(2.0, 1.0))
+    scheme = SimpleNamespace(name="plain", pace=pace)
+    job = SimpleNamespace(case="c", variant="v", code="x", scheme="plain", ask=ask, settled=None)
+    adapters = {"x": SimpleNamespace(schemes=[SimpleNamespace(name="other", pace=(9, 9)), scheme])}
+    plan: Any = SimpleNamespace(jobs=[job], adapters=adapters)
+    return paces(plan, [], [])[id(job)].rest
+
+
+def test_only_what_ran_tells_how_long_a_job_takes_and_the_newest_of_it(plan: Plan) -> None:
+    job = next(job for job in plan.jobs if job.code == "dem" and job.settled is None)
+    dt = job.ask.knobs.dt
+
+    def told(status: str, cpu: float) -> Manifest:
+        spent = dataclasses.replace(cost(), startup=0.25, solve_wall=cpu)
+        kept = {"case": job.case, "status": status, "cost": spent}
+        return manifest(record(f"dem/{job.scheme}", job.variant, dt, **kept))
+
+    newest, older = told("ran", 3.0), told("ran", 7.0)
+    assert paces(plan, [newest, older], [])[id(job)] == Pace(0.25, 3.0 + 2e-3)
+    assert paces(plan, [told("timeout", 3.0), older], [])[id(job)] == Pace(0.0, 0.05)
 
 
 def test_processes_here_share_a_scheme_where_there_are_fewer_schemes_than_they_are(

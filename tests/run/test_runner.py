@@ -5,6 +5,7 @@ from __future__ import annotations
 import dataclasses
 import os
 import time
+from collections import deque
 from collections.abc import Iterator, Sequence
 from pathlib import Path
 from types import SimpleNamespace
@@ -13,7 +14,7 @@ from typing import Any
 import pytest
 
 from vv.ask import Run, Status
-from vv.run.runner import Batch, run_batches
+from vv.run.runner import Batch, _Worker, run_batches
 
 
 class Deadly:
@@ -114,3 +115,59 @@ def test_one_that_dies_in_a_later_batch_of_a_worker_costs_its_own_ask_alone(
     assert found.keys() == set(range(6))
     assert "exit code 3" in found.pop(dies).reason
     assert {number: run.reason for number, run in found.items()} == {n: str(n) for n in found}
+
+
+@pytest.mark.parametrize(
+    ("answered", "hung_up", "stays", "known", "goes_on"),
+    [
+        (2, False, True, True, True),
+        (1, False, True, True, False),
+        (2, True, True, True, False),
+        (2, False, False, True, False),
+        (2, False, True, False, False),
+    ],
+)
+def test_a_worker_goes_on_if_it_is_done_alive_and_may_stay_and_knows_what_is_next(
+    answered: int, hung_up: bool, stays: bool, known: bool, goes_on: bool
+) -> None:
+    now, later = batch(None, range(2), stays), batch(None, range(2, 4), stays)
+    orders = Orders()
+    worker = made(now, (now, later) if known else (now,), orders)
+    worker.answered, worker.hung_up = answered, hung_up
+    waiting = deque([later])
+    assert worker.goes_on_with(waiting) is goes_on
+    assert orders.sent == ([1] if goes_on else [])
+    assert [*waiting] == ([] if goes_on else [later])
+    assert (worker.batch, worker.answered) == ((later, 0) if goes_on else (now, answered))
+
+
+def test_a_worker_does_not_go_on_if_nothing_waits_or_it_is_gone() -> None:
+    now, later = batch(None, range(2), True), batch(None, range(2, 4), True)
+    done = made(now, (now, later), Orders())
+    done.answered = 2
+    assert not done.goes_on_with(deque())
+    gone = made(now, (now, later), Orders(BrokenPipeError()))
+    gone.answered = 2
+    waiting = deque([later])
+    assert not gone.goes_on_with(waiting)
+    assert [*waiting] == [later]
+
+
+class Orders:
+    """A pipe to a worker that notes what is sent, or is broken."""
+
+    def __init__(self, error: OSError | None = None) -> None:
+        self.sent: list[int] = []
+        self.error = error
+
+    def send(self, place: int) -> None:
+        """Note it."""
+        if self.error is not None:
+            raise self.error
+        self.sent.append(place)
+
+
+def made(now: Batch, known: Sequence[Batch], orders: Any) -> _Worker:
+    """A worker without a process."""
+    nothing: Any = None
+    return _Worker(now, known, nothing, nothing, orders, Path(), 1.0, 0.0)
