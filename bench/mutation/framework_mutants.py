@@ -6,8 +6,8 @@ same number in every layer as far as it goes, fixed random choices; with `--seed
 from all places alike, so that what survives of them is an estimate for the whole, with its
 confidence. A mutant is put to the tests that run its line, those of its own folder first, then the
 quickest, until one is red that is green without it; then to the others of their files. What is
-turned where a file is imported is put to tests that run anything of the file. `equivalent.txt`
-names mutants that behave as the original does, which do not count.
+turned where a file is imported, or no test runs, is put to tests that run anything of the file.
+`equivalent.txt` names mutants that behave as the original does, which do not count.
 """
 
 import argparse
@@ -46,11 +46,18 @@ class Asked:
         self.longest = longest
         self._green: dict[str, bool] = {}
 
+    def when_called(self, mutant: Mutant) -> bool:
+        """Whether tests run it, in a function that is not called when its file is imported only."""
+        return mutant.when_called and bool(self._running(mutant))
+
+    def _running(self, mutant: Mutant) -> set[str]:
+        here = self.lines.get(mutant.file, {})
+        return {one for line in mutant.lines for one in here.get(line, ())}
+
     def tests(self, mutant: Mutant) -> list[str]:
         """Those that run its statement, then the others of their files; or any of its file."""
-        here = self.lines.get(mutant.file, {})
-        running = {one for line in mutant.lines for one in here.get(line, ())}
-        if not mutant.when_called or not running:
+        here, running = self.lines.get(mutant.file, {}), self._running(mutant)
+        if not self.when_called(mutant):
             return self._first(mutant, {one for tests in here.values() for one in tests})
         files = {one.partition("::")[0] for one in running}
         beside = {one for one in self.seconds if one.partition("::")[0] in files}
@@ -116,7 +123,7 @@ def seen(
     def put(collected: Collected) -> None:
         seconds, lines = told_of(records(collected))
         asked = Asked(project, seconds, lines, longest)
-        for one in (one for one in mutants if one.when_called):
+        for one in filter(asked.when_called, mutants):
             told[one] = _said(one, asked.red_of(collected, one))
         kept = [[one.file, one.place, by] for one, by in told.items()]
         map_of_tests.write_text(json.dumps([seconds, lines, kept]))
@@ -126,7 +133,7 @@ def seen(
     numbered = {file: {int(k): v for k, v in found.items()} for file, found in lines.items()}
     asked = Asked(project, seconds, numbered, longest)
     told |= {Mutant(file, place): by for file, place, by in kept}
-    for one in (one for one in mutants if not one.when_called):
+    for one in (one for one in mutants if one not in told):
         told[one] = _said(one, asked.red_on_import(one))
     return told
 

@@ -84,6 +84,13 @@ def test_what_runs_on_import_is_told_from_what_runs_when_called() -> None:
     assert named("one.error / one.tolerance").when_called
 
 
+def test_what_a_function_does_on_import_alone_is_asked_of_an_import() -> None:
+    one = named("one.error / one.tolerance")
+    at, beside = one.lines[0], one.lines[-1] + 1
+    for lines, called in (({at: ["a"]}, True), ({at: []}, False), ({beside: ["a"]}, False)):
+        assert Asked(Path(), {"a": 1.0}, {one.file: lines}, LONGEST).when_called(one) is called
+
+
 def test_the_lines_of_a_mutant_are_its_statement_s_without_the_body() -> None:
     one = named("one.value is not None and one.printed is not None")
     assert len(one.lines) == 1

@@ -93,7 +93,10 @@ def test_moves_are_pixels_and_degrees_for_each_part(size: float, factor: float, 
 
 
 def test_without_a_drawing_or_without_moves_nothing_is_scaled() -> None:
-    assert [move[5:7] for move in played(None)["moves"]] == [[0.0, 0.0]] * 2
+    without = played(None)
+    assert [move[5:7] for move in without["moves"]] == [[0.0, 0.0]] * 2
+    assert without["moves"][1][7] == pytest.approx(-math.degrees(0.25) / 1000, rel=1e-3)
+    assert without["drawn"] == "motion to the scale of the drawing"
     still = dataclasses.replace(facts(2.0), moved={})
     found = json.loads(playback({"y": [history("a/a", Y, Y)]}, still))
     assert (found["moves"], found["drawn"]) == ([], "")
