@@ -115,7 +115,8 @@ def test_the_profile_is_of_the_variants_that_anybody_solves() -> None:
 
 def test_stable_steps_have_the_least_and_the_largest_over_theory() -> None:
     told = [("a/a", Kind.STEP, 2.2, 2.0), ("a/a", Kind.STEP, 1.8, 2.0),
-            ("a/a", Kind.STEP, 2.0, 2.0), ("b/b", Kind.STEP, None, 2.0), ("b/b", Kind.STEP, 2.0, None),
+            ("a/a", Kind.STEP, 2.0, 2.0), ("b/b", Kind.STEP, None, 2.0),
+            ("b/b", Kind.STEP, 2.0, None),
             ("a/b", next(k for k in Kind if k is not Kind.STEP), 5.0, 2.0)]  # fmt: skip
     stability = [some(label=n, kind=k, value=v, due=due) for n, k, v, due in told]
     book: Any = some(stability=stability)
