@@ -32,7 +32,7 @@ def verify(
     for another level.
     """
     from vv.plan.plan import Options
-    from vv.run.session import Limits
+    from vv.run.limits import Limits
 
     project, named = options.with_programs(find(), codes)
     chosen = Options(Level(level), named, tuple(settings), options.knobs(list(rungs)))

@@ -19,7 +19,7 @@ from vv.plan.plan import Options, Plan, make_plan
 from vv.plan.project import Project
 from vv.records.manifest import Manifest
 from vv.run.batching import batches
-from vv.run.cluster import Cluster
+from vv.run.cluster.head import Cluster
 from vv.run.executor import Local
 from vv.run.pace import Pace, paces, piles
 

@@ -11,8 +11,8 @@ import pytest
 from vv.ask import Ask, Cost, Run, Status
 from vv.codes.adapter import Adapter
 from vv.run import rounds
+from vv.run.process import Batch
 from vv.run.rounds import DRIFT, ENOUGH, Timed
-from vv.run.runner import Batch
 
 SURE, UNSURE = Cost(solve_cpu=12.0, repeats=ENOUGH), Cost(solve_cpu=12.0, repeats=ENOUGH - 1)
 FAILED = Run(Status.ERROR, "lost", cost=SURE)

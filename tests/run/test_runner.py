@@ -14,7 +14,8 @@ from typing import Any
 import pytest
 
 from vv.ask import Run, Status
-from vv.run.runner import Batch, _Worker, run_batches
+from vv.run.process import Batch
+from vv.run.runner import _Worker, run_batches
 
 
 class Deadly:

@@ -12,8 +12,8 @@ from vv.plan.plan import Job, Options, Plan, make_plan
 from vv.plan.project import Project
 from vv.records.job_record import JobCost, Record
 from vv.records.provenance import Machine
+from vv.run.process import Batch
 from vv.run.rounds import Timed
-from vv.run.runner import Batch
 from vv.run.timing_phase import timed_costs
 from vv.store.store import Store
 

@@ -83,13 +83,13 @@ def test_terminating_an_invocation_ends_a_worker_that_hears_nothing(tiny: Tiny) 
 
 BORN_AN_ORPHAN = """
 import multiprocessing, os, time
-from vv.run import runner
+from vv.run import process
 
 def child(parent):
     os.setpgid(0, 0)
     while os.getppid() == parent:
         time.sleep(0.001)
-    runner._die_with_parent()
+    process.die_with_parent()
     print("alive", flush=True)
 
 multiprocessing.get_context("fork").Process(target=child, args=(os.getpid(),)).start()

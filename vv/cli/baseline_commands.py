@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from vv.plan.plan import Plan
     from vv.records.accepted import Circumstances
     from vv.records.manifest import Manifest
+    from vv.records.recorded import RecordedFile
 
 Reason = Annotated[
     str, typer.Option("--reason", metavar="TEXT", help="Why these results are right.")
@@ -35,44 +36,49 @@ def accept(
     dry_run: Annotated[bool, typer.Option("--dry-run", help="Only show the difference.")] = False,
 ) -> None:
     """Show what changed since a case's baseline, and make the present results the new one."""
-    from vv.cli import invocation
-    from vv.gate import acceptance, answers
-    from vv.gate.all_checks import baseline_of, baselines_of
+    from vv.gate.acceptance import acceptable
     from vv.output import result_lines
-    from vv.records.accepted import Acceptance
-    from vv.records.sorted_text import render
-    from vv.run.session import Limits, Timing
 
     project = find()
-    _writable(project)
+    _require_own_cases(project)
     plan = _both_levels(project, case, "*")
     if not (reason.strip() or dry_run):
         raise UsageError('--reason is missing; say why the results are right: --reason "..."')
+    manifest = _run(project, plan, timing)
+    result_lines.print_difference(manifest, case)
+    refused = [r for r in manifest.records if not acceptable(r)]
+    result_lines.print_unacceptable(refused)
+    if not dry_run:
+        _write_baseline(project, case, manifest, reason.strip())
+
+
+def _run(project: Project, plan: Plan, timing: bool = False) -> Manifest:
+    """Run what is to be written down, and print the summary."""
+    from vv.cli import invocation
+    from vv.run.limits import Limits, Timing
+
     when = Timing.NEW if timing else Timing.NONE
     limits = Limits(options.workers(0), options.TIMEOUT, timing=when)
     manifest = invocation.carried_out(project, plan, limits)
     invocation.print_summary(manifest, invocation.LATER)
-    result_lines.print_difference(manifest, case)
-    refused = [r for r in manifest.records if not acceptance.acceptable(r)]
-    result_lines.print_unacceptable(refused)
-    if dry_run:
-        return
-    circumstances = _circumstances(manifest)
-    taken = Acceptance(
-        circumstances.commit,
-        circumstances.dirty,
-        circumstances.machine,
-        reason.strip(),
-        circumstances.utc,
-        circumstances.versions,
-    )
-    folder = baselines_of(project)
+    return manifest
+
+
+def _write_baseline(project: Project, case: str, manifest: Manifest, reason: str) -> None:
+    """Write the case's new baseline and the answers of its schemes, and print where they are."""
+    from vv.gate import acceptance, answers
+    from vv.gate.all_checks import baseline_of, baselines_of
+    from vv.records.accepted import Acceptance
+    from vv.records.sorted_text import render
+
+    place = _circumstances(manifest)
+    taken = Acceptance(place.commit, place.dirty, place.machine, reason, place.utc, place.versions)
     variants = project.load_case(case).variants
     later = {one.name for one in variants if not one.runs_at(Level.DEFAULT)}
     new = acceptance.accepted(
         case, baseline_of(project, case), manifest.records, taken, manifest.external(), later
     )
-    path = folder / f"{case}.json"
+    path = baselines_of(project) / f"{case}.json"
     write_whole(path, render(new).encode())
     terminal.say(f"{len(new.results)} results in {path}")
     terminal.say(f"which schemes run it, and why others refuse, in {answers.accept(project, case)}")
@@ -88,16 +94,13 @@ def record(
     ] = "*",
 ) -> None:
     """Store results of external codes with the cases, to be shown where these are not installed."""
-    from vv.cli import invocation
     from vv.gate import recorded
     from vv.gate.all_checks import recorded_of
     from vv.plan.plan import with_jobs_kept
-    from vv.records.recorded import RecordedFile
-    from vv.run.session import Limits
     from vv.store.store import Store
 
     project = find()
-    _writable(project)
+    _require_own_cases(project)
     for part, mark in (*((s, ":") for s in selection or ()), (codes, "/")):
         if mark in part:
             raise UsageError(f"record writes whole cases of whole codes, not '{part}'")
@@ -108,27 +111,31 @@ def record(
     plan = with_jobs_kept(plan, lambda job: job.code in external)
     if not plan.jobs:
         raise UsageError(f"'{codes}' names no external code that is installed here")
-    limits = Limits(options.workers(0), options.TIMEOUT)
-    manifest = invocation.carried_out(project, plan, limits)
-    invocation.print_summary(manifest, invocation.LATER)
-    circumstances = _circumstances(manifest)
-    empty = {
+    manifest = _run(project, plan)
+    series, empty = Store(project.data()).series, _without_results(manifest)
+    for path in recorded.write_recorded(recorded_of(project), manifest.records, series, empty):
+        terminal.say(str(path))
+
+
+def _without_results(manifest: Manifest) -> dict[str, RecordedFile]:
+    """What a recorded file says of each external code, before any result."""
+    from vv.records.recorded import RecordedFile
+
+    place = _circumstances(manifest)
+    return {
         code: RecordedFile(
             code=code,
             case="",
             version=found.version,
-            utc=circumstances.utc,
-            commit=circumstances.commit,
-            dirty=circumstances.dirty,
-            machine=circumstances.machine,
+            utc=place.utc,
+            commit=place.commit,
+            dirty=place.dirty,
+            machine=place.machine,
             executables={Path(path).name: digest for path, digest in found.files.items()},
         )
         for code, found in manifest.codes.items()
-        if code in external
+        if found.files
     }
-    series = Store(project.data()).series
-    for path in recorded.write_recorded(recorded_of(project), manifest.records, series, empty):
-        terminal.say(str(path))
 
 
 def _both_levels(project: Project, selection: list[str] | str | None, codes: str) -> Plan:
@@ -148,7 +155,7 @@ def _both_levels(project: Project, selection: list[str] | str | None, codes: str
     return functools.reduce(merge_plans, plans)
 
 
-def _writable(project: Project) -> None:
+def _require_own_cases(project: Project) -> None:
     if project.bundled:
         raise UsageError(
             "the cases that came with vv cannot be written to; work in a project of your own"

@@ -78,7 +78,8 @@ def _answers(
 ) -> list[Run]:
     """What comes of the question at each step, in order; nothing is asked after a timeout."""
     from vv.records.record import checked
-    from vv.run.runner import Batch, run_batches
+    from vv.run.process import Batch
+    from vv.run.runner import run_batches
 
     asks = greeting.asks(scheme)
     reason = adapter.refuses(asks[0], scheme.name)

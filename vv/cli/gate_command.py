@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -11,6 +12,7 @@ import typer
 from vv.base.errors import UsageError
 from vv.case import Level
 from vv.cli import options
+from vv.cli.option_class import takes
 from vv.output import terminal
 from vv.plan.project import Project, find
 
@@ -18,13 +20,17 @@ if TYPE_CHECKING:
     from vv.plan.plan import Plan
     from vv.records.finding import Finding
     from vv.records.manifest import Manifest
+    from vv.run.limits import Limits
 
 
-def gate(
-    selection: options.Selection = None,
-    codes: options.Codes = "*",
-    require: options.Required = "",
-    level: options.Levels = Level.QUICK,
+@dataclass(frozen=True)
+class GateCall:
+    """What `vv gate` is called with."""
+
+    selection: options.Selection = None
+    codes: options.Codes = "*"
+    require: options.Required = ""
+    level: options.Levels = Level.QUICK
     against: Annotated[
         Path | None,
         typer.Option(
@@ -32,19 +38,22 @@ def gate(
             help="Folder of baselines; a result that is not in them is an error. If not "
             "given: those of the project, and a result that is not in them is only noted.",
         ),
-    ] = None,
+    ] = None
     timing: Annotated[
         bool, typer.Option("--timing", help="Time the codes anew and judge speed too.")
-    ] = False,
-    fresh: options.Fresh = False,
-    jobs: options.Jobs = 0,
-    timeout: options.Timeout = options.TIMEOUT,
-    junit: Annotated[Path | None, typer.Option(metavar="FILE", help="Write JUnit XML.")] = None,
+    ] = False
+    fresh: options.Fresh = False
+    jobs: options.Jobs = 0
+    timeout: options.Timeout = options.TIMEOUT
+    junit: Annotated[Path | None, typer.Option(metavar="FILE", help="Write JUnit XML.")] = None
     markdown: Annotated[
         Path | None, typer.Option(metavar="FILE", help="Write a summary for a pull request.")
-    ] = None,
-    json_file: options.JsonFile = None,
-) -> None:
+    ] = None
+    json_file: options.JsonFile = None
+
+
+@takes(GateCall)
+def gate(call: GateCall) -> None:
     """Run what is not stored and judge all results: the exit status sums up what is wrong.
 
     `vv report` writes the report of it.
@@ -54,44 +63,45 @@ def gate(
     from vv.output.result_lines import print_findings
     from vv.plan.plan import Options
     from vv.records.finding import bits
-    from vv.run.session import Limits, Timing
 
-    project, named = options.with_programs(find(), codes)
-    if against is not None and not against.is_dir():
-        raise UsageError(f"--against {against}: there is no such folder")
-    required = options.required(project, require)
-    chosen = Options(level, named)
+    project, named = options.with_programs(find(), call.codes)
+    if call.against is not None and not call.against.is_dir():
+        raise UsageError(f"--against {call.against}: there is no such folder")
+    required = options.required(project, call.require)
+    chosen = Options(call.level, named)
 
     def plan() -> Plan:
-        return options.plan_of(project, selection or [], chosen)
+        return options.plan_of(project, call.selection or [], chosen)
 
-    when = Timing.NEW if timing else Timing.LAST
-    limits = Limits(options.workers(jobs), options.positive(timeout), fresh, when, against)
-    asked = "gate", tuple(selection or ()), chosen
-    manifest = invocation.answered(project, asked, plan, limits)
-    invocation.write_records(project, manifest, json_file)
+    asked = "gate", tuple(call.selection or ()), chosen
+    manifest = invocation.answered(project, asked, plan, _limits(call))
+    invocation.write_records(project, manifest, call.json_file)
     invocation.print_summary(manifest, invocation.LATER)
     findings = judgement(manifest, required)
-    _write_outputs(project, manifest, findings, junit, markdown)
-    print_findings(findings, manifest.records, level, options.named_files(project), manifest)
+    _write_outputs(project, manifest, findings, call)
+    print_findings(findings, manifest.records, call.level, options.named_files(project), manifest)
     raise typer.Exit(bits(findings))
 
 
+def _limits(call: GateCall) -> Limits:
+    from vv.run.limits import Limits, Timing
+
+    timing = Timing.NEW if call.timing else Timing.LAST
+    workers, timeout = options.workers(call.jobs), options.positive(call.timeout)
+    return Limits(workers, timeout, call.fresh, timing, call.against)
+
+
 def _write_outputs(
-    project: Project,
-    manifest: Manifest,
-    findings: list[Finding],
-    junit: Path | None,
-    markdown: Path | None,
+    project: Project, manifest: Manifest, findings: list[Finding], call: GateCall
 ) -> None:
-    if junit:
+    if call.junit:
         from vv.output.junit import write_junit
 
-        write_junit(junit, manifest, findings)
-    if markdown:
+        write_junit(call.junit, manifest, findings)
+    if call.markdown:
         from vv.output.markdown import write_markdown
 
-        write_markdown(markdown, manifest, findings)
+        write_markdown(call.markdown, manifest, findings)
     if os.environ.get("GITHUB_ACTIONS") == "true":
         from vv.output.markdown import workflow_commands
 

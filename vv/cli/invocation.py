@@ -19,7 +19,7 @@ from vv.store.store import Store
 if TYPE_CHECKING:
     from reports.beside import Beside
     from vv.records.job_record import Record
-    from vv.run.session import Limits
+    from vv.run.limits import Limits
 
 LATER = "vv report"  # what writes the report where a command does not
 
@@ -74,7 +74,7 @@ def keep_output(
 
 
 def _may_reuse(limits: Limits) -> bool:
-    from vv.run.session import Timing
+    from vv.run.limits import Timing
 
     return not (limits.fresh or limits.timing is Timing.NEW)
 

@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from vv.records.finding import Finding
     from vv.records.job_record import Record
     from vv.records.manifest import Manifest
-    from vv.run.session import Limits
+    from vv.run.limits import Limits
 
 REPORTS = pytest.StashKey[list[Path]]()
 
@@ -109,7 +109,7 @@ def reports(config: pytest.Config) -> Sequence[Path]:
 
 def _invocation(config: pytest.Config, selection: list[str], codes: str) -> Invocation:
     from vv.plan.plan import Options
-    from vv.run.session import Limits
+    from vv.run.limits import Limits
 
     project, named = options.with_programs(find(), codes)
     plan = options.plan_of(

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 from collections.abc import Iterator
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -13,6 +14,7 @@ from vv.base.errors import UsageError
 from vv.base.files import write_output
 from vv.case import Level
 from vv.cli import options
+from vv.cli.option_class import takes
 from vv.output.terminal import say
 from vv.plan.project import Project, find
 
@@ -21,17 +23,20 @@ if TYPE_CHECKING:
     from vv.records.manifest import Manifest
 
 
-def speed(
-    selection: options.Selection = None,
-    codes: options.Codes = "*",
-    level: options.Levels = Level.DEFAULT,
-    fresh: options.Fresh = False,
-    jobs: options.Jobs = 0,
-    timeout: options.Timeout = options.TIMEOUT,
+@dataclass(frozen=True)
+class SpeedCall:
+    """What `vv speed` is called with."""
+
+    selection: options.Selection = None
+    codes: options.Codes = "*"
+    level: options.Levels = Level.DEFAULT
+    fresh: options.Fresh = False
+    jobs: options.Jobs = 0
+    timeout: options.Timeout = options.TIMEOUT
     json_file: Annotated[
         Path | None,
         typer.Option("--json", metavar="FILE", help="Write all that is shown, as JSON."),
-    ] = None,
+    ] = None
     scaling: Annotated[
         int | None,
         typer.Option(
@@ -39,43 +44,54 @@ def speed(
             metavar="N",
             help="Show instead what a sphere costs a step, of 100 spheres up to so many.",
         ),
-    ] = None,
-) -> None:
+    ] = None
+
+
+@takes(SpeedCall)
+def speed(call: SpeedCall) -> None:
     """Time the cases that ask for it, and show what CPU time each code needs for what error.
 
     At level paper everything selected is timed, which takes minutes. `--scaling 10000` takes
     seconds, `--scaling 1000000` minutes.
     """
-    if scaling is not None:
-        if selection:
+    if call.scaling is not None:
+        if call.selection:
             raise UsageError("--scaling has a scene of its own; name no case beside it")
-        _scale(codes, scaling, json_file)
+        _scale(call.codes, call.scaling, call.json_file)
         return
     from vv.cli import invocation
     from vv.gate.judgement import RUN_BITS, exit_bits
-    from vv.plan.plan import Options, with_jobs_kept
-    from vv.run.session import Limits, Timing
+    from vv.plan.plan import Options
+    from vv.run.limits import Limits, Timing
 
-    project, named = options.with_programs(find(), codes)
-    chosen = Options(level, named)
+    project, named = options.with_programs(find(), call.codes)
+    chosen = Options(call.level, named)
 
     def make_plan() -> Plan:
-        whole = options.plan_of(project, selection or [], chosen)
-        if level is Level.PAPER:
-            whole = dataclasses.replace(whole, jobs=tuple(_all_timed(whole)))
-        timed = {(job.case, job.variant) for job in whole.jobs if job.timed}
-        if selection:
-            return whole
-        if not timed:
-            raise UsageError("nothing is timed at this level; --level paper times all there is")
-        return with_jobs_kept(whole, lambda job: (job.case, job.variant) in timed)
+        whole = options.plan_of(project, call.selection or [], chosen)
+        return _timed_part(whole, call)
 
-    limits = Limits(options.workers(jobs), options.positive(timeout), fresh, Timing.STORED)
-    asked = "speed", tuple(selection or ()), chosen
+    workers, timeout = options.workers(call.jobs), options.positive(call.timeout)
+    limits = Limits(workers, timeout, call.fresh, Timing.STORED)
+    asked = "speed", tuple(call.selection or ()), chosen
     manifest = invocation.answered(project, asked, make_plan, limits)
     invocation.print_summary(manifest, invocation.LATER)
-    _show(project, manifest, bool(selection), json_file)
+    _show(project, manifest, bool(call.selection), call.json_file)
     raise typer.Exit(exit_bits(manifest.records) & RUN_BITS)
+
+
+def _timed_part(plan: Plan, call: SpeedCall) -> Plan:
+    """What is to run: all that is selected, or if nothing is, the variants that are timed."""
+    from vv.plan.plan import with_jobs_kept
+
+    if call.level is Level.PAPER:
+        plan = dataclasses.replace(plan, jobs=tuple(_all_timed(plan)))
+    if call.selection:
+        return plan
+    timed = {(job.case, job.variant) for job in plan.jobs if job.timed}
+    if not timed:
+        raise UsageError("nothing is timed at this level; --level paper times all there is")
+    return with_jobs_kept(plan, lambda job: (job.case, job.variant) in timed)
 
 
 def _scale(codes: str, largest: int, json_file: Path | None) -> None:
@@ -107,9 +123,9 @@ def _scale(codes: str, largest: int, json_file: Path | None) -> None:
 
 def _show(project: Project, manifest: Manifest, selected: bool, json_file: Path | None) -> None:
     """Print what an error costs, and write it to a file if one is named."""
-    from vv.cli import speed_text
     from vv.insight.accuracy_cost import TARGETS, comparisons
     from vv.insight.effort import efforts, untimed
+    from vv.output import speed_text
     from vv.output.cost_document import document
 
     every, rest = efforts(manifest), untimed(manifest)

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 
 from vv.plan.plan import Job, Plan
 from vv.run.executor import Executor
-from vv.run.runner import Batch
+from vv.run.process import Batch
 
 MANY = 100  # jobs of a scheme that are worth a second process
 

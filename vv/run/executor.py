@@ -10,8 +10,9 @@ from typing import Protocol
 from vv.ask import Run
 from vv.plan.plan import Job
 from vv.records.provenance import Machine
+from vv.run.process import Batch
 from vv.run.rounds import Timed, rounds
-from vv.run.runner import Batch, run_batches
+from vv.run.runner import run_batches
 from vv.store.provenance import machine
 
 LOCAL = "local"

@@ -9,7 +9,8 @@ from pathlib import Path
 
 from vv.ask import Cost, Status
 from vv.gate.speed import calibration
-from vv.run.runner import Batch, run_batches
+from vv.run.process import Batch
+from vv.run.runner import run_batches
 
 # CPU seconds spent on each point in a visit: forty blocks of a millisecond, of which the least
 # counts. On a busy machine a second visit lowered none of 174 figures of three repeats or more by

@@ -1,16 +1,13 @@
-"""Runs batches of asks in worker processes: parallel, timed out, and crash-proof."""
+"""Starts worker processes for batches of asks, collects their answers, and ends what hangs."""
 
 from __future__ import annotations
 
 import contextlib
-import ctypes
-import dataclasses
 import multiprocessing
 import os
 import shutil
 import signal
 import time
-import traceback
 from collections import deque
 from collections.abc import Callable, Generator, Iterable, Iterator, Sequence
 from dataclasses import dataclass
@@ -18,39 +15,14 @@ from multiprocessing.connection import Connection, wait
 from multiprocessing.process import BaseProcess
 from pathlib import Path
 
-from vv.ask import Ask, Run, Status
+from vv.ask import Run, Status
 from vv.base.processes import (
-    adopt_orphans,
-    end_children,
-    end_descendants,
     end_those_in,
     end_with_descendants,
 )
-from vv.codes.adapter import Adapter
-from vv.run.search import answers
+from vv.run.process import Batch, work
 
 GRACE = 5.0  # s a batch gets besides, for the start of its program
-
-
-@dataclass(frozen=True, eq=False)
-class Batch:
-    """Asks that one worker answers in order; numbers: the caller's numbers of the asks.
-
-    stays: whether the worker may go on with a next batch of the same adapter, since nothing that
-    was started is left behind: what it has in memory, such as kernels, is then there already.
-    """
-
-    adapter: Adapter
-    scheme: str
-    numbers: tuple[int, ...]
-    asks: tuple[Ask, ...]
-    repeat: float = 0.0
-    stays: bool = False
-
-    def rest(self, answered: int) -> Batch:
-        """The asks after the first `answered` ones."""
-        later = slice(answered, None)
-        return dataclasses.replace(self, numbers=self.numbers[later], asks=self.asks[later])
 
 
 @dataclass(eq=False)
@@ -123,7 +95,7 @@ def _start(batch: Batch, waiting: Iterable[Batch], timeout: float, scratch: Path
     orders, orderer = context.Pipe(duplex=False)
     later = [one for one in waiting if one.stays and one.adapter is batch.adapter]
     known = (batch, *later) if batch.stays else (batch,)
-    process = context.Process(target=_work, args=(known, orders, sender, scratch), daemon=True)
+    process = context.Process(target=work, args=(known, orders, sender, scratch), daemon=True)
     process.start()
     with contextlib.suppress(OSError):  # the worker does the same; whoever comes first
         os.setpgid(process.pid or 0, process.pid or 0)
@@ -131,61 +103,6 @@ def _start(batch: Batch, waiting: Iterable[Batch], timeout: float, scratch: Path
     orders.close()
     deadline = time.monotonic() + timeout + GRACE
     return _Worker(batch, known, process, receiver, orderer, scratch, timeout, deadline)
-
-
-def _work(known: Sequence[Batch], orders: Connection, pipe: Connection, scratch: Path) -> None:
-    """In the worker: answer the first batch, one message for each ask, then batches on order."""
-    with contextlib.suppress(OSError):
-        os.setpgid(0, 0)
-    _die_with_parent()
-    adopt_orphans()
-    if known[0].repeat > 0:  # timed: one core, whatever the program would take
-        os.sched_setaffinity(0, {max(os.sched_getaffinity(0))})
-    with open(scratch / "worker.log", "wb", buffering=0) as log:
-        os.dup2(log.fileno(), 1)
-        os.dup2(log.fileno(), 2)
-    batch = known[0]
-    while _answered(batch, pipe, scratch) and batch.stays and len(known) > 1:
-        batch = known[orders.recv()]
-    end_children()  # what a program has left behind
-
-
-def _answered(batch: Batch, pipe: Connection, scratch: Path) -> bool:
-    """Answer the asks of a batch; returns whether the worker may go on."""
-    sent = 0
-    try:
-        for run in answers(batch.adapter, batch.asks, batch.scheme, scratch, batch.repeat):
-            pipe.send(run)
-            sent += 1
-    except Exception as error:
-        traceback.print_exc()
-        if sent < len(batch.asks):
-            pipe.send(failed(error))
-        return False
-    return True
-
-
-def failed(error: Exception) -> Run:
-    """The run of an adapter or measurement that raised an error: its message and location."""
-    last = traceback.extract_tb(error.__traceback__)[-1]
-    where = f"{Path(last.filename).name}:{last.lineno}"
-    return Run(Status.ERROR, f"{type(error).__name__}: {error} ({where})")
-
-
-def _die_with_parent() -> None:
-    """Have the kernel end this worker, and what it started, when the parent is gone."""
-    signal.signal(signal.SIGTERM, lambda *_: _end_all())
-    with contextlib.suppress(OSError, AttributeError):  # only Linux has prctl
-        ctypes.CDLL(None).prctl(1, signal.SIGTERM)
-    parent = multiprocessing.parent_process()
-    if parent is not None and os.getppid() != parent.pid:  # gone before the kernel was told
-        _end_all()
-
-
-def _end_all() -> None:
-    """End what this worker started, and the worker."""
-    end_descendants(os.getpid())
-    os.killpg(0, signal.SIGKILL)
 
 
 def _answers(worker: _Worker) -> Iterator[tuple[int, Run]]:

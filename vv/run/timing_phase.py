@@ -13,8 +13,8 @@ from vv.records.manifest import TimedRun
 from vv.records.outcomes import CostKind
 from vv.records.reading import ran
 from vv.run.executor import Executor
+from vv.run.process import Batch
 from vv.run.rounds import DRIFT, ENOUGH, REPEAT
-from vv.run.runner import Batch
 from vv.store.store import Session, Store
 
 

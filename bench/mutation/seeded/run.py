@@ -5,7 +5,7 @@ from bench.mutation.seeded.bug import Bug
 RUNNER = "vv/run/runner.py"
 SEARCH = "vv/run/search.py"
 REUSE = "vv/run/reuse.py"
-SESSION = "vv/run/session.py"
+ANSWERING = "vv/run/answering.py"
 TIMING = "vv/run/timing_phase.py"
 NARROWING = "vv/run/narrowing.py"
 SETTINGS = "vv/plan/settings.py"
@@ -28,9 +28,9 @@ BUGS = (
     Bug("an invocation known without its baselines", REUSE, '_content(path) for path in against.glob("*.json")} if against else ""', '"" for path in against.glob("*.json")} if against else ""', tests=RUN),
     Bug("what failed stands", REUSE, "return status in LASTING or", "return True or", tests="tests/run/test_reuse.py"),
     Bug("a session with gaps stands", REUSE, " and not manifest.untimed:", ":", tests="tests/run/test_reuse.py"),
-    Bug("--fresh ignored", SESSION, "usable = not limits.fresh and plan", "usable = plan", tests="tests/store/test_store.py"),
-    Bug("results of a code that is not here", SESSION, "not limits.fresh and plan.found[job.code].installed", "not limits.fresh", tests="tests/store/test_store.py"),
-    Bug("a run that cannot be measured has run", SESSION, "run, quantities = failed(error), []", "quantities = []", tests="tests/cli/test_outcomes.py"),
+    Bug("--fresh ignored", ANSWERING, "usable = not limits.fresh and plan", "usable = plan", tests="tests/store/test_store.py"),
+    Bug("results of a code that is not here", ANSWERING, "not limits.fresh and plan.found[job.code].installed", "not limits.fresh", tests="tests/store/test_store.py"),
+    Bug("a run that cannot be measured has run", ANSWERING, "run, quantities = failed(error), []", "quantities = []", tests="tests/cli/test_outcomes.py"),
     Bug("the dearest round counts", TIMING, "best = min(costs,", "best = max(costs,", tests="tests/run tests/codes tests/cli"),
     Bug("a session with gaps is kept", TIMING, "if set(stored) == set(keys):", "if stored:", tests="tests/run tests/codes tests/cli"),
     Bug("a budget spent on the dearest", NARROWING, "for job in sorted(plan.jobs, key=lambda job: costs[id(job)]):", "for job in sorted(plan.jobs, key=lambda job: -costs[id(job)]):", tests="tests/run/test_narrowing.py"),

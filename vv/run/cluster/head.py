@@ -1,4 +1,4 @@
-"""Answers batches by the workers of a dask cluster; keys, store and messages stay at the head.
+"""Sends batches to the workers of a dask cluster; this machine keeps store and messages.
 
 Costs are timed by a worker that was given the resource `timing`, in one task, or else here.
 """
@@ -21,10 +21,10 @@ from vv.plan import imports
 from vv.plan.plan import Job
 from vv.plan.project import Project
 from vv.records.provenance import Machine
+from vv.run.cluster.worker import Task, answer, measure, resources
 from vv.run.pace import Pace, piles
+from vv.run.process import Batch
 from vv.run.rounds import Timed, rounds
-from vv.run.runner import Batch
-from vv.run.worker import Task, answer, measure, resources
 from vv.store.provenance import machine
 from vv.store.store import Store
 

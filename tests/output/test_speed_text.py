@@ -11,8 +11,8 @@ from typing import Any
 import pytest
 
 from tests.insight.test_effort import manifest, record
-from vv.cli import speed_text
 from vv.insight.effort import Effort, efforts, untimed
+from vv.output import speed_text
 from vv.records.job_record import Record
 
 SECOND = [(h, None, 100 * h * h, 1e-7 / h) for h in (1e-2, 1e-3, 5e-5)]

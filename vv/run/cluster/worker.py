@@ -1,7 +1,7 @@
-"""What a worker of a cluster does: answers a batch as the head would, or holds a timing session.
+"""What a worker of a cluster does: answers the asks of a batch, or holds a timing session.
 
-A batch runs in a process of its own, which is timed out and ended with all that it started. A
-worker refuses a code whose sources or programs are not those of the head.
+A batch runs in a process of its own, which is ended after its timeout with all that it started.
+A worker refuses a code whose sources or programs are not those of the head.
 """
 
 from __future__ import annotations
@@ -22,8 +22,9 @@ from vv.base.errors import UsageError
 from vv.codes.external import last_lines
 from vv.plan import imports, keys
 from vv.plan.project import Project
+from vv.run.process import Batch
 from vv.run.rounds import Timed, rounds
-from vv.run.runner import Batch, run_batches
+from vv.run.runner import run_batches
 
 PLACE = re.compile(r"; see (\S+)$")  # how a reason ends that names a folder of the worker
 Answers = list[tuple[int, Run]]
@@ -68,7 +69,7 @@ def answer(task: Task, timeout: float) -> Answers:
         return [(n, Run(Status.ERROR, f"{socket.gethostname()}: {reason}")) for n in task.numbers]
     with tempfile.TemporaryDirectory(prefix="vv-", ignore_cleanup_errors=True) as root:
         runs = run_batches([_batch(task)], 1, timeout, lambda: Path(tempfile.mkdtemp(dir=root)))
-        return [(number, _told(run)) for number, run in runs]
+        return [(number, _with_log(run)) for number, run in runs]
 
 
 def _batch(task: Task) -> Batch:
@@ -106,10 +107,10 @@ def _why_not(task: Task) -> str:
     return ""
 
 
-def _told(run: Run) -> Run:
-    """The run; a reason that names a folder of this worker gets the end of the log there."""
+def _with_log(run: Run) -> Run:
+    """The run; if its reason names a folder of this worker, with the end of the log there."""
     place = PLACE.search(run.reason)
     if place is None:
         return run
-    told = f"{run.reason[: place.start()]}; {last_lines(Path(place[1]) / 'worker.log', 3)}"
-    return dataclasses.replace(run, reason=told)
+    reason = f"{run.reason[: place.start()]}; {last_lines(Path(place[1]) / 'worker.log', 3)}"
+    return dataclasses.replace(run, reason=reason)

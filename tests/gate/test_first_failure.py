@@ -2,8 +2,8 @@
 
 from tests import ROOT
 from tests.support.fabricated import entry, record
+from vv.gate import first_failure
 from vv.plan.project import Project
-from vv.run import first_failure
 
 FAILS = first_failure.fails(Project(ROOT))
 

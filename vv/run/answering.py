@@ -1,0 +1,127 @@
+"""Turns each job into a record: from the store, without running if it is refused, or by a run."""
+
+from __future__ import annotations
+
+import dataclasses
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass
+
+from vv.ask import Run, Status
+from vv.case import Grid
+from vv.plan import keys
+from vv.plan.plan import Job, Plan
+from vv.plan.project import Project
+from vv.plan.settling import settle
+from vv.records.job_record import ModelSummary, Record, RunSummary
+from vv.records.outcomes import StudyKind
+from vv.records.quantity import MeasuredQuantity
+from vv.records.record import checked, measured, summarised, within
+from vv.run.batching import batches
+from vv.run.executor import Executor
+from vv.run.limits import Limits
+from vv.run.process import failed
+from vv.scene import Vector
+from vv.store.store import Store
+
+
+@dataclass(frozen=True)
+class StoredJobs:
+    """The store, and by the number of a job the keys of its run and of its record."""
+
+    store: Store
+    runs: Mapping[int, str]
+    records: Mapping[int, str]
+
+    @classmethod
+    def of(cls, project: Project, plan: Plan, store: Store) -> StoredJobs:
+        runs = keys.run_keys(project, plan)
+        return cls(store, runs, keys.record_keys(project, plan, runs))
+
+
+def records_of(
+    plan: Plan, limits: Limits, stored: StoredJobs, place: Executor, begin: Callable[[int], None]
+) -> Iterator[tuple[int, Record]]:
+    """Yield (job number, record): first those that need no running, then as runs come in.
+
+    A stored result of a code that is installed needs no check for refusal: its key covers all
+    that a refusal depends on. begin: is given the number of jobs that have to run.
+    """
+    unknown, store = {}, stored.store
+    for number, job in enumerate(plan.jobs):
+        key = stored.records[number]
+        usable = not limits.fresh and plan.found[job.code].installed
+        if usable and (summary := store.summary(key)) is not None and store.has_series(key):
+            yield number, _record(plan, job, key, summary)
+        elif usable and (run := store.run(stored.runs[number])) is not None:
+            yield number, _measured(plan, job, run, key, store)
+        else:
+            unknown[number] = job
+    settle([*unknown.values()], limits.workers)
+    waiting = {number: job for number, job in unknown.items() if job.settled is None}
+    for number, job in unknown.items():
+        if job.settled is not None:
+            yield number, _measured(plan, job, job.settled, stored.records[number], store)
+    begin(len(waiting))
+    loads = {plan.found[job.code].load for job in waiting.values()}
+    for load in filter(None, loads):
+        load()
+    due = batches(waiting, plan, place)
+    for number, run in place.run(due, limits.timeout) if due else ():
+        job = plan.jobs[number]
+        whole = checked(run, job.ask)
+        store.keep_run(stored.runs[number], whole)
+        yield number, _measured(plan, job, whole, stored.records[number], store)
+
+
+def _measured(plan: Plan, job: Job, run: Run, key: str, store: Store) -> Record:
+    """Measure a run, store the measured summary if the run is meaningful, and return the record.
+
+    A run of which a quantity cannot be measured has failed: it may be what the case is to show.
+    """
+    trial = plan.trials[job.case, job.variant]
+    quantities: list[MeasuredQuantity] = []
+    arrays: dict[str, Vector] = {}
+    try:
+        for quantity in trial.quantities if run.status is Status.RAN else ():
+            one, series = measured(run, quantity, job.method, job.ask.knobs, job.modified)
+            quantities.append(one)
+            arrays.update(series)
+    except Exception as error:
+        run, quantities = failed(error), []
+    run = within(run, trial.unexplained, job.method, job.ask.knobs)
+    summary = summarised(run, tuple(quantities))
+    says = (Status.RAN, Status.DIVERGED) if isinstance(trial.study, Grid) else (Status.RAN,)
+    if run.status in says:
+        store.keep_summary(key, summary, arrays)
+    return _record(plan, job, key, summary)
+
+
+def _annotated(model: ModelSummary | None, inert: str) -> ModelSummary | None:
+    """The model; its note names changed parameters that have no effect."""
+    if model is None or not inert:
+        return model
+    return dataclasses.replace(model, note=f"{model.note}; {inert}" if model.note else inert)
+
+
+def _record(plan: Plan, job: Job, key: str, run: RunSummary) -> Record:
+    """The record of a job; `key` is that of its stored series."""
+    return Record(
+        case=job.case,
+        variant=job.variant,
+        study=StudyKind(type(plan.trials[job.case, job.variant].study).__name__.lower()),
+        parameters=job.parameters,
+        modified=job.modified,
+        code=job.code,
+        scheme=job.scheme,
+        code_version=plan.found[job.code].version,
+        method=job.method,
+        rung=job.ask.knobs,
+        key=key,
+        status=run.status,
+        reason=run.reason,
+        cost=run.cost,
+        steps=run.steps,
+        model=_annotated(run.model, job.inert),
+        ledger=run.ledger,
+        quantities=run.quantities,
+    )

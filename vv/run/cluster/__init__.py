@@ -1,0 +1,1 @@
+"""Batches answered by a dask cluster: what its head does, and what its workers do."""
