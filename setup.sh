@@ -96,21 +96,32 @@ environment() {
     version .venv/bin/python >.venv/made-for
 }
 
-# Compile what was installed on all cores, where pip takes one; tests of packages are left out.
+# Install what the lock names. A pip works on one core, so two take half of the packages each, both
+# from the start: one that began later would meet what the other had not written to its end.
+locked() { # PYTHON
+    sed '/^#/d' requirements.lock | xargs -n 27 -P 0 \
+        "$1" -m pip install --quiet --quiet --no-deps --no-compile
+}
+
+# Compile what was installed on all cores, where pip takes one; left out are tests of packages, and
+# mypy, which is machine code.
 compiled() { # PYTHON
     local folder
     folder=$("$1" -c 'import sysconfig; print(sysconfig.get_path("purelib"))')
-    "$1" -m compileall -q -j 0 -x '/tests/' "$folder" >/dev/null || true # templates may not compile
+    # templates may not compile
+    "$1" -m compileall -q -j 0 -x '/(tests|mypyc?)/' "$folder" >/dev/null || true
 }
 
 packages() {
-    local pip=(.venv/bin/python -m pip)
+    local python=.venv/bin/python compiling
     cat requirements.lock pyproject.toml | cmp -s - .venv/installed && return
     say "installing the packages of requirements.lock into .venv"
-    "${pip[@]}" install --quiet --no-deps --no-compile --requirement requirements.lock
-    compiled "${pip[@]:0:1}"
-    "${pip[@]}" install --quiet --no-deps --no-build-isolation --editable .
-    "${pip[@]}" check >"$SCRATCH/check" || fail "requirements.lock: $(cat "$SCRATCH/check")"
+    locked "$python"
+    compiled "$python" &
+    compiling=$!
+    "$python" -m pip install --quiet --no-deps --no-build-isolation --editable .
+    "$python" -m pip check >"$SCRATCH/check" || fail "requirements.lock: $(cat "$SCRATCH/check")"
+    wait "$compiling"
     cat requirements.lock pyproject.toml >.venv/installed
 }
 

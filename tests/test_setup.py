@@ -11,7 +11,7 @@ import pytest
 
 from tests import ROOT
 
-TOOLS = ("bash", "cat", "cmp", "dirname", "flock", "id", "mktemp", "rm", "sleep")
+TOOLS = ("bash", "cat", "cmp", "dirname", "flock", "id", "mktemp", "rm", "sed", "sleep", "xargs")
 MISSING = "setup: {0} is missing and will be left out; to have it: sudo apt-get install {0}\n"
 
 
@@ -119,6 +119,28 @@ def test_a_changed_lock_is_installed_without_making_the_environment_anew(checkou
     assert "setup: installing the packages of requirements.lock into .venv\n" in done.stdout
     assert "making" not in done.stdout
     assert "No module named pip" in done.stderr
+
+
+@pytest.mark.parametrize("broken", [None, 0, 52])
+def test_the_lock_is_installed_by_two_pips_and_stands_if_both_succeed(
+    checkout: Path, broken: int | None
+) -> None:
+    asked, python = checkout.parent / "asked", checkout / ".venv/bin/python"
+    names = [f"package-{n}==1" if n != broken else "broken==1" for n in range(53)]
+    (checkout / "requirements.lock").write_text("\n".join(["# a comment", *names, ""]))
+    python.rename(python.with_name("real"))
+    pip = f'echo "$@" >>"{asked}"; [[ "$*" != *broken* ]]'
+    python.write_text(
+        f'#!/bin/bash\ncase "$1" in -m) {pip} ;; *) exec "${{0%/*}}/real" "$@" ;; esac\n'
+    )
+    python.chmod(0o755)
+    done = setup(checkout)
+    installs = [line.split() for line in asked.read_text().splitlines() if "--no-compile" in line]
+    assert len(installs) == 2
+    assert sorted(word for words in installs for word in words if "==" in word) == sorted(names)
+    assert (done.returncode == 0) == (broken is None)
+    stands = (checkout / ".venv/installed").read_text().startswith("# a comment")
+    assert stands == (broken is None)
 
 
 def test_ci_runs_the_tests_with_the_codes_required(tmp_path: Path) -> None:
