@@ -143,26 +143,12 @@ def materials(ask: Plan) -> Plan:
     Without springs spheres and walls are elastic alike, which is what contacts follow from.
     """
     elastic = "young" in ask["law"]
-    law = {
-        "DEM_DISCONTINUUM_CONSTITUTIVE_LAW_NAME": HERTZ if elastic else SPRINGS,
-        "DEM_ROLLING_FRICTION_MODEL_NAME": "DEMRollingFrictionModelConstantTorque",
-        "STATIC_FRICTION": ask["mu"],
-        "DYNAMIC_FRICTION": ask["mu"],
-        "FRICTION_DECAY": 500.0,
-        "COEFFICIENT_OF_RESTITUTION": 1.0,
-        "DAMPING_GAMMA": 0.0,
-        "ROLLING_FRICTION": 0.0,
-        "ROLLING_FRICTION_WITH_WALLS": 0.0,
-        "SEVERITY_OF_WEAR": 0.0,
-        "IMPACT_WEAR_SEVERITY": 0.0,
-        "BRINELL_HARDNESS": 1.0,
-    }
     young, poisson = ask["law"].get("young", 1e9), ask["law"].get("poisson", 0.2)
     sphere = {"PARTICLE_DENSITY": 1000.0, "YOUNG_MODULUS": young, "POISSON_RATIO": poisson}
     stiff = young if elastic else 1e20
     wall = {"YOUNG_MODULUS": stiff, "POISSON_RATIO": poisson, "COMPUTE_WEAR": False}
     springs = {} if elastic else {"K_NORMAL": ask["law"]["kn"], "K_TANGENTIAL": ask["law"]["ks"]}
-    law |= springs
+    law = contact_law(ask["mu"], elastic) | springs
     return {
         "materials": [
             {"material_name": "sphere", "material_id": 1, "Variables": sphere | springs},
@@ -177,6 +163,24 @@ def materials(ask: Plan) -> Plan:
             for number, other in enumerate(("sphere", "wall"), 1)
         ],
         "material_assignation_table": [["SpheresPart", "sphere"], ["RigidFacePart", "wall"]],
+    }
+
+
+def contact_law(mu: float, elastic: bool) -> Plan:
+    """A contact of friction mu without losses, rolling resistance and wear, but for its springs."""
+    return {
+        "DEM_DISCONTINUUM_CONSTITUTIVE_LAW_NAME": HERTZ if elastic else SPRINGS,
+        "DEM_ROLLING_FRICTION_MODEL_NAME": "DEMRollingFrictionModelConstantTorque",
+        "STATIC_FRICTION": mu,
+        "DYNAMIC_FRICTION": mu,
+        "FRICTION_DECAY": 500.0,
+        "COEFFICIENT_OF_RESTITUTION": 1.0,
+        "DAMPING_GAMMA": 0.0,
+        "ROLLING_FRICTION": 0.0,
+        "ROLLING_FRICTION_WITH_WALLS": 0.0,
+        "SEVERITY_OF_WEAR": 0.0,
+        "IMPACT_WEAR_SEVERITY": 0.0,
+        "BRINELL_HARDNESS": 1.0,
     }
 
 

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import functools
 import math
-from collections.abc import Callable
+from dataclasses import dataclass
 
 import numpy as np
 
 from cases._papers import YAGODA_BIRAN_2016
+from cases.blocks._leaning import CENTRE, MOVING, Leaning, Y
 from reference_solutions.blocks import rocking
-from vv.ask import Bracket, Displacement, History, Knobs, Method, Run, Sought, Velocity
+from vv.ask import Bracket, History, Knobs, Method, Run, Sought
 from vv.case import (
     LARGEST_TOLERANCE,
     Case,
@@ -32,43 +33,19 @@ from vv.case import (
     Variant,
     last_stable_step,
 )
-from vv.scene import Block, Contact, Harmonic, Pulse, Scene, Vector, Wall, polyhedron_inertia
+from vv.scene import Contact, Harmonic, Pulse, Scene, Vector, Wall
 
-CENTRE, MOVING = Displacement(1), Velocity(1)
-DEEP, DENSITY = 0.3, 2500.0  # m, half the depth; kg/m3
-OUTLINE = ((0, 1, 2, 3), (7, 6, 5, 4), (0, 4, 5, 1), (1, 5, 6, 2), (2, 6, 7, 3), (3, 7, 4, 0))
-X, Y, Z = np.eye(3)
-PULSES = ("stands", "topples", "threshold")
+X, _, Z = np.eye(3)
 SWEPT = {"search": 1e10, "search-soft": 1e7}  # N/m
 PAST = 1.1  # of b: a centre that went so far sideways is beyond the top
-
-
 Law = dict[str, float]
 
 
-def _place(lean: Vector, p: Parameters) -> Vector:
-    """Where the centre is, (k, 2) along the floor and above it [m], at leans (k,) [rad]."""
-    alpha, far = math.atan2(p["b"], p["h"]), math.hypot(p["b"], p["h"])
-    side, rest = np.where(lean < 0, -1.0, 1.0), alpha - np.abs(lean)
-    return np.stack([side * (p["b"] - far * np.sin(rest)), far * np.cos(rest)], axis=1)
-
-
-def _block(p: Parameters, lean: float) -> Block:
-    """A prism that leans by so much [rad] about its corner at x = b."""
-    b, h = p["b"], p["h"]
-    upright = np.array([[-2 * b, 0.0], [0.0, 0.0], [0.0, 2 * h], [-2 * b, 2 * h]])
-    c, s = math.cos(lean), math.sin(lean)
-    flat = np.insert(upright @ np.array([[c, -s], [s, c]]) + [b, 0.0], 1, 0.0, axis=1)
-    vertices = np.concatenate([flat - DEEP * Y, flat + DEEP * Y])
-    mass, inertia = polyhedron_inertia(vertices, OUTLINE, DENSITY)
-    return Block("block", vertices, OUTLINE, mass, inertia, np.zeros(3), free=Y == 0,
-                 free_spin=Y != 0)  # fmt: skip
-
-
-def _scene(p: Parameters, start: float, most: float) -> Scene:
+def _scene(p: Parameters, most: float, start: float = 0.0) -> Scene:
     """The block on its floor, leaning at `start` [rad], or under half a sine of `most` [m/s2]."""
+    block = Leaning(p["b"], p["h"], start).block()
     pulse = Pulse(Harmonic(most * X, p["f"] * X), 0.5 / p["f"]) if most else None
-    return Scene((Wall(np.zeros(3), Z), _block(p, start)), Contact(np.inf, mu=p["mu"]),
+    return Scene((Wall(np.zeros(3), Z), block), Contact(np.inf, mu=p["mu"]),
                  gravity=-p["g"] * Z, shaking=pulse)  # fmt: skip
 
 
@@ -81,58 +58,74 @@ def _declare(variant: str, p: Parameters) -> Trial:
         return _searched(p, law, w, SWEPT[variant])
     if variant.startswith("overturns"):
         return _thrown_over(p, law, w)
+    if variant == "threshold":
+        return _just_thrown(p, law, w)
     return _rocked(variant, p, law, w)
 
 
+def _just_thrown(p: Parameters, law: Law, w: float) -> Trial:
+    """What the pulse left of the block's energy."""
+    most = p["part"] * rocking.threshold(**law, w=w)
+    ends = History(1.01 * math.pi / w, math.pi / w)
+    levels = LEVELS | {Level.QUICK: (*RUNGS[:2], RUNGS[-1])}  # clumps run at the last
+    study = Ladder(_scene(p, most), ends, (CENTRE, MOVING), levels)
+    return Trial(study, (_threshold(p, law, w, most),))
+
+
 def _rocked(variant: str, p: Parameters, law: Law, w: float) -> Trial:
-    """The path of the block, or what the pulse left of its energy."""
-    alpha, rate = rocking.slenderness(**law)
-    most = p["part"] * rocking.threshold(**law, w=w) if variant in PULSES else 0.0
-    start = p["part"] * alpha if variant == "released" else 0.0
-    drive = {"A": most, "w": w, "T": math.pi / w}
-    scene = _scene(p, start, most)
-    if variant == "threshold":
-        ends = History(1.01 * math.pi / w, math.pi / w)
-        levels = LEVELS | {Level.QUICK: (*RUNGS[:2], RUNGS[-1])}  # clumps run at the last
-        study = Ladder(scene, ends, (CENTRE, MOVING), levels)
-        return Trial(study, (_threshold(p, law, w, most),))
+    """The path of the block, let go or under the pulse."""
+    released = variant == "released"
+    most = 0.0 if released else p["part"] * rocking.threshold(**law, w=w)
     over = rocking.overturns(**law, A=most, w=w) if most and p["part"] > 1.0 else math.inf
     if not p["duration"] < over:
         raise ValueError(
             f"duration = {p['duration']!r} s: from {over:.3g} s on it falls, and slips as it does"
         )
+    alpha, rate = rocking.slenderness(**law)
+    block = Leaning(p["b"], p["h"], p["part"] * alpha if released else 0.0)
+    drive = {"A": most, "w": w, "T": math.pi / w}
+    exact = _Exact(tuple(law.items()), tuple(drive.items()), block.start)
     goal = History(p["duration"], p["duration"] / 50)
 
-    @functools.cache
-    def at(times: bytes) -> Vector:
-        return rocking.phases(np.frombuffer(times), **law, **drive, theta=start)
-
-    def leans(t: Vector) -> Vector:
-        """At times (k,) [s], which are whole steps and so not the same at each setting."""
-        return np.asarray(at(np.asarray(t, float).tobytes())[:, 0])
-
-    def rates(t: Vector) -> Vector:
-        return np.asarray(at(np.asarray(t, float).tobytes())[:, 1])
-
     def path(t: Vector) -> Vector:
-        return np.asarray(_place(leans(t), p) - _place(np.array([start]), p))
+        return np.asarray(block.place(exact.leans(t)) - block.begun())
 
     motion = Motion(CENTRE, np.array([X, Z]), path, goal.times(None), "m")
-    judge = _swings(rate) if variant == "released" else _near_the_top(w, p["part"])
-    parts = (
+    judge = _swings(rate) if released else _near_the_top(w, p["part"])
+    quantities = (
         motion.component(0, "x", "displacement of the centre along the floor", judge),
         motion.component(1, "z", "displacement of the centre upwards", judge),
+        motion.distance(judge),
+        *_phases(block, rate, exact),
     )
-
-    phases = _phases(p, alpha, rate, start, leans, rates)
     if most and p["duration"] > 0.5:
-        phases += _before_impact(p, alpha, leans)
-    if start:
-        phases += (_first_swing(p, alpha, rate, start, leans),)
+        quantities += _before_impact(block, exact)
+    if released:
+        quantities += (_first_swing(block, exact, _falls_back(rate, p["part"])),)
+    scene = _scene(p, most, block.start)
     study = Ladder(scene, goal, (CENTRE, MOVING), LEVELS)
-    return Trial(
-        study, (*parts, motion.distance(judge), *phases), _lagging(scene, p), phase=("lean", "rate")
-    )
+    return Trial(study, quantities, _lagging(scene, p), phase=("lean", "rate"))
+
+
+@dataclass(frozen=True)
+class _Exact:
+    """The exact lean and its rate at times (k,) [s], which are not the same at each setting."""
+
+    law: tuple[tuple[str, float], ...]
+    drive: tuple[tuple[str, float], ...]
+    start: float
+
+    def leans(self, t: Vector) -> Vector:
+        return np.asarray(_phases_at(self, np.asarray(t, float).tobytes())[:, 0])
+
+    def rates(self, t: Vector) -> Vector:
+        return np.asarray(_phases_at(self, np.asarray(t, float).tobytes())[:, 1])
+
+
+@functools.lru_cache(maxsize=16)  # each setting asks for the same times four times over
+def _phases_at(exact: _Exact, times: bytes) -> Vector:
+    law = dict((*exact.law, *exact.drive))
+    return rocking.phases(np.frombuffer(times), **law, theta=exact.start)
 
 
 def _lagging(scene: Scene, p: Parameters) -> Unexplained:
@@ -141,55 +134,46 @@ def _lagging(scene: Scene, p: Parameters) -> Unexplained:
     return Unexplained(weight * math.hypot(p["b"], p["h"]), {Method.LAGGING: LAGS})
 
 
-def _phases(
-    p: Parameters, alpha: float, rate: float, start: float,
-    exact: Callable[[Vector], Vector], exact_rate: Callable[[Vector], Vector],
-) -> tuple[Quantity, ...]:  # fmt: skip
+def _phases(block: Leaning, rate: float, exact: _Exact) -> tuple[Quantity, ...]:
     """The lean over alpha and its rate over p alpha, which make the phase picture."""
-    begun = _place(np.array([start]), p)[0]
+    alpha = block.alpha
 
     def angle(run: Run) -> Vector:
-        return _leaning(run, p, begun, alpha)[0] / alpha
-
-    lean = Turn(CENTRE.body, Y, alpha, angle)
+        return block.seen(run)[0] / alpha
 
     def swift(run: Run) -> Vector:
-        return _leaning(run, p, begun, alpha)[1] / (rate * alpha)
+        return block.seen(run)[1] / (rate * alpha)
 
     return (
-        Series("lean", "theta/alpha", "", "lean of the block over alpha", lean,
-               lambda t: exact(t) / alpha, Shown(JUDGED), 1.0),
+        Series("lean", "theta/alpha", "", "lean of the block over alpha",
+               Turn(CENTRE.body, Y, alpha, angle), lambda t: exact.leans(t) / alpha,
+               Shown(JUDGED), 1.0),
         Series("rate", "theta'/(p alpha)", "", "rate of the lean over p alpha: drawn over the lean "
-               "it is the phase picture", swift, lambda t: exact_rate(t) / (rate * alpha),
+               "it is the phase picture", swift, lambda t: exact.rates(t) / (rate * alpha),
                Shown(JUDGED), 1.0),
     )  # fmt: skip
 
 
-def _first_swing(
-    p: Parameters, alpha: float, rate: float, start: float, exact: Callable[[Vector], Vector]
-) -> Scalar:
+def _first_swing(block: Leaning, exact: _Exact, judge: Exact) -> Scalar:
     """The largest error of the lean over alpha until the first impact, which springs can meet."""
-    begun = _place(np.array([start]), p)[0]
 
     def largest(run: Run) -> float:
-        due = exact(run.times)
+        due = exact.leans(run.times)
         back = np.flatnonzero(due <= 0.0)
         swing = slice(0, int(back[0]) if len(back) else None)
-        return float(np.abs(_leaning(run, p, begun, alpha)[0][swing] - due[swing]).max() / alpha)
+        return float(np.abs(block.seen(run)[0][swing] - due[swing]).max() / block.alpha)
 
     return Scalar(
         "first swing", "max|e|/alpha", "", "largest error of the lean until the first impact, over "
-        "alpha", largest, 0.0, 1.0, _falls_back(rate, p["part"]),
+        "alpha", largest, 0.0, 1.0, judge,
     )  # fmt: skip
 
 
-def _before_impact(
-    p: Parameters, alpha: float, exact: Callable[[Vector], Vector]
-) -> tuple[Quantity, ...]:
+def _before_impact(block: Leaning, exact: _Exact) -> tuple[Quantity, ...]:
     """The paper's own measure of error, of the lean under a pulse until the block comes back."""
 
     def largest(after: float, run: Run) -> float:
-        lean, due = _leaning(run, p, _place(np.zeros(1), p)[0], alpha)[0], exact(run.times)
+        lean, due = block.seen(run)[0], exact.leans(run.times)
         down = np.flatnonzero((due <= 0.0) & (run.times > after))
         there = (run.times >= after) & (run.times < (run.times[down[0]] if len(down) else np.inf))
         return float(np.abs(100.0 * (lean[there] / due[there] - 1.0)).max())
@@ -202,16 +186,6 @@ def _before_impact(
     )  # fmt: skip
 
 
-def _leaning(run: Run, p: Parameters, begun: Vector, alpha: float) -> tuple[Vector, Vector]:
-    """The lean (k,) [rad] and its rate [1/s], from where the centre is and how it goes."""
-    x, z = (run.values[CENTRE][:, [0, 2]] + begun).T
-    side = np.where(x < 0, -1.0, 1.0)
-    rest = np.arctan2(p["b"] - side * x, z)
-    v, up = run.values[MOVING][:, [0, 2]].T
-    far = math.hypot(p["b"], p["h"])
-    return side * (alpha - rest), (v * np.cos(rest) + side * up * np.sin(rest)) / far
-
-
 def _searched(p: Parameters, law: Law, w: float, kn: float) -> Trial:
     """Amplitudes are tried from that which just lifts the block, until it overturns."""
     least, rate = p["g"] * p["b"] / p["h"], rocking.slenderness(**law)[1]
@@ -221,7 +195,7 @@ def _searched(p: Parameters, law: Law, w: float, kn: float) -> Trial:
     rungs = (Knobs(COARSE, kn), Knobs(COARSE / 2, kn))
     levels = {Level.QUICK: rungs[:1], Level.DEFAULT: rungs[:1], Level.PAPER: rungs}
     goal = History(last, last / 50)
-    study = Ladder(_scene(p, 0.0, least), goal, (CENTRE,), levels, search=bracket)
+    study = Ladder(_scene(p, least), goal, (CENTRE,), levels, search=bracket)
     judge = _just(w)
 
     def seen(run: Run) -> float:
@@ -240,20 +214,20 @@ def _thrown_over(p: Parameters, law: Law, w: float) -> Trial:
     """How long it takes to overturn."""
     most = p["part"] * rocking.threshold(**law, w=w)
     due = rocking.overturns(**law, A=most, w=w)
-    alpha, rate = rocking.slenderness(**law)
+    block, rate = Leaning(p["b"], p["h"]), rocking.slenderness(**law)[1]
     last = due + 1.0 / rate  # before it lies flat
     goal = History(last, last / 300)
 
     def when(run: Run) -> float:
         """When it leans by 2 alpha, between two outputs; nan if it does not."""
-        lean, _ = _leaning(run, p, _place(np.zeros(1), p)[0], alpha)
-        if not (lean > 2 * alpha).any():
+        lean, due_lean = block.seen(run)[0], 2 * block.alpha
+        if not (lean > due_lean).any():
             return math.nan
-        k = int(np.argmax(lean > 2 * alpha))
+        k = int(np.argmax(lean > due_lean))
         part = slice(max(0, k - 3), k + 3)
         from scipy.interpolate import CubicSpline
 
-        return float(CubicSpline(lean[part], run.times[part])(2 * alpha))
+        return float(CubicSpline(lean[part], run.times[part])(due_lean))
 
     near = p["part"] - 1.0
     late = Tolerance(
@@ -264,7 +238,7 @@ def _thrown_over(p: Parameters, law: Law, w: float) -> Trial:
         floor=1e-5,
     )
     judge = Exact({Method.SECOND_ORDER: late}, not_judged=SHOWN)
-    study = Ladder(_scene(p, 0.0, most), goal, (CENTRE, MOVING), LEVELS)
+    study = Ladder(_scene(p, most), goal, (CENTRE, MOVING), LEVELS)
     return Trial(study, (
         Scalar("time", "t_o", "s", "time to overturn: the block leans by 2 alpha", when, due, due,
                judge),

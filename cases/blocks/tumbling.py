@@ -16,6 +16,7 @@ from vv.case import (
     Motion,
     Parameter,
     Parameters,
+    Quantity,
     Scalar,
     Source,
     Tolerance,
@@ -37,6 +38,23 @@ def _declare(variant: str, p: Parameters) -> Trial:
     body = tumbling.Body(
         mass, np.diag(AXES @ inertia @ AXES.T), (vertices - p["height"] * Z) @ AXES.T, AXES
     )
+    free = np.ones(3, bool)
+    block = Block(
+        "block", vertices, faces, mass, inertia, velocity=-p["V"] * Z,
+        free=free, free_spin=free, spin=p["w"] * SPIN @ AXES,
+    )  # fmt: skip
+    scene = Scene((Wall(np.zeros(3), Z), block), Contact(np.inf))
+    goal = History(p["duration"], p["duration"] / OUTPUTS)
+    coarsest = COARSEST / p["w"]
+    rungs = tuple(Knobs(coarsest / 2**i, KN) for i in range(4))
+    levels = {Level.QUICK: rungs[:2], Level.DEFAULT: rungs[:3], Level.PAPER: rungs}
+    return Trial(Ladder(scene, goal, (BLOCK,), levels), _measured(p, body, goal, coarsest))
+
+
+def _measured(
+    p: Parameters, body: tumbling.Body, goal: History, coarsest: float
+) -> tuple[Quantity, ...]:
+    """The way of the centre and when it lands; coarsest: the longest step [s]."""
 
     @functools.cache  # only where a run is measured: it takes longer than what is stored to judge
     def met() -> tumbling.Landing:
@@ -46,18 +64,9 @@ def _declare(variant: str, p: Parameters) -> Trial:
         _check_flight(p, body, found)
         return found
 
-    goal = History(p["duration"], p["duration"] / OUTPUTS)
-    free = np.ones(3, bool)
-    block = Block(
-        "block", vertices, faces, mass, inertia, velocity=-p["V"] * Z,
-        free=free, free_spin=free, spin=p["w"] * SPIN @ AXES,
-    )  # fmt: skip
-    scene = Scene((Wall(np.zeros(3), Z), block), Contact(np.inf))
-
     def path(t: Vector) -> Vector:
         return tumbling.height_gained(t, met(), p["V"])[:, None]
 
-    coarsest = COARSEST / p["w"]
     second = Tolerance(
         1e-4, "the pose, and so the landing, is off by a part of (w dt)^2, w = 2.6 1/s",
         dt=coarsest, order=2, floor=1e-9,
@@ -75,9 +84,7 @@ def _declare(variant: str, p: Parameters) -> Trial:
             not_judged={Method.FIRST_ORDER: SPRUNG, Method.LAGGING: UNTURNED},
         ),
     )  # fmt: skip
-    rungs = tuple(Knobs(coarsest / 2**i, KN) for i in range(4))
-    levels = {Level.QUICK: rungs[:2], Level.DEFAULT: rungs[:3], Level.PAPER: rungs}
-    return Trial(Ladder(scene, goal, (BLOCK,), levels), (up, lands))
+    return up, lands
 
 
 def _check_flight(p: Parameters, body: tumbling.Body, met: tumbling.Landing) -> None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import functools
 from collections.abc import Callable
 
@@ -51,7 +52,7 @@ def _declare(variant: str, p: Parameters) -> Trial:
     histories = functools.cache(functools.partial(_histories, p, block))
     if counted:
         return Trial(study, _counted(p, block, histories))
-    return Trial(study, _stresses(p, block, histories, tops))
+    return Trial(study, _stresses(_Pressed(p, block, histories, tops)))
 
 
 def _histories(p: Parameters, block: Lattice) -> tuple[lattice_failure.History, ...]:
@@ -115,88 +116,104 @@ def _before(run: Run) -> int:
     return 3 * len(run.times) // 4
 
 
-def _stresses(
-    p: Parameters, block: Lattice, histories: Callable[[], tuple[lattice_failure.History, ...]],
-    tops: list[Reaction],
-) -> tuple[Quantity, ...]:  # fmt: skip
-    """The pressure over time, and its landmarks A3, A1 and A2 of Fig. 5."""
+@dataclasses.dataclass(frozen=True)
+class _Pressed:
+    """A block that is pressed: its pressure over the strain, seen and of slow histories.
 
-    def history() -> lattice_failure.History:
-        return histories()[0]
+    tops: the reactions whose sum is the force on it.
+    """
 
-    def strains(run: Run) -> Vector:
-        return np.asarray(abs(p["rate"]) * run.times)
+    p: Parameters
+    block: Lattice
+    histories: Callable[[], tuple[lattice_failure.History, ...]]
+    tops: list[Reaction]
 
-    def seen(run: Run) -> Vector:
-        return np.asarray(np.abs(sum(run.values[what][:, 2] for what in tops)) / block.area)
+    def history(self) -> lattice_failure.History:
+        return self.histories()[0]
 
-    def first(run: Run) -> float:
+    def strains(self, run: Run) -> Vector:
+        return np.asarray(abs(self.p["rate"]) * run.times)
+
+    def seen(self, run: Run) -> Vector:
+        forces = (run.values[what][:, 2] for what in self.tops)
+        return np.asarray(np.abs(sum(forces)) / self.block.area)
+
+    def first(self, run: Run) -> float:
         """The pressure where it is seen to fall behind the straight line it began with."""
-        stress, strain = seen(run), strains(run)
-        straight = (strain > 0.2 * history().strain[0]) & (strain < 0.8 * history().strain[0])
+        stress, strain = self.seen(run), self.strains(run)
+        opens = self.history().strain[0]
+        straight = (strain > 0.2 * opens) & (strain < 0.8 * opens)
         slope, start = np.polyfit(strain[straight], stress[straight], 1)
         behind = stress < (1.0 - BEHIND) * (slope * strain + start)
         behind[: int(np.argmax(straight))] = False
         return float(stress[int(np.argmax(behind)) - 1])
 
-    def top(run: Run) -> float:
-        return _before_the_fall(seen(run)[strains(run) < history().strain[-1]])
+    def lowest(self) -> float:
+        return float(self.history().before()[0])
 
-    def largest(way: lattice_failure.History | None = None) -> float:
-        way = way or history()
+    def top(self, run: Run) -> float:
+        return _before_the_fall(self.seen(run)[self.strains(run) < self.history().strain[-1]])
+
+    def largest(self, way: lattice_failure.History | None = None) -> float:
+        way = way or self.history()
         return _before_the_fall(way.stress(np.linspace(0.0, way.strain[-1], FINE)))
 
-    def outside(run: Run) -> float:
+    def outside(self, run: Run) -> float:
         """How far A1 is off the slow histories, of which the nearest counts."""
-        return min((top(run) - largest(way) for way in histories()), key=abs)
+        return min((self.top(run) - self.largest(way) for way in self.histories()), key=abs)
 
-    def lowest() -> float:
-        return float(history().before()[0])
+    def off(self, run: Run) -> float:
+        """The mean distance from what slow histories have, up to the last opening."""
+        there = self.strains(run) < self.history().strain[-1]
+        ways = np.array([way.stress(self.strains(run)[there]) for way in self.histories()])
+        seen = self.seen(run)[there]
+        return float(np.abs(seen - np.clip(seen, ways.min(axis=0), ways.max(axis=0))).mean())
 
-    def window() -> tuple[float, float]:
+    def window(self) -> tuple[float, float]:
         """Strains from the last opening on, over as much again if all holds that long."""
-        last = float(history().strain[-1])
-        low, high = 1.1 * last, min(2.0 * last, HOLDS * slides)
+        last = float(self.history().strain[-1])
+        low, high = 1.1 * last, min(2.0 * last, HOLDS * _strain_at_sliding(self.p))
         if not low < 0.9 * high:
-            raise ValueError(f"xb = {p['xb']!r} m; bonds slide soon after the last one opens")
+            raise ValueError(f"xb = {self.p['xb']!r} m; bonds slide soon after the last one opens")
         return low, high
 
-    def after(run: Run) -> float:
-        low, high = window()
-        there = (strains(run) > low) & (strains(run) < high)
-        return float(np.polyfit(strains(run)[there], seen(run)[there], 1)[0])
+    def after(self, run: Run) -> float:
+        """The slope of the pressure with all level bonds open."""
+        (low, high), strains = self.window(), self.strains(run)
+        there = (strains > low) & (strains < high)
+        return float(np.polyfit(strains[there], self.seen(run)[there], 1)[0])
 
-    def softer() -> float:
-        return lattice_strength.opened_slope(block, _element(p), p["d"], window())
+    def softer(self) -> float:
+        """What that slope should be."""
+        p = self.p
+        return lattice_strength.opened_slope(self.block, _element(p), p["d"], self.window())
 
-    def off(run: Run) -> float:
-        """The mean distance from what slow histories have, up to the last opening."""
-        there = strains(run) < history().strain[-1]
-        ways = np.array([way.stress(strains(run)[there]) for way in histories()])
-        gap = seen(run)[there] - np.clip(seen(run)[there], ways.min(axis=0), ways.max(axis=0))
-        return float(np.abs(gap).mean())
 
-    slides = _strain_at_sliding(p)
+def _stresses(pressed: _Pressed) -> tuple[Quantity, ...]:
+    """The pressure over time, and its landmarks A3, A1 and A2 of Fig. 5."""
+    p, block, one = pressed.p, pressed.block, pressed
     printed = lattice_material.opening_strength(p["kn"], p["ks"], p["xb"], p["d"])
     slid = lattice_material.sliding_strength(p["fs0"], p["mu_p"], p["d"])
     return (
-        Series("sigma", "sigma", "Pa", "pressure on the hull's area", seen, None, Shown(BEYOND_A2)),
+        Series("sigma", "sigma", "Pa", "pressure on the hull's area", one.seen, None,
+               Shown(BEYOND_A2)),
         Scalar("history", "mean|e|", "Pa", "mean distance from the pressure of the slow network",
-               off, 0.0, largest, _near(p, block)),
-        Scalar("A3", "sigma(A3)", "Pa", "pressure at which the first bond opens", first, lowest,
-               lowest, _steps(p, block)),
-        Scalar("A1", "sigma(A1)", "Pa", "pressure that falls most as level bonds open", top,
-               largest, largest, Shown(TIED)),
+               one.off, 0.0, one.largest, _near(p, block)),
+        Scalar("A3", "sigma(A3)", "Pa", "pressure at which the first bond opens", one.first,
+               one.lowest, one.lowest, _steps(p, block)),
+        Scalar("A1", "sigma(A1)", "Pa", "pressure that falls most as level bonds open", one.top,
+               one.largest, one.largest, Shown(TIED)),
         Scalar("A1 beyond", "d sigma(A1)", "Pa", "how far A1 is off the nearest slow history",
-               outside, 0.0, largest, _steps(p, block)),
-        Scalar("E after", "E'", "Pa", "slope with all level bonds open", after, softer, softer,
-               _open(p)),
+               one.outside, 0.0, one.largest, _steps(p, block)),
+        Scalar("E after", "E'", "Pa", "slope with all level bonds open", one.after, one.softer,
+               one.softer, _open(p)),
         Scalar("A1 over Eq. 8", "A1/C_open - 1", "", "A1 over C_open of Eq. 8, less 1",
-               lambda run: top(run) / printed - 1.0, None, 1.0, Shown(FACES)),
+               lambda run: one.top(run) / printed - 1.0, None, 1.0, Shown(FACES)),
         Scalar("A3 over Eq. 8", "A3/C_open - 1", "", "A3 over C_open of Eq. 8, less 1",
-               lambda run: first(run) / printed - 1.0, None, 1.0, Shown(FACES)),
+               lambda run: one.first(run) / printed - 1.0, None, 1.0, Shown(FACES)),
         Scalar("A2 over Eq. 14", "A2/C_u - 1", "", "the largest pressure over C_u of Eq. 14, "
-               "less 1", lambda run: float(seen(run).max()) / slid - 1.0, None, 1.0, Shown(FACES)),
+               "less 1", lambda run: float(one.seen(run).max()) / slid - 1.0, None, 1.0,
+               Shown(FACES)),
     )  # fmt: skip
 
 

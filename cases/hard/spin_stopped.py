@@ -61,33 +61,10 @@ def _scene(p: Parameters) -> Scene:
 
 
 def _declare(variant: str, p: Parameters) -> Trial:
-    if not LEAST <= p["crossing"] <= 180 - LEAST:
-        raise ValueError(
-            f"crossing = {p['crossing']!r} deg; from {LEAST} to {180 - LEAST} deg edges touch at "
-            "a point"
-        )
-    for name, length in zip(("a1", "a2"), LONG, strict=True):
-        if not abs(p[name]) < 0.4 * length:
-            raise ValueError(
-                f"{name} = {p[name]!r} m; the edge ends {length / 2} m from its middle"
-            )
+    _check(p)
     speed = spin_stopped.together(**MASSES, V=p["V"])
     goal = History(p["duration"], p["duration"] / 10)
-    second = Tolerance(
-        2e-6,
-        "(w dt)^2 of the way, w = 0.8 1/s the quicker spin, by which the prisms turn in the step "
-        "of the impact",
-        dt=STEPS[0] / p["V"], order=2, floor=1e-8,
-    )  # fmt: skip
-    first = Tolerance(
-        5e-2, "an impact seen at the end of its step: dt V over the way of both together, 0.04 m",
-        dt=STEPS[0] / p["V"], order=1,
-        slack="prisms that touch at t = 0 meet in the first step, which has no such error",
-    )  # fmt: skip
-    judge = Exact(
-        {Method.SECOND_ORDER: second, Method.FIRST_ORDER: first},
-        not_judged=dict.fromkeys((Method.PENALTY, Method.LAGGING), SPRUNG),
-    )
+    judge = _judge(STEPS[0] / p["V"])
 
     def path(t: Vector) -> Vector:
         return np.outer(speed * t, [0.0, 0.0, 1.0])
@@ -107,6 +84,39 @@ def _declare(variant: str, p: Parameters) -> Trial:
     rungs = tuple(Knobs(step / p["V"], 1e9) for step in STEPS)
     levels = {Level.QUICK: rungs[:2], Level.DEFAULT: rungs, Level.PAPER: rungs}
     return Trial(Ladder(_scene(p), goal, seen, levels), (*parts, _middle(p, speed, seen)))
+
+
+def _check(p: Parameters) -> None:
+    """Raise ValueError where edges are too near parallel, or one ends before the other."""
+    if not LEAST <= p["crossing"] <= 180 - LEAST:
+        raise ValueError(
+            f"crossing = {p['crossing']!r} deg; from {LEAST} to {180 - LEAST} deg edges touch at "
+            "a point"
+        )
+    for name, length in zip(("a1", "a2"), LONG, strict=True):
+        if not abs(p[name]) < 0.4 * length:
+            raise ValueError(
+                f"{name} = {p[name]!r} m; the edge ends {length / 2} m from its middle"
+            )
+
+
+def _judge(coarsest: float) -> Exact:
+    """What rigid contact is held to; coarsest: the longest step [s]."""
+    second = Tolerance(
+        2e-6,
+        "(w dt)^2 of the way, w = 0.8 1/s the quicker spin, by which the prisms turn in the step "
+        "of the impact",
+        dt=coarsest, order=2, floor=1e-8,
+    )  # fmt: skip
+    first = Tolerance(
+        5e-2, "an impact seen at the end of its step: dt V over the way of both together, 0.04 m",
+        dt=coarsest, order=1,
+        slack="prisms that touch at t = 0 meet in the first step, which has no such error",
+    )  # fmt: skip
+    return Exact(
+        {Method.SECOND_ORDER: second, Method.FIRST_ORDER: first},
+        not_judged=dict.fromkeys((Method.PENALTY, Method.LAGGING), SPRUNG),
+    )
 
 
 def _middle(p: Parameters, speed: float, seen: tuple[Observable, ...]) -> Series:

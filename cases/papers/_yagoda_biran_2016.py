@@ -35,6 +35,7 @@ def _agreeing(*variants: str) -> tuple[Seen, ...]:
     return tuple(Seen("failure-modes", v, "agree") for v in variants)
 
 
+# A row of the table below, column by column.
 def _said(
     place: str, what: str, printed: str, standing: Standing, why: str = "",
     seen: tuple[Seen, ...] = (), unit: str = "", exact: Callable[[], float] | str = "",

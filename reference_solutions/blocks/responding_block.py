@@ -85,6 +85,7 @@ def two_directions_phases(
     )
 
 
+# The case passes its parameters by name, one for one.
 def three_directions(
     t: ArrayLike,
     *,
@@ -108,6 +109,7 @@ def three_directions(
     return moved
 
 
+# The case passes its parameters by name, one for one.
 def three_directions_phases(
     duration: float,
     *,
@@ -126,6 +128,7 @@ def three_directions_phases(
 
 
 @lru_cache(maxsize=16)
+# Positional, so that intervals are cached by all of them.
 def _steps(
     Dx: float,
     fx: float,

@@ -5,6 +5,7 @@ the height z, an inclined contact has length L = sqrt(r^2 + z^2), pushes with N 
 rubs with mu N against the slip, which goes outwards: m r'' = N (r - mu z)/L - eta r', z' = -|v|.
 """
 
+from collections.abc import Callable
 from math import cos, hypot, sin
 
 from reference_solutions.bonds.lattice_material import Element
@@ -45,18 +46,26 @@ def parting(
         if opened and opening <= 0.0:
             break
         opened = opening > 0.0
-        half, end = z - 0.5 * step * fall, z - step * fall
-        a1 = pushed(r, v, z)
-        v2 = v + 0.5 * step * a1
-        a2 = pushed(r + 0.5 * step * v, v2, half)
-        v3 = v + 0.5 * step * a2
-        a3 = pushed(r + 0.5 * step * v2, v3, half)
-        v4 = v + step * a3
-        a4 = pushed(r + step * v3, v4, end)
-        r += step / 6.0 * (v + 2.0 * v2 + 2.0 * v3 + v4)
-        v += step / 6.0 * (a1 + 2.0 * a2 + 2.0 * a3 + a4)
-        z = end
+        r, v, z = _stepped(pushed, r, v, z, fall, step)
     return 0.0, 0.0
+
+
+def _stepped(
+    pushed: Callable[[float, float, float], float],
+    r: float, v: float, z: float, fall: float, step: float,
+) -> tuple[float, float, float]:  # fmt: skip
+    """r, v and z after a step of Runge and Kutta; pushed: r'' from r, v and z."""
+    half, end = z - 0.5 * step * fall, z - step * fall
+    a1 = pushed(r, v, z)
+    v2 = v + 0.5 * step * a1
+    a2 = pushed(r + 0.5 * step * v, v2, half)
+    v3 = v + 0.5 * step * a2
+    a3 = pushed(r + 0.5 * step * v2, v3, half)
+    v4 = v + step * a3
+    a4 = pushed(r + step * v3, v4, end)
+    r += step / 6.0 * (v + 2.0 * v2 + 2.0 * v3 + v4)
+    v += step / 6.0 * (a1 + 2.0 * a2 + 2.0 * a3 + a4)
+    return r, v, end
 
 
 def unbooked(element: Element, d: float, dt: float, *, m: float, eta: float, rate: float) -> float:

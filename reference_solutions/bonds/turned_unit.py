@@ -51,14 +51,22 @@ def path(
     def at(t: Array) -> Array:
         if not t.any():
             return np.zeros((len(t), 4, 3))
-        from scipy.integrate import solve_ivp
-
-        solved = solve_ivp(
-            change, (0.0, float(t.max())), start, "DOP853", t, rtol=ROUNDED, atol=ROUNDED * scale
-        )
-        return np.asarray(size * solved.y[:12].T.reshape(-1, 4, 3))
+        states = _integrated(change, t, start, ROUNDED * scale)
+        return np.asarray(size * states[:12].T.reshape(-1, 4, 3))
 
     return at
+
+
+def _integrated(
+    change: Callable[[float, Array], Array], t: Array, start: Array, rounded: Array
+) -> Array:
+    """The states (n, k) at times (k,) [s]; rounded: what each component may be off."""
+    from scipy.integrate import solve_ivp
+
+    solved = solve_ivp(
+        change, (0.0, float(t.max())), start, "DOP853", t, rtol=ROUNDED, atol=rounded
+    )
+    return np.asarray(solved.y)
 
 
 def _along(vectors: Array, n: Array) -> Array:

@@ -15,6 +15,7 @@ Array = NDArray[np.float64]
 STILL = 1e-9  # of the fastest: rates that are none, of modes that nothing holds
 
 
+# The case passes its parameters by name, one for one.
 def time_to_rest(
     corners: Array, edges: NDArray[np.int64], free: NDArray[np.bool_], load: Array, part: float, *,
     kn: float, ks: float, d: float, m: float, eta: float,

@@ -98,6 +98,7 @@ class Stage:
         return "flight" if self.normal is None else "slip" if self.way else "stick"
 
 
+# The case passes its parameters by name, one for one.
 def floor(
     t: ArrayLike,
     *,
@@ -125,6 +126,7 @@ def floor(
 
 
 @lru_cache(maxsize=64)
+# The case passes its parameters by name, one for one.
 def floor_stages(
     end: float,
     *,

@@ -109,6 +109,7 @@ class Stage(NamedTuple):
     states: Any
 
 
+# The case passes its parameters by name, one for one.
 def pair(
     t: ArrayLike,
     *,
@@ -141,6 +142,7 @@ def pair(
 
 
 @lru_cache(maxsize=64)
+# The case passes its parameters by name, one for one.
 def pair_stages(
     end: float,
     *,

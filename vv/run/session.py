@@ -14,6 +14,7 @@ from vv.plan.plan import Plan, with_jobs_kept
 from vv.plan.project import Project
 from vv.records.job_record import JobCost, Record
 from vv.records.manifest import CodeFound, Manifest
+from vv.records.provenance import Machine
 from vv.run.answering import StoredJobs, records_of
 from vv.run.case_facts import case_facts_of
 from vv.run.executor import LOCAL, Executor, Local
@@ -68,19 +69,32 @@ def carry_out(
         dataclasses.replace(record, cost=costs.get(i, record.cost))
         for i, record in enumerate(ordered)
     ]
-    now, asked = clock(), limits.timing in MEASURED
-    timer = place.timer() if asked else machine()
-    found = judged(
-        project,
-        plan,
-        timed,
-        GateOptions(now.date(), timer, limits.against, limits.timing is Timing.NEW),
-    )
-    manifest = Manifest(
+    measured = limits.timing in MEASURED
+    missing = gaps(plan, ordered, costs) if measured else ()
+    timer = place.timer() if measured else machine()
+    manifest = _manifest(project, plan, limits, timed, missing, timer, command, clock())
+    store.keep_manifest(manifest)
+    return manifest
+
+
+def _manifest(
+    project: Project,
+    plan: Plan,
+    limits: Limits,
+    records: Sequence[Record],
+    untimed: tuple[str, ...],
+    timer: Machine,
+    command: Sequence[str],
+    now: datetime.datetime,
+) -> Manifest:
+    """Judge the records; the manifest that holds them and where they come from."""
+    new = limits.timing is Timing.NEW
+    found = judged(project, plan, records, GateOptions(now.date(), timer, limits.against, new))
+    return Manifest(
         provenance=provenance(project.root, command, now),
         codes={code: _code(project, plan, code) for code in sorted({j.code for j in plan.jobs})},
         cases=case_facts_of(plan),
-        untimed=gaps(plan, ordered, costs) if asked else (),
+        untimed=untimed,
         records=found.records,
         findings=found.findings,
         baselines=found.baselines,
@@ -88,8 +102,6 @@ def carry_out(
         timed_on=None if timer == machine() else timer,
         name=run_name(now),
     )
-    store.keep_manifest(manifest)
-    return manifest
 
 
 def _until(

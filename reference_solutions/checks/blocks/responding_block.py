@@ -101,6 +101,7 @@ def two_directions(
     return all_three[:, :2]
 
 
+# The case passes its parameters by name, one for one.
 def three_directions(
     t: ArrayLike,
     *,

@@ -7,6 +7,7 @@ that lands what it keeps, so that nothing of the first route's formulas is used 
 from math import atan2, cos, hypot, pi, sin
 
 
+# The case passes its parameters by name, one for one.
 def leans(
     t: float,
     *,
@@ -57,6 +58,7 @@ def landed(rate: float, b: float, h: float) -> float:
     return abs(before) / (about + b * b + h * h)
 
 
+# All that the moments depend on.
 def pushed(
     x: float, side: float, now: float, b: float, h: float, g: float, A: float, w: float, T: float
 ) -> float:

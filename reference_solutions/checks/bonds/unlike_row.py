@@ -11,6 +11,7 @@ Array = NDArray[np.float64]
 State = tuple[Array, Array, Array, Array]
 
 
+# The case passes its parameters by name, one for one.
 def motion(
     t: Array,
     bonds: NDArray[np.int64],

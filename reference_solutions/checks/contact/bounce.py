@@ -50,6 +50,7 @@ class Touch:
         return self.mu * self.kn * self.overlap(z) - abs(float(z[-1]))
 
 
+# The case passes its parameters by name, one for one.
 def floor(
     t: ArrayLike,
     *,
@@ -78,22 +79,11 @@ def floor(
     return _march(t, np.array([0.0, 0.0, v_t, -v_n, w, 0.0]), touch)[..., :2]
 
 
+# The case passes its parameters by name, one for one.
 def pair(
-    t: ArrayLike,
-    *,
-    rho: float,
-    r1: float,
-    r2: float,
-    kn: float,
-    ks: float,
-    mu: float,
-    gap: float,
-    v_n: float,
-    v_t: float,
-    w1: float,
-    w2: float,
-    load: float,
-) -> Array:
+    t: ArrayLike, *, rho: float, r1: float, r2: float, kn: float, ks: float, mu: float,
+    gap: float, v_n: float, v_t: float, w1: float, w2: float, load: float,
+) -> Array:  # fmt: skip
     """Displacements (..., 4) [m]; state: distance less the first, angle, their rates, J, K, F."""
     m1, m2 = (rho * pi * (2.0 * r) ** 3 / 6.0 for r in (r1, r2))
     m, start = m1 * m2 / (m1 + m2), gap + r1 + r2
@@ -120,12 +110,16 @@ def pair(
         scale=[gap, gap / start, v_n, v_n / start, m * v_n, gap * m * v_n],
     )  # fmt: skip
     z = _march(t, np.array([0.0, 0.0, -v_n, v_t / start, 0.0, 0.0, 0.0]), touch)
-    far, angle = z[..., 0], z[..., 1]
-    x = far * np.cos(angle) - 2.0 * start * np.sin(angle / 2.0) ** 2
-    y = (far + start) * np.sin(angle)
-    apart = np.stack([x, y], axis=-1)
+    apart = _parted(z[..., 0], z[..., 1], start)
     carried = np.multiply.outer(np.asarray(t), np.array([-v_n, v_t])) * m2 / (m1 + m2)
     return np.concatenate([carried - m / m1 * apart, carried + m / m2 * apart], axis=-1)
+
+
+def _parted(far: Array, angle: Array, start: float) -> Array:
+    """By what (..., 2) [m] the offset of the centres has changed; far: less `start`."""
+    x = far * np.cos(angle) - 2.0 * start * np.sin(angle / 2.0) ** 2
+    y = (far + start) * np.sin(angle)
+    return np.stack([x, y], axis=-1)
 
 
 def _march(t: ArrayLike, z: Array, touch: Touch) -> Array:

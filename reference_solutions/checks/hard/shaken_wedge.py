@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 Array = NDArray[np.float64]
 
 
+# The case passes its parameters by name, one for one.
 def slid(
     t: float, *, dip: float, xi: float, mu: float, A: float, f: float, g: float, level: bool,
     steps: int = 100_000,

@@ -3,6 +3,7 @@
 With u = q^4 and dt = q^3 ds the equations are polynomials, also where contact begins.
 """
 
+from collections.abc import Callable
 from math import inf, sqrt
 from typing import NamedTuple
 
@@ -10,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
+Event = Callable[[float, Array], float]
 
 
 class Seen(NamedTuple):
@@ -48,12 +50,10 @@ def impact(z: float, *, m: float, K: float, v: float) -> Seen:
     def turns(s: float, y: Array) -> float:
         return float(y[1])
 
-    ends.terminal = True  # type: ignore[attr-defined]
-    for event in (ends, peak, turns):
-        event.direction = -1.0  # type: ignore[attr-defined]
+    events = _falling(ends, peak, turns)
     size = (1.25 * m * v * v / K) ** 0.1
     found = solve_ivp(
-        slope, (0.0, 100.0 * size / v), [0.0, v, 0.0], "DOP853", events=(ends, peak, turns),
+        slope, (0.0, 100.0 * size / v), [0.0, v, 0.0], "DOP853", events=events,
         rtol=1e-13, atol=[1e-15 * size, 1e-15 * v, 1e-16 * size**4 / v],
         max_step=0.1 * size / v, first_step=1e-3 * size / v,
     )  # fmt: skip
@@ -64,6 +64,14 @@ def impact(z: float, *, m: float, K: float, v: float) -> Seen:
         -float(end[1]) / v, float(low[0]) ** 4, force(high), float(end[2]),
         float(end[2]) - last / speed,
     )  # fmt: skip
+
+
+def _falling(ends: Event, *others: Event) -> tuple[Event, ...]:
+    """Events of solve_ivp where they fall through zero; the first ends the integration."""
+    ends.terminal = True  # type: ignore[attr-defined]
+    for event in (ends, *others):
+        event.direction = -1.0  # type: ignore[attr-defined]
+    return ends, *others
 
 
 def on_a_spring(z: float, *, m: float, kn: float, v: float) -> Seen:
@@ -82,11 +90,9 @@ def on_a_spring(z: float, *, m: float, kn: float, v: float) -> Seen:
     def turns(t: float, y: Array) -> float:
         return float(y[1])
 
-    ends.terminal = True  # type: ignore[attr-defined]
-    for event in (ends, peak, turns):
-        event.direction = -1.0  # type: ignore[attr-defined]
+    events = _falling(ends, peak, turns)
     found = solve_ivp(
-        slope, (0.0, 10.0), [0.0, 1.0], "DOP853", events=(ends, peak, turns),
+        slope, (0.0, 10.0), [0.0, 1.0], "DOP853", events=events,
         rtol=1e-13, atol=1e-15, max_step=0.05,
     )  # fmt: skip
     last, high, low = (states[:1] for states in found.y_events)

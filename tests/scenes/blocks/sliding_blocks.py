@@ -125,9 +125,7 @@ def by_scipy(scene: Scene, frame: Frame, times: Vector) -> Vector:
     t, w, s, found = 0.0, float((box.velocity - _sum(motion, 0.0, 1)) @ frame.dip), 0.0, []
     while t < times[-1]:
         if w == 0 and slack(t) > 0:
-            grid = np.linspace(t, times[-1], 4000)
-            low = next((i for i, x in enumerate(grid) if slack(x) < 0), None)
-            end = times[-1] if low is None else brentq(slack, grid[low - 1], grid[low], xtol=1e-15)
+            end = _end_of_rest(slack, t, times[-1])
             found += [(x, s) for x in times if t <= x <= end]
             t = end + 1e-8  # where the slip is under way, and has moved by nothing
             continue
@@ -152,6 +150,13 @@ def by_scipy(scene: Scene, frame: Frame, times: Vector) -> Vector:
     slip = dict(found)
     moved = [_sum(motion, x, 0) - _sum(motion, 0.0, 0) + slip[x] * frame.dip for x in times]
     return np.array(moved)
+
+
+def _end_of_rest(slack: Callable[[float], float], begin: float, last: float) -> float:
+    """When friction first has no slack left; the last time if it always has."""
+    grid = np.linspace(begin, last, 4000)
+    low = next((i for i, x in enumerate(grid) if slack(x) < 0), None)
+    return last if low is None else float(brentq(slack, grid[low - 1], grid[low], xtol=1e-15))
 
 
 def _sum(motion: Harmonic | None, t: float, order: int) -> Vector:
