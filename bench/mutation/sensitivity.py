@@ -21,10 +21,11 @@ from bench.evidence import conclude
 from vv.ask import Ask, Knobs, Method, Run, Status
 from vv.case import Case, Level, Study, Trial
 from vv.codes.adapter import Adapter, Scheme, known_beforehand
-from vv.plan.plan import project_knobs
+from vv.plan.planning import project_knobs
 from vv.plan.project import Project, find
+from vv.records.checking import checked
 from vv.records.outcomes import Verdict
-from vv.records.record import checked, measured
+from vv.records.record import measured
 from vv.run.search import answers
 
 IN_HOUSE = ("exact", "rigid", "dem", "dda")

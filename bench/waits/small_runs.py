@@ -14,7 +14,8 @@ LOAD = """
 import time
 began = time.process_time()
 from vv.plan.project import find
-from vv.plan.plan import Options, make_plan
+from vv.plan.plan import Options
+from vv.plan.planning import make_plan
 plan = make_plan(find(), ["single-contact:T1"], Options(codes=("dem/default",)))
 planned = time.process_time()
 import tempfile

@@ -21,7 +21,7 @@ from tests.scenes.other_worlds import rescaled
 from tests.support.installed import require
 from vv.ask import Ask, Displacement, Run, Status, Velocity
 from vv.codes import Adapter, Scheme, known_beforehand
-from vv.plan.plan import project_knobs
+from vv.plan.planning import project_knobs
 from vv.plan.project import find
 
 PROJECT = find(Path(__file__))

@@ -28,7 +28,7 @@ from tests.scenes.random_scenes import (
 from vv.ask import Ask, Displacement, History, Knobs, Run, Status
 from vv.codes import Adapter, known_beforehand
 from vv.gate.judgement import breaches
-from vv.records.record import checked
+from vv.records.checking import checked
 from vv.scene import Block, Scene, Spheres, Vector, rotated, with_bodies_reversed
 
 OURS: tuple[Adapter, ...] = (

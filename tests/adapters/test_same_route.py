@@ -11,7 +11,7 @@ import pytest
 from vv.ask import Ask, Status
 from vv.case import Case, Level
 from vv.codes import Adapter, known_beforehand
-from vv.plan.plan import project_knobs
+from vv.plan.planning import project_knobs
 from vv.plan.project import find
 from vv.scene import Block, Scene, Spheres, Wall
 

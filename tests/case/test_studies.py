@@ -11,7 +11,8 @@ import pytest
 from tests.conftest import Tiny
 from vv.base import closure
 from vv.plan import keys
-from vv.plan.plan import Options, make_plan
+from vv.plan.plan import Options
+from vv.plan.planning import make_plan
 from vv.plan.project import find
 
 LADDER = "Ladder(scene, History(1.0, 0.1), (BALL,), levels, timed=RUNGS[:2])"

@@ -9,8 +9,9 @@ import pytest
 from vv.ask import Knobs
 from vv.case import Search
 from vv.plan.project import find
+from vv.records.checking import checked
 from vv.records.outcomes import Verdict
-from vv.records.record import checked, measured
+from vv.records.record import measured
 
 PROJECT = find()
 

@@ -55,7 +55,7 @@ def test_a_page_is_of_the_default_level_or_of_the_first_that_its_case_has(
     def told(project: Project, selection: list[str], options: Options) -> NoReturn:
         raise AskedError(selection, options)
 
-    monkeypatch.setattr("vv.plan.plan.make_plan", told)
+    monkeypatch.setattr("vv.plan.planning.make_plan", told)
     case = SimpleNamespace(variants=[SimpleNamespace(level=level) for level in levels])
     project: Any = SimpleNamespace(load_case=lambda name: case)
     with pytest.raises(AskedError) as found:
@@ -77,7 +77,7 @@ def test_of_the_scenes_of_a_case_each_is_drawn_once_and_no_more_than_four(
         shown.update(drawn)
         return SimpleNamespace(text=lambda: "the page")
 
-    monkeypatch.setattr("vv.plan.plan.make_plan", lambda *_: plan)
+    monkeypatch.setattr("vv.plan.planning.make_plan", lambda *_: plan)
     monkeypatch.setattr("vv.run.case_facts.case_facts", lambda *_: None)
     monkeypatch.setattr("vv.output.gallery.case_page.CasePage", page)
     monkeypatch.setattr("vv.cli.docs_command._drawing", lambda one: f"<svg {one}>" if one else "")

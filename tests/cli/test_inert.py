@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from vv.plan.plan import Options, make_plan
+from vv.plan.plan import Options
+from vv.plan.planning import make_plan
 from vv.plan.project import find
 
 

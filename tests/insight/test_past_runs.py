@@ -10,8 +10,7 @@ from tests.support.fabricated import manifest_of_all, requantified
 from vv.case import Norm
 from vv.insight.history import history
 from vv.insight.past_runs import PastRuns
-from vv.records.manifest import Manifest
-from vv.records.provenance import Provenance
+from vv.records.manifest import Manifest, Provenance
 from vv.store.store import Store
 
 

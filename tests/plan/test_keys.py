@@ -17,7 +17,8 @@ from vv.base.closure import source_digest
 from vv.case import Level
 from vv.codes.adapter import Found
 from vv.plan import keys
-from vv.plan.plan import Job, Options, Plan, make_plan
+from vv.plan.plan import Job, Options, Plan
+from vv.plan.planning import make_plan
 from vv.plan.project import Project
 from vv.run import reuse
 

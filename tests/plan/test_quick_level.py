@@ -5,7 +5,8 @@ from collections.abc import Callable
 
 from tests import ROOT
 from vv.case import Level
-from vv.plan.plan import Job, Options, make_plan
+from vv.plan.plan import Job, Options
+from vv.plan.planning import make_plan
 from vv.plan.project import Project
 
 PROJECT = Project(ROOT)

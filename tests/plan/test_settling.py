@@ -13,7 +13,8 @@ import pytest
 from tests import ROOT
 from vv.ask import Run, Status
 from vv.plan import settling
-from vv.plan.plan import Job, Options, make_plan
+from vv.plan.plan import Job, Options
+from vv.plan.planning import make_plan
 from vv.plan.project import Project
 
 

@@ -19,7 +19,7 @@ from vv.records import codec
 from vv.records.codec import DamagedError
 from vv.records.finding import Aspect, Bit, Finding
 from vv.records.job_record import JobCost, ModelSummary, Record
-from vv.records.provenance import Machine, Provenance
+from vv.records.manifest import Machine, Provenance
 from vv.records.quantity import MeasuredQuantity
 from vv.records.recorded import RecordedQuantity
 from vv.store import manifest, record_list

@@ -24,10 +24,11 @@ from vv.ask import (
     Velocity,
 )
 from vv.case import Count, Exact, Interval, Invariant, Judge, Norm, Scalar, Series, Shown, Tolerance
+from vv.records.checking import checked, within
 from vv.records.job_record import RunSummary
 from vv.records.outcomes import JudgeKind, Verdict
 from vv.records.quantity import MeasuredQuantity
-from vv.records.record import _by_band, checked, measured, summarised, within
+from vv.records.record import _by_band, measured, summarised
 from vv.scene import Contact, Form, Scene, Spheres, Term, Vector  # fmt: skip
 
 WAY, SPEED = Displacement(0), Velocity(0)

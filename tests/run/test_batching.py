@@ -15,7 +15,8 @@ from hypothesis import strategies as st
 from tests import ROOT
 from tests.support.fabricated import cost, manifest, record
 from vv.ask import History, Knobs
-from vv.plan.plan import Options, Plan, make_plan
+from vv.plan.plan import Options, Plan
+from vv.plan.planning import make_plan
 from vv.plan.project import Project
 from vv.records.manifest import Manifest
 from vv.run.batching import batches

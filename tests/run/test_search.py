@@ -28,8 +28,9 @@ from vv.ask import (
 )
 from vv.case import Interval, Ladder, Level, Search, largest_step, last_stable_step
 from vv.codes import Found, no_steps
+from vv.records.checking import checked
 from vv.records.outcomes import Verdict
-from vv.records.record import checked, measured
+from vv.records.record import measured
 from vv.run.search import answers
 from vv.scene import Contact, Harmonic, Pulse, Scene, Vector
 from vv.store.store import Store

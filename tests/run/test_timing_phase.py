@@ -8,10 +8,11 @@ import pytest
 from tests import ROOT
 from tests.support.fabricated import record
 from vv.ask import Cost, Run
-from vv.plan.plan import Job, Options, Plan, make_plan
+from vv.plan.plan import Job, Options, Plan
+from vv.plan.planning import make_plan
 from vv.plan.project import Project
 from vv.records.job_record import JobCost, Record
-from vv.records.provenance import Machine
+from vv.records.manifest import Machine
 from vv.run.process import Batch
 from vv.run.rounds import Timed
 from vv.run.timing_phase import timed_costs

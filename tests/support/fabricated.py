@@ -12,9 +12,8 @@ from vv.case import Parameter, Source
 from vv.records import codec
 from vv.records.case_facts import CaseFacts, QuantityFacts, ToleranceFacts, VariantFacts
 from vv.records.job_record import JobCost, Record, summary_of
-from vv.records.manifest import CodeFound, Manifest
+from vv.records.manifest import CodeFound, Machine, Manifest, Provenance
 from vv.records.outcomes import CostKind, JudgeKind
-from vv.records.provenance import Machine, Provenance
 from vv.records.quantity import MeasuredQuantity
 from vv.store.store import Store
 

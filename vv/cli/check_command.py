@@ -77,7 +77,7 @@ def _answers(
     adapter: Adapter, scheme: Scheme, greeting: Greeting, timeout: float, scratch: Path
 ) -> list[Run]:
     """What comes of the question at each step, in order; nothing is asked after a timeout."""
-    from vv.records.record import checked
+    from vv.records.checking import checked
     from vv.run.process import Batch
     from vv.run.runner import run_batches
 

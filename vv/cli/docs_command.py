@@ -80,7 +80,8 @@ def case_pages(project: Project, names: Sequence[str]) -> Files:
 
 def _of_case(project: Project, name: str) -> Iterator[tuple[Path, str]]:
     from vv.output.gallery.case_page import CasePage
-    from vv.plan.plan import Options, make_plan
+    from vv.plan.plan import Options
+    from vv.plan.planning import make_plan
     from vv.run.case_facts import case_facts
 
     case = project.load_case(name)

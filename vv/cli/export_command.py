@@ -70,7 +70,7 @@ def export(
 def _question(case: Case, variant: str, asked: Options) -> str:
     """The ask.json of the finest setting."""
     from vv.codes.program import question
-    from vv.plan.plan import finest_ask
+    from vv.plan.planning import finest_ask
 
     ask = finest_ask(case, variant, asked)
     knobs = [name for name, value in dataclasses.asdict(ask.knobs).items() if value is not None]
@@ -80,7 +80,7 @@ def _question(case: Case, variant: str, asked: Options) -> str:
 def _input(project: Project, selection: str, asked: Options, form: Form) -> tuple[str, str]:
     """What the code's adapter writes, or the ask.json with its knobs, and the label of the job."""
     from vv.codes.program import question
-    from vv.plan.plan import make_plan
+    from vv.plan.planning import make_plan
     from vv.plan.selection import choose_schemes, named_adapters
 
     adapter, scheme = choose_schemes(named_adapters(project, asked.codes), asked.codes)[0]

@@ -114,7 +114,8 @@ def plan_of(project: Project, selection: list[str], options: Options, keyword: s
     Raises UsageError for one that none fits, and for more words than anybody types.
     """
     from vv.plan.expression import matcher
-    from vv.plan.plan import make_plan, with_jobs_kept
+    from vv.plan.plan import with_jobs_kept
+    from vv.plan.planning import make_plan
 
     for what, words in (
         ("names", selection),

@@ -121,7 +121,8 @@ def explain(
 ) -> None:
     """Explain a case: source, formula, parameters, tolerances, mapping into codes, results."""
     from vv.output.explain import print_explanation
-    from vv.plan.plan import Options, make_plan
+    from vv.plan.plan import Options
+    from vv.plan.planning import make_plan
     from vv.store.store import Store
 
     project = find()

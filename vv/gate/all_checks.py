@@ -26,7 +26,7 @@ from vv.plan.project import Project
 from vv.records.accepted import AcceptanceSummary, Baseline, BaselineSummary
 from vv.records.finding import Aspect, Bit, Finding
 from vv.records.job_record import Record
-from vv.records.provenance import Machine
+from vv.records.manifest import Machine
 from vv.records.recorded import RecordedResult
 from vv.store.provenance import machine
 

@@ -16,7 +16,8 @@ from vv.ask import Status
 from vv.base.errors import UsageError
 from vv.base.files import write_whole
 from vv.case import Level
-from vv.plan.plan import Job, Options, Plan, make_plan
+from vv.plan.plan import Job, Options, Plan
+from vv.plan.planning import make_plan
 from vv.plan.project import Project
 from vv.records.finding import NOTICE, Aspect, Bit, Finding
 from vv.records.job_record import Record

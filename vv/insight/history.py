@@ -9,9 +9,8 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 from vv.insight.past_runs import Digest, Figures, PastRuns
-from vv.records.manifest import Manifest
+from vv.records.manifest import Manifest, Provenance
 from vv.records.outcomes import Outcome
-from vv.records.provenance import Provenance
 from vv.store.store import Store
 
 COMMITS = 8  # shown

@@ -13,9 +13,8 @@ from vv.base import closure
 from vv.base.digest import digest
 from vv.gate.judgement import counted
 from vv.records.job_record import Record
-from vv.records.manifest import Manifest
+from vv.records.manifest import Machine, Manifest, Provenance
 from vv.records.outcomes import Outcome
-from vv.records.provenance import Machine, Provenance
 from vv.records.reading import rung
 from vv.store.store import Store
 

@@ -10,9 +10,8 @@ from vv.insight.stability_summary import stability
 from vv.records import codec
 from vv.records.codec import Json
 from vv.records.job_record import Record
-from vv.records.manifest import Manifest
+from vv.records.manifest import Manifest, Provenance
 from vv.records.outcomes import QuantityKind
-from vv.records.provenance import Provenance
 from vv.records.quantity import MeasuredQuantity
 from vv.scene import Vector
 from vv.store.store import Store

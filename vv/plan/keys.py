@@ -15,6 +15,7 @@ from vv.plan.project import Project
 from vv.store.provenance import file_digests
 
 PACKAGE = Path(vv.__file__).parent
+MEASURING = (PACKAGE / "records" / "record.py", PACKAGE / "records" / "checking.py")
 
 
 def run_keys(project: Project, plan: Plan) -> dict[int, str]:
@@ -70,7 +71,7 @@ def executables(project: Project, found: Found) -> dict[str, str]:
 
 def case_digest(case: Path, places: tuple[Path, ...]) -> str:
     """Digest of what judges a case: sources of its file and of the measuring, and libraries."""
-    files = import_closure([case, PACKAGE / "records" / "record.py"], places)
+    files = import_closure([case, *MEASURING], places)
     return digest(source_digest(files), library_versions(files))
 
 

@@ -1,36 +1,20 @@
-"""Makes the plan: one job for each selected variant, scheme and setting."""
+"""What an invocation is to do: its options, its jobs, and plans that are cut down or merged."""
 
 from __future__ import annotations
 
 import dataclasses
 import functools
-from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
-import numpy as np
-
-from vv.ask import Ask, Knobs, Method, Run, Status
+from vv.ask import Ask, Knobs, Method, Run
 from vv.base.errors import UsageError
-from vv.base.time_limit import time_limit
 from vv.case import (
     Case,
-    Count,
-    Grid,
     Level,
-    Quantity,
-    Series,
     Trial,
-    error_scale,
-    evaluated,
-    knobs_in_scene,
-    why_too_long,
 )
-from vv.codes.adapter import Adapter, Found, Scheme, known_beforehand, no_steps
-from vv.plan.project import Project
-from vv.plan.selection import choose_schemes, named_adapters, select
-from vv.plan.settings import parameters_with_settings
-
-PATIENCE = 20.0  # s of the processor for the answers of a variant at parameters of a user
+from vv.codes.adapter import Adapter, Found
 
 
 @dataclass(frozen=True)
@@ -45,9 +29,6 @@ class Options:
     codes: tuple[str, ...] = ("*",)
     settings: tuple[str, ...] = ()
     rungs: tuple[Knobs, ...] = ()
-
-
-INERT = "inert, since the exact answer does not contain it: only a code's way there may change"
 
 
 @dataclass(frozen=True, eq=False)
@@ -110,41 +91,6 @@ class Plan:
     found: Mapping[str, Found]
 
 
-def make_plan(project: Project, selection: Sequence[str], options: Options) -> Plan:
-    """The plan for a selection; raises UsageError for unknown names and invalid values."""
-    chosen = select(project, selection)
-    adapters = named_adapters(project, options.codes)
-    found = {name: adapter.found() for name, adapter in adapters.items()}
-    schemes = choose_schemes(adapters, options.codes)
-    posed = [
-        _declared(case, variant, options)
-        for case, variant in chosen
-        if case.variant(variant).runs_at(options.level)
-    ]
-    jobs = [
-        job
-        for one in posed
-        for adapter, scheme in schemes
-        for job in _jobs(one, adapter, scheme, found[adapter.name])
-    ]
-    if not jobs:
-        raise EmptyPlanError(_no_jobs(chosen, options.level))
-    cases = {one.case.name: one.case for one in posed}
-    trials = {(one.case.name, one.variant): one.trial for one in posed}
-    return Plan(tuple(jobs), cases, trials, adapters, found)
-
-
-def _no_jobs(chosen: Sequence[tuple[Case, str]], level: Level) -> str:
-    """Why a selection has no job."""
-    later = [case.variant(variant).level for case, variant in chosen]
-    if not later:
-        return "the selection is empty"
-    first = min(later, key=lambda one: one.rank)
-    return (
-        f"the selection is empty at level {level.value}; --level {first.value} has variants of it"
-    )
-
-
 def with_jobs_kept(plan: Plan, keep: Callable[[Job], bool]) -> Plan:
     """The plan with only the jobs for which keep(job) holds, and their cases and trials."""
     return _with_jobs(plan, tuple(job for job in plan.jobs if keep(job)))
@@ -171,127 +117,3 @@ def _with_jobs(plan: Plan, jobs: tuple[Job, ...]) -> Plan:
         cases={name: case for name, case in plan.cases.items() if name in cases},
         trials={key: trial for key, trial in plan.trials.items() if key in trials},
     )
-
-
-@dataclass(frozen=True, eq=False)
-class _Declared:
-    """A variant with its parameters, trial and settings, and the ask at each setting."""
-
-    case: Case
-    variant: str
-    parameters: Mapping[str, float]
-    trial: Trial
-    rungs: tuple[Knobs, ...]
-    ask: Callable[[Knobs], Ask]
-
-
-def _declared(case: Case, variant: str, options: Options) -> _Declared:
-    parameters = parameters_with_settings(case, variant, options.settings)
-    trial = declare_trial(case, variant, parameters)
-    if not trial.study.scene.contact.rigid and any(rung.kn for rung in options.rungs):
-        raise UsageError(f"{case.name}:{variant} has a contact stiffness of its own; leave out kn")
-    rungs = options.rungs or trial.study.rungs[options.level]
-    return _Declared(case, variant, parameters, trial, rungs, functools.cache(trial.study.ask))
-
-
-def finest_ask(case: Case, variant: str, options: Options) -> Ask:
-    """The question of a variant at its finest setting, put to no scheme in particular."""
-    posed = _declared(case, variant, options)
-    return posed.ask(posed.rungs[-1])
-
-
-def declare_trial(case: Case, variant: str, parameters: Mapping[str, float]) -> Trial:
-    """The trial of a variant; raises UsageError for parameters that the case rejects.
-
-    With parameters changed by the user, references are evaluated now, so that their errors are
-    found early, and within a limit of time: values far from any that the case was made for may
-    take for ever. With default parameters they are left until a run is measured, because some
-    are costly.
-    """
-    try:
-        if dict(parameters) == case.defaults(variant):
-            return case.declare(variant, parameters)
-    except ValueError as error:
-        raise UsageError(f"{case.name}:{variant}: {error}") from error
-    try:
-        with time_limit(PATIENCE):
-            trial = case.declare(variant, parameters)
-            _evaluate_references(trial.quantities)
-        return trial
-    except (ValueError, ArithmeticError, RuntimeError) as error:
-        raise UsageError(f"{case.name}:{variant}: {error}") from error
-
-
-def _evaluate_references(quantities: Iterable[Quantity]) -> None:
-    """Evaluate the reference and scale of every quantity; raises what they raise."""
-    for quantity in quantities:
-        if isinstance(quantity, Series):
-            if quantity.reference is not None:
-                quantity.reference(np.zeros(1))
-        elif quantity.reference is not None:
-            evaluated(quantity.reference)
-        if not isinstance(quantity, Count) and quantity.scale is not None:
-            error_scale(quantity.name, quantity.scale)
-
-
-def _jobs(posed: _Declared, adapter: Adapter, scheme: Scheme, found: Found) -> list[Job]:
-    """The jobs of a variant in a scheme: one for each setting that differs in its knobs."""
-    terms = posed.trial.study.scene.terms()
-    own = knobs_in_scene(posed.trial.study)
-    timed = {project_knobs(knobs, scheme, own) for knobs in posed.trial.study.timed}
-    settle = _known_outcome_on_map if isinstance(posed.trial.study, Grid) else _known_outcome
-    return [
-        Job(
-            case=posed.case.name,
-            variant=posed.variant,
-            parameters=posed.parameters,
-            modified=dict(posed.parameters) != posed.case.defaults(posed.variant),
-            code=adapter.name,
-            scheme=scheme.name,
-            method=scheme.method_for(terms),
-            ask=posed.ask(knobs),
-            timed=knobs in timed,
-            settle=functools.partial(settle, posed, adapter, scheme, posed.ask(knobs), found),
-            inert=_changed_in_vain(posed),
-        )
-        for knobs in dict.fromkeys(project_knobs(knobs, scheme, own) for knobs in posed.rungs)
-    ]
-
-
-def _changed_in_vain(posed: _Declared) -> str:
-    """Which parameters were changed that the exact answer does not contain, in words."""
-    usual = posed.case.defaults(posed.variant)
-    inert = posed.case.variant(posed.variant).inert
-    changed = [n for n, value in posed.parameters.items() if n in inert and value != usual[n]]
-    given = ", ".join(f"{name} = {posed.parameters[name]:g}" for name in changed)
-    return f"{given}: {INERT}" if changed else ""
-
-
-def _known_outcome(
-    posed: _Declared, adapter: Adapter, scheme: Scheme, ask: Ask, found: Found
-) -> Run | None:
-    """The outcome known without running, as `known_beforehand` or TOO_LONG says; else None."""
-    run = known_beforehand(adapter, scheme, ask, found)
-    why = why_too_long(posed.trial.study, ask.knobs, scheme.pace)
-    return Run(Status.TOO_LONG, why) if why and run is None else run
-
-
-def _known_outcome_on_map(
-    posed: _Declared, adapter: Adapter, scheme: Scheme, ask: Ask, found: Found
-) -> Run | None:
-    """As `_known_outcome`, for a map: steps refused only because they are long are run."""
-    run, own = _known_outcome(posed, adapter, scheme, ask, found), knobs_in_scene(posed.trial.study)
-    if run is None or run.status is not Status.REFUSED or no_steps(ask) is not None:
-        return run
-    row = [k for k in (project_knobs(k, scheme, own) for k in posed.rungs) if k.kn == ask.knobs.kn]
-    shorter = [k for k in row if (k.dt or 0.0) < (ask.knobs.dt or 0.0)]
-    taken = (known_beforehand(adapter, scheme, posed.ask(k), found) for k in shorter)
-    return None if any(one is None for one in taken) else run
-
-
-def project_knobs(knobs: Knobs, scheme: Scheme, own: Collection[str] = ()) -> Knobs:
-    """The knobs that a scheme has, and those in `own`, which change the scene; others None.
-
-    dd stays: it changes what is solved, and a scheme without it must refuse.
-    """
-    return Knobs(**{name: getattr(knobs, name) for name in {*scheme.knobs, *own, "dd"}})

@@ -10,8 +10,30 @@ from vv.records.case_facts import CaseFacts
 from vv.records.fields import optional
 from vv.records.finding import Finding
 from vv.records.job_record import Record
-from vv.records.provenance import Machine, Provenance
 from vv.records.recorded import RecordedResult
+
+
+@dataclass(frozen=True, slots=True)
+class Machine:
+    """A processor, its cores and the system; the fingerprint tells one machine from another."""
+
+    processor: str
+    cores: int | None
+    system: str
+    fingerprint: str
+
+
+@dataclass(frozen=True, slots=True)
+class Provenance:
+    """The circumstances of an invocation. utc: ISO time; dirty: files differed from the commit."""
+
+    utc: str
+    commit: str
+    dirty: bool
+    command: str
+    machine: Machine
+    versions: Mapping[str, str]
+    threads: int
 
 
 @dataclass(frozen=True, slots=True)

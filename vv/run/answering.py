@@ -12,10 +12,11 @@ from vv.plan import keys
 from vv.plan.plan import Job, Plan
 from vv.plan.project import Project
 from vv.plan.settling import settle
+from vv.records.checking import checked, within
 from vv.records.job_record import ModelSummary, Record, RunSummary
 from vv.records.outcomes import StudyKind
 from vv.records.quantity import MeasuredQuantity
-from vv.records.record import checked, measured, summarised, within
+from vv.records.record import measured, summarised
 from vv.run.batching import batches
 from vv.run.executor import Executor
 from vv.run.limits import Limits

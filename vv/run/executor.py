@@ -9,7 +9,7 @@ from typing import Protocol
 
 from vv.ask import Run
 from vv.plan.plan import Job
-from vv.records.provenance import Machine
+from vv.records.manifest import Machine
 from vv.run.process import Batch
 from vv.run.rounds import Timed, rounds
 from vv.run.runner import run_batches

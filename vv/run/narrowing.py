@@ -10,7 +10,7 @@ from pathlib import Path
 from vv.base.closure import import_closure
 from vv.base.errors import UsageError
 from vv.gate.judgement import record_findings
-from vv.plan.keys import PACKAGE, roots
+from vv.plan.keys import MEASURING, roots
 from vv.plan.plan import Job, Plan, with_jobs_kept
 from vv.plan.project import Project
 from vv.records.job_record import Record
@@ -44,11 +44,11 @@ def affected(project: Project, plan: Plan, changed: Iterable[Path]) -> Plan:
     places = roots(project)
     if any(path.name in EVERYTHING for path in files):
         return plan
-    judging, case_files = PACKAGE / "records" / "record.py", project.case_files()
+    case_files = project.case_files()
     cases = {
         name
         for name in plan.cases
-        if _touched(import_closure([case_files[name], judging], places), files)
+        if _touched(import_closure([case_files[name], *MEASURING], places), files)
     }
     codes = {
         name

@@ -9,7 +9,7 @@ from vv.base.digest import digest
 from vv.base.errors import UsageError
 from vv.case import Case, Trial
 from vv.codes.adapter import Adapter
-from vv.plan.plan import declare_trial
+from vv.plan.planning import declare_trial
 from vv.plan.project import Project
 from vv.records.job_record import Record
 from vv.store.store import Store

@@ -13,8 +13,7 @@ from vv.plan import keys
 from vv.plan.plan import Plan, with_jobs_kept
 from vv.plan.project import Project
 from vv.records.job_record import JobCost, Record
-from vv.records.manifest import CodeFound, Manifest
-from vv.records.provenance import Machine
+from vv.records.manifest import CodeFound, Machine, Manifest
 from vv.run.answering import StoredJobs, records_of
 from vv.run.case_facts import case_facts_of
 from vv.run.executor import LOCAL, Executor, Local

@@ -12,8 +12,7 @@ from collections.abc import Iterator, Mapping
 
 from vv.records import codec
 from vv.records.job_record import Record
-from vv.records.manifest import Manifest
-from vv.records.provenance import Provenance
+from vv.records.manifest import Manifest, Provenance
 from vv.store import record_list
 from vv.store.seal import BrokenSealError, seal_of
 

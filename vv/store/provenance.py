@@ -15,7 +15,7 @@ import vv
 from vv.base.digest import digest
 from vv.base.files import write_whole
 from vv.records import codec
-from vv.records.provenance import Machine, Provenance
+from vv.records.manifest import Machine, Provenance
 from vv.store.checkout import commit
 from vv.store.seal import opened_text, sealed_text
 

@@ -31,8 +31,7 @@ from vv.base.notices import notice
 from vv.records import codec
 from vv.records.fields import SPREAD
 from vv.records.job_record import Record, RunSummary
-from vv.records.manifest import Answer, Manifest, TimedRun
-from vv.records.provenance import Provenance
+from vv.records.manifest import Answer, Manifest, Provenance, TimedRun
 from vv.scene import Vector
 from vv.store import manifest
 from vv.store.array_files import arrays_in

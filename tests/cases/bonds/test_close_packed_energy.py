@@ -13,7 +13,8 @@ from cases.bonds.close_packed_energy import CASE
 from vv.ask import Knobs, Method, Run, Status
 from vv.case import Exact, Level, Scalar, Trial, evaluated
 from vv.engines import dem
-from vv.plan.plan import Options, make_plan
+from vv.plan.plan import Options
+from vv.plan.planning import make_plan
 from vv.plan.project import find
 from vv.scene import Form
 

@@ -11,7 +11,8 @@ from cases.bonds.close_packed_lattice import CASE
 from vv.ask import Ask, Knobs, Method, Run, Status
 from vv.case import Exact, Level, Scalar, Trial, evaluated
 from vv.engines import dem
-from vv.plan.plan import Options, make_plan
+from vv.plan.plan import Options
+from vv.plan.planning import make_plan
 from vv.plan.project import find
 
 TRIAL = CASE.declare("82", CASE.defaults("82"))

@@ -17,7 +17,8 @@ from vv.ask import Knobs, Method, Run, Status, Velocity
 from vv.case import Level, Scalar, evaluated
 from vv.engines import dem
 from vv.plan.project import find
-from vv.records.record import checked, measured
+from vv.records.checking import checked
+from vv.records.record import measured
 from vv.scene import Form, Vector
 
 CASE = find().load_case("resting")

@@ -8,7 +8,7 @@ from vv.ask import Knobs, Method, Status
 from vv.case import Exact, Level
 from vv.codes import Scheme
 from vv.codes.adapter import known_beforehand
-from vv.plan.plan import project_knobs
+from vv.plan.planning import project_knobs
 from vv.plan.project import find
 from vv.records.reading import in_words
 

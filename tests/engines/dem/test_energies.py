@@ -13,7 +13,7 @@ from tests.scenes.spheres.bonded_scenes import elements, unit
 from vv.ask import Ask, Displacement, History, Knobs, Model, Run, Status
 from vv.codes import unseen
 from vv.engines import dem
-from vv.records.record import checked
+from vv.records.checking import checked
 from vv.scene import Form
 from vv.store.store import Store
 

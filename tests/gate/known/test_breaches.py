@@ -14,10 +14,10 @@ from vv.gate import known_breaches
 from vv.gate.judgement import outcome, record_findings
 from vv.gate.known_breaches import KnownBreach
 from vv.gate.ledger_file import read_breaches
+from vv.records.checking import within
 from vv.records.finding import bits
 from vv.records.job_record import Record
 from vv.records.outcomes import Outcome
-from vv.records.record import within
 
 TODAY = datetime.date(2027, 1, 1)
 LAW = "penetration [m]"

@@ -14,7 +14,7 @@ from tests.reports.test_browser import quiet
 from tests.support.browser import CHROMIUM, opened
 from tests.support.built_report import pages
 from tests.support.fabricated import case, manifest, ran
-from vv.plan.plan import declare_trial
+from vv.plan.planning import declare_trial
 from vv.plan.project import find
 from vv.records.case_facts import CaseFacts
 from vv.run.case_facts import _moved

@@ -20,7 +20,7 @@ from vv.base.notices import notice
 from vv.plan import imports
 from vv.plan.plan import Job
 from vv.plan.project import Project
-from vv.records.provenance import Machine
+from vv.records.manifest import Machine
 from vv.run.cluster.worker import Task, answer, measure, resources
 from vv.run.pace import Pace, piles
 from vv.run.process import Batch
