@@ -95,6 +95,13 @@ def test_pybullet_has_one_frame_for_all_walls_and_tells_nothing_of_them() -> Non
     number = ask.scene.body_numbers(Wall)[0]
     seen = dataclasses.replace(ask, observables=(Displacement(number),))
     assert refuses(seen, "default") == f"body {number} is a wall, of which nothing is told"
+    blocks = [one for one in ask.scene.bodies if one is not wall]
+    pair = dataclasses.replace(ask.scene, bodies=(*blocks, still, still))
+    first, second = pair.body_numbers(Wall)
+    told = dataclasses.replace(
+        ask, scene=pair, observables=tuple(map(Displacement, (second, first)))
+    )
+    assert refuses(told, "default") == f"body {first} is a wall, of which nothing is told"
 
 
 @pytest.mark.parametrize("code", CODES)

@@ -60,6 +60,23 @@ def test_a_face_reaches_three_times_as_far_as_spheres_may_fly() -> None:
 
 
 @pytest.mark.parametrize(
+    ("pull", "load", "far"),
+    [  # 3 (51 + 10 + 2 |pull + load/4 kg|)
+        ([0.0, -3.0, 0.0], [0.0, -12.0, 0.0], 219.0),
+        ([0.0, -3.0, 0.0], [0.0, 12.0, 0.0], 183.0),
+        ([2.0, 0.0, 0.0], [4.0, 0.0, 0.0], 201.0),
+    ],
+)
+def test_a_face_is_larger_where_weight_and_load_pull_alike(
+    pull: list[float], load: list[float], far: float
+) -> None:
+    loads = np.array([-SPHERES.mass[0] * np.array(pull), load])  # the first is in balance
+    drawn = dataclasses.replace(SPHERES, load=loads)
+    corners = np.array(plan(changed(bodies=(drawn, WALL), gravity=np.array(pull)))["walls"][0])
+    assert np.linalg.norm(corners[1] - corners[0]) == pytest.approx(2 * far)
+
+
+@pytest.mark.parametrize(
     ("free_spin", "refused"), [((True, False, True), True), ((False, True, False), False)]
 )
 def test_a_spin_about_a_locked_axis_is_refused(free_spin: tuple[bool, ...], refused: bool) -> None:

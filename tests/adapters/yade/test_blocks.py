@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import dataclasses
+from types import SimpleNamespace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -10,6 +12,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from adapters.yade import ADAPTER
+from adapters.yade.polyhedra import _area, _no_face, _too_long
 from adapters.yade.setup import set_up
 from cases.blocks.incline import CASE as INCLINE
 from cases.blocks.responding_block import CASE as RESPONDING
@@ -18,6 +21,7 @@ from tests.support.adapters.small_asks import DT, block_ask, case_ask
 from tests.support.adapters.yade_asks import CLUMP, PLAIN, POLYHEDRA, plan_of
 from vv.ask import History, Knobs
 from vv.case import Case
+from vv.scene import Wall, box_geometry
 from vv.standins.stand_in import spring_scene
 
 
@@ -79,6 +83,43 @@ def test_a_polyhedron_lies_level_and_is_charged_by_its_first_step(
     assert corners[:, 2].min() * given["kn"] * 0.6 == pytest.approx(
         -2500.0 * 0.48 * 9.81 * np.cos(np.radians(alpha)), rel=1e-5
     )
+
+
+@pytest.mark.parametrize("size", [2.0, 200.0])
+@pytest.mark.parametrize(
+    ("gap", "stands"), [(0.0, True), (0.9, True), (-0.9, True), (1.1, False), (-1.1, False)]
+)
+def test_a_face_is_on_a_wall_to_a_billionth_of_its_block(
+    size: float, gap: float, stands: bool
+) -> None:
+    vertices, faces = box_geometry(np.zeros(3), size * np.array([0.5, 0.4, 0.25]), np.eye(3))
+    low = Wall(np.array([7.0, 8.0, -size * (0.25 + gap * 1e-9)]), np.array([0.0, 0.0, 1.0]))
+    block: Any = SimpleNamespace(vertices=vertices, faces=faces)
+    assert _area(block, low) == pytest.approx(0.8 * size**2 if stands else 0.0)
+    tilted = Wall(low.point, np.array([0.6, 0.0, 0.8]))
+    assert _area(block, tilted) == 0.0
+
+
+@pytest.mark.parametrize(("part", "thin"), [(0.099, True), (0.101, False)])
+def test_a_block_thinner_than_a_tenth_of_its_size_may_pass_unnoticed(
+    part: float, thin: bool
+) -> None:
+    vertices, faces = box_geometry(np.zeros(3), np.array([3.0, 2.0, 3.0 * part]), np.eye(3))
+    floor = Wall(np.array([0.0, 0.0, -3.0 * part]), np.array([0.0, 0.0, 1.0]))
+    block: Any = SimpleNamespace(name="thin", vertices=vertices, faces=faces)
+    assert ("is thinner than" in (_no_face(block, floor) or "")) is thin
+    raised = Wall(np.array([0.0, 0.0, -4.0]), np.array([0.0, 0.0, 1.0]))
+    assert ("stands on no face" in (_no_face(block, raised) or "")) is not thin
+
+
+@pytest.mark.parametrize(
+    ("duration", "dt", "refused"), [(10.0, 1e-3, False), (10.01, 1e-3, True), (99.0, None, False)]
+)
+def test_ten_thousand_steps_of_polyhedra_are_run_and_not_more(
+    duration: float, dt: float | None, refused: bool
+) -> None:
+    ask: Any = SimpleNamespace(goal=History(duration, 0.001), knobs=Knobs(dt))
+    assert (_too_long(ask) is not None) is refused
 
 
 def test_the_limits_of_polyhedra_are_refusals() -> None:

@@ -164,6 +164,20 @@ def test_a_shaken_sphere_starts_half_a_step_of_its_acceleration_early() -> None:
     assert given["velocity"] == pytest.approx([-4.0 * np.sin(0.5) * DT / 2, 0.0, 0.0])
 
 
+def test_what_carries_a_locked_freedom_is_part_of_its_speed_and_not_of_what_acts() -> None:
+    locks = np.array([[True, False, True]])
+    one = ball(velocity=[[3.0, 5.0, 0.0]], free=locks)
+    given = sphere_of(ball_ask(one, gravity=np.array([2.0, 7.0, 0.0])))
+    assert given["velocity"] == pytest.approx([3.0 - 2.0 * DT / 2, 5.0, 0.0])
+    assert given["carried"] == given["held"] == [0.0, 5.0, 0.0]
+    assert given["push"] == [0.0, 0.0, 0.0]
+    touching = ball(position=[[0, 0.1 - 1e-6, 0]], velocity=[[3.0, 0.0, 5.0]],
+                    free=np.array([[True, True, False]]))  # fmt: skip
+    pushed = plan_of(ball_ask(UP, touching, body=1), PLAIN)["bodies"][1]
+    assert (pushed["velocity"], pushed["held"]) == ([0.0] * 3, [0.0] * 3)
+    assert pushed["carried"] == [0.0, 0.0, 5.0]
+
+
 def test_an_exported_script_is_the_driver_with_the_ask_filled_in() -> None:
     ask = case_ask("T4-rotated")
     tree = ast.parse(ADAPTER.native(ask, HALF_STEP))

@@ -1,0 +1,181 @@
+"""Turns one operator or constant of the cases at a time, and counts what nothing of theirs sees.
+
+`python -m bench.mutation.case_mutants --sample N --seed K` draws from all places in cases/ alike. A
+mutant is put to what a wrong number in a case should meet: the page of the case in the gallery,
+which a test compares with what it declares; the tests that name the case; and its quick gate with
+the codes that come with vv, against the accepted results. Of a file that several cases share, the
+first few are asked, its own before others. What hangs is told by CPU time.
+"""
+
+import argparse
+import functools
+import importlib
+import os
+import random
+import re
+import resource
+import subprocess
+import sys
+import tempfile
+from collections import Counter
+from collections.abc import Callable, Iterator, Sequence
+from fnmatch import fnmatch
+from pathlib import Path
+
+from bench.evidence import conclude
+from bench.mutation.collected_tests import forked
+from bench.mutation.forked_tests import OWN, passes, rewrite, with_tests
+from bench.mutation.framework_mutants import NEEDS, survival
+from bench.mutation.framework_sites import Mutant, equivalents, turnable
+from bench.mutation.mutants import ROOT
+from bench.mutation.schemata import copied
+from vv.base.closure import import_closure
+from vv.plan.keys import roots
+from vv.plan.project import find
+
+ASKED = 3  # cases that are asked of a file that more of them share
+CODES = "exact,dem,dda,rigid"
+PAPERS = ("tests/case/test_published.py", "tests/insight/test_papers.py")
+SPENT = 120.0  # s of CPU time after which a process hangs, many times what it takes
+GALLERY = ROOT / "docs" / "gallery"
+
+
+def drawn(files: str, sample: int, seed: int) -> list[Mutant]:
+    """So many mutants, every place being as likely as any other."""
+    paths = sorted((ROOT / "cases").rglob("*.py"))
+    names = [path.relative_to(ROOT).as_posix() for path in paths]
+    every = [one for name in names if fnmatch(name, files) for one in turnable(name)]
+    known = [one for one in every if one.key not in equivalents()]
+    return random.Random(seed).sample(known, min(sample, len(known)))
+
+
+@functools.cache
+def cases_of(file: str) -> list[str]:
+    """The cases whose sources a file is part of, first the one that it is itself."""
+    project = find(ROOT)
+    own, places, here = project.case_files(), roots(project), ROOT / file
+    found = [name for name, path in own.items() if here in import_closure([path], places)]
+    return sorted(found, key=lambda name: own[name].resolve() != here)
+
+
+@functools.cache
+def tests_of(case: str) -> tuple[str, ...]:
+    """The files of tests that name a case; of what papers print, which is of no case, its own."""
+    if not case:
+        return PAPERS
+    word = re.compile(rf"""["']{re.escape(case)}["':]""")
+    found = [path for path in sorted((ROOT / "tests" / "cases").rglob("test_*.py"))
+             if word.search(path.read_text())]  # fmt: skip
+    return tuple(path.relative_to(ROOT).as_posix() for path in found)
+
+
+def changed_page(project: Path, case: str) -> bool:
+    """Whether the pages of a case are not those in the gallery, or cannot be made."""
+
+    def ask() -> None:
+        os.chdir(project)
+        sys.path.insert(0, str(project))
+        for name in [n for n in sys.modules if n.partition(".")[0] in OWN]:
+            del sys.modules[name]
+        command = importlib.import_module("vv.cli.docs_command")
+        made = importlib.import_module("vv.plan.project").Project(project)
+        for place, text in command.case_pages(made, [case]).items():
+            if (GALLERY / place).read_text() != text:
+                raise AssertionError(place)
+
+    return forked(ask, SPENT) != 0
+
+
+def red_gate(project: Path, case: str) -> bool:
+    """Whether the quick gate of a case is red against the accepted results, with an empty store."""
+    words = ["gate", case, "--codes", CODES, "--against", "cases/baselines"]
+    with tempfile.TemporaryDirectory() as data:
+        env = {**os.environ, "PYTHONPATH": str(project), "VV_DATA": data}
+        done = subprocess.run(
+            [sys.executable, "-m", "vv", *words, "--jobs", "1", "--timeout", "36000"],
+            cwd=project, env=env, capture_output=True, check=False, preexec_fn=_limited,
+        )  # fmt: skip
+    return done.returncode != 0
+
+
+def red_tests(project: Path, case: str) -> bool:
+    """Whether a test that names a case is red."""
+    return bool(tests_of(case)) and not passes(project, *tests_of(case))
+
+
+def _limited() -> None:
+    resource.setrlimit(resource.RLIMIT_CPU, (int(SPENT), int(SPENT)))
+
+
+WAYS: dict[str, Callable[[Path, str], bool]] = {
+    "page": changed_page, "gate": red_gate, "tests": red_tests
+}  # fmt: skip
+
+
+@functools.cache
+def sound(project: Path, way: str, case: str) -> bool:
+    """Whether a way of asking is content with a case in which nothing is turned."""
+    fine = not WAYS[way](project, case)
+    if not fine:
+        print(f"red without a mutant: {way} of {case}", flush=True)
+    return fine
+
+
+def questions(mutant: Mutant) -> Iterator[tuple[str, str]]:
+    """(way, case) in which a mutant is asked, the cheapest first."""
+    cases = cases_of(mutant.file)[:ASKED]
+    yield from ((way, case) for way in WAYS for case in cases)
+    if not cases:
+        yield "tests", ""
+
+
+def seen_by(project: Path, mutant: Mutant) -> str:
+    """What sees a mutant; '' if nothing does."""
+    place = project / mutant.file
+    for way, case in questions(mutant):
+        if not sound(project, way, case):
+            continue
+        try:
+            rewrite(place, mutant.text())
+            if WAYS[way](project, case):
+                return f"{way} of {case}"
+        finally:
+            rewrite(place, (ROOT / mutant.file).read_text())
+    return ""
+
+
+def told_of(chosen: Sequence[Mutant]) -> dict[Mutant, str]:
+    """What sees each mutant; '' for those that nothing sees."""
+    told = {}
+    with tempfile.TemporaryDirectory() as folder:
+        project = Path(folder).resolve()
+        copied(project, with_tests())
+        for one in chosen:
+            told[one] = seen_by(project, one)
+            print(f"{told[one] or 'UNSEEN':<40} {one.what}", flush=True)
+    return told
+
+
+def main() -> None:
+    """Draw, ask, count and judge."""
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--files", default="*", help="such as 'cases/hard/*'")
+    parser.add_argument("--sample", type=int, default=100, help="mutants in all")
+    parser.add_argument("--seed", type=int, default=1, help="of the draw")
+    options = parser.parse_args()
+    os.nice(10)
+    for name in NEEDS:
+        importlib.import_module(name)
+    told = told_of(drawn(options.files, options.sample, options.seed))
+    left = [one for one, by in told.items() if not by]
+    by_way = Counter(by.partition(" ")[0] or "nothing" for by in told.values())
+    figures = {
+        **survival(len(left), len(told)),
+        "seen by": dict(by_way),
+        "not seen": [one.key for one in left],
+    }
+    conclude("case_mutants", figures, {"5 % at most": figures["rate"] <= 0.05})
+
+
+if __name__ == "__main__":
+    main()
