@@ -10,6 +10,7 @@ first few are asked, its own before others. What hangs is told by CPU time.
 import argparse
 import functools
 import importlib
+import itertools
 import os
 import random
 import re
@@ -45,8 +46,9 @@ def drawn(files: str, sample: int, seed: int) -> list[Mutant]:
     paths = sorted((ROOT / "cases").rglob("*.py"))
     names = [path.relative_to(ROOT).as_posix() for path in paths]
     every = [one for name in names if fnmatch(name, files) for one in turnable(name)]
-    known = [one for one in every if one.key not in equivalents()]
-    return random.Random(seed).sample(known, min(sample, len(known)))
+    shuffled = random.Random(seed).sample(every, len(every))
+    differing = (one for one in shuffled if one.key not in equivalents())
+    return [*itertools.islice(differing, sample)]
 
 
 @functools.cache

@@ -10,6 +10,7 @@ What the tests of the engines do not see is put to the quick gate of the codes i
 import argparse
 import functools
 import importlib
+import itertools
 import json
 import os
 import random
@@ -46,7 +47,7 @@ def drawn(files: str, sample: int, seed: int) -> list[Mutant]:
     """So many mutants that a process can switch on, every place being as likely as any other."""
     every = [one for one in all_places("vv/engines") if fnmatch(one.file, files)]
     shuffled = random.Random(seed).sample(every, len(every))
-    return [one for one in shuffled if switchable(one)][:sample]
+    return [*itertools.islice(filter(switchable, shuffled), sample)]
 
 
 class Asked:

@@ -1,0 +1,78 @@
+"""The benches of mutants of the engines and of the cases: what they draw, and what they ask."""
+
+from __future__ import annotations
+
+import os
+import sys
+from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
+
+import pytest
+
+from bench.mutation import case_mutants, engine_mutants
+from bench.mutation.framework_sites import turnable
+from bench.mutation.mutants import ROOT, Mutant
+from bench.mutation.schemata import switchable
+from bench.mutation.switch import NUMBER
+
+
+def test_mutants_of_engines_are_drawn_from_all_of_them_and_can_be_switched_on() -> None:
+    first, again, other = (engine_mutants.drawn("*", 20, seed) for seed in (1, 1, 2))
+    assert first == again
+    assert len({*first}) == 20 > len({*first} & {*other})
+    assert {Path(one.file).parts[2] for one in first} >= {"dem", "dda", "rigid", "exact"}
+    assert all(map(switchable, first))
+    assert {one.file for one in engine_mutants.drawn("vv/engines/dda/law.py", 3, 1)} == {
+        "vv/engines/dda/law.py"
+    }
+
+
+def test_a_mutant_is_asked_of_its_engine_s_tests_first_as_far_as_time_allows() -> None:
+    collected: Any = None
+    own, far = "tests/engines/dda/test_a.py::", "tests/engines/dem/test_b.py::"
+    seconds = {f"{far}quick": 0.1, f"{own}slow": 3.0, f"{own}quick": 1.0, f"{far}slow": 9.0}
+    asked = engine_mutants.Asked(collected, seconds, 5.0)
+    mutant = Mutant("", "vv/engines/dda/law.py", (), 0)
+    assert asked.tests(mutant) == [f"{own}quick", f"{own}slow", f"{far}quick"]
+
+
+def test_a_mutant_is_switched_on_for_this_process_and_those_it_starts(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    plain, compiled = SimpleNamespace(ON=0), SimpleNamespace(WORD=SimpleNamespace(value=0))
+    monkeypatch.setitem(sys.modules, "vv.switch", plain)
+    monkeypatch.setitem(sys.modules, "vv.switch_compiled", compiled)
+    monkeypatch.setenv(NUMBER, "0")
+    engine_mutants.switch_on(7)
+    assert (plain.ON, compiled.WORD.value, os.environ[NUMBER]) == (7, 7, "7")
+
+
+def test_a_mutant_of_an_engine_is_part_of_the_codes_that_import_it() -> None:
+    def codes(file: str) -> list[str]:
+        return [*engine_mutants.codes_of(Mutant("", file, (), 0))]
+
+    assert codes("vv/engines/dda/law.py") == ["dda"]
+    assert {"dda", "rigid"} <= {*codes("vv/engines/blocks/geometry.py")}
+
+
+def test_a_mutant_of_a_case_is_put_to_its_page_then_its_gate_then_its_tests() -> None:
+    (first, *_) = turnable("cases/hard/wedge.py")
+    asked = [*case_mutants.questions(first)]
+    assert asked[0] == ("page", "wedge")
+    assert [way for way, case in asked if case == "wedge"] == ["page", "gate", "tests"]
+    assert len(asked) <= 3 * case_mutants.ASKED
+    assert "tests/cases/hard/test_wedge.py" in case_mutants.tests_of("wedge")
+
+
+def test_what_is_of_no_case_is_put_to_the_tests_of_papers() -> None:
+    (first, *_) = turnable("cases/papers/_li_2018.py")
+    assert [*case_mutants.questions(first)] == [("tests", "")]
+    assert all((ROOT / file).is_file() for file in case_mutants.tests_of(""))
+
+
+def test_mutants_of_cases_are_drawn_anew_with_every_seed() -> None:
+    first, again, other = (case_mutants.drawn("*", 50, seed) for seed in (1, 1, 2))
+    assert first == again
+    assert len({*first} & {*other}) < 10
+    assert all(one.file.startswith("cases/") for one in first)
