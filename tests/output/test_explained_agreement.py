@@ -1,9 +1,25 @@
-"""Claims about `vv explain`: which results it shows, and which of them agree."""
+"""Claims about `vv explain`: which results it shows, which agree, and how judges are told."""
 
 from __future__ import annotations
 
+from types import SimpleNamespace
+from typing import Any
+
+import pytest
+
 from tests.insight.test_agreement import AGREEING, records_of, written_down
 from tests.support.fabricated import NOWHERE, changed
+from vv.ask import Method
+from vv.case import (
+    CodeToCode,
+    Exact,
+    Interval,
+    Measured,
+    Measurement,
+    Norm,
+    Printed,
+    Tolerance,
+)
 from vv.output import explain
 from vv.records.manifest import Manifest
 
@@ -35,3 +51,47 @@ def test_results_of_modified_parameters_are_not_shown_beside_tolerances_of_other
     before = explain._last_results(manifests[1:])
     assert explain._last_results(manifests) == before
     assert before
+
+
+def told(capsys: pytest.CaptureFixture[str], judge: object) -> list[str]:
+    """What is said below a quantity with this judge."""
+    quantity: Any = SimpleNamespace(name="y", unit="m", meaning="height", judge=judge)
+    explain._explain_quantity(quantity)
+    head, *lines = capsys.readouterr().out.splitlines()
+    assert head == "  quantity y [m]: height"
+    return [line.strip() for line in lines]
+
+
+@pytest.mark.parametrize(
+    ("band", "said"), [(None, "shown beside it: as it is"), (0.5, "within 0.5 of it: as it is")]
+)
+def test_a_judge_beside_a_number_of_others_says_whether_and_how_far_it_may_be_off(
+    band: float | None, said: str, capsys: pytest.CaptureFixture[str]
+) -> None:
+    seen = Measurement(2.5, 0.25, 0.125, "in air", "a paper")
+    first, second = told(capsys, Measured(seen, band, "as it is"))
+    assert first == "measured: 2.5, digitised to 0.25, experiment to 0.125; in air; a paper"
+    assert second == said
+    other = Printed(2.5, 0.05, "a code", "a report")
+    first, second = told(capsys, CodeToCode(other, band, "as it is"))
+    assert first.endswith("a code has 2.5, rounded to 0.05; a report")
+    assert second == said
+
+
+def test_a_tolerance_is_told_with_all_that_it_scales_by(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    whole = Tolerance(2e-3, "of the step", dt=1e-3, order=2, kn=1e9, softness=0.5, late=3.0)
+    judge = Exact(
+        {Method.SECOND_ORDER: whole, Method.FIRST_ORDER: Tolerance(1e-2, "of all")},
+        Norm.FINAL,
+        {Method.PENALTY: "too soft"},
+    )
+    assert told(capsys, judge) == [
+        f"norm: {Norm.FINAL.value}",
+        f"{Method.SECOND_ORDER.value}: 0.002 at dt = 0.001 s, as dt^2 at kn = 1e+09 N/m, as "
+        "kn^-0.5, and 3 1/s times dt: of the step",
+        f"{Method.FIRST_ORDER.value}: 0.01: of all",
+        f"{Method.PENALTY.value}: shown: too soft",
+    ]
+    assert told(capsys, Interval(1.0, 2.0, "between")) == ["interval: between"]
