@@ -1,4 +1,4 @@
-"""Claims about what a worker process does: it answers, keeps to a core, and ends with its parent."""
+"""Claims about a worker process: it answers, keeps to a core, and ends with its parent."""
 
 from __future__ import annotations
 
