@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 
 from vv.ask import Knobs, Run, Status
-from vv.plan import plan
+from vv.plan import planning
 
 REFUSED, LONG = Run(Status.REFUSED, "it slips"), Run(Status.TOO_LONG, "an hour")
 
@@ -22,17 +22,17 @@ def outcome(
     def known(adapter: Any, scheme: Any, ask: Any, found: Any) -> Run | None:
         return None if ask.knobs.dt in taken else REFUSED
 
-    monkeypatch.setattr(plan, "_known_outcome", lambda *given: run)
-    monkeypatch.setattr(plan, "knobs_in_scene", lambda study: ())
-    monkeypatch.setattr(plan, "project_knobs", lambda knobs, scheme, own: knobs)
-    monkeypatch.setattr(plan, "no_steps", lambda ask: unfit)
-    monkeypatch.setattr(plan, "known_beforehand", known)
+    monkeypatch.setattr(planning, "_known_outcome", lambda *given: run)
+    monkeypatch.setattr(planning, "knobs_in_scene", lambda study: ())
+    monkeypatch.setattr(planning, "project_knobs", lambda knobs, scheme, own: knobs)
+    monkeypatch.setattr(planning, "no_steps", lambda ask: unfit)
+    monkeypatch.setattr(planning, "known_beforehand", known)
     posed: Any = SimpleNamespace(
         trial=SimpleNamespace(study=None), rungs=rungs, ask=lambda k: SimpleNamespace(knobs=k)
     )
     nothing: Any = None
     ask: Any = SimpleNamespace(knobs=asked)
-    return plan._known_outcome_on_map(posed, nothing, nothing, ask, nothing)
+    return planning._known_outcome_on_map(posed, nothing, nothing, ask, nothing)
 
 
 ROW = [Knobs(dt, kn) for kn in (1e8, 1e9) for dt in (4.0, 2.0, 1.0)]
@@ -82,10 +82,10 @@ def test_steps_that_do_not_fit_are_refused_whatever_shorter_ones_do(
 def test_what_takes_too_long_is_told_unless_it_is_refused(
     why: str, known: Run | None, found: str | None, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(plan, "known_beforehand", lambda *given: known)
-    monkeypatch.setattr(plan, "why_too_long", lambda *given: why)
+    monkeypatch.setattr(planning, "known_beforehand", lambda *given: known)
+    monkeypatch.setattr(planning, "why_too_long", lambda *given: why)
     posed: Any = SimpleNamespace(trial=SimpleNamespace(study=None))
     some: Any = SimpleNamespace(knobs=None, pace=None)
-    told = plan._known_outcome(posed, some, some, some, some)
+    told = planning._known_outcome(posed, some, some, some, some)
     assert (told and told.reason) == found
     assert told is known or (told is not None and told.status is Status.TOO_LONG)
