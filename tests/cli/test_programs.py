@@ -180,7 +180,7 @@ def test_a_toml_among_the_adapters_is_a_code_of_the_project(tiny: Tiny, mine: Pa
     assert done.returncode == 0, done.stderr
 
 
-def test_a_handshake_says_what_is_right_and_what_is_wrong(tiny: Tiny, mine: Path) -> None:
+def test_a_check_says_what_is_right_and_what_is_wrong(tiny: Tiny, mine: Path) -> None:
     done = tiny.vv("check", "mine.toml")  # it knows of motion along y alone
     assert done.returncode == 1, done.stderr
     flight, lock = done.stdout.splitlines()[-2:]

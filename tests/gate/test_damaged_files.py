@@ -133,8 +133,8 @@ def test_a_ledger_of_wrong_types_is_named_or_read(
 
     def ask() -> None:
         known, broken = read_disagreements(path), read_breaches(path)
-        disagreement.dated(disagreement.judge(runs(), known, TODAY), known, TODAY)
-        known_breaches.dated(known_breaches.judge(runs(), broken, TODAY), broken, TODAY)
+        disagreement.expiry_findings(disagreement.judge(runs(), known, TODAY), known, TODAY)
+        known_breaches.expiry_findings(known_breaches.judge(runs(), broken, TODAY), broken, TODAY)
 
     for name in given:
         for other in OTHERS:

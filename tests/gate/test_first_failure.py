@@ -5,7 +5,7 @@ from tests.support.fabricated import entry, record
 from vv.gate import first_failure
 from vv.plan.project import Project
 
-FAILS = first_failure.fails(Project(ROOT))
+FAILS = first_failure.is_failure(Project(ROOT))
 
 
 def test_a_result_out_of_bounds_ends_it_and_one_within_does_not() -> None:

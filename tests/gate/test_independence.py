@@ -56,7 +56,7 @@ def test_a_file_that_both_are_made_of_is_found_unless_it_is_the_tool_s(
     for name, text in sources.items():
         (tmp_path / f"{name}.py").write_text(text)
     project = cast("Project", _Project(tmp_path))
-    found = independence.shared(project, cast("Plan", _Plan()))
+    found = independence.shared_sources(project, cast("Plan", _Plan()))
     assert list(found) == ([("fall", "ours")] if common else [])
     assert all(str(common) in str(path) for path in found.values())
 
@@ -65,7 +65,9 @@ def test_only_what_was_judged_is_disowned_and_only_of_that_code() -> None:
     quantities = [entry(verdict, {"max": 1.0}) for verdict in ("pass", "fail", "no-reference")]
     one = record("dem/default", "T1", 1e-3, quantities=quantities)
     other = record("exact/default", "T1", 1e-3, quantities=quantities)
-    failed, kept = independence.disowned([one, other], {("bounce", "dem"): Path("a/roots.py")})
+    failed, kept = independence.fail_dependent(
+        [one, other], {("bounce", "dem"): Path("a/roots.py")}
+    )
     assert [q.verdict for q in failed.quantities] == [
         Verdict.FAIL, Verdict.FAIL, Verdict.NO_REFERENCE,
     ]  # fmt: skip

@@ -10,8 +10,8 @@ import pytest
 
 from vv.ask import Ask, Cost, Method, Model, Run, Status
 from vv.codes import Found, Scheme
-from vv.growth import measured, words
-from vv.growth.measured import Size, grown, sizes
+from vv.growth import measured, scaling_table
+from vv.growth.measured import Size, costs_by_size, sizes
 from vv.growth.stack import CONTACTS, stack
 from vv.growth.triad import bandwidth
 from vv.scene.neighbours import overlapping
@@ -66,7 +66,7 @@ def test_sizes_grow_tenfold_up_to_the_largest(largest: int, told: tuple[int, ...
 
 def test_what_a_run_begins_with_is_no_part_of_a_step() -> None:
     code = Pretended(3e-7)
-    for size in grown([(code, SCHEME)], 1000):
+    for size in costs_by_size([(code, SCHEME)], 1000):
         assert size.seconds == {"pretended/default": pytest.approx(3e-7)}
         assert size.limit == pytest.approx(28.8e-9), "18 numbers and 3 springs, read and written"
 
@@ -74,15 +74,15 @@ def test_what_a_run_begins_with_is_no_part_of_a_step() -> None:
 def test_who_fails_is_asked_for_no_more_spheres_and_said_to_have_failed() -> None:
     weak, strong = Pretended(1e-7, most=500), Pretended(1e-7)
     strong.name = "strong"
-    found = list(grown([(weak, SCHEME), (strong, SCHEME)], 10_000))
+    found = list(costs_by_size([(weak, SCHEME), (strong, SCHEME)], 10_000))
     assert [len(size.seconds) for size in found] == [2, 1, 1]
     assert max(weak.asked) == 1000
-    assert "pretended/default with 1000 spheres: error: no memory" in words.notes(found)
+    assert "pretended/default with 1000 spheres: error: no memory" in scaling_table.notes(found)
 
 
 def test_a_code_without_the_physics_is_told_why() -> None:
     lacking = Scheme("default", "", Method.LEAPFROG, frozenset())
-    (size,) = grown([(Pretended(1.0), lacking)], 100)
+    (size,) = costs_by_size([(Pretended(1.0), lacking)], 100)
     assert "does not support" in size.failed["pretended/default"]
     assert not measured.can_step(Pretended(1.0), lacking)
     assert measured.can_step(Pretended(1.0), SCHEME)
@@ -94,7 +94,7 @@ def test_the_largest_scenes_are_measured_once(
 ) -> None:
     monkeypatch.setattr(measured, "HUGE", huge)
     code = Pretended(1e-7)
-    list(grown([(code, SCHEME)], 100))
+    list(costs_by_size([(code, SCHEME)], 100))
     assert len(code.asked) == 2 * calls
 
 
@@ -110,9 +110,14 @@ def test_nearly_all_spheres_of_the_scene_touch_six(n: int) -> None:
 
 def test_lines_say_how_costs_grow() -> None:
     found = [Size(n, 10, 2e10, {"one/default": cost}) for n, cost in ((100, 1e-7), (1000, 1.5e-7))]
-    assert words.row(found[0], ["one/default", "two/default"]).split() == ["100", "100", "-", "14"]
-    assert any("1.50 times" in line for line in words.notes(found))
-    assert words.document(found)["sizes"][1]["seconds"] == {"one/default": 1.5e-7}
+    assert scaling_table.row(found[0], ["one/default", "two/default"]).split() == [
+        "100",
+        "100",
+        "-",
+        "14",
+    ]
+    assert any("1.50 times" in line for line in scaling_table.notes(found))
+    assert scaling_table.document(found)["sizes"][1]["seconds"] == {"one/default": 1.5e-7}
 
 
 def test_memory_has_a_bandwidth_of_this_century() -> None:

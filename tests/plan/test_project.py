@@ -124,7 +124,9 @@ def test_a_project_that_stands_alone_needs_both_packages(root: Path) -> None:
 @pytest.mark.parametrize("text", ["alone = 1", "lone = true"])
 def test_a_setting_that_there_is_not_is_refused_by_name(root: Path, text: str) -> None:
     write(root, {"vv.toml": text})
-    with pytest.raises(ProjectError, match=r"vv\.toml: a?lone = .*; there is only alone, true or"):
+    with pytest.raises(
+        ProjectError, match=r"vv\.toml: a?lone = .*; the only setting is alone, true or"
+    ):
         find(root)
 
 

@@ -1,4 +1,4 @@
-"""The command that shakes hands with a code before anything serious is asked of it: `vv check`."""
+"""The command that tests a code on tiny scenes before it runs any case: `vv check`."""
 
 from __future__ import annotations
 
@@ -17,13 +17,13 @@ from vv.plan.project import find
 
 if TYPE_CHECKING:
     from vv.codes.adapter import Adapter, Scheme
-    from vv.codes.greetings import Greeting
+    from vv.codes.tiny_scenes import TinyScene
 
 WRONG, CRASHED, INCOMPLETE = 1, 8, 32  # exit bits, as vv.records.finding.Bit has them
 
 
 def check(
-    code: Annotated[str, typer.Argument(metavar="FILE.toml|CODE", help="The code to greet.")],
+    code: Annotated[str, typer.Argument(metavar="FILE.toml|CODE", help="The code to check.")],
     timeout: Annotated[float, typer.Option("--timeout", help="Seconds that a run may take.")] = 10,
 ) -> None:
     """Ask a code a few tiny scenes, and say in words what is wrong with its answers."""
@@ -42,7 +42,7 @@ def check(
     scratch = Path(tempfile.mkdtemp(prefix="vv-check-"))
     status = 0
     for scheme in adapter.schemes:
-        status |= _greet(adapter, scheme, options.positive(timeout), scratch)
+        status |= _check_scheme(adapter, scheme, options.positive(timeout), scratch)
     if any(scratch.iterdir()):
         note(f"questions and answers of what failed: {scratch}")
     else:
@@ -50,18 +50,18 @@ def check(
     raise typer.Exit(status)
 
 
-def _greet(adapter: Adapter, scheme: Scheme, timeout: float, scratch: Path) -> int:
+def _check_scheme(adapter: Adapter, scheme: Scheme, timeout: float, scratch: Path) -> int:
     """Ask one scheme all tiny scenes that it declares; returns exit bits."""
-    from vv.codes.greetings import greetings, unasked
-    from vv.codes.handshake import Grip, judged
+    from vv.codes.tiny_scene_check import Answered, judged
+    from vv.codes.tiny_scenes import tiny_scenes, unasked
 
     say(f"{adapter.name}/{scheme.name} claims to be {scheme.method.value}")
-    status, known = 0, greetings(scheme)
-    for number, greeting in enumerate(known, 1):
-        runs = _answers(adapter, scheme, greeting, timeout, scratch)
-        found = judged(scheme, greeting, runs)
-        say(f"  {greeting.name}: {found.words}")
-        status |= {Grip.WRONG: WRONG, Grip.FAILED: CRASHED}.get(found.grip, 0)
+    status, known = 0, tiny_scenes(scheme)
+    for number, tiny in enumerate(known, 1):
+        runs = _answers(adapter, scheme, tiny, timeout, scratch)
+        found = judged(scheme, tiny, runs)
+        say(f"  {tiny.name}: {found.words}")
+        status |= {Answered.WRONG: WRONG, Answered.FAILED: CRASHED}.get(found.answered, 0)
         if runs[-1].status is Status.TIMEOUT and number < len(known):
             say(f"  {len(known) - number} more not asked, since it gave no answer in {timeout:g} s")
             break
@@ -74,21 +74,21 @@ def _greet(adapter: Adapter, scheme: Scheme, timeout: float, scratch: Path) -> i
 
 
 def _answers(
-    adapter: Adapter, scheme: Scheme, greeting: Greeting, timeout: float, scratch: Path
+    adapter: Adapter, scheme: Scheme, tiny: TinyScene, timeout: float, scratch: Path
 ) -> list[Run]:
-    """What comes of the question at each step, in order; nothing is asked after a timeout."""
+    """The run at each time step, in order; after a timeout no more are asked."""
     from vv.records.checking import checked
     from vv.run.process import Batch
     from vv.run.runner import run_batches
 
-    asks = greeting.asks(scheme)
+    asks = tiny.asks(scheme)
     reason = adapter.refuses(asks[0], scheme.name)
     if reason is not None:
         return [Run(Status.REFUSED, reason)]
     batch = Batch(adapter, scheme.name, tuple(range(len(asks))), tuple(asks))
 
     def folder() -> Path:
-        return Path(tempfile.mkdtemp(prefix=f"{greeting.name.replace(' ', '-')}-", dir=scratch))
+        return Path(tempfile.mkdtemp(prefix=f"{tiny.name.replace(' ', '-')}-", dir=scratch))
 
     runs = {}
     with contextlib.closing(run_batches([batch], 1, timeout, folder)) as answers:

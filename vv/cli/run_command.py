@@ -138,12 +138,12 @@ def _run_once(
 ) -> PrintedOutput:
     """Answer a call whose jobs depend on past runs, or on what fails first."""
     from vv.cli import invocation
-    from vv.gate.first_failure import fails
+    from vv.gate.first_failure import is_failure
 
     if not plan.jobs:
         terminal.say(_nothing(call))
         raise typer.Exit
-    until = fails(project) if call.first else None
+    until = is_failure(project) if call.first else None
     manifest = invocation.carried_out(project, plan, _limits(call), until)
     return _conclude(project, manifest, call, required)
 

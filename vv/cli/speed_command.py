@@ -96,8 +96,8 @@ def _timed_part(plan: Plan, call: SpeedCall) -> Plan:
 
 def _scale(codes: str, largest: int, json_file: Path | None) -> None:
     """Measure how costs grow with the number of spheres, and tell each size as it is known."""
-    from vv.growth import words
-    from vv.growth.measured import FEWEST, can_step, grown, label
+    from vv.growth import scaling_table
+    from vv.growth.measured import FEWEST, can_step, costs_by_size, label
     from vv.plan.selection import choose_schemes, named_adapters
     from vv.records import codec
 
@@ -112,13 +112,13 @@ def _scale(codes: str, largest: int, json_file: Path | None) -> None:
         for code, scheme in choose_schemes(every, [p for p in named if "/" in p] or default)
     ]
     labels, found = [label(*one) for one in chosen if can_step(*one)], []
-    say(*words.heading(labels))
-    for size in grown(chosen, largest):
+    say(*scaling_table.heading(labels))
+    for size in costs_by_size(chosen, largest):
         found.append(size)
-        say(words.row(size, labels))
-    say(*words.notes(found))
+        say(scaling_table.row(size, labels))
+    say(*scaling_table.notes(found))
     if json_file:
-        write_output(json_file, codec.render(words.document(found)).encode())
+        write_output(json_file, codec.render(scaling_table.document(found)).encode())
 
 
 def _show(project: Project, manifest: Manifest, selected: bool, json_file: Path | None) -> None:

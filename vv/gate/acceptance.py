@@ -1,4 +1,4 @@
-"""Which results may be accepted, and what a baseline becomes by it."""
+"""Decides which results may be accepted, and makes the new baseline."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from collections.abc import Collection, Iterable
 
 from vv.ask import Status
 from vv.gate.baseline import name_of, result_of
-from vv.gate.regression import holds
+from vv.gate.regression import within_bands
 from vv.records.accepted import Acceptance, AcceptedResult, Baseline
 from vv.records.job_record import Record
 from vv.records.outcomes import Verdict
@@ -63,10 +63,10 @@ def accepted(
 def _accepted_result(
     before: AcceptedResult | None, record: Record, number: str, external: Collection[str]
 ) -> AcceptedResult:
-    """The result before if the record has not left its band, else that of the record."""
+    """The accepted result if the record is still within its band, else that of the record."""
     new = result_of(record, number)
     if before is None:
         return new
     cost = new.cost or before.cost
-    same = holds(before, record, external) and before.cost == cost
+    same = within_bands(before, record, external) and before.cost == cost
     return before if same else dataclasses.replace(new, cost=cost)

@@ -1,4 +1,4 @@
-"""Judges the records of an invocation by all there is: references, ledger, baselines, speed."""
+"""Judges the records of an invocation by all checks: references, baselines, speed, known errors."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ from vv.store.provenance import machine
 
 @dataclass(frozen=True)
 class GateOptions:
-    """What a judgement depends on besides records and project: the day, and what was demanded.
+    """What a judgement depends on besides the records: the day, and how strict it is to be.
 
     timer: the machine on which costs were timed. against: a folder of baselines that must have
     every result. timing: speed is enforced.
@@ -47,7 +47,7 @@ class GateOptions:
 
 @dataclass(frozen=True)
 class Judged:
-    """The parts of a manifest that judge, named as there."""
+    """The parts of a manifest that a judgement makes, named as there."""
 
     records: tuple[Record, ...]
     findings: tuple[Finding, ...]
@@ -72,12 +72,12 @@ def recorded_of(project: Project) -> Path:
 
 
 def judged(project: Project, plan: Plan, records: Sequence[Record], options: GateOptions) -> Judged:
-    """Records with their final verdicts, and all that baselines and known disagreements say."""
+    """The records with their final verdicts, and what baselines and known disagreements add."""
     folders = [root / "cases" for root in project.roots]
     ledgers = [folder / "disagreements.toml" for folder in folders]
     known = tuple(entry for path in ledgers for entry in read_disagreements(path))
     broken = tuple(entry for path in ledgers for entry in read_breaches(path))
-    independent = independence.disowned(records, independence.shared(project, plan))
+    independent = independence.fail_dependent(records, independence.shared_sources(project, plan))
     final = known_breaches.judge(
         disagreement.judge(independent, known, options.today), broken, options.today
     )
@@ -87,9 +87,9 @@ def judged(project: Project, plan: Plan, records: Sequence[Record], options: Gat
         for case in plan.cases
     }
     findings = (
-        *disagreement.dated(final, known, options.today),
-        *known_breaches.kept(final, broken, options.today),
-        *known_breaches.dated(final, broken, options.today),
+        *disagreement.expiry_findings(final, known, options.today),
+        *known_breaches.not_broken(final, broken, options.today),
+        *known_breaches.expiry_findings(final, broken, options.today),
         *_since(project, plan, final, accepted, options),
         *_untimed(final, options),
     )

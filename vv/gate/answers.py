@@ -1,4 +1,4 @@
-"""What every scheme answers to a case: how large a model it builds, or why it refuses.
+"""What every scheme replies to a case: the number of unknowns of its model, or why it refuses.
 
 One file per case, `cases/answers/CASE.json`, is written where results are accepted. A change of a
 code or a scene that lets it run what it refused, or refuse what it ran, is seen against it. What

@@ -1,4 +1,4 @@
-"""The ledger of known disagreements: what a code is known to do otherwise, within what bands."""
+"""Known disagreements: where a code is known to be wrong, and the bands of error and order."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ ELSEWHERE = 0.5  # by which an order may leave its band at other parameters than
 
 @dataclass(frozen=True)
 class Disagreement:
-    """What a code is known to do otherwise, as two-sided bands on error and observed order.
+    """A known error of a code, with two-sided bands on the error and the observed order.
 
     Patterns are globs; versions names those it was seen in. error: (low, high) at the step
     dt [s], moved to other steps with the middle of the order band, and from the stiffness kn
@@ -127,7 +127,7 @@ class Disagreement:
 def judge(
     records: Iterable[Record], disagreements: Iterable[Disagreement], today: datetime.date
 ) -> tuple[Record, ...]:
-    """The records with the verdicts that the ledger of known disagreements turns.
+    """The records, with the verdicts that known disagreements change.
 
     A failure inside its bands is known (xfail); outside them, and a pass, are news (fail, xpass).
     An entry that has expired by today excuses nothing.
@@ -190,10 +190,10 @@ def _has(record: Record, name: str, tolerance: float | None) -> bool:
     return any(tolerance is not None and e is not None and e <= tolerance for e in errors)
 
 
-def dated(
+def expiry_findings(
     records: Sequence[Record], disagreements: Iterable[Disagreement], today: datetime.date
 ) -> list[Finding]:
-    """What there is to say of entries that speak of these records and expire or have expired."""
+    """A finding for each entry on these records that expires soon or has expired."""
     return expiring(disagreements, "disagreement", lambda one: _is_used(one, records), today)
 
 

@@ -1,4 +1,4 @@
-"""Entries of the ledger: which speak of a code and a case, and which run out, and when."""
+"""Entries of the ledger of known errors: which apply to a code and a case, and when they expire."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ def in_force(entries: Iterable[Entry], today: datetime.date) -> tuple[Entry, ...
 
 
 def by_code_and_case(entries: Iterable[Entry]) -> Callable[[str, str], tuple[Entry, ...]]:
-    """What gives the entries that speak of a code and a case; it looks for each pair once.
+    """A function that returns the entries on a code and a case, and searches once for each pair.
 
     Most entries speak of one case and a report has thousands of records.
     """
@@ -57,7 +57,7 @@ def by_code_and_case(entries: Iterable[Entry]) -> Callable[[str, str], tuple[Ent
 def expiring(
     entries: Iterable[Entry], name: str, speaks: Callable[[Entry], bool], today: datetime.date
 ) -> list[Finding]:
-    """A finding for each entry that speaks of something here and expires soon or has expired.
+    """A finding for each entry that applies here and expires soon or has expired.
 
     name: what an entry is called.
     """

@@ -1,4 +1,4 @@
-"""Says whether a result is reason enough to stop a run that is to end at the first failure."""
+"""Decides which record ends a run that is to stop at the first failure."""
 
 from __future__ import annotations
 
@@ -12,10 +12,10 @@ from vv.plan.project import Project
 from vv.records.job_record import Record
 
 
-def fails(project: Project) -> Callable[[Record], bool]:
-    """Whether a record alone turns a gate red.
+def is_failure(project: Project) -> Callable[[Record], bool]:
+    """The test whether a record by itself turns the gate red.
 
-    One of which a known disagreement speaks does not count: whether it stays within its band is
+    A record that a known disagreement covers does not count: whether it stays within its band is
     known only when all settings have run.
     """
     ledgers = [root / "cases" / "disagreements.toml" for root in project.roots]

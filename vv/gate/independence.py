@@ -14,7 +14,7 @@ from vv.records.job_record import Record
 from vv.records.outcomes import Verdict
 
 
-def shared(project: Project, plan: Plan) -> dict[tuple[str, str], Path]:
+def shared_sources(project: Project, plan: Plan) -> dict[tuple[str, str], Path]:
     """(case, code) -> a file that both are made of, where there is one.
 
     The tool's own modules do not count, but its engines do: what a case imports of them would
@@ -22,9 +22,7 @@ def shared(project: Project, plan: Plan) -> dict[tuple[str, str], Path]:
     """
     places = roots(project)
     codes = {
-        code: {
-            f for f in import_closure(project.adapter_files(code), places) if not _of_the_tool(f)
-        }
+        code: {f for f in import_closure(project.adapter_files(code), places) if not _is_common(f)}
         for code in {job.code for job in plan.jobs}
     }
     found = {}
@@ -37,13 +35,15 @@ def shared(project: Project, plan: Plan) -> dict[tuple[str, str], Path]:
     return found
 
 
-def _of_the_tool(file: Path) -> bool:
-    """Whether a file is what all cases and codes are declared in, and of no engine."""
+def _is_common(file: Path) -> bool:
+    """Whether cases and codes may both import a file: it is part of vv and of no engine."""
     return PACKAGE in file.parents and PACKAGE / "engines" not in file.parents
 
 
-def disowned(records: Iterable[Record], common: Mapping[tuple[str, str], Path]) -> list[Record]:
-    """The records, where those whose reference is made of the code itself fail."""
+def fail_dependent(
+    records: Iterable[Record], common: Mapping[tuple[str, str], Path]
+) -> list[Record]:
+    """The records; where a reference shares a source with the code that it judges, they fail."""
     return [
         _failed(record, common[pair]) if pair in common else record
         for record in records

@@ -1,4 +1,4 @@
-"""The judgement: what is wrong with records, one finding each, and the exit bits of all."""
+"""Finds what is wrong with records, one finding each, and the exit bits of all."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ Breach = tuple[str, float, float]  # a law in words, the largest breach seen, th
 
 
 def judgement(manifest: Manifest, required: Iterable[str] = ()) -> list[Finding]:
-    """All that is to be said of an invocation: of its records, and what it found besides."""
+    """All findings on an invocation: on its records, and on it as a whole."""
     enforced = {name: case.enforced for name, case in manifest.cases.items()}
     own = record_findings(manifest.records, required, enforced)
     return [*own, *manifest.findings]
@@ -62,7 +62,7 @@ def record_findings(
     required: Iterable[str] = (),
     enforced: Mapping[str, Container[Check]] = MappingProxyType({}),
 ) -> list[Finding]:
-    """What is wrong with a set of records; nothing that ran is incomplete.
+    """What is wrong with a set of records; if none of them ran, that the set is incomplete.
 
     required: patterns CODE or CODE/SCHEME of which at least one record each must have run.
     enforced: case -> the checks that are not reported only, if not all.
@@ -217,7 +217,7 @@ def outcome_by(record: Record, quantities: Sequence[MeasuredQuantity]) -> Outcom
 
 
 def _worst(quantities: Sequence[MeasuredQuantity]) -> Verdict:
-    """The worst verdict; most often all are the same, which is told without a look at ranks."""
+    """The worst verdict; ranks are compared only if verdicts differ, which is rare."""
     first = quantities[0].verdict
     if all(one.verdict is first for one in quantities):
         return first

@@ -1,4 +1,4 @@
-"""The ledger of known breaches: the laws that a code is known to break, where, and by how much."""
+"""Known breaches: which conservation laws a code is known to break, where, and by how much."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ WIDEST = 10.0  # largest over smallest breach of a band: more than a decade says
 
 @dataclass(frozen=True)
 class KnownBreach:
-    """A law that the ledger of a code is known to show as broken, with a band on the breach.
+    """A law that a code is known to break by its own energy ledger, with a band on the breach.
 
     schemes, versions, variants, law and rungs are globs; rungs are written as `--rung` reads them,
     dt=0.2,kn=1000000. breach: the least and the largest that is known, in the law's unit. At each
@@ -78,7 +78,7 @@ class KnownBreach:
 def judge(
     records: Iterable[Record], known: Sequence[KnownBreach], today: datetime.date
 ) -> tuple[Record, ...]:
-    """The records, each with the laws that it is known to break; what has expired knows nothing."""
+    """The records, each with the laws that entries in force say it breaks."""
     entries = by_code_and_case(in_force(known, today))
     return tuple(_judged(record, entries(record.code, record.case)) for record in records)
 
@@ -101,10 +101,10 @@ def _judged(record: Record, known: Iterable[KnownBreach]) -> Record:
     )
 
 
-def kept(
+def not_broken(
     records: Iterable[Record], known: Sequence[KnownBreach], today: datetime.date
 ) -> Iterator[Finding]:
-    """A finding for each rung at which a law is not broken as an entry says: the entry is wrong."""
+    """A finding for each setting at which a law holds although an entry says that it is broken."""
     entries = by_code_and_case(in_force(known, today))
     for record in records:
         for entry in entries(record.code, record.case):
@@ -122,8 +122,8 @@ def kept(
                 )
 
 
-def dated(
+def expiry_findings(
     records: Sequence[Record], known: Iterable[KnownBreach], today: datetime.date
 ) -> list[Finding]:
-    """What there is to say of entries that speak of these records and expire or have expired."""
+    """A finding for each entry on these records that expires soon or has expired."""
     return expiring(known, "breach", lambda one: any(map(one.covers, records)), today)

@@ -1,4 +1,4 @@
-"""Reads the ledger of what codes are known to do otherwise: a TOML file of tables of each kind."""
+"""Reads the TOML file of known disagreements and known breaches."""
 
 from __future__ import annotations
 

@@ -86,7 +86,7 @@ def _few(value: float | None) -> float | None:
 def shown(
     folder: Path, records: Sequence[Record], today: datetime.date
 ) -> tuple[RecordedResult, ...]:
-    """The recorded results that may stand beside records of codes that are not installed.
+    """The recorded results that are shown for codes that are not installed.
 
     Only a result of the same variant, scheme, knobs and parameters is one.
     """

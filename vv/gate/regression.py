@@ -40,7 +40,7 @@ RED = (Change.WORSE, Change.MOVED, Change.GONE)
 
 @dataclass(frozen=True)
 class Strictness:
-    """What a change of a result is taken for.
+    """How strictly a change of a result is judged.
 
     external: codes that are programs of others. enforced: whether a change is red. demanded:
     whether a result without a baseline is red too.
@@ -233,6 +233,6 @@ def removed_results(
     return list(found.values())
 
 
-def holds(then: AcceptedResult, record: Record, external: Collection[str]) -> bool:
+def within_bands(then: AcceptedResult, record: Record, external: Collection[str]) -> bool:
     """Whether no quantity of a record has left its band."""
     return next(_changes(then, record, external), None) is None

@@ -1,4 +1,4 @@
-"""Speed, as a ratio to a calibration kernel timed in the same session, against what was accepted.
+"""Compares speeds with accepted ones, as ratios to a calibration kernel of the same session.
 
 No absolute time is ever judged. The kernel is a chain of dependent additions in numpy's compiled
 loop: like the stepping loop of a small scene, it waits for one floating-point unit.
@@ -55,7 +55,7 @@ def compare(
 
 
 def _moved(record: Record, baseline: Baseline, processor: str, enforced: bool) -> Finding | None:
-    """What there is to say of a timed record; None within the factor, or without a ratio to it."""
+    """The finding on a timed record; None if the change is within the factor, or not known."""
     then, now = baseline.results.get(name_of(record)), record.cost.relative
     if then is None or then.cost is None or now is None:
         return None

@@ -1,4 +1,4 @@
-"""Measures what a sphere costs a step in each code, one code after the other and over again."""
+"""Measures the CPU time of a sphere and step in each code, in several rounds over all codes."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ HUGE = 300_000  # spheres, of which one round is enough: setting up takes most o
 
 @dataclass(frozen=True)
 class Size:
-    """What was found with so many spheres: CPU seconds of one in a step, by labels of schemes.
+    """The costs at one number of spheres: CPU seconds of a sphere and step, by scheme.
 
     limit: what the memory would take for what must be read and written, if no cache held it [s];
     failed: why a scheme told nothing, and is not asked for more spheres.
@@ -48,8 +48,8 @@ def sizes(largest: int) -> tuple[int, ...]:
     return (*tens, largest)
 
 
-def grown(schemes: Iterable[tuple[Adapter, Scheme]], largest: int) -> Iterator[Size]:
-    """What each size costs, from small to large; who fails is asked no more."""
+def costs_by_size(schemes: Iterable[tuple[Adapter, Scheme]], largest: int) -> Iterator[Size]:
+    """The costs at each size, from small to large; a scheme that failed is not asked again."""
     left = list(schemes)
     for n in sizes(largest):
         found = _measure(left, n)
@@ -63,7 +63,7 @@ def label(code: Adapter, scheme: Scheme) -> str:
 
 
 def can_step(code: Adapter, scheme: Scheme) -> bool:
-    """Whether nothing is known beforehand that keeps a scheme from stepping the scene."""
+    """Whether a scheme can run the scene, as far as is known without running it."""
     return known_beforehand(code, scheme, asked(stack(FEWEST), BRIEF), code.found()) is None
 
 
@@ -91,7 +91,7 @@ def _measure(schemes: Sequence[tuple[Adapter, Scheme]], n: int) -> Size:
 
 
 def _costs(code: Adapter, scheme: Scheme, scene: Scene, steps: int) -> list[float] | str:
-    """CPU seconds of a shorter and a longer run; or why there are none."""
+    """CPU seconds of a shorter and a longer run, or why there are none."""
     asks = [asked(scene, steps), asked(scene, LONGER * steps)]
     settled = known_beforehand(code, scheme, asks[0], code.found())
     if settled is not None:

@@ -33,7 +33,7 @@ def stack(about: int) -> Scene:
 
 
 def asked(scene: Scene, steps: int) -> Ask:
-    """The scene is carried through so many steps, and nothing is told but that it was."""
+    """The ask to run the scene for so many steps, without any observable."""
     return Ask(scene, History(steps * DT, steps * DT), (), Knobs(dt=DT))
 
 

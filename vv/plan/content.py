@@ -18,7 +18,7 @@ CODE_FILES = (".py", PROGRAM)
 
 
 class ProjectError(UsageError):
-    """A project, or a file of it, is not as it must be; one line names it and the rule."""
+    """A project or one of its files breaks a rule; the message names the file and the rule."""
 
 
 def cases(roots: Iterable[Path]) -> dict[str, Path]:
@@ -73,10 +73,10 @@ def home(file: Path, folders: Iterable[Path]) -> Path:
 
 
 def settings(root: Path) -> Mapping[str, object] | None:
-    """What marks a folder as a project: its vv.toml, or [tool.vv] in its pyproject.toml; or None.
+    """A project's settings, from vv.toml or [tool.vv] in pyproject.toml; None for other folders.
 
     alone = true: nothing that came with vv is added to it. Raises ProjectError for a file that
-    cannot be read, a pyproject.toml only beside cases/, and for a setting that there is not.
+    cannot be read, a pyproject.toml only beside cases/, and for an unknown setting.
     """
     own, shared = root / "vv.toml", root / "pyproject.toml"
     if own.is_file():
@@ -100,7 +100,9 @@ def _table(file: Path) -> dict[str, object]:
 def _settings(file: Path, table: Mapping[str, object]) -> Mapping[str, object]:
     for name, value in table.items():
         if name != "alone" or not isinstance(value, bool):
-            raise ProjectError(f"{file}: {name} = {value!r}; there is only alone, true or false")
+            raise ProjectError(
+                f"{file}: {name} = {value!r}; the only setting is alone, true or false"
+            )
     return table
 
 
@@ -114,6 +116,6 @@ def name_of(path: Path) -> str:
 
 
 def written(file: Path, folder: Path) -> bool:
-    """Whether a file was written by someone: neither compiled nor in a hidden folder."""
+    """Whether a file is a source: neither compiled by Python nor in a hidden folder."""
     parts = file.relative_to(folder).parts
     return not any(part.startswith(".") or part == "__pycache__" for part in parts)

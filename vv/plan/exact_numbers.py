@@ -1,4 +1,4 @@
-"""Keeps the exact numbers beside published ones in the store: some take part of a second."""
+"""Stores the exact numbers that stand beside published ones, since some take long to compute."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from vv.store.store import Store
 def with_exact_numbers(
     papers: Sequence[Paper], project: Project, files: Sequence[Path]
 ) -> list[Paper]:
-    """The papers with their exact numbers, worked out where the sources or libraries are new.
+    """The papers with their exact numbers, which are computed anew if sources or libraries changed.
 
     files: those that the papers are listed in.
     """

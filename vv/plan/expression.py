@@ -1,4 +1,4 @@
-"""Selects by words that a name holds, joined by and, or, not and brackets, as test runners do."""
+"""Parses expressions such as `T3 and not (rotated or yade)` that select jobs by name."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ OPERATORS = ("and", "or", "not", "(", ")")
 
 
 def matcher(text: str) -> Matches:
-    """Whether a name fits an expression: a word fits where the name holds it, in any case.
+    """A test of names by an expression; a word matches names that contain it, in any case.
 
     Raises UsageError for an expression that cannot be read.
     """
@@ -56,7 +56,7 @@ class _Reader:
         return parts[0] if len(parts) == 1 else lambda name: all(part(name) for part in parts)
 
     def one(self) -> Matches:
-        """A word, a bracket, or what is not one."""
+        """A word, an expression in brackets, or the negation of either."""
         token = self.next
         self.advance()
         if token == "not":
@@ -74,7 +74,7 @@ class _Reader:
         return lambda name: word in name.lower()
 
     def unreadable(self, token: str | None = None) -> UsageError:
-        """What to say of a token that must not stand where it does."""
+        """The error for a token that is not allowed at its place."""
         at = f"'{self.next if token is None else token}'" if (token or self.next) else "the end"
         rule = "it must read like: T3 and not (rotated or yade)"
         return UsageError(f"-k '{self.text}': {at} is not expected; {rule}")

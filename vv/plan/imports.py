@@ -1,4 +1,4 @@
-"""Imports a project's content: one insertion in sys.path, and errors that name the file."""
+"""Imports a project's cases, codes and references; errors name the file."""
 
 from __future__ import annotations
 
@@ -43,7 +43,7 @@ def activate(roots: Sequence[Path]) -> None:
 
 
 def _shared(own: Path, added: Path) -> Iterator[Path]:
-    """The packages of which both roots have a part, as paths below them, outer ones first."""
+    """The packages that exist in both roots, as relative paths, outer ones first."""
     for name in ADDED:
         inner = [path for path in sorted((own / name).rglob("*")) if path.is_dir()]
         for path in ((own / name), *inner):
@@ -54,7 +54,7 @@ def _shared(own: Path, added: Path) -> Iterator[Path]:
 
 
 def _join(folder: Path, roots: Sequence[Path]) -> None:
-    """Let a package hold the modules of several roots; raises ProjectError if two have one."""
+    """Merge a package of several roots; raises ProjectError if two roots have the same module."""
     package = _module(".".join(folder.parts), roots[0] / folder / "__init__.py")
     places = [str(root / folder) for root in roots]
     if list(package.__path__) != places:
@@ -70,7 +70,7 @@ def _require_apart(own: Path, added: Path) -> None:
 
 
 def attribute(roots: Sequence[Path], file: Path, name: str) -> Any:
-    """What a file of a project calls `name`; raises ProjectError if it fails or has none."""
+    """The object called `name` in a file; raises ProjectError if it fails or has none."""
     activate(roots)
     parts = file.relative_to(home(file, roots)).with_suffix("").parts
     module = _module(".".join(p for p in parts if p != "__init__"), file)

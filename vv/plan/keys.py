@@ -1,4 +1,4 @@
-"""Keys of stored results: a run by all that its solver reads, a record by all that judges it."""
+"""Keys of stored results: digests of all that a run, or the record of a run, depends on."""
 
 from __future__ import annotations
 

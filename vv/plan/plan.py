@@ -58,7 +58,7 @@ class Job:
         return self.settle()
 
     def settle_as(self, outcome: Run | None) -> None:
-        """Take what `settle` said in another process."""
+        """Take over the outcome that another process has determined."""
         vars(self)["settled"] = outcome
 
     @property
@@ -69,7 +69,7 @@ class Job:
 
     @property
     def name(self) -> str:
-        """What is run of the job at each setting: case:variant code/scheme."""
+        """The job without its setting: case:variant code/scheme."""
         return f"{self.case}:{self.variant} {self.code}/{self.scheme}"
 
 

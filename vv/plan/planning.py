@@ -31,7 +31,7 @@ from vv.plan.selection import choose_schemes, named_adapters, select
 from vv.plan.settings import parameters_with_settings
 
 PATIENCE = 20.0  # s of the processor for the answers of a variant at parameters of a user
-INERT = "inert, since the exact answer does not contain it: only a code's way there may change"
+INERT = "inert, since the exact answer does not contain it: only numerical errors may change"
 
 
 def make_plan(project: Project, selection: Sequence[str], options: Options) -> Plan:
@@ -91,7 +91,7 @@ def _declared(case: Case, variant: str, options: Options) -> _Declared:
 
 
 def finest_ask(case: Case, variant: str, options: Options) -> Ask:
-    """The question of a variant at its finest setting, put to no scheme in particular."""
+    """The ask of a variant at its finest setting, for no particular scheme."""
     posed = _declared(case, variant, options)
     return posed.ask(posed.rungs[-1])
 
@@ -148,14 +148,14 @@ def _jobs(posed: _Declared, adapter: Adapter, scheme: Scheme, found: Found) -> l
             ask=posed.ask(knobs),
             timed=knobs in timed,
             settle=functools.partial(settle, posed, adapter, scheme, posed.ask(knobs), found),
-            inert=_changed_in_vain(posed),
+            inert=_changed_without_effect(posed),
         )
         for knobs in dict.fromkeys(project_knobs(knobs, scheme, own) for knobs in posed.rungs)
     ]
 
 
-def _changed_in_vain(posed: _Declared) -> str:
-    """Which parameters were changed that the exact answer does not contain, in words."""
+def _changed_without_effect(posed: _Declared) -> str:
+    """The changed parameters on which the exact answer does not depend, in words."""
     usual = posed.case.defaults(posed.variant)
     inert = posed.case.variant(posed.variant).inert
     changed = [n for n, value in posed.parameters.items() if n in inert and value != usual[n]]

@@ -39,7 +39,7 @@ class Project:
         return (self.root,) if alone else (self.root, imports.OWN)
 
     def data(self) -> Path:
-        """The folder of generated things: VV_DATA, or .vv, never inside an installed package."""
+        """The folder of results and reports: VV_DATA, or .vv; never inside an installed package."""
         if chosen := os.environ.get("VV_DATA"):
             return Path(chosen).resolve()
         return (Path.cwd() if self.bundled else self.root) / ".vv"

@@ -1,4 +1,4 @@
-"""Finds the papers whose statements a project lists: a file of cases/papers/ for each."""
+"""Loads the papers whose statements a project lists, one file of cases/papers/ each."""
 
 from __future__ import annotations
 

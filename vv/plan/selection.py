@@ -53,7 +53,7 @@ def _check_length(pattern: str) -> None:
 
 
 def _hint(project: Project, name: str) -> str:
-    """What may have been meant by a name that is no case's and no family's."""
+    """A suggestion for a name that is neither a case nor a family."""
     families = project.families()
     for case in project.load_cases(list(families)):
         if name in {variant.name for variant in case.variants}:

@@ -1,4 +1,4 @@
-"""Asks codes which jobs they refuse, on several cores where that takes long."""
+"""Finds out which jobs are refused, in several processes if that takes long."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ ALONE = 0.3  # CPU s after which the rest is shared out; to do so takes a tenth 
 
 
 def settle(jobs: Sequence[Job], processes: int) -> None:
-    """Let every job know its outcome, if that is known without running: see `Job.settled`."""
+    """Determine the outcome of each job that need not run, such as a refusal: see `Job.settled`."""
     begun = time.process_time()
     for place, job in enumerate(jobs):
         if processes > 1 and time.process_time() - begun > ALONE:
@@ -32,7 +32,7 @@ def _share(jobs: Sequence[Job], processes: int) -> None:
     helpers = []
     for share in others:
         receiver, sender = context.Pipe(duplex=False)
-        helper = context.Process(target=_tell, args=(share, sender), daemon=True)
+        helper = context.Process(target=_send_outcomes, args=(share, sender), daemon=True)
         helper.start()
         sender.close()
         helpers.append((share, receiver, helper))
@@ -46,7 +46,7 @@ def _share(jobs: Sequence[Job], processes: int) -> None:
 
 
 def _shares(jobs: Sequence[Job], count: int) -> list[list[Job]]:
-    """The jobs of each variant together, since they have a scene and what is found of it."""
+    """The jobs of each variant together, since what is computed of its scene is shared."""
     shares: list[list[Job]] = [[] for _ in range(count)]
     variants = itertools.groupby(jobs, key=lambda job: (job.case, job.variant))
     for share, (_, one) in zip(itertools.cycle(shares), variants, strict=False):
@@ -54,8 +54,8 @@ def _shares(jobs: Sequence[Job], count: int) -> list[list[Job]]:
     return shares
 
 
-def _tell(jobs: Sequence[Job], sender: Connection) -> None:
-    """In a forked process: send the outcomes; an error is left to whoever asks for them next."""
+def _send_outcomes(jobs: Sequence[Job], sender: Connection) -> None:
+    """In a forked process: send the outcomes; nothing after an error, which the parent meets."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # the parent ends it
     signal.signal(signal.SIGTERM, signal.SIG_DFL)
     with contextlib.suppress(Exception), sender:

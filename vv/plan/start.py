@@ -1,6 +1,6 @@
-"""Writes a working start: a program with its TOML file, a case with its exact answer, a project.
+"""Writes templates that work: a program with its TOML file, a case with its reference, a project.
 
-The starts are the examples that came with vv, under another name.
+The templates are vv's own examples under another name.
 """
 
 from __future__ import annotations
@@ -59,7 +59,7 @@ def case(folder: Path, name: str) -> list[Path]:
 
 
 def project(folder: Path) -> list[Path]:
-    """Write what makes a folder a project that adds to what came with vv; returns the files."""
+    """Write the files that make a folder a project; returns them."""
     kept = {folder / part / ".gitkeep": "" for part in ("adapters", "cases")}
     ignored = folder / ".gitignore"
     if not ignored.exists():
@@ -68,7 +68,7 @@ def project(folder: Path) -> list[Path]:
 
 
 def _written(name: str, texts: Mapping[Path, str]) -> list[Path]:
-    """Write new files, all or none; raises UsageError for a bad name, or a file in the way."""
+    """Write new files, all or none; raises UsageError for a bad name or a file that exists."""
     if not FILE_NAME.fullmatch(name):
         rule = "a name must be lower-case letters, digits and _, and start with a letter"
         raise UsageError(f"'{name}': {rule}")

@@ -1,4 +1,4 @@
-"""What a job came to: measured, compared with its reference, and how all others read it.
+"""Typed results of jobs: measured, compared with references, written and read as JSON.
 
 May import: base, scene, ask, case.
 """

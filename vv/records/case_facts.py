@@ -1,4 +1,4 @@
-"""What a case says of itself, in words: for the report, and for who reads a past invocation."""
+"""The description of a case that is kept with its results, for reports of past invocations."""
 
 from __future__ import annotations
 

@@ -63,7 +63,7 @@ def _energetic(run: Run, ask: Ask) -> Run:
 
 
 def _unbounded(values: Vector, times: Vector) -> str | None:
-    """From when on values (k, n) at times (k,) [s] are no numbers or beyond LARGEST, or None."""
+    """From when on values (k, n) are not finite or beyond LARGEST, in words; None if never."""
     bounded = (np.abs(values) <= LARGEST).all(axis=1)  # False for nan too
     if bounded.all():
         return None
@@ -74,7 +74,7 @@ def _unbounded(values: Vector, times: Vector) -> str | None:
 
 
 def within(run: Run, unexplained: Unexplained | None, method: Method, knobs: Knobs) -> Run:
-    """The run with the bound of its ledger as the case has it, where that is the larger one."""
+    """The run; the bound of its ledger is that of the case where this is larger."""
     ledger = run.ledger
     if unexplained is None or ledger is None or ledger.bound is None:
         return run

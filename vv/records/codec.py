@@ -28,7 +28,7 @@ LARGEST = sys.float_info.max
 
 
 class DamagedError(ValueError):
-    """Data that is not what its class demands; names the field, the value and the rule."""
+    """Data that does not fit its class; names the field, the value and the rule."""
 
     def __init__(self, value: object, rule: str, place: str = "") -> None:
         super().__init__(value, rule, place)
@@ -44,7 +44,7 @@ class DamagedError(ValueError):
 
 
 def parse(text: str) -> Any:
-    """JSON as plain data; raises ValueError for what is none, and for numbers that are not finite.
+    """Parse JSON to plain data; raises ValueError if it is invalid or a number is not finite.
 
     For what is no record; records are read with `read`.
     """
@@ -100,13 +100,13 @@ def names(kind: type) -> tuple[str, ...]:
 
 
 def word(member: enum.Enum) -> str:
-    """The name of a member of a closed list, as records have it."""
+    """The name of a member of an enum, as records write it."""
     return _words(type(member))[member]
 
 
 @functools.cache
 def _writer(kind: Any) -> Callable[[Any], Any]:
-    """What makes plain data of a value of a type."""
+    """The function that converts a value of a type to plain data."""
     if dataclasses.is_dataclass(kind):
         return _object_of(kind)
     if issubclass(kind, Mapping):
@@ -161,13 +161,13 @@ def _written(kind: Any) -> tuple[tuple[str, Any, bool], ...]:
 
 @functools.cache
 def _readers(kind: Any) -> dict[str, Reader]:
-    """What reads each field of a class."""
+    """The function that reads each field of a class."""
     return {name: _reader(hint) for name, hint in typing.get_type_hints(kind).items()}
 
 
 @functools.cache
 def _reader(kind: Any) -> Reader:
-    """What reads a value of a type."""
+    """The function that reads a value of a type."""
     origin, arguments = typing.get_origin(kind), typing.get_args(kind)
     if origin in (types.UnionType, typing.Union):
         return _or_none(next(one for one in arguments if one is not type(None)))
@@ -252,7 +252,7 @@ def _fields(kind: Any) -> Reader:
 
 
 def _diagnose(kind: Any, readers: Mapping[str, Reader], data: Any) -> None:
-    """Raise DamagedError for what it is that makes no object of a class."""
+    """Raise DamagedError for the field because of which data makes no object of a class."""
     if type(data) is not dict:
         _refuse(data, "must be an object")
     for field in dataclasses.fields(kind):
@@ -282,7 +282,7 @@ def _member_of(kind: type[enum.Enum]) -> Reader:
 
 
 def _listed(kind: Any) -> dict[str, enum.Enum] | None:
-    """The members of a closed list by their words; None for what is no such list."""
+    """The members of an enum by the names that records write; None for other types."""
     if not (isinstance(kind, type) and issubclass(kind, enum.Enum)):
         return None
     if issubclass(kind, enum.IntFlag):

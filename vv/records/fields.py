@@ -1,4 +1,4 @@
-"""How a field of a record's classes is written where that is not under its own name, always."""
+"""Marks fields of records that JSON omits at their default, or writes without their own name."""
 
 from __future__ import annotations
 

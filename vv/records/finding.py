@@ -1,4 +1,4 @@
-"""What a gate finds: one thing worth saying, with the exit bit that it sets."""
+"""What the gate finds: one statement, with the exit bit that it sets."""
 
 from __future__ import annotations
 
@@ -51,7 +51,7 @@ NOTICE = Bit(0)  # what a finding sets that is only worth knowing
 
 @dataclass(frozen=True, slots=True)
 class Finding:
-    """One thing worth saying of an invocation.
+    """One statement on an invocation.
 
     check: what was judged. kind: what came of it, in a word, such as that of a Change. label:
     CODE/SCHEME. rung: knobs as text. bit: what it sets when enforced; none: a notice. size: how

@@ -1,4 +1,4 @@
-"""The record of a job: what was asked of which code, what came of it, and what that cost."""
+"""The record of a job: what was asked of which code, the result, and its cost."""
 
 from __future__ import annotations
 
@@ -67,7 +67,7 @@ class RunSummary:
 
 @dataclass(frozen=True, slots=True)
 class Record:
-    """A job and what came of it. modified: parameters were changed; key: leads to its series.
+    """A job and its result. modified: parameters were changed; key: leads to its series.
 
     known_breaches: the laws that its ledger breaks, but is known to break.
     """

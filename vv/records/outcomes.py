@@ -1,4 +1,4 @@
-"""The closed lists of what a record may say: outcomes, verdicts, kinds of study, quantity, cost.
+"""The enums of records: outcomes, verdicts, kinds of study, quantity, judge and cost.
 
 In JSON a member is its name in small letters, with hyphens.
 """
@@ -9,7 +9,7 @@ import enum
 
 
 class Verdict(enum.Enum):
-    """What a quantity of a run is worth; the value is the word shown to people."""
+    """The verdict on a quantity of a run; the value is the word shown to people."""
 
     PASS = "pass"
     FAIL = "fail"
@@ -19,7 +19,7 @@ class Verdict(enum.Enum):
 
 
 class Outcome(enum.Enum):
-    """What a job came to, as every summary counts it; the value is the word shown to people.
+    """The outcome of a job, as summaries count it; the value is the word shown to people.
 
     A status unless it ran, else the worst verdict of its quantities. BLOW_UP: it diverged in a
     map, which is there to show where codes do. NOT_REPORTED, NOT_CONSERVED: of what ran.

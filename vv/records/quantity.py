@@ -1,4 +1,4 @@
-"""What one quantity of a run was measured to be, and how that was judged."""
+"""A quantity of a run as it was measured, with its errors and its verdict."""
 
 from __future__ import annotations
 
@@ -52,7 +52,7 @@ class PrintedFacts:
 
 @dataclass(frozen=True, slots=True)
 class MeasuredQuantity:
-    """A quantity of a run: value, errors, and what it is worth.
+    """A quantity of a run: its value, errors and verdict.
 
     unit: of the value, empty for a plain number. value, reference: of a number; those of a series
     are kept as arrays beside the record. end: the reference of a series at the last time. errors:

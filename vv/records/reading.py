@@ -1,4 +1,4 @@
-"""Reads records: of what rung they are, whether they were tried, and what they came to."""
+"""Helpers that read records: the setting in words, whether the job ran, sort keys."""
 
 from __future__ import annotations
 

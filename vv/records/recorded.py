@@ -1,4 +1,4 @@
-"""Results of external codes that were written down, to be shown where these are not installed."""
+"""Recorded results of external codes, which are shown where the codes are not installed."""
 
 from __future__ import annotations
 

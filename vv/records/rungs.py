@@ -1,4 +1,4 @@
-"""The rungs of a scheme that differ in dt alone: order, floor, and the limit of small steps."""
+"""Convergence in dt of the rungs of a scheme: observed order, floor, and limit of small steps."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ class Floor:
 
 @dataclass(frozen=True)
 class Limit:
-    """Where the final value of the first quantity goes as dt -> 0, from three steps or more.
+    """The limit of the final value of the first quantity as dt -> 0, from three steps or more.
 
     dt: the finest. model: how far the limit is off the exact value, None without a limit or an
     exact value; step: how far the finest is off the limit, not less than at order FORMAL; known:
@@ -142,7 +142,7 @@ def _limit(pile: Sequence[Record]) -> Limit | None:
 
 
 def describe(row: Row) -> str:
-    """What a row shows of the model's error and of the step's, in words; empty if nothing."""
+    """The errors of model and of time step that a row shows, in words; empty if it shows none."""
     parts = [f"floor {row.floor.error:.1e}, {row.floor.why}"] if row.floor else []
     if row.limit and row.kn:
         parts.append(_describe_limit(row.limit))

@@ -1,4 +1,4 @@
-"""Writes files that people review: sorted, one result a line, so that a change reads well."""
+"""Writes baselines and recorded results sorted, one result a line, so that diffs are readable."""
 
 from __future__ import annotations
 

@@ -6,7 +6,7 @@ from typing import Any
 import pytest
 
 from tests.support.fabricated import changed, entry, record
-from vv.gate.disagreement import Disagreement, dated, judge
+from vv.gate.disagreement import Disagreement, expiry_findings, judge
 from vv.records.job_record import Record
 from vv.records.outcomes import Verdict
 
@@ -100,7 +100,7 @@ def test_the_other_quantities_of_a_record_keep_their_verdicts() -> None:
 
 def test_an_entry_warns_if_it_speaks_of_one_record_of_many() -> None:
     known = Disagreement(**{**KNOWN, "expires": "2027-01-02"})
-    assert len(dated([failing(1e-2, "T9"), failing(1e-2)], [known], TODAY)) == 1
+    assert len(expiry_findings([failing(1e-2, "T9"), failing(1e-2)], [known], TODAY)) == 1
 
 
 @pytest.mark.parametrize(

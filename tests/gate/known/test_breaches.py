@@ -40,7 +40,7 @@ def judged(one: Record, **changes: Any) -> tuple[Outcome, bool]:
     """What a record comes to with an entry, and whether the gate is red."""
     known = [KnownBreach(**{**KNOWN, **changes})]
     (after,) = known_breaches.judge([one], known, TODAY)
-    found = [*record_findings([after]), *known_breaches.kept([after], known, TODAY)]
+    found = [*record_findings([after]), *known_breaches.not_broken([after], known, TODAY)]
     return outcome(after), bool(bits(found))
 
 
@@ -94,16 +94,16 @@ def test_an_entry_warns_for_thirty_days_and_is_red_when_over(
     expires: str, kind: str | None, red: bool
 ) -> None:
     known = [KnownBreach(**{**KNOWN, "expires": expires})]
-    found = known_breaches.dated([broken(0.009), broken()], known, TODAY)
+    found = known_breaches.expiry_findings([broken(0.009), broken()], known, TODAY)
     assert [one.kind for one in found] == ([kind] if kind else [])
     assert bool(bits(found)) is red
     assert all("the known breach 'soft springs' expire" in one.text for one in found)
-    assert known_breaches.dated([broken(variant="T2")], known, TODAY) == []
+    assert known_breaches.expiry_findings([broken(variant="T2")], known, TODAY) == []
 
 
 def test_an_entry_that_covers_one_of_several_records_speaks_of_them() -> None:
     known = [KnownBreach(**{**KNOWN, "expires": "2026-12-31"})]
-    assert len(known_breaches.dated([broken(variant="T2"), broken()], known, TODAY)) == 1
+    assert len(known_breaches.expiry_findings([broken(variant="T2"), broken()], known, TODAY)) == 1
 
 
 @pytest.mark.parametrize("low", [0.02, 3.0])

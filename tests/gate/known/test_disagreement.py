@@ -9,7 +9,7 @@ import pytest
 from tests.support.fabricated import changed, entry, record, requantified
 from vv.ask import Knobs
 from vv.base.errors import UsageError
-from vv.gate.disagreement import Disagreement, dated, judge
+from vv.gate.disagreement import Disagreement, expiry_findings, judge
 from vv.gate.ledger_file import read_disagreements
 from vv.records.finding import bits
 from vv.records.job_record import Record
@@ -123,14 +123,14 @@ def test_an_entry_warns_for_thirty_days_and_is_red_when_over_even_if_all_pass(
     expires: str, kind: str | None, bit: int
 ) -> None:
     known = Disagreement(**{**KNOWN, "expires": expires})
-    found = dated(ladder(verdict="pass"), [known], TODAY)
+    found = expiry_findings(ladder(verdict="pass"), [known], TODAY)
     assert [finding.kind for finding in found] == ([kind] if kind else [])
     assert bits(found) == bit
 
 
 def test_an_entry_that_speaks_of_nothing_here_says_nothing() -> None:
     known = Disagreement(**{**KNOWN, "case": "other", "expires": "2000-01-01"})
-    assert dated(ladder(), [known], TODAY) == []
+    assert expiry_findings(ladder(), [known], TODAY) == []
 
 
 @pytest.mark.parametrize(

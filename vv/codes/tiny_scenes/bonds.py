@@ -4,15 +4,15 @@ from __future__ import annotations
 
 import numpy as np
 
-from vv.codes.greetings.greeting import (
+from vv.codes.tiny_scenes.tiny_scene import (
     FREE,
     KN,
     MASS,
     PLACE,
     RADIUS,
-    Greeting,
     Motion,
     Terms,
+    TinyScene,
     Z,
     along,
     sphere,
@@ -28,7 +28,7 @@ GENTLY = 1e-6  # m/s: too slow for a bond to turn by what shows
 TORN = 0.5  # m/s of the velocity that the bond has taken as it breaks
 
 
-def pulled(terms: Terms) -> Greeting:
+def pulled(terms: Terms) -> TinyScene:
     """It swings on the bond, along it."""
     wrong = {
         "the bond is left out": thrown(0 * Z, FACING),
@@ -38,7 +38,7 @@ def pulled(terms: Terms) -> Greeting:
     return _bonded("bond", FACING, FACING, 0.0, _swing(RATE, FACING), wrong)
 
 
-def sheared(terms: Terms) -> Greeting:
+def sheared(terms: Terms) -> TinyScene:
     """It swings across the bond."""
     rate, speed = np.sqrt(SOFT) * RATE, GENTLY * ACROSS
     wrong = {
@@ -50,7 +50,7 @@ def sheared(terms: Terms) -> Greeting:
     return _bonded("shear of a bond", Z, speed, SOFT * KN, _swing(rate, speed), wrong)
 
 
-def broken(terms: Terms) -> Greeting:
+def broken(terms: Terms) -> TinyScene:
     """It flies off as the bond breaks, at half the force that would hold it."""
     strength = TORN * KN / RATE
 
@@ -79,9 +79,9 @@ def _bonded(
     motion: Motion,
     wrong: dict[str, Motion],
     strength: float = np.inf,
-) -> Greeting:
+) -> TinyScene:
     """A sphere bonded to a held one, from which it faces a direction, with a speed (3,) [m/s]."""
     bodies = (sphere(0 * Z, ~FREE, PLACE - 2 * RADIUS * facing), sphere(speed))
     bond = Bonds(np.array([[0, 1]]), 2 * RADIUS, KN, ks, strength)  # type: ignore[arg-type]
     scene = Scene(bodies, Contact(KN), bonds=bond)
-    return Greeting(name, scene, 0.15, motion, wrong, smooth=np.isinf(strength))
+    return TinyScene(name, scene, 0.15, motion, wrong, smooth=np.isinf(strength))

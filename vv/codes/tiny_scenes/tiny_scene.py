@@ -28,7 +28,7 @@ ALIKE = 0.04
 
 
 @dataclass(frozen=True)
-class Greeting:
+class TinyScene:
     """A tiny scene: how its last body moves, and how it would if something were left out.
 
     kn: the stiffness that stands for rigid contact [N/m]. smooth: whether an order in dt can be
@@ -58,12 +58,12 @@ class Greeting:
         return [Ask(self.scene, goal, seen, Knobs(dt, kn)) for dt in steps]
 
 
-def error(greeting: Greeting, run: Run) -> float:
+def error(tiny: TinyScene, run: Run) -> float:
     """The largest error of what a run reports, relative to the largest value of its kind."""
-    moved, speed = greeting.motion(run.times)
+    moved, speed = tiny.motion(run.times)
     exact: dict[Observable, Vector] = {
-        Displacement(greeting.body): moved,
-        Velocity(greeting.body): speed,
+        Displacement(tiny.body): moved,
+        Velocity(tiny.body): speed,
     }
     return max(
         float(np.abs(values - exact[what]).max() / np.abs(exact[what]).max())
@@ -72,34 +72,34 @@ def error(greeting: Greeting, run: Run) -> float:
     )
 
 
-def likeness(greeting: Greeting, run: Run) -> str:
+def likeness(tiny: TinyScene, run: Run) -> str:
     """The known mistake that a wrong answer is nearest to; empty if it is near none."""
-    values = run.values.get(Displacement(greeting.body))
+    values = run.values.get(Displacement(tiny.body))
     if values is None:
         return ""
-    scale = float(np.abs(greeting.motion(run.times)[0]).max())
+    scale = float(np.abs(tiny.motion(run.times)[0]).max())
     apart = {
         words: float(np.abs(values - wrong).max()) / max(scale, float(np.abs(wrong).max()))
-        for words, wrong in _mistakes(greeting, run.times)
+        for words, wrong in _mistakes(tiny, run.times)
     }
     nearest = min(apart, key=apart.__getitem__)
     return nearest if apart[nearest] <= ALIKE else ""
 
 
-def _mistakes(greeting: Greeting, t: Vector) -> Iterator[tuple[str, Vector]]:
+def _mistakes(tiny: TinyScene, t: Vector) -> Iterator[tuple[str, Vector]]:
     """What would be reported after each mistake: words -> displacements (k, 3)."""
-    exact, velocity = greeting.motion(t)
-    for words, motion in greeting.mistakes.items():
+    exact, velocity = tiny.motion(t)
+    for words, motion in tiny.mistakes.items():
         yield words, motion(t)[0]
-    spheres = greeting.scene.spheres
-    start = spheres.position[-1] if len(spheres) else greeting.scene.blocks[-1].centroid()
+    spheres = tiny.scene.spheres
+    start = spheres.position[-1] if len(spheres) else tiny.scene.blocks[-1].centroid()
     yield "nothing moves", 0 * exact
     yield "all signs are reversed", -exact
     yield "positions are written, and displacements since t = 0 asked for", exact + start
     yield "velocities are written in place of displacements", velocity
     yield "rows are one output late", np.concatenate([exact[:1], exact[:-1]])
-    yield "rows are one output early", greeting.motion(t + t[1])[0]
-    yield "time runs at half its pace", greeting.motion(t / 2)[0]
+    yield "rows are one output early", tiny.motion(t + t[1])[0]
+    yield "time runs at half its pace", tiny.motion(t / 2)[0]
     for order in itertools.islice(itertools.permutations(range(3)), 1, None):  # not x, y, z
         yield f"x, y, z are {', '.join('xyz'[i] for i in order)}", exact[:, order]
 

@@ -15,8 +15,8 @@ import adapters.dda
 import adapters.dem
 from tests.support.installed import require
 from vv.codes import Adapter
-from vv.codes.greetings import Greeting, greetings
-from vv.codes.handshake import Grip, Handshake, judged
+from vv.codes.tiny_scene_check import Answered, CheckResult, judged
+from vv.codes.tiny_scenes import TinyScene, tiny_scenes
 from vv.plan.project import find
 from vv.scene import Block, Bonds, Contact, Hertz, Scene, Spheres, Term, Wall
 
@@ -25,12 +25,12 @@ DEM = adapters.dem.ADAPTER
 Wrong = Callable[[Scene], Scene]
 
 
-def asked(adapter: Adapter, folder: Path) -> Iterator[tuple[str, Handshake]]:
+def asked(adapter: Adapter, folder: Path) -> Iterator[tuple[str, CheckResult]]:
     """What is said of every tiny scene that an adapter's default scheme takes."""
     scheme = adapter.schemes[0]
     taken = [
         one
-        for one in greetings(scheme)
+        for one in tiny_scenes(scheme)
         if adapter.refuses(one.asks(scheme)[0], scheme.name) is None
     ]
     asks = [one.asks(scheme) for one in taken]
@@ -44,7 +44,7 @@ def test_codes_get_every_tiny_scene_right(code: str, tmp_path: Path) -> None:
     adapter = find().load_adapter(code)
     require(adapter)
     found = dict(asked(adapter, tmp_path))
-    wrong = {name: one.words for name, one in found.items() if one.grip is not Grip.FIRM}
+    wrong = {name: one.words for name, one in found.items() if one.answered is not Answered.RIGHT}
     assert FIRST_ORDER in wrong.pop("drag", FIRST_ORDER)
     assert wrong == {}
     assert len(found) >= {"dda": 3, "rigid": 1}.get(code, 15)
@@ -140,32 +140,32 @@ WRONG: dict[Term, tuple[Wrong, ...]] = {
 }  # fmt: skip
 
 
-def told(greeting: Greeting, wrong: Wrong, code: Adapter = DEM) -> Handshake:
+def told(tiny: TinyScene, wrong: Wrong, code: Adapter = DEM) -> CheckResult:
     """What is said of a code that has something wrong, as another scene is right."""
     scheme = code.schemes[0]
-    (*_, ask) = greeting.asks(scheme)
+    (*_, ask) = tiny.asks(scheme)
     mistaken = dataclasses.replace(ask, scene=wrong(ask.scene))
     (run,) = code.run([mistaken], scheme.name, Path(), 0.0)
-    return judged(scheme, greeting, [run])
+    return judged(scheme, tiny, [run])
 
 
-def seen(greeting: Greeting, wrong: Wrong) -> bool:
+def seen(tiny: TinyScene, wrong: Wrong) -> bool:
     """Whether a tiny scene tells a code that has something wrong."""
-    if greeting.scene.digest() == wrong(greeting.scene).digest():
+    if tiny.scene.digest() == wrong(tiny.scene).digest():
         return False
-    return told(greeting, wrong).grip is Grip.WRONG
+    return told(tiny, wrong).answered is Answered.WRONG
 
 
 @pytest.mark.parametrize("term", WRONG, ids=lambda term: term.name)
 def test_a_code_with_any_one_declared_term_wrong_is_told(term: Term) -> None:
-    known = [one for one in greetings(DEM.schemes[0]) if term in one.scene.terms()]
+    known = [one for one in tiny_scenes(DEM.schemes[0]) if term in one.scene.terms()]
     assert known
     for wrong in WRONG[term]:
         assert any(seen(one, wrong) for one in known), term
 
 
 def test_a_wrong_answer_is_tried_for_every_term_that_spheres_show() -> None:
-    shown = frozenset().union(*(one.scene.terms() for one in greetings(DEM.schemes[0])))
+    shown = frozenset().union(*(one.scene.terms() for one in tiny_scenes(DEM.schemes[0])))
     assert shown - {Term.BLOCK, Term.RIGID_CONTACT} == set(WRONG)
 
 
@@ -323,12 +323,12 @@ LIKE: dict[str, dict[str, Wrong]] = {
 BY_HAND = {"the shear force is reversed", "friction turns it the other way", "friction pulls along"}
 
 
-def _greeted() -> dict[str, tuple[Adapter, Greeting]]:
+def _checked() -> dict[str, tuple[Adapter, TinyScene]]:
     """Every tiny scene, with an in-house code that takes it."""
     offered = [
         (code, one, one.asks(code.schemes[0])[0], code.schemes[0].name)
         for code in (adapters.dda.ADAPTER, DEM)
-        for one in greetings(code.schemes[0])
+        for one in tiny_scenes(code.schemes[0])
     ]
     return {
         one.name: (code, one)
@@ -339,20 +339,20 @@ def _greeted() -> dict[str, tuple[Adapter, Greeting]]:
 
 @pytest.mark.parametrize("name", LIKE)
 def test_a_mistake_is_named_as_what_it_is_by_how_such_a_scene_moves(name: str) -> None:
-    code, greeting = _greeted()[name]
+    code, tiny = _checked()[name]
     for words, wrong in LIKE[name].items():
-        assert f"it looks as if {words}" in told(greeting, wrong, code).words, words
+        assert f"it looks as if {words}" in told(tiny, wrong, code).words, words
 
 
 def test_every_mistake_that_is_named_is_in_the_table_or_found_by_hand() -> None:
-    for name, (_, greeting) in _greeted().items():
-        for words in greeting.mistakes.keys() - BY_HAND:
+    for name, (_, tiny) in _checked().items():
+        for words in tiny.mistakes.keys() - BY_HAND:
             assert any(words.startswith(one) for one in LIKE[name]), (name, words)
 
 
 def test_a_pulse_moves_a_body_as_shaking_does_until_it_ends() -> None:
     every = dataclasses.replace(DEM.schemes[0], terms=frozenset(Term))
-    known = {one.name: one for one in greetings(every)}
+    known = {one.name: one for one in tiny_scenes(every)}
     pulse, shaken = known["pulse"], known["shaking"]
     t = np.linspace(0.0, 1.0, 21)
     (moved, speed), (on, fast) = pulse.motion(t), shaken.motion(t)
@@ -365,7 +365,7 @@ def test_a_pulse_moves_a_body_as_shaking_does_until_it_ends() -> None:
 
 def test_forces_that_act_the_wrong_way_move_a_body_as_their_equations_do() -> None:
     t = np.linspace(0.0, 0.5, 11)
-    skid, roll = (_greeted()[name][1] for name in ("skid", "roll"))
+    skid, roll = (_checked()[name][1] for name in ("skid", "roll"))
     law, mass = skid.scene.contact, skid.scene.spheres.mass[0]
     limit = law.mu * 60.0  # N, of what presses
 
@@ -382,11 +382,11 @@ def test_forces_that_act_the_wrong_way_move_a_body_as_their_equations_do() -> No
     back = roll.mistakes["friction turns it the other way"](t)[0]
     brake = roll.scene.contact.mu * 60.0 / mass
     assert np.linalg.norm(back, axis=1) == pytest.approx(t - brake * t**2 / 2, abs=1e-9)
-    block = _greeted()["slide of a block"][1].mistakes["friction pulls along"](t)[0]
+    block = _checked()["slide of a block"][1].mistakes["friction pulls along"](t)[0]
     assert np.linalg.norm(block, axis=1) == pytest.approx(t + (6.0 + 0.4 * 8.0) * t**2 / 2)
 
 
 def test_an_answer_a_little_off_is_not_taken_for_axes_in_their_own_order() -> None:
-    known = {one.name: one for one in greetings(DEM.schemes[0])}
+    known = {one.name: one for one in tiny_scenes(DEM.schemes[0])}
     assert told(known["roll"], _times("ks", 1.12)).words.startswith("wrong by")
     assert "x, y, z" not in told(known["roll"], _times("ks", 1.12)).words

@@ -7,15 +7,15 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from vv.codes.greetings.greeting import (
+from vv.codes.tiny_scenes.tiny_scene import (
     FREE,
     KN,
     MASS,
     PLACE,
     RADIUS,
-    Greeting,
     Motion,
     Terms,
+    TinyScene,
     Way,
     Z,
     along,
@@ -32,19 +32,19 @@ MODULUS, DAMPING, SHORT = 1e7, 0.2, 0.02  # Pa, -, s
 NODES = 4000  # steps by which the path is found that has no closed form
 
 
-def bounce(terms: Terms) -> Greeting:
+def bounce(terms: Terms) -> TinyScene:
     """A sphere that touches a wall flies into it."""
     return _against(Contact(KN), "bounce", _rebound(RATE), _met(FACING))
 
 
-def collision(terms: Terms) -> Greeting:
+def collision(terms: Terms) -> TinyScene:
     """A sphere that touches another, which is fixed, flies into it."""
     held, flying = sphere(0 * Z, ~FREE, PLACE - 2 * RADIUS * Z), sphere(-Z)
     scene = Scene((held, flying), Contact(KN))
-    return Greeting("collision", scene, 0.15, along(Z, _rebound(RATE)), _met(Z))
+    return TinyScene("collision", scene, 0.15, along(Z, _rebound(RATE)), _met(Z))
 
 
-def dashpot(terms: Terms) -> Greeting:
+def dashpot(terms: Terms) -> TinyScene:
     """It meets a spring and a dashpot, which never pull."""
     wrong = {
         "the dashpot is left out": along(FACING, _rebound(RATE)),
@@ -54,15 +54,15 @@ def dashpot(terms: Terms) -> Greeting:
     return _against(Contact(KN, eta_n=ETA_N), "dashpot", _damped(ETA_N), wrong)
 
 
-def moving_wall(terms: Terms) -> Greeting:
+def moving_wall(terms: Terms) -> TinyScene:
     """A sphere at rest is pushed off by a wall that sways twice as fast as it would swing."""
     sway = Harmonic(SWAY * FACING, np.full(3, RATE / np.pi))
     bodies = (Wall(PLACE - RADIUS * FACING, FACING, sway), sphere(0 * Z))
     wrong = {"the wall stands still": thrown(0 * Z, 0 * Z)}
-    return Greeting("moving wall", Scene(bodies, Contact(KN)), 0.1, along(FACING, _pushed), wrong)
+    return TinyScene("moving wall", Scene(bodies, Contact(KN)), 0.1, along(FACING, _pushed), wrong)
 
 
-def hertz(terms: Terms) -> Greeting:
+def hertz(terms: Terms) -> TinyScene:
     """It meets an elastic wall."""
     wrong = {
         "contact is left out": thrown(0 * Z, -FACING),
@@ -72,7 +72,7 @@ def hertz(terms: Terms) -> Greeting:
     return _against(_law(0.0), "Hertz's contact", _elastic(MODULUS), wrong, SHORT)
 
 
-def viscous_hertz(terms: Terms) -> Greeting:
+def viscous_hertz(terms: Terms) -> TinyScene:
     """It meets an elastic wall that is viscous, which never pulls."""
     wrong = {"viscosity is left out": along(FACING, _elastic(MODULUS))}
     return _against(_law(DAMPING), "viscous Hertz", _viscous, wrong, SHORT)
@@ -84,10 +84,10 @@ def _law(damping: float) -> Contact:
 
 def _against(
     law: Contact, name: str, way: Way, wrong: Mapping[str, Motion], lasting: float = 0.15
-) -> Greeting:
+) -> TinyScene:
     """A sphere that touches a wall flies into it at 1 m/s."""
     scene = Scene((Wall(PLACE - RADIUS * FACING, FACING), sphere(-FACING)), law)
-    return Greeting(name, scene, lasting, along(FACING, way), wrong)
+    return TinyScene(name, scene, lasting, along(FACING, way), wrong)
 
 
 def _met(direction: Vector) -> Mapping[str, Motion]:

@@ -4,8 +4,18 @@ from __future__ import annotations
 
 import numpy as np
 
-from vv.codes.greetings.flights import LOAD, PULL, THROWN
-from vv.codes.greetings.greeting import FREE, KN, MASS, PLACE, Greeting, Motion, Terms, Z, thrown
+from vv.codes.tiny_scenes.flights import LOAD, PULL, THROWN
+from vv.codes.tiny_scenes.tiny_scene import (
+    FREE,
+    KN,
+    MASS,
+    PLACE,
+    Motion,
+    Terms,
+    TinyScene,
+    Z,
+    thrown,
+)
 from vv.scene import Block, Contact, Scene, Term, Vector, Wall, box_geometry
 
 HALF = np.array([0.1, 0.15, 0.05])  # m
@@ -14,7 +24,7 @@ DOWN, PRESSED, ROUGH = 6.0, 8.0, 0.4  # m/s2 along the way and into the wall; -
 STANDS_FOR_RIGID = MASS * 30.0**2  # N/m: a step of a hundredth of a second is stable
 
 
-def flight(terms: Terms) -> Greeting:
+def flight(terms: Terms) -> TinyScene:
     """Thrown, and pulled by gravity where there is some."""
     pull = PULL if Term.GRAVITY in terms else np.zeros(3)
     scene = Scene((_block(THROWN),), _law(terms), gravity=pull)
@@ -26,7 +36,7 @@ def flight(terms: Terms) -> Greeting:
     return _shown("flight of a block", scene, thrown(pull, THROWN), wrong if pull.any() else {})
 
 
-def laden(terms: Terms) -> Greeting:
+def laden(terms: Terms) -> TinyScene:
     """Thrown under a dead load."""
     wrong = {
         "the load is left out": thrown(0 * LOAD, THROWN),
@@ -36,7 +46,7 @@ def laden(terms: Terms) -> Greeting:
     return _shown("dead load on a block", scene, thrown(LOAD / MASS, THROWN), wrong)
 
 
-def slide(terms: Terms) -> Greeting:
+def slide(terms: Terms) -> TinyScene:
     """On a wall it is pulled along faster than friction holds it, if there is friction."""
     mu = ROUGH if Term.FRICTION in terms else 0.0
     pull = DOWN * ACROSS - PRESSED * Z
@@ -68,8 +78,8 @@ def _law(terms: Terms) -> Contact:
     return Contact(np.inf if Term.RIGID_CONTACT in terms else KN)
 
 
-def _shown(name: str, scene: Scene, motion: Motion, wrong: dict[str, Motion]) -> Greeting:
-    return Greeting(name, scene, 1.0, motion, wrong, kn=STANDS_FOR_RIGID)
+def _shown(name: str, scene: Scene, motion: Motion, wrong: dict[str, Motion]) -> TinyScene:
+    return TinyScene(name, scene, 1.0, motion, wrong, kn=STANDS_FOR_RIGID)
 
 
 def _block(speed: Vector, load: Vector = np.zeros(3)) -> Block:  # noqa: B008

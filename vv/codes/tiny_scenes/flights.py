@@ -7,14 +7,14 @@ from collections.abc import Callable
 
 import numpy as np
 
-from vv.codes.greetings.greeting import (
+from vv.codes.tiny_scenes.tiny_scene import (
     KN,
     MASS,
     PLACE,
     RADIUS,
-    Greeting,
     Motion,
     Terms,
+    TinyScene,
     Y,
     Z,
     along,
@@ -35,7 +35,7 @@ SHAKEN = np.array([30.0, -40.0, 20.0])  # m/s2
 FREQUENCY, PHASE, UNTIL = 1.5, 0.7, 0.5  # Hz, rad, s
 
 
-def flight(terms: Terms) -> Greeting:
+def flight(terms: Terms) -> TinyScene:
     """Thrown, and pulled by gravity where there is some."""
     pull = _pull(terms)
     scene = Scene((sphere(THROWN),), Contact(KN), gravity=pull)
@@ -45,10 +45,10 @@ def flight(terms: Terms) -> Greeting:
         "gravity is taken twice": thrown(2 * PULL, THROWN),
         "gravity is a force, not an acceleration": thrown(PULL / MASS, THROWN),
     }
-    return Greeting("free flight", scene, 1.0, thrown(pull, THROWN), wrong if pull.any() else {})
+    return TinyScene("free flight", scene, 1.0, thrown(pull, THROWN), wrong if pull.any() else {})
 
 
-def laden(terms: Terms) -> Greeting:
+def laden(terms: Terms) -> TinyScene:
     """Thrown under a dead load."""
     body = dataclasses.replace(sphere(THROWN), load=LOAD[None])
     wrong = {
@@ -58,40 +58,40 @@ def laden(terms: Terms) -> Greeting:
         "the load is an acceleration, not a force": thrown(LOAD, THROWN),
     }
     scene = Scene((body,), Contact(KN))
-    return Greeting("dead load", scene, 1.0, thrown(LOAD / MASS, THROWN), wrong)
+    return TinyScene("dead load", scene, 1.0, thrown(LOAD / MASS, THROWN), wrong)
 
 
-def lock(terms: Terms) -> Greeting:
+def lock(terms: Terms) -> TinyScene:
     """A sphere free along y alone, with a pull across, or else the push of a wall."""
     free, speed, pull = Y > 0, 2.0 * Y, _pull(terms)
     if pull.any():
         scene = Scene((sphere(speed, free),), Contact(KN), gravity=pull)
         kept, loose = thrown(pull * free, speed), thrown(pull, speed)
-        return Greeting("lock", scene, 1.0, kept, {"the lock is not kept": loose})
+        return TinyScene("lock", scene, 1.0, kept, {"the lock is not kept": loose})
     depth = 0.01
     scene = Scene((Wall(PLACE - (RADIUS - depth) * Z, Z), sphere(speed, free)), Contact(KN))
-    return Greeting("lock", scene, 0.15, thrown(0 * Z, speed))
+    return TinyScene("lock", scene, 0.15, thrown(0 * Z, speed))
 
 
-def oblique(terms: Terms) -> Greeting:
+def oblique(terms: Terms) -> TinyScene:
     """A sphere free along one direction, which is no axis of the frame, with a pull across."""
     way, pull = TURNED[0], _pull(terms)
     body = sphere(way, np.array([True, False, False]))
     scene = Scene((body,), Contact(KN), gravity=pull, axes=TURNED)
     kept = thrown(float(pull @ way) * way, way)
     wrong = {"the lock is not kept": thrown(pull, way)} if pull.any() else {}
-    return Greeting("oblique lock", scene, 1.0, kept, wrong)
+    return TinyScene("oblique lock", scene, 1.0, kept, wrong)
 
 
-def carried(terms: Terms) -> Greeting:
+def carried(terms: Terms) -> TinyScene:
     """A sphere free along y alone, which moves steadily along the others."""
     free, pull = Y > 0, _pull(terms)
     scene = Scene((sphere(THROWN, free),), Contact(KN), gravity=pull)
     wrong = {"locked directions stand still": thrown(pull * free, THROWN * free)}
-    return Greeting("carried", scene, 1.0, thrown(pull * free, THROWN), wrong)
+    return TinyScene("carried", scene, 1.0, thrown(pull * free, THROWN), wrong)
 
 
-def drag(terms: Terms) -> Greeting:
+def drag(terms: Terms) -> TinyScene:
     """A thrown sphere that drag slows down."""
 
     def slowed(eta: float) -> Motion:
@@ -110,10 +110,10 @@ def drag(terms: Terms) -> Greeting:
         "drag is a rate, not divided by the mass": slowed(ETA * MASS),
     }
     scene = Scene((sphere(THROWN),), Contact(KN), ETA)
-    return Greeting("drag", scene, 1.0, slowed(ETA), wrong)
+    return TinyScene("drag", scene, 1.0, slowed(ETA), wrong)
 
 
-def fluid(terms: Terms) -> Greeting:
+def fluid(terms: Terms) -> TinyScene:
     """A thrown sphere that a fluid slows down, by twice what drag as the speed would."""
 
     def slowed(by: float, share: float) -> Motion:
@@ -126,10 +126,10 @@ def fluid(terms: Terms) -> Greeting:
         "drag of the fluid is half as strong": slowed(0.5, 1.0),
     }
     scene = Scene((sphere(THROWN),), Contact(KN), fluid=FLUID)
-    return Greeting("fluid", scene, 1.0, slowed(1.0, 1.0), wrong)
+    return TinyScene("fluid", scene, 1.0, slowed(1.0, 1.0), wrong)
 
 
-def shaken(terms: Terms) -> Greeting:
+def shaken(terms: Terms) -> TinyScene:
     """A thrown sphere under a sine, which does not start at zero."""
     scene = Scene((sphere(THROWN),), Contact(KN), shaking=_sine())
     wrong = {
@@ -137,15 +137,15 @@ def shaken(terms: Terms) -> Greeting:
         "shaking is reversed": _under(-SHAKEN, PHASE, np.inf),
         "the phase of shaking is left out": _under(SHAKEN, 0.0, np.inf),
     }
-    return Greeting("shaking", scene, 1.0, _under(SHAKEN, PHASE, np.inf), wrong)
+    return TinyScene("shaking", scene, 1.0, _under(SHAKEN, PHASE, np.inf), wrong)
 
 
-def pulse(terms: Terms) -> Greeting:
+def pulse(terms: Terms) -> TinyScene:
     """A thrown sphere under a sine that ends."""
     scene = Scene((sphere(THROWN),), Contact(KN), shaking=Pulse(_sine(), UNTIL))
     wrong = {"the pulse does not end": _under(SHAKEN, PHASE, np.inf)}
     moved = _under(SHAKEN, PHASE, UNTIL)
-    return Greeting("pulse", scene, 1.0, moved, wrong, smooth=False)
+    return TinyScene("pulse", scene, 1.0, moved, wrong, smooth=False)
 
 
 def _in_fluid(by: float, share: float) -> Callable[[Vector], tuple[Vector, Vector]]:

@@ -1,7 +1,7 @@
-"""Tiny scenes with answers known by heart, which `vv check` asks of a code.
+"""Tiny scenes with answers in closed form, which `vv check` asks of a code.
 
-A scene for each term that shows in how a body moves, where that is known by heart; what a scheme
-declares, it is asked.
+There is a scene for each term that changes how a body moves. A scheme is asked those whose terms
+it declares.
 """
 
 from __future__ import annotations
@@ -10,13 +10,13 @@ from collections.abc import Callable
 
 from vv.ask import Displacement, Velocity
 from vv.codes.adapter import Scheme
-from vv.codes.greetings import blocks, bonds, contacts, flights, rubbing
-from vv.codes.greetings.greeting import STEPS, Greeting, Terms, error, likeness
+from vv.codes.tiny_scenes import blocks, bonds, contacts, flights, rubbing
+from vv.codes.tiny_scenes.tiny_scene import STEPS, Terms, TinyScene, error, likeness
 from vv.scene import Term
 
-__all__ = ["STEPS", "Greeting", "error", "greetings", "likeness", "unasked"]
+__all__ = ["STEPS", "TinyScene", "error", "likeness", "tiny_scenes", "unasked"]
 
-OFFERED: tuple[Callable[[Terms], Greeting], ...] = (
+OFFERED: tuple[Callable[[Terms], TinyScene], ...] = (
     flights.flight, flights.laden, contacts.bounce, contacts.collision, flights.lock,
     flights.oblique, flights.carried, flights.drag, flights.fluid, flights.shaken, flights.pulse,
     contacts.moving_wall, contacts.dashpot, contacts.hertz, contacts.viscous_hertz,
@@ -26,7 +26,7 @@ OFFERED: tuple[Callable[[Terms], Greeting], ...] = (
 )  # fmt: skip
 
 
-def greetings(scheme: Scheme) -> list[Greeting]:
+def tiny_scenes(scheme: Scheme) -> list[TinyScene]:
     """The tiny scenes that a scheme declares it can solve."""
     if not {Displacement, Velocity} & scheme.observables:
         return []
@@ -35,5 +35,5 @@ def greetings(scheme: Scheme) -> list[Greeting]:
 
 
 def unasked(scheme: Scheme) -> frozenset[Term]:
-    """The terms that a scheme declares and no tiny scene asks of it."""
-    return scheme.terms.difference(*(one.scene.terms() for one in greetings(scheme)))
+    """The terms that a scheme declares and that no tiny scene tests."""
+    return scheme.terms.difference(*(one.scene.terms() for one in tiny_scenes(scheme)))

@@ -6,15 +6,15 @@ import dataclasses
 
 import numpy as np
 
-from vv.codes.greetings.contacts import ETA_N, damped
-from vv.codes.greetings.greeting import (
+from vv.codes.tiny_scenes.contacts import ETA_N, damped
+from vv.codes.tiny_scenes.tiny_scene import (
     KN,
     MASS,
     PLACE,
     RADIUS,
-    Greeting,
     Motion,
     Terms,
+    TinyScene,
     Way,
     Z,
     along,
@@ -35,7 +35,7 @@ UNLIMITED = "friction has no limit, or twice the right one"
 REVERSED = "the shear force is reversed"
 
 
-def skid(terms: Terms) -> Greeting:
+def skid(terms: Terms) -> TinyScene:
     """Pressed on a wall it slides, is caught by the shear spring, and swings back."""
     wrong = {
         "friction is left out": thrown(0 * Z, ACROSS),
@@ -48,7 +48,7 @@ def skid(terms: Terms) -> Greeting:
     return _on_floor("skid", 1.0, _skid(RATE, _reach(RATE)), wrong, turns=False)
 
 
-def roll(terms: Terms) -> Greeting:
+def roll(terms: Terms) -> TinyScene:
     """The same, free to turn: as slip ends it rolls."""
     wrong = {
         "rotation is left out": _skid(RATE / np.sqrt(TURNING), _reach(RATE)),
@@ -62,7 +62,7 @@ def roll(terms: Terms) -> Greeting:
     return dataclasses.replace(made, smooth=False)  # codes measure levers to either surface
 
 
-def viscous_skid(terms: Terms) -> Greeting:
+def viscous_skid(terms: Terms) -> TinyScene:
     """It meets a wall with a dashpot aslant, and slips: the dashpot's force presses too."""
     law = Contact(KN, STIFF, ROUGH, eta_n=ETA_N)
     scene = Scene((Wall(PLACE - RADIUS * Z, Z), sphere(FAST * ACROSS - Z)), law)
@@ -70,19 +70,19 @@ def viscous_skid(terms: Terms) -> Greeting:
         "friction is left out": both(thrown(0 * Z, FAST * ACROSS), _landing),
         "friction is twice as strong": _slipping(2 * ROUGH),
     }
-    return Greeting("viscous skid", scene, 0.15, _slipping(ROUGH), wrong, smooth=False)
+    return TinyScene("viscous skid", scene, 0.15, _slipping(ROUGH), wrong, smooth=False)
 
 
 def _on_floor(
     name: str, times: float, motion: Motion, wrong: dict[str, Motion], turns: bool
-) -> Greeting:
+) -> TinyScene:
     """A sphere locked along a wall's normal; times: how much less it weighs for slip."""
     ks = RATE**2 * MASS / times
     law = Contact(PRESSED / DEPTH, ks, ks * _reach(RATE) / PRESSED)
     body = sphere(ACROSS, Z == 0)
     spins = np.full((1, 3), turns)
     bodies = (Wall(PLACE - (RADIUS - DEPTH) * Z, Z), dataclasses.replace(body, free_spin=spins))
-    return Greeting(name, Scene(bodies, law), LASTING, motion, wrong)
+    return TinyScene(name, Scene(bodies, law), LASTING, motion, wrong)
 
 
 def _reach(rate: float) -> float:

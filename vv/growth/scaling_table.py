@@ -1,4 +1,4 @@
-"""What sizes cost, as lines of text and as data for other programs."""
+"""The costs of scenes of growing size, as a table of text and as JSON."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ LIMIT = "memory"
 
 
 def heading(labels: Sequence[str]) -> Iterator[str]:
-    """What the columns are."""
+    """The head of the table."""
     yield (
         "CPU ns of a sphere in a step, without set-up: spheres that turn and rub, in a lattice in "
         "a box"
@@ -29,7 +29,7 @@ def row(size: Size, labels: Sequence[str]) -> str:
 
 
 def notes(found: Sequence[Size]) -> Iterator[str]:
-    """What the last column means, who told nothing, and how costs grow."""
+    """Notes below the table: the last column, schemes without figures, and how costs grow."""
     best = max(size.memory for size in found)
     yield (
         f"{LIMIT}: {least_traffic(CONTACTS):g} bytes, a sphere's place, velocity and spin and the "
