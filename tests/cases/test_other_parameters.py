@@ -26,6 +26,8 @@ PROJECT = find()
         ("dem", "resting", "knocked", {"mu": 0.0}, Knobs(2e-4)),
         ("dem", "resting", "held", {"mu": 0.1}, None),
         ("dem", "close-packed-failure", "82", {"d": 0.003}, Knobs(8e-8)),
+        ("dda", "shaken-wedge", "level", {"dip": 33.2, "xi": 1.18, "A": 1.92}, Knobs(1e-3, 1e9)),
+        ("dda", "shaken-wedge", "along", {"dip": 33.2, "xi": 1.18, "A": 1.92}, Knobs(1e-3, 1e9)),
     ],
 )
 def test_a_code_that_is_right_is_within_its_bounds(
