@@ -34,7 +34,7 @@ from vv.base.closure import import_closure
 from vv.plan.keys import roots
 from vv.plan.project import find
 
-ASKED = 3  # cases that are asked of a file that more of them share
+ASKED = 5  # cases that are asked of a file that more of them share
 CODES = "exact,dem,dda,rigid"
 PAPERS = ("tests/case/test_published.py", "tests/insight/test_papers.py")
 SPENT = 120.0  # s of CPU time after which a process hangs, many times what it takes
@@ -53,11 +53,12 @@ def drawn(files: str, sample: int, seed: int) -> list[Mutant]:
 
 @functools.cache
 def cases_of(file: str) -> list[str]:
-    """The cases whose sources a file is part of, first the one that it is itself."""
+    """The cases whose sources a file is part of: the one that it is, those that name it, others."""
     project = find(ROOT)
     own, places, here = project.case_files(), roots(project), ROOT / file
     found = [name for name, path in own.items() if here in import_closure([path], places)]
-    return sorted(found, key=lambda name: own[name].resolve() != here)
+    word = re.compile(rf"\b{here.stem}\b")
+    return sorted(found, key=lambda n: (own[n] != here, not word.search(own[n].read_text())))
 
 
 @functools.cache

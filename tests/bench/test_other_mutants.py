@@ -65,6 +65,13 @@ def test_a_mutant_of_a_case_is_put_to_its_page_then_its_gate_then_its_tests() ->
     assert "tests/cases/hard/test_wedge.py" in case_mutants.tests_of("wedge")
 
 
+def test_what_cases_share_is_asked_of_those_that_name_it_first() -> None:
+    shared = case_mutants.cases_of("cases/bonds/_unit.py")
+    assert {*shared[: case_mutants.ASKED]} >= {"tetrahedral-path", "tetrahedral-unit"}
+    assert shared.index("close-packed-energy") >= case_mutants.ASKED
+    assert case_mutants.cases_of("cases/bonds/tetrahedral_unit.py")[0] == "tetrahedral-unit"
+
+
 def test_what_is_of_no_case_is_put_to_the_tests_of_papers() -> None:
     (first, *_) = turnable("cases/papers/_li_2018.py")
     assert [*case_mutants.questions(first)] == [("tests", "")]

@@ -190,3 +190,19 @@ def test_shapes_are_regular_and_upright_within_about_a_unit() -> None:
     star = np.unwrap(np.arctan2(*np.array(SHAPES[6]).T))
     assert np.diff(star) == pytest.approx(np.full(9, math.pi / 5))
     assert Mark("a/a", 0, ((0.5, 0.25), (-0.125, -1.0)), "").points == "0.5,-0.25 -0.12,1"
+
+
+@pytest.mark.parametrize(
+    ("errors", "drawn"),
+    [((None, 0.0), True), ((0.0, None), True), ((None, None), True), ((0.0, 0.0), False),
+     ((0.0, 0.01), True), ((0.01, 0.01), True)],
+)  # fmt: skip
+def test_a_figure_of_errors_is_left_out_only_where_all_are_nil(
+    errors: tuple[float | None, float | None], drawn: bool
+) -> None:
+    ladders = [
+        Ladder(mark, None, (point(dt, error),))
+        for mark, dt, error in zip((A, D), (0.1, 0.2), errors, strict=True)
+    ]
+    assert bool(figures([], ladders, QUANTITY, Norm.MAX)) is drawn
+    assert bool(cost_figures(ladders, QUANTITY, Norm.MAX)) is drawn
