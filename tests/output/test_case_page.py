@@ -1,0 +1,43 @@
+"""Claims about a case's page in the gallery: which schemes run a variant, and why others not."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+from vv.output.gallery.case_page import CasePage
+
+RUNS = "[dem](../codes/dem.md) (default)"
+
+
+def said(**answers: int | str) -> list[str]:
+    """The lines on schemes of variant T1; names: CODE__SCHEME."""
+    nothing: Any = None
+    rows = {name.replace("__", "/"): {"T1": answer, "T2": 1} for name, answer in answers.items()}
+    page = CasePage(nothing, "family", nothing, {}, {**rows, "late/default": {"T2": 1}})
+    return [line for line in page._schemes(["T1", "T2"]) if line]
+
+
+@pytest.mark.parametrize(
+    ("answers", "lines"),
+    [
+        ({"dem__default": 3}, [f"Run by: {RUNS}."]),
+        (
+            {"dem__default": 3, "dda__default": "it cannot", "dda__lagged": "it cannot"},
+            [f"Run by: {RUNS}.", "Not supported:",
+             "- [dda](../codes/dda.md) (default, lagged): it cannot"],
+        ),
+        (
+            {"dda__default": "it cannot", "dem__default": "nor it"},
+            ["Run by: no scheme.", "Not supported:",
+             "- [dda](../codes/dda.md) (default): it cannot",
+             "- [dem](../codes/dem.md) (default): nor it"],
+        ),
+        ({}, []),
+    ],
+)  # fmt: skip
+def test_schemes_that_run_a_variant_stand_before_those_that_do_not_with_the_reason(
+    answers: dict[str, int | str], lines: list[str]
+) -> None:
+    assert said(**answers) == lines
