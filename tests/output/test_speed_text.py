@@ -114,6 +114,15 @@ def test_a_profile_is_told_of_two_variants_and_more_and_counts_shares_in_percent
     assert second.split() == ["theirs/default", "0%", "0%", "0%", "50%", "50%"]
 
 
+def test_in_a_profile_short_names_have_eight_places_and_long_ones_as_many_as_they_need() -> None:
+    every = efforts(manifest(*(record("ours", row, v) for v in "ab" for row in SECOND)))
+    for label, wide in (("a/b", 8), ("as_long/as_that", 15)):
+        named = [dataclasses.replace(one, label=label) for one in every]
+        *_, head, row = speed_text.profiles(named)
+        assert head.startswith(f"  {'scheme':<{wide}}       1")
+        assert row.startswith(f"  {label:<{wide}}    100%")
+
+
 @pytest.mark.parametrize(("whole", "said"), [(True, 1), (False, 0)])
 def test_a_code_whose_costs_are_of_whole_processes_is_named_once(whole: bool, said: int) -> None:
     made = [record("ours", row) for row in SECOND]
