@@ -16,6 +16,7 @@ from adapters.yade.setup import CLUMP, HALF_STEP, PLAIN, POLYHEDRA, Setup, set_u
 from adapters.yade.terms.table import TRANSLATIONS
 from vv.ask import Ask, Displacement, Method, Model, Reaction, Run, Status, Velocity
 from vv.codes import Found, Scheme, external
+from vv.codes.standing import Standing
 from vv.scene import Term
 from vv.standins.stand_in import STANDS_IN
 
@@ -75,10 +76,13 @@ SCHEMES = (
 
 
 class Yade:
-    """The adapter; it holds no state."""
+    """The adapter; it holds its program, where that waits for more."""
 
     name = "yade"
     schemes = SCHEMES
+
+    def __init__(self) -> None:
+        self.program = Standing()
 
     def found(self) -> Found:
         """Look for the package's folder."""
@@ -115,13 +119,14 @@ class Yade:
 
         def launch(indices: Sequence[int]) -> external.Process:
             # -E: variables meant for our own Python must not reach this one
-            command = [str(PYTHON), "-E", str(source), *(str(files[i]) for i in indices)]
-            return external.start(command, scratch, {"VV_YADE": here.path})
+            command = [str(PYTHON), "-E", str(source)]
+            asked = [files[i] for i in indices]
+            return self.program.ask(command, scratch, {"VV_YADE": here.path}, asked)
 
         def collect(index: int, program: external.Process) -> Run | None:
             return parse(files[index], setups[index], models[index], program.started)
 
-        yield from external.run_batch(len(asks), launch, collect)
+        yield from external.run_batch(len(asks), launch, collect, self.program.dismiss)
 
 
 def _described(setup: Setup) -> Model:

@@ -15,6 +15,7 @@ from hypothesis import strategies as st
 from tests import ROOT
 from tests.support.fabricated import cost, manifest, record
 from vv.ask import History, Knobs
+from vv.codes import Found
 from vv.plan.plan import Options, Plan
 from vv.plan.planning import make_plan
 from vv.plan.project import Project
@@ -149,6 +150,24 @@ def test_the_schemes_that_come_last_are_shared_out_where_they_have_many_jobs(
         "default",
         "published",
     ]
+
+
+def test_programs_come_code_by_code_and_a_worker_stays_with_one_that_waits(tmp_path: Path) -> None:
+    cases = ["single-contact", "responding-block:1d"]
+    codes = {"dem": Found(True), "liggghts": Found(True, files=(tmp_path,))}
+    codes["yade"] = Found(True, files=(tmp_path,), waits=True)
+    plan = make_plan(Project(ROOT), cases, Options(codes=tuple(codes)))
+    plan = dataclasses.replace(plan, found=codes)
+    jobs = sorted(enumerate(plan.jobs), key=lambda job: (job[1].scheme != "default", job[1].code))
+    made = batches(dict(jobs), plan, Local(1, lambda: tmp_path))
+    names = [batch.adapter.name for batch in made if batch.adapter.name != "dem"]
+    assert len(names) > len(set(names)) == 2
+    assert names == sorted(names)
+    assert {(batch.adapter.name, batch.stays) for batch in made} == {
+        ("dem", True),
+        ("liggghts", False),
+        ("yade", True),
+    }
 
 
 def test_a_port_where_nothing_listens_is_told_at_once(plan: Plan) -> None:

@@ -32,17 +32,22 @@ class Session:
         self.visited: Visited = []
 
     def timed(
-        self, batches: Mapping[str, Mapping[int, Run]], units: Sequence[float]
+        self,
+        batches: Mapping[str, Mapping[int, Run]],
+        units: Sequence[float],
+        late: Sequence[int] = (),
     ) -> list[Timed]:
-        """units: [s] of the calibration, before and after each visit."""
+        """units: [s] of the calibration, before and after each visit; late: answers that are."""
         left = iter(units)
 
         def answered(
             given: Sequence[Batch], workers: int, timeout: float, scratch: object
         ) -> Iterator[tuple[int, Run]]:
-            (batch,) = given
-            self.visited.append((batch.scheme, batch.numbers, workers, timeout))
-            yield from ((number, batches[batch.scheme][number]) for number in batch.numbers)
+            for batch in given:
+                self.visited.append((batch.scheme, batch.numbers, workers, timeout))
+            pairs = [(number, batch.scheme) for batch in given for number in batch.numbers]
+            for number, scheme in sorted(pairs, key=lambda pair: pair[0] in late):
+                yield number, batches[scheme][number]
 
         self.patched.setattr(rounds, "calibration", lambda: next(left))
         self.patched.setattr(rounds, "run_batches", answered)
@@ -96,3 +101,13 @@ def test_a_batch_beside_which_the_machine_was_slower_is_measured_again_as_a_whol
     batches = {"a": {1: _ran(SURE), 2: _ran(SURE)}, "b": {3: _ran(SURE)}}
     session.timed(batches, [*beside, fair, 1.0, 1.0, 1.0])
     assert [one[:2] for one in session.visited] == [("a", (1, 2)), ("b", (3,)), ("a", (1, 2))]
+
+
+def test_a_batch_whose_worker_died_is_told_beside_all_calibrations_since_it_began(
+    session: Session,
+) -> None:
+    batches = {"a": {1: _ran(SURE), 2: _ran(SURE)}, "b": {3: _ran(SURE)}, "c": {4: _ran(SURE)}}
+    units = [2.0 * 1.01 * DRIFT, *[2.0] * 5, *[2.0] * 4]  # slow before a, and so before b
+    found = session.timed(batches, units, late=[2])
+    assert [one[:2] for one in session.visited[3:]] == [("b", (3,)), ("a", (1, 2))]
+    assert [number for number, *_ in found] == [3, 4, 1, 2, 3, 1, 2]

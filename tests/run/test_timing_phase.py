@@ -27,6 +27,7 @@ class Rounds:
     def __init__(self, told: Sequence[Timed]) -> None:
         self.told = list(told)
         self.asked = 0
+        self.batches: Sequence[Batch] = ()
 
     def shares(self, jobs: Sequence[Job], schemes: int) -> Iterator[tuple[int, ...]]:
         raise NotImplementedError
@@ -39,6 +40,7 @@ class Rounds:
 
     def timed(self, batches: Sequence[Batch], timeout: float) -> list[Timed]:
         self.asked += 1
+        self.batches = batches
         return self.told
 
 
@@ -73,6 +75,17 @@ def test_the_cheapest_round_counts_and_the_spread_is_over_all(plan: Plan, tmp_pa
         assert (one.solve_cpu, one.repeats) == (1.0, 9)
         assert one.spread == pytest.approx(3.0 * 1.5 - 1.0)  # the dearest repeat of the dearest
         assert one.relative == (10.0, 30.0)
+
+
+def test_a_worker_may_time_all_of_a_code_scheme_by_scheme(tmp_path: Path) -> None:
+    cases = ["responding-block:1d", "single-contact:T1"]
+    plan = make_plan(Project(ROOT), cases, Options(codes=("dem", "dda", "exact")))
+    place = Rounds([])
+    costs(plan, Store(tmp_path), place)
+    names = [(batch.adapter.name, batch.scheme) for batch in place.batches]
+    assert len({code for code, _ in names}) == 3 < len(names)
+    assert names == sorted(names)
+    assert all(batch.stays and batch.repeat > 0 for batch in place.batches)
 
 
 @pytest.mark.parametrize(("missing", "sessions"), [(0, 1), (1, 2)])

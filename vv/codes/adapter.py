@@ -49,7 +49,8 @@ class Found:
     """Whether a code can run here.
 
     files: what its results depend on besides our sources. load: brings into memory what every
-    worker of it needs, once, before they are forked.
+    worker of it needs, once, before they are forked. waits: whether its program, once it has
+    answered, waits in its worker for more (`vv.codes.standing`).
     """
 
     installed: bool
@@ -58,6 +59,15 @@ class Found:
     how_to_install: str = ""
     files: tuple[Path, ...] = ()
     load: Callable[[], None] | None = None
+    waits: bool = False
+
+    @property
+    def worker_stays(self) -> bool:
+        """Whether a worker may take more batches of it: no program is left that has its work done.
+
+        What has no files is computed in the worker itself.
+        """
+        return self.waits or not self.files
 
 
 class Adapter(Protocol):

@@ -43,12 +43,14 @@ def start(
     folder: Path,
     extra: Mapping[str, str] | None = None,
     errors: Path | None = None,
+    stdin: int = subprocess.DEVNULL,
 ) -> Process:
     """Start a command in a folder, on one thread, with home and temporary folder there too.
 
     Standard output and error go to a log file of its own in the folder, program-N.log; errors: a
-    file for the latter, if it is wanted apart. extra: further environment variables. Raises
-    OSError if the command cannot be started.
+    file for the latter, if it is wanted apart. extra: further environment variables. stdin: as
+    `subprocess.Popen` takes it; what is written there goes out at once. Raises OSError if the
+    command cannot be started.
     """
     log = folder / f"program-{len(list(folder.glob('program-*.log')))}.log"
     own = {"HOME": str(folder), "TMPDIR": str(folder), "OMP_NUM_THREADS": "1"}
@@ -58,7 +60,8 @@ def start(
             command,
             cwd=folder,
             env={**os.environ, **own, **(extra or {})},
-            stdin=subprocess.DEVNULL,
+            stdin=stdin,
+            bufsize=0,
             stdout=output,
             stderr=complaints if errors else subprocess.STDOUT,
         )
@@ -131,25 +134,35 @@ def _tail(log: Path) -> str:
 
 Launch = Callable[[Sequence[int]], Process]
 Collect = Callable[[int, Process], Run | None]
+Dismiss = Callable[[Process, bool], None]
 
 
-def run_batch(count: int, launch: Launch, collect: Collect) -> Iterator[Run]:
+def end(program: Process, whole: bool) -> None:
+    """End a program; one that has answered the whole of its asks may take a moment for that."""
+    stop(program, FAREWELL if whole else 0.0)
+
+
+def run_batch(
+    count: int, launch: Launch, collect: Collect, dismiss: Dismiss = end
+) -> Iterator[Run]:
     """Yield one Run per ask 0 .. count - 1, in order, from one program or, failing that, more.
 
     launch(indices) starts a program that answers those asks in that order; collect(index,
-    program) is what it answered, None as long as there is no whole answer. Where a program
-    ends early its finished asks stand, the one in flight fails with the program's ending as
-    the reason, and the rest are rerun alone, one program each.
+    program) is what it answered, None as long as there is no whole answer; dismiss(program, whole)
+    is the end of it. Where a program ends early its finished asks stand, the one in flight fails
+    with the program's ending as the reason, and the rest are rerun alone, one program each.
     """
     answered = 0
-    for run in _answers(range(count), launch, collect):
+    for run in _answers(range(count), launch, collect, dismiss):
         answered += 1
         yield run
     for index in range(answered, count):
-        yield from _answers([index], launch, collect)
+        yield from _answers([index], launch, collect, dismiss)
 
 
-def _answers(indices: Sequence[int], launch: Launch, collect: Collect) -> Iterator[Run]:
+def _answers(
+    indices: Sequence[int], launch: Launch, collect: Collect, dismiss: Dismiss
+) -> Iterator[Run]:
     """Yield what one program answers, and a failure for the ask during which it ended."""
     if not indices:
         return
@@ -158,16 +171,16 @@ def _answers(indices: Sequence[int], launch: Launch, collect: Collect) -> Iterat
     except OSError as error:
         yield Run(Status.ERROR, f"the program could not be started: {error}")
         return
-    patience = 0.0
+    whole = False
     try:
         for index in indices:
             run = _awaited(index, program, collect)
             yield run or Run(Status.ERROR, _why_no_answer(program))
             if run is None:
                 return
-        patience = FAREWELL
+        whole = True
     finally:
-        stop(program, patience)
+        dismiss(program, whole)
 
 
 def _why_no_answer(program: Process) -> str:

@@ -15,9 +15,10 @@ def batches(waiting: Mapping[int, Job], plan: Plan, place: Executor) -> list[Bat
     """The batches of each scheme, as many as suit the place where they are answered.
 
     First a batch of each engine that compiles its kernels, which its other schemes then find;
-    then external programs, which take longest. Those other schemes are last: where they have many
-    jobs these are shared out, so that no process is left without work while one ends. In each
-    searches are last: what needs no rounds is then answered by a program that starts once.
+    then external programs, which take longest, those of a code one after the other, since a worker
+    may stay with it. Those other schemes are last: where they have many jobs these are shared out,
+    so that no process is left without work while one ends. In each searches are last: what needs
+    no rounds is then answered by a program that starts once.
     """
     groups: dict[tuple[str, str], list[int]] = {}
     for number, job in sorted(waiting.items(), key=lambda item: item[1].ask.search is not None):
@@ -31,13 +32,14 @@ def batches(waiting: Mapping[int, Job], plan: Plan, place: Executor) -> list[Bat
         for share in place.shares(jobs, 1 if last else len(groups)):
             chosen = tuple(numbers[one] for one in share)
             asks = tuple(waiting[number].ask for number in chosen)
-            within = not plan.found[code].files  # in the worker: no program is started
-            made.append(Batch(plan.adapters[code], scheme, chosen, asks, stays=within))
+            stays = plan.found[code].worker_stays
+            made.append(Batch(plan.adapters[code], scheme, chosen, asks, stays=stays))
     first = {batch.adapter.name: batch for batch in reversed(made)}
 
-    def turn(batch: Batch) -> int:
-        if plan.found[batch.adapter.name].files:
-            return 1
-        return 0 if first[batch.adapter.name] is batch else 2
+    def turn(batch: Batch) -> tuple[int, str]:
+        name = batch.adapter.name
+        if plan.found[name].files:
+            return 1, name
+        return (0 if first[name] is batch else 2), ""
 
     return sorted(made, key=turn)

@@ -16,6 +16,7 @@ from pathlib import Path
 
 from vv.ask import Ask, Run, Status
 from vv.base.processes import adopt_orphans, end_children, end_descendants
+from vv.codes import standing
 from vv.codes.adapter import Adapter
 from vv.run.search import answers
 
@@ -24,8 +25,8 @@ from vv.run.search import answers
 class Batch:
     """Asks that one worker answers in order; numbers: the caller's numbers of the asks.
 
-    stays: whether the worker may go on with a next batch of the same adapter, since nothing that
-    was started is left behind: what it has in memory, such as kernels, is then there already.
+    stays: whether the worker may go on with a next batch of the same adapter: what it has in
+    memory, such as kernels, or a program that waits for more, is then there already.
     """
 
     adapter: Adapter
@@ -53,9 +54,10 @@ def work(known: Sequence[Batch], orders: Connection, pipe: Connection, scratch: 
         os.dup2(log.fileno(), 1)
         os.dup2(log.fileno(), 2)
     batch = known[0]
-    while _answered(batch, pipe, scratch) and batch.stays and len(known) > 1:
-        batch = known[orders.recv()]
-    end_children()  # what a program has left behind
+    with standing.may_wait():
+        while _answered(batch, pipe, scratch) and batch.stays and len(known) > 1:
+            batch = known[orders.recv()]
+    end_children()  # programs that wait for more, and what one has left behind
 
 
 def _answered(batch: Batch, pipe: Connection, scratch: Path) -> bool:

@@ -7,7 +7,7 @@ from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from vv.ask import Cost, Status
+from vv.ask import Cost, Run, Status
 from vv.gate.speed import calibration
 from vv.run.process import Batch
 from vv.run.runner import run_batches
@@ -25,7 +25,7 @@ Timed = tuple[int, Cost, float]  # job, what a solve cost, and that over the cal
 
 @dataclass(frozen=True)
 class _Visit:
-    """What was measured of a batch; least, most: the calibration kernel before and after it."""
+    """What was measured of a batch; least, most: of the calibration kernel beside it."""
 
     batch: Batch
     seen: tuple[Timed, ...]
@@ -40,11 +40,33 @@ class _Visit:
 
 def rounds(batches: Sequence[Batch], timeout: float, scratch: Callable[[], Path]) -> list[Timed]:
     """What the solves of batches cost that repeat them: for each job that ran one or two times."""
-    first = [_visit(batch, timeout, scratch) for batch in batches]
+    first = _visits(batches, timeout, scratch)
     best = min((visit.least for visit in first), default=0.0)
     again = [batch for visit in first if (batch := visit.unsure(best)).asks]
-    second = [_visit(batch, timeout, scratch) for batch in again]
+    second = _visits(again, timeout, scratch)
     return [one for visit in (*first, *second) for one in visit.seen]
+
+
+def _visits(batches: Sequence[Batch], timeout: float, scratch: Callable[[], Path]) -> list[_Visit]:
+    """A visit to each batch, with the calibration kernel before and after it.
+
+    A worker is told to go on with a next batch, or a new one starts, once the kernel is timed. A
+    batch whose worker died is ended after the others, and has all that was timed since it began.
+    """
+    batch_of = {number: batch for batch in batches for number in batch.numbers}
+    answers: dict[Batch, list[tuple[int, Run]]] = {}
+    begun: dict[Batch, int] = {}
+    units, visits = [calibration()], []
+    for number, run in run_batches(batches, 1, timeout, scratch):
+        batch = batch_of[number]
+        begun.setdefault(batch, len(units) - 1)
+        answers.setdefault(batch, []).append((number, run))
+        if len(answers[batch]) == len(batch.numbers):
+            units.append(calibration())
+            visits.append(_visit(batch, answers[batch], units[begun[batch] :]))
+            if len(visits) < len(batches):
+                units.append(calibration())
+    return visits
 
 
 def _without(batch: Batch, numbers: Collection[int]) -> Batch:
@@ -57,13 +79,12 @@ def _without(batch: Batch, numbers: Collection[int]) -> Batch:
     )
 
 
-def _visit(batch: Batch, timeout: float, scratch: Callable[[], Path]) -> _Visit:
-    before = calibration()
-    answers = list(run_batches([batch], 1, timeout, scratch))
-    least, most = sorted((before, calibration()))
+def _visit(batch: Batch, answers: Sequence[tuple[int, Run]], units: Collection[float]) -> _Visit:
+    """What answers say of a batch; units: what the calibration kernel took beside it."""
+    least = min(units)
     seen = (
         (number, run.cost, run.cost.solve_cpu / least)
         for number, run in answers
         if run.status is Status.RAN and run.cost.solve_cpu > 0
     )
-    return _Visit(batch, tuple(seen), least, most)
+    return _Visit(batch, tuple(seen), least, max(units))

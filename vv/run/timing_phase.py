@@ -92,8 +92,9 @@ def _measure(
             tuple(members),
             tuple(plan.jobs[n].ask for n in members),
             REPEAT,
+            plan.found[code].worker_stays,
         )
-        for (code, scheme), members in groups.items()
+        for (code, scheme), members in sorted(groups.items())
     ]
     seen: dict[int, list[Cost]] = {}
     ratios: dict[int, list[float]] = {}

@@ -1,8 +1,9 @@
 """Solves asks with YADE: build the scene, step it, read it; nothing here knows the project.
 
 It runs in the system's own python3, for which YADE is built, as one script made of the files in
-this folder: as `python3 script.py ask.json ...`, where answers go to ask.json.npy and, as the last
-act, ask.json.answer; or alone, as a script in which ASK is filled in.
+this folder. As `python3 script.py` it reads names of files from its standard input, each of which
+lists asks; answers to ask.json go to ask.json.npy and, as the last act, ask.json.answer. Or it runs
+alone, as a script in which ASK is filled in.
 
 An ask says, in SI units: dt; steps, and stride: how many of them lie between two outputs; kn, ks,
 mu and eta_n of every contact; hertz: the elastic material of spheres and walls, or empty; gravity;
@@ -131,15 +132,18 @@ def answer(path: str, ready: float) -> None:
 
 
 def main() -> None:
-    """Solve the ask written in, and print it as a table; or else those in the files named."""
+    """Solve the ask written in, and print it as a table; or else those that are listed."""
     if not WITHIN_YADE:
         with contextlib.suppress(OSError):  # YADE makes this folder in /tmp, and leaves it there
             os.rmdir(os.path.dirname(O.tmpFilename()))
     if ASK is None:
         ready = time.monotonic()
-        for path in sys.argv[1:]:
-            answer(path, ready)
-            ready = 0.0
+        for line in sys.stdin:
+            with open(line.strip("\n")) as listed:
+                asks = listed.read().splitlines()
+            for path in asks:
+                answer(path, ready)
+                ready = 0.0
         return
     values, facts = solve(ASK)
     print(facts)

@@ -5,6 +5,7 @@ Masses, radii, loads and directions are unlike, so that none can stand for anoth
 
 from __future__ import annotations
 
+import io
 import json
 import math
 import sys
@@ -355,7 +356,7 @@ def test_an_answer_is_whole_or_says_what_was_wrong(
     assert (broken["status"], broken["reason"]) == ("error", "KeyError: 'hertz'")
 
 
-def test_the_program_answers_files_or_prints_what_is_written_in(
+def test_the_program_answers_what_is_listed_or_prints_what_is_written_in(
     driver: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     told: list[tuple[str, float]] = []
@@ -363,10 +364,13 @@ def test_the_program_answers_files_or_prints_what_is_written_in(
         OMEGA, "tmpFilename", lambda: str(tmp_path / "none" / "file"), raising=False
     )
     monkeypatch.setattr(driver, "answer", lambda path, ready: told.append((path, ready)))
-    monkeypatch.setattr("sys.argv", ["driver", "a", "b"])
+    for name, asks in (("one", "a\nb b\n"), ("two", "c\n")):
+        (tmp_path / name).write_text(asks)
+    monkeypatch.setattr("sys.stdin", io.StringIO(f"{tmp_path}/one\n{tmp_path}/two\n"))
     driver.main()
-    assert [path for path, _ in told] == ["a", "b"]
-    assert told[0][1] > 0.0 == told[1][1]  # start-up is that of the first
+    assert [path for path, _ in told] == ["a", "b b", "c"]
+    assert told[0][1] > 0.0  # start-up is that of the first
+    assert [ready for _, ready in told[1:]] == [0.0, 0.0]
     monkeypatch.setattr(driver, "ASK", asked(observe=[["displacement", 0]]))
     driver.main()
     _, heading, *rows = capsys.readouterr().out.splitlines()

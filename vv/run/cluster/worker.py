@@ -75,9 +75,11 @@ def answer(task: Task, timeout: float) -> Answers:
 def _batch(task: Task) -> Batch:
     """The batch of a task, with its code loaded."""
     adapter = _project(task).load_adapter(task.code)
-    if load := adapter.found().load:
-        load()
-    return Batch(adapter, task.scheme, task.numbers, task.asks, task.repeat)
+    found = adapter.found()
+    if found.load:
+        found.load()
+    asked = task.numbers, task.asks, task.repeat
+    return Batch(adapter, task.scheme, *asked, found.worker_stays)
 
 
 def _project(task: Task) -> Project:

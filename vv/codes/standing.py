@@ -1,0 +1,78 @@
+"""Programs that wait for more once they have answered what they were asked: they start only once.
+
+Such a program reads lines from its standard input: each is the path of a file that lists asks, the
+path of one on a line, which it answers in that order. It ends at the end of its input.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import subprocess
+from collections.abc import Iterator, Mapping, Sequence
+from pathlib import Path
+
+from vv.codes import external
+from vv.codes.external import Process
+
+_workers: list[bool] = []  # not empty within `may_wait`
+
+
+@contextlib.contextmanager
+def may_wait() -> Iterator[None]:
+    """Let programs wait, which whoever says so ends afterwards with the children of its process."""
+    _workers.append(True)
+    try:
+        yield
+    finally:
+        _workers.pop()
+
+
+class Standing:
+    """The program of a code: that which waits, or else one that is started when it is asked."""
+
+    def __init__(self) -> None:
+        self._waiting: Process | None = None
+
+    def ask(
+        self,
+        command: Sequence[str],
+        folder: Path,
+        extra: Mapping[str, str],
+        asks: Sequence[Path],
+    ) -> Process:
+        """Have it answer asks; what starts it, and where: see `vv.codes.external.start`."""
+        listed = folder / f"asks-{len(list(folder.glob('asks-*.txt')))}.txt"
+        listed.write_text("".join(f"{path}\n" for path in asks))
+        waiting, self._waiting = self._waiting, None
+        if waiting is not None:
+            if _told(waiting, listed):
+                return waiting
+            _end(waiting, False)
+        program = external.start(command, folder, extra, stdin=subprocess.PIPE)
+        _told(program, listed)  # if it has ended at once, that is seen where its answer is missing
+        return program
+
+    def dismiss(self, program: Process, whole: bool) -> None:
+        """Let a program wait that has answered the whole of a list; end any other."""
+        if whole and _workers:
+            self._waiting = program
+            return
+        _end(program, whole)
+
+
+def _told(program: Process, listed: Path) -> bool:
+    """Whether a program that still runs could be told of a list."""
+    if program.process.poll() is not None or program.process.stdin is None:
+        return False
+    try:
+        program.process.stdin.write(f"{listed}\n".encode())
+    except OSError:
+        return False
+    return True
+
+
+def _end(program: Process, whole: bool) -> None:
+    """Tell a program that nothing follows, and see that it ends."""
+    if program.process.stdin is not None:
+        program.process.stdin.close()
+    external.end(program, whole)
