@@ -26,7 +26,7 @@ test: setup
 	.venv/bin/pytest -n auto --dist loadfile
 
 gate: setup
-	@told=0; .venv/bin/vv gate --against cases/baselines $(if $(VV_REQUIRE),--require $(VV_REQUIRE)) \
+	@mkdir -p .vv; told=0; .venv/bin/vv gate --against cases/baselines $(if $(VV_REQUIRE),--require $(VV_REQUIRE)) \
 	    --markdown .vv/gate.md --junit .vv/gate.xml || told=$$?; .venv/bin/vv report && exit $$told
 
 lock:

@@ -6,6 +6,7 @@ import dataclasses
 import functools
 import hashlib
 import json
+import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -13,7 +14,7 @@ from pathlib import Path
 from reports.beside import NOTHING, Beside
 from reports.book import Book
 from vv.base import closure
-from vv.base.files import write_output, write_whole
+from vv.base.files import read_whole, write_output, write_whole
 from vv.base.printable import printable
 from vv.insight import history as histories
 from vv.insight.history import Point
@@ -29,6 +30,7 @@ PAPERS = "papers.html"
 INPUTS = "inputs.js"
 ZOOM = "uplot.js"
 MEASURED = "measured.html"
+OWN = re.compile(r"[\w-]+\.(html|csv|css|js)")  # what a file of a report is called
 STAMPS = "stamps.json"  # name of a file -> digest of what it was made from, and of the file
 
 
@@ -175,15 +177,15 @@ def _digest(parts: object) -> str:
 def _stamps(folder: Path) -> Mapping[str, list[str]]:
     """What is noted of the files of a report; nothing if it cannot be read."""
     try:
-        found = json.loads((folder / STAMPS).read_text(encoding="utf-8"))
+        found = codec.parse(read_whole(folder / STAMPS).decode())
     except (OSError, ValueError):
         return {}
-    return found if isinstance(found, dict) else {}
+    return {n: kept for n, kept in found.items() if OWN.fullmatch(n)} if type(found) is dict else {}
 
 
 def _digest_of(path: Path) -> str:
     try:
-        return hashlib.sha256(path.read_bytes()).hexdigest()
+        return hashlib.sha256(read_whole(path)).hexdigest()
     except OSError:
         return ""
 

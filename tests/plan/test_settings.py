@@ -22,6 +22,12 @@ def test_a_unit_that_would_have_to_be_calculated_is_refused_at_once(hostile: str
     assert len(str(refused.value)) < 150
 
 
+@pytest.mark.parametrize("open_ended", ["1 (m", "1 m)", "1 (m/s))", "1 m/(s", "1 m/(s/(s"])
+def test_brackets_that_do_not_pair_are_no_unit(open_ended: str) -> None:
+    with pytest.raises(UsageError, match="not a unit"):
+        parse_value(open_ended, SPEED)
+
+
 @pytest.mark.parametrize(
     ("typed", "value"),
     [

@@ -1,12 +1,16 @@
-"""Writes files atomically, and writes output to the place that a user named."""
+"""Writes files atomically, reads what may be none, and writes output to where a user named."""
 
 from __future__ import annotations
 
 import errno
 import os
+import stat
 import sys
 import tempfile
 from pathlib import Path
+from typing import BinaryIO
+
+LARGEST = 1 << 30  # bytes that are read: many times what a session keeps, and they fit in memory
 
 
 def write_whole(path: Path, content: bytes) -> None:
@@ -23,25 +27,60 @@ def write_whole(path: Path, content: bytes) -> None:
         os.replace(temporary, path)
     except BaseException as error:
         Path(temporary).unlink(missing_ok=True)
-        if isinstance(error, OSError) and error.errno and not error.filename:  # as on a full disk
+        if isinstance(error, OSError) and error.errno:  # which names no file, or the temporary one
             raise OSError(error.errno, error.strerror, str(path)) from error
         raise
+
+
+def read_whole(path: Path) -> bytes:
+    """The content of a file that `opened` opens."""
+    with opened(path) as file:
+        return file.read()
+
+
+def opened(path: Path) -> BinaryIO:
+    """A regular file to be read; raises OSError for what is none, and for more than LARGEST.
+
+    A pipe, which may never be written to, is not waited for, and no endless device is read.
+    """
+    handle = os.open(path, os.O_RDONLY | os.O_NONBLOCK | os.O_CLOEXEC)
+    state = os.fstat(handle)
+    if stat.S_ISREG(state.st_mode) and state.st_size <= LARGEST:
+        return open(handle, "rb")
+    os.close(handle)
+    if not stat.S_ISREG(state.st_mode):
+        raise OSError(errno.EINVAL, "it is no regular file", str(path))
+    raise OSError(errno.EFBIG, f"it has {state.st_size} bytes, more than are read", str(path))
 
 
 def write_output(path: Path, content: bytes) -> None:
     """Write bytes to the place that a user named; `-` is standard output, links are followed.
 
-    A regular file is replaced as a whole; a device or pipe is written to. Raises OSError, also if
-    the folder does not exist: a mistyped path must not create one.
+    A regular file is replaced as a whole; a device or pipe is written to, and never replaced.
+    Raises OSError, as `check_output` does.
     """
+    check_output(path)
     if str(path) == "-":
         sys.stdout.buffer.write(content)
-        return
-    if path.exists() and not path.is_file():
+    elif path.exists() and not path.is_file():
         with path.open("wb") as file:
             file.write(content)
+    else:
+        write_whole(path.resolve(), content)
+
+
+def check_output(path: Path) -> None:
+    """Raise the OSError that writing to this place would; asked before work is done for it.
+
+    So if the folder does not exist: a mistyped path must not create one.
+    """
+    if str(path) == "-":
         return
-    target = path.resolve()
-    if not target.parent.is_dir():
-        raise FileNotFoundError(errno.ENOENT, "no such folder", str(target.parent))
-    write_whole(target, content)
+    if path.is_dir():
+        raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR), str(path))
+    folder = path.resolve().parent
+    if not folder.is_dir():
+        raise FileNotFoundError(errno.ENOENT, "no such folder", str(folder))
+    place = path if path.exists() and not path.is_file() else folder
+    if not os.access(place, os.W_OK):
+        raise PermissionError(errno.EACCES, os.strerror(errno.EACCES), str(path))

@@ -45,9 +45,15 @@ class GateCall:
     fresh: options.Fresh = False
     jobs: options.Jobs = 0
     timeout: options.Timeout = options.TIMEOUT
-    junit: Annotated[Path | None, typer.Option(metavar="FILE", help="Write JUnit XML.")] = None
+    junit: Annotated[
+        Path | None,
+        typer.Option(metavar="FILE", help="Write JUnit XML.", callback=options.writable),
+    ] = None
     markdown: Annotated[
-        Path | None, typer.Option(metavar="FILE", help="Write a summary for a pull request.")
+        Path | None,
+        typer.Option(
+            metavar="FILE", help="Write a summary for a pull request.", callback=options.writable
+        ),
     ] = None
     json_file: options.JsonFile = None
 

@@ -12,6 +12,7 @@ import typer
 
 from vv.ask import Knobs
 from vv.base.errors import UsageError
+from vv.base.files import check_output
 from vv.case import Level
 from vv.plan.content import name_of
 from vv.plan.project import Project
@@ -101,9 +102,23 @@ Executor = Annotated[
         help="What runs the jobs: processes here, or the workers of a dask scheduler.",
     ),
 ]
+
+
+def writable(path: Path | None) -> Path | None:
+    """What an option for a file names; raises OSError where nothing can be written there."""
+    if path is not None:
+        check_output(path)
+    return path
+
+
 JsonFile = Annotated[
     Path | None,
-    typer.Option("--json", metavar="FILE", help="Write all records, histories included, as JSON."),
+    typer.Option(
+        "--json",
+        metavar="FILE",
+        help="Write all records, histories included, as JSON.",
+        callback=writable,
+    ),
 ]
 
 

@@ -36,7 +36,12 @@ def report(
     show: Annotated[bool, typer.Option("--open", help="Open it in a browser.")] = False,
     csv: Annotated[
         Path | None,
-        typer.Option("--csv", metavar="FILE", help="Also write its results as a table."),
+        typer.Option(
+            "--csv",
+            metavar="FILE",
+            help="Also write its results as a table.",
+            callback=options.writable,
+        ),
     ] = None,
 ) -> None:
     """Write the report of a past run, a folder of pages that opens from a disk or a server."""

@@ -96,19 +96,20 @@ def run(call: RunCall) -> None:
     knobs = options.knobs(call.rungs) or (_rungs_that_failed(last) if last else ())
     chosen = Options(call.level, named, tuple(call.settings or ()), knobs)
     required = options.required(project, call.require)
+    limits = _limits(call)
+    narrowed = _narrower(project, store, last, call)
 
     def make_plan() -> Plan:
-        plan = options.plan_of(project, call.selection or [], chosen, call.keyword)
-        return _narrowed(project, store, plan, last, call)
+        return narrowed(options.plan_of(project, call.selection or [], chosen, call.keyword))
 
     if call.dry_run:
         _list_jobs(project, store, make_plan(), call.fresh)
         return
     if call.repeatable:
         asked = "run", tuple(call.selection or ()), chosen, call.keyword
-        printed = _reuse_or_run(project, asked, make_plan, call, required)
+        printed = _reuse_or_run(project, asked, make_plan, call, limits, required)
     else:
-        printed = _run_once(project, make_plan(), call, required)
+        printed = _run_once(project, make_plan(), call, limits, required)
     for text in printed.notes:
         terminal.note(text)
     terminal.say(*printed.lines)
@@ -134,7 +135,7 @@ def _limits(call: RunCall) -> Limits:
 
 
 def _run_once(
-    project: Project, plan: Plan, call: RunCall, required: tuple[str, ...]
+    project: Project, plan: Plan, call: RunCall, limits: Limits, required: tuple[str, ...]
 ) -> PrintedOutput:
     """Answer a call whose jobs depend on past runs, or on what fails first."""
     from vv.cli import invocation
@@ -144,7 +145,7 @@ def _run_once(
         terminal.say(_nothing(call))
         raise typer.Exit
     until = is_failure(project) if call.first else None
-    manifest = invocation.carried_out(project, plan, _limits(call), until)
+    manifest = invocation.carried_out(project, plan, limits, until)
     return _conclude(project, manifest, call, required)
 
 
@@ -153,12 +154,12 @@ def _reuse_or_run(
     asked: tuple[object, ...],
     make_plan: Callable[[], Plan],
     call: RunCall,
+    limits: Limits,
     required: tuple[str, ...],
 ) -> PrintedOutput:
     """Repeat what the same call printed if nothing has changed, or run it and keep its output."""
     from vv.cli import invocation
 
-    limits = _limits(call)
     if call.json_file is None:
         known = invocation.printed_before(project, asked, limits, required)
         if known:
@@ -221,23 +222,31 @@ def _rungs_that_failed(last: Manifest) -> tuple[Knobs, ...]:
     return tuple(dict.fromkeys(record.rung for record in troubled_records(last)))
 
 
-def _narrowed(
-    project: Project, store: Store, plan: Plan, last: Manifest | None, call: RunCall
-) -> Plan:
+def _narrower(
+    project: Project, store: Store, last: Manifest | None, call: RunCall
+) -> Callable[[Plan], Plan]:
+    """What narrows a plan; raises UsageError for what is said wrongly, before there is one."""
+    if not (call.failed or call.since or call.budget):
+        return lambda plan: plan
     from vv.plan.plan import with_jobs_kept
     from vv.run import narrowing as narrow
     from vv.run import pace
     from vv.store.checkout import changed_since
 
-    if last is not None:
-        wanted = narrow.troubled(last)
-        plan = with_jobs_kept(plan, lambda job: pace.key(job) in wanted)
-    if call.since:
-        plan = narrow.affected(project, plan, changed_since(project.root, call.since))
-    if call.budget:
-        past = store.newest(pace.PAST, terminal.note)
-        plan = narrow.within(plan, narrow.seconds(call.budget), past)
-    return plan
+    changed = changed_since(project.root, call.since) if call.since else None
+    most = narrow.seconds(call.budget) if call.budget else None
+
+    def narrowed(plan: Plan) -> Plan:
+        if last is not None:
+            wanted = narrow.troubled(last)
+            plan = with_jobs_kept(plan, lambda job: pace.key(job) in wanted)
+        if changed is not None:
+            plan = narrow.affected(project, plan, changed)
+        if most is not None:
+            plan = narrow.within(plan, most, store.newest(pace.PAST, terminal.note))
+        return plan
+
+    return narrowed
 
 
 def _nothing(call: RunCall) -> str:

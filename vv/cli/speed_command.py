@@ -35,7 +35,12 @@ class SpeedCall:
     timeout: options.Timeout = options.TIMEOUT
     json_file: Annotated[
         Path | None,
-        typer.Option("--json", metavar="FILE", help="Write all that is shown, as JSON."),
+        typer.Option(
+            "--json",
+            metavar="FILE",
+            help="Write all that is shown, as JSON.",
+            callback=options.writable,
+        ),
     ] = None
     scaling: Annotated[
         int | None,

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from pathlib import Path
 from typing import Any
 
-from vv.base.files import write_whole
+from vv.base.files import write_output
 from vv.base.printable import printable
 from vv.records.codec import word
 from vv.records.finding import Aspect, Bit, Finding
@@ -41,7 +41,7 @@ def write_junit(path: Path, manifest: Manifest, findings: Iterable[Finding]) -> 
         suite.timestamp = printable(manifest.provenance.utc)
         document.add_testsuite(suite)
     document.update_statistics()
-    write_whole(path, document.tostring())
+    write_output(path, document.tostring())
 
 
 def _tests_of(record: Record, at: dict[Place, list[Finding]]) -> Iterator[Any]:

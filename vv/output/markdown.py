@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 
-from vv.base.files import write_whole
+from vv.base.files import write_output
 from vv.base.printable import one_line, printable
 from vv.gate.judgement import counted
 from vv.output.wording import listed
@@ -33,7 +33,7 @@ def headline(findings: Sequence[Finding]) -> str:
 
 def write_markdown(path: Path, manifest: Manifest, findings: Sequence[Finding]) -> None:
     """Write the summary."""
-    write_whole(path, summary(manifest, findings).encode())
+    write_output(path, summary(manifest, findings).encode())
 
 
 def summary(manifest: Manifest, findings: Sequence[Finding]) -> str:

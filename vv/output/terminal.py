@@ -12,6 +12,7 @@ from collections.abc import Callable
 
 from vv.base.printable import one_line
 
+LONGEST = 2000  # characters of an error, which may quote what was typed
 USAGE = 64  # the exit status of a usage error, vv.records.finding.Bit.USAGE
 
 
@@ -37,5 +38,6 @@ def captured(speaker: Callable[[], None]) -> tuple[list[str], list[str]]:
 def print_error(text: str, *more: str) -> int:
     """Print an error line, and more below it; return the exit status of a usage error."""
     for line in (f"vv: {text}", *more):
-        print(one_line(line), file=sys.stderr)
+        whole = one_line(line)
+        print(whole if len(whole) <= LONGEST else f"{whole[:LONGEST]}...", file=sys.stderr)
     return USAGE

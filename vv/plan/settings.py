@@ -6,6 +6,7 @@ import dataclasses
 import functools
 import math
 import re
+import tokenize
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
@@ -38,6 +39,7 @@ NUMBER = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?|[+-]?nan|[+-
 
 
 LONGEST = 40  # characters of a unit
+BESIDE = (TypeError, AttributeError, AssertionError, tokenize.TokenError)  # by which pint objects
 _FACTOR = r"[^\W\d_]+(?:(?:\*\*|\^)?-?\d(?:\.\d)?)?|1|%|°"
 UNIT = re.compile(rf"\(?(?:{_FACTOR})(?:\s*[*/·]\s*\(?(?:{_FACTOR})\)?|\s+(?:{_FACTOR}))*\)?")
 
@@ -68,7 +70,7 @@ def _converted(value: float, unit: str, parameter: Parameter) -> float:
     try:
         typed = units.Quantity(value, readable(unit))
         return float(typed.to(readable(parameter.unit)).magnitude)
-    except (pint.PintError, ValueError, TypeError, AttributeError, AssertionError) as error:
+    except (pint.PintError, ValueError, *BESIDE) as error:
         target = parameter.unit or "a plain number"
         raise UsageError(
             f"{parameter.name} = {value:g} '{unit}': not a unit that converts to {target}"

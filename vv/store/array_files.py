@@ -4,23 +4,36 @@ from __future__ import annotations
 
 import functools
 import io
+import tokenize
 import zipfile
+import zlib
 from typing import Any
 
 import numpy as np
 
+from vv.base.files import LARGEST
+
 ENDING = ".npy"
+DAMAGED = (  # what zipfile and numpy raise for what is no zip file, or of a form that they lack
+    zipfile.BadZipFile, zlib.error, tokenize.TokenError, RuntimeError, MemoryError, EOFError,
+    TypeError, KeyError,
+)  # fmt: skip
 FIRST = b"\x93NUMPY\x01\x00"  # of the version that plain arrays are written in
 START = len(FIRST) + 2  # where a head of that version begins, behind its length
 
 
 def arrays_in(content: bytes) -> dict[str, Any]:
-    """The arrays by name; raises what zipfile and numpy raise for what is no such file.
+    """The arrays by name; raises ValueError for what is no such file.
 
-    Nothing is unpickled: an array of objects is a ValueError.
+    Nothing is unpickled, and nothing unpacked that would not fit in memory.
     """
-    with zipfile.ZipFile(io.BytesIO(content)) as file:
-        return {name.removesuffix(ENDING): _array(file.read(name)) for name in file.namelist()}
+    try:
+        with zipfile.ZipFile(io.BytesIO(content)) as file:
+            if sum(one.file_size for one in file.infolist()) > LARGEST:
+                raise ValueError("what is packed in it is larger than what is read")
+            return {name.removesuffix(ENDING): _array(file.read(name)) for name in file.namelist()}
+    except DAMAGED as error:
+        raise ValueError(f"it holds no arrays: {error}") from error
 
 
 def _array(data: bytes) -> Any:

@@ -13,7 +13,7 @@ from pathlib import Path
 
 import vv
 from vv.base.digest import digest
-from vv.base.files import write_whole
+from vv.base.files import read_whole, write_whole
 from vv.records import codec
 from vv.records.manifest import Machine, Provenance
 from vv.store.checkout import commit
@@ -77,7 +77,7 @@ def file_digests(files: Iterable[Path], memory: Path) -> dict[str, str]:
     The time is that of the inode: unlike that of the content it cannot be set back.
     """
     try:
-        text = opened_text(memory.name, memory.read_text())
+        text = opened_text(memory.name, read_whole(memory).decode())
         known = codec.read(dict[str, str], codec.parse(text), "digests")
     except (OSError, ValueError):
         known = {}

@@ -17,7 +17,6 @@ import os
 import shutil
 import tempfile
 import time
-import zipfile
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -26,7 +25,7 @@ from typing import Any, TextIO, TypeVar
 import numpy as np
 
 from vv.ask import Run, Status
-from vv.base.files import write_whole
+from vv.base.files import opened, read_whole, write_whole
 from vv.base.notices import notice
 from vv.records import codec
 from vv.records.fields import SPREAD
@@ -43,7 +42,7 @@ Session = dict[str, TimedRun]  # what a timing session measured, by the keys of 
 DAY = 86400.0  # s, by which clocks of machines may differ
 STALE = 7 * DAY  # s that the logs of a failure are kept
 ABSENT = (FileNotFoundError, NotADirectoryError)
-UNREADABLE = (OSError, ValueError, KeyError, TypeError, EOFError, zipfile.BadZipFile)
+UNREADABLE = (OSError, ValueError, KeyError, TypeError)
 
 
 @dataclass(frozen=True, slots=True)
@@ -143,8 +142,12 @@ class Store:
 
     def state(self) -> tuple[int, ...]:
         """Sizes and times of change of all stored records: any change of a file changes one."""
-        folders = sorted(self.root.glob("records/*"))
-        files = sorted((one.name, one.stat()) for place in folders for one in os.scandir(place))
+        folders = [place for place in self.root.glob("records/*") if place.is_dir()]
+        files = sorted(
+            (one.name, one.stat(follow_symlinks=False))
+            for place in folders
+            for one in os.scandir(place)
+        )
         return tuple(n for _, s in files for n in (s.st_size, s.st_mtime_ns, s.st_ctime_ns))
 
     def latest(self) -> Manifest | None:
@@ -203,7 +206,8 @@ class Store:
 
     def last_session(self) -> str:
         """The name of the newest timing session; empty if there is none."""
-        files = sorted((self.root / "timings").glob("*/*.json"), key=lambda p: p.stat().st_mtime_ns)
+        found = (self.root / "timings").glob("*/*.json")
+        files = sorted(found, key=lambda path: path.lstat().st_mtime_ns)
         return files[-1].stem if files else ""
 
     def answer(self, key: str) -> Answer | None:
@@ -236,15 +240,15 @@ class Store:
 
     def _of_manifest(self, name: str, read: Callable[[TextIO], Found]) -> Found:
         path = self.manifest_file(name)
-        if not path.is_file():
+        if not path.exists() and not path.is_symlink():
             raise FileNotFoundError(f"no run '{name}' in {path.parent}")
-        with path.open(encoding="utf-8") as file:
+        with io.TextIOWrapper(opened(path), encoding="utf-8") as file:
             return _undamaged(path, lambda: read(file))
 
     def _read(self, kind: type[Found], layer: str, key: str) -> Found | None:
         """The content of a file; None if it is missing or damaged."""
         try:
-            whole = self._path(layer, key, "json").read_text(encoding="utf-8")
+            whole = read_whole(self._path(layer, key, "json")).decode()
             text = opened_text(f"{layer}/{key}", whole)
             return codec.read(kind, codec.parse(text), layer)
         except ABSENT:
@@ -260,19 +264,25 @@ class Store:
 
     def _write(self, layer: str, key: str, what: object) -> None:
         text = sealed_text(f"{layer}/{key}", codec.render(what))
-        write_whole(self._path(layer, key, "json"), text.encode())
+        self._put(self._path(layer, key, "json"), text.encode())
 
     def _arrays(self, layer: str, key: str) -> dict[str, Any]:
         return arrays_in(self._opened(layer, key))
 
     def _opened(self, layer: str, key: str) -> bytes:
-        return opened_bytes(f"{layer}/{key}", self._path(layer, key, "npz").read_bytes())
+        return opened_bytes(f"{layer}/{key}", read_whole(self._path(layer, key, "npz")))
 
     def _keep_arrays(self, layer: str, key: str, arrays: Mapping[str, Any]) -> None:
         buffer = io.BytesIO()
         np.savez(buffer, **arrays)
         content = sealed_bytes(f"{layer}/{key}", buffer.getvalue())
-        write_whole(self._path(layer, key, "npz"), content)
+        self._put(self._path(layer, key, "npz"), content)
+
+    def _put(self, path: Path, content: bytes) -> None:
+        """Write a file; a folder that stands in its place is moved to scratch."""
+        if path.is_dir():
+            path.rename(self.scratch() / path.name)
+        write_whole(path, content)
 
     def _path(self, layer: str, key: str, suffix: str) -> Path:
         return self.root / layer / key[:2] / f"{key}.{suffix}"
@@ -280,7 +290,7 @@ class Store:
 
 @functools.lru_cache(maxsize=4)
 def _digests_in(path: Path, changed: int) -> dict[str, str]:  # tells files apart
-    with path.open(encoding="utf-8") as file:
+    with io.TextIOWrapper(opened(path), encoding="utf-8") as file:
         lines = _undamaged(path, lambda: manifest.lines_of(file))
     return {case: hashlib.sha256(line.encode()).hexdigest() for case, line in lines.items()}
 

@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import Any
 
 from vv.ask import Ledger, Status
+from vv.base.files import read_whole
 from vv.base.hints import name_hint
 from vv.codes.program.bad_answer import BadAnswerError, short
 from vv.codes.program.declared import words_of
@@ -38,7 +39,9 @@ def read_result(file: Path) -> Result:
     if not file.is_file():
         return Result()
     try:
-        data = json.loads(file.read_text(errors="replace"))
+        data = json.loads(read_whole(file).decode(errors="replace"))
+    except OSError as error:
+        raise BadAnswerError(f"{RESULT}: {error.strerror}") from error
     except (ValueError, RecursionError) as error:
         raise BadAnswerError(f"{RESULT}: {short(str(error))}") from error
     if not isinstance(data, dict):

@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 
 from vv.ask import Ask
+from vv.base.files import read_whole
 from vv.codes.program.bad_answer import BadAnswerError, short
 from vv.codes.program.question import all_columns
 from vv.scene import Vector
@@ -23,7 +24,10 @@ def read_series(file: Path, ask: Ask) -> Mapping[str, Vector]:
     """
     if not file.is_file():
         raise BadAnswerError(f"the program ended well, but wrote no {SERIES}")
-    text = file.read_text(encoding="utf-8-sig", errors="replace")
+    try:
+        text = read_whole(file).decode("utf-8-sig", errors="replace")
+    except OSError as error:
+        raise BadAnswerError(f"{SERIES}: {error.strerror}") from error
     header, *rest = text.splitlines() or [""]
     names = [name.strip().strip('"') for name in header.split(",")]
     for wanted in ("t", *all_columns(ask)):
