@@ -39,7 +39,7 @@ def test_it_is_said_before_a_plan_is_built(
     def no_plan(*_: object) -> None:
         raise AssertionError("a plan was built")
 
-    monkeypatch.setattr("vv.plan.plan.make_plan", no_plan)
+    monkeypatch.setattr("vv.cli.options.plan_of", no_plan)
     monkeypatch.chdir(tiny.root)
     words = [*call.split(), *(more.split() if call.startswith("run") else ())]
     monkeypatch.setattr(sys, "argv", ["vv", *words])
