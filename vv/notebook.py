@@ -38,4 +38,4 @@ def verify(
     chosen = Options(Level(level), named, tuple(settings), options.knobs(list(rungs)))
     plan = options.plan_of(project, list(selection), chosen)
     limits = Limits(options.workers(0), options.TIMEOUT)
-    return table(invocation.carried_out(project, plan, limits).records)
+    return table(invocation.carry_out_with_progress(project, plan, limits).records)

@@ -111,11 +111,11 @@ def past(plan: Plan, seconds: float) -> Manifest:
 def test_a_budget_takes_the_closest_first_and_two_rungs_of_all_before_a_third(plan: Plan) -> None:
     runnable = [job for job in plan.jobs if job.settled is None]
     schemes = {pace.key(job)[:3] for job in runnable}
-    four = narrowing.within(plan, 4.5, [past(plan, 1.0)])
+    four = narrowing.within_budget(plan, 4.5, [past(plan, 1.0)])
     assert {job.code for job in four.jobs if job.settled is None} == {"exact"}
-    wide = narrowing.within(plan, 2.0 * len(schemes), [past(plan, 1.0)])
+    wide = narrowing.within_budget(plan, 2.0 * len(schemes), [past(plan, 1.0)])
     assert {pace.key(job)[:3] for job in wide.jobs if job.settled is None} == schemes
-    assert len(narrowing.within(plan, 1e9, []).jobs) == len(plan.jobs)
+    assert len(narrowing.within_budget(plan, 1e9, []).jobs) == len(plan.jobs)
 
 
 def test_a_budget_takes_the_coarsest_rungs_which_are_the_cheapest(plan: Plan) -> None:
@@ -129,7 +129,9 @@ def test_a_budget_takes_the_coarsest_rungs_which_are_the_cheapest(plan: Plan) ->
     )
     steps = sorted({one.rung.dt for one in records if one.rung.dt})
     dearest = max(one.cost.solve_wall for one in records if one.rung.dt == steps[-2])
-    some = narrowing.within(plan, 4.0 * dearest, [dataclasses.replace(whole, records=records)])
+    some = narrowing.within_budget(
+        plan, 4.0 * dearest, [dataclasses.replace(whole, records=records)]
+    )
     left = {job.ask.knobs.dt for job in some.jobs if job.settled is None and job.ask.knobs.dt}
     assert left
     assert min(left) >= steps[-2]
@@ -137,10 +139,10 @@ def test_a_budget_takes_the_coarsest_rungs_which_are_the_cheapest(plan: Plan) ->
 
 @pytest.mark.parametrize(("text", "value"), [("60s", 60), ("1.5min", 90), ("2 h", 7200), ("7", 7)])
 def test_budgets_read_as_typed(text: str, value: float) -> None:
-    assert narrowing.seconds(text) == value
+    assert narrowing.budget_seconds(text) == value
 
 
 @pytest.mark.parametrize("text", ["", "-1s", "0s", "1 day", "s"])
 def test_a_budget_that_makes_no_sense_is_refused(text: str) -> None:
     with pytest.raises(UsageError, match="it must read like 60s"):
-        narrowing.seconds(text)
+        narrowing.budget_seconds(text)

@@ -1,4 +1,4 @@
-"""Says on standard error what was passed over, once for each sentence."""
+"""Prints notices on standard error, each sentence once."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Makes texts of unknown origin fit to be printed: control characters are shown, not obeyed.
+"""Makes texts of unknown origin safe to print: control characters are shown, not executed.
 
 A program's output may hold sequences that steer a terminal, that end a line and forge the next
 one, or that no XML may contain; all that prints or writes for others asks here.

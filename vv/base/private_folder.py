@@ -1,4 +1,4 @@
-"""Chooses a folder for what is loaded as code: it must be ours, and nobody else may write to it."""
+"""Chooses a folder for compiled code: the user must own it, and nobody else may write to it."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Writes functions that make objects of plain data, as `dataclasses` writes those of classes.
+"""Generates functions that make objects from plain data, as `dataclasses` generates methods.
 
 Nearly all values of records are plain, and there are a million of them in a report: a function
 written for a class tests them where they stand, and calls the reader of a field for others only.

@@ -1,4 +1,4 @@
-"""What a benchmark is declared with: cases, variants, studies, quantities, judges, tolerances.
+"""The classes that declare a benchmark: cases, variants, studies, quantities, judges.
 
 May import: base, scene, ask.
 """
@@ -24,7 +24,7 @@ from vv.case.judges import (
     Norm,
     Shown,
     Tolerance,
-    judge_elsewhere,
+    judge_at_other_parameters,
     judge_for_method,
 )
 from vv.case.measured import Measured, Measurement
@@ -80,7 +80,7 @@ __all__ = [
     "at_rest",
     "error_scale",
     "evaluated",
-    "judge_elsewhere",
+    "judge_at_other_parameters",
     "judge_for_method",
     "knob_grid",
     "knobs_in_scene",

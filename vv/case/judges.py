@@ -139,7 +139,7 @@ def judge_for_method(judge: Judge, method: Method) -> Judge:
 ELSEWHERE = "the parameters are not those of what was measured, or answered by another code"
 
 
-def judge_elsewhere(judge: Judge) -> Judge:
+def judge_at_other_parameters(judge: Judge) -> Judge:
     """The judge at other parameters than the case's own: Shown, where they are not known to it."""
     if isinstance(judge, CodeToCode) or (isinstance(judge, Measured) and not judge.law):
         return Shown(ELSEWHERE)

@@ -1,4 +1,4 @@
-"""What a paper publishes, statement by statement, and what is known of each to be right."""
+"""The statements that a paper publishes, and what is known to be right of each."""
 
 from __future__ import annotations
 

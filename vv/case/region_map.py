@@ -1,4 +1,4 @@
-"""A plane of two parameters that borders divide into regions, of which quantities ask points."""
+"""A plane of two parameters, divided by borders into regions, in which quantities are points."""
 
 from __future__ import annotations
 

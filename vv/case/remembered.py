@@ -1,4 +1,4 @@
-"""Remembers exact histories: several quantities, and all codes, are measured against the same."""
+"""Caches exact histories, which several quantities and all codes share."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""How a series reads a run, told such that a picture of the scene can follow: a way, a turn."""
+"""Ways in which a series reads a run that a drawing can show: motion along a line, a turn."""
 
 from __future__ import annotations
 

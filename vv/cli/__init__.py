@@ -96,7 +96,7 @@ for group, commands in GROUPS.items():
 
 
 def _message(error: Exception) -> str:
-    """What the option parser complains of, or a project's own files; empty for our own faults."""
+    """The message for bad options or an error in a project's files; empty for a bug of vv."""
     from vv.plan.imports import raised_within
 
     parser = getattr(error, "format_message", None)

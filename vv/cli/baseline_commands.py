@@ -1,4 +1,4 @@
-"""The commands that write down results, to judge by or to show: `vv accept`, `vv record`."""
+"""The commands that keep results with the cases: `vv accept` as baselines, `vv record` to show."""
 
 from __future__ import annotations
 
@@ -53,13 +53,13 @@ def accept(
 
 
 def _run(project: Project, plan: Plan, timing: bool = False) -> Manifest:
-    """Run what is to be written down, and print the summary."""
+    """Run the jobs whose results are to be kept, and print the summary."""
     from vv.cli import invocation
     from vv.run.limits import Limits, Timing
 
     when = Timing.NEW if timing else Timing.NONE
     limits = Limits(options.workers(0), options.TIMEOUT, timing=when)
-    manifest = invocation.carried_out(project, plan, limits)
+    manifest = invocation.carry_out_with_progress(project, plan, limits)
     invocation.print_summary(manifest, invocation.LATER)
     return manifest
 
@@ -163,7 +163,7 @@ def _require_own_cases(project: Project) -> None:
 
 
 def _circumstances(manifest: Manifest) -> Circumstances:
-    """What a baseline says of where its results come from."""
+    """The commit, machine and versions that results come from."""
     from vv.records.accepted import Circumstances, Place
 
     provenance = manifest.provenance

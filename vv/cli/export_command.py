@@ -1,4 +1,4 @@
-"""The command that hands input to others: `vv export`."""
+"""The command that writes the input of a code, or a question as JSON: `vv export`."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ if TYPE_CHECKING:
 
 
 class Form(enum.Enum):
-    """What an export may be: a code's own input, or the question as any program is asked it."""
+    """The form of an export: a code's own input, or the question as JSON."""
 
     NATIVE = "native"
     JSON = "json"

@@ -1,4 +1,4 @@
-"""The command that judges: `vv gate`."""
+"""The command that judges results: `vv gate`."""
 
 from __future__ import annotations
 
@@ -80,7 +80,7 @@ def gate(call: GateCall) -> None:
         return options.plan_of(project, call.selection or [], chosen)
 
     asked = "gate", tuple(call.selection or ()), chosen
-    manifest = invocation.answered(project, asked, plan, _limits(call))
+    manifest = invocation.reuse_or_carry_out(project, asked, plan, _limits(call))
     invocation.write_records(project, manifest, call.json_file)
     invocation.print_summary(manifest, invocation.LATER)
     findings = judgement(manifest, required)

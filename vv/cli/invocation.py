@@ -24,7 +24,7 @@ if TYPE_CHECKING:
 LATER = "vv report"  # what writes the report where a command does not
 
 
-def answered(
+def reuse_or_carry_out(
     project: Project, asked: tuple[object, ...], make_plan: Callable[[], Plan], limits: Limits
 ) -> Manifest:
     """Carry out a plan, or return the manifest of the same call if nothing has changed since.
@@ -35,19 +35,19 @@ def answered(
     from vv.run import reuse
 
     if not _may_reuse(limits):
-        return carried_out(project, make_plan(), limits)
+        return carry_out_with_progress(project, make_plan(), limits)
     store, before = Store(project.data()), _identity(project, asked, limits)
     known = reuse.recall(store, before)
     if known is not None:
         _note_unchanged(known.name)
         return reuse.of_this_commit(project, store, before, known, _command())
-    manifest = carried_out(project, make_plan(), limits)
+    manifest = carry_out_with_progress(project, make_plan(), limits)
     if _identity(project, asked, limits) == before:  # nobody edited anything meanwhile
         reuse.remember(store, before, manifest)
     return manifest
 
 
-def printed_before(
+def earlier_output(
     project: Project, asked: tuple[object, ...], limits: Limits, required: tuple[str, ...]
 ) -> PrintedOutput | None:
     """What the same call printed at its end, if nothing has changed since; else None."""
@@ -90,7 +90,7 @@ def _note_unchanged(name: str) -> None:
     terminal.note(f"nothing has changed since {name}")
 
 
-def carried_out(
+def carry_out_with_progress(
     project: Project,
     plan: Plan,
     limits: Limits,
@@ -108,7 +108,7 @@ def _command() -> list[str]:
     return ["vv", *sys.argv[1:]]
 
 
-def reported(project: Project, manifest: Manifest) -> Path:
+def write_report(project: Project, manifest: Manifest) -> Path:
     """Write the report; returns its front page.
 
     A report that is already there and still belongs to the manifest is not written again.
@@ -117,7 +117,7 @@ def reported(project: Project, manifest: Manifest) -> Path:
 
     store, folder = Store(project.data()), report_folder(project)
     if not reuse.untouched(store, manifest.name, folder):
-        reporter(project).build(manifest, store, folder, beside(project, manifest))
+        report_writer(project).build(manifest, store, folder, report_extras(project, manifest))
         reuse.note_report(store, manifest.name, folder)
     return folder / "index.html"
 
@@ -142,7 +142,7 @@ def print_summary(manifest: Manifest, report: str) -> None:
     result_lines.print_counts(manifest.records, report)
 
 
-def reporter(project: Project) -> ModuleType:
+def report_writer(project: Project) -> ModuleType:
     """The module that writes reports."""
     project.activate()
     from reports import html
@@ -150,7 +150,7 @@ def reporter(project: Project) -> ModuleType:
     return html
 
 
-def beside(project: Project, manifest: Manifest) -> Beside:
+def report_extras(project: Project, manifest: Manifest) -> Beside:
     """What a report shows beside the records: the papers, and the input of each code."""
     from reports.beside import Beside
     from vv.insight.rows_of_run import rows_of_run

@@ -1,4 +1,4 @@
-"""Jobs as tests of pytest: all are run together when the first is due, and each judged apart."""
+"""Presents jobs as tests of pytest: all run with the first test, and each test judges one."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ REPORTS = pytest.StashKey[list[Path]]()
 
 
 class _Silent:
-    """Progress that is not shown: pytest has its own."""
+    """Shows no progress, since pytest has a display of its own."""
 
     def begin(self, jobs: int) -> None:
         """Say nothing."""
@@ -56,7 +56,7 @@ class Invocation:
             command = ["pytest", *self.config.invocation_params.args]
             words = [str(word) for word in command]
             self.manifest = carry_out(self.project, self.plan, self.limits, _Silent(), words)
-            report = invocation.reported(self.project, self.manifest)
+            report = invocation.write_report(self.project, self.manifest)
             self.config.stash.setdefault(REPORTS, []).append(report)
         return self.manifest
 
@@ -81,7 +81,7 @@ class JobTest(pytest.Item):
             pytest.fail("\n".join(red), pytrace=False)
 
     def reportinfo(self) -> tuple[Path, None, str]:
-        """Where the test is from, the case's file, and what stands above its failure.
+        """The case's file, and the title under which pytest shows a failure.
 
         It must not end its node's name: pytest would write `::` for the points of its numbers.
         """
@@ -120,7 +120,7 @@ def _invocation(config: pytest.Config, selection: list[str], codes: str) -> Invo
 
 
 def _findings(manifest: Manifest, record: Record) -> Iterator[Finding]:
-    """What the gate has to say of one record."""
+    """The gate's findings on one record."""
     from vv.gate.judgement import judgement
     from vv.records.reading import rung
 

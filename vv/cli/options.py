@@ -1,4 +1,4 @@
-"""Options that several commands share, and what they mean as a plan."""
+"""Options that several commands share, and functions that interpret them."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ TIMEOUT = 300.0  # s for one job, unless said otherwise; its kernels may have to
 
 
 def completed_cases(incomplete: str) -> list[str]:
-    """What a shell offers for a selection: families and cases, behind a colon the variants."""
+    """Completions of a selection: families and cases, after a colon the variants."""
     from vv.plan.project import find
 
     project = find()
@@ -41,7 +41,7 @@ def completed_cases(incomplete: str) -> list[str]:
 
 
 def completed_codes(incomplete: str) -> list[str]:
-    """What a shell offers for the last of the codes, which commas part."""
+    """Completions of the last code in a list with commas."""
     from vv.plan.project import find
 
     before, comma, last = incomplete.rpartition(",")

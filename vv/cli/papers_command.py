@@ -1,4 +1,4 @@
-"""The command that shows what the papers publish beside what is right and what codes give."""
+"""The command that shows published numbers beside exact ones and those of codes: `vv papers`."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The commands that only look: list, codes, explain, diff, history."""
+"""The commands that only show: list, codes, explain, diff, history."""
 
 from __future__ import annotations
 

@@ -84,9 +84,9 @@ def _written(
     patterns: tuple[str, ...],
 ) -> Path:
     """Write the report as a folder, or of the cases that match as one file; returns its page."""
-    from vv.cli.invocation import beside, reporter
+    from vv.cli.invocation import report_extras, report_writer
 
-    html, more = reporter(project), beside(project, manifest)
+    html, more = report_writer(project), report_extras(project, manifest)
     if not patterns:
         folder = project.data() / "report" if output is None else _folder(output)
         front: Path = html.build(manifest, store, folder, more)

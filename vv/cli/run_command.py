@@ -145,7 +145,7 @@ def _run_once(
         terminal.say(_nothing(call))
         raise typer.Exit
     until = is_failure(project) if call.first else None
-    manifest = invocation.carried_out(project, plan, limits, until)
+    manifest = invocation.carry_out_with_progress(project, plan, limits, until)
     return _conclude(project, manifest, call, required)
 
 
@@ -161,10 +161,10 @@ def _reuse_or_run(
     from vv.cli import invocation
 
     if call.json_file is None:
-        known = invocation.printed_before(project, asked, limits, required)
+        known = invocation.earlier_output(project, asked, limits, required)
         if known:
             return known
-    manifest = invocation.answered(project, asked, make_plan, limits)
+    manifest = invocation.reuse_or_carry_out(project, asked, make_plan, limits)
     printed = _conclude(project, manifest, call, required)
     invocation.keep_output(project, asked, limits, manifest.name, printed)
     return printed
@@ -183,7 +183,7 @@ def _conclude(
     from vv.store.store import Store
 
     invocation.write_records(project, manifest, call.json_file)
-    report = invocation.reported(project, manifest)
+    report = invocation.write_report(project, manifest)
     findings = judgement(manifest, required)
 
     def print_results() -> None:
@@ -217,9 +217,9 @@ def _last(store: Store) -> Manifest:
 
 def _rungs_that_failed(last: Manifest) -> tuple[Knobs, ...]:
     """The knobs of what failed: they need not belong to the level asked for."""
-    from vv.run.narrowing import troubled_records
+    from vv.run.narrowing import failing_records
 
-    return tuple(dict.fromkeys(record.rung for record in troubled_records(last)))
+    return tuple(dict.fromkeys(record.rung for record in failing_records(last)))
 
 
 def _narrower(
@@ -234,16 +234,16 @@ def _narrower(
     from vv.store.checkout import changed_since
 
     changed = changed_since(project.root, call.since) if call.since else None
-    most = narrow.seconds(call.budget) if call.budget else None
+    most = narrow.budget_seconds(call.budget) if call.budget else None
 
     def narrowed(plan: Plan) -> Plan:
         if last is not None:
-            wanted = narrow.troubled(last)
+            wanted = narrow.failing_keys(last)
             plan = with_jobs_kept(plan, lambda job: pace.key(job) in wanted)
         if changed is not None:
             plan = narrow.affected(project, plan, changed)
         if most is not None:
-            plan = narrow.within(plan, most, store.newest(pace.PAST, terminal.note))
+            plan = narrow.within_budget(plan, most, store.newest(pace.PAST, terminal.note))
         return plan
 
     return narrowed

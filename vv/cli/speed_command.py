@@ -1,4 +1,4 @@
-"""The command that says what accuracy costs: `vv speed`."""
+"""The command that shows the cost of accuracy: `vv speed`."""
 
 from __future__ import annotations
 
@@ -79,7 +79,7 @@ def speed(call: SpeedCall) -> None:
     workers, timeout = options.workers(call.jobs), options.positive(call.timeout)
     limits = Limits(workers, timeout, call.fresh, Timing.STORED)
     asked = "speed", tuple(call.selection or ()), chosen
-    manifest = invocation.answered(project, asked, make_plan, limits)
+    manifest = invocation.reuse_or_carry_out(project, asked, make_plan, limits)
     invocation.print_summary(manifest, invocation.LATER)
     _show(project, manifest, bool(call.selection), call.json_file)
     raise typer.Exit(exit_bits(manifest.records) & RUN_BITS)
@@ -100,7 +100,7 @@ def _timed_part(plan: Plan, call: SpeedCall) -> Plan:
 
 
 def _scale(codes: str, largest: int, json_file: Path | None) -> None:
-    """Measure how costs grow with the number of spheres, and tell each size as it is known."""
+    """Measure how costs grow with the number of spheres; each size is printed once measured."""
     from vv.growth import scaling_table
     from vv.growth.measured import FEWEST, can_step, costs_by_size, label
     from vv.plan.selection import choose_schemes, named_adapters

@@ -1,4 +1,4 @@
-"""The commands that write a working start: `vv new`, `vv init`."""
+"""The commands that write templates that work: `vv new`, `vv init`."""
 
 from __future__ import annotations
 

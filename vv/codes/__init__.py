@@ -1,4 +1,4 @@
-"""How a code is asked: what an adapter must offer, and help to write one.
+"""The interface of adapters to codes, and helpers to write one.
 
 May import: base, scene, ask, engines.kernels.
 """

@@ -1,4 +1,4 @@
-"""What a code must offer to be asked: schemes, refusals, a description, native input, runs."""
+"""The interface of a code: its schemes, refusals, description, native input and runs."""
 
 from __future__ import annotations
 
@@ -103,7 +103,7 @@ class Adapter(Protocol):
 
 
 def known_beforehand(adapter: Adapter, scheme: Scheme, ask: Ask, found: Found) -> Run | None:
-    """Refused or not installed, if that is known beforehand; refusals come first."""
+    """The outcome if a scheme refuses or is not installed, else None; refusals come first."""
     missing = unsupported(scheme, ask.scene.terms())
     if missing:
         terms = ", ".join(sorted(_lacked(scheme, term) for term in missing))
@@ -175,7 +175,7 @@ def unsupported(scheme: Scheme, terms: frozenset[Term]) -> frozenset[Term]:
 
 
 def unseen(scheme: Scheme, ask: Ask) -> str | None:
-    """The observables asked for that a scheme does not report; None if it reports all."""
+    """Which requested observables a scheme cannot report, in words; None if it reports all."""
     kinds = {type(what) for what in ask.observables} - scheme.observables
     forms = [form for form in ask.energies if form not in scheme.energies]
     energy = [f"energy over time ({'; '.join(form.value for form in forms)})"] if forms else []

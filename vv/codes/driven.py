@@ -1,4 +1,4 @@
-"""A Python package as a code of the framework: its driver and what is to be said of scenes."""
+"""Adapter of a code that is a Python package: its driver, and what it refuses and models."""
 
 from __future__ import annotations
 

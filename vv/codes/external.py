@@ -1,4 +1,4 @@
-"""Runs external programs: start one in a folder, say why it ended, and hold a batch together.
+"""Runs external programs in folders, finds out why they ended, and goes on with their batch.
 
 Time limits belong to the runner, which ends the worker's process group and all descendants; a
 program is therefore started in that same group.

@@ -1,4 +1,4 @@
-"""Codes that are Python packages, each in an environment of its own: found, driven and read.
+"""Runs codes that are Python packages, each in an environment of its own.
 
 `make setup CODES=NAME` makes the environment .codes/NAME. A driver runs in it as one script, put
 together from `vv.codes.served` and the driver, and nothing of vv is imported there.

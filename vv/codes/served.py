@@ -1,4 +1,4 @@
-"""The half of a driver that all drivers share: reads asks, times their solution, writes answers.
+"""The part that all drivers share: it reads asks, times their solution, and writes answers.
 
 It runs in the Python of an outside code, as part of one script with the driver, and imports
 nothing but numpy: see `vv.codes.own_python`. The script answers the asks in the files it is given,

@@ -1,4 +1,4 @@
-"""Times a solve: once, or over again until a share of CPU time is spent."""
+"""Times a solve: once, or repeated until some CPU time is spent."""
 
 import dataclasses
 import time

@@ -1,4 +1,4 @@
-"""What many records say together: cost of an error, largest steps, history, comparison.
+"""Evaluates many records together: cost of an error, largest steps, history, comparison.
 
 May import: base, scene, ask, case, records, store, plan, gate.
 """

@@ -1,4 +1,4 @@
-"""What codes give beside what was measured: bias and scatter of each on each model.
+"""Compares codes with measurements: bias and scatter of each.
 
 As in fire modelling (McGrattan and Toman 2011, Fire Safety Journal 46, 1-7): computed values are
 taken as measured ones times a factor whose logarithm is normal, and what the measurements

@@ -1,4 +1,4 @@
-"""What a scheme came to on a variant: its rungs with their costs, and the floor of its knobs."""
+"""Errors and costs of a scheme on a variant by setting, and the floor of its error."""
 
 from __future__ import annotations
 

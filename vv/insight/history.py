@@ -1,4 +1,4 @@
-"""What became of a case over commits, read from the manifests of past runs."""
+"""The history of a case over commits, read from the manifests of past runs."""
 
 from __future__ import annotations
 

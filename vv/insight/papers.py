@@ -1,4 +1,4 @@
-"""Sets what papers publish beside the exact answers and what each code gives."""
+"""Compares published statements with exact answers and with the results of codes."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What past runs say of a case, each read once: the few figures that a history needs are kept."""
+"""Reads the few figures of past runs that a history needs, and stores them."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ class Digest:
 
 @dataclass(frozen=True)
 class PastRuns:
-    """Reads past runs in parts; of damaged ones there is nothing, which is said once.
+    """Reads past runs in parts; damaged ones are skipped with one notice.
 
     Runs that hold the same records of a case say the same: that is worked out for one of them.
     """

@@ -1,4 +1,4 @@
-"""Each paper's statements beside the results of an invocation; kept until one of them changes."""
+"""The statements of papers beside the results of an invocation, stored until either changes."""
 
 from __future__ import annotations
 

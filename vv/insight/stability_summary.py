@@ -1,4 +1,4 @@
-"""What an invocation says of stability: largest steps, maps, drift and counts, in sentences."""
+"""Summarises stability in an invocation: largest steps, maps, drift and counts, in sentences."""
 
 from __future__ import annotations
 
@@ -67,7 +67,7 @@ def _others(manifest: Manifest) -> Iterator[StabilityStatement]:
 
 
 def _kind(record: Record, one: MeasuredQuantity) -> Kind | None:
-    """What a quantity says of stability; None if nothing."""
+    """The kind of statement on stability that a quantity makes; None if none."""
     if record.study is StudyKind.SEARCH:
         return None if one.verdict is Verdict.NO_REFERENCE else Kind.STEP
     if record.study is StudyKind.GRID:

@@ -1,4 +1,4 @@
-"""What people and other programs read: terminal, JUnit, Markdown, explanations, exports.
+"""Writes results for people and programs: terminal, JUnit, Markdown, pages, exports.
 
 May import: base, scene, ask, case, codes, records, store, plan, gate, insight.
 """

@@ -1,4 +1,4 @@
-"""What an error costs in each code, as one document for other programs."""
+"""The cost of an error in each code as one JSON document."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What `vv explain` prints of a case: formula, parameters, tolerances, mapping, last results."""
+"""Prints what `vv explain` shows of a case: formula, parameters, tolerances, models, results."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The records of an invocation as one self-contained document, series included."""
+"""The records of an invocation with their series as one JSON document."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Words for what a gate finds: alike findings as one line, and the command that shows it again."""
+"""Lines of text for findings of the gate: similar ones merged, with the command to rerun them."""
 
 from __future__ import annotations
 

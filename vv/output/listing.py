@@ -1,4 +1,4 @@
-"""Lists what there is: cases, codes, and the jobs that a plan would run."""
+"""Prints lists of cases, of codes, and of the jobs that a plan would run."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 
 def print_jobs(plan: Plan, stored: Container[int]) -> None:
-    """What would run, a line for each scheme and variant; stored: numbers of what is answered."""
+    """The jobs that would run, a line for each scheme and variant; stored: jobs with results."""
     from vv.output.results_table import by_outcome
 
     waiting: dict[tuple[str, str], list[str]] = {}

@@ -1,4 +1,4 @@
-"""Writes the summary of a gate for a pull request: the colour, what changed, worst first."""
+"""Writes the summary of the gate for a pull request, and annotations for GitHub."""
 
 from __future__ import annotations
 

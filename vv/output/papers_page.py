@@ -1,4 +1,4 @@
-"""Writes what papers publish, and what became of it, as a page of Markdown."""
+"""Writes the Markdown page of published statements and how each compares."""
 
 from __future__ import annotations
 

@@ -89,7 +89,7 @@ class _Lines:
             note(f"{self.count} of {self.jobs} runs{self._left(now)}")
 
     def _left(self, now: float) -> str:
-        """How long the rest may take: nothing is said of it while kernels compile at the start."""
+        """The remaining time in words; empty while kernels compile at the start."""
         if self.count < EARLY * self.jobs:
             return ""
         return f", about {_round((now - self.begun) / self.count * (self.jobs - self.count))} left"

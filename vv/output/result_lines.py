@@ -32,7 +32,7 @@ REASONS = 6  # why codes refused: the most frequent ones
 
 
 def print_refusals(records: Sequence[Record]) -> None:
-    """The schemes that took nothing on, in a line; where nobody did, each reason once."""
+    """Print the schemes that refused everything, in one line; if all did, each reason once."""
     if any(map(tried, records)):
         if text := unsupported(records):
             note(f"{text}; `vv explain {_case(records)}` says why")
@@ -48,7 +48,7 @@ def print_refusals(records: Sequence[Record]) -> None:
 
 
 def _case(records: Iterable[Record]) -> str:
-    """A case that records are of, the first that failed if there is one, as it is typed."""
+    """The case of these records, the first that failed if any did, as users type it."""
     given = list(records)
     failed = (record.case for record in given if outcome(record) in FAILED)
     return next(failed, given[0].case if given else "CASE")

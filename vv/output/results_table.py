@@ -168,14 +168,14 @@ def _summary(every: Sequence[Row]) -> Iterator[str]:
 
 
 def unsupported(records: Iterable[Record]) -> str:
-    """One line on the schemes that took nothing on; empty if every one took something."""
+    """One line on the schemes that refused everything; empty if there are none."""
     given = list(records)
     took = {record.label for record in filter(tried, given)}
     return by_outcome({r.label: outcome(r) for r in given if r.label not in took})
 
 
 def by_outcome(outcomes: Mapping[str, Outcome]) -> str:
-    """Schemes by what came of them, in a line. outcomes: CODE/SCHEME -> outcome."""
+    """Schemes by their outcome, in a line. outcomes: CODE/SCHEME -> outcome."""
     parts = []
     for why in dict.fromkeys(outcomes.values()):
         names = [name for name, one in outcomes.items() if one is why]

@@ -1,4 +1,4 @@
-"""The words of `vv speed`: what an error costs in each code, as tables; the JSON has all evidence.
+"""Writes the tables of `vv speed`: the cost of an error in each code; its JSON has all figures.
 
 Durations are CPU time of the stepping loop.
 """

@@ -1,4 +1,4 @@
-"""Stored results as a table: a row for each record and quantity, for notebooks and as CSV."""
+"""Makes a table of stored results for notebooks and CSV: a row for each record and quantity."""
 
 from __future__ import annotations
 

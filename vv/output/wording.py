@@ -1,4 +1,4 @@
-"""Outcomes of results in the words that people read, counted and ranked."""
+"""Words for outcomes and durations, and counts of outcomes in order of severity."""
 
 from __future__ import annotations
 

@@ -27,7 +27,7 @@ from vv.case import (
     at_rest,
     error_scale,
     evaluated,
-    judge_elsewhere,
+    judge_at_other_parameters,
     judge_for_method,
 )
 from vv.records.job_record import JobCost, ModelSummary, RunSummary
@@ -66,7 +66,7 @@ def measured(
     modified: the parameters are not the case's own.
     """
     judge = judge_for_method(quantity.judge, method)
-    judge = judge_elsewhere(judge) if modified else judge
+    judge = judge_at_other_parameters(judge) if modified else judge
     if isinstance(quantity, Scalar) and not quantity.is_reported(run):
         judge = NOT_REPORTED
     norm, tolerance, why = _bound(judge, method, knobs)

@@ -1,4 +1,4 @@
-"""One invocation: jobs answered from the store or by workers, measured, timed, written down.
+"""Carries out an invocation: jobs are answered, measured, timed, judged and stored.
 
 May import: base, scene, ask, case, codes, records, store, plan, gate.
 """

@@ -1,4 +1,4 @@
-"""Makes batches of the jobs that wait: asks that one worker answers in order."""
+"""Groups jobs into batches, which are asks that one worker answers in order."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ MANY = 100  # jobs of a scheme that are worth a second process
 
 
 def batches(waiting: Mapping[int, Job], plan: Plan, place: Executor) -> list[Batch]:
-    """The batches of each scheme, as many as suit the place where they are answered.
+    """The batches of each scheme; the executor decides how many.
 
     First a batch of each engine that compiles its kernels, which its other schemes then find;
     then external programs, which take longest, those of a code one after the other, since a worker

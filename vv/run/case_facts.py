@@ -1,4 +1,4 @@
-"""What a case says of itself, as a manifest keeps it for the report and for people."""
+"""Collects the description of a case that a manifest keeps for reports."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ def case_facts_of(plan: Plan) -> dict[str, CaseFacts]:
 
 
 def case_facts(case: Case, plan: Plan) -> CaseFacts:
-    """What one case says of itself."""
+    """The description of one case."""
     trials = {v: trial for (name, v), trial in plan.trials.items() if name == case.name}
     return CaseFacts(
         title=case.title,

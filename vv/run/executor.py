@@ -1,4 +1,4 @@
-"""Where batches are answered: in processes of this machine, or by the workers of a cluster."""
+"""Executors of batches: processes of this machine, or the workers of a cluster."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ class Executor(Protocol):
         """The machine on which `timed` measures."""
 
     def timed(self, batches: Sequence[Batch], timeout: float) -> list[Timed]:
-        """What solves cost, as `vv.run.rounds` has it, beside nothing else of this invocation."""
+        """The costs of solves as in `vv.run.rounds`, while nothing else of this invocation runs."""
 
 
 @dataclass(frozen=True)

@@ -1,4 +1,4 @@
-"""What one invocation may use and is to time: processes, seconds, the store, a timing session."""
+"""Limits of an invocation: processes, seconds for a job, use of the store, what is timed."""
 
 from __future__ import annotations
 

@@ -23,18 +23,18 @@ SECONDS = {"s": 1.0, "min": 60.0, "h": 3600.0}
 UNKNOWN = 1.0  # s that a job is taken to need that never ran
 
 
-def troubled(manifest: Manifest) -> set[Key]:
-    """The jobs of an invocation that did not do well, by their keys."""
-    return {key_of(record) for record in troubled_records(manifest)}
+def failing_keys(manifest: Manifest) -> set[Key]:
+    """The keys of the jobs whose records turn a gate red."""
+    return {key_of(record) for record in failing_records(manifest)}
 
 
-def troubled_records(manifest: Manifest) -> list[Record]:
+def failing_records(manifest: Manifest) -> list[Record]:
     """The records of an invocation that by themselves turn a gate red."""
     return [record for record in manifest.records if _wrong(record)]
 
 
 def _wrong(record: Record) -> bool:
-    """Whether a record is in trouble; that nothing else ran is none of its own."""
+    """Whether a record by itself turns a gate red."""
     return any(finding.case for finding in record_findings([record]))
 
 
@@ -59,13 +59,13 @@ def affected(project: Project, plan: Plan, changed: Iterable[Path]) -> Plan:
 
 
 def _touched(sources: Iterable[Path], changed: frozenset[Path]) -> bool:
-    """Whether a source changed, or a file beside one is no more, which it may have read."""
+    """Whether a source changed, or a file was deleted beside one, which may have read it."""
     own = frozenset(sources)
     deleted = {path.parent for path in changed if not path.exists()}
     return not own.isdisjoint(changed) or any(path.parent in deleted for path in own)
 
 
-def seconds(text: str) -> float:
+def budget_seconds(text: str) -> float:
     """A budget as typed, 60s, 5min or 1h; plain numbers are seconds."""
     match = re.fullmatch(r"\s*(\d+(?:\.\d*)?)\s*(s|min|h)?\s*", text)
     if match is None or float(match[1]) <= 0:
@@ -73,8 +73,8 @@ def seconds(text: str) -> float:
     return float(match[1]) * SECONDS[match[2] or "s"]
 
 
-def within(plan: Plan, budget: float, manifests: Sequence[Manifest]) -> Plan:
-    """The most telling jobs that fit a budget [s], by the costs of past runs, newest first.
+def within_budget(plan: Plan, budget: float, manifests: Sequence[Manifest]) -> Plan:
+    """The most informative jobs that fit a budget [s], by the costs of past runs, newest first.
 
     What is new or did not do well comes first, then what was closest to its tolerance; of each
     scheme and variant the two cheapest rungs before any other. What cannot run costs nothing.

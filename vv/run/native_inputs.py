@@ -1,4 +1,4 @@
-"""Says what a code was given for a record, and keeps it in the store: to work it out takes long."""
+"""Finds the input that a code was given for a record, and stores it, since that takes long."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""How long jobs will take: as long as last time, as was recorded, or as their schemes expect."""
+"""Estimates how long jobs take: from past runs, recorded results, or figures of their schemes."""
 
 from __future__ import annotations
 

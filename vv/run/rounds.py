@@ -1,4 +1,4 @@
-"""Measures solves one at a time, on one core, in a visit to every scheme, and in a second one."""
+"""Times solves one at a time on one core, in one or two rounds over all schemes."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ class _Visit:
     most: float
 
     def unsure(self, best: float) -> Batch:
-        """What of the batch is to be measured again; best: the kernel's least of the session."""
+        """The asks that are to be timed again; best: the least kernel time of the session."""
         stands = {number for number, cost, _ in self.seen if cost.repeats >= ENOUGH}
         return _without(self.batch, () if self.most > DRIFT * best else stands)
 

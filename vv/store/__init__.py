@@ -1,4 +1,4 @@
-"""What is kept of results: runs, records, manifests, and where each came from.
+"""Stores runs, records and manifests, with their provenance.
 
 May import: base, scene, ask, records.
 """

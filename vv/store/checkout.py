@@ -1,4 +1,4 @@
-"""What git says of the checkout that a project lies in: its commit, and what differs from one."""
+"""Asks git for the commit of a project's checkout, and for the files that changed."""
 
 from __future__ import annotations
 

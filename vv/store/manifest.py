@@ -1,4 +1,4 @@
-"""How a manifest, what one invocation did, is written: JSON whose parts can be read on their own.
+"""Writes and reads manifests as JSON whose parts can be read on their own.
 
 The first line holds the names of its cases and where it comes from, and the records of a case
 are a line each: past runs are asked for these far more often than for all they hold. The first

@@ -1,4 +1,4 @@
-"""Records in a list, each written by what it has other than the one before it.
+"""Writes lists of records compactly: each by its differences from the one before.
 
 Those of one scheme on one variant share most of what they say, and refusals nearly all: so a
 manifest is half as long, and what is shared is read once. A record that names its case is whole.

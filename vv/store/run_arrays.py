@@ -1,4 +1,4 @@
-"""A run as arrays, one of which holds what is no array as JSON."""
+"""Converts a run to arrays and back; one array holds all else as JSON."""
 
 from __future__ import annotations
 

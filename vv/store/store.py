@@ -1,4 +1,4 @@
-"""Keeps results on disk: runs by what a solver sees, records by what judges them, manifests.
+"""Stores runs and records under digests of all that they depend on, and manifests by name.
 
 Every file is written beside its place and renamed, so that a killed process leaves whole files
 or none, and two processes at once at worst write the same file twice. Every file is sealed with a
@@ -55,7 +55,7 @@ class _Kept:
 
 @dataclass(frozen=True)
 class Store:
-    """The folder of generated things. Nothing in it is ever changed in place."""
+    """The folder of stored results. No file in it is changed in place."""
 
     root: Path
 

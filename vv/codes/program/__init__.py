@@ -1,4 +1,4 @@
-"""Programs of strangers as codes: a TOML file declares one, JSON and CSV files speak with it."""
+"""Programs as codes: a TOML file declares one, which reads JSON and writes CSV files."""
 
 from vv.codes.program.adapter import Program, load
 

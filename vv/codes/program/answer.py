@@ -1,4 +1,4 @@
-"""Makes a Run of what a program left in its folder, series.csv and result.json."""
+"""Makes a Run from the files that a program wrote, series.csv and result.json."""
 
 from __future__ import annotations
 

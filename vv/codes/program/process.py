@@ -1,4 +1,4 @@
-"""Runs a program on one question: a folder of its own, an exit code, an answer, and its cost."""
+"""Runs a program on one question in a folder of its own, and reads its answer and cost."""
 
 from __future__ import annotations
 
@@ -100,7 +100,7 @@ def _cpu_of_children() -> float:
 
 
 def _shorten(folder: Path) -> None:
-    """Keep of what a program wrote in vain enough to look at."""
+    """Cut the files of a run that failed to a size worth looking at."""
     for path, size in external.sizes(folder):
         if size > external.LARGEST_LOG:
             os.truncate(path, external.TAIL)
@@ -117,7 +117,7 @@ def _most() -> int:
 
 @contextlib.contextmanager
 def _bounded() -> Iterator[None]:
-    """Let no file grow endlessly, not even one without a name, which no look at a folder finds.
+    """Limit the size of files, also of deleted ones that are still open.
 
     What is started inherits the bound before it can start anything itself.
     """

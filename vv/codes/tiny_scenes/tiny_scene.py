@@ -1,4 +1,4 @@
-"""What a tiny scene is: how its last body moves, and how a wrong answer to it looks."""
+"""Defines a tiny scene: the exact motion of its last body, and that after known mistakes."""
 
 from __future__ import annotations
 

@@ -1,1 +1,1 @@
-"""Pages on cases and codes, made of what these declare, in Markdown."""
+"""Markdown pages on cases and codes, made from their declarations."""

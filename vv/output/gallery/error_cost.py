@@ -1,4 +1,4 @@
-"""The picture of error against cost: a curve for each scheme, named at its end."""
+"""Draws error against cost: a curve for each scheme, with its name at the end."""
 
 from __future__ import annotations
 

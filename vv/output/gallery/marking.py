@@ -1,4 +1,4 @@
-"""Pieces of Markdown: tables, code, and texts that no markup can be read into."""
+"""Writes pieces of Markdown: tables, code, and text with its special characters escaped."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from vv.base.printable import one_line
 
 
 def cell(text: str) -> str:
-    """A text as it stands, also within a table."""
+    """A text with markup escaped, fit for a table."""
     whole = " ".join(one_line(text).split()).replace("&", "&amp;").replace("<", "&lt;")
     for mark in ("|", "*", "[", "_"):
         whole = whole.replace(mark, f"\\{mark}")
@@ -16,7 +16,7 @@ def cell(text: str) -> str:
 
 
 def code(text: str) -> str:
-    """A name, as it is typed."""
+    """A name set as code."""
     return f"`{one_line(text)}`"
 
 

@@ -31,7 +31,7 @@ STYLE = (  # of a picture that stands alone; the report has its own, for light a
 
 
 def drawing(scene: Scene) -> str:
-    """The SVG of a scene, on its own; '' where it has more bodies than can be told apart."""
+    """The SVG of a scene, on its own; '' where it has too many bodies to draw."""
     if sum(map(len, scene.bodies)) > MOST:
         return ""
     size = f'width="{WIDTH:g}" height="{HEIGHT:g}" viewBox="0 0 {WIDTH:g} {HEIGHT:g}"'
@@ -50,7 +50,7 @@ def picture(seen: Sketch, name: str = "") -> str:
 
 
 def again(name: str) -> str:
-    """The SVG of a picture that stands elsewhere on the page."""
+    """The SVG that shows a picture again which is elsewhere on the page."""
     return _framed(f'<use href="#{escape(name)}"/>')
 
 

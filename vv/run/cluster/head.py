@@ -139,7 +139,7 @@ def _distributed() -> Any:
 
 
 def _came(future: Any) -> Any:
-    """What came of a task: its answers, or the error that ended it."""
+    """The result of a task: its answers, or the error that ended it."""
     try:
         return future.result()
     except Exception as error:
