@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 import sys
 from pathlib import Path
 
@@ -155,6 +156,27 @@ def test_a_file_that_no_folder_shows_has_an_end_too(
 def test_links_and_files_that_come_and_go_do_no_harm(tmp_path: Path) -> None:
     mess = "ln -s nowhere link; for i in $(seq 40); do touch $i; mv $i a; rm a; done; "
     assert answer(tmp_path, mess + WRITE(GOOD)).status is Status.RAN
+
+
+@pytest.mark.parametrize("kind", ["rm -f {}", "rm -f {}; mkfifo {}", "rm -f {}; mkdir {}",
+                                  "ln -sf /dev/zero {}"])  # fmt: skip
+@pytest.mark.parametrize("code", [1, 3])
+def test_a_program_that_spoils_its_logs_is_waited_for_no_longer(
+    tmp_path: Path, kind: str, code: int
+) -> None:
+    spoils = "; ".join(kind.replace("{}", log) for log in ("stderr.log", "program-0.log"))
+    run = answer(tmp_path, f"{spoils}; exit {code}")
+    assert run.status is (Status.REFUSED if code == 3 else Status.ERROR)
+    assert run.reason.startswith(f"exit code {code}")
+    assert run.reason.endswith("no output" if code == 1 else "no reason on stderr")
+
+
+@pytest.mark.parametrize("file", ["series.csv", "result.json"])
+def test_an_answer_beyond_all_measure_is_not_read(tmp_path: Path, file: str) -> None:
+    os.truncate(os.open(tmp_path / "giant", os.O_CREAT | os.O_WRONLY), 1 << 40)
+    run = answer(tmp_path, f"{WRITE(GOOD)}\nln -sf {tmp_path}/giant {file}")
+    assert run.status is Status.ERROR
+    assert run.reason == f"{file}: it has {1 << 40} bytes, more than are read"
 
 
 def test_what_a_spreadsheet_writes_is_read(tmp_path: Path) -> None:

@@ -6,13 +6,18 @@ import numpy as np
 import pytest
 
 from tests.scenes.blocks.sliding_blocks import Frame, incline
+from tests.scenes.spheres.bonded_scenes import elements, tied, unit
 from vv.ask import Ask, Displacement, History, Knobs
 from vv.engines import rigid
 from vv.engines.blocks.checks import size
 from vv.engines.dda import DEFAULT
 from vv.engines.dda.solve import PreparedBlocks
 from vv.engines.dda.solve import prepare as prepare_dda
+from vv.engines.dem.critical_step import critical_step
+from vv.engines.dem.leapfrog import CENTRED, LAGGED, Leapfrog
+from vv.engines.dem.solve import GAINED
 from vv.engines.dem.solve import _audits as audits_of_dem
+from vv.engines.dem.solve import prepare as prepare_dem
 from vv.gate.judgement import breaches
 from vv.scene import Contact, Scene, Spheres, Wall
 
@@ -52,6 +57,28 @@ def test_rigid_breaks_a_law_by_one_step_that_did_not_converge_or_gained() -> Non
     assert found[0] == []
     assert found[1] == ["residual of contact [m/s]"]
     assert "energy created [J]" in found[2]
+
+
+@pytest.mark.parametrize(
+    ("leapfrog", "part"), [(CENTRED, 0.01), (LAGGED, 0.1)], ids=["second", "first"]
+)
+def test_dem_may_gain_what_the_order_of_its_step_lets_bonds_gain(
+    leapfrog: Leapfrog, part: float
+) -> None:
+    """At a tenth of the critical step that part of what is held at most; it held 2 J at t = 0."""
+    scene = unit(elements(), tied())
+    limit = critical_step(scene, leapfrog)
+    ask = Ask(scene, History(limit, limit / 10), (Displacement(0),), Knobs(limit / 10))
+    program = prepare_dem(ask, leapfrog)
+    path, energy = program.arguments[:2]
+    energy[:], energy[:, 1] = 0.0, 2.0
+    allowed = 2.0 * part / (1.0 - part)  # of the 2 J and what is gained
+    laws = []
+    for gained in (0.99 * allowed, 1.01 * allowed):
+        energy[-1, 1] = 2.0 + gained
+        ledger = program._ledger(path, energy)
+        laws.append([law for law, *_ in breaches(ledger)])
+    assert laws == [[], [GAINED]]
 
 
 @pytest.mark.parametrize(

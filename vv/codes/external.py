@@ -105,7 +105,7 @@ def how_it_ended(program: Process, lines: int = 5) -> str:
     """How an ended program ended, with the last lines of its log."""
     code = program.process.returncode
     ending = f"exit code {code}" if code >= 0 else f"signal {signal.Signals(-code).name}"
-    complains = program.errors is not None and program.errors.stat().st_size > 0
+    complains = program.errors is not None and bool(_lines(program.errors))
     return f"{ending}; {last_lines((complains and program.errors) or program.log, lines)}"
 
 
@@ -121,9 +121,14 @@ def last_line(log: Path) -> str:
 
 
 def _lines(log: Path) -> list[str]:
-    text = _tail(log) if log.exists() else ""
+    text = _tail(log) if log.is_file() else ""  # the program may have put a pipe in its place
     kept = [line.strip() for line in text.splitlines() if line.strip()]
     return [one if len(one) <= LONGEST else f"{one[:LONGEST]}..." for one in kept]
+
+
+def _size(log: Path) -> int:
+    """Bytes of a log; none if the program removed it."""
+    return log.stat().st_size if log.is_file() else 0
 
 
 def _tail(log: Path) -> str:
@@ -186,7 +191,7 @@ def _answers(
 def _why_no_answer(program: Process) -> str:
     """Why a program that has ended gave no answer; of an endless log only the beginning is kept."""
     how = how_it_ended(program)
-    if program.log.stat().st_size <= LARGEST_LOG:
+    if _size(program.log) <= LARGEST_LOG:
         return f"the program ended early: {how}"
     os.truncate(program.log, TAIL)
     return f"the program was ended, for it wrote more than {LARGEST_LOG:g} bytes of output; {how}"
@@ -199,7 +204,7 @@ def _awaited(index: int, program: Process, collect: Collect) -> Run | None:
         run = collect(index, program)
         if run is not None or ended:
             return run
-        if program.log.stat().st_size > LARGEST_LOG:
+        if _size(program.log) > LARGEST_LOG:
             stop(program)
             return None
         time.sleep(POLL)

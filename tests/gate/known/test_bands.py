@@ -111,6 +111,11 @@ def test_an_entry_warns_if_it_speaks_of_one_record_of_many() -> None:
         ({"error": None, "order": None}, "error none; both must be > 0"),
         ({"error": (0.06, 0.2), "order": (0.0, 1.0)}, "must end at 0.1"),
         ({"error": (0.06, 0.2), "order": (0.0, 0.0)}, None),  # stays where it is
+        ({"order": (0.0, 0.6)}, None),
+        ({"order": (0.0, 0.61)}, "a band wider than 0.6 excludes nothing"),
+        ({"order": (1.1, 0.9)}, "must not be empty"),
+        ({"order": (0.9, float("nan"))}, "must not be empty"),
+        ({"error": (1e-3, float("inf"))}, "must end within a factor of"),
     ],
 )
 def test_a_band_that_says_nothing_is_refused(changes: dict[str, Any], said: str | None) -> None:

@@ -1,0 +1,91 @@
+"""When sweeps that are stuck begin anew without impulses: once, and only far from the residual.
+
+The solver is asked as plain Python, with sweeps that leave what a row says.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from vv.engines.rigid.general import converge
+from vv.engines.rigid.limits import CHAIN, FAR, SOFT, STALLED, STUCK
+from vv.scene import Vector
+
+ASKED = 1e-6  # m/s
+NEAR, AWAY = 0.5 * FAR * ASKED, 2.0 * FAR * ASKED
+BLOCKS = 400  # in no chain
+ROWS = {
+    "it converges at once": ([0.0], []),
+    "it is near and takes a Newton step": ([NEAR, 0.0], ["newton"]),
+    "it is far and begins anew": ([AWAY, 0.0], ["anew"]),
+    "it stays far and does not begin anew again": ([AWAY, AWAY, 0.0], ["anew", "newton"]),
+    "it is near after it began anew": ([AWAY, NEAR, 0.0], ["anew", "newton"]),
+}
+
+
+@pytest.fixture
+def done(monkeypatch: pytest.MonkeyPatch) -> list[str]:
+    """What is done between sweeps: impulses cleared, or a Newton step."""
+    said: list[str] = []
+
+    def cleared(p: Vector) -> None:
+        said.append("anew")
+        p.fill(0.0)
+
+    def polished(*given: object) -> float:
+        said.append("newton" if given[-1] == SOFT else "stiff newton")
+        return AWAY
+
+    monkeypatch.setattr(converge, "clear", cleared)
+    monkeypatch.setattr(converge, "polish", polished)
+    monkeypatch.setattr(converge, "without", lambda p, j, b, v, w: (v.copy(), w.copy()))
+    monkeypatch.setattr(converge, "arranged", lambda *_: (None, BLOCKS))
+    return said
+
+
+def sweeping(monkeypatch: pytest.MonkeyPatch, left: list[float], sweeps: int = STUCK) -> Vector:
+    """Let so many sweeps at a time leave these residuals; returns the impulses."""
+    rows: Iterator[float] = iter(left)
+    now = [np.inf]
+
+    def swept(*_: object) -> tuple[int, float]:
+        now[0] = next(rows)
+        return sweeps, now[0]
+
+    for name in ("drifted", "carried", "solve_contacts"):
+        monkeypatch.setattr(converge, name, swept)
+    monkeypatch.setattr(converge, "renewed", lambda *_: now[0])
+    return np.ones((3, 3))
+
+
+@pytest.mark.parametrize("way", ["leaping", "in_turns"])
+@pytest.mark.parametrize("row", ROWS)
+def test_sweeps_that_are_stuck_far_off_begin_anew_once(
+    monkeypatch: pytest.MonkeyPatch, done: list[str], way: str, row: str
+) -> None:
+    left, wanted = ROWS[row]
+    p = sweeping(monkeypatch, left)
+    setting = SimpleNamespace(tolerance=ASKED, most=20_000, mass=np.ones(BLOCKS))
+    given = (setting, None, None, None, p, p.copy(), p.copy(), 1, ASKED)
+    solve = getattr(converge, way).py_func
+    sweeps, residual = solve(*given, None) if way == "leaping" else solve(*given)
+    assert (done, residual) == (wanted, 0.0)
+    assert sweeps == STUCK * len(left)
+    assert (p == 0.0).all() == ("anew" in wanted)
+
+
+def test_a_chain_takes_stiff_newton_steps_and_never_begins_anew(
+    monkeypatch: pytest.MonkeyPatch, done: list[str]
+) -> None:
+    p = sweeping(monkeypatch, [AWAY, AWAY, 0.0], sweeps=STALLED)
+    monkeypatch.setattr(converge, "arranged", lambda *_: (None, CHAIN))
+    setting = SimpleNamespace(tolerance=ASKED, most=20_000, mass=np.ones(BLOCKS))
+    found = converge.in_turns.py_func(  # type: ignore[attr-defined]
+        setting, None, None, None, p, p.copy(), p.copy(), 1, ASKED
+    )
+    assert (done, found) == (["stiff newton", "stiff newton"], (3 * STALLED, 0.0))
+    assert (p == 1.0).all()
