@@ -161,8 +161,8 @@ def _of_all(book: Book, of_cases: Sequence[str]) -> str:
 
 def _of_papers(book: Book) -> str:
     """Digest of all that the page of the papers shows."""
-    told = [(p.name, p.citation, p.doi, rows) for p, rows in book.beside.papers]
-    return _digest((told, [*book.marks], book.places))
+    parts = [(p.name, p.citation, p.doi, rows) for p, rows in book.beside.papers]
+    return _digest((parts, [*book.marks], book.places))
 
 
 def _without_time(point: Point) -> tuple[object, ...]:

@@ -14,7 +14,7 @@ from vv.records.outcomes import Outcome, Verdict
 from vv.records.quantity import MeasuredQuantity
 from vv.records.reading import rung
 
-LONG = 60  # characters of an explanation that is not told twice on a page
+LONG = 60  # characters of an explanation that a page gives once
 LAWS = {  # of ledgers -> what a breach of it is, before the number
     "energy created": "Energy not conserved: created",
     "energy that no term explains": "Energy not accounted for:",
@@ -31,12 +31,13 @@ def breach(found: Breach) -> str:
     law, seen, allowed = found
     name, _, unit = law.partition(" [")
     unit = f" {unit.removesuffix(']')}" if unit else ""
-    said = LAWS.get(name)
-    if said is None and name.startswith("negative "):
-        said = f"{name.removeprefix('negative ').capitalize()} below zero, which creates energy: by"
-    if said is None:
-        said = f"Law broken, {name}:"
-    return f"{said} {short(seen)}{unit}, allowed {short(allowed)}{unit}"
+    start = LAWS.get(name)
+    if start is None and name.startswith("negative "):
+        form = name.removeprefix("negative ").capitalize()
+        start = f"{form} below zero, which creates energy: by"
+    if start is None:
+        start = f"Law broken, {name}:"
+    return f"{start} {short(seen)}{unit}, allowed {short(allowed)}{unit}"
 
 
 def excess(one: MeasuredQuantity) -> str:
@@ -45,10 +46,10 @@ def excess(one: MeasuredQuantity) -> str:
         return f"{one.name} passes, though a disagreement is on record: error {short(one.error)}"
     if one.error is not None and one.tolerance is not None:
         norm = f" (norm {NORM_NAMES[one.norm]})" if one.norm not in (None, Norm.MAX) else ""
-        said, due = f"Error of {one.name}{norm} {short(one.error)}", short(one.tolerance)
+        found, due = f"Error of {one.name}{norm} {short(one.error)}", short(one.tolerance)
         if one.error <= one.tolerance:
-            return f"{said}, tolerance {due}"
-        return f"{said}, {ratio(one.error / one.tolerance)} times the tolerance {due}"
+            return f"{found}, tolerance {due}"
+        return f"{found}, {ratio(one.error / one.tolerance)} times the tolerance {due}"
     if one.value is not None:
         return f"{one.name} = {short(one.value)}: {one.why}"
     return f"{one.name} is not finite"
@@ -61,12 +62,14 @@ def with_notes(quantities: Iterable[MeasuredQuantity]) -> list[str]:
     return [*map(excess, known), *notes]
 
 
-def once(text: str, place: str, told: dict[str, str]) -> str:
+def once(text: str, place: str, explained: dict[str, str]) -> str:
     """A text without the long explanations that stand elsewhere, to which it refers by place.
 
-    told: explanation -> the place at which it stands; those of this text are added to it.
+    explained: explanation -> the place at which it stands; those of this text are added to it.
     """
-    known = {part: told.setdefault(part, place) for part in text.split("; ") if len(part) > LONG}
+    known = {
+        part: explained.setdefault(part, place) for part in text.split("; ") if len(part) > LONG
+    }
     parts = [
         part if known.get(part, place) == place else f"explained at {known[part]}"
         for part in text.split("; ")
@@ -77,11 +80,11 @@ def once(text: str, place: str, told: dict[str, str]) -> str:
 def reason(record: Record, came: Outcome) -> str:
     """Why a record came to its outcome; empty where the word says it all."""
     if came is Outcome.NOT_CONSERVED:
-        said = [breach(found) for found in breaches(record.ledger)]
+        texts = [breach(found) for found in breaches(record.ledger)]
     else:
         ill = [one for one in record.quantities if one.verdict.value == came.value]
-        said = [] if came is Outcome.PASS else with_notes(ill)
-    return "; ".join([record.reason, *said] if record.reason else said)
+        texts = [] if came is Outcome.PASS else with_notes(ill)
+    return "; ".join([record.reason, *texts] if record.reason else texts)
 
 
 def setting(record: Record) -> str:

@@ -31,7 +31,7 @@ def setting_rows(group: Group, stiffness: bool, valued: bool, columns: int) -> M
 
 
 def _heading(group: Group, columns: int) -> str:
-    """What is said of a group of settings, above them."""
+    """The heading of a group of settings."""
     unit = f" [{group.unit}]" if group.unit else ""
     found = group.order
     order = (
@@ -39,9 +39,9 @@ def _heading(group: Group, columns: int) -> str:
         if found
         else ""
     )
-    said = escape(f"{group.mark.label} · {group.quantity}{unit}{order}")
+    title = escape(f"{group.mark.label} · {group.quantity}{unit}{order}")
     notes = "".join(f"<small>{escape(note)}</small>" for note in group.notes)
-    return f"<tbody><tr><th scope=rowgroup colspan={columns}>{said}{notes}"
+    return f"<tbody><tr><th scope=rowgroup colspan={columns}>{title}{notes}"
 
 
 def _came(row: Setting, stiffness: bool, valued: bool) -> str:

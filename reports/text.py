@@ -80,17 +80,17 @@ def with_unit(value: str, unit: str) -> str:
     return f"{value} {unit}" if value and unit and value[-1].isdigit() else value
 
 
-def within(said: str) -> Markup:
+def within(content: str) -> Markup:
     """A long text between tags: quotes stay as they are, which attributes could not have."""
-    return Markup(said.replace("&", "&amp;").replace("<", "&lt;"))
+    return Markup(content.replace("&", "&amp;").replace("<", "&lt;"))
 
 
-def unbroken(said: str) -> Markup:
+def unbroken(content: str) -> Markup:
     """A text whose numbers are written as in tables: 6.8e-5 for 6.8e-05, 1e9 for 1e+09.
 
     None ends a line at the hyphen of its exponent.
     """
-    plain = PADDED.sub(lambda found: f"e{found[1].replace('+', '')}{found[2]}", said)
+    plain = PADDED.sub(lambda found: f"e{found[1].replace('+', '')}{found[2]}", content)
     return Markup(SMALL_NUMBER.sub(r'<span class="n">\g<0></span>', str(escape(plain))))
 
 

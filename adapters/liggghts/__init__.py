@@ -14,7 +14,7 @@ from adapters.liggghts.setup import CLUMP, HALF_STEP, OVERLAPPED, PLAIN, Setup, 
 from adapters.liggghts.terms.bonds import LASTING
 from adapters.liggghts.terms.table import TRANSLATIONS
 from vv.ask import Ask, Method, Model, Run, Status
-from vv.codes import Found, Scheme
+from vv.codes import LEAPFROG_ON_SPRINGS, Found, Scheme
 from vv.scene import Term
 from vv.standins.stand_in import STANDS_IN
 
@@ -42,11 +42,7 @@ SCHEMES = (
         Method.LEAPFROG,
         TERMS,
         KNOBS,
-        lowered={
-            Term.RIGID_CONTACT: Method.PENALTY,
-            Term.CONTACT_VISCOSITY: Method.LATE_LEAPFROG,
-            Term.HERTZ_VISCOSITY: Method.LATE_LEAPFROG,
-        },
+        lowered=LEAPFROG_ON_SPRINGS,
         why_not=LASTING,
         pace=(6e-6, 2e-7),
     ),

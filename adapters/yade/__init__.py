@@ -15,8 +15,8 @@ from adapters.yade.refusals import refusal
 from adapters.yade.setup import CLUMP, HALF_STEP, PLAIN, POLYHEDRA, Setup, set_up
 from adapters.yade.terms.table import TRANSLATIONS
 from vv.ask import Ask, Displacement, Method, Model, Reaction, Run, Status, Velocity
-from vv.codes import Found, Scheme, external
-from vv.codes.standing import Standing
+from vv.codes import LEAPFROG_ON_SPRINGS, Found, Scheme, external
+from vv.codes.reused_program import ReusedProgram
 from vv.scene import Term
 from vv.standins.stand_in import STANDS_IN
 
@@ -40,11 +40,7 @@ SCHEMES = (
         Method.LEAPFROG,
         TERMS,
         KNOBS,
-        lowered={
-            Term.RIGID_CONTACT: Method.PENALTY,
-            Term.CONTACT_VISCOSITY: Method.LATE_LEAPFROG,
-            Term.HERTZ_VISCOSITY: Method.LATE_LEAPFROG,
-        },
+        lowered=LEAPFROG_ON_SPRINGS,
         observables=OBSERVABLES,
         pace=(2e-6, 1.1e-6),
     ),
@@ -82,7 +78,7 @@ class Yade:
     schemes = SCHEMES
 
     def __init__(self) -> None:
-        self.program = Standing()
+        self.program = ReusedProgram()
 
     def found(self) -> Found:
         """Look for the package's folder."""

@@ -38,7 +38,7 @@ class Axis:
         known = math.log10(value) if self.log else value
         return self.start + (known - self.low) / (self.high - self.low) * (self.end - self.start)
 
-    def told(self) -> str:
+    def limits(self) -> str:
         """Its limits, and 1 where they are powers of ten: what a page's script needs of it."""
         return f"{self.low:.6g} {self.high:.6g}{' 1' if self.log else ''}"
 

@@ -24,7 +24,7 @@ SUNK = 1e-3  # an error without a step that is smaller than the others by this g
 class Curve:
     """One code/scheme: points (k,), and which are marked, hollow, ringed, joined by a line.
 
-    tips: what is told of each point to who points at it; empty if nothing.
+    tips: what is tips of each point to who points at it; empty if nothing.
     """
 
     mark: Mark
@@ -198,9 +198,9 @@ def _against_step(
         stepped = [p for p in inside if p.dt is not None]
         if stepped:
             steps = [p.dt for p in stepped if p.dt is not None]
-            told = [_tip(p).rpartition(";")[0] for p in stepped]  # the cost has its own chart
+            tips = [_tip(p).rpartition(";")[0] for p in stepped]  # the cost has its own chart
             curve = _curve(ladder.mark, steps, stepped, [False] * len(stepped))
-            yield dataclasses.replace(curve, tips=tuple(told))
+            yield dataclasses.replace(curve, tips=tuple(tips))
         for point in inside:
             if point.dt is None:
                 yield _curve(ladder.mark, list(span), [point, point], [False, False])

@@ -45,15 +45,15 @@ def draw(chart: Chart) -> Markup:
         name = names.pop(curve.mark.label, "")
         parts.append(_curve(curve, x, y, round(float(size)), name, buckets))
     parts += [_rim(rim, x, place) for place, rim in enumerate(chart.rims)]
-    return drawing(WIDTH, HEIGHT, parts, told=_told(chart, x, y))
+    return drawing(WIDTH, HEIGHT, parts, attributes=_zoom_data(chart, x, y))
 
 
-def _told(chart: Chart, x: Axis, y: Axis) -> str:
+def _zoom_data(chart: Chart, x: Axis, y: Axis) -> str:
     """The axes, for a reader who zooms; nothing where a curve turns back, which no zoom draws."""
     if not (chart.x_log or all(np.all(np.diff(curve.x) >= 0) for curve in chart.curves)):
         return ""
     grey = f' data-grey="{escape(chart.grey)}"' if chart.exact else ""
-    return f' data-x="{x.told()}" data-y="{y.told()}"{grey}'
+    return f' data-x="{x.limits()}" data-y="{y.limits()}"{grey}'
 
 
 def _axes(chart: Chart) -> tuple[Axis, Axis]:
@@ -81,12 +81,12 @@ def _values(chart: Chart, axis: str, others: list[float]) -> Vector:
 
 def _frame(chart: Chart, x: Axis, y: Axis) -> list[str]:
     """Grid, ticks and labels of both axes."""
-    columns = [(x.place(tick), said) for tick, said in x.ticks]
-    rows = [(y.place(tick), said) for tick, said in y.ticks]
+    columns = [(x.place(tick), shown) for tick, shown in x.ticks]
+    rows = [(y.place(tick), shown) for tick, shown in y.ticks]
     grid = [f"M{number(p)} {TOP:g}V{BOTTOM:g}" for p, _ in columns]
     grid += [f"M{LEFT:g} {number(p)}H{RIGHT:g}" for p, _ in rows]
-    across = "".join(f'<text x="{number(p)}">{escape(said)}</text>' for p, said in columns)
-    up = "".join(f'<text y="{number(p)}">{escape(said)}</text>' for p, said in rows)
+    across = "".join(f'<text x="{number(p)}">{escape(shown)}</text>' for p, shown in columns)
+    up = "".join(f'<text y="{number(p)}">{escape(shown)}</text>' for p, shown in rows)
     return [
         f'<path class="grid" d="{"".join(grid)}"/>',
         f'<g class="mid" transform="translate(0 {BOTTOM + 13:g})">{across}</g>',
@@ -131,8 +131,8 @@ def _markers(curve: Curve, px: Vector, py: Vector, chosen: Mask, kind: str) -> s
     if not len(known):
         return ""
     tips = "|".join(curve.tips[i] for i in known) if curve.tips else ""
-    told = f' data-tip="{escape(tips)}"' if tips else ""
-    return f'<path class="{kind}" d="{placed(px[known], py[known])}"{told}/>'
+    tip = f' data-tip="{escape(tips)}"' if tips else ""
+    return f'<path class="{kind}" d="{placed(px[known], py[known])}"{tip}/>'
 
 
 def _ring(x: float, y: float, ringed: bool, r: float) -> str:
@@ -154,10 +154,10 @@ def _rim(rim: Rim, x: Axis, place: int) -> str:
         if rim.above
         else f"M{a} {b}v9m-3-4l3 4l3-4"
     )
-    said = f"{rim.mark.label}: {'no result' if rim.above else 'error below the axis'}"
+    shown = f"{rim.mark.label}: {'no result' if rim.above else 'error below the axis'}"
     cross = "lost" if rim.above else "sunk"
     shape = placed(np.array([px]), np.array([py]))
-    inner = f'{title(said)}<path class="holes" d="{shape}"/><path class="{cross}" d="{sign}"/>'
+    inner = f'{title(shown)}<path class="holes" d="{shape}"/><path class="{cross}" d="{sign}"/>'
     return _group(rim.mark, inner)
 
 

@@ -21,7 +21,7 @@ from vv.base.metrics import POINTWISE_THRESHOLD
 from vv.case import Norm
 from vv.records.case_facts import QuantityFacts
 
-FEW = 3  # schemes that are all told to who cannot see a figure
+FEW = 3  # schemes that the text in place of a figure lists in full
 
 
 @dataclass(frozen=True)
@@ -77,8 +77,8 @@ def _map(heat: HeatMap, error: str, of: str) -> Figure:
         " Dash: not supported.": [p.refused & ~p.too_long for p in panels],
         " Dot: not run, it would take too many steps.": [p.too_long for p in panels],
     }
-    said = "".join(text for text, cells in signs.items() if any(map(np.any, cells)))
-    caption = f"Smallest error at the finest step: {listed(best)}.{said}"
+    legend = "".join(text for text, cells in signs.items() if any(map(np.any, cells)))
+    caption = f"Smallest error at the finest step: {listed(best)}.{legend}"
     ends = [
         f"{panel.mark.label} {sci(float(np.nanmin(panel.error)))} "
         f"to {sci(float(np.nanmax(panel.error)))}"
@@ -181,21 +181,21 @@ def _finest(over_time: Sequence[History]) -> str:
 
 def _ranges(steps: Sequence[Ladder]) -> str:
     """The errors of each scheme at its coarsest setting and at its finest, stiffest last."""
-    said = {}
+    by_scheme = {}
     for label, points in _known(steps).items():
         ends = dict.fromkeys((sci(points[0].error), sci(points[-1].error)))
-        said[label] = points[-1].error, f"{label} {' to '.join(ends)}"
-    return _in_short(said)
+        by_scheme[label] = points[-1].error, f"{label} {' to '.join(ends)}"
+    return _in_short(by_scheme)
 
 
 def _costs(steps: Sequence[Ladder]) -> str:
     """The error of each scheme at its finest setting, and its cost."""
     finest = {label: points[-1] for label, points in _known(steps).items()}
-    said = {
+    by_scheme = {
         label: (p.error, f"{label} {sci(p.error)} for {sci(p.cpu)} s")
         for label, p in finest.items()
     }
-    return _in_short(said)
+    return _in_short(by_scheme)
 
 
 def _known(steps: Sequence[Ladder]) -> dict[str, list[Point]]:
@@ -208,12 +208,12 @@ def _known(steps: Sequence[Ladder]) -> dict[str, list[Point]]:
     return found
 
 
-def _in_short(said: Mapping[str, tuple[float | None, str]]) -> str:
-    """What is said of each scheme; of many, of the one with the least number and the largest.
+def _in_short(by_scheme: Mapping[str, tuple[float | None, str]]) -> str:
+    """The text of each scheme; of many, those with the least and the largest number.
 
     Who listens does not want twelve schemes in each of four figures: all are in the tables.
     """
-    if len(said) <= FEW:
-        return ", ".join(text for _, text in said.values())
-    ordered = sorted(said.values(), key=lambda one: (one[0] or 0.0, one[1]))
-    return f"of {len(said)} schemes, least {ordered[0][1]}, most {ordered[-1][1]}"
+    if len(by_scheme) <= FEW:
+        return ", ".join(text for _, text in by_scheme.values())
+    ordered = sorted(by_scheme.values(), key=lambda one: (one[0] or 0.0, one[1]))
+    return f"of {len(by_scheme)} schemes, least {ordered[0][1]}, most {ordered[-1][1]}"

@@ -79,9 +79,9 @@ def _panel(
         for j, dt in enumerate(panel.dt.tolist()):
             error = float(panel.error[i, j])
             cell = x + j * wide, top, wide, high
-            said = f"kn {brief(kn)}, dt {brief(dt)}: {_in_words(panel, i, j)}"
+            tip = f"kn {brief(kn)}, dt {brief(dt)}: {_in_words(panel, i, j)}"
             fill = f' fill="{_colour(error, ends)}"' if error > 0 else ' class="none"'
-            parts.append(_cell(cell, fill, said, _sign(panel, i, j, bool(lost[i, j]))))
+            parts.append(_cell(cell, fill, tip, _sign(panel, i, j, bool(lost[i, j]))))
     if lowest:
         for j, dt in enumerate(panel.dt.tolist()):
             spot = f"translate({number(x + (j + 0.5) * wide + 3)} {number(y + height + 5)})"
@@ -109,12 +109,12 @@ def _sign(panel: Panel, i: int, j: int, lost: bool) -> str:
     return '<path class="lost" d="M{a} {b}l6 6m-6 0l6-6"/>' if lost else ""
 
 
-def _cell(box: tuple[float, float, float, float], fill: str, said: str, sign: str) -> str:
+def _cell(box: tuple[float, float, float, float], fill: str, tip: str, sign: str) -> str:
     x, y, width, height = box
     px, py = x + width / 2, y + height / 2
     drawn = sign.format(x=number(px), y=number(py), a=number(px - 3), b=number(py - 3))
     place = f'x="{number(x)}" y="{number(y)}" width="{number(width)}" height="{number(height)}"'
-    return f"<g>{title(said)}<rect {place}{fill}/>{drawn}</g>"
+    return f"<g>{title(tip)}<rect {place}{fill}/>{drawn}</g>"
 
 
 def _bar(ends: tuple[int, int], top: float, bottom: float) -> list[str]:

@@ -25,11 +25,11 @@ def phase_figures(
         facts[0].symbol, facts[1].symbol, False, False,
         tuple(_curve(*pair) for pair in pairs), _exact(pairs),
     )  # fmt: skip
-    said = f"{facts[1].symbol} over {facts[0].symbol}"
+    names = f"{facts[1].symbol} over {facts[0].symbol}"
     known = "Grey: the exact one; its corners are outputs beside an impact. " if chart.exact else ""
     caption = f"{known}Each scheme at its finest setting. {facts[0].meaning}; {facts[1].meaning}."
-    alt = f"{said} in {', '.join(one.mark.label for one, _ in pairs)}"
-    return [Figure(draw(chart), f"Phase picture: {said}", caption, alt)]
+    alt = f"{names} in {', '.join(one.mark.label for one, _ in pairs)}"
+    return [Figure(draw(chart), f"Phase picture: {names}", caption, alt)]
 
 
 def _curve(along: History, up: History) -> Curve:

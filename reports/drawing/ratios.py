@@ -105,12 +105,12 @@ def _dots(mark: Mark, kind: Kind, start: float, at: Place) -> Iterator[str]:
     for one in kind.points.get(mark, ()):
         x, y = start + SLOT * (slots.index(one.quantity) + 0.5), at(one.computed / one.measured)
         shape = "open" if one.band is None else "full"
-        said = (
+        tip = (
             f"{mark.label}, {kind.name}, {one.quantity}: computed {one.computed:.4g}, measured "
             f"{one.measured:.4g} ± {one.uncertainty:.2g}, ratio {one.computed / one.measured:.3f}"
         )
         place = f'cx="{number(x)}" cy="{number(y)}" r="2.6"'
-        yield f'<circle class="{shape}" {place}>{title(said)}</circle>'
+        yield f'<circle class="{shape}" {place}>{title(tip)}</circle>'
 
 
 @dataclass(frozen=True)
@@ -138,13 +138,13 @@ def draw_biases(rows: Sequence[tuple[Mark, str, Factor]]) -> Markup:
     most = 1.05 * max([1.02, *spread])
     at = _logarithmic((1.0 / most, most), NAMED, WIDE - RIGHT)
     low = TOP + ROW * len(known)
-    told = [at(1.0)]
-    parts = [f'<path class="frame" d="M{number(told[0])} {number(TOP)}V{number(low)}"/>',
-             text(told[0], low + 16, "1", "mid")]  # fmt: skip
+    named = [at(1.0)]
+    parts = [f'<path class="frame" d="M{number(named[0])} {number(TOP)}V{number(low)}"/>',
+             text(named[0], low + 16, "1", "mid")]  # fmt: skip
     for tick in (*TICKS, 0.95, 1.05, 0.98, 1.02):
         x = at(tick)
-        if NAMED < x < WIDE - RIGHT and min(abs(x - other) for other in told) > APART:
-            told.append(x)
+        if NAMED < x < WIDE - RIGHT and min(abs(x - other) for other in named) > APART:
+            named.append(x)
             parts.append(text(x, low + 16, f"{tick:g}", "mid"))
     for k, row in enumerate(known):
         parts += _row(row, TOP + ROW * (k + 0.5), at)
@@ -160,8 +160,8 @@ def _row(row: _Row, y: float, at: Place) -> Iterator[str]:
         f'width="{number(last - first)}" height="14"/>'
     )
     left, right = map(at, row.ends)
-    said = f"{name}: bias {row.bias:.4f}, scatter {100 * row.scatter:.2f} %"
+    tip = f"{name}: bias {row.bias:.4f}, scatter {100 * row.scatter:.2f} %"
     yield f'<g class="c{row.mark.colour}" data-k="{escape(row.mark.label)}">'
     yield f'<path class="line" d="M{number(left)} {number(y)}H{number(right)}"/>'
     place = f'cx="{number(at(row.bias))}" cy="{number(y)}" r="4"'
-    yield f'<circle class="full" {place}>{title(said)}</circle></g>'
+    yield f'<circle class="full" {place}>{title(tip)}</circle></g>'

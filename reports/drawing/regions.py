@@ -83,10 +83,10 @@ def _panel(
                     _signs([(float(x.at(a)), float(y.at(b))) for a, b in spots], mode, kind)
                 )
     if first:
-        parts += [text(left - 4, float(y.at(at)) + 3, said, "end tick") for at, said in y.ticks]
+        parts += [text(left - 4, float(y.at(at)) + 3, shown, "end tick") for at, shown in y.ticks]
     if lowest:
         parts += [
-            text(float(x.at(at)), top + HEIGHT + 11, said, "mid tick") for at, said in x.ticks
+            text(float(x.at(at)), top + HEIGHT + 11, shown, "mid tick") for at, shown in x.ticks
         ]
     return parts
 

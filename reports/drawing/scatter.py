@@ -28,9 +28,9 @@ def draw_scatter(points: Points, quantity: str) -> Markup:
         return min(max(axis.place(value), EDGE), SIZE - EDGE)
 
     parts = [*_frame(EDGE, SIZE - EDGE, quantity)]
-    for value, said in axis.ticks:
-        parts.append(text(at(value), SIZE - EDGE + 16, said, "mid"))
-        parts.append(text(EDGE - 6, SIZE - at(value) + 4, said, "end"))
+    for value, tip in axis.ticks:
+        parts.append(text(at(value), SIZE - EDGE + 16, tip, "mid"))
+        parts.append(text(EDGE - 6, SIZE - at(value) + 4, tip, "end"))
     for mark, own in points.items():
         parts += _points(mark, own, at)
     return drawing(SIZE, SIZE, parts, "chart square")
@@ -53,10 +53,10 @@ def _points(mark: Mark, points: Sequence[Compared], at: Callable[[float], float]
         x, y = number(at(point.measured)), number(SIZE - at(point.computed))
         ends = [number(at(point.measured + sign * point.uncertainty)) for sign in (-2, 2)]
         kind = "open" if point.band is None else "full"
-        said = (
+        tip = (
             f"{mark.label}, {point.quantity}: computed {point.computed:.4g}, measured "
             f"{point.measured:.4g} ± {point.uncertainty:.2g}"
         )
-        dot = f'<circle class="{kind}" cx="{x}" cy="{y}" r="3">{title(said)}</circle>'
+        dot = f'<circle class="{kind}" cx="{x}" cy="{y}" r="3">{title(tip)}</circle>'
         yield f'<path class="line" d="M{ends[0]} {y}H{ends[1]}"/>{dot}'
     yield "</g>"

@@ -96,24 +96,24 @@ def placed(x: Vector, y: Vector) -> str:
     return f"M{' '.join(spots)}{'h0' if len(spots) == 1 else ''}"
 
 
-def text(x: float, y: float, said: str, kind: str = "") -> str:
+def text(x: float, y: float, content: str, kind: str = "") -> str:
     """A text at a place; kind: its class."""
     shown = f' class="{escape(kind)}"' if kind else ""
-    return f'<text x="{number(x)}" y="{number(y)}"{shown}>{escape(said)}</text>'
+    return f'<text x="{number(x)}" y="{number(y)}"{shown}>{escape(content)}</text>'
 
 
-def title(said: str) -> str:
+def title(content: str) -> str:
     """What is shown where a pointer rests."""
-    return f"<title>{escape(said)}</title>"
+    return f"<title>{escape(content)}</title>"
 
 
 def drawing(
-    width: float, height: float, parts: list[str], kind: str = "chart", told: str = ""
+    width: float, height: float, parts: list[str], kind: str = "chart", attributes: str = ""
 ) -> Markup:
     """The parts as one picture, hidden from who hears the page: words stand beside it.
 
-    told: attributes that say more of it to the page's script.
+    attributes: attributes that say more of it to the page's script.
     """
     box = f"0 0 {number(width)} {number(height)}"
-    head = f'<svg class="{escape(kind)}"{told} viewBox="{box}" aria-hidden="true">'
+    head = f'<svg class="{escape(kind)}"{attributes} viewBox="{box}" aria-hidden="true">'
     return Markup(f"{head}{''.join(parts)}</svg>")

@@ -79,9 +79,9 @@ def _curve(
     rows = sorted(points, key=lambda one: one.at or 0.0)
     across = np.array([x.at(one.at or 0.0) for one in rows])
     up = np.array([y.at(one.computed) for one in rows])
-    said = title(f"{mark.label}, {law}")
+    tip = title(f"{mark.label}, {law}")
     yield f'<g class="c{mark.colour}" data-k="{escape(mark.label)}">'
-    yield f'<path class="line" d="{placed(across, up)}">{said}</path></g>'
+    yield f'<path class="line" d="{placed(across, up)}">{tip}</path></g>'
     if is_first:
         yield text(float(across[0]) + 4, float(up[0]) - 5, law)
 
@@ -90,10 +90,10 @@ def _bar(one: Compared, x: Scale, y: Scale) -> str:
     """A measured point with its bar."""
     across, up = number(x.at(one.at or 0.0)), number(y.at(one.measured))
     ends = [number(y.at(end)) for end in _ends(one)]
-    said = title(f"{one.quantity}: measured {one.measured:.4g} ± {one.uncertainty:.2g}")
+    tip = title(f"{one.quantity}: measured {one.measured:.4g} ± {one.uncertainty:.2g}")
     return (
         f'<path class="seen" d="M{across} {ends[0]}V{ends[1]}"/>'
-        f'<circle class="seen" cx="{across}" cy="{up}" r="3">{said}</circle>'
+        f'<circle class="seen" cx="{across}" cy="{up}" r="3">{tip}</circle>'
     )
 
 

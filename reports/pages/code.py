@@ -55,7 +55,7 @@ def code(
     """The view of a code; tables: the ranked schemes of each variant."""
     own = [(record, came) for record, came in book.shown if record.code == name]
     rows = [row for row in seen.rows if row.mark.code == name]
-    told: dict[str, str] = {}
+    explained: dict[str, str] = {}
     return Code(
         name=name,
         version=next((r.code_version for r, _ in own if r.code_version), ""),
@@ -67,7 +67,7 @@ def code(
         lines=[
             line
             for place, ranks in tables.items()
-            for line in _lines(book, name, place, ranks, told)
+            for line in _lines(book, name, place, ranks, explained)
         ],
         head=heads(book).get(name, ""),
         refusals=_refusals(book, name),
@@ -79,13 +79,13 @@ def _lines(
     name: str,
     place: tuple[str, str],
     ranks: Sequence[Ranked],
-    told: dict[str, str],
+    explained: dict[str, str],
 ) -> list[Line]:
     of = sum(row.error is not None for row in ranks)
     return [
         Line(
             book.to_case(*place, row.mark.label), *place, row, number, of,
-            plain.once(row.why, f"{': '.join(place)}, {row.mark.scheme}", told),
+            plain.once(row.why, f"{': '.join(place)}, {row.mark.scheme}", explained),
         )
         for number, row in enumerate(ranks, 1)
         if row.mark.code == name

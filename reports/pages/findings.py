@@ -94,6 +94,6 @@ def _all_of_it(
 ) -> Sequence[tuple[str, str]]:
     """The places as they are; where they are just all the variants of a case, the case."""
     variants = [*book.manifest.cases[case].variants]
-    if len(variants) < FEW or [said for _, said in places] != variants:
+    if len(variants) < FEW or [name for _, name in places] != variants:
         return places
     return [(book.to_case(case), f"all {len(variants)} variants")]

@@ -106,8 +106,8 @@ def _scene(book: Book, one: Finding) -> Markup:
 def _text(one: Finding, record: Record | None) -> str:
     """A finding in plain words: by the record that it is of, if it judges that alone."""
     if record is None or one.check not in JUDGED:
-        said = f"{THAN.get(one.kind, '')}{one.text}"
-        return said[:1].upper() + said[1:]
+        sentence = f"{THAN.get(one.kind, '')}{one.text}"
+        return sentence[:1].upper() + sentence[1:]
     if one.check is Aspect.CONSERVATION:
         for found in breaches(record.ledger):
             if found[0] == one.kind:

@@ -1,4 +1,4 @@
-"""What gave nothing in a variant, and why: settings of a scheme, and schemes as a whole."""
+"""Lists settings and schemes of a variant without results, with the reasons."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from reports.variant.reading import anchor
 from vv.records.job_record import Record
 from vv.records.reading import tried
 
-LONG = 50  # characters of a reason that is not told twice on a page
+LONG = 50  # characters of a reason that a page gives once
 
 
 @dataclass(frozen=True)

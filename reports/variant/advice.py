@@ -18,7 +18,7 @@ class Advice:
     """For one error or several, in words: (scheme, setting, cost in words) of each code that gets
     there, cheapest first."""
 
-    said: str
+    errors: str
     settings: Sequence[tuple[str, str, str]]
 
 
@@ -45,8 +45,8 @@ def _settings(here: Sequence[Effort], target: float, timed: bool) -> list[tuple[
     ]
     first: dict[str, tuple[str, str, str]] = {}
     for cpu, label, point in sorted(able, key=lambda row: row[:2]):
-        said = seconds(cpu) + ("" if timed else " (indicative)")
-        first.setdefault(label.partition("/")[0], (label, _knobs(point), said))
+        cost = seconds(cpu) + ("" if timed else " (indicative)")
+        first.setdefault(label.partition("/")[0], (label, _knobs(point), cost))
     return list(first.values())
 
 

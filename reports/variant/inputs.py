@@ -20,7 +20,7 @@ from vv.records.reading import rung
 
 LONGEST = 8_000  # characters beyond what all inputs of a code share: longer ones are exported
 MANY = 60  # bodies, whose input nobody reads: it is exported
-SHORTEST = 1_000  # that is worth being told once
+SHORTEST = 1_000  # that is worth sharing
 
 
 @dataclass(frozen=True)
@@ -63,8 +63,8 @@ def _beside(one: Input, wholes: Sequence[Input]) -> Input:
     if not wholes:
         return one
     base = wholes[nearest_text([whole.text for whole in wholes], one.text)]
-    told = difference(base.text, one.text) if base.shared == one.shared else ""
-    return dataclasses.replace(one, text=told, base=base) if told else one
+    changes = difference(base.text, one.text) if base.shared == one.shared else ""
+    return dataclasses.replace(one, text=changes, base=base) if changes else one
 
 
 def chosen(book: Book, place: Place) -> list[Record]:

@@ -1,4 +1,4 @@
-"""Tells a text by how it differs from one that a reader has already: a unified diff."""
+"""Writes a text as a unified diff from one that the page has shown already."""
 
 from __future__ import annotations
 
@@ -15,8 +15,8 @@ def difference(base: str, text: str) -> str:
     """
     if not base.endswith("\n") or not text.endswith("\n"):
         return ""
-    told = "".join(_hunks(base.splitlines(keepends=True), text.splitlines(keepends=True)))
-    return told if 0 < len(told) < WORTH * len(text) else ""
+    hunks = "".join(_hunks(base.splitlines(keepends=True), text.splitlines(keepends=True)))
+    return hunks if 0 < len(hunks) < WORTH * len(text) else ""
 
 
 def nearest(bases: Sequence[str], text: str) -> int:

@@ -84,5 +84,5 @@ def _common(meanings: Sequence[str]) -> str:
     ]
     while same and same[-1] in LINKS:
         same.pop()
-    said = " ".join(same) or meanings[0]
-    return said[:1].upper() + said[1:]
+    title = " ".join(same) or meanings[0]
+    return title[:1].upper() + title[1:]

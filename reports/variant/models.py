@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 from reports.variant.ranking import Ranked
 
-WORTH = 0.7  # of what is told: a difference that is longer saves too little
+WORTH = 0.7  # of the text: a difference that is longer saves too little
 Told = dict[tuple[str, ...], tuple[str, str]]  # of whom -> at which variant, and what
 
 
@@ -16,7 +16,7 @@ Told = dict[tuple[str, ...], tuple[str, str]]  # of whom -> at which variant, an
 class Modelled:
     """Schemes that modelled a scene in the same way, and how; or what all of a code share.
 
-    like: the variant above on the page for which the same is told, but for the note; empty if
+    like: the variant above on the page with the same model, but for the note; empty if
     there is none.
     """
 
@@ -35,8 +35,8 @@ class Modelled:
     def energy(self) -> str:
         """What the balances of energy of these say."""
         many = len(self.rows) > 1
-        told = [(row.mark.label, row.balance) for row in self.rows if row.balance]
-        return "; ".join(f"{label} {said}" if many else said for label, said in told)
+        balances = [(row.mark.label, row.balance) for row in self.rows if row.balance]
+        return "; ".join(f"{label} {balance}" if many else balance for label, balance in balances)
 
     @property
     def names(self) -> tuple[str, ...]:
@@ -47,23 +47,23 @@ class Modelled:
 def models(rows: Sequence[Ranked], variant: str, above: Told) -> list[Modelled]:
     """How the schemes modelled a scene, a row for each way.
 
-    above: what stands above on the page; what is told here for the first time is added to it.
+    above: what the page has shown already; what is new here is added to it.
     """
     return [_beside(one, variant, above) for one in _all_models(rows)]
 
 
 def _beside(one: Modelled, variant: str, above: Told) -> Modelled:
-    """What is told of whom, by how it differs from what stands above where that is shorter."""
-    like, told = above.setdefault(one.names, (variant, one.note))
-    but = _difference(told, one.note)
+    """A row, as its difference from the one above on the page where that is shorter."""
+    like, known = above.setdefault(one.names, (variant, one.note))
+    but = _difference(known, one.note)
     if like == variant or len(but) > WORTH * len(one.note):
         return one
     return dataclasses.replace(one, note=but, like=like)
 
 
-def _difference(told: str, note: str) -> str:
-    """The clauses of a note that are not told, and what of the told does not hold."""
-    before, now = told.split("; "), note.split("; ")
+def _difference(known: str, note: str) -> str:
+    """The clauses of a note that the known one lacks, and those of it that do not hold."""
+    before, now = known.split("; "), note.split("; ")
     new = [clause for clause in now if clause not in before]
     subjects = {clause.split()[0] for clause in new if clause}
     gone = [c for c in before if c not in now and c.split()[0] not in subjects]
@@ -74,8 +74,8 @@ def _all_models(rows: Sequence[Ranked]) -> list[Modelled]:
     piles: dict[str, list[tuple[list[str], Ranked]]] = {}
     for row in rows:
         if row.model:
-            said = (row.model.note or "as the scene states it").split("; ")
-            clauses = [*said, f"unknowns: {row.model.unknowns}"]
+            notes = (row.model.note or "as the scene states it").split("; ")
+            clauses = [*notes, f"unknowns: {row.model.unknowns}"]
             piles.setdefault(row.mark.code, []).append((clauses, row))
     return [model for pile in piles.values() for model in _models(pile)]
 

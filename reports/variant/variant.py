@@ -50,8 +50,8 @@ class Recorded:
 class Variant:
     """A variant: what was asked, and all that came of it.
 
-    told: rows that are not green, and why; like: the variant whose figures fit; answers: who agrees
-    with whom, where three codes speak; undrawn: (name, symbol) of quantities in bounds.
+    not_green: rows that are not green, and why; like: the variant whose figures fit; answers:
+    which codes agree, where three have a result; undrawn: (name, symbol) of quantities in bounds.
     """
 
     name: str
@@ -65,7 +65,7 @@ class Variant:
     ranked: Sequence[Ranked]
     cheapest: Sequence[Dear]
     differ: str
-    told: Sequence[tuple[Ranked, str]]
+    not_green: Sequence[tuple[Ranked, str]]
     answers: Sequence[str]
     groups: Sequence[Group]
     absent: Sequence[Absent]
@@ -86,9 +86,9 @@ class Variant:
 
 @dataclass(frozen=True)
 class Above:
-    """What stands above a variant on its page and need not be told again; each variant adds to it.
+    """What the page has shown above a variant and need not repeat; each variant adds to it.
 
-    curves: variant -> what its figures show; inputs: code -> those that are told whole;
+    curves: variant -> what its figures show; inputs: code -> those that are shown whole;
     models: how whom modelled a scene, and at which variant; reasons: why nothing ran -> variant;
     explained: what is not green, in long words -> where;
     scenes: -> the name of its picture.
@@ -123,7 +123,7 @@ def variant(book: Book, place: Place, above: Above) -> Variant:
         ranked=rows,
         cheapest=cheapest(rows),
         differ=why_colours_differ(rows),
-        told=_told(rows, name, above),
+        not_green=_not_green(rows, name, above),
         answers=[agreement.in_words() for agreement in agreements(own, kept)],
         groups=groups(piles, book.marks),
         absent=missing,
@@ -160,7 +160,7 @@ def _settings(book: Book, case: str, own: Sequence[Record]) -> dict[str, float]:
     return {key: value for key, value in given.items() if value != usual.get(key)}
 
 
-def _told(rows: Sequence[Ranked], name: str, above: Above) -> list[tuple[Ranked, str]]:
+def _not_green(rows: Sequence[Ranked], name: str, above: Above) -> list[tuple[Ranked, str]]:
     """What is not green and why, long reasons once on a page."""
     return [
         (row, plain.once(row.why, f"{name}, {row.mark.label}", above.explained))

@@ -4,6 +4,7 @@ May import: base, scene, ask, engines.kernels.
 """
 
 from vv.codes.adapter import (
+    LEAPFROG_ON_SPRINGS,
     Adapter,
     Found,
     Scheme,
@@ -20,6 +21,7 @@ from vv.codes.script import python_script, source
 from vv.codes.timing import run_timed, timed
 
 __all__ = [
+    "LEAPFROG_ON_SPRINGS",
     "Adapter",
     "Found",
     "Scheme",

@@ -12,6 +12,14 @@ import numpy as np
 from vv.ask import Ask, Displacement, Method, Model, Run, Sought, Status, Velocity
 from vv.scene import Form, Scene, Term, in_frame
 
+# The classes of a leapfrog with springs where a scene has rigid contact, and where dashpots take
+# the velocity of half a step before.
+LEAPFROG_ON_SPRINGS: Mapping[Term, Method] = {
+    Term.RIGID_CONTACT: Method.PENALTY,
+    Term.CONTACT_VISCOSITY: Method.LATE_LEAPFROG,
+    Term.HERTZ_VISCOSITY: Method.LATE_LEAPFROG,
+}
+
 
 @dataclass(frozen=True)
 class Scheme:
@@ -50,7 +58,7 @@ class Found:
 
     files: what its results depend on besides our sources. load: brings into memory what every
     worker of it needs, once, before they are forked. waits: whether its program, once it has
-    answered, waits in its worker for more (`vv.codes.standing`).
+    answered, waits in its worker for more (`vv.codes.reused_program`).
     """
 
     installed: bool

@@ -93,11 +93,11 @@ def _judged(record: Record, known: Iterable[KnownBreach]) -> Record:
     ]
     if not found:
         return record
-    said = (f"{law}, as is known: {reason}" for law, reason in found)
+    reasons = (f"{law}, as is known: {reason}" for law, reason in found)
     return dataclasses.replace(
         record,
         known_breaches=tuple(dict.fromkeys(law for law, _ in found)),
-        reason="; ".join(filter(None, (record.reason, *said))),
+        reason="; ".join(filter(None, (record.reason, *reasons))),
     )
 
 

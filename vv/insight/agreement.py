@@ -143,13 +143,13 @@ def _written_down(
 
 def _agreement(topic: Topic, schemes: Mapping[str, list[_Result]]) -> Iterator[Agreement]:
     """The comparison of one quantity, if enough families computed it."""
-    every = [_answer(label, said) for label, said in schemes.items()]
+    every = [_answer(label, results) for label, results in schemes.items()]
     given = sorted((v for v in every if v), key=lambda answer: (-answer.error, answer.label))
     answers = {answer.family: answer for answer in given}  # the least error comes last, and stays
     if len(answers) < ENOUGH:
         return
     compared = tuple(sorted(answers.values(), key=lambda answer: answer.label))
-    exact = [one.exact for said in schemes.values() for one in said if one.exact]
+    exact = [one.exact for results in schemes.values() for one in results if one.exact]
     rounding = ROUNDING * max((one.scale or 0.0 for one in exact), default=0.0)
     reference = next((r for one in exact if (r := _reference(one)) is not None), None)
     agreeing = _largest_group(compared, rounding)
@@ -163,10 +163,10 @@ def _agreement(topic: Topic, schemes: Mapping[str, list[_Result]]) -> Iterator[A
     yield Agreement(*topic, compared, reference, agreeing, alone)
 
 
-def _answer(label: str, said: Sequence[_Result]) -> FamilyAnswer | None:
+def _answer(label: str, results: Sequence[_Result]) -> FamilyAnswer | None:
     """The answer of a scheme at its finest rung; None if no other rung shows how far it is off."""
     code = label.partition("/")[0]
-    values = {(one.rung.kn or 0.0, one.rung.dt or 0.0): one.value for one in said}
+    values = {(one.rung.kn or 0.0, one.rung.dt or 0.0): one.value for one in results}
     stiffest = max(kn for kn, _ in values)
     finest = min(dt for kn, dt in values if kn == stiffest)
     coarser = [dt for kn, dt in values if kn == stiffest and dt > finest]
@@ -177,7 +177,7 @@ def _answer(label: str, said: Sequence[_Result]) -> FamilyAnswer | None:
     value = values[stiffest, finest]
     if not near and finest > 0:
         return None
-    recorded = any(one.exact is None for one in said)
+    recorded = any(one.exact is None for one in results)
     error = sum(abs(value - values[place]) for place in near)
     lost = WRITTEN_DOWN * abs(value) if recorded else 0.0
     return FamilyAnswer(FAMILIES.get(code, code), label, value, error + lost, recorded)

@@ -105,7 +105,7 @@ def _first_of(
     """The most telling pattern; beside it which effect all that fails has, and nothing else."""
     ladders = [_ladder(pile, record.variant) for record in _of_each_variant(wrong)]
     looks: tuple[Callable[[Sequence[Record]], Said | None], ...] = (_factor, _order, _growth)
-    found = next((said for look in looks for rungs in ladders if (said := look(rungs))), None)
+    found = next((pattern for look in looks for rungs in ladders if (pattern := look(rungs))), None)
     blamed = _effect(pile, wrong, terms)
     if found is None:
         return (Pattern.TERM, f"only variants with {blamed} fail") if blamed else None

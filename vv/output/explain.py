@@ -98,23 +98,27 @@ def _explain_quantity(quantity: Quantity) -> None:
 
 
 def _explain_measurement(judge: Measured) -> None:
-    """What was measured, how sure that is, and how far a code may be from it."""
+    """The measured value with its uncertainties, and the band of codes."""
     seen = judge.measurement
     say(
         f"    measured: {seen.value:g}, digitised to {seen.digitisation:g}, experiment to "
         f"{seen.experiment:g}; {seen.conditions}; {seen.source}"
     )
-    allowed = "shown beside it" if judge.band is None else f"within {judge.band:g} of it"
-    say(f"    {allowed}: {judge.reason}")
+    _explain_band(judge)
 
 
 def _explain_code_to_code(judge: CodeToCode) -> None:
-    """What another code answered, and how far a code may be from it."""
+    """The answer of another code, and the band of codes."""
     other = judge.answer
     say(
         f"    code-to-code, neither exact nor measured: {other.code} has {other.value:g}, rounded "
         f"to {other.rounding:g}; {other.source}"
     )
+    _explain_band(judge)
+
+
+def _explain_band(judge: Measured | CodeToCode) -> None:
+    """How far a code may be from the value, and why."""
     allowed = "shown beside it" if judge.band is None else f"within {judge.band:g} of it"
     say(f"    {allowed}: {judge.reason}")
 

@@ -8,32 +8,11 @@ import numpy as np
 import pytest
 
 from adapters.liggghts import ADAPTER
-from cases.blocks.incline import CASE as INCLINE
-from cases.blocks.responding_block import CASE as RESPONDING
 from tests.scenes.blocks.sliding_blocks import Frame, incline
 from tests.support.adapters.liggghts_asks import CLUMP, PLAIN, deck_of, words
 from tests.support.adapters.small_asks import DT, block_ask, case_ask
 from vv.ask import Knobs
-from vv.case import Case
 from vv.standins.stand_in import spring_scene
-
-
-@pytest.mark.parametrize("case", [INCLINE, RESPONDING], ids=lambda case: case.name)
-def test_every_variant_with_a_block_is_run_as_a_sphere_if_it_cannot_turn(case: Case) -> None:
-    for variant in case.variants:
-        study = case.declare(variant.name, case.defaults(variant.name)).study
-        ask = study.ask(Knobs(dt=1e-4, kn=1e9))
-        assert ask.scene.terms() <= ADAPTER.schemes[0].terms
-        assert ADAPTER.refuses(ask, CLUMP) is None
-        assert "4 spheres of 0.01" in ADAPTER.describe(ask, CLUMP).note
-        if ask.scene.blocks[0].free_spin.any():
-            assert "may turn; a sphere would roll" in (ADAPTER.refuses(ask, PLAIN) or "")
-            continue
-        assert ADAPTER.refuses(ask, PLAIN) is None
-        model = ADAPTER.describe(ask, PLAIN)
-        assert ask.scene.terms() <= model.terms
-        assert "a sphere of its mass stands for a block" in model.note
-        assert "kn = 1e+09, ks = 2.5e+10 N/m" in model.note
 
 
 def test_a_charge_is_a_step_before_time_starts_that_ends_where_the_sphere_begins() -> None:

@@ -14,34 +14,12 @@ from hypothesis import strategies as st
 from adapters.yade import ADAPTER
 from adapters.yade.polyhedra import _area, _no_face, _too_long
 from adapters.yade.setup import set_up
-from cases.blocks.incline import CASE as INCLINE
-from cases.blocks.responding_block import CASE as RESPONDING
 from tests.scenes.blocks.sliding_blocks import Frame, incline, responding
 from tests.support.adapters.small_asks import DT, block_ask, case_ask
 from tests.support.adapters.yade_asks import CLUMP, PLAIN, POLYHEDRA, plan_of
 from vv.ask import History, Knobs
-from vv.case import Case
 from vv.scene import Wall, box_geometry
 from vv.standins.stand_in import spring_scene
-
-
-@pytest.mark.parametrize("case", [INCLINE, RESPONDING], ids=lambda case: case.name)
-def test_every_variant_with_a_block_that_cannot_turn_is_run_as_a_sphere(case: Case) -> None:
-    for variant in case.variants:
-        study = case.declare(variant.name, case.defaults(variant.name)).study
-        ask = study.ask(Knobs(dt=1e-4, kn=1e9))
-        assert ask.scene.terms() <= ADAPTER.schemes[0].terms
-        assert ADAPTER.refuses(ask, CLUMP) is None
-        assert "4 spheres of 0.01" in ADAPTER.describe(ask, CLUMP).note
-        if ask.scene.blocks[0].free_spin.any():
-            assert "may turn; a sphere would roll" in (ADAPTER.refuses(ask, PLAIN) or "")
-            continue
-        assert ADAPTER.refuses(ask, PLAIN) is None
-        model = ADAPTER.describe(ask, PLAIN)
-        assert model.unknowns == ask.scene.unknowns()
-        assert ask.scene.terms() <= model.terms
-        assert "a sphere of its mass stands for a block" in model.note
-        assert "kn = 1e+09, ks = 2.5e+10 N/m" in model.note
 
 
 def test_a_clump_has_the_sphere_s_springs_and_the_rotations_of_the_block() -> None:

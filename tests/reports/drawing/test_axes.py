@@ -84,9 +84,9 @@ def test_places_and_values_are_each_other_s_inverse() -> None:
     linear = linear_axis(np.array([1.0, 3.0]), 10.0, 50.0, 0.5)  # 0 to 4
     assert (linear.place(3.0), linear.value(0.75)) == (40.0, 3.0)
     assert linear.at(np.array([1.0, 4.0])).tolist() == [20.0, 50.0]
-    assert linear.told() == "0 4"
+    assert linear.limits() == "0 4"
     log = Axis(-1.0, 3.0, True, 40.0, 0.0, ())
     assert [log.place(100.0), log.value(0.75)] == pytest.approx([10.0, 100.0])
     assert log.at(np.array([0.1, 10.0])).tolist() == [40.0, 20.0]
     assert np.isnan(log.at(np.array([0.0, -1.0]))).all()
-    assert log.told() == "-1 3 1"
+    assert log.limits() == "-1 3 1"

@@ -63,7 +63,7 @@ def test_the_floor_of_all_knobs_is_told_and_of_each_stiffness_what_its_steps_sho
 
 
 def told(*here: Effort) -> list[tuple[str, list[tuple[str, str, str]]]]:
-    return [(one.said, [*one.settings]) for one in advice(here)]
+    return [(one.errors, [*one.settings]) for one in advice(here)]
 
 
 def test_advice_is_the_cheapest_setting_of_each_code_and_errors_with_one_answer_share_it() -> None:

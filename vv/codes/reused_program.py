@@ -1,4 +1,4 @@
-"""Programs that wait for more once they have answered what they were asked: they start only once.
+"""Programs that are started once and then answer several batches of asks.
 
 Such a program reads lines from its standard input: each is the path of a file that lists asks, the
 path of one on a line, which it answers in that order. It ends at the end of its input.
@@ -19,7 +19,7 @@ _workers: list[bool] = []  # not empty within `may_wait`
 
 @contextlib.contextmanager
 def may_wait() -> Iterator[None]:
-    """Let programs wait, which whoever says so ends afterwards with the children of its process."""
+    """Let programs wait for more in this block; the caller ends them with its other children."""
     _workers.append(True)
     try:
         yield
@@ -27,8 +27,8 @@ def may_wait() -> Iterator[None]:
         _workers.pop()
 
 
-class Standing:
-    """The program of a code: that which waits, or else one that is started when it is asked."""
+class ReusedProgram:
+    """The program of a code: the one that waits, or one that is started now."""
 
     def __init__(self) -> None:
         self._waiting: Process | None = None

@@ -13,9 +13,9 @@ from pathlib import Path
 import pytest
 
 from vv.ask import Run, Status
-from vv.codes import external, standing
+from vv.codes import external, reused_program
 from vv.codes.external import Process
-from vv.codes.standing import Standing
+from vv.codes.reused_program import ReusedProgram
 
 # answers each ask with its process, but ends at one that says `die`, and stops at `hang`
 PROGRAM = """
@@ -32,22 +32,22 @@ for line in sys.stdin:
 
 
 @pytest.fixture(params=[True, False], ids=["where it may wait", "elsewhere"])
-def waits(request: pytest.FixtureRequest, program: Standing) -> Iterator[bool]:
+def waits(request: pytest.FixtureRequest, program: ReusedProgram) -> Iterator[bool]:
     """Whether programs may wait in this process."""
-    with standing.may_wait() if request.param else contextlib.nullcontext():
+    with reused_program.may_wait() if request.param else contextlib.nullcontext():
         yield bool(request.param)
 
 
 @pytest.fixture
-def program() -> Iterator[Standing]:
+def program() -> Iterator[ReusedProgram]:
     """A program that is ended with the test."""
-    made = Standing()
+    made = ReusedProgram()
     yield made
     if made._waiting is not None:
         made.dismiss(made._waiting, whole=True)
 
 
-def answers(program: Standing, folder: Path, *asks: str) -> Iterator[Run]:
+def answers(program: ReusedProgram, folder: Path, *asks: str) -> Iterator[Run]:
     """Yield what it says to asks in a folder of their own."""
     folder.mkdir()
     files = [folder / f"ask-{number}" for number in range(len(asks))]
@@ -73,7 +73,7 @@ def runs(pid: str) -> bool:
 
 
 def test_one_that_answered_all_waits_for_more_in_a_worker_and_ends_elsewhere(
-    program: Standing, tmp_path: Path, waits: bool
+    program: ReusedProgram, tmp_path: Path, waits: bool
 ) -> None:
     first = [*answers(program, tmp_path / "one", "a", "b")]
     second = [*answers(program, tmp_path / "two", "c")]
@@ -87,7 +87,7 @@ def test_one_that_answered_all_waits_for_more_in_a_worker_and_ends_elsewhere(
 
 
 def test_one_that_dies_fails_the_ask_in_flight_and_the_rest_run_alone(
-    program: Standing, tmp_path: Path, waits: bool
+    program: ReusedProgram, tmp_path: Path, waits: bool
 ) -> None:
     (before,) = answers(program, tmp_path / "one", "a")
     found = [*answers(program, tmp_path / "two", "b", "die", "c", "d")]
@@ -98,9 +98,9 @@ def test_one_that_dies_fails_the_ask_in_flight_and_the_rest_run_alone(
 
 
 def test_one_that_was_ended_while_it_waited_is_started_anew(
-    program: Standing, tmp_path: Path
+    program: ReusedProgram, tmp_path: Path
 ) -> None:
-    with standing.may_wait():
+    with reused_program.may_wait():
         (first,) = answers(program, tmp_path / "one", "a")
         os.kill(int(first.reason), signal.SIGKILL)
         time.sleep(0.05)
@@ -110,7 +110,7 @@ def test_one_that_was_ended_while_it_waited_is_started_anew(
 
 
 def test_one_that_cannot_be_told_ended_early(tmp_path: Path) -> None:
-    made = Standing()
+    made = ReusedProgram()
     (tmp_path / "ask").write_text("a")
 
     def launch(indices: Sequence[int]) -> Process:
@@ -124,7 +124,7 @@ def test_one_that_cannot_be_told_ended_early(tmp_path: Path) -> None:
 
 
 def test_one_that_is_not_awaited_to_its_end_does_not_wait(
-    program: Standing, tmp_path: Path, waits: bool
+    program: ReusedProgram, tmp_path: Path, waits: bool
 ) -> None:
     left = answers(program, tmp_path / "one", "a", "hang")
     first = next(left)
