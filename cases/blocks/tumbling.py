@@ -61,6 +61,7 @@ def _measured(
         found = tumbling.landing(
             body, p["w"] * SPIN, Z, height=p["height"], V=p["V"], latest=p["duration"]
         )
+        _check_outputs(goal.times(None), found.t)
         _check_flight(p, body, found)
         return found
 
@@ -68,7 +69,9 @@ def _measured(
         return tumbling.height_gained(t, met(), p["V"])[:, None]
 
     second = Tolerance(
-        1e-4, "the pose, and so the landing, is off by a part of (w dt)^2, w = 2.6 1/s",
+        1e-4 * max(1.0, p["w"] * 0.2 / p["V"]),
+        "the pose is off by a part of (w dt)^2, w = 2.6 1/s, times the angle w t; so is the place "
+        "of the corner that lands, over the way V t",
         dt=coarsest, order=2, floor=1e-9,
     )  # fmt: skip
     up = Motion(BLOCK, Z[None], path, goal.times(None), "m").component(
@@ -96,14 +99,27 @@ def _check_flight(p: Parameters, body: tumbling.Body, met: tumbling.Landing) -> 
         raise ValueError(f"duration = {p['duration']!r} s; a corner meets the plane a second time")
 
 
+def _check_outputs(times: Vector, lands: float) -> None:
+    """Raise ValueError unless lines can be laid through outputs on both sides of the landing."""
+    before, after = (times < BEFORE * lands).sum(), (times > AFTER * lands).sum()
+    if min(before, after) < 2:
+        raise ValueError(
+            f"duration = {times[-1]:g} s; a corner lands after {lands:.4g} s, too near one end for "
+            "two outputs well before it and two well after"
+        )
+
+
 def _crossing(run: Run, about: float) -> float:
     """Where lines through the outputs well before and well after a time cross [s]."""
     t, z = run.times, run.values[BLOCK] @ Z
-    (a, b), (c, d) = (np.polyfit(t[one], z[one], 1) for one in (t < 0.95 * about, t > 1.05 * about))
+    (a, b), (c, d) = (
+        np.polyfit(t[one], z[one], 1) for one in (t < BEFORE * about, t > AFTER * about)
+    )
     return float((d - b) / (a - c))
 
 
 COARSEST, KN = 5e-3, 1e8  # rad, N/m
+BEFORE, AFTER = 0.95, 1.05  # of the time of the landing: outputs that are well away from it
 SPRUNG = "springs return a part of the energy of the impact that depends on their damping"
 UNTURNED = "of these codes one leaves out the gyroscopic torque, and says so"
 SPRINGS = Tolerance(2e-2, "springs turn the block about for pi sqrt(m/kn), and steps are dt long")

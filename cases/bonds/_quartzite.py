@@ -1,6 +1,8 @@
 """The elements that stand for quartzite in Liu et al. (2017): Table 1, and Eq. 27 for the mass."""
 
-from vv.case import Parameter
+import math
+
+from vv.case import Parameter, Parameters
 
 KN = Parameter("kn", 46793831.1079, "N/m", "normal stiffness of a bond (Table 1)")
 D = Parameter("d", 1e-3, "m", "diameter of an element, length of a bond")
@@ -15,3 +17,13 @@ BRITTLE = (
     D,
     M,
 )
+
+
+def slower(p: Parameters) -> float:
+    """How many times slower than by default bonds swing, to a power of two that is not more.
+
+    Steps follow it: as long as by default they would be unstable on stiffer bonds, and as short
+    only add up rounding on softer ones, as a place is known to 1e-16 of it and the strain is 1e-6.
+    """
+    ratio = math.sqrt(p["m"] / M.value * KN.value / p["kn"])
+    return float(2.0 ** math.floor(math.log2(ratio)))

@@ -8,7 +8,7 @@ from collections.abc import Callable
 import numpy as np
 
 from cases._papers import LIU_2017
-from cases.bonds._quartzite import ELASTIC
+from cases.bonds._quartzite import ELASTIC, slower
 from reference_solutions.bonds import (
     close_packed_lattice,
     lattice_directions,
@@ -100,7 +100,8 @@ def _declare(variant: str, p: Parameters) -> Trial:
     scene = held(p, block, goal.duration, turning)
     route = turning_lattice if turning else close_packed_lattice
     answer = functools.cache(lambda: route.static(block, p["kn"], p["gamma"] * p["kn"]))
-    rungs = COARSE if len(block.position) > LARGE else RUNGS
+    steps = COARSE if len(block.position) > LARGE else STEPS
+    rungs = {level: tuple(Knobs(dt * slower(p)) for dt in own) for level, own in steps.items()}
     study = Ladder(scene, goal, seen_of(block), rungs, cpu_limit=PATIENCE)
     lean = np.radians(LEANS.get(variant, 0.0))
     return Trial(study, _measured(p, block, answer, turning, lean))
@@ -189,13 +190,13 @@ LEFT_TURNING = (
 FACES: Judge = Shown(
     "elements at the faces have fewer bonds, and the area of a block is a convention"
 )
-RUNGS = {
-    Level.QUICK: (Knobs(dt=1e-7), Knobs(dt=5e-8)),
-    Level.DEFAULT: (Knobs(dt=1e-7), Knobs(dt=5e-8)),
-    Level.PAPER: (Knobs(dt=1e-7), Knobs(dt=5e-8), Knobs(dt=2.5e-8)),
-}
+STEPS = {
+    Level.QUICK: (1e-7, 5e-8),
+    Level.DEFAULT: (1e-7, 5e-8),
+    Level.PAPER: (1e-7, 5e-8, 2.5e-8),
+}  # s
 LARGE, PATIENCE = 2166, 200.0  # elements, beyond which one step is all that is run; s for a rung
-COARSE = dict.fromkeys(Level, (Knobs(dt=1e-7),))
+COARSE = dict.fromkeys(Level, (1e-7,))
 BALANCE = "sum over bonds (kn n n + ks (1 - n n)) (u_j - u_i) = 0 between the platens"
 NO_SIZE = {
     "d": "forces per displacement are those of the springs, whatever the size of the elements",

@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterator
 import numpy as np
 
 from cases._papers import LIU_2017
-from cases.bonds._quartzite import ELASTIC
+from cases.bonds._quartzite import ELASTIC, slower
 from cases.bonds._specimens import block_of
 from cases.bonds.close_packed_lattice import held, lowest, observed, seen_of
 from reference_solutions.bonds import close_packed_lattice, lattice_path
@@ -42,10 +42,12 @@ def _declare(variant: str, p: Parameters) -> Trial:
     if not 1e-6 <= abs(p["strain"]) <= 5e-3:
         raise ValueError(f"strain = {p['strain']!r}; its size must be from 1e-6 to 5e-3")
     block = block_of(int(variant.partition("-")[2]), p["d"])
-    steps = max(1, round(LONG / OUTPUTS / lowest(p, block) / COARSE))  # between two outputs
-    goal = History(OUTPUTS * steps * COARSE, steps * COARSE)
+    coarse = COARSE * slower(p)
+    steps = max(1, round(LONG / OUTPUTS / lowest(p, block) / coarse))  # between two outputs
+    goal = History(OUTPUTS * steps * coarse, steps * coarse)
     scene = held(p, block, goal.duration, turning=False)
-    study = Ladder(scene, goal, seen_of(block), LEVELS)
+    levels = dict.fromkeys(Level, (Knobs(coarse), Knobs(coarse / 2)))
+    study = Ladder(scene, goal, seen_of(block), levels)
     strains = p["strain"] * np.array([1, *STOPS]) / OUTPUTS
 
     @functools.cache
@@ -93,8 +95,6 @@ SLOW = (
 )
 ON_PATH = Exact(dict.fromkeys((Method.SECOND_ORDER, Method.FIRST_ORDER), Tolerance(2e-5, SLOW)))
 COARSE = 1e-7  # s
-RUNGS = (Knobs(dt=COARSE), Knobs(dt=COARSE / 2))
-LEVELS = dict.fromkeys(Level, RUNGS)
 PATH = "sum over bonds kn (L - d) n + S = 0 between the platens, S' = ks v_across + turn x S"
 NO_SIZE = {
     "d": "forces per displacement are those of the springs, whatever the size of the elements",

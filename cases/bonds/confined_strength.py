@@ -127,14 +127,15 @@ def _slopes(p: Parameters, exact: list[Failure]) -> tuple[Quantity, ...]:
 
 def _balances(p: Parameters, swing: float) -> Exact:
     """At the path of balances, but for what is left of the rate and of the swing."""
-    hurry = (p["eta"] * p["rate"] / (6.0 * 30.0)) ** 2
+    hurry = (p["eta"] * p["rate"] * p["d"] / p["fs0"] / USUAL) ** 2
     bound = Tolerance(min(LARGEST_TOLERANCE, 1e-5 * max(1.0, hurry) + swing), RATE)
     return Exact({Method.SECOND_ORDER: bound, Method.FIRST_ORDER: bound})
 
 
+USUAL = 6.0 * 30.0 * 1e-3 / 18.4522728  # force of viscosity over strength, by default
 RATE = (
-    "strengths are extrapolated from two rates; what is left is of second order in rate and "
-    "viscosity; the unit swings as the base opens, until viscosity ends it"
+    "strengths are extrapolated from two rates; what is left is of second order in the force of "
+    "viscosity over the strength; the unit swings as the base opens, until viscosity ends it"
 )
 HALF = "the stress of Eq. 11a, and so P, is half of what a section through the unit gives"
 SMALL = "P is for small strains; at failure the unit is shorter by half a per cent, and wider"

@@ -39,7 +39,7 @@ RATES = (2.0, 1.0)  # of loading, in the slower one's: of two units, side by sid
 APART = 10.0  # diameters between the units, which never meet
 BEYOND = 1.15  # of the strain at failure, up to which the slower unit is loaded
 EVERY = 1.6e-7  # s between outputs
-FALL = 0.05  # of the largest stress: what it falls by where bonds part
+FALL = 0.05  # of the largest stress so far: what it falls by where bonds part
 
 
 def _scene(p: Parameters) -> Scene:
@@ -103,7 +103,7 @@ def _pulled_apart(p: Parameters, unit: int, run: Run) -> float:
 def _opened(p: Parameters, unit: int, run: Run) -> float:
     seen = unit_seen(p, unit, run)
     most = np.maximum.accumulate(seen.stress)
-    fallen = np.argmax(seen.stress < most - FALL * most[-1])
+    fallen = np.argmax(seen.stress < (1.0 - FALL) * most)
     return _at(seen.stress, seen.level / p["xb"], int(seen.stress[:fallen].argmax()))
 
 

@@ -10,7 +10,7 @@ import numpy as np
 
 from cases._papers import LIU_2017
 from cases.bonds import _detour
-from cases.bonds._quartzite import ELASTIC, KN, M
+from cases.bonds._quartzite import ELASTIC, slower
 from cases.bonds._thrown import breathing, levels, turned
 from cases.bonds._unit import (
     BASE,
@@ -49,6 +49,7 @@ STEP = 2e-8  # s: the coarsest
 REST = 6e-5  # s, or a multiple of it that viscosity needs
 LONGER = 4  # rotation is damped only through the motion of the centres
 ALMOST = 3e-9  # of the displacement: what that may still move, a third of what is allowed
+STALLS = 0.5 * 2.0**-52 / 1e-8  # what rounding stops short of, over what rest is judged by
 DECAYS = 30.0  # to a part of 1e-13 of what is thrown off balance
 
 
@@ -67,10 +68,10 @@ def _loaded(p: Parameters, turning: bool) -> Trial:
     load[0, 2] = fz
     scene = unit(p, p["eta"], free=BASE, load=load, free_spin=np.full((4, 3), turning))
     state = tetrahedral_unit.loaded(fz, kn=kn, ks=ks, d=d)
-    times, slower = max(LONGER, _turning(p, load)) if turning else _stretch(p, ks), _slower(p)
-    duration = REST * math.ceil(times / max(1.0, slower)) * max(1.0, slower)
-    study = Ladder(scene, History(duration, duration / 10), SEEN, levels(STEP * slower))
-    off = _detour.left_off(p, ks, fz, STEP * slower)
+    times, longer = max(LONGER, _turning(p, load)) if turning else _stretch(p, ks), slower(p)
+    duration = REST * math.ceil(times / max(1.0, longer)) * max(1.0, longer)
+    study = Ladder(scene, History(duration, duration / 10), SEEN, levels(STEP * longer))
+    off = _detour.left_off(p, ks, fz, STEP * longer)
     return Trial(study, _measured(kn, ks, d, state, fz, off))
 
 
@@ -83,16 +84,6 @@ def _turning(p: Parameters, load: Vector) -> int:
     springs = {"kn": kn, "ks": p["gamma"] * kn, "d": d, "m": m, "eta": eta}
     rest = turning_unit.time_to_rest(CORNERS, EDGES, BASE, load, ALMOST, **springs)
     return max(1, math.ceil(rest / REST))
-
-
-def _slower(p: Parameters) -> float:
-    """How many times slower than by default bonds swing, to a power of two that is not more.
-
-    Steps as short as by default would only add up rounding: a place is known to 1e-16 of it, and
-    the strain is 1e-6.
-    """
-    ratio = math.sqrt(p["m"] / M.value * KN.value / p["kn"])
-    return float(2.0 ** math.floor(math.log2(ratio)))
 
 
 def _stretch(p: Parameters, ks: float) -> int:
@@ -110,6 +101,13 @@ def _stretch(p: Parameters, ks: float) -> int:
     w2 = np.linalg.eigvalsh(_detour.stiffness(p["kn"], ks) / np.outer(moved, moved))
     n = p["eta"] / (2 * p["m"])
     slowest = float((w2 / (n + np.sqrt(np.maximum(n**2 - w2, 0.0)))).clip(max=n).min())
+    returns = float(np.where(w2 < n**2, w2 / (2 * n), np.sqrt(w2)).min())
+    if STEP * slower(p) * returns * abs(p["strain"]) < STALLS:
+        raise ValueError(
+            f"m = {p['m']!r} kg, kn = {p['kn']!r} N/m, eta = {p['eta']!r} N s/m: the unit creeps "
+            f"to rest at {returns:.3g} 1/s, so slowly that places, which are rounded in each step, "
+            "stop before that"
+        )
     return max(1, int(np.ceil(DECAYS / slowest / REST)))
 
 

@@ -34,7 +34,7 @@ LARGEST, SIZES = 0.01, (0.8, 0.85, 0.9, 0.95, 1.0)  # radius [m], and radii over
 SIDE = 1.1 * 2 * LARGEST * ACROSS  # m
 SEEN = tuple(Displacement(i) for i in range(COUNT))  # walls are bodies after the spheres
 FAST = tuple(Velocity(i) for i in range(COUNT))
-GOAL = History(2.4, 0.15)
+GOAL, FADES = History(2.4, 0.15), 0.05  # where drag takes m/eta [s]; as much longer where more
 SEEDS = (1, 2, 3)
 FINE, COARSE = 1e-4, 0.2  # to which parts of the weight and the radius, and contacts, are told
 
@@ -128,6 +128,8 @@ def gained(p: Parameters, scene: Scene, run: Run) -> float:
 
 
 def _declare(variant: str, p: Parameters) -> Trial:
+    if not p["eta"] > 0.0:
+        raise ValueError(f"eta = {p['eta']!r} N s/m; without drag nothing brings a pack to rest")
     spheres = _spheres(int(variant.removeprefix("seed-")), p)
     down = np.array([0.0, 0.0, -p["g"]])
     scene = Scene((spheres, *_walls()), Contact(p["kn"]), p["eta"], down)
@@ -147,7 +149,7 @@ def _declare(variant: str, p: Parameters) -> Trial:
         Exact(COUNTED),
     )  # fmt: skip
     rest = Scalar(
-        "still", "d", "m", "farthest way of a sphere in the last 0.15 s",
+        "still", "d", "m", "farthest way of a sphere in the last sixteenth of the time",
         lambda run: _told(still(run), FINE * LARGEST), 0.0, LARGEST, Exact(REST),
     )  # fmt: skip
     heavy = Scalar(
@@ -164,7 +166,9 @@ def _declare(variant: str, p: Parameters) -> Trial:
         lambda run: _told(gained(p, scene, run), FINE * LARGEST * weight), 0.0,
         2.0 * LARGEST * weight, Invariant(1e-3, DRAGGED),
     )  # fmt: skip
-    ladder = Ladder(scene, GOAL, (*SEEN, *FAST), dict.fromkeys(Level, (Knobs(dt=5e-5),)))
+    longer = max(1.0, p["m"] / p["eta"] / FADES)
+    goal = History(longer * GOAL.duration, longer * GOAL.interval)
+    ladder = Ladder(scene, goal, (*SEEN, *FAST), dict.fromkeys(Level, (Knobs(dt=5e-5),)))
     return Trial(ladder, (floor, sides, coordination, rest, heavy, lost, gain))
 
 

@@ -88,9 +88,7 @@ def _declare(variant: str, p: Parameters) -> Trial:
         scene, step = _on_floor(p, variant == "held"), FLOOR_STEP * _slower(p, 2e10)
         path = functools.partial(_floor_path, p)
         seen: tuple[Displacement, ...] = (Displacement(1),)
-        quantities = _of_sphere(
-            _motion(seen[0], scene, 3, path), step, 2e-5 * float(np.sqrt(2e10 / p["kn"]))
-        )
+        quantities = _of_sphere(_motion(seen[0], scene, 3, path), step, p)
     else:
         scene, step = _two(p), PAIR_STEP * _slower(p, 5e6)
         seen = (Displacement(0), Displacement(1))
@@ -109,18 +107,32 @@ def _motion(what: Displacement, scene: Scene, directions: int, path: Path) -> Mo
     return Motion(what, scene.axes[:directions], path, GOAL.times(None), "m")
 
 
-def _of_sphere(motion: Motion, step: float, arm: float) -> tuple[Quantity, ...]:
-    judge = _judge(step, 2e-4 + arm, 5e-4, arm)
+def _of_sphere(motion: Motion, step: float, p: Parameters) -> tuple[Quantity, ...]:
+    arm = 2e-5 * float(np.sqrt(2e10 / p["kn"]))
+    up = _judge(step, 2e-4 + arm, 5e-4, arm)
+    along = _judge(step, max(2e-4, _rubbed_off(motion, step, p)) + arm, 5e-4, arm)
     ways = (
-        ("x", "along the throw", judge),
+        ("x", "along the throw", along),
         ("y", "across the throw, level", NOWHERE),
-        ("z", "up", judge),
+        ("z", "up", up),
     )
     parts = [
         motion.component(i, axis, f"displacement of the sphere {how}", by)
         for i, (axis, how, by) in enumerate(ways)
     ]
-    return (*parts, motion.distance(judge))
+    return (*parts, motion.distance(along))
+
+
+def _rubbed_off(motion: Motion, step: float, p: Parameters) -> float:
+    """How far along the throw the ends of contacts within steps [s] put a sphere, over its way.
+
+    Each end costs up to (k dt)^2/8 of the closing speed, and friction makes of both mu times as
+    much, or twice that as it turns the sphere, for the whole time.
+    """
+    way = float(np.linalg.norm(motion.path(GOAL.times(None)), axis=1).max())
+    closing = np.sqrt(p["v_n"] ** 2 + 2 * p["g"] * p["gap"])
+    swing = p["kn"] / _mass(p, p["r1"]) * step**2
+    return float(min(2 * p["mu"], 1.0) * closing * swing / 4 * GOAL.duration / way)
 
 
 def _of_pair(motions: list[Motion], step: float, p: Parameters) -> tuple[Quantity, ...]:
@@ -167,8 +179,9 @@ def _judge(step: float, second: float, first: float, arm: float = 0.0, why: Why 
 
 ON_FLOOR = (
     "a contact lasts for more than a hundred steps: (k dt)^2/24 = 3e-5 for its swings, as much "
-    "again for each of its ends and those of slip, over four bounces; codes differ by the arm of "
-    "the shear force, r - U/2 for r, with U/r = 1e-5",
+    "again for each of its ends and those of slip, over four bounces; along the throw both ends of "
+    "a contact may go the same way, of which friction makes its part of the closing speed; codes "
+    "differ by the arm of the shear force, r - U/2 for r, with U/r = 1e-5",
     "weight and load taken half a step late at the start change the speed v of the first impact "
     "by g dt/2v, 6e-5, and what follows as much",
 )

@@ -68,6 +68,8 @@ def _declare(variant: str, p: Parameters) -> Trial:
     if variant in ARCHES and not (p["part"] < 1.0 if variant == "arch-thin" else p["part"] > 1.0):
         rule = "falls below 1" if variant == "arch-thin" else "stands above 1 only"
         raise ValueError(f"part = {p['part']!r}; an arch {rule}, the smallest that stands")
+    if variant in ARCHES:
+        _check_friction(p)
     blocks = _arch(p) if variant in ARCHES else _stack(p)
     contact = Contact(np.inf, mu=p["mu"])
     scene = Scene((Wall(np.zeros(3), Z), *blocks), contact, gravity=-p["g"] * Z)
@@ -82,6 +84,15 @@ def _declare(variant: str, p: Parameters) -> Trial:
     least = SINKING if variant == "arch-thin" else RESTS
     unexplained = Unexplained(weighed, {Method.SECOND_ORDER: least}) if weighed else None
     return Trial(study, (quantity,), unexplained)
+
+
+def _check_friction(p: Parameters) -> None:
+    """Raise ValueError where an arch slides apart; a thinner one is taken as just thick enough."""
+    thick = max(_thickness(p), JUST_STANDS * arch.thinnest_of_chords(VOUSSOIRS))
+    if not arch.stands(VOUSSOIRS, thick, p["mu"]):
+        raise ValueError(
+            f"mu = {p['mu']!r}; whatever the thrust of an arch of this thickness, a joint slides"
+        )
 
 
 def _moved(seen: tuple[Displacement, ...], p: Parameters, judge: Exact) -> Quantity:
@@ -126,6 +137,7 @@ SHORT, LONG = (Knobs(1e-2, 1e9), Knobs(5e-3, 1e9)), (Knobs(5e-2, 1e9), Knobs(2e-
 COARSE = (Knobs(1e-1, 1e9), Knobs(5e-2, 1e9))
 FALLING = (Knobs(2.5e-3, 1e9), Knobs(1.25e-3, 1e9))
 ARCHES = ("arch", "arch-thin")
+JUST_STANDS = 1.0 + 1e-9  # of the smallest thickness, by which rounding decides
 LEVELS: Mapping[str, Mapping[Level, tuple[Knobs, ...]]] = {
     "stack-10": dict.fromkeys(Level, LONG),
     "stack-20": dict.fromkeys(Level, LONG),

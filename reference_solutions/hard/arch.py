@@ -22,6 +22,35 @@ def thinnest_of_arcs(n: int) -> float:
     return _thinnest(n, _of_arc)
 
 
+def stands(n: int, t: float, mu: float) -> bool:
+    """Whether n blocks with straight edges and this friction have an equilibrium.
+
+    Half an arch with a thrust H at a height y of the crown is enough, as the mean of an equilibrium
+    and its mirror image is one. Each joint bears the thrust and the weights above between its edges
+    and within Coulomb's limit: of H y, bounds that go with H, of which none may cross another, and
+    of H, bounds a H <= b.
+    """
+    if n < 6 or n % 2:
+        raise ValueError(f"n = {n}; an even number of at least 6 voussoirs is covered")
+    if not (0.0 < t < 2.0 and mu >= 0.0):
+        raise ValueError(f"t = {t}, mu = {mu}; 0 < t < 2 mean radii and mu >= 0 are covered")
+    opening, inner, outer = pi / n, 1.0 - t / 2.0, 1.0 + t / 2.0
+    far = [_of_chord(t, opening) * sin(opening * (k + 0.5)) for k in range(n // 2)]
+    above, below, bounds = [], [], []
+    for j in range(n // 2 + 1):
+        a, weight = opening * j, float(j)
+        above.append((inner * cos(a), sum(inner * sin(a) - x for x in far[:j])))
+        below.append((outer * cos(a), sum(outer * sin(a) - x for x in far[:j])))
+        bounds += [
+            (-way * sin(a) - mu * cos(a), weight * (mu * sin(a) - way * cos(a)))
+            for way in (-1.0, 1.0)
+        ]
+    bounds += [(y - z, m - k) for y, k in above for z, m in below]
+    least = max([0.0, *(b / a for a, b in bounds if a < 0.0)])
+    most = min(b / a for a, b in bounds if a > 0.0)
+    return least <= most and all(b >= 0.0 for a, b in bounds if a == 0.0)
+
+
 def _of_chord(t: float, opening: float) -> float:
     """How far out the centroid of a voussoir lies."""
     inner, outer = 1.0 - t / 2.0, 1.0 + t / 2.0

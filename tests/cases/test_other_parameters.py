@@ -4,16 +4,23 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from vv.ask import Knobs
-from vv.case import Search
+from vv.case import Level, Search, Series
 from vv.plan.project import find
 from vv.records.checking import checked
 from vv.records.outcomes import Verdict
 from vv.records.record import measured
 
 PROJECT = find()
+LONG = {"m": 1.06, "kn": 1.03e6, "eta": 13.0, "g": 9.94, "height": 0.00229}
+STRONG = {
+    "kn": 4.29e7, "ks": 9.15e6, "xb": 1.22e-7, "fs0": 25.4, "mu_p": 0.537, "d": 0.000915,
+    "m": 1.96e-6, "eta": 7.26, "rate": -10.3,
+}  # fmt: skip
+SLOWED = {"fs0": 11.2, "mu_p": 0.554, "d": 0.00138, "eta": 8.11, "rate": -24.6}
 
 
 @pytest.mark.parametrize(
@@ -26,6 +33,12 @@ PROJECT = find()
         ("dem", "resting", "knocked", {"mu": 0.0}, Knobs(2e-4)),
         ("dem", "resting", "held", {"mu": 0.1}, None),
         ("dem", "close-packed-failure", "82", {"d": 0.003}, Knobs(8e-8)),
+        ("dem", "bounce", "held", {"ks": 3e10}, None),
+        ("dem", "settling", "drop", LONG, Knobs(2.5e-5)),
+        ("rigid", "tumbling", "corner", {"w": 1.21, "height": 0.781, "V": 0.186}, None),
+        ("dem", "confined-strength", "two", SLOWED, None),
+        ("dem", "tetrahedral-strength", "pressed", STRONG, None),
+        ("dem", "packing", "seed-1", {"m": 0.0178, "eta": 0.12}, None),
         ("dda", "shaken-wedge", "level", {"dip": 33.2, "xi": 1.18, "A": 1.92}, Knobs(1e-3, 1e9)),
         ("dda", "shaken-wedge", "along", {"dip": 33.2, "xi": 1.18, "A": 1.92}, Knobs(1e-3, 1e9)),
     ],
@@ -52,3 +65,24 @@ def test_a_search_reaches_beyond_both_limits_at_any_drag(eta: float) -> None:
     assert isinstance(study, Search)
     middle = 2.0 * (p["m"] / p["ks"]) ** 0.5
     assert study.dt * study.bracket.span > 1.3 * middle
+
+
+@pytest.mark.parametrize("case", ["close-packed-lattice:82", "close-packed-path:in-82"])
+@pytest.mark.parametrize(("given", "shorter"), [({"kn": 9.4e7}, 2), ({"m": 4e-7}, 4), ({}, 1)])
+def test_steps_are_shorter_where_bonds_swing_faster(
+    case: str, given: dict[str, float], shorter: int
+) -> None:
+    name, _, variant = case.partition(":")
+    made = PROJECT.load_case(name)
+    study = made.declare(variant, {**made.defaults(variant), **given}).study
+    assert study.rungs[Level.QUICK][0].dt == pytest.approx(1e-7 / shorter, rel=1e-15)
+
+
+def test_a_block_that_lands_as_its_run_ends_is_refused() -> None:
+    made = PROJECT.load_case("tumbling")
+    given = {"w": 1.17, "height": 1.02, "V": 0.242, "duration": 1.96}
+    path = made.declare("corner", {**made.defaults("corner"), **given}).quantities[0]
+    assert isinstance(path, Series)
+    assert path.reference is not None
+    with pytest.raises(ValueError, match="too near one end for two outputs"):
+        path.reference(np.zeros(1))

@@ -15,6 +15,10 @@ from vv.plan.project import find
         ("stable-step", "viscous", {"ks": 0.0}, "ks = 0.0 N/m; it must be positive"),
         ("standing", "arch", {"part": 0.973}, "part = 0.973; an arch stands above 1 only"),
         ("standing", "arch-thin", {"part": 1.0}, "part = 1.0; an arch falls below 1"),
+        ("standing", "arch", {"mu": 0.398}, "mu = 0.398; whatever the thrust of an arch"),
+        ("standing", "arch-thin", {"mu": 0.4}, "mu = 0.4; whatever the thrust of an arch"),
+        ("tetrahedral-unit", "pulled", {"kn": 1e4}, "the unit creeps to rest"),
+        ("packing", "seed-1", {"eta": 0.0}, "eta = 0.0 N s/m; without drag nothing"),
         ("tetrahedral-path", "out", {"rate": 2000.0}, "rate = 2000.0 1/s; it must not exceed 250"),
     ],
 )

@@ -1,7 +1,7 @@
 """Whether an arch of straight or round voussoirs stands, by a linear programme: the second route.
 
-Every joint of the whole arch bears a force at each of its two edges, pressing and with friction
-that any size of it is allowed; each voussoir is in balance. No symmetry, no hinge is assumed.
+Every joint of the whole arch bears a force at each of its two edges, pressing and with friction of
+any size or within Coulomb's limit; each voussoir is in balance. No symmetry, no hinge is assumed.
 """
 
 import numpy as np
@@ -35,7 +35,16 @@ def thinnest(n: int, fine: int = 1) -> float:
     return high
 
 
-def _stands(n: int, t: float, fine: int) -> bool:
+def least_friction(n: int, t: float) -> float:
+    """The coefficient of friction from which on it stands, in a thickness that stands."""
+    low, high = 0.0, 10.0
+    for _ in range(40):
+        mu = (low + high) / 2.0
+        low, high = (low, mu) if _stands(n, t, 1, mu) else (mu, high)
+    return high
+
+
+def _stands(n: int, t: float, fine: int, mu: float = np.inf) -> bool:
     from scipy.optimize import linprog
 
     blocks, parts = outlines(n, t), outlines(n * fine, t)
@@ -50,9 +59,12 @@ def _stands(n: int, t: float, fine: int) -> bool:
             angle = np.pi * joint / n
             through = np.array([-np.sin(angle), np.cos(angle)])
             along = np.array([np.cos(angle), np.sin(angle)])
+            ways = [through, along, -along]
+            if mu < np.inf:  # what presses leans by friction at most
+                ways = [through, through + mu * along, through - mu * along]
             for e, point in enumerate(edges):
                 arm = point - middles[k]
-                for d, way in enumerate((through, along, -along)):
+                for d, way in enumerate(ways):
                     push = sign * way
                     turn = arm[0] * push[1] - arm[1] * push[0]
                     balance[k, :, joint, e, d] = *push, turn

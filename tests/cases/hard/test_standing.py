@@ -1,5 +1,6 @@
 """Claims about what must stand: the thinnest arch by two routes, and which codes say so."""
 
+import dataclasses
 from types import ModuleType
 
 import numpy as np
@@ -14,7 +15,7 @@ from vv.ask import Ask, Displacement, History, Knobs, Run, Status
 from vv.case import Level, Series
 from vv.engines import dda, rigid
 from vv.plan.project import find
-from vv.scene import Scene
+from vv.scene import Contact, Scene
 
 CASE = find().load_case("standing")
 
@@ -32,6 +33,27 @@ def test_the_thinnest_arches_are_those_known() -> None:
 @pytest.mark.parametrize("n", [6, 10, 14])
 def test_the_two_routes_agree(n: int) -> None:
     assert programme.thinnest(n) == pytest.approx(thrust.thinnest_of_chords(n), abs=1e-7)
+
+
+@pytest.mark.parametrize("part", [1.001, 1.01, 1.3, 3.0])
+@pytest.mark.parametrize("n", [6, 10])
+def test_both_routes_have_an_arch_slide_apart_below_the_same_friction(n: int, part: float) -> None:
+    t = part * thrust.thinnest_of_chords(n)
+    least = programme.least_friction(n, t)
+    assert thrust.stands(n, t, 1.00001 * least)
+    assert not thrust.stands(n, t, 0.99999 * least)
+
+
+@pytest.mark.parametrize("part", [1.01, 1.3])
+def test_rigid_contact_slides_apart_below_that_friction_and_stands_above(part: float) -> None:
+    least = programme.least_friction(10, part * thrust.thinnest_of_chords(10))
+    for mu, stands in ((1.001 * least, True), (0.99 * least, False)):
+        made = CASE.declare("arch", {**CASE.defaults("arch"), "part": part})
+        contact = Contact(np.inf, mu=mu)
+        slippery = dataclasses.replace(made.study.scene, contact=contact)
+        ask = Ask(slippery, History(0.3, 0.1), (Displacement(5),), Knobs(1e-2))
+        moved = np.abs(rigid.solve(ask).values[Displacement(5)]).max()
+        assert bool(moved < 1e-10) == stands
 
 
 def test_they_agree_on_round_voussoirs_as_chords_become_arcs() -> None:
@@ -175,12 +197,20 @@ def same(route: ModuleType) -> bool:
     if hasattr(route, "outlines"):
         middle = route.centroid(np.array([[1.0, 1.0], [3.0, 1.0], [3.0, 2.0], [1.0, 4.0]]))
         good = np.allclose(middle, [11 / 6, 25 / 12], rtol=1e-12)  # of a trapezium
-        return bool(good and abs(route.thinnest(8) - thrust.thinnest_of_chords(8)) < 1e-7)
+        good = good and abs(route.thinnest(8) - thrust.thinnest_of_chords(8)) < 1e-7
+        return bool(good and abs(route.least_friction(8, 1.3 * KNOWN) - LEAST) < 1e-9)
     found = [route.thinnest_of_chords(8), route.thinnest_of_arcs(10)]
-    return bool(np.allclose(found, [KNOWN, 0.1074601], rtol=0, atol=5e-8))
+    sure = np.allclose(found, [KNOWN, 0.1074601], rtol=0, atol=5e-8)
+    return bool(sure and all(route.stands(8, *one) == stands for one, stands in SLIDES))
 
 
 KNOWN = programme.thinnest(8)
+LEAST = programme.least_friction(8, 1.3 * KNOWN)
+SLIDES = [
+    ((part * KNOWN, times * programme.least_friction(8, part * KNOWN)), times > 1)
+    for part in (1.01, 1.3, 3.0)
+    for times in (0.999, 1.001)
+] + [((0.999 * KNOWN, 10.0), False)]
 
 
 @pytest.mark.parametrize("sign", signs(thrust))
@@ -197,3 +227,5 @@ def test_odd_and_few_voussoirs_are_refused() -> None:
     for n in (4, 9):
         with pytest.raises(ValueError, match=f"n = {n}; an even number"):
             thrust.thinnest_of_chords(n)
+        with pytest.raises(ValueError, match=f"n = {n}; an even number"):
+            thrust.stands(n, 0.2, 0.5)
