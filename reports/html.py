@@ -5,7 +5,9 @@ from __future__ import annotations
 import dataclasses
 import functools
 import hashlib
+import itertools
 import json
+import os
 import re
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
@@ -16,6 +18,7 @@ from reports.book import Book
 from vv.base import closure
 from vv.base.files import read_whole, write_output, write_whole
 from vv.base.printable import printable
+from vv.base.several_cores import each
 from vv.insight import history as histories
 from vv.insight.history import Point
 from vv.output.terminal import note
@@ -32,6 +35,7 @@ ZOOM = "uplot.js"
 MEASURED = "measured.html"
 OWN = re.compile(r"[\w-]+\.(html|csv|css|js)")  # what a file of a report is called
 STAMPS = "stamps.json"  # name of a file -> digest of what it was made from, and of the file
+Stamps = Mapping[str, list[str]]
 
 
 @dataclass(frozen=True)
@@ -51,20 +55,31 @@ def build(manifest: Manifest, store: Store, folder: Path, beside: Beside = NOTHI
     """
     book = _book(manifest, store, beside)
     folder.mkdir(parents=True, exist_ok=True)
-    before, now = _stamps(folder), {}
-    for file in _files(book, store.digests_of(manifest.name)):
-        path = folder / file.name
-        kept = before.get(file.name)
-        if kept is None or kept != [file.made_from, _digest_of(path)]:
-            content = printable(file.write()).encode()
-            write_whole(path, content)
-            kept = [file.made_from, hashlib.sha256(content).hexdigest()]
-        now[file.name] = kept
+    before = _stamps(folder)
+    *files, front = _files(book, store.digests_of(manifest.name))
+    named = itertools.groupby(files, key=lambda file: Path(file.name).stem)
+    piles = [list(pile) for _, pile in named]  # of one case: its page and its table share series
+    write = functools.partial(_written, folder, before)
+    done = [*each(write, piles, len(os.sched_getaffinity(0))), write([front])]
+    now = {name: kept for stamps in done for name, kept in stamps.items()}
     for name in before.keys() - now.keys():
         (folder / Path(name).name).unlink(missing_ok=True)
     if now != before:
         write_whole(folder / STAMPS, json.dumps(now, indent=0).encode())
     return folder / FRONT
+
+
+def _written(folder: Path, before: Stamps, files: Sequence[File]) -> dict[str, list[str]]:
+    """Write those files that were made from something else; returns the stamps of all of them."""
+    now = {}
+    for file in files:
+        path, kept = folder / file.name, before.get(file.name)
+        if kept is None or kept != [file.made_from, _digest_of(path)]:
+            content = printable(file.write()).encode()
+            write_whole(path, content)
+            kept = [file.made_from, hashlib.sha256(content).hexdigest()]
+        now[file.name] = kept
+    return now
 
 
 def build_single(
@@ -174,7 +189,7 @@ def _digest(parts: object) -> str:
     return hashlib.sha256(f"{sources()}{text}".encode()).hexdigest()
 
 
-def _stamps(folder: Path) -> Mapping[str, list[str]]:
+def _stamps(folder: Path) -> Stamps:
     """What is noted of the files of a report; nothing if it cannot be read."""
     try:
         found = codec.parse(read_whole(folder / STAMPS).decode())

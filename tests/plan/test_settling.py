@@ -12,6 +12,7 @@ import pytest
 
 from tests import ROOT
 from vv.ask import Run, Status
+from vv.base import several_cores
 from vv.plan import settling
 from vv.plan.plan import Job, Options
 from vv.plan.planning import make_plan
@@ -45,7 +46,7 @@ def reasons(made: list[Job]) -> list[str]:
 def at_once(monkeypatch: pytest.MonkeyPatch) -> None:
     """Shared out from the second job on, whatever the first takes."""
     clock = iter(range(10**6))
-    monkeypatch.setattr(settling, "ALONE", 1.5)
+    monkeypatch.setattr(several_cores, "ALONE", 1.5)
     monkeypatch.setattr(time, "process_time", lambda: float(next(clock)))
 
 

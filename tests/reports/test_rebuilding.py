@@ -3,9 +3,13 @@
 from __future__ import annotations
 
 import dataclasses
+import json
 import os
 import shutil
 
+import pytest
+
+from reports import html
 from tests.support.built_report import CASE, built, pages
 from tests.support.fabricated import case, requantified
 from vv.records.manifest import Manifest
@@ -85,3 +89,18 @@ def test_stored_records_are_told_apart_case_by_case(manifest: Manifest, store: S
     assert before["bounce"] != now["bounce"]
     assert before["other"] == now["other"]
     assert store.digests_of("3") == {}
+
+
+def test_a_report_that_several_processes_write_is_that_of_one(
+    manifest: Manifest, store: Store, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def made(processes: int) -> dict[str, bytes]:
+        monkeypatch.setattr("os.sched_getaffinity", lambda pid: range(processes))
+        folder = store.root / f"by-{processes}"
+        html.build(manifest, store, folder)
+        return {path.name: path.read_bytes() for path in folder.iterdir()}
+
+    monkeypatch.setattr("vv.base.several_cores.ALONE", -1.0)
+    one, several = made(1), made(3)
+    assert one == several
+    assert one.keys() - {"stamps.json"} == json.loads(one["stamps.json"]).keys()
