@@ -57,8 +57,10 @@ FOUND = (
     ("painleve:mu-2", "dda/default", Knobs(1e-3, 1e8), "distance", 0.11, 0.13),  # 7 to 19 %
     ("rocking:released", "dda/default", Knobs(1e-3, 1e9), "x", 0.022, 0.025),
     ("rocking:released", "dda/default", Knobs(2.5e-5, 1e9), "x", 0.26, 0.3),
-    ("wedge:xi-0.1", "dda/default", Knobs(1e-3, 1e9), "s", 0.011, 0.013),
-    ("wedge:xi-0.1", "dda/default", Knobs(1e-4, 1e11), "s", 1.1e-3, 1.3e-3),
+    ("wedge:xi-0.1", "dda/lagged", Knobs(1e-3, 1e9), "s", 0.013, 0.015),
+    ("wedge:xi-0.1", "dda/lagged", Knobs(1e-4, 1e11), "s", 1.3e-3, 1.5e-3),
+    ("wedge:xi-0.1", "dda/default", Knobs(1e-3, 1e9), "s", 0.0, 1e-9),
+    ("wedge:xi-0.01", "dda/generalised-alpha", Knobs(1e-3, 1e10), "s", 0.0, 1e-9),
     ("painleve:mu-2", "rigid/default", Knobs(1e-3), "distance", 8e-7, 1.2e-6),
     ("slow-slide:level", "dda/lagged", Knobs(1e-3, 1e9), "s", 0.5, 0.56),  # half of the way
     ("slow-slide:level", "dda/published", None, "s", 0.068, 0.072),

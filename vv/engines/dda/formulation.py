@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
-from vv.engines.dda.limits import MOST, MULTIPLIERS, OPEN_CLOSE, RADIUS, SERIES, TURNS
+from vv.engines.dda.limits import MOST, MULTIPLIERS, OPEN_CLOSE, RADIUS, ROUNDS, SERIES, TURNS
 from vv.engines.dda.stepping import IMPLICIT, LEAPING, Stepping, generalised_alpha
 from vv.standins.stand_in import SHEAR
 
@@ -28,6 +28,7 @@ class Formulation:
     which is right while a block hardly turns. settling: seconds of gravity before a drive sets in.
     dd: the part of its velocity that a step hands on. shear: ks/kn where the scene says rigid
     contact. pressed: contacts start with the penetration that carries the loads; else as placed.
+    eased: rounds of steps that then let wedges go that friction does not hold.
     charged: shear springs bear friction, of the loads at the start and while a contact slides;
     else they start unloaded and are let go by every slip. multipliers: times that multipliers take
     up the springs' forces in a step, which ends with gaps held at nil; none leaves springs.
@@ -45,6 +46,7 @@ class Formulation:
     dd: float = 1.0
     shear: float = SHEAR
     pressed: bool = True
+    eased: int = 0
     charged: bool = True
     multipliers: int = 0
 
@@ -55,6 +57,7 @@ class Formulation:
             "terms": self.terms >= 1,
             "newton": self.newton >= 0,
             "multipliers": self.multipliers >= 0,
+            "eased": self.eased >= 0,
             "turns": self.turns >= 0,
             "follow": self.follow >= 0,
             "settling": 0 <= self.settling < math.inf,
@@ -66,7 +69,9 @@ class Formulation:
                 raise ValueError(f"Formulation.{name} = {getattr(self, name)!r} is out of range")
 
 
-DEFAULT = Formulation(tolerance=1e-12, iterations=OPEN_CLOSE, terms=SERIES, newton=MOST)
+DEFAULT = Formulation(
+    tolerance=1e-12, iterations=OPEN_CLOSE, terms=SERIES, newton=MOST, eased=ROUNDS
+)
 """Friction iterated to convergence within the open-close iteration."""
 
 PUBLISHED = Formulation(
@@ -76,10 +81,10 @@ PUBLISHED = Formulation(
 """As in the codes that Yagoda-Biran and Hatzor (2016) ran, with their settling phase."""
 
 LAGGED = Formulation(tolerance=math.inf, iterations=MOST, terms=SERIES)
-"""DEFAULT but for friction that lags by an iteration: what the lag alone does."""
+"""DEFAULT but for friction that lags by an iteration, at rest too, so that no wedge is let go."""
 
 DAMPED = Formulation(
-    tolerance=1e-12, iterations=OPEN_CLOSE, terms=SERIES, newton=MOST,
+    tolerance=1e-12, iterations=OPEN_CLOSE, terms=SERIES, newton=MOST, eased=ROUNDS,
     stepping=generalised_alpha(RADIUS),
 )  # fmt: skip
 """DEFAULT but for inertia, which generalised alpha steps: second order, known damping."""

@@ -18,6 +18,23 @@ STATIC = 1e6
 STATIC_STEPS = 4
 """Such steps taken: each leaves a part 1/STATIC of the error of the one before."""
 
+EASED, EASING = 8, 3.0
+"""Steps, three times, in which wedges at rest let go of what friction does not hold, and kn over
+the inertial stiffness in them: each leaves a quarter of what springs bear wrongly, and a slide of
+three times what loads press turns friction along it."""
+
+ROUNDS, HARDER, EVENLY = 8, 4.0, 1e-4
+"""Rounds of such steps at most, by what kn over inertia grows from each to the next, as a narrow
+wedge is on softer springs than kn; and the part of the whole way by which the last two thirds
+differ where the slide has become steady."""
+
+GOES_ON = 0.25
+"""Part of its way that a block goes in the last third of these steps, if it slides: what rests has
+come to an end."""
+
+UNLIKE = 1e-9
+"""Sine of the angle between normals of walls that press a block from two sides."""
+
 FLOAT = 1e3
 """Times all loads over kn: a block that moves farther under static loads rests on nothing."""
 

@@ -13,7 +13,19 @@ from vv.engines.blocks.checks import size
 from vv.engines.blocks.geometry import depth_axis, planes, shapes
 from vv.engines.dda.formulation import Formulation
 from vv.engines.dda.general.unknowns import columns, rates
-from vv.engines.dda.limits import FLOAT, GRIP, REACH, STATIC, STATIC_STEPS
+from vv.engines.dda.limits import (
+    EASED,
+    EASING,
+    EVENLY,
+    FLOAT,
+    GOES_ON,
+    GRIP,
+    HARDER,
+    REACH,
+    STATIC,
+    STATIC_STEPS,
+    UNLIKE,
+)
 from vv.engines.dda.springs import Springs
 from vv.engines.dda.stepping import IMPLICIT
 from vv.scene import Block, Scene, Term, Vector
@@ -66,13 +78,17 @@ class General:
     def pressed(self, law: Springs, rule: tuple[Any, ...]) -> Any:
         """The start once contacts carry the loads at rest, as if no friction were exceeded.
 
-        Elastic blocks begin unstrained, and are pressed as rigid ones, unless all are relaxed.
-        rule: when an iteration ends.
+        Where nothing moves yet, what friction does not hold of a wedge is then let go. Elastic
+        blocks begin unstrained, and are pressed as rigid ones, unless all are relaxed. rule: when
+        an iteration ends.
         """
         start, bodies = self.motion(), self.bodies()
         if all(block.elastic and block.elastic.relaxed for block in self.scene.blocks):
             return self.at_rest(law, rule)._replace(velocity=start.velocity)
-        rest = General(_stiff(self.scene), self.formulation).at_rest(law, rule)
+        stiff = General(_stiff(self.scene), self.formulation)
+        rest = stiff.at_rest(law, rule)
+        if self.formulation.eased and self.wedged and not start.velocity.any():
+            rest = stiff.eased(rest, law, rule)
         own = np.arange(len(start.strain)) < np.repeat(bodies.strains, np.diff(bodies.start))
         start.strain[own] = rest.strain
         return rest._replace(velocity=start.velocity, strain=start.strain)
@@ -83,18 +99,56 @@ class General:
         Blocks stay as they are if one of them rests on nothing, which the first such step shows:
         further ones would throw it through the others.
         """
-        heaviest = max(block.mass for block in self.scene.blocks)
-        slow = float(np.sqrt(2 * heaviest * STATIC / law.kn))
-        gripping = Springs(law.kn, law.ks, GRIP)
-        still = General(self.scene, dataclasses.replace(self.formulation, stepping=IMPLICIT))
-        start = end = self.motion()
+        gripping, start, end = Springs(law.kn, law.ks, GRIP), self.motion(), self.motion()
         start.velocity[:] = 0.0
         for steps in (1, STATIC_STEPS):
-            end = self.motion()
-            given = still.model_arguments(start, end, 0.0, gripping)
-            self.kernel()(*self.outputs(1, ()), 1, slow, steps, *rule, *given)
+            end = self.settled(start, gripping, STATIC, steps, rule)
             if np.linalg.norm(end.centre - start.centre, axis=1).max() > self.sinks(law):
                 return start
+        return end
+
+    @property
+    def wedged(self) -> bool:
+        """Whether blocks, none of which can turn, may be pressed by walls of unlike normals.
+
+        On one plane they are pressed alike whether they slip or not, and those that turn would
+        lean by as far as they went.
+        """
+        normals = [wall.normal for wall in self.scene.walls]
+        unlike = any(np.linalg.norm(np.cross(normals[0], one)) > UNLIKE for one in normals[1:])
+        return unlike and not any(block.free_spin.any() for block in self.scene.blocks)
+
+    def eased(self, held: Any, law: Springs, rule: tuple[Any, ...]) -> Any:
+        """Where blocks that friction does not hold are once their springs bear what moves them.
+
+        From there on they slide as steadily as on rigid contact; let go at t = 0, springs across
+        the slide would throw them, and a wedge would keep the speed. Blocks go some tens of times
+        as far as `held` pressed springs; those that go on have springs stretched along their way.
+        """
+        held.velocity[:] = 0.0
+        end, over = held, EASING
+        for _ in range(self.formulation.eased):
+            one, two, end = (self.settled(held, law, over, n * EASED, rule) for n in (1, 2, 3))
+            early, late = two.strain - one.strain, end.strain - two.strain
+            whole, over = end.strain - held.strain, HARDER * over
+            if np.linalg.norm(late - early) <= EVENLY * np.linalg.norm(whole):
+                break
+        first = self.bodies().start
+        for one in (slice(first[i], first[i + 1]) for i in range(len(self.scene.blocks))):
+            if np.linalg.norm(late[one]) > GOES_ON * np.linalg.norm(whole[one]):
+                end.strain[one] = late[one]
+        return end
+
+    def settled(
+        self, start: Any, law: Springs, over: float, steps: int, rule: tuple[Any, ...]
+    ) -> Any:
+        """The end of steps from a start, each at rest; over: springs over inertia in each."""
+        heaviest = max(block.mass for block in self.scene.blocks)
+        dt = float(np.sqrt(2 * heaviest * over / law.kn))
+        still = General(self.scene, dataclasses.replace(self.formulation, stepping=IMPLICIT))
+        end = self.motion()
+        given = still.model_arguments(start, end, 0.0, law)
+        self.kernel()(*self.outputs(1, ()), 1, dt, steps, *rule, *given)
         return end
 
     def sinks(self, law: Springs) -> float:

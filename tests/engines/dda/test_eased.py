@@ -1,0 +1,53 @@
+"""Claims about the start of wedges in `dda`: friction that does not hold is let go before t = 0."""
+
+from __future__ import annotations
+
+import dataclasses
+import math
+
+import numpy as np
+
+from tests.scenes.blocks.dda_scenes import run
+from vv.ask import Knobs
+from vv.case import Series
+from vv.engines.dda import DEFAULT, Formulation
+from vv.plan.project import find
+from vv.scene import Contact
+
+SHAKEN_WEDGE, WEDGE = (find().load_case(name) for name in ("shaken-wedge", "wedge"))
+HARDLY = {"dip": 33.2, "xi": 1.18, "A": 1.92}  # friction all but holds it: speeds do not die away
+
+
+def off(given: dict[str, float], way: Formulation, knobs: Knobs) -> float:
+    """The largest error of the way down the groove, over the largest way."""
+    trial = SHAKEN_WEDGE.declare("level", {**SHAKEN_WEDGE.defaults("level"), **given})
+    (s,) = trial.quantities
+    assert isinstance(s, Series)
+    assert s.reference is not None
+    done = run(trial.study.ask(knobs), way)
+    due = s.reference(done.times)
+    return float(np.abs(s.observe(done) - due).max() / np.abs(due).max())
+
+
+def test_a_wedge_that_starts_to_slide_is_as_right_as_the_step_and_not_as_the_springs() -> None:
+    """A sine of 1 Hz is sampled half a step late, 2 pi dt/2 of a part of its way."""
+    thrown = dataclasses.replace(DEFAULT, eased=0)
+    for kn in (1e9, 1e10):
+        assert off({}, DEFAULT, Knobs(1e-3, kn)) <= 2e-4
+        assert off({}, DEFAULT, Knobs(1e-4, kn)) <= 2e-5
+        assert off({}, thrown, Knobs(1e-4, kn)) >= 4e-4
+    assert off(HARDLY, DEFAULT, Knobs(1e-4, 1e10)) <= 2e-4
+    assert off(HARDLY, thrown, Knobs(1e-4, 1e10)) >= 1.5e-3
+
+
+def test_what_friction_holds_stays() -> None:
+    """It moves by what presses its springs and no farther; a third of the friction lets it go."""
+    ask = WEDGE.declare("xi-1", {**WEDGE.defaults("xi-1"), "held": 0.5}).study.ask(Knobs(1e-3, 1e9))
+    (block,), mu = ask.scene.blocks, 3.0 * ask.scene.contact.mu
+    pressed = 9.81 * block.mass / (8 * 1e9)
+    held = dataclasses.replace(
+        ask, scene=dataclasses.replace(ask.scene, contact=Contact(math.inf, mu=mu))
+    )
+    for asked, stays in ((ask, False), (held, True)):
+        way = run(asked, DEFAULT).values[ask.observables[0]] @ ask.scene.axes[0]
+        assert (np.abs(way).max() <= 0.1 * pressed) == stays
