@@ -1,4 +1,4 @@
-"""Turns what an invocation left behind into a page that people read.
+"""Writes the HTML report of an invocation from its manifest and the store.
 
 May import: base, scene, ask, case, store, records, gate, insight, output.
 """

@@ -1,4 +1,4 @@
-"""What a report shows that no record holds, handed over by the command that asks for the report."""
+"""Data that a report shows beside the records: papers and the inputs of codes."""
 
 from __future__ import annotations
 

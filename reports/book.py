@@ -1,4 +1,4 @@
-"""All that the pages of a report are made from, each part worked out once."""
+"""The data from which all pages of a report are made, each part computed once."""
 
 from __future__ import annotations
 
@@ -85,12 +85,12 @@ class Book:
 
     @functools.cached_property
     def shown(self) -> list[tuple[Record, ShownOutcome]]:
-        """Every record with what it came to."""
+        """Every record with its outcome."""
         return [(record, shown_outcome(record)) for record in self.manifest.records]
 
     @functools.cached_property
     def findings(self) -> list[Finding]:
-        """What the gate says of all this."""
+        """The findings of the gate."""
         return judgement(self.manifest)
 
     @functools.cached_property
@@ -100,12 +100,12 @@ class Book:
 
     @functools.cached_property
     def stability(self) -> list[StabilityStatement]:
-        """What the records say of largest steps, drift and counts."""
+        """The statements of the records on largest steps, drift and counts."""
         return stability(self.manifest)
 
     @functools.cached_property
     def patterns(self) -> list[Diagnosis]:
-        """What the failures, known ones too, of each scheme in a case look like."""
+        """The patterns of failures, known ones too, of each scheme in a case."""
         return diagnoses(self.manifest)
 
     def quiet(self, case: str = "", variant: str = "", label: str = "") -> bool:
@@ -126,7 +126,7 @@ class Book:
 
     @functools.cached_property
     def efforts(self) -> dict[Place, list[Effort]]:
-        """(case, variant) -> what each scheme came to and what that cost."""
+        """(case, variant) -> errors and costs of each scheme."""
         found: dict[Place, list[Effort]] = {}
         for effort in every_effort(self.manifest):
             found.setdefault((effort.case, effort.variant), []).append(effort)

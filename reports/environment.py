@@ -1,4 +1,4 @@
-"""Fills the templates: text is escaped, a misspelt name is an error."""
+"""Fills the templates of pages; text is escaped, and unknown names are errors."""
 
 from __future__ import annotations
 

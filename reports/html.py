@@ -1,4 +1,4 @@
-"""Writes the report of an invocation: a folder of pages that need nothing but each other."""
+"""Writes the report of an invocation as a folder of pages that needs no other files."""
 
 from __future__ import annotations
 
@@ -207,6 +207,6 @@ def _digest_of(path: Path) -> str:
 
 @functools.cache
 def sources() -> str:
-    """Digest of the sources that decide how a report looks."""
+    """Digest of the sources of reports."""
     own = [p for p in HERE.rglob("*") if p.suffix in (".py", ".j2", ".css", ".js")]
     return closure.source_digest(closure.import_closure(own, (HERE.parent, TOOL)))

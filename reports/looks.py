@@ -1,4 +1,4 @@
-"""Writes how code/schemes look in a page: glyphs, markers and colours, each defined once."""
+"""Writes the glyphs, markers and colours of code/schemes on a page, each defined once."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a record came to: one outcome with a symbol, a word and a class of look for each."""
+"""The outcomes of records as pages show them: a symbol, a word and a class of style."""
 
 from __future__ import annotations
 

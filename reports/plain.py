@@ -1,4 +1,4 @@
-"""Says in plain words what is wrong with a result, and which command shows it again."""
+"""Describes in words what is wrong with a result, and gives the command to rerun it."""
 
 from __future__ import annotations
 
@@ -78,7 +78,7 @@ def once(text: str, place: str, explained: dict[str, str]) -> str:
 
 
 def reason(record: Record, came: Outcome) -> str:
-    """Why a record came to its outcome; empty where the word says it all."""
+    """The reason of a record's outcome; empty where the word is enough."""
     if came is Outcome.NOT_CONSERVED:
         texts = [breach(found) for found in breaches(record.ledger)]
     else:

@@ -1,4 +1,4 @@
-"""Writes the rows of the table of all settings, of which a report has ten thousands.
+"""Writes the rows of the table of all settings; fast, since a report has ten thousands.
 
 They have no end tags, which HTML does not need.
 """
@@ -45,7 +45,7 @@ def _heading(group: Group, columns: int) -> str:
 
 
 def _came(row: Setting, stiffness: bool, valued: bool) -> str:
-    """The cells of what came out: numbers, order, verdict."""
+    """The cells of the results: numbers, order, verdict."""
     one = row.quantity
     numbers = [text.brief(row.record.rung.kn)] if stiffness else []
     numbers += [text.brief(one.value), text.brief(one.reference)] if valued else []

@@ -77,6 +77,17 @@ def test_links_within_the_project_lead_somewhere(page: str) -> None:
     assert not [link for link in links if not (place.parent / link).exists()]
 
 
+def test_the_glossary_has_every_word_that_the_architecture_page_introduces() -> None:
+    glossary = (ROOT / "docs" / "glossary.md").read_text()
+    entries = [word.lower() for word in re.findall(r"^\*\*([\w -]+)", glossary, re.MULTILINE)]
+    assert entries == sorted(entries)
+    page = (ROOT / "docs" / "architecture.md").read_text()
+    words = set(re.findall(r"\*(\w+)\*", page.partition("## The words")[2].partition("##")[0]))
+    plurals = {re.sub("y$", "ie", word) + "s" for word in entries}
+    assert words
+    assert not words - {*entries, *plurals}
+
+
 def test_links_within_the_gallery_lead_somewhere() -> None:
     lost = [
         f"{page.relative_to(GALLERY)}: {link}"

@@ -1,4 +1,4 @@
-"""An ask as Kratos is given it: spheres, walls as faces, dead loads for oblique locks."""
+"""Translates an ask for Kratos: spheres, walls as faces, dead loads for oblique locks."""
 
 from __future__ import annotations
 

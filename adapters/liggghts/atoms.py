@@ -1,4 +1,4 @@
-"""The deck of spheres that nothing acts on: box, atoms, a spring between them, what moves them."""
+"""The commands of every deck: box, atoms, contact law, time integration."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Stands in for bonds by contacts: spheres that overlap from the start and are held apart by loads.
+"""Replaces bonds by contacts of spheres that overlap from the start, held apart by loads.
 
 This build of LIGGGHTS has no bond with a normal and a shear spring. Two spheres that overlap by a
 small part of their distance, in friction that never yields, have both springs as long as they stay

@@ -1,4 +1,4 @@
-"""An ask as LIGGGHTS is given it: made once, and read by all that refuses, writes and answers."""
+"""Translates an ask for LIGGGHTS once; refusals, decks and answers are made from this setup."""
 
 from __future__ import annotations
 

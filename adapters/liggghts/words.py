@@ -1,4 +1,4 @@
-"""The words of a deck that commands are made of: numbers, boxes, groups, files that it writes."""
+"""Writes the parts of commands: numbers, boxes, groups, files."""
 
 from __future__ import annotations
 

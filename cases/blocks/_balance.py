@@ -1,4 +1,4 @@
-"""Judges what bears shaken blocks by their momentum: what the base gives, less what they take."""
+"""Judges support of shaken blocks by momentum: the impulse of the base less that of the blocks."""
 
 from __future__ import annotations
 

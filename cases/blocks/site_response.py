@@ -1,4 +1,4 @@
-"""Elastic layers answer a base that shakes for long: what their top does over what it does."""
+"""Elastic layers on a base that shakes for long: the motion of their top over that of the base."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What an incremental shear spring keeps of the way on which the loaded unit came to rest.
+"""The part of an incremental shear spring that depends on how the loaded unit came to rest.
 
 The unit swings in two modes: the top rises by u, the base spreads by r. A shear spring grows by
 S' = -L a' with the length L of its bond: to second order in the displacements by l s'/L beyond

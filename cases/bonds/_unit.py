@@ -1,4 +1,4 @@
-"""Four bonded elements, and what displacements of theirs say of E, nu and bonds."""
+"""Four bonded elements, and E, nu and bond forces computed from their displacements."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Spheres without friction settle in a box: whatever their ways, their rest obeys exact laws.
+"""Spheres without friction settle in a box: at rest they obey exact laws, however they came there.
 
 After some collisions the ways of spheres differ from code to code, and are not compared: when that
 begins, `python -m bench.chance.divergence` finds. What is compared are laws of their rest and of

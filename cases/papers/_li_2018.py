@@ -1,4 +1,4 @@
-"""What Li et al. (2018) publish of their four single-contact tests."""
+"""Statements of Li et al. (2018) on their four single-contact tests."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What Liu et al. (2017) publish of the close-packed lattice that stands for quartzite."""
+"""Statements of Liu et al. (2017) on the close-packed lattice that stands for quartzite."""
 
 from __future__ import annotations
 

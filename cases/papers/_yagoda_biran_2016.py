@@ -1,4 +1,4 @@
-"""What Yagoda-Biran and Hatzor (2016) publish of their benchmarks of DDA."""
+"""Statements of Yagoda-Biran and Hatzor (2016) on their benchmarks of DDA."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A block under a constant force whose steps hand on only a part of its velocity."""
+"""A block under a constant force with kinetic damping: each step keeps a part of its velocity."""
 
 from __future__ import annotations
 

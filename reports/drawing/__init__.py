@@ -1,4 +1,4 @@
-"""What the figures show as plain arrays, and how they are written as SVG.
+"""Computes figures as plain arrays and draws them as SVG.
 
 May import: base, scene, ask, case, records, gate, insight, output, reports.marks, reports.norms,
 reports.outcomes, reports.text.

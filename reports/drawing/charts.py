@@ -1,4 +1,4 @@
-"""What the figures show, as plain arrays: one frozen Chart per figure, made from records."""
+"""Makes charts from records: plain arrays, one frozen Chart per figure."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ class Curve:
 
 @dataclass(frozen=True)
 class Rim:
-    """A point that has no place inside the axes: above (no finite error) or below (too small).
+    """A point outside the axes: above (no finite error) or below (too small).
 
     x None: nothing is known of its place along the axis.
     """
@@ -131,7 +131,7 @@ def error_against_cost(ladders: Sequence[Ladder], label: str) -> Chart:
 
 
 def _front(ladders: Sequence[Ladder], low: float) -> tuple[Vector, Vector] | None:
-    """The stairs below which nobody's timed rung lies; None where nothing inside is timed."""
+    """The front of error and cost as stairs; None where nothing inside is timed."""
     inside = [p for ladder in ladders for p in ladder.points if _inside(p, low) and p.timed]
     front = unbeaten(sorted((p.cpu, p.error or 0.0) for p in inside if p.cpu > 0))
     if not front:
@@ -216,7 +216,7 @@ def _curve(mark: Mark, x: list[float], points: Sequence[Point], hollow: list[boo
 
 
 def _tip(point: Point) -> str:
-    """A setting, its error and its cost, for who points at it: the page's script words them."""
+    """A setting, its error and its cost, from which the page's script makes the tooltip."""
     marks = ("" if point.timed else " ○") + (" ◻" if point.whole else "")
     cost = f"{seconds(point.cpu)}{marks}" if point.cpu else ""
     return f"{brief(point.dt) if point.dt else ''};{sci(point.error)};{cost}"

@@ -1,4 +1,4 @@
-"""Collects what figures are made of, from records and the series beside them."""
+"""Collects the data of figures from records and their series."""
 
 from __future__ import annotations
 

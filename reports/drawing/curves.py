@@ -49,7 +49,7 @@ def draw(chart: Chart) -> Markup:
 
 
 def _zoom_data(chart: Chart, x: Axis, y: Axis) -> str:
-    """The axes, for a reader who zooms; nothing where a curve turns back, which no zoom draws."""
+    """The axes for the zoom of the page; empty where a curve turns back, which it cannot draw."""
     if not (chart.x_log or all(np.all(np.diff(curve.x) >= 0) for curve in chart.curves)):
         return ""
     grey = f' data-grey="{escape(chart.grey)}"' if chart.exact else ""
@@ -80,7 +80,7 @@ def _values(chart: Chart, axis: str, others: list[float]) -> Vector:
 
 
 def _frame(chart: Chart, x: Axis, y: Axis) -> list[str]:
-    """Grid, ticks and labels of both axes."""
+    """The grid, ticks and labels of both axes."""
     columns = [(x.place(tick), shown) for tick, shown in x.ticks]
     rows = [(y.place(tick), shown) for tick, shown in y.ticks]
     grid = [f"M{number(p)} {TOP:g}V{BOTTOM:g}" for p, _ in columns]
@@ -145,7 +145,7 @@ def _ring(x: float, y: float, ringed: bool, r: float) -> str:
 
 
 def _rim(rim: Rim, x: Axis, place: int) -> str:
-    """A mark on the upper rim, crossed out, or on the lower one, with an arrow down."""
+    """A mark at the upper edge, crossed out, or at the lower one, with an arrow down."""
     px = x.place(rim.x) if rim.x else RIGHT - 12 - 14 * (place % 18)
     py = TOP if rim.above else BOTTOM
     a, b = number(px), number(py)

@@ -1,4 +1,4 @@
-"""Makes the figures of a quantity, and words each: caption, and text for who cannot see it."""
+"""Makes the figures of a quantity with their captions and alternative texts."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ FEW = 3  # schemes that the text in place of a figure lists in full
 
 @dataclass(frozen=True)
 class Figure:
-    """A drawing with its words. alt: what it shows, in numbers, for who cannot see it."""
+    """A drawing with its caption. alt: its alternative text, with the numbers."""
 
     svg: Markup
     title: str
@@ -155,7 +155,7 @@ def _cost(steps: Sequence[Ladder], error: str, of: str) -> list[Figure]:
 
 
 def _rims(chart: Chart) -> str:
-    """What the marks on the rim are, in words."""
+    """The meaning of marks at the edges, in words."""
     above = sorted({rim.mark.label for rim in chart.rims if rim.above})
     below = sorted({rim.mark.label for rim in chart.rims if not rim.above})
     ringed = sorted({c.mark.label for c in chart.curves if c.ringed.any()})

@@ -1,4 +1,4 @@
-"""Draws a phase picture: one quantity over another, as each scheme has them, on the exact curve."""
+"""Draws phase pictures: one quantity over another for each scheme, on the exact curve."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The motion of each scheme beside the exact one, as data that the page's script plays."""
+"""Data from which the page's script plays the motion of each scheme beside the exact one."""
 
 from __future__ import annotations
 

@@ -131,7 +131,7 @@ class _Row:
 
 
 def draw_biases(rows: Sequence[tuple[Mark, str, Factor]]) -> Markup:
-    """Bias of schemes with two scatters either way; grey: what the measurements are sure to."""
+    """Bias of schemes with two scatters either way; grey: the uncertainty of the measurements."""
     known = [_Row(mark, of, one.bias, one.scatter, one.sure or 0.0) for mark, of, one in rows
              if one.bias is not None and one.scatter is not None]  # fmt: skip
     spread = [far for row in known for far in (row.ends[1], 1.0 / row.ends[0], 1 + 2 * row.sure)]

@@ -1,4 +1,4 @@
-"""Writes the few things that drawings are made of as SVG, with as few characters as show it."""
+"""Writes the elements of drawings as short SVG."""
 
 from __future__ import annotations
 
@@ -103,14 +103,14 @@ def text(x: float, y: float, content: str, kind: str = "") -> str:
 
 
 def title(content: str) -> str:
-    """What is shown where a pointer rests."""
+    """The tooltip of an element."""
     return f"<title>{escape(content)}</title>"
 
 
 def drawing(
     width: float, height: float, parts: list[str], kind: str = "chart", attributes: str = ""
 ) -> Markup:
-    """The parts as one picture, hidden from who hears the page: words stand beside it.
+    """The parts as one picture, hidden from screen readers, for which a text stands beside it.
 
     attributes: attributes that say more of it to the page's script.
     """

@@ -1,4 +1,4 @@
-"""Draws what was measured over a condition, such as an angle, and what each law and code gives."""
+"""Draws measured values and those of codes over a condition, such as an angle."""
 
 from __future__ import annotations
 

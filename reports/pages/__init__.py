@@ -1,1 +1,1 @@
-"""What each page of a report shows, as frozen data that the templates lay out."""
+"""The contents of each page as frozen data, which the templates lay out."""

@@ -1,4 +1,4 @@
-"""The page of a case: its prose, and the parts of its variants."""
+"""The page of a case: its description and its variants."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The page of a code: its schemes, what it covers, where it stands among the others."""
+"""The page of a code: its schemes, its coverage, its rank among the others."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from vv.records.reading import tried
 
 @dataclass(frozen=True)
 class Line:
-    """One scheme on one variant: what it reached, and its place by error among who ran it.
+    """One scheme on one variant: its error, and its rank among the schemes that ran it.
 
     why: what is not green, of which what stands in another line is referred to.
     """

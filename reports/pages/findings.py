@@ -1,4 +1,4 @@
-"""Gathers what is to be said of failures, known disagreements and refusals: one row a reason."""
+"""Collects failures, known disagreements and refusals, one row for each reason."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ class Finding:
 
 
 def findings(book: Book, looks: Iterable[str], without: Container[Outcome] = ()) -> list[Finding]:
-    """What is to be said of the records whose outcome has one of these looks, worst first.
+    """The findings on records whose outcome has one of these styles, worst first.
 
     without: outcomes that are told elsewhere. where: case -> (link, variant with its steps).
     """

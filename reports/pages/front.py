@@ -1,4 +1,4 @@
-"""The front page: is anything wrong, which code, what does accuracy cost, what was run."""
+"""The front page: failures, ranking of codes, cost of accuracy, coverage."""
 
 from __future__ import annotations
 

@@ -22,7 +22,7 @@ TARGETS = (1e-2, 1e-3, 1e-4, 1e-5, 1e-6)
 
 @dataclass(frozen=True)
 class Cell:
-    """A scheme on a variant: the error at its finest setting, its CPU seconds, what came of all."""
+    """A scheme on a variant: the error at its finest setting, CPU seconds, worst outcome."""
 
     error: float | None
     cpu: float | None
@@ -32,7 +32,7 @@ class Cell:
 
 @dataclass(frozen=True)
 class Row:
-    """A scheme: what it covers, how exact and how dear it is, what it does not do right.
+    """A scheme: its coverage, accuracy, cost and failures.
 
     median: of its error over the variants that a scheme of every code solves, `shared` of which
     it solves itself. dear: median of its cost to TARGET over that of the cheapest, over `reached`

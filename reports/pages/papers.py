@@ -33,7 +33,7 @@ class Given:
 
 @dataclass(frozen=True)
 class Shown:
-    """A statement of a paper, and what became of it."""
+    """A statement of a paper, and how it compares."""
 
     row: Row
     look: str

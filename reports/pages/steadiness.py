@@ -1,4 +1,4 @@
-"""Arranges what an invocation says of stability: one table a kind, a line for what is the same."""
+"""Arranges statements on stability: a table for each kind, equal ones on one line."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Gathers what needs attention: each finding with its number, its bound, and how to see it."""
+"""Collects what needs attention: findings with number, bound, and the command to rerun them."""
 
 from __future__ import annotations
 

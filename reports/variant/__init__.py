@@ -1,1 +1,1 @@
-"""What the part of a variant in a case's page shows, as frozen data that the templates lay out."""
+"""The contents of a variant's part of a page as frozen data, which templates lay out."""

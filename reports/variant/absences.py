@@ -32,7 +32,7 @@ class Absent:
 
 
 def absent(piles: Mapping[str, Sequence[Record]], looks: Mapping[str, Mark]) -> list[Absent]:
-    """What gave no quantity: one row per scheme, outcome and reason."""
+    """Settings without results: one row per scheme, outcome and reason."""
     rows: dict[tuple[str, str, str], list[Record]] = {}
     for label, pile in piles.items():
         for record in pile:

@@ -1,4 +1,4 @@
-"""What an error costs in a variant, as its table shows it; timed variants only."""
+"""The table of costs of errors in a variant that is timed."""
 
 from __future__ import annotations
 

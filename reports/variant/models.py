@@ -1,4 +1,4 @@
-"""How the schemes of a variant modelled its scene: what all of a code share stands once."""
+"""The models that schemes made of a scene; what the schemes of a code share is shown once."""
 
 from __future__ import annotations
 
@@ -27,13 +27,13 @@ class Modelled:
 
     @property
     def who(self) -> str:
-        """Whom it is of, in words."""
+        """The schemes of this model, in words."""
         labels = ", ".join(row.mark.label for row in self.rows)
         return f"{self.code}, all schemes" if self.code else labels
 
     @property
     def energy(self) -> str:
-        """What the balances of energy of these say."""
+        """The energy balances of these schemes."""
         many = len(self.rows) > 1
         balances = [(row.mark.label, row.balance) for row in self.rows if row.balance]
         return "; ".join(f"{label} {balance}" if many else balance for label, balance in balances)

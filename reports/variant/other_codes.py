@@ -1,4 +1,4 @@
-"""What other codes are printed to answer for a variant, beside what each scheme computes."""
+"""Published answers of other codes for a variant, beside the result of each scheme."""
 
 from __future__ import annotations
 

@@ -21,7 +21,7 @@ from vv.records.outcomes import StudyKind
 
 @dataclass(frozen=True)
 class Ranked:
-    """A scheme in a variant: what it reached at its finest setting, and what came of all.
+    """A scheme in a variant: its error at the finest setting, and its worst outcome.
 
     why: of its worst setting, in plain words, with the setting and the command; empty if none.
     """
@@ -66,7 +66,7 @@ def ranks(book: Book) -> dict[Place, list[Ranked]]:
 
 @dataclass(frozen=True)
 class Dear:
-    """A scheme in a variant by what its finest setting costs. dearer: over the cheapest.
+    """A scheme in a variant by the cost of its finest setting. dearer: over the cheapest.
 
     whole: whether the cost is that of a whole process.
     """

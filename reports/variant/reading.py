@@ -1,4 +1,4 @@
-"""Reads off a record what tables rank it by: its error, and which quantity is in question."""
+"""Reads from a record the error and the quantity by which tables rank it."""
 
 from __future__ import annotations
 

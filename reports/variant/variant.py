@@ -1,4 +1,4 @@
-"""A variant's part of a case's page: what was asked, and all that came of it."""
+"""A variant's part of a case's page: scene, settings and results."""
 
 from __future__ import annotations
 
