@@ -221,6 +221,12 @@ def test_without_it_the_cost_is_that_of_the_whole_process_and_marked_so(tmp_path
     assert run.model.note == "its cost is that of the whole process, start and output included"
 
 
+def test_of_a_reason_without_end_the_beginning_is_told(tmp_path: Path) -> None:
+    (tmp_path / "result.json").write_text(json.dumps({"status": "refused", "reason": "x" * 10**6}))
+    run = answer(tmp_path, f"cp {tmp_path}/result.json .")
+    assert (run.status, run.reason) == (Status.REFUSED, "x" * 1000 + "...")
+
+
 def test_a_cost_that_cannot_be_is_refused(tmp_path: Path) -> None:
     run = answer(tmp_path, WRITE(GOOD) + """echo '{"solve_cpu": 30}' > result.json""")
     assert run.status is Status.ERROR

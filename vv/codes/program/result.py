@@ -17,6 +17,7 @@ from vv.codes.program.declared import words_of
 from vv.scene import Form, Loss, Term
 
 RESULT = "result.json"
+LONGEST = 1000  # characters of a reason or note, which tables and reports quote
 STATUSES = {s.value: s for s in (Status.RAN, Status.REFUSED, Status.DIVERGED, Status.ERROR)}
 
 
@@ -64,10 +65,10 @@ class Value:
         return BadAnswerError(f"{RESULT}: {self.name} = {short(repr(self.value))}; {rule}")
 
     def text(self) -> str:
-        """A text."""
+        """A text, whose beginning is enough where it has no end."""
         if not isinstance(self.value, str):
             raise self.refuse("it must be a text")
-        return self.value
+        return self.value if len(self.value) <= LONGEST else f"{self.value[:LONGEST]}..."
 
     def number(self) -> float:
         """A finite number."""
