@@ -47,7 +47,7 @@ def excess(one: MeasuredQuantity) -> str:
     if one.error is not None and one.tolerance is not None:
         norm = f" (norm {NORM_NAMES[one.norm]})" if one.norm not in (None, Norm.MAX) else ""
         found, due = f"Error of {one.name}{norm} {short(one.error)}", short(one.tolerance)
-        if one.error <= one.tolerance:
+        if one.error <= one.tolerance or not one.tolerance:
             return f"{found}, tolerance {due}"
         return f"{found}, {ratio(one.error / one.tolerance)} times the tolerance {due}"
     if one.value is not None:

@@ -65,6 +65,11 @@ def test_a_note_that_several_quantities_share_is_said_once() -> None:
     assert said == "; ".join([*parts, "drag is late"])
 
 
+def test_an_error_where_none_is_allowed_has_no_ratio() -> None:
+    said = plain.excess(changed(entry("fail", {"max": 5.34e-3}), tolerance=0.0))
+    assert said.endswith("5.34e-3, tolerance 0")
+
+
 def test_how_many_times_a_tolerance_is_a_number_that_people_say() -> None:
     said = plain.excess(changed(entry("fail", {"max": 5.34e-3}), tolerance=2.79e-5))
     assert said.endswith(", 191 times the tolerance 2.79e-5")
