@@ -11,9 +11,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tests.scenes.blocks.dda_scenes import ALL, DOWN, FLOOR, G, asked, box, general, moved, run
-from vv.ask import Run
+from vv.ask import Ask, History, Knobs, Run, Velocity
 from vv.engines.dda import DEFAULT, LAGGED
-from vv.scene import Contact, Scene
+from vv.scene import Contact, Scene, Wall
 
 MU, DT = 0.6, 1e-3
 A = MU * G
@@ -68,3 +68,29 @@ def test_friction_that_lags_is_left_as_it_is_and_creeps() -> None:
     """The replica: a block of 3.4 steps goes back and forth, which default's law forbids."""
     way = moved(run(asked(slide(3.4, 0.0), DT, 1e9, 0.1, DT), LAGGED))[:, 0]
     assert abs(way[-1] - way[len(way) // 2]) > 1e-5
+
+
+@pytest.mark.parametrize("dt", [1e-3, 5e-4])
+@pytest.mark.parametrize("late", [0.1, 0.3, 0.5, 0.8])
+def test_a_slide_that_turns_leaves_the_turn_up_to_half_a_step_s_slowing_too_fast(
+    late: float, dt: float
+) -> None:
+    """Thrown up a slope of 20 degrees it turns a part of a step late, and friction does so on whole
+    steps: up to half of what one step slows it by is left as speed, of which it makes its way.
+    """
+    slope, mu = math.radians(20.0), 0.98 * math.tan(math.radians(20.0))
+    along = np.array([math.cos(slope), 0.0, -math.sin(slope)])
+    up, down = (G * (math.sin(slope) + way * mu * math.cos(slope)) for way in (1, -1))
+    stop = (100 + late) * dt
+    frame = np.array([along, [0.0, 1.0, 0.0], [math.sin(slope), 0.0, math.cos(slope)]])
+    body = box((0.5, 0.3, 0.4), 1200.0 / 0.48, 0.4 * frame[2], frame)
+    scene = Scene(
+        (Wall(np.zeros(3), frame[2]), dataclasses.replace(body, velocity=-up * stop * along)),
+        Contact(math.inf, mu=mu),
+        gravity=DOWN,
+    )
+    ask = Ask(scene, History(140 * dt, dt), (Velocity(1),), Knobs(dt, 1e10))
+    done = run(ask, DEFAULT)
+    speed = done.values[Velocity(1)][-1] @ along
+    off = (speed - down * (140 * dt - stop)) / (up * dt)
+    assert off == pytest.approx(min(late, 1 - late), abs=0.02)
