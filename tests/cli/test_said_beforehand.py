@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import stat
+import subprocess
 import sys
 from pathlib import Path
 
@@ -67,6 +68,27 @@ def test_a_pipe_that_was_named_is_written_to_and_not_replaced(tmp_path: Path) ->
     write_output(pipe, b"told")
     assert (os.read(reader, 9), stat.S_ISFIFO(pipe.stat().st_mode)) == (b"told", True)
     os.close(reader)
+
+
+@pytest.mark.parametrize(
+    ("words", "place"),
+    [
+        ("list", "standard output"),
+        ("run fall:up --codes fake/good --json -", "standard output"),
+        ("run fall:up --codes fake/good --json /dev/full", "/dev/full"),
+        ("gate fall:up --codes fake/good --junit /dev/full", "/dev/full"),
+    ],
+)
+def test_what_is_full_is_named(tiny: Tiny, words: str, place: str) -> None:
+    with open("/dev/full" if place == "standard output" else os.devnull, "w") as out:
+        done = subprocess.run(
+            [sys.executable, "-m", "vv", *words.split()], cwd=tiny.root, stdout=out,
+            stderr=subprocess.PIPE, text=True, check=False,
+        )  # fmt: skip
+    assert (done.returncode, done.stderr.splitlines()[-1]) == (
+        Bit.USAGE,
+        f"vv: cannot use {place}: No space left on device",
+    )
 
 
 @pytest.mark.parametrize("kind", ["junit", "markdown"])

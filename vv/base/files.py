@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import contextlib
 import errno
 import os
 import stat
 import sys
 import tempfile
+from collections.abc import Iterator
 from pathlib import Path
 from typing import BinaryIO
 
@@ -53,6 +55,15 @@ def opened(path: Path) -> BinaryIO:
     raise OSError(errno.EFBIG, f"it has {state.st_size} bytes, more than are read", str(path))
 
 
+@contextlib.contextmanager
+def naming(place: str) -> Iterator[None]:
+    """Have an OSError say which place it is about, which those of a full disk do not."""
+    try:
+        yield
+    except OSError as error:
+        raise OSError(error.errno, error.strerror, place) from error
+
+
 def write_output(path: Path, content: bytes) -> None:
     """Write bytes to the place that a user named; `-` is standard output, links are followed.
 
@@ -61,9 +72,11 @@ def write_output(path: Path, content: bytes) -> None:
     """
     check_output(path)
     if str(path) == "-":
-        sys.stdout.buffer.write(content)
+        with naming("standard output"):
+            sys.stdout.buffer.write(content)
+            sys.stdout.buffer.flush()
     elif path.exists() and not path.is_file():
-        with path.open("wb") as file:
+        with naming(str(path)), path.open("wb") as file:
             file.write(content)
     else:
         write_whole(path.resolve(), content)

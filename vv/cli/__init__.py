@@ -105,6 +105,8 @@ def _message(error: Exception) -> str:
 
 def _place(error: OSError) -> str:
     """The file that cannot be used, and the variable that names its folder."""
+    if error.filename is None:  # as where no process can be started
+        return "this machine"
     folders = {name: os.environ.get(name, "") for name in ("VV_DATA", "VV_CACHE")}
     path = f"{error.filename}/"
     named = [n for n, folder in folders.items() if folder and path.startswith(f"{folder}/")]

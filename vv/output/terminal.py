@@ -10,6 +10,7 @@ import io
 import sys
 from collections.abc import Callable
 
+from vv.base.files import naming
 from vv.base.printable import one_line
 
 LONGEST = 2000  # characters of an error, which may quote what was typed
@@ -18,8 +19,9 @@ USAGE = 64  # the exit status of a usage error, vv.records.finding.Bit.USAGE
 
 def say(*lines: str) -> None:
     """Print lines."""
-    for line in lines:
-        print(one_line(line), flush=True)
+    with naming("standard output"):
+        for line in lines:
+            print(one_line(line), flush=True)
 
 
 def note(text: str) -> None:
