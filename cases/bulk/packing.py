@@ -133,7 +133,15 @@ def _declare(variant: str, p: Parameters) -> Trial:
     spheres = _spheres(int(variant.removeprefix("seed-")), p)
     down = np.array([0.0, 0.0, -p["g"]])
     scene = Scene((spheres, *_walls()), Contact(p["kn"]), p["eta"], down)
+    longer = max(1.0, p["m"] / p["eta"] / FADES)
+    goal = History(longer * GOAL.duration, longer * GOAL.interval)
+    ladder = Ladder(scene, goal, (*SEEN, *FAST), dict.fromkeys(Level, (Knobs(dt=5e-5),)))
     weight = packing.weight(spheres.mass, p["g"])
+    return Trial(ladder, (*_forces(p, scene, weight), *_motions(p, scene, weight)))
+
+
+def _forces(p: Parameters, scene: Scene, weight: float) -> tuple[Scalar, ...]:
+    """What holds the pack at the end: the floor, the sides, its contacts."""
     floor = Scalar(
         "floor", "F", "N", "push of the floor at the end, from overlaps",
         lambda run: _told(p["kn"] * float(pressed(scene, run)[:, 2].sum()), FINE * weight),
@@ -148,6 +156,11 @@ def _declare(variant: str, p: Parameters) -> Trial:
         lambda run: _told(contacts(scene, run), COARSE), packing.CONTACTS, packing.CONTACTS,
         Exact(COUNTED),
     )  # fmt: skip
+    return floor, sides, coordination
+
+
+def _motions(p: Parameters, scene: Scene, weight: float) -> tuple[Scalar, ...]:
+    """How far the pack has come to rest, and that drag alone took its energy."""
     rest = Scalar(
         "still", "d", "m", "farthest way of a sphere in the last sixteenth of the time",
         lambda run: _told(still(run), FINE * LARGEST), 0.0, LARGEST, Exact(REST),
@@ -166,10 +179,7 @@ def _declare(variant: str, p: Parameters) -> Trial:
         lambda run: _told(gained(p, scene, run), FINE * LARGEST * weight), 0.0,
         2.0 * LARGEST * weight, Invariant(1e-3, DRAGGED),
     )  # fmt: skip
-    longer = max(1.0, p["m"] / p["eta"] / FADES)
-    goal = History(longer * GOAL.duration, longer * GOAL.interval)
-    ladder = Ladder(scene, goal, (*SEEN, *FAST), dict.fromkeys(Level, (Knobs(dt=5e-5),)))
-    return Trial(ladder, (floor, sides, coordination, rest, heavy, lost, gain))
+    return rest, heavy, lost, gain
 
 
 DRAGGED = (

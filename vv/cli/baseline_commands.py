@@ -18,7 +18,7 @@ from vv.plan.project import Project, find
 
 if TYPE_CHECKING:
     from vv.plan.plan import Plan
-    from vv.records.accepted import Circumstances
+    from vv.records.accepted import Acceptance, Place
     from vv.records.manifest import Manifest
     from vv.records.recorded import RecordedFile
 
@@ -68,15 +68,17 @@ def _write_baseline(project: Project, case: str, manifest: Manifest, reason: str
     """Write the case's new baseline and the answers of its schemes, and print where they are."""
     from vv.gate import acceptance, answers
     from vv.gate.all_checks import baseline_of, baselines_of
-    from vv.records.accepted import Acceptance
     from vv.records.sorted_text import render
 
-    place = _circumstances(manifest)
-    taken = Acceptance(place.commit, place.dirty, place.machine, reason, place.utc, place.versions)
     variants = project.load_case(case).variants
     later = {one.name for one in variants if not one.runs_at(Level.DEFAULT)}
     new = acceptance.accepted(
-        case, baseline_of(project, case), manifest.records, taken, manifest.external(), later
+        case,
+        baseline_of(project, case),
+        manifest.records,
+        _acceptance(manifest, reason),
+        manifest.external(),
+        later,
     )
     path = baselines_of(project) / f"{case}.json"
     write_whole(path, render(new).encode())
@@ -121,16 +123,16 @@ def _without_results(manifest: Manifest) -> dict[str, RecordedFile]:
     """What a recorded file says of each external code, before any result."""
     from vv.records.recorded import RecordedFile
 
-    place = _circumstances(manifest)
+    made = manifest.provenance
     return {
         code: RecordedFile(
             code=code,
             case="",
             version=found.version,
-            utc=place.utc,
-            commit=place.commit,
-            dirty=place.dirty,
-            machine=place.machine,
+            utc=made.utc,
+            commit=made.commit,
+            dirty=made.dirty,
+            machine=_place(manifest),
             executables={Path(path).name: digest for path, digest in found.files.items()},
         )
         for code, found in manifest.codes.items()
@@ -162,17 +164,25 @@ def _require_own_cases(project: Project) -> None:
         )
 
 
-def _circumstances(manifest: Manifest) -> Circumstances:
-    """The commit, machine and versions that results come from."""
-    from vv.records.accepted import Circumstances, Place
+def _acceptance(manifest: Manifest, reason: str) -> Acceptance:
+    """The acceptance of the results of an invocation."""
+    from vv.records.accepted import Acceptance
 
     provenance = manifest.provenance
     versions = dict(provenance.versions)
     versions |= {code: found.version for code, found in manifest.codes.items()}
-    return Circumstances(
+    return Acceptance(
         commit=provenance.commit,
         dirty=provenance.dirty,
-        machine=Place(provenance.machine.processor, provenance.machine.system),
+        machine=_place(manifest),
+        reason=reason,
         utc=provenance.utc,
         versions={name: version for name, version in versions.items() if version},
     )
+
+
+def _place(manifest: Manifest) -> Place:
+    from vv.records.accepted import Place
+
+    machine = manifest.provenance.machine
+    return Place(machine.processor, machine.system)

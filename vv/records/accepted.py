@@ -21,17 +21,6 @@ class Place:
 
 
 @dataclass(frozen=True, slots=True)
-class Circumstances:
-    """Where results that are written down come from."""
-
-    commit: str
-    dirty: bool
-    machine: Place
-    utc: str
-    versions: Mapping[str, str]
-
-
-@dataclass(frozen=True, slots=True)
 class Acceptance:
     """One time that results were accepted, and why they are right."""
 

@@ -1,4 +1,4 @@
-"""The closed list of forms of energy of a scene, for energy balances and histories."""
+"""The forms of energy of a scene, an enum for energy balances and histories."""
 
 import enum
 

@@ -1,4 +1,4 @@
-"""The closed list of physical effects that a scene may contain."""
+"""The terms, an enum of the physical effects that a scene may contain."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Whether blocks on one wall stay clear of each other, so that each moves as if it were alone."""
+"""Decides whether blocks on a wall can meet; those that cannot move as if each were alone."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Rigid scenes for codes whose bodies are all polyhedra: finite boxes stand for walls."""
+"""Makes rigid scenes for codes whose bodies are all polyhedra: boxes stand for walls."""
 
 from __future__ import annotations
 

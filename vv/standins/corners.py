@@ -1,4 +1,4 @@
-"""Which corners a block stands on, how they share what it presses with, and points of its mass."""
+"""Finds the corners on which a block stands, their shares of its load, and points of its mass."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What presses the corners of a block that begins to tip from rest, as rigid contact would."""
+"""The forces of rigid contact at the corners of a block that begins to tip from rest."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Which shapes of a sketch are a body, and how a motion of it along a direction or a turn looks."""
+"""Finds the shapes of a body in a sketch, and how they move as it moves or turns."""
 
 from __future__ import annotations
 

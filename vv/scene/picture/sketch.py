@@ -1,4 +1,4 @@
-"""A scene as a few shapes in a plane: what is needed to draw it, and how that is made."""
+"""Projects a scene to a few shapes in a plane, from which it can be drawn."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""From where a scene is looked at: along the direction in which it has least to show."""
+"""Chooses the direction of view of a scene: that in which it extends least."""
 
 from __future__ import annotations
 
