@@ -1,10 +1,11 @@
 """Turns one operator or constant of the cases at a time, and counts what nothing of theirs sees.
 
 `python -m bench.mutation.case_mutants --sample N --seed K` draws from all places in cases/ alike. A
-mutant is put to what a wrong number in a case should meet: the page of the case in the gallery,
-which a test compares with what it declares; the tests that name the case; and its quick gate with
-the codes that come with vv, against the accepted results. Of a file that several cases share, the
-first few are asked, its own before others. What hangs is told by CPU time.
+mutant is put to what a wrong number in a case should meet: the tests that import its file; the
+page of the case in the gallery, which a test compares with what it declares; its quick gate with
+the codes that come with vv, against the accepted results; and the tests that name the case. Of a
+file that several cases share, those that name it are asked first, and not more than a few. What
+hangs is told by CPU time.
 """
 
 import argparse
@@ -62,14 +63,13 @@ def cases_of(file: str) -> list[str]:
 
 
 @functools.cache
-def tests_of(case: str) -> tuple[str, ...]:
-    """The files of tests that name a case; of what papers print, which is of no case, its own."""
-    if not case:
-        return PAPERS
-    word = re.compile(rf"""["']{re.escape(case)}["':]""")
-    found = [path for path in sorted((ROOT / "tests" / "cases").rglob("test_*.py"))
-             if word.search(path.read_text())]  # fmt: skip
-    return tuple(path.relative_to(ROOT).as_posix() for path in found)
+def tests_of(what: str) -> tuple[str, ...]:
+    """The files of tests that name a case or import a file of cases/."""
+    name = what.removesuffix(".py").replace("/", ".")
+    word = re.compile(rf"""["']{re.escape(what)}["':]|from {re.escape(name)} import""")
+    files = sorted((ROOT / "tests" / "cases").rglob("test_*.py"))
+    own = [path.relative_to(ROOT).as_posix() for path in files if word.search(path.read_text())]
+    return (*PAPERS, *own) if what.startswith("cases/papers/") else tuple(own)
 
 
 def changed_page(project: Path, case: str) -> bool:
@@ -101,9 +101,9 @@ def red_gate(project: Path, case: str) -> bool:
     return done.returncode != 0
 
 
-def red_tests(project: Path, case: str) -> bool:
-    """Whether a test that names a case is red."""
-    return bool(tests_of(case)) and not passes(project, *tests_of(case))
+def red_tests(project: Path, what: str) -> bool:
+    """Whether a test that names a case, or imports a file, is red."""
+    return bool(tests_of(what)) and not passes(project, *tests_of(what))
 
 
 def _limited() -> None:
@@ -125,11 +125,9 @@ def sound(project: Path, way: str, case: str) -> bool:
 
 
 def questions(mutant: Mutant) -> Iterator[tuple[str, str]]:
-    """(way, case) in which a mutant is asked, the cheapest first."""
-    cases = cases_of(mutant.file)[:ASKED]
-    yield from ((way, case) for way in WAYS for case in cases)
-    if not cases:
-        yield "tests", ""
+    """(way, case or file) in which a mutant is asked, the cheapest first."""
+    yield "tests", mutant.file
+    yield from ((way, case) for way in WAYS for case in cases_of(mutant.file)[:ASKED])
 
 
 def seen_by(project: Path, mutant: Mutant) -> str:

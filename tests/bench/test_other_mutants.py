@@ -56,13 +56,15 @@ def test_a_mutant_of_an_engine_is_part_of_the_codes_that_import_it() -> None:
     assert {"dda", "rigid"} <= {*codes("vv/engines/blocks/geometry.py")}
 
 
-def test_a_mutant_of_a_case_is_put_to_its_page_then_its_gate_then_its_tests() -> None:
+def test_a_mutant_of_a_case_is_put_to_tests_of_its_file_its_page_its_gate_and_its_tests() -> None:
     (first, *_) = turnable("cases/hard/wedge.py")
     asked = [*case_mutants.questions(first)]
-    assert asked[0] == ("page", "wedge")
+    assert asked[:2] == [("tests", "cases/hard/wedge.py"), ("page", "wedge")]
     assert [way for way, case in asked if case == "wedge"] == ["page", "gate", "tests"]
-    assert len(asked) <= 3 * case_mutants.ASKED
+    assert len(asked) <= 1 + 3 * case_mutants.ASKED
     assert "tests/cases/hard/test_wedge.py" in case_mutants.tests_of("wedge")
+    least = "tests/cases/impact/test_least_of_largest.py"
+    assert case_mutants.tests_of("cases/impact/_oblique.py") == (least,)
 
 
 def test_what_cases_share_is_asked_of_those_that_name_it_first() -> None:
@@ -73,9 +75,11 @@ def test_what_cases_share_is_asked_of_those_that_name_it_first() -> None:
 
 
 def test_what_is_of_no_case_is_put_to_the_tests_of_papers() -> None:
-    (first, *_) = turnable("cases/papers/_li_2018.py")
-    assert [*case_mutants.questions(first)] == [("tests", "")]
-    assert all((ROOT / file).is_file() for file in case_mutants.tests_of(""))
+    file = "cases/papers/_li_2018.py"
+    (first, *_) = turnable(file)
+    assert [*case_mutants.questions(first)] == [("tests", file)]
+    assert all((ROOT / one).is_file() for one in case_mutants.tests_of(file))
+    assert len(case_mutants.tests_of(file)) >= 2
 
 
 def test_mutants_of_cases_are_drawn_anew_with_every_seed() -> None:
