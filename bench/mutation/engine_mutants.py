@@ -25,7 +25,7 @@ from pathlib import Path
 from bench.evidence import conclude
 from bench.mutation.collected_tests import Collected, collected, forked
 from bench.mutation.forked_tests import with_tests
-from bench.mutation.framework_mutants import HANGING, NEEDS, SPARE, survival
+from bench.mutation.framework_mutants import NEEDS, survival
 from bench.mutation.mutants import ROOT, Mutant, all_places
 from bench.mutation.schemata import build, switchable
 from bench.mutation.switch import NUMBER
@@ -38,6 +38,7 @@ from vv.records.finding import Bit
 CODES = ("exact", "dem", "dda", "rigid")
 TESTS = ("tests/engines",)
 LONGEST = 60.0  # s of CPU time that the tests may take which one mutant is put to
+SPARE, HANGING = 10.0, 3.0  # s and times of what tests take without a mutant: it hangs
 COMPILING = 1200.0  # s of CPU time for all tests once, with every kernel compiled
 SPENT = 200.0  # s of CPU time after which a process of the gate hangs, many times what it takes
 WRONG = Bit.ACCURACY | Bit.CONSERVATION | Bit.CRASH | Bit.TIMEOUT
