@@ -8,7 +8,7 @@ from __future__ import annotations
 import dataclasses
 import math
 from types import SimpleNamespace
-from typing import cast
+from typing import Any, cast
 
 import numpy as np
 import pytest
@@ -16,6 +16,7 @@ import pytest
 from adapters.liggghts import data, space
 from adapters.liggghts.clumps import as_atoms, members
 from adapters.liggghts.overlaps import overlapped, why_not_overlapped
+from adapters.liggghts.refusals import _too_many_groups
 from adapters.liggghts.setup import Setup, set_up
 from adapters.liggghts.terms.hertz import restitution, why_not_viscous
 from tests.scenes.spheres.bonded_scenes import KN, D, M, elements, tied, unit
@@ -186,6 +187,9 @@ def test_what_no_restitution_stands_for_is_refused() -> None:
     held = ball(free=~FREE, position=[[0.0, 0.3, 0.0]])
     pair = dataclasses.replace(viscous(0.3), bodies=(UP, ball(), held))
     assert "a sphere cannot move" in (why_not_viscous(pair) or "")
+    elastic = dataclasses.replace(viscous(0.0), bodies=(UP, ball(), held))
+    assert why_not_viscous(elastic) is None
+    assert why_not_viscous(dataclasses.replace(elastic, contact=Contact(1e6))) is None
     with pytest.raises(ValueError, match="less than sqrt"):
         restitution(0.92)
 
@@ -260,3 +264,24 @@ def test_more_than_eight_loads_are_a_property_of_the_atoms_that_carry_them() -> 
         [k, k, 0.0, 2.0] for k in range(1, 10)
     ]
     assert not words(text, "fix", "load0")
+
+
+@pytest.mark.parametrize(
+    ("loads", "locks", "shaken", "clumps", "counted"),
+    [
+        (8, 11, 10, 0, 29),
+        (8, 11, 11, 0, 30),
+        (9, 15, 14, 1, 29),  # many loads are no groups, and one clump alone is none
+        (9, 15, 15, 1, 30),
+        (0, 14, 14, 2, 30),
+        (8, 10, 9, 2, 29),
+    ],
+)
+def test_groups_are_of_few_loads_of_locks_of_shaken_masses_and_of_several_clumps(
+    loads: int, locks: int, shaken: int, clumps: int, counted: int
+) -> None:
+    setup: Any = SimpleNamespace(
+        loads=range(loads), locks=range(locks), shaken=range(shaken), clumps=range(clumps)
+    )
+    reason = _too_many_groups(setup) or ""
+    assert (f"{counted} different dead loads" in reason) is (counted > 29)

@@ -15,6 +15,7 @@ from adapters.yade import ADAPTER
 from adapters.yade.terms.walls import wall_body
 from tests.support.adapters.small_asks import DT, FREE, UP, ball, ball_ask, case_ask
 from tests.support.adapters.yade_asks import HALF_STEP, PLAIN, plan_of, sphere_of
+from vv.ask import Displacement, Observable, Reaction
 from vv.scene import Contact, Harmonic, Spheres, Wall, rotation_about_z
 
 
@@ -176,6 +177,23 @@ def test_what_carries_a_locked_freedom_is_part_of_its_speed_and_not_of_what_acts
     pushed = plan_of(ball_ask(UP, touching, body=1), PLAIN)["bodies"][1]
     assert (pushed["velocity"], pushed["held"]) == ([0.0] * 3, [0.0] * 3)
     assert pushed["carried"] == [0.0, 0.0, 5.0]
+
+
+@pytest.mark.parametrize(
+    ("seen", "told"),
+    [
+        ((Displacement(0),), False),
+        ((Reaction(0),), True),
+        ((Displacement(0), Reaction(0)), True),
+        ((Reaction(0), Displacement(0)), True),
+    ],
+)
+def test_reactions_cost_one_step_more_and_are_said_to(
+    seen: tuple[Observable, ...], told: bool
+) -> None:
+    held = ball_ask(ball(free=np.array([[True, False, True]])))
+    note = ADAPTER.describe(dataclasses.replace(held, observables=seen), PLAIN).note
+    assert ("reactions from the forces of one step more" in note) is told
 
 
 def test_an_exported_script_is_the_driver_with_the_ask_filled_in() -> None:
