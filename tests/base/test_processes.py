@@ -69,8 +69,9 @@ def test_a_process_that_adopts_orphans_ends_them_and_then_has_no_child(tmp_path:
     own += "try:\n    import os; os.wait()\nexcept ChildProcessError:\n    print('alone')"
     environment = {**os.environ, "HOME": str(tmp_path)}
     done = subprocess.run(
-        [sys.executable, "-c", own], cwd=tmp_path, env=environment, capture_output=True, check=True
-    )
+        [sys.executable, "-c", own], cwd=tmp_path, env=environment, capture_output=True, check=True,
+        timeout=40,  # they sleep for a minute, and are not waited for
+    )  # fmt: skip
     assert done.stdout == b"alone\n"
     assert not running_in(tmp_path)
 
