@@ -46,7 +46,9 @@ WRONG = Bit.ACCURACY | Bit.CONSERVATION | Bit.CRASH | Bit.TIMEOUT
 
 def drawn(files: str, sample: int, seed: int) -> list[Mutant]:
     """So many mutants that a process can switch on, every place being as likely as any other."""
-    every = [one for one in all_places("vv/engines") if fnmatch(one.file, files)]
+    paths = sorted((ROOT / "vv" / "engines").rglob("*.py"))
+    names = (path.relative_to(ROOT).as_posix() for path in paths)
+    every = [*all_places(name for name in names if fnmatch(name, files))]
     shuffled = random.Random(seed).sample(every, len(every))
     return [*itertools.islice(filter(switchable, shuffled), sample)]
 

@@ -5,7 +5,7 @@ import copy
 import functools
 import random
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import NamedTuple
 
@@ -90,13 +90,12 @@ def mechanical(each: int) -> Iterator[Mutant]:
                 yield Mutant(_what(file, node), file, kernels()[file], places[turn])
 
 
-def all_places(folder: str) -> Iterator[Mutant]:
-    """All that can be turned below a folder, compiled or not, in the order of files and places."""
-    for path in sorted((ROOT / folder).rglob("*.py")):
-        file = path.relative_to(ROOT).as_posix()
+def all_places(files: Iterable[str]) -> Iterator[Mutant]:
+    """All that can be turned in files, compiled or not, in the order of files and places."""
+    for file in files:
         nodes = list(ast.walk(parsed(file)))
         for place in sorted(_chosen(file)):
-            yield Mutant(_what(file, nodes[place]), file, kernels().get(file, ()), place)
+            yield Mutant(_what(file, nodes[place]), file, (), place)
 
 
 def _chosen(file: str) -> list[int]:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 import sys
-from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
 
@@ -17,11 +16,11 @@ from bench.mutation.schemata import switchable
 from bench.mutation.switch import NUMBER
 
 
-def test_mutants_of_engines_are_drawn_from_all_of_them_and_can_be_switched_on() -> None:
-    first, again, other = (engine_mutants.drawn("*", 20, seed) for seed in (1, 1, 2))
+def test_mutants_of_engines_are_drawn_anew_with_every_seed_and_can_be_switched_on() -> None:
+    some = "vv/engines/*/law.py"
+    first, again, other = (engine_mutants.drawn(some, 9, seed) for seed in (1, 1, 2))
     assert first == again
-    assert len({*first}) == 20 > len({*first} & {*other})
-    assert {Path(one.file).parts[2] for one in first} >= {"dem", "dda", "rigid", "exact"}
+    assert len({*first}) == 9 > len({*first} & {*other})
     assert all(map(switchable, first))
     assert {one.file for one in engine_mutants.drawn("vv/engines/dda/law.py", 3, 1)} == {
         "vv/engines/dda/law.py"
@@ -83,7 +82,7 @@ def test_what_is_of_no_case_is_put_to_the_tests_of_papers() -> None:
 
 
 def test_mutants_of_cases_are_drawn_anew_with_every_seed() -> None:
-    first, again, other = (case_mutants.drawn("*", 50, seed) for seed in (1, 1, 2))
+    first, again, other = (case_mutants.drawn("cases/hard/*", 20, seed) for seed in (1, 1, 2))
     assert first == again
     assert len({*first} & {*other}) < 10
-    assert all(one.file.startswith("cases/") for one in first)
+    assert all(one.file.startswith("cases/hard/") for one in first)
