@@ -38,7 +38,9 @@ KN = 1e8  # N/m
 BREAKS = {"dda/lagged"}  # its friction is one iteration late, and may act along the slip
 
 
-def told(adapter: Adapter, scheme: str, scene: Scene, duration: float, dt: float) -> Iterator[str]:
+def problems(
+    adapter: Adapter, scheme: str, scene: Scene, duration: float, dt: float
+) -> Iterator[str]:
     """How a scene ends in a scheme, and the laws that it breaks there."""
     try:
         run = answer(adapter, asked(scene, duration, dt, KN), scheme)
@@ -66,7 +68,7 @@ def main(kind: str = "blocks", number: str = "200", first: str = "1") -> None:
             for scheme in adapter.schemes:
                 label = f"{adapter.name}/{scheme.name}"
                 count.update(
-                    f"{label} {one}" for one in told(adapter, scheme.name, scene, duration, dt)
+                    f"{label} {one}" for one in problems(adapter, scheme.name, scene, duration, dt)
                 )
 
     ask_all()

@@ -94,11 +94,11 @@ def asked(scene: Scene, steps: int) -> Ask:
 
 def liggghts(scene: Scene, steps: int) -> Cost:
     """The cost in LIGGGHTS: a run less its set-up."""
-    text = told_deck(scene, steps)
+    text = verbose_deck(scene, steps)
     return difference(["liggghts"], text, "log.liggghts", len(scene.spheres), steps)
 
 
-def told_deck(scene: Scene, steps: int) -> str:
+def verbose_deck(scene: Scene, steps: int) -> str:
     """A deck for LIGGGHTS whose log tells how fast spheres are and how many touch."""
     text = silent_deck(set_up(asked(scene, steps), "default"))
     assert EVERY in text

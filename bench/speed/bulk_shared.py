@@ -18,7 +18,7 @@ from typing import NamedTuple
 import numpy as np
 
 from adapters.liggghts.costs import LOOP
-from bench.speed.bulk_codes import DT, ROW, told_deck
+from bench.speed.bulk_codes import DT, ROW, verbose_deck
 from vv.engines.dem.bulk.model import bulk
 from vv.engines.kernels.threads import on_threads
 from vv.scene import Scene
@@ -55,7 +55,7 @@ def ours(scene: Scene, steps: int, threads: int) -> Shared:
 
 def liggghts(scene: Scene, steps: int, ranks: int) -> Shared:
     """What LIGGGHTS' own loop takes; its box is halved across, so that ranks have as much to do."""
-    text = told_deck(scene, steps)
+    text = verbose_deck(scene, steps)
     assert text.count(BEFORE) == text.count(f"run             {steps}\n") == 1
     text = text.replace(BEFORE, f"processors {ranks} 1 1\n{BEFORE}")
     again = f"shell sleep {PAUSE}\nrun {steps} pre no\n"

@@ -63,9 +63,11 @@ def _points(variant: str, p: Parameters) -> list[Point]:
         spread = np.linspace(SLENDEREST, STOUTEST, UNDER_GRAVITY - len(beside))
         slope = [(p["alpha"], float(delta)) for delta in (*beside, *spread)]
         return [
-            point for point in dict.fromkeys(slope) if 0.0 < point[1] < 90.0 and _is_told(p, point)
+            point
+            for point in dict.fromkeys(slope)
+            if 0.0 < point[1] < 90.0 and _is_distinct(p, point)
         ]
-    found = [point for point in _beside(p["phi"]) if _on_chart(*point) and _is_told(p, point)]
+    found = [point for point in _beside(p["phi"]) if _on_chart(*point) and _is_distinct(p, point)]
     more = (point for point in _all_over() if _clear(p["phi"], *point))
     found = list(dict.fromkeys(found))
     return found + [next(more) for _ in range(SEVERAL - len(found))]
@@ -86,8 +88,8 @@ def _beside(phi: float) -> Iterator[Point]:
             yield from ((joins - NEAR, slender), (joins + NEAR, slender))
 
 
-def _is_told(p: Parameters, point: Point) -> bool:
-    """Whether displacements tell the charted mode from all others, also beside several borders."""
+def _is_distinct(p: Parameters, point: Point) -> bool:
+    """Whether displacements distinguish the charted mode from all others, near borders too."""
     law = _law(p, point)
     own = first_motion.mode(**law)
     due = acceleration(own, **law)

@@ -47,14 +47,17 @@ def left_off(p: Parameters, ks: float, fz: float, dt: float) -> Mapping[str, Off
     swung = _swung(bonds / (p["m"] * MOVED[:, None]), p["eta"] / p["m"], rest)
     slow = (ALONG @ rest) * (ACROSS @ rest) / 2
     lengths = (slow + ALONG @ swung[:2, 2:] @ ACROSS, dt / 2 * ALONG @ swung[2:, 2:] @ ACROSS)
-    each = [_told(rest, np.linalg.solve(bonds, -3 * ks * one / p["d"] * ACROSS)) for one in lengths]
+    each = [
+        _relative_errors(rest, np.linalg.solve(bonds, -3 * ks * one / p["d"] * ACROSS))
+        for one in lengths
+    ]
     return {name: Off(kept, each[1][name], dt) for name, kept in each[0].items()}
 
 
-def _told(rest: Vector, off: Vector) -> Mapping[str, float]:
-    """What an error (2,) [m] of (u, r) at rest is in each quantity, of its scale."""
-    told = {"X_n1": ALONG @ off, "X_s1": ACROSS @ off, "X_n2": RIM @ off, "dz": off[0]}
-    shares = {name: abs(float(value / rest[0])) for name, value in told.items()}
+def _relative_errors(rest: Vector, off: Vector) -> Mapping[str, float]:
+    """The relative error of each quantity that an error (2,) [m] of (u, r) at rest makes."""
+    errors = {"X_n1": ALONG @ off, "X_s1": ACROSS @ off, "X_n2": RIM @ off, "dz": off[0]}
+    shares = {name: abs(float(value / rest[0])) for name, value in errors.items()}
     ratio = np.sqrt(2) * (off[1] - rest[1] * off[0] / rest[0]) / rest[0]
     return {**shares, "E": shares["dz"], "nu": abs(float(ratio)) / 0.2}
 

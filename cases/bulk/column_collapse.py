@@ -31,7 +31,7 @@ TALL, APART, FLOOR = 0.98, 1.02, 3.0  # height over radius; grains of the floor;
 SIZES = (0.85, 1.0)  # diameters over D
 STIFF, SHEAR, DAMPED, DENSE = 2e4, 2.0 / 7.0, 0.3, 2500.0
 LASTS, ROWS = 4.5, 9  # of sqrt(height over gravity): three are measured; times of output
-TOLD, RAYS = 0.25, 360
+UNIT, RAYS = 0.25, 360
 
 
 def _layer(radius: float, pitch: float, aside: bool) -> Vector:
@@ -97,15 +97,15 @@ def _edge(x: Vector) -> float:
     return float(max(r for r in radii if _covered(x, r) > 0.5))
 
 
-def _told(value: float) -> float:
-    """The nearest multiple of what is no chance."""
-    return round(value / TOLD) * TOLD
+def _whole(value: float) -> float:
+    """The nearest multiple of UNIT: what is smaller is chance."""
+    return round(value / UNIT) * UNIT
 
 
 def _run_out(scene: Scene, count: int, start: float, run: Run) -> float:
     """What the radius has grown by over that of the start, as far as it is no chance."""
     grown = _edge(_places(scene, count, run)[-1]) / start - 1.0
-    return _told(grown)
+    return _whole(grown)
 
 
 def _top(scene: Scene, count: int, start: float, run: Run) -> float:
@@ -113,7 +113,7 @@ def _top(scene: Scene, count: int, start: float, run: Run) -> float:
     x = _places(scene, count, run)[-1]
     inner = np.hypot(x[:, 0], x[:, 1]) < 1.5 * D
     top = (x[:, 2] + scene.spheres.radius[:count])[inner].max(initial=0.0) - column.GROUND * D
-    return _told(float(top) / start)
+    return _whole(float(top) / start)
 
 
 def _gained(scene: Scene, count: int, p: Parameters, run: Run) -> float:

@@ -42,8 +42,8 @@ LASTED, OUTPUTS = 15.0, 180  # times the diameter over the speed
 RATE, MET, SPREAD, KEPT = 0.18, 0.2, 0.15, 0.01  # units in which quantities are told
 
 
-def told(value: float, unit: float, reference: float) -> float:
-    """The nearest of the reference and what lies whole units of it away: the rest is chance."""
+def to_nearest(value: float, unit: float, reference: float) -> float:
+    """The value to the nearest whole unit from the reference: what is smaller is chance."""
     return reference * (1.0 + unit * round((value / reference - 1.0) / unit))
 
 
@@ -124,7 +124,7 @@ def _scalar(
     """A mean that is judged in units of a width."""
     tolerance = Tolerance(0.5 * width, why, slack=DRAWN)
     return Scalar(
-        name, symbol, unit, meaning, lambda run: told(observe(run), width, reference),
+        name, symbol, unit, meaning, lambda run: to_nearest(observe(run), width, reference),
         reference, reference,
         Exact({Method.SECOND_ORDER: tolerance, Method.FIRST_ORDER: tolerance}),
     )  # fmt: skip

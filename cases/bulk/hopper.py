@@ -136,11 +136,11 @@ def _declare(variant: str, p: Parameters) -> Trial:
     scene, count = _scene(variant, p)
     unit, opening = math.sqrt(MEAN * D / p["g"]), hopper.across(p["opening"]) / MEAN
     law, sure = hopper.rate(opening, FILLED) / unit, hopper.uncertainty(opening)
-    lasts = SLACK * (TO * count / law + 4.0 * unit)
-    goal_rows = lasts / ROWS
+    duration = SLACK * (TO * count / law + 4.0 * unit)
+    goal_rows = duration / ROWS
     step = math.sqrt(D / p["g"] / STIFF) / 4.0
     dt = goal_rows / math.ceil(goal_rows / step)
-    goal = History(lasts, goal_rows)
+    goal = History(duration, goal_rows)
     seen = tuple(Displacement(i) for i in range(count))
     ladder = Ladder(scene, goal, seen, dict.fromkeys(Level, (Knobs(dt=dt),)))
     measured = Measurement(law, 0.0, sure * law, CONDITIONS, CITED)

@@ -39,8 +39,8 @@ SEEDS = (1, 2, 3)
 FINE, COARSE = 1e-4, 0.2  # to which parts of the weight and the radius, and contacts, are told
 
 
-def _told(value: float, unit: float) -> float:
-    """The nearest multiple of a unit: what lies below it is chance, and differs by platform."""
+def _whole(value: float, unit: float) -> float:
+    """The nearest multiple of a unit: what is smaller is chance, and differs by platform."""
     return round(value / unit) * unit
 
 
@@ -144,16 +144,16 @@ def _forces(p: Parameters, scene: Scene, weight: float) -> tuple[Scalar, ...]:
     """What holds the pack at the end: the floor, the sides, its contacts."""
     floor = Scalar(
         "floor", "F", "N", "push of the floor at the end, from overlaps",
-        lambda run: _told(p["kn"] * float(pressed(scene, run)[:, 2].sum()), FINE * weight),
+        lambda run: _whole(p["kn"] * float(pressed(scene, run)[:, 2].sum()), FINE * weight),
         weight, weight, Exact(REST),
     )  # fmt: skip
     sides = Scalar(
         "sides", "S", "N", "push of opposite sides that does not cancel at the end",
-        lambda run: _told(sideways(p["kn"], scene, run), FINE * weight), 0.0, weight, Exact(REST),
+        lambda run: _whole(sideways(p["kn"], scene, run), FINE * weight), 0.0, weight, Exact(REST),
     )  # fmt: skip
     coordination = Scalar(
         "coordination", "c", "", "contacts for each sphere at the end, those with walls included",
-        lambda run: _told(contacts(scene, run), COARSE), packing.CONTACTS, packing.CONTACTS,
+        lambda run: _whole(contacts(scene, run), COARSE), packing.CONTACTS, packing.CONTACTS,
         Exact(COUNTED),
     )  # fmt: skip
     return floor, sides, coordination
@@ -163,20 +163,20 @@ def _motions(p: Parameters, scene: Scene, weight: float) -> tuple[Scalar, ...]:
     """How far the pack has come to rest, and that drag alone took its energy."""
     rest = Scalar(
         "still", "d", "m", "farthest way of a sphere in the last sixteenth of the time",
-        lambda run: _told(still(run), FINE * LARGEST), 0.0, LARGEST, Exact(REST),
+        lambda run: _whole(still(run), FINE * LARGEST), 0.0, LARGEST, Exact(REST),
     )  # fmt: skip
     heavy = Scalar(
         "momentum", "|P|/sum m v0", "", "sum of momenta at the end, over those at the start",
-        lambda run: _told(momentum(scene, run), FINE), 0.0, 1.0, Exact(REST),
+        lambda run: _whole(momentum(scene, run), FINE), 0.0, 1.0, Exact(REST),
     )  # fmt: skip
     lost = Scalar(
         "decay", "E/E0", "", "energy of motion at the end, over that at the start",
-        lambda run: _told(float(moving(scene, run)[-1] / moving(scene, run)[0]), FINE), 0.0, 1.0,
+        lambda run: _whole(float(moving(scene, run)[-1] / moving(scene, run)[0]), FINE), 0.0, 1.0,
         Exact(REST),
     )  # fmt: skip
     gain = Scalar(
         "gain", "max(E2 - E1)", "J", "growth of the energy of motion, springs and height",
-        lambda run: _told(gained(p, scene, run), FINE * LARGEST * weight), 0.0,
+        lambda run: _whole(gained(p, scene, run), FINE * LARGEST * weight), 0.0,
         2.0 * LARGEST * weight, Invariant(1e-3, DRAGGED),
     )  # fmt: skip
     return rest, heavy, lost, gain

@@ -68,7 +68,7 @@ class Normal(NamedTuple):
         return self.v * swung + self.g * fell
 
     @property
-    def lasts(self) -> float:
+    def duration(self) -> float:
         """The time in contact [s], after which the speed is v again."""
         return 2.0 * (pi - atan2(self.v * self.k, self.g)) / self.k
 
@@ -167,8 +167,8 @@ def _contact(stage: Stage, normal: Normal) -> list[Stage]:
     stages = [stage]
     while True:
         stage = stages[-1]
-        tau = _first_fall(_margin(stage, normal), stage.tau, normal.lasts)
-        later = _later(stage, normal.lasts if tau is None else tau)
+        tau = _first_fall(_margin(stage, normal), stage.tau, normal.duration)
+        later = _later(stage, normal.duration if tau is None else tau)
         if tau is None:
             flight = replace(later, f=0.0, tau=0.0, way=0.0, rise=normal.v, normal=None)
             return [*stages, flight]

@@ -231,18 +231,18 @@ class _Dense(NamedTuple):
     """States (11, k) at times [s] within a stage of contact; opens: they part after it."""
 
     begin: float
-    lasts: float
+    duration: float
     solution: Any
     way: float
     opens: bool
 
     def __call__(self, t: Array) -> Array:
-        return np.asarray(self.solution(np.minimum(t - self.begin, self.lasts)))
+        return np.asarray(self.solution(np.minimum(t - self.begin, self.duration)))
 
 
 def _next(two: Pair, stage: Stage) -> Stage:
     """What follows a stage of contact."""
-    begin, z = stage.begin + stage.states.lasts, stage.z.copy()
+    begin, z = stage.begin + stage.states.duration, stage.z.copy()
     if stage.states.opens:
         z[10] = 0.0
         return _flight(two, begin, z)

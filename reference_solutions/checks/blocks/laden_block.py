@@ -44,12 +44,12 @@ def motion(
         a, w, phi = shaking[0]
         return [state[1], constant[0] + a * np.sin(w * now + phi) - mu * press(now)]
 
-    def lasts(now: float, state: Array) -> float:
+    def slips_on(now: float, state: Array) -> float:
         size, omega, phase = sliding
         return float(min(state[1] - size * omega * np.cos(omega * now + phase), press(now)))
 
-    lasts.terminal = True  # type: ignore[attr-defined]
+    slips_on.terminal = True  # type: ignore[attr-defined]
     found = solve_ivp(
-        rates, (0.0, t[-1]), [0.0, v], "DOP853", t, events=lasts, rtol=1e-13, atol=1e-15
+        rates, (0.0, t[-1]), [0.0, v], "DOP853", t, events=slips_on, rtol=1e-13, atol=1e-15
     )
     return found.y[0], found.y[1]

@@ -67,8 +67,8 @@ def test_a_dashpot_a_fifth_too_weak_is_seen_in_each_seed() -> None:
 
 
 def test_what_is_chance_does_not_move_what_is_told() -> None:
-    assert gas.told(1.04 * 7, 0.1, 7.0) == gas.told(0.96 * 7, 0.1, 7.0) == 7.0
-    assert gas.told(1.06 * 7, 0.1, 7.0) == pytest.approx(1.1 * 7)
+    assert gas.to_nearest(1.04 * 7, 0.1, 7.0) == gas.to_nearest(0.96 * 7, 0.1, 7.0) == 7.0
+    assert gas.to_nearest(1.06 * 7, 0.1, 7.0) == pytest.approx(1.1 * 7)
 
 
 def test_spheres_that_only_fly_on_would_stay_at_one_speed() -> None:
