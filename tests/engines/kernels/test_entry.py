@@ -1,7 +1,8 @@
 """Python calls kernels with arguments that are read where they lie, and counts none of them."""
 
-import ctypes
 import sys
+from collections.abc import Iterator
+from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -9,8 +10,8 @@ import pytest
 from numba.core.runtime import nrt
 
 from vv.engines.kernels.bundles import bundle
-from vv.engines.kernels.compiled import compiled, entry
-from vv.engines.kernels.compiler.entry import DATA, ITEMS, SHAPE, STRIDES
+from vv.engines.kernels.compiled import cache_folder, compiled, entry
+from vv.engines.kernels.compiler import layout
 from vv.scene import Vector
 
 runtime: Any = nrt
@@ -109,12 +110,49 @@ def test_another_number_of_arguments_and_what_is_no_number_are_refused() -> None
         call(given[0], given[1], "much", 2, True)
 
 
-def test_arrays_and_tuples_have_their_words_where_kernels_read_them() -> None:
-    table, pointer = TABLES[1], ctypes.c_void_p
-    words = [pointer.from_address(id(table) + offset).value for offset in (DATA, SHAPE, STRIDES)]
-    assert words[0] == table.ctypes.data
-    along = [(ctypes.c_int64 * 2).from_address(word or 0) for word in words[1:]]
-    assert [tuple(one) for one in along] == [table.shape, table.strides]
-    pair = (table, along)
-    items = [pointer.from_address(id(pair) + ITEMS + 8 * k).value for k in range(2)]
-    assert items == [id(table), id(along)]
+def total(numbers: Vector) -> int:
+    """The sum, as an integer."""
+    found = 0.0
+    for one in numbers:
+        found += one
+    return int(found)
+
+
+@pytest.fixture
+def unknown(request: Any, monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
+    """Words of objects that lie elsewhere than kernels look for them."""
+    moved = {name: getattr(layout, there) for name, there in request.param.items()}
+    for name, place in moved.items():
+        monkeypatch.setattr(layout, name, place)
+    layout.is_known.cache_clear()
+    yield
+    monkeypatch.undo()
+    layout.is_known.cache_clear()
+
+
+SWAPPED = {"SHAPE": "STRIDES", "STRIDES": "SHAPE"}
+ELSEWHERE = ({"ITEMS": "SHAPE"}, {"DATA": "AXES"}, {"AXES": "DATA"}, {"SHAPE": "DATA"}, SWAPPED)
+
+
+def test_arrays_and_tuples_lie_in_memory_as_kernels_read_them() -> None:
+    assert layout.is_known()
+
+
+@pytest.mark.parametrize("unknown", ELSEWHERE, indirect=True)
+def test_a_word_that_lies_elsewhere_is_noticed(unknown: None) -> None:
+    assert not layout.is_known()
+
+
+@pytest.mark.parametrize("unknown", [SWAPPED], indirect=True)
+def test_a_kernel_is_right_where_arrays_lie_in_memory_as_nobody_knows(unknown: None) -> None:
+    assert compiled(total)(np.arange(64.0)[:3]) == 3
+
+
+def test_kernels_that_read_arrays_elsewhere_are_not_loaded(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    folders = []
+    for known in (True, False):
+        monkeypatch.setattr(layout, "is_known", lambda known=known: known)
+        folders.append(cache_folder(Path(__file__)))
+    assert folders[0] != folders[1]

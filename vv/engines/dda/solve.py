@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import dataclasses
 import functools
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from typing import Any
 
@@ -95,11 +95,18 @@ class PreparedBlocks:
     def warm(self) -> None:
         """Load or compile the kernel for these arguments; no step is taken."""
         path, energy, report, *rest = self.arguments
-        self.system.kernel()(path[:0], energy[:0], report[:0], *rest)
+        self._entry(path[:0], energy[:0], report[:0], *rest)
 
     def solve(self) -> int:
         """Run the kernel over all steps; returns how many rows of the outputs are good."""
-        return self.system.kernel()(*self.arguments)
+        return self._entry(*self.arguments)
+
+    @functools.cached_property
+    def _entry(self) -> Callable[..., int]:
+        """The kernel for arguments of these types."""
+        from vv.engines.kernels.compiled import entry
+
+        return entry(self.system.kernel(), self.arguments)
 
     def run(self, rows: int) -> Run:
         """The Run of a solve that returned `rows`; its cost is left empty."""

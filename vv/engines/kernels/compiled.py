@@ -170,9 +170,13 @@ def cache_folder(source: Path) -> Path:
     """Where the kernels of a file are cached: a folder named by all of an engine it imports.
 
     numba checks only the file a kernel is in, not those of the functions it calls, and would go
-    on using what was compiled before one of these was edited.
+    on using what was compiled before one of these was edited. Nor does it see whether arguments
+    still lie in memory where what is cached reads them.
     """
-    return cache_root("numba") / source_digest(kernel_sources(source, SOURCES))[:16]
+    from vv.engines.kernels.compiler.layout import is_known
+
+    root = cache_root("numba" if is_known() else "numba-own-entry")
+    return root / source_digest(kernel_sources(source, SOURCES))[:16]
 
 
 def kernel_sources(source: Path, root: Path) -> list[Path]:

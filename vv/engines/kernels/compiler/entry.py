@@ -2,7 +2,8 @@
 
 numba looks at each argument again and counts references to it, which takes as long as ten steps of
 a small scene, and writes several blocks of code for each. Whoever calls holds on to the arguments,
-and has seen their types (`vv.engines.kernels.compiled.entry`).
+and has seen their types (`vv.engines.kernels.compiled.entry`). Where objects do not lie in memory
+as is known (`layout.py`), kernels have numba's own entry.
 """
 
 from __future__ import annotations
@@ -14,19 +15,22 @@ from numba.core import cgutils, types
 from numba.np import arrayobj
 
 from vv.engines.kernels.bundle_types import Bundle, filled
+from vv.engines.kernels.compiler import layout
 
 CODE: Any = cgutils
 TUPLE: Any = types.BaseTuple
 ARRAYS: Any = arrayobj
 WORD = ir.IntType(64)
 BYTES: Any = ir.IntType(8).as_pointer()
-ITEMS = tuple.__basicsize__  # bytes before the items of a tuple
-DATA = object.__basicsize__  # bytes before an array's pointer to its data
-SHAPE, STRIDES = DATA + 16, DATA + 24  # bytes before these pointers: the number of axes is between
 
 
 def is_plain(described: Any) -> bool:
-    """Whether a function returns an integer and takes all its arguments from the caller."""
+    """Whether a function returns an integer and takes all its arguments from the caller.
+
+    It must also be known where these lie.
+    """
+    if not layout.is_known():
+        return False
     given = not any(isinstance(kind, types.Omitted) for kind in described.argtypes)
     return given and isinstance(described.restype, types.Integer)
 
@@ -102,16 +106,20 @@ class Given:
 
     def items(self, kinds: Any, whole: Any) -> list[Any]:
         """The values of a tuple's items."""
-        places = (word(self.builder, whole, ITEMS + 8 * k, whole.type) for k in range(len(kinds)))
+        places = (
+            word(self.builder, whole, layout.ITEMS + 8 * k, whole.type) for k in range(len(kinds))
+        )
         return [self.value(kind, place) for kind, place in zip(kinds, places, strict=True)]
 
     def array(self, kind: Any, found: Any) -> Any:
         """An array that holds no reference."""
         context, builder = self.context, self.builder
         array = context.make_array(kind)(context, builder)
-        shape, strides = (self.along(kind.ndim, found, first) for first in (SHAPE, STRIDES))
+        shape, strides = (
+            self.along(kind.ndim, found, first) for first in (layout.SHAPE, layout.STRIDES)
+        )
         size = context.get_abi_sizeof(context.get_data_type(kind.dtype))
-        data = word(builder, found, DATA, array.data.type)
+        data = word(builder, found, layout.DATA, array.data.type)
         ARRAYS.populate_array(array, data, shape, strides, size, None)
         return array._getvalue()
 
