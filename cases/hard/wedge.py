@@ -122,9 +122,10 @@ def _judge(xi: float, held: float) -> Exact:
     """Springs sink by N/kn into either side, and the wedge by 1/sin(xi/2) as much."""
     left = held / (1 - held) if held < 1 else 1.0
     second = Tolerance(
-        min(1e-11 / xi * max(left, 1.0), LARGEST_TOLERANCE),
+        min((1e-11 / xi + EPS / xi**2) * max(left, 1.0), LARGEST_TOLERANCE),
         "constant forces are integrated exactly; contacts are solved to 1e-12 m/s, which a narrow "
-        "groove magnifies by 1/sin(xi/2)",
+        "groove magnifies by 1/sin(xi/2); rounding of what presses a side, W/(2 sin(xi/2)), moves "
+        "the wedge aside, and out of the groove by 1/sin(xi/2) as much",
     )
     rigid = {
         Method.EXACT: Tolerance(1e-12, "the answer is a parabola, known to rounding"),
@@ -174,6 +175,7 @@ def _on_springs(w: float) -> Exact:
     })  # fmt: skip
 
 
+EPS = float(np.finfo(float).eps)
 RADIUS, ANGLES = 0.5, (0.2, 0.1, 0.05)  # m, which does not enter the answer; steps times w
 SECONDS = 0.1
 SUNK = "springs let the wedge sink by W/(4 kn sin^2(xi/2)): in a narrow groove it falls through"

@@ -1,11 +1,14 @@
 """Claims that the in-house codes know no unit: in others of length, time or mass, answers stay.
 
 Units that are powers of two change no rounding, so that not one bit may differ; a tolerance in m,
-s or kg would make it.
+s or kg would make it. Millimetres, grams and milliseconds round the numbers of a scene anew: what
+comes of that is known from units that are larger by a few roundings only, and so can be told from
+such a tolerance.
 """
 
 from __future__ import annotations
 
+from collections import defaultdict
 from pathlib import Path
 
 import numpy as np
@@ -44,6 +47,13 @@ SCENES = {
     "failure-modes:3d-40": (COARSE, 20),  # many blocks, which take Newton steps
 }
 SETTLES = "dda/published"  # it lets blocks settle for 2 s, whatever a second is
+LAGS = "dda/lagged"  # its open-close iterations need not end, and rounding may decide where they do
+EPS = float(np.finfo(float).eps)
+DECIMAL = (1e3, 1e3, 1e3)  # in mm, ms and g
+ROUNDED_ANEW = [
+    (1 + 12 * EPS, 1 + 20 * EPS, 1 + 28 * EPS),
+    (1 - 44 * EPS, 1 - 12 * EPS, 1 + 4 * EPS),
+]
 
 
 def scene_of(name: str) -> Scene:
@@ -98,6 +108,42 @@ def test_other_units_change_no_bit(label: str, name: str, tmp_path: Path) -> Non
         assert other.status is Status.RAN, (words, other.reason)
         for what, value in values(other, units).items():
             assert np.array_equal(value, one.values[what]), words
+
+
+@pytest.mark.parametrize("name", SCENES)
+@pytest.mark.parametrize("label", [one for one in OWN if one not in (SETTLES, LAGS)])
+def test_decimal_units_change_no_more_than_rounding_does(
+    label: str, name: str, tmp_path: Path
+) -> None:
+    here = asked(name)
+    tried = [here, *(in_units(here, units) for units in (DECIMAL, *ROUNDED_ANEW))]
+    one, other, *controls = ran(*SCHEMES[label], tried, tmp_path)
+    if one.status is Status.REFUSED:
+        pytest.skip(one.reason)
+    assert one.status is other.status is Status.RAN, (one.reason, other.reason)
+    rounded = max(
+        apart(one, control, units) for control, units in zip(controls, ROUNDED_ANEW, strict=True)
+    )
+    assert apart(one, other, DECIMAL) <= max(1e-12, 30 * EPS * _places(here, one), 30 * rounded)
+
+
+def apart(one: Run, other: Run, units: tuple[float, ...]) -> float:
+    """How far a run in other units is off, over the largest value of each kind."""
+    there = values(other, units)
+    off: dict[type[Observable], float] = defaultdict(float)
+    most: dict[type[Observable], float] = defaultdict(float)
+    for what, value in one.values.items():
+        kind = type(what)
+        off[kind] = max(off[kind], float(np.abs(value - there[what]).max()))
+        most[kind] = max(most[kind], float(np.abs(value).max()))
+    return max(off[kind] / (most[kind] or 1.0) for kind in off)
+
+
+def _places(ask: Ask, run: Run) -> float:
+    """How far out a body lies, over the largest displacement."""
+    places = [ask.scene.spheres.position, *(block.vertices for block in ask.scene.blocks)]
+    moved = [np.abs(u).max() for what, u in run.values.items() if isinstance(what, Displacement)]
+    return float(max(np.abs(place).max() for place in places if len(place)) / (max(moved) or 1.0))
 
 
 @pytest.mark.parametrize("unit", [1e-3, 1.0, 1e3])

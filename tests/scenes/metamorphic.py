@@ -124,7 +124,7 @@ def in_units(ask: Ask, units: tuple[float, ...]) -> Ask:
         ask,
         scene=rescaled(ask.scene, length, time, mass),
         goal=History(goal.duration * time, goal.interval * time),
-        knobs=Knobs(knobs.dt * time, kn),
+        knobs=dataclasses.replace(knobs, dt=knobs.dt * time, kn=kn),
     )
 
 
