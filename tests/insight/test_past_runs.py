@@ -55,5 +55,17 @@ def test_what_a_history_came_to_is_kept_until_a_run_holds_something_new(tmp_path
     assert history(store, "bounce", print) != again
 
 
+def test_runs_have_a_key_only_where_each_of_them_is_stored_and_one_of_its_own(
+    tmp_path: Path,
+) -> None:
+    past = PastRuns(Store(tmp_path / ".vv"), {}, print)
+    past.held.update(a={"c": "1"}, b={"c": "2"}, lost={}, other={"d": "1"})
+    both = past.key_of(["a", "b"], "c")
+    assert both
+    assert both != past.key_of(["b", "a"], "c") != past.key_of(["a"], "c")
+    for names in ([], ["lost"], ["a", "lost"], ["lost", "a"], ["a", "other"]):
+        assert past.key_of(names, "c") == ""
+
+
 def elsewhere(manifest: Manifest) -> Provenance:
     return dataclasses.replace(manifest.provenance, commit="another")
