@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from collections.abc import Mapping, Sequence
 
 import numpy as np
@@ -207,7 +208,8 @@ def _guides(chart: Chart, x: Axis, y: Axis) -> list[str]:
     for slope in chart.guides:
         ends = [float(c.x.max() if slope > 0 else c.x.min()) for c in chart.curves]
         at = max(ends) if slope > 0 else min(ends)
-        rims = [at * (y.value(part) / top) ** (1 / slope) for part in (1.0, 0.0)]
+        heights_of_rims = (max(y.value(part) / top, sys.float_info.min) for part in (1.0, 0.0))
+        rims = [at * height ** (1 / slope) for height in heights_of_rims]
         start, end = np.clip(rims, x.value(0.0), x.value(1.0)).tolist()
         spots = np.array([start, end])
         heights = top * (spots / at) ** slope

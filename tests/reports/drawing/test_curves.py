@@ -272,3 +272,11 @@ def test_a_curve_that_turns_back_has_no_zoom() -> None:
         assert ("data-x" in next(read(draw(chart)).every("svg")).named) is zooms
     log = dataclasses.replace(LOG, curves=(curve(A, [1e-1, 1e-2], [1e-1, 1e-2]),))
     assert "data-x" in next(read(draw(log)).every("svg")).named
+
+
+@pytest.mark.parametrize("slope", [-1, -2, 1, 2])
+def test_a_guide_is_drawn_though_the_least_is_next_to_nothing(slope: int) -> None:
+    """0 to a negative power ended the report."""
+    curves = (curve(A, [1e-6, 1e-3], [1e-2, 5e-324]),)
+    drawn = read(draw(Chart("CPU [s]", "error", True, True, curves, guides=(slope,))))
+    assert len(list(drawn.every("path", class_="guide"))) == 1
