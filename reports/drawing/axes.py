@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import sys
 from collections.abc import Iterable
 from dataclasses import dataclass
 
@@ -13,6 +14,7 @@ from vv.base.metrics import Vector
 
 DECADES = 6  # labels on a logarithmic axis, at most about this many
 STEPS = 5  # labels on a linear one
+LEAST, LARGEST = sys.float_info.min_10_exp, sys.float_info.max_10_exp  # of powers of ten
 
 
 @dataclass(frozen=True)
@@ -52,7 +54,7 @@ def log_axis(values: Vector, margin: float, start: float, end: float) -> Axis:
     """A logarithmic axis around positive values, with a label at each decade or every few."""
     low, high = np.log10([values.min(), values.max()]).tolist() if len(values) else (-1.0, 0.0)
     pad = max(0.12, margin * (high - low))
-    low, high = low - pad, high + pad
+    low, high = max(low - pad, LEAST), min(high + pad, LARGEST)
     return Axis(low, high, True, start, end, tuple(_decades(low, high)))
 
 

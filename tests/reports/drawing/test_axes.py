@@ -90,3 +90,9 @@ def test_places_and_values_are_each_other_s_inverse() -> None:
     assert log.at(np.array([0.1, 10.0])).tolist() == [40.0, 20.0]
     assert np.isnan(log.at(np.array([0.0, -1.0]))).all()
     assert log.limits() == "-1 3 1"
+
+
+def test_an_axis_around_the_largest_and_the_least_number_ends_at_numbers() -> None:
+    axis = log_axis(np.array([5e-324, 1e308]), 0.1, 0.0, 10.0)
+    assert [axis.value(0.0), axis.value(1.0)] == pytest.approx([1e-307, 1e308])
+    assert len(said(axis)) >= 3
