@@ -13,11 +13,13 @@ import pytest
 
 from tests.support.acceptances import ran
 from tests.support.fabricated import manifest, record
+from vv.ask import Cost, Run, Status
 from vv.base import files
 from vv.records.job_record import RunSummary
 from vv.store.provenance import file_digests
+from vv.store.run_arrays import arrays_of
 from vv.store.seal import sealed_bytes
-from vv.store.store import Store
+from vv.store.store import Store, _Kept
 
 KEY = "ab" * 32
 Spoil = Callable[[Path], object]
@@ -143,3 +145,15 @@ def test_what_unpacks_to_more_than_fits_is_not_unpacked(
     path.write_bytes(sealed_bytes(f"runs/{KEY}", bomb))
     assert Store(tmp_path).run(KEY) is None
     assert "what is packed in it is larger than what is read" in capsys.readouterr().err
+
+
+def test_what_is_of_another_key_is_named(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    store, other = Store(tmp_path), KEY[::-1]
+    store._write("records", KEY, _Kept(summary(), other))
+    run = Run(Status.RAN, times=np.arange(3.0), cost=Cost(), steps=2)
+    store._keep_arrays("runs", KEY, arrays_of(run, other))
+    assert (store.summary(KEY), store.run(KEY)) == (None, None)
+    said = f"it is of the key {other}; passed over, and made again"
+    assert capsys.readouterr().err.count(said) == 2

@@ -51,10 +51,12 @@ def arrays_of(run: Run, key: str) -> dict[str, Any]:
     return {"meta": meta, "t": run.times, "tried": run.tried, **arrays}
 
 
-def run_from(arrays: Mapping[str, Any], key: str) -> Run | None:
-    """The run that arrays hold; None if it belongs to another key. Raises what reading raises."""
+def run_from(arrays: Mapping[str, Any], key: str) -> Run:
+    """The run of that key, which arrays hold; raises what reading raises, and for another key."""
     meta = codec.read(RunMeta, codec.parse(str(arrays["meta"])), "run")
-    return _run(meta, arrays) if meta.key == key else None
+    if meta.key != key:
+        raise ValueError(f"it is of the key {meta.key}")
+    return _run(meta, arrays)
 
 
 def _run(meta: RunMeta, arrays: Mapping[str, Any]) -> Run:

@@ -81,7 +81,10 @@ class Store:
     def summary(self, key: str) -> RunSummary | None:
         """The measured summary stored under a record's key; None if there is none."""
         kept = self._read(_Kept, "records", key)
-        return kept.run if kept and kept.key == key else None
+        if kept and kept.key != key:
+            self._passed_over("records", key, "json", ValueError(f"it is of the key {kept.key}"))
+            return None
+        return kept.run if kept else None
 
     def keep_summary(self, key: str, run: RunSummary, series: Mapping[str, Vector]) -> None:
         """Store the measured summary of a run, and the arrays of its series."""
