@@ -152,3 +152,10 @@ def test_costs_once_accepted_stay_when_results_are_accepted_without_timing() -> 
     (result,) = again.results.values()
     assert result.cost == (1.0, 1.2)
     assert result.quantities["y"].error == 2e-4
+
+
+def test_a_figure_is_accepted_with_twelve_digits() -> None:
+    """Fewer would move results that did not, or hide those that did."""
+    kept = codec.render(accepted(ran(1.23456789012345e-4, 3.14159265358979)))
+    assert "3.14159265359," in kept
+    assert "0.000123456789012" in kept

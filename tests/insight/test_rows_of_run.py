@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any
+from typing import Any, get_origin
 
 import pytest
 
 from tests.conftest import tiny_project
 from tests.support.fabricated import changed, entry, manifest, record
 from vv.case.published import Paper, Seen, Standing, Statement
+from vv.insight.history import history
 from vv.insight.rows_of_run import rows_of_run
 from vv.plan.exact_numbers import with_exact_numbers
 from vv.plan.project import Project, find
+from vv.store.store import Store
 
 SEEN = (Seen("bounce", "T1", "y"),)
 
@@ -43,6 +45,24 @@ def test_an_exact_number_is_worked_out_once_and_kept(project: Project) -> None:
         assert first.exact() == 2.5
         assert not callable(second.exact)
     assert asked == [2.5]
+
+
+@pytest.mark.parametrize("kept", [(), (1.0, 2.0, 3.0)])
+def test_kept_numbers_and_rows_of_another_count_are_worked_out_anew(
+    project: Project, monkeypatch: pytest.MonkeyPatch, kept: tuple[float, ...]
+) -> None:
+    """Sealed as they are, such as by an older form: they ended reports in a traceback."""
+    store = Store(project.data())
+    whole = manifest(record("dem/default", "T1", 1e-3), name="01")
+    store.keep_manifest(whole)
+    monkeypatch.setattr(
+        Store, "facts", lambda _, kind, key: kept if get_origin(kind) is tuple else None
+    )
+    ((first, _),) = [one.statements for one in with_exact_numbers([paper(2.5, [])], project, [])]
+    assert callable(first.exact)
+    assert first.exact() == 2.5
+    assert len(rows_of_run([paper(2.5, [])], project, whole)) == 1
+    assert len(history(store, "bounce", print)) == 1
 
 
 def test_what_ran_at_other_parameters_or_not_at_all_answers_no_statement(project: Project) -> None:

@@ -58,7 +58,8 @@ def histories(
     past = PastRuns(store, at_hand, functools.cache(passed_over))
     told = {case: [*last.values()] for case, last in _last_runs(store, past, cases).items()}
     keys = {case: past.key_of([name for name, _ in runs], case) for case, runs in told.items()}
-    kept = {case: store.facts(tuple[Point, ...], key) for case, key in keys.items() if key}
+    facts = {case: store.facts(tuple[Point, ...], key) for case, key in keys.items() if key}
+    kept = {case: own for case, own in facts.items() if own and len(own) == len(told[case])}
     found = _worked_out(store, past, [case for case in told if not kept.get(case)])
     points = {case: _points([*runs.values()][::-1]) for case, runs in found.items()}
     for case, new in points.items():

@@ -27,7 +27,7 @@ def rows_of_run(
     results = functools.cache(functools.partial(_results, project, manifest))
     store, key = Store(project.data()), _key_of_rows(papers, project, manifest)
     rows = store.facts(tuple[tuple[insight.Row, ...], ...], key) if key else None
-    if rows is None:
+    if rows is None or len(rows) != len(papers):
         rows = tuple(insight.rows(paper, results) for paper in papers)
         if key:
             store.keep_facts(key, rows)

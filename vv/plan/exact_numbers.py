@@ -24,8 +24,9 @@ def with_exact_numbers(
     of = closure.source_digest(sources), closure.library_versions(sources)
     key = digest("exact numbers of papers", *of, [paper.name for paper in papers])
     numbers = store.facts(tuple[float, ...], key)
-    if numbers is None:
-        numbers = tuple(s.exact() for p in papers for s in p.statements if callable(s.exact))
+    asked = [s.exact for p in papers for s in p.statements if callable(s.exact)]
+    if numbers is None or len(numbers) != len(asked):
+        numbers = tuple(exact() for exact in asked)
         store.keep_facts(key, numbers)
     known = iter(numbers)
     return [
