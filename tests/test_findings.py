@@ -10,8 +10,9 @@ import pytest
 
 from bench.mutation.sensitivity import answer
 from tests import ROOT
-from vv.ask import Knobs, Status
-from vv.case import Level, Norm
+from vv.ask import Ask, Knobs, Run, Status
+from vv.case import Level, Norm, Trial
+from vv.codes import Scheme
 from vv.plan.project import find
 from vv.plan.selection import choose_schemes, named_adapters, select
 from vv.records.record import measured
@@ -53,8 +54,25 @@ def test_what_shows_a_finding_is_there(text: str) -> None:
     assert any(case.variant(name).runs_at(level) for case, name in select(PROJECT, chosen))
 
 
+LATE_WAVE = "rho=1700 G=3.1e8 F=4.3"  # near the first swing of its layers
+SMALL = "b=0.09 h=0.31 part=0.5 duration=0.9"  # a block that rocks
 # slow ones are left to their commands: blocks of bonds through failure, stacks of a hundred, maps
+# a case is followed by what --set changes of it
 FOUND = (
+    ("incline:two-directions", "dem/default", Knobs(1e-4, 1e10), "d", 2.5e-4, 2.7e-4),  # w dt = 1
+    ("incline:two-directions", "dem/default", Knobs(1e-4, 1.01e10), "d", 2.9e-5, 3.2e-5),
+    ("incline:two-directions", "dem/default", Knobs(2e-4, 2.5e9), "d", 6.0e-4, 6.2e-4),  # w dt = 1
+    ("incline:two-directions", "dem/default", Knobs(2e-4, 2.6e9), "d", 1.3e-4, 1.5e-4),
+    ("incline:two-directions", "dem/default", Knobs(5e-5, 4e10), "d", 9.7e-5, 9.9e-5),  # w dt = 1
+    ("incline:two-directions", "dem/default", Knobs(5e-5, 4.2e10), "d", 1.9e-5, 2.1e-5),
+    ("laden-block:turning", "dda/lagged", Knobs(2.5e-4, 1e9), "slip", 0.027, 0.029),
+    ("laden-block:turning", "dda/lagged", Knobs(2.5e-4, 1e9), "slipping", 0.022, 0.024),
+    ("slow-slide:slope", "dda/published", Knobs(0.5872247793239222e-3, 1e9), "s", 0.10, 0.12),
+    (f"shear-wave:20 {LATE_WAVE}", "dda/default", Knobs(1e-4, 1e12), "top", 4.6e-3, 4.8e-3),
+    (f"shear-wave:20 {LATE_WAVE}", "dda/default", Knobs(1e-4, 1e12), "top of layers", 6e-3, 6.2e-3),
+    (f"rocking:released {SMALL}", "dda/default", Knobs(1e-3, 1e10), "x", 0.0, 0.03),
+    ("masonry:rest", "dda/default", None, "borne", 4e-4, 1.1e-3),
+    ("masonry:rest", "dda/default", None, "given upwards", 0.0, 2e-15),
     ("elastic-block:spun", "dda/published", None, "e_x", 0.999, 1.001),  # does not strain
     ("painleve:mu-2", "dda/default", Knobs(1e-3, 1e8), "distance", 0.11, 0.13),  # 7 to 19 %
     ("rocking:released", "dda/default", Knobs(1e-3, 1e9), "x", 0.022, 0.025),
@@ -80,6 +98,19 @@ FOUND = (
     ("shaken-fast:20hz", "dem/default", Knobs(5e-6, 1e11), "d2x", 0.015, 0.017),
     ("tetrahedral-unit:turning", "dem/default", None, "E", 0.0, 1e-8),
 )
+
+
+def asked(name: str, scheme: str, knobs: Knobs | None) -> tuple[Trial, Scheme, Ask, Run]:
+    """The trial of CASE:VARIANT NAME=VALUE..., the scheme, and what it answers at a setting."""
+    name, *changed = name.split()
+    case, _, variant = name.partition(":")
+    code, _, which = scheme.partition("/")
+    sets = {key: float(value) for key, value in (one.split("=") for one in changed)}
+    trial = (told := PROJECT.load_case(case)).declare(variant, told.defaults(variant) | sets)
+    adapter = PROJECT.load_adapter(code)
+    own = next(one for one in adapter.schemes if one.name == which)
+    ask = trial.study.ask(knobs or trial.study.rungs[Level.QUICK][0])
+    return trial, own, ask, answer(adapter, own, ask)
 
 
 @pytest.mark.parametrize(
@@ -108,17 +139,27 @@ def found(
     given: Mapping[str, float] = MappingProxyType({}),
 ) -> float:  # fmt: skip
     """The error of a quantity in a scheme, at these parameters and else the case's own."""
-    case, _, variant = name.partition(":")
-    code, _, which = scheme.partition("/")
-    asked = PROJECT.load_case(case)
-    trial = asked.declare(variant, {**asked.defaults(variant), **given})
-    adapter = PROJECT.load_adapter(code)
-    own = next(one for one in adapter.schemes if one.name == which)
-    ask = trial.study.ask(knobs or trial.study.rungs[Level.QUICK][0])
-    run = answer(adapter, own, ask)
+    changed = " ".join([name, *(f"{key}={value!r}" for key, value in given.items())])
+    trial, own, ask, run = asked(changed, scheme, knobs)
     assert run.status is Status.RAN
     wanted = next(one for one in trial.quantities if one.name == quantity)
     method = own.method_for(ask.scene.terms())
     error = measured(run, wanted, method, ask.knobs)[0].errors[Norm.MAX]
     assert error is not None
     return error
+
+
+@pytest.mark.parametrize("kind", [SMALL, f"{SMALL} mu=0.3", f"{SMALL} mu=1.3"])
+def test_a_block_that_rocks_diverges_where_friction_lags(kind: str) -> None:
+    *_, run = asked(f"rocking:released {kind}", "dda/lagged", Knobs(1e-3, 1e10))
+    assert run.status is Status.DIVERGED
+
+
+def test_friction_that_lags_gives_energy_on_a_knife_edge_at_large_steps_only() -> None:
+    given = []
+    for dt in (2e-3, 1e-3):
+        *_, run = asked("knife-edge:topples", "dda/lagged", Knobs(dt, 1e8))
+        assert run.ledger is not None
+        given.append(-run.ledger.terms["friction dissipation"] / run.ledger.peak)
+    assert 7.5e-3 <= given[0] <= 8.5e-3
+    assert given[1] <= 1e-9
