@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from cases.bonds import tetrahedral_unit, unlike_bonds
 from cases.contact import bounce
 from cases.hard import galperin, resting, shaken_corner
 from cases.impact import hertz_impact, kharaz, oblique_impact
@@ -21,6 +22,7 @@ GROUPS = (
     ((hertz_impact.CASE, "glass"), (hertz_impact.CASE, "aluminium")),
     ((oblique_impact.CASE, "pair-alloy"), (kharaz.CASE, "hertz")),
     ((oblique_impact.CASE, "pair-alloy-linear"), (shaken_corner.CASE, "viscous")),
+    ((tetrahedral_unit.CASE, "gamma-0"), (unlike_bonds.CASE, "row")),
 )  # fmt: skip
 UP = np.array([0.0, 0.0, 1.0])
 

@@ -27,9 +27,9 @@ CHUNKS, LEAST = 8, 16  # into which bonds are shared out, and blocks in a chunk,
 class Blocks(NamedTuple):
     """ends: rows of both spheres (k, 2 WIDE); table: numbers of the bonds (k, places x WIDE).
 
-    like: kn, ks, tension and shear of all bonds, and None if they differ; share: the blocks of
-    chunk c go from share[c] to share[c + 1]; window: (c, 2) the first row it acts on, and the one
-    after the last, but for the ground's. The shares depend on the scene alone.
+    like: kn, ks, tension and shear of all bonds, and None if they differ or none has shear springs;
+    share: the blocks of chunk c go from share[c] to share[c + 1]; window: (c, 2) the first row it
+    acts on, and the one after the last, but for the ground's. The shares depend on the scene alone.
     """
 
     ends: Ends
@@ -42,7 +42,8 @@ class Blocks(NamedTuple):
 def blocks(springs: Springs, own: Vector, ground: int) -> Blocks:
     """Lay out springs (`law.py`); own: (4, b) kn, ks, tension and shear of each bond."""
     rows, offset, first, strained, _, radius = springs
-    alike = bool((own == own[:, :1]).all())
+    # Without shear springs one stiffness is read, which is no gain over that of the bond itself.
+    alike = bool(own[1].any() and (own == own[:, :1]).all())
     numbers = np.zeros((LIKE if alike else ALL, len(rows)))
     numbers[OFFSET:SLIP], numbers[FIRST], numbers[STRAINED] = offset.T, first, strained
     numbers[RADII:KN] = radius.T
