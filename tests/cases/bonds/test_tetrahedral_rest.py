@@ -15,7 +15,7 @@ from vv.records.record import measured
 CASE = find().load_case("tetrahedral-unit")
 
 
-@pytest.mark.parametrize("given", [{"m": 1e-3}, {"kn": 1e4}, {"eta": 0.2}, {"eta": 600.0}])
+@pytest.mark.parametrize("given", [{"m": 1e-3}, {"kn": 1e6}, {"eta": 0.2}, {"eta": 100.0}])
 def test_mass_stiffness_and_viscosity_do_not_enter_the_state_of_rest(
     given: dict[str, float],
 ) -> None:
@@ -50,3 +50,11 @@ def test_the_parameters_of_the_case_keep_their_durations(variant: str) -> None:
 def test_a_unit_that_nothing_brings_to_rest_is_refused() -> None:
     with pytest.raises(ValueError, match=r"eta = 0\.0 N s/m; all must be positive"):
         CASE.declare("pulled", {**CASE.defaults("pulled"), "eta": 0.0})
+
+
+@pytest.mark.parametrize("given", [{"kn": 1e4}, {"eta": 600.0}])
+def test_a_unit_that_rounding_of_places_stops_on_its_way_to_rest_is_refused(
+    given: dict[str, float],
+) -> None:
+    with pytest.raises(ValueError, match="rounded in each step, stop before that"):
+        CASE.declare("pulled", {**CASE.defaults("pulled"), **given})

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from cases.bonds import tetrahedral_unit, unlike_bonds
-from cases.contact import bounce
+from cases.contact import bounce, single_contact
 from cases.hard import galperin, resting, shaken_corner
 from cases.impact import hertz_impact, kharaz, oblique_impact
 from vv.ask import Ask, Displacement, History, Knobs
@@ -22,6 +22,7 @@ GROUPS = (
     ((hertz_impact.CASE, "glass"), (hertz_impact.CASE, "aluminium")),
     ((oblique_impact.CASE, "pair-alloy"), (kharaz.CASE, "hertz")),
     ((oblique_impact.CASE, "pair-alloy-linear"), (shaken_corner.CASE, "viscous")),
+    ((single_contact.CASE, "T3-free"), (single_contact.CASE, "T4-free")),
     ((tetrahedral_unit.CASE, "gamma-0"), (unlike_bonds.CASE, "row")),
 )  # fmt: skip
 UP = np.array([0.0, 0.0, 1.0])

@@ -49,21 +49,31 @@ class Sliding:
 
     def arguments(self, step: tuple[Any, ...], law: Springs) -> tuple[Any, ...]:
         """What the kernel is told; step: stride, dt, settling, tolerance, iterations."""
+        from vv.engines.dda.point.block import Block, Drives, Friction, Rule, Steps
         from vv.engines.kernels.drive import NO_MOTION, drive
 
         block, wall, hold = self.lone.block, self.lone.wall, self.lone.hold
-        way = self.formulation
-        start = way.dd, way.pressed and self._rests(law), float(way.charged)
-        vectors = (block.velocity, self.scene.gravity, block.load)
-        shaking = drive(self.scene.shaking or NO_MOTION)
-        felt = shaking._replace(direction=shaking.direction @ hold)
-        return (
-            *step, *start, block.mass, self.points, law.kn, law.ks, law.mu,
-            *(_triple(hold @ vector) for vector in vectors), _triple(wall.normal),
-            self.lone.gap,
-            None if wall.motion is None else drive(wall.motion),
-            None if self.scene.shaking is None else felt,
+        way, scene = self.formulation, self.scene
+        *steps, tolerance, iterations = step
+        shaking, drives = drive(scene.shaking or NO_MOTION), None
+        if wall.motion is not None or scene.shaking is not None:
+            felt = shaking._replace(direction=shaking.direction @ hold)
+            drives = Drives(drive(wall.motion or NO_MOTION), felt)
+        gravity, load = hold @ scene.gravity, hold @ block.load
+        told = Block(
+            block.mass, self.points, law.kn, _triple(gravity), _triple(load),
+            _triple(load + block.mass * gravity), _triple(wall.normal), self.lone.gap, drives,
         )  # fmt: skip
+        rule = Rule(tolerance, iterations, float(way.charged), way.dd)
+        rough = None if law.ks is None or law.mu is None else Friction(law.ks, law.mu)
+        return (
+            Steps(*steps),
+            rule,
+            _triple(hold @ block.velocity),
+            way.pressed and self._rests(law),
+            told,
+            rough,
+        )
 
     def _rests(self, law: Springs) -> bool:
         """Whether the block is no farther off its wall than springs could sink, by far."""

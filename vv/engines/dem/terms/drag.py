@@ -21,9 +21,10 @@ class Drag(NamedTuple):
 
 
 def build(placed: Placed) -> Drag | None:
-    """The drag of a scene that has some; with bonds, or where each step asks, it may be nil."""
+    """The drag of a scene that has some; where that costs next to nothing, it may be nil."""
     scene, steady = placed.scene, placed.carried
-    if scene.eta == 0.0 and scene.bonds is None and not placed.asks:
+    rubs_locked = placed.law.friction is not None and not scene.spheres.free_spin.any()
+    if scene.eta == 0.0 and scene.bonds is None and not placed.asks and not rubs_locked:
         return None
     return Drag(scene.eta, steady if steady.any() else steady[:0])
 

@@ -1,0 +1,137 @@
+"""The open-close iteration of one block that cannot turn, inlined into its kernel."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from vv.engines.dda.law import OPEN, SLIDE, STICK, respond
+from vv.engines.dda.point.block import Block, Contact, Friction, Motion, Rule
+from vv.engines.dda.point.books import MOST, SOLVED
+from vv.engines.kernels.compiled import inlined
+from vv.engines.kernels.triples import NOWHERE, Triple, add_scaled, dot
+from vv.scene import Vector
+
+
+class Posed(NamedTuple):
+    """What a part of a step is solved from.
+
+    inertia: m 2/D^2 [N/m] of a part D [s]; outer: gravity, loads and shaking [N]; normal,
+    tangent: forces [N] on the block with its momentum; space: the gap [m] at the begin; moved_n,
+    moved_t: motion of the base.
+    """
+
+    inertia: float
+    outer: Triple
+    normal: float
+    tangent: Triple
+    space: float
+    moved_n: float
+    moved_t: Triple
+
+
+class Solved(NamedTuple):
+    """What an iteration found.
+
+    contact: what the solution calls for; used: the state that it was solved with, rub: friction
+    [N] then; d_n, d_t: the displacement; after: the gap [m]; slip: along the wall; wrong: of
+    friction [N]; ended: whether the iteration did.
+    """
+
+    contact: Contact
+    used: int
+    rub: Triple
+    d_n: float
+    d_t: Triple
+    after: float
+    slip: Triple
+    wrong: float
+    ended: bool
+
+
+@inlined
+def posed(block: Block, motion: Motion, part: float, wall: Triple, shake: Triple) -> Posed:
+    """A part of a step [s]; wall, shake: place [m] of the base and shaking [m/s2] at its end."""
+    normal, shift = block.normal, motion.shift
+    moved = add_scaled(wall, -1.0, shift)
+    space = block.gap + dot(normal, add_scaled(motion.x, -1.0, shift))
+    c = 2.0 * block.mass / (part * part)
+    outer = add_scaled(block.borne, block.mass, shake)
+    f = add_scaled(outer, c * part, motion.v)
+    f_n, moved_n = dot(f, normal), dot(moved, normal)
+    f_t, moved_t = add_scaled(f, -f_n, normal), add_scaled(moved, -moved_n, normal)
+    return Posed(c, outer, f_n, f_t, space, moved_n, moved_t)
+
+
+@inlined
+def iterated(
+    part: Posed, begun: Contact, rule: Rule, block: Block, friction: Friction | None, worst: Vector
+) -> Solved:
+    """Solve with a state of contact until the solution calls for that state."""
+    spring, wrong, ended = begun.spring, 0.0, False
+    now, force, along = begun.state, begun.push, begun.way
+    for count in range(1, rule.iterations + 1):  # noqa: B007 - counted, below, whether it ends or not
+        used = now
+        d_n, d_t, rub = displaced(part, used, force, along, spring, block, friction)
+        after = part.space + d_n - part.moved_n
+        slip = add_scaled(d_t, -1.0, part.moved_t)
+        begun = Contact(used, 0.0, along, spring)
+        ease = part.inertia / block.points
+        now, force, along = called_for(begun, after, slip, block.kn, friction, rule, ease)
+        ended = now == used
+        if friction is not None and used == SLIDE and now == SLIDE:
+            off = add_scaled(add_scaled(NOWHERE, friction.mu * force, along), -1.0, rub)
+            wrong = np.sqrt(dot(off, off))
+            ended = ended and not wrong > rule.tolerance * friction.mu * force
+        if ended:
+            break
+    worst[SOLVED] += count
+    worst[MOST] = max(worst[MOST], count)
+    return Solved(
+        Contact(now, force, along, spring), used, rub, d_n, d_t, after, slip, wrong, ended
+    )
+
+
+@inlined
+def displaced(
+    part: Posed,
+    used: int,
+    force: float,
+    along: Triple,
+    spring: Triple,
+    block: Block,
+    friction: Friction | None,
+) -> tuple[float, Triple, Triple]:
+    """The displacement along the normal and the wall, and friction, for an assumed state."""
+    points, c, f_t, rub = block.points, part.inertia, part.tangent, NOWHERE
+    closed = points * block.kn if used != OPEN else 0.0
+    d_n = (part.normal - closed * (part.space - part.moved_n)) / (c + closed)
+    d_t = add_scaled(NOWHERE, 1.0 / c, f_t)
+    if friction is not None:
+        if used == STICK:
+            pull = add_scaled(spring, -1.0, part.moved_t)
+            held = add_scaled(f_t, -points * friction.ks, pull)
+            d_t = add_scaled(NOWHERE, 1.0 / (c + points * friction.ks), held)
+        elif used == SLIDE:
+            rub = add_scaled(NOWHERE, friction.mu * force, along)
+            d_t = add_scaled(NOWHERE, 1.0 / c, add_scaled(f_t, -points, rub))
+    return d_n, d_t, rub
+
+
+@inlined
+def called_for(
+    used: Contact,
+    after: float,
+    slip: Triple,
+    kn: float,
+    friction: Friction | None,
+    rule: Rule,
+    ease: float,
+) -> tuple[int, float, Triple]:
+    """The state, force and direction of friction that a solution calls for: see `respond`."""
+    state, spring, way, converges = used.state, used.spring, used.way, rule.tolerance < np.inf
+    if friction is None:
+        return respond(state, after, slip, spring, way, kn, None, None, rule.hold, ease, converges)
+    ks, mu = friction.ks, friction.mu
+    return respond(state, after, slip, spring, way, kn, ks, mu, rule.hold, ease, converges)
