@@ -10,7 +10,7 @@ import os
 import signal
 import sys
 import time
-from collections.abc import Callable, Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from pathlib import Path
 from types import CodeType, FunctionType
 
@@ -86,6 +86,16 @@ class Collected:
         for function in self._functions.get(path, ()):
             if (code := made.get(_place(function.__code__))) is not None:
                 function.__code__ = code
+
+
+def fitting(ordered: Iterable[str], seconds: Mapping[str, float], longest: float) -> list[str]:
+    """The first of these tests, and of those after them, that together take no longer."""
+    left, chosen = longest, list[str]()
+    for one in ordered:
+        if seconds[one] <= left:
+            left -= seconds[one]
+            chosen.append(one)
+    return chosen
 
 
 def _nothing() -> None:

@@ -23,7 +23,7 @@ from fnmatch import fnmatch
 from pathlib import Path
 
 from bench.evidence import conclude
-from bench.mutation.collected_tests import Collected, collected, forked
+from bench.mutation.collected_tests import Collected, collected, fitting, forked
 from bench.mutation.forked_tests import with_tests
 from bench.mutation.framework_mutants import NEEDS, survival
 from bench.mutation.mutants import ROOT, Mutant, all_places
@@ -63,12 +63,7 @@ class Asked:
         """As many as fit in the time."""
         own = f"tests/engines/{Path(mutant.file).parts[2]}/"
         ordered = sorted(self.seconds, key=lambda one: (not one.startswith(own), self.seconds[one]))
-        left, chosen = self.longest, list[str]()
-        for one in ordered:
-            if self.seconds[one] <= left:
-                left -= self.seconds[one]
-                chosen.append(one)
-        return chosen
+        return fitting(ordered, self.seconds, self.longest)
 
     def red_of(self, mutant: Mutant, number: int) -> str | None:
         """The test that sees it, if any."""

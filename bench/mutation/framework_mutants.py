@@ -23,7 +23,7 @@ from typing import Any
 from scipy.stats import binomtest
 
 from bench.evidence import conclude
-from bench.mutation.collected_tests import Collected, collected
+from bench.mutation.collected_tests import Collected, collected, fitting
 from bench.mutation.covering_tests import records, told_of
 from bench.mutation.forked_tests import passes, rewrite, with_tests
 from bench.mutation.framework_sites import EVERY, Mutant, drawn, uniform
@@ -67,12 +67,7 @@ class Asked:
         """As many as fit in the time: those of its own folder first, then the quickest."""
         own = f"tests/{Path(mutant.file.removeprefix('vv/')).parts[0]}/"
         ordered = sorted(tests, key=lambda one: (not one.startswith(own), self.seconds[one], one))
-        left, chosen = self.longest, list[str]()
-        for one in ordered:
-            if self.seconds[one] <= left:
-                left -= self.seconds[one]
-                chosen.append(one)
-        return chosen
+        return fitting(ordered, self.seconds, self.longest)
 
     def red_of(self, collected: Collected, mutant: Mutant) -> str | None:
         """The test that sees a mutant in loaded functions, if any."""
