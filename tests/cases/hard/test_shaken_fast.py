@@ -8,12 +8,13 @@ from numpy.typing import NDArray
 
 from reference_solutions.blocks import responding_block as closed
 from reference_solutions.checks.blocks import responding_block as followed
-from vv.ask import Displacement, Knobs
-from vv.case import Scalar, Series
+from vv.ask import Displacement, Knobs, Method, Run, Status
+from vv.case import Exact, Ladder, Scalar, Series
 from vv.engines import dem, exact
 from vv.plan.project import find
 
 CASE = find().load_case("shaken-fast")
+BLOCK, X = Displacement(1), np.array([1.0, 0.0, 0.0])
 FAST = {"D": 0.2, "mu": 0.6, "g": 9.81}
 PI = Decimal("3.14159265358979323846264338327950288419716939937510582097494")
 
@@ -82,6 +83,38 @@ def test_the_exact_engine_ends_at_the_limit() -> None:
     assert mean.observe(exact.solve(trial.study.ask(Knobs()))) == pytest.approx(
         mean.reference, rel=7e-5
     )
+
+
+@pytest.mark.parametrize("step", [None, 5e-4, 2.5e-4, 1e-3])
+@pytest.mark.parametrize(
+    "given",
+    [
+        {},
+        {"D": 0.196, "f": 6.55, "mu": 0.729, "g": 9.61, "duration": 22.7},
+        {"f": 3.37, "duration": 11.4},
+        {"D": 0.11, "f": 2.71, "mu": 0.5, "duration": 6.1},
+    ],
+)
+def test_the_exact_path_has_the_mean_wherever_outputs_lie(
+    given: dict[str, float], step: float | None
+) -> None:
+    trial = CASE.declare("5hz", {**CASE.defaults("5hz"), **given})
+    path, mean = trial.quantities
+    assert isinstance(path, Series)
+    assert isinstance(mean, Scalar)
+    assert isinstance(mean.judge, Exact)
+    assert path.reference is not None
+    assert isinstance(trial.study, Ladder)
+    times = trial.study.goal.times(step)
+    run = Run(Status.RAN, times=times, values={BLOCK: np.outer(path.reference(times), X)})
+    bound = mean.judge.tolerances[Method.EXACT].value
+    assert bound < 2e-3
+    assert abs(mean.observe(run) / mean.reference - 1) < bound
+
+
+def test_no_mean_is_judged_where_friction_holds_the_block_for_a_while() -> None:
+    given = {**CASE.defaults("5hz"), "f": 1.4, "duration": 30.0}
+    assert [q.name for q in CASE.declare("5hz", given).quantities] == ["d2x"]
 
 
 def test_steps_in_which_the_base_gains_more_than_friction_gives_lose_the_block() -> None:
