@@ -54,7 +54,6 @@ def test_what_shows_a_finding_is_there(text: str) -> None:
     assert any(case.variant(name).runs_at(level) for case, name in select(PROJECT, chosen))
 
 
-LATE_WAVE = "rho=1700 G=3.1e8 F=4.3"  # near the first swing of its layers
 SMALL = "b=0.09 h=0.31 part=0.5 duration=0.9"  # a block that rocks
 # slow ones are left to their commands: blocks of bonds through failure, stacks of a hundred, maps
 # a case is followed by what --set changes of it
@@ -68,8 +67,6 @@ FOUND = (
     ("laden-block:turning", "dda/lagged", Knobs(2.5e-4, 1e9), "slip", 0.027, 0.029),
     ("laden-block:turning", "dda/lagged", Knobs(2.5e-4, 1e9), "slipping", 0.022, 0.024),
     ("slow-slide:slope", "dda/published", Knobs(0.5872247793239222e-3, 1e9), "s", 0.10, 0.12),
-    (f"shear-wave:20 {LATE_WAVE}", "dda/default", Knobs(1e-4, 1e12), "top", 4.6e-3, 4.8e-3),
-    (f"shear-wave:20 {LATE_WAVE}", "dda/default", Knobs(1e-4, 1e12), "top of layers", 6e-3, 6.2e-3),
     (f"rocking:released {SMALL}", "dda/default", Knobs(1e-3, 1e10), "x", 0.0, 0.03),
     ("masonry:rest", "dda/default", None, "borne", 4e-4, 1.1e-3),
     ("masonry:rest", "dda/default", None, "given upwards", 0.0, 2e-15),

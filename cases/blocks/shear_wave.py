@@ -83,20 +83,26 @@ def speed(p: Parameters) -> float:
 def _declare(variant: str, p: Parameters) -> Trial:
     layers = int(variant.partition("-")[0])
     goal = History(p["duration"], p["duration"] / OUTPUTS)
+    stiffness = LEVELS[variant][Level.QUICK][0].kn
+    assert stiffness is not None
+    given = _softer(p, layers, stiffness)
     quantities = tuple(
         quantity
         for name, number in (("middle", (layers + 1) // 2), ("top", layers))
-        for quantity in _at(name, number, layers, goal.times(None), p)
+        for quantity in _at(name, number, layers, goal.times(None), given, p)
     )
     seen = tuple(Displacement(number) for number in ((layers + 1) // 2, layers))
     study = Ladder(column(p, layers), goal, seen, LEVELS[variant])
     return Trial(study, quantities)
 
 
-def _at(name: str, number: int, layers: int, times: Vector, p: Parameters) -> tuple[Series, ...]:
+def _at(
+    name: str, number: int, layers: int, times: Vector, given: float, p: Parameters
+) -> tuple[Series, ...]:
     """The motion of a layer's centre, against the wave and against the answer of the layers.
 
-    Errors are relative to the largest motion.
+    given: the part of its shear modulus that the column lacks in springs. Errors are relative to
+    the largest motion.
     """
     H, c, D, F = p["H"], speed(p), p["D"], p["F"]
     place = {"number": number, "layers": layers}
@@ -117,6 +123,11 @@ def _at(name: str, number: int, layers: int, times: Vector, p: Parameters) -> tu
         raise ValueError(f"F = {F!r} Hz: layers that shear uniformly are {own:.2g} off the wave")
     late = float(np.abs(stepped - chain(COARSE * np.arange(steps + 1))).max()) / largest
 
+    soft = shear_wave.layered_displacement(
+        times, **place, height=H, c=c * math.sqrt(1.0 - given), D=D, F=F
+    )
+    yields = float(np.abs(soft - chain(times)).max()) / largest
+
     def series(name: str, what: str, due: Callable[[Vector], Vector], judge: Exact) -> Series:
         return Series(
             name, f"u_{name}", "m", f"motion of the centre of layer {number} of {layers}{what}",
@@ -124,8 +135,8 @@ def _at(name: str, number: int, layers: int, times: Vector, p: Parameters) -> tu
         )  # fmt: skip
 
     return (
-        series(name, "", path, _within(own + _softer(p), late, UNIFORM)),
-        series(f"{name} of layers", ", beside its own", chain, _within(_softer(p), late, OWN)),
+        series(name, "", path, _within(own + yields, late, UNIFORM)),
+        series(f"{name} of layers", ", beside its own", chain, _within(yields, late, OWN)),
     )
 
 
@@ -135,18 +146,21 @@ def _within(bound: float, late: float, reason: str) -> Exact:
     return Exact({Method.PENALTY: tolerance}, not_judged={Method.LAGGING: SOFTER})
 
 
-def _softer(p: Parameters) -> float:
-    """What makes waves late: springs in joints, and weight, under which a column that sways is
-    softer by some rho g H/G.
+def _softer(p: Parameters, layers: int, kn: float) -> float:
+    """The part of its modulus that a column lacks for springs in its joints and for its weight.
+
+    A layer of h shears by 1/(G width/h), and the springs of a joint's two ends by 1/(2 ks), ks
+    25 kn. Layers that turn their stress with them have a modulus that half of it changes, and the
+    column's mean stress is rho g H/2.
     """
-    turns = 2.0 * math.pi * p["F"] * p["duration"]
-    joints = 1e-3 * max(1.0, p["G"] * p["width"] * turns / (2e8 * 400.0 * 9.4))
-    return joints + 0.08 * turns * p["rho"] * p["g"] * p["H"] / p["G"]
+    joints = p["G"] * p["width"] * layers / p["H"] / (2.0 * 25.0 * kn)
+    return joints / (1.0 + joints) + 0.25 * p["rho"] * p["g"] * p["H"] / p["G"]
 
 
 OWN = (
-    "the exact answer of layers that shear uniformly; springs in joints and weight soften the "
-    "column, and the step damps by what its own answer does"
+    "the exact answer of layers that shear uniformly; springs in joints and weight change the "
+    "modulus, which the answer is as sensitive to as that of the layers is, and the step damps by "
+    "what its own answer does"
 )
 UNIFORM = f"layers that shear uniformly are off the wave by what their own answer is; {OWN}"
 SOFTER = (

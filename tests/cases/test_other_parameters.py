@@ -20,6 +20,8 @@ STRONG = {
     "kn": 4.29e7, "ks": 9.15e6, "xb": 1.22e-7, "fs0": 25.4, "mu_p": 0.537, "d": 0.000915,
     "m": 1.96e-6, "eta": 7.26, "rate": -10.3,
 }  # fmt: skip
+NEAR_A_SWING = {"rho": 1700.0, "G": 3.1e8, "F": 4.3}
+SHAKEN = {"D": 0.196, "f": 6.55, "mu": 0.729, "g": 9.61, "duration": 22.7}
 SLOWED = {"fs0": 11.2, "mu_p": 0.554, "d": 0.00138, "eta": 8.11, "rate": -24.6}
 
 
@@ -42,6 +44,8 @@ SLOWED = {"fs0": 11.2, "mu_p": 0.554, "d": 0.00138, "eta": 8.11, "rate": -24.6}
         ("rigid", "wedge", "xi-1e-06", {"xi": 9.21e-7, "g": 4.33}, Knobs(1e-2)),
         ("dda", "shaken-wedge", "level", {"dip": 33.2, "xi": 1.18, "A": 1.92}, Knobs(1e-3, 1e9)),
         ("dda", "shaken-wedge", "along", {"dip": 33.2, "xi": 1.18, "A": 1.92}, Knobs(1e-3, 1e9)),
+        ("dda", "shear-wave", "20", NEAR_A_SWING, Knobs(1e-4, 1e12)),
+        ("rigid", "shaken-fast", "5hz", SHAKEN, Knobs(5e-4)),
     ],
 )
 def test_a_code_that_is_right_is_within_its_bounds(

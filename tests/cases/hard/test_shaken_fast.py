@@ -103,6 +103,7 @@ def test_the_exact_path_has_the_mean_wherever_outputs_lie(
     assert isinstance(path, Series)
     assert isinstance(mean, Scalar)
     assert isinstance(mean.judge, Exact)
+    assert isinstance(mean.reference, float)
     assert path.reference is not None
     assert isinstance(trial.study, Ladder)
     times = trial.study.goal.times(step)
