@@ -2,22 +2,15 @@
 
 import re
 import shlex
-from collections.abc import Mapping
-from pathlib import Path
-from types import MappingProxyType
 
 import pytest
 
-from bench.mutation.sensitivity import answer
 from tests import ROOT
-from vv.ask import Ask, Knobs, Run, Status
-from vv.case import Level, Norm, Trial
-from vv.codes import Scheme
-from vv.plan.project import find
+from tests.support.findings import PROJECT, asked, found
+from vv.ask import Knobs, Status
+from vv.case import Level
 from vv.plan.selection import choose_schemes, named_adapters, select
-from vv.records.record import measured
 
-PROJECT = find(Path(__file__))
 PAGE = (ROOT / "docs" / "findings.md").read_text()
 BULLETS = [line[2:] for line in PAGE.splitlines() if line.startswith("- ")]
 QUOTED = re.compile(r"`([^`]+)`")
@@ -97,19 +90,6 @@ FOUND = (
 )
 
 
-def asked(name: str, scheme: str, knobs: Knobs | None) -> tuple[Trial, Scheme, Ask, Run]:
-    """The trial of CASE:VARIANT NAME=VALUE..., the scheme, and what it answers at a setting."""
-    name, *changed = name.split()
-    case, _, variant = name.partition(":")
-    code, _, which = scheme.partition("/")
-    sets = {key: float(value) for key, value in (one.split("=") for one in changed)}
-    trial = (told := PROJECT.load_case(case)).declare(variant, told.defaults(variant) | sets)
-    adapter = PROJECT.load_adapter(code)
-    own = next(one for one in adapter.schemes if one.name == which)
-    ask = trial.study.ask(knobs or trial.study.rungs[Level.QUICK][0])
-    return trial, own, ask, answer(adapter, own, ask)
-
-
 @pytest.mark.parametrize(
     ("name", "scheme", "knobs", "quantity", "low", "high"),
     FOUND,
@@ -129,21 +109,6 @@ def test_what_draws_at_random_found_is_as_it_is_told() -> None:
         assert max(off, low) == pytest.approx(told, rel=0.02)
     late = found("responding-block:1d", "dda/augmented-lagrangian", Knobs(5e-4, 1e8), "d2x", block)
     assert late == pytest.approx(0.0138, rel=0.02)
-
-
-def found(
-    name: str, scheme: str, knobs: Knobs | None, quantity: str,
-    given: Mapping[str, float] = MappingProxyType({}),
-) -> float:  # fmt: skip
-    """The error of a quantity in a scheme, at these parameters and else the case's own."""
-    changed = " ".join([name, *(f"{key}={value!r}" for key, value in given.items())])
-    trial, own, ask, run = asked(changed, scheme, knobs)
-    assert run.status is Status.RAN
-    wanted = next(one for one in trial.quantities if one.name == quantity)
-    method = own.method_for(ask.scene.terms())
-    error = measured(run, wanted, method, ask.knobs)[0].errors[Norm.MAX]
-    assert error is not None
-    return error
 
 
 @pytest.mark.parametrize("kind", [SMALL, f"{SMALL} mu=0.3", f"{SMALL} mu=1.3"])
