@@ -252,7 +252,8 @@
       placed.forEach(([place, at, label]) => {
         const g = put("g", { class: `c${data.looks[label][0]}`, "data-k": label });
         g.append(make("path", { class: "lead", d: `M${R} ${at}L${R + 5} ${place - over}` }));
-        g.append(make("text", { class: "named", x: R + 8, y: place - over + 3 }, label));
+        const fitted = label.length > 19 ? { textLength: 104, lengthAdjust: "spacingAndGlyphs" } : {};
+        g.append(make("text", { class: "named", x: R + 8, y: place - over + 3, ...fitted }, label));
       });
       all("[data-k]", svg).forEach((g) => {
         g.style.cursor = "pointer";

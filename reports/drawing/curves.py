@@ -30,6 +30,7 @@ LEFT, RIGHT, TOP, BOTTOM = 52.0, 356.0, 10.0, 248.0  # of the axes; names of cur
 SMALL, LARGER = 3.0, 0.2  # radius of a marker, and how much larger each next size is
 SIZES = 8  # beyond the least, which the page's style knows: the first curve has the largest markers
 LEADING = 10.5  # between names at the ends of curves
+NAMED, LETTERS = 104, 19  # room for a name, and how many letters surely fit it; longer ones yield
 
 
 def draw(chart: Chart) -> Markup:
@@ -181,7 +182,9 @@ def _names(ends: Mapping[str, tuple[float, float]]) -> dict[str, str]:
         lead = f"M{number(spot[0] + 4)} {number(spot[1])}L{RIGHT + 5:g} {number(y)}"
         near = spot[0] > RIGHT - 4 and abs(spot[1] - y) < 2
         line = "" if near else f'<path d="{lead}"/>'
-        made[label] = f'{line}<text y="{number(y + 3)}">{escape(label)}</text>'
+        narrow = f' textLength="{NAMED}" lengthAdjust="spacingAndGlyphs"'
+        fitted = narrow if len(label) > LETTERS else ""
+        made[label] = f'{line}<text y="{number(y + 3)}"{fitted}>{escape(label)}</text>'
     return made
 
 

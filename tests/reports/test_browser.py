@@ -22,6 +22,7 @@ from tests.support.fabricated import (
     manifest,
     manifest_of_all,
     native,
+    ran,
     record,
     with_external,
 )
@@ -144,6 +145,13 @@ DRAW = """
 """
 WIDE = "said.wide = [innerWidth, document.documentElement.scrollWidth];"
 
+OUTSIDE = """
+  const beyond = (a, b) => a.width && (a.right > b.right + 0.5 || a.left < b.left - 0.5);
+  said.outside = seen("svg.chart").flatMap((svg) => [...svg.querySelectorAll("text")]
+    .filter((t) => beyond(t.getBoundingClientRect(), svg.getBoundingClientRect()))
+    .map((t) => t.textContent));
+"""
+
 
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
@@ -257,6 +265,14 @@ def test_the_page_of_the_papers_sorts_and_leads_to_variants(folder: Path, tmp_pa
     said = quiet(opened(folder / "papers.html", PAPER, tmp_path)).said
     assert said["rows"] == ["Eq. 1", "Eq. 2"]
     assert set(said["links"]) == {"case-bounce.html#bounce--T1"}
+
+
+@pytest.mark.parametrize("page", ["index.html", "case-bounce.html"])
+def test_long_names_keep_within_their_drawings(store: Store, tmp_path: Path, page: str) -> None:
+    labels = ("short/own", "a-code-of-a-long-name/default")
+    whole = manifest(*(ran(store, label, "T1", dt, "pass") for label in labels for dt in STEPS))
+    front = html.build(whole, store, store.root / "report")
+    assert quiet(opened(front.parent / page, OUTSIDE, tmp_path)).said["outside"] == []
 
 
 @pytest.mark.parametrize("page", ["index.html", "case-bounce.html", "papers.html"])
