@@ -12,8 +12,8 @@ from adapters.liggghts.terms.hertz import why_not_viscous
 from vv.ask import Ask
 from vv.codes import behind_wall, no_drag, no_sphere, no_steps, turned_spin_lock
 from vv.scene import Scene, why_locks_need_more_than_loads
-from vv.standins.clump import why_no_clump
 from vv.standins.stand_in import spring_scene, why_no_spring_scene, without_rotations
+from vv.standins.why_no_clump import why_no_clump
 
 GROUPS = 32 - 3  # LIGGGHTS has 32; all, shifted and turned are taken
 

@@ -11,8 +11,8 @@ from adapters.yade.terms.hertz import why_no_material, why_not_viscous
 from vv.ask import Ask, Reaction
 from vv.codes import behind_wall, no_drag, no_sphere, turned_spin_lock
 from vv.scene import Scene, Term, why_locks_need_more_than_loads
-from vv.standins.clump import why_no_clump
 from vv.standins.stand_in import spring_scene, why_no_spring_scene, without_rotations
+from vv.standins.why_no_clump import why_no_clump
 
 NO_BLOCK = {CLUMP: why_no_clump, POLYHEDRA: why_no_polyhedron}
 

@@ -21,9 +21,10 @@ from vv.scene import (
     rotated,
     rotation_about_z,
 )
-from vv.standins.clump import Clump, _unlike, clumps, why_no_clump
+from vv.standins.clump import Clump, clumps
 from vv.standins.clump import words as told
 from vv.standins.stand_in import SHEAR, SpringScene, spring_scene, without_rotations
+from vv.standins.why_no_clump import _unlike, why_no_clump
 
 KN = 1e9
 HELD, FREE = np.zeros(3, bool), np.ones(3, bool)
@@ -234,3 +235,17 @@ def test_a_block_that_friction_stops_needs_a_step_that_its_springs_bear(
 ) -> None:
     reason = why_no_clump(slow(phi, v0, dt))
     assert (reason is not None and "its corners are stable up to" in reason) == refused
+
+
+def test_a_slide_must_be_long_beside_what_the_shared_springs_give() -> None:
+    """V^2/(2 a) is what friction stops it in; mu N/(25 kn) is what four corners give together."""
+    scene = incline(5.0, 30.0, v0=0.1, half=(0.5, 0.5, 0.1))
+    (block,), tilt = scene.blocks, np.radians(5.0)
+    weight, mu = block.mass * np.linalg.norm(scene.gravity), scene.contact.mu
+    rubs = mu * weight * np.cos(tilt)
+    way = 0.5 * block.mass * 0.1**2 / (rubs - weight * np.sin(tilt))
+    for part, refused in ((0.99, True), (1.01, False)):
+        kn = part * rubs / (SHEAR * 0.02 * way)
+        step = Knobs(1e-2 * np.sqrt(block.mass / (SHEAR * kn)), float(kn))
+        why = why_no_clump(Ask(scene, History(1.0, 0.1), (Displacement(1),), step))
+        assert (why is not None and "2 % of the way in which friction stops it" in why) == refused

@@ -13,8 +13,9 @@ from reference_solutions.blocks.first_motion import Mode, acceleration, mode
 from tests.scenes.blocks.block_scenes import incline
 from vv.ask import Ask, Displacement, History, Knobs
 from vv.scene import Scene, rotated, rotation_about_z
-from vv.standins.clump import Clump, clumps, why_no_clump
+from vv.standins.clump import Clump, clumps
 from vv.standins.stand_in import spring_scene, without_rotations
+from vv.standins.why_no_clump import why_no_clump
 
 BOTH = (Mode.TOPPLES, Mode.SLIDES_AND_TOPPLES)
 

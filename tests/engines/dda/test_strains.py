@@ -22,9 +22,9 @@ from vv.engines.dda.general.bodies import Bodies, Motion, followed
 from vv.engines.dda.general.model import General
 from vv.plan.project import find
 from vv.scene import Block, Contact, Elastic, Scene, Term, Vector, rotated, rotation_about_z
-from vv.standins.clump import why_no_clump
 from vv.standins.soften import as_spheres
 from vv.standins.stand_in import why_no_spring_scene
+from vv.standins.why_no_clump import why_no_clump
 
 RHO, HALF, E, NU, KN = 2000.0, (0.3, 0.2, 0.5), 1e9, 0.2, 1e11
 SEEN = (Displacement(1), Strain(1))
