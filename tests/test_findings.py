@@ -101,14 +101,12 @@ def test_what_is_found_is_as_it_is_told(
     assert low <= found(name, scheme, knobs, quantity) <= high
 
 
-def test_what_draws_at_random_found_is_as_it_is_told() -> None:
-    wall, block = {"f": 3.18, "duration": 0.451}, {"mu": 0.482, "g": 28.6}
-    for dt, told in ((1e-3, 0.0405), (2e-3, 0.0807)):
-        off = found("masonry:slides", "dda/default", Knobs(dt, 1e9), "highest", wall)
-        low = found("masonry:slides", "dda/default", Knobs(dt, 1e9), "lowest", wall)
-        assert max(off, low) == pytest.approx(told, rel=0.02)
-    late = found("responding-block:1d", "dda/augmented-lagrangian", Knobs(5e-4, 1e8), "d2x", block)
-    assert late == pytest.approx(0.0138, rel=0.02)
+@pytest.mark.parametrize(("dt", "told"), [(5e-4, 0.0138), (4.3e-4, 0.0038)])
+def test_what_draws_at_random_found_is_as_it_is_told(dt: float, told: float) -> None:
+    block = {"mu": 0.482, "g": 28.6}
+    at = Knobs(dt, 1e8)
+    late = found("responding-block:1d", "dda/augmented-lagrangian", at, "d2x", block)
+    assert late == pytest.approx(told, rel=0.02)
 
 
 @pytest.mark.parametrize("kind", [SMALL, f"{SMALL} mu=0.3", f"{SMALL} mu=1.3"])

@@ -5,6 +5,7 @@ from __future__ import annotations
 import dataclasses
 import math
 import re
+from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
@@ -26,7 +27,7 @@ from tests.scenes.blocks.dda_scenes import (
     shaken,
     slope,
 )
-from vv.ask import Ask, History, Knobs, Status
+from vv.ask import Ask, History, Knobs, Run, Status
 from vv.engines.dda import DEFAULT, LAGGED, PUBLISHED, Formulation, solve
 from vv.engines.dda.solve import LEAPT
 from vv.scene import Contact, Scene, Vector
@@ -64,9 +65,30 @@ def test_stiff_contacts_have_two_real_roots_that_go_back_to_one(O: float) -> Non
 def test_the_step_is_first_order_at_a_fixed_stiffness() -> None:
     """Through the first slip; no kink of friction lies in it."""
     scene, kn, steps = slope(20, 22, A=5.0), 1e7, (4e-3, 2e-3, 1e-3, 5e-4, 2.5e-4)
-    paths = [moved(run(asked(scene, dt, kn, 0.4, 0.02), DEFAULT)) for dt in (*steps, 1e-5)]
-    errors = [np.abs(path - paths[-1]).max() for path in paths[:-1]]
-    assert np.polyfit(np.log(steps), np.log(errors), 1)[0] == pytest.approx(1.0, abs=0.2)
+    late, mean = errors(scene, kn, steps, LAGGED), errors(scene, kn, steps, DEFAULT)
+    assert np.polyfit(np.log(steps), np.log(late), 1)[0] == pytest.approx(1.0, abs=0.2)
+    assert (mean < late / 15).all()
+
+
+def errors(scene: Scene, kn: float, steps: tuple[float, ...], way: Formulation) -> Vector:
+    """Of displacements in a run in these steps [s], against a fine one."""
+    paths = [moved(run(asked(scene, dt, kn, 0.4, 0.02), way)) for dt in (*steps, 1e-5)]
+    return np.array([np.abs(path - paths[-1]).max() for path in paths[:-1]])
+
+
+@pytest.mark.parametrize("system", [run, general])
+@pytest.mark.parametrize("way", [DEFAULT, LAGGED])
+def test_shaking_is_felt_in_the_middle_of_a_step_and_by_replicas_at_its_end(
+    system: Callable[[Ask, Formulation], Run], way: Formulation
+) -> None:
+    """What is felt a part p into a step changes speeds by (p - 1/2) dt (a(t) - a(0)) too much."""
+    scene, dt, omega, dip = slope(20, 0, A=5.0), 2e-3, 2 * math.pi, math.radians(20)
+    done, along = system(asked(scene, dt, 1e8, 0.4, 0.1), way), 5.0 * math.cos(dip)
+    t = done.times
+    exact = t * G * math.sin(dip) + along / omega * (1 - np.cos(omega * t))
+    due = (way.felt - 0.5) * dt * along * np.sin(omega * t)
+    off = rates(done) @ scene.axes[0] - exact
+    assert off == pytest.approx(due, abs=along * omega * dt**2 / 6)
 
 
 @pytest.mark.parametrize("scheme", FORMULATIONS)

@@ -20,7 +20,9 @@ class Formulation:
     tolerance: iterations end when no contact changes between open, stick and slide and no
     friction differs by more than this part of it from what the last solution gives; inf takes
     friction from the iteration before as it is (lagged). iterations: after so many, and
-    newton of Newton's, a step is cut in halves. stepping: how inertia is stepped. terms: of the
+    newton of Newton's, a step is cut in halves. stepping: how inertia is stepped. felt: how far
+    into a step shaking is felt; all of it is DDA's own, by which speeds lack half a step's change
+    of the shaking, and half of it is as good as the mean, to (w dt)^2/24. terms: of the
     exponential series by which a displacement gradient moves vertices; one is T d (Yagoda-Biran
     2016, Eqs. 3, 4), which lets turning blocks grow. turns: rounds in which the gyroscopic torque
     of a step is found; none leaves it out, as T d does. follow: terms of the series by which
@@ -40,6 +42,7 @@ class Formulation:
     terms: int
     newton: int = 0
     stepping: Stepping = IMPLICIT
+    felt: float = 1.0
     turns: int = TURNS
     follow: int = SERIES
     settling: float = 0.0
@@ -58,6 +61,7 @@ class Formulation:
             "newton": self.newton >= 0,
             "multipliers": self.multipliers >= 0,
             "eased": self.eased >= 0,
+            "felt": 0 <= self.felt <= 1,
             "turns": self.turns >= 0,
             "follow": self.follow >= 0,
             "settling": 0 <= self.settling < math.inf,
@@ -70,9 +74,9 @@ class Formulation:
 
 
 DEFAULT = Formulation(
-    tolerance=1e-12, iterations=OPEN_CLOSE, terms=SERIES, newton=MOST, eased=ROUNDS
+    tolerance=1e-12, iterations=OPEN_CLOSE, terms=SERIES, newton=MOST, eased=ROUNDS, felt=0.5
 )
-"""Friction iterated to convergence within the open-close iteration."""
+"""Friction iterated to convergence within the open-close iteration, shaking felt on average."""
 
 PUBLISHED = Formulation(
     tolerance=math.inf, iterations=6, terms=1, turns=0, follow=0, settling=2.0,
@@ -85,12 +89,12 @@ LAGGED = Formulation(tolerance=math.inf, iterations=MOST, terms=SERIES)
 
 DAMPED = Formulation(
     tolerance=1e-12, iterations=OPEN_CLOSE, terms=SERIES, newton=MOST, eased=ROUNDS,
-    stepping=generalised_alpha(RADIUS),
+    stepping=generalised_alpha(RADIUS), felt=1.0 - generalised_alpha(RADIUS).alpha_f,
 )  # fmt: skip
 """DEFAULT but for inertia, which generalised alpha steps: second order, known damping."""
 
 BORNE = Formulation(
     tolerance=1e-12, iterations=OPEN_CLOSE, terms=SERIES, newton=MOST, stepping=LEAPING,
-    shear=1.0, pressed=False, multipliers=MULTIPLIERS,
+    felt=0.0, shear=1.0, pressed=False, multipliers=MULTIPLIERS,
 )  # fmt: skip
 """Contacts whose forces multipliers bear and not springs (Lin, Amadei, Jung and Dwyer 1996)."""

@@ -100,6 +100,7 @@ def move_blocks(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
     iterations: int,
     newton: int,
     rule: Rule,
+    felt: float,
     terms: int,
     turns: int,
     follow: int,
@@ -125,7 +126,7 @@ def move_blocks(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
     """Step all blocks by DDA; return rows filled.
 
     settling: steps before t = 0 with drives at rest; rule: of all steps but the first, which is
-    DDA's own; tolerance, iterations, newton, terms, turns, follow, dd, multipliers: see
+    DDA's own; tolerance, iterations, newton, felt, terms, turns, follow, dd, multipliers: see
     Formulation; hold: 1 where it is charged, else 0; begun: the start; motion: becomes the end;
     base, starts: see `drives`; shaking: a body acceleration; kn, ks [N/m] and mu of every point
     of contact; reach [m]: see `found`; elastic: (q, 12) stiffness of strains [N m], laid out as
@@ -142,6 +143,7 @@ def move_blocks(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
     d, pull, turn = nil_numbers(q), nil_numbers(q), nil_numbers(q)
     u, begun_by, rate = nil_numbers(q), nil_numbers(q), nil_numbers(q)
     now = FIRST if multipliers == 0 else HALF
+    feels = felt if rule[1] == 0.0 else 1.0  # or what is handed on is no acceleration of its end
     store, stores = (kn, ks) if multipliers == 0 else (0.0, 0.0)
     ledger, worst, done = nil_numbers(TERMS), nil_numbers(REPORTS), -settling
     put_in, ever, most, spare = 0.0, 0.0, np.inf, 0.0
@@ -162,8 +164,7 @@ def move_blocks(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
                 shake, share = NOWHERE, 1.0 - now[1]
                 if done >= 0:
                     shifted(ahead, moved, shift, base, starts, done * dt + begin + part, share)
-                    late = share * part if multipliers == 0 else 0.0
-                    shake = value(shaking, done * dt + begin + late)
+                    shake = value(shaking, done * dt + begin + feels * part)
                 weight = brought(begun_by, motion.velocity, rate, now, part)
                 count = len(touch.key)
                 state, push = same_counts(touch.state, count), same_numbers(touch.push, count)
@@ -212,7 +213,7 @@ def move_blocks(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
                     ledger[SHAKING] += bodies.mass[i] * dot(line, shake)
                 ledger[NUMERICAL] += (0.5 - now[1]) * applied(flow, elastic, bodies, d)
                 ledger[NUMERICAL] += handed_on(motion.velocity, rate, d, mass, bodies, now, part)
-                now = rule
+                now, feels = rule, felt
                 if multipliers > 0:  # what a blow was is not handed on
                     for a in range(q):
                         rate[a] = 0.0

@@ -168,6 +168,7 @@ class General:
         return (
             way.newton,
             tuple(way.stepping),
+            way.felt,
             way.terms,
             way.turns,
             way.follow,

@@ -17,15 +17,16 @@ class Steps(NamedTuple):
 
 
 class Rule(NamedTuple):
-    """When an iteration ends, how much friction springs hold, and what a step keeps of velocity.
+    """When iterations end, what springs hold, what a step keeps of velocity and feels of shaking.
 
-    tolerance, hold: see `move_blocks`.
+    tolerance, hold, felt: see `move_blocks`.
     """
 
     tolerance: float
     iterations: int
     hold: float
     dd: float
+    felt: float
 
 
 class Friction(NamedTuple):

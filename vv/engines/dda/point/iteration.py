@@ -52,7 +52,7 @@ class Solved(NamedTuple):
 
 @inlined
 def posed(block: Block, motion: Motion, part: float, wall: Triple, shake: Triple) -> Posed:
-    """A part of a step [s]; wall, shake: place [m] of the base and shaking [m/s2] at its end."""
+    """A part of a step [s]; wall, shake: place [m] of the base at its end, and shaking [m/s2]."""
     normal, shift = block.normal, motion.shift
     moved = add_scaled(wall, -1.0, shift)
     space = block.gap + dot(normal, add_scaled(motion.x, -1.0, shift))

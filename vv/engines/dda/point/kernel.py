@@ -118,7 +118,7 @@ def stepped(
     """The motion and contact after a step, which is cut into parts where iterations do not end."""
     begin, part = 0.0, dt
     while begin < dt:
-        wall, shake = driven(block.drives, done, done * dt + begin + part)
+        wall, shake = driven(block.drives, done, done * dt + begin, part, rule.felt)
         given = posed(block, motion, part, wall, shake)
         found = iterated(given, contact, rule, block, friction, worst)
         if not found.ended and part > dt / CUTS:
@@ -142,11 +142,16 @@ def stepped(
 
 
 @inlined
-def driven(drives: Drives | None, done: int, time: float) -> tuple[Triple, Triple]:
-    """Where the base is [m] and how it shakes [m/s2] at a time [s]; at rest in steps before 0."""
+def driven(
+    drives: Drives | None, done: int, time: float, part: float, felt: float
+) -> tuple[Triple, Triple]:
+    """Where the base is [m] a part of a step [s] on, and how that shakes [m/s2].
+
+    time: as it begins [s]; felt: how far into it shaking is felt. At rest in steps before 0.
+    """
     wall, shake = NOWHERE, NOWHERE
     if drives is not None and done >= 0:
-        wall, shake = travel(drives.base, time), value(drives.shaking, time)
+        wall, shake = travel(drives.base, time + part), value(drives.shaking, time + felt * part)
     return wall, shake
 
 

@@ -64,7 +64,7 @@ class Sliding:
             block.mass, self.points, law.kn, _triple(gravity), _triple(load),
             _triple(load + block.mass * gravity), _triple(wall.normal), self.lone.gap, drives,
         )  # fmt: skip
-        rule = Rule(tolerance, iterations, float(way.charged), way.dd)
+        rule = Rule(tolerance, iterations, float(way.charged), way.dd, way.felt)
         rough = None if law.ks is None or law.mu is None else Friction(law.ks, law.mu)
         return (
             Steps(*steps),
