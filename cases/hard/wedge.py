@@ -100,7 +100,7 @@ def _sphere(p: Parameters) -> Trial:
 
 def _declare(variant: str, p: Parameters) -> Trial:
     if not p["xi"] < math.pi / 2:
-        raise ValueError(f"xi = {p['xi']!r} rad; beyond pi/2 nothing is left of its foot")
+        raise ValueError(f"xi = {p['xi']!r} rad; it must be below pi/2, or there is no foot")
     if variant == "sphere":
         return _sphere(p)
     scene = _scene(p)

@@ -13,17 +13,17 @@ from vv.cli import GROUPS, app
 from vv.records.finding import Bit
 
 BAD = {
-    "run": "name a case or say --all",
+    "run": "give a case or --all",
     "run fal": "no case or family 'fal'; did you mean fall?",
     "run up": "no case or family 'up'; it is a variant: say fall:up",
-    "list -k nosuch": "-k 'nosuch' fits no variant; `vv list` shows all",
+    "list -k nosuch": "-k 'nosuch' matches no variant; `vv list` shows all",
     "run fall:upp": "no variant 'upp'; did you mean up?",
     "run fall --codes ,": "--codes ',' names no code",
     "run fall --codes fke": "no code 'fke'; did you mean fake",
     "run fall --codes fake/god": "did you mean fake/good",
     "run fall --require nobody": "no code 'nobody'",
     "run fall --all": "not both",
-    "run fall --budget soon": "it must read like 60s, 5min or 1h",
+    "run fall --budget soon": "not a duration such as 60s, 5min or 1h",
     "gate --against nowhere": "there is no such folder",
     "gate fall --timeout -1": "it must be positive",
     "accept fall": "--reason is missing",
@@ -35,9 +35,9 @@ BAD = {
     "run fall --set sped=1": "fall has no parameter 'sped'; did you mean speed?",
     "run fall --set speed=5kg": "speed = 5 'kg': not a unit that converts to m/s",
     "run fall --set speed=fast": "speed = 'fast': not a number",
-    "run fall --set speed": "it must read NAME=VALUE[UNIT]",
+    "run fall --set speed": "expected NAME=VALUE[UNIT]",
     "run fall --rung dt=-1": "dt = -1.0 s; a knob must be positive",
-    "run fall --rung dx=1": "it must read dt=SECONDS",
+    "run fall --rung dx=1": "expected dt=SECONDS",
     "run fall --rung dt=1ms": "is not a plain number",
     "run fall --rung dt=1,dt=2": "dt is given twice",
     "run fall --rung dt=0.1,kn=2": "fall:up has a contact stiffness of its own; leave out kn",
@@ -246,13 +246,13 @@ def test_only_whole_cases_of_whole_codes_are_recorded(tiny: Tiny, words: str) ->
     """A file holds one set of circumstances: what a part of it replaced would be lost."""
     done = tiny.vv("record", *words.split())
     assert done.returncode == 64
-    assert "record writes whole cases of whole codes, not '" in done.stderr
+    assert "record takes whole cases and whole codes, not '" in done.stderr
 
 
 def test_record_of_nothing_named_is_refused(tiny: Tiny) -> None:
     done = tiny.vv("record")
     assert (done.returncode, done.stdout) == (64, "")
-    assert done.stderr == "vv: record runs all that it is given: name cases or --codes\n"
+    assert done.stderr == "vv: name the cases or --codes to record\n"
 
 
 @pytest.mark.parametrize(

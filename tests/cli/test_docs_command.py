@@ -105,13 +105,13 @@ def test_a_folder_in_which_anything_else_lies_is_no_gallery(
     if page:
         assert _pages_of_cases(tmp_path) == [place]
     else:
-        with pytest.raises(UsageError, match="is no page of a gallery"):
+        with pytest.raises(UsageError, match="is not a gallery page"):
             _pages_of_cases(tmp_path)
 
 
 def test_a_folder_named_like_a_page_is_no_page(tmp_path: Path) -> None:
     (tmp_path / "cases" / "a.md").mkdir(parents=True)
-    with pytest.raises(UsageError, match="is no page of a gallery"):
+    with pytest.raises(UsageError, match="is not a gallery page"):
         _pages_of_cases(tmp_path)
 
 

@@ -16,7 +16,7 @@ def test_k_selects_by_words_in_the_names_of_jobs(tiny: Tiny) -> None:
     schemes = [line.split()[0] for line in done.stdout.splitlines() if line.startswith("  fake/")]
     assert schemes == ["fake/good", "fake/coarse"]
     done = tiny.vv("run", "-k", "sideways")
-    assert (done.returncode, "-k 'sideways' fits nothing of" in done.stderr) == (Bit.USAGE, True)
+    assert (done.returncode, "-k 'sideways' matches none of" in done.stderr) == (Bit.USAGE, True)
 
 
 def test_x_stops_at_the_first_result_out_of_bounds(tiny: Tiny) -> None:
@@ -81,7 +81,7 @@ def test_a_gallery_is_not_written_over_the_cases_of_a_project(tiny: Tiny) -> Non
     own = sorted(path.name for path in (tiny.root / "cases").iterdir())
     done = tiny.vv("docs", "--output", ".")
     assert done.returncode == Bit.USAGE
-    assert "is no page of a gallery" in done.stderr
+    assert "is not a gallery page" in done.stderr
     assert sorted(path.name for path in (tiny.root / "cases").iterdir()) == own
     assert "only --picture takes it" in tiny.vv("docs", "--codes", "fake").stderr
 
@@ -94,7 +94,7 @@ def test_a_commit_without_results_is_told_how_to_make_them(tiny: Tiny) -> None:
     tiny.vv("run", "fall:up", "--codes", "fake/good")
     tiny.git("commit", "--allow-empty", "-qm", "second")
     done = tiny.vv("diff", "HEAD")
-    assert "nothing was run at HEAD; to make results of a commit: git switch" in done.stderr
+    assert "nothing was run at HEAD; to get results for a commit: git switch" in done.stderr
 
 
 def test_a_shell_is_offered_families_cases_variants_and_codes() -> None:

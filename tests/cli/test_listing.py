@@ -39,7 +39,7 @@ def test_words_fit_a_variant_or_the_title_of_its_case(
 
 
 def test_words_that_fit_nothing_are_refused() -> None:
-    with pytest.raises(UsageError, match="fits no variant"):
+    with pytest.raises(UsageError, match="matches no variant"):
         _fitting(FAMILIES, CASES, "nowhere")
 
 

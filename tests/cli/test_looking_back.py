@@ -48,7 +48,7 @@ def test_the_newest_result_of_a_setting_counts_that_ran_with_the_case_s_own_para
     found = papers_command._newer(project(tmp_path), "bounce")
     errors = {name: one.quantities["y"].error for name, one in found.items()}
     assert errors == {"T1 a/a dt=0.001": 0.5, "T1 a/a dt=0.002": 0.2}
-    assert "past run run 0: cannot be read; passed over" in capsys.readouterr().err
+    assert "past run run 0: cannot be read; skipped" in capsys.readouterr().err
 
 
 @pytest.mark.parametrize(

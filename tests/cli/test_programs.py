@@ -137,7 +137,7 @@ def test_a_program_that_is_not_there_is_missed(tiny: Tiny) -> None:
     done = tiny.vv("run", "fall:up", "--code", "mine.toml", "--level", "quick")
     assert done.returncode == 32
     assert f"not installed: no {tiny.root}/dem, which {tiny.root}/mine.toml names" in done.stderr
-    assert "mine/* is required, and nothing of it ran" in done.stdout + done.stderr
+    assert "mine/* is required, but none of its jobs ran" in done.stdout + done.stderr
 
 
 @pytest.mark.parametrize(
@@ -147,7 +147,7 @@ def test_a_program_that_is_not_there_is_missed(tiny: Tiny) -> None:
         ("run fall --code Mine.toml", "a name must be lower-case letters, digits and _"),
         ("run fall --code fake.toml", "a code's name must be unique"),
         ("run fall --code mine.toml/fast", "no code 'mine/fast'"),
-        ("export fall:up", "say for which --code, or --format json"),
+        ("export fall:up", "name a --code, or use --format json"),
     ],
 )
 def test_what_names_no_program_is_refused_in_a_line(
@@ -199,7 +199,7 @@ def test_a_program_that_hangs_is_asked_once(tiny: Tiny, mine: Path) -> None:
     (tiny.root / "mine.sh").write_text("sleep 60")
     done = tiny.vv("check", "mine.toml", "--timeout", "0.5")
     assert done.returncode == 8
-    assert done.stdout.splitlines()[-1] == "  1 more not asked, since it gave no answer in 0.5 s"
+    assert done.stdout.splitlines()[-1] == "  1 not tested, since it gave no answer in 0.5 s"
     folder = Path(done.stderr.removeprefix("questions and answers of what failed: ").strip())
     assert len(list(folder.rglob("ask.json"))) == 1
     shutil.rmtree(folder)

@@ -21,7 +21,7 @@ def test_it_is_a_folder_that_may_lie_elsewhere_and_be_written_again(tiny: Tiny) 
 def test_it_never_writes_among_what_is_no_report(tiny: Tiny) -> None:
     ran(tiny)
     for place, said in (
-        ("cases", "is there already, and is no report"),
+        ("cases", "already exists and is not a report"),
         ("one.html", "`--single '*'` makes one file"),
         ("nowhere/report", "there is no folder"),
     ):

@@ -35,7 +35,7 @@ def test_an_empty_folder_becomes_a_project_with_a_code_and_a_case_that_run(tmp_p
         ("new code ../x", "'../x': a name must be lower-case letters"),
         ("new code --language cobol", "'cobol' is not one of"),
         ("new thing", "'thing' is not one of"),
-        ("init", "vv.toml is there already"),
+        ("init", "vv.toml already exists"),
         ("check nobody", "no code 'nobody'; name a TOML file"),
         ("check nobody.toml", "there is no file nobody.toml"),
     ],

@@ -112,5 +112,5 @@ def test_a_program_that_says_too_much_is_ended_and_the_reason_says_so(
     talking = "while True: print('x' * 10_000)"
     runs = list(batch(tmp_path, 3, lambda i: talking if i == 1 else ANSWERING))
     assert [run.status for run in runs] == [Status.RAN, Status.ERROR, Status.RAN]
-    assert "it wrote more than 1e+06 bytes of output" in runs[1].reason
+    assert "it wrote over 1e+06 bytes of output" in runs[1].reason
     assert max(log.stat().st_size for log in tmp_path.glob("*.log")) <= external.TAIL

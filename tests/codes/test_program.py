@@ -150,7 +150,7 @@ def test_a_file_that_no_folder_shows_has_an_end_too(
     for script in (f"{writes}; exec timeout 10 yes >&3", f"{writes}; timeout 10 yes >&3; exit $?"):
         run = answer(tmp_path, script)
         assert run.status is Status.ERROR
-        assert "ended, for a file that it wrote grew beyond 2 MB" in run.reason
+        assert "stopped because a file that it wrote exceeded 2 MB" in run.reason
 
 
 def test_links_and_files_that_come_and_go_do_no_harm(tmp_path: Path) -> None:

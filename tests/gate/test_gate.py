@@ -90,7 +90,7 @@ def test_a_reference_made_of_the_code_under_test_fails(tiny: Tiny, file: str, te
     tiny.edit(file, "import numpy as np\n", f"import numpy as np\n{text}\n")
     code, said = gate(tiny)
     assert code == Bit.ACCURACY
-    assert re.search(r"the reference is made of \w+\.py, and so is the code", said)
+    assert re.search(r"the reference and the code share the source file \w+\.py", said)
 
 
 def test_dissipation_below_zero_is_a_conservation_finding(tiny: Tiny) -> None:

@@ -71,5 +71,5 @@ def test_only_what_was_judged_is_disowned_and_only_of_that_code() -> None:
     assert [q.verdict for q in failed.quantities] == [
         Verdict.FAIL, Verdict.FAIL, Verdict.NO_REFERENCE,
     ]  # fmt: skip
-    assert failed.quantities[0].note == "the reference is made of roots.py, and so is the code"
+    assert failed.quantities[0].note == "the reference and the code share the source file roots.py"
     assert kept == other

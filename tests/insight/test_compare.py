@@ -145,7 +145,7 @@ def test_diff_and_history_on_the_command_line(tiny: Tiny) -> None:
     tiny.vv(*words)
     first = min((tiny.root / ".vv" / "manifests").iterdir()).stem
     latest = max((tiny.root / ".vv" / "manifests").iterdir()).stem
-    assert f"HEAD and the latest run are one run, {latest}" in tiny.vv("diff", "HEAD").stderr
+    assert f"HEAD and the latest run are the same run, {latest}" in tiny.vv("diff", "HEAD").stderr
     said = tiny.vv("diff", first).stdout
     assert said.count("error: fall:up fake/first-order dt=") == 3
     assert "0.01 -> 0.02 (x 2)" in said

@@ -211,4 +211,4 @@ def test_a_table_is_as_wide_as_its_longest_names_and_explains_its_marks() -> Non
     assert head.index("error") > head.index("setting") + len("dt=1.2345e-05")
     assert "1.0e-04  1.0e-03" in row
     assert "       -        -" in other
-    assert legend == "  (finest setting; ~: beside other jobs)"
+    assert legend == "  (finest setting; ~: timed while other jobs ran)"

@@ -105,7 +105,7 @@ def test_the_environment_overrides_the_place_and_a_choice_overrides_both(
 
 
 def test_what_is_no_project_is_refused_by_name(root: Path) -> None:
-    with pytest.raises(ProjectError, match="cases is no project: it has neither cases/ nor adap"):
+    with pytest.raises(ProjectError, match="cases is not a project: it has neither cases/ nor"):
         find(chosen=root / "cases")
 
 

@@ -51,7 +51,7 @@ def test_a_new_project_adds_to_what_came_with_vv(tmp_path: Path) -> None:
 
 def test_nothing_is_written_over_and_nothing_by_halves(tmp_path: Path) -> None:
     (tmp_path / "mine.toml").write_text("mine")
-    with pytest.raises(UsageError, match=r"mine\.toml is there already"):
+    with pytest.raises(UsageError, match=r"mine\.toml already exists"):
         start.program(tmp_path, "mine", Language.C)
     assert [path.name for path in tmp_path.iterdir()] == ["mine.toml"]
     with pytest.raises(UsageError, match="a name must be lower-case letters"):
@@ -59,5 +59,5 @@ def test_nothing_is_written_over_and_nothing_by_halves(tmp_path: Path) -> None:
     (tmp_path / ".gitignore").write_text("build\n")
     start.project(tmp_path)
     assert (tmp_path / ".gitignore").read_text() == "build\n"
-    with pytest.raises(UsageError, match=r"vv\.toml is there already"):
+    with pytest.raises(UsageError, match=r"vv\.toml already exists"):
         start.project(tmp_path)

@@ -72,7 +72,7 @@ def test_a_record_in_a_list_keeps_what_it_alone_has() -> None:
         ([1], r"records\[0\] = 1; must be an object"),
         ([{"steps": 3}], r"records\[0\]; .*missing"),
         ([{"steps": "3"}], r"records\[0\].steps = '3'; must be a whole number"),
-        ([{"stepz": 3}], r"records\[0\].stepz = 3; is no field of Record"),
+        ([{"stepz": 3}], r"records\[0\].stepz = 3; is not a field of Record"),
     ],
 )
 def test_what_is_no_list_of_records_is_named(data: object, said: str) -> None:
@@ -133,7 +133,7 @@ def damaged(**changes: Any) -> dict[str, Any]:
          "record.quantities[0].errors.max = '?'; must be a number"),
         (damaged(cost={**damaged()["cost"], "relative": [1.0]}),
          "record.cost.relative = [1.0]; must be a list of 2"),
-        (damaged(colour="red"), "record.colour = 'red'; is no field of Record"),
+        (damaged(colour="red"), "record.colour = 'red'; is not a field of Record"),
         (damaged(rung={"dt": -1.0, "kn": None}),
          "record.rung; dt = -1.0 s; a knob must be positive and finite"),
         ("text", "record = 'text'; must be an object"),

@@ -30,7 +30,7 @@ def test_a_baseline_names_its_acceptances_by_number_and_its_results_in_full() ->
     assert dataclasses.replace(whole) == whole
     with pytest.raises(ValueError, match="an acceptance must have a number"):
         dataclasses.replace(whole, acceptances={"first": ACCEPTANCE})
-    with pytest.raises(ValueError, match="it must read VARIANT CODE/SCHEME SETTING"):
+    with pytest.raises(ValueError, match="expected VARIANT CODE/SCHEME SETTING"):
         dataclasses.replace(whole, results={"T1": result})
     with pytest.raises(ValueError, match="there is no such acceptance"):
         dataclasses.replace(whole, results={name: dataclasses.replace(result, by=number + "1")})

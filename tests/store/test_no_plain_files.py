@@ -32,9 +32,9 @@ def giant(path: Path) -> None:
 
 
 SPOILS: dict[str, tuple[Spoil, str]] = {
-    "pipe": (os.mkfifo, "it is no regular file"),
-    "device": (lambda path: path.symlink_to("/dev/zero"), "it is no regular file"),
-    "folder": (lambda path: path.mkdir(), "it is no regular file"),
+    "pipe": (os.mkfifo, "it is not a regular file"),
+    "device": (lambda path: path.symlink_to("/dev/zero"), "it is not a regular file"),
+    "folder": (lambda path: path.mkdir(), "it is not a regular file"),
     "loop": (lambda path: path.symlink_to(path), "Too many levels of symbolic links"),
     "giant": (giant, f"it has {files.LARGEST + 1} bytes, more than are read"),
 }

@@ -51,7 +51,7 @@ def opened(path: Path) -> BinaryIO:
         return open(handle, "rb")
     os.close(handle)
     if not stat.S_ISREG(state.st_mode):
-        raise OSError(errno.EINVAL, "it is no regular file", str(path))
+        raise OSError(errno.EINVAL, "it is not a regular file", str(path))
     raise OSError(errno.EFBIG, f"it has {state.st_size} bytes, more than are read", str(path))
 
 

@@ -26,7 +26,7 @@ class Printed:
         if not 0 < self.rounding < math.inf:
             raise ValueError(f"Printed.rounding = {self.rounding!r}; it must be positive")
         if not self.code:
-            raise ValueError("Printed.code is empty; an answer is some code's")
+            raise ValueError("Printed.code is empty; an answer must name the code that gave it")
 
 
 @dataclass(frozen=True)

@@ -34,8 +34,8 @@ from vv.output import terminal
 BITS = (
     "Exit status, a sum of bits: 0 all is well; 1 accuracy or regression; 2 conservation; "
     "4 speed; 8 crash or divergence; 16 timeout; 32 incomplete: nothing ran, or a required code "
-    "or result is missing; 64 a mistake in the call, always alone. `vv run` and `vv gate` say the "
-    "same of the same results; `vv speed` reports 8, 16, 32 and 64 only."
+    "or result is missing; 64 an invalid command line, which is never combined with another bit. "
+    "`vv run` and `vv gate` exit alike on the same results; `vv speed` uses 8, 16, 32 and 64 only."
 )
 app = typer.Typer(
     help="Verify contact mechanics codes: one benchmark, many codes, error and cost in a report.",

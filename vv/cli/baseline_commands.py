@@ -35,7 +35,7 @@ def accept(
     ] = False,
     dry_run: Annotated[bool, typer.Option("--dry-run", help="Only show the difference.")] = False,
 ) -> None:
-    """Show what changed since a case's baseline, and make the present results the new one."""
+    """Show what changed since the baseline of a case, and make the present results the new one."""
     from vv.gate.acceptance import acceptable
     from vv.output import result_lines
 
@@ -95,7 +95,7 @@ def record(
         ),
     ] = "*",
 ) -> None:
-    """Store results of external codes with the cases, to be shown where these are not installed."""
+    """Store results of external codes, to show them where a code is not installed."""
     from vv.gate import recorded
     from vv.gate.all_checks import recorded_of
     from vv.plan.plan import with_jobs_kept
@@ -105,9 +105,9 @@ def record(
     _require_own_cases(project)
     for part, mark in (*((s, ":") for s in selection or ()), (codes, "/")):
         if mark in part:
-            raise UsageError(f"record writes whole cases of whole codes, not '{part}'")
+            raise UsageError(f"record takes whole cases and whole codes, not '{part}'")
     if not selection and codes == "*":
-        raise UsageError("record runs all that it is given: name cases or --codes")
+        raise UsageError("name the cases or --codes to record")
     plan = _both_levels(project, selection, codes)
     external = {code for code, found in plan.found.items() if found.files}
     plan = with_jobs_kept(plan, lambda job: job.code in external)
@@ -153,7 +153,7 @@ def _both_levels(project: Project, selection: list[str] | str | None, codes: str
         with contextlib.suppress(EmptyPlanError):  # they may all begin at a higher one
             plans.append(options.plan_of(project, names, Options(level, options.codes(codes))))
     if not plans:
-        raise UsageError(f"nothing of {', '.join(names)} runs at level {levels[-1].value}")
+        raise UsageError(f"no scheme of {', '.join(names)} runs at level {levels[-1].value}")
     return functools.reduce(merge_plans, plans)
 
 

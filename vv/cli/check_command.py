@@ -26,7 +26,7 @@ def check(
     code: Annotated[str, typer.Argument(metavar="FILE.toml|CODE", help="The code to check.")],
     timeout: Annotated[float, typer.Option("--timeout", help="Seconds that a run may take.")] = 10,
 ) -> None:
-    """Ask a code a few tiny scenes, and say in words what is wrong with its answers."""
+    """Test a code on tiny scenes with known answers, and describe what is wrong."""
     from vv.plan.selection import named_adapters
 
     project, named = options.with_programs(find(), code)
@@ -63,13 +63,13 @@ def _check_scheme(adapter: Adapter, scheme: Scheme, timeout: float, scratch: Pat
         say(f"  {tiny.name}: {found.words}")
         status |= {Answered.WRONG: WRONG, Answered.FAILED: CRASHED}.get(found.answered, 0)
         if runs[-1].status is Status.TIMEOUT and number < len(known):
-            say(f"  {len(known) - number} more not asked, since it gave no answer in {timeout:g} s")
+            say(f"  {len(known) - number} not tested, since it gave no answer in {timeout:g} s")
             break
     missing = sorted(term.name.lower().replace("_", "-") for term in unasked(scheme))
     if not known:
         say("  nothing to ask: it declares neither spheres nor blocks, or reports no motion")
     elif missing:
-        say(f"  declared and not asked, as no tiny scene shows it: {', '.join(missing)}")
+        say(f"  declared but not tested, since no tiny scene shows it: {', '.join(missing)}")
     return status
 
 

@@ -38,7 +38,7 @@ def docs(
     ] = None,
     codes: options.Codes = "*",
 ) -> None:
-    """Write the gallery: a page for each case and each code, made of what they declare."""
+    """Write the gallery: a page for each case and code, generated from its declaration."""
     project = find()
     if picture is not None:
         _picture(project, selection or [], options.codes(codes), picture)
@@ -62,7 +62,7 @@ def _pages_of_cases(gallery: Path) -> list[Path]:
     found = sorted((gallery / "cases").glob("*"))
     for one in found:
         if one.suffix not in (".md", ".svg") or not one.is_file():
-            rule = "is no page of a gallery, whose pages are written anew; name another folder"
+            rule = "is not a gallery page; name another folder, as `vv docs` rewrites it"
             raise UsageError(f"--output {gallery}: {one} {rule}")
     return found
 

@@ -60,7 +60,7 @@ def export(
     if form is Form.JSON and not code:
         text, label = _question(*chosen[0], asked), selection
     elif not code:
-        raise UsageError("say for which --code, or --format json for the question as such")
+        raise UsageError("name a --code, or use --format json to write the question itself")
     else:
         text, label = _input(project, selection, asked, form)
     write_output(output or Path("-"), text.encode())

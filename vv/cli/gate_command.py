@@ -35,8 +35,8 @@ class GateCall:
         Path | None,
         typer.Option(
             metavar="DIR",
-            help="Folder of baselines; a result that is not in them is an error. If not "
-            "given: those of the project, and a result that is not in them is only noted.",
+            help="Folder of baselines; a result without a baseline is then an error. "
+            "Default: the project's baselines, where such a result is only noted.",
         ),
     ] = None
     timing: Annotated[
@@ -60,7 +60,7 @@ class GateCall:
 
 @takes(GateCall)
 def gate(call: GateCall) -> None:
-    """Run what is not stored and judge all results: the exit status sums up what is wrong.
+    """Run what is not stored, judge all results, and report failures in the exit status.
 
     `vv report` writes the report of it.
     """

@@ -77,7 +77,7 @@ Keyword = Annotated[
     typer.Option(
         "-k",
         metavar="EXPR",
-        help="Only names that hold these words: 'T3 and not (rotated or yade)'.",
+        help="Run only jobs whose names contain these words: 'T3 and not (rotated or yade)'.",
     ),
 ]
 Rungs = Annotated[
@@ -92,14 +92,16 @@ Levels = Annotated[Level, typer.Option("--level", help="How much of each case to
 Jobs = Annotated[
     int, typer.Option("--jobs", min=0, help="Number of processes; 0 means one per core.")
 ]
-Fresh = Annotated[bool, typer.Option("--fresh", help="Run all again, without the stored results.")]
+Fresh = Annotated[
+    bool, typer.Option("--fresh", help="Run everything again and ignore stored results.")
+]
 Timeout = Annotated[float, typer.Option("--timeout", help="Seconds that one job may take.")]
 Executor = Annotated[
     str,
     typer.Option(
         "--executor",
         metavar="local|dask://HOST:PORT",
-        help="What runs the jobs: processes here, or the workers of a dask scheduler.",
+        help="Where jobs run: in processes on this machine, or in the workers of a dask scheduler.",
     ),
 ]
 
@@ -146,7 +148,7 @@ def plan_of(project: Project, selection: list[str], options: Options, keyword: s
     whole = make_plan(project, selection or ["*"], options)
     plan = with_jobs_kept(whole, lambda job: fits(f"{families[job.case]} {job.name}"))
     if not plan.jobs:
-        raise UsageError(f"-k '{keyword}' fits nothing of {len(whole.jobs)} jobs")
+        raise UsageError(f"-k '{keyword}' matches none of {len(whole.jobs)} jobs")
     return plan
 
 

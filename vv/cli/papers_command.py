@@ -26,7 +26,7 @@ def papers(
     ] = False,
     output: Annotated[Path | None, typer.Option("--output", help="The file to write.")] = None,
 ) -> None:
-    """Show every published number of the papers: what is printed, exact, given by codes."""
+    """Compare the published numbers of the papers with exact answers and with the codes."""
     from vv.insight.papers import rows
     from vv.output.papers_page import page
     from vv.plan.published import papers as known
@@ -72,7 +72,7 @@ def _newer(project: Project, case: str) -> Mapping[str, AcceptedResult]:
         try:
             records = store.records_of(name, case)
         except OSError as error:
-            terminal.note(f"past run {name}: {error.strerror}; passed over")
+            terminal.note(f"past run {name}: {error.strerror}; skipped")
             continue
         ran = (r for r in records if r.status is Status.RAN and not r.modified)
         found |= {name_of(record): result_of(record, "") for record in ran}

@@ -81,7 +81,7 @@ def _fitting(families: dict[str, str], cases: list[Case], keyword: str) -> dict[
         by_title = fits(f"{family} {case.name} {case.title}")
         fitting[case.name] = own or (_all_variants(case) if by_title else [])
     if not any(fitting.values()):
-        raise UsageError(f"-k '{keyword}' fits no variant; `vv list` shows all")
+        raise UsageError(f"-k '{keyword}' matches no variant; `vv list` shows all")
     return fitting
 
 
@@ -162,7 +162,7 @@ def diff(
     if second is None:
         raise UsageError("no past run can be read; `vv run` makes one")
     if first.name == second.name:
-        raise UsageError(f"{one} and {other or 'the latest run'} are one run, {first.name}")
+        raise UsageError(f"{one} and {other or 'the latest run'} are the same run, {first.name}")
     print_changes(compare.changes(first, second), first, second, rows)
 
 

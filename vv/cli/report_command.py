@@ -44,7 +44,7 @@ def report(
         ),
     ] = None,
 ) -> None:
-    """Write the report of a past run, a folder of pages that opens from a disk or a server."""
+    """Write the report of a past run: a folder of HTML pages."""
     from vv.store.store import Store
 
     project = find()
@@ -107,5 +107,5 @@ def _folder(output: Path) -> Path:
         raise UsageError(f"--output {output}: there is no folder {output.resolve().parent}")
     ours = (output / "stamps.json").is_file()
     if output.exists() and not ours and (not output.is_dir() or any(output.iterdir())):
-        raise UsageError(f"--output {output}: it is there already, and is no report")
+        raise UsageError(f"--output {output}: it already exists and is not a report")
     return output

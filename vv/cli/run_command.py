@@ -29,24 +29,24 @@ class RunCall:
 
     selection: options.Selection = None
     everything: Annotated[
-        bool, typer.Option("--all", help="Run every case, and time those that ask for it.")
+        bool, typer.Option("--all", help="Run every case, and time those marked for timing.")
     ] = False
-    failed: Annotated[bool, typer.Option("--failed", help="Only what failed in the last run.")] = (
-        False
-    )
+    failed: Annotated[
+        bool, typer.Option("--failed", help="Run only what failed in the last run.")
+    ] = False
     since: Annotated[
-        str, typer.Option(metavar="REV", help="Only what the changes since this commit can affect.")
+        str, typer.Option(metavar="REV", help="Run only what changes since this commit can affect.")
     ] = ""
     budget: Annotated[
         str,
         typer.Option(
-            metavar="60s", help="Only as many jobs as fit this time, the most informative first."
+            metavar="60s", help="Run the most informative jobs, as many as fit into this time."
         ),
     ] = ""
     keyword: options.Keyword = ""
     first: Annotated[
         bool,
-        typer.Option("-x", "--exitfirst", help="Stop at the first result that is out of bounds."),
+        typer.Option("-x", "--exitfirst", help="Stop at the first result that fails."),
     ] = False
     codes: options.Codes = "*"
     require: options.Required = ""
@@ -57,7 +57,9 @@ class RunCall:
     fresh: options.Fresh = False
     timeout: options.Timeout = options.TIMEOUT
     executor: options.Executor = "local"
-    dry_run: Annotated[bool, typer.Option("--dry-run", help="Only list what would run.")] = False
+    dry_run: Annotated[bool, typer.Option("--dry-run", help="List the jobs, and run nothing.")] = (
+        False
+    )
     json_file: options.JsonFile = None
     show: Annotated[bool, typer.Option("--open", help="Open the report in a browser.")] = False
 
@@ -82,8 +84,9 @@ class RunCall:
 def run(call: RunCall) -> None:
     """Run cases in codes, print errors, orders and costs, and write the report.
 
-    The exit status is that of `vv gate` on the same results: not 0 if an error or a law is out of
-    bounds, a code crashed, diverged, hung, or is required and missing.
+    The exit status is that of `vv gate` on the same results: nonzero if an error exceeds its
+    tolerance, a conservation law is violated, or a code crashes, diverges, times out, or is
+    required but missing.
     """
     from vv.cli import invocation
     from vv.plan.plan import Options
@@ -120,9 +123,9 @@ def run(call: RunCall) -> None:
 
 def _check_selection(call: RunCall) -> None:
     if call.selection and call.everything:
-        raise UsageError("name cases or say --all, not both")
+        raise UsageError("give cases or --all, not both")
     if not (call.selection or call.everything or call.narrows or call.keyword):
-        raise UsageError("name a case or say --all; `vv list` shows the cases")
+        raise UsageError("give a case or --all; `vv list` shows the cases")
 
 
 def _limits(call: RunCall) -> Limits:
@@ -211,7 +214,7 @@ def _list_jobs(project: Project, store: Store, plan: Plan, fresh: bool) -> None:
 def _last(store: Store) -> Manifest:
     last = store.latest()
     if last is None:
-        raise UsageError("--failed: there is no last run")
+        raise UsageError("--failed: there is no previous run")
     return last
 
 
@@ -251,7 +254,7 @@ def _narrower(
 
 def _nothing(call: RunCall) -> str:
     if call.failed:
-        return "nothing to run: all did well in the last run"
+        return "nothing to run: nothing failed in the last run"
     if call.since:
         return f"nothing to run: no change since {call.since} can affect a result"
     return f"nothing to run: no job fits {call.budget}"

@@ -47,21 +47,21 @@ class SpeedCall:
         typer.Option(
             "--scaling",
             metavar="N",
-            help="Show instead what a sphere costs a step, of 100 spheres up to so many.",
+            help="Show instead the cost per sphere and step, from 100 spheres up to this many.",
         ),
     ] = None
 
 
 @takes(SpeedCall)
 def speed(call: SpeedCall) -> None:
-    """Time the cases that ask for it, and show what CPU time each code needs for what error.
+    """Time cases, and show the CPU time that each code needs to reach a given error.
 
     At level paper everything selected is timed, which takes minutes. `--scaling 10000` takes
     seconds, `--scaling 1000000` minutes.
     """
     if call.scaling is not None:
         if call.selection:
-            raise UsageError("--scaling has a scene of its own; name no case beside it")
+            raise UsageError("--scaling uses its own scene; name no case with it")
         _scale(call.codes, call.scaling, call.json_file)
         return
     from vv.cli import invocation
@@ -95,7 +95,7 @@ def _timed_part(plan: Plan, call: SpeedCall) -> Plan:
         return plan
     timed = {(job.case, job.variant) for job in plan.jobs if job.timed}
     if not timed:
-        raise UsageError("nothing is timed at this level; --level paper times all there is")
+        raise UsageError("no selected variant is timed at this level; --level paper times all")
     return with_jobs_kept(plan, lambda job: (job.case, job.variant) in timed)
 
 
@@ -107,7 +107,7 @@ def _scale(codes: str, largest: int, json_file: Path | None) -> None:
     from vv.records import codec
 
     if largest < FEWEST:
-        raise UsageError(f"--scaling {largest}: it begins with {FEWEST} spheres")
+        raise UsageError(f"--scaling {largest}: it starts at {FEWEST} spheres")
     project, named = options.with_programs(find(), codes)
     adapters = named_adapters(project, named)
     every = {name: one for name, one in adapters.items() if one.found().installed}

@@ -33,7 +33,7 @@ def new(
         Language, typer.Option("--language", help="The language of a program.")
     ] = Language.C,
 ) -> None:
-    """Write a code or a case that works, to change bit by bit.
+    """Write a working template of a code or a case.
 
     A code is written where you are, a case into your project.
     """
@@ -49,7 +49,7 @@ def new(
         return
     project = find()
     if project.root == imports.OWN:
-        raise UsageError(f"{project.root} is no project of your own; `vv init` makes one")
+        raise UsageError(f"{project.root} is not a project of your own; `vv init` makes one")
     for path in start.case(project.root, name):
         say(f"written: {path.relative_to(project.root)}")
     say(f"then: vv gate {name.replace('_', '-')}")
@@ -58,7 +58,7 @@ def new(
 def init(
     folder: Annotated[Path, typer.Argument(help="The folder of the project.")] = Path("."),
 ) -> None:
-    """Make a folder a project whose cases and codes are added to those that came with vv."""
+    """Make a folder a project: its cases and codes are added to those of vv."""
     from vv.plan import start
 
     for path in start.project(folder):

@@ -78,7 +78,7 @@ def await_end(program: Process, folder: Path) -> str | None:
         if sum(size for _, size in sizes(folder)) > LARGEST_LOG:
             stop(program)
             return (
-                f"the program was ended, for it wrote more than {LARGEST_LOG / 1e6:g} MB of "
+                f"the program was stopped because it wrote more than {LARGEST_LOG / 1e6:g} MB of "
                 f"output; {last_lines(program.errors or program.log, 1)}"
             )
     return None
@@ -194,7 +194,7 @@ def _why_no_answer(program: Process) -> str:
     if _size(program.log) <= LARGEST_LOG:
         return f"the program ended early: {how}"
     os.truncate(program.log, TAIL)
-    return f"the program was ended, for it wrote more than {LARGEST_LOG:g} bytes of output; {how}"
+    return f"the program was stopped because it wrote over {LARGEST_LOG:g} bytes of output; {how}"
 
 
 def _awaited(index: int, program: Process, collect: Collect) -> Run | None:

@@ -52,7 +52,7 @@ def fail_dependent(
 
 
 def _failed(record: Record, file: Path) -> Record:
-    note = f"the reference is made of {file.name}, and so is the code"
+    note = f"the reference and the code share the source file {file.name}"
     judged = (Verdict.PASS, Verdict.FAIL)
     quantities = tuple(
         dataclasses.replace(one, verdict=Verdict.FAIL, note=note) if one.verdict in judged else one

@@ -74,7 +74,7 @@ def record_findings(
         found.append(Finding(Aspect.RUN, "nothing ran", "nothing ran", bit=Bit.INCOMPLETE))
     for pattern in patterns:
         if not fnmatch.filter(seen, pattern):
-            text = f"{pattern} is required, and nothing of it ran"
+            text = f"{pattern} is required, but none of its jobs ran"
             missing = Finding(Aspect.RUN, "missing", text, label=pattern, bit=Bit.INCOMPLETE)
             found.append(missing)
     for record in records:

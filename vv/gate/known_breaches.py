@@ -93,7 +93,7 @@ def _judged(record: Record, known: Iterable[KnownBreach]) -> Record:
     ]
     if not found:
         return record
-    reasons = (f"{law}, as is known: {reason}" for law, reason in found)
+    reasons = (f"{law}, a known breach: {reason}" for law, reason in found)
     return dataclasses.replace(
         record,
         known_breaches=tuple(dict.fromkeys(law for law, _ in found)),

@@ -43,7 +43,7 @@ class Size:
 def sizes(largest: int) -> tuple[int, ...]:
     """The fewest spheres and ten times as many, again and again, and the largest."""
     if largest < FEWEST:
-        raise ValueError(f"largest = {largest}; scaling begins with {FEWEST} spheres")
+        raise ValueError(f"largest = {largest}; scaling starts at {FEWEST} spheres")
     tens = [FEWEST * 10**k for k in range(len(str(largest))) if FEWEST * 10**k < largest]
     return (*tens, largest)
 
@@ -102,5 +102,5 @@ def _costs(code: Adapter, scheme: Scheme, scene: Scene, steps: int) -> list[floa
         if run.status is not Status.RAN:
             return f"{run.status.value}: {run.reason}"
         if run.cost.whole:
-            return "its program does not say what its steps alone cost"
+            return "its program does not report the cost of its steps alone"
     return [run.cost.solve_cpu for run in runs]

@@ -15,7 +15,7 @@ LIMIT = "memory"
 def heading(labels: Sequence[str]) -> Iterator[str]:
     """The head of the table."""
     yield (
-        "CPU ns of a sphere in a step, without set-up: spheres that turn and rub, in a lattice in "
+        "CPU time per sphere and step [ns], without set-up: spheres with rotation and friction in "
         "a box"
     )
     yield f"{'spheres':>9}" + "".join(f"  {name:>{_wide(name)}}" for name in (*labels, LIMIT))
@@ -32,9 +32,9 @@ def notes(found: Sequence[Size]) -> Iterator[str]:
     """Notes below the table: the last column, schemes without figures, and how costs grow."""
     best = max(size.memory for size in found)
     yield (
-        f"{LIMIT}: {least_traffic(CONTACTS):g} bytes, a sphere's place, velocity and spin and the "
-        "springs of its contacts read and written once, at the bandwidth of a triad of arrays in "
-        f"the same run, {best / 1e9:.1f} GB/s at most; small scenes lie in the caches"
+        f"{LIMIT}: the time to read and write {least_traffic(CONTACTS):g} bytes per sphere "
+        "(position, velocity, spin, contact springs) at the bandwidth of a triad of arrays in the "
+        f"same run, {best / 1e9:.1f} GB/s at most; small scenes fit into the caches"
     )
     for size in found:
         for name, why in size.failed.items():
@@ -44,7 +44,7 @@ def notes(found: Sequence[Size]) -> Iterator[str]:
         few, many = min(costs), max(costs)
         if many > few and costs[few] > 0:
             times = costs[many] / costs[few]
-            yield f"{name}: one of {many} spheres takes {times:.2f} times what one of {few} takes"
+            yield f"{name}: a sphere costs {times:.2f} times as much among {many} as among {few}"
 
 
 def document(found: Sequence[Size]) -> dict[str, Any]:

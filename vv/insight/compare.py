@@ -49,7 +49,7 @@ def manifest_of(store: Store, name: str, known: Callable[[str], str]) -> Manifes
             if came_from.commit.startswith(commit) and not came_from.dirty:
                 return store.manifest(run)
         except OSError as error:  # damaged from outside
-            notice(f"past run {run}: {error.strerror}; passed over")
+            notice(f"past run {run}: {error.strerror}; skipped")
         else:
             edited = edited or (run if came_from.commit.startswith(commit) else "")
     if edited:
@@ -62,7 +62,7 @@ def manifest_of(store: Store, name: str, known: Callable[[str], str]) -> Manifes
 
 def how_to_make(name: str) -> str:
     """What to type to have results of a commit in the store."""
-    return f"to make results of a commit: git switch --detach {name} && vv run CASE; git switch -"
+    return f"to get results for a commit: git switch --detach {name} && vv run CASE; git switch -"
 
 
 def changes(one: Manifest, other: Manifest) -> list[Change]:

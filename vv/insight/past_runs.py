@@ -101,7 +101,7 @@ class PastRuns:
         try:
             return read()
         except OSError as error:
-            self.passed_over(f"past run {name}: {error.strerror}; passed over")
+            self.passed_over(f"past run {name}: {error.strerror}; skipped")
             return None
 
 

@@ -98,7 +98,7 @@ def _recorded(manifest: Manifest) -> list[str]:
         ages[shown.code, shown.version] = shown.days
     return [
         f"{code} is not installed: the report shows results of {version} recorded {days} days "
-        "ago, which count for nothing here"
+        "ago, which do not affect the verdict here"
         for (code, version), days in ages.items()
     ]
 

@@ -134,7 +134,8 @@ def _of_variant(title: str, here: Sequence[Row]) -> Iterator[str]:
 def _legend(here: Sequence[Row], claims: bool) -> str:
     parts = ["finest setting"]
     parts += ["order in dt: observed of claimed"] if claims else []
-    parts += ["~: beside other jobs"] if any(not row.timed and row.cpu for row in here) else []
+    beside = any(not row.timed and row.cpu for row in here)
+    parts += ["~: timed while other jobs ran"] if beside else []
     parts += ["*: of the whole process"] if any(row.whole and row.cpu for row in here) else []
     return f"({'; '.join(parts)})"
 

@@ -23,10 +23,10 @@ from vv.records.rungs import Point
 
 PROFILED = 1e-3  # the error for which codes are compared over many variants; the JSON has all
 NOTES = (
-    "* cheapest; costs in the table lie on the curve through the timed settings, and may be those",
-    "of none; <: at most, the coarsest timed setting is better already; -: not reached;",
-    "least: smallest error seen; floor: finer settings were tried and gain nothing;",
-    "take: the cheapest of the timed settings themselves whose error is within that asked for",
+    "* cheapest; costs in the table are interpolated between timed settings; <: upper bound, since",
+    "the coarsest timed setting is already more accurate; -: not reached; least: smallest error;",
+    "floor: finer settings do not reduce the error further; take: the cheapest timed setting",
+    "whose error does not exceed the one asked for",
 )
 
 
@@ -136,5 +136,5 @@ def beside(untimed: Sequence[str]) -> Iterator[str]:
     if untimed:
         yield (
             f"\nnot timed: {', '.join(untimed)}, and other variants of the cases above; `vv speed "
-            "CASE` sets their errors against indicative costs, with --level paper it times them"
+            "CASE` shows their errors and indicative costs; with --level paper it times them"
         )

@@ -75,6 +75,6 @@ class _Reader:
 
     def unreadable(self, token: str | None = None) -> UsageError:
         """The error for a token that is not allowed at its place."""
-        at = f"'{self.next if token is None else token}'" if (token or self.next) else "the end"
-        rule = "it must read like: T3 and not (rotated or yade)"
-        return UsageError(f"-k '{self.text}': {at} is not expected; {rule}")
+        at = f"'{self.next if token is None else token}'" if (token or self.next) else "end"
+        rule = "an example: T3 and not (rotated or yade)"
+        return UsageError(f"-k '{self.text}': unexpected {at}; {rule}")

@@ -157,10 +157,10 @@ def _project(root: Path) -> Project:
     if project.roots == (root,):
         lacking = [name for name in REQUIRED if not (root / name).is_file()]
         if lacking:
-            raise ProjectError(f"{root} is no project: it has no {lacking[0]}")
+            raise ProjectError(f"{root} is not a project: it has no {lacking[0]}")
     elif not any((root / Path(name).parent).is_dir() for name in REQUIRED):
         raise ProjectError(
-            f"{root} is no project: it has neither cases/ nor adapters/; make one of them"
+            f"{root} is not a project: it has neither cases/ nor adapters/; make one of them"
         )
     return project
 

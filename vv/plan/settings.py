@@ -28,7 +28,7 @@ def parameters_with_settings(case: Case, variant: str, settings: Sequence[str]) 
     for text in settings:
         name, equals, value = text.partition("=")
         if not equals:
-            raise UsageError(f"--set {text}: it must read NAME=VALUE[UNIT]")
+            raise UsageError(f"--set {text}: expected NAME=VALUE[UNIT]")
         if name not in by_name:
             raise UsageError(f"{case.name} has no parameter '{name}'{name_hint(name, by_name)}")
         parameters[name] = parse_value(value, by_name[name])
@@ -92,9 +92,7 @@ def parse_knobs(text: str) -> Knobs:
         name, equals, value = part.partition("=")
         match = NUMBER.fullmatch(value)
         if not equals or name.strip() not in KNOBS:
-            raise UsageError(
-                f"--rung {text}: it must read dt=SECONDS, kn=N/M, or dt=SECONDS,kn=N/M"
-            )
+            raise UsageError(f"--rung {text}: expected dt=SECONDS, kn=N/M, or dt=SECONDS,kn=N/M")
         if match is None or match[2]:
             raise UsageError(
                 f"--rung {text}: {name} = '{value}' is not a plain number, in SI units"

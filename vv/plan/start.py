@@ -82,4 +82,4 @@ def _written(name: str, texts: Mapping[Path, str]) -> list[Path]:
 def _require_free(paths: Iterable[Path]) -> None:
     for path in paths:
         if path.exists():
-            raise UsageError(f"{path} is there already, and nothing is written over it")
+            raise UsageError(f"{path} already exists and is not overwritten")

@@ -72,7 +72,7 @@ class Baseline:
                 raise ValueError(f"acceptances.{number!r}: an acceptance must have a number")
         for name, result in self.results.items():
             if not NAME.fullmatch(name):
-                raise ValueError(f"results.{name!r}: it must read VARIANT CODE/SCHEME SETTING")
+                raise ValueError(f"results.{name!r}: expected VARIANT CODE/SCHEME SETTING")
             if result.by not in self.acceptances:
                 raise ValueError(f"results.{name}.by = {result.by!r}; there is no such acceptance")
 

@@ -83,7 +83,8 @@ def members(kind: type, data: object) -> Json:
     except (DamagedError, KeyError):
         for member, one in data.items():
             if member not in readers:
-                raise DamagedError(one, f"is no field of {kind.__name__}", f".{member}") from None
+                unknown = f"is not a field of {kind.__name__}"
+                raise DamagedError(one, unknown, f".{member}") from None
             _inside(f".{member}", readers[member], one)
         raise
 
@@ -262,7 +263,7 @@ def _diagnose(kind: Any, readers: Mapping[str, Reader], data: Any) -> None:
         elif bare:
             raise DamagedError(MISSING, "is missing", f".{field.name}")
     for name in data.keys() - readers.keys():
-        raise DamagedError(data[name], f"is no field of {kind.__name__}", f".{name}")
+        raise DamagedError(data[name], f"is not a field of {kind.__name__}", f".{name}")
     try:
         kind(**{name: readers[name](one) for name, one in data.items()})
     except ValueError as error:

@@ -69,7 +69,7 @@ def budget_seconds(text: str) -> float:
     """A budget as typed, 60s, 5min or 1h; plain numbers are seconds."""
     match = re.fullmatch(r"\s*(\d+(?:\.\d*)?)\s*(s|min|h)?\s*", text)
     if match is None or float(match[1]) <= 0:
-        raise UsageError(f"--budget '{text}': it must read like 60s, 5min or 1h")
+        raise UsageError(f"--budget '{text}': not a duration such as 60s, 5min or 1h")
     return float(match[1]) * SECONDS[match[2] or "s"]
 
 

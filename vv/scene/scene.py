@@ -115,7 +115,7 @@ class Scene:
                 return sphere + body - first
             first += len(group)
             sphere += len(group) if isinstance(group, Spheres) else 0
-        raise ValueError(f"body {body} is no sphere of this scene, which has {first} bodies")
+        raise ValueError(f"body {body} is not a sphere of this scene, which has {first} bodies")
 
     def terms(self) -> frozenset[Term]:
         """The physical effects in the scene, derived from its data."""

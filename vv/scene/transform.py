@@ -139,8 +139,8 @@ def why_load_is_no_lock(scene: Scene, sphere: int, moved: Vector) -> str | None:
     if not away > max(DRIFT_TOLERANCE * along.max(), REST_TOLERANCE * scene.spheres.radius[sphere]):
         return None
     return (
-        f"moved {away:.3g} m along a locked direction, where a dead load stands for the lock: "
-        "the forces there did not stay what they were"
+        f"moved {away:.3g} m along a locked direction, where a constant load replaces the lock: "
+        "the forces there did not stay constant"
     )
 
 

@@ -80,7 +80,7 @@ def test_a_sphere_that_drifts_where_it_was_locked_is_an_error(tmp_path: Path) ->
     assert kept is not None
     assert lost is not None
     assert kept.status is Status.RAN
-    assert (lost.status, "dead load stands for the lock" in lost.reason) == (Status.ERROR, True)
+    assert (lost.status, "constant load replaces the lock" in lost.reason) == (Status.ERROR, True)
 
 
 def test_a_sphere_under_a_dead_load_is_watched_though_nobody_asked() -> None:

@@ -95,7 +95,7 @@ REFUSED = {
     ),
     "the centres of bodies 0 and 1 coincide": Scene((RESTING, RESTING), Contact(1e3)),
     "the scene has 33 spheres; at most 32 are solved": Scene((RESTING,) * 33, Contact(1e3)),
-    "body 0 is no sphere of this scene, which has 2 bodies": Scene(
+    "body 0 is not a sphere of this scene, which has 2 bodies": Scene(
         (FLOOR, RESTING), Contact(1e3), gravity=DOWN
     ),
 }

@@ -48,7 +48,7 @@ def test_a_breach_within_its_band_is_a_known_disagreement_and_says_why() -> None
     assert judged(broken()) == (Outcome.XFAIL, False)
     (after,) = known_breaches.judge([broken()], [KnownBreach(**KNOWN)], TODAY)
     assert after.known_breaches == (LAW,)
-    assert after.reason == f"{LAW}, as is known: soft springs"
+    assert after.reason == f"{LAW}, a known breach: soft springs"
 
 
 @pytest.mark.parametrize(

@@ -69,7 +69,7 @@ class Entry:
         try:
             words = tuple(shlex.split(self.value)) if isinstance(self.value, str) else self.texts()
         except ValueError as error:
-            self.refuse(f"it must read as in a shell: {error}")
+            self.refuse(f"not a valid shell command: {error}")
         if any("\0" in word for word in words):
             self.refuse("it must hold no zero byte")
         return words or self.refuse("it must name a program")

@@ -107,7 +107,7 @@ def _shorten(folder: Path) -> None:
 
 
 def _grew() -> str:
-    return f"the program was ended, for a file that it wrote grew beyond {_most() / 1e6:g} MB"
+    return f"the program was stopped because a file that it wrote exceeded {_most() / 1e6:g} MB"
 
 
 def _most() -> int:

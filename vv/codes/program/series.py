@@ -62,7 +62,7 @@ def _check_row(number: int, cells: list[str], names: list[str]) -> None:
         try:
             float(cell)
         except ValueError:
-            what = f"{short(cell.strip())} is no number"
+            what = f"{short(cell.strip())} is not a number"
             raise BadAnswerError(f"{SERIES}, line {number}, column {name}: {what}") from None
 
 
