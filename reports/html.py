@@ -107,7 +107,7 @@ def build_single(
 
 def _book(manifest: Manifest, store: Store, beside: Beside) -> Book:
     past = histories.histories(store, manifest.cases, {manifest.name: manifest}, note)
-    return Book(manifest, functools.cache(store.series), past, beside=beside)
+    return Book(manifest, store.series_of(manifest.records), past, beside=beside)
 
 
 def _files(book: Book, known: Mapping[str, str]) -> Iterator[File]:

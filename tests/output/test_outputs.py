@@ -39,7 +39,8 @@ def test_a_document_has_what_the_code_gave_and_beside_it_what_is_exact(tmp_path:
     store = Store(tmp_path)
     made = ran(store, "dem/default", "T1", 4e-3, "pass")
     (told,) = json.loads(document(manifest_of(made), store))["records"]
-    kept = store.series(made.key)
+    kept = store.series(made.key, made.quantities)
+    assert kept is not None
     for part in ("value", "reference"):
         series = told["quantities"][0][part]
         assert (series["t"], series["y"]) == (kept["t"].tolist(), kept[f"y.{part}"].tolist())

@@ -1,13 +1,16 @@
 """What is damaged in a store is named, passed over, and made again."""
 
 import copy
+import dataclasses
 import functools
+import io
 import json
 import shutil
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 
 from tests.conftest import Tiny
@@ -15,6 +18,8 @@ from tests.support.fabricated import changed, manifest, record
 from vv.insight.history import history
 from vv.records import codec
 from vv.records.job_record import Record
+from vv.store.array_files import arrays_in
+from vv.store.seal import opened_bytes, sealed_bytes
 from vv.store.store import Store
 
 SELECTION = ("run", "fall:up", "--codes", "fake/good")
@@ -174,6 +179,77 @@ def test_every_damaged_file_is_named_and_its_job_run_again(tiny: Tiny, layer: st
         r["quantities"] for r in json.loads(told)["records"]
     ]
     assert "digest differs" not in tiny.vv(*words).stderr
+
+
+def resealed(path: Path, **changes: np.ndarray) -> bytes:
+    """What a file of arrays holds with changes of some, sealed as it was."""
+    name = f"{path.parents[1].name}/{path.stem}"
+    buffer = io.BytesIO()
+    np.savez(buffer, **{**arrays_in(opened_bytes(name, path.read_bytes())), **changes})
+    return sealed_bytes(name, buffer.getvalue())
+
+
+@pytest.mark.parametrize("name", ["y.value", "y.reference"])
+def test_a_series_that_is_not_that_of_its_figures_is_made_again(tiny: Tiny, name: str) -> None:
+    """Sealed as it is: its curve would stand beside an error that is another's."""
+    words = (*SELECTION, "--json", "out.json")
+    assert tiny.vv(*words).returncode == 0
+    told = json.loads((tiny.root / "out.json").read_text())["records"]
+    forged = sorted((tiny.root / ".vv" / "records").rglob("*.npz"))
+    for path in forged:
+        path.write_bytes(resealed(path, **{name: np.linspace(0.0, 2.0, 11)}))
+    done = tiny.vv(*words)
+    assert done.returncode == 0
+    assert sum(f"{path}: " in done.stderr for path in forged) == len(forged)
+    again = json.loads((tiny.root / "out.json").read_text())["records"]
+    assert [r["quantities"] for r in again] == [r["quantities"] for r in told]
+    assert "passed over" not in tiny.vv(*words).stderr
+
+
+@pytest.mark.parametrize(
+    ("changes", "said"),
+    [
+        ({"t": np.linspace(0.0, 1.0, 7)}, "reported 7 of 11 output times"),
+        (
+            {"value0": np.ones((11, 2))},
+            "was asked in shape (11, 3) and reported with shape (11, 2)",
+        ),
+        ({"value0": np.full((11, 3), np.nan)}, "displacement of body 0 is not finite"),
+        ({"value0": np.full((11, 3), "7")}, "value0 holds no numbers"),
+    ],
+)
+def test_a_stored_run_that_answers_no_ask_is_run_again(
+    tiny: Tiny, changes: dict[str, np.ndarray], said: str
+) -> None:
+    """Sealed as it is, it would be red for ever."""
+    words = (*SELECTION, "--json", "out.json")
+    tiny.vv(*words)
+    told = json.loads((tiny.root / "out.json").read_text())["records"]
+    for path in (tiny.root / ".vv" / "runs").rglob("*.npz"):
+        path.write_bytes(resealed(path, **changes))
+    for layer in ("answers", "records"):  # as long as they are there nobody reads runs
+        shutil.rmtree(tiny.root / ".vv" / layer)
+    done = tiny.vv(*words)
+    assert (done.returncode, said in done.stderr) == (0, True), done.stderr
+    again = json.loads((tiny.root / "out.json").read_text())["records"]
+    assert [r["quantities"] for r in again] == [r["quantities"] for r in told]
+
+
+def test_a_record_that_leaves_a_quantity_out_is_made_again(tiny: Tiny) -> None:
+    """Sealed as it is, the gate would be green for ever: of what is left out nothing is judged."""
+    words = (*SELECTION, "--json", "out.json")
+    tiny.vv(*words)
+    told = json.loads((tiny.root / "out.json").read_text())["records"]
+    shutil.rmtree(tiny.root / ".vv" / "answers")
+    store = Store(tiny.root / ".vv")
+    for one in (tiny.root / ".vv" / "records").rglob("*.json"):
+        summary = store.summary(one.stem)
+        assert summary is not None
+        store.keep_summary(one.stem, dataclasses.replace(summary, quantities=()), {})
+    done = tiny.vv(*words)
+    assert "is not of all quantities; passed over, and made again" in done.stderr
+    again = json.loads((tiny.root / "out.json").read_text())["records"]
+    assert [r["quantities"] for r in again] == [r["quantities"] for r in told]
 
 
 def test_a_lost_series_is_made_again(tiny: Tiny) -> None:

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 from tests.support.acceptances import ran
-from tests.support.fabricated import manifest, record
+from tests.support.fabricated import entry, manifest, record
 from vv.ask import Cost, Run, Status
 from vv.base import files
 from vv.records.job_record import RunSummary
@@ -22,6 +22,8 @@ from vv.store.seal import sealed_bytes
 from vv.store.store import Store, _Kept
 
 KEY = "ab" * 32
+SERIES = {"t": np.arange(3.0), "y.value": np.arange(3.0)}
+MEASURED = (entry("no-reference", {}),)
 Spoil = Callable[[Path], object]
 
 
@@ -50,18 +52,18 @@ def summary() -> RunSummary:
 def test_it_is_named_passed_over_and_written_again(
     tmp_path: Path, capsys: pytest.CaptureFixture[str], spoil: Spoil, said: str
 ) -> None:
-    store, series = Store(tmp_path), {"t": np.arange(3.0)}
-    store.keep_summary(KEY, summary(), series)
+    store = Store(tmp_path)
+    store.keep_summary(KEY, summary(), SERIES)
     for suffix in ("json", "npz"):
         path = tmp_path / "records" / KEY[:2] / f"{KEY}.{suffix}"
         path.unlink()
         spoil(path)
-    assert (store.summary(KEY), store.series(KEY), store.has_series(KEY)) == (None, {}, False)
+    assert (store.summary(KEY), store.series(KEY, MEASURED)) == (None, None)
     told = capsys.readouterr().err
     assert told.count(f"{said}; passed over, and made again\n") == 2
-    store.keep_summary(KEY, summary(), series)
+    store.keep_summary(KEY, summary(), SERIES)
     assert store.summary(KEY) == summary()
-    assert store.has_series(KEY)
+    assert store.series(KEY, MEASURED) is not None
 
 
 @each

@@ -106,7 +106,9 @@ def ran(store: Store, label: str, variant: str, dt: float | None, verdict: str) 
         "pointwise": float(metrics.pointwise_error(value, reference)),
         "l2": float(metrics.l2_error(value, reference)),
     }
-    known = entry(verdict, errors, note="drag is late" if verdict == "xfail" else "")
+    size, end = float(np.abs(reference).max()), float(reference[-1])
+    note = "drag is late" if verdict == "xfail" else ""
+    known = entry(verdict, errors, note=note, scale=size, end=end)
     made = record(label, variant, dt, quantities=[known], cost=cost(timed=dt == 2e-3))
     series = {"t": t, "y.value": value, "y.reference": reference}
     store.keep_summary(made.key, summary_of(made), series)

@@ -114,7 +114,8 @@ def record(
     if not plan.jobs:
         raise UsageError(f"'{codes}' names no external code that is installed here")
     manifest = _run(project, plan)
-    series, empty = Store(project.data()).series, _without_results(manifest)
+    series = Store(project.data()).series_of(manifest.records)
+    empty = _without_results(manifest)
     for path in recorded.write_recorded(recorded_of(project), manifest.records, series, empty):
         terminal.say(str(path))
 

@@ -27,7 +27,7 @@ def document(manifest: Manifest, store: Store) -> str:
 
 
 def _full(record: Record, provenance: Provenance, store: Store) -> Json:
-    arrays = store.series(record.key) if record.quantities else {}
+    arrays = store.series(record.key, record.quantities) or {}
     quantities = [_with_series(one, arrays) for one in record.quantities]
     data: Json = codec.to_data(record)
     return {**data, "quantities": quantities, "provenance": codec.to_data(provenance)}

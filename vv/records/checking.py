@@ -45,7 +45,7 @@ def _observed(run: Run, ask: Ask) -> Run:
         if (why := _unbounded(values, expected)) is not None:
             what = f"{type(observable).__name__.lower()} of body {observable.body}"
             return Run(Status.DIVERGED, f"{what} {why}")
-    if ask.search is not None and not len(run.tried):
+    if ask.search is not None and (not len(run.tried) or run.tried.shape[1:] != (2,)):
         return Run(Status.ERROR, "the run does not say what was tried")
     return _energetic(run, ask)
 

@@ -102,8 +102,12 @@ class PrintedOutput:
 
 @dataclass(frozen=True, slots=True)
 class Answer:
-    """What is kept of an invocation (manifest, printed output) or of a report (file states)."""
+    """What is kept of an invocation (manifest, printed output) or of a report (file states).
+
+    records: digest of the states of all stored records while those of the manifest were whole.
+    """
 
     manifest: str = optional("")
+    records: str = optional("")
     report: tuple[int, ...] = optional(())
     printed: PrintedOutput | None = optional(None)  # noqa: RUF009  # None is frozen

@@ -169,6 +169,13 @@ def _errors(
     return errors
 
 
+def error_in(norm: Norm, value: Vector, reference: Vector, scale: float) -> float:
+    """The error of a series by a norm, of which the maximum is over a scale."""
+    if norm is Norm.MAX:
+        return metrics.scaled_error(value, reference, scale)
+    return NORMS[norm](value, reference)
+
+
 def _figures_of_number(run: Run, quantity: Scalar | Count, judge: Judge) -> _Figures:
     """Value, scale and errors; a count that is only shown has none, and so no order in dt."""
     value = quantity.observe(run)

@@ -7,6 +7,7 @@ from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
 
 from vv.ask import Run, Status
+from vv.base.notices import notice
 from vv.case import Grid
 from vv.plan import keys
 from vv.plan.plan import Job, Plan
@@ -49,12 +50,9 @@ def records_of(
     """
     unknown, store = {}, stored.store
     for number, job in enumerate(plan.jobs):
-        key = stored.records[number]
         usable = not limits.fresh and plan.found[job.code].installed
-        if usable and (summary := store.summary(key)) is not None and store.has_series(key):
-            yield number, _record(plan, job, key, summary)
-        elif usable and (run := store.run(stored.runs[number])) is not None:
-            yield number, _measured(plan, job, run, key, store)
+        if usable and (record := _known(plan, number, stored)) is not None:
+            yield number, record
         else:
             unknown[number] = job
     settle([*unknown.values()], limits.workers)
@@ -72,6 +70,36 @@ def records_of(
         whole = checked(run, job.ask)
         store.keep_run(stored.runs[number], whole)
         yield number, _measured(plan, job, whole, stored.records[number], store)
+
+
+def _known(plan: Plan, number: int, stored: StoredJobs) -> Record | None:
+    """The record of a job from the store; None if it has to be run, as what is damaged is."""
+    job, key, store = plan.jobs[number], stored.records[number], stored.store
+    if (summary := _summary(plan, job, key, store)) is not None:
+        return _record(plan, job, key, summary)
+    run = store.run(stored.runs[number])
+    if run is None:
+        return None
+    found = checked(run, job.ask)
+    record = _measured(plan, job, found, key, store) if found.status is Status.RAN else None
+    if record is not None and record.status is Status.RAN:
+        return record
+    why = (record or found).reason
+    notice(f"the stored run {stored.runs[number]}: {why}; passed over, and run again")
+    return None
+
+
+def _summary(plan: Plan, job: Job, key: str, store: Store) -> RunSummary | None:
+    """What is stored of a job; None without its series, or where a quantity is left out."""
+    summary = store.summary(key)
+    if summary is None or store.series(key, summary.quantities) is None:
+        return None
+    quantities = plan.trials[job.case, job.variant].quantities
+    due = [one.name for one in quantities if summary.status is Status.RAN]
+    if [one.name for one in summary.quantities] == due:
+        return summary
+    notice(f"the stored record {key} is not of all quantities; passed over, and made again")
+    return None
 
 
 def _measured(plan: Plan, job: Job, run: Run, key: str, store: Store) -> Record:

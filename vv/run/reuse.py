@@ -72,7 +72,7 @@ def remember(store: Store, identity: str, manifest: Manifest) -> None:
     It may where a job crashed, or where a timing session has gaps, which are timed again.
     """
     if all(map(is_reusable, manifest.records)) and not manifest.untimed:
-        store.keep_answer(_key(store, identity), Answer(manifest=manifest.name))
+        store.keep_answer(_key(store, identity), Answer(manifest.name, digest(store.state())))
 
 
 def is_reusable(record: Record) -> bool:
@@ -90,8 +90,11 @@ def recall(store: Store, identity: str) -> Manifest | None:
         manifest = store.manifest(answer.manifest)
     except OSError:
         return None
-    measured = [record.key for record in manifest.records if record.quantities]
-    return manifest if all(map(store.has_series, measured)) else None  # `--json` writes them out
+    if answer.records == digest(store.state()):
+        return manifest
+    measured = (record for record in manifest.records if record.quantities)
+    kept = all(store.series(one.key, one.quantities) is not None for one in measured)
+    return manifest if kept else None  # `--json` writes them out
 
 
 def of_this_commit(
@@ -103,7 +106,7 @@ def of_this_commit(
     now = datetime.datetime.now(datetime.UTC)
     name, origin = run_name(now), provenance(project.root, command, now)
     store.keep_renamed(found.name, name, origin)
-    store.keep_answer(_key(store, identity), Answer(manifest=name))
+    store.keep_answer(_key(store, identity), Answer(name, digest(store.state())))
     return dataclasses.replace(found, name=name, provenance=origin)
 
 
@@ -111,7 +114,8 @@ def keep_output(store: Store, identity: str, manifest: str, printed: PrintedOutp
     """Keep what an invocation printed, if its manifest is the one kept for this identity."""
     answer = store.answer(_key(store, identity))
     if answer is not None and answer.manifest == manifest:
-        store.keep_answer(_key(store, identity), Answer(manifest, printed=printed))
+        again = dataclasses.replace(answer, printed=printed)
+        store.keep_answer(_key(store, identity), again)
 
 
 def output_of(

@@ -61,6 +61,9 @@ def run_from(arrays: Mapping[str, Any], key: str) -> Run:
 
 def _run(meta: RunMeta, arrays: Mapping[str, Any]) -> Run:
     model = meta.model
+    for name, array in arrays.items():
+        if name != "meta" and array.dtype.kind not in "fiu":
+            raise ValueError(f"{name} holds no numbers")
     values: dict[Observable, Vector] = {
         OBSERVABLES[kind](body): arrays[f"value{i}"]
         for i, (kind, body) in enumerate(meta.observables)

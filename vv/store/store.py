@@ -17,7 +17,7 @@ import os
 import shutil
 import tempfile
 import time
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, TextIO, TypeVar
@@ -31,11 +31,13 @@ from vv.records import codec
 from vv.records.fields import SPREAD
 from vv.records.job_record import Record, RunSummary
 from vv.records.manifest import Answer, Manifest, Provenance, TimedRun
+from vv.records.quantity import MeasuredQuantity
 from vv.scene import Vector
 from vv.store import manifest
 from vv.store.array_files import arrays_in
 from vv.store.run_arrays import arrays_of, run_from
 from vv.store.seal import opened_bytes, opened_text, sealed_bytes, sealed_text
+from vv.store.series_check import check_series
 
 Found = TypeVar("Found")
 Session = dict[str, TimedRun]  # what a timing session measured, by the keys of the runs
@@ -91,26 +93,25 @@ class Store:
         self._keep_arrays("records", key, series)
         self._write("records", key, _Kept(run, key))
 
-    def series(self, key: str) -> dict[str, Vector]:
-        """The arrays kept beside a record; empty if there are none."""
+    def series(self, key: str, quantities: Iterable[MeasuredQuantity]) -> dict[str, Vector] | None:
+        """The arrays kept beside a record, of which its quantities were measured.
+
+        None if there are none, or if they are not those of the quantities.
+        """
         try:
-            return self._arrays("records", key)
+            arrays = self._arrays("records", key)
+            check_series(arrays, quantities)
         except ABSENT:
-            return {}
+            return None
         except UNREADABLE as error:
             self._passed_over("records", key, "npz", error)
-            return {}
+            return None
+        return arrays
 
-    def has_series(self, key: str) -> bool:
-        """Whether the arrays of a record's series are there and undamaged."""
-        try:
-            self._opened("records", key)
-        except ABSENT:
-            return False
-        except (OSError, ValueError) as error:
-            self._passed_over("records", key, "npz", error)
-            return False
-        return True
+    def series_of(self, records: Iterable[Record]) -> Callable[[str], Mapping[str, Vector]]:
+        """Reads the arrays kept beside these records, by key; empty where there are none."""
+        measured = {one.key: one.quantities for one in records}
+        return functools.cache(lambda key: self.series(key, measured[key]) or {})
 
     def keep_manifest(self, what: Manifest) -> None:
         """Store the manifest of an invocation under its name; names sort by time."""
