@@ -1,4 +1,4 @@
-"""Claims about what errors cost: `exact` is cheaper than a step, but where slip turns coarsely."""
+"""Claims about what errors cost: `exact` is cheapest, but for coarse answers to endless turning."""
 
 from __future__ import annotations
 
@@ -54,16 +54,18 @@ def test_an_exact_answer_costs_less_than_the_coarsest_steps(
     assert exact < steps
 
 
-@pytest.mark.parametrize("name", TURNING)
-def test_where_slip_turns_it_costs_less_than_errors_of_1e_3_in_dem_and_more_than_larger_ones(
-    name: str, tmp_path: Path
+@pytest.mark.parametrize("scheme", ["dem/default", "dda/default"])
+@pytest.mark.parametrize("name", ["incline:two-directions", *TURNING])
+def test_where_slip_turns_it_costs_less_than_errors_of_1e_3(
+    name: str, scheme: str, tmp_path: Path
 ) -> None:
+    """And less than any in two directions on a slope, where slip stops now and then."""
     trial, study = declared(name)
     *_, exact = timed(name, "exact/default", Knobs(), tmp_path)
     wanted = next(one for one in trial.quantities if one.name == "distance")
     for knobs in study.timed:
-        run, own, cost = timed(name, "dem/default", knobs, tmp_path)
+        run, own, cost = timed(name, scheme, knobs, tmp_path)
         method = own.method_for(trial.study.scene.terms())
         error = measured(run, wanted, method, knobs)[0].errors[Norm.MAX]
         assert error is not None
-        assert (exact < cost) == (error <= 1e-3)
+        assert exact < cost or (error > 1e-3 and name in TURNING)

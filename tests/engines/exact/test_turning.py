@@ -10,8 +10,10 @@ import pytest
 from reference_solutions.blocks import turning_slip
 from tests.scenes.blocks.exact_slides import BOX, DOWN, LEVEL, apart, ran, turned
 from tests.scenes.blocks.sliding_blocks import FREE, Frame, G, block, wall
-from vv.ask import Ask, History, Status
-from vv.engines.exact import solve
+from vv.ask import Ask, History, Knobs, Status
+from vv.engines.exact import prepare, ready, solve
+from vv.engines.exact.turn.path import TurningFlow
+from vv.plan.project import find
 from vv.scene import Contact, Harmonic, Scene, Vector
 
 ROUNDING = 1e-13  # of the greatest slip: some 500 pieces, each a few roundings off
@@ -52,6 +54,16 @@ def test_a_slip_that_turns_agrees_with_collocation(seed: int) -> None:
     run = ran(scene, DURATION)
     assert run.times is not None
     assert apart(run.values[BOX], by_collocation(scene, frame, run.times)) < ROUNDING
+
+
+def test_a_drive_that_friction_nearly_balances_takes_long_pieces() -> None:
+    """A slip that starts slowly on a slope: pieces reach as far as series do, not as far as rest
+    would be if nothing drove the block."""
+    case = find().load_case("incline")
+    ask = case.declare("two-directions", case.defaults("two-directions")).study.ask(Knobs())
+    flow = ready(prepare(ask), 6.0)
+    assert isinstance(flow, TurningFlow)
+    assert len(flow.follow()) < 300
 
 
 def test_a_slip_under_constant_forces_ends_when_the_closed_form_says() -> None:

@@ -9,7 +9,9 @@ import numpy as np
 from vv.engines.exact.turn.rest import end_of_rest, slack
 from vv.engines.exact.turn.series import (
     ORDER,
+    OVER,
     REACH,
+    SERIES,
     angle,
     expand_drive,
     expand_slip,
@@ -22,7 +24,7 @@ REST, SLIP = 0, 1
 ENDED, FULL, TOUCHED = 0, 1, 2  # TOUCHED: |T| reaches F and does not rise above it in first order
 LEFT = 0.1  # of the velocity, over a step
 SHORTER = 0.85  # a step that leaves less is shortened by this
-LONGEST = 2.0  # of a step in its unit of time, in which no more than all the velocity can go
+LONGEST = 30.0  # of a step in its unit of time: what drive and friction balance grows slowly
 CELL = 1.5  # [rad] of the quickest sine: pieces of rest are no longer
 
 
@@ -47,7 +49,7 @@ def follow_turning(
     series (most, ORDER + 1, 2), of its place [m].
     """
     t, count, place = 0.0, 0, np.zeros(2)
-    drive, work, looked = np.empty((3, ORDER + 1)), np.empty((3, ORDER)), np.empty(3)
+    drive, work, looked = np.empty((3, ORDER + 1)), np.empty((SERIES, ORDER)), np.empty(3)
     velocity, turned, shape = np.empty((2, ORDER)), np.empty((3, ORDER + 1)), np.empty((2, ORDER))
     quickest = sines[:, 3].max() if len(sines) else 0.0
     rubs = np.abs(rows[2]).max() > 0
@@ -149,22 +151,16 @@ def _kept_from_rest(w: Vector, speed: float, end: float) -> float:
 
     w/|w| is singular at rest, which the series of a slip along a line does not show.
     """
+    x, y = w[0, 0] / speed, w[1, 0] / speed
     while True:
-        least = speed + min(0.0, _along(w, speed, 1)) * end
+        least = speed + min(0.0, x * w[0, 1] + y * w[1, 1]) * end
         power = end
         for n in range(2, ORDER):
             power *= end
-            least -= abs(_along(w, speed, n)) * power
+            least -= abs(x * w[0, n] + y * w[1, n]) * power
         if least >= LEFT * speed:
             return end
         end *= SHORTER
-
-
-@lent
-def _along(w: Vector, speed: float, n: int) -> float:
-    """The coefficient n of the velocity's part along its start."""
-    part = w[0, 0] * w[0, n] + w[1, 0] * w[1, n]
-    return float(part / speed)
 
 
 @lent
@@ -214,7 +210,7 @@ def _integrate(w: Vector, h: float, place: Vector, out: Vector) -> None:
     for a in range(2):
         out[0, a] = place[a]
         for n in range(ORDER):
-            out[n + 1, a] = h * w[a, n] / (n + 1)
+            out[n + 1, a] = h * OVER[n] * w[a, n]
 
 
 @lent
