@@ -251,6 +251,7 @@ def test_an_order_between_two_settings_needs_both_and_unlike_steps() -> None:
     for coarse, fine in (
         ((0.2, 0.0), (0.1, 0.01)), ((0.2, 0.04), (0.2, 0.01)), ((None, 0.04), (0.1, 0.01)),
         ((0.2, 0.04), (0.1, None)), ((0.2, float("inf")), (0.1, 0.01)),
+        ((0.2, 0.04), (0.1, float("inf"))),
     ):  # fmt: skip
         assert between(coarse, fine) is None
 

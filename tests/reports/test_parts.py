@@ -17,6 +17,7 @@ from reports.drawing import charts
 from reports.drawing.collect import ladders
 from reports.drawing.curves import draw
 from reports.drawing.svg import SLACK, path, straightened, thinned
+from reports.looks import defined
 from reports.marks import marks
 from reports.outcomes import OUTCOMES, counted
 from reports.pages.findings import findings
@@ -24,6 +25,16 @@ from reports.variant import ranking, settings
 from tests.support.fabricated import STEPS, cost, entry, manifest, ran, record
 from vv.gate.judgement import counted as counted_by_gate
 from vv.store.store import Store
+
+
+@pytest.mark.parametrize(("drawn", "there", "absent"), [("dots", "f", "o"), ("holes", "o", "f")])
+def test_a_page_defines_the_markers_that_its_curves_have(
+    drawn: str, there: str, absent: str
+) -> None:
+    (mark,) = marks(["a/a"]).values()
+    told = defined(f'<g class="k{mark.number}"><path class="{drawn}" d=""/></g>', [mark])
+    assert f'<marker id="{there}{mark.number}"' in told
+    assert f'<marker id="{absent}{mark.number}"' not in told
 
 
 def test_points_without_a_result_go_to_the_rim_and_refusals_nowhere() -> None:

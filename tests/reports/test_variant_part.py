@@ -175,6 +175,36 @@ def test_what_was_accepted_moved_or_recorded_is_told(manifest: Manifest, store: 
     assert "recorded 2024-02-29 with 2.3, 307 days ago: error 4.2e-7" in page
 
 
+def part(page: str, variant: str) -> str:
+    """What a page says of a variant."""
+    return page.partition(f'<h2 id="{variant}">')[2].partition("<h2 ")[0]
+
+
+def test_what_is_recorded_stands_with_its_own_variant(manifest: Manifest, store: Store) -> None:
+    absent = next(r for r in manifest.records if r.status is Status.NOT_INSTALLED)
+    kept = [
+        RecordedResult("bounce", name, absent.code, absent.scheme, absent.rung, "", "2.3",
+                       f"2024-02-2{k}T01:02:03", 307, None, {})
+        for k, name in enumerate(("T1", "T2"))
+    ]  # fmt: skip
+    page = built(dataclasses.replace(manifest, recorded=tuple(kept)), store)
+    for k, name in enumerate(("T1", "T2")):
+        assert re.findall(r"recorded 2024-02-2(\d)", part(page, f"bounce--{name}")) == [str(k)]
+
+
+def test_the_parameters_of_a_variant_that_are_not_those_of_the_table_are_told(
+    store: Store,
+) -> None:
+    usual = record("a/a", "T1", 1e-3, parameters={"m": 1.0})
+    other = record("a/a", "T2", 1e-3, parameters={"m": 2.5})
+    page = built(manifest_of(usual, other), store)
+    assert "Other than in the table" not in part(page, "bounce--T1")
+    assert "Other than in the table: <code>m</code> = 2.5." in words(part(page, "bounce--T2"))
+    page = built(manifest_of(usual, changed(other, modified=True)), store)
+    assert "<b>Modified parameters:</b> m = 2.5." in words(part(page, "bounce--T2"))
+    assert "Modified" not in part(page, "bounce--T1")
+
+
 def test_what_an_error_costs_stands_with_each_timed_variant(
     manifest: Manifest, store: Store
 ) -> None:

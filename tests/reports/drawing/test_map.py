@@ -55,6 +55,14 @@ def test_there_is_no_map_where_steps_follow_the_stiffness() -> None:
     assert error_map([]) is None
 
 
+def test_a_code_without_steps_has_no_map_over_the_critical_step() -> None:
+    exact = [Ladder(LOOKS["two"], kn, (Point(None, 0.1, 0.1, False, False),)) for kn in CRITICAL]
+    stepping = [related(kn or 0.0, {2.0: 0.2, 0.1: 0.1}) for kn in CRITICAL]
+    heat = error_map([*exact, *stepping], CRITICAL)
+    assert heat is not None
+    assert [panel.mark.label for panel in heat.panels] == ["one"]
+
+
 def test_a_map_stands_instead_of_curves_and_names_the_best_stiffness_of_each_code() -> None:
     two = [dataclasses.replace(one, mark=LOOKS["two"]) for one in FULL]
     (figure,) = figures([], [*FULL, *two], QUANTITY, Norm.MAX)
