@@ -5,7 +5,8 @@ mutant is put to what a wrong number in a case should meet: the tests that impor
 page of the case in the gallery, which a test compares with what it declares; its quick gate with
 the codes that come with vv, against the accepted results; and the tests that name the case. Of a
 file that several cases share, those that name it are asked first, and not more than a few. What
-hangs is told by CPU time.
+hangs is told by CPU time. Where something is red without a mutant the bench ends and judges
+nothing.
 """
 
 import argparse
@@ -116,12 +117,10 @@ WAYS: dict[str, Callable[[Path, str], bool]] = {
 
 
 @functools.cache
-def sound(project: Path, way: str, case: str) -> bool:
-    """Whether a way of asking is content with a case in which nothing is turned."""
-    fine = not WAYS[way](project, case)
-    if not fine:
-        print(f"red without a mutant: {way} of {case}", flush=True)
-    return fine
+def require_sound(project: Path, way: str, case: str) -> None:
+    """End the bench where a way of asking is red with nothing turned: it would see any mutant."""
+    if WAYS[way](project, case):
+        raise SystemExit(f"{way} of {case}: red without a mutant, so that nothing is judged by it")
 
 
 def questions(mutant: Mutant) -> Iterator[tuple[str, str]]:
@@ -134,8 +133,7 @@ def seen_by(project: Path, mutant: Mutant) -> str:
     """What sees a mutant; '' if nothing does."""
     place = project / mutant.file
     for way, case in questions(mutant):
-        if not sound(project, way, case):
-            continue
+        require_sound(project, way, case)
         try:
             rewrite(place, mutant.text())
             if WAYS[way](project, case):

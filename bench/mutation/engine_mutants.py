@@ -4,7 +4,8 @@
 alike, compiled or not; `--files 'vv/engines/dem/*'` from some. A copy holds all that were drawn;
 its tests are collected once, and each mutant is switched on in a fork of that process, so that
 kernels are compiled once. What hangs is told by CPU time, which a busy machine does not change.
-What the tests of the engines do not see is put to the quick gate of the codes it is part of.
+What the tests of the engines do not see is put to the quick gate of the codes it is part of. Where
+a test or a gate is red with no mutant on the bench ends and judges nothing.
 """
 
 import argparse
@@ -80,7 +81,10 @@ def switch_on(number: int) -> None:
 
 
 def green(collected: Collected, kept: Path) -> dict[str, float]:
-    """CPU seconds of each test that is green with no mutant on; those that compile take longer."""
+    """CPU seconds of each test with no mutant on, all of them green; compiling makes some long.
+
+    Those that do not end within the time for all are not there.
+    """
 
     def timed() -> None:
         seconds, before = {}, sum(os.times()[:4])
@@ -92,7 +96,14 @@ def green(collected: Collected, kept: Path) -> dict[str, float]:
 
     forked(timed, COMPILING)
     known: dict[str, float] = json.loads(kept.read_text())
-    return {name: spent for name, spent in known.items() if spent < float("inf")}
+    require_green([name for name, spent in known.items() if spent == float("inf")])
+    return known
+
+
+def require_green(red: Sequence[str]) -> None:
+    """End the bench where something is red with no mutant on: it would see any mutant."""
+    if red:
+        raise SystemExit("red without a mutant, so that nothing is judged: " + ", ".join(red))
 
 
 def by_tests(
@@ -103,7 +114,9 @@ def by_tests(
 
     def put(collected: Collected) -> None:
         asked, told = Asked(collected, green(collected, kept), longest), {}
-        print(f"{len(asked.seconds)} tests, {sum(asked.seconds.values()):.0f} s", flush=True)
+        left = len(collected.tests) - len(asked.seconds)
+        spent = sum(asked.seconds.values())
+        print(f"{len(asked.seconds)} tests in {spent:.0f} s, {left} left out", flush=True)
         for one, number in numbers.items():
             told[one.what] = asked.red_of(one, number) or ""
             print(f"{told[one.what] or 'no test':<60} {one.what}", flush=True)
@@ -152,8 +165,9 @@ def told_of(chosen: Sequence[Mutant], tests: Iterable[str], longest: float) -> d
         own = {one: numbers[one.what] for one in chosen}
         told = by_tests(project, tests, own, longest)
         for one in (one for one in chosen if not told[one.what]):
-            sound = [code for code in codes_of(one) if _sound(project, code)]
-            told[one.what] = by_gate(project, sound, own[one])
+            codes = [*codes_of(one)]
+            require_green([f"gate of {code}" for code in codes if not _sound(project, code)])
+            told[one.what] = by_gate(project, codes, own[one])
             print(f"{told[one.what] or 'UNSEEN':<60} {one.what}", flush=True)
     return told
 
@@ -161,9 +175,7 @@ def told_of(chosen: Sequence[Mutant], tests: Iterable[str], longest: float) -> d
 @functools.cache
 def _sound(project: Path, code: str) -> bool:
     """Whether the gate is green in the copy with no mutant on."""
-    fine = _fine(project, code, 0)
-    print(f"{'green' if fine else 'RED'} without a mutant: gate of {code}", flush=True)
-    return fine
+    return _fine(project, code, 0)
 
 
 def main() -> None:
