@@ -1,8 +1,8 @@
 """Turns one operator or constant of the cases at a time, and counts what nothing of theirs sees.
 
 `python -m bench.mutation.case_mutants --sample N --seed K` draws from all places in cases/ alike. A
-mutant is put to what a wrong number in a case should meet: the tests that import its file; the
-page of the case in the gallery, which a test compares with what it declares; its quick gate with
+mutant is put to what a wrong number in a case should meet: the page of the case in the gallery,
+which a test compares with what it declares; the tests that import its file; its quick gate with
 the codes that come with vv, against the accepted results; and the tests that name the case. Of a
 file that several cases share, those that name it are asked first, and not more than a few. What
 hangs is told by CPU time. Where something is red without a mutant the bench ends and judges
@@ -33,6 +33,7 @@ from bench.mutation.framework_sites import Mutant, equivalents, turnable
 from bench.mutation.mutants import ROOT
 from bench.mutation.schemata import copied
 from vv.base.closure import import_closure
+from vv.case import Level
 from vv.plan.keys import roots
 from vv.plan.project import find
 
@@ -125,8 +126,17 @@ def require_sound(project: Path, way: str, case: str) -> None:
 
 def questions(mutant: Mutant) -> Iterator[tuple[str, str]]:
     """(way, case or file) in which a mutant is asked, the cheapest first."""
+    cases = cases_of(mutant.file)[:ASKED]
+    yield from (("page", case) for case in cases)
     yield "tests", mutant.file
-    yield from ((way, case) for way in WAYS for case in cases_of(mutant.file)[:ASKED])
+    yield from (("gate", case) for case in cases if is_quick(case))
+    yield from (("tests", case) for case in cases)
+
+
+@functools.cache
+def is_quick(case: str) -> bool:
+    """Whether the quick gate has anything of a case."""
+    return any(one.runs_at(Level.QUICK) for one in find(ROOT).load_case(case).variants)
 
 
 def seen_by(project: Path, mutant: Mutant) -> str:

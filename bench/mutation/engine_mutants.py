@@ -5,7 +5,7 @@ alike, compiled or not; `--files 'vv/engines/dem/*'` from some. A copy holds all
 its tests are collected once, and each mutant is switched on in a fork of that process, so that
 kernels are compiled once. What hangs is told by CPU time, which a busy machine does not change.
 What the tests of the engines do not see is put to the quick gate of the codes it is part of. Where
-a test or a gate is red with no mutant on the bench ends and judges nothing.
+a test or a gate is wrong with no mutant on the bench ends and judges nothing.
 """
 
 import argparse
@@ -15,15 +15,13 @@ import itertools
 import json
 import os
 import random
-import resource
-import subprocess
-import sys
 import tempfile
 from collections.abc import Iterable, Iterator, Sequence
 from fnmatch import fnmatch
 from pathlib import Path
 
 from bench.evidence import conclude
+from bench.mutation import engine_gate
 from bench.mutation.collected_tests import Collected, collected, fitting, forked
 from bench.mutation.forked_tests import with_tests
 from bench.mutation.framework_mutants import NEEDS, survival
@@ -34,15 +32,12 @@ from vv.base.closure import import_closure
 from vv.base.files import write_whole
 from vv.plan.keys import roots
 from vv.plan.project import find
-from vv.records.finding import Bit
 
 CODES = ("exact", "dem", "dda", "rigid")
 TESTS = ("tests/engines",)
 LONGEST = 60.0  # s of CPU time that the tests may take which one mutant is put to
 SPARE, HANGING = 10.0, 3.0  # s and times of what tests take without a mutant: it hangs
 COMPILING = 1200.0  # s of CPU time for all tests once, with every kernel compiled
-SPENT = 200.0  # s of CPU time after which a process of the gate hangs, many times what it takes
-WRONG = Bit.ACCURACY | Bit.CONSERVATION | Bit.CRASH | Bit.TIMEOUT
 
 
 def drawn(files: str, sample: int, seed: int) -> list[Mutant]:
@@ -81,7 +76,7 @@ def switch_on(number: int) -> None:
 
 
 def green(collected: Collected, kept: Path) -> dict[str, float]:
-    """CPU seconds of each test with no mutant on, all of them green; compiling makes some long.
+    """CPU seconds of each test with no mutant on, all of them green, and kernels compiled before.
 
     Those that do not end within the time for all are not there.
     """
@@ -94,16 +89,11 @@ def green(collected: Collected, kept: Path) -> dict[str, float]:
             before = now
             kept.write_text(json.dumps(seconds))  # also of a run that was cut
 
-    forked(timed, COMPILING)
+    for _ in ("compiles", "is timed"):
+        forked(timed, COMPILING)
     known: dict[str, float] = json.loads(kept.read_text())
-    require_green([name for name, spent in known.items() if spent == float("inf")])
+    engine_gate.require_green([name for name, spent in known.items() if spent == float("inf")])
     return known
-
-
-def require_green(red: Sequence[str]) -> None:
-    """End the bench where something is red with no mutant on: it would see any mutant."""
-    if red:
-        raise SystemExit("red without a mutant, so that nothing is judged: " + ", ".join(red))
 
 
 def by_tests(
@@ -127,26 +117,6 @@ def by_tests(
     return told
 
 
-def by_gate(project: Path, codes: Iterable[str], number: int) -> str:
-    """The code whose quick gate sees a mutant, or none, 0; '' if there is none."""
-    return next((f"gate of {code}" for code in codes if not _fine(project, code, number)), "")
-
-
-def _fine(project: Path, code: str, number: int) -> bool:
-    words = ["gate", "--codes", code, "--require", code, "--jobs", "1", "--timeout", "36000"]
-    with tempfile.TemporaryDirectory() as data:
-        env = {**os.environ, "PYTHONPATH": str(project), "VV_DATA": data, NUMBER: str(number)}
-        command = [sys.executable, "-m", "vv", *words, "--against", "cases/baselines"]
-        done = subprocess.run(
-            command, cwd=project, env=env, capture_output=True, check=False, preexec_fn=_limited
-        )
-    return done.returncode >= 0 and not done.returncode & WRONG
-
-
-def _limited() -> None:
-    resource.setrlimit(resource.RLIMIT_CPU, (int(SPENT), int(SPENT)))
-
-
 def codes_of(mutant: Mutant) -> Iterator[str]:
     """The codes whose adapters import the file of a mutant."""
     project = find(ROOT)
@@ -165,17 +135,9 @@ def told_of(chosen: Sequence[Mutant], tests: Iterable[str], longest: float) -> d
         own = {one: numbers[one.what] for one in chosen}
         told = by_tests(project, tests, own, longest)
         for one in (one for one in chosen if not told[one.what]):
-            codes = [*codes_of(one)]
-            require_green([f"gate of {code}" for code in codes if not _sound(project, code)])
-            told[one.what] = by_gate(project, codes, own[one])
+            told[one.what] = engine_gate.seeing(project, codes_of(one), own[one])
             print(f"{told[one.what] or 'UNSEEN':<60} {one.what}", flush=True)
     return told
-
-
-@functools.cache
-def _sound(project: Path, code: str) -> bool:
-    """Whether the gate is green in the copy with no mutant on."""
-    return _fine(project, code, 0)
 
 
 def main() -> None:

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import os
 import sys
+from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
 
 import pytest
 
-from bench.mutation import case_mutants, engine_mutants
+from bench.mutation import case_mutants, engine_gate, engine_mutants
+from bench.mutation.engine_gate import Red
 from bench.mutation.framework_sites import turnable
 from bench.mutation.mutants import ROOT, Mutant
 from bench.mutation.schemata import switchable
@@ -58,12 +60,61 @@ def test_a_mutant_of_an_engine_is_part_of_the_codes_that_import_it() -> None:
 def test_a_mutant_of_a_case_is_put_to_tests_of_its_file_its_page_its_gate_and_its_tests() -> None:
     (first, *_) = turnable("cases/hard/wedge.py")
     asked = [*case_mutants.questions(first)]
-    assert asked[:2] == [("tests", "cases/hard/wedge.py"), ("page", "wedge")]
+    assert asked[0] == ("page", "wedge")
+    assert ("tests", "cases/hard/wedge.py") in asked
     assert [way for way, case in asked if case == "wedge"] == ["page", "gate", "tests"]
     assert len(asked) <= 1 + 3 * case_mutants.ASKED
     assert "tests/cases/hard/test_wedge.py" in case_mutants.tests_of("wedge")
     least = "tests/cases/impact/test_least_of_largest.py"
     assert case_mutants.tests_of("cases/impact/_oblique.py") == (least,)
+
+
+def test_the_gate_is_not_asked_of_a_case_that_it_does_not_run_quickly() -> None:
+    (first, *_) = turnable("cases/bulk/hopper.py")
+    assert {way for way, case in case_mutants.questions(first) if case == "hopper"} == {
+        "page", "tests"
+    }  # fmt: skip
+
+
+def test_a_way_of_asking_that_is_red_without_a_mutant_ends_the_bench(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    monkeypatch.setitem(case_mutants.WAYS, "page", lambda project, case: True)
+    with pytest.raises(SystemExit, match="page of wedge: red without a mutant"):
+        case_mutants.seen_by(tmp_path, turnable("cases/hard/wedge.py")[0])
+
+
+def gate_says(monkeypatch: pytest.MonkeyPatch, said: dict[int, set[Red]]) -> None:
+    """Let the gate find this with each mutant on."""
+    monkeypatch.setattr(engine_gate, "reds", lambda project, code, number: said[number])
+    engine_gate.without_mutant.cache_clear()
+
+
+def test_a_gate_that_is_wrong_without_a_mutant_ends_the_bench(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    for kind in ("accuracy: fail", "regression: gone", engine_gate.HANGS):
+        gate_says(monkeypatch, {0: {("bounce", "h", kind)}, 7: set()})
+        with pytest.raises(SystemExit, match=f"nothing is judged: bounce h {kind}"):
+            engine_gate.seeing(tmp_path, ["dda"], 7)
+
+
+def test_a_result_that_moves_without_a_mutant_says_nothing_of_one(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    moved, other = ("rocking", "x", "regression: moved"), ("wedge", "d", "regression: moved")
+    gate_says(monkeypatch, {0: {moved}, 7: {moved}, 8: {moved, other}})
+    assert engine_gate.seeing(tmp_path, ["dda"], 7) == ""
+    assert engine_gate.seeing(tmp_path, ["dda"], 8) == "gate of dda"
+
+
+def test_what_a_gate_calls_red_is_read_from_its_junit_file() -> None:
+    said = """<testsuites><testsuite name="wedge">
+        <testcase classname="wedge" name="fine"/><testcase classname="wedge" name="not run">
+        <skipped/></testcase><testcase classname="wedge" name="d"><failure type="a: b"/></testcase>
+        <testcase classname="wedge" name="e"><error type="c"/></testcase></testsuite></testsuites>
+    """
+    assert engine_gate.told(said) == {("wedge", "d", "a: b"), ("wedge", "e", "c")}
 
 
 def test_what_cases_share_is_asked_of_those_that_name_it_first() -> None:
