@@ -146,8 +146,10 @@ is found where the step ends, too late by so much times the step, which is of se
 one whose gap is less of what the drive makes of the step, or that is slower than so many residuals.
 """
 
-LANDINGS, LANDED = 8, 1e-8
-"""Trials by which a landing is found, and the part of a step that it may be missed by."""
+LANDINGS, LANDED, SHORTLY = 8, 1e-8, 0.1
+"""Trials by which a landing is found, the part of a step that it may be missed by, and the part of
+one after which gaps are looked at anew that seem closed as it begins.
+"""
 
 APART = -1e30
 """Of the slack: from there on gaps count that must not close in a trial."""

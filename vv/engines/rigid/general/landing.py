@@ -10,7 +10,7 @@ from vv.engines.kernels.compiled import called, lent
 from vv.engines.kernels.triples import at, dot
 from vv.engines.rigid.general.setting import Past, Setting, State, felt
 from vv.engines.rigid.general.step import Trial, attempt
-from vv.engines.rigid.limits import APART, CLOSELY, LANDED, LANDINGS
+from vv.engines.rigid.limits import APART, CLOSELY, LANDED, LANDINGS, SHORTLY
 from vv.engines.rigid.slip import first_root
 from vv.engines.rigid.solver.assembly import relative
 
@@ -28,6 +28,11 @@ def lands_after(
     """
     span = landing(setting, trial, dt)
     there, span = span < np.inf, smaller(span, whole)
+    if there and span == 0.0:  # as told from the end, off by the square of what turns until then
+        brief = SHORTLY * whole
+        trial = attempt(setting, state, now, brief, contacts, past, APART * setting.slack)
+        soon = brief + closing(trial, brief)
+        span = soon if LANDED * dt < soon < whole else 0.0
     for _ in range(LANDINGS if there and 0.0 < span < whole else 0):
         trial = attempt(setting, state, now, span, contacts, past, APART * setting.slack)
         more = closing(trial, span)
