@@ -51,12 +51,12 @@ def _solver(scheme: Scheme, function: str, prepare: exact.Prepare) -> Solver:
 
 
 def _run(ask: Ask, prepare: exact.Prepare, repeat: float) -> Run:
-    """One ask, part by part on the clock.
+    """Run one ask and time each part.
 
-    Cost: setup is building the equations; startup is loading the kernel, or compiling it; solve
-    is following the motion from event to event, as a kernel does that is given its arrays, like
-    those of the other codes of ours; output is evaluating the observables and the energies.
-    Raises exact.RefusedError.
+    Cost: setup is building the equations; startup is loading the kernel, or compiling it; solve is
+    following the motion from event to event, with the arrays prepared as for the kernels of the
+    other in-house codes; output is evaluating the observables and the energies. Raises
+    exact.RefusedError.
     """
     began = time.process_time()
     problem = prepare(ask)

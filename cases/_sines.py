@@ -1,4 +1,4 @@
-"""Turns the sines of closed forms into the prescribed motion of a scene."""
+"""Converts the sines of closed forms to the prescribed motion of a scene."""
 
 from collections.abc import Mapping
 

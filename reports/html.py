@@ -17,8 +17,8 @@ from reports.beside import NOTHING, Beside
 from reports.book import Book
 from vv.base import closure
 from vv.base.files import read_whole, write_output, write_whole
+from vv.base.parallel import parallel_map
 from vv.base.printable import printable
-from vv.base.several_cores import each
 from vv.insight import history as histories
 from vv.insight.history import Point
 from vv.output.terminal import note
@@ -60,7 +60,7 @@ def build(manifest: Manifest, store: Store, folder: Path, beside: Beside = NOTHI
     named = itertools.groupby(files, key=lambda file: Path(file.name).stem)
     piles = [list(pile) for _, pile in named]  # of one case: its page and its table share series
     write = functools.partial(_written, folder, before)
-    done = [*each(write, piles, len(os.sched_getaffinity(0))), write([front])]
+    done = [*parallel_map(write, piles, len(os.sched_getaffinity(0))), write([front])]
     now = {name: kept for stamps in done for name, kept in stamps.items()}
     for name in before.keys() - now.keys():
         (folder / Path(name).name).unlink(missing_ok=True)

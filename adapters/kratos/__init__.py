@@ -9,8 +9,8 @@ import numpy as np
 from adapters.kratos.plan import plan, refusal
 from vv.ask import Ask, Displacement, Method, Run, Status, Velocity
 from vv.codes import Scheme
-from vv.codes.driven import Driven
-from vv.codes.own_python import Driver, Home
+from vv.codes.driver_adapter import DriverAdapter
+from vv.codes.own_python import Driver, PythonEnvironment
 from vv.scene import Term, why_load_is_no_lock, with_loads_for_locks
 
 DEFAULT = Scheme(
@@ -34,7 +34,7 @@ DEFAULT = Scheme(
     observables=frozenset({Displacement, Velocity}),
     pace=(2.5e-5, 1.5e-6),
 )
-HOME = Home("kratos", ("kratosdemapplication", "kratosmultiphysics"))
+HOME = PythonEnvironment("kratos", ("kratosdemapplication", "kratosmultiphysics"))
 DRIVER = Driver(HOME, Path(__file__).with_name("driver.py"))
 NOTES = (
     "law DEM_D_Linear_Custom_Constants, its stiffnesses as properties of the contacts, or "
@@ -46,7 +46,7 @@ NOTES = (
 
 
 def _drift(ask: Ask, run: Run) -> str | None:
-    """Say if a sphere left the directions it is free in, where a dead load stands for the lock."""
+    """Report a sphere that moved along a locked direction, where a dead load replaces the lock."""
     if Term.OBLIQUE_LOCK not in ask.scene.terms() or run.status is not Status.RAN:
         return None
     for seen, moved in run.values.items():
@@ -58,7 +58,7 @@ def _drift(ask: Ask, run: Run) -> str | None:
     return None
 
 
-ADAPTER = Driven(
+ADAPTER = DriverAdapter(
     DEFAULT,
     DRIVER,
     NOTES,

@@ -15,7 +15,7 @@ import KratosMultiphysics.DEMApplication as Dem
 import numpy as np
 from KratosMultiphysics.DEMApplication.DEM_analysis_stage import DEMAnalysisStage
 
-from vv.codes.served import Plan, Stopwatch, serve
+from vv.codes.driver_protocol import Plan, Stopwatch, serve
 
 FILE = "spheres"  # the name of Kratos' input files, in the folder where it runs
 FACE = 1_000_000  # numbers of the nodes of walls begin there

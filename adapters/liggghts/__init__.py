@@ -85,11 +85,11 @@ class Liggghts:
         return find()
 
     def refuses(self, ask: Ask, scheme: str) -> str | None:
-        """What LIGGGHTS cannot represent though it has every term."""
+        """What LIGGGHTS cannot represent although it has every term."""
         return refusal(ask, scheme)
 
     def describe(self, ask: Ask, scheme: str) -> Model:
-        """The freedoms LIGGGHTS integrates, and how the scene is put to it."""
+        """The degrees of freedom that LIGGGHTS integrates, and how the scene is translated."""
         return _described(set_up(ask, scheme))
 
     def native(self, ask: Ask, scheme: str) -> str:
@@ -109,7 +109,7 @@ class Liggghts:
 
 
 def _described(setup: Setup) -> Model:
-    """Three or six freedoms for each sphere that moves, locked or not, and how that is put."""
+    """Three or six degrees of freedom for each moving sphere, locked or not, and notes."""
     integrated = 3 * int(setup.moving.sum()) + 3 * int(setup.turning.sum())
     unknowns = 6 * len(setup.clumps) if setup.clumps else integrated
     return Model(unknowns, setup.terms, "; ".join(notes(setup)))

@@ -44,10 +44,11 @@ def _box(setup: Setup) -> Iterator[str]:
 
 
 def _neighbours(setup: Setup) -> Iterator[str]:
-    """In a box far larger than the scene; sought anew when half the skin is used up.
+    """Neighbour lists in a box far larger than the scene; rebuilt when half the skin is used up.
 
-    LIGGGHTS forgets the shear spring of a pair that parted only where it seeks neighbours, and
-    else hands it to the next contact of the pair: where there can be one, it seeks in every step.
+    LIGGGHTS discards the shear spring of a pair that has separated only when it rebuilds the list,
+    and otherwise reuses it for the next contact of the pair. Where this can happen, the list is
+    rebuilt in every step.
     """
     radius = float(setup.spheres.radius.max())
     yield f"neighbor        {0.2 * radius!r} bin"
@@ -67,10 +68,10 @@ def _bin(setup: Setup) -> float:
 
 
 def meets_again(setup: Setup) -> bool:
-    """Whether spheres that rub may part and touch again.
+    """Whether spheres with friction may separate and touch again.
 
-    Those that locks hold together do not, and those that stand for blocks do not touch. Where
-    nothing is to be told, as where costs alone are asked, no answer depends on it.
+    Spheres that locks hold together do not, and those that represent blocks do not touch each
+    other. Where no observable is asked for, as in timing, no answer depends on it.
     """
     if not (setup.ask.observables or setup.ask.energies):
         return False

@@ -1,4 +1,4 @@
-"""Puts blocks to LIGGGHTS as the atoms of rigid bodies in place of spheres."""
+"""Translates blocks for LIGGGHTS into atoms of rigid bodies, in place of spheres."""
 
 from __future__ import annotations
 

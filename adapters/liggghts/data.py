@@ -1,6 +1,6 @@
-"""Many spheres, put to LIGGGHTS as a file of data that the deck itself writes and reads.
+"""Translates many spheres for LIGGGHTS into a data file that the deck itself writes and reads.
 
-A command for each sphere looks through all spheres, and so takes time with the square of their
+A command for each sphere searches all spheres, so that the time grows with the square of their
 number: 7 s for 40 000 spheres, where this takes 0.3 s.
 """
 
@@ -18,7 +18,7 @@ FILE = "spheres.data"
 
 
 def many(setup: Setup) -> bool:
-    """Whether spheres are put as data: many of them, whose style of atoms is the plain one."""
+    """Whether spheres go into a data file: many of them, with the plain atom style."""
     bonded = setup.scene.bonds is not None or setup.scheme in (CLUMP, OVERLAPPED)
     return len(setup.spheres) >= MANY and not bonded
 

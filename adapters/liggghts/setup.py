@@ -40,7 +40,7 @@ class Setup:
 
     @property
     def spheres(self) -> Spheres:
-        """What LIGGGHTS calls atoms, in their order."""
+        """The atoms of LIGGGHTS, in their order."""
         return self.scene.spheres
 
     @property
@@ -107,7 +107,7 @@ class Setup:
 
 
 def set_up(ask: Ask, scheme: str) -> Setup:
-    """What LIGGGHTS is given for an ask, to which `refusals` must not object.
+    """The LIGGGHTS setup of an ask, to which `refusals` must not object.
 
     Raises ValueError for an ask without dt, or one that `with_loads_for_locks` refuses.
     """

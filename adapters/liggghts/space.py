@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from vv.scene import Scene, Vector, Wall, initial_normal_forces
-from vv.standins.soften import fastest
+from vv.standins.penalty_springs import fastest
 
 CROWD = 400  # spheres, among which looking for each takes longer than all else
 
@@ -73,7 +73,7 @@ def oblique(wall: Wall) -> bool:
 
 
 def is_mesh(wall: Wall) -> bool:
-    """Whether a wall is put as a mesh: LIGGGHTS has planes across axes, which do not move."""
+    """Whether a wall becomes a mesh: LIGGGHTS has only planes across axes, which do not move."""
     return oblique(wall) or wall.motion is not None
 
 

@@ -12,8 +12,8 @@ import numpy as np
 from adapters.lmgc90.refusals import density, near, refusal
 from vv.ask import Ask, Displacement, Method, Velocity
 from vv.codes import Scheme
-from vv.codes.driven import Driven
-from vv.codes.own_python import Driver, Home
+from vv.codes.driver_adapter import DriverAdapter
+from vv.codes.own_python import Driver, PythonEnvironment
 from vv.scene import Scene
 from vv.standins.boxed import BOXED, boxed
 
@@ -26,7 +26,9 @@ DEFAULT = Scheme(
     observables=frozenset({Displacement, Velocity}),
     pace=(1e-5, 2e-5),
 )
-DRIVER = Driver(Home("lmgc90", ("compas_lmgc90",)), Path(__file__).with_name("driver.py"))
+DRIVER = Driver(
+    PythonEnvironment("lmgc90", ("compas_lmgc90",)), Path(__file__).with_name("driver.py")
+)
 NOTHING = 1e-12  # of the largest drive: less is rounding
 NOTES = (
     "polyhedra in contact dynamics, contact points found between faces",
@@ -56,7 +58,7 @@ def _held(scene: Scene) -> list[bool]:
     return [bool(part > NOTHING) for part in (along.max(axis=0) / along.max())]
 
 
-ADAPTER = Driven(
+ADAPTER = DriverAdapter(
     DEFAULT,
     DRIVER,
     NOTES,

@@ -11,7 +11,7 @@ import math
 import compas_lmgc90._lmgc90 as lmgc90
 import numpy as np
 
-from vv.codes.served import Plan, RunError, Stopwatch, serve, swung
+from vv.codes.driver_protocol import Plan, RunError, Stopwatch, serve, swung
 
 THETA = 0.5
 ALERT = 1e-2  # of a block's size: how near bodies must be for a contact to be looked for
@@ -95,11 +95,11 @@ def wall_drives(ask: Plan, wall: Plan) -> Plan:
 
 
 def block_drives(ask: Plan, block: Plan) -> Plan:
-    """A block with velocities of nil where it is locked, and the forces on it elsewhere.
+    """A block with zero velocities where it is locked, and the forces on it elsewhere.
 
-    Locks that the ask does not name as held are left out, for LMGC90 takes four times as long over
-    locks, and solves contacts worse; `check` watches what is left free. So are locks of some
-    rotations but not others.
+    Locks that the ask does not list as held are omitted, because with locks LMGC90 takes four times
+    as long and solves contacts less accurately; `check` monitors the directions that are left free.
+    Locks of only some rotations are omitted too.
     """
     mass, velocity = block["mass"], np.array(block["velocity"])
     held = [not free and needs for free, needs in zip(block["free"], ask["held"], strict=True)]

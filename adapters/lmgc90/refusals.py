@@ -33,7 +33,7 @@ def density(scene: Scene) -> float:
 
 
 def _stuff(scene: Scene) -> str | None:
-    """Why masses or inertias are not those of one density, all that LMGC90 is given."""
+    """Why masses or inertias are not those of one density, which is all that LMGC90 accepts."""
     rho = density(scene)
     for block in scene.blocks:
         mass, inertia = polyhedron_inertia(block.vertices, block.faces, rho)

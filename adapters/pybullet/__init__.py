@@ -9,8 +9,8 @@ from typing import Any
 from adapters.pybullet.shapes import own_axes, why_no_shapes
 from vv.ask import Ask, Displacement, Method, Velocity
 from vv.codes import Scheme
-from vv.codes.driven import Driven
-from vv.codes.own_python import Driver, Home
+from vv.codes.driver_adapter import DriverAdapter
+from vv.codes.own_python import Driver, PythonEnvironment
 from vv.scene import Wall
 from vv.standins.boxed import BOXED, boxed, why_no_boxes
 
@@ -23,7 +23,7 @@ DEFAULT = Scheme(
     observables=frozenset({Displacement, Velocity}),
     pace=(1e-5, 4e-5),
 )
-DRIVER = Driver(Home("pybullet", ("pybullet",)), Path(__file__).with_name("driver.py"))
+DRIVER = Driver(PythonEnvironment("pybullet", ("pybullet",)), Path(__file__).with_name("driver.py"))
 NOTES = (
     "boxes are boxes, other blocks the hulls of their vertices, without margins; walls are boxes",
     "a wall that moves is the frame of reference, its acceleration a force on the blocks",
@@ -54,7 +54,7 @@ def _plan(ask: Ask) -> dict[str, Any]:
     return {**plan, "blocks": blocks, "driven": driven}
 
 
-ADAPTER = Driven(
+ADAPTER = DriverAdapter(
     DEFAULT,
     DRIVER,
     NOTES,

@@ -10,7 +10,7 @@ import math
 import numpy as np
 import pybullet as bullet
 
-from vv.codes.served import Plan, RunError, Sines, Stopwatch, serve, swung
+from vv.codes.driver_protocol import Plan, RunError, Sines, Stopwatch, serve, swung
 
 SWEEPS = (200, 1000)  # of the solver, at most: where two bodies meet, and where more do
 NEAR = 0.2  # of a block's size: where contacts are kept

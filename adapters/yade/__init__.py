@@ -85,11 +85,11 @@ class Yade:
         return find()
 
     def refuses(self, ask: Ask, scheme: str) -> str | None:
-        """What YADE cannot represent though it has every term."""
+        """What YADE cannot represent although it has every term."""
         return refusal(ask, scheme)
 
     def describe(self, ask: Ask, scheme: str) -> Model:
-        """The freedoms YADE integrates, and how the scene is put to it."""
+        """The degrees of freedom that YADE integrates, and how the scene is translated."""
         return _described(set_up(ask, scheme))
 
     def native(self, ask: Ask, scheme: str) -> str:
@@ -126,7 +126,7 @@ class Yade:
 
 
 def _described(setup: Setup) -> Model:
-    """The freedoms of spheres, and the rotations of a block that they stand for."""
+    """The degrees of freedom of spheres, and the rotations of a block that they represent."""
     turning = sum(int(block.free_spin.sum()) for block in setup.asked.scene.blocks)
     return Model(setup.scene.unknowns() + turning, setup.terms, "; ".join(notes(setup)))
 

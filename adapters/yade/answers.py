@@ -49,7 +49,7 @@ def parse(path: Path, setup: Setup, model: Model, started: float) -> Run | None:
 
 
 def _drift(values: Vector, setup: Setup) -> str | None:
-    """Say if a sphere left the directions it is free in, where a dead load stands for the lock."""
+    """Report a sphere that moved along a locked direction, where a dead load replaces the lock."""
     scene = setup.springs.scene
     if Term.OBLIQUE_LOCK not in scene.terms():
         return None

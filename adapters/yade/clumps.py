@@ -1,4 +1,4 @@
-"""Puts blocks to YADE as clumps in place of the spheres that stand for them."""
+"""Translates blocks for YADE into clumps, in place of the spheres that represent them."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What YADE is given, to which the terms of a scene add what is theirs: numbers, columns, notes."""
+"""The input of YADE, to which each term of a scene adds its part: numbers, columns, notes."""
 
 from __future__ import annotations
 

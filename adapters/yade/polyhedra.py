@@ -1,4 +1,4 @@
-"""Puts a block to YADE as a polyhedron, which meets an infinite wall across an axis."""
+"""Translates a block for YADE into a polyhedron, which meets an infinite wall across an axis."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import numpy as np
 
 from vv.ask import Ask
 from vv.scene import Block, Scene, Vector, Wall, rotated
-from vv.standins.soften import TOUCHING
+from vv.standins.penalty_springs import TOUCHING
 from vv.standins.stand_in import why_no_spring_scene
 
 MOST_STEPS = 10_000  # of some 0.1 ms each, thirty times those of a sphere
@@ -17,7 +17,7 @@ THINNEST = 0.1  # thickness over size below which YADE's polyhedra may pass each
 
 
 def why_no_polyhedron(ask: Ask) -> str | None:
-    """Why YADE's polyhedra cannot stand for what an ask has; None if they can."""
+    """Why YADE's polyhedra cannot represent what an ask has; None if they can."""
     scene = ask.scene
     if len(scene.blocks) != 1 or len(scene.walls) != 1 or len(scene.spheres):
         return "one block on one wall is what was verified of YADE's polyhedra"

@@ -1,4 +1,4 @@
-"""An ask as YADE is given it: made once, and read by all that refuses, writes and answers."""
+"""The YADE setup of an ask: made once, and used by refusals, input and answers."""
 
 from __future__ import annotations
 
@@ -9,8 +9,8 @@ import numpy as np
 from adapters.yade.polyhedra import laid, turn_of
 from vv.ask import Ask, Displacement, Observable
 from vv.scene import Mask, Scene, Term, Vector, spheres_held_by_loads, with_loads_for_locks
+from vv.scene.initial_forces import unbonded
 from vv.scene.neighbours import overlapping
-from vv.scene.start import unbonded
 from vv.standins.clump import Clump, clumps
 from vv.standins.stand_in import SpringScene, spring_scene, without_rotations
 
@@ -49,10 +49,10 @@ class Setup:
 
 
 def set_up(asked: Ask, scheme: str) -> Setup:
-    """What YADE is given for an ask, to which `refusals` must not object.
+    """The YADE setup of an ask, to which `refusals` must not object.
 
-    The scheme half-step-mass gives YADE the mass m + eta dt/2, with which drag taken from the
-    last half step, m (v+ - v-)/dt = F - eta v-, becomes drag of the mean velocity; the weight
+    In the scheme half-step-mass the mass is m + eta dt/2, with which drag from the velocity of the
+    last half step, m (v+ - v-)/dt = F - eta v-, becomes drag from the mean velocity; the weight
     stays m g. Raises ValueError for an ask without dt, or one that `with_loads_for_locks` refuses.
     """
     ask = framed(asked, scheme)
@@ -72,7 +72,7 @@ def set_up(asked: Ask, scheme: str) -> Setup:
 
 
 def framed(ask: Ask, scheme: str) -> Ask:
-    """The ask in the frame in which YADE is given it."""
+    """The ask in the frame of YADE."""
     return laid(ask) if scheme == POLYHEDRA else ask
 
 

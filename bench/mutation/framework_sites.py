@@ -13,7 +13,7 @@ from typing import NamedTuple
 from bench.mutation.mutants import ROOT, parsed
 
 LAYERS = (
-    "vv/ask", "vv/base", "vv/case", "vv/cli", "vv/codes", "vv/gate", "vv/growth", "vv/insight",
+    "vv/ask", "vv/base", "vv/case", "vv/cli", "vv/codes", "vv/gate", "vv/scaling", "vv/insight",
     "vv/output", "vv/plan", "vv/records", "vv/run", "vv/scene", "vv/standins", "vv/store",
     "adapters", "reports",
 )  # fmt: skip

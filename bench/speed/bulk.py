@@ -23,8 +23,8 @@ from bench.evidence import conclude
 from bench.speed import bulk_codes, bulk_shared
 from bench.speed.bulk_codes import Cost
 from bench.speed.bulk_shared import Shared
-from vv.growth.stack import stack
-from vv.growth.triad import bandwidth
+from vv.scaling.stack import stack
+from vv.scaling.triad import bandwidth
 from vv.scene import Scene
 
 PACKS = {10_000: 300, 50_000: 60}  # steps

@@ -1,4 +1,4 @@
-"""Judges support of shaken blocks by momentum: the impulse of the base less that of the blocks."""
+"""Judges the support of shaken blocks by momentum: impulse of the base minus that of blocks."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A block that leans about a corner: its shape, where its centre is, and the lean seen in a run."""
+"""A block that leans about a corner: its shape, its centre, and its lean computed from a run."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ class Leaning:
 
     @property
     def far(self) -> float:
-        """From its centre to its corner [m]."""
+        """Distance from its centre to its corner [m]."""
         return math.hypot(self.b, self.h)
 
     def place(self, lean: Vector) -> Vector:

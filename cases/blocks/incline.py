@@ -13,8 +13,8 @@ from reference_solutions.blocks import incline
 from vv.ask import Displacement, History, Knobs, Method
 from vv.case import (
     LARGEST_TOLERANCE,
-    Along,
     Case,
+    ComponentAlong,
     Exact,
     Ladder,
     Level,
@@ -95,7 +95,7 @@ def _down(p: Parameters, scene: Scene, goal: History) -> tuple[Quantity, ...]:
             symbol="d",
             unit="m",
             meaning="displacement down the dip",
-            observe=Along(seen, scene.axes[0]),
+            observe=ComponentAlong(seen, scene.axes[0]),
             reference=functools.partial(incline.newmark, **{name: p[name] for name in names}),
             judge=Exact(_tolerances(p)),
             still=_fall(p),

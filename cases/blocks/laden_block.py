@@ -7,7 +7,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from cases._books import balance
+from cases._energy_balance import balance
 from cases._penalty import levels
 from cases._sines import harmonic
 from reference_solutions.blocks import laden_block

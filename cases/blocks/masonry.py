@@ -12,9 +12,10 @@ from reference_solutions.blocks import facade, responding_block
 from vv.ask import Displacement, History, Knobs, Method, Observable, Reaction, Run
 from vv.case import (
     LARGEST_TOLERANCE,
-    Along,
     Case,
     Check,
+    ComponentAlong,
+    EnergyAllowance,
     Exact,
     Ladder,
     Level,
@@ -27,7 +28,6 @@ from vv.case import (
     Source,
     Tolerance,
     Trial,
-    Unexplained,
     Variant,
 )
 from vv.scene import Block, Contact, Harmonic, Scene, Vector, polyhedron_inertia
@@ -84,7 +84,7 @@ def _declare(variant: str, p: Parameters) -> Trial:
         quantities += _balance.balance(scene, BED, p)
     lags = Tolerance(1e-4 if variant in SHAKEN else 1e-7, LAGS)
     allowed = {Method.SECOND_ORDER: CREEP, Method.LAGGING: lags}
-    unexplained = Unexplained(borne * LENGTH, allowed) if borne else None
+    unexplained = EnergyAllowance(borne * LENGTH, allowed) if borne else None
     rungs = dict.fromkeys(Level, FINE if variant in SHAKEN else RUNGS)
     goal = History(p["duration"], p["duration"] / 10)
     return Trial(Ladder(scene, goal, seen, rungs), quantities, unexplained)
@@ -156,7 +156,7 @@ def _slid(moving: tuple[Displacement, ...], p: Parameters) -> tuple[Quantity, ..
     def slid(name: str, what: str, body: Displacement) -> Quantity:
         return Series(
             name, "u", "m", f"displacement along the base of the {what}",
-            Along(body, X), reference, _sliding(p), still=2 * p["D"],
+            ComponentAlong(body, X), reference, _sliding(p), still=2 * p["D"],
         )  # fmt: skip
 
     return (

@@ -11,10 +11,11 @@ import numpy as np
 from cases._papers import YAGODA_BIRAN_2016
 from cases.blocks._leaning import CENTRE, MOVING, Leaning, Y
 from reference_solutions.blocks import rocking
-from vv.ask import Bracket, History, Knobs, Method, Run, Sought
+from vv.ask import Bracket, History, Knobs, Method, Run, SearchVariable
 from vv.case import (
     LARGEST_TOLERANCE,
     Case,
+    EnergyAllowance,
     Exact,
     Ladder,
     Level,
@@ -22,14 +23,13 @@ from vv.case import (
     Parameter,
     Parameters,
     Quantity,
+    RotationAbout,
     Scalar,
     Series,
     Shown,
     Source,
     Tolerance,
     Trial,
-    Turn,
-    Unexplained,
     Variant,
     last_stable_step,
 )
@@ -128,10 +128,10 @@ def _phases_at(exact: _Exact, times: bytes) -> Vector:
     return rocking.phases(np.frombuffer(times), **law, theta=exact.start)
 
 
-def _lagging(scene: Scene, p: Parameters) -> Unexplained:
+def _lagging(scene: Scene, p: Parameters) -> EnergyAllowance:
     """What friction that lags may give at impacts, as a part of m g R."""
     weight = sum(block.mass for block in scene.blocks) * p["g"]
-    return Unexplained(weight * math.hypot(p["b"], p["h"]), {Method.LAGGING: LAGS})
+    return EnergyAllowance(weight * math.hypot(p["b"], p["h"]), {Method.LAGGING: LAGS})
 
 
 def _phases(block: Leaning, rate: float, exact: _Exact) -> tuple[Quantity, ...]:
@@ -146,7 +146,7 @@ def _phases(block: Leaning, rate: float, exact: _Exact) -> tuple[Quantity, ...]:
 
     return (
         Series("lean", "theta/alpha", "", "lean of the block over alpha",
-               Turn(CENTRE.body, Y, alpha, angle), lambda t: exact.leans(t) / alpha,
+               RotationAbout(CENTRE.body, Y, alpha, angle), lambda t: exact.leans(t) / alpha,
                Shown(JUDGED), 1.0),
         Series("rate", "theta'/(p alpha)", "", "rate of the lean over p alpha: drawn over the lean "
                "it is the phase picture", swift, lambda t: exact.rates(t) / (rate * alpha),
@@ -190,7 +190,7 @@ def _searched(p: Parameters, law: Law, w: float, kn: float) -> Trial:
     """Amplitudes are tried from that which just lifts the block, until it overturns."""
     least, rate = p["g"] * p["b"] / p["h"], rocking.slenderness(**law)[1]
     most, span = rocking.threshold(**law, w=w), 3.0 * (1.0 + w / rate)
-    bracket = Bracket(span, PAST * p["b"], tries=4, rounds=9, sought=Sought.SHAKING)
+    bracket = Bracket(span, PAST * p["b"], tries=4, rounds=9, variable=SearchVariable.SHAKING)
     last = math.pi / w + 14.0 / rate
     rungs = (Knobs(COARSE, kn), Knobs(COARSE / 2, kn))
     levels = {Level.QUICK: rungs[:1], Level.DEFAULT: rungs[:1], Level.PAPER: rungs}

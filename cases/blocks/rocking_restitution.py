@@ -11,6 +11,7 @@ from reference_solutions.blocks import rocking
 from vv.ask import Displacement, History, Knobs, Method, Run, Velocity
 from vv.case import (
     Case,
+    EnergyAllowance,
     Exact,
     Ladder,
     Level,
@@ -23,7 +24,6 @@ from vv.case import (
     Source,
     Tolerance,
     Trial,
-    Unexplained,
     Variant,
 )
 from vv.scene import Block, Contact, Scene, Wall, box_geometry, polyhedron_inertia
@@ -73,7 +73,7 @@ def _declare(variant: str, p: Parameters) -> Trial:
     )  # fmt: skip
     study = Ladder(scene, goal, (CENTRE, MOVING), LEVELS)
     weight = sum(block.mass for block in scene.blocks) * p["g"]
-    gave = Unexplained(weight * math.hypot(p["b"], p["h"]), {Method.LAGGING: LAGS})
+    gave = EnergyAllowance(weight * math.hypot(p["b"], p["h"]), {Method.LAGGING: LAGS})
     return Trial(study, (exact, *_measured(variant, due, kept)), gave)
 
 

@@ -17,8 +17,8 @@ from reference_solutions.hard.wedge import pressing
 from vv.ask import History, Knobs, Method
 from vv.case import (
     LARGEST_TOLERANCE,
-    Along,
     Case,
+    ComponentAlong,
     Exact,
     Ladder,
     Level,
@@ -72,7 +72,7 @@ def _declare(variant: str, p: Parameters) -> Trial:
         symbol="s",
         unit="m",
         meaning="displacement down the groove",
-        observe=Along(MOVED, scene.axes[0]),
+        observe=ComponentAlong(MOVED, scene.axes[0]),
         reference=path,
         judge=_judge(p, scene.blocks[0].mass, path),
         still=0.5 * p["g"] * p["duration"] ** 2,

@@ -12,8 +12,8 @@ from reference_solutions.blocks import shear_wave
 from vv.ask import Displacement, History, Knobs, Method
 from vv.case import (
     LARGEST_TOLERANCE,
-    Along,
     Case,
+    ComponentAlong,
     Exact,
     Ladder,
     Level,
@@ -67,7 +67,7 @@ def column(p: Parameters, layers: int, unlike: bool = False) -> Scene:
 
 
 def soil(p: Parameters, layers: int, unlike: bool = False) -> list[shear_wave.Layer]:
-    """The layers from the base up: alike, or each softer and lighter than the one below."""
+    """The layers from the base up: all equal, or each softer and lighter than the one below."""
     rise = [1.0 - (2.0 * i + 1.0) / layers if unlike else 0.0 for i in range(layers)]
     thick = p["H"] / layers
     return [
@@ -131,7 +131,7 @@ def _at(
     def series(name: str, what: str, due: Callable[[Vector], Vector], judge: Exact) -> Series:
         return Series(
             name, f"u_{name}", "m", f"motion of the centre of layer {number} of {layers}{what}",
-            Along(Displacement(number), X), due, judge, largest,
+            ComponentAlong(Displacement(number), X), due, judge, largest,
         )  # fmt: skip
 
     return (

@@ -12,8 +12,8 @@ from reference_solutions.blocks import incline
 from vv.ask import Displacement, History, Knobs, Method
 from vv.case import (
     LARGEST_TOLERANCE,
-    Along,
     Case,
+    ComponentAlong,
     Exact,
     Ladder,
     Level,
@@ -75,7 +75,7 @@ def _declare(variant: str, p: Parameters) -> Trial:
         symbol="s",
         unit="m",
         meaning="way along the slope",
-        observe=Along(BLOCK, scene.axes[0]),
+        observe=ComponentAlong(BLOCK, scene.axes[0]),
         reference=functools.partial(
             incline.newmark, phi=math.degrees(math.atan(p["mu"])), A=0.0, f=1.0, **law
         ),

@@ -1,4 +1,4 @@
-"""The elements that stand for quartzite in Liu et al. (2017): Table 1, and Eq. 27 for the mass."""
+"""The elements that represent quartzite in Liu et al. (2017): Table 1, and Eq. 27 for the mass."""
 
 import math
 

@@ -11,7 +11,7 @@ from reference_solutions.bonds import turned_unit
 from vv.ask import History, Knobs, Method
 from vv.case import (
     LARGEST_TOLERANCE,
-    Along,
+    ComponentAlong,
     Exact,
     Ladder,
     Level,
@@ -64,7 +64,8 @@ def _turned_far(p: Parameters) -> Trial:
     parts = tuple(
         Series(
             f"u{body}{'xyz'[axis]}", f"u_{body}{'xyz'[axis]}", "m",
-            f"displacement of element {body} along {'xyz'[axis]}", Along(SEEN[body], AXES[axis]),
+            f"displacement of element {body} along {'xyz'[axis]}",
+            ComponentAlong(SEEN[body], AXES[axis]),
             functools.partial(_of_path, path, body, axis), _far(w), size,
         )
         for body in range(4)
@@ -85,7 +86,7 @@ def _part(w: float, sizes: Vector, body: int, axis: int) -> Series:
         f"u_{body}{'xyz'[axis]}",
         "m",
         f"displacement of element {body} along {'xyz'[axis]}",
-        Along(SEEN[body], AXES[axis]),
+        ComponentAlong(SEEN[body], AXES[axis]),
         lambda t: sizes[body, axis] * np.sin(w * t),
         _swung(w),
     )

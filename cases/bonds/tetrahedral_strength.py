@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from cases._books import balance
+from cases._energy_balance import balance
 from cases._papers import LIU_2017
 from cases.bonds._quartzite import BRITTLE, KN, D, M
 from cases.bonds._unit import CORNERS, EDGES

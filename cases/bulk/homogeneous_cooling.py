@@ -77,7 +77,7 @@ def _gas(p: Parameters, temperature: float) -> cooling.Gas:
 
 
 def moving(scene: Scene, run: Run) -> Vector:
-    """Energy of motion (k,) [J]."""
+    """Kinetic energy (k,) [J]."""
     squares = sum((run.values[what] ** 2).sum(axis=1) for what in SPEEDS)
     return np.asarray(0.5 * scene.spheres.mass[0] * squares)
 

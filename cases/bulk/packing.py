@@ -99,7 +99,7 @@ def still(run: Run) -> float:
 
 
 def moving(scene: Scene, run: Run) -> Vector:
-    """Energy of motion (k,) [J]."""
+    """Kinetic energy (k,) [J]."""
     squares = np.stack([(run.values[what] ** 2).sum(axis=1) for what in FAST], axis=1)
     return np.asarray(0.5 * squares @ scene.spheres.mass)
 

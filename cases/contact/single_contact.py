@@ -13,8 +13,8 @@ from reference_solutions.contact import single_contact as closed
 from vv.ask import Displacement, History, Knobs, Method
 from vv.case import (
     LARGEST_TOLERANCE,
-    Along,
     Case,
+    ComponentAlong,
     Exact,
     Ladder,
     Level,
@@ -112,7 +112,7 @@ def _declare(variant: str, p: Parameters) -> Trial:
         symbol="y",
         unit="m",
         meaning="displacement of the free particle along its line of motion",
-        observe=Along(shown, along),
+        observe=ComponentAlong(shown, along),
         reference=functools.partial(solve, **{name: p[name] for name in names}),
         judge=_judge(variant.partition("-")[0], p),
     )

@@ -7,12 +7,12 @@ import math
 
 import numpy as np
 
-from cases._books import balance
+from cases._energy_balance import balance
 from reference_solutions.contact import dashpot
 from vv.ask import Displacement, History, Knobs, Method, Run, Velocity
 from vv.case import (
-    Along,
     Case,
+    ComponentAlong,
     Exact,
     Ladder,
     Level,
@@ -86,7 +86,7 @@ def _declare(variant: str, p: Parameters) -> Trial:
     )  # fmt: skip
     path = Series(
         "overlap", "u", "m", "overlap, negative after the contact",
-        (lambda run: -away(run)) if pair else Along(Displacement(1), -Z),
+        (lambda run: -away(run)) if pair else ComponentAlong(Displacement(1), -Z),
         functools.partial(dashpot.overlap, **law, v=p["v"]), judge,
     )  # fmt: skip
     levels = {

@@ -10,6 +10,7 @@ from reference_solutions.hard import painleve_rod
 from vv.ask import Displacement, History, Knobs, Method
 from vv.case import (
     Case,
+    EnergyAllowance,
     Exact,
     Ladder,
     Level,
@@ -19,7 +20,6 @@ from vv.case import (
     Source,
     Tolerance,
     Trial,
-    Unexplained,
     Variant,
 )
 from vv.scene import Block, Contact, Scene, Vector, Wall
@@ -63,7 +63,9 @@ def _declare(variant: str, p: Parameters) -> Trial:
         motion.component(0, "x", "displacement of the middle along the floor", judge),
         motion.component(1, "z", "displacement of the middle upwards", judge),
     )
-    energy = Unexplained(p["m"] * p["V"] ** 2 / 2, {Method.SECOND_ORDER: IMPACT}) if jams else None
+    energy = (
+        EnergyAllowance(p["m"] * p["V"] ** 2 / 2, {Method.SECOND_ORDER: IMPACT}) if jams else None
+    )
     study = Ladder(_scene(p), GOAL, (ROD,), LEVELS)
     return Trial(study, (*parts, motion.distance(judge)), energy)
 

@@ -11,8 +11,8 @@ from reference_solutions.contact import held_sphere, resting_lattice
 from vv.ask import Displacement, History, Knobs, Method, Run, Velocity
 from vv.case import (
     LARGEST_TOLERANCE,
-    Along,
     Case,
+    ComponentAlong,
     Exact,
     Ladder,
     Level,
@@ -89,7 +89,7 @@ def _held_up(p: Parameters) -> Trial:
     unit = float(np.sqrt(p["m"] / (2 * p["ks"])))
     seen = Displacement(2)
     sunk = Series(
-        "z", "z", "m", "displacement upwards", Along(seen, Z),
+        "z", "z", "m", "displacement upwards", ComponentAlong(seen, Z),
         height, _swings(unit),
     )  # fmt: skip
     rungs = tuple(Knobs(dt=step * unit) for step in SWINGS)

@@ -13,8 +13,8 @@ from reference_solutions.contact import settling
 from vv.ask import Displacement, History, Knobs, Method
 from vv.case import (
     LARGEST_TOLERANCE,
-    Along,
     Case,
+    ComponentAlong,
     Count,
     Exact,
     Ladder,
@@ -33,7 +33,7 @@ RADIUS = 0.1  # m; does not enter the answer
 SPHERE = Displacement(1)
 GOAL = History(0.8, 1e-4)  # twice the time to the last bounce; six outputs in the shortest flight
 Z = np.array([0.0, 0.0, 1.0])
-HEIGHT = Along(SPHERE, Z)
+HEIGHT = ComponentAlong(SPHERE, Z)
 LAW = ("m", "kn", "eta", "g", "height")
 
 

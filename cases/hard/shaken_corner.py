@@ -7,7 +7,7 @@ import math
 
 import numpy as np
 
-from cases._books import balance
+from cases._energy_balance import balance
 from cases._sines import harmonic
 from reference_solutions.contact import shaken_spring
 from reference_solutions.contact.shaken_spring import Sine

@@ -7,7 +7,7 @@ import math
 
 import numpy as np
 
-from cases._books import balance
+from cases._energy_balance import balance
 from reference_solutions.contact import skid
 from vv.ask import Displacement, History, Knobs, Method, Observable, Velocity
 from vv.case import (

@@ -10,9 +10,10 @@ import numpy as np
 from reference_solutions.hard import arch, falling_arch
 from vv.ask import Displacement, History, Knobs, Method, Run
 from vv.case import (
-    Along,
     Case,
     Check,
+    ComponentAlong,
+    EnergyAllowance,
     Exact,
     Ladder,
     Level,
@@ -24,7 +25,6 @@ from vv.case import (
     Source,
     Tolerance,
     Trial,
-    Unexplained,
     Variant,
 )
 from vv.scene import Block, Contact, Scene, Vector, Wall, polyhedron_inertia
@@ -82,7 +82,7 @@ def _declare(variant: str, p: Parameters) -> Trial:
     study = Ladder(scene, GOALS[variant], seen, LEVELS[variant])
     weighed = sum(block.mass for block in blocks) * p["g"] * p["size"]
     least = SINKING if variant == "arch-thin" else RESTS
-    unexplained = Unexplained(weighed, {Method.SECOND_ORDER: least}) if weighed else None
+    unexplained = EnergyAllowance(weighed, {Method.SECOND_ORDER: least}) if weighed else None
     return Trial(study, (quantity,), unexplained)
 
 
@@ -121,7 +121,7 @@ def _stacked(n: float) -> Exact:
 def _crown_sinking(p: Parameters) -> Quantity:
     return Series(
         "sunk", "d", "m", "downward displacement of the voussoir beside the crown",
-        Along(Displacement(VOUSSOIRS // 2), -Z),
+        ComponentAlong(Displacement(VOUSSOIRS // 2), -Z),
         functools.partial(
             falling_arch.sunk, n=VOUSSOIRS, thick=_thickness(p), size=p["size"], g=p["g"]
         ),

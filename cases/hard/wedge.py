@@ -12,9 +12,9 @@ from reference_solutions.hard import wedge, wedge_on_springs
 from vv.ask import Displacement, History, Knobs, Method
 from vv.case import (
     LARGEST_TOLERANCE,
-    Along,
     Case,
     Check,
+    ComponentAlong,
     Exact,
     Ladder,
     Level,
@@ -89,7 +89,7 @@ def _sphere(p: Parameters) -> Trial:
     w = math.sqrt(2 * p["kn"] / p["m"])
     s = Series(
         "s", "s", "m", "displacement down the groove",
-        Along(WEDGE, scene.axes[0]),
+        ComponentAlong(WEDGE, scene.axes[0]),
         functools.partial(wedge_on_springs.slid, mu=_friction(p), ks=p["kn"], **law),
         _on_springs(w),
     )  # fmt: skip
@@ -110,7 +110,7 @@ def _declare(variant: str, p: Parameters) -> Trial:
         symbol="s",
         unit="m",
         meaning="displacement down the groove",
-        observe=Along(WEDGE, scene.axes[0]),
+        observe=ComponentAlong(WEDGE, scene.axes[0]),
         reference=functools.partial(wedge.slid, mu=_friction(p), **law),
         judge=_judge(p["xi"], p["held"]),
         still=0.5 * p["g"] * GOAL.duration**2,

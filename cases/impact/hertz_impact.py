@@ -6,13 +6,13 @@ import functools
 
 import numpy as np
 
-from cases._books import balance
+from cases._energy_balance import balance
 from cases.impact._materials import CHUNG_OOI_2011, defaults, mass, moduli
 from reference_solutions.impact import hertz
 from vv.ask import Displacement, History, Knobs, Method, Run, Velocity
 from vv.case import (
-    Along,
     Case,
+    ComponentAlong,
     Exact,
     Ladder,
     Level,
@@ -90,7 +90,8 @@ def _declare(variant: str, p: Parameters) -> Trial:
     levels = {Level.QUICK: rungs[:2], Level.DEFAULT: rungs[:3], Level.PAPER: rungs}
     overlap = Series(
         "overlap", "U", "m", "overlap, negative after the contact",
-        functools.partial(_approach, pair, Displacement) if pair else Along(Displacement(0), -X),
+        (functools.partial(_approach, pair, Displacement) if pair
+         else ComponentAlong(Displacement(0), -X)),
         functools.partial(hertz.overlap, **law), judge,
     )  # fmt: skip
     figures = {

@@ -16,8 +16,8 @@ from reference_solutions.impact.dropped import Drop, path
 from reference_solutions.impact.sinking import Sinking, motion
 from vv.ask import Displacement, History, Knobs, Method, Run, Velocity
 from vv.case import (
-    Along,
     Case,
+    ComponentAlong,
     Exact,
     Ladder,
     Level,
@@ -80,7 +80,7 @@ def _dropped(bounces: int, p: Parameters) -> Setting:
     last = drop.pieces(fall, bounces)[-1]
     height = (
         "height", "h", "m", "by how much the sphere has risen",
-        Along(Displacement(0), Z),
+        ComponentAlong(Displacement(0), Z),
         lambda t: path(t, fall, bounces, drop) - fall,
     )  # fmt: skip
     return Setting(
@@ -105,7 +105,7 @@ def _pressed(p: Parameters) -> Setting:
     series = tuple(
         (
             f"y{i + 1}", f"y{i + 1}", "m", f"by how much the {which} sphere has risen",
-            Along(Displacement(i), Z),
+            ComponentAlong(Displacement(i), Z),
             lambda t, i=i: moved(t, i),
         )
         for i, which in enumerate(("lower", "upper"))
@@ -125,7 +125,7 @@ def _slipping(p: Parameters) -> Setting:
     sphere = _spheres((p["R"] - sunk,), p, np.array([m]), p["v"])
     speed = (
         "speed", "v", "m/s", "velocity along the wall",
-        Along(Velocity(0), X), lambda t: slip_to_roll.speed(t, slide),
+        ComponentAlong(Velocity(0), X), lambda t: slip_to_roll.speed(t, slide),
     )  # fmt: skip
     contact = Contact(p["kn"], p["kn"], p["mu"])
     return Setting(

@@ -8,7 +8,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from cases._books import balance
+from cases._energy_balance import balance
 from cases.impact._materials import CHUNG_OOI_2011, defaults, mass, moduli
 from reference_solutions.impact import hertz, spring, viscous
 from vv.ask import Displacement, History, Knobs, Method, Run, Velocity

@@ -11,7 +11,7 @@ import numpy as np
 from cases._papers import LI_2018
 from reference_solutions.contact import single_contact
 from vv.ask import Knobs
-from vv.case.published import Figure, Paper, Seen, Standing, Statement
+from vv.case.published import Assessment, Computed, Figure, Paper, Statement
 
 ROCK: dict[str, float] = {"rho": 2500.0, "r": 50.0, "kn": 5.5e9}  # Table 1
 ETA = 3e8  # N s/m
@@ -32,13 +32,13 @@ def _number(
     place: str, what: str, printed: str, unit: str, exact: Callable[[], float], why: str = ""
 ) -> Statement:
     """A number that is printed right, or with `why` a misprint."""
-    standing = Standing.MISPRINT if why else Standing.REPRODUCED
-    return Statement(place, what, printed, standing, why, unit, exact)
+    assessment = Assessment.MISPRINT if why else Assessment.REPRODUCED
+    return Statement(place, what, printed, assessment, why, unit, exact)
 
 
-def _worst(variant: str) -> Seen:
+def _worst(variant: str) -> Computed:
     """The largest error of a test at the paper's step, over its largest displacement, in %."""
-    return Seen("single-contact", variant, "y", Figure.ERROR, 100.0, Knobs(1e-3))
+    return Computed("single-contact", variant, "y", Figure.ERROR, 100.0, Knobs(1e-3))
 
 
 def _left_of_error() -> float:
@@ -54,9 +54,13 @@ def _left_of_error() -> float:
 
 
 def _said(
-    place: str, what: str, standing: Standing, why: str = "", seen: tuple[Seen, ...] = ()
+    place: str,
+    what: str,
+    assessment: Assessment,
+    why: str = "",
+    computed: tuple[Computed, ...] = (),
 ) -> Statement:
-    return Statement(place, what, "", standing, why, seen=seen)
+    return Statement(place, what, "", assessment, why, computed=computed)
 
 
 NUMBERS = (
@@ -104,74 +108,76 @@ NUMBERS = (
 )  # fmt: skip
 CLAIMS = (
     _said("Eq. 3", "distance of two centres, sqrt((x_a^2 - x_o^2) - (y_a^2 - y_o^2))",
-          Standing.MISPRINT, "it is sqrt((x_a - x_o)^2 + (y_a - y_o)^2)"),
+          Assessment.MISPRINT, "it is sqrt((x_a - x_o)^2 + (y_a - y_o)^2)"),
     _said("Eq. 8", "the shear force is capped where it exceeds its largest value",
-          Standing.MISPRINT, "its size is capped and its sign kept; T1 to T4 cannot see that a "
+          Assessment.MISPRINT, "its size is capped and its sign kept; T1 to T4 cannot see that a "
           "negative force is not capped, T3 and T4 mirrored do",
           (_worst("T3-mirrored"), _worst("T4-mirrored"))),
-    _said("Below Eq. 8", "(F_n, F_s) is the force by which a acts on o", Standing.MISPRINT,
+    _said("Below Eq. 8", "(F_n, F_s) is the force by which a acts on o", Assessment.MISPRINT,
           "along n and t of Eqs. 1, 2 and 6 it is that by which o acts on a: a repulsion that is "
           "positive along n, from o to a, moves a away; Eq. 9 needs the opposite"),
-    _said("Eqs. 9 and 11", "velocities with the sign of the current step", Standing.MISPRINT,
+    _said("Eqs. 9 and 11", "velocities with the sign of the current step", Assessment.MISPRINT,
           "drag and the update take the mean velocity of the step before"),
-    _said("Eq. 29", "v_n1 = v_ay", Standing.MISPRINT, "v_n1 = -v_ay: the rebound turns the sign"),
+    _said("Eq. 29", "v_n1 = v_ay", Assessment.MISPRINT, "v_n1 = -v_ay: the rebound turns the sign"),
     _said("The Normal Contact Force", "Eq. 14 begins from Eq. 15 and Eq. 16 from Eq. 17",
-          Standing.MISPRINT, "the later stages, Eqs. 15 and 17, begin where Eqs. 14 and 16 end"),
+          Assessment.MISPRINT, "the later stages, Eqs. 15 and 17, begin where Eqs. 14 and 16 end"),
     _said("Shear Contact Force", "particle 2 moves along wall 1, the overlap is that of these two",
-          Standing.MISPRINT, "they are particle 4 and wall 3"),
-    _said("Shear Contact Force", "y_2 = e^(-n t_s2) sin(wd t_s2)", Standing.MISPRINT,
+          Assessment.MISPRINT, "they are particle 4 and wall 3"),
+    _said("Shear Contact Force", "y_2 = e^(-n t_s2) sin(wd t_s2)", Assessment.MISPRINT,
           "it lacks the factor v_by/wd of Eq. 13; and t_2 stands for t_s2 twice"),
-    _said("Shear Contact Force", "'as with T2', T4 slides in its second stage", Standing.MISPRINT,
+    _said("Shear Contact Force", "'as with T2', T4 slides in its second stage", Assessment.MISPRINT,
           "as with T3: nothing slides in T2"),
     _said("Note below Eq. 23", "v_n1 and v_n2 are among the values of Eqs. 18 to 23",
-          Standing.MISPRINT, "v_s1 and v_s2 are, and a, b, c and d besides"),
+          Assessment.MISPRINT, "v_s1 and v_s2 are, and a, b, c and d besides"),
     Statement("Shear Contact Force", "in its third stage T3 moves as in its first, about b", "",
-              Standing.REPRODUCED, "it swings by y_1, and so comes back to the limit of friction "
+              Assessment.REPRODUCED, "it swings by y_1, and so comes back to the limit of friction "
               "at 0.3867 s without slip: the case `grazing`", "m", lambda: T3.y1, (_worst("T3"),)),
     _said("Shear Contact Force", "no movement in the x direction and no rotation",
-          Standing.REPRODUCED, "the scenes lock both; what presses particle 4 on its wall is its "
+          Assessment.REPRODUCED, "the scenes lock both; what presses particle 4 on its wall is its "
           "overlap alone", (_worst("T3"), _worst("T4"))),
     _said("Figs. 3 and 5", "VBOX and PFC2D follow the analytical curves at dt = 1e-3 s",
-          Standing.REPRODUCED, "largest error in % of the largest displacement",
+          Assessment.REPRODUCED, "largest error in % of the largest displacement",
           tuple(map(_worst, ("T1", "T2", "T3", "T4")))),
     _said("Figs. 4 and 6", "the relative error grows as viscosity is introduced",
-          Standing.REPRODUCED, "by a factor of some 300 to 600 with the published scheme, whose "
+          Assessment.REPRODUCED, "by a factor of some 300 to 600 with the published scheme, whose "
           "drag is first order in the step; where drag is of second order T4's error is below T3's",
           tuple(map(_worst, ("T1", "T2", "T3", "T4")))),
-    _said("Figs. 4 and 6", "the curves of the relative errors", Standing.OPEN,
+    _said("Figs. 4 and 6", "the curves of the relative errors", Assessment.OPEN,
           "the error at a point over the displacement there has no bound where y crosses 0, as in "
           "T2 at 0.219 s; no number is printed"),
     _said("Shear Contact Force", "shear forces are less exact than normal ones, since increments "
-          "accumulate error", Standing.WRONG, "while it sticks T3 follows the same recursion as T1 "
-          "in contact, to the last bit but for its size; what is less exact is the step in which "
-          "slip begins or ends", (_worst("T1"), _worst("T3"))),
-    _said("Figs. 3 and 5", "VBOX and PFC2D agree completely", Standing.OPEN,
+          "accumulate error", Assessment.WRONG,
+          "while it sticks T3 follows the same recursion as T1 in contact, to the last bit but "
+          "for its size; what is less exact is the step in which slip begins or ends",
+          (_worst("T1"), _worst("T3"))),
+    _said("Figs. 3 and 5", "VBOX and PFC2D agree completely", Assessment.OPEN,
           "their results are drawn and not printed; both use Eqs. 4 to 12"),
     Statement("The Normal Contact Force", "T1 turns back as t approaches", "0.1",
-              Standing.REPRODUCED, unit="s", exact=lambda: pi / (2 * K)),
-    Statement("The Normal Contact Force", "T2 comes to rest in the end", "", Standing.REPRODUCED,
+              Assessment.REPRODUCED, unit="s", exact=lambda: pi / (2 * K)),
+    Statement("The Normal Contact Force", "T2 comes to rest in the end", "", Assessment.REPRODUCED,
               "v_n2/(2n) from where its contact ends", "m", lambda: T2.v / (2 * N)),
     Statement("The Normal Contact Force", "viscosity reduces the extent of motion", "",
-              Standing.REPRODUCED, "how deep T2 goes, at wd t = atan(wd/n); T1 goes 6.27e-3 m", "m",
+              Assessment.REPRODUCED,
+              "how deep T2 goes, at wd t = atan(wd/n); T1 goes 6.27e-3 m", "m",
               lambda: 0.1 / K * exp(-N / WD * atan2(WD, N))),
     Statement("Shear Contact Force", "viscosity reduces the extent of motion", "",
-              Standing.REPRODUCED, "where T4 turns; T3 turns at y_4 = 0.1003 m", "m",
+              Assessment.REPRODUCED, "where T4 turns; T3 turns at y_4 = 0.1003 m", "m",
               lambda: T4.y1 + T4.distance),
-    _said("Eqs. 1, 2, 4 to 7, 10 and 12", "as printed", Standing.REPRODUCED,
+    _said("Eqs. 1, 2, 4 to 7, 10 and 12", "as printed", Assessment.REPRODUCED,
           "derived again; our scheme `published` steps by them", tuple(
               map(_worst, ("T1", "T3")))),
-    _said("Eqs. 13 to 23", "as printed but for names and order", Standing.REPRODUCED,
+    _said("Eqs. 13 to 23", "as printed but for names and order", Assessment.REPRODUCED,
           "solved phase by phase and by a second route", tuple(map(_worst, ("T2", "T4")))),
     _said("Shear Contact Force", "errors of T3 and T4 are greater than those of T1 and T2",
-          Standing.REPRODUCED, "of T3 than of T1 and of T4 than of T2 with the published scheme; "
+          Assessment.REPRODUCED, "of T3 than of T1 and of T4 than of T2 with the published scheme; "
           "but T2 errs more than T3", tuple(map(_worst, ("T1", "T2", "T3", "T4")))),
     Statement("Shear Contact Force", "the error is greater with greater time", "",
-              Standing.DIFFERS, "by Eqs. 4 to 12 at 1e-3 s T3's error grows until 0.3 s and T4's "
+              Assessment.DIFFERS, "by Eqs. 4 to 12 at 1e-3 s T3's error grows until 0.3 s and T4's "
               "until 0.2 s, then both fall: T4's at the end over its largest", "", _left_of_error),
     _said("Table 1", "density, radius, stiffnesses, friction, viscosity and step",
-          Standing.REPRODUCED, "taken as they are by all cases of this paper; r is 50 m"),
+          Assessment.REPRODUCED, "taken as they are by all cases of this paper; r is 50 m"),
     _said("Introduction", "PFC2D and another code of its kind agree on problems of one and "
-          "two particles (Chen and others)", Standing.OPEN, "of another paper; beside it T1 and T3 "
-          "in all codes", (_worst("T1"), _worst("T3"))),
+          "two particles (Chen and others)", Assessment.OPEN,
+          "of another paper; beside it T1 and T3 in all codes", (_worst("T1"), _worst("T3"))),
 )  # fmt: skip
 PAPER = Paper("Li et al. (2018)", *LI_2018, NUMBERS + CLAIMS)

@@ -15,7 +15,7 @@ from reference_solutions.bonds import lattice_material as theory
 from reference_solutions.bonds.close_packed_lattice import SIZES, count, lattice, static
 from reference_solutions.bonds.lattice_strength import first_opening
 from vv.ask import Knobs
-from vv.case.published import Figure, Paper, Seen, Standing, Statement
+from vv.case.published import Assessment, Computed, Figure, Paper, Statement
 
 D = 1e-3  # m
 MASS = theory.element_mass(2650.0, D)
@@ -32,11 +32,11 @@ MODULI = (  # error of E [%] of the blocks, on the hull's area; of nu
 
 def _number(
     place: str, what: str, printed: str, unit: str, exact: Callable[[], float], why: str = "",
-    seen: tuple[Seen, ...] = (), close: float | None = None,
+    computed: tuple[Computed, ...] = (), close: float | None = None,
 ) -> Statement:  # fmt: skip
     """A number that is printed right, or with `why` a misprint."""
-    standing = Standing.MISPRINT if why else Standing.REPRODUCED
-    return Statement(place, what, printed, standing, why, unit, exact, seen, close)
+    assessment = Assessment.MISPRINT if why else Assessment.REPRODUCED
+    return Statement(place, what, printed, assessment, why, unit, exact, computed, close)
 
 
 def _first_pair() -> NDArray[np.int64]:
@@ -111,12 +111,12 @@ def _first_to_open() -> float:
     return float((BLOCK.at(2, 0) | BLOCK.at(2, 1))[_first_pair()].sum())
 
 
-def _strength(variant: str, quantity: str) -> Seen:
-    return Seen("tetrahedral-strength", variant, quantity, times=100.0, rung=FINEST)
+def _strength(variant: str, quantity: str) -> Computed:
+    return Computed("tetrahedral-strength", variant, quantity, times=100.0, rung=FINEST)
 
 
-def _of_path(variant: str, quantity: str) -> Seen:
-    return Seen("tetrahedral-path", variant, quantity, times=100.0)
+def _of_path(variant: str, quantity: str) -> Computed:
+    return Computed("tetrahedral-path", variant, quantity, times=100.0)
 
 
 def _share(direction: list[float]) -> float:
@@ -125,7 +125,7 @@ def _share(direction: list[float]) -> float:
     return along / theory.youngs_modulus(KN, KS, D)
 
 
-REPRODUCED, DIFFERS, MISPRINT, WRONG, OPEN = Standing
+REPRODUCED, DIFFERS, MISPRINT, WRONG, OPEN = Assessment
 TABLE = (
     _number("Table 1", "normal stiffness Kn (Eq. B1)", "46.794e6", "N/m", lambda: KN),
     _number("Table 1", "shear stiffness Ks (Eq. B2)", "8.068e6", "N/m", lambda: KS),
@@ -141,10 +141,10 @@ TABLE = (
             lambda: MASS),
     _number("Sec. 3.2", "largest Poisson's ratio, at gamma = 0", "0.2", "",
             lambda: theory.poissons_ratio(1.0, 0.0),
-            seen=(Seen("tetrahedral-unit", "gamma-0", "nu"),)),
+            computed=(Computed("tetrahedral-unit", "gamma-0", "nu"),)),
     Statement("Sec. 3.2", "Poisson's ratio at gamma = 1", "0", REPRODUCED,
               exact=lambda: theory.poissons_ratio(1.0, 1.0),
-              seen=(Seen("tetrahedral-unit", "gamma-1", "nu"),)),
+              computed=(Computed("tetrahedral-unit", "gamma-1", "nu"),)),
     *(
         Statement("Sec. 5.1", f"elements of a block of {n} a row", str(size), REPRODUCED,
                   exact=functools.partial(count, *parts))
@@ -155,7 +155,7 @@ EQUATIONS = (
     Statement("Eqs. 1-10, 11b, 13, 14, A1-A3, B1-B4, 27", "as printed", "", REPRODUCED,
               "derived again from the balance of four elements; beside it the error of E at a "
               "strain of 1e-3, against the balance at finite strain",
-              seen=(Seen("tetrahedral-path", "in", "E(-0.001)", Figure.ERROR),)),
+              computed=(Computed("tetrahedral-path", "in", "E(-0.001)", Figure.ERROR),)),
     Statement("App. A", "seven equations for as many unknowns of a unit", "7", REPRODUCED,
               "their solution is Eqs. 2a to 2d", exact=lambda: 3.0 + 2.0 + 2.0),
     Statement("Sec. 3.3", "a pulled unit breaks as its inclined bonds open; their shear force then "
@@ -168,7 +168,7 @@ EQUATIONS = (
               MISPRINT, "(2 + sqrt2 mu_p)/(1 - sqrt2 mu_p), half of what is, by Eq. 11a; codes "
               "have the strain at failure, which lowers P by 4 %",
               exact=lambda: 2.0 * theory.printed_confinement(MU_P),
-              seen=(Seen("confined-strength", "two", "P"),)),
+              computed=(Computed("confined-strength", "two", "P"),)),
     Statement("Sec. 4.2.3", "'the maximum shear forces F_smax' of Eq. (4)'", "", MISPRINT,
               "it is of Eq. 1"),
     Statement("Eq. 23", "sliding distance: tangential displacement less 'the reduction of spring "
@@ -182,15 +182,15 @@ UNIT = (
     Statement("Sec. 5.2", "E of a unit at a strain of -1e-6 is quartzite's", "90", REPRODUCED,
               "codes at -1e-5, where it is 5e-6 less", "GPa",
               lambda: 1e-9 * theory.youngs_modulus(KN, KS, D),
-              seen=(Seen("tetrahedral-path", "in", "E(-1e-05)", times=1e-9),)),
+              computed=(Computed("tetrahedral-path", "in", "E(-1e-05)", times=1e-9),)),
     Statement("Sec. 5.2", "nu of a unit at a strain of -1e-6 is quartzite's", "0.16", REPRODUCED,
               "codes at -1e-5", "",
               exact=lambda: theory.poissons_ratio(KN, KS),
-              seen=(Seen("tetrahedral-path", "in", "nu(-1e-05)"),)),
+              computed=(Computed("tetrahedral-path", "in", "nu(-1e-05)"),)),
     Statement("Fig. 4a", "errors of E grow with strain; at -1e-3", "", REPRODUCED,
               unit="%", exact=lambda: 100 * (
                   tetrahedral_unit.equilibrium(-1e-3, kn=KN, ks=KS, d=D).modulus / 90e9 - 1),
-              seen=(_of_path("in", "E(-0.001)-small"),)),
+              computed=(_of_path("in", "E(-0.001)-small"),)),
     Statement("Fig. 4a", "the error of E is greater beyond 1e-3, as at the strain of C_u; at -5e-3",
               "", REPRODUCED, "", "%", lambda: 100 * (
                   tetrahedral_unit.equilibrium(-5e-3, kn=KN, ks=KS, d=D).modulus / 90e9 - 1),
@@ -213,29 +213,32 @@ UNIT = (
     Statement("Eq. 8", "C_open, of which no number is printed, of quartzite's elements", "",
               REPRODUCED, unit="MPa",
               exact=lambda: 1e-6 * theory.opening_strength(KN, KS, XB, D),
-              seen=(Seen("tetrahedral-strength", "pressed", "C_open", times=1e-6, rung=FINEST),)),
+              computed=(
+                  Computed("tetrahedral-strength", "pressed", "C_open", times=1e-6, rung=FINEST),)),
 )  # fmt: skip
 BLOCKS = (
     Statement("Sec. 5.2", "mean error of E of the blocks", "0.6", OPEN,
               "E depends on the area that stress is taken on, which is not stated; on the hull of "
               "the centres it is 3.64 % at 82 elements and 0.44 % at 37 681", "%",
               lambda: _blocks(0),
-              tuple(Seen("close-packed-lattice", str(n), "E-excess", times=100.0)
+              tuple(Computed("close-packed-lattice", str(n), "E-excess", times=100.0)
                     for n in (82, 255, 580, 1105))),
     Statement("Sec. 5.2", "mean error of nu of the blocks", "0.6", REPRODUCED,
               "mean of the sizes of errors; mean of widths along x and y, which differ by up to "
               "26 %", "%", lambda: _blocks(1, signed=False), close=0.1,
-              seen=tuple(Seen("close-packed-lattice", str(n), "nu", Figure.VALUE)
+              computed=tuple(Computed("close-packed-lattice", str(n), "nu", Figure.VALUE)
                          for n in (82, 255, 580, 1105))),
     Statement("Sec. 5.2", "T_u of the blocks is lower than Eq. 7 on average", "8.89", REPRODUCED,
               "the first bond to open lies at a face: 5.8 % lower at 82 elements, 9.7 % at 37 681, "
               "8.5 % on average of the nine", "%", lambda: 8.5, close=0.5,
-              seen=(Seen("close-packed-strength", "pulled-82", "T_u over Eq. 7", times=-100.0),)),
+              computed=(
+                  Computed("close-packed-strength", "pulled-82", "T_u over Eq. 7", times=-100.0),)),
     Statement("Sec. 5.2", "C_u of the blocks is lower than Eq. 14 on average", "18.51", DIFFERS,
               "between rigid smooth platens all inclined bonds slide at once, 3.4 % above Eq. 14 "
               "at 82 elements and 1.5 % below at 37 681; platens that yield give 15 to 21 % below, "
               "and the paper does not tell of such", "%",
-              seen=(Seen("close-packed-energy", "pressed-82", "C_u over Eq. 14", times=-100.0),)),
+              computed=(
+                  Computed("close-packed-energy", "pressed-82", "C_u over Eq. 14", times=-100.0),)),
     Statement("Sec. 6", "input T_u to be raised, since blocks have 8.89 % less", "9.76",
               REPRODUCED, unit="%", exact=lambda: 100.0 * (1.0 / (1.0 - 0.0889) - 1.0)),
     Statement("Sec. 6", "with it blocks have the quartzite's T_u; over it, at 82 elements", "",
@@ -245,7 +248,7 @@ BLOCKS = (
               "same", "1", WRONG, "in hexagonal close packing it is not; E over E_z; a box of 1687 "
               "elements is softer at its faces, which are no layers", "",
               lambda: _share([sqrt(8.0), 0.0, -1.0]),
-              (Seen("close-packed-lattice", "vertex", "share"),)),
+              (Computed("close-packed-lattice", "vertex", "share"),)),
     Statement("Sec. 6", "E is 'a bit lower' along other directions; E over E_z in the plane of the "
               "base", "", REPRODUCED, "the least of all directions has 0.829", "",
               lambda: _share([1.0, 0.0, 0.0])),
@@ -282,7 +285,7 @@ BLOCKS = (
     Statement("Figs. 4a, b", "errors of E and nu of blocks grow with the strain", "", REPRODUCED,
               "E at strains to 1e-3 over that at none, less 1; the error of bounds beside it is "
               "against the balance at finite strain", "%",
-              seen=tuple(Seen("close-packed-path", v, "grown", times=100.0)
+              computed=tuple(Computed("close-packed-path", v, "grown", times=100.0)
                          for v in ("in-82", "out-82"))),
     Statement("Figs. 4c, d", "T_u and C_u of each size", "", OPEN,
               "they are drawn and not printed; only their means are said"),
@@ -294,7 +297,7 @@ BLOCKS = (
     Statement("Sec. 5.1", "a step of 1e-8 s is very small; the largest stable one of the lattice",
               "", REPRODUCED, "the paper states no limit; beside it a block of 82 over it", "s",
               lambda: 2.0 * sqrt(MASS / (8.98102 * KN)),
-              (Seen("stable-bonds", "lattice-82", "lattice"),)),
+              (Computed("stable-bonds", "lattice-82", "lattice"),)),
     Statement("Sec. 5.1", "after each step of the platens 100 time steps damp the waves; part of a "
               "swing that is left then", "", DIFFERS, "in a block of 2166, by exp(-eta t/2m) with "
               "Eq. 28 and 1e-8 s: half of it stays; a wave at sqrt(E/rho) goes 5.8 mm in that "
@@ -327,40 +330,41 @@ FAILURE = (
     Statement("Fig. 5", "stress grows in a line to A1, where level bonds open, and falls", "",
               REPRODUCED, "A1 over C_open of Eq. 8, less 1, in a block of 82; the paper gives no "
               "number", "%",
-              seen=(Seen("close-packed-failure", "82", "A1 over Eq. 8", times=100.0),)),
+              computed=(Computed("close-packed-failure", "82", "A1 over Eq. 8", times=100.0),)),
     Statement("Fig. 5", "some bonds at the boundary fail at A3, before C_open", "", REPRODUCED,
               "A3 over C_open of Eq. 8, less 1, in a block of 82", "%",
-              seen=(Seen("close-packed-failure", "82", "A3 over Eq. 8", times=100.0),)),
+              computed=(Computed("close-packed-failure", "82", "A3 over Eq. 8", times=100.0),)),
     Statement("Fig. 5", "stress climbs again to A2, where the block fails by sliding", "",
               REPRODUCED, "A2 over C_u of Eq. 14, less 1, in a block of 82", "%",
-              seen=(Seen("close-packed-failure", "82", "A2 over Eq. 14", times=100.0),)),
+              computed=(Computed("close-packed-failure", "82", "A2 over Eq. 14", times=100.0),)),
     Statement("Fig. 5", "stress falls a bit before A2 also", "", DIFFERS,
               "between rigid smooth platens it grows up to the moment at which all inclined bonds "
               "slide"),
     Statement("Sec. 5.3", "when pressed the kinetic energy is much smaller than the elastic", "",
               REPRODUCED, "largest kinetic energy over the work, in a block of 82", "%",
-              seen=(Seen("close-packed-energy", "pressed-82", "kinetic share", times=100.0),)),
+              computed=(
+                  Computed("close-packed-energy", "pressed-82", "kinetic share", times=100.0),)),
     Statement("Sec. 5.3", "the largest kinetic share is greater when pulled than when pressed", "",
               REPRODUCED, "largest kinetic energy over the work, in a block of 82", "%",
-              seen=tuple(Seen("close-packed-energy", v, "kinetic share", times=100.0)
+              computed=tuple(Computed("close-packed-energy", v, "kinetic share", times=100.0)
                          for v in ("pulled-82", "pressed-82"))),
     Statement("Fig. 6c", "breaking heat of normal springs does not change as the block slides", "",
               REPRODUCED, "all level bonds are open before, and pressed ones hold no tension: open "
               "bonds at three quarters of the way, over all level ones", "", "1",
-              (Seen("close-packed-failure", "82-counted", "all opened"),)),
+              (Computed("close-packed-failure", "82-counted", "all opened"),)),
     Statement("Sec. 5.3", "the share of viscous heat is greater when pulled than when pressed", "",
               REPRODUCED, "viscous heat over all heat at the end", "%",
-              seen=tuple(Seen("close-packed-energy", v, "viscous share", times=100.0)
+              computed=tuple(Computed("close-packed-energy", v, "viscous share", times=100.0)
                          for v in ("pulled-82", "pressed-82"))),
     Statement("Fig. 6c", "level bonds open before the block slides; all of them", "", REPRODUCED,
               "heat of normal springs before sliding, over that of all level bonds",
-              exact="1", seen=(Seen("close-packed-failure", "82-counted", "all opened"),)),
+              exact="1", computed=(Computed("close-packed-failure", "82-counted", "all opened"),)),
     Statement("Fig. 6c", "frictional heat still grows after all has broken", "", REPRODUCED,
               "frictional heat at the end, in a block of 82", "J",
-              seen=(Seen("close-packed-energy", "pressed-82", "Q_f", Figure.FINAL),)),
+              computed=(Computed("close-packed-energy", "pressed-82", "Q_f", Figure.FINAL),)),
     Statement("Eqs. 16 to 22 and 24 to 26", "as printed", "", REPRODUCED,
               "energies are booked by them; the remainder over the work",
-              seen=(Seen("close-packed-energy", "pressed-82", "balance"),)),
+              computed=(Computed("close-packed-energy", "pressed-82", "balance"),)),
     Statement("Fig. 5", "stress falls at A3 before A1", "", MISPRINT,
               "Sec. 5.3 has A3 after A2, as the end of the failure"),
     Statement("Fig. 6a", "the elastic energy drops a bit at A1; part of it, once all level bonds "
@@ -369,11 +373,11 @@ FAILURE = (
     Statement("Sec. 5.3", "failure under pressure takes about", "1e-4", OPEN,
               "it depends on the rate of the platen, which is not given beyond 1.70e-9 m in 100 "
               "steps of 1e-8 s, and on the size; beside it at 82 elements and our rate", "s", "",
-              (Seen("close-packed-energy", "pressed-82", "failure time"),)),
+              (Computed("close-packed-energy", "pressed-82", "failure time"),)),
     Statement("Sec. 5.3", "a part of the energy of the pulled block becomes breaking heat at once; "
               "that of normal and of shear springs", "", REPRODUCED, "at the end, in a block of "
               "82; it held 1.01e-4 J", "J", "", tuple(
-                  Seen("close-packed-energy", "pulled-82", q, Figure.FINAL)
+                  Computed("close-packed-energy", "pulled-82", q, Figure.FINAL)
                   for q in ("Q_bn", "Q_bs"))),
     Statement("Sec. 5.3", "the pulled block breaks at", "1.072e-2", OPEN,
               "1.70e-10 m in 100 steps of 1e-8 s are 1.7e-4 m/s at one end, so a strain of 1.59e-4 "
@@ -381,36 +385,36 @@ FAILURE = (
     Statement("Sec. 5.3", "largest kinetic share as the block breaks in two", "16.2", DIFFERS,
               "a block of 2166 has 13.6 %, and 82 elements have 14.7 %; the rate is not the "
               "reason", "%", "",
-              (Seen("close-packed-energy", "pulled-82", "kinetic share", times=100.0),)),
+              (Computed("close-packed-energy", "pulled-82", "kinetic share", times=100.0),)),
     Statement("Sec. 5.3", "bonds of the block part within", "2.83e-6", DIFFERS,
               "2.4e-6 s in a block of 2166 at the paper's step, 5.3e-6 s at 4e-8 s", "s", "",
-              (Seen("close-packed-energy", "pulled-82", "crack time"),)),
+              (Computed("close-packed-energy", "pulled-82", "crack time"),)),
     Statement("Sec. 5.3", "width of the block of 2166, 12 elements", "1.2", REPRODUCED, unit="cm",
               exact=lambda: 100.0 * D * SIZES[2166][0]),
     Statement("Sec. 5.3", "speed of the crack, 1.2 cm in 2.83e-6 s", "4240", REPRODUCED,
               unit="m/s", exact=lambda: 0.012 / 2.83e-6, close=5.0),
     Statement("Fig. 6", "mechanical energy plus heat equals the external work", "", REPRODUCED,
               "remainder over the work",
-              seen=(Seen("close-packed-energy", "pulled-82", "balance"),
-                    Seen("close-packed-energy", "pressed-82", "balance"))),
+              computed=(Computed("close-packed-energy", "pulled-82", "balance"),
+                    Computed("close-packed-energy", "pressed-82", "balance"))),
     Statement("Sec. 5.3", "the elastic energy falls almost to zero as the pulled block breaks", "0",
               REPRODUCED, "at the end, in a block of 82; it held 1.01e-4 J", "J", "",
-              (Seen("close-packed-energy", "pulled-82", "E_e", Figure.FINAL),)),
+              (Computed("close-packed-energy", "pulled-82", "E_e", Figure.FINAL),)),
     Statement("Fig. 6a", "the elastic energy falls almost to zero as the pressed block fails", "0",
               REPRODUCED, "at the end, in a block of 82; it held 2.17e-2 J", "J", "",
-              (Seen("close-packed-energy", "pressed-82", "E_e", Figure.FINAL),)),
+              (Computed("close-packed-energy", "pressed-82", "E_e", Figure.FINAL),)),
     Statement("Sec. 5.3", "kinetic energy becomes viscous heat in the end", "0", REPRODUCED,
               "what is left of it, in a block of 82; it was 1.47e-5 J", "J", "",
-              (Seen("close-packed-energy", "pulled-82", "E_k", Figure.FINAL),)),
+              (Computed("close-packed-energy", "pulled-82", "E_k", Figure.FINAL),)),
     Statement("Fig. 6d", "viscous heat still grows after the block has broken", "", REPRODUCED,
               "18 % of it comes after 99 % of the breaking heat, in a block of 82; all of it", "J",
-              "", (Seen("close-packed-energy", "pulled-82", "Q_v", Figure.FINAL),)),
+              "", (Computed("close-packed-energy", "pulled-82", "Q_v", Figure.FINAL),)),
     Statement("Fig. 6c", "breaking heat remains constant once all has failed", "", REPRODUCED,
               "nothing is booked after the last bond that parts; that of shear springs at "
               "the end, in a block of 82", "J", "",
-              (Seen("close-packed-energy", "pressed-82", "Q_bs", Figure.FINAL),)),
+              (Computed("close-packed-energy", "pressed-82", "Q_bs", Figure.FINAL),)),
     Statement("Sec. 5.3", "no frictional heat as the block is pulled in two", "0", REPRODUCED,
               unit="J", exact=lambda: 0.0,
-              seen=(Seen("close-packed-energy", "pulled-82", "Q_f", Figure.FINAL),)),
+              computed=(Computed("close-packed-energy", "pulled-82", "Q_f", Figure.FINAL),)),
 )  # fmt: skip
 PAPER = Paper("Liu et al. (2017)", *LIU_2017, TABLE + EQUATIONS + UNIT + BLOCKS + FAILURE)

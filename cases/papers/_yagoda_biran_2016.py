@@ -10,38 +10,38 @@ from cases._papers import YAGODA_BIRAN_2016
 from cases.blocks.published_settings import SETTINGS
 from reference_solutions.blocks import elastic_block, first_motion, implicit_step, rocking
 from vv.ask import Knobs
-from vv.case.published import Figure, Paper, Seen, Standing, Statement
+from vv.case.published import Assessment, Computed, Figure, Paper, Statement
 
 PULSE = 2.0 * math.pi  # 1/s
-REPRODUCED, DIFFERS, MISPRINT, WRONG, OPEN = Standing
+REPRODUCED, DIFFERS, MISPRINT, WRONG, OPEN = Assessment
 
 
-def _error(case: str, *variants: str, quantity: str = "d") -> tuple[Seen, ...]:
+def _error(case: str, *variants: str, quantity: str = "d") -> tuple[Computed, ...]:
     """The largest error in % of the largest displacement, at the finest setting."""
-    return tuple(Seen(case, v, quantity, Figure.ERROR, 100.0) for v in variants)
+    return tuple(Computed(case, v, quantity, Figure.ERROR, 100.0) for v in variants)
 
 
-def _responding(*variants: str, quantity: str = "d2x") -> tuple[Seen, ...]:
+def _responding(*variants: str, quantity: str = "d2x") -> tuple[Computed, ...]:
     return _error("responding-block", *variants, quantity=quantity)
 
 
-def _own(quantity: str, *variants: str) -> tuple[Seen, ...]:
+def _own(quantity: str, *variants: str) -> tuple[Computed, ...]:
     """In the paper's measure, at its settings, from which finer ones are left out."""
     rungs = {v: Knobs(SETTINGS[v].steps[0], SETTINGS[v].kn) for v in variants}
-    return tuple(Seen("published-settings", v, quantity, rung=rungs[v]) for v in variants)
+    return tuple(Computed("published-settings", v, quantity, rung=rungs[v]) for v in variants)
 
 
-def _agreeing(*variants: str) -> tuple[Seen, ...]:
-    return tuple(Seen("failure-modes", v, "agree") for v in variants)
+def _agreeing(*variants: str) -> tuple[Computed, ...]:
+    return tuple(Computed("failure-modes", v, "agree") for v in variants)
 
 
 # A row of the table below, column by column.
 def _said(
-    place: str, what: str, printed: str, standing: Standing, why: str = "",
-    seen: tuple[Seen, ...] = (), unit: str = "", exact: Callable[[], float] | str = "",
+    place: str, what: str, printed: str, assessment: Assessment, why: str = "",
+    computed: tuple[Computed, ...] = (), unit: str = "", exact: Callable[[], float] | str = "",
     close: float | None = None,
 ) -> Statement:  # fmt: skip
-    return Statement(place, what, printed, standing, why, unit, exact, seen, close)
+    return Statement(place, what, printed, assessment, why, unit, exact, computed, close)
 
 
 def _damped_by(part: float) -> float:
@@ -61,7 +61,7 @@ STEP = (
           "f + (2 M/D + C) d0' on the right: without it blocks would start each step from rest"),
     _said("Sec. 2", "stress and strain are uniform in a block", "", REPRODUCED, "by Eq. 4; so its "
           "first swing is too fast: over that of the continuum, clamped at its base", (
-              Seen("elastic-block", "ringing", "frequency-continuum"),),
+              Computed("elastic-block", "ringing", "frequency-continuum"),),
           exact=lambda: elastic_block.STIFFER),
     _said("Sec. 2", "a dynamic parameter of 0.98 is a kinetic damping of", "2", REPRODUCED,
           "the part of the velocity that a step does not hand on; 0.97 is 3 % likewise (Sec. "
@@ -146,24 +146,24 @@ ROCKING = (
           REPRODUCED, "where w dt of its contacts is about 1, as at 1e10 N/m and 2.5e-4 s: "
           "restitution of the first impact, Housner's beside it; at other steps and stiffnesses "
           "it is another, up to bouncing", (
-              Seen("rocking-restitution", "aspect-3", "restitution"),),
+              Computed("rocking-restitution", "aspect-3", "restitution"),),
           exact=lambda: rocking.restitution(0.2, 0.6)),
     *(
         _said("Sec. 3.3", f"a pulse that {does} the block, as its equation for small angles has "
               f"it at g = {g:g} m/s2", printed, WRONG, f"it is {least} the threshold of that "
               "equation; beside it is the largest amplitude that the block itself survives",
-              (Seen("rocking", "search", "threshold"),), "m/s2", functools.partial(
+              (Computed("rocking", "search", "threshold"),), "m/s2", functools.partial(
                   rocking.linear_threshold, b=0.2, h=0.6, g=g, w=PULSE))
         for does, printed, g, least in (("does not topple", "5.43", 9.80, "below"),
                                         ("topples", "5.44", 9.80665, "above"))
     ),
     _said("Sec. 3.3", "the least pulse that topples the block, of the equation itself", "", WRONG,
-          "3.6 % above the paper's bracket", (Seen("rocking", "search", "threshold"),), "m/s2",
+          "3.6 % above the paper's bracket", (Computed("rocking", "search", "threshold"),), "m/s2",
           functools.partial(rocking.threshold, b=0.2, h=0.6, g=9.81, w=PULSE)),
     _said("Sec. 3.3", "a penalty was found with which 2D-DDA topples from the same pulse on", "",
           REPRODUCED, "at 1e7 N/m the paper's formulation topples from 5.42 m/s2 on, by soft "
           "contacts which make up for the small angles", (
-              Seen("rocking", "search-soft", "threshold"),), "m/s2"),
+              Computed("rocking", "search-soft", "threshold"),), "m/s2"),
     _said("Sec. 3.3", "the acceleration is a_p sin(w t + psi) from t = 0 to 0.5 s", "", WRONG,
           "w = 2 pi 1/s; a half sine that starts at the phase psi ends at (pi - psi)/w, before "
           "0.5 s"),
@@ -171,7 +171,8 @@ ROCKING = (
         _said("Sec. 3.3", f"error of 2D-DDA after {after:g} s, until the first impact",
               f"< {limit:g}", OPEN, "the amplitudes of Fig. 6 and the penalty that was fitted are "
               "not given; beside it E_N at a thousandth below and beyond the threshold, 1e10 N/m",
-              tuple(Seen("rocking", v, f"E_N after {after:g} s") for v in ("stands", "topples")),
+              tuple(Computed("rocking", v, f"E_N after {after:g} s")
+                    for v in ("stands", "topples")),
               "%")
         for after, limit in ((0.3, 10.0), (0.5, 1.0))
     ),
@@ -258,15 +259,15 @@ WEDGE = (
 DAMPING = (
     _said("Sec. 5.1.3", "numerical damping grows with the step; its ratio over w dt/4", "",
           REPRODUCED, "by the decrement of a block that swings, over the closed form of the step",
-          (Seen("elastic-block", "ringing", "damping"),), exact="1"),
+          (Computed("elastic-block", "ringing", "damping"),), exact="1"),
     _said("Sec. 5.1.3", "the scheme's damping makes it of first order", "", REPRODUCED,
           "damping ratio of a swing at w dt = 0.005", (
-              Seen("elastic-block", "ringing", "damping ratio"),),
+              Computed("elastic-block", "ringing", "damping ratio"),),
           exact=functools.partial(implicit_step.damping_ratio, 0.005)),
     _said("Sec. 5.1.2", "for stability the step must be below h/c, by Courant, Friedrichs and Lewy",
           "", WRONG, "the step is implicit: its spectral radius is below 1 at any step; beside it "
           "its error at steps of 4.1 to 1e4 rad", (
-              Seen("implicit-swing", "real", "radius", Figure.ERROR),), exact="any"),
+              Computed("implicit-swing", "real", "radius", Figure.ERROR),), exact="any"),
     _said("Sec. 5.2.2", "without kinetic damping the step has no effect on the way", "", REPRODUCED,
           "1 m/s2 for 1 s, at any step", unit="m",
           exact=functools.partial(implicit_step.damped_drive, 1.0, 1e-3, 1000, 1.0)),
@@ -284,7 +285,7 @@ DAMPING = (
           "wave", "", OPEN, "of models of others, which are not given"),
     _said("Sec. 3.5", "the blocks of DDA are not damped", "", WRONG,
           "its step damps them, as Sec. 5.1.3 says; the ratio over w dt/4",
-          (Seen("elastic-block", "ringing", "damping"),), exact="1"),
+          (Computed("elastic-block", "ringing", "damping"),), exact="1"),
     _said("Sec. 5.1.3", "2 % kinetic damping was needed for a stable solution of slopes", "", OPEN,
           "the model is not given"),
     _said("Sec. 5.2.2", "3D-DDA took steps 10 and 100 times shorter than 2D-DDA", "", OPEN,
@@ -306,22 +307,22 @@ DAMPING = (
     _said("Sec. 5.1.2", "largest step over the period that avoids a bifurcation", "2/pi",
           REPRODUCED, "from w dt = 4 on the roots are real; beside it the error of the larger "
           "root, which goes back to 1, so that stiff contacts ring undamped", exact="w dt = 4",
-          seen=tuple(Seen("implicit-swing", v, "radius", Figure.ERROR)
+          computed=tuple(Computed("implicit-swing", v, "radius", Figure.ERROR)
                      for v in ("near-four", "real"))),
     *(
         _said("Fig. 25", f"way of a mass under constant force with 3 % damping, dt = {dt:g} s", "",
               REPRODUCED, "1 m/s2 for 1 s, where 0.5 m is right; the force is not given",
               unit="m", exact=functools.partial(
                   implicit_step.damped_drive, 1.0, dt, round(1.0 / dt), 0.97),
-              seen=(Seen("kinetic-damping", "3-per-cent", "d", rung=Knobs(dt)),))
+              computed=(Computed("kinetic-damping", "3-per-cent", "d", rung=Knobs(dt)),))
         for dt in (1e-2, 1e-3, 1e-4, 1e-5)
     ),
     _said("Sec. 5.2.2", "way with 1 % kinetic damping over that with 3 %, said to be not "
           "significantly different", "", WRONG, "three times, at 1e-5 s over 1 s", exact=lambda: (
               implicit_step.damped_drive(1.0, 1e-5, 100000, 0.99)
               / implicit_step.damped_drive(1.0, 1e-5, 100000, 0.97)),
-          seen=(Seen("kinetic-damping", "1-per-cent", "d", rung=Knobs(1e-5)),
-                Seen("kinetic-damping", "3-per-cent", "d", rung=Knobs(1e-5)))),
+          computed=(Computed("kinetic-damping", "1-per-cent", "d", rung=Knobs(1e-5)),
+                Computed("kinetic-damping", "3-per-cent", "d", rung=Knobs(1e-5)))),
 )  # fmt: skip
 WAVES = (
     _said("Fig. 9", "the wave form is kept after tuning of blocks and steps", "", OPEN,
@@ -332,14 +333,14 @@ WAVES = (
     _said("Fig. 10", "spectral ratios of 15 layers agree with SHAKE", "", OPEN,
           "layers and record are not given; beside it ratios of 15 equal layers over SHAKE's with "
           "2.3 % damping, at 1.5, 2.5 and 7.5 Hz", tuple(
-              Seen("site-response", v, "over SHAKE's") for v in ("1.5hz", "2.5hz", "7.5hz"))),
+              Computed("site-response", v, "over SHAKE's") for v in ("1.5hz", "2.5hz", "7.5hz"))),
     _said("Sec. 3.5", "they agree for layers that are not alike, too", "", OPEN,
           "neither layers nor record are given; a code over the answer of its own step, for 15 "
-          "layers, each softer than the one below", (Seen("site-response", "unlike", "ratio"),),
+          "layers, each softer than the one below", (Computed("site-response", "unlike", "ratio"),),
           exact="1"),
     _said("Sec. 5.1.3", "amplification and resonance agree extremely well with SHAKE's at 2.3 % "
           "damping", "", OPEN, "the model is not given; codes agree with the answer of their own "
-          "step at the resonance", (Seen("site-response", "2.5hz", "ratio"),), exact="1"),
+          "step at the resonance", (Computed("site-response", "2.5hz", "ratio"),), exact="1"),
 )  # fmt: skip
 MASONRY = (
     _said("Sec. 5.2.2", "blocks of the house at L'Aquila", "197", OPEN,

@@ -19,8 +19,8 @@ from reports.pages.overview import TARGETS, Overview, overview
 from reports.pages.troubles import CARDS, Trouble, troubles
 from reports.text import brief
 from reports.variant.reading import TARGET
-from vv.case.published import Standing
-from vv.insight.papers import counted as standings
+from vv.case.published import Assessment
+from vv.insight.papers import counted as assessments
 from vv.output.markdown import headline
 from vv.records.outcomes import Outcome
 
@@ -42,7 +42,7 @@ class Front:
     cards: Sequence[Trouble]
     more: int
     known: int
-    papers: Mapping[Standing, int]
+    papers: Mapping[Assessment, int]
     rows: Markup
     data: str
 
@@ -70,7 +70,7 @@ def front(book: Book) -> Front:
         cards=all_troubles[:CARDS],
         more=max(0, len(all_troubles) - CARDS),
         known=dict(counts).get(OUTCOMES[Outcome.XFAIL], 0),
-        papers=standings(row for _, rows in book.beside.papers for row in rows),
+        papers=assessments(row for _, rows in book.beside.papers for row in rows),
         rows=coverage_map.rows(book, seen),
         data=_data(book, seen),
     )

@@ -8,15 +8,15 @@ from dataclasses import dataclass
 from reports.book import Book
 from reports.marks import Mark
 from reports.text import slug
-from vv.case.published import Paper, Standing
+from vv.case.published import Assessment, Paper
 from vv.insight.papers import Row, counted
 
-LOOKS: Mapping[Standing, str] = {
-    Standing.REPRODUCED: "good",
-    Standing.DIFFERS: "bad",
-    Standing.MISPRINT: "known",
-    Standing.WRONG: "odd",
-    Standing.OPEN: "idle",
+LOOKS: Mapping[Assessment, str] = {
+    Assessment.REPRODUCED: "good",
+    Assessment.DIFFERS: "bad",
+    Assessment.MISPRINT: "known",
+    Assessment.WRONG: "odd",
+    Assessment.OPEN: "idle",
 }
 
 
@@ -42,11 +42,11 @@ class Shown:
 
 @dataclass(frozen=True)
 class PaperPart:
-    """A paper. counts: how its statements came out, by standing."""
+    """A paper. counts: how its statements came out, by assessment."""
 
     paper: Paper
     anchor: str
-    counts: Mapping[Standing, int]
+    counts: Mapping[Assessment, int]
     rows: Sequence[Shown]
 
 
@@ -57,7 +57,7 @@ def papers(book: Book) -> list[PaperPart]:
             paper,
             f"paper-{slug(paper.name)}",
             counted(rows),
-            [Shown(row, LOOKS[row.standing], _given(book, row)) for row in rows],
+            [Shown(row, LOOKS[row.assessment], _given(book, row)) for row in rows],
         )
         for paper, rows in book.beside.papers
     ]

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from vv.case.published import Paper, Standing, Statement
+from vv.case.published import Assessment, Paper, Statement
 from vv.gate.all_checks import baseline_of
 from vv.insight.papers import rows
 from vv.output.papers_page import page
@@ -37,8 +37,8 @@ def test_a_number_is_reproduced_if_it_rounds_to_what_is_printed_and_only_then(
     assert one.number is not None
     assert not isinstance(one.exact, str)
     same = math.isclose(one.exact(), one.number, rel_tol=0.0, abs_tol=one.allowance)
-    if one.standing in (Standing.REPRODUCED, Standing.MISPRINT, Standing.DIFFERS):
-        assert same == (one.standing is Standing.REPRODUCED), (one.exact(), one.number)
+    if one.assessment in (Assessment.REPRODUCED, Assessment.MISPRINT, Assessment.DIFFERS):
+        assert same == (one.assessment is Assessment.REPRODUCED), (one.exact(), one.number)
 
 
 @pytest.mark.parametrize("one", BOUNDS, ids=lambda one: f"{one.place} {one.what}")
@@ -52,25 +52,27 @@ def test_a_bound_is_reproduced_if_the_papers_own_equations_keep_it_and_only_then
         found = [one.exact()]
     below, limit = one.printed[0] == "<", float(one.printed[1:])
     kept = all((figure < limit) is below for figure in found)
-    if one.standing in (Standing.REPRODUCED, Standing.DIFFERS):
-        assert kept == (one.standing is Standing.REPRODUCED), (found, one.printed)
+    if one.assessment in (Assessment.REPRODUCED, Assessment.DIFFERS):
+        assert kept == (one.assessment is Assessment.REPRODUCED), (found, one.printed)
 
 
 def test_what_a_statement_points_to_is_there() -> None:
     """Its case, variant and quantity, and once the case is accepted a result to show."""
     for name, one in STATEMENTS:
-        for seen in one.seen:
-            case = PROJECT.load_case(seen.case)
-            trial = case.declare(seen.variant, case.defaults(seen.variant))
-            assert seen.quantity in {q.name for q in trial.quantities}, (name, seen)
+        for computed in one.computed:
+            case = PROJECT.load_case(computed.case)
+            trial = case.declare(computed.variant, case.defaults(computed.variant))
+            assert computed.quantity in {q.name for q in trial.quantities}, (name, computed)
     shown = [row for paper in PAPERS for row in rows(paper, accepted)]
     for (_, one), row in zip(STATEMENTS, shown, strict=True):
-        known = {s.case for s in one.seen if accepted(s.case)}
+        known = {s.case for s in one.computed if accepted(s.case)}
         assert known <= {answer.where.partition(":")[0] for answer in row.answers}, one.what
 
 
 def test_more_than_thirty_contradictions_are_told_with_their_reasons() -> None:
-    false = [one for _, one in STATEMENTS if one.standing in (Standing.MISPRINT, Standing.WRONG)]
+    false = [
+        one for _, one in STATEMENTS if one.assessment in (Assessment.MISPRINT, Assessment.WRONG)
+    ]
     assert len(false) > 30
     assert all(len(one.why) > 10 for one in false)
 
@@ -83,7 +85,7 @@ def test_the_page_in_the_docs_is_what_vv_papers_writes() -> None:
 
 def test_a_statement_that_is_called_wrong_without_a_reason_is_refused() -> None:
     with pytest.raises(ValueError, match=r"Eq\. 1, a: why = ''; what is wrong has a reason"):
-        Statement("Eq. 1", "a", "1", Standing.WRONG)
+        Statement("Eq. 1", "a", "1", Assessment.WRONG)
 
 
 @pytest.mark.parametrize(
@@ -94,7 +96,7 @@ def test_a_statement_that_is_called_wrong_without_a_reason_is_refused() -> None:
 def test_a_number_is_known_to_half_its_last_place(
     printed: str, number: float | None, allowance: float
 ) -> None:
-    one = Statement("Eq. 1", "a", printed, Standing.REPRODUCED)
+    one = Statement("Eq. 1", "a", printed, Assessment.REPRODUCED)
     assert one.number == number
     assert one.allowance == pytest.approx(allowance, rel=1e-3)
 

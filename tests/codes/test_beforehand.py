@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from tests.scene.test_scene import PARTLY, TURNED, Z, balls, block, scene
-from vv.ask import Ask, Displacement, History, Knobs, Method, Sought, Status, Velocity
+from vv.ask import Ask, Displacement, History, Knobs, Method, SearchVariable, Status, Velocity
 from vv.codes import Adapter, Found, Scheme
 from vv.codes.adapter import (
     behind_wall,
@@ -32,8 +32,8 @@ def asked(**changes: Any) -> Ask:
     return dataclasses.replace(ASK, **changes)
 
 
-def searched(sought: Sought) -> Any:
-    return SimpleNamespace(sought=sought)
+def searched(variable: SearchVariable) -> Any:
+    return SimpleNamespace(variable=variable)
 
 
 @pytest.mark.parametrize(
@@ -70,21 +70,23 @@ def test_a_code_s_own_refusal_is_told() -> None:
 
 
 @pytest.mark.parametrize(
-    ("dt", "sought", "words"),
+    ("dt", "variable", "words"),
     [
         (0.1, None, None),
         (1.0, None, None),
         (3.0, None, "longer than"),
         (None, None, None),
-        (None, Sought.STEP, "it has no step"),
-        (0.1, Sought.STEP, None),
-        (None, next(one for one in Sought if one is not Sought.STEP), None),
+        (None, SearchVariable.STEP, "it has no step"),
+        (0.1, SearchVariable.STEP, None),
+        (None, next(one for one in SearchVariable if one is not SearchVariable.STEP), None),
     ],
 )
 def test_steps_fit_unless_one_is_too_long_or_one_is_searched_and_there_is_none(
-    dt: float | None, sought: Sought | None, words: str | None
+    dt: float | None, variable: SearchVariable | None, words: str | None
 ) -> None:
-    ask: Any = SimpleNamespace(knobs=Knobs(dt), search=sought and searched(sought), goal=ASK.goal)
+    ask: Any = SimpleNamespace(
+        knobs=Knobs(dt), search=variable and searched(variable), goal=ASK.goal
+    )
     why = no_steps(ask)
     assert (why is None) is (words is None)
     assert words is None or words in (why or "")
@@ -115,7 +117,7 @@ def test_only_scenes_with_drag_are_for_a_scheme_that_differs_in_it() -> None:
 def test_a_body_that_is_no_sphere_is_named() -> None:
     one = scene(balls(), block())
     assert no_sphere(asked(scene=one), one) is None
-    assert "body 1 is no sphere" in (
+    assert "body 1 is not a sphere" in (
         no_sphere(asked(scene=one, observables=(Displacement(1),)), one) or ""
     )
 

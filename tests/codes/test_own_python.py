@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from vv.ask import Ask, Displacement, History, Knobs, Model, Run, Status
-from vv.codes.own_python import Driver, Home
+from vv.codes.own_python import Driver, PythonEnvironment
 from vv.scene import Contact, Scene, Spheres, Vector
 
 FRAME = np.array([[0.0, 1.0, 0.0], [-1.0, 0.0, 0.0], [0.0, 0.0, 1.0]])
@@ -20,7 +20,7 @@ DRIVER = '''
 
 import numpy as np
 
-from vv.codes.served import Plan, RunError, Stopwatch, serve, swung
+from vv.codes.driver_protocol import Plan, RunError, Stopwatch, serve, swung
 
 
 def simulate(ask: Plan, watched: bool, watch: Stopwatch):
@@ -57,7 +57,7 @@ def driver(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Driver:
     monkeypatch.setenv("VV_CODES", str(tmp_path / "codes"))
     source = tmp_path / "driver.py"
     source.write_text(DRIVER)
-    return Driver(Home("mine", ("mine",)), source)
+    return Driver(PythonEnvironment("mine", ("mine",)), source)
 
 
 def ask() -> Ask:
@@ -111,7 +111,7 @@ def test_its_version_and_the_digests_of_its_files_come_from_its_package(driver: 
 def test_a_code_without_its_environment_is_not_installed_and_says_how(
     driver: Driver, tmp_path: Path
 ) -> None:
-    other = Driver(Home("other", ("other",)), driver.file)
+    other = Driver(PythonEnvironment("other", ("other",)), driver.file)
     (run,) = other.run([ask()], [({}, MODEL, FRAME)], tmp_path, 0.0)
     assert run.status is Status.NOT_INSTALLED
     assert run.reason.startswith("make setup CODES=other")

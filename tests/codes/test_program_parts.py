@@ -184,7 +184,8 @@ def test_an_answer_of_another_shape_or_status_is_told(tmp_path: Path) -> None:
 
 
 def test_a_driver_alone_keeps_its_lines_where_they_were() -> None:
-    text = "import os\nfrom vv.codes.served import (\n    solve,\n)\nfrom math import pi\nx = 1\n"
+    ours = "from vv.codes.driver_protocol import (\n    solve,\n)\n"
+    text = f"import os\n{ours}from math import pi\nx = 1\n"
     lines = own_python._alone(text).splitlines()
     assert "from math import pi" in lines
     assert not any("served" in line for line in lines)

@@ -89,4 +89,4 @@ def test_the_script_stops_with_the_reason_when_the_engine_refuses(tmp_path: Path
         capture_output=True, text=True, check=False,
     )  # fmt: skip
     assert done.returncode == 1
-    assert done.stderr.startswith(f"{Status.REFUSED.value}: body 0 is no sphere")
+    assert done.stderr.startswith(f"{Status.REFUSED.value}: body 0 is not a sphere")

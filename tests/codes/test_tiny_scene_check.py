@@ -11,7 +11,7 @@ import pytest
 from vv.ask import Ask, Displacement, Method, Observable, Run, Status, Velocity
 from vv.codes import Scheme
 from vv.codes.tiny_scene_check import Answered, CheckResult, judged
-from vv.codes.tiny_scenes import TinyScene, rubbing, tiny_scenes, unasked
+from vv.codes.tiny_scenes import TinyScene, friction, tiny_scenes, unasked
 from vv.codes.tiny_scenes.tiny_scene import MASS
 from vv.plan.project import find
 from vv.scene import Term, Vector
@@ -114,9 +114,9 @@ def test_a_velocity_known_by_heart_is_that_of_the_displacement(name: str) -> Non
 def test_a_sphere_that_sticks_swings_on_its_shear_spring() -> None:
     """Until it slips, at 4.97 ms, it has the energy of its start."""
     moved, speed = SCENES["viscous skid"].motion(np.linspace(0.0, 4.9e-3, 9))
-    way, fast = moved @ rubbing.ACROSS, speed @ rubbing.ACROSS
-    energy = fast**2 + rubbing.STIFF / MASS * way**2
-    np.testing.assert_allclose(energy, rubbing.FAST**2, rtol=1e-12)
+    way, fast = moved @ friction.ACROSS, speed @ friction.ACROSS
+    energy = fast**2 + friction.STIFF / MASS * way**2
+    np.testing.assert_allclose(energy, friction.FAST**2, rtol=1e-12)
 
 
 def off_by(power: float, size: float) -> Wrong:

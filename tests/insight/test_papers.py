@@ -1,7 +1,7 @@
 """Claims about statements of papers beside results: at which setting, and those that agree."""
 
 from vv.ask import Knobs
-from vv.case.published import Figure, Paper, Seen, Standing, Statement
+from vv.case.published import Assessment, Computed, Figure, Paper, Statement
 from vv.insight.papers import Answer, Row, counted, rows
 from vv.records.accepted import AcceptedQuantity, AcceptedResult
 
@@ -19,20 +19,22 @@ RESULTS = {
 }
 
 
-def row(seen: Seen, printed: str = "2.0") -> Row:
-    one = Statement("Eq. 1", "what", printed, Standing.REPRODUCED, "", "m", lambda: 2.0, (seen,))
+def row(computed: Computed, printed: str = "2.0") -> Row:
+    one = Statement(
+        "Eq. 1", "what", printed, Assessment.REPRODUCED, "", "m", lambda: 2.0, (computed,)
+    )
     return rows(Paper("A", "B", "", (one,)), lambda case: RESULTS if case == "case" else {})[0]
 
 
 def test_codes_that_give_the_same_stand_together_each_at_its_finest() -> None:
-    assert row(Seen("case", "one", "x")).answers == (
+    assert row(Computed("case", "one", "x")).answers == (
         Answer("case:one", "2", ("a/default", "b/other")),
         Answer("case:one", "3", ("c/default",)),
     )
 
 
 def test_a_setting_that_is_asked_for_is_the_one_shown_where_a_code_has_its_knobs() -> None:
-    found = row(Seen("case", "one", "x", rung=Knobs(1e-3, 1e8)))
+    found = row(Computed("case", "one", "x", rung=Knobs(1e-3, 1e8)))
     assert [(a.text, a.codes) for a in found.answers] == [
         ("1", ("a/default",)),
         ("3", ("c/default",)),
@@ -40,25 +42,27 @@ def test_a_setting_that_is_asked_for_is_the_one_shown_where_a_code_has_its_knobs
 
 
 def test_errors_are_shown_in_per_cent_and_rounding_as_none() -> None:
-    found = row(Seen("case", "one", "x", Figure.ERROR, 100.0))
+    found = row(Computed("case", "one", "x", Figure.ERROR, 100.0))
     assert [a.text for a in found.answers] == ["25", "0"]
 
 
 def test_what_no_record_has_is_left_out() -> None:
-    assert row(Seen("case", "one", "y")).answers == ()
-    assert row(Seen("other", "one", "x")).answers == ()
+    assert row(Computed("case", "one", "y")).answers == ()
+    assert row(Computed("other", "one", "x")).answers == ()
 
 
 def test_standings_are_counted_in_their_order() -> None:
-    assert counted([row(Seen("case", "one", "x"))]) == {Standing.REPRODUCED: 1}
+    assert counted([row(Computed("case", "one", "x"))]) == {Assessment.REPRODUCED: 1}
 
 
 def test_numbers_have_the_power_of_ten_that_the_paper_prints_or_one_that_people_write() -> None:
     masses = {"one a/default": result(2.165064e7)}
 
     def shown(printed: str) -> str:
-        seen = (Seen("case", "one", "x"),)
-        one = Statement("Eq. 1", "mass", printed, Standing.REPRODUCED, "", "kg", lambda: 1.0, seen)
+        computed = (Computed("case", "one", "x"),)
+        one = Statement(
+            "Eq. 1", "mass", printed, Assessment.REPRODUCED, "", "kg", lambda: 1.0, computed
+        )
         return rows(Paper("A", "B", "", (one,)), lambda _: masses)[0].answers[0].text
 
     assert [shown(printed) for printed in ("21.651e6", "2.1651e7", "")] == [

@@ -9,14 +9,14 @@ import pytest
 
 from tests.conftest import tiny_project
 from tests.support.fabricated import changed, entry, manifest, record
-from vv.case.published import Paper, Seen, Standing, Statement
+from vv.case.published import Assessment, Computed, Paper, Statement
 from vv.insight.history import history
 from vv.insight.rows_of_run import rows_of_run
 from vv.plan.exact_numbers import with_exact_numbers
 from vv.plan.project import Project, find
 from vv.store.store import Store
 
-SEEN = (Seen("bounce", "T1", "y"),)
+SEEN = (Computed("bounce", "T1", "y"),)
 
 
 def paper(exact: float, asked: list[float]) -> Paper:
@@ -26,8 +26,8 @@ def paper(exact: float, asked: list[float]) -> Paper:
         asked.append(exact)
         return exact
 
-    one = Statement("Eq. 1", "what", "2.0", Standing.REPRODUCED, "", "m", number, SEEN)
-    return Paper("A", "B", "", (one, Statement("Eq. 2", "a", "1", Standing.OPEN, "no number")))
+    one = Statement("Eq. 1", "what", "2.0", Assessment.REPRODUCED, "", "m", number, SEEN)
+    return Paper("A", "B", "", (one, Statement("Eq. 2", "a", "1", Assessment.OPEN, "no number")))
 
 
 @pytest.fixture

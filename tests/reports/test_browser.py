@@ -26,7 +26,7 @@ from tests.support.fabricated import (
     record,
     with_external,
 )
-from vv.case.published import Paper, Standing
+from vv.case.published import Assessment, Paper
 from vv.insight.papers import Answer, Row
 from vv.store.store import Store
 
@@ -100,7 +100,7 @@ PAPERS = [
         Paper("Doe (2001)", "Doe, A paper", "", ()),
         [
             Row(place, "x", "1", "m", "1.0", (Answer("bounce:T1", "1", ("dem/default",)),), how, "")
-            for place, how in (("Eq. 2", Standing.REPRODUCED), ("Eq. 1", Standing.REPRODUCED))
+            for place, how in (("Eq. 2", Assessment.REPRODUCED), ("Eq. 1", Assessment.REPRODUCED))
         ],
     )
 ]

@@ -22,7 +22,7 @@ from tests.support.fabricated import (
 from tests.support.fabricated import manifest as manifest_of
 from tests.support.html_tags import Tags
 from vv.ask import Status
-from vv.case.published import Paper, Standing
+from vv.case.published import Assessment, Paper
 from vv.insight.papers import Answer, Row
 from vv.records.finding import Aspect, Bit, Change, Finding
 from vv.records.manifest import Manifest
@@ -63,7 +63,7 @@ PAPER = Paper("Doe (2001)", "Doe, A paper", "10.1/(x)", ())
 SAID = Row(
     "Eq. 1", "the height", "2.0", "m", "2.1",
     (Answer("bounce:T1", "2.1", ("dem/default",)), Answer("gone:T9", "7", ("old/one",))),
-    Standing.MISPRINT, "the last place",
+    Assessment.MISPRINT, "the last place",
 )  # fmt: skip
 
 

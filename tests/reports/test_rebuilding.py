@@ -100,7 +100,7 @@ def test_a_report_that_several_processes_write_is_that_of_one(
         html.build(manifest, store, folder)
         return {path.name: path.read_bytes() for path in folder.iterdir()}
 
-    monkeypatch.setattr("vv.base.several_cores.ALONE", -1.0)
+    monkeypatch.setattr("vv.base.parallel.ALONE", -1.0)
     one, several = made(1), made(3)
     assert one == several
     assert one.keys() - {"stamps.json"} == json.loads(one["stamps.json"]).keys()

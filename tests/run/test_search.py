@@ -23,7 +23,7 @@ from vv.ask import (
     Model,
     Observable,
     Run,
-    Sought,
+    SearchVariable,
     Status,
 )
 from vv.case import Interval, Ladder, Level, Search, largest_step, last_stable_step
@@ -222,7 +222,7 @@ class Overturned(Limited):
 def test_a_search_for_the_largest_shaking_multiplies_it_and_keeps_all_else(ends: bool) -> None:
     wave = Harmonic(np.array([2.0, 0.0, 0.0]), np.ones(3))
     scene = dataclasses.replace(SCENE, shaking=Pulse(wave, 0.5) if ends else wave)
-    bracket = Bracket(4.0, BOUND, 4, 6, Sought.SHAKING)
+    bracket = Bracket(4.0, BOUND, 4, 6, SearchVariable.SHAKING)
     rungs = dict.fromkeys(Level, (Knobs(0.1),))
     ask = Ladder(scene, History(1.0, 0.1), (BODY,), rungs, search=bracket).ask(Knobs(0.1))
     with tempfile.TemporaryDirectory() as folder:

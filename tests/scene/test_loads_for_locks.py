@@ -25,7 +25,7 @@ from vv.scene import (
     with_loads_for_locks,
     with_shaking_times,
 )
-from vv.scene.start import unbonded
+from vv.scene.initial_forces import unbonded
 
 LOCKED = TURNED[1]  # the direction that PARTLY locks in the turned axes
 FREE = TURNED[0]

@@ -127,7 +127,7 @@ def test_bodies_are_numbered_through_all_groups() -> None:
     ]  # fmt: skip
     assert [MIXED.sphere_index(body) for body in (1, 2, 4, 5, 6)] == [0, 1, 2, 3, 4]
     for body in (-1, 0, 3, 7):
-        with pytest.raises(ValueError, match=f"body {body} is no sphere .* which has 7 bodies"):
+        with pytest.raises(ValueError, match=f"body {body} is not a sphere .* which has 7 bodies"):
             MIXED.sphere_index(body)
 
 

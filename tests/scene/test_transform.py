@@ -31,7 +31,7 @@ from vv.scene import (
 )
 from vv.scene.arrays import freeze
 from vv.standins.clump import clumps
-from vv.standins.soften import softened
+from vv.standins.penalty_springs import softened
 from vv.standins.stand_in import spring_scene, without_rotations
 
 MORE = 7.25  # of the field that each class has got besides

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from vv.scene import Contact, Harmonic, Scene, Spheres, Wall
-from vv.standins.soften import friction_at_start
+from vv.standins.penalty_springs import friction_at_start
 
 AMPLITUDE, FREQUENCY, MASS, G = 0.01, 2.0, 3.0, 9.81
 START = AMPLITUDE * (2 * np.pi * FREQUENCY) ** 2  # m/s2, 1.58: how the wall begins

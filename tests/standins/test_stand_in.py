@@ -7,7 +7,7 @@ import dataclasses
 import numpy as np
 import pytest
 
-from tests.standins.test_soften import FLOOR, X, Z, ball, cube, rigid
+from tests.standins.test_penalty_springs import FLOOR, X, Z, ball, cube, rigid
 from vv.ask import Ask, Displacement, History, Knobs
 from vv.scene import Contact, Harmonic, Scene, Term, Wall, rotation_about_z
 from vv.standins.stand_in import SHEAR, spring_scene, why_no_spring_scene, without_rotations

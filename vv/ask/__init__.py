@@ -4,7 +4,7 @@ May import: base, scene.
 """
 
 from vv.ask.ask import Ask
-from vv.ask.goals import Bracket, History, Knobs, Sought
+from vv.ask.goals import Bracket, History, Knobs, SearchVariable
 from vv.ask.observables import (
     Displacement,
     Impulse,
@@ -30,7 +30,7 @@ __all__ = [
     "Observable",
     "Reaction",
     "Run",
-    "Sought",
+    "SearchVariable",
     "Status",
     "Strain",
     "Velocity",

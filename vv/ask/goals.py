@@ -66,8 +66,8 @@ class Knobs:
             raise ValueError(f"dd = {self.dd!r}; a step hands on a part between 0 and 1")
 
 
-class Sought(enum.Enum):
-    """What a search varies: the step [s], or by how much a scene's shaking is multiplied."""
+class SearchVariable(enum.Enum):
+    """What a search varies: the step [s], or the factor by which shaking is multiplied."""
 
     STEP = "dt"
     SHAKING = "times the shaking"
@@ -88,7 +88,7 @@ class Bracket:
     bound: float
     tries: int = 10
     rounds: int = 3
-    sought: Sought = Sought.STEP
+    variable: SearchVariable = SearchVariable.STEP
 
     def __post_init__(self) -> None:
         if not (np.isfinite(self.span) and self.span > 1):

@@ -27,8 +27,8 @@ def import_closure(files: Iterable[Path], roots: Iterable[Path]) -> tuple[Path, 
     """The files and all files of OUR_PACKAGES below `roots` that they import, also indirectly.
 
     Imports are read from the source text, also inside functions; nothing is executed. A package
-    brings the data files of its folder with it. `vv` lies in the last of the roots: a folder of
-    that name in a project is not what runs. Returns resolved paths, sorted.
+    includes the data files of its folder. `vv` is in the last of the roots: a folder `vv` in a
+    project is not the one that runs. Returns resolved paths, sorted.
     """
     places, seen = tuple(roots), set[Path]()
     waiting = [path.resolve() for path in files]

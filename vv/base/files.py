@@ -1,4 +1,4 @@
-"""Writes files atomically, reads what may be none, and writes output to where a user named."""
+"""Reads and writes files safely: atomic writes, only regular files read, devices preserved."""
 
 from __future__ import annotations
 
@@ -41,9 +41,9 @@ def read_whole(path: Path) -> bytes:
 
 
 def opened(path: Path) -> BinaryIO:
-    """A regular file to be read; raises OSError for what is none, and for more than LARGEST.
+    """A regular file opened to be read; raises OSError for any other, or one above LARGEST.
 
-    A pipe, which may never be written to, is not waited for, and no endless device is read.
+    So a pipe to which nobody writes does not block, and an endless device is not read.
     """
     handle = os.open(path, os.O_RDONLY | os.O_NONBLOCK | os.O_CLOEXEC)
     state = os.fstat(handle)
@@ -57,7 +57,7 @@ def opened(path: Path) -> BinaryIO:
 
 @contextlib.contextmanager
 def naming(place: str) -> Iterator[None]:
-    """Have an OSError say which place it is about, which those of a full disk do not."""
+    """Add the path to an OSError that has none, such as that of a full disk."""
     try:
         yield
     except OSError as error:
@@ -83,9 +83,9 @@ def write_output(path: Path, content: bytes) -> None:
 
 
 def check_output(path: Path) -> None:
-    """Raise the OSError that writing to this place would; asked before work is done for it.
+    """Raise the OSError that writing to this path would raise, before any work is done.
 
-    So if the folder does not exist: a mistyped path must not create one.
+    A missing folder is such an error: a mistyped path must not create a folder.
     """
     if str(path) == "-":
         return

@@ -1,7 +1,7 @@
 """Makes texts of unknown origin safe to print: control characters are shown, not executed.
 
-A program's output may hold sequences that steer a terminal, that end a line and forge the next
-one, or that no XML may contain; all that prints or writes for others asks here.
+The output of a program may contain sequences that control a terminal, that end a line and forge the
+next one, or that XML forbids. Everything that prints or writes such texts uses this module.
 """
 
 from __future__ import annotations
@@ -16,9 +16,9 @@ LINE_ENDS = re.compile("[ \t]*[\r\n\v\f\x1c-\x1e\x85\u2028\u2029][\\s\x1c-\x1e]*
 
 
 def printable(text: str) -> str:
-    """The text with each character that would be obeyed written as Python writes it, as \\x1b.
+    """The text with control characters written as Python escapes, such as \x1b.
 
-    Tabs and ends of lines stay.
+    Tabs and line breaks stay.
     """
     return text if text.isascii() and text.isprintable() else OBEYED.sub(_written, text)
 

@@ -14,11 +14,11 @@ OTHERS = stat.S_IWGRP | stat.S_IWOTH
 
 
 def cache_root(name: str) -> Path:
-    """The first folder of that name that can be used, made if need be for its owner alone.
+    """The first usable folder of that name, created for its owner alone if necessary.
 
-    It lies in VV_CACHE, in `vv` of the user's cache, or in a temporary folder of the user's own:
-    never with results, which are handed about. One that others may write to or own is passed
-    over with a word on standard error. Raises OSError if there is none.
+    It is in VV_CACHE, in `vv` of the user's cache, or in the user's own temporary folder; never
+    with results, which are shared. A folder that others own or may write to is skipped with a
+    notice on standard error. Raises OSError if none is usable.
     """
     for root in _roots():
         if _is_usable(root) and _is_usable(root / name):
@@ -27,7 +27,7 @@ def cache_root(name: str) -> Path:
 
 
 def why_not_trusted(folder: Path) -> str:
-    """Why code in a folder might not be what we put there; empty if only we can have."""
+    """Why others could have put code into a folder; empty if only this user could."""
     state = folder.stat()
     if state.st_uid != os.geteuid():
         return "another user owns it"

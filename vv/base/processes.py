@@ -1,6 +1,6 @@
-"""Ends processes with all that they started, also what has left their process group.
+"""Ends processes with all their descendants, also those that left their process group.
 
-Where there is no /proc, as on systems other than Linux, only process groups are ended.
+Without /proc, as on systems other than Linux, only process groups are ended.
 """
 
 from __future__ import annotations
@@ -18,15 +18,15 @@ ROUNDS = 20  # of killing: who is killed may just have started another
 
 
 def adopt_orphans() -> None:
-    """Make this process the parent of what its descendants leave behind; only Linux can."""
+    """Make this process the parent of orphaned descendants; works on Linux only."""
     with contextlib.suppress(OSError, AttributeError):
         ctypes.CDLL(None).prctl(SUBREAPER, 1)
 
 
 def end_children() -> None:
-    """End all that this process has started or adopted; nearly free if there is nothing.
+    """End all that this process has started or adopted; almost free if there is nothing.
 
-    Only for a process that waits for no child any more.
+    Call it only if the process no longer waits for any child.
     """
     with contextlib.suppress(ChildProcessError):  # there is none
         while True:
@@ -37,9 +37,10 @@ def end_children() -> None:
 
 
 def end_with_descendants(pid: int) -> None:
-    """End a process that still runs, with all that it started; it starts no other meanwhile.
+    """End a running process and its descendants; it is stopped first, so it starts no more.
 
-    It is not left stopped by a signal to us that comes in between: it could not be asked to end.
+    If a signal to this process interrupts this, the process is not left stopped, since it could
+    then not be asked to end.
     """
     try:
         with contextlib.suppress(ProcessLookupError, PermissionError):

@@ -1,7 +1,7 @@
 """Generates functions that make objects from plain data, as `dataclasses` generates methods.
 
-Nearly all values of records are plain, and there are a million of them in a report: a function
-written for a class tests them where they stand, and calls the reader of a field for others only.
+Nearly all values of records are plain, and a report has a million of them. A function generated for
+a class tests plain values inline, and calls the reader of a field only for other values.
 """
 
 from __future__ import annotations
@@ -27,9 +27,10 @@ def class_reader(
     readers: Mapping[str, Reader],
     words: Callable[[Any], Mapping[str, Any] | None],
 ) -> Reader:
-    """What makes an object of a class of its fields by name; raises KeyError for other fields.
+    """A function that makes an object of a class from its fields by name; KeyError for others.
 
-    words: the members by their words of a closed list, None for any other hint; see `_read`.
+    words: for fields with a fixed list of words, the members by word; None for any other type; see
+    `_read`.
     """
     known: dict[str, Any] = {"kind": kind}
     parts = []

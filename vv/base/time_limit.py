@@ -1,4 +1,4 @@
-"""Ends a calculation that takes too much of the processor's time."""
+"""Ends a calculation that takes too much CPU time."""
 
 from __future__ import annotations
 
@@ -15,9 +15,9 @@ class TooLongError(RuntimeError):
 
 @contextlib.contextmanager
 def time_limit(seconds: float) -> Iterator[None]:
-    """Raise TooLongError in the body once it has taken so many seconds of the processor.
+    """Raise TooLongError in the body after this many CPU seconds.
 
-    Only the main thread can be ended so; in others there is no limit.
+    This works in the main thread only; in other threads there is no limit.
     """
     if threading.current_thread() is not threading.main_thread():
         yield

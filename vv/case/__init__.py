@@ -6,11 +6,11 @@ May import: base, scene, ask.
 from vv.case.case import (
     Case,
     Check,
+    EnergyAllowance,
     Parameter,
     Parameters,
     Source,
     Trial,
-    Unexplained,
     Variant,
 )
 from vv.case.code_to_code import CodeToCode, Printed
@@ -28,10 +28,10 @@ from vv.case.judges import (
     judge_for_method,
 )
 from vv.case.measured import Measured, Measurement
+from vv.case.motion_readers import ComponentAlong, RotationAbout
 from vv.case.quantity import Count, Quantity, Scalar, Series, at_rest, error_scale, evaluated
 from vv.case.region_map import RegionMap
 from vv.case.remembered import remembered
-from vv.case.seen import Along, Turn
 from vv.case.study import (
     Grid,
     Ladder,
@@ -45,11 +45,12 @@ from vv.case.study import (
 
 __all__ = [
     "LARGEST_TOLERANCE",
-    "Along",
     "Case",
     "Check",
     "CodeToCode",
+    "ComponentAlong",
     "Count",
+    "EnergyAllowance",
     "Exact",
     "Grid",
     "Interval",
@@ -66,6 +67,7 @@ __all__ = [
     "Printed",
     "Quantity",
     "RegionMap",
+    "RotationAbout",
     "Scalar",
     "Search",
     "Series",
@@ -74,8 +76,6 @@ __all__ = [
     "Study",
     "Tolerance",
     "Trial",
-    "Turn",
-    "Unexplained",
     "Variant",
     "at_rest",
     "error_scale",

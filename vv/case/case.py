@@ -44,10 +44,10 @@ class Parameter:
 class Variant:
     """A named version of a case; `Case.declare` receives its name.
 
-    formula: the equations of the exact answer, as text. defaults: parameters whose default
-    differs from the case's. inert: parameters that do not affect the exact answer. level: the
-    lowest level at which the variant runs. unseen: parameters, not inert, of which 1 % more or less
-    in a code shows in no quantity, each with the reason.
+    formula: the equations of the exact answer, as text. defaults: parameters whose default differs
+    from that of the case. inert: parameters that do not affect the exact answer. level: the lowest
+    level at which the variant runs. unseen: parameters that are not inert, but for which no
+    quantity detects a change of 1 % in a code, each with the reason.
     """
 
     name: str
@@ -64,12 +64,12 @@ class Variant:
 
 
 @dataclass(frozen=True)
-class Unexplained:
-    """What energy a code may leave unexplained, or gain by what should dissipate it.
+class EnergyAllowance:
+    """The energy that a code may leave unexplained, or gain from terms that should dissipate it.
 
-    It takes the place of the bound that a scheme promises, rounding mostly, in the classes of
-    method that have a tolerance, where that is larger; each is a part of `scale` [J].
-    Raises ValueError unless the scale is positive.
+    It replaces the bound that a scheme declares, usually rounding, where it is larger and the class
+    of method has a tolerance here. The tolerances are relative to `scale` [J]. Raises ValueError
+    unless the scale is positive.
     """
 
     scale: float
@@ -77,10 +77,10 @@ class Unexplained:
 
     def __post_init__(self) -> None:
         if not 0 < self.scale < math.inf:
-            raise ValueError(f"Unexplained.scale = {self.scale!r} J; it must be positive")
+            raise ValueError(f"EnergyAllowance.scale = {self.scale!r} J; it must be positive")
 
     def at(self, method: Method, knobs: Knobs) -> float:
-        """The energy [J] allowed to a class of method at a setting; 0 without a tolerance."""
+        """The energy [J] that a class of method is allowed at a setting; 0 without a tolerance."""
         tolerance = self.tolerances.get(method)
         return self.scale * tolerance.at(knobs) if tolerance else 0.0
 
@@ -89,13 +89,13 @@ class Unexplained:
 class Trial:
     """A variant with values for all parameters: the study to run and the quantities to judge.
 
-    regions: the map of regions that some of the quantities ask points of, for the report. phase:
-    names of two quantities over time, of which the report draws the second over the first.
+    regions: the map, for the report, in which some of the quantities are points. phase: names of
+    two quantities over time; the report plots the second over the first.
     """
 
     study: Study
     quantities: tuple[Quantity, ...]
-    unexplained: Unexplained | None = None
+    unexplained: EnergyAllowance | None = None
     regions: RegionMap | None = None
     phase: tuple[str, str] | None = None
 

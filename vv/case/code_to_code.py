@@ -1,4 +1,4 @@
-"""Answers of other codes as references: what one printed, to which digit, and what judges by it."""
+"""Printed answers of other codes as references, and the judge that compares with them."""
 
 from __future__ import annotations
 
@@ -8,11 +8,11 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class Printed:
-    """What another code answered, in the unit of its quantity, as it is printed.
+    """The printed answer of another code, in the unit of its quantity.
 
-    rounding: half of its last digit, or how well it could be read; code: which one, and its case;
-    source: where it is printed.
-    Raises ValueError for a value or a rounding that is no number, or a code without a name.
+    rounding: half of its last digit, or the accuracy with which it could be read; code: the code
+    and its case; source: where it is printed. Raises ValueError if the value or the rounding is not
+    finite, or the code has no name.
     """
 
     value: float
@@ -31,11 +31,11 @@ class Printed:
 
 @dataclass(frozen=True)
 class CodeToCode:
-    """Judge: the value must lie within `band` of another code's; None: it is shown beside it.
+    """Judge: the value must lie within `band` of another code's; with None it is only shown.
 
-    Agreement shows that both do the same, and not that either is right: that is what exact answers
-    are for. The band says by how much they may differ, and why: what they do otherwise.
-    Raises ValueError for a band below the rounding of what is printed.
+    Agreement shows that both codes do the same, not that either is right, which only an exact
+    answer can show. The reason of the band says how the two codes differ. Raises ValueError for a
+    band below the rounding of the printed value.
     """
 
     answer: Printed

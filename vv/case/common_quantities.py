@@ -10,9 +10,9 @@ import numpy as np
 
 from vv.ask import Bracket, Observable, Run
 from vv.case.judges import Judge
+from vv.case.motion_readers import ComponentAlong
 from vv.case.quantity import Scalar, Series, at_rest
 from vv.case.remembered import remembered
-from vv.case.seen import Along
 from vv.scene import Vector
 
 
@@ -20,8 +20,8 @@ from vv.scene import Vector
 class Motion:
     """An observable [unit] along axes (d, 3), and its exact history: path(t (k,) [s]) -> (k, d).
 
-    times: (k,) [s], at which the largest norm of the exact history is looked for. still [unit]: a
-    size in place of that of a history without motion, as parameters may make it; see `Series`.
+    times: (k,) [s] at which the largest norm of the exact history is searched. still [unit]: the
+    scale of errors if there is no motion at the chosen parameters; see `Series`.
     """
 
     observable: Observable
@@ -49,7 +49,7 @@ class Motion:
             symbol=name,
             unit=self.unit,
             meaning=meaning,
-            observe=Along(self.observable, self.axes[i]),
+            observe=ComponentAlong(self.observable, self.axes[i]),
             reference=lambda t: self.exact(t)[:, i],
             judge=judge,
             scale=lambda: self.size,

@@ -28,12 +28,11 @@ LARGEST_TOLERANCE = 0.1  # relative error; a larger one is wrong at any step
 class Tolerance:
     """A bound on a relative error and the reason for it.
 
-    value: the bound at the step dt [s] and at the stiffness kn [N/m] of springs that stand for
-    rigid contact. It scales as dt**order and kn**-softness with the setting; late [1/s] times the
-    step is added to that, for what begins or ends on whole steps; but the bound is never below
-    floor nor above LARGEST_TOLERANCE. slack: the reason, if the bound is more than a hundred
-    times the error that codes reach.
-    Raises ValueError naming the field, the value and the rule.
+    value: the bound at the step dt [s] and at the stiffness kn [N/m] of springs that represent
+    rigid contact. It scales as dt**order and kn**-softness with the setting. late [1/s] times the
+    step is added, for events that take effect only at whole steps. The bound is never below `floor`
+    nor above LARGEST_TOLERANCE. slack: the reason, if the bound is more than a hundred times the
+    error that codes reach. Raises ValueError naming the field, the value and the rule.
     """
 
     value: float
@@ -84,7 +83,7 @@ class Exact:
     """Judge: the error against the reference must be within the tolerance of the class of method.
 
     not_judged: class of method -> the reason why its result is shown and not judged. A class that
-    neither names, such as a leapfrog, is judged as its general one.
+    is in neither mapping, such as a leapfrog, is judged as its general class.
     """
 
     tolerances: Mapping[Method, Tolerance]
@@ -140,7 +139,7 @@ ELSEWHERE = "the parameters are not those of what was measured, or answered by a
 
 
 def judge_at_other_parameters(judge: Judge) -> Judge:
-    """The judge at other parameters than the case's own: Shown, where they are not known to it."""
+    """The judge at parameters other than the case's own: Shown, if no answer is known there."""
     if isinstance(judge, CodeToCode) or (isinstance(judge, Measured) and not judge.law):
         return Shown(ELSEWHERE)
     return judge

@@ -1,4 +1,4 @@
-"""Measurements as references: a value, how uncertain it is and why, and what judges by it."""
+"""Measurements as references, with their uncertainties, and the judge that compares with them."""
 
 from __future__ import annotations
 
@@ -10,11 +10,11 @@ from dataclasses import dataclass
 class Measurement:
     """A measured value, in the unit of its quantity, with standard uncertainties.
 
-    digitisation: of reading it off a print; experiment: of the value printed, or of its scatter.
-    conditions: of the experiment; source: where it is published, and who read it off. over, at:
-    the condition that was varied, with its unit, and its value here; '' and None if none was.
-    Raises ValueError unless the uncertainties are finite, not negative and not both zero: a number
-    without any is no measurement.
+    digitisation: of reading the value from a figure; experiment: of the published value, or its
+    scatter. conditions: of the experiment; source: where it is published, and who digitised it.
+    over, at: the condition that was varied, with its unit, and its value here; '' and None if none
+    was. Raises ValueError unless the uncertainties are finite, not negative and not both zero,
+    since every measurement is uncertain.
     """
 
     value: float
@@ -43,13 +43,13 @@ class Measurement:
 
 @dataclass(frozen=True)
 class Measured:
-    """Judge: the value must lie within `band` of a measurement; None: it is shown beside it.
+    """Judge: the value must lie within `band` of a measurement; with None it is only shown.
 
-    The band says what the model may miss, with the reason; it is no tolerance of a method: a code
-    that solves the model exactly may lie anywhere in it, and outside if the model does not hold.
-    law: whether the measurement is worked out from the parameters, by a law that was measured;
-    else it holds for the case's own alone, and at others nothing is compared with it.
-    Raises ValueError for a band below the uncertainty of the measurement.
+    The band is the deviation that the model may have, with the reason. It is not a tolerance of a
+    method: a code that solves the model exactly may lie anywhere in the band, and outside if the
+    model does not hold. law: whether the measurement is a measured law that is evaluated at the
+    parameters; otherwise it holds for the parameters of the case only, and nothing is compared with
+    it at others. Raises ValueError for a band below the uncertainty of the measurement.
     """
 
     measurement: Measurement

@@ -1,4 +1,4 @@
-"""The statements that a paper publishes, and what is known to be right of each."""
+"""The statements that a paper publishes, and an assessment of each."""
 
 from __future__ import annotations
 
@@ -13,8 +13,8 @@ from vv.ask import Knobs
 LEADING = re.compile(r"[<>~]?\s*(-?\d+(?:\.\d*)?(?:e-?\d+)?)")
 
 
-class Standing(enum.Enum):
-    """What became of a published statement; the value is the word shown to people."""
+class Assessment(enum.Enum):
+    """Whether a published statement is right; the value is the phrase shown to people."""
 
     REPRODUCED = "reproduced"
     DIFFERS = "not reproduced"
@@ -23,13 +23,13 @@ class Standing(enum.Enum):
     OPEN = "cannot be computed"
 
     def counted(self, count: int) -> str:
-        """The number of statements of which this became, in words."""
-        plural = "s" if self is Standing.MISPRINT and count != 1 else ""
+        """A number of statements with this assessment, in words."""
+        plural = "s" if self is Assessment.MISPRINT and count != 1 else ""
         return f"{count} {self.value}{plural}"
 
 
 class Figure(enum.Enum):
-    """Which number of a quantity answers a statement; the value is its name in stored results."""
+    """The number of a quantity that a statement gives; the value is its name in stored results."""
 
     VALUE = "value"
     FINAL = "final"
@@ -37,10 +37,11 @@ class Figure(enum.Enum):
 
 
 @dataclass(frozen=True)
-class Seen:
-    """Where codes answer a statement: a quantity of CASE:VARIANT, at one rung or at the finest.
+class Computed:
+    """Where codes compute the number of a statement: a quantity of CASE:VARIANT at a rung.
 
-    times: what the figure is multiplied by to be in the statement's unit, 100 for per cent.
+    rung: None means the finest. times: the factor that converts the number to the unit of the
+    statement, such as 100 for per cent.
     """
 
     case: str
@@ -55,33 +56,32 @@ class Seen:
 class Statement:
     """One published number or claim.
 
-    place: figure, equation or section. printed: as the paper has it, beginning with its number if
-    it has one. unit: of that number and of what stands beside it. exact: the right number, or words
-    where there is none. why: what makes it a misprint or wrong, or what is missing; a reproduced
-    statement needs none. close: how far the exact number of a reproduced statement may be from
-    the printed one, if not half a unit of its last place. Raises ValueError for a statement without
-    a reason that needs one.
+    place: figure, equation or section. printed: the text in the paper, beginning with its number if
+    it has one. unit: of that number and of those compared with it. exact: the right number, or
+    words if there is none. why: the reason for any assessment other than reproduced. close: how far
+    the exact number of a reproduced statement may be from the printed one, if not half a unit of
+    its last place. Raises ValueError if a required reason is missing.
     """
 
     place: str
     what: str
     printed: str
-    standing: Standing
+    assessment: Assessment
     why: str = ""
     unit: str = ""
     exact: Callable[[], float] | str = ""
-    seen: tuple[Seen, ...] = ()
+    computed: tuple[Computed, ...] = ()
     close: float | None = None
 
     def __post_init__(self) -> None:
-        if self.standing is not Standing.REPRODUCED and not self.why:
+        if self.assessment is not Assessment.REPRODUCED and not self.why:
             raise ValueError(
-                f"{self.place}, {self.what}: why = ''; what is {self.standing.value} has a reason"
+                f"{self.place}, {self.what}: why = ''; what is {self.assessment.value} has a reason"
             )
 
     @property
     def number(self) -> float | None:
-        """The printed number; None where the statement has none, or a bound."""
+        """The printed number; None if the statement has none, or only a bound."""
         found = LEADING.match(self.printed)
         return float(found[1]) if found and self.printed[0] not in "<>" else None
 

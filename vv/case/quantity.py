@@ -32,7 +32,7 @@ REST = 1e-12  # of the way that stands for none: a reference below it is rest, a
 
 
 def at_rest(largest: float, still: float | None) -> bool:
-    """Whether a reference of this largest size is none but for rounding; still: see `Series`."""
+    """Whether a reference of this largest size is zero except for rounding; still: see `Series`."""
     return largest == 0 or (still is not None and largest <= REST * still)
 
 
@@ -40,8 +40,9 @@ def at_rest(largest: float, still: float | None) -> bool:
 class Series:
     """A quantity over time: observe(run) -> (k,) at run.times; reference(t (k,) [s]) -> (k,).
 
-    scale: what errors are relative to, in place of max|reference|. still: what they are relative to
-    where the reference is zero throughout, or rounding of `still`, as parameters may make it.
+    scale: what errors are relative to, in place of max|reference|. still: the scale of errors if
+    the reference is zero throughout, or no larger than the rounding of `still`, as it can be at
+    some parameters.
     """
 
     name: str

@@ -1,4 +1,4 @@
-"""A plane of two parameters, divided by borders into regions, in which quantities are points."""
+"""A plane of two parameters that borders divide into regions; quantities are points in it."""
 
 from __future__ import annotations
 
@@ -11,12 +11,12 @@ Place = tuple[float, float]
 
 @dataclass(frozen=True, slots=True)
 class RegionMap:
-    """Regions and their borders, and which quantity says in which region a point is found.
+    """Regions and their borders, and the quantities that say in which region a point lies.
 
-    x, y: what lies along the axes, with units. modes: the word for each value 0, 1, ... that the
-    quantities take. borders: exact lines, each through two places or more. points: name of a
-    quantity -> the point that it asks. Raises ValueError for a border of less than two places or a
-    place that is not finite.
+    x, y: labels of the axes, with units. modes: the word for each value 0, 1, ... of the
+    quantities. borders: exact curves, each through two or more points. points: name of a quantity
+    -> its point. Raises ValueError for a border of fewer than two points or a point that is not
+    finite.
     """
 
     x: str

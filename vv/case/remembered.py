@@ -14,10 +14,9 @@ LATEST = 16  # sets of times for which a history is kept: outputs of a few setti
 
 
 def remembered(history: Callable[[Vector], T]) -> Callable[[Vector], T]:
-    """The same function of times (k,), evaluated once for the same times.
+    """A function of times (k,) that is evaluated once for the same times.
 
-    Arrays that it returns, alone or in a tuple, are made read-only, since they are handed out
-    again.
+    Returned arrays, alone or in a tuple, are made read-only, because they are shared.
     """
     known: dict[bytes, T] = {}
 

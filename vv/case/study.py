@@ -7,7 +7,7 @@ import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 
-from vv.ask import Ask, Bracket, History, Knobs, Observable, Sought
+from vv.ask import Ask, Bracket, History, Knobs, Observable, SearchVariable
 from vv.scene import Scene
 from vv.scene.energy import Form
 
@@ -35,10 +35,11 @@ class Ladder:
     """One scene at finer and finer settings, each judged against the reference.
 
     rungs: level -> settings, coarsest first. timed: the settings that timing sessions measure.
-    energies: forms of energy of the scene to be reported over time. search: None, or the bracket in
-    which each setting searches for the largest shaking that leaves the scene stable, from what it
-    has upwards. cpu_limit: CPU time allowed for a setting [s]; one that would take longer, by the
-    pace that a scheme states, is not run and its record says so.
+    energies: forms of energy of the scene that are to be reported over time. search: None, or the
+    bracket in which each setting searches for the largest shaking under which the scene stays
+    stable, upwards from that of the scene. cpu_limit: CPU time allowed for a setting [s]; a setting
+    that would take longer, according to the pace that a scheme declares, is not run, and its record
+    says so.
     """
 
     scene: Scene
@@ -51,8 +52,8 @@ class Ladder:
     search: Bracket | None = None
 
     def __post_init__(self) -> None:
-        if self.search is not None and self.search.sought is not Sought.SHAKING:
-            raise ValueError("Ladder.search.sought = STEP; a ladder has steps of its own")
+        if self.search is not None and self.search.variable is not SearchVariable.SHAKING:
+            raise ValueError("Ladder.search.variable = STEP; a ladder has steps of its own")
         missing = [level.value for level in Level if not self.rungs.get(level)]
         if missing:
             raise ValueError(
@@ -69,7 +70,7 @@ class Search:
     """A search for the largest stable step of one scene, from dt [s] upwards.
 
     A run that diverges is a result here, not a failure. Each run takes `steps` steps. kn: the
-    stiffness of springs that stand for rigid contact [N/m], if the contact is rigid.
+    stiffness of springs that represent rigid contact [N/m], if the contact is rigid.
     """
 
     scene: Scene
@@ -110,11 +111,11 @@ SEARCH_OUTPUTS = 20  # in each run of a search; a step is judged by the largest 
 class Grid:
     """A map: one scene at several stiffnesses, and at steps in units of its critical step.
 
-    A run that diverges is a result here, not a failure; a step that a code refuses only because it
-    is long is run all the same. steps: level -> steps over critical(kn) [s]; kn: level ->
-    stiffnesses of springs that stand for rigid contact [N/m], None for a scene with elastic
-    contact. scene_with_kn: kn -> the scene with that stiffness, if kn is part of the scene and no
-    knob. cpu_limit: as in Ladder.
+    A run that diverges is a result here, not a failure. A step that a code refuses only because it
+    is long is run nevertheless. steps: level -> steps over critical(kn) [s]; kn: level ->
+    stiffnesses of springs that represent rigid contact [N/m], None for a scene with elastic
+    contact. scene_with_kn: kn -> the scene with that stiffness, if kn is part of the scene and not
+    a knob. cpu_limit: as in Ladder.
     """
 
     scene: Scene

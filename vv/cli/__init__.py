@@ -1,6 +1,6 @@
 """The command line: the only place that puts the parts together and prints.
 
-May import: base, scene, ask, case, codes, growth, store, plan, records, gate, run, insight,
+May import: base, scene, ask, case, codes, scaling, store, plan, records, gate, run, insight,
 output, reports.
 """
 

@@ -101,10 +101,10 @@ def _timed_part(plan: Plan, call: SpeedCall) -> Plan:
 
 def _scale(codes: str, largest: int, json_file: Path | None) -> None:
     """Measure how costs grow with the number of spheres; each size is printed once measured."""
-    from vv.growth import scaling_table
-    from vv.growth.measured import FEWEST, can_step, costs_by_size, label
     from vv.plan.selection import choose_schemes, named_adapters
     from vv.records import codec
+    from vv.scaling import scaling_table
+    from vv.scaling.measured import FEWEST, can_step, costs_by_size, label
 
     if largest < FEWEST:
         raise UsageError(f"--scaling {largest}: it starts at {FEWEST} spheres")

@@ -11,7 +11,7 @@ import typer
 from vv.base.errors import UsageError
 from vv.output.terminal import say
 from vv.plan.project import find
-from vv.plan.start import Language
+from vv.plan.templates import Language
 
 
 class Kind(enum.Enum):
@@ -37,11 +37,11 @@ def new(
 
     A code is written where you are, a case into your project.
     """
-    from vv.plan import imports, start
+    from vv.plan import imports, templates
 
     name = (name or NAMES[kind]).replace("-", "_")
     if kind is Kind.CODE:
-        for path in start.program(Path.cwd(), name, language):
+        for path in templates.program(Path.cwd(), name, language):
             say(f"written: {path.name}")
         if language is Language.C:
             say(f"to build it: cc -O2 -o {name} {name}.c -lm")
@@ -50,7 +50,7 @@ def new(
     project = find()
     if project.root == imports.OWN:
         raise UsageError(f"{project.root} is not a project of your own; `vv init` makes one")
-    for path in start.case(project.root, name):
+    for path in templates.case(project.root, name):
         say(f"written: {path.relative_to(project.root)}")
     say(f"then: vv gate {name.replace('_', '-')}")
 
@@ -59,8 +59,8 @@ def init(
     folder: Annotated[Path, typer.Argument(help="The folder of the project.")] = Path("."),
 ) -> None:
     """Make a folder a project: its cases and codes are added to those of vv."""
-    from vv.plan import start
+    from vv.plan import templates
 
-    for path in start.project(folder):
+    for path in templates.project(folder):
         say(f"written: {path}")
     say("then: vv new case, or a TOML file of a program in adapters/; `vv list` shows all cases")

@@ -9,7 +9,7 @@ from typing import Protocol
 
 import numpy as np
 
-from vv.ask import Ask, Displacement, Method, Model, Run, Sought, Status, Velocity
+from vv.ask import Ask, Displacement, Method, Model, Run, SearchVariable, Status, Velocity
 from vv.scene import Form, Scene, Term, in_frame
 
 # The classes of a leapfrog with springs where a scene has rigid contact, and where dashpots take
@@ -26,10 +26,10 @@ class Scheme:
     """One way in which a code solves scenes.
 
     knobs: names of the fields of Knobs it has. terms: what it supports. method: its class;
-    `lowered` names the terms in whose presence it is declared to be of another class.
-    observables: the kinds it can report; energies: the forms it can report over time. why_not: in
-    the code's own words, why it lacks a term; raises ValueError for one that it has. pace: CPU
-    seconds that a step takes, and besides for each body, about; nil where nothing is left out.
+    `lowered` names the terms with which it is declared to be of another class. observables: the
+    kinds it can report; energies: the forms it can report over time. why_not: why it lacks a term,
+    in the code's own words; raises ValueError for a term that it has. pace: approximate CPU seconds
+    per step, and in addition per step and body; zero if no setting is to be left out.
     """
 
     name: str
@@ -56,9 +56,9 @@ class Scheme:
 class Found:
     """Whether a code can run here.
 
-    files: what its results depend on besides our sources. load: brings into memory what every
-    worker of it needs, once, before they are forked. waits: whether its program, once it has
-    answered, waits in its worker for more (`vv.codes.reused_program`).
+    files: what its results depend on besides our sources. load: loads into memory what every worker
+    needs, once, before workers are forked. waits: whether its program, after an answer, waits in
+    its worker for more asks (`vv.codes.reused_program`).
     """
 
     installed: bool
@@ -71,9 +71,9 @@ class Found:
 
     @property
     def worker_stays(self) -> bool:
-        """Whether a worker may take more batches of it: no program is left that has its work done.
+        """Whether a worker may take more batches: none of its programs ends with a batch.
 
-        What has no files is computed in the worker itself.
+        A code without files is computed in the worker itself.
         """
         return self.waits or not self.files
 
@@ -93,20 +93,20 @@ class Adapter(Protocol):
         """Look for the code on this machine; cheap, no imports of heavy libraries."""
 
     def refuses(self, ask: Ask, scheme: str) -> str | None:
-        """Why an ask whose terms are all supported is not supported all the same; else None."""
+        """Why an ask is refused although all its terms are supported; else None."""
 
     def describe(self, ask: Ask, scheme: str) -> Model:
-        """What would be built for an ask: unknowns, terms, and the mapping in words."""
+        """The model that would be built for an ask: unknowns, terms, and the mapping in words."""
 
     def native(self, ask: Ask, scheme: str) -> str:
-        """The code's own input for an ask, which runs alone; in-house: a Python script."""
+        """The code's own input for an ask, which runs alone; for in-house codes a Python script."""
 
     def run(self, asks: Sequence[Ask], scheme: str, scratch: Path, repeat: float) -> Iterator[Run]:
         """Yield one Run per ask, in order, each as soon as it is there.
 
-        scratch: an empty folder of its own. repeat: 0 for one solve; else solves are repeated
-        for about that many CPU seconds and the least is reported in Cost. Nothing but the cost of
-        such a run is used: a code whose solves write nothing while they are timed gives no values.
+        scratch: an empty folder. repeat: 0 for one solve; otherwise solves are repeated for about
+        that many CPU seconds, and the smallest cost is reported. Only the cost of such a run is
+        used: a code that writes no output while it is timed returns no values.
         """
 
 
@@ -134,7 +134,7 @@ def _lacked(scheme: Scheme, term: Term) -> str:
 def no_steps(ask: Ask) -> str | None:
     """Why the steps do not fit an ask: longer than its duration, or none to search among."""
     dt = ask.knobs.dt
-    if dt is None and ask.search is not None and ask.search.sought is Sought.STEP:
+    if dt is None and ask.search is not None and ask.search.variable is SearchVariable.STEP:
         return "it has no step, of which the largest stable one is searched"
     if dt is None or ask.goal.steps(dt) > 0:
         return None
@@ -147,7 +147,7 @@ def no_drag(scene: Scene) -> str | None:
 
 
 def no_sphere(ask: Ask, scene: Scene) -> str | None:
-    """Why a code of spheres cannot report an observable: it belongs to a body that is no sphere."""
+    """Why a code of spheres cannot report an observable: its body is not a sphere."""
     try:
         for seen in ask.observables:
             scene.sphere_index(seen.body)
@@ -157,7 +157,7 @@ def no_sphere(ask: Ask, scene: Scene) -> str | None:
 
 
 def behind_wall(scene: Scene) -> str | None:
-    """Why a code whose walls are surfaces refuses a scene: a sphere's centre lies behind one."""
+    """Why a code with walls as surfaces refuses a scene: a sphere's centre is behind a wall."""
     for number, wall in enumerate(scene.walls):
         height = (scene.spheres.position - wall.point) @ wall.normal
         if height.min() <= 0:
@@ -169,7 +169,7 @@ def behind_wall(scene: Scene) -> str | None:
 
 
 def turned_spin_lock(scene: Scene, what_locks: str) -> str | None:
-    """Why a code that locks rotation about its own axes only refuses a scene."""
+    """Why a code that can lock rotation only about its own axes refuses a scene."""
     partly = any(free.any() and not free.all() for free in scene.spheres.free_spin)
     mixed = any(in_frame(scene.axes, block.free_spin) is None for block in scene.blocks)
     if mixed or (partly and not np.array_equal(scene.axes, np.eye(3))):

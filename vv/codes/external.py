@@ -1,7 +1,7 @@
-"""Runs external programs in folders, finds out why they ended, and goes on with their batch.
+"""Runs external programs in folders, finds out why they ended, and continues their batch.
 
 Time limits belong to the runner, which ends the worker's process group and all descendants; a
-program is therefore started in that same group.
+program is therefore started in the same group.
 """
 
 from __future__ import annotations
@@ -47,10 +47,9 @@ def start(
 ) -> Process:
     """Start a command in a folder, on one thread, with home and temporary folder there too.
 
-    Standard output and error go to a log file of its own in the folder, program-N.log; errors: a
-    file for the latter, if it is wanted apart. extra: further environment variables. stdin: as
-    `subprocess.Popen` takes it; what is written there goes out at once. Raises OSError if the
-    command cannot be started.
+    Standard output and error go to a log file in the folder, program-N.log; errors: a separate file
+    for standard error, if wanted. extra: further environment variables. stdin: as for
+    `subprocess.Popen`; it is not buffered. Raises OSError if the command cannot be started.
     """
     log = folder / f"program-{len(list(folder.glob('program-*.log')))}.log"
     own = {"HOME": str(folder), "TMPDIR": str(folder), "OMP_NUM_THREADS": "1"}
@@ -69,7 +68,7 @@ def start(
 
 
 def await_end(program: Process, folder: Path) -> str | None:
-    """Wait till a program ends; None, or why it was ended: it wrote too much into its folder."""
+    """Wait until a program ends; None, or the reason if it was stopped for too much output."""
     ended = False
     while not ended:
         with contextlib.suppress(subprocess.TimeoutExpired):
@@ -93,7 +92,7 @@ def sizes(folder: Path) -> Iterator[tuple[Path, int]]:
 
 
 def stop(program: Process, patience: float = 0.0) -> None:
-    """Wait `patience` seconds for a program to end by itself, then end it and what it started."""
+    """Wait `patience` seconds for a program to end by itself, then end it and its children."""
     try:
         program.process.wait(patience)
     except subprocess.TimeoutExpired:
@@ -143,19 +142,19 @@ Dismiss = Callable[[Process, bool], None]
 
 
 def end(program: Process, whole: bool) -> None:
-    """End a program; one that has answered the whole of its asks may take a moment for that."""
+    """End a program; if it has answered all its asks, give it a moment to end by itself."""
     stop(program, FAREWELL if whole else 0.0)
 
 
 def run_batch(
     count: int, launch: Launch, collect: Collect, dismiss: Dismiss = end
 ) -> Iterator[Run]:
-    """Yield one Run per ask 0 .. count - 1, in order, from one program or, failing that, more.
+    """Yield one Run per ask 0 .. count - 1, in order, from one program or, if needed, more.
 
-    launch(indices) starts a program that answers those asks in that order; collect(index,
-    program) is what it answered, None as long as there is no whole answer; dismiss(program, whole)
-    is the end of it. Where a program ends early its finished asks stand, the one in flight fails
-    with the program's ending as the reason, and the rest are rerun alone, one program each.
+    launch(indices) starts a program that answers those asks in that order; collect(index, program)
+    returns an answer, or None while it is incomplete; dismiss(program, whole) ends the program. If
+    a program ends early, its finished asks are kept, the ask in progress fails with the reason why
+    the program ended, and the rest are rerun, one program each.
     """
     answered = 0
     for run in _answers(range(count), launch, collect, dismiss):

@@ -1,7 +1,7 @@
-"""Runs codes that are Python packages, each in an environment of its own.
+"""Runs codes that are Python packages, each in a separate environment.
 
-`make setup CODES=NAME` makes the environment .codes/NAME. A driver runs in it as one script, put
-together from `vv.codes.served` and the driver, and nothing of vv is imported there.
+`make setup CODES=NAME` makes the environment .codes/NAME. A driver runs in it as one script, which
+joins `vv.codes.driver_protocol` and the driver; nothing of vv is imported there.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from typing import Any
 import numpy as np
 
 from vv.ask import Ask, Cost, Model, Run, Status
-from vv.codes import external, served
+from vv.codes import driver_protocol, external
 from vv.codes.adapter import Found
 from vv.scene import Vector
 
@@ -30,8 +30,8 @@ Plan = Mapping[str, Any]
 
 
 @dataclass(frozen=True)
-class Home:
-    """Where a code lives: its name here, and the packages, the first of which has its version."""
+class PythonEnvironment:
+    """The environment of a code: its name here, and its packages; the first has its version."""
 
     name: str
     packages: tuple[str, ...]
@@ -44,7 +44,7 @@ class Home:
 
 
 @functools.cache  # it is asked for every job, and a look takes some milliseconds
-def _find(home: Home, places: tuple[Path, ...]) -> Found:
+def _find(home: PythonEnvironment, places: tuple[Path, ...]) -> Found:
     how = f"make setup CODES={home.name}, or set VV_CODES to a folder that holds {home.name}/"
     for place in places:
         python = place / home.name / "bin" / "python"
@@ -63,14 +63,14 @@ def _find(home: Home, places: tuple[Path, ...]) -> Found:
 
 @dataclass(frozen=True)
 class Driver:
-    """How a code is driven: where it lives, and the file of its driver."""
+    """The driver of a code: its environment, and the file of its script."""
 
-    home: Home
+    home: PythonEnvironment
     file: Path
 
     def script(self, plan: Plan | None = None, notes: str = "") -> str:
         """The script that runs in the code's Python; with a plan, alone, and it prints."""
-        shared, own = Path(served.__file__).read_text(), _alone(self.file.read_text())
+        shared, own = Path(driver_protocol.__file__).read_text(), _alone(self.file.read_text())
         whole = f"{shared}\n\n{own}"
         if plan is None:
             return whole
@@ -86,10 +86,10 @@ class Driver:
         scratch: Path,
         repeat: float,
     ) -> Iterator[Run]:
-        """Run all asks in one program; `vv.codes.external` says what happens if it dies.
+        """Run all asks in one program; `vv.codes.external` describes what happens if it dies.
 
-        built: of each ask the plan that the driver reads, the model, and the frame (3, 3) in
-        which the answer comes, its axes in the scene's as rows.
+        built: for each ask the input of the driver, the model, and the frame (3, 3) of the answer,
+        its axes in the scene's as rows.
         """
         found = self.home.find()
         if not found.installed:
@@ -137,10 +137,10 @@ def parse(path: Path, ask: Ask, model: Model, frame: Vector, started: float) -> 
 
 @functools.cache
 def _alone(text: str) -> str:
-    """A driver without its import of what stands before it in the script."""
+    """A driver without its import of the shared part, which precedes it in the script."""
     lines = text.splitlines(keepends=True)
     for node in ast.parse(text).body:
-        if isinstance(node, ast.ImportFrom) and node.module == served.__name__:
+        if isinstance(node, ast.ImportFrom) and node.module == driver_protocol.__name__:
             last = node.end_lineno or node.lineno
             lines[node.lineno - 1 : last] = [""] * (last - node.lineno + 1)
     return "".join(lines)

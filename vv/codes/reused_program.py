@@ -1,7 +1,7 @@
 """Programs that are started once and then answer several batches of asks.
 
-Such a program reads lines from its standard input: each is the path of a file that lists asks, the
-path of one on a line, which it answers in that order. It ends at the end of its input.
+Such a program reads lines from its standard input. Each line is the path of a file that lists the
+paths of asks, one per line, which it answers in that order. It ends at the end of its input.
 """
 
 from __future__ import annotations
@@ -61,7 +61,7 @@ class ReusedProgram:
 
 
 def _told(program: Process, listed: Path) -> bool:
-    """Whether a program that still runs could be told of a list."""
+    """Whether a list could be sent to a program that still runs."""
     if program.process.poll() is not None or program.process.stdin is None:
         return False
     try:
@@ -72,7 +72,7 @@ def _told(program: Process, listed: Path) -> bool:
 
 
 def _end(program: Process, whole: bool) -> None:
-    """Tell a program that nothing follows, and see that it ends."""
+    """Tell a program that nothing follows, and make sure that it ends."""
     if program.process.stdin is not None:
         program.process.stdin.close()
     external.end(program, whole)

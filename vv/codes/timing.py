@@ -16,9 +16,10 @@ BLOCK = 1e-3  # CPU seconds of solves between two looks at the clock, which cost
 def timed(solve: Callable[[], T], repeat: float) -> tuple[T, Cost]:
     """Call `solve` and return its result with the cost of one call.
 
-    repeat: 0 for one call; else calls are repeated until about that many CPU seconds have
-    passed, in blocks long against the clock. The CPU and wall seconds stated are a call's share
-    of the cheapest block; the first call only fills caches unless it spent all of `repeat`.
+    repeat: 0 for one call; otherwise calls are repeated until about that many CPU seconds have
+    passed, in blocks that are long compared with the resolution of the clock. The CPU and wall
+    seconds are those of one call in the cheapest block; the first call only fills caches, unless it
+    took all of `repeat`.
     """
     result, cpu, wall = _block(solve, 1)
     if cpu >= repeat:
@@ -40,7 +41,7 @@ def timed(solve: Callable[[], T], repeat: float) -> tuple[T, Cost]:
 
 
 class Prepared(Protocol[T]):
-    """An ask that an engine of ours is ready to solve."""
+    """An ask that an in-house engine is ready to solve."""
 
     @property
     def model(self) -> Model:
@@ -57,7 +58,7 @@ class Prepared(Protocol[T]):
 
 
 def run_timed(prepare: Callable[[], Prepared[T]], repeat: float) -> Run:
-    """The answer of an engine of ours, part by part on the clock.
+    """The answer of an in-house engine, with the time of each part.
 
     Cost: setup is building the model; startup is loading the kernel, or compiling it once per
     machine; output is collecting the results.

@@ -30,11 +30,12 @@ def accepted(
     external: Collection[str],
     later: Collection[str] = (),
 ) -> Baseline:
-    """The baseline with these records put in, and with the acceptance they came by.
+    """The baseline with these records added, and with their acceptance.
 
-    Results of codes that are not installed here stay, and those of `later` variants, which only
-    a higher level runs; those of schemes that now refuse, or are no more, go. A result that did
-    not leave its band stays as it was, so that small changes cannot add up unseen.
+    Results of codes that are not installed here are kept, and so are those of `later` variants,
+    which only a higher level runs. Results of schemes that now refuse, or no longer exist, are
+    removed. A result that did not leave its band is not replaced, so that small changes cannot
+    accumulate unnoticed.
     """
     given = [r for r in records if r.case == case]
     old = baseline or Baseline(case)

@@ -33,7 +33,7 @@ from vv.store.provenance import machine
 
 @dataclass(frozen=True)
 class GateOptions:
-    """What a judgement depends on besides the records: the day, and how strict it is to be.
+    """What a judgement depends on besides the records: the date, and how strict it is.
 
     timer: the machine on which costs were timed. against: a folder of baselines that must have
     every result. timing: speed is enforced.
@@ -47,7 +47,7 @@ class GateOptions:
 
 @dataclass(frozen=True)
 class Judged:
-    """The parts of a manifest that a judgement makes, named as there."""
+    """The parts of a manifest that a judgement produces, with the same names."""
 
     records: tuple[Record, ...]
     findings: tuple[Finding, ...]
@@ -61,7 +61,7 @@ def baselines_of(project: Project) -> Path:
 
 
 def baseline_of(project: Project, case: str) -> Baseline | None:
-    """The baseline of a case: the project's own, else that which came with the case, or None."""
+    """The baseline of a case: the project's own, else the one that came with the case, or None."""
     found = (baseline.read(root / "cases" / "baselines", case) for root in project.roots)
     return next((one for one in found if one is not None), None)
 
@@ -136,14 +136,14 @@ def _since(
 
 
 def _untimed(records: Sequence[Record], options: GateOptions) -> list[Finding]:
-    """A timing session was asked for and nothing was timed: that must not look like success."""
+    """A finding if a timing session was requested and nothing was timed."""
     if not options.timing or any(record.cost.timed for record in records):
         return []
     return [Finding(Aspect.SPEED, "nothing timed", "nothing was timed", bit=Bit.INCOMPLETE)]
 
 
 def _summary(found: Baseline) -> BaselineSummary:
-    """Why a baseline is as it is, newest acceptance last, and how many results each has."""
+    """The acceptances of a baseline, newest last, and how many results came by each."""
     counts: dict[str, int] = {}
     for result in found.results.values():
         counts[result.by] = counts.get(result.by, 0) + 1

@@ -1,8 +1,8 @@
-"""What every scheme replies to a case: the number of unknowns of its model, or why it refuses.
+"""The answer of every scheme to a case: the number of unknowns of its model, or its refusal.
 
-One file per case, `cases/answers/CASE.json`, is written where results are accepted. A change of a
-code or a scene that lets it run what it refused, or refuse what it ran, is seen against it. What
-is not in the file, a new code or variant, is not compared.
+`vv accept` writes one file per case, `cases/answers/CASE.json`. Comparing with it shows whether a
+change of a code or a scene lets a scheme run what it refused, or refuse what it ran. What is not in
+the file, such as a new code or variant, is not compared.
 """
 
 from __future__ import annotations
@@ -28,9 +28,9 @@ Answers = dict[str, dict[str, int | str]]  # scheme -> variant -> unknowns, or w
 
 
 def given(project: Project, case: str) -> Answers:
-    """What the schemes of all codes that are installed answer to a case, at every level.
+    """The answers of the schemes of all installed codes to a case, at every level.
 
-    A scheme that takes one rung of a variant answers with its model; codes that are not here,
+    A scheme that runs one rung of a variant answers with its model. Codes that are not installed,
     which might refuse only when they run, are left out.
     """
     plan = make_plan(project, [case], Options(Level.PAPER))
@@ -63,7 +63,7 @@ def accepted(project: Project, case: str) -> Answers | None:
 
 
 def _checked(found: object) -> Answers:
-    """Answers as they are kept; raises ValueError for what are none."""
+    """Stored answers; raises ValueError if they are invalid."""
     if not isinstance(found, dict):
         raise ValueError("it must be an object: scheme -> variant -> answer")
     for scheme, row in found.items():
@@ -76,7 +76,7 @@ def _checked(found: object) -> Answers:
 
 
 def accept(project: Project, case: str) -> Path:
-    """Put the present answers on record; those of codes that are not here stay as they were."""
+    """Store the present answers; those of codes that are not installed stay as they were."""
     absent = [n for n in project.adapter_names() if not project.load_adapter(n).found().installed]
     was = accepted(project, case) or {}
     kept = {name: row for name, row in was.items() if name.partition("/")[0] in absent}
@@ -93,9 +93,9 @@ def _place(root: Path, case: str) -> Path:
 def compare(
     case: str, records: Sequence[Record], known: Answers, enforced: bool
 ) -> Iterator[Finding]:
-    """What ran though it is on record as refused, and what is refused for another reason.
+    """Findings on what ran although stored as refused, and on refusals for a new reason.
 
-    That a result is refused which was not, its baseline tells.
+    A result that is now refused is found by comparison with the baseline.
     """
     for record in records:
         was = known.get(record.label, {}).get(record.variant)
@@ -110,7 +110,7 @@ def compare(
 
 
 def _worded(reason: str) -> str:
-    """A reason without its numbers, which may be those of a step and differ from rung to rung."""
+    """A reason without its numbers, such as that of a step, which differ between rungs."""
     return NUMBER.sub("#", reason)
 
 

@@ -30,17 +30,17 @@ ELSEWHERE = 0.5  # by which an order may leave its band at other parameters than
 class Disagreement:
     """A known error of a code, with two-sided bands on the error and the observed order.
 
-    Patterns are globs; versions names those it was seen in. error: (low, high) at the step
-    dt [s], moved to other steps with the middle of the order band, and from the stiffness kn
-    [N/m] of springs that stand in for rigid contact to others as kn**-softness. A band that
-    reaches below the tolerance expects passes too. Refused is a band so wide that it excludes
-    nothing, or that is moved with the step though its errors are such that no tolerance allows; a
-    figure that stays where it is may be as far off as it likes. An entry without an order claims
-    none, and its errors stay where they are as the step changes. rungs: globs on the settings that
-    it speaks of, written dt=0.001,kn=100000000. elsewhere: the largest error at other parameters
-    than the case's own; an entry without `error` speaks of those alone. instead: the quantity of
-    the same run whose exact answer the code has instead, to within the tolerance of its own, at
-    any parameters. expires: ISO date.
+    Patterns are globs; versions: those in which it was seen. error: (low, high) at the step dt [s];
+    it is scaled to other steps with the middle of the order band, and from the stiffness kn [N/m]
+    of springs that represent rigid contact to others as kn**-softness. A band that reaches below
+    the tolerance expects passes too. A band is refused if it is so wide that it excludes nothing,
+    or if it scales with the step although its errors exceed every possible tolerance; an error that
+    does not scale may have any size. An entry without an order claims none, and its band does not
+    change with the step. rungs: globs on the settings to which it applies, written
+    dt=0.001,kn=100000000. elsewhere: the largest error at parameters other than those of the case;
+    an entry without `error` applies to those alone. instead: the quantity of the same run whose
+    exact answer the code gives instead, within that quantity's tolerance, at any parameters.
+    expires: ISO date.
     """
 
     code: str
@@ -95,11 +95,11 @@ class Disagreement:
 
     @property
     def subject(self) -> tuple[Aspect, Bit, str]:
-        """What it is about, the bit that it sets once it is over, and its quantity."""
+        """The check, the exit bit that it sets once it has expired, and its quantity."""
         return Aspect.ACCURACY, Bit.ACCURACY, self.quantity
 
     def covers(self, record: Record, quantity: str) -> bool:
-        """Whether this entry speaks of a quantity of a record."""
+        """Whether this entry applies to a quantity of a record."""
         pairs = (
             (record.code, self.code),
             (record.scheme, self.schemes),
@@ -129,8 +129,8 @@ def judge(
 ) -> tuple[Record, ...]:
     """The records, with the verdicts that known disagreements change.
 
-    A failure inside its bands is known (xfail); outside them, and a pass, are news (fail, xpass).
-    An entry that has expired by today excuses nothing.
+    A failure within its bands is known (xfail). A failure outside them stays red, and a pass is
+    reported (xpass). An entry that has expired excuses nothing.
     """
     given = list(records)
     entries = by_code_and_case(in_force(disagreements, today))

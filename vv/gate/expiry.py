@@ -1,4 +1,4 @@
-"""Entries of the ledger of known errors: which apply to a code and a case, and when they expire."""
+"""Entries of the file of known errors: which apply to a code and a case, and when they expire."""
 
 from __future__ import annotations
 
@@ -13,8 +13,8 @@ from vv.records.finding import Aspect, Bit, Finding
 WARNING = 30  # days before an entry expires in which the gate says so
 
 
-class Dated(Protocol):
-    """What all entries of the ledger have; patterns are globs, expires is an ISO date."""
+class ExpiringEntry(Protocol):
+    """What all known errors have; patterns are globs, and expires is an ISO date."""
 
     @property
     def code(self) -> str: ...
@@ -32,7 +32,7 @@ class Dated(Protocol):
     def expires(self) -> str: ...
 
 
-Entry = TypeVar("Entry", bound=Dated)
+Entry = TypeVar("Entry", bound=ExpiringEntry)
 
 
 def in_force(entries: Iterable[Entry], today: datetime.date) -> tuple[Entry, ...]:
@@ -43,7 +43,7 @@ def in_force(entries: Iterable[Entry], today: datetime.date) -> tuple[Entry, ...
 def by_code_and_case(entries: Iterable[Entry]) -> Callable[[str, str], tuple[Entry, ...]]:
     """A function that returns the entries on a code and a case, and searches once for each pair.
 
-    Most entries speak of one case and a report has thousands of records.
+    Most entries apply to one case, and a report has thousands of records.
     """
     given = tuple(entries)
 
@@ -65,7 +65,7 @@ def expiring(
     return [_expiry(one, name, days) for one, days in left if days <= WARNING and speaks(one)]
 
 
-def _expiry(entry: Dated, name: str, days: int) -> Finding:
+def _expiry(entry: ExpiringEntry, name: str, days: int) -> Finding:
     """That an entry expires in so many days, or has expired where these are negative."""
     over = days < 0
     when = f"expired {-days} days ago" if over else f"expires in {days} days"

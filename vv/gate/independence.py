@@ -1,4 +1,4 @@
-"""Whether a case's reference is independent of the codes it judges, as far as imports tell."""
+"""Checks that a case's reference imports no source of the codes that it judges."""
 
 from __future__ import annotations
 
@@ -15,10 +15,10 @@ from vv.records.outcomes import Verdict
 
 
 def shared_sources(project: Project, plan: Plan) -> dict[tuple[str, str], Path]:
-    """(case, code) -> a file that both are made of, where there is one.
+    """(case, code) -> a file that both import, if there is one.
 
-    The tool's own modules do not count, but its engines do: what a case imports of them would
-    judge itself.
+    The modules of the framework do not count, but its engines do: a case that imports an engine
+    would judge the engine by itself.
     """
     places = roots(project)
     codes = {
@@ -36,14 +36,14 @@ def shared_sources(project: Project, plan: Plan) -> dict[tuple[str, str], Path]:
 
 
 def _is_common(file: Path) -> bool:
-    """Whether cases and codes may both import a file: it is part of vv and of no engine."""
+    """Whether cases and codes may both import a file: a part of vv outside the engines."""
     return PACKAGE in file.parents and PACKAGE / "engines" not in file.parents
 
 
 def fail_dependent(
     records: Iterable[Record], common: Mapping[tuple[str, str], Path]
 ) -> list[Record]:
-    """The records; where a reference shares a source with the code that it judges, they fail."""
+    """The records; they fail where the reference shares a source with the code that it judges."""
     return [
         _failed(record, common[pair]) if pair in common else record
         for record in records

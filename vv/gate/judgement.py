@@ -1,4 +1,4 @@
-"""Finds what is wrong with records, one finding each, and the exit bits of all."""
+"""Finds the faults of records, one finding each, and the exit bits of all."""
 
 from __future__ import annotations
 
@@ -53,7 +53,7 @@ def judgement(manifest: Manifest, required: Iterable[str] = ()) -> list[Finding]
 
 
 def exit_bits(records: Iterable[Record], required: Iterable[str] = ()) -> Bit:
-    """What is wrong with a set of records, as exit bits."""
+    """The faults of a set of records, as exit bits."""
     return bits(record_findings(list(records), required))
 
 
@@ -62,10 +62,10 @@ def record_findings(
     required: Iterable[str] = (),
     enforced: Mapping[str, Container[Check]] = MappingProxyType({}),
 ) -> list[Finding]:
-    """What is wrong with a set of records; if none of them ran, that the set is incomplete.
+    """The faults of a set of records; if none of them ran, that the set is incomplete.
 
-    required: patterns CODE or CODE/SCHEME of which at least one record each must have run.
-    enforced: case -> the checks that are not reported only, if not all.
+    required: patterns CODE or CODE/SCHEME, for each of which at least one record must have run.
+    enforced: case -> the checks that can turn the gate red, if not all.
     """
     patterns = tuple(p if "/" in p else f"{p}/*" for p in required)
     seen = {record.label for record in records if ran(record)}
@@ -139,19 +139,19 @@ def _in_words(one: MeasuredQuantity) -> str:
 
 
 def against_measurement(value: float, seen: MeasurementFacts) -> str:
-    """A computed value beside the measured one, which is no exact answer and no other code's."""
+    """A computed value compared with a measured one, in words."""
     band = "shown" if seen.band is None else f"band {seen.band:.3g}"
     return f"computed {value:.6g}, measured {seen.value:.6g} +- {seen.uncertainty:.2g}, {band}"
 
 
 def against_code(value: float, other: PrintedFacts) -> str:
-    """A computed value beside that of another code, which is no exact answer and not measured."""
+    """A computed value compared with that of another code, in words."""
     band = "shown" if other.band is None else f"band {other.band:.3g}"
     return f"computed {value:.6g}, {other.code} has {other.value:.6g}, {band}"
 
 
 def _of_ledger(record: Record, enforced: Container[Check]) -> Iterator[Finding]:
-    """Laws that a run breaks by its own ledger, beyond what its scheme promises."""
+    """Conservation laws that a run violates in its own ledger, beyond its scheme's bound."""
     for breach in unknown_breaches(record):
         law, seen, allowed = breach
         yield Finding(
@@ -169,9 +169,10 @@ def _of_ledger(record: Record, enforced: Container[Check]) -> Iterator[Finding]:
 
 
 def breaches(ledger: Ledger | None) -> Iterator[Breach]:
-    """The laws that a ledger breaks: energy without a term, negative dissipation, what was audited.
+    """The laws that a ledger violates: unexplained energy, negative dissipation, failed audits.
 
-    Where a scheme promises no energy, dissipation is not judged either: it is off by as much.
+    Where a scheme declares no conserved energy, dissipation is not judged either, since it is wrong
+    by the same amount.
     """
     if ledger is None:
         return
@@ -187,25 +188,26 @@ def breaches(ledger: Ledger | None) -> Iterator[Breach]:
 
 
 def unknown_breaches(record: Record) -> Iterator[Breach]:
-    """The laws that a run breaks by its own ledger and is not known to break."""
+    """The laws that a run violates in its own ledger without a known breach."""
     yield from (one for one in breaches(record.ledger) if one[0] not in record.known_breaches)
 
 
 def blew_up(record: Record) -> bool:
-    """Whether a run diverged in a map, which is there to show that it does."""
+    """Whether a run diverged in a map, where divergence is a result."""
     return record.status is Status.DIVERGED and record.study is StudyKind.GRID
 
 
 def outcome(record: Record) -> Outcome:
-    """What a record came to: its status unless it ran, else its worst verdict.
+    """The outcome of a record: its status unless it ran, else its worst verdict.
 
-    A law that its ledger breaks spoils a record that would be fine; what is known, as elsewhere.
+    A conservation law that its ledger violates makes a pass NOT_CONSERVED; if the breach is known,
+    the record is a known disagreement.
     """
     return outcome_by(record, record.quantities)
 
 
 def outcome_by(record: Record, quantities: Sequence[MeasuredQuantity]) -> Outcome:
-    """What a record came to, as `outcome` says it, if it had these of its quantities only."""
+    """The outcome of a record, as `outcome`, if it had only these of its quantities."""
     if not ran(record):
         return Outcome.BLOW_UP if blew_up(record) else OF_STATUS[record.status]
     worst = OF_VERDICT[_worst(quantities)] if quantities else Outcome.NOT_REPORTED
@@ -225,7 +227,7 @@ def _worst(quantities: Sequence[MeasuredQuantity]) -> Verdict:
 
 
 def counted(records: Iterable[Record]) -> Counter[Outcome]:
-    """Outcome -> how many records came to it: what every summary counts."""
+    """Outcome -> the number of records with it, as every summary counts them."""
     return Counter(map(outcome, records))
 
 

@@ -1,4 +1,4 @@
-"""Known breaches: which conservation laws a code is known to break, where, and by how much."""
+"""Known breaches: which conservation laws a code is known to violate, where, and by how much."""
 
 from __future__ import annotations
 
@@ -19,11 +19,11 @@ WIDEST = 10.0  # largest over smallest breach of a band: more than a decade says
 
 @dataclass(frozen=True)
 class KnownBreach:
-    """A law that a code is known to break by its own energy ledger, with a band on the breach.
+    """A law that a code is known to violate in its own energy ledger, with a band on the breach.
 
-    schemes, versions, variants, law and rungs are globs; rungs are written as `--rung` reads them,
-    dt=0.2,kn=1000000. breach: the least and the largest that is known, in the law's unit. At each
-    such rung the law must be broken within the band, or it is news. expires: ISO date.
+    schemes, versions, variants, law and rungs are globs; rungs are written as for `--rung`,
+    dt=0.2,kn=1000000. breach: the smallest and the largest known breach, in the law's unit. At each
+    such rung the breach must lie within the band; otherwise this is reported. expires: ISO date.
     Raises ValueError naming the field, the value and the rule.
     """
 
@@ -49,11 +49,11 @@ class KnownBreach:
 
     @property
     def subject(self) -> tuple[Aspect, Bit, str]:
-        """What it is about, the bit that it sets once it is over, and its law."""
+        """The check, the exit bit that it sets once it has expired, and its law."""
         return Aspect.CONSERVATION, Bit.CONSERVATION, self.law
 
     def covers(self, record: Record) -> bool:
-        """Whether this entry speaks of a record, which ran with the case's own parameters."""
+        """Whether this entry applies to a record, which must have the parameters of the case."""
         pairs = (
             (record.code, self.code),
             (record.scheme, self.schemes),
@@ -69,7 +69,7 @@ class KnownBreach:
         )
 
     def knows(self, breach: Breach) -> bool:
-        """Whether a breach is of this law and within the band."""
+        """Whether a breach is of this law and lies within the band."""
         law, seen, _ = breach
         low, high = self.breach
         return fnmatch.fnmatchcase(law, self.law) and low <= seen <= high

@@ -1,9 +1,9 @@
-"""How a run compares with the results that were accepted: what moved, and beyond what band.
+"""Compares a run with the accepted results: what moved, and beyond which band.
 
-Bands apply to figures over the scale that was accepted, and to errors, which are relative
-already: a tiny error may multiply without leaving them, since that is rounding. Where an answer
-is off by more than its scale, or is larger than it and has no error that would say so, its last
-bits are worth as much more, and bands are as much wider.
+Bands apply to figures relative to the accepted scale, and to errors, which are relative already: a
+tiny error may multiply without leaving its band, since that is rounding. If an answer is wrong by
+more than its scale, or is larger than the scale and has no error that would show it, its rounding
+is larger by the same factor, and so are the bands.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ LARGE = 1e99  # stands for an infinite change
 
 @dataclass(frozen=True)
 class Band:
-    """How far a value over its scale, and an error, may move; and why that far."""
+    """How far a value relative to its scale, and an error, may move, with the reason."""
 
     width: float
     reason: str
@@ -53,7 +53,7 @@ class Strictness:
 
 @dataclass(frozen=True)
 class Moved:
-    """A quantity that left its band: what became of it, in words, and by how many bands."""
+    """A quantity that left its band: the kind of change, in words, and by how many bands."""
 
     quantity: str
     change: Change
@@ -212,9 +212,10 @@ def removed_results(
     labels: Collection[str],
     codes: Collection[str],
 ) -> list[Finding]:
-    """Results in a baseline whose variant or scheme is no more.
+    """Results in a baseline whose variant or scheme no longer exists.
 
-    variants: those of the case. labels: the schemes of the codes there are. codes: those looked at.
+    variants: those of the case. labels: the schemes of the existing codes. codes: those that were
+    selected.
     """
     found = {}
     for name in baseline.results if baseline else ():

@@ -42,10 +42,10 @@ def compare(
     processor: str,
     enforced: bool,
 ) -> list[Finding]:
-    """Which results of a case became slower or faster than accepted, beyond what noise explains.
+    """Results of a case that became slower or faster than accepted, beyond noise.
 
-    A ratio is an interval over rounds; only intervals apart by more than the factor count.
-    enforced: the ratios are of a new session, and the case does not take speed lightly.
+    A ratio is an interval over rounds; only intervals that differ by more than the factor count.
+    enforced: the ratios are of a new session, and the case enforces speed.
     """
     if baseline is None:
         return []

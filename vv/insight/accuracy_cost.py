@@ -1,4 +1,4 @@
-"""What an error costs: interpolation between rungs, Pareto front, rankings and profiles.
+"""The cost of an error: interpolation between rungs, Pareto front, rankings and profiles.
 
 Only timed rungs count, since all of these were timed in one session.
 """
@@ -39,7 +39,7 @@ class ErrorCost:
 
 
 def error_cost(effort: Effort, target: float) -> ErrorCost:
-    """What an error costs a scheme, interpolated between rungs on logarithmic scales."""
+    """The cost of an error in a scheme, interpolated between rungs on logarithmic scales."""
     timed = [
         (p.cpu, max(p.error, LEAST), p) for p in effort.points if p.cpu and p.error is not None
     ]
@@ -67,7 +67,7 @@ def front(every: Iterable[Effort]) -> list[tuple[str, Point]]:
 
 
 def unbeaten(rows: Iterable[Ranked]) -> list[Ranked]:
-    """Of rows (cost, error, ...) sorted by cost, those whose error is less than all before."""
+    """Of rows (cost, error, ...) sorted by cost, those with a smaller error than all before."""
     kept: list[Ranked] = []
     for row in rows:
         if not kept or row[1] < kept[-1][1]:
@@ -145,10 +145,10 @@ def _cheapest(every: Sequence[Effort], target: float) -> tuple[float, str, bool]
 
 
 def profile(every: Sequence[Effort], target: float) -> dict[str, list[float]]:
-    """Label -> how many times the cheapest each variant cost it, sorted; inf where it failed.
+    """Label -> the cost of each variant relative to the cheapest, sorted; inf where it failed.
 
     The share of entries up to a factor is the performance profile of Dolan and More (2002).
-    Variants that nobody solves to the target are left out.
+    Variants that no scheme solves to the target are left out.
     """
     names = dict.fromkeys(e.label for e in every)
     ratios: dict[str, list[float]] = {name: [] for name in names}

@@ -1,8 +1,9 @@
 """Compares codes with measurements: bias and scatter of each.
 
-As in fire modelling (McGrattan and Toman 2011, Fire Safety Journal 46, 1-7): computed values are
-taken as measured ones times a factor whose logarithm is normal, and what the measurements
-themselves scatter is taken off. No error against an exact answer enters, nor another code.
+As in fire modelling (McGrattan and Toman 2011, Fire Safety Journal 46, 1-7), computed values are
+assumed to be measured ones times a factor whose logarithm is normally distributed, and the scatter
+of the measurements themselves is subtracted. Errors against exact answers and other codes do not
+enter.
 """
 
 from __future__ import annotations
@@ -24,10 +25,10 @@ FEWEST = 3  # points from which on a scatter is stated
 
 @dataclass(frozen=True)
 class Compared:
-    """A computed number beside the measured one, both in the unit of the quantity.
+    """A computed number and the measured one, both in the unit of the quantity.
 
-    band: how far apart they may be, None where they are only shown; within: whether they are.
-    over, at: the condition that was varied, and its value.
+    band: how far apart they may be, None if they are only shown; within: whether they are within
+    it. over, at: the condition that was varied, and its value.
     """
 
     quantity: str
@@ -43,11 +44,12 @@ class Compared:
 
 @dataclass(frozen=True)
 class Agreement:
-    """A scheme on a variant, at its finest setting, against all that was measured of it.
+    """A scheme on a variant, at its finest setting, compared with all its measurements.
 
-    held: those with a band. bias: the factor from measured to computed values, scatter: the
-    relative standard deviation about it that the uncertainty of the measurements does not explain;
-    both of `held`, None of too few. sure: the relative uncertainty of these measurements.
+    held: those with a band. bias: the factor from measured to computed values; scatter: the
+    relative standard deviation about it that the uncertainty of the measurements does not explain.
+    Both are of `held`, and None if there are too few. sure: the relative uncertainty of these
+    measurements.
     """
 
     case: str
@@ -65,7 +67,7 @@ class Agreement:
 
 
 class Factor(NamedTuple):
-    """Bias, scatter of the model, and relative uncertainty of the measurements; None of too few."""
+    """Bias, scatter of the model, relative uncertainty of the measurements; None for too few."""
 
     bias: float | None
     scatter: float | None
@@ -74,10 +76,10 @@ class Factor(NamedTuple):
 
 @dataclass(frozen=True)
 class Overall:
-    """A scheme against all that was measured, in whichever variant; a point counts for each law.
+    """A scheme compared with all measurements of all variants; a point counts for each law.
 
-    held: of the points with a band; every: of those that are only shown too, since where a law is
-    held was chosen by people who knew where it fails.
+    held: of the points with a band; every: of all points, also those that are only shown, because
+    people who knew where a law fails chose where it has a band.
     """
 
     label: str

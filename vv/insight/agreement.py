@@ -1,8 +1,8 @@
 """Which codes agree with each other within their errors, and which one does not.
 
-Codes that share sources are one family and give one answer. Answers are compared within a class
-of method, whose members share errors: agreement shows what codes do, not what is true. A code
-that is not installed is represented by its recorded results, with their rounding.
+Codes that share sources are one family and give one answer. Answers are compared within a class of
+method, whose members share errors, so agreement does not prove that they are right. A code that is
+not installed is represented by its recorded results, with their rounding.
 """
 
 from __future__ import annotations
@@ -63,10 +63,10 @@ class FamilyAnswer:
 
 @dataclass(frozen=True)
 class Agreement:
-    """How the answers of one class of method to a quantity of a variant compare.
+    """A comparison of the answers of one class of method to a quantity of a variant.
 
-    agreeing: the largest group of which each two agree; odd: the others, if the group is more than
-    half. alone: the group is more than half of them all, and the reference outside of its errors.
+    agreeing: the largest group in which every two agree; odd: the others, if the group is a
+    majority. alone: the group is a majority, and the reference lies outside its errors.
     """
 
     case: str
@@ -164,7 +164,7 @@ def _agreement(topic: Topic, schemes: Mapping[str, list[_Result]]) -> Iterator[A
 
 
 def _answer(label: str, results: Sequence[_Result]) -> FamilyAnswer | None:
-    """The answer of a scheme at its finest rung; None if no other rung shows how far it is off."""
+    """The answer of a scheme at its finest rung; None if no other rung gives an error estimate."""
     code = label.partition("/")[0]
     values = {(one.rung.kn or 0.0, one.rung.dt or 0.0): one.value for one in results}
     stiffest = max(kn for kn, _ in values)
@@ -188,7 +188,7 @@ def _reference(one: MeasuredQuantity) -> float | None:
 
 
 def _largest_group(answers: Sequence[FamilyAnswer], rounding: float) -> tuple[FamilyAnswer, ...]:
-    """The largest group in which each two agree; of equal groups the one with the least errors."""
+    """The largest group in which every two agree; of equal groups the one with least errors."""
     groups = [
         group
         for size in range(1, len(answers) + 1)

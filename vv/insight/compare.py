@@ -25,7 +25,7 @@ COST = 1.25  # ratio of costs that is not worth a line: rounds differ by as much
 
 @dataclass(frozen=True)
 class Change:
-    """One difference between two invocations. size: how far, for the order within its kind."""
+    """One difference between two invocations. size: by which changes of a kind are sorted."""
 
     kind: str
     where: str
@@ -61,7 +61,7 @@ def manifest_of(store: Store, name: str, known: Callable[[str], str]) -> Manifes
 
 
 def how_to_make(name: str) -> str:
-    """What to type to have results of a commit in the store."""
+    """The commands that give results for a commit in the store."""
     return f"to get results for a commit: git switch --detach {name} && vv run CASE; git switch -"
 
 
@@ -84,7 +84,7 @@ def _by_place(records: Iterable[Record]) -> dict[tuple[str, ...], Record]:
 def _presence(
     before: Mapping[tuple[str, ...], Record], after: Mapping[tuple[str, ...], Record]
 ) -> Iterator[Change]:
-    """What only one of the two has, one line a scheme and variant."""
+    """Results that only one of the two has, one line per scheme and variant."""
     for kind, own, others in (("only in A", before, after), ("only in B", after, before)):
         counts: dict[str, int] = {}
         for place in own.keys() - others.keys():

@@ -1,4 +1,4 @@
-"""Names the pattern of a failure from records alone, for the author of a code or a case."""
+"""Finds the pattern of a failure from records alone, for the author of a code or a case."""
 
 from __future__ import annotations
 
@@ -51,7 +51,7 @@ CLAIMED: Mapping[Method, float] = {Method.SECOND_ORDER: 2.0}
 
 
 class Pattern(enum.Enum):
-    """What a failure looks like; the value is the word for it."""
+    """A pattern of failure; the value is the phrase for it."""
 
     STUCK = "does not converge"
     LOW_ORDER = "lower order than claimed"
@@ -71,7 +71,7 @@ class Diagnosis:
 
 
 def diagnoses(manifest: Manifest) -> list[Diagnosis]:
-    """The patterns of all schemes and cases in which something fails, or fails as is known."""
+    """The patterns of all schemes and cases with a failure or a known disagreement."""
     return [*diagnose(manifest.records, _terms(manifest))]
 
 
@@ -102,7 +102,7 @@ def _first_of(
     wrong: Sequence[Record],
     terms: Mapping[tuple[str, str], frozenset[str]],
 ) -> Said | None:
-    """The most telling pattern; beside it which effect all that fails has, and nothing else."""
+    """The most telling pattern, and the effect that distinguishes all failures, if any."""
     ladders = [_ladder(pile, record.variant) for record in _of_each_variant(wrong)]
     looks: tuple[Callable[[Sequence[Record]], Said | None], ...] = (_factor, _order, _growth)
     found = next((pattern for look in looks for rungs in ladders if (pattern := look(rungs))), None)
@@ -165,7 +165,7 @@ def _order(rungs: Sequence[Record]) -> Said | None:
 
 
 def _factor(rungs: Sequence[Record]) -> Said | None:
-    """Whether the answer over the exact one is near a factor that a slip leaves behind."""
+    """Whether answer over exact answer is near a factor that a typical mistake causes."""
     for record in (rungs[-1], rungs[0]):
         for one in record.quantities:
             value, due = _final(one)

@@ -68,7 +68,7 @@ def untimed(manifest: Manifest) -> list[Effort]:
 
 
 def untimed_costs(effort: Effort) -> Effort:
-    """A scheme with its indicative costs in the place of timed ones, for want of better."""
+    """A scheme with its indicative costs, for want of timed ones."""
     rows = tuple(
         dataclasses.replace(
             row,
@@ -114,10 +114,10 @@ def _effort(
 
 
 def _floor(rows: Sequence[Row]) -> Floor | None:
-    """The floor of a scheme, if each of its knobs was refined twice for next to nothing.
+    """The floor of a scheme, if two refinements of each of its knobs hardly helped.
 
-    dt is judged at the stiffest springs that have three steps, beyond which none may gain; the
-    stiffness by the least error at each.
+    dt is judged at the highest stiffness that has three steps, beyond which no stiffness may gain;
+    the stiffness is judged by the smallest error at each.
     """
     least = [min(row.errors) for row in rows if row.errors]
     if not least:
@@ -137,6 +137,6 @@ def _floor(rows: Sequence[Row]) -> Floor | None:
 
 
 def _gains(row: Row) -> bool:
-    """Whether the last smaller step of a row was worth it."""
+    """Whether the last refinement of the step in a row reduced the error enough."""
     last = row.errors[-2:]
     return len(last) == 2 and last[0] >= LEAST_IMPROVEMENT * last[1]

@@ -35,7 +35,7 @@ class Point:
 
     @property
     def name(self) -> str:
-        """The commit as people say it; + for uncommitted changes."""
+        """The commit in short form; + for uncommitted changes."""
         return (self.commit[:9] or "no commit") + ("+" if self.dirty else "")
 
 

@@ -7,7 +7,7 @@ import re
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 
-from vv.case.published import Figure, Paper, Seen, Standing, Statement
+from vv.case.published import Assessment, Computed, Figure, Paper, Statement
 from vv.records.accepted import AcceptedResult
 
 Results = Mapping[str, AcceptedResult]  # by 'VARIANT CODE/SCHEME RUNG', as a baseline names them
@@ -18,7 +18,7 @@ FEWEST = 1e-12  # a smaller figure is rounding
 
 @dataclass(frozen=True)
 class Answer:
-    """A number that codes give, as text, and which: CODE/SCHEME. where: CASE:VARIANT."""
+    """A number that codes give, as text, with their labels CODE/SCHEME. where: CASE:VARIANT."""
 
     where: str
     text: str
@@ -27,7 +27,7 @@ class Answer:
 
 @dataclass(frozen=True)
 class Row:
-    """A published statement with what is known of it; numbers as text, in the statement's unit."""
+    """A published statement with its assessment; numbers as text, in the statement's unit."""
 
     place: str
     what: str
@@ -35,7 +35,7 @@ class Row:
     unit: str
     exact: str
     answers: tuple[Answer, ...]
-    standing: Standing
+    assessment: Assessment
     why: str
 
 
@@ -44,17 +44,19 @@ def rows(paper: Paper, results: Callable[[str], Results]) -> tuple[Row, ...]:
     return tuple(_row(one, results) for one in paper.statements)
 
 
-def counted(rows: Iterable[Row]) -> dict[Standing, int]:
-    """How many statements came out in which way, in the order of Standing."""
-    found = [row.standing for row in rows]
-    return {standing: found.count(standing) for standing in Standing if standing in found}
+def counted(rows: Iterable[Row]) -> dict[Assessment, int]:
+    """The number of statements of each assessment, in the order of Assessment."""
+    found = [row.assessment for row in rows]
+    return {assessment: found.count(assessment) for assessment in Assessment if assessment in found}
 
 
 def _row(one: Statement, results: Callable[[str], Results]) -> Row:
-    answers = tuple(a for seen in one.seen for a in _answers(one, seen, results(seen.case)))
+    answers = tuple(
+        a for computed in one.computed for a in _answers(one, computed, results(computed.case))
+    )
     exact = one.exact if isinstance(one.exact, str) else _beside(one.exact(), one)
     return Row(
-        one.place, one.what, one.printed, one.unit, exact, answers, one.standing, one.why
+        one.place, one.what, one.printed, one.unit, exact, answers, one.assessment, one.why
     )  # fmt: skip
 
 
@@ -75,24 +77,24 @@ def _written(value: float, digits: int, one: Statement) -> str:
     return f"{mantissa}e{int(exponent)}" if exponent else mantissa
 
 
-def _answers(one: Statement, seen: Seen, results: Results) -> Iterator[Answer]:
-    """What codes give, those together that give the same."""
-    where = f"{seen.case}:{seen.variant}"
+def _answers(one: Statement, computed: Computed, results: Results) -> Iterator[Answer]:
+    """The answers of codes; codes with the same answer together."""
+    where = f"{computed.case}:{computed.variant}"
     piles: dict[str, list[str]] = {}
-    for label, result in _chosen(seen, results).items():
-        if (figure := _figure(seen, result)) is not None:
-            shown = 0.0 if abs(figure) < FEWEST else figure * seen.times
+    for label, result in _chosen(computed, results).items():
+        if (figure := _figure(computed, result)) is not None:
+            shown = 0.0 if abs(figure) < FEWEST else figure * computed.times
             piles.setdefault(_written(shown, SHOWN, one), []).append(label)
     for text, labels in piles.items():
         yield Answer(where, text, tuple(labels))
 
 
-def _chosen(seen: Seen, results: Results) -> dict[str, AcceptedResult]:
+def _chosen(computed: Computed, results: Results) -> dict[str, AcceptedResult]:
     """CODE/SCHEME -> its result at the rung asked for, else at its finest."""
     found: dict[str, tuple[tuple[float, float], AcceptedResult]] = {}
     for name, result in results.items():
         variant, label, knobs = _named(name)
-        if variant != seen.variant or not _is_at(seen, knobs):
+        if variant != computed.variant or not _is_at(computed, knobs):
             continue
         fine = (float(knobs.get("kn", 0.0)), -float(knobs.get("dt", 0.0)))
         if label not in found or fine > found[label][0]:
@@ -108,19 +110,21 @@ def _named(name: str) -> tuple[str, str, Mapping[str, str]]:
     return variant, label, knobs
 
 
-def _is_at(seen: Seen, knobs: Mapping[str, str]) -> bool:
+def _is_at(computed: Computed, knobs: Mapping[str, str]) -> bool:
     """Whether a result is at the rung asked for, as far as its scheme has the knobs."""
-    due = {} if seen.rung is None else {"dt": seen.rung.dt, "kn": seen.rung.kn}
+    due = {} if computed.rung is None else {"dt": computed.rung.dt, "kn": computed.rung.kn}
     return all(
         value is None or name not in knobs or abs(float(knobs[name]) / value - 1.0) < 1e-9
         for name, value in due.items()
     )
 
 
-def _figure(seen: Seen, result: AcceptedResult) -> float | None:
-    quantity = result.quantities.get(seen.quantity)
+def _figure(computed: Computed, result: AcceptedResult) -> float | None:
+    quantity = result.quantities.get(computed.quantity)
     if quantity is None:
         return None
     return (
-        quantity.error if seen.figure is Figure.ERROR else quantity.figures.get(seen.figure.value)
+        quantity.error
+        if computed.figure is Figure.ERROR
+        else quantity.figures.get(computed.figure.value)
     )

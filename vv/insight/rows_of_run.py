@@ -39,7 +39,9 @@ def _key_of_rows(papers: Sequence[Paper], project: Project, manifest: Manifest) 
     records = Store(project.data()).digests_of(manifest.name)
     if not records:
         return ""
-    cases = sorted({seen.case for paper in papers for one in paper.statements for seen in one.seen})
+    cases = sorted(
+        {computed.case for paper in papers for one in paper.statements for computed in one.computed}
+    )
     folders = [root / "cases" / "baselines" for root in project.roots]
     accepted = [folder / f"{case}.json" for folder in folders for case in cases]
     of = [*files(project), Path(insight.__file__)]

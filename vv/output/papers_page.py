@@ -19,7 +19,7 @@ def page(found: Sequence[tuple[Paper, Sequence[Row]]]) -> str:
     """The page: a section with a table for each paper."""
     parts = ["# What the papers publish", "", INTRODUCTION]
     for paper, rows in found:
-        counts = ", ".join(standing.counted(n) for standing, n in counted(rows).items())
+        counts = ", ".join(assessment.counted(n) for assessment, n in counted(rows).items())
         doi = f", doi:{paper.doi}" if paper.doi else ""
         parts += ["", f"## {paper.name}", "", f"{paper.citation}{doi}.", ""]
         parts += [f"{len(rows)} statements: {counts}.", "", HEAD, *map(_line, rows)]
@@ -27,7 +27,7 @@ def page(found: Sequence[tuple[Paper, Sequence[Row]]]) -> str:
 
 
 def _line(row: Row) -> str:
-    verdict = f"**{row.standing.value}**{': ' if row.why else ''}{row.why}"
+    verdict = f"**{row.assessment.value}**{': ' if row.why else ''}{row.why}"
     cells = (
         row.place,
         row.what,

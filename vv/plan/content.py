@@ -1,6 +1,6 @@
 """The names of a project's cases and adapters, read from its files without importing them.
 
-A project may have several roots: its own folder, and that of the content which came with vv.
+A project may have two roots: its own folder, and the folder of the content that came with vv.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ class ProjectError(UsageError):
 
 
 def cases(roots: Iterable[Path]) -> dict[str, Path]:
-    """Every case's file by name; a leading underscore marks a helper, no other is passed over."""
+    """Every case's file by name; a file whose name starts with an underscore is a helper."""
     folders = [root / "cases" for root in roots]
     found = _unique("case", (file for folder in folders for file in _case_files(folder)))
     for path in found.values():
@@ -68,7 +68,7 @@ def _unique(kind: str, places: Iterable[Path]) -> dict[str, Path]:
 
 
 def home(file: Path, folders: Iterable[Path]) -> Path:
-    """The folder that a file lies in, the innermost where one lies in another."""
+    """The folder that contains a file; the innermost of several."""
     return max((f for f in folders if f in file.parents), key=lambda folder: len(folder.parts))
 
 

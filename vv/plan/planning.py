@@ -186,8 +186,8 @@ def _known_outcome_on_map(
 
 
 def project_knobs(knobs: Knobs, scheme: Scheme, own: Collection[str] = ()) -> Knobs:
-    """The knobs that a scheme has, and those in `own`, which change the scene; others None.
+    """The knobs that a scheme has, and those in `own`, which change the scene; others are None.
 
-    dd stays: it changes what is solved, and a scheme without it must refuse.
+    dd stays, because it changes the problem that is solved: a scheme without it must refuse.
     """
     return Knobs(**{name: getattr(knobs, name) for name in {*scheme.knobs, *own, "dd"}})

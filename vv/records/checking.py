@@ -10,7 +10,7 @@ import numpy as np
 
 from vv.ask import Ask, Knobs, Ledger, Method, Run, Status
 from vv.case import (
-    Unexplained,
+    EnergyAllowance,
 )
 from vv.scene import Vector
 
@@ -73,7 +73,7 @@ def _unbounded(values: Vector, times: Vector) -> str | None:
     return f"{wrong} from t = {times[first]:.6g} s"
 
 
-def within(run: Run, unexplained: Unexplained | None, method: Method, knobs: Knobs) -> Run:
+def within(run: Run, unexplained: EnergyAllowance | None, method: Method, knobs: Knobs) -> Run:
     """The run; the bound of its ledger is that of the case where this is larger."""
     ledger = run.ledger
     if unexplained is None or ledger is None or ledger.bound is None:

@@ -1,4 +1,4 @@
-"""Turns each job into a record: from the store, without running if it is refused, or by a run."""
+"""Turns each job into a record: from the store, from a refusal, or by running it."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from vv.case import Grid
 from vv.plan import keys
 from vv.plan.plan import Job, Plan
 from vv.plan.project import Project
-from vv.plan.settling import settle
+from vv.plan.refusals import settle
 from vv.records.checking import checked, within
 from vv.records.job_record import ModelSummary, Record, RunSummary
 from vv.records.outcomes import StudyKind

@@ -6,7 +6,18 @@ import dataclasses
 from collections.abc import Sequence
 
 from vv.ask import Displacement
-from vv.case import Along, Case, Exact, Grid, Quantity, Series, Study, Trial, Turn, Variant
+from vv.case import (
+    Case,
+    ComponentAlong,
+    Exact,
+    Grid,
+    Quantity,
+    RotationAbout,
+    Series,
+    Study,
+    Trial,
+    Variant,
+)
 from vv.plan.plan import Plan
 from vv.records.case_facts import CaseFacts, QuantityFacts, ToleranceFacts, VariantFacts
 from vv.records.quantity import judge_kind
@@ -61,9 +72,9 @@ def _moved(quantities: Sequence[Quantity], scene: Scene) -> dict[str, Moved]:
 
 
 def _one_moved(observe: object, scene: Scene) -> Moved | None:
-    if isinstance(observe, Along) and isinstance(observe.observable, Displacement):
+    if isinstance(observe, ComponentAlong) and isinstance(observe.observable, Displacement):
         return shifted(scene, observe.observable.body, observe.direction)
-    if isinstance(observe, Turn):
+    if isinstance(observe, RotationAbout):
         return turned(scene, observe.body, observe.axis, observe.unit)
     return None
 

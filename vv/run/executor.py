@@ -22,7 +22,7 @@ class Executor(Protocol):
     """What answers batches; the runs come back in any order, each as soon as it is there."""
 
     def shares(self, jobs: Sequence[Job], schemes: int) -> Iterator[tuple[int, ...]]:
-        """Yield the places of a scheme's jobs that make a batch; schemes: how many are waiting."""
+        """Yield the places of a scheme's jobs that form a batch; schemes: how many are waiting."""
 
     def run(self, batches: Iterable[Batch], timeout: float) -> Iterator[tuple[int, Run]]:
         """Yield (number, run) for every ask; timeout: seconds for each."""
@@ -42,7 +42,7 @@ class Local:
     scratch: Callable[[], Path]
 
     def shares(self, jobs: Sequence[Job], schemes: int) -> Iterator[tuple[int, ...]]:
-        """One batch, or as many as make every process work where there are fewer schemes."""
+        """One batch, or, if there are fewer schemes than processes, as many as keep all busy."""
         pieces = max(1, self.workers // max(1, schemes))
         yield from (tuple(range(one, len(jobs), pieces)) for one in range(min(pieces, len(jobs))))
 

@@ -39,7 +39,7 @@ def _wrong(record: Record) -> bool:
 
 
 def affected(project: Project, plan: Plan, changed: Iterable[Path]) -> Plan:
-    """The jobs whose case or code is made of a changed file, however indirectly."""
+    """The jobs whose case or code imports a changed file, directly or indirectly."""
     files = frozenset(changed)
     places = roots(project)
     if any(path.name in EVERYTHING for path in files):
@@ -76,8 +76,9 @@ def budget_seconds(text: str) -> float:
 def within_budget(plan: Plan, budget: float, manifests: Sequence[Manifest]) -> Plan:
     """The most informative jobs that fit a budget [s], by the costs of past runs, newest first.
 
-    What is new or did not do well comes first, then what was closest to its tolerance; of each
-    scheme and variant the two cheapest rungs before any other. What cannot run costs nothing.
+    Jobs that are new or did not pass come first, then those closest to their tolerance; of each
+    scheme and variant the two cheapest rungs come before any other. Jobs that cannot run cost
+    nothing.
     """
     known = past(manifests)
     costs = {id(job): _cost(job, known) for job in plan.jobs}
@@ -108,7 +109,7 @@ def _cost(job: Job, known: Mapping[Key, Record]) -> float:
 
 
 def _closeness_to_tolerance(job: Job, known: Mapping[Key, Record]) -> float:
-    """How close to its tolerance a job was; infinite if it is new or did not do well."""
+    """How close a job was to its tolerance; infinite if it is new or did not pass."""
     record = known.get(key(job))
     if record is None or _wrong(record):
         return math.inf

@@ -1,4 +1,4 @@
-"""Estimates how long jobs take: from past runs, recorded results, or figures of their schemes."""
+"""Estimates how long jobs take, from past runs, recorded results, or declarations of schemes."""
 
 from __future__ import annotations
 
@@ -71,9 +71,10 @@ def _pace(plan: Plan, job: Job, known: Mapping[Key, Record], kept: Mapping[Key, 
 
 
 def piles(seconds: Sequence[float], count: int) -> Iterator[tuple[int, ...]]:
-    """Distribute jobs of known durations [s] to a few piles of about equal total duration.
+    """Distributes jobs of known durations [s] to a few piles of about equal total duration.
 
-    Yields the places in each pile, ascending; the longest come first to the pile that is least.
+    Yields the places in each pile, ascending. The longest job is placed first, each on the pile
+    that is smallest so far.
     """
     loads, shares = [0.0] * count, [list[int]() for _ in range(count)]
     for place in sorted(range(len(seconds)), key=lambda place: -seconds[place]):

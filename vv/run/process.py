@@ -1,4 +1,4 @@
-"""What a worker process does: answers the asks of batches, and ends when its parent is gone."""
+"""A worker process: answers the asks of batches, and ends when its parent is gone."""
 
 from __future__ import annotations
 
@@ -25,8 +25,8 @@ from vv.run.search import answers
 class Batch:
     """Asks that one worker answers in order; numbers: the caller's numbers of the asks.
 
-    stays: whether the worker may go on with a next batch of the same adapter: what it has in
-    memory, such as kernels, or a program that waits for more, is then there already.
+    stays: whether the worker may continue with another batch of the same adapter, for which its
+    kernels or a waiting program are then already in memory.
     """
 
     adapter: Adapter
@@ -83,7 +83,7 @@ def failed(error: Exception) -> Run:
 
 
 def die_with_parent() -> None:
-    """Have the kernel end this worker, and what it started, when the parent is gone."""
+    """Have the kernel of the system end this worker and its children when the parent ends."""
     signal.signal(signal.SIGTERM, lambda *_: _end_all())
     with contextlib.suppress(OSError, AttributeError):  # only Linux has prctl
         ctypes.CDLL(None).prctl(1, signal.SIGTERM)

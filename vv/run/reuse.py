@@ -43,11 +43,11 @@ SEEN = (
 def identity(
     project: Project, asked: tuple[object, ...], today: datetime.date, against: Path | None = None
 ) -> str:
-    """The digest of everything that decides what an invocation gives.
+    """The digest of everything that the results of an invocation depend on.
 
-    A repeated invocation then costs only the reading of its sources, whatever the number of jobs.
-    The commit is left out: where all files are the same, so are the results.
-    asked: frozen data, the selection and options. against: the folder of baselines to judge by.
+    A repeated invocation then only reads its sources, whatever the number of jobs. The commit is
+    left out: if all files are the same, so are the results. asked: frozen data, the selection and
+    options. against: the folder of baselines to judge by.
     """
     adapters = [project.load_adapter(name) for name in project.adapter_names()]
     found = {adapter.name: adapter.found() for adapter in adapters}

@@ -25,7 +25,7 @@ Timed = tuple[int, Cost, float]  # job, what a solve cost, and that over the cal
 
 @dataclass(frozen=True)
 class _Visit:
-    """What was measured of a batch; least, most: of the calibration kernel beside it."""
+    """The measurements of a batch; least, most: CPU time of the calibration kernel beside it."""
 
     batch: Batch
     seen: tuple[Timed, ...]
@@ -39,7 +39,7 @@ class _Visit:
 
 
 def rounds(batches: Sequence[Batch], timeout: float, scratch: Callable[[], Path]) -> list[Timed]:
-    """What the solves of batches cost that repeat them: for each job that ran one or two times."""
+    """Costs of the repeated solves of batches: for each job, of one visit or of two."""
     first = _visits(batches, timeout, scratch)
     best = min((visit.least for visit in first), default=0.0)
     again = [batch for visit in first if (batch := visit.unsure(best)).asks]
@@ -70,7 +70,7 @@ def _visits(batches: Sequence[Batch], timeout: float, scratch: Callable[[], Path
 
 
 def _without(batch: Batch, numbers: Collection[int]) -> Batch:
-    """The asks of a batch but those that are known by these numbers."""
+    """The asks of a batch except those with these numbers."""
     left = [place for place, number in enumerate(batch.numbers) if number not in numbers]
     return dataclasses.replace(
         batch,

@@ -1,4 +1,4 @@
-"""Starts worker processes for batches of asks, collects their answers, and ends what hangs."""
+"""Starts worker processes for batches of asks, collects answers, and ends workers that hang."""
 
 from __future__ import annotations
 
@@ -27,9 +27,9 @@ GRACE = 5.0  # s a batch gets besides, for the start of its program
 
 @dataclass(eq=False)
 class _Worker:
-    """A running batch: how far it is, and when its present ask is overdue; timeout [s].
+    """A running batch: its progress, and when its present ask is overdue; timeout [s].
 
-    known: the batches that its process can be told to answer, by their place, through `orders`.
+    known: the batches that its process can be ordered to answer through `orders`, by their place.
     """
 
     batch: Batch
@@ -50,7 +50,7 @@ class _Worker:
         return self.answered == len(self.batch.asks)
 
     def goes_on_with(self, waiting: deque[Batch]) -> bool:
-        """Whether it takes what is waiting next, which it then does."""
+        """Whether it takes the batch that waits next; if so, it starts on it."""
         fits = self.complete and not self.hung_up and self.batch.stays
         if not (fits and waiting and any(one is waiting[0] for one in self.known)):
             return False
@@ -68,8 +68,8 @@ def run_batches(
 ) -> Generator[tuple[int, Run], None, None]:
     """Yield (number, run) as answers come in, from at most `workers` processes at a time.
 
-    timeout: seconds for each ask. A worker that overruns it is killed with all it started; one
-    that dies fails the ask in flight; the rest of its batch goes to a new worker either way.
+    timeout: seconds for each ask. A worker that exceeds it is killed with all its descendants; if a
+    worker dies, the ask in progress fails. In both cases a new worker takes the rest of the batch.
     """
     waiting = deque(batches)
     running: list[_Worker] = []
@@ -122,7 +122,7 @@ def _is_over(worker: _Worker) -> bool:
 
 
 def _finish(worker: _Worker, waiting: deque[Batch]) -> Iterator[tuple[int, Run]]:
-    """End a worker: the ask in flight fails, the rest of its batch is queued again."""
+    """End a worker: the ask in progress fails, the rest of its batch is queued again."""
     left = worker.batch.rest(worker.answered)
     if worker.hung_up:
         worker.process.join()
@@ -151,7 +151,7 @@ def _how_it_died(worker: _Worker) -> str:
 
 
 def _kill(worker: _Worker) -> None:
-    """End a worker with all that it started, whichever process group that is in by now."""
+    """End a worker with all its descendants, also those in other process groups."""
     if worker.process.is_alive():
         end_with_descendants(worker.process.pid or 0)
     with contextlib.suppress(ProcessLookupError, PermissionError):

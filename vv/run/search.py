@@ -1,4 +1,4 @@
-"""Answers asks in a worker: plain ones as they come, searches by rounds of several values each."""
+"""Answers asks in a worker: plain asks one by one, searches in rounds of several values each."""
 
 from __future__ import annotations
 
@@ -11,11 +11,11 @@ from pathlib import Path
 
 import numpy as np
 
-from vv.ask import Ask, Bracket, Cost, Run, Sought, Status
+from vv.ask import Ask, Bracket, Cost, Run, SearchVariable, Status
 from vv.codes.adapter import Adapter
 from vv.scene import Vector
 
-VARIED = {Sought.STEP: Ask.at, Sought.SHAKING: Ask.shaken}
+VARIED = {SearchVariable.STEP: Ask.at, SearchVariable.SHAKING: Ask.shaken}
 LOST = float("inf")  # the reach of a run that did not come to its end
 
 
@@ -24,11 +24,11 @@ def answers(
 ) -> Iterator[Run]:
     """Yield one Run per ask, in order, as `Adapter.run` does; adjacent searches run together.
 
-    Each call of the adapter has a folder of its own: what it names by an ask's number must not be
-    taken for the answer to another. What is sought first goes along with the plain asks before it,
-    so that a program starts once for both, unless these are timed.
-    A step that a code refuses is run all the same where the first one is not refused: a search
-    asks what comes of it.
+    Each call of the adapter has its own folder: files that it names by the number of an ask must
+    not be taken for the answer to another. The first values of searches run together with the plain
+    asks before them, so that a program starts once for both, unless these are timed. A step that a
+    code refuses is run nevertheless if the first step is not refused, since the search asks whether
+    it is stable.
     """
     left = list(asks)
     while left:
@@ -65,12 +65,12 @@ class _Search:
 
     def ask_at(self, value: float) -> Ask:
         """The ask that tries a value."""
-        return VARIED[self.bracket.sought](self.ask, value)
+        return VARIED[self.bracket.variable](self.ask, value)
 
     def values(self) -> list[float]:
         """Values to try next; none once the highest of the bracket is stable."""
         if not self.runs:
-            low = self.ask.dt if self.bracket.sought is Sought.STEP else 1.0
+            low = self.ask.dt if self.bracket.variable is SearchVariable.STEP else 1.0
             return list(np.geomspace(low, low * self.bracket.span, self.bracket.tries))
         stable, lost = self.bracket.stability_limits(self.tried())
         if not stable or lost is None:
@@ -99,7 +99,11 @@ class _Search:
             return "all that was tried is stable"
         reach, bound = _reach(self.runs[lost]), self.bracket.bound
         grown = f"reaches {reach:.3g} of at most {bound:.3g}"
-        where = f"dt = {lost:.6g} s" if self.bracket.sought is Sought.STEP else f"{lost:.6g} times"
+        where = (
+            f"dt = {lost:.6g} s"
+            if self.bracket.variable is SearchVariable.STEP
+            else f"{lost:.6g} times"
+        )
         return f"at {where}: {self.runs[lost].reason if reach == LOST else grown}"
 
 

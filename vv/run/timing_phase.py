@@ -1,4 +1,4 @@
-"""The timing phase: solves measured one at a time, on one core, in visits to all codes in turn."""
+"""The timing phase: solves are measured one at a time on one core, alternating between codes."""
 
 from __future__ import annotations
 
@@ -30,10 +30,9 @@ def timed_costs(
 ) -> dict[int, JobCost]:
     """Job number -> cost, for the jobs to be timed that ran; all from one session.
 
-    A stored session answers if it timed the very same runs on the machine where `place` times;
-    if none does, begin is told how many there are.
-    `relative` is solve_cpu over that of the calibration kernel, the least and the largest of the
-    visits.
+    A stored session is used if it timed the same runs on the machine on which `place` times.
+    Otherwise `begin` receives the number of settings that will be timed. `relative` is solve_cpu
+    over the CPU time of the calibration kernel, the smallest and the largest of the visits.
     """
     numbers = _due(plan, records)
     keys = {run_keys[n]: n for n in numbers}

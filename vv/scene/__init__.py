@@ -18,8 +18,8 @@ from vv.scene.contact import Contact
 from vv.scene.energy import DISSIPATED, Form, Loss
 from vv.scene.fluid import Fluid
 from vv.scene.hertz import Hertz
+from vv.scene.initial_forces import initial_normal_forces, initial_wall_forces
 from vv.scene.scene import Scene
-from vv.scene.start import initial_normal_forces, initial_wall_forces
 from vv.scene.terms import Term
 from vv.scene.transform import (
     in_frame,

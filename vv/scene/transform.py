@@ -7,8 +7,8 @@ import numpy as np
 from vv.scene.arrays import Mask, Vector
 from vv.scene.block import Block
 from vv.scene.bodies import Harmonic, Pulse, Spheres, Wall
+from vv.scene.initial_forces import initial_normal_forces
 from vv.scene.scene import Scene
-from vv.scene.start import initial_normal_forces
 from vv.scene.terms import Term
 
 DRIFT_TOLERANCE = (

@@ -1,4 +1,4 @@
-"""What stands for blocks, walls and rigid contact in codes without: spheres, springs, boxes.
+"""Represents blocks, walls and rigid contact in codes without them: spheres, springs, boxes.
 
 May import: base, scene, ask.
 """

@@ -1,4 +1,4 @@
-"""Makes rigid scenes for codes whose bodies are all polyhedra: boxes stand for walls."""
+"""Makes rigid scenes for codes whose bodies are all polyhedra: boxes represent walls."""
 
 from __future__ import annotations
 
@@ -45,12 +45,12 @@ def why_no_boxes(ask: Ask) -> str | None:
 
 
 def boxed(ask: Ask) -> Plan:
-    """What a driver of rigid polyhedra reads: plain data in SI units, in the frame `scene.axes`.
+    """The input of a driver of rigid polyhedra: plain data in SI units, in the frame `scene.axes`.
 
     blocks and walls, each with its body's number, its centre and its vertices about that; walls
-    with their half sides, the axes of their box as rows, and the sines of their motion; gravity
-    and the sines of shaking, which act on all free blocks, until a time [s] or, if that is None,
-    to the end. size: that of the largest block.
+    with their half sides, the axes of their box as rows, and the sines of their motion; gravity and
+    the sines of shaking, which act on all free blocks, until a time [s] or, if that is None, to the
+    end. size: that of the largest block.
     """
     scene, axes = ask.scene, ask.scene.axes
     size = max(_size(block) for block in scene.blocks)

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from vv.scene import Block, Mask, Vector, Wall
-from vv.standins.soften import TOUCHING
+from vv.standins.penalty_springs import TOUCHING
 
 SIGNS = np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)], float)
 FLAT = 1e-6  # of the distance of corners: less than that out of line is rounding

@@ -9,8 +9,7 @@ import numpy as np
 
 from vv.ask import Ask
 from vv.scene import Block, Scene, Term, Vector, Wall
-from vv.standins.apart import why_not_apart
-from vv.standins.soften import (
+from vv.standins.penalty_springs import (
     TOUCHING,
     as_spheres,
     base_velocity,
@@ -19,6 +18,7 @@ from vv.standins.soften import (
     softened,
     why_no_point,
 )
+from vv.standins.separation import why_not_apart
 
 SHEAR = 25.0
 """ks over kn of springs that stand in for rigid contact, which says nothing of ks.

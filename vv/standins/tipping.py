@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from vv.scene import Block, Mask, Scene, Vector, Wall
-from vv.standins.soften import (
+from vv.standins.penalty_springs import (
     STILL,
     acceleration_of,
     base_acceleration,

@@ -1,1 +1,1 @@
-"""What LIGGGHTS is given of each term of a scene: see `table`."""
+"""The translation of each term of a scene for LIGGGHTS: see `table`."""

@@ -1,4 +1,4 @@
-"""Puts blocks to LIGGGHTS: as rigid bodies of atoms, or as the spheres that stand for them."""
+"""Translates blocks for LIGGGHTS: rigid bodies of atoms, or spheres that represent them."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Puts bonds to LIGGGHTS: as harmonic bonds, in a data file a deck makes, or as overlaps."""
+"""Translates bonds for LIGGGHTS: harmonic bonds in a data file, or overlapping spheres."""
 
 from __future__ import annotations
 

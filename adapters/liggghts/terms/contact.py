@@ -1,4 +1,4 @@
-"""Puts to LIGGGHTS what contacts do besides pressing: rub, damp, and start charged."""
+"""Translates friction, damping and the initial shear forces of contacts for LIGGGHTS."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ def friction(deck: Deck, setup: Setup) -> Deck:
 
 
 def viscosity(deck: Deck, setup: Setup) -> Deck:
-    """A viscous contact is given its coefficient [N s/m] itself, and may not pull."""
+    """A viscous contact has its coefficient [N s/m] as a parameter, and exerts no tension."""
     properties = {
         {"gamman": "gamman_abs", "gammat": "gammat_abs"}.get(name, name): value
         for name, value in deck.law.properties.items()

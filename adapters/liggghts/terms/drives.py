@@ -1,4 +1,4 @@
-"""Puts sines to LIGGGHTS: bodies shaken by forces, walls moved as meshes."""
+"""Translates prescribed sines for LIGGGHTS: bodies shaken by forces, walls moved as meshes."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Puts to LIGGGHTS the forces on spheres that do not vary in time: drag, weight, dead loads."""
+"""Translates constant forces and drag on spheres for LIGGGHTS: drag, weight, dead loads."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Puts contact of elastic spheres to LIGGGHTS: moduli as the factors of its Hertz law."""
+"""Translates contact of elastic spheres for LIGGGHTS: moduli as factors of its Hertz law."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ HELD = "its shear force is all of the slip times today's stiffness, where increm
 
 
 def elastic(deck: Deck, setup: Setup) -> Deck:
-    """Effective moduli in place of springs, which the term of friction has put already."""
+    """Effective moduli in place of springs, which the term of friction has already set."""
     contact = setup.scene.contact
     if contact.hertz is None:
         return deck

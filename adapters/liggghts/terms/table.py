@@ -1,4 +1,4 @@
-"""Which function puts which term of a scene to LIGGGHTS: a new term is a function and a line."""
+"""Which function translates which term for LIGGGHTS: a new term is a function and a line."""
 
 from __future__ import annotations
 

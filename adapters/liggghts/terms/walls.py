@@ -1,4 +1,4 @@
-"""Puts walls to LIGGGHTS: planes across an axis of the frame, or meshes of one triangle."""
+"""Translates walls for LIGGGHTS: planes across an axis of the frame, or one-triangle meshes."""
 
 from __future__ import annotations
 

@@ -1,1 +1,1 @@
-"""What YADE is given of each term of a scene: see `table`."""
+"""The translation of each term of a scene for YADE: see `table`."""

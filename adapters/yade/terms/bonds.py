@@ -1,4 +1,4 @@
-"""Puts bonds to YADE, each as a contact that holds, and says what bonds it cannot be given."""
+"""Translates bonds for YADE into permanent contacts, and says which bonds are not possible."""
 
 from __future__ import annotations
 
@@ -29,10 +29,10 @@ def sheared_bonds(given: Given, setup: Setup) -> Given:
 
 
 def _rows(scene: Scene) -> list[dict[str, Any]]:
-    """The bonds of a scene as the program in YADE takes them: see its `driver`.
+    """The bonds of a scene as input of the program in YADE: see its `driver`.
 
-    A bond of another length than the sum of the radii pulls from another overlap than none. An
-    infinite strength is given as one that no force comes near.
+    If the length of a bond differs from the sum of the radii, its force is zero at another overlap
+    than zero. An infinite strength becomes one that no force can reach.
     """
     if scene.bonds is None:
         return []
@@ -58,7 +58,7 @@ def sheared(scene: Scene) -> Mask:
 
 
 def why_no_bonds(scene: Scene) -> str | None:
-    """Why YADE cannot be given the bonds of a scene; None if it can, or there are none."""
+    """Why YADE cannot represent the bonds of a scene; None if it can, or there are none."""
     if scene.bonds is not None and scene.walls:
         return "walls beside bonds; YADE's law of bonds acts between spheres only"
     return None

@@ -1,4 +1,4 @@
-"""Puts to YADE what contacts do besides pressing: rub, damp, and start charged."""
+"""Translates friction, damping and the initial shear forces of contacts for YADE."""
 
 from __future__ import annotations
 
@@ -9,8 +9,8 @@ import numpy as np
 from adapters.yade.given import Given, Plan
 from adapters.yade.setup import LEAST_GAP, POLYHEDRA, Setup
 from vv.scene import Scene, Spheres, Vector, Wall
+from vv.scene.initial_forces import unbonded
 from vv.scene.neighbours import overlapping
-from vv.scene.start import unbonded
 
 
 def friction(given: Given, setup: Setup) -> Given:

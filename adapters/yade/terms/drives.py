@@ -1,4 +1,4 @@
-"""Puts sines to YADE: as they are for forces, and as its HarmonicMotionEngine takes them."""
+"""Translates sines for YADE: directly for forces, for walls as its HarmonicMotionEngine."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ import numpy as np
 from adapters.yade.given import Given
 from adapters.yade.setup import Setup
 from vv.scene import Harmonic, Pulse
-from vv.standins.soften import acceleration_of
+from vv.standins.penalty_springs import acceleration_of
 
 ON_TIME = 1e-6  # of a step: what a time may be later than a step and still be its own
 

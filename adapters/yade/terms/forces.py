@@ -1,4 +1,4 @@
-"""Puts to YADE the forces on spheres that do not vary in time, and what keeps its velocity."""
+"""Translates constant forces, drag and steady motion of spheres for YADE."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Puts contact of elastic spheres to YADE: materials of which its Mindlin law makes the moduli."""
+"""Translates contact of elastic spheres for YADE: materials that give its Mindlin law."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Which function puts which term of a scene to YADE: a new term is a function and a line."""
+"""Which function translates which term for YADE: a new term is a function and a line."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from vv.scene import Term
 
 
 def in_every_plan(given: Given, setup: Setup) -> Given:
-    """Nothing more than what is given of any scene of spheres, or of the body for a block."""
+    """Adds nothing: the term is part of the input of every scene of spheres, or of every block."""
     return given
 
 
@@ -48,7 +48,7 @@ TRANSLATIONS: Mapping[Term, Callable[[Given, Setup], Given]] = {
 
 
 def translated(setup: Setup) -> Given:
-    """What YADE is given of the spheres and walls of a setup, term by term."""
+    """The YADE input for the spheres and walls of a setup, term by term."""
     given = bare(setup)
     for term, translation in TRANSLATIONS.items():
         if term in setup.terms:

@@ -1,4 +1,4 @@
-"""Puts walls to YADE: infinite ones across an axis of the frame, or facets."""
+"""Translates walls for YADE: infinite ones across an axis of the frame, or facets."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ import numpy as np
 from adapters.yade.given import Given, Plan
 from adapters.yade.setup import Setup
 from vv.scene import Wall
-from vv.standins.soften import fastest
+from vv.standins.penalty_springs import fastest
 
 FACET = 1e3  # a wall's triangle over the scene's size and paths; its size costs no accuracy
 

@@ -11,7 +11,7 @@ from typing import Any
 import pytest
 
 from tests.support.adapters.fake_modules import driver_with
-from vv.codes.served import Stopwatch
+from vv.codes.driver_protocol import Stopwatch
 
 DT = 0.1
 ROOT = "KratosMultiphysics"

@@ -17,7 +17,7 @@ from tests.support.adapters.liggghts_asks import HALF_STEP, PLAIN, ball, ball_as
 from tests.support.adapters.small_asks import DT, UP, case_ask
 from vv.ask import Ask
 from vv.scene import Contact, Harmonic, Wall, rotated, rotation_about_z
-from vv.standins.soften import acceleration_of
+from vv.standins.penalty_springs import acceleration_of
 
 NUMBER = st.floats(-1e3, 1e3)
 

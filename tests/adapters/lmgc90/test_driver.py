@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 
 from tests.support.adapters.fake_modules import driver_with
-from vv.codes.served import RunError, Stopwatch
+from vv.codes.driver_protocol import RunError, Stopwatch
 
 DT, MASS = 0.1, 4.0
 STILL = [0.0] * 6

@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 
 from tests.support.adapters.fake_modules import driver_with
-from vv.codes.served import RunError, Stopwatch
+from vv.codes.driver_protocol import RunError, Stopwatch
 
 DT = 0.1
 HALF = [0.5, 1.0, 1.5]

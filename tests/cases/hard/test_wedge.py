@@ -95,5 +95,5 @@ def test_any_wrong_sign_in_the_second_route_is_caught(sign: int) -> None:
 def test_openings_out_of_range_are_refused() -> None:
     with pytest.raises(ValueError, match=r"xi = 4.0 rad; a groove opens by at most pi"):
         closed.pressing(4.0)
-    with pytest.raises(ValueError, match=r"xi = 1.6 rad; beyond pi/2"):
+    with pytest.raises(ValueError, match=r"xi = 1.6 rad; it must be below pi/2"):
         CASE.declare("xi-1", {**CASE.defaults("xi-1"), "xi": 1.6})

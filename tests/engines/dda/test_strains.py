@@ -22,7 +22,7 @@ from vv.engines.dda.general.bodies import Bodies, Motion, followed
 from vv.engines.dda.general.model import General
 from vv.plan.project import find
 from vv.scene import Block, Contact, Elastic, Scene, Term, Vector, rotated, rotation_about_z
-from vv.standins.soften import as_spheres
+from vv.standins.penalty_springs import as_spheres
 from vv.standins.stand_in import why_no_spring_scene
 from vv.standins.why_no_clump import why_no_clump
 

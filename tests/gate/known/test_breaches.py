@@ -9,7 +9,7 @@ import pytest
 from tests.support.fabricated import entry, record
 from vv.ask import Knobs, Ledger, Method, Run, Status
 from vv.base.errors import UsageError
-from vv.case import Tolerance, Unexplained
+from vv.case import EnergyAllowance, Tolerance
 from vv.gate import known_breaches
 from vv.gate.judgement import outcome, record_findings
 from vv.gate.known_breaches import KnownBreach
@@ -137,7 +137,9 @@ def test_a_bad_entry_is_named(tmp_path: Path, change: str, said: str) -> None:
 
 
 def test_a_case_says_what_energy_may_go_unexplained_where_rounding_is_no_measure() -> None:
-    bound = Unexplained(200.0, {Method.SECOND_ORDER: Tolerance(1e-6, "a step", dt=1e-3, order=2)})
+    bound = EnergyAllowance(
+        200.0, {Method.SECOND_ORDER: Tolerance(1e-6, "a step", dt=1e-3, order=2)}
+    )
     ledger = Ledger({}, 0.0, 1.0, 1e-9)
 
     def allowed(method: Method, dt: float, given: Ledger = ledger) -> float | None:
@@ -149,4 +151,4 @@ def test_a_case_says_what_energy_may_go_unexplained_where_rounding_is_no_measure
     assert allowed(Method.EXACT, 1e-3) == 1e-9
     assert allowed(Method.SECOND_ORDER, 1e-3, Ledger({}, 0.0, 1.0, None)) is None
     with pytest.raises(ValueError, match="must be positive"):
-        Unexplained(0.0, {})
+        EnergyAllowance(0.0, {})

@@ -1,10 +1,10 @@
-"""The error of an answer that is not what the protocol asks for, and how it quotes texts."""
+"""The error of an answer that violates the protocol, and how it quotes texts."""
 
 SHOWN = 60  # characters of a text that is quoted
 
 
 class BadAnswerError(ValueError):
-    """What a program wrote is not what the protocol asks for; the message says where."""
+    """The output of a program violates the protocol; the message says where."""
 
 
 def short(text: str) -> str:

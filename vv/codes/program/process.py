@@ -1,4 +1,4 @@
-"""Runs a program on one question in a folder of its own, and reads its answer and cost."""
+"""Runs a program on one question in an empty folder, and reads its answer and cost."""
 
 from __future__ import annotations
 
@@ -100,7 +100,7 @@ def _cpu_of_children() -> float:
 
 
 def _shorten(folder: Path) -> None:
-    """Cut the files of a run that failed to a size worth looking at."""
+    """Cut the files of a failed run to a readable size."""
     for path, size in external.sizes(folder):
         if size > external.LARGEST_LOG:
             os.truncate(path, external.TAIL)
@@ -119,7 +119,7 @@ def _most() -> int:
 def _bounded() -> Iterator[None]:
     """Limit the size of files, also of deleted ones that are still open.
 
-    What is started inherits the bound before it can start anything itself.
+    A child process inherits the limit before it can start others.
     """
     soft, hard = resource.getrlimit(resource.RLIMIT_FSIZE)
     unbound = resource.RLIM_INFINITY
@@ -132,6 +132,6 @@ def _bounded() -> Iterator[None]:
 
 
 def _fix_bound(program: external.Process) -> None:
-    """Let the program not lift its bound."""
+    """Prevent the program from raising its limit."""
     with contextlib.suppress(OSError):  # it has ended
         resource.prlimit(program.process.pid, resource.RLIMIT_FSIZE, (_most(), _most()))

@@ -20,7 +20,7 @@ NEAR = 1e-3  # of the interval between outputs: how exactly a time must be print
 def read_series(file: Path, ask: Ask) -> Mapping[str, Vector]:
     """Column -> its values (k,) at the output times asked for; raises BadAnswerError.
 
-    The header decides which column is which; others than those asked for are passed over.
+    Columns are identified by the header; columns that were not asked for are ignored.
     """
     if not file.is_file():
         raise BadAnswerError(f"the program ended well, but wrote no {SERIES}")

@@ -10,7 +10,7 @@ from collections.abc import Callable
 
 from vv.ask import Displacement, Velocity
 from vv.codes.adapter import Scheme
-from vv.codes.tiny_scenes import blocks, bonds, contacts, flights, rubbing
+from vv.codes.tiny_scenes import blocks, bonds, contacts, flights, friction
 from vv.codes.tiny_scenes.tiny_scene import STEPS, Terms, TinyScene, error, likeness
 from vv.scene import Term
 
@@ -20,7 +20,7 @@ OFFERED: tuple[Callable[[Terms], TinyScene], ...] = (
     flights.flight, flights.laden, contacts.bounce, contacts.collision, flights.lock,
     flights.oblique, flights.carried, flights.drag, flights.fluid, flights.shaken, flights.pulse,
     contacts.moving_wall, contacts.dashpot, contacts.hertz, contacts.viscous_hertz,
-    rubbing.skid, rubbing.roll, rubbing.viscous_skid,
+    friction.skid, friction.roll, friction.viscous_skid,
     bonds.pulled, bonds.sheared, bonds.broken,
     blocks.flight, blocks.laden, blocks.slide,
 )  # fmt: skip

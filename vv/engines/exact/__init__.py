@@ -31,7 +31,7 @@ from vv.engines.exact.system import System, assemble, describe
 from vv.engines.exact.turn.ledger import turn_ledger
 from vv.engines.exact.turn.path import Turn, TurningFlow
 from vv.scene import Scene
-from vv.standins.soften import as_spheres
+from vv.standins.penalty_springs import as_spheres
 
 __all__ = [
     "BONDS",

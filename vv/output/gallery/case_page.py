@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 from vv.case import Case
-from vv.output.gallery.marking import cell, code, listed_codes, table
+from vv.output.gallery.markup import cell, code, listed_codes, table
 from vv.records.case_facts import CaseFacts, QuantityFacts, VariantFacts
 
 Answers = Mapping[str, Mapping[str, int | str]]  # scheme -> variant -> unknowns, or why not

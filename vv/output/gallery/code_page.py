@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from vv.codes.adapter import Adapter, Scheme
 from vv.output.gallery.case_page import Answers
-from vv.output.gallery.marking import cell, code, table
+from vv.output.gallery.markup import cell, code, table
 from vv.scene import Term
 
 

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from vv.case import Case
 from vv.codes.adapter import Adapter
-from vv.output.gallery.marking import cell, table
+from vv.output.gallery.markup import cell, table
 
 
 def index(cases: Sequence[Case], families: Mapping[str, str], adapters: Sequence[Adapter]) -> str:

@@ -57,9 +57,9 @@ class Cluster:
         return piles(rest, min(len(jobs), max(1, count)))
 
     def run(self, batches: Iterable[Batch], timeout: float) -> Iterator[tuple[int, Run]]:
-        """Yield (number, run) batch by batch; what kills its worker twice has failed.
+        """Yield (number, run) batch by batch; a batch that kills its worker twice has failed.
 
-        A dying worker takes with it what waits there: that is tried again, alone.
+        A dying worker also loses the batches that wait on it; each of these is tried again, alone.
         """
         with self._client() as client:
             due = {self._submitted(client, batch, timeout): batch for batch in batches}
@@ -132,7 +132,7 @@ class Cluster:
 
 
 def _distributed() -> Any:
-    """The library, which is optional; what it would log of a lost connection, vv says itself."""
+    """The optional library; its log of a lost connection is silenced, since vv reports it."""
     library = importlib.import_module("distributed")
     logging.disable()
     return library

@@ -1,6 +1,6 @@
-"""What a worker of a cluster does: answers the asks of a batch, or holds a timing session.
+"""A worker of a cluster: answers the asks of a batch, or holds a timing session.
 
-A batch runs in a process of its own, which is ended after its timeout with all that it started.
+A batch runs in its own process, which is ended after its timeout together with all its descendants.
 A worker refuses a code whose sources or programs are not those of the head.
 """
 

@@ -19,7 +19,7 @@ from vv.engines.exact.reachability import (
     span,
 )
 from vv.scene import Harmonic, Scene, Vector
-from vv.standins.soften import as_spheres
+from vv.standins.penalty_springs import as_spheres
 
 
 @dataclass(frozen=True, eq=False)

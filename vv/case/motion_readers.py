@@ -1,4 +1,4 @@
-"""Ways in which a series reads a run that a drawing can show: motion along a line, a turn."""
+"""Functions that read the motion of a body from a run so that a drawing can show it."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from vv.scene import Vector
 
 
 @dataclass(frozen=True, eq=False)
-class Along:
+class ComponentAlong:
     """The component of an observable along a direction (3,), over time (k,)."""
 
     observable: Observable
@@ -24,8 +24,8 @@ class Along:
 
 
 @dataclass(frozen=True, eq=False)
-class Turn:
-    """The angle by which a body turns about an axis (3,), read (k,) in units of `unit` [rad]."""
+class RotationAbout:
+    """The angle (k,) by which a body rotates about an axis (3,), in units of `unit` [rad]."""
 
     body: int
     axis: Vector

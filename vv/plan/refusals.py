@@ -1,4 +1,4 @@
-"""Finds out which jobs are refused, in several processes if that takes long."""
+"""Determines which jobs are refused, in several processes if that takes long."""
 
 from __future__ import annotations
 
@@ -6,18 +6,21 @@ import itertools
 from collections.abc import Sequence
 
 from vv.ask import Run
-from vv.base.several_cores import each
+from vv.base.parallel import parallel_map
 from vv.plan.plan import Job
 
 
 def settle(jobs: Sequence[Job], processes: int) -> None:
     """Determine the outcome of each job that need not run, such as a refusal: see `Job.settled`.
 
-    The jobs of a variant go together, since they have a scene and what is found of it.
+    The jobs of a variant are handled together, since they share a scene and what is derived from
+    it.
     """
     grouped = itertools.groupby(jobs, key=lambda job: (job.case, job.variant))
     variants = [list(group) for _, group in grouped]
-    for variant, outcomes in zip(variants, each(_outcomes, variants, processes), strict=True):
+    for variant, outcomes in zip(
+        variants, parallel_map(_outcomes, variants, processes), strict=True
+    ):
         for job, outcome in zip(variant, outcomes, strict=True):
             job.settle_as(outcome)
 

@@ -8,11 +8,11 @@ from typing import Any
 import numpy as np
 import pytest
 
-from vv.codes import served
+from vv.codes import driver_protocol
 
 
 def test_sines_and_their_rates_are_summed_along_each_axis() -> None:
-    sines: served.Sines = [([1.0, -2.0, 4.0], 3.0, 0.5), ([0.0, 5.0, 0.5], 2.0, -0.3)]
+    sines: driver_protocol.Sines = [([1.0, -2.0, 4.0], 3.0, 0.5), ([0.0, 5.0, 0.5], 2.0, -0.3)]
     for t in (0.0, 0.7):
         one, other = 3.0 * t + 0.5, 2.0 * t - 0.3
         for derivative, (a, b) in enumerate([
@@ -21,7 +21,7 @@ def test_sines_and_their_rates_are_summed_along_each_axis() -> None:
             (-9.0 * math.sin(one), -4.0 * math.sin(other)),
         ]):  # fmt: skip
             due = [a, -2.0 * a + 5.0 * b, 4.0 * a + 0.5 * b]
-            assert served.swung(sines, t, derivative) == pytest.approx(due, abs=1e-14)
+            assert driver_protocol.swung(sines, t, derivative) == pytest.approx(due, abs=1e-14)
 
 
 class Clock:
@@ -33,7 +33,7 @@ class Clock:
         monkeypatch.setattr("time.perf_counter", lambda: 2.0 * self.now)
 
     def simulate(
-        self, ask: dict[str, Any], watched: bool, watch: served.Stopwatch
+        self, ask: dict[str, Any], watched: bool, watch: driver_protocol.Stopwatch
     ) -> tuple[Any, dict[str, Any]]:
         self.watched.append(watched)
         for part, seconds in (("setup", 0.25 * len(self.watched)), ("steps", self.steps.pop(0))):
@@ -61,7 +61,7 @@ def test_steps_are_done_again_until_they_took_long_enough_and_the_least_is_told(
     repeats: int, spread: float,
 ) -> None:  # fmt: skip
     clock = Clock(monkeypatch, *steps)
-    _, facts = served.solve({"steps": 7}, clock.simulate, repeat)
+    _, facts = driver_protocol.solve({"steps": 7}, clock.simulate, repeat)
     assert clock.steps == []
     assert clock.watched == [True, *[False] * (len(steps) - 1)]
     assert facts == {
@@ -74,8 +74,8 @@ def test_what_is_not_finite_diverged() -> None:
     def simulate(*_: object) -> tuple[Any, dict[str, Any]]:
         return np.array([1.0, np.inf]), {}
 
-    with pytest.raises(served.RunError, match="not finite") as refused:
-        served.solve({"steps": 7}, simulate, 0.0)
+    with pytest.raises(driver_protocol.RunError, match="not finite") as refused:
+        driver_protocol.solve({"steps": 7}, simulate, 0.0)
     assert refused.value.status == "diverged"
 
 
@@ -83,8 +83,8 @@ def test_the_ask_that_is_filled_in_is_answered_in_print(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
     ask = {"steps": 4, "stride": 2, "dt": 0.25, "observe": [["velocity", 3]]}
-    monkeypatch.setattr(served, "ASK", ask)
+    monkeypatch.setattr(driver_protocol, "ASK", ask)
     clock = Clock(monkeypatch, 4.0)
-    served.serve(clock.simulate)
+    driver_protocol.serve(clock.simulate)
     _, *lines = capsys.readouterr().out.splitlines()
     assert lines == ["# t [s], velocity of body 3: x, y, z [SI]", "0 0 0 0", "0.5 0 0 0"]

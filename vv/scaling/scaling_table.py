@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from typing import Any
 
-from vv.growth.measured import Size
-from vv.growth.stack import CONTACTS
-from vv.growth.triad import least_traffic
+from vv.scaling.measured import Size
+from vv.scaling.stack import CONTACTS
+from vv.scaling.triad import least_traffic
 
 LIMIT = "memory"
 

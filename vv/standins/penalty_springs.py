@@ -1,4 +1,4 @@
-"""Rigid scenes for codes with springs: blocks as spheres, rigid contact as a penalty spring."""
+"""Replaces blocks by spheres and rigid contact by penalty springs, for codes with springs."""
 
 from __future__ import annotations
 
@@ -31,8 +31,8 @@ def why_no_point(scene: Scene) -> str | None:
 def as_spheres(scene: Scene) -> Scene:
     """The scene with each block as a sphere at its centroid, with the block's gap to the wall.
 
-    A block that cannot turn and meets one wall, and no other block, moves as a point does. Raises
-    ValueError with the reason where that is not so; blocks that may meet are not told.
+    A block that cannot rotate and meets one wall, and no other block, moves as a point does. Raises
+    ValueError with the reason if that is not so; whether blocks may meet each other is not checked.
     """
     reason = why_no_point(scene)
     if reason is not None:
@@ -60,9 +60,9 @@ def _sphere(block: Block, scene: Scene) -> Spheres:
 def softened(scene: Scene, kn: float, shear: float = 1.0) -> Scene:
     """The scene with springs kn and ks = shear kn [N/m] in place of rigid contact.
 
-    Spheres that touch a wall start where the spring carries what presses them on it at t = 0:
-    weight, load, shaking, and the wall's own acceleration. Scenes whose contact has a stiffness
-    are left as they are.
+    Spheres that touch a wall start with the overlap at which the spring balances the normal force
+    at t = 0: weight, load, shaking, and the wall's own acceleration. Scenes whose contact has a
+    stiffness are left as they are.
     """
     if not scene.contact.rigid:
         return scene
@@ -91,12 +91,12 @@ def _pressed(spheres: Spheres, scene: Scene, kn: float) -> Spheres:
 def friction_at_start(scene: Scene) -> Vector:
     """The friction (n, 3) [N] by which its wall acts on each sphere in rigid contact at t = 0.
 
-    Where it slips, mu N against the slip; where it rests, what keeps it with the wall, up to mu N.
-    A rigid scene does not say how the springs that stand in for contact are charged when it
-    starts. From zero, a block on a slope would first speed up until the spring holds it: it then
-    swings about its place, or slides on too fast by an error of order kn^-1/2. Charged with
-    this force, springs are in the state that they tend to as they become rigid, with an error of
-    order 1/kn. Raises ValueError unless there is one wall.
+    Where it slips, mu N against the slip; where it rests, the force that keeps it with the wall, up
+    to mu N. A rigid scene does not define the initial shear force of the springs that represent
+    contact. From zero, a block on a slope would first accelerate until the spring holds it: it
+    would then oscillate about its position, or slide on too fast by an error of order kn^-1/2. With
+    this initial force, springs are in the state to which they tend as they become rigid, with an
+    error of order 1/kn. Raises ValueError unless there is one wall.
     """
     (wall,) = scene.walls
     s, n = scene.spheres, wall.normal

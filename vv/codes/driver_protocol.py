@@ -1,8 +1,9 @@
 """The part that all drivers share: it reads asks, times their solution, and writes answers.
 
-It runs in the Python of an outside code, as part of one script with the driver, and imports
+It runs in the Python of an external code, as part of one script with the driver, and imports
 nothing but numpy: see `vv.codes.own_python`. The script answers the asks in the files it is given,
-each in FILE.npy and, as the last act, FILE.answer; or alone, the one that is filled in as ASK.
+each in FILE.npy and, at the very end, FILE.answer; without files it answers the ask that is filled
+in as ASK.
 """
 
 import json
@@ -21,7 +22,7 @@ Sines = list[tuple[list[float], float, float]]  # amplitude along x, y, z; rad/s
 
 
 class RunError(Exception):
-    """A run that must not count: its status and why."""
+    """A run that must not count: its status and reason."""
 
     def __init__(self, status: str, reason: str) -> None:
         super().__init__(reason)
@@ -36,7 +37,7 @@ class Stopwatch:
         self.cpu, self.wall = time.process_time(), time.perf_counter()
 
     def lap(self, part: str) -> None:
-        """Add what has passed since the last call to a part."""
+        """Add the time since the last call to a part."""
         cpu, wall = time.process_time(), time.perf_counter()
         spent = self.laps.get(part, (0.0, 0.0))
         self.laps[part] = spent[0] + cpu - self.cpu, spent[1] + wall - self.wall
@@ -58,10 +59,10 @@ def swung(sines: Sines, t: float, derivative: int = 0) -> tuple[float, float, fl
 
 
 def solve(ask: Plan, simulate: Simulate, repeat: float) -> tuple[Any, Plan]:
-    """Observables of one ask, and what it cost.
+    """Observables of one ask, and their cost.
 
-    repeat: the run is done again, unwatched, until its steps alone took that many CPU seconds, at
-    least three times, and the least is reported.
+    repeat: the run is repeated without observables until its steps alone took that many CPU
+    seconds, at least three times; the minimum is reported.
     """
     watch = Stopwatch()
     values, facts = simulate(ask, True, watch)
@@ -86,7 +87,7 @@ def solve(ask: Plan, simulate: Simulate, repeat: float) -> tuple[Any, Plan]:
 
 
 def answer(path: str, simulate: Simulate, ready: float) -> None:
-    """Solve the ask in a file and put the answer beside it, whole or not at all."""
+    """Solve the ask in a file and write the answer beside it, completely or not at all."""
     with open(path) as file:
         ask = json.load(file)
     values = np.zeros(0)

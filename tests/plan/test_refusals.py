@@ -12,8 +12,8 @@ import pytest
 
 from tests import ROOT
 from vv.ask import Run, Status
-from vv.base import several_cores
-from vv.plan import settling
+from vv.base import parallel
+from vv.plan import refusals
 from vv.plan.plan import Job, Options
 from vv.plan.planning import make_plan
 from vv.plan.project import Project
@@ -46,14 +46,14 @@ def reasons(made: list[Job]) -> list[str]:
 def at_once(monkeypatch: pytest.MonkeyPatch) -> None:
     """Shared out from the second job on, whatever the first takes."""
     clock = iter(range(10**6))
-    monkeypatch.setattr(several_cores, "ALONE", 1.5)
+    monkeypatch.setattr(parallel, "ALONE", 1.5)
     monkeypatch.setattr(time, "process_time", lambda: float(next(clock)))
 
 
 @pytest.mark.usefixtures("at_once")
 def test_outcomes_are_those_of_each_job_and_found_in_as_many_processes() -> None:
     made = jobs(20, functools.partial(told, here=os.getpid()))
-    settling.settle(made, 3)
+    refusals.settle(made, 3)
     found = reasons(made)
     assert all(one.startswith(f"{n} by ") for n, one in enumerate(found) if n % 5)
     assert not any(found[::5])
@@ -63,7 +63,7 @@ def test_outcomes_are_those_of_each_job_and_found_in_as_many_processes() -> None
 @pytest.mark.usefixtures("at_once")
 def test_what_a_process_that_died_did_not_tell_is_found_here() -> None:
     made = jobs(20, functools.partial(told, here=os.getpid(), only_here=True))
-    settling.settle(made, 3)
+    refusals.settle(made, 3)
     for job in made:
         object.__setattr__(job, "settle", None)  # nothing is left to be found
     assert {one.split()[-1] for one in reasons(made) if one} == {str(os.getpid())}
@@ -71,5 +71,5 @@ def test_what_a_process_that_died_did_not_tell_is_found_here() -> None:
 
 def test_a_few_quick_jobs_are_settled_here() -> None:
     made = jobs(20, functools.partial(told, here=os.getpid(), only_here=True))
-    settling.settle(made, 3)
+    refusals.settle(made, 3)
     assert len([one for one in reasons(made) if one]) == 16

@@ -1,4 +1,4 @@
-"""Adapter of a code that is a Python package: its driver, and what it refuses and models."""
+"""Adapter of a code that is a Python package and runs through a driver script."""
 
 from __future__ import annotations
 
@@ -24,13 +24,13 @@ def no_fault(ask: Ask, run: Run) -> str | None:
 
 
 @dataclass(frozen=True)
-class Driven:
-    """A code that a driver runs in a Python of its own: see `vv.codes.Adapter`.
+class DriverAdapter:
+    """A code that a driver script runs in a separate Python: see `vv.codes.Adapter`.
 
-    refusal: why it cannot represent an ask though it has every term, else None. plan: what the
-    driver reads. frame: the axes (3, 3) in which it answers, in those of the scene. notes: how it
-    represents scenes. integrated: the scene whose freedoms it integrates for one. fault: why a run
-    that came to its end is wrong all the same, else None.
+    refusal: why it cannot represent an ask although it has every term, else None. plan: the input
+    of the driver. frame: the axes (3, 3) in which it answers, in those of the scene. notes: how it
+    represents scenes. integrated: the scene whose degrees of freedom it integrates for a given one.
+    fault: why a run that came to its end is wrong nevertheless, else None.
     """
 
     scheme: Scheme
@@ -57,11 +57,11 @@ class Driven:
         return self.driver.home.find()
 
     def refuses(self, ask: Ask, scheme: str) -> str | None:
-        """What it cannot represent though it has every term."""
+        """What it cannot represent although it has every term."""
         return self.refusal(ask)
 
     def describe(self, ask: Ask, scheme: str) -> Model:
-        """The freedoms that it integrates, and how."""
+        """The degrees of freedom that it integrates, and how it represents the scene."""
         scene = self.integrated(ask.scene)
         terms = ask.scene.terms() | scene.terms()
         return Model(scene.unknowns(), terms, "; ".join(self.notes))

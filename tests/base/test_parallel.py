@@ -8,8 +8,8 @@ from pathlib import Path
 
 import pytest
 
-from vv.base import several_cores
-from vv.base.several_cores import each
+from vv.base import parallel
+from vv.base.parallel import parallel_map
 
 HERE = os.getpid()
 
@@ -18,7 +18,7 @@ HERE = os.getpid()
 def at_once(monkeypatch: pytest.MonkeyPatch) -> None:
     """Shared out from the second item on, whatever the first takes."""
     clock = iter(range(10**6))
-    monkeypatch.setattr(several_cores, "ALONE", 1.5)
+    monkeypatch.setattr(parallel, "ALONE", 1.5)
     monkeypatch.setattr(time, "process_time", lambda: float(next(clock)))
 
 
@@ -41,7 +41,7 @@ def fails_elsewhere(item: int) -> tuple[int, int]:
 @pytest.mark.usefixtures("at_once")
 @pytest.mark.parametrize("processes", [2, 3])
 def test_items_are_dealt_to_processes_and_results_are_in_order(processes: int) -> None:
-    found = each(who, range(10), processes)
+    found = parallel_map(who, range(10), processes)
     assert [item for item, _ in found] == [*range(10)]
     assert len({pid for _, pid in found}) == processes
     assert found[0][1] == found[1][1] == HERE
@@ -49,8 +49,8 @@ def test_items_are_dealt_to_processes_and_results_are_in_order(processes: int) -
 
 @pytest.mark.usefixtures("at_once")
 def test_what_a_process_was_lost_with_or_failed_at_is_done_here() -> None:
-    assert each(dies_elsewhere, range(10), 3) == [(item, HERE) for item in range(10)]
-    found = each(fails_elsewhere, range(10), 2)
+    assert parallel_map(dies_elsewhere, range(10), 3) == [(item, HERE) for item in range(10)]
+    found = parallel_map(fails_elsewhere, range(10), 2)
     assert [item for item, _ in found] == [*range(10)]
     assert {pid != HERE for _, pid in found[:7]} == {True, False}
     assert {pid for _, pid in found[7:]} == {HERE}
@@ -59,7 +59,7 @@ def test_what_a_process_was_lost_with_or_failed_at_is_done_here() -> None:
 @pytest.mark.usefixtures("at_once")
 def test_what_fails_here_too_is_told() -> None:
     with pytest.raises(ZeroDivisionError):
-        each(lambda item: 1 // (item - 7), range(10), 2)
+        parallel_map(lambda item: 1 // (item - 7), range(10), 2)
 
 
 def test_what_takes_little_and_what_one_process_does_is_done_here(tmp_path: Path) -> None:
@@ -67,12 +67,12 @@ def test_what_takes_little_and_what_one_process_does_is_done_here(tmp_path: Path
         (tmp_path / f"{os.getpid()}-{item}").touch()
         return item
 
-    assert each(noted, range(5), 3) == [*range(5)]
-    assert each(noted, [], 3) == []
+    assert parallel_map(noted, range(5), 3) == [*range(5)]
+    assert parallel_map(noted, [], 3) == []
     processes = {path.name.split("-")[0] for path in tmp_path.iterdir()}
     assert processes == {str(HERE)}
 
 
 @pytest.mark.usefixtures("at_once")
 def test_one_process_is_enough() -> None:
-    assert {pid for _, pid in each(who, range(5), 1)} == {HERE}
+    assert {pid for _, pid in parallel_map(who, range(5), 1)} == {HERE}

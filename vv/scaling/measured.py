@@ -10,8 +10,8 @@ from pathlib import Path
 from vv.ask import Status
 from vv.codes import Adapter, Scheme
 from vv.codes.adapter import known_beforehand
-from vv.growth.stack import CONTACTS, asked, stack
-from vv.growth.triad import bandwidth, least_traffic
+from vv.scaling.stack import CONTACTS, asked, stack
+from vv.scaling.triad import bandwidth, least_traffic
 from vv.scene import Scene
 
 WORK = 400_000  # spheres times steps of a measurement, about
@@ -22,10 +22,10 @@ HUGE = 300_000  # spheres, of which one round is enough: setting up takes most o
 
 @dataclass(frozen=True)
 class Size:
-    """The costs at one number of spheres: CPU seconds of a sphere and step, by scheme.
+    """The costs at one number of spheres: CPU seconds per sphere and step, by scheme.
 
-    limit: what the memory would take for what must be read and written, if no cache held it [s];
-    failed: why a scheme told nothing, and is not asked for more spheres.
+    memory: the bandwidth [bytes/s]; failed: why a scheme gave no cost; it is then not asked for
+    more spheres.
     """
 
     spheres: int
@@ -36,7 +36,7 @@ class Size:
 
     @property
     def limit(self) -> float:
-        """Seconds of a sphere in a step at the bandwidth of the memory."""
+        """Seconds per sphere and step at the bandwidth of the memory, if no cache is used."""
         return least_traffic(CONTACTS) / self.memory
 
 

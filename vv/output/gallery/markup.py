@@ -1,4 +1,4 @@
-"""Writes pieces of Markdown: tables, code, and text with its special characters escaped."""
+"""Writes pieces of Markdown: tables, code, and text with special characters escaped."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Decides whether blocks on a wall can meet; those that cannot move as if each were alone."""
+"""Decides whether blocks on a wall can meet; if they cannot, each moves as if it were alone."""
 
 from __future__ import annotations
 
@@ -6,13 +6,13 @@ import numpy as np
 
 from vv.ask import Ask
 from vv.scene import Block, Harmonic, Scene, Vector, Wall
-from vv.standins.soften import base_velocity
+from vv.standins.penalty_springs import base_velocity
 
 
 def why_not_apart(ask: Ask) -> str | None:
-    """Why blocks on one wall are not known to stay apart, as bodies and as spheres in their place.
+    """Why blocks on one wall may meet, as bodies or as the spheres that represent them.
 
-    Spheres in place of blocks are as high as the centres, and may meet where blocks do not.
+    Such spheres are at the height of the centres, and may meet where blocks do not.
     """
     blocks, (wall,) = ask.scene.blocks, ask.scene.walls
     extents = np.array([[_extent(block, along) for along in ask.scene.axes] for block in blocks])

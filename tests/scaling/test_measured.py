@@ -10,10 +10,10 @@ import pytest
 
 from vv.ask import Ask, Cost, Method, Model, Run, Status
 from vv.codes import Found, Scheme
-from vv.growth import measured, scaling_table
-from vv.growth.measured import Size, costs_by_size, sizes
-from vv.growth.stack import CONTACTS, stack
-from vv.growth.triad import bandwidth
+from vv.scaling import measured, scaling_table
+from vv.scaling.measured import Size, costs_by_size, sizes
+from vv.scaling.stack import CONTACTS, stack
+from vv.scaling.triad import bandwidth
 from vv.scene.neighbours import overlapping
 
 WORDS = "takes a second to begin and so long a step"

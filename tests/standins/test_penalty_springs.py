@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 from tests.scenes.blocks.block_scenes import FREE, HELD, box
 from tests.scenes.random_scenes import frames
 from vv.scene import Block, Contact, Elastic, Harmonic, Scene, Spheres, Vector, Wall
-from vv.standins.soften import (
+from vv.standins.penalty_springs import (
     acceleration_of,
     as_spheres,
     base_acceleration,

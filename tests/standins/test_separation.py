@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 from tests.scenes.blocks.block_scenes import HELD, box, incline, responding
 from vv.ask import Ask, Displacement, History, Knobs
 from vv.scene import Contact, Harmonic, Scene, Wall
-from vv.standins.apart import _ways, why_not_apart
+from vv.standins.separation import _ways, why_not_apart
 
 DURATION = 0.5  # s
 

@@ -1,4 +1,4 @@
-"""Does a piece of work for each of many items, in several processes if that takes long."""
+"""Calls a function for each of many items, in several processes if that takes long."""
 
 from __future__ import annotations
 
@@ -15,8 +15,8 @@ R = TypeVar("R")
 ALONE = 0.3  # CPU s after which the rest is shared out; to do so takes a tenth of that
 
 
-def each(work: Callable[[T], R], items: Sequence[T], processes: int) -> list[R]:
-    """What work(item) returns for each item, in order; what it returns has to be picklable."""
+def parallel_map(work: Callable[[T], R], items: Sequence[T], processes: int) -> list[R]:
+    """The results of work(item) for each item, in order; they must be picklable."""
     found: dict[int, R] = {}
     begun = time.process_time()
     for place, item in enumerate(items):
@@ -31,7 +31,8 @@ def each(work: Callable[[T], R], items: Sequence[T], processes: int) -> list[R]:
 def _shared(work: Callable[[T], R], items: Mapping[int, T], processes: int) -> dict[int, R]:
     """The same in this process and in forked ones, to which the items are dealt in turn.
 
-    What a process was lost with is done here in the end, and so is what raised an error there.
+    Items that a lost process did not finish, or for which it raised an error, are done here at the
+    end.
     """
     context = multiprocessing.get_context("fork")
     own, *others = ([*items][first::processes] for first in range(processes))
@@ -53,7 +54,7 @@ def _shared(work: Callable[[T], R], items: Mapping[int, T], processes: int) -> d
 
 
 def _help(work: Callable[[T], R], items: Mapping[int, T], sender: Connection) -> None:
-    """In a forked process: send what was found, up to an error."""
+    """In a forked process: send results, up to the first error."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # the parent ends it
     signal.signal(signal.SIGTERM, signal.SIG_DFL)
     found = {}

@@ -1,4 +1,4 @@
-"""A scene of any size: spheres that turn and rub, in a lattice that a box holds, in no order."""
+"""A scene of any size: a lattice of rotating spheres with friction in a box, in random order."""
 
 from __future__ import annotations
 
