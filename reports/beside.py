@@ -1,4 +1,4 @@
-"""Data that a report shows beside the records: papers and the inputs of codes."""
+"""Data that a report shows in addition to the records: papers and the inputs of codes."""
 
 from __future__ import annotations
 

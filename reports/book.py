@@ -67,7 +67,7 @@ class Book:
 
     @functools.cached_property
     def ran(self) -> dict[Place, dict[str, list[Record]]]:
-        """As `records`, of those only that a code took on."""
+        """As `records`, but only those that a code supports."""
         return {
             place: {
                 label: taken
@@ -105,11 +105,11 @@ class Book:
 
     @functools.cached_property
     def patterns(self) -> list[Diagnosis]:
-        """The patterns of failures, known ones too, of each scheme in a case."""
+        """The patterns of failures, including known ones, of each scheme in a case."""
         return diagnoses(self.manifest)
 
     def quiet(self, case: str = "", variant: str = "", label: str = "") -> bool:
-        """Whether nothing of a case, variant or scheme turns the gate red; '' stands for all.
+        """Whether nothing of a case, variant or scheme turns the gate red; '' means all.
 
         label: a scheme, or `CODE/` for all of a code.
         """
@@ -143,7 +143,7 @@ class Book:
 
     @functools.cached_property
     def agreements(self) -> dict[Place, list[Agreement]]:
-        """(case, variant) -> what each scheme gives beside what was measured."""
+        """(case, variant) -> each scheme compared with the measurements."""
         found: dict[Place, list[Agreement]] = {}
         for one in agreements(self.manifest):
             found.setdefault((one.case, one.variant), []).append(one)

@@ -115,17 +115,17 @@ def code_page(book: Book, name: str) -> str:
 
 
 def attention_page(book: Book) -> str:
-    """attention.html: what fails, is known to fail, moved, is not supported; stability; words."""
+    """attention.html: failures, known failures, changes, refusals; stability; glossary."""
     return _page("attention.html.j2", book, **_attention(book))
 
 
 def papers_page(book: Book) -> str:
-    """papers.html: what the papers publish, and what became of it."""
+    """papers.html: the published statements and their assessments."""
     return _page("papers.html.j2", book, papers=papers(book))
 
 
 def measured_page(book: Book) -> str:
-    """measured.html: what codes give beside what was measured."""
+    """measured.html: computed values compared with measured ones."""
     return _page("measured.html.j2", book, measured=measured(book), together=together(book))
 
 
@@ -163,7 +163,7 @@ def _asset(name: str) -> str:
 
 
 def inputs_script(book: Book) -> str:
-    """inputs.js: with what the inputs of codes begin, fetched when one is copied."""
+    """inputs.js: the common beginnings of the inputs of codes, loaded when one is copied."""
     return f"globalThis.vvInputs = {json.dumps(heads(book), sort_keys=True)};\n"
 
 
@@ -199,7 +199,7 @@ def _of_codes(book: Book) -> tuple[Any, Any]:
 
 
 def case_csv(book: Book, name: str) -> str:
-    """case-NAME.csv: a row for each quantity of each record of what a code took on."""
+    """case-NAME.csv: a row for each quantity of each record that a code supports."""
     own = filter(tried, book.of_case[name])
     target = io.StringIO()
     writer = csv.writer(target, lineterminator="\n")

@@ -1,4 +1,4 @@
-"""Typesets the formulas that cases write as plain text: MathML for what is mathematics.
+"""Typesets the formulas that cases write as plain text: mathematics as MathML.
 
 A case states its formula once, as people type it, so that terminal and page show the same. Words
 stay words between the formulas, where lines may break.

@@ -40,7 +40,7 @@ Stamps = Mapping[str, list[str]]
 
 @dataclass(frozen=True)
 class File:
-    """A file of the report. made_from: digest of all that it shows; write: makes its content."""
+    """A file of the report. made_from: digest of all that it shows; write: creates its content."""
 
     name: str
     made_from: str

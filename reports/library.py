@@ -1,4 +1,4 @@
-"""uPlot, the script by which a reader zooms into a chart, from the package that ships it.
+"""uPlot, the script with which a reader zooms into a chart, from the package that ships it.
 
 The package youplot has uPlot 1.6.31 as its authors released it (MIT licence), in 50 kB and without
 any dependency. Only the files are read: nothing of the package is imported. Where the package is

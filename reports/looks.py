@@ -1,4 +1,4 @@
-"""Writes the glyphs, markers and colours of code/schemes on a page, each defined once."""
+"""Writes the glyphs, markers and colours of code/schemes on a page; each is defined once."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ KINDS = (("dots", "f", "full"), ("holes", "o", "open"))  # of markers: path, nam
 
 
 def glyph(mark: Mark) -> Markup:
-    """The look of a code/scheme: a line with its marker on it."""
+    """The legend symbol of a code/scheme: a line with its marker on it."""
     return Markup(f'<svg class="glyph" aria-hidden="true"><use href="#k{mark.number}"/></svg>')
 
 

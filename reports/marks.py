@@ -1,4 +1,4 @@
-"""How each code/scheme looks: colour, marker and dash, the same in every report."""
+"""The look of each code/scheme: colour, marker and dash, the same in every report."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The outcomes of records as pages show them: a symbol, a word and a class of style."""
+"""Outcomes of records as pages show them: a symbol, a word and a style class."""
 
 from __future__ import annotations
 

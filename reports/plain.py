@@ -1,4 +1,4 @@
-"""Describes in words what is wrong with a result, and gives the command to rerun it."""
+"""Describes faults of a result in words, and gives the command to rerun it."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ LAWS = {  # of ledgers -> what a breach of it is, before the number
 
 
 def breach(found: Breach) -> str:
-    """A law that a run breaks, with the number and its bound."""
+    """A law that a run violates, with the value and its bound."""
     law, seen, allowed = found
     name, _, unit = law.partition(" [")
     unit = f" {unit.removesuffix(']')}" if unit else ""
@@ -41,7 +41,7 @@ def breach(found: Breach) -> str:
 
 
 def excess(one: MeasuredQuantity) -> str:
-    """A quantity outside what is due, with the number and its bound."""
+    """A quantity beyond its bound, with its value and the bound."""
     if one.verdict is Verdict.XPASS:
         return f"{one.name} passes, though a disagreement is on record: error {short(one.error)}"
     if one.error is not None and one.tolerance is not None:
@@ -56,14 +56,14 @@ def excess(one: MeasuredQuantity) -> str:
 
 
 def with_notes(quantities: Iterable[MeasuredQuantity]) -> list[str]:
-    """Quantities outside what is due, and then what the judge notes of them, each note once."""
+    """Quantities beyond their bounds, and then the judge's notes on them, each once."""
     known = list(quantities)
     notes = dict.fromkeys(one.note for one in known if one.note)
     return [*map(excess, known), *notes]
 
 
 def once(text: str, place: str, explained: dict[str, str]) -> str:
-    """A text without the long explanations that stand elsewhere, to which it refers by place.
+    """A text in which long explanations are replaced by references to their first occurrence.
 
     explained: explanation -> the place at which it stands; those of this text are added to it.
     """
@@ -94,7 +94,7 @@ def setting(record: Record) -> str:
 
 
 def command(record: Record) -> str:
-    """What to type to see a record again."""
+    """The command that shows a record again."""
     words = ["vv", "run", f"{record.case}:{record.variant}", "--codes", record.label]
     at = rung(record)
     if at:

@@ -39,7 +39,7 @@ def short(value: float | None) -> str:
 
 
 def brief(value: float | None) -> str:
-    """A number with as few characters as say it to six digits: 0.4, 5.5e9, 1e-5; – for None."""
+    """A number with as few characters as six digits need: 0.4, 5.5e9, 1e-5; – for None."""
     if value is None or not math.isfinite(value):
         return NONE
     if value == 0 or 1e-2 <= abs(value) < 1e5:
@@ -115,7 +115,7 @@ def known_columns(names: Iterable[str], rows: Iterable[Mapping[str, float | None
 
 
 def alike(table: Mapping[str, Same]) -> list[tuple[list[str], Same]]:
-    """(names, what they have), those with the same together."""
+    """(names, their common value): names with the same value together."""
     found: list[tuple[list[str], Same]] = []
     for name, value in table.items():
         names = next((names for names, known in found if known == value), None)

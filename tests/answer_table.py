@@ -1,4 +1,4 @@
-"""Writes anew what schemes answer to the cases that have it on record, without running a case.
+"""Rewrites the stored answers of schemes to all cases that have them, without running a case.
 
 For a change of a code that many cases see; of one case `vv accept` writes it.
 """

@@ -33,7 +33,7 @@ OFF = (1.01, 0.99)
 JUDGED = (Verdict.PASS, Verdict.FAIL)
 
 
-class Seen(NamedTuple):
+class Detected(NamedTuple):
     """One parameter off in one scheme: its worst error over the tolerance, and whose it is.
 
     excess: inf where the run or its measurement failed. right: the same with nothing off.
@@ -133,7 +133,9 @@ def shows(
     return best
 
 
-def swept(case: Case, variant: str, adapters: Sequence[Adapter], level: Level) -> Iterator[Seen]:
+def swept(
+    case: Case, variant: str, adapters: Sequence[Adapter], level: Level
+) -> Iterator[Detected]:
     """Each parameter of a variant off in each scheme that is judged."""
     right = case.declare(variant, case.defaults(variant))
     wrongs = {name: off(case, variant, name) for name in entering(case, variant)}
@@ -144,7 +146,7 @@ def swept(case: Case, variant: str, adapters: Sequence[Adapter], level: Level) -
                 method = scheme.method_for(right.study.scene.terms())
                 found = shows(right, trials, adapter, scheme, level) or (0.0, "")
                 label = f"{adapter.name}/{scheme.name}"
-                yield Seen(variant, name, method, label, usual[0] if usual else 0.0, *found)
+                yield Detected(variant, name, method, label, usual[0] if usual else 0.0, *found)
 
 
 def unseen(case: Case, variant: str, adapters: Sequence[Adapter], level: Level) -> list[str]:
@@ -163,9 +165,9 @@ def unseen(case: Case, variant: str, adapters: Sequence[Adapter], level: Level) 
     return left
 
 
-def by_class(found: Iterable[Seen]) -> Mapping[tuple[str, str], Mapping[Method, Seen]]:
+def by_class(found: Iterable[Detected]) -> Mapping[tuple[str, str], Mapping[Method, Detected]]:
     """(variant, parameter) -> class of method -> the scheme that sees it best."""
-    best: dict[tuple[str, str], dict[Method, Seen]] = defaultdict(dict)
+    best: dict[tuple[str, str], dict[Method, Detected]] = defaultdict(dict)
     for one in found:
         row = best[one.variant, one.parameter]
         before = row.get(one.method)

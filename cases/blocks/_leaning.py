@@ -30,17 +30,17 @@ class Leaning:
         return math.atan2(self.b, self.h)
 
     @property
-    def far(self) -> float:
+    def arm(self) -> float:
         """Distance from its centre to its corner [m]."""
         return math.hypot(self.b, self.h)
 
     def place(self, lean: Vector) -> Vector:
         """Where the centre is, (k, 2) along the floor and above it [m], at leans (k,) [rad]."""
         side, rest = np.where(lean < 0, -1.0, 1.0), self.alpha - np.abs(lean)
-        sideways = side * (self.b - self.far * np.sin(rest))
-        return np.stack([sideways, self.far * np.cos(rest)], axis=1)
+        sideways = side * (self.b - self.arm * np.sin(rest))
+        return np.stack([sideways, self.arm * np.cos(rest)], axis=1)
 
-    def begun(self) -> Vector:
+    def initial_centre(self) -> Vector:
         """Where the centre is at t = 0, (2,) [m]."""
         return np.asarray(self.place(np.array([self.start]))[0])
 
@@ -55,10 +55,10 @@ class Leaning:
         return Block("block", vertices, OUTLINE, mass, inertia, np.zeros(3), free=Y == 0,
                      free_spin=Y != 0)  # fmt: skip
 
-    def seen(self, run: Run) -> tuple[Vector, Vector]:
+    def lean(self, run: Run) -> tuple[Vector, Vector]:
         """The lean (k,) [rad] and its rate [1/s], from where the centre is and how it goes."""
-        x, z = (run.values[CENTRE][:, [0, 2]] + self.begun()).T
+        x, z = (run.values[CENTRE][:, [0, 2]] + self.initial_centre()).T
         side = np.where(x < 0, -1.0, 1.0)
         rest = np.arctan2(self.b - side * x, z)
         v, up = run.values[MOVING][:, [0, 2]].T
-        return side * (self.alpha - rest), (v * np.cos(rest) + side * up * np.sin(rest)) / self.far
+        return side * (self.alpha - rest), (v * np.cos(rest) + side * up * np.sin(rest)) / self.arm

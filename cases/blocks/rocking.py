@@ -88,7 +88,7 @@ def _rocked(variant: str, p: Parameters, law: Law, w: float) -> Trial:
     goal = History(p["duration"], p["duration"] / 50)
 
     def path(t: Vector) -> Vector:
-        return np.asarray(block.place(exact.leans(t)) - block.begun())
+        return np.asarray(block.place(exact.leans(t)) - block.initial_centre())
 
     motion = Motion(CENTRE, np.array([X, Z]), path, goal.times(None), "m")
     judge = _swings(rate) if released else _near_the_top(w, p["part"])
@@ -139,10 +139,10 @@ def _phases(block: Leaning, rate: float, exact: _Exact) -> tuple[Quantity, ...]:
     alpha = block.alpha
 
     def angle(run: Run) -> Vector:
-        return block.seen(run)[0] / alpha
+        return block.lean(run)[0] / alpha
 
     def swift(run: Run) -> Vector:
-        return block.seen(run)[1] / (rate * alpha)
+        return block.lean(run)[1] / (rate * alpha)
 
     return (
         Series("lean", "theta/alpha", "", "lean of the block over alpha",
@@ -161,7 +161,7 @@ def _first_swing(block: Leaning, exact: _Exact, judge: Exact) -> Scalar:
         due = exact.leans(run.times)
         back = np.flatnonzero(due <= 0.0)
         swing = slice(0, int(back[0]) if len(back) else None)
-        return float(np.abs(block.seen(run)[0][swing] - due[swing]).max() / block.alpha)
+        return float(np.abs(block.lean(run)[0][swing] - due[swing]).max() / block.alpha)
 
     return Scalar(
         "first swing", "max|e|/alpha", "", "largest error of the lean until the first impact, over "
@@ -173,7 +173,7 @@ def _before_impact(block: Leaning, exact: _Exact) -> tuple[Quantity, ...]:
     """The paper's own measure of error, of the lean under a pulse until the block comes back."""
 
     def largest(after: float, run: Run) -> float:
-        lean, due = block.seen(run)[0], exact.leans(run.times)
+        lean, due = block.lean(run)[0], exact.leans(run.times)
         down = np.flatnonzero((due <= 0.0) & (run.times > after))
         there = (run.times >= after) & (run.times < (run.times[down[0]] if len(down) else np.inf))
         return float(np.abs(100.0 * (lean[there] / due[there] - 1.0)).max())
@@ -219,8 +219,8 @@ def _thrown_over(p: Parameters, law: Law, w: float) -> Trial:
     goal = History(last, last / 300)
 
     def when(run: Run) -> float:
-        """When it leans by 2 alpha, between two outputs; nan if it does not."""
-        lean, due_lean = block.seen(run)[0], 2 * block.alpha
+        """The time at which it leans by 2 alpha, between two outputs; nan if it does not."""
+        lean, due_lean = block.lean(run)[0], 2 * block.alpha
         if not (lean > due_lean).any():
             return math.nan
         k = int(np.argmax(lean > due_lean))

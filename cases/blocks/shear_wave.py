@@ -76,7 +76,7 @@ def soil(p: Parameters, layers: int, unlike: bool = False) -> list[shear_wave.La
 
 
 def speed(p: Parameters) -> float:
-    """That of shear waves [m/s]."""
+    """The speed of shear waves [m/s]."""
     return math.sqrt(p["G"] / p["rho"])
 
 

@@ -11,7 +11,7 @@ import numpy as np
 from cases._papers import LIU_2017
 from cases.bonds._quartzite import BRITTLE
 from cases.bonds._specimens import block_of, on_springs, on_tops, specimen, yielding
-from cases.bonds.tetrahedral_strength import booked, unhurried
+from cases.bonds.tetrahedral_strength import at_zero_rate, judged_balance
 from reference_solutions.bonds import lattice_material
 from reference_solutions.bonds.close_packed_lattice import Lattice, static
 from reference_solutions.bonds.lattice_material import Element
@@ -61,7 +61,7 @@ def _declare(variant: str, p: Parameters) -> Trial:
     scene = yielding(p, block) if soft else specimen(p, block)
     tops = on_springs(block) if soft else on_tops(block)
     seen = functools.partial(_largest, tops, block.area)
-    whole = functools.partial(_slower if soft else unhurried, seen)
+    whole = functools.partial(_slower if soft else at_zero_rate, seen)
     duration = abs(expected.far / p["rate"])
     goal = History(duration, duration / OUTPUTS)
     watched: tuple[Observable, ...] = tuple(what for top in tops for what in top)
@@ -73,11 +73,11 @@ def _declare(variant: str, p: Parameters) -> Trial:
 def _balance(way: str, size: int) -> Scalar:
     """The error grows with the number of bonds that break at once, most in blocks that slide."""
     if size > LARGE:
-        return booked(1e-3, dt=COARSEST)
+        return judged_balance(1e-3, dt=COARSEST)
     if way == "yielding":
-        return booked(1e-5)
+        return judged_balance(1e-5)
     few = size <= {"pulled": 580, "pressed": 82}[way]
-    return booked(3e-6 if few else 5e-5)
+    return judged_balance(3e-6 if few else 5e-5)
 
 
 def _pulled(block: Lattice, p: Parameters) -> Expected:
@@ -138,7 +138,7 @@ def _hurry(expected: Expected, seen: Callable[[int, Run], float]) -> Scalar:
     )
 
     def more(run: Run) -> float:
-        return seen(1, run) / unhurried(seen, run) - 1.0
+        return seen(1, run) / at_zero_rate(seen, run) - 1.0
 
     return Scalar(name, name, "", what, more, None, 1.0, Shown(TOLD))
 

@@ -10,7 +10,7 @@ import numpy as np
 from cases._papers import LIU_2017
 from cases.bonds._quartzite import BRITTLE
 from cases.bonds._unit import CORNERS, EDGES
-from cases.bonds.tetrahedral_strength import BEYOND, EVERY, RATES, slid, unhurried
+from cases.bonds.tetrahedral_strength import BEYOND, EVERY, RATES, at_zero_rate, slid
 from reference_solutions.bonds import confined_unit, lattice_material
 from reference_solutions.bonds.confined_unit import Failure
 from reference_solutions.bonds.lattice_material import Element
@@ -83,7 +83,7 @@ def _declare(variant: str, p: Parameters) -> Trial:
 
 def _strength(p: Parameters, which: int, run: Run) -> float:
     """The pressure [Pa] at which the units under a load fail, extrapolated to zero rate."""
-    return unhurried(functools.partial(slid, p), run, len(RATES) * which)
+    return at_zero_rate(functools.partial(slid, p), run, len(RATES) * which)
 
 
 def _failure(p: Parameters, fx: float) -> Failure:

@@ -61,7 +61,7 @@ def _scene(p: Parameters) -> Scene:
     return Scene((spheres,), Contact(p["kn"], p["ks"], p["mu_p"]), p["eta"], bonds=bonds)
 
 
-class Seen(NamedTuple):
+class UnitHistory(NamedTuple):
     """What a unit shows over time: stress [Pa], stretches [m], shear of inclined bonds [N]."""
 
     stress: Vector
@@ -70,7 +70,7 @@ class Seen(NamedTuple):
     shear: Vector
 
 
-def unit_seen(p: Parameters, unit: int, run: Run) -> Seen:
+def unit_history(p: Parameters, unit: int, run: Run) -> UnitHistory:
     """The size of the axial stress on the original area (Eq. 5), and what the bonds bear.
 
     Units come in pairs at RATES.
@@ -85,7 +85,7 @@ def unit_seen(p: Parameters, unit: int, run: Run) -> Seen:
     rise = (x[0] - x[1])[:, 2] / np.linalg.norm(x[0] - x[1], axis=1)
     drag = p["eta"] * RATES[unit % len(RATES)] * p["rate"] * d * CORNERS[0, 2]
     shear = ((force - drag) / 3 - p["kn"] * inclined * rise) / np.sqrt(1 - rise**2)
-    return Seen(np.abs(force) / (np.sqrt(3) / 2 * d**2), inclined, level, np.abs(shear))
+    return UnitHistory(np.abs(force) / (np.sqrt(3) / 2 * d**2), inclined, level, np.abs(shear))
 
 
 def _stretch(d: float, u: Vector, i: int, j: int) -> Vector:
@@ -96,12 +96,12 @@ def _stretch(d: float, u: Vector, i: int, j: int) -> Vector:
 
 
 def _pulled_apart(p: Parameters, unit: int, run: Run) -> float:
-    seen = unit_seen(p, unit, run)
+    seen = unit_history(p, unit, run)
     return _at(seen.stress, seen.inclined / p["xb"], int(seen.stress.argmax()))
 
 
 def _opened(p: Parameters, unit: int, run: Run) -> float:
-    seen = unit_seen(p, unit, run)
+    seen = unit_history(p, unit, run)
     most = np.maximum.accumulate(seen.stress)
     fallen = np.argmax(seen.stress < (1.0 - FALL) * most)
     return _at(seen.stress, seen.level / p["xb"], int(seen.stress[:fallen].argmax()))
@@ -112,7 +112,7 @@ def slid(p: Parameters, unit: int, run: Run) -> float:
 
     That grows in a line with strain, unlike shear over strength, and so can be extrapolated.
     """
-    seen = unit_seen(p, unit, run)
+    seen = unit_history(p, unit, run)
     unrubbed = seen.shear + p["mu_p"] * p["kn"] * seen.inclined
     return _at(seen.stress, unrubbed / p["fs0"], int(seen.stress.argmax()))
 
@@ -128,7 +128,7 @@ def _at(stress: Vector, borne: Vector, peak: int) -> float:
     return float(stress[last] + share * (stress[last] - stress[last - 1]))
 
 
-def unhurried(seen: Callable[[int, Run], float], run: Run, first: int = 0) -> float:
+def at_zero_rate(seen: Callable[[int, Run], float], run: Run, first: int = 0) -> float:
     """The strength [Pa] extrapolated to zero rate of loading, from specimens at both RATES."""
     fast, slow = (seen(first + unit, run) for unit in range(len(RATES)))
     return slow + (slow - fast) / (RATES[0] / RATES[1] - 1.0)
@@ -140,7 +140,7 @@ def _strength(
 ) -> tuple[Quantity, ...]:  # fmt: skip
     """A strength at zero rate, its value at the slower rate, and the error of the equation."""
     told = functools.partial(seen, p)
-    whole = functools.partial(unhurried, told)
+    whole = functools.partial(at_zero_rate, told)
     return (
         Scalar(name, name, "Pa", meaning, whole, exact, exact, _within(bound)),
         Scalar(
@@ -156,7 +156,7 @@ def _strength(
     )  # fmt: skip
 
 
-def booked(bound: float, slack: str = "", dt: float = 1e-8) -> Scalar:
+def judged_balance(bound: float, slack: str = "", dt: float = 1e-8) -> Scalar:
     """The quantity `balance`, judged with a bound at the step dt [s]."""
     orders = {Method.SECOND_ORDER: 2, Method.FIRST_ORDER: 1}
     return balance(
@@ -167,7 +167,7 @@ def booked(bound: float, slack: str = "", dt: float = 1e-8) -> Scalar:
 def _declare(variant: str, p: Parameters) -> Trial:
     d, kn, ks, xb, fs0, mu_p = (p[name] for name in ("d", "kn", "ks", "xb", "fs0", "mu_p"))
     element = Element(kn, ks, xb, fs0, mu_p)
-    closed = booked(2e-7, FEW)
+    closed = judged_balance(2e-7, FEW)
     if variant.startswith("pulled"):
         failed = tetrahedral_unit.tension_failure(element, d)
         strengths = _strength(
@@ -199,7 +199,7 @@ def _parted(p: Parameters, element: Element, held: float) -> Scalar:
     """The quantity `balance` of units that slide; held: what one stores until then [J]."""
     coarsest = float(RUNGS[0].dt or 0.0)
     ends = sum(
-        sliding_unit.unbooked(
+        sliding_unit.unexplained_energy(
             element, p["d"], coarsest, m=p["m"], eta=p["eta"], rate=times * p["rate"]
         )
         for times in RATES

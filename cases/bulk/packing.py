@@ -74,26 +74,26 @@ def _placed(scene: Scene, run: Run, row: int) -> Spheres:
 
 
 def pressed(scene: Scene, run: Run, row: int = -1) -> Vector:
-    """How far (n, 5) [m] spheres have sunk into each wall."""
+    """Overlaps (n, 5) [m] of the spheres with each wall."""
     s = _placed(scene, run, row)
     gaps = [(s.position - wall.point) @ wall.normal - s.radius for wall in scene.walls]
     return np.maximum(-np.stack(gaps, axis=1), 0.0)
 
 
 def contacts(scene: Scene, run: Run) -> float:
-    """Contacts for each sphere, those with walls included."""
+    """Contacts per sphere, including those with walls."""
     touching = len(overlapping(_placed(scene, run, -1))) + np.count_nonzero(pressed(scene, run))
     return touching / COUNT
 
 
 def sideways(kn: float, scene: Scene, run: Run) -> float:
-    """The larger part of the push of opposite sides that does not cancel [N]."""
+    """The larger imbalance of the forces on opposite side walls [N]."""
     x, y, _, far_x, far_y = kn * pressed(scene, run).sum(axis=0)
     return float(max(abs(x - far_x), abs(y - far_y)))
 
 
 def still(run: Run) -> float:
-    """The farthest way of a sphere since the output before the last [m]."""
+    """The largest displacement of a sphere between the last two outputs [m]."""
     ways = [run.values[what][-1] - run.values[what][-2] for what in SEEN]
     return float(np.linalg.norm(ways, axis=1).max())
 
@@ -120,7 +120,7 @@ def _held(kn: float, scene: Scene, run: Run, row: int) -> float:
 
 
 def gained(p: Parameters, scene: Scene, run: Run) -> float:
-    """By how much the energy of motion, springs and height grew from one output to a later [J]."""
+    """The largest growth of kinetic, spring and potential energy to a later output [J]."""
     height = np.stack([run.values[what][:, 2] for what in SEEN], axis=1) @ scene.spheres.mass
     springs = [_held(p["kn"], scene, run, row) for row in range(len(run.times))]
     whole = moving(scene, run) + p["g"] * height + springs

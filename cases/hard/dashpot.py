@@ -72,7 +72,7 @@ def _apart(variant: str, kind: type[Displacement] | type[Velocity], run: Run) ->
 def _declare(variant: str, p: Parameters) -> Trial:
     law = {name: p[name] for name in ("m", "kn", "z")}
     pair = variant.startswith("pair")
-    unit, lasting = math.sqrt(p["m"] / p["kn"]), dashpot.lasting(**law)
+    unit, lasting = math.sqrt(p["m"] / p["kn"]), dashpot.contact_time(**law)
     judge = _judge(p["z"], unit, _late(p["z"], unit))
     away, speed = (functools.partial(_apart, variant, kind) for kind in (Displacement, Velocity))
     returned = Scalar(

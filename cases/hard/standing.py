@@ -123,7 +123,7 @@ def _crown_sinking(p: Parameters) -> Quantity:
         "sunk", "d", "m", "downward displacement of the voussoir beside the crown",
         ComponentAlong(Displacement(VOUSSOIRS // 2), -Z),
         functools.partial(
-            falling_arch.sunk, n=VOUSSOIRS, thick=_thickness(p), size=p["size"], g=p["g"]
+            falling_arch.crown_drop, n=VOUSSOIRS, thick=_thickness(p), size=p["size"], g=p["g"]
         ),
         FALLS,
     )  # fmt: skip

@@ -57,7 +57,7 @@ class Impacts:
 
     @property
     def each(self) -> int:
-        """Spheres in an impact."""
+        """The number of spheres in an impact."""
         return 1 if self.partner.is_wall else 2
 
     @property
@@ -113,7 +113,7 @@ class Impacts:
         return Scene((spheres, *walls), self.contact)
 
     def seen(self) -> tuple[Observable, ...]:
-        """What of the spheres is asked for."""
+        """The observables of the spheres."""
         bodies = range(self.each * len(self.blows))
         return tuple(kind(body) for body in bodies for kind in (Displacement, Velocity))
 
@@ -137,7 +137,7 @@ class Impacts:
         return np.asarray(own if self.each == 1 else own - run.values[kind(first + 1)])
 
     def parting(self, name: str, run: Run) -> float:
-        """When they parted [s], back from where they are at the end; nan if they have not."""
+        """The time of separation [s], extrapolated back from the end; nan if still in contact."""
         moved = self._relative(Displacement, name, run)[-1]
         speed = self._relative(Velocity, name, run)[-1]
         if self.each == 1:
@@ -163,7 +163,7 @@ class Impacts:
         )  # fmt: skip
 
     def nearest(self, judge: Exact) -> Scalar:
-        """The largest error by that law, of those in which codes differ, which fits best."""
+        """The largest error with the best-fitting of the laws in which codes differ."""
         return Scalar(
             "nearest", "min max|e|", "",
             "the same by the nearest law of those that codes have: arms R - U/2 or R - U, or R - U "
@@ -206,7 +206,7 @@ class Impacts:
             return rebound(frictionless, self.sphere, partner=self.partner, vn=slowest).cleared
         if law.p == 1.0:
             return math.pi * math.sqrt(self.reduced / law.K)
-        return hertz.lasting(m=self.reduced, K=law.K, v=slowest)
+        return hertz.contact_time(m=self.reduced, K=law.K, v=slowest)
 
 
 def least_of_largest(rows: Iterable[Iterable[float]]) -> float:
@@ -248,7 +248,7 @@ def judged(value: float, unit: float, steps: int, reason: str, late: float = 0.0
 
 
 def at_angles(speed: float, degrees: Iterator[float]) -> dict[str, Blow]:
-    """Blows of one speed [m/s] at angles from the normal, by the name of the angle."""
+    """Impacts of one speed [m/s] at angles from the normal, by the name of the angle."""
     turned = ((angle, math.radians(angle)) for angle in degrees)
     return {
         f"{angle:g}": Blow(speed * math.cos(way), speed * math.sin(way)) for angle, way in turned

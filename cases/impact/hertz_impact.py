@@ -82,8 +82,8 @@ def _parting(pair: bool, run: Run) -> float:
 
 def _declare(variant: str, p: Parameters) -> Trial:
     pair = variant in PAIRS
-    law, judge = _law(pair, p), _judge(hertz.lasting(**_law(pair, p)))
-    unit = hertz.lasting(**law)
+    law, judge = _law(pair, p), _judge(hertz.contact_time(**_law(pair, p)))
+    unit = hertz.contact_time(**law)
     goal = History(LASTS * unit, unit / SEEN)
     seen = tuple(kind(body) for kind in (Displacement, Velocity) for body in range(1 + pair))
     rungs = tuple(Knobs(dt=unit / n) for n in STEPS)

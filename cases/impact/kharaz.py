@@ -80,7 +80,7 @@ def struck(impacts: Impacts, v: float) -> tuple[Ladder, tuple[Quantity, ...]]:
     """Impacts at the speed v [m/s] in steps of a normal one, and what is judged exactly of them."""
     law = impacts.law
     linear = math.pi * math.sqrt(impacts.sphere.mass / law.K)
-    unit = linear if law.p == 1.0 else hertz.lasting(m=impacts.sphere.mass, K=law.K, v=v)
+    unit = linear if law.p == 1.0 else hertz.contact_time(m=impacts.sphere.mass, K=law.K, v=v)
     interval = unit / STEPS[0] * STRIDE
     goal = History(interval * math.ceil(LASTS * impacts.longest() / interval), interval)
     rungs = tuple(Knobs(dt=unit / n) for n in STEPS)

@@ -34,11 +34,11 @@ from vv.scene import Contact, Fluid, Scene, Spheres, Vector, Wall
 
 X, Y, Z = np.eye(3)
 FLOOR_LEVEL = np.zeros(3)
-Seen = tuple[str, str, str, str, Callable[[Run], Vector], Callable[[Vector], Vector]]
+SeriesParts = tuple[str, str, str, str, Callable[[Run], Vector], Callable[[Vector], Vector]]
 
 
 class Setting(NamedTuple):
-    """What a variant is made of.
+    """The data of a variant.
 
     series: each by name, symbol, unit, meaning, what is observed and the exact answer; unit: 1/w
     [s] of the stiffest swing; steps: of the ladder, times w; square, late: tolerances over
@@ -46,7 +46,7 @@ class Setting(NamedTuple):
     """
 
     scene: Scene
-    series: tuple[Seen, ...]
+    series: tuple[SeriesParts, ...]
     duration: float
     unit: float
     steps: tuple[float, ...]

@@ -77,7 +77,7 @@ def _declare(variant: str, p: Parameters) -> Trial:
     impacts = _impacts(variant, p)
     law, reduced = impacts.law, impacts.reduced
     linear = math.pi * math.sqrt(reduced / law.K)
-    unit = linear if law.p == 1.0 else hertz.lasting(m=reduced, K=law.K, v=p["v"])
+    unit = linear if law.p == 1.0 else hertz.contact_time(m=reduced, K=law.K, v=p["v"])
     interval = unit / STEPS[0] * STRIDE
     goal = History(interval * math.ceil(LASTS * impacts.longest() / interval), interval)
     steps = (*STEPS, FINE) if law.z and law.p == 1.0 else STEPS

@@ -118,7 +118,7 @@ def _scene(kind: str, p: Parameters) -> Scene:
 
 def _declare(variant: str, p: Parameters) -> Trial:
     kind = variant.partition("-")[0]
-    due, unit = _due(kind, p), hertz.lasting(**_elastic(p))
+    due, unit = _due(kind, p), hertz.contact_time(**_elastic(p))
     interval = unit / SEEN
     goal = History(interval * math.ceil(LASTS * due["cleared"] / interval), interval)
     steps = (*STEPS, LOSSY) if p["e"] < 1.0 else STEPS

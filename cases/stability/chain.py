@@ -98,7 +98,7 @@ def _pulse(p: Parameters) -> Trial:
     t = goal.times(None)
 
     def measured(measure: Measure) -> tuple[Callable[[Run], float], Callable[[], float]]:
-        """What is measured of a run, and of the exact motion."""
+        """The measured quantities of a run, and of the exact motion."""
         return lambda run: measure(run.times, _seen(run, seen)), lambda: measure(t, path(t))
 
     def part(i: int, body: int) -> Series:

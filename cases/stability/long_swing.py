@@ -104,7 +104,7 @@ def _quantities(w: float) -> tuple[Quantity, ...]:
 
 
 class Swing(NamedTuple):
-    """What the outputs say: phase at the end [rad], kappa, and the drift of what is kept."""
+    """Phase at the end [rad], kappa, and the drift of conserved quantities, from the outputs."""
 
     phase: float
     kappa: float
@@ -136,7 +136,7 @@ def _theory(run: Run, w: float) -> float:
     """The phase [rad] of a leapfrog; where there is no step to speak of, that of the swing."""
     outputs, span = len(run.times) - 1, w * float(run.times[-1])
     steps = outputs * max(1, round(run.steps / outputs))  # a code may take one more at the end
-    return steps * leapfrog.turn(span / steps) if span < steps else span
+    return steps * leapfrog.phase_per_step(span / steps) if span < steps else span
 
 
 def _second(reason: str, w: float) -> Exact:

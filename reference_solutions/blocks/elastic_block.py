@@ -1,4 +1,4 @@
-"""A box whose strain is uniform: on a smooth base as its weight sets in, and spinning freely.
+"""A box with uniform strain: on a smooth base when its weight sets in, and spinning freely.
 
 Its displacement is linear in x (Shi 1992). With sides s_i, volume V and mass m, normal strains e_i
 follow m s_i^2/12 e_i'' + V sum_j C_ij e_j = F_i, C Hooke's law. On its base the centroid moves by
@@ -43,7 +43,7 @@ def standing(
     t: ArrayLike, *, sides: Sides, rho: float, young: float, poisson: float, g: float,
     along: tuple[int, ...] = (0, 1, 2),
 ) -> Array:  # fmt: skip
-    """Strains (k, 3) at times t (k,) [s] as weight sets in; those not `along` are left nil."""
+    """Strains (k, 3) at times t (k,) [s] when weight sets in; those not in `along` stay zero."""
     require_finite("m/s2", g=g)
     swung = _inertia(sides, rho) * [1.0, 1.0, 4.0]
     force = np.array([0.0, 0.0, -rho * g * sides[2] / 2.0])
@@ -71,7 +71,7 @@ def seen_from_rest(strains: Array, angle: Array) -> Array:
 
 
 def first(*, side: float, rho: float, young: float) -> float:
-    """w [1/s] of a bar on its base, which bears no stress across."""
+    """w [1/s] of a bar on its base, without stress across."""
     require_positive("in SI units", side=side, rho=rho, young=young)
     return sqrt(3.0 * young / rho) / side
 

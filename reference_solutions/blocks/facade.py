@@ -1,4 +1,4 @@
-"""Where the blocks of a facade lie: courses in running bond, a door, a window, lintels, an arch.
+"""Positions of the blocks of a facade: courses in running bond, door, window, lintels, arch.
 
 All of it is symmetric about x = 0. Every function raises ValueError for a facade
 that has no room for its openings.
@@ -16,7 +16,7 @@ VOUSSOIRS = 9
 
 
 def areas(columns: int, courses: int, length: float, height: float) -> tuple[float, float]:
-    """What courses and arch cover [m2]: a rectangle less its openings, and voussoirs by chords."""
+    """Areas of courses and arch [m2]: a rectangle minus its openings, and voussoirs with chords."""
     open_ = sum(2 * half * (top - low) for half, low, top in openings(columns, courses))
     inner, outer = rings(columns, length)
     chords = VOUSSOIRS * (outer**2 - inner**2) / 2 * math.sin(math.pi / VOUSSOIRS)

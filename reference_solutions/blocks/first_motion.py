@@ -1,4 +1,4 @@
-"""How a block on a slope begins to move: the chart of its modes, and its acceleration in each.
+"""How a block on a slope begins to move: the chart of modes, and the acceleration in each.
 
 psi is the angle of the slope plus that of the resultant of weight and a level force against the
 vertical, phi the friction angle, and tan(delta) = b/h of the half sides b along the slope and h
@@ -27,7 +27,7 @@ Array = NDArray[np.float64]
 
 
 class Mode(IntEnum):
-    """What a block does first."""
+    """The first motion of a block."""
 
     STAYS = 0
     SLIDES = 1
@@ -57,7 +57,7 @@ def slip_joins(phi: float, delta: float) -> float:
 
 
 def mode(*, psi: float, phi: float, delta: float) -> Mode:
-    """What the block does first."""
+    """The first motion of the block."""
     _require(psi=psi, phi=phi, delta=delta)
     if psi <= delta or phi <= delta:
         return Mode.SLIDES if phi < psi and phi <= delta else Mode.STAYS
@@ -65,7 +65,7 @@ def mode(*, psi: float, phi: float, delta: float) -> Mode:
 
 
 def acceleration(which: Mode, *, psi: float, phi: float, delta: float) -> Array:
-    """a (2,) of the centre over g' in a mode, whether or not it is the one that comes to pass."""
+    """a (2,) of the centre over g' in a mode, whether or not that mode occurs."""
     _require(psi=psi, phi=phi, delta=delta)
     p, mu = radians(psi), tan(radians(phi))
     b, h = sin(radians(delta)), cos(radians(delta))  # of a half diagonal of 1, so k^2 = 1/3

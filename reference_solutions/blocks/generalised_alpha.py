@@ -1,4 +1,4 @@
-"""The step of generalised alpha on a harmonic oscillator: the roots of what a step makes of it.
+"""The step of generalised alpha on a harmonic oscillator: the roots of its characteristic cubic.
 
 Newmark's formulas for x and v with beta and gamma, eliminated between three steps of x'' = a, say
 (S - 1)^2 x = D^2 (beta S^2 + (1/2 + gamma - 2 beta) S + 1/2 - gamma + beta) a, S going a step
@@ -34,7 +34,7 @@ def polynomial(angle: float, radius: float) -> Cubic:
 
 
 def swinging_root(angle: float, radius: float) -> complex:
-    """The root of positive imaginary part, which a swing has; Newton's iteration on the cubic.
+    """The root with positive imaginary part, of an oscillation; by Newton's iteration.
 
     It begins where the root is at a small angle, exp(i angle), and follows it from there.
     """
@@ -52,10 +52,10 @@ def swinging_root(angle: float, radius: float) -> complex:
 
 
 def spectral_radius(angle: float, radius: float) -> float:
-    """The size of that root, by which a step multiplies a swing."""
+    """The modulus of that root, by which a step multiplies the amplitude."""
     return abs(swinging_root(angle, radius))
 
 
 def slowing(angle: float, radius: float) -> float:
-    """The period of a swing over the exact one, which is a step's angle over that of the root."""
+    """The period of an oscillation over the exact one: angle of a step over that of the root."""
     return angle / phase(swinging_root(angle, radius))

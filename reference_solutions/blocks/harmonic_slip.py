@@ -79,7 +79,7 @@ class _Slip(NamedTuple):
 def phases(
     drive: Drive, v0: float, end: float, *, steady: float | None = None
 ) -> tuple[Phase, ...]:
-    """What happens from t = 0, w = v0 [m/s], d = 0, until `end` [s]; the last is cut there.
+    """The slips and rests from t = 0, w = v0 [m/s], d = 0, until `end` [s]; the last is cut there.
 
     steady: v0 + q/omega cos(lag) [m/s] if it is known more sharply than lag is rounded.
 

@@ -17,7 +17,7 @@ SPLIT = 4.0
 
 
 def spectral_radius(angle: float) -> float:
-    """The size of the larger root, by which a step multiplies a swing."""
+    """The modulus of the larger root, by which a step multiplies the amplitude."""
     require_positive("rad", angle=angle)
     if angle <= SPLIT:
         return 1.0 / sqrt(1.0 + angle * angle / 2.0)
@@ -26,7 +26,7 @@ def spectral_radius(angle: float) -> float:
 
 
 def damping_ratio(angle: float) -> float:
-    """The part of critical damping of a swing that decays as fast: a quarter of a small angle."""
+    """The damping ratio of an oscillation that decays as fast: a quarter of a small angle."""
     require_positive("rad", angle=angle)
     if angle >= SPLIT:
         raise ValueError(
@@ -38,7 +38,7 @@ def damping_ratio(angle: float) -> float:
 
 
 def damped_drive(a: float, dt: float, steps: int, kept: float) -> float:
-    """How far [m] a constant acceleration a [m/s2] drives a block at rest in `steps` steps dt [s].
+    """The displacement [m] of a block under an acceleration a [m/s2] in `steps` steps dt [s].
 
     kept: the part r of its velocity that a step hands on. N steps come to
     a dt^2 (N/2 + r/(1-r) (N - (1-r^N)/(1-r))), which tends to a t dt (1+r)/(2(1-r)): it vanishes

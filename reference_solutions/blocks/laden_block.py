@@ -23,7 +23,7 @@ Array = NDArray[np.float64]
 
 
 class Drives(TypedDict):
-    """Accelerations along the slip and the normal, and how the wall lifts."""
+    """Accelerations along the slip and the normal, and the upward motion of the wall."""
 
     constant: tuple[float, float]
     shaking: tuple[Sine, Sine]
@@ -65,7 +65,7 @@ def pressure(
 
 
 def wall_speed(t: ArrayLike, sliding: Sine) -> Array:
-    """How fast the wall slides along itself [m/s], which the block must surpass to slip on."""
+    """The velocity of the wall along itself [m/s], which the block must exceed to slip on it."""
     turned = sliding.omega * require_times(t) + sliding.phase
     return np.asarray(sliding.amplitude * sliding.omega * np.cos(turned))
 

@@ -1,4 +1,4 @@
-"""A block that rocks on a floor under a sine that ends, without slip (Housner 1963).
+"""A block that rocks on a floor without slip under a sine that ends (Housner 1963).
 
 A block of half sides b and h leans by theta about the corner it stands on, positive towards +x:
 theta'' = p^2 (-sin(alpha - theta) + (a/g) cos(alpha - theta)) for theta > 0 and its mirror image
@@ -28,7 +28,7 @@ def slenderness(b: float, h: float, g: float) -> tuple[float, float]:
 
 
 def restitution(b: float, h: float) -> float:
-    """The rate after an impact over the one before; a squat block stays down at its first."""
+    """The angular velocity after an impact over that before; a squat block stays down."""
     return max(0.0, 1.0 - 1.5 * sin(atan2(b, h)) ** 2)
 
 
@@ -47,7 +47,7 @@ def phases(
     t: ArrayLike, *, b: float, h: float, g: float,
     A: float = 0.0, w: float = 1.0, T: float = 0.0, theta: float = 0.0,
 ) -> Array:  # fmt: skip
-    """theta [rad] and its rate [1/s], (k, 2), as `leans`; at an impact the rate before it."""
+    """theta [rad] and its rate [1/s], (k, 2), as `leans`; at an impact, the rate before it."""
     times = require_times(t)
     alpha, p = slenderness(b, h, g)
     found = np.empty((len(times), 2))
@@ -122,7 +122,7 @@ def _swing(
 
 
 def excess(A: float, *, b: float, h: float, g: float, w: float) -> float:
-    """What a half sine leaves of theta'^2/2 above what a block needs to overturn [1/s2]."""
+    """theta'^2/2 after a half sine, minus the value that a block needs to overturn [1/s2]."""
     from scipy.integrate import solve_ivp
 
     alpha, p = slenderness(b, h, g)

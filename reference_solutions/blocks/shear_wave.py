@@ -92,7 +92,7 @@ def layered_displacement(
 def stepped_displacement(
     steps: int, *, dt: float, number: int, layers: int, height: float, c: float, D: float, F: float
 ) -> Array:
-    """The same (steps + 1,) in steps dt [s] of DDA: d'' = (2/dt^2)(d - dt v), v' = 2 d/dt - v."""
+    """The same (steps + 1,) with steps dt [s] of DDA: d'' = (2/dt^2)(d - dt v), v' = 2 d/dt - v."""
     own = _chain(number, layers, height, c)
     require_positive("in SI units", dt=dt, F=F)
     base = D * (1.0 - np.cos(2.0 * pi * F * dt * np.arange(steps + 1)))
@@ -107,7 +107,7 @@ def stepped_displacement(
 
 
 def layered_ratio(*, F: float, dt: float, layers: int, height: float, c: float) -> complex:
-    """What the centre of the top layer does over what the base does, in steps of dt [s]."""
+    """The amplitude of the top layer's centre over that of the base, in steps of dt [s]."""
     require_positive("in SI units", F=F, dt=dt, height=height, c=c)
     half = pi * F * dt
     if not half < pi / 2.0:
@@ -119,7 +119,7 @@ def layered_ratio(*, F: float, dt: float, layers: int, height: float, c: float) 
 
 
 def continuous_ratio(*, F: float, y: float, height: float, c: float, damping: float) -> float:
-    """The size of the motion at y [m] over the base's, at a constant damping ratio."""
+    """The amplitude at y [m] over that of the base, at a constant damping ratio."""
     require_positive("in SI units", F=F, height=height, c=c)
     require_at_least_0("", damping=damping)
     z = damping
@@ -138,7 +138,7 @@ class Layer(NamedTuple):
 
 
 def unlike_ratio(*, F: float, dt: float, layers: Sequence[Layer]) -> complex:
-    """As `layered_ratio`, of layers that are listed from the base up."""
+    """As `layered_ratio`, for layers that are listed from the base up."""
     require_positive("in SI units", F=F, dt=dt)
     half = pi * F * dt
     if not half < pi / 2.0:
@@ -150,7 +150,7 @@ def unlike_ratio(*, F: float, dt: float, layers: Sequence[Layer]) -> complex:
 
 
 def unlike_continuous_ratio(*, F: float, layers: Sequence[Layer], damping: float) -> float:
-    """The size of the motion of the top layer's middle over the base's, at a damping ratio."""
+    """The amplitude of the top layer's middle over that of the base, at a damping ratio."""
     require_positive("in SI units", F=F)
     require_at_least_0("", damping=damping)
     z = damping

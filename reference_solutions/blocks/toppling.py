@@ -18,7 +18,7 @@ Array = NDArray[np.float64]
 
 
 def angle(t: ArrayLike, *, theta0: float, lam: float) -> Array:
-    """theta [rad] at times t >= 0 [s] of any shape, until it hangs; lam [rad/s]."""
+    """theta [rad] at times t >= 0 [s] of any shape, until the body hangs down; lam [rad/s]."""
     from scipy.special import ellipj, ellipkm1
 
     t = require_times(t)

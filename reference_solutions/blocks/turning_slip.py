@@ -55,7 +55,7 @@ class Drive(NamedTuple):
         return Drive(self.omega, np.zeros(3), sine, cosine)
 
     def bound(self) -> Array:
-        """What |Tx|, |Ty| and F never exceed."""
+        """Upper bounds of |Tx|, |Ty| and F."""
         total: Array = np.abs(self.constant) + np.hypot(self.sine, self.cosine).sum(axis=1)
         return total
 

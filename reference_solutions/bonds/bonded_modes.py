@@ -1,4 +1,4 @@
-"""The fastest mode of equal elements on bonds of kn along and ks across each, which do not turn.
+"""The fastest mode of equal elements on bonds with kn along and ks across, without rotation.
 
 An explicit step is stable up to 2/w. Raises ValueError for parameters outside their ranges.
 """

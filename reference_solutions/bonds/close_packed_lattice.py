@@ -70,7 +70,7 @@ class Static(NamedTuple):
 
 
 def count(n: int, p: int, q: int) -> int:
-    """N, how many elements a block has."""
+    """N, the number of elements of a block."""
     return (q + 1) * ((p + 1) * n + p * (n - 1)) + q * p * (2 * n - 1)
 
 

@@ -46,7 +46,7 @@ class Failure(NamedTuple):
 
 
 def horizontal_stress(fx: float, d: float) -> float:
-    """What inward loads fx [N] on the base are as a stress [Pa]: half of Eq. 11a."""
+    """The stress that inward loads fx [N] on the base represent [Pa]: half of Eq. 11a."""
     require_at_least_0("N", fx=fx)
     require_positive("m", d=d)
     return sqrt(6.0) / 2.0 * fx / (d * d)

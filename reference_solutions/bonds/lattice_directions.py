@@ -31,7 +31,7 @@ def compliance(kn: float, ks: float, d: float) -> Array:
 
 
 def modulus(direction: ArrayLike, *, kn: float, ks: float, d: float) -> float:
-    """E [Pa] along a direction (3,) of any length: what a bar cut along it has."""
+    """E [Pa] along a direction (3,) of any length, as of a bar cut along it."""
     stress = _pull(direction)
     return float(1.0 / (stress @ compliance(kn, ks, d) @ stress))
 

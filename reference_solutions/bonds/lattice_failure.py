@@ -23,9 +23,7 @@ TOGETHER = 0.02  # of the largest stretch: bonds that open at once
 
 
 class History(NamedTuple):
-    """Openings in their order, (k,) each: the strain, pressing positive; the modulus [Pa] after;
-    how many bonds are open by then. whole [Pa]: the modulus before any.
-    """
+    """Openings in order, (k,) each: strain (pressing positive), modulus [Pa] after, open bonds."""
 
     strain: Array
     modulus: Array

@@ -64,7 +64,7 @@ def element(material: Material, d: float) -> Element:
 
 
 def material(element: Element, d: float) -> Material:
-    """The material that elements of diameter d make, by the printed formulas: inverse of B1-B5."""
+    """The material that elements of diameter d form, by the printed formulas: inverse of B1-B5."""
     kn, ks, xb, fs0, mu_p = element
     return Material(
         youngs_modulus(kn, ks, d),
@@ -139,7 +139,7 @@ def require_springs(kn: float, ks: float, d: float) -> None:
 
 
 def printed_confinement(mu_p: float) -> float:
-    """P [-] as printed: how much a horizontal stress adds to the axial one at sliding."""
+    """P [-] as printed: the increase of the axial stress at sliding with a horizontal stress."""
     _require_friction(mu_p)
     return (2.0 + sqrt(2.0) * mu_p) / (1.0 - sqrt(2.0) * mu_p)
 

@@ -43,7 +43,7 @@ def sliding(block: Lattice, element: Element, d: float) -> float:
 
 
 def opened_slope(block: Lattice, element: Element, d: float, strains: tuple[float, float]) -> float:
-    """Pressure over strain [Pa] between two strains, pressing positive, with no level bond left.
+    """Pressure over strain [Pa] between two strains, pressing positive, with all level bonds open.
 
     Raises ValueError where the unit has no balance.
     """

@@ -1,4 +1,4 @@
-"""How fast four bonded elements part, once their inclined bonds slide under a falling top.
+"""The rates at which four bonded elements separate when inclined bonds slide under a falling top.
 
 Base elements without bonds are pushed outwards by the top. At the radius r and with the top at
 the height z, an inclined contact has length L = sqrt(r^2 + z^2), pushes with N = kn (d - L) and
@@ -16,7 +16,7 @@ FINE = 0.05  # of the shorter of the times sqrt(m/kn) and m/eta: a step of Runge
 LONGEST = 5_000  # steps; bonds that slide so long hold on to each other
 
 
-def parting(
+def separation_rates(
     element: Element, d: float, *, m: float, eta: float, rate: float
 ) -> tuple[float, float]:
     """The rates [m/s] at which surfaces open and slide as an inclined contact ends.
@@ -68,15 +68,17 @@ def _stepped(
     return r, v, end
 
 
-def unbooked(element: Element, d: float, dt: float, *, m: float, eta: float, rate: float) -> float:
-    """The largest energy [J] that three contacts leave unexplained as they end within a step [s].
+def unexplained_energy(
+    element: Element, d: float, dt: float, *, m: float, eta: float, rate: float
+) -> float:
+    """The largest energy [J] that three contacts leave unexplained when they end within a step [s].
 
     The push kn U of the step before gives kn U v dt/2 where its spring holds kn U^2/2; U < v dt, so
     the gain is kn (v dt)^2/8 at most. Friction mu kn U on the slip w takes mu kn U w dt/2 and what
     its spring holds, (mu kn U)^2/(2 ks). The two have opposite signs.
     """
     kn, ks, _, _, mu = element
-    opening, slip = parting(element, d, m=m, eta=eta, rate=rate)
+    opening, slip = separation_rates(element, d, m=m, eta=eta, rate=rate)
     gained = kn * opening**2 / 8.0
     taken = 0.5 * mu * kn * opening * (slip + mu * kn * opening / ks)
     return 3.0 * max(gained, taken) * dt**2

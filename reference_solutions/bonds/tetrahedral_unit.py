@@ -98,14 +98,14 @@ def incremental(turn: float, gamma: float) -> float:
 
 
 def total(turn: float, gamma: float) -> float:
-    """S of the whole displacement since the start, across the bond as it is now."""
+    """S of the whole displacement since the start, across the bond in its present direction."""
     return -sin(turn)
 
 
 def equilibrium(
     strain: float, *, kn: float, ks: float, d: float, spring: Spring = incremental
 ) -> State:
-    """The unit in balance at an axial strain, reached from zero without reversal; no bond breaks.
+    """The unit in equilibrium at an axial strain, reached without reversal; no bond breaks.
 
     Raises ValueError unless 0 < |strain| <= 0.02.
     """
@@ -117,7 +117,7 @@ def equilibrium(
 
 
 def loaded(fz: float, *, kn: float, ks: float, d: float, spring: Spring = incremental) -> State:
-    """The unit in balance under a force Fz [N] that grew from zero; no bond breaks.
+    """The unit in equilibrium under a force Fz [N] that grew from zero; no bond breaks.
 
     Raises ValueError unless Fz is not 0 and Eq. 2a says a strain of at most 0.01.
     """
@@ -136,7 +136,7 @@ def tension_failure(element: Element, d: float) -> State:
 
 
 def opening_failure(element: Element, d: float) -> State:
-    """Where horizontal bonds open under pressure, X_n2 = xb: the stress is -C_open, of Eq. 8."""
+    """The state at which horizontal bonds open in compression, X_n2 = xb: stress -C_open, Eq. 8."""
     return _bonded(_opening(element, d), *element[:2], d)
 
 

@@ -1,4 +1,4 @@
-"""The unit that turns as a whole, at any angle: its path by small steps of high order.
+"""The unit in rotation as a whole, at any angle: its path by small steps of high order.
 
 Four elements, which cannot rotate, are bonded in pairs over d; bond b pulls with kn (L - d) along
 its unit vector n, and its shear spring bears F, F' = ks v - n (F . n'), v the relative velocity

@@ -1,4 +1,4 @@
-"""Blocks of close-packed bonded elements that may turn, between smooth platens, solved statically.
+"""Blocks of close-packed elements that may rotate, between smooth platens, solved statically.
 
 As `close_packed_lattice`, but that a shear spring joins the points of two elements that touched, as
 in Cundall and Strack (1979): an element that turns by w carries its point d/2 n off with it, and
@@ -18,7 +18,7 @@ Array = NDArray[np.float64]
 
 
 def static(block: Lattice, kn: float, ks: float) -> Static:
-    """The linear answer of a block to an axial strain, all elements free to turn.
+    """The linear answer of a block to an axial strain, all elements free to rotate.
 
     Raises ValueError unless ks > 0: nothing else holds what turns.
     """

@@ -1,4 +1,4 @@
-"""How slowly four bonded elements that may turn come to rest, where viscosity acts on centres only.
+"""How slowly four bonded elements that may rotate come to rest with viscosity on centres only.
 
 Equal elements of mass m and inertia 2/5 m r^2 on bonds of length d = 2 r, kn along and ks across: a
 spring holds the slip u_j - u_i - (d/2) (w_i + w_j) x n. Three stand on a smooth plane. Rotation is
@@ -20,7 +20,7 @@ def time_to_rest(
     corners: Array, edges: NDArray[np.int64], free: NDArray[np.bool_], load: Array, part: float, *,
     kn: float, ks: float, d: float, m: float, eta: float,
 ) -> float:  # fmt: skip
-    """When the unit is at rest under a load put on at once, but for a part of its displacement [s].
+    """The time [s] after which the unit under a sudden load is at rest to a given accuracy.
 
     corners (4, 3) in diameters, edges (6, 2), free (4, 3): which centres may move along which axes;
     load (4, 3). The least time after which no mode moves a centre by more than that part of the

@@ -1,4 +1,4 @@
-"""Unlike spheres in a row on unlike bonds: exact along the row, and to first order across it.
+"""Unlike spheres in a row on unlike bonds: exact along the row, to first order across it.
 
 N spheres of masses m [kg] at places x [m] on a line, on bonds (B, 2) between spheres i and j; a
 bond has the stiffnesses kn along and ks across [N/m]. Every function raises ValueError for
@@ -51,7 +51,7 @@ def along(
 
 
 def slowed(t: Array, row: Row, *, length: Array, v: Array, eta: float) -> Array:
-    """Displacements (k, N) [m] at times t (k,) [s] as a drag -eta v [N s/m] slows every sphere.
+    """Displacements (k, N) [m] at times t (k,) [s] with a drag -eta v [N s/m] on every sphere.
 
     length: (B,) [m] of the unstretched bonds; v: (N,) [m/s] at t = 0. Drag is the same for all,
     and masses are not, so that no mode stays one: x' = A x for places, speeds, and 1.
@@ -88,7 +88,7 @@ def _mode(t: Array, square: float, speed: float, load: float) -> Array:
 
 
 def across(t: Array, row: Row, *, r: Array, ks: Array, spin: Array, v: Array) -> Array:
-    """Displacements (k, N, 2) [m] across the line, to first order, of spheres that spin about it.
+    """Displacements (k, N, 2) [m] across the row, to first order, of spheres that spin about it.
 
     r: radii (N,) [m]; ks: (B,) [N/m]; spin: (N,) [1/s] about the line; v: (N, 2) [m/s] at t = 0.
     Bonds are not stretched at t = 0, and inertias are 2/5 m r2. With z = y + i z' across x, the

@@ -1,4 +1,4 @@
-"""A gas of spheres without friction in a box: how often they meet, and how it cools.
+"""A gas of frictionless spheres in a box: its collision rates, and how it cools.
 
 Spheres of one size, of mass m and on springs kn, on which dashpots may sit, fill a box of side L. T
 is a third of the mean of m v v [J]. Between contacts they fly free, and a contact is short, so that
@@ -39,7 +39,7 @@ class Gas(NamedTuple):
 
 
 def gas(count: int, *, side: float, d: float, m: float, kn: float, temperature: float) -> Gas:
-    """What so many spheres of diameter d [m] do in a box of this side [m]."""
+    """The gas of this many spheres of diameter d [m] in a box of this side [m]."""
     require_positive("in SI units", side=side, d=d, m=m, kn=kn, temperature=temperature)
     soft = sqrt(pi * temperature / (2.0 * kn))
     hard = d - soft
@@ -53,19 +53,19 @@ def gas(count: int, *, side: float, d: float, m: float, kn: float, temperature: 
 
 
 def touching(found: Gas, *, m: float, kn: float) -> float:
-    """Contacts at any time, with walls included, of spheres without dashpots."""
+    """The number of contacts at any time, walls included, of spheres without dashpots."""
     return (found.pairs / sqrt(2.0) + found.walls) * pi * sqrt(m / kn)
 
 
 def cooling(count: int, found: Gas, z: float) -> float:
-    """1/tau [1/s] for z of critical damping in contacts of two."""
+    """1/tau [1/s] for a damping ratio z in contacts of two."""
     lost = found.pairs * (1.0 - restitution(z) ** 2)
     lost += found.walls * (1.0 - restitution(z / sqrt(2.0)) ** 2)
     return lost / (3.0 * count)
 
 
 def flatness(count: int) -> float:
-    """The mean of v^4 over the square of that of v^2, where the energy of so many is given.
+    """The mean of v^4 over the square of the mean of v^2, for this many spheres of a given energy.
 
     All velocities of one energy are alike likely, which is Maxwell's distribution, 5/3, for many.
     """

@@ -1,4 +1,4 @@
-"""How fast grains leave a silo through a round hole in its flat floor: the law of Beverloo (1961).
+"""The rate at which grains leave a silo through a round hole in its floor (Beverloo 1961).
 
 W = C rho sqrt(g) (D - k d)^(5/2): grains fall freely from a dome over the hole, whose edge keeps
 centres away, and the height of what lies above does not matter. Lengths are in diameters d of a
@@ -19,13 +19,13 @@ PITCH = 1.02
 
 
 def edge(clear: float) -> tuple[float, int]:
-    """The radius on which grains stand side by side round a hole, and how many they are."""
+    """The radius of a ring of touching grains round a hole, and their number."""
     ring = 0.5 * (clear + 1.0)
     return ring, int(math.pi / math.asin(0.5 * PITCH / ring))
 
 
 def across(clear: float) -> float:
-    """The diameter of a circle as large as what these grains leave open, seen from above.
+    """The diameter of a circle with the same area as the opening that these grains leave.
 
     It is the polygon through their centres less the sector of each that lies in it.
     """
@@ -36,10 +36,10 @@ def across(clear: float) -> float:
 
 
 def rate(opening: float, filled: float) -> float:
-    """Grains in a unit of time; filled: solid fraction of grains as poured."""
+    """Grains per unit of time; filled: solid fraction of the poured grains."""
     return FREE * filled * 6.0 / math.pi * math.pow(opening - EDGE, 2.5)
 
 
 def uncertainty(opening: float) -> float:
-    """Of the rate, over it: by both constants."""
+    """The relative uncertainty of the rate, from both constants."""
     return math.hypot(FREE_SURE / FREE, 2.5 * EDGE_SURE / (opening - EDGE))

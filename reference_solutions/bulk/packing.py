@@ -1,4 +1,4 @@
-"""Frictionless spheres at rest under gravity in a box: what holds however they came to lie."""
+"""Frictionless spheres at rest under gravity in a box: what holds for any packing."""
 
 from __future__ import annotations
 
@@ -14,5 +14,5 @@ than that cannot satisfy them; more would ask for sizes that fit (Moukarzel 1998
 
 
 def weight(mass: NDArray[np.float64], g: float) -> float:
-    """What the floor carries [N]: walls without friction push sideways only."""
+    """The force on the floor [N]: walls without friction push sideways only."""
     return float(mass.sum() * g)

@@ -94,7 +94,7 @@ class Stage:
 
     @property
     def name(self) -> str:
-        """Of what it does."""
+        """The name of the stage."""
         return "flight" if self.normal is None else "slip" if self.way else "stick"
 
 

@@ -48,7 +48,7 @@ class Pair(NamedTuple):
     load: float
 
     def offset(self, z: Array) -> tuple[Array, Array, Array]:
-        """From the first centre to the second: its change since t = 0, itself, its rate (2, k)."""
+        """From the first centre to the second: change since t = 0, value, rate (2, k)."""
         start = np.array([self.gap + sum(self.r), 0.0]).reshape((2,) + (1,) * (z.ndim - 1))
         moved = z[2:4] - z[0:2]
         return moved, start + moved, z[6:8] - z[4:6]
@@ -69,7 +69,7 @@ class Pair(NamedTuple):
         return float(-n @ rate), float(across - a1 * z[8] - a2 * z[9])
 
     def arms(self, z: Array) -> list[float]:
-        """From the centres to the middle of the overlap [m]."""
+        """The distances from the centres to the middle of the overlap [m]."""
         return [r - float(self.overlap(z)) / 2.0 for r in self.r]
 
     def rates(self, z: Array, way: float) -> list[float]:
@@ -86,12 +86,12 @@ class Pair(NamedTuple):
         return [*z[4:8], -px / m1, -py / m1, px / m2, py / m2, *spun, charged]
 
     def outrun(self, z: Array, way: float) -> float:
-        """By how much the spring's rate outruns the cap's [N/s]."""
+        """The rate of the spring force minus that of the friction limit [N/s]."""
         closing, s = self.slip(z)
         return -way * self.ks * s - self.mu * self.kn * closing
 
     def flown(self, z: Array, since: Array) -> Array:
-        """The state (11, k) after some times apart."""
+        """The state (11, k) after some time without contact."""
         pull = np.array([self.load / self.m[0], 0.0, -self.load / self.m[1], 0.0])
         later = np.repeat(z[:, None], len(since), axis=1)
         later[:4] += np.outer(z[4:8], since) + np.outer(pull, since**2 / 2.0)

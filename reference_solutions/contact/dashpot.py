@@ -1,4 +1,4 @@
-"""A body thrown against a spring and a dashpot that push and never pull, in closed form.
+"""A body thrown against a spring and a dashpot without tension, in closed form.
 
 m u'' = -(kn u + c u') from u = 0, u' = v at t = 0 while that force pushes; u [m] is the overlap, z
 = c/(2 sqrt(kn m)) in [0, 1). The force ends at tc = (pi - 2 asin z)/wd, wd = w sqrt(1 - z^2), w =
@@ -22,8 +22,8 @@ def restitution(z: float) -> float:
     return exp(-z * _phase(z) / sqrt(1.0 - z * z))
 
 
-def lasting(*, m: float, kn: float, z: float) -> float:
-    """How long the force acts [s]."""
+def contact_time(*, m: float, kn: float, z: float) -> float:
+    """The duration of the force [s]."""
     require_positive("in SI units", m=m, kn=kn)
     return _phase(z) / sqrt(kn / m * (1.0 - z * z))
 
@@ -31,7 +31,7 @@ def lasting(*, m: float, kn: float, z: float) -> float:
 def overlap(t: ArrayLike, *, m: float, kn: float, z: float, v: float) -> Array:
     """The overlap u [m] at times t >= 0 [s] of any shape; negative once they are apart."""
     require_positive("m/s", v=v)
-    t, end = require_times(t), lasting(m=m, kn=kn, z=z)
+    t, end = require_times(t), contact_time(m=m, kn=kn, z=z)
     w = sqrt(kn / m)
     wd, pressed = w * sqrt(1.0 - z * z), np.minimum(t, end)
     pushed = v / wd * np.exp(-z * w * pressed) * np.sin(wd * pressed)

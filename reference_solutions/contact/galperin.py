@@ -36,7 +36,7 @@ def collisions(m: float, M: float) -> int:
 
 
 def last(m: float, M: float, x: float, X: float, v: float) -> float:
-    """When the last collision happens [s] between hard bodies.
+    """The time of the last collision [s] of hard bodies.
 
     At t = 0 the light ball rests at x [m] from the wall, the heavy one at X > x comes with v [m/s];
     distances without the radii.

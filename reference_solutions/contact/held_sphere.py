@@ -1,4 +1,4 @@
-"""A sphere pressed between two upright walls, whose friction alone bears its weight: closed form.
+"""A sphere between two vertical walls whose friction alone carries its weight: closed form.
 
 The shear springs ks of both contacts start slack. The sphere sinks and swings on them,
 m z'' = -m g - 2 ks z, while each bears at most mu N. Where it bears less than m g, the peak of that

@@ -1,4 +1,4 @@
-"""The leapfrog on a harmonic oscillator: its phase is too fast, its own energy is conserved.
+"""The leapfrog on a harmonic oscillator: its phase is too fast, its discrete energy conserved.
 
 m x'' = -k x, w^2 = k/m: v+ = v- - w^2 x dt, x+ = x + v+ dt. A step turns the phase by
 2 asin(w dt/2), and m v- v+/2 + k x^2/2 stays as it is (Hairer, Lubich and Wanner 2003, Geometric
@@ -12,8 +12,8 @@ from math import asin
 from reference_solutions.parameters import require_positive
 
 
-def turn(angle: float) -> float:
-    """How far a step turns the phase [rad]; angle = w dt [rad]."""
+def phase_per_step(angle: float) -> float:
+    """The phase advance per step [rad]; angle = w dt [rad]."""
     return 2.0 * asin(_checked(angle) / 2.0)
 
 

@@ -55,7 +55,7 @@ class _Half:
         return float(-push[4] - push[5] * self.last[0])
 
 
-def sunk(t: ArrayLike, *, n: int, thick: float, size: float, g: float) -> Array:
+def crown_drop(t: ArrayLike, *, n: int, thick: float, size: float, g: float) -> Array:
     """By how much the voussoir beside the crown has sunk [m] at increasing times t (k,) [s]."""
     from scipy.integrate import solve_ivp
 

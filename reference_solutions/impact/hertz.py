@@ -52,7 +52,7 @@ def largest_force(*, m: float, K: float, v: float) -> float:
     return float(K * deepest(m=m, K=K, v=v) ** 1.5)
 
 
-def lasting(*, m: float, K: float, v: float) -> float:
+def contact_time(*, m: float, K: float, v: float) -> float:
     """Duration [s] of the contact, 4/5 B(2/5, 1/2) = 2.943 times U_max/v."""
     return 0.8 * BETA * deepest(m=m, K=K, v=v) / v
 
@@ -64,7 +64,7 @@ def overlap(t: ArrayLike, *, m: float, K: float, v: float) -> Array:
     """
     from scipy.special import betaincinv
 
-    t, end = require_times(t), lasting(m=m, K=K, v=v)
+    t, end = require_times(t), contact_time(m=m, K=K, v=v)
     half = np.clip(1.0 - np.abs(2.0 * t / end - 1.0), 0.0, 1.0)
     pressed = deepest(m=m, K=K, v=v) * betaincinv(0.4, 0.5, half) ** 0.4
     return np.where(t < end, pressed, -v * (t - end))

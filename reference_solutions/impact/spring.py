@@ -13,8 +13,8 @@ from reference_solutions.parameters import require_positive
 def cleared(*, m: float, kn: float, z: float) -> float:
     """When the bodies no longer overlap [s]: on from the end of the force at the last speed."""
     require_positive("in SI units", m=m, kn=kn)
-    end = float(dashpot.overlap(dashpot.lasting(m=m, kn=kn, z=z), m=m, kn=kn, z=z, v=1.0))
-    return dashpot.lasting(m=m, kn=kn, z=z) + end / dashpot.restitution(z)
+    end = float(dashpot.overlap(dashpot.contact_time(m=m, kn=kn, z=z), m=m, kn=kn, z=z, v=1.0))
+    return dashpot.contact_time(m=m, kn=kn, z=z) + end / dashpot.restitution(z)
 
 
 def deepest(*, m: float, kn: float, z: float, v: float) -> float:

@@ -106,7 +106,7 @@ def largest_force(z: float, *, m: float, K: float, v: float) -> float:
     return swing.force(brentq(steepness, 1e-9, acos(swing.b) + 1e-9, xtol=1e-15))
 
 
-def lasting(z: float, *, m: float, K: float, v: float) -> float:
+def contact_time(z: float, *, m: float, K: float, v: float) -> float:
     """How long the force acts [s]."""
     swing = _Swing(z, m, K, v)
     return swing.time(swing.over)

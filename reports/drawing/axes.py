@@ -19,7 +19,7 @@ LEAST, LARGEST = sys.float_info.min_10_exp, sys.float_info.max_10_exp  # of powe
 
 @dataclass(frozen=True)
 class Axis:
-    """From values to places. low, high: limits, as powers of ten if log; start, end: places."""
+    """The map from values to positions; limits are powers of ten if log; start, end: positions."""
 
     low: float
     high: float
@@ -36,7 +36,7 @@ class Axis:
         return self.start + (known - self.low) / (self.high - self.low) * (self.end - self.start)
 
     def place(self, value: float) -> float:
-        """The place of one value, which a tick is: positive, if the axis is logarithmic."""
+        """The position of one value, such as a tick; it must be positive on a logarithmic axis."""
         known = math.log10(value) if self.log else value
         return self.start + (known - self.low) / (self.high - self.low) * (self.end - self.start)
 

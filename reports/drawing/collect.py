@@ -29,7 +29,7 @@ class History:
 
 @dataclass(frozen=True)
 class Point:
-    """A rung on the way to small errors; error None: none that is finite."""
+    """A rung of a ladder; error None: it gave none that is finite."""
 
     dt: float | None
     error: float | None
@@ -66,7 +66,7 @@ def histories(
 
 
 def ladders(records: Sequence[Record], quantity: str, marks: Mapping[str, Mark]) -> list[Ladder]:
-    """Each scheme's errors on its way to small steps; one ladder per contact stiffness."""
+    """Each scheme's errors against the step; one ladder per contact stiffness."""
     found = []
     for name, pile in _by_label(records).items():
         for kn in dict.fromkeys(record.rung.kn for record in pile):
@@ -77,7 +77,7 @@ def ladders(records: Sequence[Record], quantity: str, marks: Mapping[str, Mark])
 
 
 def same_curve(one: Sequence[History], other: Sequence[History]) -> bool:
-    """Whether two variants have one reference but for its sign, so that one picture is enough."""
+    """Whether two variants have the same reference up to its sign, so that one plot suffices."""
     first, second = (next(iter(h), None) for h in (one, other))
     if first is None or second is None or first.reference is None or second.reference is None:
         return False

@@ -1,4 +1,4 @@
-"""Draws where the energy of a run is over time: a chart for each scheme, a curve for each form."""
+"""Plots the energy of a run over time: a chart for each scheme, a curve for each form."""
 
 from __future__ import annotations
 

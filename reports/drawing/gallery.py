@@ -57,7 +57,7 @@ def figures(
 def cost_figures(
     steps: Sequence[Ladder], quantity: QuantityFacts, norm: Norm, critical: Critical = NO_CRITICAL
 ) -> list[Figure]:
-    """What errors of a quantity cost, unless a map shows them; arguments as for `figures`."""
+    """The cost of errors of a quantity, unless a map shows it; arguments as for `figures`."""
     if error_map(steps, critical) is not None:
         return []
     return _cost(steps, _error(quantity, norm), quantity.symbol)
@@ -144,7 +144,7 @@ def _cost(steps: Sequence[Ladder], error: str, of: str) -> list[Figure]:
             True,
             True,
         ): "Filled, joined: timed alone on one core; grey: the front. Hollow: indicative.",
-        (True, False): "Timed alone on one core; grey: the front, which nobody beats.",
+        (True, False): "Timed alone on one core; grey: the Pareto front.",
         (False, True): "All hollow: indicative costs, measured while other jobs ran beside.",
     }
     free = sorted({s.mark.label for s in steps for p in s.points if p.error and not p.cpu > 0})

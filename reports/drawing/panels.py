@@ -1,4 +1,4 @@
-"""Draws a map of errors as SVG: a panel for each code, all on one scale of colours."""
+"""Draws a map of errors as SVG: a panel for each code, all with the same colour scale."""
 
 from __future__ import annotations
 

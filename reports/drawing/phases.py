@@ -1,4 +1,4 @@
-"""Draws phase pictures: one quantity over another for each scheme, on the exact curve."""
+"""Draws phase plots: one quantity over another for each scheme, on the exact curve."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Data from which the page's script plays the motion of each scheme beside the exact one."""
+"""Data with which the page's script animates the motion of each scheme and the exact one."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Draws in which region of a plane each scheme finds points, a panel for each scheme."""
+"""Draws in which region of a plane each scheme finds points; one panel for each scheme."""
 
 from __future__ import annotations
 

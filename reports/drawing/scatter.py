@@ -1,4 +1,4 @@
-"""Draws what codes compute over what was measured as SVG, with the bars of the measurements."""
+"""Draws computed over measured values as SVG, with the error bars of the measurements."""
 
 from __future__ import annotations
 

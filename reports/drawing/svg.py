@@ -58,7 +58,7 @@ def _joined(tenths: int, before: str) -> str:
 
 
 def thinned(x: Vector, y: Vector, buckets: int = BUCKETS) -> tuple[Vector, Vector]:
-    """The points of a curve that a picture shows: of many, the extremes of each bucket."""
+    """The points of a curve that are drawn: of many, the extremes of each bucket."""
     if len(x) <= 2 * buckets:
         ascends = len(x) > FEW and bool((np.diff(x) > 0).all())
         return straightened(x, y) if ascends else (x, y)
@@ -72,7 +72,7 @@ def thinned(x: Vector, y: Vector, buckets: int = BUCKETS) -> tuple[Vector, Vecto
 
 
 def straightened(x: Vector, y: Vector) -> tuple[Vector, Vector]:
-    """The points that a line needs to pass within SLACK above or below all of them.
+    """The points that a line needs to stay within SLACK above or below all of them.
 
     x ascends. From the point kept last a cone of slopes is narrowed, until one leaves it.
     """

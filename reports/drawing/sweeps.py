@@ -1,4 +1,4 @@
-"""Draws measured values and those of codes over a condition, such as an angle."""
+"""Draws measured and computed values over a condition, such as an angle."""
 
 from __future__ import annotations
 

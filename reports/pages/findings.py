@@ -52,7 +52,7 @@ def findings(book: Book, looks: Iterable[str], without: Container[Outcome] = ())
 
 
 def refused(book: Book) -> list[tuple[str, int, int]]:
-    """(code, variants, reasons) of what each code does not support: its page has it in full."""
+    """(code, variants, reasons) of what each code does not support; its page has all details."""
     found: dict[str, tuple[set[tuple[str, str]], set[str]]] = {}
     for record, shown in book.shown:
         if shown.key is Outcome.REFUSED:

@@ -1,4 +1,4 @@
-"""The page of measurements: what codes compute over what was measured, with bands."""
+"""The page of measurements: computed over measured values, with bands."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from vv.insight.against_measurements import Agreement, Compared, Factor, Overall
 
 @dataclass(frozen=True)
 class Line:
-    """A scheme: its figures, and of how many points it is within how many bands."""
+    """A scheme: its figures, and the number of its points within each number of bands."""
 
     mark: Mark
     agreement: Agreement
@@ -46,7 +46,7 @@ class Together:
 
 
 def together(book: Book) -> Together:
-    """What all measurements say of each scheme."""
+    """The statistics of each scheme over all measurements."""
     found = [one for group in book.agreements.values() for one in group]
     lines = [(book.marks[one.label], one) for one in overall(found)]
     rows: list[tuple[Mark, str, Factor]] = []

@@ -1,4 +1,4 @@
-"""The numbers behind the front page: each scheme's error and cost on each variant."""
+"""The data of the front page: each scheme's error and cost on each variant."""
 
 from __future__ import annotations
 

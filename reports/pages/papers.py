@@ -1,4 +1,4 @@
-"""The page of the papers: each published number beside the exact one and what codes give."""
+"""The page of the papers: published numbers compared with exact ones and with codes."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ class Shown:
 
 @dataclass(frozen=True)
 class PaperPart:
-    """A paper. counts: how its statements came out, by assessment."""
+    """A paper. counts: the number of its statements by assessment."""
 
     paper: Paper
     anchor: str

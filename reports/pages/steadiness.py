@@ -1,4 +1,4 @@
-"""Arranges statements on stability: a table for each kind, equal ones on one line."""
+"""Arranges statements on stability: one table for each kind, equal ones on one line."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Collects what needs attention: findings with number, bound, and the command to rerun them."""
+"""Collects what needs attention: findings with value, bound, and the command to rerun them."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ JUDGED = (Aspect.ACCURACY, Aspect.CONSERVATION, Aspect.RUN)
 
 @dataclass(frozen=True)
 class Trouble:
-    """Findings of one kind on one scheme and case, told by the worst of them.
+    """Findings of one kind on one scheme and case, represented by the worst of them.
 
     red: whether it turns the gate red. bound: of a change, what would be none, and why. others: the
     places of the rest, as links and words. scene: the drawing of the worst's.

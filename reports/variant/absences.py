@@ -17,7 +17,7 @@ LONG = 50  # characters of a reason that a page gives once
 
 @dataclass(frozen=True)
 class Absent:
-    """Settings of one scheme that gave nothing, all for one reason.
+    """Settings of one scheme without result, all for one reason.
 
     anchor: the scheme's place, if nothing else of it has that and something leads there. whole:
     whether nothing of it ran.
@@ -53,7 +53,7 @@ def absent(piles: Mapping[str, Sequence[Record]], looks: Mapping[str, Mark]) -> 
 
 @dataclass(frozen=True)
 class Silent:
-    """Schemes of which nothing ran, all for one reason. marks: the place of each, and its look.
+    """Schemes without any result, all for one reason.
 
     like: the variant above on the page at which the reason stands; empty if it stands here.
     """

@@ -1,4 +1,4 @@
-"""Says which setting of each code is the cheapest that reaches an error."""
+"""Recommends the cheapest setting of each code that reaches an error."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ class Advice:
 
 
 def advice(here: Sequence[Effort]) -> list[Advice]:
-    """The advice for every error that somebody reaches, by timed costs where all are timed."""
+    """The advice for every error that some scheme reaches, by timed costs if all are timed."""
     timed = any(effort.timed for effort in here)
     settings = [(target, _settings(here, target, timed)) for target in TARGETS]
     found = []

@@ -16,7 +16,7 @@ from vv.records.rungs import describe
 
 @dataclass(frozen=True)
 class CostRow:
-    """A scheme: what each error costs it, its smallest error, floors and limits in words."""
+    """A scheme: its cost of each error, its smallest error, floors and limits in words."""
 
     mark: Mark
     reached: Sequence[ErrorCost]

@@ -1,4 +1,4 @@
-"""The figures of a variant: measurements, regions, phases, its quantities and what errors cost."""
+"""The figures of a variant: measurements, regions, phases, quantities and cost of errors."""
 
 from __future__ import annotations
 

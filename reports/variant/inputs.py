@@ -107,7 +107,7 @@ def _input(book: Book, record: Record) -> Input | None:
 
 @functools.lru_cache(maxsize=1)
 def heads(book: Book) -> dict[str, str]:
-    """External code -> the lines with which all its inputs begin, where that saves anything.
+    """External code -> the lines with which all its inputs begin, if that saves space.
 
     They are those that its first and its last input share.
     """

@@ -1,4 +1,4 @@
-"""Writes a text as a unified diff from one that the page has shown already."""
+"""Writes a text as a unified diff from one that the page already shows."""
 
 from __future__ import annotations
 

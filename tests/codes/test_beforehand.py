@@ -19,7 +19,7 @@ from vv.codes.adapter import (
     no_sphere,
     no_steps,
     turned_spin_lock,
-    unseen,
+    unreported,
 )
 from vv.scene import Form, Scene, Term, Wall
 
@@ -106,7 +106,7 @@ def test_what_a_scheme_does_not_report_is_named(
 ) -> None:
     scheme = dataclasses.replace(SCHEME, energies=frozenset({Form.KINETIC}))
     ask: Any = SimpleNamespace(observables=seen, energies=energies)
-    assert unseen(scheme, ask) == why
+    assert unreported(scheme, ask) == why
 
 
 def test_only_scenes_with_drag_are_for_a_scheme_that_differs_in_it() -> None:

@@ -1,1 +1,1 @@
-"""What tests share that is no scene: asks, made-up records, a tiny project."""
+"""Helpers of tests other than scenes: asks, made-up records, a tiny project."""

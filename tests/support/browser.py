@@ -1,4 +1,4 @@
-"""Opens a page in Chromium without a window, acts on it by a script, and returns what that says."""
+"""Opens a page in headless Chromium, runs a script on it, and returns the result."""
 
 from __future__ import annotations
 

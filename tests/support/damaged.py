@@ -1,4 +1,4 @@
-"""Files that somebody, or a disk, has damaged: every part of JSON of a wrong type, or cut short."""
+"""Damaged files: JSON with every part of a wrong type, or cut short."""
 
 from __future__ import annotations
 

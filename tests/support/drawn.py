@@ -42,7 +42,7 @@ def dots(drawn: Node) -> list[tuple[str, float, float]]:
 
 
 def near(*wanted: float) -> Any:
-    """What places are compared with: they are written to a tenth of a pixel."""
+    """Positions for comparison: they are written to a tenth of a pixel."""
     return pytest.approx(list(wanted), abs=0.0501)
 
 

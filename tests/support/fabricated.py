@@ -1,4 +1,4 @@
-"""An invocation that never was: records of every outcome, and the series of those that ran."""
+"""A made-up invocation: records of every outcome, and the series of those that ran."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""What a finding's command asks, without the command: one variant, one scheme, one setting."""
+"""Runs what the command of a finding runs: one variant, one scheme, one setting."""
 
 from __future__ import annotations
 

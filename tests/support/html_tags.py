@@ -1,4 +1,4 @@
-"""Reads a page as tests need it: its tags, their attributes, the texts of links."""
+"""Parses a page for tests: its tags, their attributes, the texts of links."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Skips what needs a code that is not installed, unless VV_REQUIRE names it: then it must fail."""
+"""Skips tests of a code that is not installed, unless VV_REQUIRE names it: then they fail."""
 
 from __future__ import annotations
 

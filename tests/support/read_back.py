@@ -1,4 +1,4 @@
-"""Reads a rendered page back as who looks at it does: the cells of tables, the points of curves."""
+"""Reads a rendered page back as a reader does: the cells of tables, the points of curves."""
 
 from __future__ import annotations
 

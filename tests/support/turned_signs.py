@@ -1,4 +1,4 @@
-"""Copies of modules with one sign turned: what must not pass for the solution it was."""
+"""Copies of modules with one sign changed, which tests must not accept as the solution."""
 
 import ast
 import inspect
@@ -26,7 +26,7 @@ def signs(
 
 
 def turned(module: ModuleType, index: int | None) -> ModuleType:
-    """The module from its source, with the sign of that index turned."""
+    """The module from its source, with the sign of that index changed."""
     tree = ast.parse(inspect.getsource(module))
     node = None if index is None else _signs(tree)[index]
     if isinstance(node, ast.BinOp):
@@ -65,7 +65,7 @@ def _made(module: ModuleType, tree: ast.Module) -> ModuleType:
 
 
 def caught(agrees: Callable[[], bool]) -> bool:
-    """Whether a turned sign shows: as a disagreement, or as an error that such a sign makes."""
+    """Whether a changed sign is detected: by a disagreement, or by an error that it causes."""
     try:
         return not agrees()
     except (ArithmeticError, IndexError, RuntimeError, TypeError, ValueError, Warning):

@@ -1,4 +1,4 @@
-"""The files that a page of the documentation shows in full, so that a test can write them out."""
+"""The files that a documentation page shows in full, so that a test can write them."""
 
 import re
 from pathlib import Path

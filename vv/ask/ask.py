@@ -15,8 +15,8 @@ class Ask:
     """One question to a code: solve this scene with these knobs and report these observables.
 
     search: None, or the bracket in which the largest stable step, or shaking, is searched; knobs,
-    goal and scene are then those first tried, and runs at other steps take as many steps.
-    energies: forms of energy of the whole scene that are to be reported over time.
+    goal and scene are then those of the first try, and runs at other steps take the same number of
+    steps. energies: forms of energy of the whole scene that are to be reported over time.
     """
 
     scene: Scene
@@ -46,6 +46,6 @@ class Ask:
         return Ask(self.scene, goal, self.observables, knobs, energies=self.energies)
 
     def shaken(self, times: float) -> Ask:
-        """The same question with so many times the shaking, without a search."""
+        """The same question with the shaking multiplied by a factor, without a search."""
         scene = with_shaking_times(self.scene, times)
         return replace(self, scene=scene, search=None)

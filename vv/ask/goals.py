@@ -48,9 +48,9 @@ class History:
 class Knobs:
     """One numerical setting: step dt [s], and stiffness kn [N/m] if the contact is rigid.
 
-    None means that the scheme has no such knob. dd: the part of its velocity that a step hands on
-    (kinetic damping); None hands on all, and a scheme without this knob refuses any other. Raises
-    ValueError for dt or kn that are not positive and finite, and for dd beyond 0 and 1.
+    None means that the scheme has no such knob. dd: the fraction of the velocity that is kept from
+    step to step (kinetic damping); None keeps all, and a scheme without this knob refuses any other
+    value. Raises ValueError unless dt and kn are positive and finite, and dd is between 0 and 1.
     """
 
     dt: float | None = None
@@ -77,11 +77,11 @@ class SearchVariable(enum.Enum):
 class Bracket:
     """The values among which the largest stable one is searched, and how.
 
-    Steps go from Knobs.dt to `span` times that, what shaking is multiplied by from 1 to `span`. A
-    value is stable if the run reaches its end and no component of an observable exceeds `bound`,
-    in the observable's unit. In each of `rounds` rounds, `tries` values are tried: first over the
-    bracket, then between the last stable one and the first unstable one.
-    Raises ValueError unless span > 1, bound > 0, tries >= 2 and rounds >= 1.
+    Steps range from Knobs.dt to `span` times that; the factor on the shaking ranges from 1 to
+    `span`. A value is stable if the run reaches its end and no component of an observable exceeds
+    `bound`, in the observable's unit. In each of `rounds` rounds, `tries` values are tried: first
+    over the bracket, then between the last stable value and the first unstable one. Raises
+    ValueError unless span > 1, bound > 0, tries >= 2 and rounds >= 1.
     """
 
     span: float

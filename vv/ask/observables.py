@@ -21,14 +21,14 @@ class Velocity:
 
 @dataclass(frozen=True)
 class Reaction:
-    """Observable: the force on a body of the locks of its translations, (3,) per time [N]."""
+    """Observable: the force of the locks on a body's translations, (3,) per time [N]."""
 
     body: int
 
 
 @dataclass(frozen=True)
 class Impulse:
-    """Observable: the integral of that force since t = 0, (3,) per time [N s]; blows count."""
+    """Observable: the integral of that force since t = 0, (3,) per time [N s], with impacts."""
 
     body: int
 
@@ -37,7 +37,7 @@ class Impulse:
 class Strain:
     """Observable: the normal strains of a block along the scene's axes, (3,) per time.
 
-    Strains and stresses turn with the block, unless a scheme says otherwise.
+    Strains and stresses rotate with the block, unless a scheme says otherwise.
     """
 
     body: int

@@ -16,9 +16,9 @@ from vv.scene import Form, Term, Vector
 class Cost:
     """Time spent on a run [s], by part; solve_cpu is the CPU time of the stepping loop alone.
 
-    repeats: how many solves were timed; solve_cpu is the least of them and spread is
-    (maximum - minimum)/minimum. whole: solve_cpu and solve_wall are those of the whole process,
-    its start and its output included, for want of better. Raises ValueError for a negative cost.
+    repeats: the number of timed solves; solve_cpu is their minimum, and spread is (maximum -
+    minimum)/minimum. whole: solve_cpu and solve_wall are those of the whole process, including
+    start and output, since nothing better is known. Raises ValueError for a negative cost.
     """
 
     startup: float = 0.0
@@ -47,10 +47,10 @@ class Model:
 
 @dataclass(frozen=True)
 class Ledger:
-    """The energy balance of a run: its summands at the end [J] by name, and what they leave.
+    """The energy balance of a run: energies and works at its end [J] by name, and the remainder.
 
-    terms: name -> energy or work; unaccounted: the largest |sum of them - initial energy| over
-    the run [J]; peak: the largest energy stored [J]; bound: the limit that the scheme promises for
+    terms: name -> energy or work; unaccounted: the largest |sum of them - initial energy| over the
+    run [J]; peak: the largest energy stored [J]; bound: the limit that the scheme declares for
     unaccounted, or None. audits: name of a law (momentum, Coulomb, penetration) -> (largest
     violation, violation allowed).
     """
@@ -67,9 +67,9 @@ class Run:
     """The outcome of an ask: a status with its reason and, if it ran, the observables.
 
     times: (k,) [s]; values: observable -> (k, 3) in the scene's frame; energies: form -> (k,) [J]
-    if they were asked for. tried: (n, 2), of a search: the steps [s], or times the shaking, that
+    if they were asked for. tried: (n, 2), of a search: the steps [s] or factors on the shaking that
     were tried, ascending, and the largest component of an observable at each, inf if the run did
-    not reach its end. Times and values of a search are those of what was tried first.
+    not reach its end. Times and values of a search are those of the first try.
     """
 
     status: Status

@@ -19,7 +19,7 @@ class Status(enum.Enum):
 
 
 class Method(enum.Enum):
-    """How exact a scheme claims to be; decides which tolerance of a quantity applies."""
+    """The accuracy that a scheme claims; it decides which tolerance of a quantity applies."""
 
     EXACT = "exact to rounding"
     LINEARISED = "exact to first order in the displacements"
@@ -33,7 +33,7 @@ class Method(enum.Enum):
 
     @property
     def general(self) -> Method:
-        """The wider class whose tolerances hold where a class has none of its own."""
+        """The wider class whose tolerances apply if a class has none."""
         return _GENERAL.get(self, self)
 
 

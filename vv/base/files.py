@@ -56,7 +56,7 @@ def opened(path: Path) -> BinaryIO:
 
 
 @contextlib.contextmanager
-def naming(place: str) -> Iterator[None]:
+def with_path(place: str) -> Iterator[None]:
     """Add the path to an OSError that has none, such as that of a full disk."""
     try:
         yield
@@ -72,11 +72,11 @@ def write_output(path: Path, content: bytes) -> None:
     """
     check_output(path)
     if str(path) == "-":
-        with naming("standard output"):
+        with with_path("standard output"):
             sys.stdout.buffer.write(content)
             sys.stdout.buffer.flush()
     elif path.exists() and not path.is_file():
-        with naming(str(path)), path.open("wb") as file:
+        with with_path(str(path)), path.open("wb") as file:
             file.write(content)
     else:
         write_whole(path.resolve(), content)

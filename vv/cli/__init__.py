@@ -116,7 +116,7 @@ def _place(error: OSError) -> str:
 def main() -> None:
     """Run the command line; bad input gets one line and exit status 64, never a traceback.
 
-    An error in a project's own files is told with the calls in these that led to it.
+    For an error in a project's own files, the calls in these files that led to it are shown.
     """
     signal.signal(signal.SIGTERM, signal.default_int_handler)  # ends its workers as Ctrl-C does
     try:

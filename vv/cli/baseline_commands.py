@@ -1,4 +1,4 @@
-"""The commands that keep results with the cases: `vv accept` as baselines, `vv record` to show."""
+"""The commands that store results with the cases: `vv accept` (baselines) and `vv record`."""
 
 from __future__ import annotations
 
@@ -142,7 +142,7 @@ def _without_results(manifest: Manifest) -> dict[str, RecordedFile]:
 
 
 def _both_levels(project: Project, selection: list[str] | str | None, codes: str) -> Plan:
-    """What the levels quick and default run, each job once."""
+    """The jobs of the levels quick and default, each once."""
     from vv.plan.plan import EmptyPlanError, Options, merge_plans
 
     names = [selection] if isinstance(selection, str) else selection or []

@@ -58,7 +58,7 @@ def docs(
 
 
 def _pages_of_cases(gallery: Path) -> list[Path]:
-    """The pages and drawings in a gallery; raises UsageError where anything else lies there."""
+    """The pages and drawings in a gallery; raises UsageError for any other file."""
     found = sorted((gallery / "cases").glob("*"))
     for one in found:
         if one.suffix not in (".md", ".svg") or not one.is_file():

@@ -78,7 +78,7 @@ def _question(case: Case, variant: str, asked: Options) -> str:
 
 
 def _input(project: Project, selection: str, asked: Options, form: Form) -> tuple[str, str]:
-    """What the code's adapter writes, or the ask.json with its knobs, and the label of the job."""
+    """The input that the adapter writes, or the ask.json with its knobs; and the job's label."""
     from vv.codes.program import question
     from vv.plan.planning import make_plan
     from vv.plan.selection import choose_schemes, named_adapters

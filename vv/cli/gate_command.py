@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class GateCall:
-    """What `vv gate` is called with."""
+    """The arguments of `vv gate`."""
 
     selection: options.Selection = None
     codes: options.Codes = "*"

@@ -29,8 +29,8 @@ def reuse_or_carry_out(
 ) -> Manifest:
     """Carry out a plan, or return the manifest of the same call if nothing has changed since.
 
-    asked: frozen data that the plan is made of. The number of processes and files to be written
-    are not part of it, since results do not depend on them.
+    asked: frozen data from which the plan is made. The number of processes and the files to be
+    written are not part of it, since results do not depend on them.
     """
     from vv.run import reuse
 

@@ -1,4 +1,4 @@
-"""Presents jobs as tests of pytest: all run with the first test, and each test judges one."""
+"""Presents jobs as pytest tests: the first test runs all jobs, and each test judges one."""
 
 from __future__ import annotations
 
@@ -83,7 +83,8 @@ class JobTest(pytest.Item):
     def reportinfo(self) -> tuple[Path, None, str]:
         """The case's file, and the title under which pytest shows a failure.
 
-        It must not end its node's name: pytest would write `::` for the points of its numbers.
+        The title must not end in the name of the node: pytest would write `::` for the decimal
+        points in it.
         """
         case = self.invocation.plan.jobs[self.number].case
         return self.invocation.project.case_file(case), None, f"vv: {self.name}"

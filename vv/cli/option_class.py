@@ -13,7 +13,7 @@ Command = Callable[..., None]
 
 
 def takes(fields: type[Call]) -> Callable[[Callable[[Call], None]], Command]:
-    """Decorates a command whose options are the fields of a dataclass.
+    """Decorator for a command whose options are the fields of a dataclass.
 
     The option parser reads the fields as the parameters of a function.
     """

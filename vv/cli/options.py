@@ -107,7 +107,7 @@ Executor = Annotated[
 
 
 def writable(path: Path | None) -> Path | None:
-    """What an option for a file names; raises OSError where nothing can be written there."""
+    """The path of an option for a file; raises OSError if it cannot be written."""
     if path is not None:
         check_output(path)
     return path
@@ -125,10 +125,10 @@ JsonFile = Annotated[
 
 
 def plan_of(project: Project, selection: list[str], options: Options, keyword: str = "") -> Plan:
-    """The plan of a selection; nothing selected means every case.
+    """The plan of a selection; without a selection, every case.
 
-    keyword: an expression that the names of jobs must fit, FAMILY CASE:VARIANT CODE/SCHEME.
-    Raises UsageError for one that none fits, and for more words than anybody types.
+    keyword: an expression that the names of jobs, FAMILY CASE:VARIANT CODE/SCHEME, must match.
+    Raises UsageError if none matches, and for more words than anybody types.
     """
     from vv.plan.expression import matcher
     from vv.plan.plan import with_jobs_kept
@@ -158,7 +158,7 @@ def split(text: str) -> tuple[str, ...]:
 
 
 def codes(text: str) -> tuple[str, ...]:
-    """What --codes names; raises UsageError for nothing."""
+    """The patterns of --codes; raises UsageError for none."""
     named = split(text)
     if not named:
         raise UsageError(f"--codes '{text}' names no code; leave it out to ask all")
@@ -166,9 +166,9 @@ def codes(text: str) -> tuple[str, ...]:
 
 
 def with_programs(project: Project, text: str) -> tuple[Project, tuple[str, ...]]:
-    """The project with the programs whose files --codes names, and what it names as patterns.
+    """The project with the programs whose files --codes names, and the patterns of --codes.
 
-    Raises UsageError for nothing, and for a file that is not there.
+    Raises UsageError if --codes is empty, and for a missing file.
     """
     files, patterns = [], []
     for part in codes(text):
@@ -190,7 +190,7 @@ def named_files(project: Project) -> Mapping[str, Path]:
 
 
 def required(project: Project, text: str) -> tuple[str, ...]:
-    """The codes of --require, and the programs whose files were named: they are meant to run.
+    """The codes of --require, and the programs whose files are named, which must run.
 
     Raises UsageError for a code that does not exist.
     """
@@ -203,26 +203,26 @@ def required(project: Project, text: str) -> tuple[str, ...]:
 
 
 def knobs(texts: list[str] | None) -> tuple[Knobs, ...]:
-    """What --rung says."""
+    """The settings of --rung."""
     from vv.plan.settings import parse_knobs
 
     return tuple(parse_knobs(text) for text in texts or ())
 
 
 def workers(jobs: int) -> int:
-    """How many processes --jobs asks for."""
+    """The number of processes of --jobs."""
     return jobs or len(os.sched_getaffinity(0))
 
 
 def executor(text: str) -> str:
-    """What --executor names; raises UsageError for what is none."""
+    """The executor of --executor; raises UsageError for an invalid one."""
     if text != "local" and not EXECUTOR.fullmatch(text):
         raise UsageError(f"--executor '{text}': it must be local or dask://HOST:PORT")
     return text
 
 
 def positive(timeout: float) -> float:
-    """What --timeout says, which must be positive."""
+    """The value of --timeout, which must be positive."""
     if not timeout > 0:
         raise UsageError(f"--timeout = {timeout!r} s; it must be positive")
     return timeout

@@ -1,4 +1,4 @@
-"""The command that shows published numbers beside exact ones and those of codes: `vv papers`."""
+"""The command that compares published numbers with exact answers and codes: `vv papers`."""
 
 from __future__ import annotations
 
@@ -52,7 +52,7 @@ def papers(
 
 
 def _results(project: Project, accepted: bool, case: str) -> Mapping[str, AcceptedResult]:
-    """What is accepted of a case, and unless that is all that is asked for, what is newer."""
+    """The accepted results of a case and, unless only these are wanted, newer ones."""
     from vv.gate.all_checks import baseline_of
 
     baseline = baseline_of(project, case)

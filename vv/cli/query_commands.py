@@ -67,10 +67,10 @@ def _all_variants(case: Case) -> list[str]:
 
 
 def _fitting(families: dict[str, str], cases: list[Case], keyword: str) -> dict[str, list[str]]:
-    """Case -> its variants whose names or descriptions fit an expression.
+    """Case -> its variants whose names or descriptions match an expression.
 
-    A title is asked where no variant of the case fits, and then speaks for all of them. Raises
-    UsageError if nothing fits.
+    If no variant matches, the title of the case is tried, which then selects all of them. Raises
+    UsageError if nothing matches.
     """
     from vv.plan.expression import matcher
 

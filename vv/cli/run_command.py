@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class RunCall:
-    """What `vv run` is called with."""
+    """The arguments of `vv run`."""
 
     selection: options.Selection = None
     everything: Annotated[
@@ -75,7 +75,7 @@ class RunCall:
 
     @property
     def timed(self) -> bool:
-        """Whether costs are timed: where every case runs, and to its end."""
+        """Whether costs are timed: if every case runs to its end."""
         part = self.keyword or not self.repeatable
         return self.everything and self.level is not Level.QUICK and not part
 
@@ -219,7 +219,7 @@ def _last(store: Store) -> Manifest:
 
 
 def _rungs_that_failed(last: Manifest) -> tuple[Knobs, ...]:
-    """The knobs of what failed: they need not belong to the level asked for."""
+    """The knobs of failed jobs, which may not belong to the requested level."""
     from vv.run.narrowing import failing_records
 
     return tuple(dict.fromkeys(record.rung for record in failing_records(last)))
@@ -228,7 +228,7 @@ def _rungs_that_failed(last: Manifest) -> tuple[Knobs, ...]:
 def _narrower(
     project: Project, store: Store, last: Manifest | None, call: RunCall
 ) -> Callable[[Plan], Plan]:
-    """What narrows a plan; raises UsageError for what is said wrongly, before there is one."""
+    """The function that narrows a plan; raises UsageError for bad options before planning."""
     if not (call.failed or call.since or call.budget):
         return lambda plan: plan
     from vv.plan.plan import with_jobs_kept

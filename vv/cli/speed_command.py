@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class SpeedCall:
-    """What `vv speed` is called with."""
+    """The arguments of `vv speed`."""
 
     selection: options.Selection = None
     codes: options.Codes = "*"
@@ -86,7 +86,7 @@ def speed(call: SpeedCall) -> None:
 
 
 def _timed_part(plan: Plan, call: SpeedCall) -> Plan:
-    """What is to run: all that is selected, or if nothing is, the variants that are timed."""
+    """The jobs to run: all selected ones, or, if none is selected, the variants that are timed."""
     from vv.plan.plan import with_jobs_kept
 
     if call.level is Level.PAPER:
@@ -127,7 +127,7 @@ def _scale(codes: str, largest: int, json_file: Path | None) -> None:
 
 
 def _show(project: Project, manifest: Manifest, selected: bool, json_file: Path | None) -> None:
-    """Print what an error costs, and write it to a file if one is named."""
+    """Print the cost of an error, and write it to a file if one is named."""
     from vv.insight.accuracy_cost import TARGETS, comparisons
     from vv.insight.effort import efforts, untimed
     from vv.output import speed_text
@@ -151,7 +151,7 @@ def _show(project: Project, manifest: Manifest, selected: bool, json_file: Path 
 
 
 def _all_timed(plan: Plan) -> Iterator[Job]:
-    """The jobs, timed at default's rungs in variants that name no rungs to be timed."""
+    """The jobs, all timed; variants without rungs to be timed use those of the default level."""
     own = {(job.case, job.variant) for job in plan.jobs if job.timed}
     for job in plan.jobs:
         place = job.case, job.variant

@@ -1,4 +1,4 @@
-"""The commands that write templates that work: `vv new`, `vv init`."""
+"""The commands that write working templates: `vv new`, `vv init`."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from vv.plan.templates import Language
 
 
 class Kind(enum.Enum):
-    """What can be started."""
+    """What a template can be written for."""
 
     CODE = "code"
     CASE = "case"

@@ -14,7 +14,7 @@ from vv.codes.adapter import (
     no_sphere,
     no_steps,
     turned_spin_lock,
-    unseen,
+    unreported,
     unsupported,
 )
 from vv.codes.script import python_script, source
@@ -35,6 +35,6 @@ __all__ = [
     "source",
     "timed",
     "turned_spin_lock",
-    "unseen",
+    "unreported",
     "unsupported",
 ]

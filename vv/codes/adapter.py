@@ -116,7 +116,7 @@ def known_beforehand(adapter: Adapter, scheme: Scheme, ask: Ask, found: Found) -
     if missing:
         terms = ", ".join(sorted(_lacked(scheme, term) for term in missing))
         return Run(Status.REFUSED, f"{adapter.name}/{scheme.name} does not support: {terms}")
-    if hidden := unseen(scheme, ask):
+    if hidden := unreported(scheme, ask):
         return Run(Status.REFUSED, f"{adapter.name}/{scheme.name} does not report: {hidden}")
     if ask.knobs.dd is not None and "dd" not in scheme.knobs:
         return Run(Status.REFUSED, f"its steps hand on all velocity, and not dd = {ask.knobs.dd:g}")
@@ -182,7 +182,7 @@ def unsupported(scheme: Scheme, terms: frozenset[Term]) -> frozenset[Term]:
     return terms - scheme.terms
 
 
-def unseen(scheme: Scheme, ask: Ask) -> str | None:
+def unreported(scheme: Scheme, ask: Ask) -> str | None:
     """Which requested observables a scheme cannot report, in words; None if it reports all."""
     kinds = {type(what) for what in ask.observables} - scheme.observables
     forms = [form for form in ask.energies if form not in scheme.energies]

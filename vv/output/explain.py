@@ -22,7 +22,7 @@ Result = TypeVar("Result", Record, RecordedResult)
 
 
 def print_explanation(plan: Plan, manifests: Iterable[Manifest]) -> None:
-    """Explain the planned variants, show their last results, and who agrees with whom."""
+    """Explain the planned variants, their last results, and which codes agree."""
     past = tuple(manifests)
     results, heard = _last_results(past), agreements(*_last_records(past))
     for name, case in plan.cases.items():
@@ -98,7 +98,7 @@ def _explain_quantity(quantity: Quantity) -> None:
 
 
 def _explain_measurement(judge: Measured) -> None:
-    """The measured value with its uncertainties, and the band of codes."""
+    """The measured value with its uncertainties, and the band for codes."""
     seen = judge.measurement
     say(
         f"    measured: {seen.value:g}, digitised to {seen.digitisation:g}, experiment to "
@@ -108,7 +108,7 @@ def _explain_measurement(judge: Measured) -> None:
 
 
 def _explain_code_to_code(judge: CodeToCode) -> None:
-    """The answer of another code, and the band of codes."""
+    """The answer of another code, and the band for codes."""
     other = judge.answer
     say(
         f"    code-to-code, neither exact nor measured: {other.code} has {other.value:g}, rounded "
@@ -124,7 +124,7 @@ def _explain_band(judge: Measured | CodeToCode) -> None:
 
 
 def _last_records(manifests: Iterable[Manifest]) -> tuple[list[Record], list[RecordedResult]]:
-    """The newest records of each (case, variant, code, scheme), and what stands beside them."""
+    """The newest records of each (case, variant, code, scheme), and the recorded results."""
     found: dict[tuple[str, ...], list[Record]] = {}
     beside: dict[tuple[str, ...], list[RecordedResult]] = {}
     for manifest in manifests:

@@ -32,14 +32,14 @@ Place = tuple[str, str, str, str]  # case, variant, scheme, knobs
 
 @dataclass(frozen=True)
 class Folded:
-    """A finding, and how many more say the same of the same scheme and variant."""
+    """A finding, and the number of others that say the same of the same scheme and variant."""
 
     finding: Finding
     others: int
 
 
 def folded(findings: Iterable[Finding]) -> list[Folded]:
-    """Findings that differ in their setting only as one, the worst; worst first."""
+    """Findings that differ only in their setting as one, the worst; sorted worst first."""
     piles: dict[tuple[object, ...], list[Finding]] = {}
     for one in worst_first(findings):
         bare = one.kind == Change.NO_BASELINE.value
@@ -55,10 +55,10 @@ def lines(
     programs: Mapping[str, Path] = NO_PROGRAMS,
     patterns: Sequence[Diagnosis] = (),
 ) -> Iterator[str]:
-    """Red ones first and worst first; below each red one the command that runs it again.
+    """Red findings first and worst first; below each red one the command that reruns it.
 
-    programs: the files by which codes were named that are found by no other name. patterns: what
-    failures of a scheme in a case look like, told with the first of them.
+    programs: the files of codes that were named by a file. patterns: the failure patterns of
+    schemes in cases, printed with their first finding.
     """
     looks = {(one.case, one.label): one.text for one in patterns}
     at = {(r.case, r.variant, r.label, rung(r)): r for r in records}
@@ -86,7 +86,7 @@ def _line(one: Folded) -> str:
 
 
 def since_accepted(found: Finding) -> str:
-    """Where a finding is, and what it says; of a change, that it is one."""
+    """Where a finding is, and its text; for a change, also the kind of change."""
     where = f"{found.where}: " if found.where else ""
     return f"{where}{THAN.get(found.kind, '')}{found.text}"
 
@@ -101,7 +101,7 @@ def rerun(
     level: Level,
     programs: Mapping[str, Path] = NO_PROGRAMS,
 ) -> str:
-    """The command that runs again what a finding is about; empty if it is of no single result."""
+    """The command that reruns the result of a finding; empty if it concerns no single result."""
     record = at.get((finding.case, finding.variant, finding.label, finding.rung))
     if record is None or finding.check is Aspect.SPEED:
         return ""

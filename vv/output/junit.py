@@ -22,7 +22,7 @@ def write_junit(path: Path, manifest: Manifest, findings: Iterable[Finding]) -> 
     """Write the file.
 
     Failure: out of tolerance or band. Error: crash, timeout or incomplete. Skipped: refused or not
-    installed. What is reported only is a property of its test.
+    installed. A finding that is only reported is a property of its test.
     """
     import junitparser
 
@@ -45,7 +45,7 @@ def write_junit(path: Path, manifest: Manifest, findings: Iterable[Finding]) -> 
 
 
 def _tests_of(record: Record, at: dict[Place, list[Finding]]) -> Iterator[Any]:
-    """A test for each quantity of a record; takes what was found of it out of `at`."""
+    """A test for each quantity of a record; removes its findings from `at`."""
     import junitparser
 
     names = [one.name for one in record.quantities] or [""]
@@ -98,7 +98,7 @@ def _test(place: Place, findings: Iterable[Finding], figures: Mapping[str, objec
 
 
 def _figures(record: Record, quantity: str) -> dict[str, object]:
-    """The numbers of a quantity, and the verdict that they came to."""
+    """The numbers of a quantity, and its verdict."""
     one = record.quantity(quantity)
     if one is None:
         return {}

@@ -40,7 +40,7 @@ def print_jobs(plan: Plan, stored: Container[int]) -> None:
 def print_cases(
     cases: Sequence[Case], shown: Mapping[str, Sequence[str]], families: Mapping[str, str]
 ) -> None:
-    """Cases by family, with those of their variants that are to be shown: case -> names."""
+    """Cases by family, with the variants that are to be shown: case -> names."""
     groups: dict[str, list[Case]] = {}
     for case in cases:
         groups.setdefault(families[case.name], []).append(case)
@@ -70,7 +70,7 @@ def print_codes(adapters: Sequence[Adapter]) -> None:
 
 
 def _methods(scheme: Scheme) -> Iterator[str]:
-    """The class of method of a scheme, and each other that it has in some scenes, once."""
+    """The class of method of a scheme, and once each other class that it has in some scenes."""
     yield scheme.method.value
     for method in dict.fromkeys(scheme.lowered.values()):
         terms = [term.value for term, other in scheme.lowered.items() if other is method]

@@ -24,7 +24,7 @@ WORDS = {
 
 
 def headline(findings: Sequence[Finding]) -> str:
-    """The colour of the gate in a sentence."""
+    """The overall result of the gate in a sentence."""
     wrong = bits(findings)
     if not wrong:
         return "green"
@@ -69,13 +69,13 @@ def _table(title: str, findings: Sequence[Finding]) -> list[str]:
 
 
 def _cell(text: str) -> str:
-    """A text as it stands: no markup, and no picture or link that it might ask for."""
+    """A text without markup, pictures or links."""
     whole = " ".join(one_line(text).split()).replace("&", "&amp;")
     return whole.replace("|", "\\|").replace("<", "&lt;").replace("[", "\\[")
 
 
 def _counted_notices(findings: Sequence[Finding]) -> list[str]:
-    """Notices, those that say the same of one case together."""
+    """Notices, merged where they say the same of one case."""
     piles: dict[tuple[str, str, str], int] = {}
     for f in findings:
         piles[f.case, f.kind, f.text] = piles.get((f.case, f.kind, f.text), 0) + 1
@@ -86,13 +86,13 @@ def _counted_notices(findings: Sequence[Finding]) -> list[str]:
 
 
 def _asked(findings: Iterable[Finding]) -> list[str]:
-    """What to type where results became better."""
+    """The commands to type where results became better."""
     better = sorted({f.case for f in findings if f.improves})
     return [f'{case} became better: `vv accept {case} --reason "..."` keeps it' for case in better]
 
 
 def _recorded(manifest: Manifest) -> list[str]:
-    """Which absent codes are shown from recorded results; they count for nothing."""
+    """The codes that are not installed and shown by recorded results, which do not count."""
     ages: dict[tuple[str, str], int] = {}
     for shown in manifest.recorded:
         ages[shown.code, shown.version] = shown.days
@@ -123,7 +123,7 @@ def workflow_commands(findings: Iterable[Finding], files: Mapping[str, str]) -> 
 
 
 def _escaped(text: str, in_property: bool = False) -> str:
-    """Text as a workflow command takes it."""
+    """Text with the escapes of a workflow command."""
     text = printable(text.replace("\r\n", "\n"))
     pairs = [("%", "%25"), ("\r", "%0D"), ("\n", "%0A")]
     for old, new in [*pairs, *([(":", "%3A"), (",", "%2C")] if in_property else [])]:

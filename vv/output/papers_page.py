@@ -1,4 +1,4 @@
-"""Writes the Markdown page of published statements and how each compares."""
+"""Writes the Markdown page that compares published statements with exact answers and codes."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ def _with_unit(text: str, unit: str) -> str:
 
 
 def _codes(row: Row) -> str:
-    """What codes give, a variant's answers together."""
+    """The answers of codes; those on one variant together."""
     places = dict.fromkeys(answer.where for answer in row.answers)
     return "; ".join(f"`{place}` {_at(place, row)}" for place in places)
 

@@ -1,6 +1,6 @@
-"""Shows how far an invocation has got: a bar on a terminal, plain lines elsewhere.
+"""Shows the progress of an invocation: a bar on a terminal, plain lines elsewhere.
 
-Only what has to run counts; what is stored or not supported is there at once.
+Only jobs that run count; stored and unsupported ones are there at once.
 """
 
 from __future__ import annotations
@@ -64,7 +64,7 @@ class _Bar:
 
 
 class _Lines:
-    """A line now and then, and one for each of the first runs that are lost."""
+    """A line now and then, and one for each of the first runs that fail."""
 
     def __init__(self) -> None:
         self.jobs = self.count = self.lost = 0
@@ -76,7 +76,7 @@ class _Lines:
         self.begun = self.last = time.monotonic()
 
     def done(self, record: Record) -> None:
-        """Count a run; say how far we are if that was not said lately."""
+        """Count a run; print the progress if the last line is some time ago."""
         if not self.jobs:
             return
         self.count += 1

@@ -48,14 +48,14 @@ def print_refusals(records: Sequence[Record]) -> None:
 
 
 def _case(records: Iterable[Record]) -> str:
-    """The case of these records, the first that failed if any did, as users type it."""
+    """The case of these records in the form that users type; the first that failed, if any did."""
     given = list(records)
     failed = (record.case for record in given if outcome(record) in FAILED)
     return next(failed, given[0].case if given else "CASE")
 
 
 def print_inert(records: Iterable[Record]) -> None:
-    """Say which parameters were changed that the exact answer does not contain."""
+    """Name the changed parameters on which the exact answer does not depend."""
     for text in dict.fromkeys(
         f"{record.case}:{record.variant}: {part}"
         for record in records
@@ -67,16 +67,16 @@ def print_inert(records: Iterable[Record]) -> None:
 
 
 def print_counts(records: Iterable[Record], report: str) -> None:
-    """The last line of a run: outcomes of settings counted, the report, where to read why.
+    """The last line of a run: counts of outcomes, the report, and the command that explains them.
 
-    report: its path, or what writes it.
+    report: its path, or the command that writes it.
     """
     given = list(records)
     say(f"settings: {listed(counted(given))}; report: {report}; details: vv explain {_case(given)}")
 
 
 def print_table(records: Sequence[Record], findings: Sequence[Finding]) -> None:
-    """Errors, orders, costs and verdicts of each scheme, if any took something on."""
+    """Errors, orders, costs and verdicts of each scheme, if any scheme supports a variant."""
     if any(map(tried, records)):
         say(*table(records, findings))
 

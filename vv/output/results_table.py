@@ -1,4 +1,4 @@
-"""The results of a run as a table: error against its bound, order, cost and verdict of a scheme."""
+"""The results of a run as a table: error, bound, order, cost and verdict of each scheme."""
 
 from __future__ import annotations
 
@@ -46,7 +46,7 @@ class Row:
 
 
 def rows(records: Iterable[Record], findings: Iterable[Finding]) -> list[Row]:
-    """A row for each scheme on each variant that it took on, in the order of the records."""
+    """A row for each scheme on each variant that it supports, in the order of the records."""
     piles: dict[Place, list[Record]] = {}
     for record in filter(tried, records):
         piles.setdefault((record.case, record.variant, record.label), []).append(record)
@@ -150,7 +150,7 @@ def _short(value: float | None) -> str:
 
 
 def _summary(every: Sequence[Row]) -> Iterator[str]:
-    """A row for each scheme: how many variants came to what, and the errors of the finest."""
+    """A row for each scheme: the number of variants by outcome, and the errors at the finest."""
     schemes: dict[str, list[Row]] = {}
     for row in every:
         schemes.setdefault(row.place[2], []).append(row)

@@ -31,7 +31,7 @@ NOTES = (
 
 
 def tables(every: Sequence[Effort]) -> Iterator[str]:
-    """Of each timed variant: what errors cost in each scheme, and what to take for an error."""
+    """For each timed variant: the cost of errors in each scheme, and the recommended settings."""
     for place in dict.fromkeys((e.case, e.variant) for e in every):
         here = [e for e in every if (e.case, e.variant) == place]
         wide = max(8, *(len(e.label) for e in here))
@@ -63,7 +63,7 @@ def _cost(reached: ErrorCost, best: float | None) -> str:
 
 
 def _order(one: Effort) -> str:
-    """The order fitted, where no stiffness limits the error too; the JSON has that of each."""
+    """The fitted order, if no stiffness limits the error too; the JSON has that of each."""
     fitted = [row.order for row in one.rows if row.order and not row.kn]
     return f"{fitted[-1].order:.2f}" if fitted else "-"
 
@@ -126,13 +126,13 @@ def indicative(every: Sequence[Effort]) -> Iterator[str]:
 
 
 def whole(records: Iterable[Record]) -> Iterator[str]:
-    """The schemes whose programs do not say what their steps alone cost."""
+    """The schemes whose programs do not report the cost of their steps alone."""
     for label in sorted({record.label for record in records if record.cost.whole}):
         yield f"{label}: its costs are those of whole processes, start and output included"
 
 
 def beside(untimed: Sequence[str]) -> Iterator[str]:
-    """Where to look for what is not timed."""
+    """A note on variants that are not timed."""
     if untimed:
         yield (
             f"\nnot timed: {', '.join(untimed)}, and other variants of the cases above; `vv speed "

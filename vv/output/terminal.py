@@ -1,6 +1,7 @@
-"""Prints lines: results on standard output, progress, notes and errors on standard error.
+"""Prints lines: results on standard output; progress, notes and errors on standard error.
 
-Nothing that is printed steers the terminal, and no text forges a line: each is printed as one.
+Control characters are made harmless and line breaks removed, so that no text can control the
+terminal or forge a line.
 """
 
 from __future__ import annotations
@@ -10,7 +11,7 @@ import io
 import sys
 from collections.abc import Callable
 
-from vv.base.files import naming
+from vv.base.files import with_path
 from vv.base.printable import one_line
 
 LONGEST = 2000  # characters of an error, which may quote what was typed
@@ -19,7 +20,7 @@ USAGE = 64  # the exit status of a usage error, vv.records.finding.Bit.USAGE
 
 def say(*lines: str) -> None:
     """Print lines."""
-    with naming("standard output"):
+    with with_path("standard output"):
         for line in lines:
             print(one_line(line), flush=True)
 
@@ -30,7 +31,7 @@ def note(text: str) -> None:
 
 
 def captured(speaker: Callable[[], None]) -> tuple[list[str], list[str]]:
-    """The notes and the lines that a call prints, which are kept from standard error and output."""
+    """The notes and lines that a call prints, captured instead of printed."""
     notes, lines = io.StringIO(), io.StringIO()
     with contextlib.redirect_stderr(notes), contextlib.redirect_stdout(lines):
         speaker()

@@ -18,7 +18,7 @@ ORDER = {outcome: rank for rank, outcome in enumerate((*FIRST, Outcome.NO_REFERE
 
 
 def in_words(outcome: Outcome, count: int = 1) -> str:
-    """What an outcome is called, of one result or of several."""
+    """The phrase for an outcome, of one result or of several."""
     return WORDS.get(outcome, (outcome.value, outcome.value))[count != 1]
 
 
@@ -33,6 +33,6 @@ def duration(seconds: float) -> str:
 
 
 def listed(counts: Mapping[Outcome, int]) -> str:
-    """Outcomes with how often each came, what was judged first."""
+    """Outcomes with their counts, judged ones first."""
     ranked = sorted(counts, key=lambda one: (ORDER.get(one, len(ORDER)), one.value))
     return ", ".join(f"{counts[one]} {in_words(one, counts[one])}" for one in ranked)

@@ -55,17 +55,17 @@ def parse(text: str) -> Any:
 
 
 def render(value: object, **style: Any) -> str:
-    """Records, or what holds some, as a text in JSON; style: as of `json.dumps`."""
+    """Records, or a container of records, as JSON text; style: as for `json.dumps`."""
     return dump(to_data(value), **style)
 
 
 def dump(data: object, **style: Any) -> str:
-    """Plain data as a text in JSON; style: as of `json.dumps`."""
+    """Plain data as JSON text; style: as for `json.dumps`."""
     return json.dumps(data, allow_nan=False, **style)
 
 
 def read(kind: type[Kind], data: object, name: str) -> Kind:
-    """Plain data as an object of that class; raises DamagedError, in which `name` stands for it."""
+    """Plain data as an object of that class; raises DamagedError, which calls it `name`."""
     try:
         found: Kind = _reader(typing.cast(Hashable, kind))(data)
     except DamagedError as error:
@@ -74,7 +74,7 @@ def read(kind: type[Kind], data: object, name: str) -> Kind:
 
 
 def members(kind: type, data: object) -> Json:
-    """Some fields of a class, read from those members that an object has; raises DamagedError."""
+    """Some fields of a class, read from the members of an object; raises DamagedError."""
     readers = _readers(kind)
     if type(data) is not dict:
         _refuse(data, "must be an object")
@@ -90,7 +90,7 @@ def members(kind: type, data: object) -> Json:
 
 
 def to_data(value: Any) -> Any:
-    """Records, or what holds some, as plain data."""
+    """Records, or a container of records, as plain data."""
     kind = type(value)
     return value if kind in PLAIN else _writer(typing.cast(Hashable, kind))(value)
 
@@ -153,7 +153,7 @@ def _words(kind: Any) -> dict[enum.Enum, str]:
 
 @functools.cache
 def _written(kind: Any) -> tuple[tuple[str, Any, bool], ...]:
-    """(name, value at which it is left out, whether its entries stand in its place) of fields."""
+    """(name, default at which it is omitted, whether its entries replace it) of each field."""
     return tuple(
         (f.name, f.default if OMITTED in f.metadata else MISSING, SPREAD in f.metadata)
         for f in dataclasses.fields(kind)
@@ -229,7 +229,7 @@ def _entries(key_kind: Any, kind: Any) -> Reader:
 
 
 def _fields(kind: Any) -> Reader:
-    """A class by its fields; a member that is none of them goes to the field that is spread."""
+    """A class from its fields; any other member goes to the field that is spread."""
     hints, readers = typing.get_type_hints(kind), _readers(kind)
     spread = next((f.name for f in dataclasses.fields(kind) if SPREAD in f.metadata), None)
 
@@ -253,7 +253,7 @@ def _fields(kind: Any) -> Reader:
 
 
 def _diagnose(kind: Any, readers: Mapping[str, Reader], data: Any) -> None:
-    """Raise DamagedError for the field because of which data makes no object of a class."""
+    """Raise DamagedError for the field that makes data invalid for a class."""
     if type(data) is not dict:
         _refuse(data, "must be an object")
     for field in dataclasses.fields(kind):

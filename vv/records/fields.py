@@ -9,10 +9,10 @@ OMITTED, SPREAD = "omitted", "spread"  # what the metadata of such fields says
 
 
 def optional(default: Any) -> Any:
-    """A field that is not written where it has its default, which is empty or None."""
+    """A field that JSON omits if it has its default, which is empty or None."""
     return dataclasses.field(default=default, metadata={OMITTED: True})
 
 
 def spread() -> Any:
-    """A field whose entries stand beside the other fields, under their own names."""
+    """A field whose entries are written beside the other fields, under their own names."""
     return dataclasses.field(default_factory=dict, metadata={SPREAD: True})

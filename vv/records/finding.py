@@ -1,4 +1,4 @@
-"""What the gate finds: one statement, with the exit bit that it sets."""
+"""A finding of the gate: one statement, with the exit bit that it sets."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ class Bit(enum.IntFlag):
 
 
 class Aspect(enum.Enum):
-    """What is judged: that jobs ran, or one of the checks of a case; the value is the word."""
+    """The subject of a finding: that jobs ran, or a check of a case; the value is the word."""
 
     RUN = "run"
     ACCURACY = Check.ACCURACY.value
@@ -32,7 +32,7 @@ class Aspect(enum.Enum):
 
 
 class Change(enum.Enum):
-    """What became of a result since it was accepted; the value is the word."""
+    """How a result changed since it was accepted; the value is the word shown to people."""
 
     NEW = "new"
     GONE = "gone"
@@ -77,17 +77,17 @@ class Finding:
 
     @property
     def compares(self) -> bool:
-        """Whether it says what changed since a baseline."""
+        """Whether it reports a change since a baseline."""
         return self.check in (Aspect.REGRESSION, Aspect.SPEED)
 
     @property
     def improves(self) -> bool:
-        """Whether it says that something is better than accepted."""
+        """Whether it reports that something is better than accepted."""
         return self.compares and self.kind in IMPROVED
 
     @property
     def where(self) -> str:
-        """What it is about, in words as people type them."""
+        """Its case, variant, scheme and setting, in the form that people type."""
         variant = f":{self.variant}" if self.variant else ""
         parts = (f"{self.case}{variant}", self.label, self.rung, self.quantity)
         return " ".join(part for part in parts if part)
@@ -99,7 +99,7 @@ def worst_first(findings: Iterable[Finding]) -> list[Finding]:
 
 
 def bits(findings: Iterable[Finding]) -> Bit:
-    """The exit bits of all that turn the gate red."""
+    """The exit bits of all findings that turn the gate red."""
     total = Bit(0)
     for finding in findings:
         total |= finding.bit if finding.red else Bit(0)

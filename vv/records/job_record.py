@@ -45,7 +45,7 @@ class JobCost:
 
 @dataclass(frozen=True, slots=True)
 class ModelSummary:
-    """What a code built of a scene: its unknowns, the names of its terms, and how in words."""
+    """The model that a code built of a scene: unknowns, names of terms, and a description."""
 
     unknowns: int
     terms: tuple[str, ...]
@@ -106,5 +106,5 @@ SUMMARY = tuple(field.name for field in dataclasses.fields(RunSummary))
 
 
 def summary_of(record: Record) -> RunSummary:
-    """What a record says of its run."""
+    """The summary of its run that a record holds."""
     return RunSummary(*(getattr(record, name) for name in SUMMARY))

@@ -38,7 +38,7 @@ class Provenance:
 
 @dataclass(frozen=True, slots=True)
 class CodeFound:
-    """What was found of a code. files: path -> digest, empty for what is only source."""
+    """What was found of a code. files: path -> digest, empty for a code that is only source."""
 
     version: str
     installed: bool
@@ -47,7 +47,7 @@ class CodeFound:
 
 @dataclass(frozen=True, slots=True)
 class Manifest:
-    """One invocation, all in all.
+    """One invocation.
 
     untimed: the jobs that were to be timed and could not be. findings: what the gate found beside
     the records. baselines, recorded: what these were compared with and stand beside. timed_on: the

@@ -99,5 +99,5 @@ _KINDS: Mapping[type, JudgeKind] = {
 
 
 def judge_kind(judge: Judge) -> JudgeKind:
-    """What records say of how a quantity is judged."""
+    """The kind of a judge, as records state it."""
     return _KINDS[type(judge)]

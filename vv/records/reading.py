@@ -40,10 +40,10 @@ def ran(record: Record) -> bool:
 
 
 def tried(record: Record) -> bool:
-    """Whether the code took the job on: it is here, and did not refuse."""
+    """Whether the code attempted the job: it is installed, and did not refuse."""
     return record.status not in UNTRIED
 
 
 def too_long(record: Record) -> bool:
-    """Whether a job was left out for the steps it would have taken."""
+    """Whether a job was left out because it would take too many steps."""
     return record.status is Status.TOO_LONG

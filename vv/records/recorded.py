@@ -22,7 +22,7 @@ class RecordedQuantity:
 
 @dataclass(frozen=True, slots=True)
 class RecordedRun:
-    """One result as it was written down. cpu: seconds of the stepping loop."""
+    """One recorded result. cpu: seconds of the stepping loop."""
 
     cpu: float | None
     quantities: Mapping[str, RecordedQuantity] = spread()
@@ -52,7 +52,7 @@ class RecordedFile:
 
 @dataclass(frozen=True, slots=True)
 class RecordedResult:
-    """A recorded result that stands beside a record. days: its age; knobs: its rung in words."""
+    """A recorded result shown with a record. days: its age; knobs: its rung in words."""
 
     case: str
     variant: str

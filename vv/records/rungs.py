@@ -41,7 +41,7 @@ class Point:
 
 @dataclass(frozen=True)
 class Floor:
-    """The error a scheme does not get below, and how that was seen."""
+    """The smallest error that a scheme reaches, and how this was determined."""
 
     error: float
     why: str
@@ -83,7 +83,7 @@ class Row:
 
     @functools.cached_property
     def floor(self) -> Floor | None:
-        """The floor of dt at this kn; None where smaller steps still gain."""
+        """The floor of dt at this kn; None if smaller steps still help."""
         errors = [error for _, error in self._known]
         if count_before_floor(errors) == len(errors):
             return None
@@ -92,7 +92,7 @@ class Row:
 
     @functools.cached_property
     def limit(self) -> Limit | None:
-        """Where small steps lead at this kn."""
+        """The limit of small steps at this kn."""
         return _limit(self.pile)
 
     @property
@@ -126,7 +126,7 @@ def _error(record: Record) -> float | None:
 
 
 def _limit(pile: Sequence[Record]) -> Limit | None:
-    """What the final values of the three finest steps say, and how that meets the exact one."""
+    """The limit from the final values of the three finest steps, compared with the exact one."""
     ran = [(r.rung.dt, r.quantities[0]) for r in pile if r.rung.dt and r.quantities][:-4:-1]
     rows = [(dt, final) for dt, one in ran if (final := one.figures.get("final")) is not None]
     if len(rows) < 3:
@@ -142,7 +142,7 @@ def _limit(pile: Sequence[Record]) -> Limit | None:
 
 
 def describe(row: Row) -> str:
-    """The errors of model and of time step that a row shows, in words; empty if it shows none."""
+    """The model error and the time-step error of a row, in words; empty if it shows none."""
     parts = [f"floor {row.floor.error:.1e}, {row.floor.why}"] if row.floor else []
     if row.limit and row.kn:
         parts.append(_describe_limit(row.limit))
@@ -180,5 +180,5 @@ def orders(records: Iterable[Record]) -> dict[Key, Order]:
 
 
 def ladder(record: Record, quantity: str) -> Key:
-    """What the rungs that differ in dt alone have in common: all but dt, for one quantity."""
+    """The key of a ladder: everything but dt, for one quantity."""
     return record.case, record.variant, record.code, record.scheme, quantity, record.rung.kn

@@ -18,7 +18,8 @@ FLATNESS = 1e-9  # of a block's size: how far a vertex may lie off the plane of 
 class Elastic:
     """Isotropic elasticity: Young's modulus [Pa] and Poisson's ratio, checked by the Block.
 
-    relaxed: at t = 0 the block is strained by its loads and joints, in balance; else unstrained.
+    relaxed: at t = 0 the block is strained in equilibrium with its loads and joints; otherwise
+    unstrained.
     """
 
     young: float

@@ -33,7 +33,7 @@ _HEAT = frozenset((Form.FRICTION, Form.DRAG, Form.BROKEN_NORMAL, Form.BROKEN_SHE
 
 
 class Loss(enum.Enum):
-    """What a method dissipates besides the forms of its scene; these losses too can only grow."""
+    """Energy that a method dissipates besides the forms of its scene; it can only grow."""
 
     NUMERICAL = "numerical dissipation"
     KINETIC_DAMPING = "kinetic damping dissipation"

@@ -1,4 +1,4 @@
-"""A fluid at rest around spheres, which drags them as Schiller and Naumann measured."""
+"""A fluid at rest around spheres, with the drag law of Schiller and Naumann."""
 
 from __future__ import annotations
 
@@ -8,13 +8,12 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class Fluid:
-    """Density [kg/m3] and viscosity [Pa s] of a fluid that no sphere moves.
+    """Density [kg/m3] and viscosity [Pa s] of a fluid that spheres do not disturb.
 
-    A sphere of diameter d at a speed v is slowed by 3 pi viscosity d v (1 + 0.15 Re^0.687),
-    Re = density d v/viscosity (Schiller and Naumann 1933, for Re up to some 1000). Spins, added
-    mass and buoyancy are left out: that a sphere weighs less is a load.
-
-    Raises ValueError naming the field, the value and the rule.
+    A sphere of diameter d at a speed v feels the drag 3 pi viscosity d v (1 + 0.15 Re^0.687), Re =
+    density d v/viscosity (Schiller and Naumann 1933, for Re up to some 1000). Torques, added mass
+    and buoyancy are not included; buoyancy can be given as a load. Raises ValueError naming the
+    field, the value and the rule.
     """
 
     density: float

@@ -1,4 +1,4 @@
-"""Finds the pairs of spheres that overlap, by a grid of cells: in time linear in their number."""
+"""Finds the pairs of spheres that overlap, by a grid of cells, in linear time."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A wall that rises into a block which cannot give way: rigid contact has no answer there."""
+"""Detects a wall that rises into a block that cannot move: rigid contact has no answer there."""
 
 from __future__ import annotations
 
@@ -37,9 +37,9 @@ def rises_into(walls: Sequence[Wall], blocks: Sequence[Block], axes: Vector) -> 
 def highest_rise(wall: Wall) -> float:
     """How far a wall rises above its place at t = 0, along its normal [m], if it moves for ever.
 
-    Sines of one frequency are summed with their phases. Where all frequencies are multiples of
-    one, the top is that of a period; else it is taken that they come to their tops together, as
-    in the long run they nearly do.
+    Sines of one frequency are summed with their phases. If all frequencies are multiples of one,
+    the maximum is that of a period; otherwise all maxima are assumed to coincide, as in the long
+    run they nearly do.
     """
     if wall.motion is None:
         return 0.0
@@ -71,9 +71,10 @@ def harmonics(frequencies: Sequence[float]) -> list[int] | None:
 
 
 def top_of_period(tops: Sequence[complex], multiples: Sequence[int]) -> float:
-    """The most of a sum of sines, the imaginary parts of top exp(i n x), over all x.
+    """The maximum of a sum of sines, the imaginary parts of top exp(i n x), over all x.
 
-    By a parabola through the highest of many samples and its neighbours, 1e-8 of it off.
+    It is the vertex of a parabola through the highest of many samples and its neighbours, exact to
+    1e-8.
     """
     x = np.linspace(0.0, 2 * np.pi, SAMPLES * max(multiples), endpoint=False)
     height = sum(
@@ -86,7 +87,7 @@ def top_of_period(tops: Sequence[complex], multiples: Sequence[int]) -> float:
 
 
 def gives_way(block: Block, normal: Vector, axes: Vector) -> bool:
-    """Whether a block is free to move along a normal, or to turn out of it."""
+    """Whether a block is free to move along a normal, or to rotate away from it."""
     shifts, turns = axes[block.free], axes[block.free_spin]
     return bool((np.abs(shifts @ normal) > ACROSS).any()) or bool(
         (np.linalg.norm(np.cross(turns, normal), axis=-1) > ACROSS).any()

@@ -1,4 +1,4 @@
-"""Reads the arrays of an npz file; a report reads thousands, whose heads are few and the same."""
+"""Reads the arrays of npz files quickly, since a report reads thousands of them."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ START = len(FIRST) + 2  # where a head of that version begins, behind its length
 
 
 def arrays_in(content: bytes) -> dict[str, Any]:
-    """The arrays by name; raises ValueError for what is no such file.
+    """The arrays by name; raises ValueError for any other file.
 
     Nothing is unpickled, and nothing unpacked that would not fit in memory.
     """

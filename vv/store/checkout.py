@@ -22,7 +22,7 @@ def commit(root: Path) -> tuple[str, bool]:
 
 
 def named(root: Path, revision: str) -> str:
-    """The commit that git knows by a name such as HEAD~1 or a tag; empty if there is none."""
+    """The commit of a name that git knows, such as HEAD~1 or a tag; empty if there is none."""
     try:
         return _resolved(root, revision)
     except GitError:

@@ -73,7 +73,7 @@ def whole(text: str, name: str) -> Manifest:
 
 
 def _check_described(place: str, pile: tuple[Record, ...], rest: Manifest) -> None:
-    """Raise ValueError where records name a case, variant or code of which nothing is said."""
+    """Raise ValueError where records name a case, variant or code that is not described."""
     facts = rest.cases.get(place)
     variants = set(facts.variants) if facts else set()
     for record in pile:

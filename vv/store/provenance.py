@@ -23,7 +23,7 @@ LIBRARIES = ("numpy", "scipy", "numba")
 
 
 def run_name(now: datetime.datetime) -> str:
-    """What a run of now is called in the store; names sort by time."""
+    """The name in the store of a run made now; names sort by time."""
     return f"{now:%Y%m%dT%H%M%S.%f}Z-{os.getpid()}"
 
 

@@ -19,7 +19,7 @@ FINE = {"method": "DOP853", "rtol": 1e-12}
 
 
 def energy(e: Array, young: float, poisson: float) -> float:
-    """That of a volume [J/m3] with normal strains e (3,), by Lame's constants."""
+    """The strain energy density [J/m3] for normal strains e (3,), by Lame's constants."""
     shear = young / (2.0 * (1.0 + poisson))
     bulk = young * poisson / ((1.0 + poisson) * (1.0 - 2.0 * poisson))
     return float(0.5 * bulk * e.sum() ** 2 + shear * e @ e)
@@ -29,7 +29,7 @@ def standing(
     t: Array, *, sides: Sides, rho: float, young: float, poisson: float, g: float,
     along: tuple[int, ...] = (0, 1, 2),
 ) -> Array:  # fmt: skip
-    """Strains (k, 3); of a box that may strain along z alone, the others take what W lets them."""
+    """Strains (k, 3); if the box may strain along z only, the other strains minimise W."""
     from scipy.integrate import solve_ivp
 
     places = GAUSS * np.array(sides) / 2.0

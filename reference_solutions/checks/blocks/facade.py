@@ -1,4 +1,4 @@
-"""Whether a facade stands, and what its bed bears, by a linear programme: the second route.
+"""Whether a facade stands, and the load on its bed, by linear programming: the second route.
 
 Two blocks meet where an edge of one lies on an edge of the other, whatever pattern they were laid
 in. At both ends of what the edges share acts a force that presses, and rubs within Coulomb's cone;
@@ -16,7 +16,7 @@ NEAR = 1e-9  # of a length of 1 m
 
 
 def area(corners: Array) -> float:
-    """Of a polygon (k, 2), by the trapezoids under its edges; positive if it turns left."""
+    """Of a polygon (k, 2), by the trapezoids under its edges; positive if counter-clockwise."""
     x, y = corners.T
     return float(x @ np.roll(y, -1) - y @ np.roll(x, -1)) / 2.0
 
@@ -47,8 +47,8 @@ def shared(one: Array, other: Array) -> list[tuple[Array, Array]]:
     return found
 
 
-def borne(blocks: list[Array], bed: Array, mu: float) -> float | None:
-    """The weight that the bed bears, of blocks of unit weight per area; None if they must fall.
+def bed_load(blocks: list[Array], bed: Array, mu: float) -> float | None:
+    """The weight that the bed carries, of blocks of unit weight per area; None if they must fall.
 
     blocks, bed: corners (k, 2) [m] that turn left.
     """

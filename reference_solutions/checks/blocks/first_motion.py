@@ -1,4 +1,4 @@
-"""How a block on a slope begins to move, by trying all modes of its two lower edges: second route.
+"""How a block on a slope begins to move, by trying all modes of two edges: the second route.
 
 Each edge is off, sticks, slips down or slips up. Of the 16 pairs the one is looked for whose
 forces push, obey Coulomb, and keep edges from entering the slope. Where both stick, some forces in

@@ -1,4 +1,4 @@
-"""The step of generalised alpha taken as it stands: the second route to the roots it has."""
+"""The step of generalised alpha as a matrix: the second route to its roots."""
 
 import numpy as np
 
@@ -6,7 +6,7 @@ Matrix = np.ndarray[tuple[int, int], np.dtype[np.float64]]
 
 
 def amplification(angle: float, radius: float) -> Matrix:
-    """What a step of 1 s makes of (x, v, a) of x'' = -angle^2 x: a matrix (3, 3)."""
+    """The matrix (3, 3) of a step of 1 s on (x, v, a) of x'' = -angle^2 x."""
     alpha_m, alpha_f = (2.0 * radius - 1.0) / (radius + 1.0), radius / (radius + 1.0)
     gamma = 0.5 - alpha_m + alpha_f
     beta = (1.0 - alpha_m + alpha_f) ** 2 / 4.0

@@ -1,4 +1,4 @@
-"""The implicit step of DDA taken as it stands, step by step: the second route to what it makes.
+"""The implicit step of DDA, step by step: the second route to its properties.
 
 The increment d of a step solves (2/D^2) m (d - D v) = force at its end; nothing is solved by hand.
 """
@@ -7,26 +7,26 @@ import numpy as np
 
 
 def one_step(x: float, v: float, dt: float, stiffness: float, a: float) -> tuple[float, float]:
-    """Place [m] and velocity [m/s] after dt [s]; stiffness K/m [1/s2] about x = 0, a [m/s2]."""
+    """Position [m] and velocity [m/s] after dt [s]; stiffness K/m [1/s2] about x = 0, a [m/s2]."""
     inertia = 2.0 / (dt * dt)
     moved = (inertia * dt * v + a - stiffness * x) / (inertia + stiffness)
     return x + moved, 2.0 / dt * moved - v
 
 
 def roots(angle: float) -> np.ndarray[tuple[int], np.dtype[np.complex128]]:
-    """The two roots of the step, as the eigenvalues of what it makes of two unit states."""
+    """The two roots of the step, as eigenvalues of its matrix from two unit states."""
     columns = [one_step(x, v, 1.0, angle * angle, 0.0) for x, v in ((1.0, 0.0), (0.0, 1.0))]
     return np.linalg.eigvals(np.array(columns).T).astype(complex)
 
 
 def damping_ratio(angle: float) -> float:
-    """That of an oscillator whose exact motion, seen once a step, has these roots."""
+    """The damping ratio of an oscillator whose motion, sampled once a step, has these roots."""
     rate = np.log(roots(angle)[0])
     return float(-rate.real / abs(rate))
 
 
 def damped_drive(a: float, dt: float, steps: int, kept: float) -> float:
-    """The distance [m] of a block at rest that a [m/s2] drives, each step handing on a part."""
+    """The displacement [m] of a block under a [m/s2], if each step keeps part of its velocity."""
     x = v = 0.0
     for _ in range(steps):
         x, v = one_step(x, kept * v, dt, 0.0, a)

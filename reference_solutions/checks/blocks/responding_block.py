@@ -141,7 +141,7 @@ class Base(NamedTuple):
         return [D * rate * rate * cos(rate * s) for D, rate in each]
 
     def outruns(self, now: float, end: float) -> float:
-        """When the base first outruns friction, from now on."""
+        """The next time at which the base accelerates more than friction can follow."""
         from scipy.optimize import brentq
 
         def excess(s: float) -> float:

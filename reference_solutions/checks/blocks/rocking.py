@@ -1,4 +1,4 @@
-"""A rocking block by small steps of Runge and Kutta, impacts by halving: the second route.
+"""A rocking block by small Runge-Kutta steps, with impacts by bisection: the second route.
 
 Positions of the corners tell when it meets the floor, and the moment of momentum about the corner
 that lands what it keeps, so that nothing of the first route's formulas is used but the geometry.
@@ -20,7 +20,7 @@ def leans(
     theta: float,
     steps: int,
 ) -> float:
-    """The lean [rad] after a time t [s] in so many steps, at rest at theta > 0 at first.
+    """The lean [rad] after a time t [s] in this many steps, initially at rest at theta > 0.
 
     Or, with theta = 0, from when the sine first lifts the block towards +x.
     """
@@ -48,7 +48,7 @@ def leans(
 
 
 def landed(rate: float, b: float, h: float) -> float:
-    """The rate [1/s] about the other corner, of a block that came down at -rate about the first.
+    """The rate [1/s] about the other corner of a block that lands at -rate about the first.
 
     Moment of momentum about the corner that lands, for a unit mass: r x v + I w.
     """

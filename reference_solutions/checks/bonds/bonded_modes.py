@@ -1,4 +1,4 @@
-"""The fastest mode of bonded elements by pulling on them again and again: the second route.
+"""The fastest mode of bonded elements by power iteration: the second route.
 
 That of an infinite lattice comes from plane waves.
 """

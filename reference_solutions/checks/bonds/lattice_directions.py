@@ -1,4 +1,4 @@
-"""A strained hexagonal close-packed lattice in a box that repeats: the second route.
+"""A strained hexagonal close-packed lattice in a periodic box: the second route.
 
 The box has four elements; their bonds are found by distance among the images, and all four are
 free to move until the energy is least.
@@ -19,7 +19,7 @@ PLACES = BOX * np.array([[0, 0, 0], [0.5, 0.5, 0], [0.5, 1 / 6, 0.5], [0, 2 / 3,
 
 
 def energy(strain: Array, *, kn: float, ks: float, d: float) -> float:
-    """Joules per cubic metre under a symmetric strain (3, 3), to second order."""
+    """The energy density [J/m3] under a symmetric strain (3, 3), to second order."""
     stretch, weight = _relaxed(strain, kn, ks)
     force = d * weight * stretch
     return float(0.25 * (force @ force) / (BOX.prod() * d**3))  # each bond is met twice

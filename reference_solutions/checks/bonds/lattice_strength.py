@@ -1,4 +1,4 @@
-"""Second route to where blocks fail: repeated right-angled cells, by least squares."""
+"""Second route to the strength of blocks: repeated right-angled cells, by least squares."""
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,14 +13,14 @@ CELL = np.array(
 
 
 def first_opening(n: int, p: int, q: int, gamma: float) -> float:
-    """The stress over kn/d at which a bond is first stretched by a diameter, all being linear."""
+    """The stress over kn/d at which a bond is first stretched by a diameter, in linear theory."""
     x = _centres(np.array([n - 1, p, q]))
     modulus, moved = _strained(x, _touching(x), gamma)
     return float(modulus / moved[:, 0].max())
 
 
 def slidings(n: int, p: int, q: int, gamma: float, mu: float) -> Array:
-    """(b,) the pressures over fs0/d^2 at which inclined bonds slide, all being linear.
+    """(b,) the pressures over fs0/d^2 at which inclined bonds slide, in linear theory.
 
     There are no other bonds; one slides where what is across it is fs0 and mu of what pushes.
     """

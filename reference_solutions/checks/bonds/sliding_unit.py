@@ -14,7 +14,7 @@ Array = NDArray[np.float64]
 SMALL = 1e-6  # of a diameter: a difference
 
 
-def parting(
+def separation_rates(
     *, kn: float, mu_p: float, d: float, m: float, eta: float, begin: tuple[float, float],
     fall: float, longest: float,
 ) -> tuple[float, float] | None:  # fmt: skip

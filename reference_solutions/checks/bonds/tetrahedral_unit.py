@@ -64,7 +64,7 @@ class Unit:
 
     @property
     def kept(self) -> Array:
-        """(6,) the share of its force that each bond still has."""
+        """(6,) the fraction of its force that each bond still has."""
         return np.where(np.arange(6) < 3, 1.0, self.base)
 
 

@@ -1,4 +1,4 @@
-"""A second route to lattices that turn: the least squares of how far touching points part.
+"""A second route to lattices with rotation: least squares of the separation of touching points.
 
 Every element is a rigid ball; a bond joins the points of two that touch, each carried by its ball's
 displacement and rotation. No stiffness matrix is formed. Lengths are in diameters.

@@ -1,4 +1,4 @@
-"""Spheres on bonds in space by Newton's equations as they stand: the second route.
+"""Spheres on bonds in space by Newton's equations: the second route.
 
 Nothing is linear here and nothing knows of a row: each bond has a normal, which turns, and a shear
 displacement, a vector that turns with the bond and grows with what its two surfaces do.

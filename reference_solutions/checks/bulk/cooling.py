@@ -1,4 +1,4 @@
-"""Hard spheres in a box from collision to collision: the second route to how a gas cools."""
+"""Hard spheres in a box from collision to collision: the second route to the cooling of a gas."""
 
 from __future__ import annotations
 

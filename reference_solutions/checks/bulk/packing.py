@@ -1,4 +1,4 @@
-"""Frictionless spheres at rest at the bottom of their energy: the second route to what they do."""
+"""Frictionless spheres at rest in a minimum of their energy: the second route."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ def overlaps(x: Array, radius: Array, width: float) -> tuple[Index, Index, Array
 def energy(
     flat: Array, radius: Array, weight: Array, kn: float, width: float
 ) -> tuple[float, Array]:
-    """Springs and heights [J], and the slope of both (3 n,) [N]."""
+    """Energy of springs and heights [J], and the gradient of both (3 n,) [N]."""
     x = flat.reshape(-1, 3)
     i, j, pairs, walls = overlaps(x, radius, width)
     total = 0.5 * kn * float((pairs**2).sum() + (walls**2).sum()) + float(weight @ x[:, 2])
@@ -39,7 +39,7 @@ def energy(
 
 
 def settled(x: Array, radius: Array, weight: Array, kn: float, width: float) -> tuple[float, float]:
-    """Contacts for each sphere, and the push of the floor [N], where all have come to rest.
+    """Contacts per sphere, and the force of the floor [N], when all have come to rest.
 
     They go down the slope as a body of mass does that drag slows, which balances on no summit.
     """

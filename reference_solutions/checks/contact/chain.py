@@ -1,4 +1,4 @@
-"""A chain of springs on a base from its equations of motion as they stand: the second route.
+"""A chain of springs on a base, from its equations of motion: the second route.
 
 Modes are roots of a recurrence along the chain, a wave's reflection two linear equations at the
 jump, and the motion a Taylor series in time, in which no mode is known.
@@ -15,7 +15,7 @@ TERMS, STEP = 40, 1.0  # of the series, over a step of 1/w0
 
 
 def residual(w: float, N: int, m: float, K: float) -> float:
-    """What is left of the last mass's equation when a wave of w [1/s] starts at the base.
+    """The residual of the last mass's equation for a wave of w [1/s] that starts at the base.
 
     0: a mode. Over the largest displacement on the way.
     """

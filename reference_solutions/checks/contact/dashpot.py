@@ -1,4 +1,4 @@
-"""A spring and a dashpot that never pull, by numerical integration: the second route.
+"""A spring and a dashpot without tension, by numerical integration: the second route.
 
 An explicit Runge-Kutta method of order 8 up to the event at which the force falls to zero;
 parameters are those of `reference_solutions.contact.dashpot`, whose code is not used here.
@@ -13,7 +13,7 @@ Array = NDArray[np.float64]
 def collision(
     t: ArrayLike, *, m: float, kn: float, z: float, v: float
 ) -> tuple[Array, float, float]:
-    """Overlap [m] at increasing times t (n,) [s], speed after over before, how long [s] it took."""
+    """Overlap [m] at increasing times t (n,) [s], restitution, and duration of the contact [s]."""
     from scipy.integrate import solve_ivp
 
     t = np.asarray(t, dtype=np.float64)

@@ -12,7 +12,7 @@ Number = TypeVar("Number", float, Fraction)
 def collide(
     m: Number, M: Number, *, x: Number, X: Number, v: Number, most: int = 100_000
 ) -> tuple[int, Number]:
-    """How many collisions there are, and the time [s] of the last; masses [kg], lengths [m].
+    """The number of collisions, and the time [s] of the last; masses [kg], lengths [m].
 
     The light ball rests at x from the wall, the heavy one comes from X with v [m/s]. Exact in
     fractions. Raises RuntimeError beyond `most` collisions.

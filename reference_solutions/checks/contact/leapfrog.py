@@ -11,7 +11,7 @@ def _step(angle: float) -> NDArray[np.float64]:
     return np.asarray(drift @ kick)
 
 
-def turn(angle: float) -> float:
+def phase_per_step(angle: float) -> float:
     """The argument [rad] of the eigenvalues of a step; angle = w dt [rad]."""
     return float(np.abs(np.angle(np.linalg.eigvals(_step(angle)))).max())
 

@@ -1,4 +1,4 @@
-"""A close-packed sheet at rest, by least energy: the second route.
+"""A close-packed sheet at rest, by minimisation of energy: the second route.
 
 The energy of the springs and of the weight is lowered by a quasi-Newton method from gradients,
 which are cruder than forces: to about a hundred millionth of an overlap. Parameters are those of
@@ -12,7 +12,7 @@ Array = NDArray[np.float64]
 
 
 def moved(x: Array, *, r: float, m: float, kn: float, g: float, width: float) -> Array:
-    """Where the sheet comes to rest (k, 2) [m] from centres x (k, 2) [m]."""
+    """The positions at rest (k, 2) [m] from initial centres x (k, 2) [m]."""
     from scipy.optimize import minimize
 
     size, still = m * g / kn, m * g * m * g / kn  # what a weight presses, and that energy

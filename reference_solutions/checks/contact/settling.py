@@ -14,7 +14,7 @@ Array = NDArray[np.float64]
 def settling(
     t: ArrayLike, *, m: float, kn: float, eta: float, g: float, height: float
 ) -> tuple[Array, int]:
-    """Displacement [m] at increasing times t (n,) [s], and how often it left the floor."""
+    """Displacement [m] at increasing times t (n,) [s], and the number of bounces."""
     from scipy.integrate import solve_ivp
 
     t = np.asarray(t, dtype=np.float64)

@@ -7,7 +7,7 @@ import numpy as np
 
 
 def radius(w: float, n: float, lag: float, dt: float) -> float:
-    """The spectral radius of a step; w, n [1/s]; lag: the part of drag taken at v-."""
+    """The spectral radius of a step; w, n [1/s]; lag: the fraction of drag evaluated at v-."""
     kept, held = 1.0 - 2.0 * n * dt * lag, 1.0 + 2.0 * n * dt * (1.0 - lag)
     pulled = (w * dt) ** 2
     pushed, driven = -pulled / held, kept / held  # what x and v- dt make of v+ dt

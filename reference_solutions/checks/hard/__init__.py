@@ -1,1 +1,1 @@
-"""Second routes to the references of what strains a code."""
+"""Second routes to the references of the family `hard`."""

@@ -1,4 +1,4 @@
-"""Whether an arch of straight or round voussoirs stands, by a linear programme: the second route.
+"""Whether an arch of straight or round voussoirs stands, by linear programming: the second route.
 
 Every joint of the whole arch bears a force at each of its two edges, pressing and with friction of
 any size or within Coulomb's limit; each voussoir is in balance. No symmetry, no hinge is assumed.
@@ -11,7 +11,7 @@ Array = NDArray[np.float64]
 
 
 def outlines(n: int, t: float) -> list[Array]:
-    """The corners (4, 2) of each voussoir: inner, outer, outer, inner, from the springing on."""
+    """The corners (4, 2) of each voussoir: inner, outer, outer, inner, from the springing."""
     angles = np.linspace(0.0, np.pi, n + 1)
     edges = np.array([[np.cos(angles), np.sin(angles)]]).T[:, :, 0]
     inner, outer = (1.0 - t / 2.0) * edges, (1.0 + t / 2.0) * edges
@@ -27,7 +27,7 @@ def centroid(corners: Array) -> Array:
 
 
 def thinnest(n: int, fine: int = 1) -> float:
-    """The thickness in mean radii from which on it stands; fine: chords that make up an arc."""
+    """The smallest thickness over mean radius at which it stands; fine: chords that form an arc."""
     low, high = 0.02, 0.5
     for _ in range(45):
         t = (low + high) / 2.0
@@ -36,7 +36,7 @@ def thinnest(n: int, fine: int = 1) -> float:
 
 
 def least_friction(n: int, t: float) -> float:
-    """The coefficient of friction from which on it stands, in a thickness that stands."""
+    """The smallest coefficient of friction at which it stands, for a sufficient thickness."""
     low, high = 0.0, 10.0
     for _ in range(40):
         mu = (low + high) / 2.0

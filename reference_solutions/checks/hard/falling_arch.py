@@ -20,8 +20,8 @@ _LEAST = 1e-6  # rad; up to there it falls as t^2
 _X, _W = 0.5 * (_NODES + 1.0), 0.5 * _WEIGHTS
 
 
-def sunk(t: ArrayLike, *, n: int, thick: float, size: float, g: float) -> Array:
-    """By how much the voussoir beside the crown has sunk [m] at times t >= 0 [s], (k,)."""
+def crown_drop(t: ArrayLike, *, n: int, thick: float, size: float, g: float) -> Array:
+    """The displacement [m] of the voussoir beside the crown at times t >= 0 [s], (k,)."""
     t, rate = np.asarray(t, dtype=np.float64), np.sqrt(g / size)
     joint = _joint(n, thick)
     q = np.array([_turn(float(s) * rate, n, thick, joint) for s in t])

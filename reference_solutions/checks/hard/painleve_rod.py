@@ -1,4 +1,4 @@
-"""The rod of Painleve's paradox by small steps in time, with an impulse where no force will do.
+"""The rod of Painleve's paradox by small steps, with an impulse if no force solves the equations.
 
 Its middle, angle and end are separate unknowns; forces come from the linear equations of motion at
 each instant, the turning after the jam from energy. The second route.

@@ -1,4 +1,4 @@
-"""A wedge under a sine by the balance of all forces in space, in small steps: the second route."""
+"""A wedge under a sine by the balance of all forces, in small steps: the second route."""
 
 from math import cos, radians, sin
 

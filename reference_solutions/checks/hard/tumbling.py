@@ -1,4 +1,4 @@
-"""A tumbling body by Euler's equations and a rotation that follows them: the second route."""
+"""A tumbling body by Euler's equations and the rotation they imply: the second route."""
 
 import numpy as np
 from numpy.typing import NDArray

@@ -3,7 +3,7 @@
 from math import sqrt
 
 
-def lasting(*, m: float, K: float, v: float) -> float:
+def contact_time(*, m: float, K: float, v: float) -> float:
     """Duration [s]: twice the time to the largest overlap, from m u'^2/2 + 2/5 K u^(5/2) = const.
 
     u = U sin^2 s removes the root at U, where the integrand would be infinite.

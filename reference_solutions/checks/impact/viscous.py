@@ -14,19 +14,19 @@ Array = NDArray[np.float64]
 Event = Callable[[float, Array], float]
 
 
-class Seen(NamedTuple):
+class Impact(NamedTuple):
     """Restitution, largest overlap [m] and force [N], how long the force acted, and when the
     bodies no longer overlap [s]."""
 
     restitution: float
     deepest: float
     largest_force: float
-    lasting: float
+    contact_time: float
     cleared: float
 
 
-def impact(z: float, *, m: float, K: float, v: float) -> Seen:
-    """What an impact with the speed v does, up to the moment in which the force would pull."""
+def impact(z: float, *, m: float, K: float, v: float) -> Impact:
+    """The result of an impact with speed v, up to the moment at which the force would pull."""
     from scipy.integrate import solve_ivp
 
     D = 2.0 * z * sqrt(1.5 * m * K)
@@ -60,7 +60,7 @@ def impact(z: float, *, m: float, K: float, v: float) -> Seen:
     (end,), (high,), (low,) = (states[:1] for states in found.y_events)
     last = max(float(end[0]), 0.0) ** 4
     speed = float(end[1]) if end[1] < 0.0 else -inf
-    return Seen(
+    return Impact(
         -float(end[1]) / v, float(low[0]) ** 4, force(high), float(end[2]),
         float(end[2]) - last / speed,
     )  # fmt: skip
@@ -74,8 +74,8 @@ def _falling(ends: Event, *others: Event) -> tuple[Event, ...]:
     return ends, *others
 
 
-def on_a_spring(z: float, *, m: float, kn: float, v: float) -> Seen:
-    """The same on a linear spring and dashpot, in units of its swing."""
+def on_a_spring(z: float, *, m: float, kn: float, v: float) -> Impact:
+    """The same on a linear spring and dashpot, in units of its oscillation."""
     from scipy.integrate import solve_ivp
 
     def slope(t: float, y: Array) -> list[float]:
@@ -99,7 +99,7 @@ def on_a_spring(z: float, *, m: float, kn: float, v: float) -> Seen:
     pushes = [2.0 * z, *(float(y[0] + 2.0 * z * y[1]) for y in high)]
     unit, (left, speed) = sqrt(m / kn), (float(part) for part in last[0])
     over = float(found.t_events[0][0])
-    return Seen(
+    return Impact(
         -speed, float(low[0][0]) * v * unit, max(pushes) * v * sqrt(m * kn), over * unit,
         (over - left / speed) * unit,
     )  # fmt: skip

@@ -82,7 +82,9 @@ def test_elastic_spheres_strike_a_wall_or_each_other_to_second_order(tmp_path: P
         ask = asks[number]
         mass = ask.scene.spheres.mass[0] / len(ask.scene.spheres)
         radius = 0.1 / len(ask.scene.spheres)
-        lasting = hertz.lasting(m=mass, K=hertz.normal_factor(modulus=1e9, radius=radius), v=1.0)
+        lasting = hertz.contact_time(
+            m=mass, K=hertz.normal_factor(modulus=1e9, radius=radius), v=1.0
+        )
         moved = [run.values[seen][-1, 0] for seen in ask.observables]
         left = moved[0] - (moved[1] if len(moved) > 1 else 0.0)
         off = left - (run.times[-1] - lasting)

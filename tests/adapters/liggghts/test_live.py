@@ -110,7 +110,7 @@ def test_what_failed_is_no_result_and_the_next_ask_still_runs(tmp_path: Path) ->
     assert (blown.status, fallen.status) == (Status.DIVERGED, Status.DIVERGED)
     assert "0 of 1 spheres" in blown.reason
     assert "through a wall" in fallen.reason
-    assert (drifted.status, "dead load" in drifted.reason) == (Status.ERROR, True)
+    assert (drifted.status, "constant load" in drifted.reason) == (Status.ERROR, True)
     assert flying.status is Status.RAN
 
 

@@ -81,16 +81,18 @@ def test_an_arch_a_percent_too_thin_falls_and_one_a_percent_thicker_stands() -> 
 def test_the_two_routes_of_the_fall_agree() -> None:
     """A mechanism by the forces in its pins, and by its energy."""
     thick, t = 0.99 * thrust.thinnest_of_chords(10), np.array([0.05, 0.1, 0.3])
-    due = energetic.sunk(t, n=10, thick=thick, size=1.3, g=9.81)
-    assert falling.sunk(t, n=10, thick=thick, size=1.3, g=9.81) == pytest.approx(due, rel=5e-6)
+    due = energetic.crown_drop(t, n=10, thick=thick, size=1.3, g=9.81)
+    assert falling.crown_drop(t, n=10, thick=thick, size=1.3, g=9.81) == pytest.approx(
+        due, rel=5e-6
+    )
 
 
 def test_an_arch_on_the_brink_does_not_fall() -> None:
     """At the least thickness the mechanism begins with no acceleration."""
     thick = thrust.thinnest_of_chords(10)
     with pytest.raises(ValueError, match=r"such an arch of n = 10 stands"):
-        falling.sunk(np.ones(1), n=10, thick=1.0001 * thick, size=1.0, g=9.81)
-    late = [falling.sunk(np.array([0.05]), n=10, thick=part * thick, size=1.0, g=9.81)[0]
+        falling.crown_drop(np.ones(1), n=10, thick=1.0001 * thick, size=1.0, g=9.81)
+    late = [falling.crown_drop(np.array([0.05]), n=10, thick=part * thick, size=1.0, g=9.81)[0]
             for part in (0.999, 0.9999)]  # fmt: skip
     assert late[0] / late[1] == pytest.approx(10.0, rel=0.05)
 
@@ -112,11 +114,11 @@ def test_rigid_contact_falls_as_the_mechanism_does() -> None:
 def falls(route: ModuleType) -> bool:
     """Whether a route gives the fall that both give."""
     law = {"n": 10, "thick": 0.99 * KNOWN_TEN, "size": 1.3, "g": 9.81}
-    return bool(np.allclose(route.sunk(np.array([0.2]), **law), FALLEN, rtol=1e-5, atol=0))
+    return bool(np.allclose(route.crown_drop(np.array([0.2]), **law), FALLEN, rtol=1e-5, atol=0))
 
 
 KNOWN_TEN = thrust.thinnest_of_chords(10)
-FALLEN = energetic.sunk(np.array([0.2]), n=10, thick=0.99 * KNOWN_TEN, size=1.3, g=9.81)
+FALLEN = energetic.crown_drop(np.array([0.2]), n=10, thick=0.99 * KNOWN_TEN, size=1.3, g=9.81)
 
 
 # signs that change nothing: about moments of inertia, and areas of all voussoirs alike

@@ -28,12 +28,12 @@ ANGLES = (1e-2, 0.3, 1.0, 1.9)
 @given(st.floats(1e-3, 1.99))
 @settings(max_examples=60, deadline=None)
 def test_the_two_routes_agree(angle: float) -> None:
-    assert stepped.turn(angle) == pytest.approx(theory.turn(angle), rel=1e-9)
+    assert stepped.phase_per_step(angle) == pytest.approx(theory.phase_per_step(angle), rel=1e-9)
     assert stepped.stiffness(angle) == pytest.approx(theory.stiffness(angle), abs=1e-8)
 
 
 def test_a_swing_is_too_fast_by_a_24th_of_the_square() -> None:
-    assert theory.turn(0.01) / 0.01 - 1 == pytest.approx(0.01**2 / 24, rel=1e-4)
+    assert theory.phase_per_step(0.01) / 0.01 - 1 == pytest.approx(0.01**2 / 24, rel=1e-4)
 
 
 def test_a_million_periods_keep_the_shadow_energy_and_the_phase_of_theory() -> None:
@@ -52,8 +52,8 @@ def test_a_million_periods_keep_the_shadow_energy_and_the_phase_of_theory() -> N
 def path(angle: float, x: Vector | float = 0.0, v: Vector | float = 0.0) -> Run:
     """A leapfrog's path by theory over 2000 steps of W dt = angle, and what is added to it."""
     n = np.arange(0, 2001, 20)
-    turned_by, dt = theory.turn(angle) * n, angle / W
-    moved = angle / math.sin(theory.turn(angle)) * np.sin(turned_by) / W + x
+    turned_by, dt = theory.phase_per_step(angle) * n, angle / W
+    moved = angle / math.sin(theory.phase_per_step(angle)) * np.sin(turned_by) / W + x
     along = np.array([1.0, 0.0, 0.0])
     values: dict[Observable, Vector] = {
         Displacement(1): moved[:, None] * along,
@@ -101,13 +101,13 @@ def test_levels_grow_and_the_phase_stays_countable() -> None:
     for knobs in study.rungs[Level.PAPER]:
         assert knobs.dt is not None
         angle = W * knobs.dt
-        ahead = (theory.turn(angle) / angle - 1) * W * study.goal.interval
+        ahead = (theory.phase_per_step(angle) / angle - 1) * W * study.goal.interval
         assert ahead < 0.5 * math.pi
 
 
 def same(route: ModuleType) -> bool:
     """Whether a route gives the phase and the stiffness that are known."""
-    found = [(route.turn(a), route.stiffness(a)) for a in ANGLES]
+    found = [(route.phase_per_step(a), route.stiffness(a)) for a in ANGLES]
     due = [(2 * math.asin(a / 2), 1 - a * a / 4) for a in ANGLES]
     return bool(np.allclose(found, due, rtol=1e-8))
 
@@ -124,4 +124,4 @@ def test_any_wrong_sign_in_the_second_route_is_caught(sign: int) -> None:
 
 def test_a_step_beyond_the_limit_is_refused() -> None:
     with pytest.raises(ValueError, match=r"angle = 2.0 rad; from 2 on"):
-        theory.turn(2.0)
+        theory.phase_per_step(2.0)

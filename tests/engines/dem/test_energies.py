@@ -11,7 +11,7 @@ import pytest
 from adapters.dem import SCHEMES
 from tests.scenes.spheres.bonded_scenes import elements, unit
 from vv.ask import Ask, Displacement, History, Knobs, Model, Run, Status
-from vv.codes import unseen
+from vv.codes import unreported
 from vv.engines import dem
 from vv.records.checking import checked
 from vv.scene import Form
@@ -53,9 +53,9 @@ def test_only_what_is_asked_is_told() -> None:
 
 def test_a_scheme_that_does_not_tell_a_form_is_refused_by_its_name() -> None:
     silent = dataclasses.replace(SCHEMES[0], energies=frozenset(Form) - {Form.DRAG})
-    assert unseen(SCHEMES[0], ASK) is None
-    assert unseen(silent, ASK) == "energy over time (drag dissipation)"
-    assert unseen(silent, PLAIN) is None
+    assert unreported(SCHEMES[0], ASK) is None
+    assert unreported(silent, ASK) == "energy over time (drag dissipation)"
+    assert unreported(silent, PLAIN) is None
 
 
 def test_energies_that_are_missing_or_not_finite_are_no_run() -> None:

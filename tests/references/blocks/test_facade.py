@@ -43,12 +43,12 @@ def test_it_is_symmetric(size: tuple[int, int]) -> None:
 
 @pytest.mark.parametrize("size", SIZES[:2])
 def test_it_can_stand_and_its_bed_bears_its_weight(size: tuple[int, int]) -> None:
-    borne = check.borne(blocks(*size), bed(size[0]), mu=0.6)
+    borne = check.bed_load(blocks(*size), bed(size[0]), mu=0.6)
     assert borne == pytest.approx(sum(facade.areas(*size, LENGTH, HEIGHT)), rel=1e-9)
 
 
 def test_without_friction_its_arch_cannot_stand() -> None:
-    assert check.borne(blocks(6, 5), bed(6), mu=0.0) is None
+    assert check.bed_load(blocks(6, 5), bed(6), mu=0.0) is None
 
 
 def test_no_room_for_a_door_is_named() -> None:

@@ -31,8 +31,8 @@ def test_contacts_part_at_the_rates_of_virtual_work(
     element: Element, eta: float, rate: float
 ) -> None:
     """To what a step of the fixed route leaves of the rates, which fall where viscosity is."""
-    found = sliding_unit.parting(element, D, m=M, eta=eta, rate=rate)
-    known = by_work.parting(
+    found = sliding_unit.separation_rates(element, D, m=M, eta=eta, rate=rate)
+    known = by_work.separation_rates(
         kn=element.kn, mu_p=element.mu_p, d=D, m=M, eta=eta, begin=contact(element),
         fall=abs(rate) * D * cos(A0), longest=2e-5,
     )  # fmt: skip
@@ -41,7 +41,7 @@ def test_contacts_part_at_the_rates_of_virtual_work(
 
 
 def test_contacts_that_viscosity_holds_do_not_end() -> None:
-    assert sliding_unit.parting(QUARTZ, D, m=M, eta=30.0, rate=-7.5) == (0.0, 0.0)
+    assert sliding_unit.separation_rates(QUARTZ, D, m=M, eta=30.0, rate=-7.5) == (0.0, 0.0)
 
 
 @pytest.mark.parametrize("dt", [4e-8, 2e-8, 1e-8])

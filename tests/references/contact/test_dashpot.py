@@ -35,7 +35,7 @@ def agree(z: float, one: ModuleType, other: ModuleType) -> bool:
     return bool(
         apart < 1e-11
         and abs(one.restitution(z) - e) < 1e-11
-        and abs(one.lasting(m=m, kn=kn, z=z) / lasting - 1) < 1e-11
+        and abs(one.contact_time(m=m, kn=kn, z=z) / lasting - 1) < 1e-11
     )
 
 

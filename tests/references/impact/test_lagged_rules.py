@@ -74,7 +74,7 @@ def _at(degrees: float) -> tuple[float, float]:
     return 3.9 * math.cos(way), 3.9 * math.sin(way)
 
 
-UNIT = hertz.lasting(m=ALUMINA.mass, K=ON_GLASS.K, v=3.9)
+UNIT = hertz.contact_time(m=ALUMINA.mass, K=ON_GLASS.K, v=3.9)
 
 
 @pytest.mark.parametrize(("degrees", "seen"), YADE.items())

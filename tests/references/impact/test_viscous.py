@@ -17,7 +17,7 @@ SCENES = [{"m": 2.6e-4, "K": 4.2e9, "v": 3.9}, {"m": 11.3, "K": 2.3e9, "v": 0.2}
 def test_two_routes_agree(z: float, scene: dict[str, float]) -> None:
     again = second.impact(z, **scene)
     assert viscous.restitution(z) == pytest.approx(again.restitution, rel=1e-10)
-    for name in ("deepest", "largest_force", "lasting", "cleared"):
+    for name in ("deepest", "largest_force", "contact_time", "cleared"):
         first = getattr(viscous, name)(z, **scene)
         assert first == pytest.approx(getattr(again, name), rel=1e-10), name
 
@@ -29,14 +29,14 @@ def test_two_routes_agree_on_a_linear_spring(z: float) -> None:
     assert dashpot.restitution(z) == pytest.approx(again.restitution, rel=1e-10)
     assert spring.deepest(v=v, **law) == pytest.approx(again.deepest, rel=1e-10)
     assert spring.largest_force(v=v, **law) == pytest.approx(again.largest_force, rel=1e-10)
-    assert dashpot.lasting(**law) == pytest.approx(again.lasting, rel=1e-10)
+    assert dashpot.contact_time(**law) == pytest.approx(again.contact_time, rel=1e-10)
     assert spring.cleared(**law) == pytest.approx(again.cleared, rel=1e-10)
 
 
 def test_without_losses_it_is_hertz() -> None:
     scene = SCENES[0]
     assert viscous.restitution(0.0) == 1.0
-    for name in ("deepest", "largest_force", "lasting"):
+    for name in ("deepest", "largest_force", "contact_time"):
         assert getattr(viscous, name)(0.0, **scene) == pytest.approx(
             getattr(hertz, name)(**scene), rel=1e-12
         )
@@ -46,7 +46,7 @@ def test_without_losses_it_is_hertz() -> None:
 def test_it_ends_as_an_oblique_impact_along_the_normal_does(z: float) -> None:
     after = rebound(Law(1e9, 0.0, 0.0, 1.5, z), Sphere(1.0, 2.0), vn=3.0)
     assert after.normal / 3.0 == pytest.approx(viscous.restitution(z), rel=1e-11)
-    assert after.lasting == pytest.approx(viscous.lasting(z, m=2.0, K=1e9, v=3.0), rel=1e-11)
+    assert after.lasting == pytest.approx(viscous.contact_time(z, m=2.0, K=1e9, v=3.0), rel=1e-11)
     assert after.cleared == pytest.approx(viscous.cleared(z, m=2.0, K=1e9, v=3.0), rel=1e-11)
 
 

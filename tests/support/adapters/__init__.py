@@ -1,1 +1,1 @@
-"""What tests of adapters share: asks, the schemes of a code, what stands in for a code."""
+"""Helpers of tests of adapters: asks, the schemes of a code, substitutes for codes."""

@@ -1,4 +1,4 @@
-"""Puts modules of a code that is not installed in place, so that its driver can be loaded."""
+"""Installs substitutes for the modules of a missing code, so that its driver can be loaded."""
 
 from __future__ import annotations
 

@@ -33,6 +33,6 @@ def deck_of(ask: Ask, scheme: str) -> str:
 
 
 def words(text: str, *start: str) -> list[list[str]]:
-    """The rest of the commands that begin so, split into words."""
+    """The rest of the commands that begin with these words, split into words."""
     split = [line.split() for line in text.splitlines()]
     return [line[len(start) :] for line in split if tuple(line[: len(start)]) == start]

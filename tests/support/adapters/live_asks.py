@@ -1,4 +1,4 @@
-"""What tests ask of a program that runs: single contacts, a flight, a sphere that rolls."""
+"""Asks for tests that run a program: single contacts, a flight, a sphere that rolls."""
 
 from __future__ import annotations
 

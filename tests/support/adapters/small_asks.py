@@ -1,4 +1,4 @@
-"""Small asks that show what an adapter gives its code: of a single contact, a sphere, a block."""
+"""Small asks for tests of adapter input: of a single contact, a sphere, a block."""
 
 from __future__ import annotations
 

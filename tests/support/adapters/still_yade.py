@@ -1,4 +1,4 @@
-"""A YADE that touches nothing: bodies fly freely by leapfrog, and what it is told is noted."""
+"""A substitute for YADE without contacts: bodies fly freely by leapfrog; calls are recorded."""
 
 from __future__ import annotations
 
@@ -9,14 +9,14 @@ import numpy as np
 
 
 class Thing(SimpleNamespace):
-    """What YADE was asked to make: its class, and what it was given."""
+    """An object that YADE was asked to make: its class and its arguments."""
 
     kind: str
     given: tuple[Any, ...]
 
 
 def made(kind: str, *given: Any, **named: Any) -> Thing:
-    """A thing of that class."""
+    """A substitute object of that class."""
     return Thing(kind=kind, given=given, **named)
 
 
@@ -112,7 +112,7 @@ class Utils:
 
 
 def modules(omega: Omega, utils: Utils) -> dict[str, Any]:
-    """What stands in for YADE among the modules of Python."""
+    """The substitutes for YADE's Python modules."""
     config = SimpleNamespace(version="still")
     return {"yade": {"O": omega, "utils": utils, "config": config, "wrapper": _Wrapper()}}
 

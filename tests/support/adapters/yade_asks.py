@@ -1,4 +1,4 @@
-"""The schemes of the YADE adapter by name, and what YADE is given."""
+"""The schemes of the YADE adapter by name, and the input of YADE."""
 
 from __future__ import annotations
 
@@ -14,11 +14,11 @@ PLAIN, HALF_STEP, CLUMP, POLYHEDRA = (scheme.name for scheme in ADAPTER.schemes)
 
 
 def plan_of(ask: Ask, scheme: str = PLAIN) -> Plan:
-    """What YADE is given for an ask."""
+    """The input of YADE for an ask."""
     return plan(set_up(ask, scheme))
 
 
 def sphere_of(ask: Ask, scheme: str = PLAIN) -> dict[str, Any]:
-    """What YADE is given of the last sphere."""
+    """The input of YADE for the last sphere."""
     spheres = [body for body in plan_of(ask, scheme)["bodies"] if body["kind"] == "sphere"]
     return dict(spheres[-1])

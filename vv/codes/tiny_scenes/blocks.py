@@ -1,4 +1,4 @@
-"""Tiny scenes of a block that does not turn: thrown, laden, sliding down a wall that is rigid."""
+"""Tiny scenes of a block that does not rotate: in flight, loaded, sliding down a rigid wall."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ STANDS_FOR_RIGID = MASS * 30.0**2  # N/m: a step of a hundredth of a second is s
 
 
 def flight(terms: Terms) -> TinyScene:
-    """Thrown, and pulled by gravity where there is some."""
+    """Thrown, with gravity if the scheme has it."""
     pull = PULL if Term.GRAVITY in terms else np.zeros(3)
     scene = Scene((_block(THROWN),), _law(terms), gravity=pull)
     wrong = {
@@ -47,7 +47,7 @@ def laden(terms: Terms) -> TinyScene:
 
 
 def slide(terms: Terms) -> TinyScene:
-    """On a wall it is pulled along faster than friction holds it, if there is friction."""
+    """It slides on a wall, pulled by more than friction holds, if the scheme has friction."""
     mu = ROUGH if Term.FRICTION in terms else 0.0
     pull = DOWN * ACROSS - PRESSED * Z
     weight = Term.GRAVITY in terms
@@ -74,7 +74,7 @@ def _sliding(mu: float) -> Motion:
 
 
 def _law(terms: Terms) -> Contact:
-    """Rigid contact where a scheme has it, which blocks are usually made for."""
+    """Rigid contact if the scheme has it, as codes for blocks usually do."""
     return Contact(np.inf if Term.RIGID_CONTACT in terms else KN)
 
 
@@ -83,7 +83,7 @@ def _shown(name: str, scene: Scene, motion: Motion, wrong: dict[str, Motion]) ->
 
 
 def _block(speed: Vector, load: Vector = np.zeros(3)) -> Block:  # noqa: B008
-    """A box of uneven sides about its place, which does not turn."""
+    """A box of unequal sides that does not rotate."""
     vertices, faces = box_geometry(PLACE, HALF, np.eye(3))
     inertia = np.diag(MASS / 3 * ((HALF**2).sum() - HALF**2))
     return Block("block", vertices, faces, MASS, inertia, speed, FREE, ~FREE, load=load)

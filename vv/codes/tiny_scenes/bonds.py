@@ -1,4 +1,4 @@
-"""Tiny scenes of a sphere bonded to one that is held: pulled, sheared, torn off."""
+"""Tiny scenes of a sphere bonded to a fixed one: pulled, sheared, torn off."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ TORN = 0.5  # m/s of the velocity that the bond has taken as it breaks
 
 
 def pulled(terms: Terms) -> TinyScene:
-    """It swings on the bond, along it."""
+    """It oscillates along the bond."""
     wrong = {
         "the bond is left out": thrown(0 * Z, FACING),
         "the bond is twice as stiff": _swing(np.sqrt(2) * RATE, FACING),
@@ -39,7 +39,7 @@ def pulled(terms: Terms) -> TinyScene:
 
 
 def sheared(terms: Terms) -> TinyScene:
-    """It swings across the bond."""
+    """It oscillates across the bond."""
     rate, speed = np.sqrt(SOFT) * RATE, GENTLY * ACROSS
     wrong = {
         "a bond resists no shear": thrown(0 * Z, speed),
@@ -67,7 +67,7 @@ def broken(terms: Terms) -> TinyScene:
 
 
 def _swing(rate: float, speed: Vector) -> Motion:
-    """What swings about its place from a speed (3,) [m/s]; rate: its angular frequency [1/s]."""
+    """Oscillation from a speed (3,) [m/s]; rate: its angular frequency [1/s]."""
     return along(speed, lambda t: (np.sin(rate * t) / rate, np.cos(rate * t)))
 
 

@@ -1,4 +1,4 @@
-"""Tiny scenes of a sphere that meets another or a wall head on: springs, dashpots, Hertz."""
+"""Tiny scenes of a sphere that meets a wall or sphere head on: springs, dashpots, Hertz."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ def collision(terms: Terms) -> TinyScene:
 
 
 def dashpot(terms: Terms) -> TinyScene:
-    """It meets a spring and a dashpot, which never pull."""
+    """It meets a spring and a dashpot, without tension."""
     wrong = {
         "the dashpot is left out": along(FACING, _rebound(RATE)),
         "the dashpot is twice as strong": along(FACING, _damped(2 * ETA_N)),
@@ -55,7 +55,7 @@ def dashpot(terms: Terms) -> TinyScene:
 
 
 def moving_wall(terms: Terms) -> TinyScene:
-    """A sphere at rest is pushed off by a wall that sways twice as fast as it would swing."""
+    """A sphere at rest is pushed off by a wall that oscillates at twice its own frequency."""
     sway = Harmonic(SWAY * FACING, np.full(3, RATE / np.pi))
     bodies = (Wall(PLACE - RADIUS * FACING, FACING, sway), sphere(0 * Z))
     wrong = {"the wall stands still": thrown(0 * Z, 0 * Z)}
@@ -73,7 +73,7 @@ def hertz(terms: Terms) -> TinyScene:
 
 
 def viscous_hertz(terms: Terms) -> TinyScene:
-    """It meets an elastic wall that is viscous, which never pulls."""
+    """It meets a viscous elastic wall, without tension."""
     wrong = {"viscosity is left out": along(FACING, _elastic(MODULUS))}
     return _against(_law(DAMPING), "viscous Hertz", _viscous, wrong, SHORT)
 
@@ -102,7 +102,7 @@ def _met(direction: Vector) -> Mapping[str, Motion]:
 
 
 def _rebound(rate: float) -> Way:
-    """The way of what meets a spring at t = 0 at 1 m/s; rate: its angular frequency [1/s]."""
+    """Displacement after contact with a spring at 1 m/s; rate: angular frequency [1/s]."""
 
     def way(t: Vector) -> tuple[Vector, Vector]:
         on, after = np.minimum(t, np.pi / rate), np.maximum(t - np.pi / rate, 0.0)
@@ -162,7 +162,7 @@ def _elastic(modulus: float) -> Way:
 
 
 def _viscous(t: Vector) -> tuple[Vector, Vector]:
-    """By the classical Runge-Kutta rule, in steps that leave an error far below any judged."""
+    """By the classical Runge-Kutta rule, with an error far below every tolerance."""
     factor, step = 4 / 3 * MODULUS * math.sqrt(RADIUS), float(t[-1]) / NODES
     viscous = 2 * DAMPING * math.sqrt(1.5 * factor * MASS)
 

@@ -1,4 +1,4 @@
-"""Tiny scenes of a sphere that touches nothing: pulled, laden, locked, slowed down, shaken."""
+"""Tiny scenes of a sphere without contact: gravity, loads, locks, drag, shaking."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ FREQUENCY, PHASE, UNTIL = 1.5, 0.7, 0.5  # Hz, rad, s
 
 
 def flight(terms: Terms) -> TinyScene:
-    """Thrown, and pulled by gravity where there is some."""
+    """Thrown, with gravity if the scheme has it."""
     pull = _pull(terms)
     scene = Scene((sphere(THROWN),), Contact(KN), gravity=pull)
     wrong = {
@@ -62,7 +62,7 @@ def laden(terms: Terms) -> TinyScene:
 
 
 def lock(terms: Terms) -> TinyScene:
-    """A sphere free along y alone, with a pull across, or else the push of a wall."""
+    """A sphere free along y alone, with a force across, or else the push of a wall."""
     free, speed, pull = Y > 0, 2.0 * Y, _pull(terms)
     if pull.any():
         scene = Scene((sphere(speed, free),), Contact(KN), gravity=pull)
@@ -74,7 +74,7 @@ def lock(terms: Terms) -> TinyScene:
 
 
 def oblique(terms: Terms) -> TinyScene:
-    """A sphere free along one direction, which is no axis of the frame, with a pull across."""
+    """A sphere free along one direction that is no axis of the frame, with a force across."""
     way, pull = TURNED[0], _pull(terms)
     body = sphere(way, np.array([True, False, False]))
     scene = Scene((body,), Contact(KN), gravity=pull, axes=TURNED)
@@ -114,7 +114,7 @@ def drag(terms: Terms) -> TinyScene:
 
 
 def fluid(terms: Terms) -> TinyScene:
-    """A thrown sphere that a fluid slows down, by twice what drag as the speed would."""
+    """A thrown sphere that a fluid slows down, with twice the drag of the linear term."""
 
     def slowed(by: float, share: float) -> Motion:
         return along(THROWN / np.linalg.norm(THROWN), _in_fluid(by, share))

@@ -1,4 +1,4 @@
-"""Tiny scenes of a sphere that rubs on a wall: it sticks, slips, swings back, rolls."""
+"""Tiny scenes of a sphere with friction on a wall: it sticks, slips, oscillates, rolls."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ REVERSED = "the shear force is reversed"
 
 
 def skid(terms: Terms) -> TinyScene:
-    """Pressed on a wall it slides, is caught by the shear spring, and swings back."""
+    """Pressed on a wall it slides, is stopped by the shear spring, and moves back."""
     wrong = {
         "friction is left out": thrown(0 * Z, ACROSS),
         "friction is half as strong": _skid(RATE, 0.5 * _reach(RATE)),
@@ -49,7 +49,7 @@ def skid(terms: Terms) -> TinyScene:
 
 
 def roll(terms: Terms) -> TinyScene:
-    """The same, free to turn: as slip ends it rolls."""
+    """The same, free to rotate: when slip ends it rolls."""
     wrong = {
         "rotation is left out": _skid(RATE / np.sqrt(TURNING), _reach(RATE)),
         "friction is left out": thrown(0 * Z, ACROSS),
@@ -63,7 +63,7 @@ def roll(terms: Terms) -> TinyScene:
 
 
 def viscous_skid(terms: Terms) -> TinyScene:
-    """It meets a wall with a dashpot aslant, and slips: the dashpot's force presses too."""
+    """It meets a wall with a dashpot obliquely and slips; the dashpot adds normal force."""
     law = Contact(KN, STIFF, ROUGH, eta_n=ETA_N)
     scene = Scene((Wall(PLACE - RADIUS * Z, Z), sphere(FAST * ACROSS - Z)), law)
     wrong = {
@@ -86,7 +86,7 @@ def _on_floor(
 
 
 def _reach(rate: float) -> float:
-    """The way [m] of slip at which the spring yields: mu N/ks."""
+    """The slip [m] at which the spring reaches the friction limit: mu N/ks."""
     return float(np.sin(SLIPS)) / rate
 
 
@@ -125,7 +125,7 @@ def _roll(reach: float) -> Motion:
 
 
 def _of_centre(slip: Way) -> Motion:
-    """Of what slip loses the centre has one part in 3.5, and the spin the others."""
+    """The motion of the centre, which loses 1/3.5 of what the slip loses; the spin the rest."""
 
     def way(t: Vector) -> tuple[Vector, Vector]:
         moved, speed = slip(t)
@@ -141,7 +141,7 @@ def _turned_back() -> Motion:
 
 
 def _landing(t: Vector) -> tuple[Vector, Vector]:
-    """The way along the normal of what meets the wall at 1 m/s."""
+    """Displacement along the normal of a sphere that meets the wall at 1 m/s."""
     overlap, end = damped(ETA_N)
     depth, closing = overlap(np.minimum(t, end))
     way, speed = -depth - np.maximum(t - end, 0.0) * closing, -closing

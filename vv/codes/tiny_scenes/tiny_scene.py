@@ -1,4 +1,4 @@
-"""Defines a tiny scene: the exact motion of its last body, and that after known mistakes."""
+"""Defines a tiny scene: the exact motion of its last body, and that with known mistakes."""
 
 from __future__ import annotations
 
@@ -29,10 +29,10 @@ ALIKE = 0.04
 
 @dataclass(frozen=True)
 class TinyScene:
-    """A tiny scene: how its last body moves, and how it would if something were left out.
+    """A tiny scene: the motion of its last body, and the motion if something were left out.
 
-    kn: the stiffness that stands for rigid contact [N/m]. smooth: whether an order in dt can be
-    seen; where a force ends at once it cannot.
+    kn: the stiffness that represents rigid contact [N/m]. smooth: whether an order in dt can be
+    observed, which is not so if a force ends abruptly.
     """
 
     name: str
@@ -45,7 +45,7 @@ class TinyScene:
 
     @property
     def body(self) -> int:
-        """The number of the body that is looked at."""
+        """The number of the body that is observed."""
         return sum(len(group) for group in self.scene.bodies) - 1
 
     def asks(self, scheme: Scheme) -> list[Ask]:
@@ -73,7 +73,7 @@ def error(tiny: TinyScene, run: Run) -> float:
 
 
 def likeness(tiny: TinyScene, run: Run) -> str:
-    """The known mistake that a wrong answer is nearest to; empty if it is near none."""
+    """The known mistake that explains a wrong answer best; empty if none does."""
     values = run.values.get(Displacement(tiny.body))
     if values is None:
         return ""
@@ -87,7 +87,7 @@ def likeness(tiny: TinyScene, run: Run) -> str:
 
 
 def _mistakes(tiny: TinyScene, t: Vector) -> Iterator[tuple[str, Vector]]:
-    """What would be reported after each mistake: words -> displacements (k, 3)."""
+    """The answer that each mistake would give: words -> displacements (k, 3)."""
     exact, velocity = tiny.motion(t)
     for words, motion in tiny.mistakes.items():
         yield words, motion(t)[0]
@@ -105,13 +105,13 @@ def _mistakes(tiny: TinyScene, t: Vector) -> Iterator[tuple[str, Vector]]:
 
 
 def sphere(velocity: Vector, free: Mask = FREE, place: Vector = PLACE) -> Spheres:
-    """A sphere that does not turn, with a velocity (3,) [m/s]."""
+    """A sphere that does not rotate, with a velocity (3,) [m/s]."""
     size, mass = np.array([RADIUS]), np.array([MASS])
     return Spheres(place[None], velocity[None], size, mass, free[None])
 
 
 def thrown(pull: Vector, speed: Vector) -> Motion:
-    """The path of what is thrown with a speed (3,) [m/s] and pulled by (3,) [m/s2]."""
+    """The path of a body thrown with a velocity (3,) [m/s] under an acceleration (3,) [m/s2]."""
 
     def motion(t: Vector) -> tuple[Vector, Vector]:
         return np.outer(t, speed) + np.outer(t**2 / 2, pull), speed + np.outer(t, pull)
@@ -120,7 +120,7 @@ def thrown(pull: Vector, speed: Vector) -> Motion:
 
 
 def along(direction: Vector, way: Way) -> Motion:
-    """What moves on a line along a direction (3,)."""
+    """A motion on a line along a direction (3,)."""
 
     def motion(t: Vector) -> tuple[Vector, Vector]:
         moved, speed = way(t)

@@ -14,7 +14,7 @@ Answers = Mapping[str, Mapping[str, int | str]]  # scheme -> variant -> unknowns
 
 @dataclass(frozen=True)
 class CasePage:
-    """What a page is made of.
+    """The data of a page.
 
     facts: of the variants that are described in full. drawings: variant -> file of its drawing,
     beside the page. answers: which schemes run it, as accepted with its results.
@@ -93,12 +93,12 @@ class CasePage:
 
 
 def _without(scheme: str, reason: str) -> str:
-    """A reason without the scheme's name, so that schemes with one reason are told as one."""
+    """A reason without the scheme's name, so that schemes with one reason can be merged."""
     return reason.removeprefix(f"{scheme} does not support: ")
 
 
 def alike(variants: Mapping[str, VariantFacts]) -> Iterable[list[str]]:
-    """Names of the variants that differ in their scene's place or parameters alone."""
+    """Names of the variants that differ only in the scene's position or in parameters."""
     piles: dict[object, list[str]] = {}
     for name, facts in variants.items():
         key = (facts.formula, facts.inert, facts.unknowns, repr(facts.quantities))

@@ -12,9 +12,9 @@ MARKERS = "osD^vP"
 
 
 def picture(every: Sequence[Effort], title: str, file: Path) -> None:
-    """Draw it: the least error reached over CPU time of the stepping loop, on logarithmic axes.
+    """Draw the smallest error reached over the CPU time of the stepping loop, on logarithmic axes.
 
-    The name of a file decides its format, svg or png. Same results, same bytes.
+    The file name decides the format, svg or png. The same results give the same bytes.
     """
     import matplotlib as mpl
     from matplotlib.figure import Figure

@@ -41,7 +41,7 @@ def drawing(scene: Scene) -> str:
 
 
 def picture(seen: Sketch, name: str = "") -> str:
-    """The SVG of a sketch, for a page that has the styles of its shapes; words stand beside it.
+    """The SVG of a sketch, for a page that defines the styles of its shapes and has a text for it.
 
     name: by which `again` shows it elsewhere on the page.
     """
@@ -50,7 +50,7 @@ def picture(seen: Sketch, name: str = "") -> str:
 
 
 def again(name: str) -> str:
-    """The SVG that shows a picture again which is elsewhere on the page."""
+    """The SVG that repeats a picture from elsewhere on the page."""
     return _framed(f'<use href="#{escape(name)}"/>')
 
 
@@ -130,7 +130,7 @@ def _rail(rail: tuple[Spot, Spot]) -> str:
 
 
 def _arrows(arrows: Sequence[Arrow]) -> Iterator[str]:
-    """Arrows at bodies; what acts on all of them stands beside, with its name, once."""
+    """Arrows at bodies; those that apply to all bodies are drawn once beside them, with a name."""
     named = set()
     for arrow in arrows:
         corner = CORNERS.get(arrow.what)

@@ -1,1 +1,1 @@
-"""How a scene looks: from where it is seen, the shapes that are drawn, and what of them moves."""
+"""Pictures of scenes: the direction of view, the shapes to draw, and which of them move."""

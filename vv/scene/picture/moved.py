@@ -1,4 +1,4 @@
-"""Finds the shapes of a body in a sketch, and how they move as it moves or turns."""
+"""Finds the shapes of a body in a sketch, and how they move when it translates or rotates."""
 
 from __future__ import annotations
 
