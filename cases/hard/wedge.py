@@ -91,7 +91,7 @@ def _sphere(p: Parameters) -> Trial:
         "s", "s", "m", "displacement down the groove",
         ComponentAlong(WEDGE, scene.axes[0]),
         functools.partial(wedge_on_springs.slid, mu=_friction(p), ks=p["kn"], **law),
-        _on_springs(w),
+        _on_springs(w), still=0.5 * p["g"] * SECONDS**2,
     )  # fmt: skip
     rungs = tuple(Knobs(dt=angle / w) for angle in ANGLES)
     levels = {Level.QUICK: rungs[:2], Level.DEFAULT: rungs, Level.PAPER: rungs}

@@ -19,6 +19,7 @@ HELD = [
     ("responding-block", "1d", {"mu": 0.0}, 1),
     ("responding-block", "2d", {"mu": 0.0}, 1),
     ("wedge", "xi-1", {"dip": 0.0}, 2),
+    ("wedge", "sphere", {"dip": 0.0}, 2),
 ]
 
 

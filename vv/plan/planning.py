@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import functools
+import re
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
@@ -107,15 +108,33 @@ def declare_trial(case: Case, variant: str, parameters: Mapping[str, float]) -> 
     try:
         if dict(parameters) == case.defaults(variant):
             return case.declare(variant, parameters)
-    except ValueError as error:
-        raise UsageError(f"{case.name}:{variant}: {error}") from error
-    try:
-        with time_limit(PATIENCE):
+        # what becomes nan is refused where data are made
+        with time_limit(PATIENCE), np.errstate(divide="ignore", invalid="ignore"):
             trial = case.declare(variant, parameters)
             _evaluate_references(trial.quantities)
         return trial
     except (ValueError, ArithmeticError, RuntimeError) as error:
-        raise UsageError(f"{case.name}:{variant}: {error}") from error
+        changed = _changed(case, variant, parameters)
+        raise UsageError(f"{case.name}:{variant}: {_with(changed, error)}") from error
+
+
+def _changed(case: Case, variant: str, parameters: Mapping[str, float]) -> dict[str, str]:
+    """Name -> NAME = VALUE UNIT of each parameter that is not the variant's own."""
+    usual, units = case.defaults(variant), {one.name: one.unit for one in case.parameters}
+    return {
+        name: f"{name} = {value!r} {units[name]}".strip()
+        for name, value in parameters.items()
+        if value != usual[name]
+    }
+
+
+def _with(changed: Mapping[str, str], error: Exception) -> str:
+    """Why parameters are rejected; led by the changed ones, unless the reason names one of them."""
+    divided = isinstance(error, ZeroDivisionError)
+    why = "a formula of the case divides by zero" if divided else str(error)
+    if not changed or any(re.search(rf"\b{re.escape(name)} = ", why) for name in changed):
+        return why
+    return f"with {', '.join(changed.values())}: {why}"
 
 
 def _evaluate_references(quantities: Iterable[Quantity]) -> None:

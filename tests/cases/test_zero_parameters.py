@@ -1,0 +1,56 @@
+"""Claims that every case answers a parameter that is zero, or refuses it by its name."""
+
+from __future__ import annotations
+
+import re
+
+import numpy as np
+import pytest
+
+from vv.ask import History
+from vv.base.errors import UsageError
+from vv.case import Case, Series, Trial, evaluated
+from vv.plan.planning import declare_trial
+from vv.plan.project import find
+from vv.plan.selection import select
+
+SLOW = "close-packed-"  # blocks of bonds, whose balance is iterated for each parameter
+VARIANTS = [
+    (case, variant) for case, variant in select(find(), ["*"]) if not case.name.startswith(SLOW)
+]
+
+
+def answered(case: Case, variant: str, parameters: dict[str, float]) -> Trial | str:
+    """The trial, or why there is none."""
+    try:
+        return declare_trial(case, variant, parameters)
+    except UsageError as refused:
+        return str(refused)
+
+
+def zero_without_scale(trial: Trial) -> list[str]:
+    """The quantities whose exact history is zero throughout, and which state no scale."""
+    goal = trial.study.goal
+    if not isinstance(goal, History):
+        return []
+    series = [q for q in trial.quantities if isinstance(q, Series) and q.reference is not None]
+    times = goal.times(None)
+    return [
+        q.name for q in series
+        if q.reference and q.still is None and not (q.scale and evaluated(q.scale))
+        and not np.any(q.reference(times))
+    ]  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("case", "variant"), VARIANTS, ids=[f"{case.name}:{variant}" for case, variant in VARIANTS]
+)
+def test_a_parameter_of_zero_is_answered_or_refused_by_name(case: Case, variant: str) -> None:
+    usual = case.defaults(variant)
+    for name in [name for name, value in usual.items() if value]:
+        answer = answered(case, variant, {**usual, name: 0.0})
+        if isinstance(answer, Trial):
+            assert zero_without_scale(answer) == [], name
+        else:
+            assert re.search(rf"\b{re.escape(name)} = ", answer)
+            assert "division" not in answer
