@@ -9,6 +9,7 @@ a test or a gate is wrong with no mutant on the bench ends and judges nothing.
 """
 
 import argparse
+import ast
 import functools
 import importlib
 import itertools
@@ -25,7 +26,8 @@ from bench.mutation import engine_gate
 from bench.mutation.collected_tests import Collected, collected, fitting, forked
 from bench.mutation.forked_tests import with_tests
 from bench.mutation.framework_mutants import NEEDS, survival
-from bench.mutation.mutants import ROOT, Mutant, all_places
+from bench.mutation.framework_sites import equivalents, named
+from bench.mutation.mutants import ROOT, Mutant, all_places, parsed, turned
 from bench.mutation.schemata import build, switchable
 from bench.mutation.switch import NUMBER
 from vv.base.closure import import_closure
@@ -41,12 +43,21 @@ COMPILING = 1200.0  # s of CPU time for all tests once, with every kernel compil
 
 
 def drawn(files: str, sample: int, seed: int) -> list[Mutant]:
-    """So many mutants that a process can switch on, every place being as likely as any other."""
+    """So many mutants that a process can switch on, every place being as likely as any other.
+
+    Those that `equivalent.txt` names are not drawn.
+    """
     paths = sorted((ROOT / "vv" / "engines").rglob("*.py"))
     names = (path.relative_to(ROOT).as_posix() for path in paths)
     every = [*all_places(name for name in names if fnmatch(name, files))]
     shuffled = random.Random(seed).sample(every, len(every))
-    return [*itertools.islice(filter(switchable, shuffled), sample)]
+    differing = (one for one in shuffled if _key(one) not in equivalents())
+    return [*itertools.islice(filter(switchable, differing), sample)]
+
+
+def _key(mutant: Mutant) -> str:
+    node = [*ast.walk(parsed(mutant.file))][mutant.place]
+    return named(mutant.file, node, turned(node))
 
 
 class Asked:

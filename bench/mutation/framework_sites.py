@@ -43,12 +43,12 @@ class Mutant(NamedTuple):
     @property
     def key(self) -> str:
         """What it is, by names instead of lines, which other changes move."""
-        return f"{self.file} {_owner(self.file, self.node)}: {self.change}"
+        return named(self.file, self.node, _turned(self.node))
 
     @property
     def change(self) -> str:
         """What is there, and what becomes of it."""
-        return f"{ast.unparse(self.node)[:90]}  ->  {ast.unparse(_turned(self.node))[:90]}"
+        return _change(self.node, _turned(self.node))
 
     @property
     def node(self) -> ast.expr:
@@ -105,6 +105,15 @@ def uniform(files: str, sample: int, seed: int) -> list[Mutant]:
     """So many mutants, each place that can be turned being as likely as any other."""
     every = [one for layer in LAYERS for one in mutants(layer, files, EVERY)]
     return random.Random(seed).sample(every, min(sample, len(every)))
+
+
+def named(file: str, node: ast.AST, made: ast.AST) -> str:
+    """What becomes of a node of a file, by the functions that it is in instead of its line."""
+    return f"{file} {_owner(file, node)}: {_change(node, made)}"
+
+
+def _change(node: ast.AST, made: ast.AST) -> str:
+    return f"{ast.unparse(node)[:90]}  ->  {ast.unparse(made)[:90]}"
 
 
 @functools.cache

@@ -127,8 +127,12 @@ def turned(node: ast.AST) -> ast.expr:
 
 
 def _what(file: str, node: ast.AST) -> str:
-    """Where a node is, and what becomes of it."""
-    where = f"{file}:{getattr(node, 'lineno', 0)}:{getattr(node, 'col_offset', 0)}"
+    """Where a node is, from its start to its end, and what becomes of it.
+
+    In a * b * c two products start at one place.
+    """
+    columns = f"{getattr(node, 'col_offset', 0)}-{getattr(node, 'end_col_offset', 0)}"
+    where = f"{file}:{getattr(node, 'lineno', 0)}:{columns}"
     return f"{where} {_word(node)} -> {_word(turned(node))}"
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ast
 import os
 import sys
 from pathlib import Path
@@ -12,8 +13,8 @@ import pytest
 
 from bench.mutation import case_mutants, engine_gate, engine_mutants
 from bench.mutation.engine_gate import Red
-from bench.mutation.framework_sites import turnable
-from bench.mutation.mutants import ROOT, Mutant
+from bench.mutation.framework_sites import named, turnable
+from bench.mutation.mutants import ROOT, Mutant, all_places, parsed, turned
 from bench.mutation.schemata import switchable
 from bench.mutation.switch import NUMBER
 
@@ -27,6 +28,21 @@ def test_mutants_of_engines_are_drawn_anew_with_every_seed_and_can_be_switched_o
     assert {one.file for one in engine_mutants.drawn("vv/engines/dda/law.py", 3, 1)} == {
         "vv/engines/dda/law.py"
     }
+
+
+def test_two_products_that_start_at_one_place_are_two_mutants() -> None:
+    every = [*all_places(["vv/engines/rigid/point/trial.py", "vv/engines/dda/law.py"])]
+    assert len({one.what for one in every}) == len(every)
+
+
+def test_a_mutant_of_an_engine_that_is_known_as_equivalent_is_not_drawn(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    (first, *_), file = engine_mutants.drawn("vv/engines/dda/law.py", 3, 1), "vv/engines/dda/law.py"
+    node = [*ast.walk(parsed(file))][first.place]
+    key = named(file, node, turned(node))
+    monkeypatch.setattr(engine_mutants, "equivalents", lambda: {key: "behaves alike"})
+    assert first not in engine_mutants.drawn(file, 10**6, 1)
 
 
 def test_a_mutant_is_asked_of_its_engine_s_tests_first_as_far_as_time_allows() -> None:

@@ -55,7 +55,7 @@ BUGS = (
     Bug("limit with drag alone doubled", CRITICAL, "return 1.0 / n if n > 0.0 else math.inf", "return 2.0 / n if n > 0.0 else math.inf", "dem", "stable-step:viscous", "tests/engines/dem/test_drag_alone.py"),
     Bug("velocity after a cut step", DDA, "handed_on(motion.velocity, rate, d, mass, bodies, now, part)", "handed_on(motion.velocity, rate, d, mass, bodies, now, dt)", "dda", "failure-modes"),
     Bug("a cut step forgets what contacts were", DDA, "                    forget(touch, state, push, way)\n", "", "dda", "failure-modes"),
-    Bug("shaking taken at the start of a step", DDA, "shake = value(shaking, done * dt + begin + late)", "shake = value(shaking, done * dt + begin)", "dda", "incline:two-directions-turning"),
+    Bug("shaking taken at the start of a step", DDA, "shake = value(shaking, done * dt + begin + feels * part)", "shake = value(shaking, done * dt + begin)", "dda", "incline:two-directions-turning"),
     Bug("a shear spring in its old plane", DDA_CONTACT, "put(touch.spring, k, laid_down(at(old.spring, m), n))", "put(touch.spring, k, at(old.spring, m))", "dda", "knife-edge"),
     Bug("a dead load forgotten", DDA_FORCES, "add_scaled(at(bodies.weight, i), 1.0, at(bodies.load, i))", "add_scaled(at(bodies.weight, i), 0.0, at(bodies.load, i))", "dda", "laden-block"),
     Bug("friction pulls along", DDA_FORCES, "pull = add_scaled(pull, -mu * force, way)", "pull = add_scaled(pull, mu * force, way)", "dda", "skid wedge:xi-1"),
