@@ -5,8 +5,8 @@ import pytest
 
 from cases.blocks.rocking import CASE
 from reference_solutions.blocks import rocking
-from vv.ask import Knobs
-from vv.case import Series
+from vv.ask import Knobs, Method
+from vv.case import Exact, Series
 from vv.engines import rigid
 
 
@@ -39,3 +39,17 @@ def test_a_foot_that_slips_under_a_block_thrown_over_is_solved(given: dict[str, 
     assert run.ledger is not None
     left, allowed = run.ledger.audits["residual of contact [m/s]"]
     assert left <= 1e-6 * allowed
+
+
+@pytest.mark.parametrize(("part", "floor"), [(0.2, 5e-4), (0.9, 2e-3), (0.9999, 2.5e-2)])
+def test_a_shifted_top_is_felt_over_what_is_left_to_it_between_once_and_fifty_times(
+    part: float, floor: float
+) -> None:
+    """Corners a thousandth of the size across: 0.4/(1 - part) is 0.5, 4 and 4000."""
+    p = {**CASE.defaults("released"), "part": part, "duration": 1.0}
+    (swing,) = (q for q in CASE.declare("released", p).quantities if q.name == "first swing")
+    assert isinstance(swing.judge, Exact)
+    bound = swing.judge.tolerance(Method.PENALTY)
+    assert bound.floor == pytest.approx(floor)
+    _, rate = rocking.slenderness(b=p["b"], h=p["h"], g=p["g"])
+    assert bound.value == pytest.approx(0.5 * rate * 1e-3 + floor)

@@ -1,0 +1,38 @@
+"""Claims about the case of a laden block: its bounds follow the drives."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from cases.blocks.laden_block import CASE
+from vv.ask import Method
+from vv.case import Exact, Series
+
+
+def bound(given: dict[str, float]) -> tuple[float, float]:
+    """The bound of slip for springs, and the largest way along it [m]."""
+    p = {**CASE.defaults("level"), **given}
+    (slip,) = (q for q in CASE.declare("level", p).quantities if q.name == "slip")
+    assert isinstance(slip, Series)
+    assert isinstance(slip.judge, Exact)
+    assert slip.reference is not None
+    way = np.asarray(slip.reference(np.linspace(0.0, p["duration"], 1000)))
+    return slip.judge.tolerance(Method.PENALTY).value, float(np.abs(way).max())
+
+
+@pytest.mark.parametrize(
+    ("given", "times"),
+    [
+        ({"D": 0.04}, 2.0), ({"a": 3.0}, 2.0), ({"mu": 0.6}, 2.189),
+        ({"mu": 0.6, "D": 0.04}, 4.0), ({"mu": 0.6, "a": 4.5}, 6.0), ({"press": 1.0}, 1.0),
+    ],
+    ids=str,
+)  # fmt: skip
+def test_a_bound_grows_with_the_largest_drive_and_as_the_way_shrinks(
+    given: dict[str, float], times: float
+) -> None:
+    """Friction lifts with the slope and is shaken by mu times these; it slows by mu p - push."""
+    own, way = bound({"v": 6.0})
+    other, moved = bound({"v": 6.0, **given})
+    assert other * moved == pytest.approx(times * own * way, rel=0.01)
