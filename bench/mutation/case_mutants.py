@@ -68,7 +68,9 @@ def cases_of(file: str) -> list[str]:
 def tests_of(what: str) -> tuple[str, ...]:
     """The files of tests that name a case or import a file of cases/."""
     name = what.removesuffix(".py").replace("/", ".")
-    word = re.compile(rf"""["']{re.escape(what)}["':]|from {re.escape(name)} import""")
+    folder, _, stem = name.rpartition(".")
+    imported = rf"from {re.escape(name)} import|from {re.escape(folder)} import .*\b{stem}\b"
+    word = re.compile(rf"""["']{re.escape(what)}["':]|{imported}""")
     files = sorted((ROOT / "tests" / "cases").rglob("test_*.py"))
     own = [path.relative_to(ROOT).as_posix() for path in files if word.search(path.read_text())]
     return (*PAPERS, *own) if what.startswith("cases/papers/") else tuple(own)

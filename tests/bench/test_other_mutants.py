@@ -83,6 +83,8 @@ def test_a_mutant_of_a_case_is_put_to_tests_of_its_file_its_page_its_gate_and_it
     assert "tests/cases/hard/test_wedge.py" in case_mutants.tests_of("wedge")
     least = "tests/cases/impact/test_least_of_largest.py"
     assert case_mutants.tests_of("cases/impact/_oblique.py") == (least,)
+    gas = "tests/cases/bulk/test_homogeneous_cooling.py"
+    assert case_mutants.tests_of("cases/bulk/homogeneous_cooling.py") == (gas,)
 
 
 def test_the_gate_is_not_asked_of_a_case_that_it_does_not_run_quickly() -> None:
