@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from vv.ask import Displacement, Knobs, Method, Observable, Run, Status, Velocity
-from vv.case import Trial
+from vv.case import Measured, Trial
 from vv.plan.project import find
 from vv.records.record import measured
 from vv.scene import Vector
@@ -68,6 +68,18 @@ def test_the_edge_of_a_close_layer_is_where_its_grains_end() -> None:
     assert radius / 5.0 - 1.0 == pytest.approx(1.45, abs=0.01)
     assert found.value == 1.5  # told to a quarter
     assert found.verdict.value == "pass"
+
+
+def test_an_edge_of_one_grain_is_its_size_over_the_mean_slope_of_the_heap() -> None:
+    judge = TRIAL.quantities[0].judge
+    assert isinstance(judge, Measured)
+    assert judge.band is not None
+    out = judge.measurement.value
+    a = out / 1.24  # height over radius at first
+    slope = 0.88 * a ** (1 / 6) / (1 + out)
+    doubt = np.hypot(0.005 * a, 0.1 * out)
+    # five grains in the radius, to half a per cent: whole grains fill no circle
+    assert judge.band == pytest.approx(3 * doubt + 1 / (5 * slope), rel=1e-3)
 
 
 @pytest.mark.parametrize(
