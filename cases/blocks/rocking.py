@@ -289,11 +289,11 @@ def _near_the_top(w: float, part: float) -> Exact:
 
 
 def _just(w: float) -> Exact:
-    """The threshold itself, to which a search comes within 4e-6."""
+    """The threshold itself, as near as a search comes to it."""
     least = Tolerance(
-        min(LARGEST_TOLERANCE, _off(w)),
+        min(LARGEST_TOLERANCE, max(FOUND, _off(w))),
         "(w dt)^2/2, as the sine is taken by its mean over a step and the block begins to lean "
-        "within one", dt=COARSE, order=2, floor=4e-6,
+        "within one", dt=COARSE, order=2, floor=FOUND,
     )  # fmt: skip
     return Exact({Method.SECOND_ORDER: least}, not_judged=SHOWN)
 
@@ -324,6 +324,7 @@ def _threshold(p: Parameters, law: Law, w: float, most: float) -> Scalar:
 
 
 COARSE = 1e-3  # s
+FOUND = 4e-6  # of the threshold, within which a search comes to it
 LAGS = Tolerance(
     0.1,
     "as a corner strikes, friction of the iteration before may act along the slip: 0.04 of m g R "

@@ -3,11 +3,13 @@
 import numpy as np
 import pytest
 
+from cases.blocks._leaning import CENTRE, MOVING, Leaning
 from cases.blocks.rocking import CASE
 from reference_solutions.blocks import rocking
-from vv.ask import Knobs, Method
-from vv.case import Exact, Series
+from vv.ask import Knobs, Method, Run, Status
+from vv.case import Exact, Parameters, Scalar, Series
 from vv.engines import rigid
+from vv.scene import Pulse, Vector
 
 
 @pytest.mark.parametrize("dt", [1e-3, 5e-4, 1.25e-4])
@@ -53,3 +55,35 @@ def test_a_shifted_top_is_felt_over_what_is_left_to_it_between_once_and_fifty_ti
     assert bound.floor == pytest.approx(floor)
     _, rate = rocking.slenderness(b=p["b"], h=p["h"], g=p["g"])
     assert bound.value == pytest.approx(0.5 * rate * 1e-3 + floor)
+
+
+def exact_run(p: Parameters, part: float, times: Vector) -> Run:
+    """What a code would say that makes no error, under a pulse of such a part of the threshold."""
+    law, w = {name: p[name] for name in ("b", "h", "g")}, 2 * np.pi * p["f"]
+    pulse = {"A": part * rocking.threshold(**law, w=w), "w": w, "T": np.pi / w}
+    lean, rate = rocking.phases(times, **law, **pulse, theta=0.0).T
+    block = Leaning(p["b"], p["h"])
+    sideways, up = (block.place(lean) - block.begun()).T
+    rest = block.alpha - np.abs(lean)
+    speed = block.far * rate[:, None] * np.column_stack([np.cos(rest), 0 * rest, np.sin(rest)])
+    values = {CENTRE: np.column_stack([sideways, 0 * up, up]), MOVING: speed}
+    return Run(Status.RAN, times=times, values=values)
+
+
+@pytest.mark.parametrize(("variant", "part"), [("threshold", 1.01), ("overturns-1e-1", 1.1)])
+def test_what_is_seen_of_an_exact_run_is_what_is_due(variant: str, part: float) -> None:
+    p = {**CASE.defaults(variant), "f": 0.43, "part": part}
+    trial = CASE.declare(variant, p)
+    (seen,) = trial.quantities
+    assert isinstance(seen, Scalar)
+    assert seen.reference is not None
+    run = exact_run(p, part, trial.study.goal.times(None))
+    assert seen.observe(run) == pytest.approx(seen.reference, rel=1e-5)
+
+
+@pytest.mark.parametrize("f", [0.43, 1.7])
+def test_a_pulse_is_half_a_sine(f: float) -> None:
+    shaking = CASE.declare("topples", {**CASE.defaults("topples"), "f": f}).study.scene.shaking
+    assert isinstance(shaking, Pulse)
+    assert shaking.until == pytest.approx(1 / (2 * f))
+    assert float(shaking.wave.frequency[0]) == f
