@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from vv.ask import Displacement, Knobs, Method, Observable, Run, Status, Velocity
-from vv.case import Measured, Trial
+from vv.case import Level, Measured, Trial
 from vv.plan.project import find
 from vv.records.record import measured
 from vv.scene import Vector
@@ -109,3 +109,11 @@ def test_a_grain_that_rolled_far_away_does_not_move_the_edge() -> None:
         return measured(run, run_out, Method.SECOND_ORDER, Knobs(dt=1e-5))[0].value
 
     assert out(strays) == out(_still)
+
+
+def test_springs_bear_the_heaviest_grain_20000_times_and_steps_resolve_their_swing() -> None:
+    law, heaviest = TRIAL.study.scene.contact, float(SPHERES.mass.max())
+    assert law.kn * D == pytest.approx(2e4 * heaviest * G)
+    (setting,) = TRIAL.study.rungs[Level.QUICK]
+    assert setting.dt is not None
+    assert setting.dt * np.sqrt(law.kn / heaviest) == pytest.approx(0.2, rel=0.01)
