@@ -6,7 +6,7 @@ import pytest
 from cases.blocks._leaning import CENTRE, MOVING, Leaning
 from cases.blocks.rocking import CASE
 from reference_solutions.blocks import rocking
-from vv.ask import Knobs, Method, Run, Status
+from vv.ask import Knobs, Method, Observable, Run, Status
 from vv.case import Exact, Parameters, Scalar, Series
 from vv.engines import rigid
 from vv.scene import Pulse, Vector
@@ -63,10 +63,13 @@ def exact_run(p: Parameters, part: float, times: Vector) -> Run:
     pulse = {"A": part * rocking.threshold(**law, w=w), "w": w, "T": np.pi / w}
     lean, rate = rocking.phases(times, **law, **pulse, theta=0.0).T
     block = Leaning(p["b"], p["h"])
-    sideways, up = (block.place(lean) - block.begun()).T
+    sideways, up = (block.place(lean) - block.initial_centre()).T
     rest = block.alpha - np.abs(lean)
-    speed = block.far * rate[:, None] * np.column_stack([np.cos(rest), 0 * rest, np.sin(rest)])
-    values = {CENTRE: np.column_stack([sideways, 0 * up, up]), MOVING: speed}
+    speed = block.arm * rate[:, None] * np.column_stack([np.cos(rest), 0 * rest, np.sin(rest)])
+    values: dict[Observable, Vector] = {
+        CENTRE: np.column_stack([sideways, 0 * up, up]),
+        MOVING: speed,
+    }
     return Run(Status.RAN, times=times, values=values)
 
 
