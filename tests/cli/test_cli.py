@@ -115,7 +115,8 @@ def test_explain_shows_formula_parameters_tolerances_and_the_last_result(tiny: T
         "second order in dt: 0.001 at dt = 0.1 s, as dt^1: the tiny project says so",
         "fake/coarse: a formula",
         "dt 0.025: fail: y: error 0.01, allowed 0.00025",
-        "fake/weightless: fake/weightless does not support: gravity",
+        "fake/weightless: does not support: gravity, spheres\n  missing",  # and no result
+        "missing/default: not installed: apt-get install missing",
     ):
         assert words in out
 

@@ -12,7 +12,7 @@ from vv.gate.judgement import against_code, against_measurement, outcome
 from vv.insight.agreement import agreements
 from vv.output.terminal import say
 from vv.output.wording import in_words
-from vv.plan.plan import Plan
+from vv.plan.plan import Job, Plan
 from vv.records.job_record import Record
 from vv.records.manifest import Manifest
 from vv.records.quantity import MeasuredQuantity
@@ -61,16 +61,21 @@ def _explain_variant(
         if (job.case, job.variant) == (case.name, name)
     }
     for (code, scheme), job in last.items():
-        how = (
-            job.settled.reason
-            if job.settled
-            else plan.adapters[code].describe(job.ask, scheme).note
-        )
-        say(f"  {code}/{scheme}: {how}")
+        say(f"  {code}/{scheme}: {_model_or_refusal(plan, job)}")
         when, *rungs = results.get((case.name, name, code, scheme), ["none yet"])
-        say(f"    last result: {when}")
+        if rungs or not job.settled:
+            say(f"    last result: {when}")
         for line in rungs:
             say(f"      {line}")
+
+
+def _model_or_refusal(plan: Plan, job: Job) -> str:
+    """The model that a scheme builds for a job, or why it does not run the job."""
+    if job.settled is None:
+        return plan.adapters[job.code].describe(job.ask, job.scheme).note
+    reason = job.settled.reason
+    lacks = reason.removeprefix(f"{job.code}/{job.scheme} ")
+    return f"{job.settled.status.value}: {reason}" if lacks == reason else lacks
 
 
 def _explain_quantity(quantity: Quantity) -> None:

@@ -92,7 +92,7 @@ def test_strains_are_unknowns_along_free_directions_of_elastic_blocks_alone(
     rigid = dataclasses.replace(scene, bodies=(FLOOR, box(HALF, RHO, **masks)))
     both = dataclasses.replace(scene, bodies=(*scene.bodies, box(HALF, RHO, np.full(3, 9.0))))
     for one, unknowns, words in (
-        (scene, count, "blocks that deform" if sum(free) else "blocks"),
+        (scene, count, "1 block that deforms" if sum(free) else "1 block"),
         (both, count + 3, "2 blocks, 1 of which deform" if sum(free) else "2 blocks"),
     ):
         model = prepare(asked(one, 1e-3, KN, 0.1), DEFAULT).model
@@ -175,7 +175,7 @@ def test_strains_that_stay_behind_shear_what_turns_and_published_says_so() -> No
     due = (1 + NU) / E * (ALONG[0] - ALONG[1])
     assert abs(shape[0, 1]) == pytest.approx(1.25 * 2 * math.pi * due, rel=0.02)
     rod = soft(box(ROD, RHO, np.zeros(3), free_spin=ALL))
-    words = "strains that do not turn"
+    words = "strains that do not rotate"
     ask = Ask(Scene((rod,), Contact(math.inf)), History(1, 1), (), Knobs(1e-3, KN))
     assert words in prepare(ask, PUBLISHED).model.note
     assert words not in prepare(ask, DEFAULT).model.note

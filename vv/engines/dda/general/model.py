@@ -54,16 +54,19 @@ class General:
     @property
     def words(self) -> str:
         """The model in words."""
-        plane = ", prisms in a plane" if depth_axis(self.scene).any() else ""
         blocks, way = self.scene.blocks, self.formulation
+        one = len(blocks) == 1
+        shape = ", a prism in a plane" if one else ", prisms in a plane"
+        plane = shape if depth_axis(self.scene).any() else ""
         soft = [block for block in blocks if block.strains]
         some = f", {len(soft)} of which deform" if soft else ""
-        strains = " that deform" if len(soft) == len(blocks) else some
+        strains = f" that deform{'s' * one}" if len(soft) == len(blocks) else some
         spins = any(block.free_spin.sum() > 1 for block in blocks)
         torque = ", without gyroscopic torque" if spins and not way.turns else ""
         turn = any(block.free_spin.any() for block in soft)
-        behind = ", strains that do not turn with them" if turn and not way.follow else ""
-        return f"{self.unknowns} unknowns of {len(blocks)} blocks{strains}{plane}{torque}{behind}"
+        behind = ", strains that do not rotate" if turn and not way.follow else ""
+        whose = "1 block" if one else f"{len(blocks)} blocks"
+        return f"{self.unknowns} unknowns of {whose}{strains}{plane}{torque}{behind}"
 
     def outputs(self, rows: int, watched: tuple[int, ...]) -> tuple[Any, ...]:
         """What the kernel fills first, and the blocks it watches."""

@@ -55,8 +55,10 @@ class Space:
     @property
     def words(self) -> str:
         """The model in words."""
-        plane = ", as prisms in a plane" if self._flat else ""
-        return f"{len(self.scene.blocks)} blocks that move and turn{plane}"
+        many = len(self.scene.blocks)
+        if many == 1:
+            return "1 block that moves and rotates" + (", a prism in a plane" if self._flat else "")
+        return f"{many} blocks that move and rotate" + (", prisms in a plane" if self._flat else "")
 
     def outputs(self, rows: int, watched: tuple[int, ...]) -> tuple[Any, ...]:
         """What the kernel fills: path, energy, report, reaction; and the blocks it watches."""
