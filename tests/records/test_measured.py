@@ -56,7 +56,7 @@ def run(**changes: Any) -> Run:
     return dataclasses.replace(whole, **changes)
 
 
-def holed(shape: tuple[int, ...], at: int, value: float = math.nan) -> Vector:
+def holed(shape: tuple[int, ...], at: int | tuple[int, ...], value: float = math.nan) -> Vector:
     made = np.ones(shape)
     made[at] = value
     return made
@@ -85,6 +85,7 @@ LEDGER = Ledger({"kinetic energy": 1.0}, 0.0, 1.0, 1e-9, {"Coulomb": (0.0, 1.0)}
         ({"values": {SPEED: WHOLE}}, "ERROR", "not reported"),
         ({"values": {WAY: WHOLE[:4]}}, "ERROR", "shape (4, 3)"),
         ({"values": {WAY: holed((5, 3), 2)}}, "DIVERGED", "not finite from t = 0.5 s"),
+        ({"values": {WAY: holed((5, 3), (2, 1))}}, "DIVERGED", "not finite from t = 0.5 s"),
         ({"values": {WAY: np.full((5, 3), 1e300)}}, "DIVERGED", "beyond 1e+100 from t = 0 s"),
         ({"values": {WAY: holed((5, 3), 3, math.inf)}}, "DIVERGED", "from t = 0.75 s"),
         ({"energies": {}}, "ERROR", "not reported"),
@@ -107,11 +108,19 @@ def test_a_run_is_whole_or_the_failure_that_it_really_is(
     assert said in found.reason
 
 
-@pytest.mark.parametrize("tried", [np.zeros((0, 2)), np.array([[0.25, 1.0]])])
-def test_a_search_says_which_steps_were_tried(tried: Vector) -> None:
+@pytest.mark.parametrize(
+    ("tried", "whole"),
+    [
+        (np.zeros((0, 2)), False),
+        (np.array([[0.25, 1.0]]), True),
+        (np.array([[0.25, 1.0, 2.0]]), False),
+        (np.array([0.25, 1.0]), False),
+    ],
+)
+def test_a_search_says_which_steps_were_tried(tried: Vector, whole: bool) -> None:
     searching = dataclasses.replace(ASK, search=Bracket(8.0, 1.0))
     found = checked(run(tried=tried), searching)
-    assert found.status is (Status.RAN if len(tried) else Status.ERROR)
+    assert found.status is (Status.RAN if whole else Status.ERROR)
     assert checked(run(tried=np.zeros((0, 2))), ASK).status is Status.RAN
 
 
