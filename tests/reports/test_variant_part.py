@@ -26,7 +26,7 @@ from tests.support.fabricated import (
 )
 from tests.support.fabricated import manifest as manifest_of
 from tests.support.html_tags import Tags
-from vv.ask import Status
+from vv.ask import Knobs, Status
 from vv.records.accepted import AcceptanceSummary, BaselineSummary, Place
 from vv.records.finding import Aspect, Bit, Finding
 from vv.records.manifest import Manifest
@@ -190,6 +190,21 @@ def test_what_is_recorded_stands_with_its_own_variant(manifest: Manifest, store:
     page = built(dataclasses.replace(manifest, recorded=tuple(kept)), store)
     for k, name in enumerate(("T1", "T2")):
         assert re.findall(r"recorded 2024-02-2(\d)", part(page, f"bounce--{name}")) == [str(k)]
+
+
+def test_what_is_recorded_of_a_scheme_is_told_of_its_finest_setting(
+    manifest: Manifest, store: Store
+) -> None:
+    absent = next(r for r in manifest.records if r.status is Status.NOT_INSTALLED)
+    errors = {2e-3: 4.2e-3, 5e-4: 4.2e-5, 1e-3: 4.2e-4}
+    kept = [
+        RecordedResult("bounce", "T1", absent.code, absent.scheme, Knobs(dt), "", "2.3",
+                       "2024-02-29T01:02:03", 307, None,
+                       {"y": RecordedQuantity({"max error": error})})
+        for dt, error in errors.items()
+    ]  # fmt: skip
+    page = built(dataclasses.replace(manifest, recorded=tuple(kept)), store)
+    assert re.findall(r"307 days ago: error ([^.]*[.]\d+e-\d)", page) == ["4.2e-5"]
 
 
 def test_the_parameters_of_a_variant_that_are_not_those_of_the_table_are_told(

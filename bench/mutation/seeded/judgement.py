@@ -49,4 +49,10 @@ BUGS = (
     Bug("what is required need only be asked", JUDGEMENT, "seen = {record.label for record in records if ran(record)}", "seen = {record.label for record in records}", tests="tests/gate/test_judgement.py"),
     Bug("a figure that is gone has not moved", REGRESSION, 'return float("inf")', "return 0.0", tests="tests/gate/test_decisions.py"),
     Bug("a known breach open below", "vv/gate/known_breaches.py", "and low <= seen <= high", "and seen <= high", tests="tests/gate/known/test_breaches.py"),
+    Bug("what blew up along one axis passes", CHECKING, "(np.abs(values) <= LARGEST).all(axis=1)", "(np.abs(values) <= LARGEST).any(axis=1)", tests="tests/records/test_measured.py"),
+    Bug("one known breach excuses all", JUDGEMENT, "if one[0] not in record.known_breaches)", "if not record.known_breaches)", tests="tests/gate/known/test_breaches.py"),
+    Bug("conservation is enforced where accuracy is", JUDGEMENT, "enforced=Check.CONSERVATION in enforced", "enforced=Check.ACCURACY in enforced", tests="tests/gate/test_gate.py::test_a_law_that_a_case_does_not_enforce_is_reported_only"),
+    Bug("bands of own and of external codes exchanged", REGRESSION, "EXTERNAL if record.code in external else IN_HOUSE", "IN_HOUSE if record.code in external else EXTERNAL", tests="tests/gate/test_decisions.py"),
+    Bug("a stored run that answers no ask is used", "vv/run/answering.py", "found = checked(run, job.ask)", "found = run", tests="tests/store/test_damage.py::test_a_stored_run_that_answers_no_ask_is_run_again"),
+    Bug("a stored record without its quantities is used", "vv/run/answering.py", "if [one.name for one in summary.quantities] == due:", "if due is not None:", tests="tests/store/test_damage.py::test_a_record_that_leaves_a_quantity_out_is_made_again"),
 )  # fmt: skip

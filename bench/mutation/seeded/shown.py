@@ -46,4 +46,8 @@ BUGS = (
     Bug("exact and computed series exchanged", "vv/output/export.py", "for part in (\"value\", \"reference\")}\n", "for part in (\"reference\", \"value\")}\n    parts = dict(zip(parts, [*parts.values()][::-1], strict=True))\n", tests="tests/output"),
     Bug("right and wrong exchanged in a map of regions", "reports/drawing/regions.py", "value == exact) for at", "value != exact) for at", tests="tests/reports/drawing/test_beside.py"),
     Bug("a scatter of one freedom too many", "vv/insight/against_measurements.py", "logs.var(ddof=1)", "logs.var(ddof=0)", tests=INSIGHT),
+    Bug("points within their bands are those without", "reports/pages/measured.py", "sum(point.within for point in one.held)", "sum(not point.within for point in one.held)", tests="tests/reports/drawing/test_beside.py"),
+    Bug("what is recorded is told of the coarsest setting", "reports/variant/variant.py", "key=lambda result: fineness(result.rung))", "key=lambda result: fineness(result.rung), reverse=True)", tests="tests/reports/test_variant_part.py"),
+    Bug("costs over those of the dearest", "reports/pages/overview.py", "best = min((cpu for cpu in known", "best = max((cpu for cpu in known", tests="tests/reports/test_readback.py"),
+    Bug("a series of another run beside its error", "vv/store/store.py", "            check_series(arrays, quantities)\n", "", tests="tests/store/test_damage.py::test_a_series_that_is_not_that_of_its_figures_is_made_again"),
 )  # fmt: skip

@@ -18,11 +18,12 @@ from adapters.liggghts.clumps import as_atoms, members
 from adapters.liggghts.overlaps import overlapped, why_not_overlapped
 from adapters.liggghts.refusals import _too_many_groups
 from adapters.liggghts.setup import Setup, set_up
+from adapters.liggghts.terms import bonds
 from adapters.liggghts.terms.hertz import restitution, why_not_viscous
 from tests.scenes.spheres.bonded_scenes import KN, D, M, elements, tied, unit
 from tests.support.adapters.liggghts_asks import CLUMP, PLAIN, ball, ball_ask, deck_of, words
 from tests.support.adapters.small_asks import FREE, UP
-from vv.scene import Contact, Harmonic, Hertz, Pulse, Scene, Spheres, Wall
+from vv.scene import Bonds, Contact, Harmonic, Hertz, Pulse, Scene, Spheres, Wall
 from vv.standins.clump import Clump
 
 PAIR = Spheres(
@@ -33,6 +34,17 @@ PAIR = Spheres(
     free=np.array([[True] * 3, [False] * 3]),
     load=np.array([[0.0, 0.0, 8.0], [1e6, 0.0, 0.0]]),
 )
+
+
+def test_bonds_are_numbered_from_one_with_their_kind_and_spheres() -> None:
+    place = np.array([[0.0, 0.0, 0.0], [0.2, 0.0, 0.0], [0.5, 0.0, 0.0]])
+    row = Spheres(place, 0 * place, np.full(3, 0.1), np.ones(3), np.ones((3, 3), bool))
+    tied_up = Bonds(
+        np.array([[0, 1], [2, 1]]), np.array([0.2, 0.3]), np.array([2e4, 1e4]), np.ones(2)
+    )
+    lines = [*bonds._data(Scene((row,), Contact(1e4), bonds=tied_up), (place[0], place[2]))]
+    assert lines[:4] == ["bonded spheres", "", "3 atoms", "2 bonds"]
+    assert lines[lines.index("Bonds") + 2 :] == ["1 2 1 2", "2 1 3 2"]
 
 
 def test_the_atoms_of_clumps_share_mass_load_and_springs() -> None:

@@ -63,6 +63,23 @@ def test_measured_values_stand_with_their_bars_and_charts_name_the_quantity(
     assert re.search(r"restitution at 20 deg\s+0.75 ± 0.1\s+0.1\s+0.8125", cells)
 
 
+def test_a_scheme_is_within_as_many_bands_as_hold_its_values(tmp_path: Path) -> None:
+    values = {"et-1": (0.80, 0.1), "et-2": (0.81, 0.1), "et-3": (0.90, 0.1), "et-4": (0.76, None)}
+    facts = case().variants["T1"]
+    (one,) = facts.quantities
+    kept = [changed(one, name=name, symbol="e_t", unit="") for name in values]
+    entries = [
+        entry("no-reference" if band is None else "pass" if value < 0.85 else "fail", {}, name=name,
+              unit="", judge="measured", value=value, kind="scalar",
+              measurement=MeasurementFacts(0.75, 0.03, 0.04, "dry", "somebody", band))
+        for name, (value, band) in values.items()
+    ]  # fmt: skip
+    whole = of(changed(facts, quantities=kept), record("a/a", "T1", 1e-3, quantities=entries))
+    page = html.build(whole, Store(tmp_path / ".vv"), tmp_path / "r").with_name("measured.html")
+    cells = re.sub(r"<[^>]*>", " ", page.read_text())
+    assert re.search(r"a/a\s+2 of 3\s+1\s", cells)
+
+
 def test_a_dot_lies_above_the_line_by_as_much_as_the_computed_value_is_too_large() -> None:
     values = {"low": (2.25, 2.0), "high": (5.5, 6.0)}  # computed, measured
     points = [Compared(name, "m", *pair, 0.25, 1.0, True) for name, pair in values.items()]
