@@ -140,7 +140,7 @@ CASE = Case(
         "chosen. The wedge is symmetric and cannot turn.",
     ),
     parameters=(
-        Parameter("dip", 30.0, "degrees", "how steeply the groove falls"),
+        Parameter("dip", 30.0, "degrees", "inclination of the groove"),
         Parameter("phi", 20.0, "degrees", "friction angle"),
         Parameter("xi", 1.5, "rad", "angle between the sides of the groove"),
         Parameter("A", 2.0, "m/s2", "amplitude of the acceleration"),

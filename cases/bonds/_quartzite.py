@@ -20,7 +20,7 @@ BRITTLE = (
 
 
 def slower(p: Parameters) -> float:
-    """The factor by which bonds oscillate more slowly than at the defaults, a power of two.
+    """The factor by which bonds oscillate more slowly than at the defaults, a power of 2.
 
     Steps follow it: as long as by default they would be unstable on stiffer bonds, and as short
     only add up rounding on softer ones, as a place is known to 1e-16 of it and the strain is 1e-6.

@@ -177,7 +177,7 @@ def _judge(p: Parameters, turned: float) -> Exact:
 
 
 COARSEST = 0.05  # of the unit
-OTHERS = "the phase that swings gain in a step is that of a leapfrog"
+OTHERS = "the phase advance per step is that of a leapfrog"
 AHEAD = (
     "the phase of a leapfrog is ahead by (w dt)^2/24, of some 60 radians in the fastest mode, "
     "which is a third of what swings"

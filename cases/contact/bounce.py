@@ -192,10 +192,10 @@ OF_PAIR = (
     "whole time, a = P (1/m1 + 1/m2)",
 )
 ROUNDED = 1e-11  # of the way: what a code may be off where nothing pushes
-PARTS = (("x", "along the first line of centres", 0), ("y", "across it", 1))
+PARTS = (("x", "along the initial line of centres", 0), ("y", "across it", 1))
 NOWHERE: Judge = Exact(dict.fromkeys(
     (Method.EXACT, Method.SECOND_ORDER, Method.FIRST_ORDER),
-    Tolerance(1e-12, "nothing moves it there, or it is locked: rounding only"),
+    Tolerance(1e-12, "no force acts in this direction, or it is locked: rounding only"),
 ))  # fmt: skip
 FLOOR_STEP, PAIR_STEP = 5e-7, 2e-5  # s
 
@@ -211,7 +211,7 @@ BOTH = (
 OF_ONE = frozenset({"r2", "w2"})
 VARIANTS = (
     Variant(
-        "floor", "a sphere thrown on a floor bounces four times; stick and slip in each contact",
+        "floor", "a sphere thrown onto a floor bounces four times, sticking and slipping each time",
         LAW, inert=OF_ONE,
     ),
     Variant(
@@ -220,7 +220,7 @@ VARIANTS = (
         inert=OF_ONE | {"load"},
     ),
     Variant(
-        "pair", "two spheres collide obliquely in no gravity, and part: slip, stick, slip",
+        "pair", "two spheres collide obliquely without gravity and separate: slip, stick, slip",
         BOTH, PAIR := {"kn": 5e6, "ks": 4e6, "mu": 0.3, "g": 0.0, "v_n": 0.04, "v_t": 0.03,
                        "w1": 0.2, "w2": -0.4},
     ),
@@ -231,7 +231,7 @@ VARIANTS = (
 )  # fmt: skip
 CASE = Case(
     name="bounce",
-    title="Spheres that spin and bounce",
+    title="Bouncing spheres with spin",
     source=Source(
         *LI_2018,
         "The contact law is that of Eqs. 4-8; bounces and spin are not in the paper. On the "

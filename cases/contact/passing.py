@@ -92,7 +92,7 @@ def _path(p: Parameters, reach: Vector) -> Callable[[Vector], Vector]:
 
 
 COARSEST = 0.05  # of sqrt(m/ks)
-OTHERS = "the phase that swings gain in a step is that of a leapfrog"
+OTHERS = "the phase advance per step is that of a leapfrog"
 AHEAD = "the phase of a leapfrog is ahead by (w dt)^2/24, of some 40 radians"
 CASE = Case(
     name="passing",

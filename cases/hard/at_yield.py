@@ -18,7 +18,7 @@ def _declare(variant: str, p: Parameters) -> Trial:
 ALPHA = 20.0
 CASE = Case(
     name="at-yield",
-    title="On the brink of rest",
+    title="At the limit of rest",
     source=Source(
         *YAGODA_BIRAN_2016,
         "phi = alpha is not in the paper. The velocity (A/(w cos alpha))(1 - cos wt) touches zero "

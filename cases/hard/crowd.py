@@ -85,7 +85,7 @@ def _declare(variant: str, p: Parameters) -> Trial:
         return float(np.abs([first - closed, second + closed]).max())
 
     distance = Scalar(
-        "distance", "max|e|", "m", "largest distance of a sphere from its path, over the gap",
+        "distance", "max|e|", "m", "largest distance of a sphere from its exact path, over the gap",
         apart, 0.0, FARTHEST, Exact(_judged(unit)),
     )  # fmt: skip
     rungs = tuple(Knobs(dt=step * unit) for step in STEPS)
@@ -113,7 +113,7 @@ BRIEF = (
 )
 CASE = Case(
     name="crowd",
-    title="A crowd of pairs",
+    title="Many pairs of spheres",
     source=Source(
         "Schwager and Poeschel (2007), Coefficient of restitution and linear-dashpot model "
         "revisited, Granular Matter 9(6), 465-469",
@@ -124,7 +124,7 @@ CASE = Case(
     parameters=(
         Parameter("m", 1.0, "kg", "mass of a sphere"),
         Parameter("kn", 1e6, "N/m", "contact stiffness"),
-        Parameter("v", 2.0, "m/s", "speed at which a pair comes together"),
+        Parameter("v", 2.0, "m/s", "approach speed of a pair"),
     ),
     variants=(
         Variant("pairs", "72 spheres, 36 collisions", "u = v/w sin(wt) in contact, w^2 = 2 kn/m",

@@ -153,7 +153,7 @@ def _balance(unit: float) -> Scalar:
 
 def _in_outputs(unit: float) -> Exact:
     """unit: 1/w [s]; a contact lasts for two of them and more."""
-    seen = "half of what lies between two outputs"
+    seen = "half of the interval between two outputs"
     step = Tolerance(
         STEPS[0], f"{seen}, which is a step, and one step more, as force ends with a step",
         dt=STEPS[0] * unit, order=1,

@@ -86,7 +86,7 @@ def _number(due: int, spread: float, coarsest: float) -> Count:
         observe=_seen,
         reference=due,
         judge=Exact({
-            Method.EXACT: Tolerance(1e-6, "a number of collisions is right or wrong"),
+            Method.EXACT: Tolerance(1e-6, "the number of collisions is either right or wrong"),
             Method.SECOND_ORDER: Tolerance(
                 min(spread, LARGEST_TOLERANCE), BLURRED, dt=coarsest, order=2
             ),
@@ -123,7 +123,7 @@ INERT = frozenset({"m", "x", "X", "v", "kn"})
 UNFOLDED = "n = ceil(pi/theta) - 1, theta = atan(sqrt(m/M))"
 CASE = Case(
     name="galperin",
-    title="Collisions that count pi",
+    title="Collisions that compute pi",
     source=Source(
         "Galperin (2003), Playing pool with pi (the number pi from a billiard point of view), "
         "Regular and Chaotic Dynamics 8(4), 375-394",

@@ -54,7 +54,8 @@ def _declare(variant: str, p: Parameters) -> Trial:
         judge=Exact(
             {
                 Method.EXACT: Tolerance(
-                    1e-6, "it slips once, at the beginning; a number of slips is right or wrong"
+                    1e-6,
+                    "it slips once, at the beginning; the number of slips is either right or wrong",
                 )
             },
             not_judged={Method.SECOND_ORDER: GRAZES},
@@ -101,7 +102,7 @@ COUNTED = (
 )
 CASE = Case(
     name="grazing",
-    title="Grazing the limit of friction",
+    title="Touching the limit of friction",
     source=Source(
         *LI_2018,
         "T3, which ends there at 0.4 s, goes on for 20 s. Its third stage swings about b with the "

@@ -130,7 +130,7 @@ JUDGED = {
     Method.LAGGING: SINKS,
 }
 ALONG = Exact(dict.fromkeys(
-    JUDGED, Tolerance(1e-11, "nothing moves it along the edge: rounding of hundreds of steps")
+    JUDGED, Tolerance(1e-11, "no force acts along the edge: rounding over hundreds of steps")
 ))  # fmt: skip
 CASE = Case(
     name="knife-edge",

@@ -128,11 +128,11 @@ def _judge(xi: float, held: float) -> Exact:
         "the wedge aside, and out of the groove by 1/sin(xi/2) as much",
     )
     rigid = {
-        Method.EXACT: Tolerance(1e-12, "the answer is a parabola, known to rounding"),
+        Method.EXACT: Tolerance(1e-12, "the answer is a parabola, exact to rounding"),
         Method.SECOND_ORDER: second,
         Method.FIRST_ORDER: Tolerance(
             1e-2,
-            "a start half a step off is one of dt/2 over a second, and as much again",
+            "a start half a step late is an error of dt/2 in a second; twice that is allowed",
             dt=1e-2,
             order=1,
             slack="forces are constant: a start that is not off leaves rounding errors only",
@@ -170,7 +170,8 @@ def _on_springs(w: float) -> Exact:
             dt=coarsest, order=2,
         ),
         Method.FIRST_ORDER: Tolerance(
-            2 * coarsest / SECONDS, "weight half a step late, over 0.1 s", dt=coarsest, order=1
+            2 * coarsest / SECONDS, "weight that acts half a step late, over 0.1 s",
+            dt=coarsest, order=1,
         ),
     })  # fmt: skip
 
@@ -187,13 +188,13 @@ CASE = Case(
     title="A wedge in a narrow groove",
     source=Source(
         *YAGODA_BIRAN_2016,
-        "Gravity alone; the opening is chosen, and friction such that half of what pulls the wedge "
-        "down is left. It cannot turn.",
+        "Gravity alone. The opening is chosen here, and friction such that half of the downhill "
+        "force remains. The wedge cannot rotate.",
     ),
     parameters=(
-        Parameter("dip", 30.0, "degrees", "how steeply the groove falls"),
+        Parameter("dip", 30.0, "degrees", "inclination of the groove"),
         Parameter("xi", 1.0, "rad", "angle between the sides of the groove"),
-        Parameter("held", 0.5, "", "part of the pull that friction takes"),
+        Parameter("held", 0.5, "", "fraction of the downhill force that friction balances"),
         Parameter("g", 9.81, "m/s2", "gravity"),
         Parameter("m", 1000.0, "kg", "mass of the sphere"),
         Parameter("kn", 1e9, "N/m", "stiffness of its contacts, along and across"),
@@ -203,7 +204,7 @@ CASE = Case(
                 frozenset({"xi", "m", "kn"}), Level.QUICK if xi in (1.0, 1e-6) else Level.DEFAULT)
           for xi in (1.0, 0.1, 0.01, 1e-6)),
         Variant(
-            "sphere", "a sphere that cannot turn, on springs along and across both sides",
+            "sphere", "a sphere that cannot rotate, on springs along and across both sides",
             "m s'' = m g sin i - 2 ks s until ks s = mu N, then constant; N as above; ks = kn",
             inert=frozenset({"xi"}),
         ),

@@ -109,13 +109,13 @@ def _pulse(p: Parameters) -> Trial:
         )  # fmt: skip
 
     returned = Scalar(
-        "returned", "R^2", "", "energy that comes back past the sphere 25, over what went",
+        "returned", "R^2", "", "energy that returns past sphere 25, over the energy sent",
         *measured(_returned), 1.0, _judge(RETURNED[p["jump"] != 1], _coarsest(p), PASSED),
     )  # fmt: skip
     quantities: tuple[Quantity, ...] = (part(0, NEAR), part(1, FAR), returned)
     if p["jump"] == 1.0:
         speed = Scalar(
-            "speed", "c/w0", "", "spheres that the pulse's middle passes in 1/w0",
+            "speed", "c/w0", "", "number of spheres that the middle of the pulse passes in 1/w0",
             *measured(lambda t, v: _speed(t, v) / w0), 1.0, _judge(4e-4, _coarsest(p), SPREADS),
         )  # fmt: skip
         quantities = (*quantities, speed)
@@ -160,7 +160,7 @@ def _judge(bound: float, coarsest: float, reason: str) -> Exact:
     }, not_judged=dict.fromkeys((Method.SECOND_ORDER, Method.FIRST_ORDER), OTHERS))  # fmt: skip
 
 
-OTHERS = "the phase that waves gain in a step is that of a leapfrog"
+OTHERS = "the phase advance of waves per step is that of a leapfrog"
 BALANCED = "the load balances the contacts at the start, and costs no order; "
 TURNS = "the phase of a leapfrog is too fast by (w dt)^2/24"
 LATE = (
@@ -186,8 +186,8 @@ CASE = Case(
         Parameter("m", 1.0, "kg", "mass of a sphere"),
         Parameter("jump", 1.0, "", "mass beyond the middle of the chain over that before"),
         Parameter("kn", 1e6, "N/m", "contact stiffness"),
-        Parameter("load", 100.0, "N", "what keeps the contacts closed"),
-        Parameter("part", 0.05, "", "size of the motion, in overlaps at rest"),
+        Parameter("load", 100.0, "N", "load that keeps the contacts closed"),
+        Parameter("part", 0.05, "", "amplitude of the motion, in overlaps at rest"),
     ),
     variants=(
         *(

@@ -40,11 +40,18 @@ def _declare(variant: str, p: Parameters) -> Trial:
     study = Ladder(scene(p), History(STEPS * dt[-1], dt[0]), (MOVED, MOVING), levels)
     judge = _judge(RESOLVED if variant == "resolved" else _drawn_together(dt[-1]))
     radius = _over_theory(
-        "radius", "rho/rho_O", "part of a swing that a step keeps",
+        "radius", "rho/rho_O", "factor by which a step multiplies an oscillation",
         w, abs, theory.spectral_radius, judge,
     )  # fmt: skip
     period = _over_theory(
-        "period", "T/T_O", "period of a swing in steps", w, _turns, theory.slowing, judge, 1.0
+        "period",
+        "T/T_O",
+        "period of an oscillation in steps",
+        w,
+        _turns,
+        theory.slowing,
+        judge,
+        1.0,
     )
     return Trial(study, (radius, period))
 
@@ -88,7 +95,7 @@ def _root(run: Run, w: float) -> complex:
     return complex(roots[np.argmax(roots.imag)])
 
 
-OTHERS = "the step of this class damps otherwise; implicit-swing judges those of DDA"
+OTHERS = "the step of this class has another damping; implicit-swing judges that of DDA"
 RIGID = "rigid contact has no spring: the block is thrown up, falls, and stays down"
 RESOLVED = Tolerance(1e-12, "the step is a linear map, fitted to a dozen outputs")
 

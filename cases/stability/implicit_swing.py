@@ -66,7 +66,7 @@ def _over_theory(
 
 def _ringing(w: float) -> Scalar:
     return Scalar(
-        "ringing", "lambda", "", "the root of larger size",
+        "ringing", "lambda", "", "the root of larger modulus",
         lambda run: float(max(_roots(run, w), key=abs).real), None, 1.0, RINGS,
     )  # fmt: skip
 

@@ -48,10 +48,10 @@ def _declare(variant: str, p: Parameters) -> Trial:
     return Trial(
         study,
         (
-            Scalar("way", "d/d_N", "", "way of the block over that of damped steps",
+            Scalar("way", "d/d_N", "", "displacement of the block over that of damped steps",
                    lambda run: _way(run) / due(run), 1.0, 1.0, _stepped(p["dd"])),
             Scalar("d", "d", "m", "way of the block", _way, None, 1.0, Shown(VANISHES)),
-            Scalar("of a t^2/2", "2d/at^2", "", "way of the block over what is right",
+            Scalar("of a t^2/2", "2d/at^2", "", "displacement of the block over the right one",
                    lambda run: _way(run) / whole, None, 1.0, Shown(VANISHES)),
         ),
     )  # fmt: skip
@@ -94,8 +94,8 @@ CASE = Case(
         "steps hand on all velocity refuse.",
     ),
     parameters=(
-        Parameter("dd", 0.97, "", "part of its velocity that a step hands on, r"),
-        Parameter("a", 1.0, "m/s2", "acceleration that the force alone would give"),
+        Parameter("dd", 0.97, "", "fraction of the velocity that is kept from step to step, r"),
+        Parameter("a", 1.0, "m/s2", "acceleration by the force without damping"),
         Parameter("t", 1.0, "s", "time simulated"),
     ),
     variants=(

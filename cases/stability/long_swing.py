@@ -78,16 +78,16 @@ def _declare(variant: str, p: Parameters) -> Trial:
 
 def _quantities(w: float) -> tuple[Quantity, ...]:
     rate = Scalar(
-        "rate", "phase/wt", "", "phase over that of the exact swing",
+        "rate", "phase/wt", "", "phase over that of the exact oscillation",
         lambda run: _swing(run, w).phase / (w * float(run.times[-1])), 1.0, 1.0, _second(SWIFT, w),
     )  # fmt: skip
     return (
         Scalar(
-            "drift", "max|I/I_0 - 1|", "", "how far v^2 + kappa w^2 x^2 strays, kappa fitted",
+            "drift", "max|I/I_0 - 1|", "", "variation of v^2 + kappa w^2 x^2, with kappa fitted",
             lambda run: _swing(run, w).drift, 0.0, 1.0, KEPT,
         ),
         Scalar(
-            "kappa", "kappa", "", "stiffness in the energy that is kept, over the spring's",
+            "kappa", "kappa", "", "stiffness in the conserved energy, over that of the spring",
             lambda run: _swing(run, w).kappa, 1.0, 1.0, _second(SOFT, w),
         ),
         rate,
@@ -97,7 +97,7 @@ def _quantities(w: float) -> tuple[Quantity, ...]:
             observe=lambda run: _swing(run, w).phase / _theory(run, w), judge=TURNS,
         ),
         Scalar(
-            "damping", "zeta", "", "damping ratio: the decrement of what is kept over its phase",
+            "damping", "zeta", "", "damping ratio: decrement of the invariant over its phase",
             lambda run: _damping(run, w), 0.0, 1.0, NONE,
         ),
     )  # fmt: skip
@@ -152,7 +152,7 @@ def _second(reason: str, w: float) -> Exact:
 
 
 OTHERS = dict.fromkeys(
-    (Method.SECOND_ORDER, Method.FIRST_ORDER), "the phase and the energy are those of a leapfrog"
+    (Method.SECOND_ORDER, Method.FIRST_ORDER), "phase and energy are those of a leapfrog"
 )
 ONLY_NEAR = "springs that stand in for a bond do so for small stretches only"
 ANGLES = (0.4, 0.2, 0.1, 0.05)  # w dt [rad]
@@ -161,7 +161,7 @@ BETWEEN = 5.05  # periods between two outputs
 SWIFT = "a leapfrog turns by 2 asin(w dt/2) a step: (w dt)^2/24 too fast, and 2 % for what follows"
 SOFT = "a leapfrog keeps m v^2/2 + k (1 - (w dt/2)^2) x^2/2, no more and no less"
 BALANCED = "the load balances the contact at the start, and costs no order; "
-KEPT = Invariant(1e-11, "rounding of up to a million steps; nothing else takes energy or gives any")
+KEPT = Invariant(1e-11, "rounding over up to a million steps; nothing else changes the energy")
 NONE = Exact(
     dict.fromkeys(
         (Method.EXACT, Method.LINEARISED, Method.LEAPFROG, Method.LATE_LEAPFROG),
@@ -172,7 +172,9 @@ NONE = Exact(
 THEORY = Tolerance(1e-12, "a leapfrog's phase is known; rounding moves it by 1e-14")
 TURNS = Exact(
     {Method.LEAPFROG: THEORY, Method.LATE_LEAPFROG: THEORY},
-    not_judged=dict.fromkeys((Method.EXACT, Method.LINEARISED), "it takes no steps of known phase")
+    not_judged=dict.fromkeys(
+        (Method.EXACT, Method.LINEARISED), "it has no steps with a known phase"
+    )
     | {**OTHERS, Method.PENALTY: ONLY_NEAR},
 )
 # m/s: the faster, the smaller the part of a swing that is lost as places round
@@ -181,7 +183,7 @@ NO_SIZE = frozenset({"v_a"})  # the swing is linear
 LAW = "x = (v_a/w) sin wt, w^2 = kn/m; a leapfrog: x_n = (v_a dt/sin a) sin na, a = 2 asin(w dt/2)"
 CASE = Case(
     name="long-swing",
-    title="Thousands of swings",
+    title="Thousands of oscillations",
     source=Source(
         *LI_2018,
         "The spring of T1 is bound both ways here, by a load that keeps the contact closed or by a "

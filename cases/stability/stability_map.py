@@ -89,7 +89,7 @@ EXPLORED = Shown(
 )
 CASE = Case(
     name="stability-map",
-    title="Stiffness against step",
+    title="Maps over stiffness and step",
     source=Source(
         *YAGODA_BIRAN_2016,
         "The scenes are those of the cases of these names, and of the tetrahedral unit of Liu et "

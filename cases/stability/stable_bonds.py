@@ -71,7 +71,8 @@ START, SPAN = 0.45, 5.0  # of the limit: where a search begins, and how far it g
 STEPS = 400
 FAR = 1e3  # swings of one element alone; the slow drift of a block is 400 of them at most
 OTHERS = dict.fromkeys(
-    (Method.SECOND_ORDER, Method.FIRST_ORDER), "the limit is that of a leapfrog; others have theirs"
+    (Method.SECOND_ORDER, Method.FIRST_ORDER),
+    "the limit is that of a leapfrog; other methods have other limits",
 )
 FOUND = Exact(
     dict.fromkeys(
@@ -90,7 +91,7 @@ MORE = Interval(
     "a block lacks bonds that the infinite lattice has, and no mode is faster with fewer springs: "
     "the limit 1.33548e-7 s of the lattice is safe for every block",
 )
-FORMULA = "a leapfrog is stable up to 2/w, w the fastest mode of the bonds"
+FORMULA = "a leapfrog is stable up to 2/w, where w is the fastest mode of the bonds"
 CASE = Case(
     name="stable-bonds",
     title="Largest stable step on bonds",

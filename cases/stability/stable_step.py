@@ -132,7 +132,8 @@ SHARP = Tolerance(
     "a step, d the excess, one with drag by exp(5 d), which takes d = 5e-4 to be seen",
 )
 OTHERS = dict.fromkeys(
-    (Method.SECOND_ORDER, Method.FIRST_ORDER), "the limit is that of a leapfrog; others have theirs"
+    (Method.SECOND_ORDER, Method.FIRST_ORDER),
+    "the limit is that of a leapfrog; other methods have other limits",
 )
 AS_LEAPFROGS = [method for method in Method if method not in OTHERS]
 EVERY = Exact(dict.fromkeys(AS_LEAPFROGS, SHARP), not_judged=OTHERS)
@@ -177,20 +178,20 @@ CASE = Case(
         "late drag, 0.6557 of 2/w at n/w = 0.43, if it says to be first.",
     ),
     parameters=(
-        Parameter("m", 21650635.0946, "kg", "mass, the lesser of two"),
-        Parameter("ratio", 1.0, "", "the other mass over it"),
+        Parameter("m", 21650635.0946, "kg", "mass, the smaller of two"),
+        Parameter("ratio", 1.0, "", "the other mass over the smaller one"),
         Parameter("kn", 5.5e9, "N/m", "normal contact stiffness"),
         Parameter("ks", 5.5e9, "N/m", "shear contact stiffness"),
         Parameter("mu", 0.1, "", "friction coefficient"),
         Parameter("dx", 0.5, "m", "overlap"),
         Parameter("eta", 3e8, "N s/m", "artificial viscosity"),
-        Parameter("v", 1e-6, "m/s", "velocity at the start, or of the base"),
+        Parameter("v", 1e-6, "m/s", "initial velocity, or velocity of the base"),
         Parameter("g", 9.81, "m/s2", "gravity, on the block alone"),
     ),
     variants=(
         Variant(
             "undamped",
-            "a sphere swings along a wall on its shear spring",
+            "a sphere oscillates along a wall on its shear spring",
             LIMIT,
             FREE,
             ALONE | HELD,
@@ -209,13 +210,13 @@ CASE = Case(
                 {**MASSES, "ratio": ratio},
                 frozenset({"dx", "v", "g"}),
                 level=Level.QUICK if ratio == 1e6 else Level.DEFAULT,
-                unseen={"ratio": "beside a mass so much larger, the lesser one swings alone"},
+                unseen={"ratio": "beside a much larger mass, the smaller one oscillates alone"},
             )
             for name, ratio in (("1e3", 1e3), ("1e6", 1e6))
         ),
         Variant(
             "block",
-            "a block on a base that begins to heave; the contact is rigid, kn stands in for it",
+            "a block on a base that begins to move up and down; kn represents the rigid contact",
             LIMIT,
             {"m": 2500.0, "kn": 1e8, "ks": 0.0, "mu": 0.0, "dx": 0.0, **FREE},
             frozenset({"ratio", "v", "g"}),

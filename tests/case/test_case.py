@@ -39,7 +39,10 @@ def test_an_answer_is_not_asked_for_until_a_run_is_measured_unless_a_user_poses_
     tiny.edit("reference_solutions/fall.py", "return", f"{refuse}\n    return")
     assert tiny.vv("run", "fall:up", "--dry-run").returncode == 0
     posed = tiny.vv("run", "fall:up", "--dry-run", "--set", "speed=4m/s")
-    assert (posed.returncode, "fall:up: no answer" in posed.stderr) == (Bit.USAGE, True)
+    assert (posed.returncode, "fall:up: with speed = 4.0 m/s: no answer" in posed.stderr) == (
+        Bit.USAGE,
+        True,
+    )
 
 
 @pytest.mark.parametrize("scale", [0.0, -1.0, float("nan"), float("inf")])
