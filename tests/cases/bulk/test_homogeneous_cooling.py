@@ -77,3 +77,18 @@ def test_spheres_that_only_fly_on_would_stay_at_one_speed() -> None:
     speeds = (gas.scene_of(1, p).spheres.velocity ** 2).sum(axis=1)
     assert speeds.max() == pytest.approx(speeds.min())
     assert cooling.flatness(gas.COUNT) * (1 - 0.5 * gas.SPREAD) > 1.5
+
+
+def test_contacts_hold_half_as_much_as_their_temperature_of_all_that_the_gas_has() -> None:
+    """A contact has T/2 in its spring and a sphere 3 T/2 in its motion."""
+    p = gas.CASE.defaults("elastic-1")
+    (met, *_) = gas.CASE.declare("elastic-1", p).quantities
+    assert isinstance(met, Scalar)
+    assert isinstance(met.reference, float)
+    whole = 1.5 * gas.COUNT * p["m"] * p["v"] ** 2
+    temperature = whole / (1.5 * gas.COUNT + 0.5 * met.reference)
+    found = cooling.gas(
+        gas.COUNT, side=gas.SIDE, d=2 * gas.RADIUS, m=p["m"], kn=p["kn"], temperature=temperature
+    )
+    due = cooling.touching(found, m=p["m"], kn=p["kn"])
+    assert met.reference == pytest.approx(due, rel=1e-4)  # its own search leaves 1e-5

@@ -49,6 +49,13 @@ def test_grains_start_loose_between_the_walls_and_the_floor() -> None:
         assert ((falls.position - wall.point) @ wall.normal >= falls.radius * (1 - 1e-9)).all()
 
 
+def test_what_is_poured_is_looser_than_grains_lie_by_less_than_a_quarter() -> None:
+    z, radius = SPHERES.position[:COUNT, 2], SPHERES.radius[:COUNT]
+    height = (z + radius).max() - (z - radius).min()
+    filled = (4 / 3 * np.pi * radius**3).sum() / (height * (10 * D) ** 2)
+    assert 0.46 < filled < 0.59
+
+
 def test_a_silo_that_empties_by_the_law_passes() -> None:
     assert set(_verdicts(_run(lambda t: LAW * t)).values()) == {"pass"}
 
