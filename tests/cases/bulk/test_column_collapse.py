@@ -53,6 +53,14 @@ def test_no_grain_overlaps_another_at_the_start() -> None:
     assert len(overlapping(SPHERES)) == 0
 
 
+def test_a_column_is_as_high_over_its_radius_as_the_law_of_its_run_out_is_told() -> None:
+    judge, z = TRIAL.quantities[0].judge, SPHERES.position[FALLS, 2]
+    assert isinstance(judge, Measured)
+    layers = len(set(np.round(z / D / np.sqrt(2 / 3))))  # of spheres in a close packing
+    height = (z.max() - z.min()) * layers / (layers - 1)
+    assert judge.measurement.value / 1.24 == pytest.approx(height / (5 * D), rel=0.05)
+
+
 def test_a_column_that_stands_has_not_run_out() -> None:
     assert _verdicts(_run(_still, _nil))["run-out"] == "fail"
 
