@@ -42,11 +42,12 @@ def balance(scene: Scene, bed: int, p: Parameters) -> tuple[Quantity, ...]:
 
     return (
         Series(
-            "given along", "J_x", "N s", "impulse of the base along it, less momentum of blocks",
+            "given along", "J_x", "N s", "impulse along the base minus momentum of the blocks",
             _given(scene, bed, 0), shook, Exact(along), scale=loads,
         ),
         Series(
-            "given upwards", "J_z", "N s", "impulse of the base upwards, less momentum of blocks",
+            "given upwards", "J_z", "N s", "vertical impulse of the base minus momentum of the "
+                                           "blocks",
             _given(scene, bed, 2), lambda t: mass * p["g"] * t,
             Exact(dict.fromkeys(_METHODS, SOLVED)), scale=loads,
         ),
@@ -65,7 +66,7 @@ def _late(rate: float) -> Tolerance:
         SOLVED.value,
         "a step that takes the shaking of its end gives dt/2 M (a(t) - a(0)) too much, at most M D "
         "w^2 dt, and a tenth more for the next term of Euler and Maclaurin's sum",
-        late=rate, slack="steps that are cut take it sooner",
+        late=rate, slack="a step that is cut has the shaking of an earlier time",
     )  # fmt: skip
 
 

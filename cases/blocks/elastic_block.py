@@ -88,15 +88,16 @@ def _pressed(p: Parameters, w: float) -> tuple[Quantity, ...]:
         "the step's damping has brought it to rest, where strains of a millionth are not nil, and "
         "the answer is linear in them",
     )
-    swings = {Method.DAMPED: "its step hardly damps, so that the block still swings"}
+    swings = {Method.DAMPED: "its step hardly damps, so that the block still oscillates"}
     rests = Exact({Method.PENALTY: still, Method.LAGGING: still}, not_judged=swings)
     return (
         Scalar("axial", "e_z", "", "strain along z at the end: half the weight over E",
                lambda run: _last(run, 2), strain[2], size, rests),
         Scalar("lateral", "e_x", "", "strain along x at the end: nu times as much, outwards",
                lambda run: _last(run, 0), strain[0], size, rests),
-        Scalar("sunk", "d", "m", "by how much the centroid has sunk", _sunk, sunk, sunk, rests),
-        Scalar("sunk-continuum", "d/d_c", "", "the same over rho g L^2/(3 E), a column's own",
+        Scalar("sunk", "d", "m", "downward displacement of the "
+                                 "centroid", _sunk, sunk, sunk, rests),
+        Scalar("sunk-continuum", "d/d_c", "", "the same over rho g L^2/(3 E), that of a column",
                lambda run: 0.75 * _sunk(run) / sunk, None, 1.0, Shown(SHORT)),
     )  # fmt: skip
 
@@ -238,27 +239,27 @@ CASE = Case(
         Parameter("rho", 2500.0, "kg/m3", "density"),
         Parameter("E", 1e10, "Pa", "Young's modulus"),
         Parameter("nu", 0.25, "", "Poisson's ratio"),
-        Parameter("g", 9.81, "m/s2", "gravity, which sets in at t = 0"),
+        Parameter("g", 9.81, "m/s2", "gravity, applied at t = 0"),
         Parameter("spin", 5.0, "1/s", "spin about z"),
     ),
     variants=(
         Variant(
             "pressed",
-            "at rest on its base, free to widen",
+            "at rest on its base, free to expand sideways",
             "e_z = -rho g L/(2 E), e_x = -nu e_z, d = rho g L^2/(4 E)",
             {},
             frozenset({"a", "b", "spin"}),
         ),
         Variant(
             "ringing",
-            "weight sets in on a block held across: one strain",
+            "weight applied to a block held in the other directions: one strain",
             "e_z = -(rho g L/(2 E)) (1 - cos w t), w^2 = 3 E/(rho L^2)",
             {},
             frozenset({"a", "b", "nu", "spin"}),
         ),
         Variant(
             "coupled",
-            "weight sets in on a block free to widen: three strains",
+            "weight applied to a block free to expand sideways: three strains",
             f"{HELD}, 4 times the inertia along z, F_z = -m g L/2",
             {},
             frozenset({"spin"}),

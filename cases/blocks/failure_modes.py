@@ -229,7 +229,8 @@ def _mode(number: int, point: Point, p: Parameters) -> Count:
     psi, delta = point
     judge = Exact(ALL, not_judged=CLEAR if _clear(p["phi"], psi, delta) else BORDERS)
     return Count(
-        f"psi={psi:.4g} delta={delta:.4g}", "mode", "0 stays, 1 slides, 2 topples, 3 does both",
+        f"psi={psi:.4g} delta={delta:.4g}", "mode", "0 stays, 1 slides, 2 topples, 3 slides and "
+                                                    "topples",
         lambda run: int(_seen(p, number, point, run)), int(_charted(p, point)), judge,
     )  # fmt: skip
 
@@ -269,9 +270,9 @@ LATE = (
     "friction of the iteration before lets blocks slip that should not: beside borders, and at "
     "large friction also elsewhere, modes are missed, and errors do not fall with step or stiffness"
 )
-SAME = Tolerance(1e-9, "the mode is a word: it is the chart's, or it is wrong")
+SAME = Tolerance(1e-9, "the mode is either that of the chart, or wrong")
 ALL = dict.fromkeys((Method.SECOND_ORDER, Method.FIRST_ORDER, Method.PENALTY), SAME)
-BESIDE = "half a degree from a border modes differ by less than the springs' own error"
+BESIDE = "half a degree from a border the modes differ by less than the error of springs"
 CLEAR, BORDERS = (
     {Method.LAGGING: LATE},
     {Method.LAGGING: LATE, Method.PENALTY: BESIDE},

@@ -312,7 +312,7 @@ def _driven() -> tuple[Variant, ...]:
                 {**sine, "phi": 30.0, "A": 20.0}, one_way),
         Variant("two-directions", "a sine along the dip and one along the strike", TURN,
                 {"alpha": 45.0, "phi": 50.0, "A": 2.0, "Ay": 1.0, "fy": 2.0, "duration": 6.0}),
-        Variant(FREE, "the same for a plate that may rotate, but by the physics does not", TURN,
+        Variant(FREE, "the same for a plate that is free to rotate, but does not", TURN,
                 {"alpha": 45.0, "phi": 50.0, "A": 2.0, "Ay": 1.0, "fy": 2.0, "duration": 3.0}),
         Variant("at-yield", "phi = alpha: the velocity touches zero once a cycle", NEWMARK,
                 {**sine, "phi": 20.0}, one_way | {"g"}),

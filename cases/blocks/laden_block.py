@@ -206,8 +206,10 @@ WHOLE = Tolerance(
     late=10.0,
     slack="a scheme that takes forces half a step before its velocities has no such error here",
 )
-EXACTLY = Tolerance(1e-13, "there is no event; only rounding errors of Taylor series remain")
-ROUNDED = Tolerance(1e-11, "nothing moves it there; only rounding of 40 000 steps is left")
+EXACTLY = Tolerance(1e-13, "no event; only rounding errors of Taylor series remain")
+ROUNDED = Tolerance(
+    1e-11, "no force acts in this direction; only rounding over 40 000 steps remains"
+)
 DRIFTS = dict.fromkeys(Method, ROUNDED) | {Method.EXACT: EXACTLY}
 SLIPS = {
     Method.EXACT: EXACTLY,
@@ -273,13 +275,13 @@ SLIP = (
 )
 CASE = Case(
     name="laden-block",
-    title="A laden block on a shaking slope",
+    title="A loaded block on a shaking slope",
     source=Source(
         "Newmark (1965), Effects of earthquakes on dams and embankments, Geotechnique 15(2), "
         "139-160",
         "10.1680/geot.1965.15.2.139",
-        "A block that slips under changing pressure, all the time one way, so that every drive has "
-        "its part in a closed form: dead load, shaking and a wall that lifts, each with a phase.",
+        "A block that slips under changing pressure, always in one direction, so that each drive "
+        "contributes in closed form: dead load, shaking and a lifting wall, each with a phase.",
     ),
     parameters=(
         Parameter("alpha", 30.0, "deg", "slope"),
@@ -294,7 +296,7 @@ CASE = Case(
     ),
     variants=(
         Variant("level", "a cube that cannot turn, thrown level along the slope", SLIP),
-        Variant("turning", "a plate that is free to rotate, but by the physics does not", SLIP),
+        Variant("turning", "a plate that is free to rotate, but does not", SLIP),
     ),
     declare=_declare,
 )  # fmt: skip

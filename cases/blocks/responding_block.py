@@ -184,7 +184,7 @@ def _whole_steps(p: Parameters) -> dict[Method, Tolerance]:
         "for pi D w/(2 mu g), the time in which friction ends it; where slip turns its direction, "
         "friction is late by up to w dt",
         late=late,
-        slack="turns come on a step by chance, where steps fit into the period",
+        slack="reversals fall on whole steps only if steps divide the period",
     )
     return {Method.FIRST_ORDER: bound} if late * STEP < LARGEST_TOLERANCE else {}
 
@@ -309,7 +309,7 @@ def _variants() -> tuple[Variant, ...]:
                 {"D": 0.3, "f": 2.0, "Dy": 0.2, "fy": 4.0}, inert=frozenset({"fz"})),
         Variant("3d", "along x, y and z: 0.1 m at 2, 4 and 1 Hz", MORE,
                 {"D": 0.1, "f": 2.0, "Dy": 0.1, "fy": 4.0, "Dz": 0.1, "fz": 1.0}),
-        Variant(FREE, "the same for a plate that may rotate, but by the physics does not", MORE,
+        Variant(FREE, "the same for a plate that is free to rotate, but does not", MORE,
                 {"D": 0.1, "f": 2.0, "Dy": 0.1, "fy": 4.0, "Dz": 0.1, "fz": 1.0, "duration": 2.0}),
         Variant("map", "3d over contact stiffness and step, as in Fig. 23", MORE,
                 {"D": 0.1, "f": 2.0, "Dy": 0.1, "fy": 4.0, "Dz": 0.1, "fz": 1.0},

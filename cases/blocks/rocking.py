@@ -148,8 +148,8 @@ def _phases(block: Leaning, rate: float, exact: _Exact) -> tuple[Quantity, ...]:
         Series("lean", "theta/alpha", "", "lean of the block over alpha",
                RotationAbout(CENTRE.body, Y, alpha, angle), lambda t: exact.leans(t) / alpha,
                Shown(JUDGED), 1.0),
-        Series("rate", "theta'/(p alpha)", "", "rate of the lean over p alpha: drawn over the lean "
-               "it is the phase picture", swift, lambda t: exact.rates(t) / (rate * alpha),
+        Series("rate", "theta'/(p alpha)", "", "rate of the lean over p alpha; plotted over the "
+               "lean it gives the phase plot", swift, lambda t: exact.rates(t) / (rate * alpha),
                Shown(JUDGED), 1.0),
     )  # fmt: skip
 
@@ -365,17 +365,18 @@ CASE = Case(
     parameters=(
         Parameter("b", 0.2, "m", "half the width"),
         Parameter("h", 0.6, "m", "half the height"),
-        Parameter("part", 0.6, "", "lean at the start over alpha, or amplitude over the threshold"),
+        Parameter("part", 0.6, "", "initial lean over alpha, or amplitude over the threshold"),
         Parameter("f", 1.0, "Hz", "frequency of the sine, of which half a period acts"),
         Parameter("mu", 0.6, "", "friction coefficient"),
         Parameter("g", 9.81, "m/s2", "gravity"),
         Parameter("duration", 1.5, "s", "time simulated"),
     ),
     variants=(
-        Variant("released", "let go at 0.6 alpha, through three impacts",
+        Variant("released", "released at 0.6 alpha, through three impacts",
                 "theta'' = -p^2 sin(alpha - theta), p^2 = 3 g/4R; rate times 1 - 1.5 sin^2 alpha "
                 "at impacts", inert=frozenset({"mu", "f"})),
-        Variant("stands", "half a sine, 1e-3 below the threshold, and back", SHAKEN := (
+        Variant("stands", "half a sine, 1e-3 below the threshold: it leans and "
+                          "returns", SHAKEN := (
                 "theta'' = p^2 (-sin(alpha - theta) + a/g cos(alpha - theta)), a = A sin wt to "
                 "t = pi/w"), {"part": 0.999}, frozenset({"mu"}), Level.DEFAULT),
         Variant("topples", "half a sine, 1e-3 beyond the threshold", SHAKEN, {"part": 1.001},
@@ -395,7 +396,8 @@ CASE = Case(
                     frozenset({"mu", "duration", "part"}), level)
             for name, what, level in (
                 ("search", "stiff contacts", Level.DEFAULT),
-                ("search-soft", "contacts of 1e7 N/m, where there are any", Level.PAPER),
+                ("search-soft", "contact springs of 1e7 N/m, in codes that have "
+                                "them", Level.PAPER),
             )
         ),
     ),

@@ -145,7 +145,7 @@ NOTE = (
 FORMULA = "e = 1 - 3/2 sin^2(alpha), tan(alpha) = b/h"
 CASE = Case(
     name="rocking-restitution",
-    title="What the impact of a rocking block leaves, measured over Housner's",
+    title="Restitution of a rocking block at impact, measured over Housner's",
     source=Source(
         "Housner (1963), The behavior of inverted pendulum structures during earthquakes, Bulletin "
         "of the Seismological Society of America 53(2), 403-417; measured by ElGawady, Ma, "
@@ -160,9 +160,9 @@ CASE = Case(
         Parameter("g", 9.81, "m/s2", "gravity"),
     ),
     variants=(
-        Variant("aspect-3", "three times as high as wide", FORMULA, inert=frozenset({"mu", "g"})),
+        Variant("aspect-3", "height three times the width", FORMULA, inert=frozenset({"mu", "g"})),
         Variant(
-            "aspect-5", "five times as high as wide", FORMULA, {"h": 1.0},
+            "aspect-5", "height five times the width", FORMULA, {"h": 1.0},
             frozenset({"mu", "g"}),
         ),
     ),

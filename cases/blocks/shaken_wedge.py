@@ -99,7 +99,7 @@ def _judge(p: Parameters, mass: float, path: Callable[[Vector], Vector]) -> Exac
             ),
             Method.FIRST_ORDER: Tolerance(
                 1e-5, "a slip begins and ends on a whole step, at a speed of no more than a dt",
-                dt=1e-3, order=1, slack="where in a step a slip ends is chance",
+                dt=1e-3, order=1, slack="a slip may end anywhere within a step",
             ),
             Method.PENALTY: Tolerance(
                 min(sprung, LARGEST_TOLERANCE),
@@ -154,7 +154,7 @@ CASE = Case(
             "s'' = g (sin i - K mu cos i) + A sin wt, K = 1/sin(xi/2)",
         ),
         Variant(
-            "level", "the sine acts level",
+            "level", "the sine acts horizontally",
             "s'' = g sin i + a cos i - K mu (g cos i - a sin i), a = A sin wt",
         ),
     ),

@@ -198,7 +198,7 @@ CASE = Case(
         Parameter("D", 1e-4, "m", "amplitude of the base"),
         Parameter("F", 5.0, "Hz", "its frequency"),
         Parameter("mu", 1000.0, "", "friction coefficient: no joint slips"),
-        Parameter("g", 9.81, "m/s2", "gravity, which presses the joints"),
+        Parameter("g", 9.81, "m/s2", "gravity, which compresses the joints"),
         Parameter("duration", 0.3, "s", "time simulated"),
     ),
     variants=(
@@ -210,5 +210,5 @@ CASE = Case(
         ),
     ),
     declare=_declare,
-    published={"Fig. 9": "2D-DDA keeps the wave form, once blocks and steps are tuned."},
+    published={"Fig. 9": "2D-DDA preserves the wave form, once blocks and steps are tuned."},
 )  # fmt: skip

@@ -25,7 +25,7 @@ from vv.scene import Vector
 AXES = np.eye(3)
 SWING = History(duration=2e-6, interval=2e-8)
 THROWN = 1e-8  # s: the coarsest step of what swings
-STRETCHED = "at this angle the turn stretches the unit, which is no linear effect"
+STRETCHED = "at this angle the rotation stretches the unit, which is a nonlinear effect"
 LINEAR = 1e-5  # strain: beyond it the square of the angle shows in the swing
 
 
@@ -106,7 +106,7 @@ def _swung(w: float) -> Exact:
                 1e-13, "the answer is a sine whose frequency is known to rounding"
             ),
             Method.LINEARISED: Tolerance(
-                1e-13, "no bond turns, so that the linear answer is exact"
+                1e-13, "no bond rotates, so that the linear answer is exact"
             ),
             Method.SECOND_ORDER: Tolerance(
                 float(min(angle**2 / 24 * max(whole, 1.0) * 1.7, LARGEST_TOLERANCE)),

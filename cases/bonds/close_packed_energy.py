@@ -136,7 +136,7 @@ def _held(p: Parameters, block: Lattice, E: float, strain: float) -> Scalar:
         held = energy((Form.NORMAL, Form.SHEAR), run)
         return float(np.interp(strain / abs(p["rate"]), run.times, np.sqrt(held))) ** 2
 
-    what = "elastic energy at half the strain at which the first bond opens, if pulled"
+    what = "in tension: elastic energy at half the strain at which the first bond opens"
     judge = LINEAR["pulled" if p["rate"] > 0 else "pressed"]
     return Scalar("E_e(half)", "E_e(half)", "J", what, observe, exact, exact, judge)
 
@@ -191,8 +191,8 @@ OTHER_RATE = "the paper loads in steps, 25 times more slowly on average"
 AS_SEEN = "viscosity adds to it at this rate; close-packed-strength has it at zero rate"
 CLASSES = (Method.SECOND_ORDER, Method.FIRST_ORDER)
 BOOKED = (
-    "the energy of a bond when it breaks, drag and friction are recorded as the scheme computes "
-    "them; the rest is due to bonds that turn and contacts that close within a step"
+    "the energy of breaking bonds, drag and friction are recorded as the scheme computes them; "
+    "the rest is due to bonds that rotate and contacts that close within a step"
 )
 CLOSED = {
     "pulled": Tolerance(1e-6, BOOKED, dt=1e-8, order=2),

@@ -93,10 +93,10 @@ def _counted(
         return min((half(run) - half_due(way) for way in histories()), key=abs)
 
     return (
-        Series("opened", "n", "", "bonds that are open, each of which turns kn xb^2/2 to heat",
+        Series("opened", "n", "", "number of open bonds, each of which converts kn xb^2/2 to heat",
                opened, None, Shown(MOMENT)),
-        Scalar("all opened", "n/n_level", "", "what opened before inclined bonds slide, over all "
-               "level bonds", lambda run: float(opened(run)[_before(run)]) / level, 1.0, 1.0,
+        Scalar("all opened", "n/n_level", "", "bonds that open before inclined bonds slide, over "
+               "all level bonds", lambda run: float(opened(run)[_before(run)]) / level, 1.0, 1.0,
                STRETCHED),
         Scalar("half opened", "e_half", "", "strain at which half of all level bonds are open",
                half, half_due, half_due, Shown(TIED)),
@@ -273,7 +273,7 @@ WAVES = (
 )
 PACED = "both grow with what a bond is stretched by, of xb, while a wave passes it"
 TIES = (0.02, 0.005, 0.08)  # of the largest stretch: bonds that open at once; the first is shown
-TIED = "no balance says which of nearly equal bonds opens first, and this may depend on it"
+TIED = "which of nearly equal bonds opens first is not determined, and this may depend on it"
 STRETCHED = _both(
     5e-2, "a bond is stretched by up to a step more than xb as it opens, faster where others open"
 )

@@ -141,7 +141,8 @@ def _measured(
             "E-excess",
             "E/E_n - 1",
             "",
-            "by how much E is above the lattice's along the load, which along c is Eq. 6",
+            "relative difference of E from that of the lattice along the load, which along c is "
+            "Eq. 6",
             excess,
             None,
             1.0,
@@ -182,7 +183,7 @@ def _judge(strain: float, turning: bool) -> Judge:
 
 LEFT = (
     "at a constant rate the step has no effect; the rest is of first order in the strain, since "
-    "bonds turn with it"
+    "bonds rotate with it"
 )
 LEFT_TURNING = (
     "rotation is damped through the centres only, and 1e-5 of it is left; bonds turn as well"
@@ -228,7 +229,7 @@ VARIANTS = (
         )
     ),
     Variant(
-        "82-turning", "82 elements, free to turn, which the paper's are not",
+        "82-turning", "82 elements that are free to rotate, unlike those of the paper",
         f"{BALANCE}, u less (d/2) (w_i + w_j) x n", inert=frozenset({"m"}), level=Level.DEFAULT,
         unseen=NO_SIZE,
     ),

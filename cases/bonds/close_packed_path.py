@@ -83,7 +83,7 @@ def _moduli(
             )  # fmt: skip
     last = functools.partial(observed, "E", block, since=1, until=STOPS[-1])
     yield Scalar(
-        "grown", "E/E_0 - 1", "", "E of the whole way over that at no strain, less 1",
+        "grown", "E/E_0 - 1", "", "E of the whole path over E at zero strain, minus 1",
         lambda run: last(run) / small().E - 1.0, None, 1.0, Shown(GROWS),
     )  # fmt: skip
 

@@ -147,7 +147,8 @@ BEYOND = 1.1  # of the strain at failure
 LARGE = 2166  # elements, beyond which one step is all that is run
 PUBLISHED = {
     "T_u": "the paper's mean over its blocks is -8.89 %",
-    "C_u": "the paper's mean over its blocks is -18.51 %, which rigid smooth platens do not give",
+    "C_u": "the paper's mean over its blocks is -18.51 %, which rigid smooth platens do not "
+    "reproduce",
 }
 TOLD = "the strength is extrapolated from two rates; this is the error that one rate would leave"
 FACES = "the equation is for a lattice without faces; shown for comparison with the paper"

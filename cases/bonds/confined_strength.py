@@ -116,7 +116,7 @@ def _slopes(p: Parameters, exact: list[Failure]) -> tuple[Quantity, ...]:
         return (_strength(p, last, run) - _strength(p, 0, run)) / across
 
     return (
-        Scalar("P", "P", "", "what the horizontal stress adds to C_u, over it", slope, due, due,
+        Scalar("P", "P", "", "increase of C_u over the horizontal stress", slope, due, due,
                _balances(p, swing)),
         Scalar("P over Eq. 15", "P/P_15", "", "the same over P as printed", lambda run:
                slope(run) / printed, None, 1.0, Shown(HALF)),

@@ -113,10 +113,10 @@ SLOW = (
     "what inertia leaves of the path, some (rate/w)^2 over the strain, w^2 = kn/m; and, "
     "at any strain, shear springs that are turned half a step late, up to 3e-7 of nu at gamma = 1"
 )
-SLACK = "springs turned at the middle of a step do not lag, and inertia fades with the strain"
+SLACK = "springs that rotate at mid-step do not lag; the effect of inertia falls with the strain"
 BESIDE = Shown(
-    "Eqs. 4 and 6 hold for small strains; the error is what the first order in the strain leaves, "
-    "over the strain"
+    "Eqs. 4 and 6 hold for small strains; the error is of first order in the strain, and is "
+    "divided by it"
 )
 RUNGS = tuple(Knobs(dt=4e-8 / 2**i) for i in range(4))
 LEVELS = {Level.QUICK: RUNGS[:2], Level.DEFAULT: RUNGS[:2], Level.PAPER: RUNGS}
@@ -142,7 +142,8 @@ CASE = Case(
     parameters=(
         *ELASTIC,
         Parameter("strain", 5e-3, "", "the largest axial strain, tension positive"),
-        Parameter("rate", 12.5, "1/s", "size of the strain rate at most: outputs are whole steps"),
+        Parameter("rate", 12.5, "1/s", "upper bound of the strain rate, since outputs are at "
+                                       "whole steps"),
     ),
     variants=(
         *(

@@ -250,14 +250,14 @@ OWN = {
     "C_u": "the paper's own run is 1.73 % below, with its viscosity at its rate",
 }
 BOOKED = (
-    "the energy of a bond when it breaks is recorded as the scheme computes it; the rest is due to "
-    "bonds that turn and contacts that close within a step"
+    "the energy of breaking bonds is recorded as the scheme computes it; the rest is due to bonds "
+    "that rotate and contacts that close within a step"
 )
 PARTED = (
     f"{BOOKED}; and a contact that ends within a step gives and takes what its springs do not "
     "hold, by the squares of the step and of the rate at which the unit flies apart"
 )
-FEW = "pulled apart, the unit hardly turns its bonds"
+FEW = "in tension the bonds of the unit hardly rotate"
 RATE = (
     "the strength at zero rate is extrapolated from two rates; the error is of second order in the "
     "rates, larger on the longer way under pressure, and does not depend on the step"
@@ -298,7 +298,7 @@ CASE = Case(
         *(
             Variant(
                 name, f"at the paper's rate, with Eq. 28 for V = {HURRIED[name]:.4g} d^3",
-                "as without rate; at it, what viscosity leaves is shown", _of_paper(name),
+                "as at zero rate; at this rate the effect of viscosity is shown", _of_paper(name),
                 frozenset({"m", "eta", "rate"}),
                 Level.DEFAULT if name.startswith("pulled") else Level.PAPER,
             )

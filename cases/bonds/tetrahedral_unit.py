@@ -248,17 +248,19 @@ VARIANTS = (
         for way, strain in (("pulled", 1e-5), ("pressed", -1e-5))
     ),
     Variant(
-        "turning", "elements free to turn, which the paper's are not: E is lower by 11.8 %",
+        "turning", "elements that are free to rotate, unlike those of the paper: E is lower by "
+                   "11.8 %",
         f"{PATH}, Fs1 = 0", inert=IN_BALANCE | {"gamma"}, unseen=LOADED,
     ),
     Variant(
-        "breathing", "free in space, all bonds swing as one; no bond turns, at any amplitude",
+        "breathing", "free in space, all bonds oscillate in phase; no bond rotates, at any "
+                     "amplitude",
         "L = d (1 + A sin 2 sqrt(kn/m) t)", {"strain": 0.01, "eta": 0.0},
         inert=frozenset({"gamma"}),
     ),
     Variant(
         "turned", "rotating as a whole: elements that cannot rotate resist it, an artefact",
-        "2 ks d^2 a^2 of energy at an angle a, which swings at 2 sqrt(ks/m)",
+        "energy 2 ks d^2 a^2 at an angle a, which oscillates at 2 sqrt(ks/m)",
         {"eta": 0.0},
     ),
 )  # fmt: skip

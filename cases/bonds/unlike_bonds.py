@@ -165,8 +165,8 @@ def _judge(p: Parameters, turned: float) -> Exact:
     """turned: by what part shears turned by steps of first order grow, over the step [1/s]."""
     coarsest = COARSEST * _unit(p)
     second = Tolerance(8e-3, AHEAD + TURNED, dt=coarsest, order=2, floor=1e-7, late=turned)
-    late = Tolerance(3e-2, "a weight or a drag that is half a step late shifts what swings by "
-                     "w dt/2", dt=coarsest, order=1)  # fmt: skip
+    late = Tolerance(3e-2, "weight or drag that acts half a step late shifts the phase of "
+                     "oscillations by w dt/2", dt=coarsest, order=1)  # fmt: skip
     exact = Tolerance(1e-11, "no event: modes, to rounding")
     return Exact({
         Method.EXACT: exact,
@@ -223,7 +223,8 @@ CASE = Case(
             {"g": 0.0, "eta": 20.0}, frozenset({"ks", "spin"}),
         ),
         Variant(
-            "spinning", "a line of four, each bonded to its neighbours, that spin and swing aside",
+            "spinning", "a row of four spheres, each bonded to its neighbours, that spin and "
+                        "oscillate sideways",
             "x' = A x for places, velocities, spins across and shears, x = exp(A t) x(0)",
             {"v": 1e-4, "stretch": 0.0, "g": 0.0}, frozenset({"kn"}),
         ),

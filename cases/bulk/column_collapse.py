@@ -222,7 +222,7 @@ HEAT = (
     "friction, dashpots and spins take energy and springs hold some, none of which gives any; a "
     "velocity may be told a step of free fall late"
 )
-NO_PULL = "the floor only pushes, up or aside, so that nothing hurries what falls"
+NO_PULL = "the floor only pushes, upwards or sideways, so that nothing falls faster than freely"
 FLOORED = "grains of the floor are closer than their diameters allow any to pass"
 FORMULA = "(r - r0)/r0 = 1.24 a, a = h0/r0 < 1.7; E(t) <= E(0); z(t) >= z(0) - g t^2/2"
 NOTE = (

@@ -158,9 +158,9 @@ def _elastic(scene: Scene, p: Parameters, dt: float) -> Trial:
         "of 24 seeds all lie within 6 % of their mean, which is 0.4 +- 1.1 % (95 %) below",
     )  # fmt: skip
     spread = _scalar(
-        "flatness", "<v4>/<v2>2", "", "of speeds, which were all the same at t = 0",
+        "flatness", "<v4>/<v2>2", "", "of the speeds, which are all equal at t = 0",
         functools.partial(flatness), cooling.flatness(COUNT), SPREAD,
-        "of 24 seeds all lie within 3.5 % of what is right",
+        "all of 24 seeds lie within 3.5 % of the exact value",
     )  # fmt: skip
     kept = _scalar(
         "energy", "E", "J", "energy of motion and of springs at the end",
@@ -179,7 +179,7 @@ def _declare(variant: str, p: Parameters) -> Trial:
     return (_cooled if p["z"] > 0 else _elastic)(scene, p, dt)
 
 
-DRAWN = "told in units of twice this, so that what is chance does not move a result"
+DRAWN = "rounded to units of twice this scatter, so that chance does not change a result"
 WIDE = "one seed tells it to some per cent, and it is told in units of 15 to 20 %"
 CASE = Case(
     name="homogeneous-cooling",

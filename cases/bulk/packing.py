@@ -190,7 +190,7 @@ SLOWEST = "half of all packs leave less than 4e-9, but how long a pack takes to 
 REST = {
     method: Tolerance(
         0.5 * FINE,
-        "what still moves: the slowest of 40 packs leaves 4e-6 after 2.1 s",
+        "residual motion: the slowest of 40 packs has 4e-6 after 2.1 s",
         slack=SLOWEST,
     )
     for method in (Method.SECOND_ORDER, Method.FIRST_ORDER)

@@ -138,12 +138,13 @@ CASE = Case(
     source=Source(
         "Landau and Lifshitz (1976), Mechanics, 3rd edition, Butterworth-Heinemann, section 11",
         "",
-        "The pendulum of problem 1, upside down. Two edges that cross touch at a point, which "
-        "friction keeps: the normal of the contact is that of both edges and turns with the prism.",
+        "The pendulum of problem 1, upside down. Two crossed edges touch at a point, which "
+        "friction holds in place. The contact normal is perpendicular to both edges and rotates "
+        "with the prism.",
     ),
     parameters=(
         Parameter("crossing", 60.0, "deg", "angle between the edges"),
-        Parameter("theta", 0.1, "rad", "how far the prism leans at the start"),
+        Parameter("theta", 0.1, "rad", "initial lean of the prism"),
         Parameter("rho", 2500.0, "kg/m3", "density"),
         Parameter("mu", 0.8, "", "friction coefficient"),
         Parameter("g", 9.81, "m/s2", "gravity"),

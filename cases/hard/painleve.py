@@ -78,8 +78,8 @@ LEVELS = {
 }
 CRITICAL = 4 / 3  # friction at which a rod of slope 2 jams
 SPRUNG = (
-    "springs let the end sink and throw it up again, the more the nearer to the paradox and beyond "
-    "it: what they do is their own, and does not tend to rigid contact"
+    "on springs the end sinks and is thrown up again, more so near the paradox and beyond it; "
+    "this motion does not converge to rigid contact"
 )
 SHOWN = dict.fromkeys((Method.PENALTY, Method.LAGGING), SPRUNG)
 SLIDING = Tolerance(
@@ -118,8 +118,8 @@ IMPACT = Tolerance(
 )
 AT_ENDS = Tolerance(
     1e-3,
-    "friction of a step is that at its end: the whole of its change, 2e-3 of the speed at 1e-3 s, "
-    "of which the way has half; a stop is seen at the end of a step",
+    "friction of a step is that at its end: an error of its change in a step, 2e-3 of the speed "
+    "at 1e-3 s, and half of that in the displacement; a stop takes effect at the end of a step",
     dt=1e-3,
     order=1,
 )
@@ -140,7 +140,7 @@ JAMS = Exact(
     {Method.SECOND_ORDER: LOCATED, Method.FIRST_ORDER: JAMMED},
     not_judged=SHOWN,
 )
-SHORT = {"half": "in 0.04 s the rod turns too little for its length to show"}
+SHORT = {"half": "in 0.04 s the rod rotates too little for its length to matter"}
 CASE = Case(
     name="painleve",
     title="Painleve's paradox",
@@ -156,7 +156,7 @@ CASE = Case(
         Parameter("mu", 1.0, "", "friction coefficient"),
         Parameter("slope", 2.0, "", "tan(theta), the rod's slope at the start"),
         Parameter("half", 1.0, "m", "half the rod's length"),
-        Parameter("V", 2.0, "m/s", "speed at the start"),
+        Parameter("V", 2.0, "m/s", "initial speed"),
         Parameter("g", 9.81, "m/s2", "gravity"),
         Parameter("m", 100.0, "kg", "mass"),
     ),
@@ -169,8 +169,9 @@ CASE = Case(
         for mu, where, inert, level in (
             (0.8, "slides", frozenset(), Level.QUICK),
             (1.3, "slides and soon stops, at 25 times its weight", frozenset(), Level.DEFAULT),
-            (1.34, "just in the paradox: it jams", frozenset({"mu"}), Level.DEFAULT),
-            (2.0, "deep in the paradox: it jams", frozenset({"mu"}), Level.QUICK),
+            (1.34, "just beyond the limit of the paradox: it "
+                   "jams", frozenset({"mu"}), Level.DEFAULT),
+            (2.0, "far beyond the limit of the paradox: it jams", frozenset({"mu"}), Level.QUICK),
         )
     ),
     declare=_declare,

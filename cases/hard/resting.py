@@ -156,7 +156,8 @@ def _above(p: Parameters) -> Exact:
     """w: of the quickest swing of a sheet, w^2 = 6 kn/m."""
     second = Tolerance(
         float(min(6.0 * p["kn"] / p["m"] * STEPS[0] ** 2 / 8, LARGEST_TOLERANCE)),
-        "friction only takes energy; a leapfrog's, at whole steps, swings by (w dt)^2/8 of itself",
+        "friction only dissipates energy; that of a leapfrog, at whole steps, oscillates by a "
+        "relative (w dt)^2/8",
         dt=STEPS[0], order=2,
     )  # fmt: skip
     return Exact(dict.fromkeys(BOTH, second))
@@ -216,10 +217,10 @@ def _swings(unit: float) -> Exact:
         order=2,
     )
     late = Tolerance(
-        0.4 * coarsest, "a weight that sets in half a step late shifts the swing by w dt/2, of "
-        "which its speed makes half", dt=coarsest * unit, order=1,
+        0.4 * coarsest, "a weight that acts half a step late shifts the phase of the oscillation "
+        "by w dt/2, of which half appears as an error", dt=coarsest * unit, order=1,
     )  # fmt: skip
-    exact = Tolerance(1e-12, "no event: a swing, to rounding")
+    exact = Tolerance(1e-12, "an oscillation without events, exact to rounding")
     return Exact({Method.EXACT: exact, Method.SECOND_ORDER: second, Method.FIRST_ORDER: late})
 
 
@@ -266,7 +267,7 @@ STEADY = dict.fromkeys(
     "the positions of rest are made of them; what is judged is that nothing moves",
 )
 LOST_ONLY = dict.fromkeys(
-    (*STEADY, "v"), "what is judged is that energy is only lost, at any size of what is lost"
+    (*STEADY, "v"), "the quantity judges that energy is only lost, whatever the amount"
 )
 KNOCKED = "E(t) <= E(s) for any s < t, E of motion, weight and springs"
 CASE = Case(
@@ -279,14 +280,14 @@ CASE = Case(
     ),
     parameters=(
         Parameter("n", 6.0, "", "spheres in a long row"),
-        Parameter("rows", 6.0, "", "rows, long and short in turn"),
+        Parameter("rows", 6.0, "", "rows, alternately long and short"),
         Parameter("m", 1.3, "kg", "mass of a sphere"),
         Parameter("kn", 1e6, "N/m", "normal contact stiffness"),
         Parameter("ks", 8e5, "N/m", "shear contact stiffness"),
         Parameter("mu", 0.3, "", "friction coefficient"),
         Parameter("g", 9.81, "m/s2", "gravity"),
-        Parameter("squeeze", 2e-4, "", "how much narrower the box is than the sheet"),
-        Parameter("v", 0.0, "m/s", "speed of each sphere at the start"),
+        Parameter("squeeze", 2e-4, "", "difference of the widths of sheet and box"),
+        Parameter("v", 0.0, "m/s", "initial speed of each sphere"),
     ),
     variants=(
         Variant("still", "left undisturbed for 0.1 s", "u = 0", unseen=STEADY),
@@ -296,8 +297,8 @@ CASE = Case(
         ),
         Variant(
             "held",
-            "a sphere pressed between two walls, which friction holds up by 0.5 % more than it "
-            "needs: with 1 % less it slips, with none it falls",
+            "a sphere pressed between two walls, with 0.5 % more friction than it needs to stay: "
+            "with 1 % less it slips, with none it falls",
             "z = -(m g/2 ks)(1 - cos wt), w^2 = 2 ks/m, while m g < mu N, N = kn r squeeze; else "
             "it slides where its springs bear mu N",
             {"squeeze": HELD_BY}, frozenset({"n", "rows"}),

@@ -63,7 +63,7 @@ def _declare(variant: str, p: Parameters) -> Trial:
     bounces = Count(
         name="bounces",
         symbol="n",
-        meaning="times it leaves the floor",
+        meaning="number of times it leaves the floor",
         observe=lambda run: _leaves(HEIGHT(run) + p["height"]),
         reference=lambda: _bounces(settling.stages(**law)),
         judge=Exact(dict.fromkeys(PATH, WHOLE)),
@@ -120,16 +120,16 @@ CASE = Case(
     title="Bounces to rest",
     source=Source(
         *LI_2018,
-        "The law is that of T2, under gravity and again and again. The spring makes the number of "
-        "bounces finite; with a coefficient of restitution it would not be, but that is no term of "
-        "a scene; the case `dashpot` is about what a dashpot restores.",
+        "The contact law is that of T2, here under gravity and in many bounces. With a spring the "
+        "number of bounces is finite; with a coefficient of restitution, which is not a term of "
+        "scenes, it would be infinite. The case `dashpot` is about the restitution of a dashpot.",
     ),
     parameters=(
         Parameter("m", 1.0, "kg", "mass"),
         Parameter("kn", 1e6, "N/m", "contact stiffness"),
         Parameter("eta", 20.0, "N s/m", "artificial viscosity"),
         Parameter("g", 9.81, "m/s2", "gravity"),
-        Parameter("height", 2e-3, "m", "height over the floor at the start"),
+        Parameter("height", 2e-3, "m", "initial height above the floor"),
     ),
     variants=(
         Variant(

@@ -149,8 +149,8 @@ def _judge(p: Parameters, unit: float) -> Exact:
 
 def _balance(unit: float) -> Scalar:
     """unit: 1/w [s]."""
-    step, exact = STEPS[0], Tolerance(1e-12, "no event: what is left is rounding")
-    late = "that of the first half step, as no contact opens or slips"
+    step, exact = STEPS[0], Tolerance(1e-12, "no event: only rounding errors remain")
+    late = "the error of the first half step, since no contact opens or slips"
     second = Tolerance(step**2 / 200, f"{late}: some (w dt)^2/200", dt=step * unit, order=2)
     first = Tolerance(step / 40, f"{late}, which begins late", dt=step * unit, order=1)
     return balance({Method.EXACT: exact, Method.SECOND_ORDER: second, Method.FIRST_ORDER: first})
@@ -177,11 +177,12 @@ CASE = Case(
         Parameter("u", 1e-5, "m", "overlap at rest"),
         Parameter("z", 0.05, "", "drag over critical drag"),
         Parameter("zn", 0.0, "", "viscosity of contacts over the critical one"),
-        Parameter("g", 9.81, "m/s2", "gravity, which the load makes up for"),
+        Parameter("g", 9.81, "m/s2", "gravity, which the load balances"),
     ),
     variants=(
-        Variant("corner", "three walls that move, and the sphere shaken", FORMULA, inert=SCALES),
-        Variant("wall", "one wall that moves up and along, on which it sticks", FORMULA,
+        Variant("corner", "three moving walls, and shaking of the sphere", FORMULA, inert=SCALES),
+        Variant("wall", "one wall that moves along its normal and its plane, to which the sphere "
+                        "sticks", FORMULA,
                 inert=SCALES),
         Variant("viscous", "thrown into three fixed walls with viscous contact", FORMULA,
                 {"zn": 0.1}, SCALES),

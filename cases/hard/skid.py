@@ -92,8 +92,9 @@ CASE = Case(
         "Walton (1993), Numerical simulation of inclined chute flows of monodisperse, inelastic, "
         "frictional spheres, Mechanics of Materials 16, 239-247",
         "10.1016/0167-6636(93)90048-V",
-        "Where slip lasts, the impulse along a wall is mu times that across it. The sphere does "
-        "not turn and kn is without loss: it leaves as fast as it came, and slower along the wall.",
+        "If slip lasts throughout the contact, the tangential impulse is mu times the normal one. "
+        "The sphere does not rotate and kn has no losses: its normal velocity is reversed, and "
+        "its tangential velocity is reduced.",
     ),
     parameters=(
         Parameter("m", 1.0, "kg", "mass"),
@@ -101,7 +102,7 @@ CASE = Case(
         Parameter("ks", 8e5, "N/m", "shear stiffness"),
         Parameter("mu", 0.4, "", "friction coefficient"),
         Parameter("vn", 0.01, "m/s", "speed towards the wall"),
-        Parameter("vt", 0.02, "m/s", "speed along it"),
+        Parameter("vt", 0.02, "m/s", "speed along the wall"),
     ),
     variants=(
         Variant("wall", "oblique to the frame, slip throughout",

@@ -109,7 +109,7 @@ def _judge(coarsest: float) -> Exact:
         dt=coarsest, order=2, floor=1e-8,
     )  # fmt: skip
     first = Tolerance(
-        5e-2, "an impact seen at the end of its step: dt V over the way of both together, 0.04 m",
+        5e-2, "an impact at the end of its step: dt V over the common displacement, 0.04 m",
         dt=coarsest, order=1,
         slack="prisms that touch at t = 0 meet in the first step, which has no such error",
     )  # fmt: skip
@@ -128,7 +128,7 @@ def _middle(p: Parameters, speed: float, seen: tuple[Observable, ...]) -> Series
 
     judge = Exact(dict.fromkeys(
         (Method.SECOND_ORDER, Method.FIRST_ORDER, Method.PENALTY, Method.LAGGING),
-        Tolerance(1e-11, "momentum is kept, to the rounding of some hundred steps"),
+        Tolerance(1e-11, "momentum is conserved, to the rounding of some hundred steps"),
     ))  # fmt: skip
     what = "displacement of the centre of mass of both"
     return Series("middle", "middle", "m", what, observe, lambda t: speed * t, judge)
@@ -156,7 +156,7 @@ CASE = Case(
     variants=(
         Variant(
             "crossed", "prisms of 1 m and 0.8 m, whose edges cross at 70 deg",
-            "V m2/(m1 + m2) for both, and no spin",
+            "V m2/(m1 + m2) for both, without spin",
             inert=frozenset({"crossing", "a1", "a2"}),
         ),
     ),

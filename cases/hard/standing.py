@@ -191,14 +191,14 @@ FALLS = Exact(
             dt=2.5e-3, order=2,
         ),
         Method.FIRST_ORDER: Tolerance(
-            2.5e-2, "a fall that starts half a step off: dt over the 0.2 s of the fall, twice",
+            2.5e-2, "a fall that starts half a step late: dt over the 0.2 s of the fall, twice",
             dt=2.5e-3, order=1,
         ),
     },
     not_judged=dict.fromkeys(SPRUNG, HINGED),
 )  # fmt: skip
 FOR_ARCHES = frozenset({"part"})
-STEADY = "what stands does so at any size and weight, and with any friction that is enough"
+STEADY = "a structure that stands does so at any size and weight, and with any sufficient friction"
 STACKED = dict.fromkeys(("size", "n", "mu", "g"), STEADY)
 CASE = Case(
     name="standing",
@@ -229,7 +229,7 @@ CASE = Case(
             "u = 0 for t > t_min",
             {"mu": 1.0}, frozenset({"n"}), unseen={
                 **dict.fromkeys(("size", "mu", "g"), STEADY),
-                "part": "a thicker arch stands as well, and one a percent thinner falls: arch-thin",
+                "part": "a thicker arch stands too, and one that is 1 % thinner falls: arch-thin",
             },
         ),
         Variant(

@@ -125,7 +125,7 @@ def _judge(unit: float) -> Exact:
 
 def _balance(unit: float) -> Scalar:
     step = Tolerance(
-        5.0 / STEPS[0] ** 2, "as for the path: energy swings by (w dt)^2/4 at most",
+        5.0 / STEPS[0] ** 2, "as for the path: energy oscillates by (w dt)^2/4 at most",
         dt=unit / STEPS[0], order=2,
     )  # fmt: skip
     return balance({Method.SECOND_ORDER: step})

@@ -161,8 +161,8 @@ BAND = (
     "was measured too, and which the sliding of all impacts beyond 25 degrees confirms"
 )
 NOT_HELD = {
-    "linear": "below 15 degrees spheres stick, in part: micro-slip, which this law has not, takes "
-    "9 to 10 % at 2 to 4 degrees",
+    "linear": "below 15 degrees spheres stick in part: micro-slip, which this law lacks, takes 9 "
+    "to 10 % at 2 to 4 degrees",
     "hertz": "below 25 degrees spheres stick, in part: without micro-slip, Mindlin's stiffness "
     "gives almost all back at 2 degrees, where a fifth was lost",
     "micro-slip": "below 15 degrees spheres stick at first, or soon: the law returns 0.3 to 6 % "

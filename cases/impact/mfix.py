@@ -204,7 +204,8 @@ def _declare(variant: str, p: Parameters) -> Trial:
 def _judge(setting: Setting) -> Exact:
     step, unit = setting.steps[0], setting.unit
     return Exact({
-        Method.EXACT: Tolerance(1e-11, "events located to rounding, of which some follow others"),
+        Method.EXACT: Tolerance(1e-11, "events located to rounding, some of which depend on "
+                                       "earlier ones"),
         Method.SECOND_ORDER: Tolerance(
             setting.square * step**2,
             "(w dt)^2/24 of each swing's phase, and (w dt)^2/12 where a contact begins and ends, "

@@ -172,7 +172,7 @@ def _judge(unit: float, z: float, read: float) -> Exact:
 
 def _balance(unit: float) -> Scalar:
     step = Tolerance(
-        5.0 / STEPS[0] ** 2, "as for the path: energy swings by (w dt)^2/4 at most",
+        5.0 / STEPS[0] ** 2, "as for the path: energy oscillates by (w dt)^2/4 at most",
         dt=unit / STEPS[0], order=2,
     )  # fmt: skip
     exact = Tolerance(1e-12, "one event; only rounding errors remain")

@@ -82,10 +82,10 @@ STIFFNESSES = {
     Level.PAPER: tuple(10.0**n for n in range(4, 13)),
 }
 EXPLORED = Shown(
-    "a map: soft springs let a block sink and lag, stiff ones call for small steps, and beyond a "
-    "step that each code has, it blows up; shear springs that a code chooses 25 times as stiff "
-    "lower its limit to a fifth of that of the normal spring. The unit swings at the same rate at "
-    "any stiffness: a row that is unlike others shows what a code takes for small or large"
+    "a map: on soft springs a block sinks and lags, stiff ones need small steps, and each code "
+    "diverges beyond some step; shear springs that are 25 times as stiff as normal ones lower the "
+    "limit to a fifth. The unit oscillates at the same rate at any stiffness: a row that differs "
+    "from the others shows an absolute threshold in a code"
 )
 CASE = Case(
     name="stability-map",
