@@ -61,7 +61,7 @@ def simulate(ask: Plan, watched: bool, watch: Stopwatch) -> tuple[object, Plan]:
 
 
 def turning(ask: Plan) -> bool:
-    """Whether a sphere may turn; if none may, Kratos keeps no account of rotation."""
+    """Whether a sphere may rotate; if none may, Kratos does not integrate rotation."""
     return any(any(sphere["free_spin"]) for sphere in ask["spheres"])
 
 
@@ -82,7 +82,7 @@ def start(node: Kratos.Node, sphere: Plan, turns: bool) -> None:
 
 
 def settings(ask: Plan) -> Plan:
-    """What Kratos reads as the parameters of its analysis."""
+    """The parameters of Kratos' analysis."""
     reach = 0.1 * min(sphere["radius"] for sphere in ask["spheres"])
     return {
         "Dimension": 3,

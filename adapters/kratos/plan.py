@@ -24,7 +24,7 @@ SPAN = 3.0  # times the scene's size, which they must exceed too
 
 
 def refusal(ask: Ask) -> str | None:
-    """Why Kratos cannot represent an ask though it has every term; None if it can."""
+    """Why Kratos cannot represent an ask although it has every term; None if it can."""
     scene = ask.scene
     return (
         no_sphere(ask, scene)

@@ -1,4 +1,4 @@
-"""Says why LIGGGHTS cannot represent an ask though it has every term."""
+"""Reasons why LIGGGHTS cannot represent an ask although it has every term."""
 
 from __future__ import annotations
 

@@ -21,7 +21,7 @@ PLAIN, HALF_STEP, CLUMP, OVERLAPPED = "default", "half-step-mass", "clump", "pre
 
 @dataclass(frozen=True, eq=False)
 class Setup:
-    """An ask as LIGGGHTS is given it under a scheme.
+    """The translation of an ask for LIGGGHTS under a scheme.
 
     springs: its scene with spheres and springs in place of blocks and rigid contact. released:
     that with dead loads in place of oblique locks. scene: that with the masses, the atoms or the
@@ -45,13 +45,13 @@ class Setup:
 
     @property
     def terms(self) -> frozenset[Term]:
-        """The terms of the ask's scene, and of what stands in for some of them."""
+        """The terms of the ask's scene, and those by which some of them are represented."""
         overlaps = self.scheme == OVERLAPPED
         return self.ask.scene.terms() | (self.scene if overlaps else self.released).terms()
 
     @functools.cached_property
     def turning(self) -> Mask:
-        """Which spheres are integrated with their rotations, (n,)."""
+        """Which spheres are integrated with rotations, (n,)."""
         return np.asarray(self.spheres.free_spin.any(axis=1))
 
     @functools.cached_property
@@ -67,7 +67,7 @@ class Setup:
 
     @functools.cached_property
     def slides(self) -> dict[int, Vector]:
-        """How far (3,) [m] each sphere must slide to charge its shear spring as it starts."""
+        """How far (3,) [m] each sphere must slide to give its shear spring the initial force."""
         charged, ks = self.springs.charged, self.scene.contact.ks
         if charged is None or not charged.any():
             return {}
@@ -87,17 +87,17 @@ class Setup:
 
     @functools.cached_property
     def loads(self) -> Alike:
-        """The dead loads [N] on spheres that move, each with the indices that carry it."""
+        """The dead loads [N] on moving spheres, each with the indices of the spheres."""
         return _alike(self.spheres.load, self.moving & self.spheres.load.any(axis=1))
 
     @functools.cached_property
     def locks(self) -> Alike:
-        """The patterns of locked axes of spheres that move, each with the indices that have it."""
+        """The patterns of locked axes of moving spheres, each with the indices of the spheres."""
         return _alike(~self.spheres.free, self.moving & ~self.spheres.free.all(axis=1))
 
     @functools.cached_property
     def shaken(self) -> Alike:
-        """The masses [kg] that a body acceleration acts on, each with the spheres that have it.
+        """The masses [kg] that a body acceleration acts on, each with its spheres.
 
         They are those of the scene, where a scheme integrates raised ones.
         """

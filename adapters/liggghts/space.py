@@ -1,4 +1,4 @@
-"""The space that LIGGGHTS simulates: what spheres may reach, the meshes of walls, a box around."""
+"""The simulation space of LIGGGHTS: the reach of spheres, meshes of walls, the box around."""
 
 from __future__ import annotations
 
@@ -55,7 +55,7 @@ def space(scene: Scene, time: float) -> Space:
 def _between_walls(
     walls: tuple[Wall, ...], low: Vector, high: Vector, about: float
 ) -> tuple[Vector, Vector]:
-    """low and high, no farther behind planes across an axis than so much [m]."""
+    """low and high, at most so many metres behind planes across an axis."""
     low, high = low.copy(), high.copy()
     for wall in walls:
         if not is_mesh(wall):
@@ -68,7 +68,7 @@ def _between_walls(
 
 
 def oblique(wall: Wall) -> bool:
-    """Whether a wall lies across no axis of the frame, and needs a mesh; rounding is no tilt."""
+    """Whether a wall is not perpendicular to an axis of the frame, and needs a mesh."""
     return int((np.abs(wall.normal) > 1e-15).sum()) > 1
 
 
@@ -78,7 +78,7 @@ def is_mesh(wall: Wall) -> bool:
 
 
 def travel(wall: Wall) -> float:
-    """A distance [m] from its place at t = 0 that a wall does not exceed."""
+    """An upper bound of the distance [m] of a wall from its place at t = 0."""
     return 0.0 if wall.motion is None else 2 * float(np.abs(wall.motion.amplitude).sum())
 
 

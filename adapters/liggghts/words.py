@@ -23,7 +23,7 @@ def bounds(low: Vector, high: Vector) -> str:
 
 
 def group(name: str, indices: Sequence[int]) -> str:
-    """The command that names spheres of these indices; ids count from 1.
+    """The command that groups spheres of these indices; ids count from 1.
 
     Many that follow each other are a range: LIGGGHTS looks through all for each that it is told.
     """

@@ -45,7 +45,7 @@ def _plan(ask: Ask) -> dict[str, Any]:
 
 
 def _held(scene: Scene) -> list[bool]:
-    """Along which axes locks matter: where weight, loads or drives push, and all in piles.
+    """The axes along which locks matter: where weight, loads or drives push; in piles, all.
 
     A pile of blocks that is free across its plane creeps out of it.
     """

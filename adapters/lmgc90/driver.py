@@ -54,7 +54,7 @@ def simulate(ask: Plan, watched: bool, watch: Stopwatch) -> tuple[object, Plan]:
 
 
 def build(ask: Plan) -> tuple[lmgc90.LMGC90Solver, list[Plan]]:
-    """The solver with all bodies, walls first, and what was made of each."""
+    """The solver with all bodies, walls first, and the data of each."""
     solver = lmgc90.LMGC90Solver()
     solver.initialize(ask["dt"], THETA, False)
     solver.add_one_tact_behav("iqsc0", "IQS_CLB", [ask["mu"]])
@@ -83,7 +83,7 @@ def triangles(face: list[int]) -> list[int]:
 
 
 def wall_drives(ask: Plan, wall: Plan) -> Plan:
-    """A wall with its velocity in all six freedoms; it moves from rest, so it starts ahead."""
+    """A wall with its velocity in all six degrees of freedom; it starts ahead, from rest."""
     velocity = np.array(swung(wall["motion"], 0.0, 1))
     velocities = {
         axis + 1: drive(ask, 0.0, [(a[axis] * w, w, p + math.pi / 2) for a, w, p in wall["motion"]])
@@ -149,7 +149,7 @@ def drive(
 
 
 def check(ask: Plan, bodies: list[Plan], moved: np.ndarray) -> None:
-    """Refuse a run in which a block left its lock, or the points in which it was touched."""
+    """Refuse a run in which a block left its lock or its initial contact points."""
     for body, way in zip(bodies, moved, strict=True):
         away = np.abs(np.where(body.get("free", True), 0.0, way)).max()
         if away > DRIFT * ask["size"] and any(body.get("free", ())):

@@ -1,4 +1,4 @@
-"""Says why LMGC90 cannot represent an ask though it has every term."""
+"""Reasons why LMGC90 cannot represent an ask although it has every term."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ ALIKE = 1e-9  # relative: by how much a mass or an inertia may be off
 
 def refusal(ask: Ask) -> str | None:
     """The first reason that holds, else None."""
-    return why_no_boxes(ask) or _spins(ask.scene) or _stuff(ask.scene) or _faces(ask.scene)
+    return why_no_boxes(ask) or _spins(ask.scene) or _densities(ask.scene) or _faces(ask.scene)
 
 
 def _spins(scene: Scene) -> str | None:
@@ -32,7 +32,7 @@ def density(scene: Scene) -> float:
     return block.mass / polyhedron_inertia(block.vertices, block.faces, 1.0)[0]
 
 
-def _stuff(scene: Scene) -> str | None:
+def _densities(scene: Scene) -> str | None:
     """Why masses or inertias are not those of one density, which is all that LMGC90 accepts."""
     rho = density(scene)
     for block in scene.blocks:
@@ -73,7 +73,7 @@ def _on_wall(block: Block, wall: Wall) -> str | None:
 
 
 def near(one: Block, other: Block) -> bool:
-    """Whether two blocks may touch: the boxes about them do."""
+    """Whether two blocks may touch: whether the boxes around them do."""
     slack = TOUCHING * max(_size(one), _size(other))
     low = np.maximum(one.vertices.min(axis=0), other.vertices.min(axis=0))
     high = np.minimum(one.vertices.max(axis=0), other.vertices.max(axis=0))

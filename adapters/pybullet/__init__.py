@@ -32,12 +32,12 @@ NOTES = (
 
 
 def _refusal(ask: Ask) -> str | None:
-    """What PyBullet cannot represent though it has every term."""
+    """What PyBullet cannot represent although it has every term."""
     return why_no_boxes(ask) or _why_no_base(ask) or why_no_shapes(ask.scene)
 
 
 def _why_no_base(ask: Ask) -> str | None:
-    """Why what an ask has of walls cannot be: they are at rest, and blocks are seen from them."""
+    """Why the walls of an ask are not supported: they must move as one, as a frame for blocks."""
     scene = ask.scene
     moves = {wall.motion is not None for wall in scene.walls}
     if len(moves) > 1:

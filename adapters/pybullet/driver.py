@@ -49,7 +49,7 @@ def simulate(ask: Plan, watched: bool, watch: Stopwatch) -> tuple[object, Plan]:
 
 
 class Base:
-    """The motion of the one wall that moves, from which blocks are seen."""
+    """The motion of the one moving wall, which is the frame of reference of the blocks."""
 
     def __init__(self, ask: Plan) -> None:
         moving: list[Sines] = [wall["motion"] for wall in ask["walls"] if wall["motion"]]
@@ -141,13 +141,13 @@ def push(ask: Plan, base: Base, moving: list[Plan], t: float, part: float) -> No
 
 
 def shaken(ask: Plan, t: float) -> np.ndarray:
-    """The acceleration (3,) [m/s2] that shakes: half of it in the step about which it ends."""
+    """The shaking acceleration (3,) [m/s2]; half of it in the step in which it ends."""
     left = 1.0 if ask["until"] is None else (ask["until"] - t) / ask["dt"] + 0.5
     return np.array(swung(ask["shaking"], t)) * min(1.0, max(0.0, left))
 
 
 def velocity(body: Plan) -> np.ndarray:
-    """Of a body, half a step after the last position that was asked for."""
+    """The velocity of a body, half a step after the last requested position."""
     return np.array(bullet.getBaseVelocity(body["id"])[0])
 
 

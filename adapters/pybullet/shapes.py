@@ -1,4 +1,4 @@
-"""The shape and the axes of a block in PyBullet, which knows inertia about a body's own axes."""
+"""The shape and the axes of a block in PyBullet, which has inertias about a body's own axes."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def own_axes(block: dict[str, Any]) -> dict[str, Any]:
 
 
 def why_no_shapes(scene: Scene) -> str | None:
-    """Why blocks are locked in ways that PyBullet cannot; None if they are not."""
+    """Why PyBullet cannot lock blocks in the way that is asked; None if it can."""
     free = [block for block in scene.blocks if block.free.any()]
     if any((block.free != free[0].free).any() for block in free):
         return "blocks are locked along unlike directions; PyBullet is driven along some for all"

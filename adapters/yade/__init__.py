@@ -72,7 +72,7 @@ SCHEMES = (
 
 
 class Yade:
-    """The adapter; it holds its program, where that waits for more."""
+    """The adapter; it holds its program if that waits for more asks."""
 
     name = "yade"
     schemes = SCHEMES

@@ -12,7 +12,7 @@ from vv.standins.clump import Clump
 
 
 def clumped(plan: dict[str, Any], made: Sequence[Clump]) -> dict[str, Any]:
-    """The driver's ask with its spheres as clumps of spheres that touch and points that do not.
+    """The driver's ask with spheres as clumps of touching spheres and points without contact.
 
     All springs of a block together are those of its sphere. Rotations are free as the block's are.
     """

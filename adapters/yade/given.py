@@ -37,7 +37,7 @@ class Given:
     notes: tuple[str, ...]
 
     def with_more(self, *notes: str, force: Vector | float = 0.0, **numbers: Any) -> Given:
-        """With these numbers in place of the former ones, and forces and notes added."""
+        """With these numbers in place of the former ones, and further forces and notes."""
         return replace(
             self,
             numbers={**self.numbers, **numbers},
@@ -47,7 +47,7 @@ class Given:
 
 
 def bare(setup: Setup) -> Given:
-    """Spheres that press on each other, and that nothing else acts on."""
+    """Spheres with normal contact and no other forces."""
     ask, contact, spheres = setup.ask, setup.scene.contact, setup.scene.spheres
     zeros = np.zeros((len(spheres), 3))
     numbers: Plan = {
@@ -84,7 +84,7 @@ def bare(setup: Setup) -> Given:
 
 
 def _always(setup: Setup) -> Sequence[str]:
-    """What holds whatever terms a scene has."""
+    """The part of the input that is the same for all terms."""
     notes = [
         "NewtonIntegrator without damping, velocities started at -dt/2",
         "every step an O.step(); O.run costs as much and rounds wall time up to 40 ms",

@@ -1,4 +1,4 @@
-"""Says why YADE cannot represent an ask though it has every term."""
+"""Reasons why YADE cannot represent an ask although it has every term."""
 
 from __future__ import annotations
 

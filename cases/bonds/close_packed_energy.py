@@ -136,7 +136,7 @@ def _held(p: Parameters, block: Lattice, E: float, strain: float) -> Scalar:
         held = energy((Form.NORMAL, Form.SHEAR), run)
         return float(np.interp(strain / abs(p["rate"]), run.times, np.sqrt(held))) ** 2
 
-    what = "in tension: elastic energy at half the strain at which the first bond opens"
+    what = "elastic energy at half the strain of the first opening, in tension"
     judge = LINEAR["pulled" if p["rate"] > 0 else "pressed"]
     return Scalar("E_e(half)", "E_e(half)", "J", what, observe, exact, exact, judge)
 

@@ -11,7 +11,7 @@ from vv.scene import Mask
 
 
 def block(deck: Deck, setup: Setup) -> Deck:
-    """The atoms of each block moved as one body, in the freedoms it has.
+    """The atoms of each block moved as one rigid body, with its degrees of freedom.
 
     That stands last: its first half step sees the forces of the fixes before it only.
     """

@@ -56,7 +56,7 @@ def _springs(scene: Scene) -> Iterator[str]:
 
 
 def why_not_harmonic(scene: Scene) -> str | None:
-    """Why harmonic bonds cannot stand in a scene; None if they can, or there are none."""
+    """Why harmonic bonds cannot represent those of a scene; None if they can, or there are none."""
     beside = scene.terms() & {Term.SPHERE_CONTACT, Term.WALL_CONTACT}
     if scene.bonds is not None and beside:
         return "contacts beside bonds; LIGGGHTS' harmonic bonds were verified without contacts only"

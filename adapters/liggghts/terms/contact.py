@@ -39,7 +39,7 @@ def viscosity(deck: Deck, setup: Setup) -> Deck:
 
 
 def charged(deck: Deck, setup: Setup) -> Deck:
-    """Shear springs that hold at t = 0 the friction of the rigid contact they stand in for."""
+    """Shear springs that start with the friction of the rigid contact that they represent."""
     if not setup.slides:
         return deck
     note = "shear springs charged by a step, before t = 0, that slides the sphere to its start"
@@ -47,7 +47,7 @@ def charged(deck: Deck, setup: Setup) -> Deck:
 
 
 def _charging(setup: Setup) -> Iterator[str]:
-    """A step in which spheres are slid to where they start, their walls at rest.
+    """A step in which spheres slide to their initial positions, with their walls at rest.
 
     It puts into shear springs what they hold at t = 0, which no command can; then time starts.
     """

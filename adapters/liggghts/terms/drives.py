@@ -28,7 +28,7 @@ def shaken(deck: Deck, setup: Setup) -> Deck:
 
 
 def _acts(setup: Setup) -> str:
-    """A factor that is 0 from the end of a pulse on; none for what lasts."""
+    """A factor that is 0 after the end of a pulse; none for shaking without end."""
     pulse = setup.scene.shaking
     if not isinstance(pulse, Pulse):
         return ""

@@ -14,7 +14,7 @@ FEW = 8  # groups that loads may take
 
 
 def drag(deck: Deck, setup: Setup) -> Deck:
-    """The force -eta v, which a scheme may make that of the mean velocity: see `heavier`."""
+    """The force -eta v, which a scheme may base on the mean velocity: see `heavier`."""
     notes = ["drag by fix viscous from the velocity half a step ago"]
     if setup.scheme == HALF_STEP:
         notes.append("masses are m + eta dt/2, weight a dead load")

@@ -32,7 +32,7 @@ def elastic(deck: Deck, setup: Setup) -> Deck:
 
 
 def viscous(deck: Deck, setup: Setup) -> Deck:
-    """A material and a restitution, of which LIGGGHTS makes effective moduli and damping."""
+    """The material and restitution from which LIGGGHTS derives effective moduli and damping."""
     law = setup.scene.contact.hertz
     if law is None:
         return deck
@@ -50,7 +50,7 @@ def viscous(deck: Deck, setup: Setup) -> Deck:
 
 
 def restitution(damping: float) -> float:
-    """The e of which LIGGGHTS makes 2 sqrt(5/6) b sqrt(m kn), b = -ln e/sqrt(ln^2 e + pi^2).
+    """The e from which LIGGGHTS derives 2 sqrt(5/6) b sqrt(m kn), b = -ln e/sqrt(ln^2 e + pi^2).
 
     It is that of a contact which may pull. Raises ValueError for a damping no e can make.
     """
@@ -61,7 +61,7 @@ def restitution(damping: float) -> float:
 
 
 def why_not_viscous(scene: Scene) -> str | None:
-    """Why viscous contacts of elastic spheres are not LIGGGHTS'; else None."""
+    """Why LIGGGHTS cannot represent viscous contacts of elastic spheres; else None."""
     law = scene.contact.hertz
     if law is None or Term.HERTZ_VISCOSITY not in scene.terms():
         return None

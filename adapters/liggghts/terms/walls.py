@@ -14,7 +14,7 @@ from vv.scene import Vector, Wall
 
 
 def walls(deck: Deck, setup: Setup) -> Deck:
-    """Each wall as a plane or a mesh, with the contact law as it stands in the deck."""
+    """Each wall as a plane or a mesh, with the contact law of the deck."""
     meshes = any(is_mesh(wall) for wall in setup.scene.walls)
     note = "a mesh wall, one triangle far larger than the scene, instead of a primitive one"
     commands = _commands(setup, deck.law.model, deck.law.damping)

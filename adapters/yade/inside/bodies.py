@@ -6,11 +6,11 @@ import numpy as np
 
 from adapters.yade.inside.session import O, utils, yd
 
-FACETS = 1  # the number of their stuff, where it is not that of walls
+FACETS = 1  # the number of their material, where it is not that of walls
 
 
 def sphere(body: dict[str, Any]) -> int:
-    """Append a sphere with the given mass and inertia in place of those of its volume."""
+    """Append a sphere with the given mass and inertia instead of those of its volume."""
     made = utils.sphere(body["position"], body["radius"])
     start(made.state, body, [body["inertia"]] * 3)
     return int(O.bodies.append(made))
@@ -21,8 +21,8 @@ def clump(body: dict[str, Any]) -> int:
     parts = [(part, 1) for part in body["touching"]] + [(part, 0) for part in body["points"]]
     members = []
     for part, mask in parts:
-        stuff = yd.FrictMat(density=part["density"], frictionAngle=O.materials[0].frictionAngle)
-        members.append(utils.sphere(part["position"], part["radius"], material=stuff, mask=mask))
+        material = yd.FrictMat(density=part["density"], frictionAngle=O.materials[0].frictionAngle)
+        members.append(utils.sphere(part["position"], part["radius"], material=material, mask=mask))
     number, numbers = O.bodies.appendClumped(members)
     body["feet"] = numbers[: len(body["touching"])]
     start(O.bodies[number].state, body, body["inertia"])
@@ -70,7 +70,7 @@ SHAPES = {"sphere": sphere, "clump": clump, "polyhedron": polyhedron, "wall": wa
 
 
 def charge(wall: int, sphere: int, force: list[float]) -> None:
-    """Make a contact before the first step, its shear spring charged to push the sphere so.
+    """Make a contact before the first step, with the shear force that acts on the sphere.
 
     Whichever was made first, the contact's second body, which a force pushes, is the sphere.
     """

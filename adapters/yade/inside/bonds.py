@@ -21,13 +21,13 @@ def bonded_contacts() -> list[Any]:
 
 def tie(ask: dict[str, Any]) -> None:
     """Bond the spheres, which are there, as are the engines."""
-    stuff = {}
+    material = {}
     for body in ask["bodies"]:
         radius = body["radius"]
-        if radius not in stuff:
-            stuff[radius] = cohesive(ask, radius)
-            O.materials.append(stuff[radius])
-        O.bodies[body["id"]].material = stuff[radius]
+        if radius not in material:
+            material[radius] = cohesive(ask, radius)
+            O.materials.append(material[radius])
+        O.bodies[body["id"]].material = material[radius]
     for bond in ask["bonds"]:
         first, second = (ask["bodies"][number]["id"] for number in bond["pair"])
         phys = utils.createInteraction(first, second).phys
@@ -37,7 +37,7 @@ def tie(ask: dict[str, Any]) -> None:
 
 
 def cohesive(ask: dict[str, Any], radius: float) -> Any:
-    """The stuff of spheres of a radius: two in series have the springs of the scene's contact."""
+    """The material of spheres of a radius: two in series have the springs of the contact law."""
     made = yd.CohFrictMat(momentRotationLaw=False, isCohesive=True)
     made.young, made.poisson = ask["kn"] / radius, ask["ks"] / ask["kn"]
     made.frictionAngle = O.materials[0].frictionAngle

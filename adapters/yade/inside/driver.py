@@ -42,7 +42,9 @@ def build(ask: dict[str, Any]) -> None:
     """Set up the scene: bodies, contact law, engines, time step."""
     O.reset()
     if ask["hertz"]:
-        O.materials.append([stuff(ask, "walls_young"), stuff(ask, "facets_young")])
+        O.materials.append(
+            [elastic_material(ask, "walls_young"), elastic_material(ask, "facets_young")]
+        )
     O.materials.append(material(ask))
     for body in ask["bodies"]:
         body["id"] = SHAPES[body["kind"]](body)
@@ -63,13 +65,13 @@ def build(ask: dict[str, Any]) -> None:
 
 
 def material(ask: dict[str, Any]) -> Any:
-    """The stuff of all bodies.
+    """The material of all bodies.
 
     Polyhedra take two like stiffnesses in series, young and poisson; so do viscous contacts.
     """
     angle = math.atan(ask["mu"])
     if ask["hertz"]:
-        return stuff(ask, "young")
+        return elastic_material(ask, "young")
     if ask["eta_n"]:
         kn, ks, cn = (2 * ask[name] for name in ("kn", "ks", "eta_n"))
         return yd.ViscElMat(kn=kn, cn=cn, ks=ks, cs=0, frictionAngle=angle)
@@ -80,8 +82,8 @@ def material(ask: dict[str, Any]) -> Any:
     return made
 
 
-def stuff(ask: dict[str, Any], young: str) -> Any:
-    """The elastic stuff of spheres or walls, by the name of its Young's modulus."""
+def elastic_material(ask: dict[str, Any], young: str) -> Any:
+    """The elastic material of spheres or walls, by the name of its Young's modulus."""
     made = yd.FrictMat(frictionAngle=math.atan(ask["mu"]))
     made.young, made.poisson = ask["hertz"][young], ask["hertz"]["poisson"]
     return made

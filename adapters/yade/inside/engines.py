@@ -1,4 +1,4 @@
-"""Puts together what YADE does in a step: contacts, drag and motion, and nothing a scene lacks."""
+"""Assembles the engines of a YADE step: contacts, drag and motion, as far as a scene has them."""
 
 import math
 from typing import Any
@@ -8,7 +8,7 @@ from adapters.yade.inside.session import yd
 
 
 def engines(ask: dict[str, Any], kinds: set[str]) -> list[Any]:
-    """What YADE does in a step: contacts, drag and motion, and nothing the scene lacks."""
+    """The engines of a YADE step: contacts, drag and motion, as far as a scene has them."""
     return [
         yd.ForceResetter(),
         *pulse_end(ask),
@@ -43,7 +43,7 @@ def contacts(ask: dict[str, Any], kinds: list[str]) -> list[Any]:
 
 
 def law_of(ask: dict[str, Any]) -> tuple[Any, Any]:
-    """How contacts get their stiffness, and what they do."""
+    """How contacts get their stiffness, and their force law."""
     if ask["hertz"]:
         parts = {name: yd.MatchMaker(algo="val", val=share) for name, share in damped(ask)}
         physics = yd.Ip2_FrictMat_FrictMat_MindlinPhys(**parts)
@@ -106,7 +106,7 @@ def shaking(ask: dict[str, Any]) -> list[Any]:
 
 
 def pulse_end(ask: dict[str, Any]) -> list[Any]:
-    """What switches the sines off before the first step that they no longer act in."""
+    """The engine that switches the sines off before the first step after the pulse."""
     if ask["ends"] is None:
         return []
     sines = "(e for e in O.engines if isinstance(e, yd.HarmonicForceEngine))"
@@ -125,7 +125,7 @@ def moving(ask: dict[str, Any], name: str) -> dict[float, list[int]]:
 
 
 def motion(ask: dict[str, Any]) -> list[Any]:
-    """What sets the velocities of moving walls for the step to come, after contacts used them."""
+    """The engine that sets the velocities of moving walls for the next step."""
     engines = []
     for body in ask["bodies"]:
         sines = [

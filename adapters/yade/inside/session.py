@@ -1,4 +1,4 @@
-"""Brings YADE into its own Python, and says how a run that must not count is given up."""
+"""Imports YADE into its own Python, and defines how a run is rejected."""
 
 import glob
 import os
@@ -27,7 +27,7 @@ O = yade.O  # noqa: E741  # the name every YADE script uses
 
 
 class RunError(Exception):
-    """A run that must not count: its status and why."""
+    """A run that must not count: its status and reason."""
 
     def __init__(self, status: str, reason: str) -> None:
         super().__init__(reason)

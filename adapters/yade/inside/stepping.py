@@ -1,4 +1,4 @@
-"""Takes the steps of a run, reads what is observed, and refuses a run that must not count."""
+"""Takes the steps of a run, reads the observables, and rejects runs that must not count."""
 
 import math
 import time
@@ -28,7 +28,7 @@ def first_step(ask: dict[str, Any]) -> None:
 
 
 def bare(ask: dict[str, Any]) -> tuple[float, float]:
-    """Take all steps and look at nothing; CPU and wall seconds of the stepping."""
+    """Take all steps without observables; CPU and wall seconds of the stepping."""
     wall_start, cpu_start = time.perf_counter(), time.process_time()
     first_step(ask)
     step = O.step
@@ -66,10 +66,10 @@ def watched(ask: dict[str, Any]) -> tuple[np.ndarray, float, float, float]:
     return values, cpu - reading, whole - reading, reading
 
 
-Seen = list[tuple[str, dict[str, Any]]]  # quantities, each with the body it is one of
+Observed = list[tuple[str, dict[str, Any]]]  # quantities, each with the body it is one of
 
 
-def read_first(ask: dict[str, Any], seen: Seen, row: np.ndarray) -> None:
+def read_first(ask: dict[str, Any], seen: Observed, row: np.ndarray) -> None:
     """State the observables at t = 0, with what the first step was special in taken off."""
     for k, (kind, body) in enumerate(seen):
         row[k] = body["initial"] if kind == "velocity" else 0.0
@@ -78,7 +78,7 @@ def read_first(ask: dict[str, Any], seen: Seen, row: np.ndarray) -> None:
             row[k] = locked(body, np.add(reaction(ask, body), body["push"]) + late)
 
 
-def read(seen: Seen, row: np.ndarray) -> None:
+def read(seen: Observed, row: np.ndarray) -> None:
     """Read displacements, and velocities half a step early; refuse what is not finite."""
     for k, (kind, body) in enumerate(seen):
         if kind != "reaction":
@@ -87,7 +87,7 @@ def read(seen: Seen, row: np.ndarray) -> None:
             check_finite(kind, vector)
 
 
-def read_later(ask: dict[str, Any], seen: Seen, row: np.ndarray) -> None:
+def read_later(ask: dict[str, Any], seen: Observed, row: np.ndarray) -> None:
     """Make velocities the mean of half a step early and late, and read reactions."""
     for k, (kind, body) in enumerate(seen):
         if kind == "velocity":
@@ -100,12 +100,12 @@ def read_later(ask: dict[str, Any], seen: Seen, row: np.ndarray) -> None:
 
 # Plain numbers from here on: arrays this short would cost as much as the steps between them.
 def way(state: Any, body: dict[str, Any]) -> list[float]:
-    """How far a body is from where it began."""
+    """The distance of a body from its initial position."""
     return [now - first for now, first in zip(state.pos, body["origin"], strict=True)]
 
 
 def check_finite(kind: str, vector: list[float]) -> None:
-    """Refuse a run in which what is observed is not finite."""
+    """Reject a run whose observables are not finite."""
     if not math.isfinite(vector[0] + vector[1] + vector[2]):
         raise RunError("diverged", f"{kind} not finite at t = {O.iter * O.dt:.6g} s")
 
@@ -147,5 +147,5 @@ def check_end(ask: dict[str, Any]) -> None:
 
 
 def unknowns() -> int:
-    """How many freedoms YADE integrates."""
+    """The number of degrees of freedom that YADE integrates."""
     return sum(6 - len(body.state.blockedDOFs) for body in O.bodies if not body.isClumpMember)

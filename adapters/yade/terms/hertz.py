@@ -30,13 +30,13 @@ def elastic(given: Given, setup: Setup) -> Given:
     if law is None:
         return given
     young, poisson = law.material()
-    stuff = {
+    material = {
         "young": young,
         "poisson": poisson,
         "walls_young": young * _beside(math.sqrt(2.0)),
         "facets_young": young * _beside(math.sqrt(1.5)),
     }
-    return given.with_more(*NOTES, hertz=stuff)
+    return given.with_more(*NOTES, hertz=material)
 
 
 def _beside(times: float) -> float:
@@ -49,8 +49,8 @@ def viscous(given: Given, setup: Setup) -> Given:
     law = setup.scene.contact.hertz
     if law is None:
         return given
-    stuff = {**given.numbers["hertz"], "damping": law.damping}
-    return given.with_more(DAMPED, hertz=stuff)
+    material = {**given.numbers["hertz"], "damping": law.damping}
+    return given.with_more(DAMPED, hertz=material)
 
 
 def why_no_material(law: Hertz | None) -> str | None:

@@ -18,7 +18,7 @@ from vv.scene import Harmonic, Term
 UNIT = np.array([1.0, 0.0, 0.0])
 
 REFUSED = {
-    "body 1 is no sphere": ball_ask(ball(), UP, body=1),
+    "body 1 is not a sphere": ball_ask(ball(), UP, body=1),
     "dt is not set": ball_ask(ball(), dt=None),
     "longer than the 0.1 s": ball_ask(ball(), dt=0.2),
     "velocity or spin in a locked freedom": ball_ask(ball(spin=[[0, 0, 1]])),

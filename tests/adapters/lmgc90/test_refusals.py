@@ -81,13 +81,13 @@ def test_masses_and_inertias_are_those_of_one_density_to_a_billionth() -> None:
     assert refusals.density(scene(first, second)) == pytest.approx(3.0)
     for off, refused in ((0.8e-9, False), (1.2e-9, True), (-1.2e-9, True)):
         heavy = SimpleNamespace(**{**vars(second), "mass": second.mass * (1 + off)})
-        reason = refusals._stuff(scene(first, heavy)) or ""
+        reason = refusals._densities(scene(first, heavy)) or ""
         assert ("'second' has another density" in reason) is refused
         stiff = SimpleNamespace(**{**vars(second), "inertia": second.inertia * (1 + off)})
-        reason = refusals._stuff(scene(first, stiff)) or ""
+        reason = refusals._densities(scene(first, stiff)) or ""
         assert ("'second' has an inertia" in reason) is refused
         stiff.free_spin = np.zeros(3, bool)
-        assert refusals._stuff(scene(first, stiff)) is None
+        assert refusals._densities(scene(first, stiff)) is None
 
 
 def test_locks_matter_where_weight_loads_or_drives_push_and_in_piles() -> None:

@@ -277,14 +277,14 @@ def test_each_law_of_contact_has_its_parts_and_its_stuff(
     (loop,) = [one for one in OMEGA.engines if one.kind == "InteractionLoop"]
     _, (made_of,), (acts,) = loop.given
     assert (made_of.kind, acts.kind) == (physics, law)
-    stuff = OMEGA.materials[-1]
+    material = OMEGA.materials[-1]
     if not changes:
         assert (made_of.kn.val, made_of.ks.val) == (3e6, 1.5e6)
-        assert stuff.frictionAngle == pytest.approx(math.atan(0.5))
+        assert material.frictionAngle == pytest.approx(math.atan(0.5))
     if "eta_n" in changes:
-        assert (stuff.kn, stuff.ks, stuff.cn, stuff.cs) == (6e6, 3e6, 14.0, 0)
+        assert (material.kn, material.ks, material.cn, material.cs) == (6e6, 3e6, 14.0, 0)
     if "volumes" in changes:
-        assert (stuff.young, stuff.poisson) == (6e6, 0.5)
+        assert (material.young, material.poisson) == (6e6, 0.5)
 
 
 def test_elastic_contact_is_damped_along_its_normal_only(driver: Any) -> None:

@@ -45,7 +45,7 @@ def test_what_yade_would_get_wrong_is_refused_with_the_reason() -> None:
     turned = rotated(ball_ask(partly).scene, rotation_about_z(0.3))
     reason = ADAPTER.refuses(dataclasses.replace(ball_ask(partly), scene=turned), PLAIN)
     assert "turned frame" in (reason or "")
-    assert "body 0 is no sphere" in refusal(UP, ball(position=[[0, 1, 0]]))
+    assert "body 0 is not a sphere" in refusal(UP, ball(position=[[0, 1, 0]]))
 
 
 def test_a_model_states_its_unknowns_and_how_locks_are_kept() -> None:
