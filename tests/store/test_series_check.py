@@ -42,6 +42,7 @@ def without(name: str) -> dict[str, Vector]:
         ({}, []),
         ({}, [entry("pass", {"max": 0.1}, kind="scalar")]),
         (ARRAYS, [MEASURED, entry("pass", {"max": 0.1}, name="n", kind="count")]),
+        ({**ARRAYS, "t": np.arange(3)}, [MEASURED]),
         (ARRAYS, [entry("fail", {"max": 0.4 / 8}, scale=8.0, end=4.0)]),
         ({"t": ARRAYS["t"], "z.value": ARRAYS["t"]}, [changed(ALONE, name="z", figures={})]),
         ({**ARRAYS, "y.value": ARRAYS["y.value"] * (1 + 1e-13)}, [MEASURED]),

@@ -24,6 +24,7 @@ from vv.ask import (
 from vv.records import codec
 from vv.records.job_record import ModelSummary
 from vv.scene import Form, Term, Vector
+from vv.store.series_check import NUMBERS
 
 OBSERVABLES: Mapping[str, type[Observable]] = {
     kind.__name__: kind for kind in (Displacement, Velocity, Reaction, Impulse, Strain)
@@ -62,7 +63,7 @@ def run_from(arrays: Mapping[str, Any], key: str) -> Run:
 def _run(meta: RunMeta, arrays: Mapping[str, Any]) -> Run:
     model = meta.model
     for name, array in arrays.items():
-        if name != "meta" and array.dtype.kind not in "fiu":
+        if name != "meta" and array.dtype.kind not in NUMBERS:
             raise ValueError(f"{name} holds no numbers")
     values: dict[Observable, Vector] = {
         OBSERVABLES[kind](body): arrays[f"value{i}"]

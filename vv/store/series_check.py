@@ -13,6 +13,7 @@ from vv.records.quantity import MeasuredQuantity
 from vv.records.record import error_in
 from vv.scene import Vector
 
+NUMBERS = "fiu"  # kinds of arrays
 SUMMED = 1e-9  # relative: another machine may sum in another order, which changes some 1e-16 n
 
 Said = tuple[str, float | None, float, float]  # a figure's name, as it is said, as it is, its size
@@ -27,7 +28,11 @@ def check_series(arrays: Mapping[str, Any], quantities: Iterable[MeasuredQuantit
     if arrays.keys() != due:
         raise ValueError(f"it holds {_listed(arrays)} in place of {_listed(due)}")
     for name, values in arrays.items():
-        if values.dtype != float or values.shape != (len(arrays["t"]),) or not len(values):
+        if (
+            values.dtype.kind not in NUMBERS
+            or values.shape != (len(arrays["t"]),)
+            or not len(values)
+        ):
             raise ValueError(f"{name} is no series of numbers at each time")
     for one in own:
         _check(one, *(arrays[f"{one.name}.{part}"] for part in _parts(one)))
