@@ -6,6 +6,7 @@ from typing import Any, NamedTuple
 import numba
 import numpy as np
 import pytest
+from llvmlite import binding as llvm
 from llvmlite import ir
 from numba.core import (
     codegen,
@@ -30,16 +31,15 @@ from numba.core.errors import TypingError
 from numba.core.rewrites import registry
 from numba.core.runtime import nrt
 from numba.core.runtime.context import NRTContext
-from numba.np import arrayobj
 
 from vv.engines.kernels.arrays import nil_numbers
 from vv.engines.kernels.bundle_types import DATA
 from vv.engines.kernels.bundles import bundle
 from vv.engines.kernels.compiled import called, compiled, lent
 from vv.engines.kernels.compiler.folding import Folding
-from vv.engines.kernels.compiler.lean import BUFFER, SHAPE, STRIDES
+from vv.engines.kernels.compiler.lean import BUFFER, SHAPE, STRIDES, Lean
 from vv.engines.kernels.compiler.manager import quietly
-from vv.engines.kernels.compiler.parts import Part, linked
+from vv.engines.kernels.compiler.parts import Part, Whole, linked
 from vv.engines.kernels.compiler.passes import Settled
 from vv.scene import Vector
 
@@ -62,9 +62,8 @@ MEMBERS: tuple[tuple[Any, tuple[str, ...]], ...] = (
     (lowering.Lower, ("loadvar", "_find_singly_assigned_variable", "setup_function", "call_conv")),
     (CPUContext, ("get_abi_sizeof", "get_constant_generic", "nrt", "call_conv")),
     (NRTContext, ("get_meminfos", "meminfo_alloc_aligned_unchecked", "meminfo_data")),
-    (CPUContext, ("create_cpython_wrapper", "get_python_api", "make_array", "make_tuple")),
+    (CPUContext, ("create_cpython_wrapper", "get_python_api", "make_tuple", "mangler")),
     (codegen.CPUCodeLibrary, ("_optimize_final_module",)),
-    (arrayobj, ("populate_array",)),
     (typed_passes.PreLowerStripPhis, ("_strip_phi_nodes",)),
     (ssa, ("reconstruct_ssa",)),
     (event, ("_registered", "register", "unregister")),
@@ -327,3 +326,30 @@ def test_each_part_is_linked_once() -> None:
     one, two = make(made, "one"), make(made, "two")
     one._linking_libraries, two._linking_libraries = [two], [one]
     assert linked([one, two]) == [one, two]
+
+
+IN_MEMORY = """
+define i64 @kept(i64 %value) {
+    %place = alloca i64
+    store i64 %value, i64* %place
+    %again = load i64, i64* %place
+    ret i64 %again
+}
+"""
+
+
+@pytest.mark.parametrize(("kind", "left"), [(Part, False), (Whole, True)])
+def test_functions_of_a_whole_are_left_to_the_passes_over_all_of_it(kind: Any, left: bool) -> None:
+    library = kind(numba.core.registry.cpu_target.target_context.codegen(), "some")
+    module: Any = llvm.parse_assembly(IN_MEMORY)
+    library._optimize_functions(module)
+    assert ("alloca" in str(module)) is left
+
+
+def test_a_function_has_a_short_name_in_code_another_for_other_types() -> None:
+    name: Any = Lean.mangler
+    tuples: Any = types.UniTuple
+    kinds = [tuples(types.float64, n) for n in (40, 41)]
+    short = [name(None, "pull", (kind,), uid=1) for kind in kinds]
+    assert max(map(len, short)) < 40
+    assert len({*short, name(None, "push", kinds[:1], uid=1), name(None, "pull", kinds[:1])}) == 4

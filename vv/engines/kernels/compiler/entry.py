@@ -8,18 +8,18 @@ as is known (`layout.py`), kernels have numba's own entry.
 
 from __future__ import annotations
 
+import functools
 from typing import Any
 
 from llvmlite import ir
 from numba.core import cgutils, types
-from numba.np import arrayobj
 
 from vv.engines.kernels.bundle_types import Bundle, filled
 from vv.engines.kernels.compiler import layout
+from vv.engines.kernels.compiler.folding import Folding, together
 
 CODE: Any = cgutils
 TUPLE: Any = types.BaseTuple
-ARRAYS: Any = arrayobj
 WORD = ir.IntType(64)
 BYTES: Any = ir.IntType(8).as_pointer()
 
@@ -41,7 +41,7 @@ def add_entry(context: Any, library: Any, described: Any) -> None:
     python = context.get_argument_type(types.pyobject)
     kind = ir.FunctionType(python, [python] * 3)  # what the function belongs to, arguments, names
     outer = ir.Function(module, kind, described.llvm_cpython_wrapper_name)
-    builder = ir.IRBuilder(outer.append_basic_block("entry"))
+    builder = Folding(outer.append_basic_block("entry"))
     api, found = context.get_python_api(builder), outer.args[1]
     refuse_unless(builder, api, api.tuple_size(found), len(kinds))
     given = Given(context, builder, api)
@@ -114,14 +114,15 @@ class Given:
     def array(self, kind: Any, found: Any) -> Any:
         """An array that holds no reference."""
         context, builder = self.context, self.builder
-        array = context.make_array(kind)(context, builder)
         shape, strides = (
             self.along(kind.ndim, found, first) for first in (layout.SHAPE, layout.STRIDES)
         )
-        size = context.get_abi_sizeof(context.get_data_type(kind.dtype))
-        data = word(builder, found, layout.DATA, array.data.type)
-        ARRAYS.populate_array(array, data, shape, strides, size, None)
-        return array._getvalue()
+        item, whole = context.get_data_type(kind.dtype), context.get_value_type(kind)
+        data = word(builder, found, layout.DATA, item.as_pointer())
+        owners = (ir.Constant(owner, None) for owner in whole.elements[:2])
+        many, size = functools.reduce(builder.mul, shape), WORD(context.get_abi_sizeof(item))
+        axes = (together(builder, ir.ArrayType(WORD, kind.ndim), *n) for n in (shape, strides))
+        return together(builder, whole, *owners, many, size, data, *axes)
 
     def free(self) -> None:
         """Free the bundles."""

@@ -32,3 +32,11 @@ def origin(whole: Any, path: tuple[int, ...]) -> tuple[Any, tuple[int, ...]]:
         else:
             whole = whole.operands[0]
     return whole, path
+
+
+def together(builder: Any, kind: Any, *values: Any) -> Any:
+    """A structure of values."""
+    whole = ir.Constant(kind, ir.Undefined)
+    for place, value in enumerate(values):
+        whole = builder.insert_value(whole, value, place)
+    return whole

@@ -7,6 +7,7 @@ whole arrays in memory and iterators with states, for LLVM to take out again.
 from __future__ import annotations
 
 import functools
+import hashlib
 import operator
 from collections.abc import Callable
 from typing import Any
@@ -19,6 +20,7 @@ from numba.core.cpu import CPUContext
 from vv.engines.kernels.compiler.counting import Counting
 from vv.engines.kernels.compiler.direct import CONVENTION, Outward
 from vv.engines.kernels.compiler.entry import add_entry, is_plain
+from vv.engines.kernels.compiler.folding import together
 
 CODE: Any = numba_code
 TUPLE: Any = types.BaseTuple
@@ -48,6 +50,12 @@ class Lean(CPUContext):
         if ours is None:
             return NUMBA.get_function(self, function, signature, _firstcall)
         return functools.partial(ours, self, signature)
+
+    def mangler(self, name: Any, types: Any, *, abi_tags: Any = (), uid: Any = None) -> str:
+        """What a function is called in code; numba spells out all types at every call."""
+        told = ", ".join(map(str, (name, *types, *abi_tags, uid)))
+        short = f"f{hashlib.sha256(told.encode()).hexdigest()[:24]}"
+        return f"_ZN{len(short)}{short}E"
 
     @property
     def nrt(self) -> Any:
@@ -149,14 +157,6 @@ def set_element(context: Any, signature: Any, builder: Any, args: Any, loc: Any 
 def length(context: Any, signature: Any, builder: Any, args: Any, loc: Any = None) -> Any:
     """len(array)."""
     return builder.extract_value(args[0], [SHAPE, 0])
-
-
-def together(builder: Any, kind: Any, *values: Any) -> Any:
-    """A structure of values."""
-    whole = ir.Constant(kind, ir.Undefined)
-    for place, value in enumerate(values):
-        whole = builder.insert_value(whole, value, place)
-    return whole
 
 
 def counted(context: Any, signature: Any, builder: Any, args: Any, loc: Any = None) -> Any:

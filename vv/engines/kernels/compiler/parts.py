@@ -54,6 +54,10 @@ class Part(codegen.JITCodeLibrary):
 class Whole(codegen.JITCodeLibrary):
     """A function that becomes machine code, together with all its parts."""
 
+    def _optimize_functions(self, ll_module: Any) -> None:
+        """Leave it to the passes over the whole, which numba has here once more."""
+        ll_module.data_layout = self._codegen._data_layout
+
     def finalize(self) -> None:
         """Link each part once, then do what numba does."""
         for library in linked(self._linking_libraries):
