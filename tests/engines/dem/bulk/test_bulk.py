@@ -170,3 +170,13 @@ def test_of_many_spheres_the_deepest_contact_is_told_itself(sunk: float) -> None
     told, allowed = run.ledger.audits["penetration [m]"]
     assert told == pytest.approx(sunk * RADIUS, rel=1e-4)
     assert (told > allowed) == (sunk > 0.1)
+
+
+def test_crowds_share_a_kernel_whether_drag_slows_them_or_not() -> None:
+    kinds = set()
+    for eta in (0.0, 2e-3):
+        model = bulk(crowd(Contact(1e5), eta))
+        assert model is not None
+        kernel: Any = model.kernel()
+        kinds.add(tuple(map(kernel.typeof_pyval, model.state)))
+    assert len(kinds) == 1

@@ -19,8 +19,8 @@ class Rules(NamedTuple):
     """What is the same in all steps.
 
     walls (w, 4): outward normals and how far they lie along them [m]. friction: that of the law,
-    viscous: eta_n of contacts [N s/m], spin: those at t = 0, drag: each None where a scene has
-    none. lag: the part of drag that the velocity before a kick makes.
+    viscous: eta_n of contacts [N s/m], spin: those at t = 0, each None where a scene has none.
+    lag: the part of drag that the velocity before a kick makes.
     """
 
     walls: Vector
@@ -29,7 +29,7 @@ class Rules(NamedTuple):
     viscous: float | None
     spin: Vector | None
     dt: float
-    drag: Drag | None
+    drag: Drag
     lag: float
     gravity: Triple
 

@@ -48,7 +48,7 @@ def move_in_bulk(  # noqa: PLR0915 - one loop, whose parts share all its variabl
     friction: tuple[float, float] | None,
     dashpot: Dashpot | None,
     gravity: Triple,
-    drag: Drag | None,
+    drag: Drag,
     threads: int | None,
     lag: float,
     back: float,
@@ -76,7 +76,7 @@ def move_in_bulk(  # noqa: PLR0915 - one loop, whose parts share all its variabl
     if dashpot is not None:
         met = room_to_meet(len(pairs.other) + len(edges.other))
         used = meet(bulk, pairs, edges, walls, met, dashpot, dt)
-        place(bulk, given.velocity, 0.0, None)
+        place(bulk, given.velocity, 0.0, drag)
         slow(bulk, met, used, new, 0.0, drag, lag)
     put_in = normal + sprung + place(bulk, given.velocity, back * dt, drag)
     if dashpot is not None:

@@ -33,7 +33,7 @@ class BulkState(NamedTuple):
     friction: tuple[float, float] | None
     dashpot: tuple[float, float] | None
     gravity: tuple[float, float, float]
-    drag: Drag | None
+    drag: Drag
     threads: int | None = None
 
 
@@ -114,7 +114,7 @@ def bulk(scene: Scene) -> Bulk | None:
         law.friction,
         (scene.contact.kn, eta_n) if eta_n > 0 else None,
         triple(scene.gravity),
-        Drag(scene.eta, None) if scene.eta > 0 else None,
+        Drag(scene.eta, None),  # nil costs next to nothing: one kernel serves both
     )
     left_out = {Term.ROTATION} if spheres.spin.any() and not rubs else set()
     return Bulk(state, terms - left_out, _words(int(moving.sum()), len(spheres), rubs))

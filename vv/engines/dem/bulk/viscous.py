@@ -90,7 +90,7 @@ def slow(
     used: int,
     new: Vector,
     dt: float,
-    drag: Drag | None,
+    drag: Drag,
     lag: float,
 ) -> tuple[float, float]:
     """Add the forces of the contacts listed to push; return the powers [W] before and after now."""
