@@ -18,6 +18,7 @@ from bench.mutation.mutants import ROOT
 PROCESSES = {"tiny", "copy", "accepted", "first", "project", "kept"}  # fixtures that start some
 REWRITTEN = "ignore:Module already imported:pytest.PytestAssertRewriteWarning"
 LIMIT = 600  # s after which what is asked counts as red: it hangs
+SPENT = 240.0  # s of CPU time after which it does, too
 READ = ("tests", "docs", "examples", ".ci")
 BESIDE = ("README.md", "CONTRIBUTING.md", "CHANGELOG.md", "Makefile", "requirements.lock")
 LATER = itertools.count(int(time.time()))  # a second of its own for each file that is rewritten
@@ -61,6 +62,7 @@ def green(project: Path, tests: str, processes: bool) -> bool:
 
 def _tested(project: Path, tests: Sequence[str], processes: bool | None) -> int:
     signal.alarm(LIMIT)
+    signal.setitimer(signal.ITIMER_PROF, SPENT)
     sys.dont_write_bytecode = False  # the next process reads it
     os.chdir(project)
     os.environ["PYTHONPATH"] = str(project)

@@ -11,7 +11,7 @@ from typing import Any
 
 import pytest
 
-from bench.mutation import case_mutants, engine_gate, engine_mutants
+from bench.mutation import case_mutants, engine_gate, engine_mutants, forked_tests
 from bench.mutation.engine_gate import Red
 from bench.mutation.framework_sites import named, turnable
 from bench.mutation.mutants import ROOT, Mutant, all_places, parsed, turned
@@ -140,6 +140,15 @@ def test_what_cases_share_is_asked_of_those_that_name_it_first() -> None:
     assert {*shared[: case_mutants.ASKED]} >= {"tetrahedral-path", "tetrahedral-unit"}
     assert shared.index("close-packed-energy") >= case_mutants.ASKED
     assert case_mutants.cases_of("cases/bonds/tetrahedral_unit.py")[0] == "tetrahedral-unit"
+
+
+def test_tests_that_never_end_are_red(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    (tmp_path / "test_spins.py").write_text("def test_spins():\n    while True: pass\n")
+    monkeypatch.setattr(forked_tests, "SPENT", 3.0)
+    monkeypatch.setattr(forked_tests, "LIMIT", 60)
+    before = sum(os.times()[2:4])
+    assert not forked_tests.passes(tmp_path, "test_spins.py")
+    assert sum(os.times()[2:4]) - before < 6.0  # s of CPU time
 
 
 def test_what_is_of_no_case_is_put_to_the_tests_of_papers() -> None:
