@@ -5,6 +5,7 @@ import numpy as np
 from cases.bonds._specimens import block_of, on_springs, on_tops, specimen, yielding
 from cases.bonds.close_packed_strength import CASE
 from vv.ask import Ask, History, Knobs, Reaction
+from vv.case import Scalar
 from vv.engines import dem
 from vv.scene import Scene
 
@@ -30,6 +31,13 @@ def test_platens_that_yield_add_the_length_of_their_springs() -> None:
     for one, other in zip(rigid, moduli(yielding(p, BLOCK), on_springs(BLOCK)), strict=True):
         plane = one / (1.0 + one * sunk)
         assert 0.99 * plane < other < plane < 0.97 * one
+
+
+def test_errors_of_strengths_are_parts_of_the_exact_ones() -> None:
+    quantities = CASE.declare("pressed-82", PRESSED).quantities
+    exact = [q for q in quantities if isinstance(q, Scalar) and q.reference]
+    assert len(exact) >= 1
+    assert all(one.scale == one.reference for one in exact)
 
 
 def test_springs_to_platens_stay_upright() -> None:
