@@ -85,9 +85,15 @@ def test_steps_are_shorter_where_bonds_swing_faster(
     assert study.rungs[Level.QUICK][0].dt == pytest.approx(1e-7 / shorter, rel=1e-15)
 
 
-def test_a_block_that_lands_as_its_run_ends_is_refused() -> None:
+@pytest.mark.parametrize(
+    "given",
+    [
+        {"w": 1.17, "height": 1.02, "V": 0.242, "duration": 1.96},
+        {"w": 1.15, "height": 0.781, "V": 0.168, "duration": 2.11},  # by outputs on whole steps
+    ],
+)
+def test_a_block_that_lands_as_its_run_ends_is_refused(given: dict[str, float]) -> None:
     made = PROJECT.load_case("tumbling")
-    given = {"w": 1.17, "height": 1.02, "V": 0.242, "duration": 1.96}
     path = made.declare("corner", {**made.defaults("corner"), **given}).quantities[0]
     assert isinstance(path, Series)
     assert path.reference is not None
