@@ -9,13 +9,16 @@ import sys
 import time
 from collections.abc import Iterator, Sequence
 from pathlib import Path
+from types import SimpleNamespace
+from typing import cast
 
 import pytest
 
 from vv.ask import Run, Status
-from vv.codes import external, reused_program
+from vv.codes import external
+from vv.codes.adapter import Adapter
 from vv.codes.external import Process
-from vv.codes.reused_program import ReusedProgram
+from vv.codes.reused_program import ReusedProgram, kept_waiting
 
 # answers each ask with its process, but ends at one that says `die`, and stops at `hang`
 PROGRAM = """
@@ -33,8 +36,8 @@ for line in sys.stdin:
 
 @pytest.fixture(params=[True, False], ids=["where it may wait", "elsewhere"])
 def waits(request: pytest.FixtureRequest, program: ReusedProgram) -> Iterator[bool]:
-    """Whether programs may wait in this process."""
-    with reused_program.may_wait() if request.param else contextlib.nullcontext():
+    """Whether the program may wait."""
+    with program.may_wait() if request.param else contextlib.nullcontext():
         yield bool(request.param)
 
 
@@ -100,7 +103,7 @@ def test_one_that_dies_fails_the_ask_in_flight_and_the_rest_run_alone(
 def test_one_that_was_ended_while_it_waited_is_started_anew(
     program: ReusedProgram, tmp_path: Path
 ) -> None:
-    with reused_program.may_wait():
+    with program.may_wait():
         (first,) = answers(program, tmp_path / "one", "a")
         os.kill(int(first.reason), signal.SIGKILL)
         time.sleep(0.05)
@@ -130,3 +133,16 @@ def test_one_that_is_not_awaited_to_its_end_does_not_wait(
     first = next(left)
     left.close()  # type: ignore[attr-defined]  # it is a generator
     assert not runs(first.reason)
+
+
+def test_a_worker_lets_the_program_of_its_own_adapter_wait_and_no_other(
+    program: ReusedProgram, tmp_path: Path
+) -> None:
+    other = ReusedProgram()
+    with kept_waiting(cast(Adapter, SimpleNamespace(program=other))):
+        (ended,) = answers(program, tmp_path / "one", "a")
+    with kept_waiting(cast(Adapter, SimpleNamespace(program=program))):
+        (waits,) = answers(program, tmp_path / "two", "a")
+    with kept_waiting(cast(Adapter, SimpleNamespace(program="a path"))):
+        (other_ended,) = answers(other, tmp_path / "three", "a")
+    assert [runs(run.reason) for run in (ended, waits, other_ended)] == [False, True, False]

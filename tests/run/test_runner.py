@@ -14,6 +14,7 @@ from typing import Any
 import pytest
 
 from vv.ask import Run, Status
+from vv.codes.reused_program import ReusedProgram
 from vv.run.process import Batch
 from vv.run.runner import _Worker, run_batches
 
@@ -42,6 +43,19 @@ class Telling(Deadly):
         """One Run for each ask, as far as it comes."""
         for one in super().run(asks, scheme, scratch, repeat):
             yield dataclasses.replace(one, reason=str(os.getpid()))
+
+
+class Starting(Deadly):
+    """A code that answers with whether its program may wait for more."""
+
+    def __init__(self) -> None:
+        super().__init__(-1, -1)
+        self.program = ReusedProgram()
+
+    def run(self, asks: Sequence[Any], scheme: str, scratch: Path, repeat: float) -> Iterator[Run]:
+        """One Run for each ask."""
+        for one in super().run(asks, scheme, scratch, repeat):
+            yield dataclasses.replace(one, reason=str(self.program._may_wait))
 
 
 def batch(code: Any, numbers: range, stays: bool = False) -> Batch:
@@ -99,6 +113,13 @@ def test_a_worker_that_stays_answers_the_next_batches_of_its_code_and_no_other(
     assert found.keys() == set(range(8))
     assert len({*who[:6]}) == processes
     assert who[6] == who[7] not in who[:6]
+
+
+def test_the_program_of_a_code_may_wait_in_a_worker_alone(tmp_path: Path) -> None:
+    code = Starting()
+    ((_, within),) = run_batches([batch(code, range(1))], 1, 30.0, lambda: tmp_path)
+    (elsewhere,) = code.run(batch(code, range(1)).asks, "default", tmp_path, 0.0)
+    assert (within.reason, elsewhere.reason) == ("True", "False")
 
 
 @pytest.mark.parametrize("dies", [2, 3])

@@ -9,29 +9,29 @@ from __future__ import annotations
 import contextlib
 import subprocess
 from collections.abc import Iterator, Mapping, Sequence
+from contextlib import AbstractContextManager
 from pathlib import Path
 
 from vv.codes import external
+from vv.codes.adapter import Adapter
 from vv.codes.external import Process
-
-_workers: list[bool] = []  # not empty within `may_wait`
-
-
-@contextlib.contextmanager
-def may_wait() -> Iterator[None]:
-    """Let programs wait for more in this block; the caller ends them with its other children."""
-    _workers.append(True)
-    try:
-        yield
-    finally:
-        _workers.pop()
 
 
 class ReusedProgram:
     """The program of a code: the one that waits, or one that is started now."""
 
     def __init__(self) -> None:
+        self._may_wait = False
         self._waiting: Process | None = None
+
+    @contextlib.contextmanager
+    def may_wait(self) -> Iterator[None]:
+        """Let it wait for more in this block; the caller ends it with its other children."""
+        before, self._may_wait = self._may_wait, True
+        try:
+            yield
+        finally:
+            self._may_wait = before
 
     def ask(
         self,
@@ -54,10 +54,18 @@ class ReusedProgram:
 
     def dismiss(self, program: Process, whole: bool) -> None:
         """Let a program wait that has answered the whole of a list; end any other."""
-        if whole and _workers:
+        if whole and self._may_wait:
             self._waiting = program
             return
         _end(program, whole)
+
+
+def kept_waiting(adapter: Adapter) -> AbstractContextManager[None]:
+    """Let the program of an adapter wait for more, where it has one in `program` that can."""
+    program = getattr(adapter, "program", None)
+    if isinstance(program, ReusedProgram):
+        return program.may_wait()
+    return contextlib.nullcontext()
 
 
 def _told(program: Process, listed: Path) -> bool:

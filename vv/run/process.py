@@ -16,8 +16,8 @@ from pathlib import Path
 
 from vv.ask import Ask, Run, Status
 from vv.base.processes import adopt_orphans, end_children, end_descendants
-from vv.codes import reused_program
 from vv.codes.adapter import Adapter
+from vv.codes.reused_program import kept_waiting
 from vv.run.search import answers
 
 
@@ -54,7 +54,7 @@ def work(known: Sequence[Batch], orders: Connection, pipe: Connection, scratch: 
         os.dup2(log.fileno(), 1)
         os.dup2(log.fileno(), 2)
     batch = known[0]
-    with reused_program.may_wait():
+    with kept_waiting(batch.adapter):
         while _answered(batch, pipe, scratch) and batch.stays and len(known) > 1:
             batch = known[orders.recv()]
     end_children()  # programs that wait for more, and what one has left behind
