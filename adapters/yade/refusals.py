@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping
+
 import numpy as np
 
 from adapters.yade.polyhedra import why_no_polyhedron
@@ -14,7 +16,10 @@ from vv.scene import Scene, Term, why_locks_need_more_than_loads
 from vv.standins.stand_in import spring_scene, why_no_spring_scene, without_rotations
 from vv.standins.why_no_clump import why_no_clump
 
-NO_BLOCK = {CLUMP: why_no_clump, POLYHEDRA: why_no_polyhedron}
+NO_BLOCK: Mapping[str, Callable[[Ask], str | None]] = {
+    CLUMP: why_no_clump,
+    POLYHEDRA: why_no_polyhedron,
+}
 
 
 def refusal(ask: Ask, scheme: str) -> str | None:

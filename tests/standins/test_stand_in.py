@@ -114,3 +114,11 @@ def test_a_lock_is_told_from_a_wall_s_normal_in_any_axes() -> None:
         one = ball(free=np.array([free]))
         why = why_no_spring_scene(asked(rigid(FLOOR, one, axes=axes)))
         assert (why is not None) is refused
+
+
+def test_what_stands_in_is_worked_out_once_for_all_codes_and_schemes_that_ask() -> None:
+    turning = rigid(FLOOR, cube(free_spin=np.ones(3, bool)))
+    coarse, fine = asked(turning), asked(turning, kn=1e7)
+    assert without_rotations(coarse).scene is without_rotations(fine).scene
+    for ask in (coarse, fine):
+        assert spring_scene(without_rotations(ask)) is spring_scene(without_rotations(ask))

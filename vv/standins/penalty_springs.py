@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import dataclasses
+import functools
 
 import numpy as np
 
@@ -10,6 +11,8 @@ from vv.scene import Block, Harmonic, Scene, Spheres, Vector
 
 TOUCHING = 1e-9  # of a block's size: a gap below that is a contact
 STILL = 1e-12  # of the speeds of a body and its wall: a slip below that is rounding
+# Each code and scheme asks again of the settings of a variant: what is found of frozen data stays.
+found_once = functools.lru_cache(maxsize=128)
 
 
 def why_no_point(scene: Scene) -> str | None:
@@ -28,6 +31,7 @@ def why_no_point(scene: Scene) -> str | None:
     return None
 
 
+@found_once
 def as_spheres(scene: Scene) -> Scene:
     """The scene with each block as a sphere at its centroid, with the block's gap to the wall.
 

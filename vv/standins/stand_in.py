@@ -14,6 +14,7 @@ from vv.standins.penalty_springs import (
     as_spheres,
     base_velocity,
     fastest,
+    found_once,
     friction_at_start,
     softened,
     why_no_point,
@@ -43,6 +44,7 @@ class SpringScene:
     notes: tuple[str, ...]
 
 
+@found_once
 def spring_scene(ask: Ask) -> SpringScene:
     """What a code with springs and spheres solves; `why_no_spring_scene` must not object.
 
@@ -67,6 +69,7 @@ def spring_scene(ask: Ask) -> SpringScene:
     return SpringScene(scene, charged, terms, tuple(notes))
 
 
+@found_once
 def without_rotations(ask: Ask) -> Ask:
     """The ask with its blocks locked against rotation, as spheres in their place would be.
 
@@ -74,13 +77,20 @@ def without_rotations(ask: Ask) -> Ask:
     """
     if not any(block.free_spin.any() for block in ask.scene.blocks):
         return ask
+    return dataclasses.replace(ask, scene=_locked(ask.scene))
+
+
+@found_once
+def _locked(scene: Scene) -> Scene:
+    """The scene with its blocks locked against rotation."""
     bodies = tuple(
         dataclasses.replace(g, free_spin=np.zeros(3, bool)) if isinstance(g, Block) else g
-        for g in ask.scene.bodies
+        for g in scene.bodies
     )
-    return dataclasses.replace(ask, scene=dataclasses.replace(ask.scene, bodies=bodies))
+    return dataclasses.replace(scene, bodies=bodies)
 
 
+@found_once
 def why_no_spring_scene(ask: Ask) -> str | None:
     """Why neither springs nor spheres can stand in for what an ask has; else None."""
     reason = why_no_point(ask.scene) if ask.scene.blocks else None

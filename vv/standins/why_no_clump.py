@@ -10,11 +10,13 @@ from vv.ask import Ask
 from vv.scene import Block, Pulse, Scene, Term, Vector, Wall
 from vv.standins.clump import Clump, clumps
 from vv.standins.corners import feet, spans_a_face
+from vv.standins.penalty_springs import found_once
 from vv.standins.stand_in import SHEAR, spring_scene, why_no_spring_scene, without_rotations
 
 GIVES = 0.02  # of the way in which a slide stops: what shear springs may stretch by
 
 
+@found_once
 def why_no_clump(ask: Ask) -> str | None:
     """Why no clumps can stand for what an ask has; None if they can."""
     scene = ask.scene
