@@ -36,6 +36,12 @@ def baseline(tiny: Tiny) -> dict[str, Any]:
     return dict(json.loads((tiny.root / BASELINE).read_text()))
 
 
+def test_a_code_that_is_not_selected_is_not_even_imported(tiny: Tiny) -> None:
+    (tiny.root / "adapters" / "slow.py").write_text('raise RuntimeError("it was imported")\n')
+    done = tiny.vv("run", *GOOD, "--fresh")
+    assert (done.returncode, "it was imported" in done.stdout + done.stderr) == (0, False)
+
+
 def only_good(tiny: Tiny) -> None:
     """Leave the well-behaved scheme alone, so that accepting a case is quick."""
     tiny.edit("adapters/fake.py", "(*map(scheme, NAMES), Scheme(", "(scheme('good'),) or (Scheme(")

@@ -111,8 +111,7 @@ def _since(
 ) -> list[Finding]:
     """What changed since the baselines were accepted: results and speed of each case."""
     external = {code for code, found in plan.found.items() if found.files}
-    adapters = {name: project.load_adapter(name) for name in project.adapter_names()}
-    labels = {f"{name}/{s.name}" for name, adapter in adapters.items() for s in adapter.schemes}
+    labels = {f"{name}/{s.name}" for name, code in plan.adapters.items() for s in code.schemes}
     asked = {record.code for record in records}
     demanded = options.against is not None
     by_case: dict[str, list[Record]] = {name: [] for name in plan.cases}

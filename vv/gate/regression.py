@@ -214,8 +214,7 @@ def removed_results(
 ) -> list[Finding]:
     """Results in a baseline whose variant or scheme no longer exists.
 
-    variants: those of the case. labels: the schemes of the existing codes. codes: those that were
-    selected.
+    variants: those of the case. codes: those that were selected. labels: all of their schemes.
     """
     found = {}
     for name in baseline.results if baseline else ():
