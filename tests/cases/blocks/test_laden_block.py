@@ -8,17 +8,22 @@ import pytest
 from cases.blocks.laden_block import CASE
 from vv.ask import Method
 from vv.case import Exact, Series
+from vv.scene import Vector
 
 
-def bound(given: dict[str, float]) -> tuple[float, float]:
-    """The bound of slip for springs, and the largest way along it [m]."""
+def bounds(given: dict[str, float]) -> tuple[Vector, float]:
+    """For springs those of slip and of rise; and the largest way [m]."""
     p = {**CASE.defaults("level"), **given}
-    (slip,) = (q for q in CASE.declare("level", p).quantities if q.name == "slip")
+    quantities = {q.name: q for q in CASE.declare("level", p).quantities}
+    slip, rise = quantities["slip"], quantities["rise"]
     assert isinstance(slip, Series)
     assert isinstance(slip.judge, Exact)
+    assert isinstance(rise.judge, Exact)
     assert slip.reference is not None
     way = np.asarray(slip.reference(np.linspace(0.0, p["duration"], 1000)))
-    return slip.judge.tolerance(Method.PENALTY).value, float(np.abs(way).max())
+    one, other = (judge.tolerance(Method.PENALTY) for judge in (slip.judge, rise.judge))
+    assert max(one.floor / one.value, other.floor / other.value) < 1.0  # they go with the setting
+    return np.array([one.value, other.value]), float(np.abs(way).max())
 
 
 @pytest.mark.parametrize(
@@ -33,6 +38,6 @@ def test_a_bound_grows_with_the_largest_drive_and_as_the_way_shrinks(
     given: dict[str, float], times: float
 ) -> None:
     """Friction lifts with the slope and is shaken by mu times these; it slows by mu p - push."""
-    own, way = bound({"v": 6.0})
-    other, moved = bound({"v": 6.0, **given})
+    own, way = bounds({"v": 6.0})
+    other, moved = bounds({"v": 6.0, **given})
     assert other * moved == pytest.approx(times * own * way, rel=0.01)
