@@ -5,7 +5,8 @@ alike, compiled or not; `--files 'vv/engines/dem/*'` from some. A copy holds all
 its tests are collected once, and each mutant is switched on in a fork of that process, so that
 kernels are compiled once. What hangs is told by CPU time, which a busy machine does not change.
 What the tests of the engines do not see is put to the quick gate of the codes it is part of. Where
-a test or a gate is wrong with no mutant on the bench ends and judges nothing.
+a gate is wrong with no mutant on, or more tests than choices between mutants may turn by rounding,
+the bench ends and judges nothing.
 """
 
 import argparse
@@ -39,6 +40,7 @@ CODES = ("exact", "dem", "dda", "rigid")
 TESTS = ("tests/engines",)
 LONGEST = 60.0  # s of CPU time that the tests may take which one mutant is put to
 SPARE, HANGING = 10.0, 3.0  # s and times of what tests take without a mutant: it hangs
+AMISS = 0.05  # of the tests, that may count sweeps or steps which rounding changes
 COMPILING = 1200.0  # s of CPU time for all tests once, with every kernel compiled
 
 
@@ -87,7 +89,7 @@ def switch_on(number: int) -> None:
 
 
 def green(collected: Collected, kept: Path) -> dict[str, float]:
-    """CPU seconds of each test with no mutant on, all of them green, and kernels compiled before.
+    """CPU seconds of each test that is green with no mutant on, with kernels compiled before.
 
     Those that do not end within the time for all are not there.
     """
@@ -103,8 +105,15 @@ def green(collected: Collected, kept: Path) -> dict[str, float]:
     for _ in ("compiles", "is timed"):
         forked(timed, COMPILING)
     known: dict[str, float] = json.loads(kept.read_text())
-    engine_gate.require_green([name for name, spent in known.items() if spent == float("inf")])
-    return known
+    return those_green(known)
+
+
+def those_green(seconds: dict[str, float]) -> dict[str, float]:
+    """The tests without those that took for ever, which are red; ends the bench if many are."""
+    red = [name for name, spent in seconds.items() if spent == float("inf")]
+    engine_gate.require_green(red if len(red) > AMISS * len(seconds) else [])
+    print(f"red without a mutant and left out: {', '.join(red) or 'none'}", flush=True)
+    return {name: spent for name, spent in seconds.items() if name not in red}
 
 
 def by_tests(
