@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -10,7 +11,9 @@ import pytest
 from tests.conftest import tiny_project
 from tests.support.fabricated import changed, entry, manifest, record
 from vv.case.published import Assessment, Computed, Paper, Statement
+from vv.insight import papers
 from vv.insight.history import history
+from vv.insight.papers import Row
 from vv.insight.rows_of_run import rows_of_run
 from vv.plan.exact_numbers import with_exact_numbers
 from vv.plan.project import Project, find
@@ -77,3 +80,25 @@ def test_what_ran_at_other_parameters_or_not_at_all_answers_no_statement(project
         whole = manifest(changed(good, **changes))
         ((row, _),) = rows_of_run([paper(2.0, [])], project, whole)
         assert len(row.answers) == answers, changes
+
+
+def test_new_results_of_a_case_have_only_the_papers_about_it_read_anew(
+    project: Project, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """What is kept of the others stays."""
+    asked: list[str] = []
+    rows = papers.rows
+
+    def worked_out(paper: Paper, results: Callable[[str], papers.Results]) -> tuple[Row, ...]:
+        asked.append(paper.name)
+        return rows(paper, results)
+
+    monkeypatch.setattr(papers, "rows", worked_out)
+    seen, open_ = paper(2.0, []).statements
+    one = Paper("one", "", "", (seen,))
+    other = Paper("other", "", "", (open_,))
+    for number, error in enumerate((1e-3, 1e-3, 2e-3)):
+        whole = manifest(record("dem/default", "T1", error), name=f"0{number}")
+        Store(project.data()).keep_manifest(whole)
+        rows_of_run([one, other], project, whole)
+    assert asked == ["one", "other", "one"]

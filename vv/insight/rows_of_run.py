@@ -25,31 +25,37 @@ def rows_of_run(
 ) -> tuple[tuple[Row, ...], ...]:
     """The rows of each paper, worked out where records, baselines or sources are new."""
     results = functools.cache(functools.partial(_results, project, manifest))
-    store, key = Store(project.data()), _key_of_rows(papers, project, manifest)
-    rows = store.facts(tuple[tuple[insight.Row, ...], ...], key) if key else None
-    if rows is None or len(rows) != len(papers):
-        rows = tuple(insight.rows(paper, results) for paper in papers)
-        if key:
-            store.keep_facts(key, rows)
-    return rows
+    store = Store(project.data())
+    records = store.digests_of(manifest.name)
+    sources = _sources(project) if records else ""
+    found = []
+    for paper in papers:
+        key = _key_of_rows(paper, project, sources, records) if records else ""
+        rows = store.facts(tuple[Row, ...], key) if key else None
+        if rows is None or len(rows) != len(paper.statements):
+            rows = insight.rows(paper, results)
+            if key:
+                store.keep_facts(key, rows)
+        found.append(rows)
+    return tuple(found)
 
 
-def _key_of_rows(papers: Sequence[Paper], project: Project, manifest: Manifest) -> str:
-    """A digest of all that the rows are made of; empty where the records are not in the store."""
-    records = Store(project.data()).digests_of(manifest.name)
-    if not records:
-        return ""
-    cases = sorted(
-        {computed.case for paper in papers for one in paper.statements for computed in one.computed}
-    )
+def _sources(project: Project) -> str:
+    """A digest of what lists the papers and makes rows of them."""
+    of = [*files(project), Path(insight.__file__)]
+    return closure.source_digest(closure.import_closure(of, project.roots))
+
+
+def _key_of_rows(paper: Paper, project: Project, sources: str, records: Mapping[str, str]) -> str:
+    """A digest of all that the rows of a paper are made of; records: case -> digest of them."""
+    cases = sorted({it.case for one in paper.statements for it in one.computed})
     folders = [root / "cases" / "baselines" for root in project.roots]
     accepted = [folder / f"{case}.json" for folder in folders for case in cases]
-    of = [*files(project), Path(insight.__file__)]
-    sources = closure.import_closure(of, project.roots)
-    made_from = [*sources, *(path for path in accepted if path.is_file())]
     return digest(
-        "rows of papers",
-        closure.source_digest(made_from),
+        "rows of a paper",
+        paper.name,
+        sources,
+        closure.source_digest([path for path in accepted if path.is_file()]),
         [records.get(case, "") for case in cases],
     )
 
