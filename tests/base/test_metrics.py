@@ -91,6 +91,13 @@ def test_the_pointwise_error_leaves_out_zero_crossings() -> None:
     assert pointwise_error(value, REFERENCE) > max_error(value, REFERENCE)
 
 
+def test_the_pointwise_error_counts_from_a_hundredth_of_the_largest_reference_on() -> None:
+    reference = np.array([2.0, 0.0201, 0.0199])
+    value = np.array([2.0, 1.5 * 0.0201, 3.0 * 0.0199])
+    assert pointwise_error(value, reference) == pytest.approx(0.5)
+    assert pointwise_history(value, reference) == pytest.approx([0.0, 0.5, math.nan], nan_ok=True)
+
+
 def test_a_reference_of_zeros_has_no_relative_error() -> None:
     with pytest.raises(ValueError, match=r"max\|reference\| = 0.0"):
         max_error(REFERENCE, np.zeros_like(REFERENCE))

@@ -135,6 +135,17 @@ def test_softening_release_overlaps_and_raised_masses_drop_nothing() -> None:
     assert not lost(heavier(TIED, 1.0))
 
 
+def test_a_lock_along_an_axis_of_the_frame_stays_one_beside_an_oblique_one() -> None:
+    """Loads stand for a lock at 37 degrees in the plane; across the plane it is held as it was."""
+    free = np.array([[True, False, False]])
+    one = Spheres(np.zeros((1, 3)), np.zeros((1, 3)), np.ones(1), np.array([2.0]), free)
+    axes = np.array([[0.8, 0.6, 0.0], [-0.6, 0.8, 0.0], [0.0, 0.0, 1.0]])
+    field = np.array([0.0, -10.0, -10.0])
+    made = with_loads_for_locks(Scene((one,), Contact(1e4), gravity=field, axes=axes))
+    assert np.array(made.spheres.free).tolist() == [[True, True, False]]
+    assert made.spheres.load[0] == pytest.approx([-9.6, 12.8, 0.0])  # 16 N along it
+
+
 def test_what_stands_for_a_block_keeps_what_is_stated_of_all_else() -> None:
     """Of the block itself a sphere is made, which has what a sphere has by default."""
     others = (Scene, Contact, Wall, Ask)
