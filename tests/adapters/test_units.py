@@ -2,8 +2,9 @@
 
 Units that are powers of two change no rounding, so that not one bit may differ; a tolerance in m,
 s or kg would make it. Millimetres, grams and milliseconds round the numbers of a scene anew: what
-comes of that is known from units that are larger by a few roundings only, and so can be told from
-such a tolerance.
+comes of that is known from units near metre, second and kilogram that round them anew, too, but
+move no such tolerance by much. Units that differ by roundings alone would not do: they leave what
+is a power of two as it is, and places of corners with it.
 """
 
 from __future__ import annotations
@@ -17,7 +18,18 @@ import pytest
 from tests.adapters.test_metamorphic import SCHEMES, ran
 from tests.scenes.blocks.block_scenes import HELD, incline
 from tests.scenes.metamorphic import in_units
-from vv.ask import Ask, Displacement, History, Knobs, Observable, Reaction, Run, Status, Velocity
+from vv.ask import (
+    Ask,
+    Displacement,
+    History,
+    Knobs,
+    Observable,
+    Reaction,
+    Run,
+    Status,
+    Strain,
+    Velocity,
+)
 from vv.engines import rigid
 from vv.plan.project import find
 from vv.scene import Scene, Vector
@@ -44,16 +56,15 @@ SCENES = {
     "tumbling:corner": (COARSE, 200),
     "painleve:mu-1.34": (FINE, 300),
     "standing:arch": (COARSE, 50),
+    "damped-swing:unresolved": (Knobs(2e-2, 1e6), 100),
+    "elastic-block:pressed": (COARSE, 200),
     "failure-modes:3d-40": (COARSE, 20),  # many blocks, which take Newton steps
 }
 SETTLES = "dda/published"  # it lets blocks settle for 2 s, whatever a second is
 LAGS = "dda/lagged"  # its open-close iterations need not end, and rounding may decide where they do
 EPS = float(np.finfo(float).eps)
 DECIMAL = (1e3, 1e3, 1e3)  # in mm, ms and g
-ROUNDED_ANEW = [
-    (1 + 12 * EPS, 1 + 20 * EPS, 1 + 28 * EPS),
-    (1 - 44 * EPS, 1 - 12 * EPS, 1 + 4 * EPS),
-]
+ROUNDED_ANEW = [(1.1, 0.9, 1.3), (0.7, 1.3, 1.1), (1.3, 1.1, 0.9)]  # m, s and kg, or nearly so
 
 
 def scene_of(name: str) -> Scene:
@@ -83,7 +94,12 @@ def asked(name: str) -> Ask:
 def unit_of(what: Observable, units: tuple[float, ...]) -> float:
     """What a value is multiplied by in these units."""
     length, time, mass = units
-    kinds = {Displacement: length, Velocity: length / time, Reaction: mass * length / time**2}
+    kinds = {
+        Displacement: length,
+        Velocity: length / time,
+        Reaction: mass * length / time**2,
+        Strain: 1.0,
+    }
     return kinds[type(what)]
 
 
