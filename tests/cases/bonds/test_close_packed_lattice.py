@@ -5,9 +5,11 @@ from __future__ import annotations
 import dataclasses
 from pathlib import Path
 
+import numpy as np
 import pytest
 
-from cases.bonds.close_packed_lattice import CASE
+from cases.bonds.close_packed_lattice import CASE, LEANS
+from reference_solutions.bonds import lattice_directions
 from vv.ask import Ask, Knobs, Method, Run, Status
 from vv.case import Exact, Level, Scalar, Trial, evaluated
 from vv.engines import dem
@@ -64,3 +66,16 @@ def test_the_costly_blocks_wait_for_the_level_paper() -> None:
     assert shown[Level.QUICK] == {"82"}
     assert shown[Level.DEFAULT] == {"82", "255", "580", "1105", "82-turning"}
     assert all(v.runs_at(Level.PAPER) for v in CASE.variants)
+
+
+def test_blocks_are_cut_where_the_lattice_is_softest_of_all_leans() -> None:
+    p = CASE.defaults("softest")
+    springs = {"kn": p["kn"], "ks": p["gamma"] * p["kn"], "d": p["d"]}
+
+    def modulus(degrees: float) -> float:
+        lean = np.radians(degrees)
+        return lattice_directions.modulus([np.sin(lean), 0.0, np.cos(lean)], **springs)
+
+    leans = np.linspace(0.0, 90.0, 181)
+    least = float(leans[np.argmin([modulus(lean) for lean in leans])])
+    assert LEANS["softest"] == pytest.approx(least, abs=1.0)
