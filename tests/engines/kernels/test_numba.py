@@ -348,8 +348,8 @@ def test_functions_of_a_whole_are_left_to_the_passes_over_all_of_it(kind: Any, l
 
 def test_a_function_has_a_short_name_in_code_another_for_other_types() -> None:
     name: Any = Lean.mangler
-    tuples: Any = types.UniTuple
-    kinds = [tuples(types.float64, n) for n in (40, 41)]
+    tuples: Any = types.Tuple
+    kinds = [tuples([types.float64, types.int64] * n) for n in (20, 21)]
     short = [name(None, "pull", (kind,), uid=1) for kind in kinds]
     assert max(map(len, short)) < 40
     assert len({*short, name(None, "push", kinds[:1], uid=1), name(None, "pull", kinds[:1])}) == 4
