@@ -56,6 +56,15 @@ def test_a_damaged_manifest_fails_where_it_is_damaged_only(tmp_path: Path) -> No
             read("01")
 
 
+def test_a_case_whose_records_are_lost_is_damaged_and_not_without_any(tmp_path: Path) -> None:
+    store, path = Store(tmp_path), tmp_path / "manifests" / "01.json"
+    store.keep_manifest(manifest(*jobs("b", "a"), name="01"))
+    kept = [line for line in path.read_text().splitlines(True) if not line.startswith('"a": ')]
+    path.write_text("".join(kept))
+    with pytest.raises(OSError, match="the records of a is not what was kept"):
+        store.records_of("01", "a")
+
+
 def test_what_is_damaged_is_passed_over_with_a_word(tmp_path: Path) -> None:
     store = Store(tmp_path)
     said: list[str] = []
