@@ -12,7 +12,7 @@ READ, KEPT, DATA = 0, 3, 1  # of llvm.prefetch: what for, how long it is kept, w
 
 
 def _begin_to_read(rows: Vector, i: int, column: int) -> None:
-    """Ask for the line of the cache that holds rows[i, column]; from Python it does nothing."""
+    """Ask for the line of the cache that holds rows[i, column]; for kernels only."""
 
 
 def _wrap(function: Any) -> Any:
