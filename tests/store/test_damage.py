@@ -159,7 +159,7 @@ def places(data: object, above: tuple[Any, ...] = ()) -> Iterator[tuple[Any, ...
 def test_every_damaged_file_is_named_and_its_job_run_again(tiny: Tiny, layer: str) -> None:
     words = ("run", "--all", "--codes", "fake/good", "--json", "out.json")
     assert tiny.vv(*words).returncode == 0
-    told = (tiny.root / "out.json").read_text()
+    told = quantities(tiny)
     damaged = [
         *(tiny.root / ".vv" / layer).rglob("*.json"),
         *(tiny.root / ".vv" / layer).rglob("*.npz"),
@@ -183,11 +183,14 @@ def test_every_damaged_file_is_named_and_its_job_run_again(tiny: Tiny, layer: st
     else:
         assert not lost
     assert "the digest differs; passed over, and made again" in done.stderr
-    again = json.loads((tiny.root / "out.json").read_text())["records"]
-    assert [r["quantities"] for r in again] == [
-        r["quantities"] for r in json.loads(told)["records"]
-    ]
+    assert quantities(tiny) == told
     assert "digest differs" not in tiny.vv(*words).stderr
+
+
+def quantities(tiny: Tiny) -> list[Any]:
+    """What the last run wrote of each record's quantities."""
+    records = json.loads((tiny.root / "out.json").read_text())["records"]
+    return [record["quantities"] for record in records]
 
 
 def resealed(path: Path, **changes: np.ndarray) -> bytes:
@@ -203,15 +206,14 @@ def test_a_series_that_is_not_that_of_its_figures_is_made_again(tiny: Tiny, name
     """Sealed as it is: its curve would stand beside an error that is another's."""
     words = (*SELECTION, "--json", "out.json")
     assert tiny.vv(*words).returncode == 0
-    told = json.loads((tiny.root / "out.json").read_text())["records"]
+    told = quantities(tiny)
     forged = sorted((tiny.root / ".vv" / "records").rglob("*.npz"))
     for path in forged:
         path.write_bytes(resealed(path, **{name: np.linspace(0.0, 2.0, 11)}))
     done = tiny.vv(*words)
     assert done.returncode == 0
     assert sum(f"{path}: " in done.stderr for path in forged) == len(forged)
-    again = json.loads((tiny.root / "out.json").read_text())["records"]
-    assert [r["quantities"] for r in again] == [r["quantities"] for r in told]
+    assert quantities(tiny) == told
     assert "passed over" not in tiny.vv(*words).stderr
 
 
@@ -233,22 +235,21 @@ def test_a_stored_run_that_answers_no_ask_is_run_again(
     """Sealed as it is, it would be red for ever."""
     words = (*SELECTION, "--json", "out.json")
     tiny.vv(*words)
-    told = json.loads((tiny.root / "out.json").read_text())["records"]
+    told = quantities(tiny)
     for path in (tiny.root / ".vv" / "runs").rglob("*.npz"):
         path.write_bytes(resealed(path, **changes))
     for layer in ("answers", "records"):  # as long as they are there nobody reads runs
         shutil.rmtree(tiny.root / ".vv" / layer)
     done = tiny.vv(*words)
     assert (done.returncode, said in done.stderr) == (0, True), done.stderr
-    again = json.loads((tiny.root / "out.json").read_text())["records"]
-    assert [r["quantities"] for r in again] == [r["quantities"] for r in told]
+    assert quantities(tiny) == told
 
 
 def test_a_record_that_leaves_a_quantity_out_is_made_again(tiny: Tiny) -> None:
     """Sealed as it is, the gate would be green for ever: of what is left out nothing is judged."""
     words = (*SELECTION, "--json", "out.json")
     tiny.vv(*words)
-    told = json.loads((tiny.root / "out.json").read_text())["records"]
+    told = quantities(tiny)
     shutil.rmtree(tiny.root / ".vv" / "answers")
     store = Store(tiny.root / ".vv")
     for one in (tiny.root / ".vv" / "records").rglob("*.json"):
@@ -257,16 +258,14 @@ def test_a_record_that_leaves_a_quantity_out_is_made_again(tiny: Tiny) -> None:
         store.keep_summary(one.stem, dataclasses.replace(summary, quantities=()), {})
     done = tiny.vv(*words)
     assert "is not of all quantities; passed over, and made again" in done.stderr
-    again = json.loads((tiny.root / "out.json").read_text())["records"]
-    assert [r["quantities"] for r in again] == [r["quantities"] for r in told]
+    assert quantities(tiny) == told
 
 
 def test_a_lost_series_is_made_again(tiny: Tiny) -> None:
     words = (*SELECTION, "--json", "out.json")
     tiny.vv(*words)
-    told = json.loads((tiny.root / "out.json").read_text())["records"]
+    told = quantities(tiny)
     next((tiny.root / ".vv" / "records").rglob("*.npz")).unlink()
     shutil.rmtree(tiny.root / ".vv" / "answers")
     tiny.vv(*words)
-    again = json.loads((tiny.root / "out.json").read_text())["records"]
-    assert [r["quantities"] for r in again] == [r["quantities"] for r in told]
+    assert quantities(tiny) == told

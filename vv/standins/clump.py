@@ -10,9 +10,7 @@ import numpy as np
 from vv.ask import Ask
 from vv.scene import Block, Mask, Scene, Vector, in_frame, initial_wall_forces
 from vv.standins.corners import mass_points, shares, size_of, sole
-from vv.standins.stand_in import (
-    SpringScene,
-)
+from vv.standins.stand_in import SpringScene
 from vv.standins.tipping import tipping
 
 SMALL = 0.01  # of a block's size: the radius of the spheres at its corners
