@@ -65,7 +65,7 @@ def test_two_walls_that_move_are_refused() -> None:
     )
     scene = dataclasses.replace(ask.scene, bodies=moving)
     reason = why_no_boxes(dataclasses.replace(ask, scene=scene))
-    assert reason == "2 walls move; one is what it is given"
+    assert reason == "2 walls move; its input describes the motion of one"
 
 
 X, Y, Z = np.eye(3)

@@ -138,7 +138,7 @@ def test_what_no_clump_stands_for_is_refused_with_the_reason() -> None:
         "begins to tip as it slides": incline(28.0, 40.0, v0=0.1, half=(0.1, 0.1, 0.5)),
         "may touch each other": two,
         "a block on one wall": dataclasses.replace(flat, bodies=(*flat.bodies, flat.walls[0])),
-        "a stiffness of its own": soft,
+        "share the stiffness": soft,
         "stands on no face, but on 2 corners": dataclasses.replace(
             flat, bodies=(*flat.walls, edge)
         ),
@@ -248,4 +248,6 @@ def test_a_slide_must_be_long_beside_what_the_shared_springs_give() -> None:
         kn = part * rubs / (SHEAR * 0.02 * way)
         step = Knobs(1e-2 * np.sqrt(block.mass / (SHEAR * kn)), float(kn))
         why = why_no_clump(Ask(scene, History(1.0, 0.1), (Displacement(1),), step))
-        assert (why is not None and "2 % of the way in which friction stops it" in why) == refused
+        assert (
+            why is not None and "2 % of the distance in which friction stops it" in why
+        ) == refused

@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 from tests.scenes.blocks.block_scenes import HELD, box, incline, responding
 from vv.ask import Ask, Displacement, History, Knobs
 from vv.scene import Contact, Harmonic, Scene, Wall
-from vv.standins.separation import _ways, why_not_apart
+from vv.standins.separation import _travel_bounds, why_not_apart
 
 DURATION = 0.5  # s
 
@@ -63,8 +63,8 @@ def test_towers_nearer_than_they_are_high_are_refused_with_that_reason() -> None
     beside = box("beside", [0.0, 0.6, 1.0], [0.2, 0.2, 1.0], free_spin=HELD)
     reason = why_not_apart(asked(dataclasses.replace(scene, bodies=(*scene.bodies, beside))))
     assert reason == (
-        "blocks 'block' and 'beside' are nearer than spheres in their place, as high as their "
-        "centres"
+        "blocks 'block' and 'beside' are too close for spheres with the heights of the "
+        "centres as radii"
     )
 
 
@@ -80,7 +80,9 @@ def bound(**given_block: Any) -> Any:
     one = box("one", 0.5 * Z, [0.5] * 3, load=3000.0 * X, velocity=0.1 * X + 0.2 * Y,
               **given_block)  # fmt: skip
     law = Contact(np.inf)
-    return _ways(one, DRIVEN, asked(Scene((DRIVEN, one), law, 0.0, -10.0 * Z, shaking=SHAKEN)))
+    return _travel_bounds(
+        one, DRIVEN, asked(Scene((DRIVEN, one), law, 0.0, -10.0 * Z, shaking=SHAKEN))
+    )
 
 
 def test_a_block_that_cannot_turn_comes_as_far_as_its_speed_and_pulls_take_it() -> None:

@@ -1,4 +1,4 @@
-"""Makes rigid scenes for codes whose bodies are all polyhedra: boxes represent walls."""
+"""Describes scenes of rigid contact for codes whose bodies are all polyhedra: boxes are walls."""
 
 from __future__ import annotations
 
@@ -10,9 +10,9 @@ from vv.ask import Ask
 from vv.scene import Block, Harmonic, Pulse, Scene, Term, Vector, Wall, box_geometry
 
 Plan = dict[str, Any]
-THICKNESS = 0.5  # of a block's size: half a box's height
-LEAST = 20.0  # blocks' sizes: half a box's sides, at least
-BOXED = frozenset(  # the terms of which a driver is told all by `boxed`
+THICKNESS = 0.5  # half the height of a box, over the size of the largest block
+LEAST = 20.0  # half the sides of a box, over the same size, at least
+BOXED = frozenset(  # the terms that the plain data of `boxed` describe completely
     {
         Term.BLOCK,
         Term.RIGID_CONTACT,
@@ -27,17 +27,17 @@ BOXED = frozenset(  # the terms of which a driver is told all by `boxed`
         Term.BASE_MOTION,
     }
 )
-ROUNDING = 1e-15  # of a direction's length: smaller components are none
+ROUNDING = 1e-15  # components of a unit vector below this are zero
 
 
 def why_no_boxes(ask: Ask) -> str | None:
-    """Why rigid polyhedra alone cannot represent what an ask has; None if they can."""
+    """Why rigid polyhedra alone cannot represent the scene of an ask; None if they can."""
     scene = ask.scene
     if not scene.contact.rigid:
-        return "its contacts have no stiffness, and those of the scene have one"
+        return "its contacts have no stiffness, but those of the scene do"
     moving = [wall for wall in scene.walls if wall.motion is not None]
     if len(moving) > 1:
-        return f"{len(moving)} walls move; one is what it is given"
+        return f"{len(moving)} walls move; its input describes the motion of one"
     locked = [b for b in scene.blocks if (scene.axes @ b.velocity)[~b.free].any() and b.free.any()]
     if locked:
         return f"block '{locked[0].name}' moves along a direction that it is locked in"
@@ -47,10 +47,10 @@ def why_no_boxes(ask: Ask) -> str | None:
 def boxed(ask: Ask) -> Plan:
     """The input of a driver of rigid polyhedra: plain data in SI units, in the frame `scene.axes`.
 
-    blocks and walls, each with its body's number, its centre and its vertices about that; walls
-    with their half sides, the axes of their box as rows, and the sines of their motion; gravity and
-    the sines of shaking, which act on all free blocks, until a time [s] or, if that is None, to the
-    end. size: that of the largest block.
+    Blocks and walls have a body number, a centre, and vertices relative to it; walls also have the
+    half sides of their box, its axes as rows, and the sines of their motion. Gravity and the sines
+    of shaking act on all free blocks; shaking ends at the time `until` [s], or with the run if
+    that is None. size: the largest extent of any block [m].
     """
     scene, axes = ask.scene, ask.scene.axes
     size = max(_size(block) for block in scene.blocks)
@@ -95,7 +95,7 @@ def _block(number: int, block: Block, axes: Vector) -> Plan:
 
 
 def _wall(number: int, wall: Wall, scene: Scene, half: float, size: float) -> Plan:
-    """A box whose upper face is the wall, about the place nearest to the blocks."""
+    """A box whose upper face is the wall, centred below the mean of the blocks' centroids."""
     normal = scene.axes @ wall.normal
     normal = np.where(np.abs(normal) < ROUNDING, 0.0, normal)
     middle = np.mean([scene.axes @ block.centroid() for block in scene.blocks], axis=0)
@@ -118,7 +118,7 @@ def _wall(number: int, wall: Wall, scene: Scene, half: float, size: float) -> Pl
 
 
 def _sines(motion: Harmonic | None, axes: Vector) -> list[list[Any]]:
-    """Amplitude (3,) in the frame of the plan, angular frequency [rad/s] and phase of each."""
+    """Amplitude (3,) in the frame of the plan, angular frequency [rad/s] and phase of each sine."""
     found = [] if motion is None else motion.sines()
     return [[(axes @ a).tolist(), 2 * np.pi * f, phase] for a, f, phase in found]
 
@@ -128,17 +128,17 @@ def _size(block: Block) -> float:
 
 
 def _reach(ask: Ask, block: Block) -> float:
-    """How far [m] a block may come along a wall: twice as far as without friction."""
+    """A bound on the displacement [m] of a block along a wall: twice that without friction."""
     scene, t = ask.scene, ask.goal.duration
     pulled = scene.gravity + block.load / block.mass
     normal = scene.walls[0].normal if len(scene.walls) == 1 else np.zeros(3)
     along = [part - (part @ normal) * normal for part in (pulled, block.velocity)]
-    way = 0.5 * float(np.linalg.norm(along[0])) * t**2 + float(np.linalg.norm(along[1])) * t
+    reach = 0.5 * float(np.linalg.norm(along[0])) * t**2 + float(np.linalg.norm(along[1])) * t
     for a, f, _ in scene.wave.sines() if scene.wave else ():
-        way += float(np.linalg.norm(a)) * min(0.5 * t**2, t / (np.pi * f) if f else np.inf)
+        reach += float(np.linalg.norm(a)) * min(0.5 * t**2, t / (np.pi * f) if f else np.inf)
     for wall in scene.walls:
-        way += sum(2 * float(np.linalg.norm(a)) for a, _, _ in _moves(wall))
-    return 2 * way
+        reach += sum(2 * float(np.linalg.norm(a)) for a, _, _ in _moves(wall))
+    return 2 * reach
 
 
 def _moves(wall: Wall) -> list[tuple[Vector, float, float]]:

@@ -1,4 +1,4 @@
-"""Blocks as clumps: spheres at the corners they stand on, and points that hold their mass."""
+"""Represents blocks by clumps: spheres at the corners that stand on the wall, and mass points."""
 
 from __future__ import annotations
 
@@ -13,20 +13,21 @@ from vv.standins.corners import mass_points, shares, size_of, sole
 from vv.standins.stand_in import SpringScene
 from vv.standins.tipping import tipping
 
-SMALL = 0.01  # of a block's size: the radius of the spheres at its corners
-TINY = 0.001  # the same of a block that leans: it turns about the edge, not about spheres
+SMALL = 0.01  # radius of the spheres at the corners, over the size of the block
+TINY = 0.001  # the same for a block that leans: it must turn about its edge, not about spheres
 
 
 @dataclass(frozen=True, eq=False)
 class Clump:
     """A block on a wall, as a rigid body of spheres.
 
-    corners: centres (k, 3) [m] of the spheres, of one radius [m], that meet the wall; each has a
-    part 1/k of the block's springs; forces (k, 3) [N] are those of the wall on them at t = 0;
-    touching (k,): which are pressed then, all but where it leans or begins to tip. points: (8, 3)
-    [m], each an eighth of the mass; they have the block's inertia. free_spin: (3,) whether it may
-    turn about the axes of the frame. extra, moment: (3,) what the forces have beyond those on the
-    sphere in its place [N], and how they turn the block [N m].
+    corners: (k, 3) centres [m] of the spheres that meet the wall, all of one radius [m]; each has
+    a share 1/k of the block's stiffness. forces: (k, 3) [N] of the wall on them at t = 0. touching:
+    (k,) which of them are pressed then: all, unless the block leans or begins to tip. points:
+    (8, 3) [m], each with an eighth of the mass; together they have the block's inertia. free_spin:
+    (3,) whether the block may rotate about each axis of the frame. extra: (3,) [N] the sum of
+    forces less the force on the sphere that would represent a block without rotations. moment:
+    (3,) [N m] of the forces about the centroid, if the block begins to tip.
     """
 
     block: Block
@@ -42,17 +43,17 @@ class Clump:
 
     @property
     def friction(self) -> Vector:
-        """The friction (k, 3) [N] that the shear spring of each corner holds at t = 0."""
+        """The friction (k, 3) [N] in the shear spring of each corner at t = 0."""
         return np.asarray(self.forces - np.outer(self.forces @ self.normal, self.normal))
 
     @property
     def tips(self) -> bool:
-        """Whether it begins to tip."""
+        """Whether the block begins to tip at t = 0."""
         return bool(self.moment.any())
 
     @property
     def words(self) -> str:
-        """What it is made of."""
+        """A description of the spheres and points of the clump."""
         return (
             f"{len(self.corners)} spheres of {self.radius:g} m on its corners, which share the "
             "springs below, and eight points with its mass and inertia"
@@ -60,9 +61,9 @@ class Clump:
 
 
 def clumps(ask: Ask, springs: SpringScene) -> tuple[Clump, ...]:
-    """The clumps for an ask about blocks on a wall; `why_no_clump` must not object.
+    """The clumps for an ask about blocks on a wall, for which `why_no_clump` is None.
 
-    springs: the scene in which spheres stand for the blocks, with their rotations locked.
+    springs: the scene in which spheres represent the blocks, with locked rotations.
     """
     pressed = initial_wall_forces(springs.scene)
     charged = np.zeros_like(pressed) if springs.charged is None else springs.charged
@@ -73,7 +74,7 @@ def clumps(ask: Ask, springs: SpringScene) -> tuple[Clump, ...]:
 
 
 def words(made: Sequence[Clump], body: str) -> str:
-    """How a code is given blocks: as bodies of which kind, and what they are made of."""
+    """A note that says by which kind of body a code represents blocks, and of what it consists."""
     if len(made) == 1:
         return f"{body} stands for the block: {made[0].words}"
     return f"{body} stands for each of {len(made)} blocks: of the first, {made[0].words}"
@@ -82,13 +83,16 @@ def words(made: Sequence[Clump], body: str) -> str:
 def _clump(
     block: Block, scene: Scene, pressed: Vector, charged: Vector, place: Vector, kn: float
 ) -> Clump:
-    """The clump of a block that is pressed and held by forces (3,) [N] where it stands.
+    """The clump of a block on which its wall acts at t = 0.
 
-    Spheres stand on the corners, pressed in by what their springs carry. Where the block may
-    turn, the corners share the load so that nothing turns it at t = 0: friction acts below the
-    centroid; if no sharing does that, it begins to tip. Where it may not, its lock does that, and
-    all share alike. A block that leans on an edge starts with its weight on that: the rigid one
-    presses less, as it begins to fall back, and springs of rigid contact do not tell.
+    pressed, charged: (3,) [N] normal force and friction of the wall; place: (3,) centre [m] of the
+    sphere that represents the block without rotations. Spheres at the corners overlap the wall by
+    the compression of their springs. If the block may rotate, the corners share the load so that
+    the moment about the centroid is zero, although friction acts below it; if no such shares
+    exist, the block begins to tip. If it may not rotate, its lock carries the moment, and all
+    shares are equal. A block that leans on an edge starts with its whole weight on that edge. In
+    rigid contact the force is smaller, since the block begins to fall back; how much smaller is
+    not determined by the springs.
     """
     (wall,) = scene.walls
     corners, touching, up = sole(block, wall)

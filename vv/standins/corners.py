@@ -1,4 +1,4 @@
-"""Finds the corners on which a block stands, their shares of its load, and points of its mass."""
+"""Finds the corners on which a block stands, their shares of its load, and its mass points."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from vv.scene import Block, Mask, Vector, Wall
 from vv.standins.penalty_springs import TOUCHING
 
 SIGNS = np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (-1, 1)], float)
-FLAT = 1e-6  # of the distance of corners: less than that out of line is rounding
+FLAT = 1e-6  # corners out of line by less than this part of their distance are collinear
 
 
 def size_of(block: Block) -> float:
@@ -23,18 +23,19 @@ def feet(block: Block, wall: Wall) -> Mask:
 
 
 def spans_a_face(block: Block, wall: Wall) -> bool:
-    """Whether the vertices on the wall do not lie in a line."""
+    """Whether the vertices on the wall span a plane and not only a line."""
     lying = block.vertices[feet(block, wall)]
     across = lying - lying.mean(axis=0)
     return int(np.linalg.matrix_rank(across, FLAT * float(np.abs(across).max(initial=0.0)))) >= 2
 
 
 def sole(block: Block, wall: Wall) -> tuple[Vector, Mask, Vector]:
-    """Corners (k, 3), which of them touch the wall (k,), and where each goes up from (k, 3).
+    """Corners (k, 3) [m], which of them touch the wall (k,), and directions to the spheres (k, 3).
 
-    A block that stands does so on the vertices that lie on the wall. One that leans on an edge has
-    those of the face that it falls back on: of the two at the edge, the one turned more to the
-    wall; those off the wall go up along the normal of that face.
+    A block stands on the vertices that lie on the wall. If it leans on an edge, its corners are
+    those of the face on which it will fall back: of the two faces at the edge, the one that makes
+    the smaller angle with the wall. The spheres of corners off the wall lie along the inward
+    normal of that face, all others along the normal of the wall.
     """
     lies = feet(block, wall)
     if spans_a_face(block, wall):
@@ -49,23 +50,23 @@ def sole(block: Block, wall: Wall) -> tuple[Vector, Mask, Vector]:
 
 
 def _inward(block: Block, face: tuple[int, ...]) -> Vector:
-    """The unit normal (3,) of a face, into the block."""
+    """The inward unit normal (3,) of a face."""
     a, b, c = block.vertices[list(face[:3])]
     normal = np.cross(b - a, c - a)
     return np.asarray(normal * np.sign(normal @ (block.centroid() - a)) / np.linalg.norm(normal))
 
 
 def shares(block: Block, wall: Wall, feet: Vector, force: Vector, friction: Vector) -> Vector:
-    """Each corner's part (k,) of the normal force: linear over the face, as of a rigid body.
+    """Each corner's share (k,) of the normal force, which varies linearly over the face.
 
-    force, friction: (3,) [N], those of the wall; where friction would tip it, parts are negative.
+    force, friction: (3,) [N] of the wall. Shares are negative if friction would tip the block.
     """
     alike = np.full(len(feet), 1 / len(feet))
     total = float(force @ wall.normal)
     if not block.free_spin.any() or total == 0:
         return alike
     arms = feet - block.centroid()
-    # sum of shares is one, and the moment of all forces about the centroid along the wall nil
+    # the shares add up to one; the moment about the centroid has no component along the wall
     rows = np.column_stack([np.ones(len(feet)), arms - np.outer(arms @ wall.normal, wall.normal)])
     centre = (arms @ wall.normal).mean() * wall.normal
     tipping = np.cross(centre, friction)
@@ -76,7 +77,7 @@ def shares(block: Block, wall: Wall, feet: Vector, force: Vector, friction: Vect
 
 
 def mass_points(block: Block) -> Vector:
-    """Eight places (8, 3) for an eighth of the mass each, with the block's inertia."""
+    """Eight points (8, 3) [m] which, with an eighth of the mass each, have the block's inertia."""
     moments, axes = np.linalg.eigh(block.inertia)
     spread = np.sqrt((moments.sum() / 2 - moments) / block.mass)
     return np.asarray(block.centroid() + (SIGNS * spread) @ axes.T)

@@ -9,21 +9,21 @@ import numpy as np
 
 from vv.scene import Block, Harmonic, Scene, Spheres, Vector
 
-TOUCHING = 1e-9  # of a block's size: a gap below that is a contact
-STILL = 1e-12  # of the speeds of a body and its wall: a slip below that is rounding
-# Each code and scheme asks again of the settings of a variant: what is found of frozen data stays.
+TOUCHING = 1e-9  # a gap below this part of a block's size is a contact
+STILL = 1e-12  # a slip below this part of the speeds of a body and its wall is rounding
+# Every code and scheme asks for the stand-ins of the same frozen scenes: they are built once.
 found_once = functools.lru_cache(maxsize=128)
 
 
 def why_no_point(scene: Scene) -> str | None:
-    """Why spheres that do not turn cannot stand for a scene's blocks; None if they can."""
+    """Why spheres without rotations cannot represent a scene's blocks; None if they can."""
     for block in scene.blocks:
         if block.free_spin.any():
             return f"block '{block.name}' may turn; a sphere would roll"
         if block.spin.any():
-            return f"block '{block.name}' spins and may not; a sphere in its place would not spin"
+            return f"block '{block.name}' spins at a prescribed rate; a sphere would not"
         if block.elastic:
-            return f"block '{block.name}' strains; a sphere in its place would not"
+            return f"block '{block.name}' is elastic; a sphere in its place would be rigid"
         if len(scene.walls) != 1:
             return f"block '{block.name}' stands between {len(scene.walls)} walls; a sphere has one"
     if scene.blocks and len(scene.spheres):
@@ -93,14 +93,14 @@ def _pressed(spheres: Spheres, scene: Scene, kn: float) -> Spheres:
 
 
 def friction_at_start(scene: Scene) -> Vector:
-    """The friction (n, 3) [N] by which its wall acts on each sphere in rigid contact at t = 0.
+    """The friction (n, 3) [N] that the wall exerts on each sphere in rigid contact at t = 0.
 
-    Where it slips, mu N against the slip; where it rests, the force that keeps it with the wall, up
-    to mu N. A rigid scene does not define the initial shear force of the springs that represent
-    contact. From zero, a block on a slope would first accelerate until the spring holds it: it
-    would then oscillate about its position, or slide on too fast by an error of order kn^-1/2. With
-    this initial force, springs are in the state to which they tend as they become rigid, with an
-    error of order 1/kn. Raises ValueError unless there is one wall.
+    A sphere that slips feels mu N against the slip; one at rest on the wall feels the force that
+    keeps it there, at most mu N. A rigid scene does not define the initial force of the shear
+    springs that represent it. From zero, a block on a slope would first accelerate until the spring
+    holds it: it would then oscillate, or slide on too fast by an error of order kn^-1/2. With this
+    initial force, springs are in the state to which they tend as they become rigid, with an error
+    of order 1/kn. Raises ValueError unless there is one wall.
     """
     (wall,) = scene.walls
     s, n = scene.spheres, wall.normal
@@ -120,13 +120,13 @@ def friction_at_start(scene: Scene) -> Vector:
 
 
 def _in_plane(vectors: Vector, normal: Vector, scene: Scene) -> Vector:
-    """The parts (n, 3) of vectors along the wall and along the free directions of the spheres."""
+    """The components (n, 3) of vectors along the wall and along the spheres' free directions."""
     along = vectors - np.outer(vectors @ normal, normal)
     return np.asarray((along @ scene.axes.T * scene.spheres.free) @ scene.axes)
 
 
 def acceleration_of(shaking: Harmonic | None, t: float = 0.0) -> Vector:
-    """The body acceleration (3,) [m/s2] at a time."""
+    """The acceleration (3,) [m/s2] by shaking at time t [s]."""
     if shaking is None:
         return np.zeros(3)
     angle = 2 * np.pi * shaking.frequency * t + shaking.phase
@@ -134,7 +134,7 @@ def acceleration_of(shaking: Harmonic | None, t: float = 0.0) -> Vector:
 
 
 def base_acceleration(motion: Harmonic | None, t: float = 0.0) -> Vector:
-    """The acceleration (3,) [m/s2] of a wall that moves as prescribed."""
+    """The acceleration (3,) [m/s2] of a wall with a prescribed motion at time t [s]."""
     if motion is None:
         return np.zeros(3)
     rate = 2 * np.pi * motion.frequency
@@ -144,7 +144,7 @@ def base_acceleration(motion: Harmonic | None, t: float = 0.0) -> Vector:
 
 
 def base_velocity(motion: Harmonic | None, t: float = 0.0) -> Vector:
-    """The velocity (3,) [m/s] of a wall that moves as prescribed."""
+    """The velocity (3,) [m/s] of a wall with a prescribed motion at time t [s]."""
     if motion is None:
         return np.zeros(3)
     rate = 2 * np.pi * motion.frequency
@@ -152,7 +152,7 @@ def base_velocity(motion: Harmonic | None, t: float = 0.0) -> Vector:
 
 
 def fastest(motion: Harmonic | None) -> float:
-    """A speed [m/s] that a wall does not exceed."""
+    """An upper bound on the speed of a wall [m/s]."""
     if motion is None:
         return 0.0
     return float(2 * np.pi * np.abs(motion.frequency * motion.amplitude).sum())

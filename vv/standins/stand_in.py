@@ -1,4 +1,4 @@
-"""Rigid scenes as the springs and spheres that stand in for them."""
+"""Represents scenes of blocks and rigid contact by spheres and springs."""
 
 from __future__ import annotations
 
@@ -22,20 +22,21 @@ from vv.standins.penalty_springs import (
 from vv.standins.separation import why_not_apart
 
 SHEAR = 25.0
-"""ks over kn of springs that stand in for rigid contact, which says nothing of ks.
+"""ks/kn of the springs that represent rigid contact, which does not define ks.
 
-The normal spring leaves an error of order 1/kn. The shear spring lags each time slip turns back,
-by a time sqrt(mu N/(ks a)), and leaves one of order ks^-1/2: the larger one, so it is made stiffer.
+The normal spring causes an error of order 1/kn. The shear spring lags by a time sqrt(mu N/(ks a))
+whenever slip changes its direction, which causes the larger error, of order ks^-1/2: therefore it
+is the stiffer one.
 """
 STANDS_IN = frozenset({Term.BLOCK, Term.RIGID_CONTACT})
 
 
 @dataclass(frozen=True, eq=False)
 class SpringScene:
-    """A scene of spheres and springs, and how it came about.
+    """A scene of spheres and springs that represents another scene.
 
-    charged: friction (n, 3) [N] that the shear springs hold at t = 0; None: none. terms: those
-    of the original scene that it stands for; notes: how, one fact each.
+    charged: friction (n, 3) [N] in the shear springs at t = 0, None for zero. terms: the terms of
+    the original scene that it represents; notes: how it represents them, one fact each.
     """
 
     scene: Scene
@@ -46,11 +47,11 @@ class SpringScene:
 
 @found_once
 def spring_scene(ask: Ask) -> SpringScene:
-    """What a code with springs and spheres solves; `why_no_spring_scene` must not object.
+    """The scene that a code with springs and spheres solves; `why_no_spring_scene` must be None.
 
-    Springs kn, ks = SHEAR kn stand in for rigid contact. They start as they are in the
-    limit of rigid contact: pressed in by what presses the bodies on their wall at t = 0, and
-    charged with its friction. Springs that belong to a scene start without shear.
+    Springs kn, ks = SHEAR kn represent rigid contact. They start in the limit of rigid contact:
+    compressed by the normal force and sheared by the friction of the wall at t = 0. Springs that
+    belong to the scene itself start without shear.
     """
     scene, kn = ask.scene, ask.knobs.kn
     terms = scene.terms() & STANDS_IN
@@ -71,9 +72,9 @@ def spring_scene(ask: Ask) -> SpringScene:
 
 @found_once
 def without_rotations(ask: Ask) -> Ask:
-    """The ask with its blocks locked against rotation, as spheres in their place would be.
+    """The ask with its blocks locked against rotation, as the spheres that represent them are.
 
-    A code that makes a rigid body of a block adds the rotations itself.
+    A code that represents a block by a rigid body adds the rotations itself.
     """
     if not any(block.free_spin.any() for block in ask.scene.blocks):
         return ask
@@ -92,7 +93,7 @@ def _locked(scene: Scene) -> Scene:
 
 @found_once
 def why_no_spring_scene(ask: Ask) -> str | None:
-    """Why neither springs nor spheres can stand in for what an ask has; else None."""
+    """Why springs and spheres cannot represent the scene of an ask; None if they can."""
     reason = why_no_point(ask.scene) if ask.scene.blocks else None
     if reason is None and len(ask.scene.blocks) > 1:
         reason = why_not_apart(ask)
@@ -106,7 +107,7 @@ def why_no_spring_scene(ask: Ask) -> str | None:
 
 
 def _bounces(scene: Scene, apart: bool) -> str | None:
-    """Why springs would not do as rigid contact does: at an impact, or pressed by a lock.
+    """Why springs would differ from rigid contact at an impact or under a locked body, else None.
 
     apart: whether several bodies are known never to touch each other.
     """
@@ -122,13 +123,13 @@ def _bounces_off(scene: Scene, i: int, wall: Wall) -> str | None:
     gap = float((s.position[i] - wall.point) @ wall.normal - s.radius[i])
     if abs(gap) > TOUCHING * s.radius[i]:
         return (
-            f"the body is {gap:.3g} m off its wall at t = 0; rigid contact says nothing of a "
-            "rebound, springs would give back all energy"
+            f"the body is {gap:.3g} m off its wall at t = 0; rigid contact does not define a "
+            "rebound, springs would return all energy"
         )
     closing = float((s.velocity[i] - base_velocity(wall.motion)) @ wall.normal)
     if abs(closing) > TOUCHING * (np.linalg.norm(s.velocity[i]) + fastest(wall.motion)):
-        return f"the body leaves its wall at {closing:.3g} m/s at t = 0; springs would swing"
+        return f"the body leaves its wall at {closing:.3g} m/s at t = 0; springs would oscillate"
     locked = scene.axes[~s.free[i]]
     if np.abs(locked @ wall.normal).max(initial=0.0) > TOUCHING:
-        return "the body is locked along the normal of its wall; what presses it is not known"
+        return "the body is locked along the normal of its wall; the normal force is not determined"
     return None

@@ -1,4 +1,4 @@
-"""Where no clump can stand for a block, and why: what it stands on, its springs and its step."""
+"""Says why a clump cannot represent a block: because of its support, its springs or the step."""
 
 from __future__ import annotations
 
@@ -13,46 +13,46 @@ from vv.standins.corners import feet, spans_a_face
 from vv.standins.penalty_springs import found_once
 from vv.standins.stand_in import SHEAR, spring_scene, why_no_spring_scene, without_rotations
 
-GIVES = 0.02  # of the way in which a slide stops: what shear springs may stretch by
+MOST_STRETCH = 0.02  # of shear springs, over the distance in which friction stops a slide
 
 
 @found_once
 def why_no_clump(ask: Ask) -> str | None:
-    """Why no clumps can stand for what an ask has; None if they can."""
+    """Why clumps cannot represent the blocks of an ask; None if they can."""
     scene = ask.scene
     if len(scene.walls) != 1 or not scene.blocks or len(scene.spheres):
-        return "a clump stands for a block on one wall: its corners meet no faces and edges"
+        return "a clump represents a block on one wall: its corners cannot touch faces and edges"
     if Term.RIGID_CONTACT not in scene.terms():
-        return "a block whose contact has a stiffness of its own does not say how corners share it"
+        return "how the corners of a clump share the stiffness of its contact is not defined"
     if spinning := [block.name for block in scene.blocks if block.spin.any()]:
-        return f"block '{spinning[0]}' spins as it starts: corners slip their own ways"
+        return f"block '{spinning[0]}' spins at t = 0: its corners slip in different directions"
     locked, wall = without_rotations(ask), scene.walls[0]
     reasons = (_no_face(block, wall) for block in scene.blocks)
     reason = why_no_spring_scene(locked) or next(filter(None, reasons), None)
     if reason is not None:
         return reason
     made = clumps(ask, spring_scene(locked))
-    return _unlike(made) or next(filter(None, (_starts_ill(one, ask) for one in made)), None)
+    return _unlike(made) or next(filter(None, (_why_not(one, ask) for one in made)), None)
 
 
 def _unlike(made: Sequence[Clump]) -> str | None:
-    """Why springs would not be right for all: each corner has the same."""
+    """Why the springs cannot suit all clumps: every corner has the same; None if they do."""
     first = len(made[0].corners)
     for one in made:
         if len(one.corners) != first:
             return (
                 f"blocks '{made[0].block.name}' and '{one.block.name}' stand on {first} and "
-                f"{len(one.corners)} corners, of which all springs are alike"
+                f"{len(one.corners)} corners, but all corners have the same springs"
             )
     return None
 
 
-def _starts_ill(made: Clump, ask: Ask) -> str | None:
-    return _tips(made) or _sinks(made, ask) or _hurries(made, ask) or _gives(made, ask)
+def _why_not(made: Clump, ask: Ask) -> str | None:
+    return _tips(made) or _sinks(made, ask) or _unstable(made, ask) or _yields(made, ask)
 
 
 def _no_face(block: Block, wall: Wall) -> str | None:
-    """Why a block would not stand on corners that span a face, nor rest on an edge and lean."""
+    """Why a block neither stands on a face nor leans at rest on an edge; None if it does."""
     if spans_a_face(block, wall):
         return None
     count = int(feet(block, wall).sum())
@@ -60,24 +60,24 @@ def _no_face(block: Block, wall: Wall) -> str | None:
         return f"block '{block.name}' stands on no face, but on {count} corners"
     if block.velocity.any() or wall.motion is not None:
         return (
-            f"block '{block.name}' moves on an edge as it starts: what presses the edge is not "
-            "known, and springs would give that back"
+            f"block '{block.name}' moves on an edge at t = 0: the force on the edge is not known, "
+            "and springs would make the block rebound"
         )
     return None
 
 
 def _tips(made: Clump) -> str | None:
-    """Why it is not known what presses a block that begins to tip."""
+    """Why the forces on the corners of a block that begins to tip are not known, else None."""
     if made.touching.any():
         return None
     return (
-        f"block '{made.block.name}' begins to tip as it slides: what presses the corners it turns "
-        "about is found for a block at rest"
+        f"block '{made.block.name}' begins to tip as it slides: the forces on the corners about "
+        "which it turns are found for a block at rest only"
     )
 
 
 def _sinks(made: Clump, ask: Ask) -> str | None:
-    """Why springs would be too soft for spheres so small: their centres must stay off the wall."""
+    """Why springs are too soft for such small spheres, whose centres would pass the wall."""
     (wall,) = ask.scene.walls
     lowest = float(((made.corners - wall.point) @ wall.normal).min())
     if lowest > 0:
@@ -88,12 +88,13 @@ def _sinks(made: Clump, ask: Ask) -> str | None:
     )
 
 
-def _hurries(made: Clump, ask: Ask) -> str | None:
-    """Why a step would be too long for a block that rocks from corner to corner.
+def _unstable(made: Clump, ask: Ask) -> str | None:
+    """Why the step exceeds the stable one, 2 over the highest frequency on the corner springs.
 
-    One alone that slides on its face bears longer steps than its turning does, since friction
-    caps what grows; where it stops, it lets go and sets off again. Among several, rounding is
-    enough to set one off: forty steps threw blocks that only slide by all of their way.
+    A single block that slides on its face tolerates longer steps, since friction limits the
+    oscillation; but once it stops, the oscillation sets it in motion again. Among several blocks,
+    rounding is enough to start it: within forty steps, blocks that should slide were displaced by
+    as much as their whole slide.
     """
     block, kn = made.block, ask.knobs.kn
     pulsed = isinstance(ask.scene.shaking, Pulse)
@@ -118,42 +119,42 @@ def _hurries(made: Clump, ask: Ask) -> str | None:
     return f"dt = {ask.dt:g} s; the springs of its corners are stable up to {longest:.3g} s"
 
 
-def _gives(made: Clump, ask: Ask) -> str | None:
-    """Why springs would swing a block back from where friction stops it.
+def _yields(made: Clump, ask: Ask) -> str | None:
+    """Why springs would move a block back after friction has stopped it, else None.
 
-    Corners share the springs of one contact: they stretch by mu N/ks of that, and not of each.
+    The corners share the stiffness of one contact: they stretch by mu N/ks, ks being the sum.
     """
     kn, block, mu = ask.knobs.kn, made.block, ask.scene.contact.mu
     if kn is None or not _stops(made, ask.scene):
         return None
-    pull, press = _drive(made, ask.scene)
-    way = 0.5 * block.mass * float(block.velocity @ block.velocity) / (mu * press - pull)
+    pull, press = _pull_and_press(made, ask.scene)
+    distance = 0.5 * block.mass * float(block.velocity @ block.velocity) / (mu * press - pull)
     stretch = mu * press / (SHEAR * kn)
-    if stretch < GIVES * way:
+    if stretch < MOST_STRETCH * distance:
         return None
     return (
-        f"its springs give by {stretch:.3g} m, {100 * stretch / way:.2g} % of the way in which "
-        f"friction stops it; {100 * GIVES:g} % is the most that is run"
+        f"its springs stretch by {stretch:.3g} m, {100 * stretch / distance:.2g} % of the distance "
+        f"in which friction stops it; at most {100 * MOST_STRETCH:g} % is allowed"
     )
 
 
 def _stops(made: Clump, scene: Scene) -> bool:
-    """Whether a block that moves at t = 0 is stopped by friction, where nothing shakes it."""
+    """Whether friction stops a block that moves at t = 0 and is not shaken."""
     block, (wall,) = made.block, scene.walls
     if scene.shaking is not None or wall.motion is not None or not block.velocity.any():
         return False
-    pull, press = _drive(made, scene)
+    pull, press = _pull_and_press(made, scene)
     return pull < scene.contact.mu * press
 
 
-def _drive(made: Clump, scene: Scene) -> tuple[float, float]:
-    """What pulls a block along its wall, and presses it on that [N]."""
+def _pull_and_press(made: Clump, scene: Scene) -> tuple[float, float]:
+    """The sizes of the forces on a block along its wall and into it [N]."""
     load = made.block.load + made.block.mass * scene.gravity
     press = -float(load @ made.normal)
     return float(np.linalg.norm(load + press * made.normal)), press
 
 
 def _turning(arm: Vector) -> Vector:
-    """(3, 3): how a point moves as the body turns, minus the cross product of its arm."""
+    """The matrix (3, 3) that takes a small rotation to the displacement of a point at an arm."""
     x, y, z = arm
     return np.array([[0.0, z, -y], [-z, 0.0, x], [y, -x, 0.0]])

@@ -229,7 +229,7 @@ def test_what_springs_and_spheres_cannot_stand_for_is_refused_with_the_reason() 
         "off its wall": _with_block(at_rest, vertices=lifted),
         "leaves its wall": _with_block(at_rest, velocity=at_rest.walls[0].normal),
         "locked along the normal": _with_block(at_rest, free=np.array([True, False, False])),
-        "may touch each other, with faces": dataclasses.replace(
+        "may touch each other face to face": dataclasses.replace(
             at_rest, bodies=(*at_rest.bodies, block)
         ),
         "one body and one wall": alone,

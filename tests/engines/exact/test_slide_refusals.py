@@ -37,7 +37,7 @@ BOXED = dataclasses.replace(incline(LEVEL, 20.0), bodies=(wall(LEVEL), block(LEV
 REFUSED = {
     "nothing in the scene moves": incline(LEVEL, 20.0),
     "free rotation is not modelled": on_floor(free_spin=FREE),
-    "block 'box' spins and may not; a sphere in its place would not spin": on_floor(spin=X),
+    "block 'box' spins at a prescribed rate; a sphere would not": on_floor(spin=X),
     "block 'box' stands between 2 walls; a sphere has one": BOXED,
     "bodies 0 and 1 leave each other at 0.5 m/s at t = 0": dataclasses.replace(
         on_floor(), bodies=(wall(LEVEL), block(LEVEL, X + 0.5 * Z))
