@@ -1,4 +1,4 @@
-"""Convex blocks: their geometry, and detection of their contacts, for every solver of blocks.
+"""Geometry and contact detection of convex blocks, for all engines that solve scenes of blocks.
 
 May import: base, scene, ask, standins, engines.kernels.
 """

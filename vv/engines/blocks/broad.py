@@ -1,4 +1,4 @@
-"""The kernel that finds which blocks are close: bounding boxes swept along one axis."""
+"""Finds pairs of blocks that are close: kernels that sweep bounding boxes along one axis."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def bounds(shapes: Shapes, vertex: Vector) -> tuple[Vector, Vector]:
 
 @called
 def longer(found: Index) -> Index:
-    """Twice the room, with what is there."""
+    """An array of twice the length that begins with the given one."""
     room = counts(2 * len(found))
     for k in range(len(found)):
         room[k] = found[k]
@@ -38,7 +38,7 @@ def longer(found: Index) -> Index:
 
 @called
 def ascending(found: Index, count: int) -> Index:
-    """The first so many, in ascending order."""
+    """The first `count` integers in ascending order."""
     order, result = ordered(found, count), counts(count)
     for k in range(count):
         result[k] = found[order[k]]
@@ -47,9 +47,9 @@ def ascending(found: Index, count: int) -> Index:
 
 @called
 def close_pairs(shapes: Shapes, vertex: Vector, moves: Mask, margin: float) -> Index:
-    """Pairs a n + b, a < b, of blocks whose boxes are within margin [m]; ascending.
+    """Pairs a < b of blocks whose bounding boxes are within `margin` [m], as codes a n + b.
 
-    Pairs of which neither block moves are left out.
+    The codes ascend. Pairs of two blocks that do not move are left out.
     """
     n = len(shapes.size)
     found, count = counts(4 * n), 0 * n

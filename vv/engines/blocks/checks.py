@@ -1,4 +1,4 @@
-"""What a scene of blocks must satisfy before it is run, and which block a body is."""
+"""Checks a scene of blocks before it is run, and finds which block a body number refers to."""
 
 from __future__ import annotations
 
@@ -9,13 +9,13 @@ import numpy as np
 from vv.engines.blocks.geometry import depth_axis
 from vv.scene import Block, Scene, Vector, face_normal
 
-OVERLAP = 1e-6  # of the smaller block's size: an overlap at the start that is no rounding
+OVERLAP = 1e-6  # of the smaller block's size: a larger overlap at t = 0 is not rounding
 LOCKED = 1e-12  # part of a speed below which its component in a locked direction is rounding
-ACROSS = 1e-9  # sine of the angle below which the free directions hold no part of a normal
+ACROSS = 1e-9  # length of a normal's part in the free directions below which it has none
 
 
 def block_index(scene: Scene, body: int) -> int:
-    """The index within `blocks` of a body number; raises ValueError if it is no block."""
+    """The index within `blocks` of a body number; raises ValueError if the body is no block."""
     first = block = 0
     for group in scene.bodies:
         if isinstance(group, Block):
@@ -27,15 +27,15 @@ def block_index(scene: Scene, body: int) -> int:
 
 
 def strained(scene: Scene) -> str | None:
-    """Which block is elastic."""
+    """A refusal that names the first elastic block, or None."""
     for block in scene.blocks:
         if block.elastic:
-            return f"block '{block.name}' strains; rigid blocks do not"
+            return f"block '{block.name}' is elastic; only rigid blocks are solved"
     return None
 
 
 def moves_where_locked(scene: Scene) -> str | None:
-    """Which block has a velocity or a spin along a direction that it is held in."""
+    """A refusal that names the first block with a velocity or spin along a locked axis, or None."""
     for block in scene.blocks:
         for name, free in (("velocity", block.free), ("spin", block.free_spin)):
             parts = scene.axes @ getattr(block, name)
@@ -46,7 +46,10 @@ def moves_where_locked(scene: Scene) -> str | None:
 
 
 def undetermined(scene: Scene) -> str | None:
-    """Which block is held along the normal of a wall that it rubs on: friction has no pressure."""
+    """A refusal that names a block locked along the normal of a wall with friction, or None.
+
+    The normal force of rigid contact, and with it the friction, is then not determined.
+    """
     for block in scene.blocks:
         rows = scene.axes[block.free]
         for number, wall in enumerate(scene.walls):
@@ -56,53 +59,55 @@ def undetermined(scene: Scene) -> str | None:
             )  # fmt: skip
             if held and scene.contact.mu > 0 and touches.min() <= OVERLAP * size(block):
                 return (
-                    f"block '{block.name}' is locked along the normal of wall {number}, on which "
-                    "it rubs: nothing says how hard rigid contact presses there"
+                    f"block '{block.name}' is locked along the normal of wall {number}, which it "
+                    "touches with friction: the normal force of rigid contact is not determined"
                 )
     return None
 
 
 def unsupported(scene: Scene) -> str | None:
-    """Which block gravity or a load would drive away for ever: nothing in the scene holds still."""
+    """A refusal that names a block under gravity or a load without any support, or None."""
     held = any(not block.free.any() for block in scene.blocks)
     if scene.walls or held:
         return None
     for block in scene.blocks:
         if scene.gravity.any() or block.load.any():
             return (
-                f"block '{block.name}' has no support: gravity or a load drives it, and the scene "
-                "holds neither a wall nor a block that is held"
+                f"block '{block.name}' has no support: gravity or a load accelerates it, and the "
+                "scene has neither a wall nor a fixed block"
             )
     return None
 
 
 def overlaps(scene: Scene) -> str | None:
-    """Which block lies in a wall or in another block at the start, by more than rounding."""
+    """A refusal that names a block which overlaps a wall or another block at t = 0, or None."""
     for block in scene.blocks:
         for number, wall in enumerate(scene.walls):
             depth = -float(((block.vertices - wall.point) @ wall.normal).min())
             if depth > OVERLAP * size(block) and _matters(scene, wall.normal):
-                return f"block '{block.name}' lies {depth:.4g} m deep in wall {number} at the start"
+                return f"block '{block.name}' overlaps wall {number} by {depth:.4g} m at t = 0"
     for one, two in _close_pairs(scene.blocks):
         apart, what = max(_separations(one, two))
         if -apart > OVERLAP * min(size(one), size(two)):
             return (
-                f"blocks '{one.name}' and '{two.name}' overlap at the start, by {-apart:.4g} m "
+                f"blocks '{one.name}' and '{two.name}' overlap by {-apart:.4g} m at t = 0, "
                 f"along {what}"
             )
     return None
 
 
 def size(block: Block) -> float:
-    """The largest extent of a block along the frame [m]."""
+    """The largest extent of a block along the axes of the frame [m]."""
     return float(np.ptp(block.vertices, axis=0).max())
 
 
 def _matters(scene: Scene, normal: Vector) -> bool:
+    """Whether contact along a normal affects the motion: in a plane scene, not across the plane."""
     return bool(abs(float(depth_axis(scene) @ normal)) < 0.5)
 
 
 def _close_pairs(blocks: tuple[Block, ...]) -> Iterator[tuple[Block, Block]]:
+    """Pairs of blocks whose bounding boxes overlap and of which at least one can move."""
     low = np.array([block.vertices.min(axis=0) for block in blocks])
     high = np.array([block.vertices.max(axis=0) for block in blocks])
     for i, block in enumerate(blocks):
@@ -115,7 +120,7 @@ def _close_pairs(blocks: tuple[Block, ...]) -> Iterator[tuple[Block, Block]]:
 
 
 def _separations(one: Block, two: Block) -> Iterator[tuple[float, str]]:
-    """How far apart two blocks are [m] along every normal that could part them."""
+    """The distances of two blocks [m] along all axes that could separate them, with axis names."""
     for block, other in ((one, two), (two, one)):
         for number, face in enumerate(block.faces):
             normal = face_normal(block.vertices, face)
@@ -134,7 +139,7 @@ def _separations(one: Block, two: Block) -> Iterator[tuple[float, str]]:
 
 
 def _edges(block: Block) -> Vector:
-    """Unit vectors (e, 3) along the edges."""
+    """Unit vectors (e, 3) along the edges of a block."""
     pairs = {
         (min(a, b), max(a, b))
         for face in block.faces

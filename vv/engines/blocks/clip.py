@@ -1,4 +1,4 @@
-"""Kernels for where two convex blocks touch: a face clipped by a face, or two crossing edges."""
+"""Kernels that find contact points of two convex blocks: a clipped face, or two crossing edges."""
 
 from __future__ import annotations
 
@@ -10,13 +10,13 @@ from vv.engines.kernels.compiled import called, inlined, lent
 from vv.engines.kernels.triples import Triple, add_scaled, at, cross, dot, put
 from vv.scene import Vector
 
-ON = 1e-9  # of a block's size: how far outside a side a point still counts as on it
-SLIVER = 1e-8  # of the smaller block's size squared: an area that is rounding
+ON = 1e-9  # of a block's size: a point outside a side by less than this is on it
+SLIVER = 1e-8  # of the smaller block's size squared: a smaller area is rounding
 
 
 @inlined
 def facing(shapes: Shapes, normal: Vector, i: int, n: Triple) -> int:
-    """The face of block i that looks most against n."""
+    """The face of block i whose outward normal is most opposed to n."""
     best, least = -1, np.inf
     for f in range(shapes.face_start[i], shapes.face_start[i + 1]):
         cosine = dot(n, at(normal, f))
@@ -30,10 +30,10 @@ def cut(
     new: Vector, new_label: Index, old: Vector, label: Index, count: int,
     p: Triple, inward: Triple, slack: float, fresh: int,
 ) -> int:  # fmt: skip
-    """Cut a polygon by the half-space (x - p) . inward >= -slack; return how many points are left.
+    """Clip a polygon to the half-space (x - p) . inward >= -slack; return its number of points.
 
-    Points that the cut makes are labelled fresh, where the boundary leaves, and fresh + 1, where
-    it enters (Sutherland and Hodgman 1974).
+    New points get the label `fresh` where the boundary leaves the half-space, and `fresh + 1`
+    where it enters it (Sutherland and Hodgman 1974). new, new_label: filled.
     """
     left = 0
     for k in range(count):
@@ -55,7 +55,7 @@ def cut(
 
 @inlined
 def area_of(polygon: Vector, count: int, n: Triple) -> float:
-    """The area [m2] of a polygon seen along n."""
+    """The area [m2] of a polygon projected on the plane normal to n."""
     total = (0.0, 0.0, 0.0)
     for k in range(1, count - 1):
         one = add_scaled(at(polygon, k), -1.0, at(polygon, 0))
@@ -68,11 +68,11 @@ def area_of(polygon: Vector, count: int, n: Triple) -> float:
 def face_points(
     face: int, other: int, shapes: Shapes, vertex: Vector, normal: Vector, size: float
 ) -> tuple[int, Vector, Vector, Index, float]:
-    """The part of block `other` that faces a face of another block, as points over that face.
+    """The face of block `other` that is opposite a face, clipped to the sides of that face.
 
-    Returns their number, the points (k, 3), their heights above the face (k,) [m], labels (k,)
-    that name vertices, or corners cut, and the area [m2]. No points if the area is a sliver of a
-    block of this size.
+    Returns the number of points, the points (k, 3) [m], their heights above the face (k,) [m],
+    labels (k,) of the vertices or clipped corners that they are, and the projected area [m2].
+    There are no points if the area is below SLIVER size^2.
     """
     n = at(normal, face)
     incident = facing(shapes, normal, other, n)
@@ -104,7 +104,7 @@ def face_points(
 
 @lent
 def crossing(one: int, two: int, shapes: Shapes, vertex: Vector) -> Triple:
-    """The point halfway between two edges where they are closest [m]."""
+    """The midpoint [m] between the closest points of two edges."""
     p, q = at(vertex, shapes.edge[one, 0]), at(vertex, shapes.edge[two, 0])
     u = add_scaled(at(vertex, shapes.edge[one, 1]), -1.0, p)
     v = add_scaled(at(vertex, shapes.edge[two, 1]), -1.0, q)

@@ -8,7 +8,7 @@ key; solvers add their own per-contact arrays and carry them over by key (`match
 
     contacts = empty_contacts(64)
     count = detect(contacts, shapes, vertex, normal, moves, planes, shift, depth, margin)
-    while count > len(contacts.gap):        # there was no room for so many: nothing is valid
+    while count > len(contacts.gap):        # the arrays were too short: their contents are invalid
         contacts = empty_contacts(2 * count)
         count = detect(contacts, ...)
     before = matched(contacts.key, count, old_key[:old_count])    # (count,) old row, -1 if new
@@ -36,18 +36,18 @@ from vv.scene import Mask, Vector
 bundle(Shapes)
 bundle(Planes)
 
-SAME = 1e-6  # of a block's size: points of a prism no farther apart in its plane are one
+SAME = 1e-6  # of a block's size: points of a prism closer in its plane are one contact
 
 
 @bundle
 class Contacts(NamedTuple):
-    """Contacts in rows of arrays that may be longer than their number.
+    """Contacts as rows of arrays, which may be longer than the number of contacts.
 
-    first, second: bodies; second is a block, first a block before it or a wall; normal: (c, 3)
-    unit, from first to second; point: (c, 3) halfway between the surfaces [m], which are at
-    point -+ gap/2 normal; gap: (c,) [m], negative for penetration; area: (c,) its share of the
-    area in touch [m2], 0 at an edge or a vertex; key: (c,) names bodies and
-    features, and stays while the same features touch.
+    first, second: (c,) bodies; second is a block, first a block of lower number or a wall. normal:
+    (c, 3) unit, from first to second. point: (c, 3) midway between the surfaces [m], which are at
+    point -+ gap/2 normal. gap: (c,) [m], negative for penetration. area: (c,) share of the contact
+    area [m2], 0 at an edge or a vertex. key: (c,) identifies bodies and features; it is the same
+    as long as the same features touch.
     """
 
     first: Index
@@ -61,7 +61,7 @@ class Contacts(NamedTuple):
 
 @called
 def empty_contacts(room: int) -> Contacts:
-    """Room for so many contacts."""
+    """Uninitialised arrays for `room` contacts."""
     return Contacts(
         counts(room),
         counts(room),
@@ -78,7 +78,7 @@ def add(
     contacts: Contacts, count: int, first: int, second: int,
     point: Triple, normal: Triple, gap: float, area: float, key: int,
 ) -> int:  # fmt: skip
-    """Write a contact if there is room; return the number of contacts there are."""
+    """Write a contact if there is room for it; return the new number of contacts."""
     if count < len(contacts.gap):
         contacts.first[count], contacts.second[count] = first, second
         put(contacts.point, count, point)
@@ -89,7 +89,10 @@ def add(
 
 @lent
 def merge_depth(contacts: Contacts, begin: int, count: int, depth: Vector, near: float) -> int:
-    """Make one contact of those from `begin` on that lie behind one another along the depth."""
+    """Merge contacts from row `begin` on whose points differ only along the depth of a plane scene.
+
+    near: distance in the plane [m] below which points coincide. Returns the number of contacts.
+    """
     if count > len(contacts.gap) or depth[0] == depth[1] == depth[2] == 0.0:
         return count
     along, kept = (depth[0], depth[1], depth[2]), begin
@@ -117,14 +120,14 @@ def touch_blocks(
     contacts: Contacts, count: int, a: int, b: int, pair: int,
     shapes: Shapes, vertex: Vector, normal: Vector, depth: Vector, margin: float,
 ) -> int:  # fmt: skip
-    """Add the contacts between blocks a < b whose key is `pair` plus their features'."""
-    kind, one, two, gap, way = separation(a, b, shapes, vertex, normal, depth, margin)
+    """Add the contacts between blocks a < b; a key is `pair` plus a number for the features."""
+    kind, one, two, gap, axis = separation(a, b, shapes, vertex, normal, depth, margin)
     if gap > margin:
         return count
     labels = len(vertex) + 2 * len(shapes.corner)
     if kind == EDGES:
         key = pair + len(normal) * labels + one * len(shapes.edge) + two
-        return add(contacts, count, a, b, crossing(one, two, shapes, vertex), way, gap, 0.0, key)
+        return add(contacts, count, a, b, crossing(one, two, shapes, vertex), axis, gap, 0.0, key)
     size, begin = smaller(shapes.size[a], shapes.size[b]), count
     other, sign = (b, 1.0) if kind == FACE_OF_FIRST else (a, -1.0)
     points, polygon, height, label, area = face_points(one, other, shapes, vertex, normal, size)
@@ -132,9 +135,9 @@ def touch_blocks(
     for k in range(points):
         if height[k] <= margin:
             half = add_scaled(at(polygon, k), -0.5 * height[k], n)
-            way = (sign * n[0], sign * n[1], sign * n[2])
+            axis = (sign * n[0], sign * n[1], sign * n[2])
             key = pair + one * labels + label[k]
-            count = add(contacts, count, a, b, half, way, height[k], area / points, key)
+            count = add(contacts, count, a, b, half, axis, height[k], area / points, key)
     return merge_depth(contacts, begin, count, depth, SAME * size)
 
 
@@ -144,7 +147,7 @@ def touch_wall(
     shapes: Shapes, vertex: Vector, normal: Vector,
     planes: Planes, shift: Vector, depth: Vector, margin: float,
 ) -> int:  # fmt: skip
-    """Add the contacts of a block with a wall, which is body `body`, at the block's vertices."""
+    """Add the contacts of a block's vertices with a wall, whose body number is `body`."""
     n = at(planes.normal, wall)
     level = dot(n, add_scaled(at(planes.point, wall), 1.0, at(shift, wall)))
     begin = count
@@ -163,7 +166,7 @@ def share_face(
     contacts: Contacts, begin: int, count: int, pair: int,
     shapes: Shapes, vertex: Vector, face: int,
 ) -> None:  # fmt: skip
-    """Share the area of a face, seen along the normal, among the contacts at its vertices."""
+    """Give the contacts at a face's vertices equal shares of its area, projected on the wall."""
     first, last = shapes.corner_start[face], shapes.corner_start[face + 1]
     polygon = rows(last - first)
     for c in range(first, last):
@@ -180,16 +183,17 @@ def detect(
     contacts: Contacts, shapes: Shapes, vertex: Vector, normal: Vector, moves: Mask,
     planes: Planes, shift: Vector, depth: Vector, margin: float,
 ) -> int:  # fmt: skip
-    """Fill `contacts` with all points no farther apart than margin [m]; return their number.
+    """Fill `contacts` with all points of gap up to `margin` [m]; return their number.
 
-    vertex, normal: where the shapes are; moves: (n,) False for blocks that are held, which touch
-    neither each other nor walls; planes, shift: the walls and their displacements (w, 3) [m];
-    depth: see `depth_axis`. A number larger than the room means that nothing is valid.
+    vertex, normal: the placed shapes; moves: (n,) False for fixed blocks, which have no contacts
+    with each other or with walls; planes, shift: the walls and their displacements (w, 3) [m];
+    depth: see `depth_axis`. If the number exceeds the length of the arrays, their contents are
+    invalid.
     """
     blocks, walls = len(shapes.size), len(planes.point)
     labels = len(vertex) + 2 * len(shapes.corner)
     span = len(normal) * labels + len(shapes.edge) * len(shapes.edge)
-    # a literal would be a type of its own, for which all that takes it is compiled once more
+    # a literal 0 has a type of its own, for which numba would compile all callees once more
     along, count = (depth[0], depth[1], depth[2]), 0 * blocks
     for wall in range(walls):
         if abs(dot(along, at(planes.normal, wall))) < 0.5:
@@ -218,7 +222,7 @@ def detect_contacts(
 
 @called
 def matched(key: Index, count: int, old: Index) -> Index:
-    """For each of the first so many keys the row in `old` that has it, or -1."""
+    """The row (count,) in `old` of each of the first `count` keys, or -1 if it is not there."""
     now, then = ordered(key, count), ordered(old, len(old))
     found, m = counts(count), 0
     for k in now:

@@ -1,10 +1,10 @@
-"""Flat arrays of convex polyhedra: what contact detection reads, built from the scene's blocks.
+"""Builds the flat arrays of convex polyhedra that contact detection reads from a scene's blocks.
 
-The blocks' vertices, faces and edges lie one after the other in flat arrays; numbers of vertices,
-faces and corners run through all blocks. Shapes never change. Where they are is a pair of arrays,
-`vertex` (v, 3) [m] and `normal` (f, 3), in the scene's frame: `placement.py` fills them
-from centroids and rotations of rigid blocks, or finds the normals of vertices that have been
-moved in any other way, as by strains.
+The vertices, faces and edges of all blocks lie one after the other in flat arrays; vertices, faces
+and corners are numbered through all blocks. Shapes never change. Their present position is a pair
+of arrays in the scene's frame, `vertex` (v, 3) [m] and `normal` (f, 3). `placement.py` fills both
+from the centroids and rotations of rigid blocks, or finds the normals for given vertices of
+blocks that deform.
 """
 
 from __future__ import annotations
@@ -17,17 +17,17 @@ import numpy.typing as npt
 from vv.scene import Block, Scene, Vector, face_normal
 
 Index = npt.NDArray[np.int64]
-IN_PLANE = 1e-6  # sine of the angle by which an axis may miss the plane of a plane scene
+IN_PLANE = 1e-6  # sine of the largest angle between a face and the axis or plane of its prism
 
 
 class Shapes(NamedTuple):
-    """n blocks with v vertices, f faces, c corners of faces, e edges.
+    """The shapes of n blocks with v vertices, f faces, c corners of faces and e edges at t = 0.
 
-    vertex: (v, 3) about the centroid in the starting pose [m]; vertex_start: (n + 1,) block i has
-    vertices vertex_start[i] to vertex_start[i + 1]; normal: (f, 3) outward, starting pose;
-    face_start: (n + 1,); corner: (c,) vertex numbers round each face, counter-clockwise from
-    outside; corner_start: (f + 1,); edge: (e, 4) two vertices and the two faces that meet there,
-    none where these are coplanar; edge_start: (n + 1,); size: (n,) largest extent [m].
+    vertex: (v, 3) relative to the centroid [m]; vertex_start: (n + 1,), block i has the vertices
+    from vertex_start[i] up to vertex_start[i + 1]; normal: (f, 3) outward; face_start: (n + 1,);
+    corner: (c,) vertices of each face, counter-clockwise seen from outside; corner_start:
+    (f + 1,); edge: (e, 4) two vertices and the two faces that meet there, without edges between
+    coplanar faces; edge_start: (n + 1,); size: (n,) largest extent [m].
     """
 
     vertex: Vector
@@ -42,14 +42,14 @@ class Shapes(NamedTuple):
 
 
 class Planes(NamedTuple):
-    """w walls: point (w, 3) at t = 0 [m], outward normal (w, 3)."""
+    """The w walls: points (w, 3) at t = 0 [m] and outward normals (w, 3)."""
 
     point: Vector
     normal: Vector
 
 
 def shapes(blocks: tuple[Block, ...]) -> Shapes:
-    """The shapes of blocks, in order."""
+    """The shapes of blocks, in the order of the scene."""
     counts = np.array([[len(b.vertices), len(b.faces)] for b in blocks], np.int64)
     starts = np.concatenate([np.zeros((1, 2), np.int64), counts.cumsum(axis=0)])
     faces = [
@@ -73,14 +73,14 @@ def shapes(blocks: tuple[Block, ...]) -> Shapes:
 
 
 def planes(scene: Scene) -> Planes:
-    """The walls of a scene, in order."""
+    """The planes of a scene's walls, in the order of the scene."""
     walls = scene.walls
     points = np.array([wall.point for wall in walls]).reshape(-1, 3)
     return Planes(points, np.array([wall.normal for wall in walls]).reshape(-1, 3))
 
 
 def depth_axis(scene: Scene) -> Vector:
-    """The unit vector (3,) across the plane of a plane scene; zeros for a scene in space.
+    """The unit normal (3,) of the plane of a plane scene; zeros for a scene in space.
 
     A scene is plane if no block moves along one of its axes or turns about the others, and every
     block is a prism along that axis.
@@ -102,7 +102,7 @@ def _is_prism(block: Block, direction: Vector) -> bool:
 def _edges(
     faces: list[tuple[int, ...]], normals: Vector, owner: npt.NDArray[np.int64]
 ) -> tuple[Index, Index]:
-    """Edges (e, 4) of two vertices and two faces, and the block (e,) of each."""
+    """Edges (e, 4), as two vertices and two faces, and the block (e,) of each edge."""
     sides: dict[tuple[int, int], int] = {}
     found = []
     for number, face in enumerate(faces):

@@ -1,4 +1,4 @@
-"""Kernels that find along which face or pair of edges two convex blocks are farthest apart."""
+"""Kernels that find the face or pair of edges along whose normal two blocks are farthest apart."""
 
 from __future__ import annotations
 
@@ -11,8 +11,8 @@ from vv.engines.kernels.triples import Triple, add_scaled, at, cross, dot
 from vv.scene import Vector
 
 FACE_OF_FIRST, FACE_OF_SECOND, EDGES = 0, 1, 2
-LIKELY = 1e-5  # of the smaller block: by so much a second kind of feature must be farther apart
-PARALLEL = 1e-12  # sine squared of the angle between edges that are no pair
+LIKELY = 1e-5  # of the smaller block's size: the lead by which a less preferred feature is taken
+PARALLEL = 1e-12  # squared sine of the angle below which edges are parallel
 
 
 @inlined
@@ -28,10 +28,10 @@ def nearest(shapes: Shapes, vertex: Vector, i: int, n: Triple) -> float:
 def face_apart(
     a: int, b: int, shapes: Shapes, vertex: Vector, normal: Vector, depth: Vector, enough: float
 ) -> tuple[int, float]:
-    """The face of block a from which block b is farthest, and how far [m].
+    """The face of block a from which block b is farthest, and the distance [m].
 
-    Stops at a face from which it is farther than `enough`. In a plane scene, depth (3,) not zero,
-    faces across the depth count alone.
+    The search stops at a face whose distance exceeds `enough`. In a plane scene, where depth (3,)
+    is not zero, faces normal to the depth are left out.
     """
     best, far = -1, -np.inf
     for f in range(shapes.face_start[a], shapes.face_start[a + 1]):
@@ -48,10 +48,10 @@ def face_apart(
 
 @inlined
 def support(normal: Vector, edge: Index, k: int, m: int) -> bool:
-    """Whether edges k and m make a face of the Minkowski difference: their arcs of normals cross.
+    """Whether edges k and m span a face of the Minkowski difference: their arcs of normals cross.
 
-    The arc of one edge, on the unit sphere, joins the normals of the faces that meet at it; that
-    of the other is taken to the opposite side.
+    The arc of an edge on the unit sphere joins the normals of its two faces; that of the second
+    edge is reflected through the centre.
     """
     a, b = at(normal, edge[k, 2]), at(normal, edge[k, 3])
     c, d = at(normal, edge[m, 2]), at(normal, edge[m, 3])
@@ -65,13 +65,13 @@ def support(normal: Vector, edge: Index, k: int, m: int) -> bool:
 def edges_apart(
     a: int, b: int, shapes: Shapes, vertex: Vector, normal: Vector, centre: Triple, enough: float
 ) -> tuple[int, int, float, Triple]:
-    """The edges of blocks a and b along whose common normal these are farthest apart [m].
+    """The edges of blocks a and b along whose common normal the blocks are farthest apart.
 
-    centre: a point inside a. Returns the edges, the distance, and the normal out of a; edge -1
-    if no pair of edges can touch.
+    centre: a point inside a. Returns both edges, the distance [m] and the normal out of a. Edges
+    are -1 if no pair can touch. The search stops at a distance above `enough`.
     """
     one, two, far = -1, -1, -np.inf
-    way = (0.0, 0.0, 0.0)
+    axis = (0.0, 0.0, 0.0)
     for k in range(shapes.edge_start[a], shapes.edge_start[a + 1]):
         p = at(vertex, shapes.edge[k, 0])
         along = add_scaled(at(vertex, shapes.edge[k, 1]), -1.0, p)
@@ -88,10 +88,10 @@ def edges_apart(
             n = add_scaled((0.0, 0.0, 0.0), outward / np.sqrt(square), n)
             apart = dot(n, add_scaled(q, -1.0, p))
             if apart > far:
-                one, two, far, way = k, m, apart, n
+                one, two, far, axis = k, m, apart, n
             if far > enough:
-                return one, two, far, way
-    return one, two, far, way
+                return one, two, far, axis
+    return one, two, far, axis
 
 
 @inlined
@@ -108,11 +108,12 @@ def middle(shapes: Shapes, vertex: Vector, i: int) -> Triple:
 def separation(
     a: int, b: int, shapes: Shapes, vertex: Vector, normal: Vector, depth: Vector, margin: float
 ) -> tuple[int, int, int, float, Triple]:
-    """The features along which blocks a and b are farthest apart, if no farther than margin [m].
+    """The features along whose normal blocks a and b are farthest apart.
 
-    Returns the kind, a face (and -1) or two edges, the distance [m], and for edges the normal out
-    of a. Faces are preferred to edges, and those of a to those of b. Separating axes: faces of
-    both and, in space, all pairs of edges (Gottschalk et al. 1996).
+    Returns the kind, a face and -1 or two edges, the distance [m], and for edges the normal out of
+    a. Faces are preferred to edges, and faces of a to those of b. The features are valid only up to
+    a distance of `margin` [m], beyond which the search stops. The separating axes are the normals
+    of all faces and, in space, of all pairs of edges (Gottschalk et al. 1996).
     """
     likely = LIKELY * smaller(shapes.size[a], shapes.size[b])
     nowhere = (0.0, 0.0, 0.0)
@@ -125,9 +126,9 @@ def separation(
         kind, face, far = FACE_OF_SECOND, other, farther
     if farther > margin or depth[0] != 0.0 or depth[1] != 0.0 or depth[2] != 0.0:
         return kind, face, -1, larger(far, farther), nowhere
-    one, two, apart, way = edges_apart(
+    one, two, apart, axis = edges_apart(
         a, b, shapes, vertex, normal, middle(shapes, vertex, a), margin
     )
     if apart > far + likely:
-        return EDGES, one, two, apart, way
+        return EDGES, one, two, apart, axis
     return kind, face, -1, far, nowhere

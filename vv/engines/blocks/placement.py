@@ -1,4 +1,4 @@
-"""Kernels that put shapes where their blocks are: world vertices and face normals."""
+"""Kernels that place shapes: they compute vertices and face normals in the scene's frame."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ def turned(rotation: Vector, i: int, a: Triple) -> Triple:
 def place_rigid(
     vertex: Vector, normal: Vector, shapes: Shapes, centre: Vector, rotation: Vector
 ) -> None:
-    """Fill vertex (v, 3) and normal (f, 3) for centroids (n, 3) [m] and rotations (n, 3, 3)."""
+    """Fill vertex (v, 3) and normal (f, 3) from centroids (n, 3) [m] and rotations (n, 3, 3)."""
     for i in range(len(centre)):
         for k in range(shapes.vertex_start[i], shapes.vertex_start[i + 1]):
             put(
@@ -37,7 +37,7 @@ def place_rigid(
 
 @lent
 def find_normals(normal: Vector, shapes: Shapes, vertex: Vector) -> None:
-    """Fill normal (f, 3) for given vertices (v, 3) by Newell's sum: for blocks with strains."""
+    """Fill normal (f, 3) from the vertices (v, 3) of blocks that may deform, by Newell's sum."""
     for f in range(len(normal)):
         first, last = shapes.corner_start[f], shapes.corner_start[f + 1]
         area = (0.0, 0.0, 0.0)

@@ -1,4 +1,4 @@
-"""Whether a scene is one block that cannot turn, on one wall or none: a point mass with contact."""
+"""Recognises one block that cannot rotate, on one wall or none: it moves like a point mass."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ AWAY = Wall(np.array([0.0, 0.0, -1e30]), np.array([0.0, 0.0, 1.0]))  # for a blo
 
 @dataclass(frozen=True, eq=False)
 class Lone:
-    """The block, its wall and the gap [m] between them; hold: (3, 3) projector on what is free."""
+    """The block, its wall and their gap [m]; hold: projector (3, 3) on the free directions."""
 
     block: Block
     wall: Wall
@@ -23,10 +23,10 @@ class Lone:
 
 
 def lone(scene: Scene) -> Lone | None:
-    """The one block of a scene, or None if there is more to it.
+    """The single block of a scene that cannot rotate, or None if the scene is another.
 
-    The normal of the wall and what moves it must lie in the free directions, so that contact
-    meets the same mass in every direction that matters.
+    The normal and the motion of the wall must lie in the free directions, so that contact forces
+    accelerate the same mass in all directions in which they act.
     """
     if len(scene.blocks) != 1 or len(scene.walls) > 1:
         return None

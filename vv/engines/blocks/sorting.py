@@ -1,4 +1,4 @@
-"""Kernels that sort: numpy's take seconds to compile, and are no faster for so few."""
+"""Kernels that sort: those of numpy take seconds to compile, and are no faster on short arrays."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from vv.scene import Vector
 
 @called
 def ordered(key: Vector | Index, n: int) -> Index:
-    """The order (n,) in which the first n keys ascend, equal ones as they come: a merge sort."""
+    """The indices (n,) that sort the first n keys in ascending order, by a stable merge sort."""
     run = 1
     order, spare = counts(n), counts(n)
     for k in range(n):
