@@ -1,1 +1,1 @@
-"""How surfaces that touch act on each other: the law of contacts, and what it is told of them."""
+"""Contact laws of spheres and walls, and the kinematics of a contact that they depend on."""

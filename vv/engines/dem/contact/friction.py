@@ -1,4 +1,4 @@
-"""The shear spring of a contact and its Coulomb cap, inlined into kernels."""
+"""Tangential spring of a contact with Coulomb friction; the functions are inlined into kernels."""
 
 from __future__ import annotations
 
@@ -9,21 +9,22 @@ from vv.engines.kernels.arrays import square_of
 from vv.engines.kernels.compiled import inlined
 from vv.engines.kernels.triples import NOWHERE, Triple, add_scaled, cross, dot
 
-SMALL = 0.01  # an exponent below which 1/x - 1/x' would cancel
+SMALL = 0.01  # below this x, coth(x/2)/2 - 1/x loses digits: its series is used
 
 
 @inlined
 def share_closed(overlap: float, opened: float) -> float:
-    """The share of a step in which a contact was closed that has an overlap [m] at its end.
+    """The fraction of a step in which a contact was closed that has an overlap [m] at its end.
 
-    Only then is the shear spring charged: a whole step would make the force first order in dt.
+    The tangential spring is charged only in this fraction: charged over the whole step, the force
+    would be of first order in dt.
     """
     return 1.0 if overlap + opened >= 0.0 else -overlap / opened
 
 
 @inlined
 def slid(touch: Touch, dt: float) -> tuple[Triple, Triple]:
-    """How far the surfaces slid while they touched in a step, and how much more than before [m]."""
+    """The slide [m] in the closed part of a step, and its change since the previous step [m]."""
     share = dt * share_closed(touch.overlap, touch.opened)
     m, relative, changed = touch.midway, touch.relative, touch.changed
     slide = add_scaled(NOWHERE, share, add_scaled(relative, -dot(m, relative), m))
@@ -32,7 +33,10 @@ def slid(touch: Touch, dt: float) -> tuple[Triple, Triple]:
 
 @inlined
 def turned(s: Triple, n: Triple, angle: float) -> Triple:
-    """s turned about n, to which it is perpendicular, by a small angle [rad]; keeps its length."""
+    """The vector s, perpendicular to n, rotated about n by a small angle [rad].
+
+    The length of s is preserved exactly.
+    """
     square = 0.25 * angle * angle
     cosine, sine = (1.0 - square) / (1.0 + square), angle / (1.0 + square)
     return add_scaled(add_scaled(NOWHERE, cosine, s), sine, cross(n, s))
@@ -42,9 +46,9 @@ def turned(s: Triple, n: Triple, angle: float) -> Triple:
 def rub(
     spring: Triple, touch: Touch, ks: float, caps: tuple[float, float], dt: float
 ) -> tuple[Triple, float]:
-    """The shear force [N] after a step of dt [s], and the energy [J] that friction took in it.
+    """The tangential force [N] after a step of dt [s], and the energy [J] dissipated by friction.
 
-    The arguments are those of `sheared`.
+    Arguments as for `sheared`.
     """
     slide, change = slid(touch, dt)
     return sheared(spring, touch, slide, change, ks, caps)
@@ -59,10 +63,10 @@ def sheared(
     ks: float,
     caps: tuple[float, float],
 ) -> tuple[Triple, float]:
-    """The shear force [N] after a step, and the energy [J] that friction took in it.
+    """The tangential force [N] after a step, and the energy [J] dissipated by friction in the step.
 
-    spring, slide, ks: as for `tried`; caps: mu Fn [N] before and after the step; change: slide
-    less that of the step before.
+    spring, slide, ks: as for `tried`; caps: the Coulomb limits mu Fn [N] before and after the step;
+    change: slide minus that of the previous step [m].
     """
     old, slide, trial = tried(spring, touch, slide, ks)
     if dot(trial, trial) <= caps[1] * caps[1]:
@@ -72,11 +76,12 @@ def sheared(
 
 @inlined
 def tried(spring: Triple, touch: Touch, slide: Triple, ks: float) -> tuple[Triple, Triple, Triple]:
-    """The shear force [N] before a step, turned, the slide [m], and the force if nothing slips.
+    """The old tangential force rotated [N], the slide in the new plane [m], the trial force [N].
 
-    spring: the force before. It turns with the contact plane from n_before to n and by the twist
-    about n, both exactly. Then it grows by -ks times the slide in the plane, up to the cap mu Fn
-    (Li 2018, Eqs. 5-8, with the sign that Eq. 8 leaves out).
+    spring: the tangential force before the step. It rotates with the contact plane from n_before to
+    n, and by the twist about n, both exactly. The trial force adds -ks times the slide in the
+    plane; it is the new force unless it exceeds the limit mu Fn (Li 2018, Eqs. 5-8, with the sign
+    that Eq. 8 leaves out).
     """
     n, n_before = touch.n, touch.n_before
     old = add_scaled(
@@ -96,14 +101,14 @@ def slipped(
     ks: float,
     caps: tuple[float, float],
 ) -> tuple[Triple, float]:
-    """The shear force of a contact that slips, and the energy that friction took."""
+    """The tangential force [N] of a slipping contact, and the energy [J] dissipated by friction."""
     turn = turns(slide, ks, caps)
     return turned_by_slip(old, trial, slide, change, ks, caps, turn, math.exp(-turn))
 
 
 @inlined
 def turns(slide: Triple, ks: float, caps: tuple[float, float]) -> float:
-    """x = ks |s| dt/cap, by which `slipping` turns a force."""
+    """The dimensionless slip x = ks |s| dt/cap, which determines how far a force rotates."""
     return 2.0 * ks * math.sqrt(dot(slide, slide)) / (caps[0] + caps[1])
 
 
@@ -118,11 +123,12 @@ def turned_by_slip(
     x: float,
     fading: float,
 ) -> tuple[Triple, float]:
-    """As `slipped`, with x of `turns` and exp(-x).
+    """As `slipped`, with x from `turns` and fading = exp(-x) given.
 
-    The energy is the slip, which is the slide without its elastic part, times the mean of the old
-    and the new force. Where the slide turns back, what `slipping` says would give energy: then the
-    force is along the trial force, which takes some whenever the old force is below the cap, too.
+    The dissipated energy is the slip (the slide minus its elastic part) times the mean of the old
+    and the new force. Where the slide reverses, the direction from `slipping` could make this
+    negative. Then the new force is taken along the trial force, which dissipates energy also where
+    the old force is below the limit.
     """
     new, taken = capped(
         old, slipping(old, trial, slide, change, caps, x, fading), slide, ks, caps[1]
@@ -133,7 +139,10 @@ def turned_by_slip(
 
 @inlined
 def twisted(old: Triple, slide: Triple, n: Triple, twist: float | None) -> tuple[Triple, Triple]:
-    """A force turned about n by a twist, if anything turns, and a slide that charges it."""
+    """The force rotated about n by the twist, and the slide rotated by half of it.
+
+    Both are returned unchanged where no sphere rotates.
+    """
     if twist is None:
         return old, slide
     return turned(old, n, twist), add_scaled(slide, 0.5 * twist, cross(n, slide))
@@ -141,7 +150,7 @@ def twisted(old: Triple, slide: Triple, n: Triple, twist: float | None) -> tuple
 
 @inlined
 def capped(old: Triple, pull: Triple, slide: Triple, ks: float, cap: float) -> tuple[Triple, float]:
-    """The force along `pull` at the cap, and the energy that friction took to bring it there."""
+    """The force of size `cap` [N] in the direction of `pull`, and the energy [J] dissipated."""
     new = add_scaled(NOWHERE, cap / math.sqrt(dot(pull, pull)), pull)
     slip = add_scaled(slide, 1.0 / ks, add_scaled(new, -1.0, old))
     return new, -0.5 * dot(add_scaled(old, 1.0, new), slip)
@@ -157,14 +166,14 @@ def slipping(
     x: float,
     fading: float,
 ) -> Triple:
-    """A vector along the force of a slipping contact after a step.
+    """A vector in the direction of the tangential force of a slipping contact after a step.
 
-    A contact that slips turns its force: with the angle t between the force and minus the rate
-    of slide s, t' = -(ks |s|/cap) sin t, so that tan(t/2) falls by E = exp(-x) in a step with
-    x = ks |s| dt/cap. The trial force obeys this to first order only. Exact for a steady
-    direction d = -s/|s| is the direction of 2 E f + (1 - E^2 + cos t (1 - E)^2) d, f = F/|F|
-    (Krieg and Krieg 1977, for plasticity). Where s turns, d is taken at the moment that has the
-    effect of the whole step: coth(x/2)/2 - 1/x steps after its middle.
+    Slip rotates the force: the angle t between the force and minus the sliding velocity s obeys t'
+    = -(ks |s|/cap) sin t, so that a step multiplies tan(t/2) by E = exp(-x), x = ks |s| dt/cap. The
+    trial force obeys this to first order only. For a constant direction d = -s/|s|, the exact new
+    direction is that of 2 E f + (1 - E^2 + cos t (1 - E)^2) d, f = F/|F| (Krieg and Krieg 1977, for
+    plasticity). Where s rotates, d is evaluated coth(x/2)/2 - 1/x steps after the middle of the
+    step, which gives the effect of the whole step to second order.
     """
     moved = dot(slide, slide)
     if moved == 0.0 or dot(old, trial) <= 0.0:
@@ -174,7 +183,7 @@ def slipping(
     aim = add_scaled(slide, late, across)
     longer, size = math.sqrt(dot(aim, aim)), math.sqrt(dot(old, old))
     cosine = -dot(old, aim) / (longer * size)
-    # a force that has not reached the cap yet counts for less than one that turns at the cap
+    # an old force that is still below the limit gets less weight than one at the limit
     kept = 2.0 * fading / (caps[0] if cosine > 0.0 else size)
     gained = 1.0 - fading * fading + cosine * square_of(1.0 - fading)
     return add_scaled(add_scaled(NOWHERE, kept, old), -gained / longer, aim)

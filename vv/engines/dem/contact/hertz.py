@@ -1,6 +1,6 @@
 """Contact of elastic spheres: Hertz along the normal, Mindlin without micro-slip across it.
 
-It is viscous along the normal by the law of Tsuji, Tanaka and Ishida (1992), if at all.
+It may also be viscous along the normal, by the law of Tsuji, Tanaka and Ishida (1992).
 """
 
 from __future__ import annotations
@@ -14,16 +14,16 @@ from vv.engines.kernels.compiled import inlined
 from vv.engines.kernels.triples import Triple, at, dot
 from vv.scene import Hertz, Scene, Vector
 
-DEEP = 1.2  # times the overlap that would hold all energy at t = 0: room for what loads add
-TOUCHES = 1e-6  # of the way of a step: an overlap that rounding leaves to what only touches
+DEEP = 1.2  # factor on the overlap that stores all energy of t = 0: loads add energy
+TOUCHES = 1e-6  # of the approach in a step: overlaps below it are rounding
 
 
 class Elastic(NamedTuple):
-    """Effective modulus [Pa]; friction: effective shear modulus [Pa] and mu, or None.
+    """The parameters of elastic contact.
 
-    damping: z of the viscous force 2 z sqrt(m kn) U', or None.
-    stiffness: kn and ks [N/m] of the deepest contact that the energy at t = 0 can make. asked: see
-    `law.py`.
+    modulus: effective modulus [Pa]; friction: effective shear modulus [Pa] and mu, or None;
+    damping: z in the viscous force 2 z sqrt(m kn) U', or None; stiffness: kn and ks [N/m] at the
+    deepest overlap that the energy at t = 0 can cause; asked: see `law.py`.
     """
 
     modulus: float
@@ -34,12 +34,12 @@ class Elastic(NamedTuple):
 
     @property
     def columns(self) -> int:
-        """Numbers kept of a contact: the force across the normal [N]."""
+        """The count of numbers stored per contact: the tangential force [N] has three."""
         return 3
 
 
 def elastic(scene: Scene, law: Hertz, rubs: bool) -> Elastic:
-    """The law of a scene whose contacts are those of elastic spheres."""
+    """The contact law of a scene of elastic spheres."""
     friction = (law.shear_modulus, scene.contact.mu) if rubs else None
     spheres = scene.spheres
     energy = 0.5 * float(spheres.mass @ (spheres.velocity**2).sum(axis=1))
@@ -54,18 +54,18 @@ def elastic(scene: Scene, law: Hertz, rubs: bool) -> Elastic:
 
 @inlined
 def pressed(law: Elastic, overlap: float, radius: float) -> tuple[float, float]:
-    """4/3 E sqrt(R) U^(3/2), and 2/5 of that times U."""
+    """The normal force 4/3 E sqrt(R) U^(3/2) [N], and the elastic energy, 2/5 of it times U [J]."""
     push = 4.0 / 3.0 * law.modulus * overlap * math.sqrt(radius * overlap)
     return push, 0.4 * push * overlap
 
 
 @inlined
 def damped(law: Elastic, before: float, overlap: float, radius: float, mass: float) -> float:
-    """2 z sqrt(m kn), kn = 2 E sqrt(R U), with the share of a contact that closes in a step.
+    """2 z sqrt(m kn) [N s/m], kn = 2 E sqrt(R U), corrected in the step in which a contact closes.
 
-    Sums over steps of (s + k)^q, k = 0, 1, ..., with s the part of the step since the contact
-    closed, miss the integral of t^q by zeta(-q, s), of order 1 + q in dt. The first step makes up
-    for it; q = 1/4, as the overlap grows evenly at first.
+    With s the part of the step after the closing, the sum over steps of (s + k)^q, k = 0, 1, ...,
+    misses the integral of t^q by zeta(-q, s), an error of order 1 + q in dt. The coefficient of the
+    first step compensates for it. Here q = 1/4, since U grows linearly at first.
     """
     part, way = 1.0, overlap - before
     if before <= TOUCHES * way:
@@ -86,7 +86,7 @@ def viscosity(
 
 @inlined
 def made_up(since: float) -> float:
-    """s^q - zeta(-q, s) for q = 1/4 and s in (0, 1], by Euler and Maclaurin to 1e-5."""
+    """s^q - zeta(-q, s) for q = 1/4 and s in (0, 1], by Euler and Maclaurin's formula, to 1e-5."""
     far = since + 2.0
     root = math.sqrt(math.sqrt(far))
     near = math.sqrt(math.sqrt(since + 1.0))
@@ -98,10 +98,10 @@ def made_up(since: float) -> float:
 def across(
     law: Elastic, touch: Touch, radius: float, mass: float, spring: Triple
 ) -> tuple[float, tuple[float, float]]:
-    """8 G sqrt(R U), the mean of the step, and mu times the push.
+    """The mean tangential stiffness 8 G sqrt(R U) [N/m] over a step, and the limits mu Fn [N].
 
-    The mean is that of the part of the step in which surfaces touched, as the overlap changes
-    evenly: the stiffness at the end would make the force first order in dt.
+    The mean is over the part of the step in which the contact was closed, with U linear in time.
+    The stiffness at the end of the step would make the force first order in dt.
     """
     (shear, mu), overlap = law.friction, touch.overlap  # type: ignore[misc]  # asked where it rubs
     before = max(overlap + touch.opened, 0.0)
@@ -113,10 +113,9 @@ def across(
 
 @inlined
 def stored(law: Elastic, overlap: float, radius: float, force: Triple) -> float:
-    """F^2/(2 ks), ks = 8 G sqrt(R U).
+    """The elastic energy of the tangential spring [J]: F^2/(2 ks) with ks = 8 G sqrt(R U).
 
-    What a spring of today's stiffness would hold is no energy that can be had back, as it grows
-    when a contact opens under a force that stays.
+    This is not recoverable as a whole: it grows when a contact opens under a constant force.
     """
     shear = law.friction[0]  # type: ignore[index]  # as above
     return 0.5 * dot(force, force) / (8.0 * shear * math.sqrt(radius) * math.sqrt(overlap))
@@ -126,7 +125,7 @@ def stored(law: Elastic, overlap: float, radius: float, force: Triple) -> float:
 def rubbed(
     law: Elastic, touch: Touch, radius: float, mass: float, kept: Vector, row: int, dt: float
 ) -> tuple[Triple, float, float]:
-    """The spring charged by the slide, up to mu times the push."""
+    """The tangential force [N] of a spring stretched by the slide, at most mu Fn; see `law.py`."""
     spring = at(kept, row)
     ks, caps = across(law, touch, radius, mass, spring)
     force, taken = rub(spring, touch, ks, caps, dt)
@@ -137,7 +136,10 @@ def rubbed(
 def limits(
     law: Elastic, mu: float, touch: Touch, radius: float, mass: float, spring: Triple
 ) -> tuple[float, float]:
-    """What friction can be at most before a step and after it [N], as for linear contact."""
+    """The limits of friction [N] before and after a step, viscous normal forces included.
+
+    As in `linear.py`.
+    """
     overlap = touch.overlap
     before = max(overlap + touch.opened, 0.0)
     first, last = pressed(law, before, radius)[0], pressed(law, overlap, radius)[0]
@@ -150,6 +152,6 @@ def limits(
 def slowing(
     modulus: float, damping: float | None, touch: Touch, before: float, radius: float, mass: float
 ) -> tuple[float, float]:
-    """The viscous pull [N] before a step and after it, as friction knows of it."""
+    """The viscous part [N] of the normal force before and after a step, as it limits friction."""
     old = viscosity(modulus, damping, before, radius, mass) * touch.rates[0]
     return old, viscosity(modulus, damping, touch.overlap, radius, mass) * touch.rates[1]

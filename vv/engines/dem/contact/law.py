@@ -1,12 +1,13 @@
-"""The law by which surfaces that touch act on each other: what it is asked, which a scene has.
+"""The interface of contact laws, and the choice of the law of a scene.
 
-A law is a named tuple in a file of this folder. It has fields `friction`, of which the second
-number is mu, and which is None where nothing rubs, and `asked`: None, or any number where each step
-asks what rubs and turns, and friction that is nil is there, too (`NO_FRICTION`). It has properties
-`stiffness`, kn and ks [N/m] at most, and `columns`, how many numbers are kept of a contact from
-step to step, and functions in its file: `pressed` and `rubbed`, which contacts of pairs, of walls,
-and of pairs that are near each other all call, `damped` if it may be viscous, and `across` and
-`stored` if the model of many spheres has it, too.
+A law is a named tuple in a file of this folder. Its field `friction` is None without friction;
+otherwise its second number is mu. Its field `asked` is None if the compiler decides whether there
+are friction and rotation; it is a number if every step decides this at run time, and a scene
+without friction then has `NO_FRICTION`. Its property `stiffness` is the largest kn and ks [N/m],
+and its property `columns` says how many numbers a contact stores from step to step.
+
+Its file has the functions `pressed` and `rubbed`, which contacts of all kinds call, `damped` if the
+law may be viscous, and `across` and `stored` if the model of many spheres supports it.
 """
 
 from __future__ import annotations
@@ -27,7 +28,7 @@ NO_FRICTION = (0.0, 0.0)
 
 
 def law_of(scene: Scene) -> Law:
-    """The law of a scene's contacts."""
+    """The contact law of a scene."""
     law, rough = scene.contact, Term.FRICTION in scene.terms()
     if law.hertz is not None:
         in_part = rough and law.hertz.micro_slip
@@ -37,13 +38,13 @@ def law_of(scene: Scene) -> Law:
 
 
 def rubs(law: Law) -> bool:
-    """Whether surfaces rub."""
+    """Whether the law has friction."""
     return law.friction is not None and law.friction[1] > 0.0
 
 
 @inlined
 def turning(turn: Vector | None, asked: int | None) -> bool:
-    """Whether spheres turn, if there are torques of any; asked: that of the law."""
+    """Whether spheres rotate; decided at run time by the rows of `turn` if `asked` is a number."""
     if turn is None:
         return False
     if asked is None:
@@ -53,7 +54,7 @@ def turning(turn: Vector | None, asked: int | None) -> bool:
 
 @of_its_file
 def pressed(law: Law, overlap: float, radius: float) -> tuple[float, float]:
-    """The push along the normal [N] of an overlap [m], and what it holds [J].
+    """The elastic normal force [N] at an overlap [m], and the energy [J] stored in it.
 
     radius: 1/(1/r1 + 1/r2) of the two surfaces [m].
     """
@@ -64,17 +65,17 @@ def pressed(law: Law, overlap: float, radius: float) -> tuple[float, float]:
 def across(
     law: Law, touch: Touch, radius: float, mass: float, spring: Triple
 ) -> tuple[float, tuple[float, float]]:
-    """The stiffness across the normal [N/m] in a step, and mu Fn [N] before the step and after it.
+    """The tangential stiffness [N/m] in a step, and the limits mu Fn [N] before and after the step.
 
-    radius as for `pressed`; mass: the reduced one [kg], of what can move; spring: the force across
-    before the step [N].
+    radius as for `pressed`; mass: the reduced mass [kg] of the bodies that can move; spring: the
+    tangential force [N] before the step.
     """
     raise NotImplementedError
 
 
 @of_its_file
 def stored(law: Law, overlap: float, radius: float, force: Triple) -> float:
-    """What the spring across the normal holds [J] at a force [N]."""
+    """The energy [J] stored in the tangential spring at a force [N]."""
     raise NotImplementedError
 
 
@@ -82,21 +83,21 @@ def stored(law: Law, overlap: float, radius: float, force: Triple) -> float:
 def rubbed(
     law: Law, touch: Touch, radius: float, mass: float, kept: Vector, row: int, dt: float
 ) -> tuple[Triple, float, float]:
-    """The force across the normal [N] after a step, what its spring holds [J], what friction took.
+    """The tangential force [N] after a step, the energy [J] of its spring, and that dissipated.
 
-    radius as for `pressed`; mass: the reduced one [kg], of what can move; kept (k, columns): what
-    is kept of contacts from step to step, of this one in a row, that force before the step first.
-    It acts on the second of two surfaces, from the first to which the normal points.
+    radius and mass as for `across`; kept (k, columns): the numbers stored per contact, this one's
+    in the given row, the tangential force before the step first. The force acts on the second body;
+    the normal points from the first to the second.
     """
     raise NotImplementedError
 
 
 @of_its_file
 def damped(law: Law, before: float, overlap: float, radius: float, mass: float) -> float:
-    """The coefficient [N s/m] of viscous contact at an overlap [m] > 0 at the end of a step.
+    """The coefficient [N s/m] of a viscous contact whose overlap [m] at the end of the step is > 0.
 
-    before: the overlap a step earlier, inf for none; radius and mass as above. In the first step
-    of a contact the coefficient is that which gives its impulse to second order, whenever in that
-    step the contact closed.
+    before: the overlap one step earlier, inf if there was none; radius and mass as for `across`. In
+    the step in which the contact closes, the coefficient is corrected so that its impulse is of
+    second order, wherever in the step it closes.
     """
     raise NotImplementedError

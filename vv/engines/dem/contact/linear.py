@@ -1,4 +1,4 @@
-"""Linear contact: a spring along the normal, and one across it up to Coulomb's limit."""
+"""Linear contact: a normal spring, and a tangential spring limited by Coulomb friction."""
 
 from __future__ import annotations
 
@@ -15,8 +15,8 @@ from vv.scene import Vector
 class Linear(NamedTuple):
     """kn [N/m]; friction: ks [N/m] and mu, or None (Li 2018, Eqs. 4-8); eta_n [N s/m], or None.
 
-    Dashpots push by themselves (`vv/engines/dem/terms/dashpots.py`); here they limit friction.
-    asked: see `law.py`.
+    The viscous force itself is computed in `vv/engines/dem/terms/dashpots.py`; here it only enters
+    the limit of friction. asked: see `law.py`.
     """
 
     kn: float
@@ -31,13 +31,13 @@ class Linear(NamedTuple):
 
     @property
     def columns(self) -> int:
-        """Numbers kept of a contact: the force across the normal [N]."""
+        """The count of numbers stored per contact: the tangential force [N] has three."""
         return 3
 
 
 @inlined
 def pressed(law: Linear, overlap: float, radius: float) -> tuple[float, float]:
-    """kn U, and kn U^2/2."""
+    """The normal force kn U [N], and its energy kn U^2/2 [J]."""
     return law.kn * overlap, 0.5 * law.kn * overlap * overlap
 
 
@@ -45,14 +45,14 @@ def pressed(law: Linear, overlap: float, radius: float) -> tuple[float, float]:
 def across(
     law: Linear, touch: Touch, radius: float, mass: float, spring: Triple
 ) -> tuple[float, tuple[float, float]]:
-    """ks, and mu times the push."""
+    """The tangential stiffness ks [N/m], and the limits mu Fn [N] before and after the step."""
     ks, mu = law.friction  # type: ignore[misc]  # asked where it rubs
     return ks, caps(law.kn, mu, law.eta_n, touch, spring)
 
 
 @inlined
 def stored(law: Linear, overlap: float, radius: float, force: Triple) -> float:
-    """F^2/(2 ks)."""
+    """The energy [J] of the tangential spring, F^2/(2 ks)."""
     return 0.5 * dot(force, force) / law.friction[0]  # type: ignore[index]  # as above
 
 
@@ -60,7 +60,7 @@ def stored(law: Linear, overlap: float, radius: float, force: Triple) -> float:
 def rubbed(
     law: Linear, touch: Touch, radius: float, mass: float, kept: Vector, row: int, dt: float
 ) -> tuple[Triple, float, float]:
-    """The spring charged by the slide, up to mu times the push."""
+    """The tangential force [N] of a spring stretched by the slide, at most mu Fn; see `law.py`."""
     spring = at(kept, row)
     ks, limits = across(law, touch, radius, mass, spring)
     force, taken = rub(spring, touch, ks, limits, dt)
@@ -71,10 +71,11 @@ def rubbed(
 def caps(
     kn: float, mu: float, eta_n: float | None, touch: Touch, spring: Triple
 ) -> tuple[float, float]:
-    """What friction can be at most before a step and after it [N].
+    """The limits of friction mu Fn [N] before and after a step.
 
-    The rate at the end of a step is what its mean and that of the step before lead to: of second
-    order. Friction before was below its limit, whatever that leads to.
+    The opening rates at both ends are extrapolated from the mean rates of two steps, to second
+    order. The limit before the step is at least the friction found then, whatever the extrapolation
+    gives.
     """
     before, now = touch.overlap + touch.opened, touch.overlap
     if eta_n is None:
@@ -85,15 +86,16 @@ def caps(
 
 @inlined
 def damped(law: Linear, before: float, overlap: float, radius: float, mass: float) -> float:
-    """eta_n, of which a contact that closes within a step is given a share for that step."""
+    """The coefficient eta_n [N s/m], times `late` in the step in which the contact closes."""
     eta_n = 0.0 if law.eta_n is None else law.eta_n
     return eta_n * late(overlap, overlap - before) if before <= 0.0 else eta_n
 
 
 @inlined
 def late(overlap: float, closed: float) -> float:
-    """The share of eta_n in the step in which a contact closes by `closed` to an overlap [m].
+    """The factor on eta_n in the step in which a contact closes by `closed` [m] to an overlap [m].
 
-    It is 1/2 and the part of the step since: without, the impulse would be off in first order.
+    It is 1/2 plus the fraction of the step for which the contact is closed; without it, the impulse
+    would be of first order in dt.
     """
     return float(0.5 + min(overlap / closed, 1.0))

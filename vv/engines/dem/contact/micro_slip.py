@@ -1,8 +1,8 @@
-"""Contact of elastic spheres that slips in part: Hertz, and Mindlin's springs on a line.
+"""Contact of elastic spheres with micro-slip: Hertz and Mindlin, by a row of tangential springs.
 
-Where spheres touch along the normal as Hertz says, their tangential contact is that of a line of
-springs, of which each touches, sticks and slips for itself (Popov and Hess 2015; Jaeger
-1993): Cattaneo's and Mindlin's annuli, whatever normal force and slip do in turn.
+The normal force is that of Hertz. Tangentially, the contact is represented by springs along a line,
+each of which closes, sticks and slips separately (Popov and Hess 2015; Jaeger 1993). This gives the
+slip annuli of Cattaneo and Mindlin for any history of normal force and slip.
 """
 
 from __future__ import annotations
@@ -18,13 +18,13 @@ from vv.engines.kernels.compiled import inlined
 from vv.engines.kernels.triples import NOWHERE, Triple, add_scaled, at, dot
 from vv.scene import Hertz, Scene, Vector
 
-SPRINGS = 513  # on half of the line of the deepest contact
-ROOM = 1.01  # times the half line that a contact is expected to need
-FIRST = 4  # column of the springs, after the force and how far springs are apart
+SPRINGS = 513  # number of springs on half of the line of the deepest contact
+ROOM = 1.01  # factor on the half length that a contact is expected to need
+FIRST = 4  # column of the first spring, after the force (3) and the spacing (1)
 
 
 class MicroSlip(NamedTuple):
-    """As `vv.engines.dem.contact.hertz.Elastic`, which has no viscosity here."""
+    """The parameters, as in `vv.engines.dem.contact.hertz.Elastic`; damping is not used."""
 
     modulus: float
     friction: tuple[float, float] | None
@@ -34,24 +34,24 @@ class MicroSlip(NamedTuple):
 
     @property
     def columns(self) -> int:
-        """Numbers kept of a contact: force [N], distance of springs [m^0.5], their stretches."""
+        """The count of numbers stored per contact: force [N], spacing [m^0.5], stretches [m]."""
         return FIRST + 3 * SPRINGS
 
 
 def micro_slip(scene: Scene, law: Hertz) -> MicroSlip:
-    """The law of a scene whose contacts slip in part."""
+    """The contact law of a scene with micro-slip."""
     return MicroSlip(*elastic(scene, law, rubs=True))
 
 
 @inlined
 def pressed(law: MicroSlip, overlap: float, radius: float) -> tuple[float, float]:
-    """As by Hertz without micro-slip."""
+    """The normal force [N] and its energy [J], as by Hertz."""
     return pressed_by_hertz(law, overlap, radius)  # type: ignore[arg-type]  # the same fields
 
 
 @inlined
 def damped(law: MicroSlip, before: float, overlap: float, radius: float, mass: float) -> float:
-    """Nothing is viscous here."""
+    """Zero: this law has no viscosity."""
     return 0.0
 
 
@@ -59,11 +59,11 @@ def damped(law: MicroSlip, before: float, overlap: float, radius: float, mass: f
 def rubbed(
     law: MicroSlip, touch: Touch, radius: float, mass: float, kept: Vector, row: int, dt: float
 ) -> tuple[Triple, float, float]:
-    """The force of all springs, with the slide of the step carried to each of them.
+    """The force of all springs together [N], their energy, and the energy dissipated by slip [J].
 
-    The spring at x = s sqrt(R) touches once U > s^2, is stretched by the slide from then on, and
-    slips beyond mu E/(4 G) (U - s^2). Between springs the stretch is linear in s^2, as it is where
-    all slip: full slip is exact. Where a slip turns its direction, the cut is of first order.
+    The spring at x = s sqrt(R) closes when U > s^2; from then on the slide stretches it, up to mu
+    E/(4 G) (U - s^2). Between springs the stretch is taken as linear in s^2, which is exact where
+    all springs slip. Where the slip changes direction, limiting the stretch is of first order.
     """
     shear, mu = law.friction  # type: ignore[misc]  # it always rubs
     overlap, before = touch.overlap, max(touch.overlap + touch.opened, 0.0)
@@ -91,10 +91,10 @@ def rubbed(
 
 @inlined
 def laid(law: MicroSlip, touch: Touch, radius: float, mass: float, kept: Vector, row: int) -> float:
-    """How far springs are apart [m^0.5], s = x/sqrt(R); a contact without force gets new ones.
+    """The spacing of the springs [m^0.5] in s = x/sqrt(R); a new contact gets new springs.
 
-    They reach as far as the energy of its approach presses it. If it goes deeper than that, every
-    second spring is kept, twice as far apart.
+    They cover the contact radius that the kinetic energy of the approach can cause. If a contact
+    becomes larger than that, every second spring is dropped and the spacing is doubled.
     """
     overlap, force = touch.overlap, at(kept, row)
     if dot(force, force) == 0.0:
@@ -112,21 +112,21 @@ def laid(law: MicroSlip, touch: Touch, radius: float, mass: float, kept: Vector,
 
 @inlined
 def stretch(kept: Vector, row: int, k: int) -> Triple:
-    """How far spring k is stretched [m]."""
+    """The stretch of spring k [m]."""
     c = FIRST + 3 * k
     return kept[row, c], kept[row, c + 1], kept[row, c + 2]
 
 
 @inlined
 def hold(kept: Vector, row: int, k: int, a: Triple) -> None:
-    """Keep the stretch of spring k."""
+    """Store the stretch of spring k [m]."""
     c = FIRST + 3 * k
     kept[row, c], kept[row, c + 1], kept[row, c + 2] = a
 
 
 @inlined
 def brought(old: Triple, slide: Triple, touch: Touch) -> tuple[Triple, Triple]:
-    """A stretch turned with the contact plane, and the slide in that plane."""
+    """The old stretch rotated with the contact plane, and the slide in the new plane."""
     n, n_before = touch.n, touch.n_before
     tilt = -dot(n, old) / (1.0 + dot(n, n_before))
     old, slide = twisted(add_scaled(old, tilt, add_scaled(n, 1.0, n_before)), slide, n, touch.twist)
@@ -135,16 +135,16 @@ def brought(old: Triple, slide: Triple, touch: Touch) -> tuple[Triple, Triple]:
 
 @inlined
 def cut(trial: Triple, most: float) -> Triple:
-    """A stretch cut to the most that friction allows [m]."""
+    """The trial stretch, limited to the length `most` [m] that friction allows."""
     size = math.sqrt(dot(trial, trial))
     return trial if size <= most else add_scaled(NOWHERE, most / size, trial)
 
 
 @inlined
 def weight_of(k: int, last: int, apart: float, edge: float) -> float:
-    """The integral over s [m^0.5] of what is 1 at spring k, 0 at its neighbours or at the edge.
+    """The integral over s [m^0.5] of the shape function of spring k.
 
-    It is linear in s^2 in between.
+    This is 1 at spring k, 0 at its neighbours and at the edge, and linear in s^2 between them.
     """
     inner = (3.0 * k - 2.0) / (6.0 * k - 3.0) if k else 0.0
     if k < last:

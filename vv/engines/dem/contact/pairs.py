@@ -1,4 +1,4 @@
-"""Contacts between spheres, inlined into kernels: where they are and what they do."""
+"""Contacts between spheres: their kinematics and forces, inlined into kernels."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ Pairs = tuple[Index, Vector, Vector, Vector]
 
 @inlined
 def emptied(kept: Vector) -> None:
-    """Nothing kept (k, columns) of any contact."""
+    """Set the stored numbers (k, columns) of all contacts to zero."""
     for k in range(len(kept)):
         for c in range(kept.shape[1]):
             kept[k, c] = 0.0
@@ -27,10 +27,10 @@ def emptied(kept: Vector) -> None:
 
 @inlined
 def apart(u: Vector, pairs: Pairs, p: int) -> tuple[float, Triple, float]:
-    """The overlap of pair p, its offset and the length of that [m], by displacements u [m].
+    """The overlap of pair p [m], the vector between the centres, and its length; u: displacements.
 
-    A gap is that at t = 0 and a change free of cancellation, so that it is as accurate as the
-    displacements.
+    The gap is its value at t = 0 plus a change that is computed without cancellation, so that its
+    relative accuracy is that of the displacements.
     """
     rows, offset, gap, radius = pairs
     start = at(offset, p)
@@ -46,7 +46,7 @@ def apart(u: Vector, pairs: Pairs, p: int) -> tuple[float, Triple, float]:
 def last_step(
     d: Triple, length: float, relative: Triple, dt: float
 ) -> tuple[Triple, Triple, float]:
-    """How a pair came to the offset d [m] in a step: normals before and midway, gap opened [m]."""
+    """The normals at the beginning and in the middle of a step, and how much the gap grew [m]."""
     back = add_scaled(d, -dt, relative)
     length_back = math.sqrt(dot(back, back))
     n_before = add_scaled(NOWHERE, 1.0 / length_back, back)
@@ -67,7 +67,7 @@ def touch_of(
     n: Triple,
     dt: float,
 ) -> Touch:
-    """How pair p came to where it is now, which `apart` says, with the normal n."""
+    """The kinematics of the closed pair p in a step; now: see `apart`; n: the normal at its end."""
     (overlap, d, length), v, before = now, motion.v, motion.before
     i, j = pairs[0][p, 0], pairs[0][p, 1]
     relative = add_scaled(at(v, j), -1.0, at(v, i))
@@ -103,7 +103,7 @@ def turn_pair(
     n: Triple,
     across: Triple,
 ) -> None:
-    """Add the torques of a force across the contact of pair p, if any sphere turns."""
+    """Add the torques of the tangential force at pair p, if spheres rotate."""
     if turn is not None and turns:
         rows, _, _, radius = pairs
         i, j, torque = rows[p, 0], rows[p, 1], cross(across, n)
@@ -121,10 +121,10 @@ def pair_forces(
     asked: int | None,
     shear: Vector,
 ) -> Triple:
-    """Add the forces of pairs of spheres; return energies [J]: normal, shear, lost by friction.
+    """Add the forces of all pairs; return energies [J]: normal and tangential springs, dissipation.
 
-    mass: (m,) of the spheres that move. asked: that of the law. shear: (p, columns) what it keeps
-    from step to step, the force on the second sphere [N] first.
+    mass: (m,) of the moving spheres; asked: see `law.py`; shear: (p, columns) numbers stored from
+    step to step, the tangential force on the second sphere [N] first.
     """
     if asked is not None and law.friction[1] == 0.0:
         return each_pair(motion, mass, dt, pairs, law, None, False, shear)
@@ -143,7 +143,7 @@ def each_pair(
     turns: bool,
     shear: Vector,
 ) -> Triple:
-    """As `pair_forces`; friction: that of the law, or None where nothing rubs."""
+    """As `pair_forces`, with friction either that of the law or None."""
     rows, _, _, radius = pairs
     push, normal, sprung, lost = motion.push, 0.0, 0.0, 0.0
     for p in range(len(rows)):

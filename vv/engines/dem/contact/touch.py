@@ -1,4 +1,4 @@
-"""A closed contact and how it came to be so in a step: what a law of contacts is told."""
+"""The kinematics of a closed contact over one step, from which contact laws compute forces."""
 
 from __future__ import annotations
 
@@ -10,13 +10,14 @@ from vv.scene import Vector
 
 
 class Touch(NamedTuple):
-    """A contact at the end of a step.
+    """The state of a closed contact at the end of a step, and its change within the step.
 
-    overlap: now [m], opened: how much less than before the step. n, n_before, midway: the normal
-    now, before the step, and at its middle. rates: how fast the gap opens before and now [m/s], by
-    the velocities of two steps. relative: velocity of the surfaces at the contact in
-    the step [m/s], changed: that less the one of the step before. twist: how far the surfaces
-    turned about the normal [rad]; None if no sphere turns.
+    overlap: at the end of the step [m]; opened: its decrease within the step [m]. n, n_before,
+    midway: the unit normal at the end, at the beginning and in the middle of the step. rates:
+    opening rates [m/s] at the beginning and at the end, extrapolated from the mean velocities of
+    two steps. relative: mean relative velocity of the surfaces [m/s]; changed: its difference from
+    that of the previous step. twist: relative rotation about the normal [rad]; None if no sphere
+    rotates.
     """
 
     overlap: float
@@ -32,7 +33,7 @@ class Touch(NamedTuple):
 
 @inlined
 def reduced_mass(mass: Vector, i: int, j: int) -> float:
-    """1/(1/m1 + 1/m2) [kg] of two rows, of which those beyond the masses (m,) cannot move."""
+    """The reduced mass 1/(1/m1 + 1/m2) [kg] of rows i and j; rows not in mass are fixed."""
     inverse = 0.0
     if i < len(mass):
         inverse += 1.0 / mass[i]

@@ -1,4 +1,4 @@
-"""Contacts of spheres with walls, inlined into kernels: where they are and what they do."""
+"""Contacts of spheres with walls: their kinematics and forces, inlined into kernels."""
 
 from __future__ import annotations
 
@@ -14,26 +14,26 @@ from vv.scene import Vector
 Walls = tuple[Index, Vector, Vector, Vector]
 """Rows (q,) of the spheres; outward normals (q, 3); gap (q,) at t = 0 [m]; radii (q,) [m]."""
 Moving = tuple[Index, Vector]
-"""Rows (q,) of u and v with the walls' motion; forces (q, 3) on the spheres [N], kept."""
+"""Rows (q,) of u and v that hold the walls' motion; stored forces (q, 3) on the spheres [N]."""
 
 
 @inlined
 def stilled(moving: Moving | None) -> None:
-    """No force of a moving wall."""
+    """Set the stored forces of moving walls to zero, if there are any."""
     if moving is not None:
         emptied(moving[1])
 
 
 @inlined
 def off_wall(u: Vector, walls: Walls, q: int) -> float:
-    """The overlap [m] of a sphere with a wall at rest."""
+    """The overlap [m] of a sphere with a wall, without the wall's displacement."""
     rows, facing, gap, _ = walls
     return float(-gap[q] - dot(at(facing, q), at(u, rows[q])))
 
 
 @inlined
 def into_wall(u: Vector, walls: Walls, moving: Moving | None, q: int) -> float:
-    """The overlap [m] of a sphere with a wall where it is now."""
+    """The overlap [m] of a sphere with a wall at its present position."""
     overlap = off_wall(u, walls, q)
     if moving is not None:
         overlap += dot(at(walls[1], q), at(u, moving[0][q]))
@@ -42,7 +42,7 @@ def into_wall(u: Vector, walls: Walls, moving: Moving | None, q: int) -> float:
 
 @inlined
 def carried(v: Vector, moving: Moving | None, q: int, dt: float) -> float:
-    """The work [J] that a wall does in half a step by the force kept; none if no wall moves."""
+    """The work [J] of a moving wall in half a step by its stored force; zero if no wall moves."""
     if moving is None:
         return 0.0
     grounds, acting = moving
@@ -51,14 +51,14 @@ def carried(v: Vector, moving: Moving | None, q: int, dt: float) -> float:
 
 @inlined
 def keep(moving: Moving | None, q: int, force: Triple) -> None:
-    """Keep the force of a wall, if any moves."""
+    """Store the force of a wall on a sphere, if walls move."""
     if moving is not None:
         put(moving[1], q, force)
 
 
 @inlined
 def past(motion: Motion, i: int, moving: Moving | None, q: int) -> tuple[Triple, Triple]:
-    """How sphere i moved past a wall [m/s], and how that changed since the step before."""
+    """The velocity of sphere i relative to a wall [m/s], and its change since the last step."""
     v, before = motion.v, motion.before
     relative = at(v, i)
     changed = add_scaled(relative, -1.0, at(before, i))
@@ -82,7 +82,7 @@ def touch_of(
     overlap: float,
     dt: float,
 ) -> Touch:
-    """How a sphere came to an overlap with a wall."""
+    """The kinematics of the closed contact q of a sphere with a wall in a step."""
     i, n, radius = walls[0][q], at(walls[1], q), walls[3][q]
     relative, changed = past(motion, i, moving, q)
     opened, more = dt * dot(n, relative), 0.5 * dot(n, changed)
@@ -103,7 +103,7 @@ def touch_of(
 def turn_sphere(
     turn: Vector | None, turns: bool, walls: Walls, q: int, overlap: float, across: Triple
 ) -> None:
-    """Add the torque of a force across the contact with a wall, if any sphere turns."""
+    """Add the torque of the tangential force at a wall, if spheres rotate."""
     if turn is not None and turns:
         i, arm = walls[0][q], walls[3][q] - 0.5 * overlap
         put(turn, i, add_scaled(at(turn, i), arm, cross(across, at(walls[1], q))))
@@ -120,10 +120,10 @@ def wall_forces(
     shear: Vector,
     moving: Moving | None,
 ) -> tuple[float, float, float, float]:
-    """Add the forces of walls on spheres; return energies [J] as `pair_forces`, work of the walls.
+    """Add the forces of walls; return energies [J] as of `pair_forces`, and the work of the walls.
 
-    mass: (m,). asked: that of the law. shear: (q, columns) what it keeps from step to step, the
-    force on the sphere [N] first. moving: None if no wall moves.
+    mass: (m,) of the moving spheres; asked: see `law.py`; shear: (q, columns) numbers stored from
+    step to step, the tangential force on the sphere [N] first; moving: None if no wall moves.
     """
     if asked is not None and law.friction[1] == 0.0:
         return each_wall(motion, mass, dt, walls, law, None, False, shear, moving)
@@ -143,7 +143,7 @@ def each_wall(
     shear: Vector,
     moving: Moving | None,
 ) -> tuple[float, float, float, float]:
-    """As `wall_forces`; friction: that of the law, or None where nothing rubs."""
+    """As `wall_forces`, with friction either that of the law or None."""
     rows, facing, _, radius = walls
     push, normal, sprung, lost, work = motion.push, 0.0, 0.0, 0.0, 0.0
     for q in range(len(rows)):
