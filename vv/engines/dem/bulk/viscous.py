@@ -11,11 +11,10 @@ import numpy as np
 
 from vv.engines.dem.bulk.grains import RADIUS, Grains, V, part
 from vv.engines.dem.bulk.near import Near
+from vv.engines.dem.contact.dashpots import RATE, SPRING, Met, add_viscous_forces, apply_forces
 from vv.engines.dem.contact.linear import late
 from vv.engines.dem.contact.pairs import last_step
 from vv.engines.dem.space.neighbours import MET
-from vv.engines.dem.terms import dashpots
-from vv.engines.dem.terms.dashpots import RATE, SPRING, Met
 from vv.engines.dem.terms.drag import Drag
 from vv.engines.kernels.compiled import inlined, inlined_called, lent
 from vv.engines.kernels.triples import NOWHERE, Triple, add_scaled, at, dot, put
@@ -96,10 +95,10 @@ def slow(
     """Add the forces of the contacts listed to push; return the powers [W] before and after now."""
     both = (met[0][:used], met[1][:used]), (met[0][:0], met[1][:0])
     v = grains.row[:, V : V + 3]
-    return dashpots.slow(both, grains.acting, v, new, grains.mass, None, dt, drag, lag)
+    return add_viscous_forces(both, grains.acting, v, new, grains.mass, None, dt, drag, lag)
 
 
 @lent
 def withdraw(grains: Grains, met: Met, used: int) -> None:
     """Take them away again."""
-    dashpots.shove((met[0][:used], met[1][:used]), grains.acting, -1.0)
+    apply_forces((met[0][:used], met[1][:used]), grains.acting, -1.0)

@@ -15,8 +15,8 @@ from vv.scene import Vector
 class Linear(NamedTuple):
     """kn [N/m]; friction: ks [N/m] and mu, or None (Li 2018, Eqs. 4-8); eta_n [N s/m], or None.
 
-    The viscous force itself is computed in `vv/engines/dem/terms/dashpots.py`; here it only enters
-    the limit of friction. asked: see `law.py`.
+    The viscous force is computed in `dashpots.py`; here it only limits friction. asked: see
+    `law.py`.
     """
 
     kn: float

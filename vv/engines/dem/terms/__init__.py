@@ -1,1 +1,1 @@
-"""The terms of a scene of spheres, a file each."""
+"""The physical effects of a scene of spheres, one file for each term."""

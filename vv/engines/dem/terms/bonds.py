@@ -1,4 +1,4 @@
-"""Bonds between spheres, which may break; how they are computed: `vv.engines.dem.bonds`."""
+"""The term for bonds between spheres, which may break; computed in `vv.engines.dem.bonds`."""
 
 from __future__ import annotations
 
@@ -25,10 +25,10 @@ NORMAL, SHEAR = column(Form.BROKEN_NORMAL), column(Form.BROKEN_SHEAR)
 
 @bundle
 class Bonds(NamedTuple):
-    """What `pull` receives by these names.
+    """The bonds of a scene; the fields are the arguments of `pull` of the same names.
 
-    What is kept from step to step is table, each, state and torn (2,), the energies [J] lost with
-    the normal and the shear springs of bonds that broke.
+    The state that changes from step to step is table, each, state and torn: (2,) the energies [J]
+    lost with the normal and the shear springs of broken bonds.
     """
 
     springs: Springs
@@ -43,7 +43,7 @@ class Bonds(NamedTuple):
 
 
 def build(placed: Placed) -> Bonds | None:
-    """The bonds of which one end moves, if there are any."""
+    """The bonds with at least one moving end; None if there are none."""
     springs, ks, blocks, frail, state = placed.bonds
     if springs is None or blocks is None:
         return None
@@ -55,22 +55,22 @@ def build(placed: Placed) -> Bonds | None:
 
 
 def turns(term: Bonds) -> bool:
-    """Whether they may turn spheres."""
+    """Whether the bonds may rotate spheres."""
     return term.ks is not None
 
 
 def forms(term: Bonds) -> tuple[Form, ...]:
-    """What they book."""
+    """The forms of energy that bonds report."""
     return () if term.frail is None else (Form.BROKEN_NORMAL, Form.BROKEN_SHEAR)
 
 
 def words(term: Bonds) -> str:
-    """What is said of them."""
+    """The part of the model's description that concerns bonds."""
     return f", {len(term.springs[0])} bonds"
 
 
 def springs(term: Bonds, near: object) -> tuple[stable.Springs, Mask]:
-    """Their springs, all of which are there at t = 0."""
+    """The springs of all bonds, and a mask that is true throughout: all exist at t = 0."""
     rows, offset, first, _, kn, radius = term.springs
     across = np.zeros(len(kn)) if term.ks is None else term.ks
     beyond = 0.5 * (first - radius.sum(axis=1))[:, None]
@@ -80,7 +80,7 @@ def springs(term: Bonds, near: object) -> tuple[stable.Springs, Mask]:
 
 @inlined
 def begin(term: Bonds, bodies: Bodies, motion: Motion) -> None:
-    """All bonds are whole."""
+    """Make all bonds whole, as they are at t = 0."""
     table = term.blocks[1]
     for k in range(table.shape[0]):
         for c in range(table.shape[1]):
@@ -95,7 +95,7 @@ def begin(term: Bonds, bodies: Bodies, motion: Motion) -> None:
 def force(
     term: Bonds, bodies: Bodies, motion: Motion, dt: float, slots: Slots, many: Index
 ) -> tuple[float, float, float, float]:
-    """The forces of all bonds but those that break."""
+    """Add the forces of all bonds except those that break; return their springs' energies [J]."""
     normal, shear, _ = pull(
         motion.push, motion.turn, motion.u, motion.v, motion.w, dt, term.springs, term.ks,
         term.blocks, term.table, term.each, term.frail, term.state, term.threads,
@@ -107,7 +107,7 @@ def force(
 def release(
     term: Bonds, bodies: Bodies, motion: Motion, dt: float, slots: Slots, many: Index
 ) -> tuple[float, float]:
-    """Part the bonds that break."""
+    """Break the bonds whose strength is exceeded; return the energies that remain [J]."""
     return breaking(term, term.frail, motion, dt, slots, many)
 
 
@@ -115,7 +115,7 @@ def release(
 def breaking(
     term: Bonds, frail: Frail | None, motion: Motion, dt: float, slots: Slots, many: Index
 ) -> tuple[float, float]:
-    """Part the bonds that break, if any can."""
+    """As `release`; frail is None if no bond can break."""
     if frail is None:
         return 0.0, 0.0
     held, many_break = term.each[3], 0.0
@@ -131,13 +131,13 @@ def breaking(
 
 @inlined
 def book(term: Bonds, bodies: Bodies, motion: Motion, energy: Vector, row: int) -> tuple[float]:
-    """What was lost since t = 0."""
+    """Write the energies lost with broken bonds since t = 0 [J]."""
     enter(energy, row, term.torn, term.frail)
     return (0.0,)
 
 
 @inlined
 def enter(energy: Vector, row: int, torn: Vector, frail: Frail | None) -> None:
-    """Fill the columns, which there are where bonds may break."""
+    """Fill the columns of broken bonds, which exist only if bonds may break."""
     if frail is not None:
         energy[row, NORMAL], energy[row, SHEAR] = torn[0], torn[1]

@@ -1,4 +1,4 @@
-"""Spheres that keep a steady velocity along their locks, and the work of what carries them."""
+"""Spheres that keep a steady velocity along locked directions, and the work that this takes."""
 
 from __future__ import annotations
 
@@ -14,11 +14,11 @@ from vv.engines.kernels.triples import at, dot
 from vv.scene import Form, Vector
 
 CARRYING = column(Form.CARRYING)
-WORK, POWER = 0, 1  # places in what is kept
+WORK, POWER = 0, 1  # places in the array of stored numbers
 
 
 class Carried(NamedTuple):
-    """steady: (m, 3) velocities [m/s]; eta: of the drag [N s/m]; kept: work [J], power now [W]."""
+    """steady: (m, 3) velocities [m/s]; eta: of drag [N s/m]; kept: work [J], present power [W]."""
 
     steady: Vector
     eta: float
@@ -26,7 +26,7 @@ class Carried(NamedTuple):
 
 
 def build(placed: Placed) -> Carried | None:
-    """The spheres that are carried, if there are any; in a scene with bonds there may be none."""
+    """The spheres with a steady velocity; None if there are none and the scene has no bonds."""
     steady, eta = placed.carried, placed.scene.eta
     if steady.any():
         return Carried(steady, eta, np.zeros(2))
@@ -34,19 +34,19 @@ def build(placed: Placed) -> Carried | None:
 
 
 def forms(term: Carried) -> tuple[Form, ...]:
-    """What it books."""
+    """The forms of energy that this term reports."""
     return (Form.CARRYING,) if len(term.steady) else ()
 
 
 @inlined
 def begin(term: Carried, bodies: Bodies, motion: Motion) -> None:
-    """No work is done as yet."""
+    """Set the work to zero."""
     term.kept[WORK] = term.kept[POWER] = 0.0
 
 
 @inlined
 def after(term: Carried, bodies: Bodies, motion: Motion, dt: float) -> None:
-    """The work in a step, by the trapezoidal rule."""
+    """Add the work of the step, by the trapezoidal rule."""
     term.kept[WORK] += 0.5 * dt * term.kept[POWER]
     term.kept[POWER] = upheld(motion.push, term.steady, term.eta)
     term.kept[WORK] += 0.5 * dt * term.kept[POWER]
@@ -54,7 +54,7 @@ def after(term: Carried, bodies: Bodies, motion: Motion, dt: float) -> None:
 
 @inlined
 def upheld(push: Vector, steady: Vector, eta: float) -> float:
-    """The power [W] of what carries bodies at their steady velocities (m, 3) against push."""
+    """The power [W] that keeps bodies at their steady velocities (m, 3) against push [N]."""
     power = 0.0
     for i in range(len(steady)):
         c = at(steady, i)
@@ -65,7 +65,7 @@ def upheld(push: Vector, steady: Vector, eta: float) -> float:
 
 @inlined
 def book(term: Carried, bodies: Bodies, motion: Motion, energy: Vector, row: int) -> tuple[float]:
-    """The work since t = 0."""
+    """Write the work done since t = 0 [J]."""
     if len(term.steady):
         energy[row, CARRYING] = term.kept[WORK]
     return (term.kept[WORK],)

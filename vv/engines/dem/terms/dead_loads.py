@@ -15,7 +15,7 @@ GRAVITY, LOAD = column(Form.GRAVITY), column(Form.LOAD)
 
 
 class DeadLoads(NamedTuple):
-    """Weights and loads (m, 3) [N], and what both come to; (0, 3) if all are nil."""
+    """Weights and loads (m, 3) [N] of the moving spheres, and their sum; (0, 3) if all are zero."""
 
     weight: Vector
     load: Vector
@@ -23,7 +23,10 @@ class DeadLoads(NamedTuple):
 
 
 def build(placed: Placed) -> DeadLoads:
-    """The constant forces on spheres that move; every scene has them, so that few kernels do."""
+    """The constant forces on moving spheres.
+
+    Every scene has this term, so that fewer kernels are compiled.
+    """
     scene, moves = placed.scene, placed.moves
     weight = scene.spheres.mass[moves][:, None] * scene.gravity
     load = scene.spheres.load[moves]
@@ -34,13 +37,13 @@ def build(placed: Placed) -> DeadLoads:
 
 @inlined
 def field(term: DeadLoads, push: Triple, mass: float, i: int) -> Triple:
-    """The weight of sphere i and its load."""
+    """Add the weight and the dead load of sphere i to its force [N]."""
     return add_scaled(push, 1.0, at(term.both, i)) if len(term.both) else push
 
 
 @inlined
 def book(term: DeadLoads, bodies: Bodies, motion: Motion, energy: Vector, row: int) -> tuple[float]:
-    """The work of gravity and of loads since t = 0."""
+    """Write the work of gravity and of dead loads since t = 0 [J]."""
     fallen, pushed = 0.0, 0.0
     for i in range(len(term.both)):
         moved = at(motion.u, i)

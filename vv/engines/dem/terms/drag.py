@@ -1,4 +1,4 @@
-"""Drag that slows spheres in proportion to their velocity."""
+"""Linear drag: a force on each sphere in proportion to its velocity."""
 
 from __future__ import annotations
 
@@ -11,9 +11,9 @@ from vv.scene import Vector
 
 
 class Drag(NamedTuple):
-    """-eta u' [N] with eta [N s/m], on the part of each velocity that is not steady.
+    """The drag -eta u' [N], eta in N s/m, on the part of each velocity that is not steady.
 
-    steady: (m, 3), or None or (0, 3) if none is. An eta of 0 is no drag.
+    steady: (m, 3) steady velocities [m/s]; None or (0, 3) if there are none. eta may be zero.
     """
 
     eta: float
@@ -21,7 +21,10 @@ class Drag(NamedTuple):
 
 
 def build(placed: Placed) -> Drag | None:
-    """The drag of a scene that has some; where that costs next to nothing, it may be nil."""
+    """The drag of a scene; None if it has none, except where a drag of zero costs nothing.
+
+    Such scenes then share a compiled kernel with those that have drag.
+    """
     scene, steady = placed.scene, placed.carried
     rubs_locked = placed.law.friction is not None and not scene.spheres.free_spin.any()
     if scene.eta == 0.0 and scene.bonds is None and not placed.asks and not rubs_locked:
@@ -30,7 +33,7 @@ def build(placed: Placed) -> Drag | None:
 
 
 def resistance(term: Drag) -> Drag:
-    """What the leapfrog itself takes into account (`vv.engines.dem.space.advance`)."""
+    """The drag, which the leapfrog itself includes (`vv.engines.dem.space.advance`)."""
     return term
 
 

@@ -1,4 +1,4 @@
-"""Drag of a fluid at rest, which grows faster than the velocity (Schiller and Naumann 1933)."""
+"""Drag of a fluid at rest, nonlinear in the velocity (Schiller and Naumann 1933)."""
 
 from __future__ import annotations
 
@@ -18,14 +18,14 @@ from vv.engines.kernels.triples import NOWHERE, Triple, add_scaled, at, dot, put
 from vv.scene import Term, Vector
 
 STANDS_FOR = frozenset({Term.FLUID})
-ROUNDS, DONE = 40, 1e-15  # of the search for the velocity after a step, and its relative change
+ROUNDS, DONE = 40, 1e-15  # iterations for the velocity at most; their tolerance
 
 
 class FluidDrag(NamedTuple):
-    """-eta (1 + 0.15 Re^0.687) u' [N] on the m spheres that move.
+    """The drag -eta (1 + 0.15 Re^0.687) u' [N] on the m moving spheres.
 
-    eta: (m,) 3 pi viscosity d [N s/m]; reynolds: (m,) Re over the speed [s/m]; force: (m, 3) [N],
-    that acts now.
+    eta: (m,) 3 pi viscosity d [N s/m]; reynolds: (m,) Re divided by the speed [s/m]; force: (m, 3)
+    the present drag [N].
     """
 
     eta: Vector
@@ -34,7 +34,10 @@ class FluidDrag(NamedTuple):
 
 
 def build(placed: Placed) -> FluidDrag | None:
-    """The drag of a scene in a fluid that nothing else slows: others would have to be foreseen."""
+    """The drag of a scene in a fluid; None if there is none, or if other forces are viscous.
+
+    The new velocity then depends on all of these forces together.
+    """
     scene = placed.scene
     if scene.fluid is None or scene.eta > 0.0 or scene.contact.viscous:
         return None
@@ -45,13 +48,13 @@ def build(placed: Placed) -> FluidDrag | None:
 
 
 def models(term: FluidDrag) -> frozenset[Term]:
-    """What it models of a scene."""
+    """The terms of the scene that this models."""
     return STANDS_FOR
 
 
 @inlined
 def start(term: FluidDrag, bodies: Bodies, motion: Motion, dt: float) -> None:
-    """The velocities at t = 0."""
+    """Set the velocities to those at t = 0."""
     for i in range(len(bodies.mass)):
         put(motion.v, i, at(bodies.velocity, i))
 
@@ -67,7 +70,7 @@ def viscous(
     drag: Drag | None,
     lag: float,
 ) -> tuple[float, float]:
-    """The drag at the mean of the velocities before and after, and the powers that it takes."""
+    """Add the drag at the mean of the velocities before and after; return its powers [W] there."""
     behind = ahead = 0.0
     for i in range(len(bodies.mass)):
         old = at(motion.v, i)
@@ -93,13 +96,13 @@ def viscous(
 
 @inlined
 def resistance_at(term: FluidDrag, velocity: Triple, i: int) -> float:
-    """Drag over speed [N s/m] of sphere i at a velocity [m/s]."""
+    """Drag divided by speed [N s/m] of sphere i at a velocity [m/s]."""
     reynolds = term.reynolds[i] * math.sqrt(dot(velocity, velocity))
     return float(term.eta[i] * (1.0 + 0.15 * reynolds**0.687))
 
 
 @inlined
 def withdraw(term: FluidDrag, bodies: Bodies, motion: Motion, slots: Slots, many: Index) -> None:
-    """Take the drag away again."""
+    """Subtract the drag again."""
     for i in range(len(bodies.mass)):
         put(motion.push, i, add_scaled(at(motion.push, i), -1.0, at(term.force, i)))

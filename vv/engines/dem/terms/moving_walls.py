@@ -1,4 +1,4 @@
-"""Walls that move; their work is done by the contacts with them (`wall_contacts.py`)."""
+"""The motion of walls; their work is computed with the contacts (`wall_contacts.py`)."""
 
 from __future__ import annotations
 
@@ -22,32 +22,32 @@ class MovingWalls(NamedTuple):
 
 
 def build(placed: Placed) -> MovingWalls | None:
-    """The motions of walls, if some can be met and one moves."""
+    """The motions of walls; None if no wall moves or no sphere can touch one."""
     if not placed.walls_move:
         return None
     return MovingWalls(*drives(tuple(wall.motion for wall in placed.scene.walls)))
 
 
 def forms(term: MovingWalls) -> tuple[Form, ...]:
-    """What contacts with them book."""
+    """The form of energy that contacts with moving walls report."""
     return (Form.WALLS,)
 
 
 def models(term: MovingWalls) -> frozenset[Term]:
-    """What it models of a scene."""
+    """The terms of the scene that this models."""
     return STANDS_FOR
 
 
 @inlined
 def start(term: MovingWalls, bodies: Bodies, motion: Motion, dt: float) -> None:
-    """The mean velocities of the step that ends at t = 0, as if the walls had moved before."""
+    """Set the mean velocities of the step that ends at t = 0, as if the walls had moved before."""
     move(term, bodies, motion, -dt, dt)
     move(term, bodies, motion, 0.0, dt)
 
 
 @inlined
 def move(term: MovingWalls, bodies: Bodies, motion: Motion, time: float, dt: float) -> None:
-    """Move all walls, whose rows follow the ground's, by the step that ends at a time [s]."""
+    """Move all walls by the step that ends at a time [s]; their rows follow that of the ground."""
     ground = len(bodies.mass)
     carry(motion.u, motion.v, motion.before, ground + 1, term.drive, term.starts, time, dt)
 
@@ -63,10 +63,10 @@ def carry(
     time: float,
     dt: float,
 ) -> None:
-    """Move the walls, from row `first` on.
+    """Move the walls, whose rows begin with `first`.
 
-    u: displacements at the end, v: mean velocities of the step, before: of the one before it, so
-    that a contact meets its wall at the same levels of time as its spheres.
+    u: displacements at the end of the step; v: mean velocities of the step; before: those of the
+    previous step. A contact thus finds its wall at the same time levels as its spheres.
     """
     for k in range(len(start) - 1):
         row = first + k

@@ -1,4 +1,4 @@
-"""Contacts between spheres that are gathered as they stray (`vv.engines.dem.space.neighbours`)."""
+"""Contacts between spheres, searched anew as spheres move (`vv.engines.dem.space.neighbours`)."""
 
 from __future__ import annotations
 
@@ -20,28 +20,28 @@ STANDS_FOR = frozenset({Term.SPHERE_CONTACT, Term.FRICTION})
 
 
 class NearContacts(NamedTuple):
-    """The law of contacts."""
+    """The contact law of pairs that are found by the neighbour search."""
 
     law: Law
 
 
 def build(placed: Placed) -> NearContacts | None:
-    """The contacts, where pairs are gathered."""
+    """The term; None if the scene needs no neighbour search."""
     return NearContacts(placed.law) if placed.near else None
 
 
 def models(term: NearContacts) -> frozenset[Term]:
-    """What it models of a scene."""
+    """The terms of the scene that this models."""
     return STANDS_FOR if rubs(term.law) else frozenset({Term.SPHERE_CONTACT})
 
 
 def turns(term: NearContacts) -> bool:
-    """Whether it may turn spheres."""
+    """Whether the contacts may rotate spheres."""
     return rubs(term.law)
 
 
 def springs(term: NearContacts, near: Near) -> tuple[Springs, Mask]:
-    """The springs of pairs without a bond that touch at t = 0."""
+    """The springs of unbonded pairs near each other at t = 0, and which of them are in contact."""
     from scipy.spatial import cKDTree
 
     reach = 2.0 * float(near.radius.max()) + near.skin
@@ -58,7 +58,7 @@ def springs(term: NearContacts, near: Near) -> tuple[Springs, Mask]:
 
 
 def highest_square(term: NearContacts, near: Near, bodies: Bodies) -> float:
-    """No less than w^2 [1/s2] of a contact between any two spheres."""
+    """An upper bound of w^2 [1/s2] of a single contact between any two spheres."""
     lightest = np.sort(1.0 / bodies.mass)[-2:].sum()
     across = 1.0 / bodies.mass
     if bodies.turns:
@@ -73,7 +73,7 @@ def highest_square(term: NearContacts, near: Near, bodies: Bodies) -> float:
 def force(
     term: NearContacts, bodies: Bodies, motion: Motion, dt: float, slots: Slots, many: Index
 ) -> tuple[float, float, float, float]:
-    """The forces of all pairs that are near each other."""
+    """Add the forces of all pairs that touch; return energies [J] as `hooks.force` does."""
     k, law = many[0], term.law
     pairs = slots.rows[:k], slots.offset[:k], slots.gap[:k], slots.radii[:k]
     normal, shear, lost = pair_forces(motion, bodies.mass, dt, pairs, law, law.asked, slots.shear)

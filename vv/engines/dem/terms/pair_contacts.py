@@ -1,4 +1,4 @@
-"""Contacts between spheres, of which all pairs are listed."""
+"""Contacts between spheres in scenes so small that all pairs are listed once."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ STANDS_FOR = frozenset({Term.SPHERE_CONTACT, Term.FRICTION, Term.MICRO_SLIP})
 
 
 class PairContacts(NamedTuple):
-    """Pairs and their law: see `pair_forces`; shear: (p, columns) kept from step to step."""
+    """Pairs and their law: see `pair_forces`; shear: (p, columns) numbers stored between steps."""
 
     pairs: Pairs
     law: Law
@@ -28,7 +28,7 @@ class PairContacts(NamedTuple):
 
 
 def build(placed: Placed) -> PairContacts | None:
-    """The contacts of all pairs, if spheres are few and without bonds; of one there are none."""
+    """The contacts of all pairs; None if there are many spheres, or bonds, or nothing can touch."""
     pairs = listed(placed)
     if pairs is None:
         return None
@@ -37,7 +37,7 @@ def build(placed: Placed) -> PairContacts | None:
 
 
 def listed(placed: Placed) -> Pairs | None:
-    """All pairs of which one moves: rows, first offset, first gap, radii."""
+    """All pairs with at least one moving sphere: rows, offsets and gaps at t = 0, radii."""
     if placed.scene.bonds is not None or placed.near is not None or not placed.may_touch:
         return None
     spheres, moves, row = placed.scene.spheres, placed.moves, placed.row
@@ -51,24 +51,24 @@ def listed(placed: Placed) -> Pairs | None:
 
 
 def models(term: PairContacts) -> frozenset[Term]:
-    """What it models of a scene."""
+    """The terms of the scene that this models."""
     return STANDS_FOR if rubs(term.law) else frozenset({Term.SPHERE_CONTACT})
 
 
 def turns(term: PairContacts) -> bool:
-    """Whether it may turn spheres."""
+    """Whether the contacts may rotate spheres."""
     return rubs(term.law)
 
 
 def springs(term: PairContacts, near: object) -> tuple[Springs, Mask]:
-    """Its springs, and which are there at t = 0."""
+    """The springs of all pairs, and which of them are in contact at t = 0."""
     rows, offset, gap, radii = term.pairs
     return springs_of_contacts(rows, offset, gap, radii, *term.law.stiffness)
 
 
 @inlined
 def begin(term: PairContacts, bodies: Bodies, motion: Motion) -> None:
-    """No shear."""
+    """Set the tangential forces to zero."""
     emptied(term.shear)
 
 
@@ -76,7 +76,7 @@ def begin(term: PairContacts, bodies: Bodies, motion: Motion) -> None:
 def force(
     term: PairContacts, bodies: Bodies, motion: Motion, dt: float, slots: Slots, many: Index
 ) -> tuple[float, float, float, float]:
-    """The forces of all pairs."""
+    """Add the forces of all pairs that touch; return energies [J] as `hooks.force` does."""
     law = term.law
     normal, shear, lost = pair_forces(
         motion, bodies.mass, dt, term.pairs, law, law.asked, term.shear

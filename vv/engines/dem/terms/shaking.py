@@ -1,4 +1,4 @@
-"""Shaking, which accelerates all spheres."""
+"""Shaking: an acceleration that acts on all spheres."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ SHAKING = column(Form.SHAKING)
 
 
 class Shaking(NamedTuple):
-    """The acceleration over time [m/s2]; now (1, 3): what it is; work (1,) [J]: since t = 0."""
+    """drive: acceleration over time; now (1, 3): its value now [m/s2]; work (1,): its work [J]."""
 
     drive: Drive
     now: Vector
@@ -26,7 +26,7 @@ class Shaking(NamedTuple):
 
 
 def build(placed: Placed) -> Shaking | None:
-    """The shaking of a scene that has some; where walls move it may be nil."""
+    """The shaking of a scene; None if it has none, except where walls move: then it may be zero."""
     motion = placed.scene.wave
     if motion is None and not placed.walls_move:
         return None
@@ -34,20 +34,20 @@ def build(placed: Placed) -> Shaking | None:
 
 
 def forms(term: Shaking) -> tuple[Form, ...]:
-    """What it books."""
+    """The forms of energy that this term reports."""
     return (Form.SHAKING,) if len(term.drive.omega) else ()
 
 
 @inlined
 def begin(term: Shaking, bodies: Bodies, motion: Motion) -> None:
-    """The acceleration at t = 0."""
+    """Set the acceleration to its value at t = 0, and the work to zero."""
     put(term.now, 0, value(term.drive, 0.0))
     term.work[0] = 0.0
 
 
 @inlined
 def move(term: Shaking, bodies: Bodies, motion: Motion, time: float, dt: float) -> None:
-    """The acceleration at a time, and the work in the step, by the trapezoidal rule."""
+    """Update the acceleration to a time [s]; add the work of the step, by the trapezoidal rule."""
     there = value(term.drive, time)
     both = add_scaled(at(term.now, 0), 1.0, there)
     work = term.work[0]
@@ -59,12 +59,12 @@ def move(term: Shaking, bodies: Bodies, motion: Motion, time: float, dt: float) 
 
 @inlined
 def field(term: Shaking, push: Triple, mass: float, i: int) -> Triple:
-    """The force on sphere i."""
+    """Add the force of shaking on sphere i [N]."""
     return add_scaled(push, mass, at(term.now, 0))
 
 
 @inlined
 def book(term: Shaking, bodies: Bodies, motion: Motion, energy: Vector, row: int) -> tuple[float]:
-    """The work since t = 0."""
+    """Write the work of shaking since t = 0 [J]."""
     energy[row, SHAKING] = term.work[0]
     return (term.work[0],)

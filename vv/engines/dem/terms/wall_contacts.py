@@ -22,9 +22,10 @@ STANDS_FOR = frozenset({Term.WALL_CONTACT, Term.FRICTION, Term.MICRO_SLIP})
 
 
 class WallContacts(NamedTuple):
-    """Walls and their law: see `wall_forces`; shear: (q, columns) what is kept from step to step.
+    """Walls and their law: see `wall_forces`; shear: (q, columns) numbers stored between steps.
 
-    charged: (q, 3) what it is at t = 0, (0, 3) for nil.
+    charged: (q, 3) the tangential forces at t = 0 [N]; (0, 3) if they are zero. moving: None if no
+    wall moves.
     """
 
     walls: Walls
@@ -35,7 +36,7 @@ class WallContacts(NamedTuple):
 
 
 def build(placed: Placed) -> WallContacts | None:
-    """The contacts with all walls, of which there may be none; None if nothing can touch."""
+    """The contacts with all walls, possibly without any wall; None if nothing can touch."""
     walls, charged, law = listed(placed), placed.charged, placed.law
     if walls is None:
         return None
@@ -47,7 +48,7 @@ def build(placed: Placed) -> WallContacts | None:
 
 
 def listed(placed: Placed) -> Walls | None:
-    """Every moving sphere with every wall: row, normal, first gap, radius."""
+    """All pairs of a moving sphere and a wall: rows, normals, gaps at t = 0, radii."""
     scene, moves = placed.scene, placed.moves
     if not placed.may_touch or (scene.bonds is not None and not scene.walls):
         return None
@@ -60,33 +61,33 @@ def listed(placed: Placed) -> Walls | None:
 
 
 def moved(placed: Placed) -> Moving | None:
-    """How the walls of `listed` move, if any does."""
+    """The rows of the walls in `listed`, and storage for their forces; None if no wall moves."""
     if not placed.walls_move:
         return None
     m, count = int(placed.moves.sum()), len(placed.scene.walls)
-    # the rows that hold it: those after the spheres' own and the ground's
+    # the rows of walls follow those of the spheres and of the ground
     return np.repeat(m + 1 + np.arange(count), m), np.zeros((m * count, 3))
 
 
 def models(term: WallContacts) -> frozenset[Term]:
-    """What it models of a scene."""
+    """The terms of the scene that this models."""
     return STANDS_FOR if rubs(term.law) else frozenset({Term.WALL_CONTACT})
 
 
 def turns(term: WallContacts) -> bool:
-    """Whether it may turn spheres."""
+    """Whether the contacts may rotate spheres."""
     return rubs(term.law)
 
 
 def springs(term: WallContacts, near: object) -> tuple[Springs, Mask]:
-    """Its springs, and which are there at t = 0; a wall stands for the ground."""
+    """The springs of all contacts, with walls as ground, and which are in contact at t = 0."""
     rows, normal, gap, radius = term.walls
     return springs_of_contacts(rows, normal, gap, radius, *term.law.stiffness)
 
 
 @inlined
 def begin(term: WallContacts, bodies: Bodies, motion: Motion) -> None:
-    """The shear at t = 0."""
+    """Set the tangential forces to those at t = 0."""
     emptied(term.shear)
     charge(term.shear, term.charged)
     stilled(term.moving)
@@ -94,7 +95,7 @@ def begin(term: WallContacts, bodies: Bodies, motion: Motion) -> None:
 
 @inlined
 def charge(shear: Vector, charged: Vector) -> None:
-    """Set the shear to what it is at t = 0."""
+    """Set the stored tangential forces to those at t = 0."""
     for q in range(len(charged)):
         put(shear, q, at(charged, q))
 
@@ -103,6 +104,6 @@ def charge(shear: Vector, charged: Vector) -> None:
 def force(
     term: WallContacts, bodies: Bodies, motion: Motion, dt: float, slots: Slots, many: Index
 ) -> tuple[float, float, float, float]:
-    """The forces of walls on spheres."""
+    """Add the forces of walls on spheres; return energies [J] as `hooks.force` does."""
     law = term.law
     return wall_forces(motion, bodies.mass, dt, term.walls, law, law.asked, term.shear, term.moving)
