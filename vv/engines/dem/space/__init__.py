@@ -1,1 +1,1 @@
-"""The general model: spheres that move and turn in space."""
+"""The general model: spheres that move and rotate in three dimensions."""

@@ -1,4 +1,4 @@
-"""The velocities of a leapfrog, and how a step carries them on; inlined into kernels."""
+"""Velocities of the leapfrog at t = 0, and their update in a step; inlined into kernels."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from vv.scene import Vector
 
 @inlined
 def held(a: Triple, hold: Vector | None, i: int) -> Triple:
-    """The part of a along the free directions of body i; hold: as in `Bodies`, or None."""
+    """The part of vector a in the free directions of body i; hold: as in `Bodies`, or None."""
     if hold is None:
         return a
     if len(hold) == 0:
@@ -32,9 +32,9 @@ def place(
     time: float,
     drag: Drag | None,
 ) -> float:
-    """Set v (m + 1, 3) to the velocity at `time` [s] before t = 0; return sum m v v/2 [J] at 0.
+    """Set v (m + 1, 3) to the velocity `time` [s] before t = 0; return sum m v v/2 [J] at t = 0.
 
-    mass: (m,), the moment of inertia where v is a spin.
+    mass: (m,) [kg], or the moments of inertia if v is a spin.
     """
     kinetic = 0.0
     for i in range(len(mass)):
@@ -59,10 +59,10 @@ def kick(
     lag: float,
     slowed: tuple[float, float],
 ) -> tuple[float, float]:
-    """Carry v (m + 1, 3) from half a step before now to half a step after; keep it in before.
+    """Update v (m + 1, 3) from half a step before to half a step after; copy the old v to before.
 
-    mass: (m,). Returns the powers [W] lost before and after now: slowed, and D v-, D v+ of drag
-    D = eta (lag v- + (1 - lag) v+).
+    mass: (m,) [kg]. Returns the dissipated powers [W] at the velocities before and after: those in
+    `slowed`, plus D v- and D v+ of the drag D = eta (lag v- + (1 - lag) v+).
     """
     if drag is None:
         coast(v, before, force, mass, hold, dt)
@@ -84,7 +84,7 @@ def kick(
 
 @inlined
 def coast(v: Vector, before: Vector, force: Vector, mass: Vector, hold: Vector, dt: float) -> None:
-    """As `kick`, of what nothing slows; spins with moments of inertia, too."""
+    """As `kick`, without drag; also used for spins, with moments of inertia for masses."""
     for i in range(len(mass)):
         old = at(v, i)
         put(before, i, old)
@@ -95,7 +95,7 @@ def coast(v: Vector, before: Vector, force: Vector, mass: Vector, hold: Vector, 
 def carried_on(
     old: Triple, push: Triple, mass: float, dt: float, drag: Drag | None, lag: float, i: int
 ) -> Triple:
-    """The velocity of body i half a step after now, from that half a step before."""
+    """The velocity of body i half a step after the present time, from that half a step before."""
     if drag is None:
         return add_scaled(old, dt / mass, push)
     if drag.eta == 0.0:

@@ -1,4 +1,4 @@
-"""The spheres that move in space: what the stepping loop is given of them, and their motion."""
+"""Data of the moving spheres, and the arrays of their motion."""
 
 from __future__ import annotations
 
@@ -11,9 +11,9 @@ class Bodies(NamedTuple):
     """The m spheres that move.
 
     velocity, spin: (m, 3) at t = 0; mass, inertia: (m,); hold, hold_spin: (m, 3, 3) projectors on
-    the free directions, (0, 3, 3) if all are free. If none turns, spin is None, or (0, 3) where
-    each step asks (`placed.py`), and inertia (0,). walls: how many have rows of their own, since
-    they move.
+    the free directions, (0, 3, 3) if all are free; walls: how many walls have rows of their own
+    because they move. If no sphere rotates, inertia is (0,), and spin is None, or (0, 3) where this
+    is decided at run time (`Placed.asks`).
     """
 
     velocity: Vector
@@ -26,23 +26,25 @@ class Bodies(NamedTuple):
 
     @property
     def locked(self) -> bool:
-        """Whether any cannot move along some direction."""
+        """Whether any sphere is locked in some direction."""
         return len(self.hold) > 0
 
     @property
     def turns(self) -> bool:
-        """Whether any turns."""
+        """Whether any sphere rotates."""
         return self.spin is not None and len(self.spin) > 0
 
 
 class Motion(NamedTuple):
-    """Where bodies are and what acts on them, in rows of three.
+    """Displacements, velocities and forces, one row of three numbers for each body.
 
-    The rows are those of the spheres and one for the ground, which does not move; u, v and before
-    have another for each moving wall.
-    u: displacements [m]; v, w: mean velocities and spins of the step that ended, before, spun: of
-    the one before it; push, turn: forces [N] and torques [N m]. w, spun and turn are None if no
-    sphere turns, or have no rows where each step asks.
+    The rows are those of the moving spheres and one for the ground, which is at rest; u, v and
+    before have one more for each moving wall.
+
+    u: displacements [m]; v, w: mean velocities [m/s] and spins [1/s] of the last step; before,
+    spun: those of the step before it; push, turn: forces [N] and torques [N m]. w, spun and turn
+    are None if no sphere rotates, or have no rows where this is decided at run time
+    (`Placed.asks`).
     """
 
     u: Vector

@@ -1,7 +1,7 @@
-"""Puts the terms of a scene together: for each hook one function that calls the terms that have it.
+"""Combines terms: makes one function for each hook, which calls all terms that have the hook.
 
-A term is a file of `vv/engines/dem/terms/`, its hooks are functions there. numba knows the classes
-of a tuple of terms as it compiles a kernel: what a term does not have costs nothing.
+A term is a file of `vv/engines/dem/terms/`; its hooks are functions in that file. numba knows the
+classes of the terms when it compiles a kernel, so hooks that a scene lacks cost nothing.
 """
 
 from __future__ import annotations
@@ -20,23 +20,23 @@ OPTIONS: Any = {"forceinline": True, "pipeline_class": PartCompiler, **LENT, **H
 
 
 def call(parts: list[int], rest: str) -> list[str]:
-    """Call all, in order."""
+    """Source lines that call the hook of all terms in order."""
     return [*(f"hook_{k}(terms[{k}], {rest})" for k in parts), "return None"]
 
 
 def first(parts: list[int], rest: str) -> list[str]:
-    """The first term that has the hook, which is not called; None if none has it."""
+    """Source lines that return the first term that has the hook, without calling it, or None."""
     return [f"return terms[{k}]" for k in parts[:1]] or ["return None"]
 
 
 def chain(parts: list[int], rest: str) -> list[str]:
-    """Let each change what it is handed first, in order."""
+    """Source lines that pass the first argument through the hook of all terms in order."""
     changed = rest.split(", ", maxsplit=1)[0]
     return [*(f"{changed} = hook_{k}(terms[{k}], {rest})" for k in parts), f"return {changed}"]
 
 
 def total(count: int) -> Callable[[list[int], str], list[str]]:
-    """Add up so many numbers that each returns, in order."""
+    """Source lines that add up the `count` numbers that each term returns, in order."""
     names = [f"sum_{c}" for c in range(count)]
 
     def lines(parts: list[int], rest: str) -> list[str]:
@@ -51,7 +51,7 @@ def total(count: int) -> Callable[[list[int], str], list[str]]:
 
 
 def added(parts: list[int], rest: str) -> list[str]:
-    """Add what each returns to the pair that is handed first, in order."""
+    """Source lines that add what each term returns to the pair in the first argument, in order."""
     held, _, others = rest.partition(", ")
     written = []
     for k in parts:
@@ -61,7 +61,10 @@ def added(parts: list[int], rest: str) -> list[str]:
 
 
 def composed(combine: Callable[[list[int], str], list[str]]) -> Callable[[Hook], Hook]:
-    """A hook of all terms, of a function that names its arguments, the tuple of terms first."""
+    """Turns a function that only names arguments into one that calls this hook of all terms.
+
+    The first argument is the tuple of terms.
+    """
 
     def register(hook: Hook) -> Hook:
         code = hook.__code__

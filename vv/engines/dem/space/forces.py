@@ -1,4 +1,4 @@
-"""All forces on spheres that move and turn in space, inlined into their kernel."""
+"""All forces on the spheres of the general model, inlined into its kernel."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from vv.scene import Vector
 def forces(
     terms: Terms, bodies: Bodies, motion: Motion, dt: float, slots: Slots, many: Index
 ) -> tuple[float, float, float, float]:
-    """Fill push and turn of a motion, but for what is viscous; return energies [J] as `force`."""
+    """Set push and turn to all forces but viscous ones; return energies [J] as `hooks.force`."""
     for i in range(len(bodies.mass)):
         put(motion.push, i, field(terms, NOWHERE, bodies.mass[i], i))
     no_torque(motion.turn)
@@ -28,13 +28,13 @@ def forces(
 def slow(
     terms: Terms, bodies: Bodies, motion: Motion, dt: float, slots: Slots, many: Index, lag: float
 ) -> tuple[float, float]:
-    """Add what is viscous to push; return the powers [W] as `viscous`."""
+    """Add the viscous forces to push; return their powers [W] as `hooks.viscous`."""
     return viscous(terms, bodies, motion, dt, slots, many, resistance(terms), lag)
 
 
 @inlined
 def no_torque(turn: Vector | None) -> None:
-    """Clear the torques of spheres, if any turns; the last row is that of the ground."""
+    """Set the torques on spheres to zero, if any rotates; the last row is that of the ground."""
     if turn is not None:
         for i in range(len(turn) - 1):
             put(turn, i, NOWHERE)

@@ -1,7 +1,8 @@
-"""What terms may do in a step, each in a function of this name and these arguments in its file.
+"""The hooks of terms: what a term may do in a step, by a function of that name in its file.
 
-There, `term` takes the place of `terms`. Bodies and their motion: `vv.engines.dem.space.bodies`;
-pairs that are near each other: `slots`, the first many[0] of which are in use (`neighbours.py`).
+The functions there take `term` in place of `terms`, and otherwise the arguments given here. bodies,
+motion: see `bodies.py`; slots: pairs found by the neighbour search (`neighbours.py`), of which the
+first many[0] are in use.
 """
 
 from __future__ import annotations
@@ -21,22 +22,22 @@ Terms = tuple[Any, ...]
 
 @composed(call)
 def begin(terms: Terms, bodies: Bodies, motion: Motion) -> None:
-    """Set what the term keeps from step to step to what it is at t = 0."""
+    """Set the numbers that the term stores from step to step to their values at t = 0."""
 
 
 @composed(call)
 def start(terms: Terms, bodies: Bodies, motion: Motion, dt: float) -> None:
-    """Set in motion what is so at t = 0, once the forces there but for viscous ones are known."""
+    """Set motions to those at t = 0, when all forces then are known except viscous ones."""
 
 
 @composed(call)
 def move(terms: Terms, bodies: Bodies, motion: Motion, time: float, dt: float) -> None:
-    """Go on to a time [s], for which the spheres have been displaced."""
+    """Move what the term prescribes to a time [s]; the spheres are already displaced to it."""
 
 
 @composed(chain)
 def field(terms: Terms, push: Triple, mass: float, i: int) -> Triple:
-    """The force [N] on sphere i, added to push."""
+    """Add the force [N] on sphere i to push."""
     return push
 
 
@@ -46,8 +47,8 @@ def force(
 ) -> tuple[float, float, float, float]:
     """Add forces to motion.push and torques to motion.turn; return energies [J].
 
-    They are what normal and shear springs hold, what friction took in the step, and the work of
-    moving walls.
+    They are the energies of normal and of tangential springs, the energy that friction dissipated
+    in the step, and the work of moving walls.
     """
     return 0.0, 0.0, 0.0, 0.0
 
@@ -62,7 +63,10 @@ def release(
     slots: Slots,
     many: Index,
 ) -> tuple[float, float]:
-    """Let go what breaks under these forces; add what its springs hold [J], normal and shear."""
+    """Remove what breaks under these forces; add to `held` the spring energies [J] that remain.
+
+    The energies are those of normal and of tangential springs.
+    """
     return held
 
 
@@ -77,33 +81,33 @@ def viscous(
     drag: Drag | None,
     lag: float,
 ) -> tuple[float, float]:
-    """Add forces that depend on the velocities before and after, once all others are known.
+    """Add forces that depend on the velocities before and after the kick, once others are known.
 
-    lag: the share of the velocity before. Returns the powers [W] they take before and after now.
+    lag: the weight of the velocity before. Returns the powers [W] dissipated before and after.
     """
     return 0.0, 0.0
 
 
 @composed(call)
 def withdraw(terms: Terms, bodies: Bodies, motion: Motion, slots: Slots, many: Index) -> None:
-    """Take the forces of `viscous` away again."""
+    """Subtract the forces of `viscous` again."""
 
 
 @composed(call)
 def after(terms: Terms, bodies: Bodies, motion: Motion, dt: float) -> None:
-    """See all forces that act at the end of a step of length dt [s], which is 0 at t = 0."""
+    """Use all forces at the end of a step of length dt [s], which is 0 at t = 0."""
 
 
 @composed(total(1))
 def book(terms: Terms, bodies: Bodies, motion: Motion, energy: Vector, row: int) -> tuple[float]:
-    """Fill the term's own columns of a row of energy [J]; return the work that it has done."""
+    """Fill the term's own columns of a row of energy [J]; return its work since t = 0 [J]."""
     return (0.0,)
 
 
 @composed(first)
 def resistance(terms: Terms) -> Drag | None:
-    """The term that slows spheres in proportion to their velocity (`terms/drag.py`), or None.
+    """The term of drag that is linear in the velocity (`terms/drag.py`), or None.
 
-    It holds arrays, and so can only be asked for by what is `lent` them.
+    It holds arrays, so only functions compiled as `lent` may ask for it.
     """
     return None

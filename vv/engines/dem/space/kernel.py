@@ -1,4 +1,4 @@
-"""The compiled kernel for spheres that move and turn in space: the leapfrog over all terms."""
+"""The compiled kernel of the general model: the leapfrog with the forces of all terms."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from vv.engines.kernels.arrays import larger, nil_counts
 from vv.engines.kernels.compiled import compiled_to_branch
 from vv.scene import Vector
 
-START, STEP, END = 0, 1, 2  # viscous forces: those that act at t = 0, and those of a step
+START, STEP, END = 0, 1, 2  # stages of viscous forces: those at t = 0, then those of a step
 
 
 @compiled_to_branch
@@ -31,14 +31,15 @@ def move_in_space(
     lag: float,
     back: float,
 ) -> int:
-    """Step m u'' = forces and I w' = torques of all terms by the leapfrog; return the rows filled.
+    """Integrate m u'' = forces, I w' = torques of all terms by the leapfrog; return rows filled.
 
-    terms: see `vv.engines.dem.space.hooks`; near: what pairs are gathered from as spheres stray
-    (`neighbours.py`), or None. What is viscous acts on lag v- + (1 - lag) v+: 1/2 the midpoint, 1
-    the previous mean velocity. back: how many dt before t = 0 the velocity is first placed.
+    given: the spheres; terms: see `vv.engines.dem.space.hooks`; near: data of the neighbour search
+    (`neighbours.py`), or None. Viscous forces act on lag v- + (1 - lag) v+: with 1/2 at the
+    midpoint, with 1 on the previous mean velocity. back: by how many dt before t = 0 the first
+    velocity is set.
 
-    Every `stride` steps a row is written of path (k, b, 6, 9 or 12) and energy (k, 7, 9 or 12):
-    see `output.py`. Stops before a later row in which energy was created (vv.engines.dem.limits).
+    Every `stride` steps a row is written of path (k, b, 6, 9 or 12) and energy (k, 7, 9 or 12): see
+    `output.py`. The loop ends before a later row if energy was created (vv.engines.dem.limits).
     """
     bodies, motion = room(given)
     m = len(bodies.mass)
@@ -47,7 +48,7 @@ def move_in_space(
     put_in = ahead = slipped = dragged = moved = done = 0.0
     normal = sprung = 0.0
 
-    # what is done at t = 0 is the first pass of the loop, so that each force is compiled only once
+    # the state at t = 0 is the first pass of the loop, so that each force is compiled only once
     steps = -1
     for row in range(len(path)):
         for _ in range(stride if row else 1):

@@ -1,4 +1,4 @@
-"""The columns of the table of energies that the kernel fills."""
+"""The columns of the energy table that the kernel fills."""
 
 from __future__ import annotations
 
@@ -9,21 +9,21 @@ import numpy as np
 from vv.scene import Form, Vector
 
 FORMS = tuple(Form)  # the columns, in their order
-WIDTHS = (7, 9, 12)  # of tables: with gravity and loads, with shaking and walls, with all
+WIDTHS = (7, 9, 12)  # widths of tables: up to gravity and loads, up to shaking and walls, and whole
 
 
 def column(form: Form) -> int:
-    """Where a form of energy is booked."""
+    """The column of a form of energy."""
     return FORMS.index(form)
 
 
 def width(booked: Iterable[Form]) -> int:
-    """How many columns there are where these forms are booked."""
+    """The width of a table that has columns for these forms of energy."""
     last = max(map(column, booked), default=0)
     return next(width for width in WIDTHS if last < width)
 
 
 def signed(energy: Vector) -> Vector:
-    """The forms of energy [J] of a table as the kernel wrote it: work done on a scene is less."""
+    """The forms of energy [J] of a kernel's table: work done on the scene becomes negative."""
     signs = np.array([1.0] * 5 + [-1.0] * 5 + [1.0] * 2)
     return np.asarray(energy * signs[: energy.shape[1]] + 0.0)

@@ -1,4 +1,4 @@
-"""Builds the general model: spheres that move and turn in space, with all their terms."""
+"""Builds the general model: spheres that move and rotate in space, with all their terms."""
 
 from __future__ import annotations
 
@@ -21,9 +21,9 @@ from vv.scene import Mask, Scene, Term, Vector
 
 
 class SpaceState(NamedTuple):
-    """What `move_in_space` receives about the scene, in its order.
+    """The arguments of `move_in_space` that describe the scene, in its order.
 
-    terms: those that the scene has, each of a class in a file of `vv/engines/dem/terms/`.
+    terms: the terms of the scene, each of a class in a file of `vv/engines/dem/terms/`.
     """
 
     bodies: Bodies
@@ -31,16 +31,16 @@ class SpaceState(NamedTuple):
     near: Near | None
 
     def of_each_term(self, name: str, absent: object, *given: object) -> list[Any]:
-        """What the files of all terms say: see `of_each_term`."""
+        """As the function `of_each_term`, for the terms of this state."""
         return of_each_term(self.terms, name, absent, *given)
 
     def term(self, kind: type) -> Any:
-        """The term of a class; None if there is none."""
+        """The term of a class, or None."""
         return next((term for term in self.terms if isinstance(term, kind)), None)
 
 
 def of_each_term(terms: tuple[Any, ...], name: str, absent: object, *given: object) -> list[Any]:
-    """What the file of each term says by the function of this name; absent where it has none."""
+    """The results of the function `name` in the file of each term; `absent` where it has none."""
     files = [sys.modules[type(term).__module__] for term in terms]
     return [
         getattr(file, name)(term, *given) if hasattr(file, name) else absent
@@ -50,7 +50,10 @@ def of_each_term(terms: tuple[Any, ...], name: str, absent: object, *given: obje
 
 @dataclass(frozen=True, eq=False)
 class Space:
-    """The spheres that can move, in rows 0 to m - 1; row[sphere] is m for those that cannot."""
+    """The general model of a scene.
+
+    The moving spheres have rows 0 to m - 1; row[sphere] is m for spheres at rest.
+    """
 
     row: Index
     state: SpaceState
@@ -59,13 +62,13 @@ class Space:
 
     @property
     def unknowns(self) -> tuple[Vector, ...]:
-        """The arrays that hold a number per unknown; locked components are carried along."""
+        """The arrays with one number per unknown; locked components count as well."""
         bodies = self.state.bodies
         spin = bodies.spin if bodies.turns else None
         return (bodies.velocity,) if spin is None else (bodies.velocity, spin)
 
     def outputs(self, rows: int, spheres: tuple[int, ...]) -> tuple[Vector | Index, ...]:
-        """What the kernel fills, path and energy, and the rows it watches."""
+        """The arrays that the kernel fills, path and energy, and the rows that it observes."""
         watched = self.row[np.array(spheres, np.intp)]
         across = 3 + 3 * len(self.unknowns) + (3 if self.state.bodies.locked else 0)
         forms = [form for booked in self.state.of_each_term("forms", ()) for form in booked]
@@ -78,7 +81,7 @@ class Space:
         return move_in_space
 
     def observed(self, path: Vector, index: int, sphere: int, what: Observable) -> Vector:
-        """An observable (k, 3) of a sphere, which was the index-th one watched."""
+        """An observable (k, 3) of a sphere, the index-th of those observed."""
         if isinstance(what, Reaction):
             locked = self.state.bodies.locked
             return np.array(path[:, index, -3:]) if locked else np.zeros((len(path), 3))
@@ -86,11 +89,11 @@ class Space:
         return np.array(path[:, index, first : first + 3])
 
     def held(self, path: Vector, energy: Vector) -> Vector:
-        """The ledger's terms [J], (k, 7), (k, 9) or (k, 12) as the kernel wrote them."""
+        """The terms of the energy ledger [J], (k, 7), (k, 9) or (k, 12), of the kernel's table."""
         return signed(energy)
 
     def put_in(self, energy: Vector) -> float:
-        """Kinetic and elastic energy [J] at t = 0, of bonds that break at once too."""
+        """Kinetic and elastic energy [J] at t = 0, including that of bonds that break at once."""
         s = self.state.bodies
         kinetic = 0.5 * float(s.mass @ (s.velocity**2).sum(axis=1))
         if s.spin is not None:
@@ -98,16 +101,16 @@ class Space:
         return kinetic + float(energy[0, 1] + energy[0, 2] + energy[0, 10:].sum())
 
     def bound(self, energy: Vector, leapfrog: Leapfrog, dt: float) -> float | None:
-        """None: where contacts turn, the energy is near one conserved but no bound is known."""
+        """None: no bound of the energy is known where contacts rotate."""
         return None
 
 
 def space(scene: Scene, charged: Vector | None = None) -> Space:
-    """The general model, without what the scene does not have.
+    """The general model of a scene, without the terms that it lacks.
 
-    charged: friction (n, 3) [N] of each sphere with its wall, of which there is one, at t = 0.
-    Rotation is left out where no friction or bond can change it: no observable shows it, and of
-    spheres without spin nothing is lost.
+    charged: (n, 3) tangential force [N] of each sphere at its only wall at t = 0. Rotation is left
+    out where neither friction nor bonds can change it: no observable shows it, and spheres without
+    spin lose nothing by it.
     """
     here = placed(scene, charged)
     built = (file.build(here) for file in every.TERMS)
@@ -126,7 +129,7 @@ def space(scene: Scene, charged: Vector | None = None) -> Space:
 
 
 def _bodies(here: Placed, turns: bool) -> Bodies:
-    """The spheres that move."""
+    """The data of the moving spheres."""
     scene, moves, spheres = here.scene, here.moves, here.scene.spheres
     free, free_spin = spheres.free[moves], spheres.free_spin[moves]
     spin = np.zeros((0, 3)) if here.asks else None

@@ -1,4 +1,4 @@
-"""Finds the pairs of spheres that may soon touch, cell by cell, for kernels."""
+"""The neighbour search: pairs of spheres that may soon touch, found by cells; for kernels."""
 
 from __future__ import annotations
 
@@ -26,16 +26,17 @@ from vv.engines.kernels.triples import add_scaled, at, dot, put
 from vv.scene import Vector
 
 State = npt.NDArray[np.uint8]
-MET, OVERLAP = 7, 6  # columns of what dashpots know of a contact, and that of its overlap
+MET, OVERLAP = 7, 6  # columns that dashpots store per contact, and the column of the overlap
 
 
 @bundle
 class Slots(NamedTuple):
-    """Pairs that are near each other and not held by a bond, and room for more.
+    """Pairs of unbonded spheres near each other, with spare slots for pairs whose bond breaks.
 
-    both: spheres i < j (k, 2); rows: theirs (k, 2); offset (k, 3) and gap (k,) at t = 0; radii
-    (k, 2). Kept from slot to slot: shear, the force on the second sphere (k, 3), and met (k, 7),
-    what dashpots know of the contact (`vv.engines.dem.terms.dashpots`); (0, 7) without them.
+    both: spheres i < j (k, 2); rows: their rows (k, 2); offset (k, 3) and gap (k,) at t = 0; radii
+    (k, 2). Copied to the slots of the next search: shear (k, 3), the tangential force on the second
+    sphere [N], and met (k, 7), the data of dashpots (`vv.engines.dem.contact.dashpots`), (0, 7)
+    without them.
     """
 
     both: Index
@@ -48,11 +49,12 @@ class Slots(NamedTuple):
 
 
 class Near(NamedTuple):
-    """All n spheres that may come to touch, and what keeps pairs of them from it.
+    """The n spheres that may touch, and the bonds that exclude pairs of them from contact.
 
-    position (n, 3) at t = 0, radius (n,), row in u of each sphere (n,), skin [m], and the bonds by
-    i: those of i go from start[i] on (n + 1,) to the spheres partner (b,); broken: (b,) not 0 for
-    bonds that have parted; empty if none can. viscous: whether contacts are.
+    position (n, 3) at t = 0, radius (n,), row in u of each sphere (n,), skin [m]. The bonds are
+    sorted by the first sphere: those of sphere i lead to partner[start[i]] up to partner[start[i +
+    1]] (exclusive). broken: (b,) not 0 for broken bonds; empty if none can break. viscous: whether
+    contacts are viscous.
     """
 
     position: Vector
@@ -67,20 +69,20 @@ class Near(NamedTuple):
 
 @called
 def no_slots() -> Slots:
-    """No pairs yet."""
+    """Slots without any pair."""
     none, three = couples(0), rows(0)
     return Slots(none, none, three, numbers(0), table(0, 2), three, table(0, MET))
 
 
 @called
 def couples(n: int) -> Index:
-    """Room for n pairs of integers."""
+    """An array for n pairs of integers."""
     return np.empty((n, 2), np.int64)
 
 
 @called
 def repeated(n: int, value: int) -> Index:
-    """n times the same integer."""
+    """An array of n equal integers."""
     made = counts(n)
     for i in range(n):
         made[i] = value
@@ -89,7 +91,8 @@ def repeated(n: int, value: int) -> Index:
 
 @inlined
 def strayed(motion: Motion, since: Vector, near: Near) -> bool:
-    """Whether some sphere has moved by half the skin [m] since it was at `since` (m, 3)."""
+    """Whether a sphere has moved by over half the skin since its displacement `since` (m, 3).
+    """
     u, limit = motion.u, 0.25 * near.skin * near.skin
     for i in range(len(since)):
         d = add_scaled(at(u, i), -1.0, at(since, i))
@@ -100,17 +103,17 @@ def strayed(motion: Motion, since: Vector, near: Near) -> bool:
 
 @inlined
 def note_places(since: Vector, u: Vector) -> None:
-    """Note where the spheres are, the first len(since) of the rows of u."""
+    """Store the displacements of the first len(since) rows of u."""
     for i in range(len(since)):
         put(since, i, at(u, i))
 
 
 @called
 def cells(place: Vector, edge: float) -> tuple[Index, Index, Index, Index]:
-    """Sort spheres into cells at least `edge` [m] wide, but never many more than spheres.
+    """Sort spheres into cells at least `edge` [m] wide, but not many more cells than spheres.
 
-    Returns the cells along each axis (3,), where each sphere is among them (3 n,), the first
-    sphere of each cell, and the next in its cell after each sphere (n,), -1 for none.
+    Returns the number of cells along each axis (3,), the indices of each sphere's cell (3 n,), the
+    first sphere of each cell, and for each sphere the next one in its cell (n,), -1 for none.
     """
     n = len(place)
     most = 2 * int(n ** (1.0 / 3.0)) + 1
@@ -134,7 +137,7 @@ def cells(place: Vector, edge: float) -> tuple[Index, Index, Index, Index]:
 
 @inlined
 def on_bond(i: int, j: int, start: Index, partner: Index, broken: State) -> bool:
-    """Whether a whole bond holds the spheres i < j."""
+    """Whether an unbroken bond joins the spheres i < j."""
     for b in range(start[i], start[i + 1]):
         if partner[b] == j:
             return len(broken) == 0 or broken[b] == 0
@@ -143,9 +146,9 @@ def on_bond(i: int, j: int, start: Index, partner: Index, broken: State) -> bool
 
 @called
 def swept(near: Near, u: Vector) -> Index:
-    """(p, 2) the pairs of spheres i < j without a bond whose gap is less than the skin, by i.
+    """The pairs (p, 2) of spheres i < j, sorted by i, whose gap is less than the skin.
 
-    Pairs of spheres that both stay in place, in the last of the spheres' rows, are left out.
+    Left out are pairs joined by a bond, and pairs of spheres at rest, whose row is the last one.
     """
     position, radius, row, skin, start, partner, broken, _ = near
     n, ground, widest = len(radius), 0, 0.0
@@ -176,13 +179,13 @@ def swept(near: Near, u: Vector) -> Index:
 
 @inlined
 def about(cell: int, count: int) -> range:
-    """A cell and those beside it, of so many along an axis."""
+    """The indices of a cell and its two neighbours along an axis with `count` cells."""
     return range(larger(0, cell - 1), smaller(count, cell + 2))
 
 
 @called
 def wider(found: Index) -> Index:
-    """The same pairs with room for as many more; a slice would compile its error messages."""
+    """A copy of the pairs with twice the length; a slice would compile numba's error messages."""
     more = couples(2 * len(found))
     for k in range(len(found)):
         more[k, 0], more[k, 1] = found[k, 0], found[k, 1]
@@ -191,9 +194,10 @@ def wider(found: Index) -> Index:
 
 @called
 def gathered(near: Near, u: Vector, old: Slots, many: Index) -> Slots:
-    """The pairs near each other and not held by a bond, with room for as many as have bonds.
+    """The unbonded pairs near each other, with as many spare slots as there are bonds.
 
-    old: the slots before, the first many[0] of them used; many is set to how many are used now.
+    old: the slots before, of which the first many[0] are in use. many[0] is set to how many of the
+    new slots are in use. Stored numbers of pairs in both are copied.
     """
     position, radius, row = near[0], near[1], near[2]
     pairs = swept(near, u)

@@ -1,4 +1,4 @@
-"""What the kernel writes of a motion: the path of what is watched, and the energies."""
+"""The kernel's output: the path of the observed rows, and the energies."""
 
 from __future__ import annotations
 
@@ -19,8 +19,10 @@ WALLS = column(Form.WALLS)
 def observe(
     path: Vector, row: int, watched: Index, terms: Terms, bodies: Bodies, motion: Motion
 ) -> None:
-    """Fill a row of path (k, b, 12): displacement, mean of v- and v+ and of w- and w+ of the
-    watched rows, and the force of their locks; the last two only where there are spin and hold.
+    """Fill a row of path (k, b, 12): displacement, mean velocity, mean spin, force of the locks.
+
+    The means are those of the values before and after. Spin and force are left out where no sphere
+    rotates or is locked.
     """
     for k in range(len(watched)):
         i = watched[k]
@@ -36,7 +38,7 @@ def observe(
 def observe_spin(
     path: Vector, row: int, k: int, i: int, w: Vector | None, spun: Vector | None
 ) -> None:
-    """The mean spin of body i, if any turns."""
+    """Fill in the mean spin of body i, if any body rotates."""
     if w is not None and spun is not None and len(w):
         for c in range(3):
             path[row, k, 6 + c] = 0.5 * (spun[i, c] + w[i, c])
@@ -46,7 +48,7 @@ def observe_spin(
 def observe_lock(
     path: Vector, row: int, k: int, push: Triple, hold: Vector, drag: Drag | None, i: int
 ) -> None:
-    """The force of the locks of body i, if any is locked."""
+    """Fill in the force [N] of the locks of body i, if any body is locked."""
     if len(hold):
         force = add_scaled(held(push, hold, i), -1.0, push)
         if drag is not None:
@@ -65,10 +67,10 @@ def booked(
     held: tuple[float, float, float, float, float],
     moved: float,
 ) -> float:
-    """Fill a row of energy (`ledger.py`) [J]; return the work of all terms.
+    """Fill a row of energy (`ledger.py`) [J]; return the work of all terms [J].
 
-    held: m v- v+/2 and I w- w+/2, normal springs, shear springs, lost by friction, by drag and
-    viscous contacts; moved: the work of walls.
+    held: m v- v+/2 and I w- w+/2, normal springs, tangential springs, friction, drag and viscous
+    contacts; moved: the work of walls.
     """
     for c in range(5):
         energy[row, c] = held[c]
@@ -79,27 +81,27 @@ def booked(
 
 @inlined
 def moving_energy(bodies: Bodies, motion: Motion) -> float:
-    """m v- v+/2 and I w- w+/2 [J]."""
+    """The kinetic energy as m v- v+/2 and I w- w+/2 [J]."""
     fast = moving(bodies.mass, motion.before, motion.v)
     return fast + turning(bodies.inertia, motion.spun, motion.w)
 
 
 @inlined
 def moving_energy_after(bodies: Bodies, motion: Motion) -> float:
-    """m v+^2/2 and I w+^2/2 [J]."""
+    """The kinetic energy after the kick, m v+^2/2 and I w+^2/2 [J]."""
     fast = moving(bodies.mass, motion.v, motion.v)
     return fast + turning(bodies.inertia, motion.w, motion.w)
 
 
 @inlined
 def turning(inertia: Vector, w: Vector | None, other: Vector | None) -> float:
-    """As `moving`, of spins, if any sphere turns."""
+    """As `moving`, for spins; zero if no sphere rotates."""
     return 0.0 if w is None or other is None else moving(inertia, w, other)
 
 
 @inlined
 def moving(mass: Vector, v: Vector, other: Vector) -> float:
-    """The sum of m v v'/2 [J]."""
+    """The sum of m v v'/2 [J] over all bodies."""
     fast = 0.0
     for i in range(len(mass)):
         fast += 0.5 * mass[i] * dot(at(v, i), at(other, i))

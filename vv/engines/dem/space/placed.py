@@ -1,4 +1,4 @@
-"""A scene of spheres with the rows they have in arrays: what terms are built from."""
+"""A scene of spheres with their rows in arrays, from which terms are built."""
 
 from __future__ import annotations
 
@@ -16,10 +16,11 @@ from vv.scene import Mask, Scene, Vector
 
 @dataclass(frozen=True, eq=False)
 class Placed:
-    """A scene, which of its spheres move (n,), and the row of each (n,): m for all that do not.
+    """A scene, which of its spheres move (n,), and the row of each (n,), m for spheres at rest.
 
-    carried: (m, 3) steady velocities; charged: (m, 3) friction with the wall at t = 0 [N], or
-    None; bonds: of which one end moves; near: where pairs are gathered as spheres stray.
+    carried: (m, 3) steady velocities [m/s]; charged: (m, 3) tangential force at the wall at t = 0
+    [N], or None; bonds: those with at least one moving end; near: data of the neighbour search, or
+    None.
     """
 
     scene: Scene
@@ -32,32 +33,33 @@ class Placed:
 
     @property
     def may_touch(self) -> bool:
-        """Whether a sphere that moves can meet a wall or another sphere."""
+        """Whether a moving sphere can touch a wall or another sphere."""
         return bool(self.moves.any()) and (len(self.scene.walls) > 0 or len(self.scene.spheres) > 1)
 
     @property
     def asks(self) -> bool:
-        """Whether each step asks what rubs and turns.
+        """Whether every step decides at run time if there are friction and rotation.
 
-        It does where it takes so long that this costs next to nothing: fewer kernels are compiled.
+        This is so where a step takes so long that the decision costs next to nothing; then fewer
+        kernels are compiled.
         """
         dear = self.walls_move or self.scene.contact.viscous
         return dear and self.scene.bonds is None
 
     @functools.cached_property
     def law(self) -> Law:
-        """The law of contacts."""
+        """The contact law."""
         law = law_of(self.scene)
         return law._replace(friction=law.friction or NO_FRICTION, asked=0) if self.asks else law
 
     @property
     def walls_move(self) -> bool:
-        """Whether a wall moves that a sphere may meet."""
+        """Whether any wall moves, if there are moving spheres."""
         return bool(self.moves.any()) and any(wall.motion for wall in self.scene.walls)
 
 
 def placed(scene: Scene, charged: Vector | None = None) -> Placed:
-    """Give rows to the spheres of a scene that can move; charged: (n, 3), see `Placed`."""
+    """Assign rows to the spheres of a scene that can move; charged: (n, 3), see `Placed`."""
     spheres, carried = scene.spheres, scene.locked_velocity
     moves: Mask = np.any([spheres.free, spheres.free_spin, carried != 0.0], axis=(0, 2))
     row = np.where(moves, np.cumsum(moves) - 1, moves.sum())

@@ -1,4 +1,4 @@
-"""Makes arrays that the stepping loop works in; the compiler knows how wide they are."""
+"""Allocates the arrays of the stepping loop, with widths that the compiler knows."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from vv.scene import Vector
 
 @inlined_called
 def room(given: Bodies) -> tuple[Bodies, Motion]:
-    """The bodies with projectors of their own, and their motion before anything has moved."""
+    """The bodies with copied projectors, and arrays for their motion, all zero."""
     m = len(given.mass)
     hold, hold_spin = copied(given.hold), copied(given.hold_spin)
     bodies = Bodies(
@@ -30,7 +30,7 @@ def room(given: Bodies) -> tuple[Bodies, Motion]:
 
 @inlined_called
 def rest(rows: int) -> Vector:
-    """Zeros (rows, 3)."""
+    """An array of zeros (rows, 3)."""
     made = np.empty((rows, 3))
     for i in range(rows):
         put(made, i, NOWHERE)
@@ -39,7 +39,7 @@ def rest(rows: int) -> Vector:
 
 @inlined_called
 def copied(hold: Vector) -> Vector:
-    """Projectors (m, 3, 3) in an array of their own."""
+    """A copy of the projectors (m, 3, 3)."""
     made = np.empty((len(hold), 3, 3))
     for i in range(len(hold)):
         for a in range(3):
@@ -49,12 +49,12 @@ def copied(hold: Vector) -> Vector:
 
 
 def spins(spin: Any, rows: int) -> Any:
-    """Room for spins, those before, and torques (rows, 3), as many as `Motion` has."""
+    """Arrays (rows, 3) for spins, the previous spins and torques, as in `Motion`."""
 
 
 @overload(spins, jit_options=OPTIONS | COUNTED, strict=False)
 def typed_spins(spin: Any, rows: Any) -> Any:
-    """What numba compiles of `spins`."""
+    """The implementation of `spins` that numba compiles."""
     if isinstance(spin, types.NoneType):
         return lambda spin, rows: (None, None, None)
 

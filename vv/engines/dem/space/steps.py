@@ -1,4 +1,4 @@
-"""The parts of a step of all spheres, which turn or do not; inlined into their kernel."""
+"""The parts of a step of all spheres, with or without rotation; inlined into the kernel."""
 
 from __future__ import annotations
 
@@ -12,14 +12,14 @@ from vv.scene import Vector
 
 @inlined
 def drift(motion: Motion, m: int, dt: float) -> None:
-    """Displace the spheres by a step."""
+    """Displace the spheres by their velocities times dt."""
     for i in range(m):
         put(motion.u, i, add_scaled(at(motion.u, i), dt, at(motion.v, i)))
 
 
 @inlined
 def place(terms: Terms, bodies: Bodies, motion: Motion, time: float) -> float:
-    """Set v to the velocity at `time` [s] before t = 0; return sum m v v/2 [J] at t = 0."""
+    """Set v to the velocity `time` [s] before t = 0; return sum m v v/2 [J] at t = 0."""
     v, velocity, mass = motion.v, bodies.velocity, bodies.mass
     return advance.place(v, velocity, motion.push, mass, bodies.hold, time, resistance(terms))
 
@@ -28,7 +28,7 @@ def place(terms: Terms, bodies: Bodies, motion: Motion, time: float) -> float:
 def place_spins(
     w: Vector | None, spin: Vector | None, turn: Vector | None, bodies: Bodies, time: float
 ) -> float:
-    """As `place`, of spins, if any sphere turns."""
+    """As `place`, for spins; zero if no sphere rotates."""
     if w is None or spin is None or turn is None:
         return 0.0
     return advance.place(w, spin, turn, bodies.inertia, bodies.hold_spin, time, None)
@@ -38,9 +38,9 @@ def place_spins(
 def kick(
     terms: Terms, bodies: Bodies, motion: Motion, dt: float, lag: float, slowed: tuple[float, float]
 ) -> tuple[float, float]:
-    """Carry v from half a step before now to half a step after; keep it in before.
+    """Update v from half a step before to half a step after; copy the old v to before.
 
-    Returns the powers [W] lost to drag before and after now; slowed: those that are lost otherwise.
+    Returns the powers [W] dissipated before and after: those in `slowed`, plus those of drag.
     """
     v, before, push = motion.v, motion.before, motion.push
     return advance.kick(
@@ -52,6 +52,6 @@ def kick(
 def spin_on(
     w: Vector | None, spun: Vector | None, turn: Vector | None, bodies: Bodies, dt: float
 ) -> None:
-    """As `kick`, of spins, if any sphere turns."""
+    """As `kick`, for spins, if any sphere rotates."""
     if w is not None and spun is not None and turn is not None:
         advance.coast(w, spun, turn, bodies.inertia, bodies.hold_spin, dt)

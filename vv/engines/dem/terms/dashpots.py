@@ -154,7 +154,7 @@ def extrapolate_walls(new: Vector, motion: Motion, first: int) -> None:
 
 @inlined
 def note_wall_powers(term: Dashpots, moving: Moving | None, v: Vector, ground: int) -> None:
-    """Store the powers [W] of moving walls before and after the kick, and the last of these."""
+    """Store the powers [W] of moving walls before and after this kick, and after the last one."""
     if moving is not None:
         ends, kept = term.met
         behind = ahead = 0.0
