@@ -26,7 +26,7 @@ __all__ = [
 
 
 def solve_default(ask: Ask) -> Run:
-    """Solve an ask by the leapfrog of second order in every term; cost is left empty."""
+    """Solve an ask by the leapfrog that is of second order in all terms; cost is left empty."""
     return solve(ask, CENTRED)
 
 

@@ -1,4 +1,4 @@
-"""The largest stable step of a scene: 2/w_max of its springs, less where drag lags."""
+"""The largest stable step of a scene: 2/w_max of its springs, less with lagged drag."""
 
 from __future__ import annotations
 
@@ -16,18 +16,18 @@ from vv.engines.dem.space.model import SpaceState, space
 from vv.engines.dem.space.springs import Springs
 from vv.scene import Mask, Scene, Vector
 
-DENSE = 300  # unknowns up to which a matrix is filled
-CLOSE = 1e-4  # of an eigenvalue, how well it is found in a larger one, from below
+DENSE = 300  # up to so many unknowns a full matrix is used
+CLOSE = 1e-4  # relative tolerance of the eigenvalue of a sparse matrix, found from below
 
 
-@functools.lru_cache(maxsize=64)  # asked several times a rung for one scene
+@functools.lru_cache(maxsize=64)  # asked several times per setting of a scene
 def critical_step(scene: Scene, leapfrog: Leapfrog) -> float:
-    """The step [s] beyond which a closed contact makes the leapfrog unstable; inf if none can.
+    """The step [s] above which a closed contact makes the leapfrog unstable; inf if none can.
 
-    Without drag, or with drag at the midpoint, 2/w; with lagged drag 2 (sqrt(n^2 + w^2) - n)/w^2,
-    n = eta/2m + d w^2/2: viscous contacts are as stiff as they are viscous, by `delay`. w is the
-    highest frequency of the bonds and of the contacts closed at t = 0 taken together, or of any one
-    contact that may close, if that is higher; m the least mass.
+    Without drag, or with drag at the midpoint, it is 2/w; with lagged drag it is 2 (sqrt(n^2 + w^2)
+    - n)/w^2 with n = eta/2m + d w^2/2, where d is the `delay` of viscous contacts. w is the highest
+    frequency of all bonds and contacts closed at t = 0 together, or that of a single contact that
+    may close, if it is higher; m is the smallest mass.
     """
     mass, square = _stiffest(scene)
     slowed = scene.eta / mass + delay(scene, square) * square
@@ -39,7 +39,7 @@ def critical_step(scene: Scene, leapfrog: Leapfrog) -> float:
 
 
 def delay(scene: Scene, square: float) -> float:
-    """How much more viscous than stiff a contact is at most [s]: eta_n/kn, or 2 z/w with Hertz."""
+    """The largest ratio of viscosity to stiffness [s] of a contact: eta_n/kn, with Hertz 2 z/w."""
     law = scene.contact
     if law.hertz is None:
         return law.eta_n / law.kn
@@ -47,18 +47,18 @@ def delay(scene: Scene, square: float) -> float:
 
 
 def highest_delay(scene: Scene) -> float:
-    """That of the stiffest contact of a scene."""
+    """The `delay` of the stiffest contact of a scene."""
     return delay(scene, _stiffest(scene)[1])
 
 
-@functools.lru_cache(maxsize=32)  # it is wanted for every rung and scheme
+@functools.lru_cache(maxsize=32)  # asked for every setting and scheme
 def _stiffest(scene: Scene) -> tuple[float, float]:
-    """The least mass [kg], and w_max^2 [1/s2] of the model that a scene is given."""
+    """The smallest mass [kg] and w_max^2 [1/s2] of the model that a scene is solved with."""
     one = line(scene)
     if one is not None:
         stiffness = one.state.normal or one.state.friction
         return one.state.mass, 0.0 if stiffness is None else stiffness[0] / one.state.mass
-    state = space(dataclasses.replace(scene, shaking=None)).state  # which changes no spring
+    state = space(dataclasses.replace(scene, shaking=None)).state  # which has no effect on springs
     return float(state.bodies.mass.min(initial=math.inf)), highest_square(state)
 
 
@@ -73,7 +73,7 @@ def highest_square(state: SpaceState) -> float:
 
 
 def _springs(state: SpaceState) -> tuple[Springs, Mask]:
-    """All bonds and listed contacts, and which of them are there at t = 0."""
+    """The springs of all bonds and listed contacts, and which of them exist at t = 0."""
     springs = [one for one in state.of_each_term("springs", None, state.near) if one is not None]
     two, k = np.zeros((0, 2)), np.zeros(0)
     none = Springs(two.astype(np.intp), np.zeros((0, 3)), k, k, two)
@@ -84,7 +84,7 @@ def _springs(state: SpaceState) -> tuple[Springs, Mask]:
 
 
 def _parts(bodies: Bodies, springs: Springs) -> Vector:
-    """K^1/2 B M^-1/2 (k, 3, 2, 6) of every spring; B gives the relative motion of its ends."""
+    """The matrices K^1/2 B M^-1/2 (k, 3, 2, 6) of springs; B gives the relative motion of ends."""
     m, n = len(bodies.mass), springs.n
     soft, stiff = np.sqrt(springs.ks)[:, None, None], np.sqrt(springs.kn)[:, None, None]
     root = soft * np.eye(3) + (stiff - soft) * n[:, :, None] * n[:, None, :]
@@ -104,14 +104,14 @@ def _parts(bodies: Bodies, springs: Springs) -> Vector:
 
 
 def _together(parts: Vector, rows: Index, m: int) -> float:
-    """The largest eigenvalue of B^T B, B made of the parts of springs between rows below m."""
+    """The largest eigenvalue of B^T B, B assembled from parts of springs; rows >= m are fixed."""
     there = rows < m
     which, end = np.nonzero(there)
     columns = 6 * rows[which, end][:, None, None] + np.arange(6)
     lines = 3 * which[:, None, None] + np.arange(3)[:, None]
     lines, columns = np.broadcast_arrays(lines, columns)
     values = parts[which, :, end]
-    if not values.any():  # no spring, or only such as lie between what is held
+    if not values.any():  # no spring has a moving end
         return 0.0
     if 6 * m <= DENSE:
         whole = np.zeros((3 * len(parts), 6 * m))
@@ -122,5 +122,5 @@ def _together(parts: Vector, rows: Index, m: int) -> float:
 
     data = values.ravel(), (lines.ravel(), columns.ravel())
     sparse = coo_array(data, shape=(3 * len(parts), 6 * m)).tocsr()
-    start = np.ones(6 * m) + np.arange(6 * m) % 7  # any vector will do, but the same each time
+    start = np.ones(6 * m) + np.arange(6 * m) % 7  # any start serves, if always the same
     return float(eigsh(sparse.T @ sparse, 1, v0=start, tol=CLOSE, return_eigenvectors=False)[0])

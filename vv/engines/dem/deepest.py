@@ -1,4 +1,4 @@
-"""The deepest overlap of many spheres and walls, from where they are."""
+"""The deepest overlap in a scene of many spheres and walls, computed from their positions."""
 
 from __future__ import annotations
 
@@ -12,9 +12,9 @@ from vv.scene.neighbours import overlapping
 
 
 def deepest(scene: Scene, watched: Sequence[int], moved: Vector) -> float | None:
-    """How deep [m] the deepest contact is after displacements moved (b, 3) [m] of some spheres.
+    """The deepest overlap [m] when the spheres `watched` are displaced by moved (b, 3) [m].
 
-    None if one that is free is not among these. Two that are held are no contact.
+    None if some free sphere is not among them. Pairs of fixed spheres are not counted.
     """
     spheres = scene.spheres
     moving = np.asarray(spheres.free.any(axis=1))

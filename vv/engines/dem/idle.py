@@ -1,4 +1,4 @@
-"""What of a scene has nothing to act on: no model needs it, and what a model leaves out is told."""
+"""The terms of a scene that have no effect, and the refusal of scenes whose model omits others."""
 
 from __future__ import annotations
 
@@ -18,10 +18,10 @@ OF_MOTION = VISCOUS | CONTACTS
 
 
 def idle(scene: Scene) -> frozenset[Term]:
-    """Terms of a scene that change nothing of what may be observed.
+    """The terms of a scene that change none of its observables.
 
-    They are the law of contacts where there is nothing to touch, and contacts along the normal
-    where no sphere is free to move along any line or is carried: of these no reaction is reported.
+    They are the contact law where there are no contacts, and the normal contact where no sphere can
+    move in any direction or has a steady velocity: reactions there are not observable.
     """
     terms, spheres = scene.terms(), scene.spheres
     found = frozenset() if terms & CONTACTS else OF_CONTACTS
@@ -33,9 +33,9 @@ def idle(scene: Scene) -> frozenset[Term]:
 
 @functools.lru_cache(maxsize=32)  # asked for every rung of a scene
 def why_left_out(scene: Scene, whole: bool) -> str | None:
-    """Why a scene is refused whose model would leave out some of it; None if it has all.
+    """Why the scene is refused if its model would omit some of its terms; None if it has all.
 
-    whole: whether the general model is asked for, which has all energies and reactions.
+    whole: whether the general model is needed, which has all energies and reactions.
     """
     small = None if whole else line(scene) or pressed(scene)
     left = scene.terms() - (small or bulk(scene) or space(scene)).terms - idle(scene)

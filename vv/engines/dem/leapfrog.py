@@ -1,4 +1,4 @@
-"""The two ways in which the leapfrog is started and meets drag."""
+"""The two variants of the leapfrog, which differ in its start and in the treatment of drag."""
 
 from __future__ import annotations
 
@@ -9,13 +9,13 @@ from dataclasses import dataclass
 class Leapfrog:
     """m (v+ - v-)/dt = F(x) - eta (lag v- + (1 - lag) v+), x+ = x + v+ dt.
 
-    lag: 1/2 takes drag at the middle of v- and v+, 1 at the velocity of the step before.
-    back: the first v- is v(0) - back dt a(0); 1/2 centres it, 0 leaves it as it is.
+    lag: with 1/2 drag is evaluated at the mean of v- and v+, with 1 at the previous velocity. back:
+    the first v- is v(0) - back dt a(0); 1/2 centres it in time, 0 sets it to v(0).
 
-    Without drag the scheme conserves sum m v- v+/2 + springs, for linear springs and whatever
-    the step: the trapezoidal rule gives their work exactly. A spring that closes or opens
-    within a step changes it by at most kn (v dt)^2/8, and the start by what v- v+ differs from
-    v(0)^2. Friction and drag are charged by the same rule.
+    Without drag the scheme conserves sum m v- v+/2 + springs at any step if the springs are linear,
+    since the trapezoidal rule gives their work exactly. A spring that closes or opens within a step
+    changes this sum by at most kn (v dt)^2/8, and at the start it differs by that between v- v+ and
+    v(0)^2. Dissipation by friction and drag is summed by the same rule.
     """
 
     lag: float

@@ -1,4 +1,4 @@
-"""Says why an ask cannot be run honestly by dem, or why its step is too large to be stable."""
+"""The reasons why dem cannot solve an ask, and why its step is too large to be stable."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from vv.standins.stand_in import why_no_spring_scene as why_not_rigid
 
 
 def refuses(ask: Ask) -> str | None:
-    """Why an ask cannot be run honestly; else None."""
+    """Why the ask cannot be solved as it stands; None if it can."""
     dt, goal = ask.knobs.dt, ask.goal
     if dt is None:
         return "Knobs.dt is None; an explicit scheme needs a step"
@@ -38,14 +38,14 @@ def refuses(ask: Ask) -> str | None:
 
 
 def wants_all(ask: Ask) -> bool:
-    """Whether only the general model answers: it has all energies and reactions."""
+    """Whether the ask needs the general model, which alone has all energies and reactions."""
     return bool(ask.energies) or any(isinstance(what, Reaction) for what in ask.observables)
 
 
 def unstable(ask: Ask, leapfrog: Leapfrog) -> str | None:
-    """Why the step of an ask is too large, with the largest stable one and its rule; else None.
+    """Why the step of an ask is too large, with the largest stable step and its rule; else None.
 
-    Such a step may be solved all the same, to see what comes of it.
+    Such an ask may still be solved, to see the instability.
     """
     dt = ask.knobs.dt
     limit = critical_step(spring_scene(ask).scene, leapfrog)
@@ -80,7 +80,10 @@ def _coincident(scene: Scene) -> str | None:
 
 
 def _rings(scene: Scene, dt: float) -> str | None:
-    """A viscous force that half a step would turn round goes on to and fro, and makes energy."""
+    """Why the step is refused where it would reverse a viscous force within half a step.
+
+    The force would then alternate, and create energy.
+    """
     ratio = highest_delay(scene) if scene.contact.viscous else 0.0
     longest = 0.5 / ratio * critical_step(scene, CENTRED) ** 2 if ratio else math.inf
     if dt <= longest:
@@ -92,7 +95,7 @@ def _rings(scene: Scene, dt: float) -> str | None:
 
 
 def _unknown_reaction(ask: Ask, scene: Scene) -> str | None:
-    """The forces on all bodies that stay in place are summed up in one row."""
+    """Why a reaction is refused: forces on bodies at rest are summed in one common row."""
     for what in ask.observables:
         if isinstance(what, Reaction):
             i = scene.sphere_index(what.body)

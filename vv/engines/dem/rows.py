@@ -1,4 +1,4 @@
-"""Vectors of the spheres that move, with what their locks leave of them, and their rows."""
+"""Vectors of spheres, and their projection on the directions that locks leave free."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ Index = npt.NDArray[np.intp]
 
 
 def triple(vector: Vector) -> tuple[float, float, float]:
-    """A (3,) array as the tuple that kernels take."""
+    """A (3,) array as a tuple of three numbers, as kernels take it."""
     return float(vector[0]), float(vector[1]), float(vector[2])
 
 
@@ -21,6 +21,6 @@ def projectors(axes: Vector, free: Mask) -> Vector | None:
 
 
 def projected(vectors: Vector, axes: Vector, free: Mask) -> Vector:
-    """The parts (m, 3) of the vectors along the free axes, untouched where all are free."""
+    """The components (m, 3) of the vectors along the free axes; a plain copy if all are free."""
     hold = projectors(axes, free)
     return np.array(vectors) if hold is None else np.einsum("mab,mb->ma", hold, vectors)

@@ -1,4 +1,4 @@
-"""A step that stays stable when contacts close that were open: a part of the largest stable one."""
+"""A step that stays stable whatever contacts close: a fraction of the largest stable step."""
 
 from __future__ import annotations
 
@@ -7,18 +7,19 @@ from vv.engines.dem.leapfrog import Leapfrog
 from vv.scene import Scene
 
 PACKED = 0.35
-"""Of the limit of the fastest contact alone: contacts that close together are faster.
+"""The fraction of the stable step of one contact that is safe: several contacts are stiffer.
 
-Two equal spheres on one contact have m w^2/kn = 2. In a close packing of such spheres, where all
-twelve contacts of each are closed, it is 8 without shear springs, 8.98 at ks/kn = 5/29 and 16 at
-ks = kn, so that the limit falls to sqrt(2/16) = 0.354 of that of one contact at most.
+Two equal spheres with one contact have m w^2/kn = 2. In a close packing, in which each sphere has
+twelve closed contacts, it is 8 without tangential springs, 8.98 at ks/kn = 5/29 and 16 at ks = kn.
+The stable step then falls to at least sqrt(2/16) = 0.354 of that of one contact.
 """
 
 
 def safe_step(scene: Scene, leapfrog: Leapfrog) -> float:
-    """A step [s] for a scene of like spheres however they come to touch; inf if nothing can.
+    """A stable step [s] for like spheres, whichever of them touch; inf if nothing can touch.
 
-    Where the contacts that matter are closed from the start, `critical_step` knows them all, and
-    steps up to it are stable. Spheres of very unequal size may touch more than twelve others.
+    If all relevant contacts are closed at t = 0, `critical_step` takes them into account, and any
+    step up to it is stable. Spheres of very unequal size may touch more than twelve others, which
+    this does not cover.
     """
     return PACKED * critical_step(scene, leapfrog)

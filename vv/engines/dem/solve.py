@@ -1,4 +1,4 @@
-"""Turns an ask into a program for a compiled kernel, and what the kernel wrote into a Run."""
+"""Prepares an ask for a compiled kernel, and makes a Run from the kernel's output."""
 
 from __future__ import annotations
 
@@ -26,24 +26,25 @@ from vv.standins.stand_in import SpringScene, spring_scene
 
 FORMS = tuple(Form)  # the columns of a ledger, in their order
 EPS = float(np.finfo(float).eps)
-ROUNDINGS = 16  # of the peak energy, allowed for each step
+ROUNDINGS = 16  # rounding units of the peak energy, allowed per step
 GAINED = "energy that comes from nowhere [J]"
-"""In a scene with bonds: (w dt)^2/4 of what is held at most, w dt/2 from a start half a step late.
+"""Created energy in a scene with bonds: at most (w dt)^2/4 of the peak, or w dt/2 if lagged.
 
-A contact that closes within a step brings kn (v dt)^2/8, which is as much if all is in its motion.
+The latter comes from a start half a step late. A contact that closes within a step creates kn (v
+dt)^2/8, which is as much if all energy is in its motion.
 """
-COULOMB = 1e-9  # of the largest force: friction is cut to mu N as it is found
+COULOMB = 1e-9  # relative to the largest force: friction is limited to mu N within rounding
 DEPTH = "penetration [m]"
-SOFT = 0.1  # of the smallest radius: a deeper overlap is no contact of spheres any more
+SOFT = 0.1  # relative to the smallest radius: contact laws do not hold at larger overlaps
 
 
 @dataclass(frozen=True, eq=False)
 class PreparedSpheres:
-    """An ask ready to be solved as often as wanted: a `vv.codes.timing.Prepared`.
+    """An ask prepared for any number of solves: a `vv.codes.timing.Prepared`.
 
-    system: the smallest model of its scene; stand_in: that scene, with what stands in for what
-    springs cannot do. threads: that share the bonds, or the spheres where they are many and free;
-    the answer is the same.
+    system: the smallest model that serves its scene; stand_in: that scene, in which springs
+    represent rigid contact and blocks; threads: how many share the bonds or many free spheres,
+    which does not change the answer.
     """
 
     ask: Ask
@@ -54,7 +55,7 @@ class PreparedSpheres:
 
     @property
     def model(self) -> Model:
-        """What was built; unknowns are counted in the arrays that the kernel is given."""
+        """The model that was built; unknowns are counted in the arrays that the kernel receives."""
         unknowns = sum(array.size for array in self.system.unknowns)
         words = (self.system.words, *self.stand_in.notes, f"largest stable dt {self.limit:.4g} s")
         terms = self.system.terms | self.stand_in.terms | idle(self.stand_in.scene)
@@ -67,7 +68,7 @@ class PreparedSpheres:
 
     @functools.cached_property
     def arguments(self) -> tuple[Any, ...]:
-        """What the kernel is called with: outputs, stride, dt, the scene, the leapfrog."""
+        """The arguments of the kernel: outputs, stride, dt, the scene, the leapfrog."""
         goal, dt = self.ask.goal, self.ask.dt
         outputs = self.system.outputs(len(goal.times(dt)), self.spheres)
         state, leapfrog = self.system.state, (self.leapfrog.lag, self.leapfrog.back)
@@ -77,7 +78,7 @@ class PreparedSpheres:
 
     @functools.cached_property
     def spheres(self) -> tuple[int, ...]:
-        """The spheres observed; raises ValueError for a body that is none."""
+        """The observed spheres; raises ValueError for a body that is not a sphere."""
         return tuple(self.stand_in.scene.sphere_index(what.body) for what in self.ask.observables)
 
     def warm(self) -> None:
@@ -86,7 +87,7 @@ class PreparedSpheres:
         self._call(path[:1], energy[:1], *rest)
 
     def solve(self) -> int:
-        """Run the kernel over all steps; returns how many rows of the outputs are good.
+        """Run the kernel over all steps; return how many rows of the outputs are valid.
 
         Raises ValueError for more threads than numba may have.
         """
@@ -101,13 +102,13 @@ class PreparedSpheres:
 
     @functools.cached_property
     def _entry(self) -> Callable[..., int]:
-        """The kernel for arguments of these types."""
+        """The compiled kernel for arguments of these types."""
         from vv.engines.kernels.compiled import entry
 
         return entry(self.system.kernel(), self.arguments)
 
     def run(self, rows: int) -> Run:
-        """The Run of a solve that returned `rows`; its cost is left empty."""
+        """The Run from a solve that returned `rows`; its cost is left empty."""
         goal, dt = self.ask.goal, self.ask.dt
         path, energy = self.arguments[:2]
         whole = rows == len(path)
@@ -129,7 +130,7 @@ class PreparedSpheres:
         )
 
     def _energies(self, path: Vector, energy: Vector) -> dict[Form, Vector]:
-        """The forms asked for, (k,) each; zeros for what the scene does not have."""
+        """The requested forms of energy, (k,) each; zeros for forms that the scene lacks."""
         if not self.ask.energies:
             return {}
         terms = self.system.held(path, energy)
@@ -154,7 +155,7 @@ class PreparedSpheres:
         peak = max(put_in, float(terms[:, :3].sum(axis=1).max()))
         bound = self.system.bound(energy, self.leapfrog, self.ask.dt)
         if bound is not None:
-            # each step rounds what is held, and every sum of work that it adds to
+            # each step rounds the stored energies and every sum of work
             rounded = ROUNDINGS * peak + float(np.abs(terms).max())
             bound += rounded * EPS * (self.ask.goal.steps(self.ask.dt) + 1)
             bound = min(bound, peak)
@@ -174,10 +175,11 @@ class PreparedSpheres:
         )
 
     def _depth(self, path: Vector, terms: Vector, told: tuple[float, float]) -> tuple[float, float]:
-        """The deepest overlap [m] where most is pressed and at the end, and what is allowed.
+        """The deepest overlap [m] at the highest spring energy and at the end, and its limit.
 
-        That of one contact which holds all the energy says nothing of thousands: where it is
-        beyond what is allowed, and all that moves is watched, overlaps are looked at themselves.
+        With thousands of contacts, the overlap of one contact that holds all energy is far too high
+        an estimate. Where it exceeds the limit, and all moving spheres are observed, the actual
+        overlaps are computed.
         """
         if told[0] <= told[1]:
             return told
@@ -189,7 +191,7 @@ class PreparedSpheres:
 
 
 def prepare(ask: Ask, leapfrog: Leapfrog, threads: int = 1) -> PreparedSpheres:
-    """The program of an ask, with the smallest model its scene allows."""
+    """The ask, prepared with the smallest model that serves its scene."""
     stand_in = spring_scene(ask)
     scene, charged = stand_in.scene, stand_in.charged
     small = None if wants_all(ask) else line(scene) or pressed(scene, charged)
@@ -198,7 +200,7 @@ def prepare(ask: Ask, leapfrog: Leapfrog, threads: int = 1) -> PreparedSpheres:
 
 
 def _shared(state: Any, threads: int) -> Any:
-    """What a kernel is given, with threads for all of it that can be shared out."""
+    """The arguments of a kernel, with threads in all parts that can use them."""
     if isinstance(state, BulkState):
         return state._replace(threads=threads)
     if isinstance(state, SpaceState):
@@ -208,7 +210,7 @@ def _shared(state: Any, threads: int) -> Any:
 
 
 def solve(ask: Ask, leapfrog: Leapfrog) -> Run:
-    """Solve an ask once; refused if `refuses` says why."""
+    """Solve an ask once, or refuse it for the reason that `refuses` gives."""
     reason = refuses(ask)
     if reason is not None:
         return Run(Status.REFUSED, reason)
@@ -217,12 +219,12 @@ def solve(ask: Ask, leapfrog: Leapfrog) -> Run:
 
 
 def _audits(scene: Scene, terms: Vector) -> Iterator[tuple[str, tuple[float, float]]]:
-    """What the springs' energies (k, 2) [J] at the outputs say of friction and overlap.
+    """Checks of overlap and friction from the energies of springs (k, 2) [J] at the outputs.
 
-    The overlap is the largest there can be: that of one contact which holds all the energy. Of
-    several contacts none can be told from another, nor what a dashpot pushes, and their friction
-    is not audited. A model
-    of one unknown holds no normal spring beside its shear spring and has nothing to tell.
+    The overlap is an upper bound: that of one contact which holds all the energy. Friction is
+    checked only for one sphere on one wall without dashpots: otherwise energies do not tell contact
+    forces apart. Models with one unknown are not checked, since they have no normal spring beside
+    the tangential one.
     """
     law, normal, shear = scene.contact, terms[:, 1], terms[:, 2]
     if not law.kn > 0 or not len(scene.spheres) or scene.bonds is not None:

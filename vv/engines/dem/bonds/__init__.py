@@ -1,1 +1,1 @@
-"""Bonds between spheres: their law, their layout, and the sweep over all of them."""
+"""Bonds between spheres: their law, their arrangement in memory, and the sums of their forces."""

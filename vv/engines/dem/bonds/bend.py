@@ -1,7 +1,7 @@
-"""Computes a block of bonds at a time; parts of kernels.
+"""The forces of one block of bonds; parts of kernels.
 
-What the ends do is fetched into scratch, the bonds are computed in a loop of which a core does
-several turns at once, and their forces are handed out.
+The motion of the ends is copied to scratch, the bonds are computed in a vectorised loop, and their
+forces are added to those of the spheres.
 """
 
 from __future__ import annotations
@@ -15,17 +15,15 @@ from vv.engines.kernels.prefetch import begin_to_read
 from vv.engines.kernels.triples import NOWHERE, Triple, add_scaled, at, cross, dot, put
 from vv.scene import Vector
 
-LINE = (
-    8  # numbers in a line of the cache: WIDE of these hold all numbers but radii and what differs
-)
+LINE = 8  # numbers in a cache line: WIDE lines hold most of a block
 Like = tuple[float, float, float, float]
-MOVED, STEP, SPIN_I, SPIN_J = 0, 3, 6, 9  # places in scratch: displacements, velocities, spins
+MOVED, STEP, SPIN_I, SPIN_J = 0, 3, 6, 9  # places in scratch: motion of ends
 FORCE, TORQUE, ARMS, NORMAL, SHEARED, HIT, SCRATCH = 12, 15, 18, 20, 21, 22, 23
 
 
 @inlined
 def three(numbers: Vector, k: int, place: int, q: int) -> Triple:
-    """A vector of bond q in row k. No view of the row is made: each would be counted."""
+    """A vector of bond q in row k, without a view of the row: numba counts references to views."""
     return (
         numbers[k, place * WIDE + q],
         numbers[k, (place + 1) * WIDE + q],
@@ -35,7 +33,7 @@ def three(numbers: Vector, k: int, place: int, q: int) -> Triple:
 
 @inlined
 def note(numbers: Vector, k: int, place: int, q: int, a: Triple) -> None:
-    """Set a vector of bond q in row k."""
+    """Store a vector of bond q in row k."""
     numbers[k, place * WIDE + q] = a[0]
     numbers[k, (place + 1) * WIDE + q] = a[1]
     numbers[k, (place + 2) * WIDE + q] = a[2]
@@ -62,10 +60,10 @@ def fetch(
     v: Vector,
     w: Vector | None,
 ) -> None:
-    """How the ends of the bonds of block k move, and turn, into row c of scratch.
+    """Copy the relative motion and the spins of the ends of block k's bonds to row c of scratch.
 
-    Meanwhile, what is known of the bonds of the next block is brought into the cache, if there is
-    one: a scene of few bonds has none, and would pay a twentieth of its step for it.
+    Meanwhile the table of the next block is loaded into the cache, if there is a next block. A
+    scene with few bonds has none; the loads would cost a twentieth of its step.
     """
     goes_on = k + 1 < len(table)
     for q in range(many):
@@ -93,10 +91,10 @@ def bend(
     frail: Frail | None,
     state: State,
 ) -> int:
-    """Forces on the first ends of the bonds of block k, their energies, and how many break.
+    """Compute the forces and energies of the bonds in block k; return how many bonds break.
 
-    No branch, no call and no sum of floats: each turn of the loop is on its own, so that several
-    are computed at once. A bond that breaks or is broken has no force.
+    The forces are those on the first ends. The loop has no branch, no call and no sum of floats, so
+    that it is vectorised. A bond that breaks or is broken has no force.
     """
     breaking = 0
     for q in range(many):
@@ -148,7 +146,10 @@ def hand_out(
     ks: Vector | None,
     w: Vector | None,
 ) -> tuple[float, float]:
-    """Add the forces of block k to push and turn, from row `base` on; return both energies [J]."""
+    """Add the forces of block k to push and turn, from row `base` on; return both energies [J].
+
+    The energies are those of normal and of shear springs.
+    """
     normal = sheared = 0.0
     for q in range(many):
         i, j = base + ends[k, q], base + ends[k, WIDE + q]

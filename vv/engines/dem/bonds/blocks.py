@@ -1,4 +1,4 @@
-"""Lays the bonds of a scene out in blocks, of which a kernel computes several bonds at a time."""
+"""Arranges the bonds of a scene in blocks; a kernel computes a block in one vectorised loop."""
 
 from __future__ import annotations
 
@@ -19,17 +19,19 @@ Numbers = npt.NDArray[Any]
 
 WIDE = 64  # bonds in a block
 OFFSET, SLIP, FIRST, STRAINED, RADII, KN, KS, TENSION, SHEAR = 0, 3, 6, 7, 8, 10, 11, 12, 13
-"""Where a block has a number of each of its bonds: vectors and radii take three places and two."""
-LIKE, ALL = KN, SHEAR + 1  # places, where all bonds have the same stiffnesses and strengths or not
-CHUNKS, LEAST = 8, 16  # into which bonds are shared out, and blocks in a chunk, at least
+"""Places of the numbers of each bond in a block: a vector takes three places, the radii two."""
+LIKE, ALL = KN, SHEAR + 1  # places in a block: if bonds are alike, if they differ
+CHUNKS, LEAST = 8, 16  # most chunks; fewest blocks in a chunk
 
 
 class Blocks(NamedTuple):
-    """ends: rows of both spheres (k, 2 WIDE); table: numbers of the bonds (k, places x WIDE).
+    """The bonds of a scene in k blocks, which are divided among c chunks.
 
-    like: kn, ks, tension and shear of all bonds, and None if they differ or none has shear springs;
-    share: the blocks of chunk c go from share[c] to share[c + 1]; window: (c, 2) the first row it
-    acts on, and the one after the last, but for the ground's. The shares depend on the scene alone.
+    ends: rows of both spheres (k, 2 WIDE); table: numbers of the bonds (k, places x WIDE); like:
+    kn, ks, tension and shear strength common to all bonds, None if they differ or ks is zero;
+    share: chunk c has the blocks share[c] to share[c + 1] (exclusive); window: (c, 2) the rows that
+    chunk c acts on, from the first to the last (exclusive), without the ground's. The chunks depend
+    on the scene alone.
     """
 
     ends: Ends
@@ -40,9 +42,9 @@ class Blocks(NamedTuple):
 
 
 def blocks(springs: Springs, own: Vector, ground: int) -> Blocks:
-    """Lay out springs (`law.py`); own: (4, b) kn, ks, tension and shear of each bond."""
+    """The blocks of springs (`law.py`); own: (4, b) kn, ks and both strengths of each bond."""
     rows, offset, first, strained, _, radius = springs
-    # Without shear springs one stiffness is read, which is no gain over that of the bond itself.
+    # Without shear springs only kn is read: a common value is no faster than that of each bond.
     alike = bool(own[1].any() and (own == own[:, :1]).all())
     numbers = np.zeros((LIKE if alike else ALL, len(rows)))
     numbers[OFFSET:SLIP], numbers[FIRST], numbers[STRAINED] = offset.T, first, strained
@@ -59,7 +61,7 @@ def blocks(springs: Springs, own: Vector, ground: int) -> Blocks:
 
 
 def _blocked(numbers: Numbers) -> Numbers:
-    """(places, b) as (k, places x WIDE); the last block is filled up with zeros."""
+    """The array (places, b) as (k, places x WIDE); the last block is padded with zeros."""
     places, many = numbers.shape
     count = -(-many // WIDE)
     whole = np.zeros((places, count * WIDE), numbers.dtype)

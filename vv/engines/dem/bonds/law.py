@@ -1,4 +1,4 @@
-"""The springs of one bond, and how it goes over into contact where it breaks; parts of kernels."""
+"""The springs of one bond, and its transition to a contact when it breaks; parts of kernels."""
 
 from __future__ import annotations
 
@@ -18,10 +18,11 @@ Frail = tuple[Vector, Vector, float, Index]
 def stretched(
     r: Triple, moved: Triple, first: float, strained: float
 ) -> tuple[Triple, Triple, float, float]:
-    """A bond whose ends were at the offset r [m] and moved apart: offset, normal, length, stretch.
+    """The offset of the ends of a bond [m], its normal, length and stretch; r: the offset at t = 0.
 
-    first, strained: length and stretch at t = 0 [m]. A stretch is its first value plus what the
-    displacements add, so that small strains keep their digits.
+    moved: the relative displacement of the ends [m]; first, strained: length and stretch at t = 0
+    [m]. The stretch is that at t = 0 plus a change without cancellation, so that small strains are
+    precise.
     """
     now = add_scaled(r, 1.0, moved)
     length = math.sqrt(dot(now, now))
@@ -31,7 +32,7 @@ def stretched(
 
 @inlined
 def arms(first: float, second: float, length: float) -> tuple[float, float]:
-    """How far from either centre the surfaces of a pair meet [m]: halfway between or within."""
+    """The distances [m] from both centres to the point midway between (or within) the surfaces."""
     beyond = 0.5 * (length - first - second)
     return first + beyond, second + beyond
 
@@ -40,26 +41,27 @@ def arms(first: float, second: float, length: float) -> tuple[float, float]:
 def rolled(
     step: Triple, half: Triple, dt: float, a: Triple, b: Triple, first: float, second: float
 ) -> tuple[Triple, float]:
-    """How the surfaces of spheres of spins a and b moved apart [m], and the bond's twist [rad].
+    """The relative displacement [m] of the surfaces of two spheres in a step, and the twist [rad].
 
-    step: how the centres did; half: the bond at the middle of the step; first, second: radii [m].
+    step: the relative displacement of the centres [m]; half: the bond vector at the middle of the
+    step; a, b: the spins [1/s]; first, second: radii [m].
     """
     halfway = math.sqrt(dot(half, half))
     arm_i, arm_j = arms(first, second, halfway)
     middle = add_scaled(NOWHERE, 1.0 / halfway, half)
     m = add_scaled(step, -dt, cross(add_scaled(add_scaled(NOWHERE, arm_i, a), arm_j, b), middle))
     twist = 0.5 * dt * dot(add_scaled(a, 1.0, b), middle)
-    return add_scaled(m, -0.5 * twist, cross(middle, m)), twist  # it turns for half the step only
+    return add_scaled(m, -0.5 * twist, cross(middle, m)), twist  # half the twist acts on average
 
 
 @inlined
 def charged(s: Triple, m: Triple, half: Triple) -> Triple:
-    """The displacement across a bond after a step in which its ends moved apart by m.
+    """The shear displacement s of a bond after a step in which its ends moved apart by m [m].
 
-    half: the bond at the middle of the step. What there was is mirrored in the plane across it,
-    which turns it with the bond and keeps its length; what is added is the part of m in that
-    plane, which makes it the integral of L times the angle. What little of m is left along the
-    bond changes sign with the next mirror and does not gather.
+    half: the bond vector at the middle of the step. The old s is reflected at the plane normal to
+    it, which rotates it with the bond and keeps its length. The part of m in that plane is added,
+    so that s is the integral of L times the angle. A small remainder of m along the bond changes
+    sign with the next reflection and does not accumulate.
     """
     share = dot(half, add_scaled(m, 2.0, s)) / dot(half, half)
     return add_scaled(add_scaled(s, 1.0, m), -share, half)
@@ -67,16 +69,16 @@ def charged(s: Triple, m: Triple, half: Triple) -> Triple:
 
 @inlined
 def beyond(along: float, across: Triple, tension: float, shear: float, mu: float) -> bool:
-    """Whether a bond breaks: its pull exceeds `tension`, or what is across it, shear - mu pull."""
+    """Whether a bond breaks: its pull exceeds `tension`, or its shear force shear - mu times it."""
     most = shear - mu * along
     return (along > tension) | (most < 0.0) | (dot(across, across) > most * most)
 
 
 @inlined
 def kept(along: float, across: Triple, mu: float) -> tuple[float, float]:
-    """What stays of a bond that breaks: its push [N], and the share of the force across it.
+    """The normal force [N] that a breaking bond keeps, and the fraction of the shear force.
 
-    It is what a contact may have: no tension, and shear up to mu Fn.
+    They are those that a contact allows: no tension, and a shear force of at most mu Fn.
     """
     pressed, force = min(along, 0.0), math.sqrt(dot(across, across))
     return pressed, (-mu * pressed / force if force > -mu * pressed else 1.0)
@@ -86,7 +88,10 @@ def kept(along: float, across: Triple, mu: float) -> tuple[float, float]:
 def listed(
     p: int, across: Triple, springs: Springs, frail: Frail, slots: Slots, many: Index
 ) -> None:
-    """Put the spheres of bond p among the contacts (space/neighbours.py); across: their shear."""
+    """Add the spheres of bond p to the contacts in slots (space/neighbours.py).
+
+    across: the shear force [N] on the first sphere.
+    """
     rows, offset, first, _, _, radius = springs
     k = many[0]
     many[0] = k + 1

@@ -1,4 +1,4 @@
-"""The bonds of a scene as arrays for the kernel, and the spheres that may come to touch."""
+"""The bonds of a scene as arrays for the kernel, and the data of its neighbour search."""
 
 from __future__ import annotations
 
@@ -14,12 +14,12 @@ from vv.scene import Mask, Scene, Term, Vector
 if TYPE_CHECKING:
     from vv.engines.dem.bonds.law import Frail, Springs
 
-MANY = 64  # spheres, from which on pairs are gathered from those near each other
-SKIN = 0.2  # of the smallest radius: a gap below which pairs are near each other
+MANY = 64  # from so many spheres on, pairs are found by a neighbour search
+SKIN = 0.2  # relative to the smallest radius: pairs with a smaller gap are near each other
 
 
 class Bonded(NamedTuple):
-    """What `vv.engines.dem.bonds.pull.pull` takes by these names; None where there is nothing."""
+    """The arguments of `vv.engines.dem.bonds.pull.pull` of these names; None without bonds."""
 
     springs: Springs | None = None
     ks: Vector | None = None
@@ -29,7 +29,7 @@ class Bonded(NamedTuple):
 
 
 def bonded(scene: Scene, moves: Mask, row: Index) -> Bonded:
-    """The bonds of which one end moves, in the order of `_held`."""
+    """The arrays of all bonds with at least one moving end, in the order of `_held`."""
     bonds, spheres, (pairs, order) = scene.bonds, scene.spheres, _held(scene, moves)
     if bonds is None or not len(pairs):
         return Bonded()
@@ -45,10 +45,10 @@ def bonded(scene: Scene, moves: Mask, row: Index) -> Bonded:
 
 
 def near(scene: Scene, moves: Mask, row: Index, state: State) -> Near | None:
-    """What `vv.engines.dem.space.neighbours.swept` finds the pairs in that may touch.
+    """The data of the neighbour search, or None if it is not needed.
 
-    state: of the bonds (`vv.engines.dem.bonds.sweep`). None if none may, or if few spheres
-    without bonds let all pairs be listed.
+    It is not needed where no spheres can touch, or where there are few spheres and no bonds, so
+    that all pairs are listed once. state: of the bonds (`vv.engines.dem.bonds.sweep`).
     """
     spheres = scene.spheres
     if Term.SPHERE_CONTACT not in scene.terms():
@@ -62,7 +62,7 @@ def near(scene: Scene, moves: Mask, row: Index, state: State) -> Near | None:
 
 
 def _held(scene: Scene, moves: Mask) -> tuple[Index, Index]:
-    """The bonded pairs i < j (b, 2) of which one moves, sorted, and which bonds these are (b,)."""
+    """The bonded pairs i < j (b, 2) with a moving sphere, sorted, and their bonds (b,)."""
     pairs = np.sort(scene.bonded_pairs, axis=1)
     order = np.lexsort((pairs[:, 1], pairs[:, 0]))
     order = order[moves[pairs[order]].any(axis=1)]

@@ -1,4 +1,4 @@
-"""Adds up what all bonds do, and parts those that break; parts of kernels."""
+"""The sum of the forces of all bonds, and the breaking of bonds; parts of kernels."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ Shares = tuple[Vector, Vector, Vector, Vector]
 
 @inlined_called
 def shares(chunks: int, rows: int) -> Shares:
-    """What chunks have for themselves: push and turn (c x rows, 3), scratch, and (c, 3) sums."""
+    """Arrays for each chunk: forces and torques (c x rows, 3), scratch, and sums (c, 3)."""
     push, turn = np.zeros((chunks * rows, 3)), np.zeros((chunks * rows, 3))
     return push, turn, np.zeros((chunks, SCRATCH * WIDE)), np.zeros((chunks, 3))
 
@@ -42,11 +42,11 @@ def part(
     many: Index,
     lost: Vector,
 ) -> tuple[float, float]:
-    """Put bond p among the contacts and add what stays of its force; return its energies [J].
+    """Turn bond p into a contact with the force that remains; return the energies that remain [J].
 
-    The trapezoidal rule by which all is booked makes the force the mean of that at the two ends
-    of the step, so that the bond parts in the middle: `lost` (2,) [J] is what its springs held
-    then, less what stays.
+    Work is summed by the trapezoidal rule, which takes the mean of the forces at both ends of the
+    step: the bond thus breaks in the middle of the step. The energy of its springs there, minus
+    what remains, is added to `lost` (2,) [J].
     """
     rows, offset, first, strained, kn, radius = springs
     i, j = rows[p, 0], rows[p, 1]
@@ -79,7 +79,7 @@ def part(
 
 @inlined
 def added(push: Vector, pushes: Vector, window: Index, chunks: int) -> None:
-    """Add up what the chunks push, in their order."""
+    """Add the forces of all chunks to push, in the order of chunks."""
     rows = len(pushes) // chunks
     for c in range(chunks):
         for i in range(window[c, 0], window[c, 1]):
@@ -103,9 +103,10 @@ def parted(
     many: Index,
     lost: Vector,
 ) -> tuple[float, float]:
-    """Part all bonds that break; return their energies [J].
+    """Break all bonds marked as breaking; return the energies that remain [J].
 
-    slots: the pairs of bonds that have parted are among the first many[0] (space/neighbours.py).
+    The pairs of broken bonds become contacts in slots, of which the first many[0] are in use
+    (space/neighbours.py).
     """
     normal = sheared = 0.0
     for p in range(len(springs[0])):
@@ -133,14 +134,14 @@ def pull(
     state: State,
     threads: int | None,
 ) -> Triple:
-    """Add the forces of all bonds to push and turn; return energies [J], and how many break.
+    """Add the forces of all bonds to push and turn; return their energies [J] and how many break.
 
-    The energies are those of normal and of shear springs. Those that break are for `parted`, which
-    kernels call themselves: within this function it would have every array counted, each time.
+    The energies are those of normal and of shear springs. Kernels call `parted` for those that
+    break: a call from here would have numba count references to all its arrays in every step.
 
-    springs: rows (b, 2), first offset (b, 3) and its length (b,), stretch at t = 0 (b,), kn (b,),
-    radii (b, 2). table: that of blocks, where the displacements of the surfaces across each bond
-    go on; they turn with it and, where spheres spin, about it by the mean of their spins. frail:
+    springs: rows (b, 2), offset at t = 0 (b, 3) and its length (b,), stretch at t = 0 (b,), kn
+    (b,), radii (b, 2). table: that of blocks, in which the shear displacements are updated; they
+    rotate with the bond and, where spheres rotate, about it by the mean of their spins. frail:
     tension and shear strengths (b,), mu, and the spheres i < j (b, 2); state: see `sweep`.
     """
     ends, like, share, window = blocks[0], blocks[2], blocks[3], blocks[4]

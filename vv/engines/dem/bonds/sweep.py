@@ -1,7 +1,7 @@
 """The forces of all bonds, chunk by chunk; parts of kernels.
 
-Each chunk of blocks has forces of its own, which are added up in order: the same numbers come out
-however many threads share the chunks.
+Each chunk has its own array of forces; these are added in a fixed order, so that results do not
+depend on the number of threads.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from vv.engines.kernels.compiled import lent
 from vv.engines.kernels.triples import NOWHERE, put
 from vv.scene import Vector
 
-BROKEN, BREAKS = 1, 2  # states of a bond; it breaks in the step that is computed
+BROKEN, BREAKS = 1, 2  # states of a bond: broken before, or breaking in this step
 
 
 @lent
@@ -43,13 +43,14 @@ def sweep(
     frail: Frail | None,
     state: State,
 ) -> None:
-    """Set what the bonds of chunk c do, in its window of rows.
+    """Compute the forces of the bonds in chunk c, in the rows of its window.
 
     push, turn: forces and torques (chunks x rows, 3); scratch: a row for each chunk; held: (c, 3)
-    normal and shear energies [J], and how many bonds break. many: of all bonds; state: (k, WIDE)
-    0 for a whole bond, BROKEN, or BREAKS if it does so now. All else is as in `Blocks`.
+    normal and shear energies [J], and how many bonds break; many: how many bonds there are in all;
+    state: (k, WIDE) 0 for a whole bond, BROKEN or BREAKS. The other arguments are those of `Blocks`
+    and `pull`.
     """
-    base: Any = np.uint64(c * (len(push) // len(held)))  # which numba does not take for negative
+    base: Any = np.uint64(c * (len(push) // len(held)))  # unsigned: numba tests signs
     for i in range(base + np.uint64(window[c, 0]), base + np.uint64(window[c, 1])):
         put(push, i, NOWHERE)
         if w is not None:
@@ -89,7 +90,7 @@ def sweep_all(
     frail: Frail | None,
     state: State,
 ) -> None:
-    """`sweep` of all chunks in turn."""
+    """Compute the forces of all chunks in turn, by `sweep`."""
     for c in range(len(held)):
         sweep(
             push, turn, scratch, held, c, u, v, w, dt,

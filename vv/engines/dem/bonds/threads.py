@@ -1,4 +1,4 @@
-"""Shares the chunks of bonds out to threads; compiled only where threads are asked for."""
+"""Divides the chunks of bonds among threads; compiled only where threads are requested."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ def sweep_shared(
     frail: Frail | None,
     state: State,
 ) -> None:
-    """`sweep` of all chunks by as many threads as numba was told to use."""
+    """Compute the forces of all chunks by `sweep`, in as many threads as numba is set to."""
     for c in numba.prange(len(held)):
         sweep(
             push, turn, scratch, held, c, u, v, w, dt,

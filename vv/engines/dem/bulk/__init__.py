@@ -1,1 +1,1 @@
-"""Many free spheres and walls at rest, kept cell by cell so that steps read memory in order."""
+"""Many free spheres and walls at rest, sorted by cells so that steps read memory in order."""

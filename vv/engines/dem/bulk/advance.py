@@ -1,4 +1,4 @@
-"""How a step carries the spheres of the bulk model on, inlined into its kernel."""
+"""The update of velocities and positions in the bulk model, inlined into its kernel."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ from vv.scene import Vector
 
 @lent
 def drift(grains: Grains, dt: float) -> float:
-    """Displace all spheres by a step; return how far one has gone since neighbours were sought."""
+    """Displace all spheres by a step; return the largest distance from `since` [m]."""
     row, since, far = grains.row, grains.since, 0.0
     for i in range(len(since)):
         x = add_scaled(at(row, i), dt, part(row, i, V))
@@ -38,7 +38,7 @@ def drift(grains: Grains, dt: float) -> float:
 
 @lent
 def weigh(grains: Grains, gravity: Triple) -> None:
-    """Set the force on each sphere to its weight, and the torque to none."""
+    """Set the force on each sphere to its weight, and the torque to zero."""
     acting, mass = grains.acting, grains.mass
     for i in range(len(mass)):
         put(acting, i, add_scaled(NOWHERE, moves(mass[i]), gravity))
@@ -47,9 +47,9 @@ def weigh(grains: Grains, gravity: Triple) -> None:
 
 @lent
 def place(grains: Grains, velocity: Vector, time: float, drag: Drag) -> float:
-    """Set velocities to those at `time` [s] before t = 0; return sum m v v/2 [J] at 0.
+    """Set velocities to those `time` [s] before t = 0; return sum m v v/2 [J] at t = 0.
 
-    velocity: (n, 3) at t = 0, of the spheres in the order of the scene.
+    velocity: (n, 3) at t = 0, in the order of the scene.
     """
     row, kinetic = grains.row, 0.0
     for i in range(len(grains.mass)):
@@ -63,7 +63,7 @@ def place(grains: Grains, velocity: Vector, time: float, drag: Drag) -> float:
 
 @lent
 def place_spins(grains: Grains, spin: Vector | None, time: float) -> float:
-    """As `place`, of spins (n, 3) at t = 0, if any sphere turns."""
+    """As `place`, for spins (n, 3) at t = 0; zero if no sphere rotates."""
     row, turning = grains.row, 0.0
     if spin is not None:
         for i in range(len(grains.mass)):
@@ -82,30 +82,30 @@ def taken(drag: Drag, lag: float, old: Triple, new: Triple) -> tuple[float, floa
 
 
 @lent
-def kick(crowd: Crowd, c: int, first: int, last: int, way: float) -> None:
-    """Carry velocities and spins of spheres first to last to half a step after now.
+def kick(crowd: Crowd, c: int, first: int, last: int, span: float) -> None:
+    """Update velocities and spins of spheres first to last to half a step after the present time.
 
-    Then displace them as in a time `way` [s], which is the next step or nothing, and set forces to
-    their weight: one look at each for all of it. Adds to row c of sums m v- v+/2 + I w- w+/2 [J]
-    and the powers [W] before and after now of drag, and keeps there the square of the farthest
-    way since neighbours were sought [m^2].
+    Then displace them by a time `span` [s], a step or zero, and set forces to their weight; all of
+    this in one pass over memory. Adds to row c of sums: m v- v+/2 + I w- w+/2 [J], and the powers
+    of drag [W] before and after. Also updates there the square of the largest distance since the
+    last neighbour search [m^2].
     """
     drag = crowd.rules.drag
-    if drag.eta == 0.0:  # asked once: to ask it of each sphere takes a twentieth of a step
-        carry(crowd, c, first, last, way, None)
+    if drag.eta == 0.0:  # tested once: testing it for each sphere takes a twentieth of a step
+        carry(crowd, c, first, last, span, None)
     else:
-        carry(crowd, c, first, last, way, drag)
+        carry(crowd, c, first, last, span, drag)
 
 
 @lent
-def carry(crowd: Crowd, c: int, first: int, last: int, way: float, drag: Drag | None) -> None:
-    """As `kick`, where there is a drag or None."""
+def carry(crowd: Crowd, c: int, first: int, last: int, span: float, drag: Drag | None) -> None:
+    """As `kick`, with drag, or without if it is None."""
     grains, rules, sums = crowd.grains, crowd.rules, crowd.work.sums
     row, acting, mass, inertia = grains.row, grains.acting, grains.mass, grains.inertia
     dt, lag, gravity, turns = rules.dt, rules.lag, rules.gravity, rules.spin
     since, far, kinetic, behind, ahead = grains.since, sums[c, FAR], 0.0, 0.0, 0.0
     for i in range(first, last):
-        if mass[i] == math.inf:  # held: what pushes it is forgotten
+        if mass[i] == math.inf:  # fixed: forces on it are discarded
             put(acting, i, NOWHERE)
             put_part(acting, i, TURN, NOWHERE)
             continue
@@ -126,7 +126,7 @@ def carry(crowd: Crowd, c: int, first: int, last: int, way: float, drag: Drag | 
             kinetic += 0.5 * inertia[i] * dot(spun, spins)
             put_part(acting, i, TURN, NOWHERE)
         put(acting, i, add_scaled(NOWHERE, mass[i], gravity))
-        x = add_scaled(at(row, i), way, new)
+        x = add_scaled(at(row, i), span, new)
         put(row, i, x)
         moved = add_scaled(x, -1.0, at(since, i))
         far = max(far, dot(moved, moved))
@@ -138,7 +138,7 @@ def carry(crowd: Crowd, c: int, first: int, last: int, way: float, drag: Drag | 
 
 @lent
 def moving_energy(grains: Grains, spin: Vector | None) -> float:
-    """m v+^2/2 and I w+^2/2 [J]."""
+    """The kinetic energy after the kick, m v+^2/2 and I w+^2/2 [J]."""
     row, fast = grains.row, 0.0
     for i in range(len(grains.mass)):
         v, w = part(row, i, V), part(row, i, W)

@@ -1,4 +1,7 @@
-"""Shares out the spheres of the bulk model: to batches computed at once, and to chunks of these."""
+"""Divides the spheres of the bulk model into batches, and the batches into chunks.
+
+A batch is computed in one vectorised loop; a chunk may be computed by a thread.
+"""
 
 from __future__ import annotations
 
@@ -13,19 +16,19 @@ from vv.engines.kernels.bundles import bundle
 from vv.engines.kernels.compiled import called, lent
 from vv.scene import Vector
 
-CHUNKS, LEAST = 8, 1000  # at most; spheres in a chunk, at least
-PLACES = 33  # numbers of a contact in scratch (`press.py`)
+CHUNKS, LEAST = 8, 1000  # most chunks; fewest spheres in a chunk
+PLACES = 33  # how many numbers a contact has in scratch (`press.py`)
 NORMAL, SPRUNG, LOST, KINETIC, BEHIND, AHEAD, FAR, SUMS = 0, 1, 2, 3, 4, 5, 6, 8
 
 
 @bundle
 class Batches(NamedTuple):
-    """Batch b has spheres first[b] to first[b + 1], which list about as many pairs as fill scratch.
+    """Batch b has the spheres first[b] to first[b + 1] (exclusive), with about WIDE pairs listed.
 
-    share (c + 1,): the batches of a chunk. head (c,): the sphere after the last of a chunk that
-    spheres of the chunk before list: all before it are pushed from both. Both depend on where the
-    spheres are, not on who computes them. scratch (c, PLACES x WIDE), ends (c, 4 WIDE): the
-    spheres and slots of the pairs computed, and which slip; sums (c, SUMS).
+    share (c + 1,): chunk c has the batches share[c] to share[c + 1] (exclusive). head (c,): the
+    spheres of chunk c before head[c] also get forces from the chunk before. Both depend on the
+    positions of the spheres, not on threads. scratch (c, PLACES x WIDE), ends (c, 4 WIDE): the
+    spheres and slots of the computed pairs, and which pairs slip; sums (c, SUMS).
     """
 
     first: Short
@@ -38,7 +41,7 @@ class Batches(NamedTuple):
 
 @called
 def batches(pairs: Near) -> Batches:
-    """Batches and chunks of the spheres of a list of pairs."""
+    """The batches and chunks for a list of pairs."""
     start, n = pairs.start, len(pairs.start) - 1
     first, many = np.zeros(n + 1, np.uint32), 0
     for i in range(n):
@@ -64,7 +67,7 @@ def batches(pairs: Near) -> Batches:
 
 @called
 def shared_out(pairs: Near, first: Short, many: int, chunks: int) -> tuple[Short, Short]:
-    """share and head of so many batches in so many chunks."""
+    """The arrays share and head for `many` batches in `chunks` chunks."""
     share, head = np.zeros(chunks + 1, np.uint32), np.zeros(chunks, np.uint32)
     for c in range(chunks):
         share[c + 1] = (c + 1) * many // chunks
@@ -78,7 +81,7 @@ def shared_out(pairs: Near, first: Short, many: int, chunks: int) -> tuple[Short
 
 @called
 def overreach(pairs: Near, first: Short, many: int, chunks: int) -> bool:
-    """Whether some sphere lists one that lies beyond the next chunk."""
+    """Whether some sphere lists a sphere beyond the next chunk."""
     share, head = shared_out(pairs, first, many, chunks)
     found = False
     for c in range(1, chunks):
@@ -88,7 +91,7 @@ def overreach(pairs: Near, first: Short, many: int, chunks: int) -> bool:
 
 @lent
 def reset(sums: Vector) -> None:
-    """Nothing summed up yet."""
+    """Set all sums to zero."""
     for c in range(len(sums)):
         for k in range(SUMS):
             sums[c, k] = 0.0
@@ -96,7 +99,7 @@ def reset(sums: Vector) -> None:
 
 @lent
 def total(sums: Vector, which: int) -> float:
-    """A sum over all chunks, in their order."""
+    """A sum over all chunks, added in their order."""
     whole = 0.0
     for c in range(len(sums)):
         whole += sums[c, which]
@@ -105,7 +108,7 @@ def total(sums: Vector, which: int) -> float:
 
 @lent
 def farthest(sums: Vector) -> float:
-    """The largest of FAR in all chunks."""
+    """The largest FAR of all chunks."""
     far = 0.0
     for c in range(len(sums)):
         far = max(far, sums[c, FAR])

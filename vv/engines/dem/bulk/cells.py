@@ -1,4 +1,4 @@
-"""Sorts the spheres of the bulk model by the cells they lie in."""
+"""Sorts the spheres of the bulk model by the cells in which they lie."""
 
 from __future__ import annotations
 
@@ -12,14 +12,14 @@ from vv.engines.kernels.compiled import called
 from vv.engines.kernels.triples import Triple, at, put
 from vv.scene import Vector
 
-WIDER = 1.25  # by how much cells grow until there are few enough of them
+WIDER = 1.25  # factor by which cells grow until there are few enough
 
 
 @bundle
 class Cells(NamedTuple):
-    """nx by ny by nz cells, x the fastest: spheres begin[c] to begin[c + 1] lie in cell c.
+    """nx by ny by nz cells, x fastest: cell c has spheres begin[c] to begin[c + 1] (exclusive).
 
-    place (n,): the new number of each sphere, by the old one.
+    place (n,): the new number of each sphere, by its old number.
     """
 
     nx: int
@@ -31,7 +31,7 @@ class Cells(NamedTuple):
 
 @called
 def cells(grains: Grains, edge: float) -> Cells:
-    """Sort spheres into cells at least `edge` [m] wide, but not many more of them than spheres."""
+    """Sort spheres into cells at least `edge` [m] wide, but not many more cells than spheres."""
     row, n = grains.row, len(grains.mass)
     low, high = corners(row, n)
     nx, ny, nz = divided(low, high, edge)
@@ -71,7 +71,7 @@ def corners(row: Vector, n: int) -> tuple[Triple, Triple]:
 
 @called
 def divided(low: Triple, high: Triple, edge: float) -> tuple[int, int, int]:
-    """How many cells at least `edge` [m] wide there are along each axis."""
+    """The numbers of cells along the axes, each at least `edge` [m] wide."""
     return (
         max(1, int((high[0] - low[0]) / edge)),
         max(1, int((high[1] - low[1]) / edge)),
@@ -81,7 +81,7 @@ def divided(low: Triple, high: Triple, edge: float) -> tuple[int, int, int]:
 
 @called
 def reorder(grains: Grains, place: Short) -> None:
-    """Give each sphere its new number; note where it is."""
+    """Renumber the spheres, and store their positions in `since`."""
     row, mass, inertia, original = grains.row, grains.mass, grains.inertia, grains.original
     n = len(place)
     rows, others, numbers = np.empty((n, WIDE)), np.empty((n, 2)), np.empty(n, np.uint32)

@@ -1,4 +1,4 @@
-"""All that a step of the bulk model is computed from, as its kernels pass it on."""
+"""The data of the bulk model that its kernels pass on, in two bundles."""
 
 from __future__ import annotations
 
@@ -16,11 +16,11 @@ from vv.scene import Vector
 
 @bundle
 class Rules(NamedTuple):
-    """What is the same in all steps.
+    """The data that are the same in all steps.
 
-    walls (w, 4): outward normals and how far they lie along them [m]. friction: that of the law,
-    viscous: eta_n of contacts [N s/m], spin: those at t = 0, each None where a scene has none.
-    lag: the part of drag that the velocity before a kick makes.
+    walls (w, 4): outward normals, and their distances from the origin [m]. friction: of the law;
+    viscous: eta_n of contacts [N s/m]; spin: at t = 0; each of these is None if the scene lacks it.
+    lag: the weight of the velocity before the kick in the drag.
     """
 
     walls: Vector
@@ -36,7 +36,7 @@ class Rules(NamedTuple):
 
 @bundle
 class Crowd(NamedTuple):
-    """The spheres, the pairs and walls that may touch, and what is made anew with these lists."""
+    """The spheres, the pairs and walls near them, and the batches, made anew by every search."""
 
     grains: Grains
     pairs: Near

@@ -1,4 +1,4 @@
-"""The spheres of the bulk model as rows of numbers, in the order of the cells they lie in."""
+"""The spheres of the bulk model as rows of numbers, sorted by cells."""
 
 from __future__ import annotations
 
@@ -19,8 +19,10 @@ TURN, ACTS = 3, 8
 
 
 class Given(NamedTuple):
-    """The n spheres at t = 0: position, velocity (n, 3), spin (n, 3) or None if none turns, radius,
-    mass, inertia (n,); mass and inertia of a sphere that is held are inf."""
+    """The n spheres at t = 0: position, velocity (n, 3), spin (n, 3), radius, mass, inertia (n,).
+
+    spin is None if none rotates; mass and inertia of fixed spheres are inf.
+    """
 
     position: Vector
     velocity: Vector
@@ -32,13 +34,13 @@ class Given(NamedTuple):
 
 @bundle
 class Grains(NamedTuple):
-    """n spheres in an order that changes, and a row for the ground, which does not move.
+    """n spheres in an order that changes, and a row for the ground, which is at rest.
 
-    row (n + 1, 16): position [m], radius [m], mean velocity of the step that ended [m/s], its spin
-    [1/s], and both of the step before it. acting (2 n + 2, 8): force [N] and torque
-    [N m] on each, two numbers that nobody needs, and rows for what is put aside until a chunk ends.
-    mass, inertia (n,), inf of what is held; original (n,): which sphere of the scene each is;
-    since (n, 3): where they were when neighbours were sought.
+    row (n + 1, 16): position [m], radius [m], mean velocity [m/s] and spin [1/s] of the last step,
+    and those of the step before it. acting (2 n + 2, 8): force [N] and torque [N m] on each, two
+    unused numbers, and as many spare rows for forces from other chunks. mass, inertia (n,), inf for
+    fixed spheres; original (n,): their numbers in the scene; since (n, 3): positions at the last
+    neighbour search.
     """
 
     row: Vector
@@ -51,7 +53,7 @@ class Grains(NamedTuple):
 
 @inlined_called
 def grains(given: Given) -> Grains:
-    """The spheres before anything has moved, in the scene's order."""
+    """The spheres at t = 0, in the order of the scene."""
     n = len(given.mass)
     row, since, original = np.zeros((n + 1, WIDE)), np.zeros((n, 3)), np.empty(n, np.uint32)
     for i in range(n):
@@ -64,7 +66,7 @@ def grains(given: Given) -> Grains:
 
 @inlined
 def moves(mass: float) -> float:
-    """The mass [kg] that falls and has energy of motion, or the inertia: none of what is held."""
+    """The mass [kg], or inertia, that has weight and kinetic energy: zero for fixed spheres."""
     return mass if mass < np.inf else 0.0
 
 

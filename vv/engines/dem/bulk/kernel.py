@@ -1,4 +1,4 @@
-"""The compiled kernel for many free spheres and walls at rest: the leapfrog over all contacts."""
+"""The compiled kernel for many free spheres and walls at rest: the leapfrog with all contacts."""
 
 from __future__ import annotations
 
@@ -53,11 +53,12 @@ def move_in_bulk(  # noqa: PLR0915 - one loop, whose parts share all its variabl
     lag: float,
     back: float,
 ) -> int:
-    """As `vv.engines.dem.space.kernel.move_in_space`, which says what the arguments mean.
+    """Integrate the motion of many spheres; the arguments are those of `move_in_space`.
 
-    walls (w, 4): outward normals and how far they lie along them [m]; friction: that of the law;
-    threads: None for one core. Every `stride` steps a line is written of path (k, b, 6 or 9) and
-    energy (k, 7).
+    walls (w, 4): outward normals, and their distances from the origin [m]; friction: that of the
+    law; dashpot: kn [N/m] and eta_n [N s/m]; threads: None for one core. Every `stride` steps a
+    line is written of path (k, b, 6 or 9) and energy (k, 7). It is one function since all parts of
+    a step share its variables.
     """
     bulk, spin, n, rubs = grains(given), given.spin, len(given.mass), friction is not None
     viscous = None if dashpot is None else dashpot[1]
@@ -102,15 +103,15 @@ def move_in_bulk(  # noqa: PLR0915 - one loop, whose parts share all its variabl
                 weigh(bulk, gravity)
                 if dashpot is not None:
                     met = room_to_meet(len(pairs.other) + len(edges.other))
-            told = step + 1 == stride
-            way = 0.0 if told else dt
+            with_energy = step + 1 == stride
+            span = 0.0 if with_energy else dt
             if dashpot is None:
-                step_all(crowd, told, way, threads)
+                step_all(crowd, with_energy, span, threads)
             else:
-                push_all(crowd, told, threads)
+                push_all(crowd, with_energy, threads)
                 used = meet(bulk, pairs, edges, walls, met, dashpot, dt)
                 slowed = slow(bulk, met, used, new, dt, drag, lag)
-                kick(crowd, 0, 0, n, way)
+                kick(crowd, 0, 0, n, span)
             sums = crowd.work.sums
             far = math.sqrt(farthest(sums))
             slipped += total(sums, LOST)

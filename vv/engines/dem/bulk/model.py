@@ -1,4 +1,4 @@
-"""Builds the bulk model: many spheres, free to move and to turn or held, and walls at rest."""
+"""Builds the bulk model: many spheres, each free or fixed, and walls at rest."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ HAS = frozenset(
 
 
 class BulkState(NamedTuple):
-    """What `move_in_bulk` receives about the scene, in its order."""
+    """The arguments of `move_in_bulk` that describe the scene, in its order."""
 
     given: Given
     walls: Vector
@@ -39,7 +39,7 @@ class BulkState(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class Bulk:
-    """The spheres of a scene, in its order."""
+    """The bulk model of a scene, with spheres in the order of the scene."""
 
     state: BulkState
     terms: frozenset[Term]
@@ -47,14 +47,14 @@ class Bulk:
 
     @property
     def unknowns(self) -> tuple[Vector, ...]:
-        """The arrays that hold a number per unknown."""
+        """The arrays with one number per unknown."""
         given = self.state.given
         moving = np.isfinite(given.mass)
         told = (given.velocity,) if given.spin is None else (given.velocity, given.spin)
         return tuple(array[moving] for array in told)
 
     def outputs(self, rows: int, spheres: tuple[int, ...]) -> tuple[Vector | Index, ...]:
-        """What the kernel fills, path and energy, and the spheres it watches."""
+        """The arrays that the kernel fills, path and energy, and the spheres that it observes."""
         kinds = 1 if self.state.given.spin is None else 2
         path = np.empty((rows, len(spheres), 3 + 3 * kinds))
         return path, np.zeros((rows, 7)), np.array(spheres, np.intp)
@@ -66,14 +66,14 @@ class Bulk:
         return move_in_bulk
 
     def observed(self, path: Vector, index: int, sphere: int, what: Observable) -> Vector:
-        """An observable (k, 3) of a sphere, which was the index-th one watched."""
+        """An observable (k, 3) of a sphere, the index-th of those observed."""
         if isinstance(what, Reaction):
             return np.zeros((len(path), 3))
         first = 0 if isinstance(what, Displacement) else 3
         return np.array(path[:, index, first : first + 3])
 
     def held(self, path: Vector, energy: Vector) -> Vector:
-        """The ledger's terms [J], (k, 7)."""
+        """The terms of the energy ledger [J], (k, 7)."""
         return signed(energy)
 
     def put_in(self, energy: Vector) -> float:
@@ -86,14 +86,14 @@ class Bulk:
         return kinetic + float(energy[0, 1] + energy[0, 2])
 
     def bound(self, energy: Vector, leapfrog: Leapfrog, dt: float) -> float | None:
-        """None, as of the general model."""
+        """None: no bound of the energy is known, as for the general model."""
         return None
 
 
 def bulk(scene: Scene) -> Bulk | None:
-    """The bulk model of a scene of many spheres, each free or held; None of others.
+    """The bulk model of a scene of many spheres, each free or fixed; None for other scenes.
 
-    Rotation is left out where no friction can change it and nothing turns.
+    Rotation is left out where no friction can change it and no sphere spins.
     """
     spheres, terms = scene.spheres, scene.terms()
     rubs, moving = Term.FRICTION in terms, spheres.free[:, 0]
@@ -114,14 +114,14 @@ def bulk(scene: Scene) -> Bulk | None:
         law.friction,
         (scene.contact.kn, eta_n) if eta_n > 0 else None,
         triple(scene.gravity),
-        Drag(scene.eta, None),  # nil costs next to nothing: one kernel serves both
+        Drag(scene.eta, None),  # may be zero: one kernel serves both cases
     )
     left_out = {Term.ROTATION} if spheres.spin.any() and not rubs else set()
     return Bulk(state, terms - left_out, _words(int(moving.sum()), len(spheres), rubs))
 
 
 def _words(count: int, whole: int, rubs: bool) -> str:
-    """What is modelled: so many of all spheres move."""
+    """The description of the model: how many of all spheres move."""
     words = f"{3 * count * (2 if rubs else 1)} unknowns: {count} free spheres"
     words += " that turn" if rubs else ""
     return f"{words}, kept by cells" + (f", {whole - count} held" if whole > count else "")

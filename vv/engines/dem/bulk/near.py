@@ -1,4 +1,4 @@
-"""Which spheres and walls may soon touch, sought cell by cell; contacts keep their friction."""
+"""The search for spheres and walls that may soon touch, by cells; stored friction is copied."""
 
 from __future__ import annotations
 
@@ -16,11 +16,11 @@ from vv.scene import Vector
 
 @bundle
 class Near(NamedTuple):
-    """Slots for contacts that may close, those of sphere i from start[i] to start[i + 1].
+    """Slots for contacts that may close; sphere i has start[i] to start[i + 1] (exclusive).
 
     one, other (k,): spheres i < j of a pair, or a sphere and a wall. touching (k,): whether they
-    did so after the last step; shear (k, 3): the force on the later sphere, or on the sphere off
-    the wall [N], if they touch; both are empty where nothing rubs.
+    touched after the last step; shear (k, 3): the tangential force [N] on the second sphere, or on
+    the sphere at a wall, if they touch; both are empty without friction.
     """
 
     start: Short
@@ -32,7 +32,7 @@ class Near(NamedTuple):
 
 @inlined_called
 def nothing_near(n: int) -> Near:
-    """No slots yet of n spheres."""
+    """Slots for n spheres without any contact."""
     start, none = np.zeros(n + 1, np.uint32), np.zeros(0, np.uint32)
     return Near(start, none, none, np.zeros(0, np.uint8), np.zeros((0, 3)))
 
@@ -46,7 +46,7 @@ def close(row: Vector, i: int, j: int, skin: float) -> bool:
 
 @called
 def longer(other: Short, used: int, room: int) -> Short:
-    """The same numbers with room for more."""
+    """A copy with room for more numbers."""
     made = np.empty(room, np.uint32)
     for k in range(used):
         made[k] = other[k]
@@ -55,9 +55,9 @@ def longer(other: Short, used: int, room: int) -> Short:
 
 @called
 def near_pairs(grains: Grains, cells: Cells, skin: float, old: Near, rubs: bool) -> Near:
-    """The pairs whose gap is less than the skin [m], with the friction of those that touch.
+    """The pairs whose gap is less than the skin [m], with the tangential forces of the old slots.
 
-    Two that are held are no pair.
+    Pairs of two fixed spheres are left out.
     """
     mass, row, begin, many, nx, ny, nz = (
         grains.mass,
@@ -73,7 +73,7 @@ def near_pairs(grains: Grains, cells: Cells, skin: float, old: Near, rubs: bool)
     for cell in range(nx * ny * nz):
         x, y, z = cell % nx, cell // nx % ny, cell // (nx * ny)
         for i in range(begin[cell], begin[cell + 1]):
-            # the rest of this line of cells, and the four lines that come after it
+            # the rest of this line of cells, and the four neighbouring lines after it
             for line in range(5):
                 ahead = y + 1 if line == 1 else y if line == 0 else y + line - 3
                 above = z + 1 if line > 1 else z
@@ -97,7 +97,7 @@ def near_pairs(grains: Grains, cells: Cells, skin: float, old: Near, rubs: bool)
 def near_walls(
     grains: Grains, walls: Vector, cells: Cells, skin: float, old: Near, rubs: bool
 ) -> Near:
-    """As `near_pairs`, of walls (w, 4): outward normals and how far they lie along them [m]."""
+    """As `near_pairs`, for walls (w, 4): outward normals and distances from the origin [m]."""
     row, mass, n, many = grains.row, grains.mass, len(grains.mass), 0
     start, other = np.zeros(n + 1, np.uint32), np.empty(n + len(walls), np.uint32)
     for i in range(n):
@@ -115,7 +115,7 @@ def near_walls(
 
 @called
 def slots(start: Short, other: Short, rubs: bool) -> Near:
-    """Slots of contacts none of which touched."""
+    """Slots of contacts that did not touch before."""
     room, one = len(other) if rubs else 0, np.empty(len(other), np.uint32)
     for i in range(len(start) - 1):
         for k in range(start[i], start[i + 1]):
@@ -125,9 +125,10 @@ def slots(start: Short, other: Short, rubs: bool) -> Near:
 
 @called
 def keep(made: Near, old: Near, place: Short, pairs: bool) -> None:
-    """Hand on the friction of contacts that touch; place (n,): new numbers by the old ones.
+    """Copy the tangential forces of touching contacts to the new slots.
 
-    The force on the later of two spheres is opposite where these changed places.
+    place (n,): new numbers of the spheres by old ones. The force on the second sphere of a pair
+    changes sign if the spheres have changed their order.
     """
     start, other, touching, shear = made.start, made.other, made.touching, made.shear
     for i in range(len(place) if len(old.touching) > 0 else 0):

@@ -1,4 +1,4 @@
-"""What the kernel of bulk writes: the path of what is watched, and the energies."""
+"""The output of the bulk kernel: the path of the observed spheres, and the energies."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ GRAVITY = column(Form.GRAVITY)
 
 @called
 def observe(path: Vector, line: int, watched: Index, given: Given, grains: Grains) -> None:
-    """Fill a line of path (k, b, 6 or 9): displacement, mean of v- and v+, and of w- and w+."""
+    """Fill a line of path (k, b, 6 or 9): displacement, mean velocity and, if any, mean spin."""
     row, place = grains.row, np.empty(len(grains.mass), np.uint32)
     for i in range(len(place)):
         place[grains.original[i]] = i
@@ -38,10 +38,10 @@ def booked(
     grains: Grains,
     gravity: Triple,
 ) -> float:
-    """Fill a line of energy (k, 7) [J]; return the work of gravity.
+    """Fill a line of energy (k, 7) [J]; return the work of gravity [J].
 
-    held: m v- v+/2 and I w- w+/2, normal springs, shear springs, lost by friction, by drag and
-    viscous contacts.
+    held: m v- v+/2 and I w- w+/2, normal springs, tangential springs, dissipated by friction,
+    dissipated by drag and viscous contacts.
     """
     work = 0.0
     for i in range(len(grains.mass)):

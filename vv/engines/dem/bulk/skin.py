@@ -1,4 +1,4 @@
-"""How far beyond contact neighbours are listed: as far as costs least."""
+"""The skin: the gap up to which neighbours are listed, chosen so that a step costs least."""
 
 from __future__ import annotations
 
@@ -7,14 +7,14 @@ import math
 from vv.engines.dem.bulk.grains import RADIUS, Grains
 from vv.engines.kernels.compiled import lent
 
-FIRST, LEAST, MOST = 0.1, 0.02, 0.6  # of the smallest radius
+FIRST, LEAST, MOST = 0.1, 0.02, 0.6  # relative to the smallest radius
 SOUGHT = 25.0
-"""What seeking neighbours costs, over what listing all within one more radius costs a step.
+"""The cost of a search, relative to that of a step with a skin of one radius.
 
-A skin s [radii] that lasts k steps costs s a step for what is listed in vain, and SOUGHT/k for
-seeking, which is in proportion to 1/s. The sum is least where both are the same.
+A skin of s radii that lasts for k steps costs s per step for pairs listed in vain, and SOUGHT/k per
+step for the search; k is proportional to s. The sum is smallest where both are equal.
 """
-CHANGE = 1.5  # times, at most
+CHANGE = 1.5  # largest factor between one skin and the next
 
 
 @lent
@@ -37,7 +37,7 @@ def narrowest(grains: Grains) -> float:
 
 @lent
 def adapted(skin: float, radius: float, lasted: int) -> float:
-    """The skin [m] that costs least, after one that lasted so many steps; radius: the smallest."""
+    """The skin [m] of least cost, after one that lasted `lasted` steps; radius: the smallest."""
     wanted = math.sqrt(SOUGHT * radius / (skin * max(lasted, 1)))
     changed = skin * min(max(wanted, 1.0 / CHANGE), CHANGE)
     return min(max(changed, LEAST * radius), MOST * radius)

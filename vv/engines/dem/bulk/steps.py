@@ -1,4 +1,4 @@
-"""A step of the bulk model: all chunks in turn, or by threads; parts of its kernel."""
+"""The step of the bulk model, by chunks in turn or in threads; parts of its kernel."""
 
 from __future__ import annotations
 
@@ -10,29 +10,29 @@ from vv.engines.kernels.compiled import lent
 
 
 @lent
-def push_all(crowd: Crowd, told: bool, threads: int | None) -> None:
-    """Add all forces; all that is summed up starts from nothing.
+def push_all(crowd: Crowd, with_energy: bool, threads: int | None) -> None:
+    """Reset all sums and add all forces.
 
-    told: whether energies of springs are summed, too; threads: None for one core.
+    with_energy: whether the energies of springs are summed; threads: None for one core.
     """
     reset(crowd.work.sums)
     if threads is None:
         for c in range(len(crowd.work.head)):
-            push_chunk(c, crowd, told)
+            push_chunk(c, crowd, with_energy)
         for c in range(len(crowd.work.head)):
             gather(c, crowd)
     else:
-        push_shared(crowd, told)
+        push_shared(crowd, with_energy)
 
 
 @lent
-def step_all(crowd: Crowd, told: bool, way: float, threads: int | None) -> None:
-    """Add all forces and kick all spheres, as `push_all` and `kick` would."""
+def step_all(crowd: Crowd, with_energy: bool, span: float, threads: int | None) -> None:
+    """Reset all sums, add all forces and kick all spheres, as `push_all` and `kick` do."""
     reset(crowd.work.sums)
     if threads is None:
         for c in range(len(crowd.work.head)):
-            step_chunk(c, crowd, told, way)
+            step_chunk(c, crowd, with_energy, span)
         for c in range(len(crowd.work.head)):
-            step_head(c, crowd, way)
+            step_head(c, crowd, span)
     else:
-        step_shared(crowd, told, way)
+        step_shared(crowd, with_energy, span)

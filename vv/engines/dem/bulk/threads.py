@@ -1,4 +1,4 @@
-"""Hands the chunks of the bulk model to threads; compiled only where threads are asked for."""
+"""Divides the chunks of the bulk model among threads; compiled only where threads are requested."""
 
 from __future__ import annotations
 
@@ -13,18 +13,18 @@ if TYPE_CHECKING:
 
 
 @shared
-def push_shared(crowd: Crowd, told: bool) -> None:
-    """`push_chunk` of all chunks, then `gather` of all heads, each by all threads."""
+def push_shared(crowd: Crowd, with_energy: bool) -> None:
+    """Call `push_chunk` for all chunks, then `gather` for all heads, each in parallel."""
     for c in numba.prange(len(crowd.work.head)):
-        push_chunk(c, crowd, told)
+        push_chunk(c, crowd, with_energy)
     for c in numba.prange(len(crowd.work.head)):
         gather(c, crowd)
 
 
 @shared
-def step_shared(crowd: Crowd, told: bool, way: float) -> None:
-    """`step_chunk` of all chunks, then `step_head` of all heads, each by all threads."""
+def step_shared(crowd: Crowd, with_energy: bool, span: float) -> None:
+    """Call `step_chunk` for all chunks, then `step_head` for all heads, each in parallel."""
     for c in numba.prange(len(crowd.work.head)):
-        step_chunk(c, crowd, told, way)
+        step_chunk(c, crowd, with_energy, span)
     for c in numba.prange(len(crowd.work.head)):
-        step_head(c, crowd, way)
+        step_head(c, crowd, span)

@@ -1,6 +1,6 @@
-"""Contacts of the bulk model that are viscous along their normals: those that are closed, listed.
+"""The viscous contacts of the bulk model: a list of those that are closed.
 
-What they do is what `vv.engines.dem.terms.dashpots` has them do.
+Their forces are computed by `vv.engines.dem.contact.dashpots`.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ Dashpot = tuple[float, float]
 
 @inlined_called
 def room_to_meet(many: int) -> Met:
-    """Room for so many closed contacts."""
+    """Arrays for so many closed contacts."""
     return np.zeros((many, 2), np.intp), np.zeros((many, MET))
 
 
@@ -34,9 +34,9 @@ def room_to_meet(many: int) -> Met:
 def meet(
     grains: Grains, pairs: Near, edges: Near, walls: Vector, met: Met, dashpot: Dashpot, dt: float
 ) -> int:
-    """List all contacts that are closed at the end of a step; return how many they are.
+    """List all contacts that are closed at the end of a step; return how many there are.
 
-    Walls (w, 4) are the first of two, in the row of the ground.
+    In contacts with walls (w, 4) the wall is the first body, in the row of the ground.
     """
     row, used = grains.row, 0
     n = len(grains.mass)
@@ -74,7 +74,7 @@ def enter(
     opened: float,
     dashpot: Dashpot,
 ) -> None:
-    """Fill line k: a contact that closed within the step is given a share of eta_n."""
+    """Fill line k of the list; a contact that closed within the step gets `late` times eta_n."""
     rows, kept = met
     share = late(overlap, -opened) if overlap + opened <= 0.0 else 1.0
     rows[k, 0], rows[k, 1] = ends
@@ -92,7 +92,10 @@ def slow(
     drag: Drag,
     lag: float,
 ) -> tuple[float, float]:
-    """Add the forces of the contacts listed to push; return the powers [W] before and after now."""
+    """Add the viscous forces of the first `used` contacts to push; return their powers [W].
+
+    The powers are those before and after the kick.
+    """
     both = (met[0][:used], met[1][:used]), (met[0][:0], met[1][:0])
     v = grains.row[:, V : V + 3]
     return add_viscous_forces(both, grains.acting, v, new, grains.mass, None, dt, drag, lag)
@@ -100,5 +103,5 @@ def slow(
 
 @lent
 def withdraw(grains: Grains, met: Met, used: int) -> None:
-    """Take them away again."""
+    """Subtract the viscous forces again."""
     apply_forces((met[0][:used], met[1][:used]), grains.acting, -1.0)

@@ -1,1 +1,1 @@
-"""The reduced model of one unknown: a sphere on a line."""
+"""The reduced model with one unknown: the displacement of a sphere along a line."""

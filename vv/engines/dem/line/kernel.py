@@ -1,4 +1,4 @@
-"""The compiled kernel for one unknown: a sphere on a line, against a partner or along a wall."""
+"""The compiled kernel for one unknown: a sphere moves along a contact normal or along a wall."""
 
 from __future__ import annotations
 
@@ -20,11 +20,11 @@ def held_back(
     dt: float,
     lag: float,
 ) -> tuple[float, float]:
-    """v+ [m/s] in a viscous contact, and what it takes off the push of its spring [N], all at most.
+    """v+ [m/s] of a sphere in a viscous contact, and the viscous part of the contact force [N].
 
-    after: v+ without viscosity; load [N]: all forces but drags, spring among them. A contact that
-    closes within a step pushes at once, and for that step is given eta_n times 1/2 and the part of
-    the step since: without, its impulse would be off in first order.
+    The viscous force is at most the spring's push, so that the contact never pulls. after: v+
+    without viscosity; load [N]: all forces except drags, that of the spring included; spring: the
+    latter.
     """
     rate = eta_n * dt / mass
     still = 1.0
@@ -54,19 +54,19 @@ def move_on_line(  # noqa: PLR0912, PLR0915 - a branch per term, decided by the 
     lag: float,
     back: float,
 ) -> int:
-    """Step m q'' = force + Fn + Fs - eta q' by the leapfrog; return rows filled.
+    """Integrate m q'' = force + Fn + Fs - eta q' by the leapfrog; return the rows filled.
 
-    Fn = max(0, kn U - eta_n q') while U = -(gap + q) > 0, else 0.
-    velocity: (1,) [m/s] at t = 0; mass [kg]; force [N]; normal: kn [N/m] and the gap [m] at
-    t = 0; eta_n [N s/m]; friction: ks [N/m] and cap [N] of Fs' = -ks q', |Fs| <= cap.
-    An absent term is None.
-    Both drags act on lag v- + (1 - lag) v+: 1/2 the midpoint, 1 the previous mean velocity.
-    back: how many dt before t = 0 the velocity is first placed.
+    Fn = max(0, kn U - eta_n q') while U = -(gap + q) > 0, else 0. velocity: (1,) [m/s] at t = 0;
+    mass [kg]; force [N]; normal: kn [N/m] and the gap [m] at t = 0; eta_n [N s/m]; friction: ks
+    [N/m] and the limit [N] in Fs' = -ks q', |Fs| <= limit. A term that the scene lacks is None.
+    Both drags act on lag v- + (1 - lag) v+: with 1/2 at the midpoint, with 1 on the previous mean
+    velocity. back: by how many dt before t = 0 the first velocity is set.
 
-    Every `stride` steps a row is written: path (k, 2): q [m], mean of v- and v+ [m/s];
-    energy (k, 6) [J]: m v- v+/2, normal spring, shear spring, lost by friction, lost by drags,
-    and a bound on what closings and openings of the contact have changed. Stops before a later
-    row in which energy has been created (vv.engines.dem.limits).
+    Every `stride` steps a row is written: path (k, 2): q [m], mean of v- and v+ [m/s]; energy (k,
+    6) [J]: m v- v+/2, normal spring, tangential spring, dissipated by friction, dissipated by
+    drags, and a bound on the energy error of contacts that closed or opened. The loop ends before a
+    later row if energy was created (vv.engines.dem.limits). It is one function since all parts of a
+    step share its variables.
     """
     q = shear = slipped = dragged = ahead = kinks = overlap = load = done = 0.0
     start = velocity[0]

@@ -1,4 +1,4 @@
-"""Builds the model of one unknown for scenes that have no more."""
+"""Builds the model with one unknown, for scenes that need no more."""
 
 from __future__ import annotations
 
@@ -12,8 +12,8 @@ from vv.ask import Displacement, Observable
 from vv.engines.dem.leapfrog import Leapfrog
 from vv.scene import Scene, Term, Vector, Wall
 
-ALIGNED = 1e-9  # sine of the angle below which a motion counts as along, or across, a normal
-ROUNDING = 1e-14  # part of a force below which its component is rounding
+ALIGNED = 1e-9  # sine of the angle below which a motion counts as parallel to a normal or to a wall
+ROUNDING = 1e-14  # fraction of a force below which a component counts as rounding
 
 
 MODELLED = frozenset(
@@ -34,7 +34,7 @@ MODELLED = frozenset(
 
 
 class LineState(NamedTuple):
-    """What `move_on_line` receives about the scene, in its order and units."""
+    """The arguments of `move_on_line` that describe the scene, in its order and units."""
 
     velocity: Vector
     mass: float
@@ -47,9 +47,9 @@ class LineState(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class Line:
-    """Sphere `sphere` with its one freedom q, its displacement along the unit vector `along`.
+    """The model of one sphere, whose unknown q is its displacement along the unit vector `along`.
 
-    weight, load: the parts [N] of the constant force on it.
+    weight, load: their components [N] along it.
     """
 
     sphere: int
@@ -62,11 +62,11 @@ class Line:
 
     @property
     def unknowns(self) -> tuple[Vector, ...]:
-        """The arrays that hold a number per unknown."""
+        """The arrays with one number per unknown."""
         return (self.state.velocity,)
 
     def outputs(self, rows: int, spheres: tuple[int, ...]) -> tuple[Vector, ...]:
-        """What the kernel fills, whichever spheres are observed: path and energy."""
+        """The arrays that the kernel fills, path and energy, whichever spheres are observed."""
         return np.empty((rows, 2)), np.empty((rows, 6))
 
     def kernel(self) -> Callable[..., int]:
@@ -82,7 +82,7 @@ class Line:
         return column[:, None] * self.along if moves else np.zeros((len(path), 3))
 
     def held(self, path: Vector, energy: Vector) -> Vector:
-        """The ledger's terms [J], (k, 7)."""
+        """The terms of the energy ledger [J], (k, 7)."""
         potential = -path[:, :1] * np.array([self.weight, self.load]) + 0.0
         return np.concatenate([energy[:, :5], potential], axis=1)
 
@@ -92,7 +92,7 @@ class Line:
         return 0.5 * self.state.mass * start**2 + float(energy[0, 1])
 
     def bound(self, energy: Vector, leapfrog: Leapfrog, dt: float) -> float | None:
-        """How far kinetic, elastic and lost energy may be from what was put in [J]."""
+        """A bound of the change of kinetic, elastic and dissipated energy together [J]."""
         s, start = self.state, float(self.state.velocity[0])
         force = (s.force or 0.0) - (s.eta or 0.0) * start
         if s.normal is not None and s.normal[1] < 0.0:
@@ -103,11 +103,11 @@ class Line:
 
 
 def line(scene: Scene) -> Line | None:
-    """The model of one unknown, or None if the scene needs more.
+    """The model with one unknown, or None if the scene needs more.
 
-    It serves one free translation of one sphere with at most one partner, which is fixed, if
-    the motion is along the contact normal, so that nothing shears, or along a wall, so that the
-    overlap is constant and the normal force balanced by what locks the sphere.
+    It serves scenes in which one sphere can move in one direction and at most one other body is
+    present, fixed. The motion must be along the contact normal, so that nothing is sheared, or
+    along a wall, so that the overlap is constant and the lock balances the normal force.
     """
     spheres = scene.spheres
     moving = np.flatnonzero(spheres.free.any(axis=1))
@@ -132,7 +132,7 @@ def line(scene: Scene) -> Line | None:
 
 
 def _partner(scene: Scene, i: int) -> tuple[Vector, float]:
-    """The normal from the other body to sphere i and their gap [m]; zeros if it is alone."""
+    """The normal from the other body to sphere i, and their gap [m]; zeros if there is none."""
     spheres = scene.spheres
     for wall in scene.walls:
         return wall.normal, _wall_gap(wall, spheres.position[i], float(spheres.radius[i]))

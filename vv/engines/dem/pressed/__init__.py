@@ -1,1 +1,1 @@
-"""The reduced model of two unknowns: a sphere on a wall that rises and slides one way."""
+"""The reduced model with two unknowns: a sphere moves along a wall's normal and one tangent."""

@@ -1,4 +1,4 @@
-"""The compiled kernel for two unknowns: a sphere on a wall, along its normal and along it."""
+"""The compiled kernel for two unknowns: a sphere moves along a wall's normal and one tangent."""
 
 from __future__ import annotations
 
@@ -27,19 +27,21 @@ def move_on_wall(  # noqa: PLR0912, PLR0915 - a branch per term, decided by the 
     lag: float,
     back: float,
 ) -> int:
-    """Step m (p, q)'' = force + contact + m shaking - eta (p, q)' by the leapfrog; return rows.
+    """Integrate m (p, q)'' = force + contact + m shaking - eta (p, q)' by the leapfrog.
 
-    p, q [m]: displacement along the normal and along the wall. velocity: (2,) [m/s] at t = 0;
-    mass [kg]; force [N]; kn [N/m]; gap [m] at t = 0; friction: ks [N/m], mu, and the shear force
-    [N] at t = 0; shaking: accelerations; base: how the wall moves. An absent term is None.
-    The contact pushes with kn U, U = P - gap - p, P the wall's displacement, and with the shear
-    force S' = -ks (q' - Q'), |S| <= mu kn U. Positions, forces and drives are taken at n dt, the
-    motion of the wall in a step is that between its positions. lag, back: see `move_on_line`.
+    Returns the rows filled. p, q [m]: displacements along the normal and the tangent. velocity:
+    (2,) [m/s] at t = 0; mass [kg]; force [N]; kn [N/m]; gap [m] at t = 0; friction: ks [N/m], mu,
+    and the tangential force [N] at t = 0; shaking: accelerations [m/s2]; base: the displacement of
+    the wall. A term that the scene lacks is None. The contact force is kn U, U = P - gap - p, with
+    the wall's displacement (P, Q), and tangentially S' = -ks (q' - Q'), |S| <= mu kn U. Positions,
+    forces and motions are evaluated at n dt; the wall moves linearly within a step. lag, back: see
+    `move_on_line`.
 
-    Every `stride` steps a row is written: path (k, 4): p, q, means of v- and v+; energy (k, 8)
-    [J]: m v- v+/2, normal spring, shear spring, lost by friction, lost by drag, work of shaking,
-    work of the wall; and how often the contact opened or closed. Stops before a later row in
-    which energy has been created (vv.engines.dem.limits).
+    Every `stride` steps a row is written: path (k, 4): p, q, means of v- and v+; energy (k, 8) [J]:
+    m v- v+/2, normal spring, tangential spring, dissipated by friction, dissipated by drag, work of
+    shaking, work of the wall; the last column counts how often the contact opened or closed. The
+    loop ends before a later row if energy was created (vv.engines.dem.limits). It is one function
+    since all parts of a step share its variables.
     """
     p = q = shear = slipped = dragged = shook = moved = done = now_p = now_q = now = 0.0
     wall_p = wall_q = slow_p = slow_q = 0.0

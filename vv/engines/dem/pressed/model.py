@@ -1,4 +1,4 @@
-"""Builds the model of two unknowns: one sphere on one wall, free to rise and to slide one way."""
+"""Builds the model with two unknowns: a sphere moves along a wall's normal and one tangent."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ MODELLED = frozenset(
 
 
 class PressedState(NamedTuple):
-    """What `move_on_wall` receives about the scene, in its order and units."""
+    """The arguments of `move_on_wall` that describe the scene, in its order and units."""
 
     velocity: Vector
     mass: float
@@ -50,10 +50,10 @@ class PressedState(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class Pressed:
-    """Sphere `sphere` with its displacements along the rows of axes (3, 3).
+    """The model of sphere `sphere`, with displacements along the first two rows of axes (3, 3).
 
-    The first is the wall's normal, the second in its plane; the third is locked. weight, load:
-    (2,) the parts [N] of the constant forces on it.
+    The first row is the wall's normal, the second a tangent; the third direction is locked. weight,
+    load: (2,) their components [N] along the first two.
     """
 
     sphere: int
@@ -66,11 +66,11 @@ class Pressed:
 
     @property
     def unknowns(self) -> tuple[Vector, ...]:
-        """The arrays that hold a number per unknown."""
+        """The arrays with one number per unknown."""
         return (self.state.velocity,)
 
     def outputs(self, rows: int, spheres: tuple[int, ...]) -> tuple[Vector, ...]:
-        """What the kernel fills, whichever spheres are observed: path and energy."""
+        """The arrays that the kernel fills, path and energy, whichever spheres are observed."""
         return np.empty((rows, 4)), np.empty((rows, 8))
 
     def kernel(self) -> Callable[..., int]:
@@ -85,7 +85,7 @@ class Pressed:
         return columns @ self.axes[:2] if sphere == self.sphere else np.zeros((len(path), 3))
 
     def held(self, path: Vector, energy: Vector) -> Vector:
-        """The ledger's terms [J], (k, 7), or (k, 9) where something is driven."""
+        """The terms of the energy ledger [J], (k, 7), or (k, 9) with shaking or a moving wall."""
         potential = -path[:, :2] @ np.stack([self.weight, self.load], axis=1) + 0.0
         driven = self.state.shaking is not None or self.state.base is not None
         works = -energy[:, 5:7] + 0.0 if driven else energy[:, :0]
@@ -97,10 +97,11 @@ class Pressed:
         return 0.5 * self.state.mass * float(start @ start) + float(energy[0, 1] + energy[0, 2])
 
     def bound(self, energy: Vector, leapfrog: Leapfrog, dt: float) -> float | None:
-        """How far the energies may be from what was put in [J]; None once contact was lost.
+        """A bound of the change of energy [J]; None if the contact has opened or closed.
 
-        All is charged by the trapezoidal rule, so that only the start differs, by what m v- v+/2
-        is not m v(0)^2/2; a contact that opens within a step is followed to second order only.
+        All work is summed by the trapezoidal rule, so only the start contributes: there, m v- v+/2
+        differs from m v(0)^2/2. A contact that opens within a step is computed to second order
+        only.
         """
         start = self.state.velocity
         if energy[-1, 7] > 0:
@@ -109,11 +110,11 @@ class Pressed:
 
 
 def pressed(scene: Scene, charged: Vector | None = None) -> Pressed | None:
-    """The model of two unknowns, or None if the scene is another.
+    """The model with two unknowns, or None if it does not serve the scene.
 
-    It serves one sphere free along the normal of the one wall and along one direction of its
-    plane, if nothing turns and the wall does not slide along the locked one. charged: friction
-    (1, 3) [N] at t = 0.
+    It serves scenes with one sphere and one wall, in which the sphere is free along the normal and
+    one tangent and does not rotate, and the wall does not move along the locked direction. charged:
+    (1, 3) tangential force [N] at t = 0.
     """
     s = scene.spheres
     if scene.terms() - MODELLED:
@@ -123,7 +124,7 @@ def pressed(scene: Scene, charged: Vector | None = None) -> Pressed | None:
     n, locked = scene.walls[0].normal, scene.axes[~s.free[0]][0]
     if abs(n @ locked) > ALIGNED:
         return None
-    # of both ways along the wall, that which a free axis of the scene points to
+    # the tangent points to the same side as the free axis of the scene closest to it
     free = scene.axes[s.free[0]]
     most = free[np.abs(free @ n).argmin()]
     slide = np.cross(locked, n)
@@ -156,7 +157,7 @@ def pressed(scene: Scene, charged: Vector | None = None) -> Pressed | None:
 
 
 def _along(motion: Harmonic | None, axes: Vector) -> Drive | None:
-    """The sines of a motion along the unit rows of axes (3, 3)."""
+    """The motion, with its components along the unit rows of axes (3, 3)."""
     if motion is None:
         return None
     from vv.engines.kernels.drive import drive

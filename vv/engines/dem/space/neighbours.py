@@ -91,8 +91,7 @@ def repeated(n: int, value: int) -> Index:
 
 @inlined
 def strayed(motion: Motion, since: Vector, near: Near) -> bool:
-    """Whether a sphere has moved by over half the skin since its displacement `since` (m, 3).
-    """
+    """Whether a sphere has moved by over half the skin since its displacement `since` (m, 3)."""
     u, limit = motion.u, 0.25 * near.skin * near.skin
     for i in range(len(since)):
         d = add_scaled(at(u, i), -1.0, at(since, i))

@@ -1,1 +1,1 @@
-"""The forces of pairs and walls that touch: what they need is fetched, computed, handed out."""
+"""The forces of pairs and walls that touch: data are gathered, forces computed and added."""

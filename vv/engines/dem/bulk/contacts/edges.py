@@ -1,4 +1,4 @@
-"""The forces of walls on the spheres of the bulk model, one by one; parts of kernels."""
+"""The forces of walls on the spheres of the bulk model, one contact after the other."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from vv.scene import Vector
 
 @inlined
 def wall_touch(row: Vector, i: int, n: Triple, overlap: float, dt: float) -> Touch:
-    """The contact of sphere i with a wall of outward normal n."""
+    """The kinematics of the contact of sphere i with a wall of outward normal n in a step."""
     relative = part(row, i, V)
     changed = add_scaled(relative, -1.0, part(row, i, BEFORE))
     opened, more = dt * dot(n, relative), 0.5 * dot(n, changed)
@@ -32,11 +32,11 @@ def lean(
     crowd: Crowd,
     c: int,
     some: tuple[int, int],
-    told: bool,
+    with_energy: bool,
     law: Law,
     friction: tuple[float, float] | None,
 ) -> None:
-    """As `press`, of walls."""
+    """Add the forces of walls, for the contacts some[0] to some[1] (exclusive); see `press`."""
     edges, walls, dt, sums = crowd.edges, crowd.rules.walls, crowd.rules.dt, crowd.work.sums
     row, acting = crowd.grains.row, crowd.grains.acting
     one, other, touching, shear = edges.one, edges.other, edges.touching, edges.shear
@@ -50,13 +50,13 @@ def lean(
         if overlap > 0.0:
             along, held = pressed(law, overlap, radius)
             force = add_scaled(NOWHERE, along, n)
-            sums[c, NORMAL] += held if told else 0.0
+            sums[c, NORMAL] += held if with_energy else 0.0
             if friction is not None:
                 touch = wall_touch(row, i, n, overlap, dt)
-                ks, caps = across(law, touch, radius, 0.0, spring)  # no mass matters in this model
+                ks, caps = across(law, touch, radius, 0.0, spring)  # laws here need no mass
                 rubbed, taken = rub(spring, touch, ks, caps, dt)
                 sums[c, LOST] += taken
-                sums[c, SPRUNG] += stored(law, overlap, radius, rubbed) if told else 0.0
+                sums[c, SPRUNG] += stored(law, overlap, radius, rubbed) if with_energy else 0.0
                 put(shear, k, rubbed)
                 force = add_scaled(force, 1.0, rubbed)
                 torque = add_scaled(NOWHERE, radius - 0.5 * overlap, cross(rubbed, n))

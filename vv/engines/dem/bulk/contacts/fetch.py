@@ -1,4 +1,4 @@
-"""What contacts are computed from, in scratch, and where their forces go; parts of kernels."""
+"""Gathers the data of contacts in scratch, and adds their forces to the spheres."""
 
 from __future__ import annotations
 
@@ -21,17 +21,17 @@ from vv.engines.kernels.prefetch import begin_to_read
 from vv.engines.kernels.triples import NOWHERE, Triple, add_scaled, at, dot, put
 from vv.scene import Vector
 
-TOGETHER = 8  # contacts that a core computes in one instruction, at most
-SOON = 24  # pairs ahead of which rows are brought into the cache
+TOGETHER = 8  # the largest number of contacts that one vector instruction computes
+SOON = 24  # by so many pairs rows are loaded into the cache ahead
 OFFSET, RADII, WAS, RELATIVE, ROLLED, SPINS, SPRING, CHANGED = 0, 3, 5, 6, 9, 12, 15, 18
 NORMALS, ALONG, MIDWAY, SLIDE, ACROSS, OLD, STIFF, CAPS, HOW_LONG = 0, 5, 6, 9, 12, 15, 18, 19, 21
 INSIDE, ARMS, TRIAL, MORE, TURNS, FADING, TAKEN, FORCE, TORQUE = 22, 23, 25, 28, 31, 32, 31, 6, 9
-"""Places of numbers of a contact in scratch: what `fetch` finds, and what takes its place later.
+"""Places of the numbers of a contact in scratch: the data of `fetch`, and later results.
 
-All must fit into the first cache beside what is fetched.
-An offset is that of the second sphere of a pair; WAS: whether they touched before, 1 or 0; ROLLED:
-sum of radius times spin, SPINS: of spins; HOW_LONG: for how long in the step [s]; INSIDE: how far
-inside each surface the contact lies at the middle of the step [m].
+All must fit into the first cache beside the data of the spheres. OFFSET: from the first centre to
+the second; WAS: whether they touched before, 1 or 0; ROLLED: the sum of radius times spin; SPINS:
+the sum of spins; HOW_LONG: for how long they touched in the step [s]; INSIDE: the depth of the
+contact point below each surface at the middle of the step [m].
 """
 
 
@@ -45,7 +45,7 @@ def choose(
     some: tuple[int, int],
     friction: tuple[float, float] | None,
 ) -> int:
-    """Put those of some pairs that touch into scratch, without a branch; return how many do."""
+    """Put touching pairs among some[0] to some[1] into scratch, branchless; return how many."""
     row, acting = grains.row, grains.acting
     one, other, touching, many = pairs.one, pairs.other, pairs.touching, 0
     end = len(other) - 1
@@ -70,9 +70,9 @@ def choose(
 
 @inlined
 def filled(many: int) -> int:
-    """So many columns or a few more, so that none is left over from those computed together.
+    """The number of columns, rounded up to whole vector instructions.
 
-    What is computed of the rest is not looked at: a loop of single contacts would take longer.
+    The results in the extra columns are not used; a loop over single contacts would be slower.
     """
     return -(-many // TOGETHER) * TOGETHER
 
@@ -88,7 +88,7 @@ def fetch(
     friction: tuple[float, float] | None,
     viscous: float | None,
 ) -> None:
-    """What the spheres of the chosen pairs do, and what sheared them, into scratch."""
+    """Copy the relative motion and the tangential forces of the chosen pairs to scratch."""
     if friction is not None:
         shear = pairs.shear
         for q in range(many):
@@ -106,7 +106,7 @@ def fetch(
 
 @inlined
 def changed(row: Vector, i: int, j: int) -> Triple:
-    """How much the velocity of centre j past centre i changed since the step before [m/s]."""
+    """The change of the relative velocity of centres i and j since the last step [m/s]."""
     now = add_scaled(part(row, j, V), -1.0, part(row, i, V))
     return add_scaled(now, -1.0, add_scaled(part(row, j, BEFORE), -1.0, part(row, i, BEFORE)))
 
@@ -122,7 +122,7 @@ def hand_out(
     beyond: tuple[int, int],
     friction: tuple[float, float] | None,
 ) -> None:
-    """Add the forces of a batch to push and turn, and keep those across."""
+    """Add the forces of the chosen pairs to the spheres, and store the tangential ones."""
     acting, shear = grains.acting, pairs.shear
     for q in range(many):
         i, j = ends[c, q], ends[c, WIDE + q]

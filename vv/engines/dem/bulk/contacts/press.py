@@ -1,8 +1,7 @@
-"""The forces of all pairs that touch, a batch at a time; parts of kernels.
+"""The forces of all pairs that touch, one batch at a time; parts of kernels.
 
-Pairs that touch are chosen among those listed, what their spheres do is fetched into scratch, the
-contacts are computed in loops of which a core does several turns at once, and forces are handed
-out.
+Touching pairs are chosen from the list, the motion of their spheres is copied to scratch, the
+contacts are computed in vectorised loops, and the forces are added to the spheres.
 """
 
 from __future__ import annotations
@@ -55,15 +54,15 @@ def press(
     c: int,
     some: tuple[int, int],
     beyond: tuple[int, int],
-    told: bool,
+    with_energy: bool,
     law: Law,
     friction: tuple[float, float] | None,
     viscous: float | None,
 ) -> None:
-    """Add the forces of some pairs to push and turn, and what friction took to the sums of chunk c.
+    """Add the forces of pairs some[0] to some[1]; add the dissipated energy to the sums of chunk c.
 
-    some: the first of them, and the one after the last. beyond: from which sphere on forces are put
-    aside, and by how many rows. told: whether energies of springs are summed, too.
+    beyond: the sphere from which on forces go to spare rows, and the offset of these rows.
+    with_energy: whether the energies of springs are summed.
     """
     grains, pairs, work, dt = crowd.grains, crowd.pairs, crowd.work, crowd.rules.dt
     scratch, ends = work.scratch, work.ends
@@ -76,14 +75,14 @@ def press(
         stick(scratch, c, full, law, viscous, dt)
         work.sums[c, LOST] += slip(grains.row, scratch, ends, c, many)
         combine(scratch, c, full)
-    if told:
+    if with_energy:
         sum_up(work.sums, scratch, c, many, law, friction)
     hand_out(grains, pairs, scratch, ends, c, many, beyond, friction)
 
 
 @inlined
 def bounce(scratch: Vector, c: int, many: int, law: Law) -> None:
-    """The forces of contacts that do not rub."""
+    """Compute the forces of contacts without friction."""
     for q in range(many):
         d = three(scratch, c, OFFSET, q)
         first, second = scratch[c, RADII * WIDE + q], scratch[c, (RADII + 1) * WIDE + q]
@@ -96,7 +95,7 @@ def bounce(scratch: Vector, c: int, many: int, law: Law) -> None:
 
 @inlined
 def stick(scratch: Vector, c: int, many: int, law: Law, viscous: float | None, dt: float) -> None:
-    """The forces of contacts that rub, if none slips, and what `slip` asks of them."""
+    """Compute the trial forces of contacts with friction, and the data that `slip` needs."""
     for q in range(many):
         d, relative = three(scratch, c, OFFSET, q), three(scratch, c, RELATIVE, q)
         first, second = scratch[c, RADII * WIDE + q], scratch[c, (RADII + 1) * WIDE + q]
@@ -117,7 +116,7 @@ def stick(scratch: Vector, c: int, many: int, law: Law, viscous: float | None, d
         touch = Touch(overlap, opened, n, n_before, m, rates, past, NOWHERE, twist)
         reduced, spring = first * second / (first + second), three(scratch, c, SPRING, q)
         along = pressed(law, overlap, reduced)[0]
-        ks, caps = across(law, touch, reduced, 0.0, spring)  # no law of this model asks for masses
+        ks, caps = across(law, touch, reduced, 0.0, spring)  # laws here need no mass
         old, slide, trial = tried(spring, touch, slid(touch, dt)[0], ks)
         scratch[c, ALONG * WIDE + q] = along
         note(scratch, c, NORMALS, q, n)
@@ -135,7 +134,7 @@ def stick(scratch: Vector, c: int, many: int, law: Law, viscous: float | None, d
 
 @inlined
 def combine(scratch: Vector, c: int, many: int) -> None:
-    """Forces along and across, and the torque of an arm of one metre."""
+    """Compute the total force, and the torque for an arm of one metre."""
     for q in range(many):
         n, force = three(scratch, c, NORMALS, q), three(scratch, c, ACROSS, q)
         note(scratch, c, FORCE, q, add_scaled(force, scratch[c, ALONG * WIDE + q], n))
@@ -151,7 +150,7 @@ def sum_up(
     law: Law,
     friction: tuple[float, float] | None,
 ) -> None:
-    """Add what the springs of a batch hold [J]."""
+    """Add the energy [J] of the springs of a batch to the sums of chunk c."""
     for q in range(many):
         first, second = scratch[c, RADII * WIDE + q], scratch[c, (RADII + 1) * WIDE + q]
         reduced, overlap = (

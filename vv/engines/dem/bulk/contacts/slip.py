@@ -1,4 +1,4 @@
-"""Contacts that slip, found among those computed and computed anew together; parts of kernels."""
+"""Contacts that slip: selected from all contacts of a batch, and computed together."""
 
 from __future__ import annotations
 
@@ -33,9 +33,9 @@ from vv.scene import Vector
 
 @inlined
 def slip(row: Vector, scratch: Vector, ends: Short, c: int, many: int) -> float:
-    """Let those contacts slip that cannot hold; return what friction took [J].
+    """Limit the tangential force of contacts that slip; return the dissipated energy [J].
 
-    They are moved to the first columns of those places that only they need.
+    Their data are moved to the first columns of places that only slipping contacts need.
     """
     slipping, lost = 0, 0.0
     for q in range(many):
@@ -63,7 +63,7 @@ def slip(row: Vector, scratch: Vector, ends: Short, c: int, many: int) -> float:
 
 @inlined
 def turn_all(scratch: Vector, c: int, slipping: int) -> None:
-    """The forces of contacts that slip in place of those tried, and what friction takes."""
+    """Replace the trial forces of slipping contacts, and compute the dissipated energy."""
     for s in range(slipping):
         force, taken = turned_by_slip(
             three(scratch, c, OLD, s),
@@ -81,7 +81,7 @@ def turn_all(scratch: Vector, c: int, slipping: int) -> None:
 
 @inlined
 def slid_more(row: Vector, scratch: Vector, ends: Short, c: int, q: int) -> Triple:
-    """How much more the surfaces of a chosen pair slid than in the step before [m]."""
+    """The change of the slide of a chosen pair since the last step [m]."""
     i, j = ends[c, q], ends[c, WIDE + q]
     m, inside = three(scratch, c, MIDWAY, q), scratch[c, INSIDE * WIDE + q]
     spun = add_scaled(part(row, i, W), -1.0, part(row, i, SPUN))
