@@ -157,7 +157,7 @@ def test_drag_turns_a_pair_of_unlike_masses_that_drifts_sideways() -> None:
 @pytest.mark.parametrize(
     ("scene", "words"),
     [
-        (unit(bonds=tied(length=0.99 * D)), "pulls at t = 0"),
+        (unit(bonds=tied(length=0.99 * D)), "carries a force at t = 0"),
         (unit(bonds=tied(pairs=EDGES[:5])), "contact between spheres is not modelled on bonds"),
         (unit(bonds=tied(tension=8.0)), "bonds that break is not modelled"),
         (Scene((elements(),), Contact(KN)), "without bonds has nothing to linearise"),

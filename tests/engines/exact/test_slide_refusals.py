@@ -49,8 +49,8 @@ REFUSED = {
     "body 1 is not pressed on body 0 at t = 0": dataclasses.replace(
         on_floor(), gravity=np.zeros(3)
     ),
-    "body 1 is locked normal to body 0; how hard they press is not determined": on_floor(X > 0),
-    "body 1 is locked along the slip of body 0; how hard they rub is not determined": on_floor(
+    "body 1 is locked normal to body 0; the normal force is not determined": on_floor(X > 0),
+    "body 1 is locked along the slip of body 0; the friction force is not determined": on_floor(
         Z > 0, SIDE
     ),
     "viscous drag -eta v is not modelled on rigid contact": dataclasses.replace(

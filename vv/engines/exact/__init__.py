@@ -1,4 +1,4 @@
-"""Exact engine: solves small scenes with constant contact normals, from event to event.
+"""Exact engine: solves small scenes with constant contact normals exactly, event by event.
 
 May import: base, scene, ask, standins, engines.kernels.
 """
@@ -67,16 +67,16 @@ Prepare = Callable[[Ask], Problem]
 
 
 class Flow(Protocol):
-    """Follows a motion from event to event."""
+    """Computes a motion from event to event."""
 
     def warm(self) -> None:
-        """Load the kernel, or compile it."""
+        """Load or compile the kernel."""
 
     def follow(self) -> Any:
-        """Do what is timed; raises StoppedError if the motion cannot be followed."""
+        """Run the kernel, which is what is timed; raises StoppedError if the motion stops early."""
 
-    def path(self, told: Any, /) -> Motion:
-        """The motion of which `follow` told."""
+    def path(self, outcome: Any, /) -> Motion:
+        """The motion, made from the outcome of `follow`."""
 
 
 def prepare(ask: Ask) -> Problem:
@@ -91,7 +91,7 @@ def prepare(ask: Ask) -> Problem:
 
 
 def prepare_linearised(ask: Ask) -> Problem:
-    """The equations of an ask with bonds, to first order in u; raises RefusedError."""
+    """The equations of an ask with bonds, to first order in displacements; raises RefusedError."""
     problem = assemble_linearised(ask.scene)
     _check_observed(ask)
     return problem
@@ -107,7 +107,7 @@ def refusal(ask: Ask, prepare: Prepare = prepare) -> str | None:
 
 
 def ready(problem: Problem, duration: float) -> Flow:
-    """What follows the motion over a duration [s], ready to do so as often as wanted."""
+    """The flow that computes the motion over a duration [s], as often as it is asked to."""
     if isinstance(problem, TurningSlider):
         return TurningFlow(problem, duration)
     if isinstance(problem, Slider):
@@ -117,20 +117,20 @@ def ready(problem: Problem, duration: float) -> Flow:
 
 
 def move(problem: Problem, duration: float) -> Motion:
-    """The exact motion over a duration [s]; raises StoppedError if it cannot be followed."""
+    """The exact motion over a duration [s]; raises StoppedError if it stops early."""
     flow = ready(problem, duration)
     return flow.path(flow.follow())
 
 
 def model(scene: Scene, problem: Problem) -> Model:
-    """The model that was built for a scene: unknowns, terms and a note."""
+    """The model built for a scene: its unknowns, terms and a note."""
     if isinstance(problem, System):
         return describe(scene, problem)
     return describe_slider(scene, problem)
 
 
 def solve(ask: Ask, prepare: Prepare = prepare) -> Run:
-    """The run of an ask, without cost: refused, diverged, or exact to rounding errors."""
+    """The run of an ask, without its cost: refused, diverged, or exact to rounding errors."""
     try:
         problem = prepare(ask)
     except RefusedError as reason:
@@ -157,8 +157,9 @@ def answer(ask: Ask, path: Motion) -> Run:
     times = ask.goal.times(ask.knobs.dt)
     values = {}
     for observable in ask.observables:
-        moved, moving = path.of(_index(ask.scene, observable.body), times)
-        values[observable] = moved if isinstance(observable, Displacement) else moving
+        displacement, velocity = path.of(_index(ask.scene, observable.body), times)
+        is_displacement = isinstance(observable, Displacement)
+        values[observable] = displacement if is_displacement else velocity
     return Run(
         Status.RAN,
         times=times,
@@ -176,7 +177,7 @@ def _ledger(path: Motion) -> Ledger:
 
 
 def _slider_held_on_wall(ask: Ask) -> Slider | TurningSlider:
-    """The slider of a scene; raises RefusedError if its body leaves the wall within the ask."""
+    """The slider of a scene; raises RefusedError if its body leaves the wall before the end."""
     slider = assemble_slider(ask.scene)
     end = lift_off(slider, duration(ask))
     wall, body = slider.names

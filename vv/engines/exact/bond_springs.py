@@ -14,10 +14,11 @@ Owners = npt.NDArray[np.intp]
 
 @dataclass(frozen=True, eq=False)
 class BondSprings:
-    """h linear springs with the stretches stretch + rows @ q [m]; stretch (h,), rows (h, n).
+    """The h linear springs of b bonds; their stretches are stretch + rows @ q [m], for unknowns q.
 
-    stiffness: (h,) [N/m]. The first b springs act along the bonds, which have the given length
-    (b,) [m] at t = 0 and join the bodies in names; the others act across bonds.
+    stretch: (h,) at t = 0 [m]; rows: (h, n); stiffness: (h,) [N/m]. The first b springs act along
+    the bonds, whose length at t = 0 is length (b,) [m] and whose bodies are in names; the others
+    are shear springs.
     """
 
     rows: Vector
@@ -28,5 +29,5 @@ class BondSprings:
 
 
 def no_bond_springs(owner: Owners, direction: Vector) -> BondSprings:
-    """The springs of a scene without bonds: none."""
+    """The empty set of springs of a scene without bonds."""
     return BondSprings(np.zeros((0, len(owner))), np.zeros(0), np.zeros(0), np.zeros(0), ())

@@ -1,8 +1,8 @@
-"""Builds the equations of bonded spheres, exact while no bond turns, or to first order in u.
+"""Builds the equations of bonded spheres: exact if no bond rotates, else to first order.
 
-The motions that can occur span the Krylov space of the initial velocities and forces under the
+All motions that can occur lie in the Krylov space of the initial velocities and forces under the
 mass, drag and stiffness matrices. Its dimension is often much smaller than the number of degrees
-of freedom: a unit that breathes has one such motion.
+of freedom: it is one for a unit that expands and contracts uniformly.
 """
 
 from __future__ import annotations
@@ -25,26 +25,26 @@ from vv.scene import Scene, Vector
 
 
 def assemble_bonded(scene: Scene) -> System:
-    """The equations of bonds that keep their directions, at any amplitude.
+    """The equations of bonds whose directions are constant, at any amplitude.
 
-    Raises RefusedError if a bond would turn in a motion that can occur.
+    Raises RefusedError if a bond can rotate.
     """
     bonds = list(_checked(scene))
-    slack = np.zeros(len(bonds))
-    motions = _motions(scene, bonds, slack)
+    no_shear = np.zeros(len(bonds))
+    motions = _motions(scene, bonds, no_shear)
     for bond in bonds:
-        way = motions[:, bond.second] - motions[:, bond.spheres[0]]
-        across = way - np.outer(way @ bond.normal, bond.normal)
+        relative = motions[:, bond.second] - motions[:, bond.spheres[0]]
+        across = relative - np.outer(relative @ bond.normal, bond.normal)
         if np.abs(across).max(initial=0.0) > bond.rounding:
             raise RefusedError("the bond between bodies {} and {} turns".format(*bond.names))
-    return _tied(scene, bonds, motions, slack)
+    return _system_of(scene, bonds, motions, no_shear)
 
 
 def assemble_linearised(scene: Scene) -> System:
-    """The equations to first order in the displacements, for which bonds keep their directions.
+    """The equations to first order in the displacements, with constant directions of bonds.
 
-    Raises RefusedError for a scene without bonds, and for bonds under tension or compression at
-    t = 0: that force turns with the bond, an effect of first order that is not modelled.
+    Raises RefusedError for a scene without bonds, and for bonds that carry a force at t = 0: it
+    rotates with the bond, which is an effect of first order and not modelled.
     """
     if scene.bonds is None:
         raise RefusedError("a scene without bonds has nothing to linearise")
@@ -52,13 +52,16 @@ def assemble_linearised(scene: Scene) -> System:
     for bond in bonds:
         if abs(bond.gap) > bond.rounding * bond.depth:
             raise RefusedError(
-                "the bond between bodies {} and {} pulls at t = 0".format(*bond.names)
+                "the bond between bodies {} and {} carries a force at t = 0".format(*bond.names)
             )
-    return _tied(scene, bonds, _motions(scene, bonds, scene.bonds.ks), scene.bonds.ks)
+    return _system_of(scene, bonds, _motions(scene, bonds, scene.bonds.ks), scene.bonds.ks)
 
 
 def _checked(scene: Scene) -> Iterator[PossibleContact]:
-    """The bonds as contacts: depth is the length and gap the stretch at t = 0 [m]."""
+    """The bonds as contacts, whose depth is the length and whose gap is the stretch at t = 0 [m].
+
+    Raises RefusedError for terms that are not modelled.
+    """
     check_terms(scene)
     check_spheres(scene)
     assert scene.bonds is not None
@@ -75,7 +78,7 @@ def _checked(scene: Scene) -> Iterator[PossibleContact]:
 
 
 def _motions(scene: Scene, bonds: list[PossibleContact], ks: Vector) -> Vector:
-    """Orthonormal motions (k, n, 3) that span all motions that can occur."""
+    """An orthonormal basis (k, n, 3) of a space that contains all motions that can occur."""
     spheres = scene.spheres
     hold = np.einsum("ka,nk,kb->nab", scene.axes, spheres.free, scene.axes)
     push = functools.partial(_push, scene, bonds, ks)
@@ -88,7 +91,7 @@ def _motions(scene: Scene, bonds: list[PossibleContact], ks: Vector) -> Vector:
     waiting = [_unit(spheres.velocity), _unit(np.einsum("nab,nb->na", light, weight + stretched))]
     while waiting:
         new = np.einsum("nab,nb->na", hold, waiting.pop(0))
-        for _ in range(2):  # again, against rounding
+        for _ in range(2):  # twice, so that rounding does not spoil orthogonality
             new = new - np.tensordot(np.tensordot(found, new, 2), found, 1)
         if np.abs(new).max() <= rounding:
             continue
@@ -102,13 +105,13 @@ def _motions(scene: Scene, bonds: list[PossibleContact], ks: Vector) -> Vector:
 def _push(
     scene: Scene, bonds: list[PossibleContact], ks: Vector, q: Vector, stretch: Vector | float
 ) -> Vector:
-    """Forces (n, 3) [N] of bonds at small displacements q (n, 3), plus a given stretch [m]."""
+    """Forces (n, 3) [N] of bonds at small displacements q (n, 3) [m] and an initial stretch [m]."""
     assert scene.bonds is not None
     i, j = scene.bonded_pairs.T
     n = np.array([bond.normal for bond in bonds])
-    way = q[j] - q[i]
-    along = np.einsum("bk,bk->b", way, n)
-    pull = (scene.bonds.kn * (along + stretch) - ks * along)[:, None] * n + ks[:, None] * way
+    relative = q[j] - q[i]
+    along = np.einsum("bk,bk->b", relative, n)
+    pull = (scene.bonds.kn * (along + stretch) - ks * along)[:, None] * n + ks[:, None] * relative
     force = np.zeros_like(q)
     np.add.at(force, i, pull)
     np.add.at(force, j, -pull)
@@ -116,11 +119,12 @@ def _push(
 
 
 def _unit(motion: Vector) -> Vector:
+    """A motion over its norm; zero stays zero."""
     size = float(np.linalg.norm(motion))
     return motion / size if size > 0 else motion
 
 
-def _tied(scene: Scene, bonds: list[PossibleContact], motions: Vector, ks: Vector) -> System:
+def _system_of(scene: Scene, bonds: list[PossibleContact], motions: Vector, ks: Vector) -> System:
     """The system with one unknown for each direction in which a sphere can move."""
     rounding = max(bond.rounding for bond in bonds)
     spaces = [
@@ -132,13 +136,13 @@ def _tied(scene: Scene, bonds: list[PossibleContact], motions: Vector, ks: Vecto
         assert scene.bonds is not None
         across = [np.linalg.svd(bond.normal[None])[2][1:] for bond in bonds]
         sheared = [
-            (bond, way, k)
-            for bond, ways, k in zip(bonds, across, ks, strict=True)
-            for way in ways
+            (bond, axis, k)
+            for bond, axes, k in zip(bonds, across, ks, strict=True)
+            for axis in axes
             if k > 0
         ]
         kept = [*bonds, *(bond for bond, _, _ in sheared)]
-        along = [*(bond.normal for bond in bonds), *(way for _, way, _ in sheared)]
+        along = [*(bond.normal for bond in bonds), *(axis for _, axis, _ in sheared)]
         return BondSprings(
             rows=rows_of(kept, along, owner, direction),
             stiffness=np.array([*scene.bonds.kn, *(k for _, _, k in sheared)]),

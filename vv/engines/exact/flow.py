@@ -1,4 +1,4 @@
-"""The motion of a system: what its kernels are given, and what became of it."""
+"""Runs the kernel of a system: prepares its arguments and makes a path of its output."""
 
 from __future__ import annotations
 
@@ -22,14 +22,14 @@ from vv.engines.exact.stopped import StoppedError
 from vv.engines.exact.system import System
 from vv.engines.kernels.compiled import entry
 
-MOST_EVENTS = 50_000  # in one run; more are taken for an accumulation
+MOST_EVENTS = 50_000  # in one run; with more, events are said to accumulate
 MOST_STEPS = 200_000  # in one run
-FEW = 64  # pieces for which there is room at first
-Outcome = tuple[int, int, float, int]  # of `follow_system`
+FEW = 64  # pieces for which arrays have room at first
+Outcome = tuple[int, int, float, int]  # what `follow_system` returns
 
 
 class SystemFlow:
-    """A system ready to be followed over a duration [s], as often as wanted."""
+    """A system whose motion over a duration [s] can be computed as often as wanted."""
 
     def __init__(self, system: System, duration: float) -> None:
         self.system, self.duration = system, duration
@@ -37,13 +37,13 @@ class SystemFlow:
         self.filled = self._filled()
 
     def warm(self) -> None:
-        """Load the kernel, or compile it."""
-        self._kernel  # noqa: B018 - looked up, and kept
+        """Load or compile the kernel."""
+        self._kernel  # noqa: B018 - a cached property
 
     def follow(self) -> Outcome:
-        """Do what is timed; raises StoppedError if the motion cannot be followed."""
+        """Run the kernel, which is what is timed; raises StoppedError if the motion stops early."""
         while True:
-            outcome = self._kernel(*self._begun(), self.duration, MOST_EVENTS, *self.filled)
+            outcome = self._kernel(*self._initial(), self.duration, MOST_EVENTS, *self.filled)
             if outcome[0] == ENDED:
                 return outcome
             if outcome[0] != FULL or self.room >= MOST_STEPS:
@@ -52,23 +52,23 @@ class SystemFlow:
             self.filled = self._filled()
 
     def path(self, outcome: Outcome) -> Path:
-        """The motion of which `follow` told."""
-        starts, kept, began, series = (array[: outcome[1]] for array in self.filled)
+        """The motion, made from the outcome of `follow`."""
+        starts, states, lengths, series = (array[: outcome[1]] for array in self.filled)
         start, h, end = starts.T
-        return Path(self.system, start, h, end, series, kept, began)
+        return Path(self.system, start, h, end, series, states, lengths)
 
     @functools.cached_property
     def _kernel(self) -> Callable[..., Outcome]:
-        arguments = (*self._begun(), self.duration, MOST_EVENTS, *self.filled)
+        arguments = (*self._initial(), self.duration, MOST_EVENTS, *self.filled)
         return entry(follow_system, arguments)
 
-    def _begun(self) -> tuple[Any, ...]:
+    def _initial(self) -> tuple[Any, ...]:
         """The equations, and the state at t = 0, which the kernel overwrites."""
         equations, velocity, lengths, states = self.system.start
         return equations, velocity.copy(), lengths.copy(), states.copy()
 
     def _filled(self) -> tuple[Any, ...]:
-        """What the kernel fills."""
+        """The arrays that the kernel fills."""
         _, velocity, lengths, states = self.system.start
         return (
             np.empty((self.room, 3)),
@@ -78,13 +78,14 @@ class SystemFlow:
         )
 
     def _why(self, outcome: Outcome) -> str:
+        """The reason for which the motion stops early."""
         code, _, t, contact = outcome
         if code == MEETING:
             names = self.system.names + self.system.bond_springs.names
             bodies = "bodies {} and {}".format(*names[contact])
             return f"the centres of {bodies} meet at t = {t:.6g} s"
         return {
-            BEYOND: f"the motion leaves the range of numbers at t = {t:.6g} s",
+            BEYOND: f"the motion exceeds the range of floating-point numbers at t = {t:.6g} s",
             CROWDED: f"events accumulate: more than {MOST_EVENTS} by t = {t:.6g} s",
             FULL: "the duration is too long for so fast a motion: more than "
             f"{MOST_STEPS} steps by t = {t:.6g} s",
@@ -92,6 +93,6 @@ class SystemFlow:
 
 
 def follow(system: System, duration: float) -> Path:
-    """The motion of any system over a duration [s]; raises StoppedError where it stops."""
+    """The motion of any system over a duration [s]; raises StoppedError if it stops early."""
     flow = SystemFlow(system, duration)
     return flow.path(flow.follow())

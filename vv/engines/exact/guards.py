@@ -1,4 +1,4 @@
-"""Finds the guard that falls first in a step; guards are in metres and positive in a mode."""
+"""Finds the first event in a step, where a guard that is positive until then falls to zero."""
 
 from __future__ import annotations
 
@@ -16,8 +16,8 @@ from vv.engines.exact.roots import EPS, first_descent
 from vv.engines.kernels.compiled import lent
 from vv.scene import Vector
 
-GUARD_ROUNDING = 512 * EPS  # of the lengths in a guard: one that is negative by less is zero
-MET, NONE = -1, -2  # in place of a state: the motion ends, since centres meet; nothing changes
+GUARD_ROUNDING = 512 * EPS  # a guard below zero by less than this part of its lengths is zero
+MET, NONE = -1, -2  # in place of a state: the centres meet, where the motion ends; no change
 
 
 @lent
@@ -34,14 +34,14 @@ def next_event(  # noqa: PLR0912 - a branch per guard
     """The contact that changes first, its next state, and the part x of the step until then.
 
     lengths (c + s + h, ORDER + 1): series of gaps and stretches in the step of h [s]; sizes,
-    rates (c + s + h,): what their rounding and that of their rates is a part of [m]; work:
+    rates (c + s + h,): scales of their rounding and of that of their rates [m]; work:
     (ORDER + 1,). Without a change the state is NONE and x is `end`. Bonds are numbered after
     the contacts.
 
-    Open: the gap. Closed: the overlap U, and for two spheres the distance of their centres, as
-    for a bond. Viscous: U + tau U' in place of U, tau = eta_n/kn, and its opposite once parted.
-    Stuck: r U - s and r U + s for a stretch s, r = mu kn/ks. Slip along sigma: the rate
-    sigma x' - r U' at which the contact slips, for a tangential travel x.
+    The guards [m]. Open contact: the gap. Closed contact: the overlap U and, for two spheres and
+    for a bond, the distance of the centres. Viscous contact: U + tau U', tau = eta_n/kn, in place
+    of U, and its opposite once parted. Stuck contact: r U - s and r U + s for a stretch s,
+    r = mu kn/ks. Slip along sigma: the rate sigma x' - r U' of slip, for a tangential travel x.
     """
     found, after = 0, NONE
     count, r = len(states), equations.ratio
@@ -100,7 +100,10 @@ def _fall(
     end: float,
     work: Vector,
 ) -> float:
-    """Where part (y + offset) + pace y', y = one length c + other length s, falls, or infinity."""
+    """Where part (y + offset) + pace y' first falls below zero in [0, end], or a larger number.
+
+    y = one length[c] + other length[s].
+    """
     last = len(work) - 1
     rest = 0.0
     for k in range(last + 1):

@@ -1,4 +1,4 @@
-"""Follows a system from event to event, by Taylor steps that end where a contact changes."""
+"""Computes the motion of a system by Taylor steps that end where a contact changes its state."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from vv.engines.exact.modes import (
 from vv.engines.kernels.compiled import compiled, lent
 from vv.scene import Vector
 
-ORDER = 28  # of the Taylor series, whose terms fall like 2^k/k!: the last is 1e-21 of the state
+ORDER = 28  # of the Taylor series, whose terms decay like 2^k/k!: the last is 1e-21 of the first
 ENDED, FULL, BEYOND, MEETING, CROWDED = range(5)
 
 
@@ -38,10 +38,11 @@ def follow_system(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all i
 ) -> tuple[int, int, float, int]:
     """The outcome, the number p of pieces, the time reached [s] and the contact that stopped it.
 
-    velocity (n,) [m/s], lengths (c + s + h,) [m] and states (c,): those at t = 0, overwritten.
-    most: changes of state in a run. Filled, for as many pieces as there is room: starts (room, 3),
-    when a piece starts [s], its unit of time h [s] and its end in that unit; kept (room, c), its
-    states; began (room, c + s + h), lengths at its start; series (room, ORDER + 1, n) [m].
+    velocity (n,) [m/s], lengths (c + s + h,) [m] and states (c,): at t = 0, overwritten. most: the
+    number of changes of state that is allowed. Filled, up to `room` pieces: starts (room, 3), the
+    time at which a piece starts [s], its unit of time h [s] and its end in that unit; kept
+    (room, c), its states; began (room, c + s + h), its initial lengths [m]; series
+    (room, ORDER + 1, n) [m].
     """
     n, wide = len(velocity), len(lengths)
     place, force, drag = np.zeros(n), np.empty(n), np.empty(n)
@@ -122,9 +123,10 @@ def _expand(
     force: Vector,
     drag: Vector,
 ) -> None:
-    """Fill y (ORDER + 1, n) from its first three rows, and grown (c + s + h, ORDER + 1) with it.
+    """Fill the series y (ORDER + 1, n) from its first three rows, and grown, that of the lengths.
 
-    (k+1)(k+2) y[k+2] = pull y[k] - (k+1) drag y[k+1] holds from k = 1; constants are in y[2].
+    The recursion (k+1)(k+2) y[k+2] = pull y[k] - (k+1) drag y[k+1] holds from k = 1; constant
+    forces are in y[2]. grown: (c + s + h, ORDER + 1), filled from k = 1.
     """
     for k in range(1, ORDER + 1):
         stretch(equations, y[k], column)
@@ -140,6 +142,7 @@ def _expand(
 
 @lent
 def _finite(y: Vector) -> bool:
+    """Whether all numbers are finite: 0 times any other is not 0."""
     total = 0.0
     for k in range(len(y)):
         for a in range(y.shape[1]):
@@ -151,7 +154,7 @@ def _finite(y: Vector) -> bool:
 def _advance(
     y: Vector, x: float, h: float, place: Vector, velocity: Vector, travel: Vector
 ) -> None:
-    """Place and velocity after the part x of a step, and the travel (n,) [m] in it."""
+    """Update place and velocity to the part x of a step; fill travel (n,) [m], the displacement."""
     for a in range(len(place)):
         moved, rate = 0.0, 0.0
         for k in range(ORDER, 0, -1):
@@ -164,10 +167,10 @@ def _advance(
 
 @lent
 def _change(equations: Equations, states: Index, lengths: Vector, contact: int, after: int) -> None:
-    """Set a state, and the length that its guard watched to the exact value.
+    """Set the state of a contact, and its gap or stretch to the exact value at the event.
 
-    A contact that closes or opens has a gap of zero; a spring that begins to stick has the
-    stretch mu kn U/ks of the friction limit, or zero.
+    A contact that closes or opens has a gap of zero; a shear spring that begins to stick has the
+    stretch mu kn U/ks of the friction limit, or zero if the contact has just closed.
     """
     before, spring = states[contact], equations.spring[contact]
     if OPEN in (before, after):

@@ -1,4 +1,4 @@
-"""The energy ledger of an exact motion; every term is integrated by itself, exactly."""
+"""The energy ledger of an exact motion; every term is integrated separately and exactly."""
 
 from __future__ import annotations
 
@@ -13,14 +13,14 @@ from vv.engines.exact.path import Path, taylor_sum
 from vv.engines.exact.roots import EPS
 from vv.scene import Vector
 
-ROUNDINGS = 16  # of the largest sum of |terms|, allowed per piece
+ROUNDINGS = 16  # allowed per piece, in units of eps times the largest sum of |terms|
 
 
 def ledger(path: Path) -> Ledger:
     """The energies [J] at the end of a path, whose sum must equal the energy at t = 0.
 
     Potentials of gravity and dead loads are zero at t = 0. The sum is checked at the end of every
-    piece; its bound is ROUNDINGS eps per piece, times the largest sum of absolute values.
+    piece. Its bound is ROUNDINGS eps per piece, times the largest sum of absolute values.
     """
     system = path.system
     q, rate = taylor_sum(path.series, path.end)
@@ -42,7 +42,7 @@ def ledger(path: Path) -> Ledger:
 def ledger_of_terms(terms: dict[str, Vector], stored: int) -> Ledger:
     """The ledger of terms given at t = 0 and at the end of every piece, (p + 1,) each [J].
 
-    stored: how many of the first terms are energy stored in motion and springs.
+    stored: the number of leading terms that are kinetic or elastic energy.
     """
     held = np.array(list(terms.values()))
     total = held.sum(axis=0)
@@ -55,14 +55,14 @@ def ledger_of_terms(terms: dict[str, Vector], stored: int) -> Ledger:
 
 
 def _lengths(path: Path) -> Vector:
-    """Gaps and stretches as polynomials, (p, order + 1, c + s + h) [m]."""
+    """Gaps and stretches in each piece as polynomials, (p, order + 1, c + s + h) [m]."""
     lengths = np.asarray(path.series @ path.system.rows.T)
     lengths[:, 0] = path.lengths
     return lengths
 
 
 def _springs(path: Path, lengths: Vector) -> tuple[Vector, Vector]:
-    """Elastic energies (p + 1,) [J] at t = 0 and at the end of each piece."""
+    """Normal and shear elastic energies (p + 1,) [J] at t = 0 and at the end of each piece."""
     system, count = path.system, len(path.system.gap)
     at = np.concatenate((path.lengths[:1], taylor_sum(lengths, path.end)[0]))
     closed = np.array([[state is not State.OPEN for state in row] for row in path.states])
@@ -77,7 +77,7 @@ def _springs(path: Path, lengths: Vector) -> tuple[Vector, Vector]:
 
 
 def _from_start(rows: npt.NDArray[Any]) -> npt.NDArray[Any]:
-    """Values that hold for each piece (p, ...), at t = 0 and at the end of each piece."""
+    """Values of pieces (p, ...), extended to t = 0 and the end of each piece (p + 1, ...)."""
     return np.concatenate((rows[:1], rows))
 
 
@@ -89,7 +89,7 @@ def _signs(path: Path) -> Vector:
 
 
 def _friction(path: Path, lengths: Vector) -> Vector:
-    """Frictional work (p,) [J]: the integral of mu kn U (sigma x' - r U'), r = mu kn/ks."""
+    """Work of friction (p,) [J]: the integral of mu kn U (sigma x' - r U'), r = mu kn/ks."""
     system, sign = path.system, _signs(path)
     overlap = -lengths[:, :, list(system.springs)]
     first = len(system.gap)
@@ -109,7 +109,7 @@ def _drag(path: Path) -> Vector:
 def _parting(path: Path, lengths: Vector) -> Vector:
     """Work against viscous contacts (p,) [J]: the integral of (Fn - kn U) U' for U > 0.
 
-    Where they have parted, Fn = 0: the overlap that is left relaxes by itself.
+    Fn = 0 in parted contacts, whose remaining overlap relaxes without force.
     """
     system, count = path.system, len(path.system.gap)
     if not system.eta_n > 0:

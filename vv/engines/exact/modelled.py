@@ -1,4 +1,4 @@
-"""The terms that the exact engine models on each kind of contact; refuses other scenes."""
+"""Lists the terms that the exact engine models on each kind of contact, and refuses others."""
 
 from __future__ import annotations
 
@@ -40,9 +40,9 @@ def check_spheres(scene: Scene) -> None:
             f"the scene has {len(spheres)} spheres; at most {MOST_SPHERES} are solved"
         )
     for i in np.flatnonzero(spheres.spin.any(axis=1))[:1]:
-        raise RefusedError(f"sphere {i} spins; spin is not modelled")
+        raise RefusedError(f"sphere {i} spins; rotation is not modelled")
 
 
 def count_in_words(number: int, noun: str) -> str:
-    """A number and its noun, in the plural unless the number is 1: `3 contacts`."""
+    """A number with its noun, in the plural unless it is 1: `3 contacts`."""
     return f"{number} {noun}{'' if number == 1 else 's'}"

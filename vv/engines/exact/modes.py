@@ -1,4 +1,4 @@
-"""The linear equations that hold while contacts keep their states, for kernels."""
+"""Kernels of the linear equations of motion that hold while no contact changes its state."""
 
 from __future__ import annotations
 
@@ -20,8 +20,8 @@ OPEN, PARTED, STUCK, FORWARD, BACKWARD = range(5)
 class State(enum.Enum):
     """The state of a contact; STUCK is also the closed state of a contact without friction.
 
-    PARTED: bodies still overlap, but the viscous force would pull and is zero. In this order they
-    are the numbers that kernels know.
+    PARTED: the bodies still overlap, but the normal force is zero, since with viscosity it would
+    be tensile. Kernels use the place of a state in this order as its number.
     """
 
     OPEN = "open"
@@ -32,18 +32,18 @@ class State(enum.Enum):
 
     @property
     def sign(self) -> int:
-        """The direction of slip along the contact's tangent, 0 without slip."""
+        """The sign of slip along the contact's tangent, 0 without slip."""
         return (self is State.SLIP_FORWARD) - (self is State.SLIP_BACKWARD)
 
 
 States = tuple[State, ...]
 STATES: States = tuple(State)
-WITHOUT_FORCE = frozenset({State.OPEN, State.PARTED})  # without force
+WITHOUT_FORCE = frozenset({State.OPEN, State.PARTED})
 
 
 @bundle
 class Equations(NamedTuple):
-    """A System as kernels are given it; n unknowns, c contacts, s shear and h bond springs.
+    """A System in the form that kernels use: n unknowns, c contacts, s shear and h bond springs.
 
     mass (n,) [kg]; load (n,): weights and loads [N]; normal (c, n), tangent (s, n), tied (h, n):
     rows from unknowns to gaps and to stretches of shear and bond springs; spring (c,): the shear
@@ -70,15 +70,15 @@ class Equations(NamedTuple):
 
 @lent
 def sign_of(state: int) -> float:
-    """The direction of slip along a contact's tangent, 0 without slip."""
+    """The sign of slip along a contact's tangent, 0 without slip."""
     return 1.0 if state == FORWARD else -1.0 if state == BACKWARD else 0.0
 
 
 @lent
 def press(equations: Equations, states: Index, lengths: Vector, force: Vector) -> None:
-    """Fill force (n,) [N] with that of springs of given gaps and stretches (c + s + h,) [m].
+    """Fill force (n,) [N] with the spring forces at given gaps and stretches (c + s + h,) [m].
 
-    The normal force is kn U, the shear force ks s while stuck and sigma mu kn U in slip.
+    The normal force is kn U, the shear force ks s in a stuck contact and sigma mu kn U in slip.
     """
     count, first = len(equations.normal), len(equations.normal) + len(equations.tangent)
     force[:] = 0.0
@@ -97,7 +97,7 @@ def press(equations: Equations, states: Index, lengths: Vector, force: Vector) -
 
 @lent
 def slow(equations: Equations, states: Index, velocity: Vector, force: Vector) -> None:
-    """Fill force (n,) [N] with the drag of a velocity (n,) [m/s] and of closed contacts."""
+    """Fill force (n,) [N] with the drag and viscous contact forces at a velocity (n,) [m/s]."""
     for a in range(len(force)):
         force[a] = equations.eta * velocity[a]
     if equations.eta_n > 0:
@@ -109,7 +109,7 @@ def slow(equations: Equations, states: Index, velocity: Vector, force: Vector) -
 
 @lent
 def stretch(equations: Equations, moved: Vector, lengths: Vector) -> None:
-    """Fill lengths (c + s + h,) with what a motion (n,) makes of gaps and stretches."""
+    """Fill lengths (c + s + h,) with the changes of gaps and stretches by a displacement (n,)."""
     count, first = len(equations.normal), len(equations.normal) + len(equations.tangent)
     for c in range(count):
         lengths[c] = _along(equations.normal, c, moved)
@@ -121,9 +121,9 @@ def stretch(equations: Equations, moved: Vector, lengths: Vector) -> None:
 
 @lent
 def step(equations: Equations, states: Index, stiff: Vector, drag: Vector) -> float:
-    """The h [s] at which |K/m| h^2/4 + |D/m| h = 1 in the maximum norm, or infinity.
+    """The step h [s] at which |K/m| h^2/4 + |D/m| h = 1 in the maximum norm, or infinity.
 
-    stiff, drag: (n, n) for work, K [N/m] and D [N s/m].
+    stiff, drag: (n, n), overwritten by K [N/m] and D [N s/m].
     """
     stiff[:, :] = 0.0
     drag[:, :] = 0.0

@@ -14,7 +14,7 @@ from vv.scene import Vector
 
 @dataclass(frozen=True)
 class Event:
-    """The change of a contact's state at a time [s]; bodies: the numbers of its two bodies."""
+    """A change of a contact's state at a time [s]; bodies: the numbers of its two bodies."""
 
     time: float
     bodies: tuple[int, int]
@@ -26,9 +26,9 @@ class Event:
 class Path:
     """An exact motion of p pieces: q = sum over k of series[k] x^k, x = (t - start)/h in [0, end].
 
-    start, h [s], end: (p,); series: (p, order + 1, n) [m]; numbered: (p, c) the states of the
-    contacts, by their place among STATES; lengths: (p, c + s + h) gaps and stretches of shear
-    springs and bond springs where a piece starts [m].
+    start, h [s], end: (p,); series: (p, order + 1, n) [m]; numbered: (p, c) states of the contacts
+    as indices into STATES; lengths: (p, c + s + h) gaps and stretches of shear and bond springs
+    at the start of a piece [m].
     """
 
     system: System
@@ -49,7 +49,7 @@ class Path:
 
     @functools.cached_property
     def events(self) -> tuple[Event, ...]:
-        """Every change of a contact's state, in order of time."""
+        """All changes of a contact's state, in order of time."""
         found = []
         for time, before, after in zip(self.start[1:], self.states, self.states[1:], strict=False):
             for bodies, old, new in zip(self.system.names, before, after, strict=True):

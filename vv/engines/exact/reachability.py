@@ -16,7 +16,7 @@ import numpy as np
 from vv.scene import Scene, Spheres, Vector, Wall
 
 EPS = float(np.finfo(float).eps)
-DIRECTION_ROUNDING = 64 * EPS  # sines of smaller angles are rounding of a rotation
+DIRECTION_ROUNDING = 64 * EPS  # the sine of an angle below this is rounding of a rotation
 MOST_SPHERES = 32  # matrices are dense, and every pair is a possible contact
 
 
@@ -29,7 +29,7 @@ class PossibleContact:
     """A contact that two bodies may make: sphere `second` with sphere `first`, or a wall if None.
 
     names: the two body numbers. normal: (3,) unit vector towards `second`. gap: at t = 0 [m], 0 if
-    it is rounding. depth: the overlap at which the centres would coincide [m]. rounding: the
+    it is only rounding. depth: the overlap at which the centres would coincide [m]. rounding: the
     uncertainty of the normal that comes from rounded coordinates.
     """
 
@@ -43,7 +43,7 @@ class PossibleContact:
 
     @property
     def spheres(self) -> tuple[int, ...]:
-        """The indices of the spheres in it."""
+        """The indices of its one or two spheres."""
         return (self.second,) if self.first is None else (self.first, self.second)
 
 
@@ -80,7 +80,7 @@ def possible_contacts(scene: Scene) -> Iterator[PossibleContact]:
 
 
 def _gap_without_rounding(gap: float, size: float) -> float:
-    """Zero if the gap is within a few roundings of coordinates of this size [m]."""
+    """The gap, or zero if it is no more than rounding of coordinates of this size [m]."""
     return 0.0 if abs(gap) <= 8 * EPS * size else gap
 
 
@@ -138,7 +138,7 @@ def tangents(contact: PossibleContact, spaces: list[Vector]) -> Vector:
 
 
 def scaled(vector: Vector, size: float = 0.0) -> Vector:
-    """A vector over its length, or over a given size; zero stays zero."""
+    """A vector divided by its length, or by a given size; zero stays zero."""
     size = size or float(np.linalg.norm(vector))
     return vector / size if size > 0 else vector
 

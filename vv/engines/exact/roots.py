@@ -1,4 +1,4 @@
-"""Finds the first time at which a polynomial becomes negative, not where it only touches 0."""
+"""Finds the first zero at which a polynomial becomes negative, and not one where it touches 0."""
 
 from __future__ import annotations
 
@@ -16,8 +16,8 @@ EPS = 2.0**-52
 def first_descent_below_zero(c: Sequence[float], band: float, end: float) -> float | None:
     """The zero after which p(x) = c[0] + c[1] x + ... first falls below -band in [0, end].
 
-    None if it never does; 0 if it does so at once. band > 0 must exceed the rounding error of p:
-    a minimum between -band and 0 is a grazing contact and no event.
+    None if it never does, 0 if it does so immediately. band > 0 must exceed the rounding error of
+    p: a minimum between -band and 0 is a grazing contact and no event.
     """
     found = _first_descent(np.array(c, float), band, end)
     return found if found <= end else None
@@ -30,9 +30,9 @@ def _first_descent(c: Vector, band: float, end: float) -> float:
 
 @lent
 def first_descent(c: Vector, band: float, end: float) -> float:
-    """As `first_descent_below_zero` for kernels, and infinite where it never falls.
+    """The same as `first_descent_below_zero`, for kernels; infinite if p never falls.
 
-    Method: steps along x that cannot skip a zero. With |p'''| <= J, p'' >= p''(x) - J r on
+    The search takes steps along x that cannot skip a zero. With |p'''| <= J, p'' >= p''(x) - J r on
     [x, x + r]; hence p + band > 0 up to the step s <= r that solves
     p + band + p' s - M s^2/2 = 0, M = J r - p''(x). Each look-ahead r is four times the last step.
     """

@@ -1,5 +1,5 @@
-"""What is raised where a motion cannot be followed further."""
+"""The exception for a motion that cannot be computed to its end."""
 
 
 class StoppedError(Exception):
-    """The motion cannot be followed further; the message is the reason."""
+    """The motion cannot be computed further; the message is the reason."""

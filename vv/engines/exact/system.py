@@ -25,14 +25,14 @@ from vv.scene import Scene, Term, Vector
 
 @dataclass(frozen=True, eq=False)
 class System:
-    """M q'' = f - eta q' + spring forces, n unknowns q, c contacts, s shear and h bond springs.
+    """The equations M q'' = f - eta q' + spring forces, for n unknown displacements q [m].
 
-    owner: (n,) sphere of each unknown; direction: (n, 3) along which it moves; mass: (n,) [kg];
-    eta [N s/m]; weight, load: (n,) [N]; velocity: (n,) at t = 0 [m/s].
-    Gaps are gap + normal @ q, (c,) + (c, n) [m]; tangential travel is tangent @ q, (s, n) [m].
-    depth: (c,) overlaps at which centres meet [m]; names: the bodies of each contact.
-    springs: the contact of each shear spring. kn, ks [N/m]; mu; eta_n [N s/m] along normals.
-    bond_springs: the springs of bonds.
+    owner: (n,) sphere of each unknown; direction: (n, 3) of its motion; mass: (n,) [kg];
+    eta [N s/m]; weight, load: (n,) [N]; velocity: (n,) at t = 0 [m/s]. The gaps of the c contacts
+    are gap + normal @ q [m], with gap (c,) and normal (c, n); the tangential displacements of the
+    s shear springs are tangent @ q [m], with tangent (s, n). depth: (c,) overlaps at which centres
+    meet [m]; names: the bodies of each contact; springs: the contact of each shear spring;
+    kn, ks [N/m]; mu; eta_n [N s/m] along normals; bond_springs: the h springs of bonds.
     """
 
     owner: Owners
@@ -61,14 +61,14 @@ class System:
 
     @property
     def ratio(self) -> float:
-        """Largest stretch of a shear spring over the overlap, mu kn/ks; 0 without shear springs."""
+        """The largest stretch of a shear spring over the overlap, mu kn/ks; 0 without any."""
         return self.mu * self.kn / self.ks if self.springs else 0.0
 
     @functools.cached_property
     def start(self) -> tuple[Equations, Vector, Vector, Index]:
-        """The equations as kernels know them, velocities, lengths and states at t = 0.
+        """The equations in the form of kernels, and velocities, lengths and states at t = 0.
 
-        Shear springs are slack.
+        Shear springs have no stretch at t = 0.
         """
         spring, bonds = np.full(len(self.gap), -1), self.bond_springs
         spring[list(self.springs)] = np.arange(len(self.springs))
@@ -116,10 +116,10 @@ def equations(
     along: list[Vector],
     tied: Callable[[Owners, Vector], BondSprings],
 ) -> System:
-    """The system of spheres that move in given spaces, (d, 3) each.
+    """The system of spheres that each move in a given space, spanned by directions (d, 3).
 
     kept: the contacts; springs: the contact of each shear spring; along: its direction (3,);
-    tied(owner, direction): the bond springs. Raises RefusedError if nothing moves.
+    tied: makes the bond springs from owner and direction. Raises RefusedError if nothing moves.
     """
     spheres, law = scene.spheres, scene.contact
     direction = np.concatenate(spaces)
@@ -149,7 +149,7 @@ def equations(
 
 
 def describe(scene: Scene, system: System) -> Model:
-    """The model as built; its note counts unknowns and springs and names terms without effect."""
+    """The model; its note counts unknowns and springs, and names the terms without effect."""
     walls = np.isinf(system.depth)
     acting = {
         Term.SPHERE_CONTACT: not walls.all(),
@@ -175,7 +175,7 @@ def describe(scene: Scene, system: System) -> Model:
 
 
 def _acts_on_motion(contact: PossibleContact, spaces: list[Vector], rough: bool) -> bool:
-    """Whether a contact can act on the motion; raises RefusedError if its normal can turn."""
+    """Whether a contact can affect the motion; raises RefusedError if its normal can rotate."""
     space = np.concatenate([spaces[i] for i in contact.spheres])
     if not len(space) or not can_close(contact, spaces):
         return False
@@ -191,9 +191,9 @@ def _acts_on_motion(contact: PossibleContact, spaces: list[Vector], rough: bool)
 
 
 def _tangent(contact: PossibleContact, spaces: list[Vector]) -> Vector | None:
-    """The (3,) direction of shear in a contact, or None; raises RefusedError if it can turn.
+    """The direction (3,) of shear in a contact, or None; raises RefusedError if it can turn.
 
-    Forward is where the first unknown that shears the contact most carries its body.
+    It points where the first of the unknowns that shear the contact most moves its body.
     """
     along = tangents(contact, spaces)
     if len(along) > 1:
@@ -207,7 +207,7 @@ def _tangent(contact: PossibleContact, spaces: list[Vector]) -> Vector | None:
 def rows_of(
     kept: list[PossibleContact], along: list[Vector], owner: Owners, direction: Vector
 ) -> Vector:
-    """Rate at which each contact opens along its direction, per unit rate of an unknown (k, n)."""
+    """Relative velocities (k, n) of contacts along their directions, per unit rate of unknowns."""
     rows = np.zeros((len(kept), len(owner)))
     for row, contact, vector in zip(rows, kept, along, strict=True):
         part = direction @ vector

@@ -1,1 +1,1 @@
-"""Exact motion of one unknown on one spring contact, in closed form from event to event."""
+"""Exact motion of one unknown on one spring contact, in closed form between events."""

@@ -1,4 +1,4 @@
-"""The motion of a line: what its kernel is given, and what became of it."""
+"""Runs the kernel of a line: prepares its arguments and makes a path of its output."""
 
 from __future__ import annotations
 
@@ -18,9 +18,10 @@ from vv.engines.kernels.compiled import entry
 
 
 class LineFlow:
-    """A line ready to be followed over a duration [s], as often as wanted.
+    """A line whose motion over a duration [s] can be computed as often as wanted.
 
-    What ends it early, as centres that meet, is told by the general kernel, which it is left to.
+    If it ends early, because centres meet for example, the general kernel computes it instead and
+    gives the reason.
     """
 
     def __init__(self, system: System, line: Line, duration: float) -> None:
@@ -28,19 +29,19 @@ class LineFlow:
         self.pieces = np.empty((FEW, 5))
 
     def warm(self) -> None:
-        """Load the kernel, or compile it."""
-        self._kernel  # noqa: B018 - looked up, and kept
+        """Load or compile the kernel."""
+        self._kernel  # noqa: B018 - a cached property
 
     def follow(self) -> int | Outcome:
-        """Do what is timed; raises StoppedError if the motion cannot be followed."""
+        """Run the kernel, which is what is timed; raises StoppedError if the motion stops early."""
         count = self._kernel(*self._arguments)
         return count if count > 0 else self._general.follow()
 
-    def path(self, told: int | Outcome) -> Path:
-        """The motion of which `follow` told; raises StoppedError if it has too many parts."""
-        if not isinstance(told, int):
-            return self._general.path(told)
-        pieces = self.pieces[:told]
+    def path(self, outcome: int | Outcome) -> Path:
+        """The motion, made from the outcome of `follow`; raises StoppedError if it is too long."""
+        if not isinstance(outcome, int):
+            return self._general.path(outcome)
+        pieces = self.pieces[:outcome]
         if parts_of(self.line, pieces, self.duration).sum() <= MOST_STEPS:
             path = path_of(self.system, self.line, pieces, self.duration)
             if np.isfinite(path.series).all():

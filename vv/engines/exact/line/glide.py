@@ -1,4 +1,4 @@
-"""Closed forms of a mass under a constant force with drag: when it falls, stops, and where."""
+"""Closed forms of a mass under constant force and drag: its motion, and when it stops or falls."""
 
 from __future__ import annotations
 
@@ -7,14 +7,14 @@ import math
 from vv.engines.exact.roots import EPS
 from vv.engines.kernels.compiled import lent
 
-MOST_TRIES = 60  # each of which halves what is left at least
-SHORT = 0.5  # 2nt up to which a series has no loss
-TERMS = 14  # of it: SHORT^14/16! is 3e-18
+MOST_ITERATIONS = 60  # each of which at least halves the error
+SHORT = 0.5  # largest 2nt for the series, which loses no digits where the closed form would
+TERMS = 14  # of the series: SHORT^14/16! is 3e-18
 
 
 @lent
-def glided(v: float, a: float, n: float, t: float) -> tuple[float, float]:
-    """The way of x'' + 2n x' = a after t [s], and the velocity then."""
+def forced_motion(v: float, a: float, n: float, t: float) -> tuple[float, float]:
+    """Displacement [m] and velocity [m/s] of x'' + 2n x' = a after t [s] from a velocity v."""
     if n == 0.0:
         return t * (v + 0.5 * a * t), v + a * t
     z = 2 * n * t
@@ -30,42 +30,42 @@ def glided(v: float, a: float, n: float, t: float) -> tuple[float, float]:
 
 
 @lent
-def stops(v: float, a: float, n: float) -> float:
-    """When a velocity v >= 0 has come to nil [s], or infinity."""
+def stop_time(v: float, a: float, n: float) -> float:
+    """The time [s] at which x'' + 2n x' = a stops from a velocity v >= 0, or infinity."""
     if not a < 0.0:
         return math.inf
     return math.log1p(2 * n * v / -a) / (2 * n) if n > 0.0 else v / -a
 
 
 @lent
-def falls(x: float, v: float, a: float, n: float, band: float, end: float) -> float:
-    """When x'' + 2n x' = a first falls from x >= 0 through 0 [s], or infinity.
+def fall_time(x: float, v: float, a: float, n: float, band: float, end: float) -> float:
+    """The time [s] at which x'' + 2n x' = a first falls from x >= 0 through 0, or infinity.
 
-    A lowest point between -band and 0 is no fall, nor is one after `end`.
+    A minimum between -band and 0 does not count, nor does a fall after the time `end`.
     """
     if x <= 0.0 and (v < 0.0 or (v == 0.0 and a < 0.0)):
         return 0.0
     if a >= 0.0:
         if v >= 0.0:
             return math.inf
-        if x + glided(v, a, n, stops(-v, -a, n) if a > 0.0 else end)[0] >= -band:
+        if x + forced_motion(v, a, n, stop_time(-v, -a, n) if a > 0.0 else end)[0] >= -band:
             return math.inf
     if n == 0.0:
         root = math.sqrt(max(v * v - 2 * a * x, 0.0))
         return 2 * x / (root - v) if v < 0.0 else (v + root) / -a
-    return _falling(x, v, a, n, end)
+    return _fall_by_newton(x, v, a, n, end)
 
 
 @lent
-def _falling(x: float, v: float, a: float, n: float, end: float) -> float:
-    """The zero by Newton's rule, from the side on which it cannot go too far.
+def _fall_by_newton(x: float, v: float, a: float, n: float, end: float) -> float:
+    """The zero by Newton's method, from the side from which it cannot overshoot.
 
-    The acceleration a - 2nv keeps its sign: a path that bends up is met from the start, one that
-    bends down from the end.
+    The acceleration a - 2nv keeps its sign: iterations on a convex path start at t = 0, those on a
+    concave path at `end`.
     """
     t = 0.0 if a > 2 * n * v else end
-    for _ in range(MOST_TRIES):
-        moved, speed = glided(v, a, n, t)
+    for _ in range(MOST_ITERATIONS):
+        moved, speed = forced_motion(v, a, n, t)
         if t == end and x + moved >= 0.0:
             return math.inf
         after = min(max(t - (x + moved) / speed, 0.0), end)

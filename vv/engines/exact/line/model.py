@@ -1,4 +1,4 @@
-"""Which systems have closed forms from event to event, and what their kernel is given."""
+"""Recognises systems with closed forms between events, and makes the arguments of their kernel."""
 
 from __future__ import annotations
 
@@ -7,14 +7,15 @@ from typing import NamedTuple
 
 from vv.engines.exact.system import System
 
-UNDAMPED = 0.999  # of critical damping: closer to it the swing's own rate loses its digits
+UNDAMPED = 0.999  # of critical damping: closer to it, sqrt(k^2 - n^2) loses its digits
 
 
 class Line(NamedTuple):
-    """One unknown on one contact, which it either closes and opens or slides on, as `follow_one`.
+    """One unknown on one contact, which either opens and closes or is closed and may slip.
 
-    slides: whether x [m] is the stretch of a shear spring, and no gap. x, v [m/s]: at t = 0.
-    n, k [1/s], a [m/s2]: x'' + 2n x' + k^2 x = a while the contact holds. limit [m].
+    slides: whether x [m] is the stretch of a shear spring and not a gap. x [m], v [m/s]: at t = 0.
+    n, k [1/s], a [m/s2]: coefficients of x'' + 2n x' + k^2 x = a, which holds while the contact is
+    closed and sticks. limit [m]: see `follow_one`.
     """
 
     slides: bool
@@ -27,7 +28,7 @@ class Line(NamedTuple):
 
 
 def line_of(system: System) -> Line | None:
-    """The line of a system, or None if it needs more than one."""
+    """The line of a system, or None if it is no single unknown on one contact."""
     contacts, springs = len(system.gap), len(system.springs)
     plain = not system.bond_springs.names and not system.eta_n > 0
     if len(system.mass) != 1 or contacts != 1 or springs > 1 or not plain:

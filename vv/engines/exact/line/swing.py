@@ -1,4 +1,4 @@
-"""Closed forms of a mass on a spring with drag: when it rises through a level, and where it is."""
+"""Closed forms of a mass on a spring with drag: its motion, and when it rises through a level."""
 
 from __future__ import annotations
 
@@ -7,16 +7,16 @@ import math
 from vv.engines.exact.roots import EPS
 from vv.engines.kernels.compiled import lent
 
-MOST_TRIES = 60  # bisections would need no more
+MOST_ITERATIONS = 60  # as many as bisection would need
 TURN = 2 * math.pi
 
 
 @lent
-def rises(y: float, v: float, n: float, w: float, level: float, band: float) -> float:
-    """When y'' + 2n y' + (n^2 + w^2) y = 0 first rises from y <= level through it [s].
+def crossing_time(y: float, v: float, n: float, w: float, level: float, band: float) -> float:
+    """The time [s] at which y'' + 2n y' + (n^2 + w^2) y = 0 first rises from y <= level through it.
 
-    Infinity if it never gets above it by more than `band`. y = size e^(-nt) cos(wt - phase) is
-    highest at the first of its peaks, so that no later one decides.
+    Infinity if y never exceeds the level by more than `band`. y = size e^(-nt) cos(wt - phase) has
+    its highest peak first, so that later peaks need not be looked at.
     """
     b = (v + n * y) / w
     size, phase = math.sqrt(y * y + b * b), math.atan2(b, y)
@@ -39,11 +39,11 @@ def rises(y: float, v: float, n: float, w: float, level: float, band: float) -> 
     if y >= level and (v > 0.0 or (v == 0.0 and y < 0.0)):
         return 0.0
     guess = peak + (lag - math.acos(min(max(level / size, -1.0), 1.0))) / w
-    return _rising(y, b, v, n, w, level, max(0.0, peak - math.pi / w), peak, guess)
+    return _crossing_by_newton(y, b, v, n, w, level, max(0.0, peak - math.pi / w), peak, guess)
 
 
 @lent
-def _rising(
+def _crossing_by_newton(
     y: float,
     b: float,
     v: float,
@@ -54,9 +54,9 @@ def _rising(
     high: float,
     guess: float,
 ) -> float:
-    """Where it meets the level as it rises from `low` to its peak at `high`, by Newton's rule."""
+    """The time at which y meets the level between `low` and its peak at `high`, by Newton steps."""
     t = min(max(guess, low), high)
-    for _ in range(MOST_TRIES):
+    for _ in range(MOST_ITERATIONS):
         fade, sine, cosine = math.exp(-n * t), math.sin(w * t), math.cos(w * t)
         beyond = fade * (y * cosine + b * sine) - level
         speed = fade * (v * cosine - (w * y + n * b) * sine)
@@ -76,8 +76,8 @@ def _rising(
 
 
 @lent
-def swung(y: float, v: float, n: float, w: float, t: float) -> tuple[float, float]:
-    """Place and velocity after a time t [s]."""
+def oscillation(y: float, v: float, n: float, w: float, t: float) -> tuple[float, float]:
+    """Displacement y [m] and velocity [m/s] of the oscillation after a time t [s]."""
     b = (v + n * y) / w
     sine, cosine = math.sin(w * t), math.cos(w * t)
     fade = math.exp(-n * t) if n > 0.0 else 1.0

@@ -1,4 +1,4 @@
-"""Counts time in quarter periods of the fastest sine, so that phases do not lose digits."""
+"""Measures time in quarter periods of the fastest sine, so that phases lose no digits."""
 
 from __future__ import annotations
 
@@ -12,17 +12,17 @@ import numpy.typing as npt
 
 from vv.scene import Vector
 
-CELLS = 4  # in a period of the fastest sine: angles of at most pi/2, where series are short
+CELLS = 4  # per period of the fastest sine: angles of at most pi/2, for which series are short
 ORDER = 24  # of the Taylor series of a sine over a cell; the last term is (pi/2)^24/24! = 1e-19
-Instant = tuple[int, float]  # number of whole cells, and the fraction of the present one
+Instant = tuple[int, float]  # number of completed cells, and fraction of the present one
 
 
 @dataclass(frozen=True, eq=False)
 class Clock:
-    """Cells of 1/rate [s], and what k sines of given phase (k,) [rad] do in them.
+    """Divides time into cells of 1/rate [s], and evaluates k sines in them.
 
-    rate [1/s]; turns: for each sine a/b, the turns it makes in a cell, as integers (a, b). An
-    instant is as accurate after a million periods as at t = 0.
+    rate [1/s]; turns: the cycles a/b of each sine in a cell, as integers (a, b); frequency (k,)
+    [Hz]; phase (k,) [rad]. An instant is as accurate after a million periods as at t = 0.
     """
 
     rate: float
@@ -32,7 +32,7 @@ class Clock:
 
     @classmethod
     def of(cls, frequency: Vector, phase: Vector, duration: float) -> Clock:
-        """The clock for sines of given frequencies (k,) [Hz]; without any, one cell [s]."""
+        """The clock for sines of frequencies (k,) [Hz]; without any, the duration is one cell."""
         quickest = float(frequency.max(initial=0.0))
         if quickest == 0:
             return cls(1 / duration, ((0, 1),) * len(phase), frequency, phase)
@@ -66,29 +66,29 @@ class Clock:
 
     @functools.cached_property
     def turn(self) -> Vector:
-        """How far each sine turns in a cell (k,) [rad]."""
+        """The change of each sine's phase in a cell (k,) [rad]."""
         return 2 * np.pi * np.array([a / b for a, b in self.turns]).reshape(len(self.phase))
 
     def angles(self, cells: int) -> Vector:
-        """The phase of each sine where a cell starts (cells, k) [rad], as sharp in the last."""
+        """The phases of the sines at the start of each cell (cells, k) [rad], without loss."""
         cell = np.arange(cells)
-        begun = np.empty((cells, len(self.phase)))
+        start = np.empty((cells, len(self.phase)))
         for i, (a, b) in enumerate(self.turns):
             fits = max(a, b) * cells < 2**63
             whole = (a * cell) % b if fits else [(a * n) % b for n in range(cells)]
-            begun[:, i] = 2 * np.pi * (np.asarray(whole, float) / b) + self.phase[i]
-        return begun
+            start[:, i] = 2 * np.pi * (np.asarray(whole, float) / b) + self.phase[i]
+        return start
 
     def waves_at(self, times: Vector) -> Vector:
-        """The same at times (t,) [s]: (t, 1 + 2k)."""
+        """The same as `waves`, at times (t,) [s]: (t, 1 + 2k)."""
         turns = times.astype(np.longdouble)[:, None] * self.frequency
         angles = 2 * np.pi * (turns - np.floor(turns)).astype(float) + self.phase
         return np.hstack((np.ones((len(times), 1)), np.sin(angles), np.cos(angles)))
 
     def taylor(self, row: Vector) -> Vector:
-        """Taylor maps (ORDER + 1, 1 + 2k) of row[0] + row[1:] @ sines, from waves.
+        """The matrix (ORDER + 1, 1 + 2k) from `waves` to the series of row[0] + row[1:] @ sines.
 
-        The variable counts cells: sin(b + c x) = sin b cos c x + cos b sin c x.
+        The variable x of the series counts cells: sin(b + c x) = sin b cos c x + cos b sin c x.
         """
         rank = np.arange(ORDER + 1)
         size = (

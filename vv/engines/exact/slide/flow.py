@@ -1,4 +1,4 @@
-"""The motion of a slider: what its kernel is given, and what became of it."""
+"""Runs the kernel of a slider: prepares its arguments and makes a path of its output."""
 
 from __future__ import annotations
 
@@ -18,13 +18,13 @@ from vv.engines.exact.slide.system import Slider, TurningSlider
 from vv.engines.exact.stopped import StoppedError
 from vv.engines.kernels.compiled import entry
 
-MOST_EVENTS = 1_000  # in one cell; more are taken for an accumulation
+MOST_EVENTS = 1_000  # in one cell; with more, events are said to accumulate
 MOST_STEPS = 1_000_000  # in one run
-FEW = 128  # pieces for which there is room at first
+FEW = 128  # pieces for which arrays have room at first
 
 
 class SliderFlow:
-    """A slider ready to be followed over a duration [s], as often as wanted."""
+    """A slider whose motion over a duration [s] can be computed as often as wanted."""
 
     def __init__(self, slider: Slider, duration: float) -> None:
         self.slider, self.clock = slider, Clock.of(slider.frequency, slider.phase, duration)
@@ -33,13 +33,13 @@ class SliderFlow:
         self.filled = self._filled()
 
     def warm(self) -> None:
-        """Load the kernel, or compile it."""
-        self._kernel  # noqa: B018 - looked up, and kept
+        """Load or compile the kernel."""
+        self._kernel  # noqa: B018 - a cached property
 
     def follow(self) -> int:
-        """Do what is timed, the number of pieces; raises StoppedError if it cannot be followed."""
+        """Run the kernel, which is what is timed: the number of pieces; raises StoppedError."""
         while True:
-            outcome, count = self._kernel(*self._given, *self.filled)
+            outcome, count = self._kernel(*self._arguments, *self.filled)
             if outcome == ENDED:
                 return count
             if outcome == CROWDED or self.room >= MOST_STEPS:
@@ -49,34 +49,35 @@ class SliderFlow:
             self.filled = self._filled()
 
     def path(self, count: int) -> Slide:
-        """The motion of which `follow` told."""
+        """The motion, made from the number of pieces that `follow` returned."""
         starts, states, series = (array[:count] for array in self.filled)
         cell, part, length = starts.T
         cells = cell.astype(np.int64)
         return Slide(self.slider, self.clock, cells, part, length, series, states, self.end)
 
     @functools.cached_property
-    def _given(self) -> tuple[Any, ...]:
-        """What the kernel is told of the slider."""
+    def _arguments(self) -> tuple[Any, ...]:
+        """The arguments of the kernel that describe the slider."""
         slider, clock = self.slider, self.clock
         start = np.concatenate(((0.0,), slider.base @ slider.along))
         friction = slider.mu * slider.pressing
         rows = np.array([slider.drive, slider.relative_drive, friction, start])
-        begun = slider.speed, STATES.index(_state(slider)), _fastest(slider, clock)
+        initial = slider.speed, STATES.index(_state(slider)), _fastest(slider, clock)
         angles = clock.angles(self.end[0] + 1)
-        return rows, angles, clock.turn, clock.rate, self.end[1], begun, MOST_EVENTS
+        return rows, angles, clock.turn, clock.rate, self.end[1], initial, MOST_EVENTS
 
     @functools.cached_property
     def _kernel(self) -> Callable[..., tuple[int, int]]:
-        return entry(follow_line, (*self._given, *self.filled))
+        return entry(follow_line, (*self._arguments, *self.filled))
 
     def _filled(self) -> tuple[Any, ...]:
-        """What the kernel fills."""
+        """The arrays that the kernel fills."""
         room = self.room
         return np.empty((room, 3)), np.empty(room, np.int64), np.empty((room, ORDER + 1))
 
 
 def _why(outcome: int, clock: Clock, instant: Instant) -> str:
+    """The reason for which a motion stops early."""
     at = f"by t = {clock.time(instant):.6g} s"
     if outcome == CROWDED:
         return f"events accumulate: more than {MOST_EVENTS} in a quarter period {at}"
@@ -84,7 +85,7 @@ def _why(outcome: int, clock: Clock, instant: Instant) -> str:
 
 
 def lift_off(slider: Slider | TurningSlider, duration: float) -> float | None:
-    """When the body is no longer pressed on the wall within a duration [s], or None."""
+    """The time [s] at which the body leaves the wall within a duration [s], or None."""
     band = GUARD_ROUNDING * float(np.abs(slider.pressing).sum())
     if slider.pressing[0] - np.abs(slider.pressing[1:]).sum() > band:
         return None
@@ -101,14 +102,14 @@ def lift_off(slider: Slider | TurningSlider, duration: float) -> float | None:
 
 
 def _state(slider: Slider) -> State:
-    """The state at t = 0; without friction there is one, closed."""
+    """The state at t = 0; without friction it is always STUCK, which then means closed."""
     if slider.mu == 0 or slider.sign == 0:
         return State.STUCK
     return State.SLIP_FORWARD if slider.sign > 0 else State.SLIP_BACKWARD
 
 
 def _fastest(slider: Slider, clock: Clock) -> float:
-    """The largest speed that can be expected [m/s]."""
+    """An estimate of the largest speed [m/s], of which rounding is a part."""
     strength = (
         np.abs(slider.relative_drive) + np.abs(slider.drive) + slider.mu * np.abs(slider.pressing)
     )

@@ -1,4 +1,4 @@
-"""Follows a slider from event to event, by Taylor steps within quarter periods."""
+"""Computes the motion of a slider by Taylor steps within quarter periods, from event to event."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ def follow_line(
     turn: Vector,
     rate: float,
     last: float,
-    begun: tuple[float, int, float],
+    initial: tuple[float, int, float],
     most: int,
     starts: Vector,
     states: Index,
@@ -32,15 +32,16 @@ def follow_line(
 ) -> tuple[int, int]:
     """The outcome and the number p of pieces.
 
-    rows (4, 1 + k): the drive of the body, that relative to the wall and mu times the pressing
-    [m/s2], and the place of the wall [m], along the slip, as constants and amplitudes of k sines.
-    angles (cells, k), turn (k,) [rad]: the phases of the sines where a cell starts, and how far
-    they turn in it. rate: cells per second; last: the part of the last cell in which the motion
-    ends. begun: speed [m/s], state and fastest speed [m/s] at t = 0. most: events in a cell.
-    Filled: starts (room, 3), the cell and part where a piece starts and its length in cells;
-    states (room,); series (room, ORDER + 1) [m].
+    rows (4, 1 + k): the acceleration of the body along the slip without friction, the same
+    relative to the wall, mu times the pressing [m/s2], and the position of the wall [m], each as a
+    constant and amplitudes of k sines. angles (cells, k), turn (k,) [rad]: the phases of the sines
+    at the start of each cell, and their change in a cell. rate: cells per second; last: the part
+    of the last cell at which the motion ends. initial: speed [m/s], state and fastest speed [m/s]
+    at t = 0. most: number of events allowed in a cell. Filled: starts (room, 3), the cell and
+    part at which a piece starts and its length in cells; states (room,); series
+    (room, ORDER + 1) [m].
     """
-    speed, state, fastest = begun
+    speed, state, fastest = initial
     place, cell, part, count, events = 0.0, 0, 0.0, 0, 0
     known, guard = np.empty((4, ORDER + 1)), np.empty(ORDER + 1)
     rubs = np.abs(rows[FRICTION]).max() > 0
@@ -81,7 +82,7 @@ def follow_line(
 
 @lent
 def _expand(rows: Vector, angle: Vector, turn: Vector, part: float, known: Vector) -> None:
-    """Fill known (4, ORDER + 1) with the series of rows from a part of a cell on."""
+    """Fill known (4, ORDER + 1) with the series of the rows about a part of a cell."""
     known[:, :] = 0.0
     for r in range(4):
         known[r, 0] = rows[r, 0]
@@ -99,7 +100,7 @@ def _expand(rows: Vector, angle: Vector, turn: Vector, part: float, known: Vecto
 def _place(
     known: Vector, state: int, rubs: bool, place: float, speed: float, rate: float, y: Vector
 ) -> None:
-    """Fill y (ORDER + 1,): the place of a body that slips, or is held, or meets no friction."""
+    """Fill y (ORDER + 1,), the series of the body's position [m], whether it slips or sticks."""
     y[0] = place
     if rubs and state == STUCK:
         for n in range(1, ORDER + 1):
@@ -113,7 +114,7 @@ def _place(
 
 @lent
 def _slipping(known: Vector, y: Vector, scale: float, guard: Vector) -> None:
-    """Fill guard (ORDER + 1,) with the speed of the slip [m/s], times the sign it had."""
+    """Fill guard (ORDER + 1,), the series of the velocity of slip [m/s] times its initial sign."""
     for n in range(ORDER):
         guard[n] = scale * (n + 1) * (y[n + 1] - known[BASE, n + 1])
     guard[ORDER] = 0.0
@@ -121,7 +122,7 @@ def _slipping(known: Vector, y: Vector, scale: float, guard: Vector) -> None:
 
 @lent
 def _advance(y: Vector, x: float, rate: float) -> tuple[float, float]:
-    """Place [m] and speed [m/s] at the end of a piece."""
+    """Position [m] and speed [m/s] at the part x of a piece."""
     place = moving = 0.0
     for n in range(ORDER, 0, -1):
         place = place * x + y[n]

@@ -1,4 +1,4 @@
-"""The energy ledger of a slide; every energy and work is integrated by itself, exactly."""
+"""The energy ledger of a slide; every energy and work is integrated separately and exactly."""
 
 from __future__ import annotations
 
@@ -13,10 +13,10 @@ from vv.scene import Vector
 
 
 def slide_ledger(path: Slide) -> Ledger:
-    """Energies at the end of a slide, as the ledger of springs has them.
+    """The energies [J] at the end of a slide, with the conventions of `vv.engines.exact.ledger`.
 
-    What shaking and the moving wall have put in counts negative, so that the sum of all terms is
-    the energy at t = 0. The wall works with the contact force on its own velocity.
+    Work done by shaking and by the moving wall counts as negative, so that the sum of all terms is
+    the energy at t = 0. The power of the wall is the contact force times the wall's velocity.
     """
     displacement, velocity = path.motion_in_space(*_ends(path), path.waves)
     return ledger_on_wall(path.slider, displacement, velocity, _works(path))
@@ -30,7 +30,8 @@ def ledger_on_wall(
 ) -> Ledger:
     """The ledger of a body on a wall from its motion in space at the ends of pieces, (p + 1, 3).
 
-    works: (p,) each [J], against friction, of the shaking and of the wall, in each piece.
+    works: three arrays (p,) [J], the work against friction, by shaking and by the wall in each
+    piece.
     """
     friction, shaking, base = works
     terms = {
@@ -45,7 +46,7 @@ def ledger_on_wall(
 
 
 def _ends(path: Slide) -> tuple[Vector, Vector]:
-    """Place [m] and speed [m/s] along the slip at t = 0 and at the end of each piece, (p + 1,)."""
+    """Position [m] and speed [m/s] along the slip at t = 0 and the end of each piece, (p + 1,)."""
     place, rate = taylor_sum(path.series[:, :, None], path.end)
     return (
         np.concatenate(((0.0,), place[:, 0])),
@@ -54,7 +55,7 @@ def _ends(path: Slide) -> tuple[Vector, Vector]:
 
 
 def _works(path: Slide) -> tuple[Vector, Vector, Vector]:
-    """Works (p,) [J] against friction, of the shaking and of the wall, in each piece."""
+    """The work (p,) [J] against friction, by shaking and by the wall in each piece."""
     slider = path.slider
     sign = np.array([state.sign for state in path.states], float)[:, None]
     pressing, relative_drive = (
@@ -80,7 +81,7 @@ def _axes(path: Slide) -> tuple[Vector, Vector]:
 
 
 def _row(amplitude: Vector, axis: Vector) -> Vector:
-    """The row (1 + k,) of sines of amplitudes (k, 3), seen along an axis."""
+    """The row (1 + k,) of sines of amplitudes (k, 3), projected on an axis."""
     return np.concatenate(((0.0,), amplitude @ axis))
 
 
@@ -90,11 +91,11 @@ def _series_of_row(path: Slide, row: Vector) -> Vector:
 
 
 def _rate(path: Slide, series: Vector) -> Vector:
-    """The time derivatives (p, order + 1) of polynomials in cells."""
+    """The time derivatives (p, order + 1) of polynomials whose variable counts cells."""
     return np.asarray(path.clock.rate * derivative(series[:, :, None])[:, :, 0])
 
 
 def _integral(path: Slide, force: Vector, velocity: Vector) -> Vector:
-    """Mass times the integral of a product over each piece, (p,) [J]."""
+    """The work (p,) [J] of accelerations at velocities in each piece: mass times the integral."""
     work = product_integral(path.end, force[:, :, None], velocity[:, :, None])[:, 0]
     return np.asarray(path.slider.mass / path.clock.rate * work)

@@ -17,10 +17,10 @@ from vv.scene import Vector
 
 @dataclass(frozen=True, eq=False)
 class Slide:
-    """A motion of p pieces: place = sum over k of series[k] x^k [m] for x in [0, end], in cells.
+    """A motion of p pieces: position = sum over k of series[k] x^k [m], x in [0, end] in cells.
 
-    cell, part, end: (p,), where a piece starts and its length in cells; series: (p, order + 1);
-    numbered: (p,) the states, by their place among STATES; last: the instant of the end.
+    cell, part: (p,) the instant at which a piece starts; end: (p,) its length in cells; series:
+    (p, order + 1); numbered: (p,) states as indices into STATES; last: the instant of the end.
     """
 
     slider: Slider
@@ -39,7 +39,7 @@ class Slide:
 
     @functools.cached_property
     def waves(self) -> Vector:
-        """The waves of the clock where each piece starts, and at the end: (p + 1, 1 + 2k)."""
+        """The waves of the clock at the start of each piece and at the end: (p + 1, 1 + 2k)."""
         starts = zip(self.cell.tolist(), self.part.tolist(), strict=True)
         return np.array([self.clock.waves(instant) for instant in (*starts, self.last)])
 
@@ -48,7 +48,7 @@ class Slide:
 
     @functools.cached_property
     def events(self) -> tuple[Event, ...]:
-        """Every change of the contact's state, in order of time."""
+        """All changes of the contact's state, in order of time."""
         starts = zip(self.cell.tolist(), self.part.tolist(), strict=True)
         held = list(zip(starts, self.states, strict=True))
         return tuple(
@@ -58,7 +58,7 @@ class Slide:
         )
 
     def at(self, times: Vector) -> tuple[Vector, Vector]:
-        """Place (t,) [m] and speed (t,) [m/s] along the slip at times (t,) [s]."""
+        """Position (t,) [m] and speed (t,) [m/s] along the slip at times (t,) [s]."""
         cell, part = self.clock.instants(times)
         piece = np.searchsorted(self.cell + self.part, cell + part, side="right") - 1
         piece = np.maximum(piece, 0)
@@ -71,7 +71,7 @@ class Slide:
         return self.motion_in_space(*self.at(times), self.clock.waves_at(times))
 
     def motion_in_space(self, place: Vector, speed: Vector, waves: Vector) -> tuple[Vector, Vector]:
-        """Displacement and velocity (t, 3), of which the wall alone decides the normal parts."""
+        """Displacement and velocity (t, 3) [m, m/s], whose normal parts are those of the wall."""
         slider, k = self.slider, len(self.slider.phase)
         lift = slider.base @ slider.normal
         sine, cosine = waves[:, 1 : k + 1] - np.sin(slider.phase), waves[:, k + 1 :]

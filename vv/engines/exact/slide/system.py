@@ -1,4 +1,4 @@
-"""Builds the equations of motion of a body that slips on a rigid wall, along a line or a plane."""
+"""Builds the equations of motion of a body that slips on a rigid wall, in one or two directions."""
 
 from __future__ import annotations
 
@@ -24,17 +24,18 @@ from vv.standins.penalty_springs import as_spheres
 
 @dataclass(frozen=True, eq=False)
 class Slider:
-    """A body on a wall, one unknown: how far it has moved along the line on which it slips.
+    """A body on a wall with one unknown, its displacement along the line on which it slips.
 
-    names: body numbers of the wall and of the body; mass [kg]; mu. normal, along: (3,) unit,
-    out of the wall and along the slip. At t = 0: speed of the body along it [m/s], and the sign
-    of its slip, 0 if it moves with the wall. gravity [m/s2], load [N]: (3,). Of k sines of
-    frequency [Hz] and phase [rad], (k,), each accelerates the body by shaking (k, 3) [m/s2] and
-    moves the wall, as far as the body feels it, by base (k, 3) [m].
+    names: body numbers of the wall and of the body; mass [kg]; mu; normal, along: (3,) unit
+    vectors out of the wall and along the slip; speed: of the body along the slip at t = 0 [m/s];
+    sign: of the slip at t = 0, 0 if the body moves with the wall; gravity (3,) [m/s2]; load (3,)
+    [N]. The k sines have frequency [Hz] and phase [rad], (k,); shaking (k, 3) [m/s2] are their
+    amplitudes in the acceleration of the body, and base (k, 3) [m] those in the displacement of
+    the wall, restricted to the directions in which it acts on the body.
 
-    Rows (1 + k,) [m/s2] stand for row[0] + row[1:] @ sines. In slip along sigma the body has the
-    acceleration drive - sigma mu pressing; it sticks to the wall while
-    |relative_drive| <= mu pressing, where relative_drive is drive less the wall's acceleration.
+    A row (1 + k,) [m/s2] represents row[0] + row[1:] @ sines. A body that slips along sigma has
+    the acceleration drive - sigma mu pressing. It sticks while |relative_drive| <= mu pressing,
+    where relative_drive is drive minus the acceleration of the wall.
     """
 
     names: tuple[int, int]
@@ -53,12 +54,12 @@ class Slider:
 
     @functools.cached_property
     def drive(self) -> Vector:
-        """Acceleration of the body along the slip without friction, as a row."""
+        """The acceleration of the body along the slip without friction, as a row."""
         return forces(self) @ self.along
 
     @functools.cached_property
     def relative_drive(self) -> Vector:
-        """The same relative to the wall, as a row."""
+        """The same relative to the wall."""
         return (forces(self) - ground(self)) @ self.along
 
     @functools.cached_property
@@ -69,10 +70,10 @@ class Slider:
 
 @dataclass(frozen=True, eq=False)
 class TurningSlider:
-    """A body on a wall whose slip can turn, with two unknowns: how far it has slipped on the wall.
+    """A body on a wall whose slip can change direction, with two unknowns: its slip on the wall.
 
-    As Slider, but: axes: (2, 3) unit, of the plane of the wall; slip: (2,) the velocity relative
-    to the wall at t = 0 [m/s], along them.
+    Other attributes than those of Slider: axes (2, 3), unit vectors that span the wall; slip (2,)
+    [m/s], the velocity relative to the wall at t = 0 along them.
     """
 
     names: tuple[int, int]
@@ -90,7 +91,7 @@ class TurningSlider:
 
     @functools.cached_property
     def relative_drive(self) -> Vector:
-        """Acceleration relative to the wall without friction, as rows (2, 1 + k)."""
+        """The acceleration relative to the wall without friction, as rows (2, 1 + k)."""
         return ((forces(self) - ground(self)) @ self.axes.T).T
 
     @functools.cached_property
@@ -100,18 +101,18 @@ class TurningSlider:
 
 
 def forces(slider: Slider | TurningSlider) -> Vector:
-    """Constant accelerations of a body, and those of each sine, (1 + k, 3) [m/s2]."""
+    """The constant acceleration of the body and the amplitudes of its sines, (1 + k, 3) [m/s2]."""
     return np.vstack((slider.gravity + slider.load / slider.mass, slider.shaking))
 
 
 def ground(slider: Slider | TurningSlider) -> Vector:
-    """The acceleration of its wall likewise."""
+    """The same for the acceleration of the wall, (1 + k, 3) [m/s2]."""
     omega = 2 * np.pi * slider.frequency
     return np.vstack((np.zeros(3), -(omega[:, None] ** 2) * slider.base))
 
 
 def assemble_slider(scene: Scene) -> Slider | TurningSlider:
-    """The equations of motion of a scene; raises RefusedError if it is outside the class."""
+    """The equations of motion of a scene; raises RefusedError if they are not of this kind."""
     check_terms(scene)
     try:
         scene = as_spheres(scene)
@@ -146,7 +147,7 @@ def assemble_slider(scene: Scene) -> Slider | TurningSlider:
 
 
 def describe_slider(scene: Scene, slider: Slider | TurningSlider) -> Model:
-    """What was built, read off the slider."""
+    """The model that a slider is."""
     freedoms = count_in_words(scene.unknowns(), "freedom")
     contact = "1 rigid contact with constant normal"
     sines = count_in_words(len(slider.phase), "sine")
@@ -161,7 +162,7 @@ Sines = tuple[Vector, Vector, Vector]  # frequencies (k,), phases (k,), amplitud
 
 
 def _sines(motion: Harmonic | None) -> Sines:
-    """The sines of a motion that are not nil."""
+    """The sines of a motion with an amplitude other than zero."""
     if motion is None:
         return np.zeros(0), np.zeros(0), np.zeros((0, 3))
     there = motion.amplitude != 0
@@ -170,7 +171,7 @@ def _sines(motion: Harmonic | None) -> Sines:
 
 
 def _closed_contact(scene: Scene) -> PossibleContact:
-    """The one contact, closed at t = 0."""
+    """The contact of one body with one wall, closed at t = 0; raises RefusedError otherwise."""
     bodies, walls = len(scene.spheres), len(scene.walls)
     if (bodies, walls) != (1, 1):
         raise RefusedError(
@@ -182,14 +183,14 @@ def _closed_contact(scene: Scene) -> PossibleContact:
     if contact.gap > 0:
         raise RefusedError(f"{pair} are {contact.gap:.6g} m apart at t = 0; they must touch")
     if contact.gap < 0:
-        raise RefusedError(f"{pair} overlap by {-contact.gap:.6g} m at t = 0; rigid ones cannot")
+        raise RefusedError(f"{pair} overlap by {-contact.gap:.6g} m at t = 0; rigid bodies cannot")
     return contact
 
 
 def _directions(scene: Scene, contact: PossibleContact, shaking: Vector, base: Vector) -> Vector:
-    """The unit directions (d, 3) in which the body can slip, any tangent if nothing drives it.
+    """Unit directions (d, 3) that span the slip of the body; any tangent if it cannot slip.
 
-    Without friction a wall that slides drives nothing.
+    Without friction, the tangential motion of the wall does not act on the body.
     """
     spheres = scene.spheres
     free = scene.axes[spheres.free[0]]
@@ -209,18 +210,20 @@ def _directions(scene: Scene, contact: PossibleContact, shaking: Vector, base: V
 
 
 def _check_held(contact: PossibleContact, axes: Vector, free: Vector, base: Vector) -> None:
-    """Refuse a body whose locks carry what the contact should, or that a sliding wall drags."""
-    names = "body {1} is locked {what} body {0}; how hard they {verb} is not determined"
+    """Refuse a body that is locked along the normal, or along a slip that the wall causes."""
+    reason = "body {1} is locked {what} body {0}; the {force} force is not determined"
     if _outside(contact.normal, free, contact.rounding):
-        raise RefusedError(names.format(*contact.names, what="normal to", verb="press"))
+        raise RefusedError(reason.format(*contact.names, what="normal to", force="normal"))
     for along in axes:
         held = _outside(along, free, contact.rounding)
         if held and not _negligible(base @ along, base):
-            raise RefusedError(names.format(*contact.names, what="along the slip of", verb="rub"))
+            raise RefusedError(
+                reason.format(*contact.names, what="along the slip of", force="friction")
+            )
 
 
 def _outside(vector: Vector, free: Vector, rounding: float) -> bool:
-    """Whether a unit vector leaves the span of orthonormal rows."""
+    """Whether a unit vector lies outside the span of orthonormal rows, by more than rounding."""
     return bool(np.linalg.norm(vector - vector @ free.T @ free) > rounding)
 
 
@@ -232,7 +235,7 @@ def _negligible(parts: Vector, vectors: Vector) -> bool:
 def _slip(
     scene: Scene, contact: PossibleContact, axes: Vector, base: Sines, carried: Vector
 ) -> Vector:
-    """The velocity of the slip at t = 0 along axes (d, 3), (d,) [m/s], without what is rounding.
+    """The velocity of slip (d,) [m/s] at t = 0 along axes (d, 3); zero if it is only rounding.
 
     Raises RefusedError if the body does not stay on the wall.
     """
