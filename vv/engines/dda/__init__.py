@@ -33,20 +33,20 @@ def solve_default(ask: Ask) -> Run:
 
 
 def solve_published(ask: Ask) -> Run:
-    """Solve an ask by the published formulation, faults included; cost is left empty."""
+    """Solve an ask by the published formulation with its known errors; cost is left empty."""
     return solve(ask, PUBLISHED)
 
 
 def solve_lagged(ask: Ask) -> Run:
-    """Solve an ask with friction that lags by an iteration; cost is left empty."""
+    """Solve an ask with friction from the previous iteration (lagged); cost is left empty."""
     return solve(ask, LAGGED)
 
 
 def solve_generalised_alpha(ask: Ask) -> Run:
-    """Solve an ask by steps of generalised alpha; cost is left empty."""
+    """Solve an ask with generalised-alpha time integration; cost is left empty."""
     return solve(ask, DAMPED)
 
 
 def solve_augmented_lagrangian(ask: Ask) -> Run:
-    """Solve an ask with gaps held at nil by multipliers; cost is left empty."""
+    """Solve an ask with gaps closed exactly by multipliers; cost is left empty."""
     return solve(ask, BORNE)

@@ -1,4 +1,4 @@
-"""What may differ between formulations of DDA: strategies, fixed before a program is built."""
+"""The choices in which formulations of DDA differ; they are fixed before a model is built."""
 
 from __future__ import annotations
 
@@ -15,26 +15,28 @@ PUBLISHED_SHEAR = 0.4
 
 @dataclass(frozen=True)
 class Formulation:
-    """One way through a DDA step; every choice is made here and none within the step.
+    """The choices of one formulation of DDA; no others are made within a step.
 
-    tolerance: iterations end when no contact changes between open, stick and slide and no
-    friction differs by more than this part of it from what the last solution gives; inf takes
-    friction from the iteration before as it is (lagged). iterations: after so many, and
-    newton of Newton's, a step is cut in halves. stepping: how inertia is stepped. felt: how far
-    into a step shaking is felt; all of it is DDA's own, by which speeds lack half a step's change
-    of the shaking, and half of it is as good as the mean, to (w dt)^2/24. terms: of the
-    exponential series by which a displacement gradient moves vertices; one is T d (Yagoda-Biran
-    2016, Eqs. 3, 4), which lets turning blocks grow. turns: rounds in which the gyroscopic torque
-    of a step is found; none leaves it out, as T d does. follow: terms of the series by which
-    strains, and so stresses, turn with their block; none leaves them behind in the scene's axes,
-    which is right while a block hardly turns. settling: seconds of gravity before a drive sets in.
-    dd: the part of its velocity that a step hands on. shear: ks/kn where the scene says rigid
-    contact. pressed: contacts start with the penetration that carries the loads; else as placed.
-    eased: rounds of steps that then let wedges go that friction does not hold.
-    charged: shear springs bear friction, of the loads at the start and while a contact slides;
-    else they start unloaded and are let go by every slip. multipliers: times that multipliers take
-    up the springs' forces in a step, which ends with gaps held at nil; none leaves springs.
-    Raises ValueError for a number out of range.
+    tolerance: iterations end when no contact changes between open, stick and slide, and no friction
+    differs from that of the last solution by more than this fraction; inf takes friction from the
+    iteration before as it is (lagged). iterations: their largest number; after these, and `newton`
+    of Newton's iteration, a step is halved. stepping: the time integration. felt: the fraction of a
+    step at which shaking is evaluated. 1 is DDA's own, with velocities that lack half a step's
+    change of the shaking; 1/2 is as accurate as the mean, to (w dt)^2/24.
+
+    terms: how many terms of the exponential series of the displacement gradient move the vertices;
+    one term is T d (Yagoda-Biran 2016, Eqs. 3, 4), by which rotating blocks grow. turns: rounds of
+    the iteration for the gyroscopic torque; 0 omits it, as T d does. follow: terms of the series by
+    which strains, and so stresses, rotate with their block; 0 leaves them in the scene's axes,
+    which is right only for small rotations. settling: seconds of gravity before shaking and moving
+    walls start. dd: the fraction of its velocity that a block keeps after a step.
+
+    shear: ks/kn for rigid contact. pressed: contacts start with the penetration that carries the
+    loads; otherwise as in the scene. eased: rounds of steps that then release wedges that friction
+    does not hold. charged: tangential springs carry friction, of the loads at the start and while a
+    contact slides; otherwise they start unloaded and are reset by every slip. multipliers: how many
+    times multipliers take over the forces of springs in a step, after which gaps are zero; 0 for
+    springs alone. Raises ValueError for a number out of range.
     """
 
     tolerance: float

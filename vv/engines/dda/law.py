@@ -1,4 +1,4 @@
-"""The laws of one point of contact in an open-close iteration, for kernels."""
+"""The laws of one contact point in an open-close iteration, for kernels."""
 
 from __future__ import annotations
 
@@ -24,12 +24,13 @@ def respond(
     ease: float,
     coulomb: bool,
 ) -> tuple[int, float, Triple]:
-    """The state, normal force [N] and direction of friction that a solved step calls for.
+    """The state, the normal force [N] and the direction of friction that a solved step calls for.
 
-    state, way: what was assumed; gap: at the end [m]; slip: tangential motion over the step [m];
-    spring: shear stretch at its begin [m]. No tension; a spring that would exceed mu N slides.
-    ease: stiffness [N/m] by which inertia resists the slip, which makes this a Newton step for a
-    block on a plane. coulomb: whether friction is what `returned` says; if not, what `lagged` does.
+    Friction acts opposite to that direction. state, way: the assumed state and direction; gap: at
+    the end [m]; slip: tangential displacement in the step [m]; spring: tangential stretch at its
+    beginning [m]. There is no tension; a contact slides if its spring would exceed mu N. ease: the
+    stiffness [N/m] by which inertia resists slip, with which this is Newton's iteration for a block
+    on a plane. coulomb: whether friction follows `returned`, otherwise `lagged`.
     """
     if gap >= 0.0:
         return OPEN, 0.0, NOWHERE
@@ -54,11 +55,11 @@ def lagged(
     hold: float,
     ease: float,
 ) -> tuple[int, Triple]:
-    """The state and direction of friction, which is `cap` [N] at most and lags behind the slip.
+    """The state and the direction of friction, with a limit `cap` [N] that lags by an iteration.
 
-    hold 1: springs bear friction while a contact slides, which sticks when they would exceed the
-    cap no more. hold 0: they are let go, and a contact that slides back sticks. Friction next
-    points against cap way + ease (slip + hold spring), which is the latter once converged.
+    hold 1: springs carry friction while a contact slides; it sticks when they no longer exceed cap.
+    hold 0: they are reset; a contact sticks when it slides back. The next direction is that of cap
+    way + ease (slip + hold spring), which in a converged step is that of its second part.
     """
     trial = add_scaled(spring, 1.0, slip)
     stretch = np.sqrt(dot(trial, trial))
@@ -76,11 +77,11 @@ def lagged(
 def returned(
     state: int, cap: float, slip: Triple, spring: Triple, way: Triple, ks: float, ease: float
 ) -> tuple[int, Triple]:
-    """As `lagged` with hold 1, by Coulomb's law itself: what it calls for twice is its solution.
+    """As `lagged` with hold 1, but by Coulomb's law itself: a state that repeats is a solution.
 
-    The trial stretch spring + slip is brought back to cap/ks in its own direction (Simo and Hughes
-    1998, Sec. 2.5). A contact slides only if it goes on along `way`, which `lagged` does not ask:
-    a slip that friction has turned round would be one along which friction gives energy.
+    The trial stretch spring + slip is returned to cap/ks in its own direction (Simo and Hughes
+    1998, Sec. 2.5). A contact slides only if it goes on along `way`, which `lagged` does not
+    require: along a slip that friction itself has reversed, friction would create energy.
     """
     trial = add_scaled(spring, 1.0, slip)
     toward = trial

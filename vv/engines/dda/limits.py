@@ -1,86 +1,90 @@
 """Numbers that bound what the DDA solver does, with their reasons."""
 
 CUTS = 32
-"""Parts a step is cut into at most; what does not converge even then is kept, and counted."""
+"""The largest number of parts of a step; parts that do not converge are kept, and counted."""
 
 GAIN = 4.0
-"""Motion and springs may hold this many times the energy ever put in: more is divergence.
+"""A run has diverged if kinetic and elastic energy exceed this many times all energy put in.
 
-On fixed normals the scheme only loses energy; only contacts found anew can add to it.
+On fixed normals the scheme only loses energy; only newly detected contacts can add to it.
 """
 
 REACH = 0.01
-"""Part of the smallest block's size within which a contact is sought before it closes."""
+"""The gap up to which contacts are detected, relative to the size of the smallest block."""
 
 STATIC = 1e6
-"""kn over the inertial stiffness in the step that finds the penetration under the loads."""
+"""kn over the inertia stiffness in the steps that find the penetration under the loads."""
 
 STATIC_STEPS = 4
-"""Such steps taken: each leaves a part 1/STATIC of the error of the one before."""
+"""The number of such steps; each reduces the error by a factor of STATIC."""
 
 EASED, EASING = 8, 3.0
-"""Steps, three times, in which wedges at rest let go of what friction does not hold, and kn over
-the inertial stiffness in them: each leaves a quarter of what springs bear wrongly, and a slide of
-three times what loads press turns friction along it."""
+"""A third of the steps that release wedges at rest, and kn over the inertia stiffness in them.
 
-ROUNDS, HARDER, EVENLY = 8, 4.0, 1e-4
-"""Rounds of such steps at most, by what kn over inertia grows from each to the next, as a narrow
-wedge is on softer springs than kn; and the part of the whole way by which the last two thirds
-differ where the slide has become steady."""
-
-GOES_ON = 0.25
-"""Part of its way that a block goes in the last third of these steps, if it slides: what rests has
-come to an end."""
-
-UNLIKE = 1e-9
-"""Sine of the angle between normals of walls that press a block from two sides."""
-
-FLOAT = 1e3
-"""Times all loads over kn: a block that moves farther under static loads rests on nothing."""
-
-OPEN_CLOSE = 12
-"""Open-close iterations before Newton's take over; most steps end in fewer."""
-
-LEAST = 1e-3
-"""Part of a step of Newton's that is taken at least, and by which what is left must shrink."""
-
-MOST = 40
-"""Open-close iterations of a formulation that does not stop at the published six."""
-
-COULOMB = 1e-9
-"""Of the largest force: friction beyond mu N where friction is iterated to convergence."""
-
-MOMENTUM = 1e-8
-"""Of the largest force: what a solution may leave of a block's equations of motion."""
-
-GRIP = 1e30
-"""Coefficient of friction while contacts are pressed at the start: none of them slides."""
-
-SERIES = 12
-"""Terms of an exponential series: rounding, for up to 0.1 rad a step."""
-
-TURNS = 12
-"""Rounds in which the gyroscopic torque of a step is found: rounding, for up to 0.1 rad a step."""
-
-RADIUS = 0.5
-"""Part of a swing that a step of generalised alpha keeps where it does not resolve the swing."""
-
-MULTIPLIERS = 40
-"""Times that multipliers take up the springs' forces before a step is cut; most steps need four."""
-
-HELD = 1e-10
-"""Part of the largest contact force that springs may still bear where multipliers bear forces."""
-
-FIRM = 10.0
-"""Springs under multipliers over the inertia of a contact: each pass then leaves a tenth or so."""
-
-SLOW = 0.1
-"""What a pass of multipliers may leave of the springs' forces before springs are ten times firmer.
+Each step leaves a quarter of the error of the springs' forces; a slide of three times the
+penetration under the loads rotates friction into its direction.
 """
 
+ROUNDS, HARDER, EVENLY = 8, 4.0, 1e-4
+"""The most rounds of such steps, the growth of kn over inertia per round, and a tolerance.
+
+The growth is for narrow wedges, whose springs are softer than kn. The slide is steady if the
+displacements in the last two thirds differ by less than the tolerance, relative to the whole.
+"""
+
+GOES_ON = 0.25
+"""A block slides if it covers more than this part of its displacement in the last third."""
+
+UNLIKE = 1e-9
+"""Sine of the smallest angle between the normals of walls that count as two sides of a wedge."""
+
+FLOAT = 1e3
+"""A block that moves farther than this times all loads over kn is not supported."""
+
+OPEN_CLOSE = 12
+"""The number of open-close iterations before Newton's iteration; most steps need fewer."""
+
+LEAST = 1e-3
+"""The smallest fraction of a Newton increment, and the required relative decrease per fraction."""
+
+MOST = 40
+"""The number of iterations of formulations that are not limited to the published six."""
+
+COULOMB = 1e-9
+"""The allowed excess of friction over mu N, relative to the largest force, if it is converged."""
+
+MOMENTUM = 1e-8
+"""The allowed residual of a block's equations of motion, relative to the largest force."""
+
+GRIP = 1e30
+"""The coefficient of friction while the penetration at the start is found: nothing slides."""
+
+SERIES = 12
+"""Terms of an exponential series: exact to rounding for up to 0.1 rad per step."""
+
+TURNS = 12
+"""Iterations for the gyroscopic torque: exact to rounding for up to 0.1 rad per step."""
+
+RADIUS = 0.5
+"""The spectral radius of generalised alpha at infinite frequency."""
+
+MULTIPLIERS = 40
+"""The most times that multipliers take over the springs' forces in a step; most need four."""
+
+HELD = 1e-10
+"""The force that springs may still carry beside multipliers, relative to the largest force."""
+
+FIRM = 10.0
+"""Stiffness of springs over the inertia of a contact: a pass then leaves about a tenth."""
+
+SLOW = 0.1
+"""If a pass leaves more than this part of the springs' forces, springs become ten times stiffer."""
+
 STUCK = 0.5
-"""What a pass of multipliers leaves of the springs' forces where they are rounding of gaps."""
+"""If a pass leaves more than this part, the springs' forces may be due to rounding of gaps."""
 
 PATIENT = 12
-"""Passes of multipliers before friction that still turns where next to nothing slips is left as it
-is: until then springs become firmer, since gaps that are rounding say nothing of it."""
+"""The passes after which friction may be left that still rotates where hardly anything slips.
+
+Until then springs become stiffer, since gaps within rounding say nothing about friction.
+"""

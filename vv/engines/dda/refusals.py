@@ -1,4 +1,4 @@
-"""What DDA does not run, and why."""
+"""The reasons why DDA cannot solve an ask."""
 
 from __future__ import annotations
 
@@ -9,11 +9,11 @@ from vv.engines.blocks.checks import moves_where_locked, overlaps, undetermined
 from vv.engines.dda.formulation import DEFAULT, Formulation
 from vv.scene import Scene
 
-YIELDING = 1e-9  # of friction: what a pull may exceed it by and move nothing to speak of
+YIELDING = 1e-9  # relative to friction: a larger load by less than this moves a block negligibly
 
 
 def refuses(ask: Ask, formulation: Formulation = DEFAULT) -> str | None:
-    """Why an ask cannot be run honestly by a formulation; else None."""
+    """Why a formulation cannot solve the ask as it stands; None if it can."""
     dt, goal, scene = ask.knobs.dt, ask.goal, ask.scene
     rigid = not np.isfinite(scene.contact.kn)
     if dt is None:
@@ -34,13 +34,13 @@ def refuses(ask: Ask, formulation: Formulation = DEFAULT) -> str | None:
 
 
 def settles(scene: Scene) -> bool:
-    """Whether gravity may act before t = 0: a drive waits, and all blocks are at rest."""
+    """Whether gravity may act before t = 0: all blocks are at rest, and something is to shake."""
     waits = scene.shaking is not None or any(wall.motion for wall in scene.walls)
     return waits and not any(block.velocity.any() or block.spin.any() for block in scene.blocks)
 
 
 def _slides_off(scene: Scene, settling: float) -> str | None:
-    """How one block on one wall would slide in `settling` [s] of gravity before t = 0."""
+    """Why a block on one wall would slide in `settling` [s] of gravity before t = 0; else None."""
     if not settles(scene) or len(scene.blocks) != 1 or len(scene.walls) != 1:
         return None
     (block,), (wall,) = scene.blocks, scene.walls
@@ -57,7 +57,7 @@ def _slides_off(scene: Scene, settling: float) -> str | None:
 
 
 def _beyond_multipliers(scene: Scene) -> str | None:
-    """What multipliers do not bear: springs that are meant, and walls of stones."""
+    """Why multipliers are refused: for contact on springs, or several blocks that can rotate."""
     if not scene.contact.rigid:
         return "multipliers hold gaps at nil, and the scene has contact on springs"
     turning = [block.name for block in scene.blocks if block.free_spin.any()]
@@ -70,7 +70,7 @@ def _beyond_multipliers(scene: Scene) -> str | None:
 
 
 def _turns_its_strains_away(scene: Scene) -> str | None:
-    """Which block turns about an axis across which it strains in one direction, but not in all."""
+    """Why a block is refused that may rotate, and is free in one direction of that plane only."""
     for block in scene.blocks:
         for axis in np.flatnonzero(block.free_spin):
             across = np.delete(block.free, axis)

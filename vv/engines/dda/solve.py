@@ -1,4 +1,4 @@
-"""Turns an ask into a program for a DDA kernel, and what the kernel wrote into a Run."""
+"""Prepares an ask for a DDA kernel, and makes a Run from the kernel's output."""
 
 from __future__ import annotations
 
@@ -51,14 +51,14 @@ LEAPT = "taken by blows, and by steps, whose velocities are those of their middl
 HELD, WORKS = slice(0, 4), slice(7, 12)
 NUMERICAL, CREATED = 5, 12
 EPS = float(np.finfo(float).eps)
-ROUNDINGS = 64  # of the peak energy, allowed for each step
+ROUNDINGS = 64  # rounding units of the peak energy, allowed per step
 
 
 @dataclass(frozen=True, eq=False)
 class PreparedBlocks:
-    """An ask ready to be solved as often as wanted: a `vv.codes.timing.Prepared`.
+    """An ask prepared for any number of solves: a `vv.codes.timing.Prepared`.
 
-    system: the smallest model of its scene.
+    system: the smallest model that serves its scene.
     """
 
     ask: Ask
@@ -67,7 +67,7 @@ class PreparedBlocks:
 
     @property
     def model(self) -> Model:
-        """What was built; unknowns are those the kernel is given."""
+        """The model that was built, with the unknowns of the kernel."""
         law = springs(self.ask.scene, self.ask.knobs.kn, self.formulation)
         shear = "no friction" if law.ks is None else f"ks {law.ks:.4g} N/m"
         words = f"{self.system.words}; kn {law.kn:.4g} N/m, {shear} at each; {self._start()}"
@@ -75,7 +75,7 @@ class PreparedBlocks:
 
     @functools.cached_property
     def arguments(self) -> tuple[Any, ...]:
-        """What the kernel is called with: outputs, the step, the scene."""
+        """The arguments of the kernel: outputs, the step, the scene."""
         goal, dt, way = self.ask.goal, self.ask.dt, self.formulation
         outputs = self.system.outputs(len(goal.times(dt)), self.watched)
         step = (goal.stride(dt), dt, self.settling, way.tolerance, way.iterations)
@@ -84,12 +84,12 @@ class PreparedBlocks:
 
     @functools.cached_property
     def watched(self) -> tuple[int, ...]:
-        """The blocks observed; raises ValueError for a body that is none."""
+        """The observed blocks; raises ValueError for a body that is not a block."""
         return tuple(block_index(self.ask.scene, what.body) for what in self.ask.observables)
 
     @property
     def settling(self) -> int:
-        """Steps of gravity before t = 0: none unless a drive waits and all blocks are at rest."""
+        """The number of steps of gravity before t = 0; 0 unless `settles` allows them."""
         return round(self.formulation.settling / self.ask.dt) if settles(self.ask.scene) else 0
 
     def warm(self) -> None:
@@ -98,18 +98,18 @@ class PreparedBlocks:
         self._entry(path[:0], energy[:0], report[:0], *rest)
 
     def solve(self) -> int:
-        """Run the kernel over all steps; returns how many rows of the outputs are good."""
+        """Run the kernel over all steps; return how many rows of the outputs are valid."""
         return self._entry(*self.arguments)
 
     @functools.cached_property
     def _entry(self) -> Callable[..., int]:
-        """The kernel for arguments of these types."""
+        """The compiled kernel for arguments of these types."""
         from vv.engines.kernels.compiled import entry
 
         return entry(self.system.kernel(), self.arguments)
 
     def run(self, rows: int) -> Run:
-        """The Run of a solve that returned `rows`; its cost is left empty."""
+        """The Run from a solve that returned `rows`; its cost is left empty."""
         goal, dt = self.ask.goal, self.ask.dt
         path, energy, report = self.arguments[:3]
         whole = rows == len(path)
@@ -179,17 +179,17 @@ class PreparedBlocks:
         )
 
     def _names(self) -> list[str]:
-        """LEDGER, where what a step takes can only be a loss if its forces are those at its end."""
+        """The ledger's names; only a step with forces at its end is sure to lose energy."""
         other = {IMPLICIT: LEDGER[NUMERICAL], LEAPING: LEAPT}.get(self.formulation.stepping, SIGNED)
         return [*LEDGER[:NUMERICAL], other, *LEDGER[NUMERICAL + 1 :]]
 
     def _audits(
         self, report: Vector, created: float, rounding: float
     ) -> Iterator[tuple[str, tuple[float, float]]]:
-        """The laws that the scheme promises to keep: its worst step, and what is allowed.
+        """The laws that the scheme promises: the largest violation in a step, and the limit.
 
-        Contacts that are found anew can create energy, and so can friction that lags, which
-        exceeds mu N and leaves springs that bear it with more than was put into them.
+        Energy is not checked where newly detected contacts can create it, or friction that lags:
+        that exceeds mu N, and stores more energy in springs than was put into them.
         """
         *_, excess, adrift, peak = (float(number) for number in report)
         deepest = float(report[2])
@@ -203,11 +203,12 @@ class PreparedBlocks:
         yield "penetration [m]", (deepest, REACH * smallest)
 
     def _worked(self, report: Vector, kinetic: float) -> float:
-        """What forces [J] can do that momentum shows beside those in the balance, and audits judge.
+        """A bound of the work [J] of forces that are in the momentum but not in the energy balance.
 
-        Gaps are known to the rounding of positions, and stiff springs make forces of that: at most
-        the largest of a step, along the way of the lightest block with all the energy of motion.
-        Where friction lags, such forces are no rounding.
+        Gaps have the rounding error of positions, which stiff springs turn into forces. They are at
+        most the largest momentum error of a step, and act along the path of the lightest block at
+        the largest kinetic energy. With lagging friction these forces are not due to rounding, and
+        the bound is 0.
         """
         if not np.isfinite(self.formulation.tolerance):
             return 0.0
@@ -216,7 +217,7 @@ class PreparedBlocks:
         return adrift * float(way)
 
     def _roundings(self) -> float:
-        """The force [N] that rounding makes of the momenta at t = 0, where none may act."""
+        """The force [N] that corresponds to the rounding of the momenta at t = 0."""
         rates = (
             block.mass * (np.linalg.norm(block.velocity) + size(block) * np.linalg.norm(block.spin))
             for block in self.ask.scene.blocks
@@ -225,7 +226,7 @@ class PreparedBlocks:
 
 
 def prepare(ask: Ask, formulation: Formulation) -> PreparedBlocks:
-    """The program of an ask, with the smallest model its scene allows."""
+    """The ask, prepared with the smallest model that serves its scene."""
     dd = ask.knobs.dd
     way = formulation if dd is None else dataclasses.replace(formulation, dd=dd)
     held = any(isinstance(what, Reaction | Impulse) for what in ask.observables)
@@ -235,7 +236,7 @@ def prepare(ask: Ask, formulation: Formulation) -> PreparedBlocks:
 
 
 def solve(ask: Ask, formulation: Formulation) -> Run:
-    """Solve an ask once; refused if `refuses` says why."""
+    """Solve an ask once, or refuse it for the reason that `refuses` gives."""
     reason = refuses(ask)
     if reason is not None:
         return Run(Status.REFUSED, reason)

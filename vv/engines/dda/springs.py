@@ -1,4 +1,4 @@
-"""The springs that DDA puts at every point of contact."""
+"""The springs of DDA at each contact point."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ class Springs:
 
 
 def springs(scene: Scene, kn: float | None, formulation: Formulation) -> Springs:
-    """Those of the scene, or where its contact is rigid those of the knob kn [N/m]."""
+    """The springs of the scene or, if its contact is rigid, those of the knob kn [N/m]."""
     law = scene.contact
     if law.rigid and kn is None:
         raise ValueError("Knobs.kn is None; a penalty scheme needs a stiffness for rigid contact")

@@ -1,4 +1,4 @@
-"""The numbers that make a step of generalised alpha: DDA's own, and those of a given damping."""
+"""The parameters of the generalised-alpha time integration: DDA's own, and others."""
 
 from __future__ import annotations
 
@@ -6,11 +6,11 @@ from typing import NamedTuple
 
 
 class Stepping(NamedTuple):
-    """A step D of displacements d, velocities v and accelerations a, from 0 to 1.
+    """The parameters of a step D of displacements d, velocities v0, v1 and accelerations a0, a1.
 
-    d = D v0 + D^2 ((1/2 - beta) a0 + beta a1), v1 = v0 + D ((1 - gamma) a0 + gamma a1), and
-    the forces a part 1 - alpha_f into the step are M ((1 - alpha_m) a1 + alpha_m a0)
-    (Chung and Hulbert 1993, Eqs. 3-8).
+    d = D v0 + D^2 ((1/2 - beta) a0 + beta a1), v1 = v0 + D ((1 - gamma) a0 + gamma a1), and the
+    forces at the part 1 - alpha_f of the step equal M ((1 - alpha_m) a1 + alpha_m a0) (Chung and
+    Hulbert 1993, Eqs. 3-8).
     """
 
     alpha_m: float
@@ -23,19 +23,19 @@ IMPLICIT = Stepping(0.0, 0.0, 0.5, 1.0)
 """DDA's own: d'' = (2/D^2)(d - D v0), forces at the end (Yagoda-Biran 2016, Eq. 5 corrected)."""
 
 LEAPING = Stepping(0.0, 0.0, 1.0, 1.0)
-"""For blows without rebound: v1 = d/D, the velocity of a step's middle, if no a0 is handed on.
+"""For impacts without rebound: v1 = d/D, the velocity at the middle of the step, for a0 = 0.
 
-Contact then makes d, and with it v1, what it allows (Paoli and Schatzman 2002, restitution nil).
+Contact then limits d, and with it v1 (Paoli and Schatzman 2002, with zero restitution).
 """
 
 HALF_LEAP = Stepping(0.0, 0.0, 0.5, 0.5)
-"""The first such step, which leads from a velocity at its begin to that of its middle."""
+"""The first such step: it starts from the velocity at its beginning, not at a middle."""
 
 
 def generalised_alpha(radius: float) -> Stepping:
-    """The step of second order that damps least among those of a spectral radius at infinite w D.
+    """The second-order step with the least damping for a spectral radius at infinite w D.
 
-    Chung and Hulbert (1993), Eqs. 17, 20, 25. Raises ValueError for a radius beyond 0 and 1.
+    Chung and Hulbert (1993), Eqs. 17, 20, 25. Raises ValueError for a radius outside 0 to 1.
     """
     if not 0.0 <= radius <= 1.0:
         raise ValueError(f"radius = {radius!r}; a step keeps a part between 0 and 1 of a swing")

@@ -1,1 +1,1 @@
-"""The general model: blocks that move, turn and strain, with all the unknowns they have."""
+"""The general model of DDA: blocks that move, rotate and deform, with all their unknowns."""

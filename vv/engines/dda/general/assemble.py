@@ -1,4 +1,4 @@
-"""Kernels that put inertia, strains and springs together into the equations of one step."""
+"""Assembles inertia, strains and springs into the system of equations of one step; kernels."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from vv.scene import Vector
 
 @lent
 def profile(first: Index, bodies: Bodies, touch: Touch) -> None:
-    """Fill first (q,): the first column of each row of the matrix that can differ from zero."""
+    """Fill first (q,): the first column in each row of the matrix that may differ from zero."""
     for i in range(len(bodies.mass)):
         for a in range(bodies.start[i], bodies.start[i + 1]):
             first[a] = bodies.start[i]
@@ -59,7 +59,7 @@ def stiffness(
 
 @lent
 def pushed(outer: Vector, bodies: Bodies, shake: Triple) -> None:
-    """Fill outer (q,) with weight, dead loads and a body acceleration [m/s2]."""
+    """Fill outer (q,) with the generalised forces of weight, dead loads and shaking [m/s2]."""
     for i in range(len(bodies.mass)):
         load = add_scaled(at(bodies.weight, i), 1.0, at(bodies.load, i))
         load = add_scaled(load, bodies.mass[i], shake)
@@ -72,9 +72,10 @@ def contact_pull(
     k: int, touch: Touch, state: int, force: float, way: Triple, moved: Triple,
     kn: float, ks: float, mu: float,
 ) -> Triple:  # fmt: skip
-    """The force of contact k on its second body [N] if no unknown changed.
+    """The force [N] of contact k on its second body for zero unknowns.
 
-    moved: how far the wall went; state, force, way: what is assumed.
+    moved: the displacement of the wall [m]; state, force, way: the assumed state, normal force [N]
+    and direction opposite to friction.
     """
     pull = NOWHERE
     if state != OPEN:

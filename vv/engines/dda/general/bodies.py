@@ -1,7 +1,7 @@
-"""The unknowns of DDA as columns of a displacement field, and kernels that move blocks by them.
+"""The unknowns of DDA as coefficients of displacement fields, and kernels that move blocks by them.
 
-Every block moves by u(x) = sum over its unknowns of d_a (line_a + slope_a (x - c)): translations,
-rotations and, if it is elastic, strains (Yagoda-Biran 2016, Eqs. 2-4, in space).
+Each block has the displacement u(x) = sum over its unknowns of d_a (line_a + slope_a (x - c)):
+translations, rotations and, if it is elastic, strains (Yagoda-Biran 2016, Eqs. 2-4, in space).
 """
 
 from __future__ import annotations
@@ -20,11 +20,11 @@ from vv.scene import Vector
 
 @bundle
 class Bodies(NamedTuple):
-    """n blocks with q unknowns, and what never changes of them.
+    """The data of n blocks with q unknowns that do not change.
 
-    start: (n + 1,) block i has unknowns start[i] to start[i + 1]; line: (q, 3); slope: (q, 3, 3);
-    strains: (n,) number of the first of its strains, which come last; mass: (n,) [kg]; weight,
-    load: (n, 3) forces [N].
+    start: (n + 1,) block i has the unknowns start[i] to start[i + 1] (exclusive); line: (q, 3);
+    slope: (q, 3, 3); strains: (n,) the first unknown of each block that is a strain, strains being
+    the last; mass: (n,) [kg]; weight, load: (n, 3) forces [N].
     """
 
     start: Index
@@ -38,12 +38,12 @@ class Bodies(NamedTuple):
 
 @bundle
 class Motion(NamedTuple):
-    """Where blocks are: what a step changes.
+    """The positions and velocities of blocks.
 
-    vertex: (v, 3) [m]; normal: (f, 3); centre: (n, 3) [m]; rounded: (n, 3) what rounding put into
-    a centre, which in 1e5 steps would be 1e-12 of a way; second: (n, 3, 3) integral of rho r r^T
-    about the centre [kg m2]; velocity: (q,); strain: (q,) sums of all d, of which those of strains
-    count, and turn with their block.
+    vertex: (v, 3) [m]; normal: (f, 3); centre: (n, 3) [m]; rounded: (n, 3) the rounding error of
+    the centre [m], carried so that 1e5 steps do not add up to 1e-12 of the displacement; second:
+    (n, 3, 3) integral of rho r r^T about the centre [kg m2]; velocity: (q,); strain: (q,) sums of
+    all d, of which only those of strains are used; they rotate with their block.
     """
 
     vertex: Vector
@@ -57,14 +57,14 @@ class Motion(NamedTuple):
 
 @lent
 def copy_rows(to: Vector, source: Vector) -> None:
-    """Make one (k, 3) array equal to another; slices would take seconds to compile."""
+    """Copy a (k, 3) array to another; numba would take seconds to compile slices."""
     for k in range(len(to)):
         put(to, k, at(source, k))
 
 
 @lent
 def copied(to: Motion, source: Motion) -> None:
-    """Make one motion equal to another."""
+    """Copy a motion to another."""
     copy_rows(to.vertex, source.vertex)
     copy_rows(to.normal, source.normal)
     copy_rows(to.centre, source.centre)
@@ -77,7 +77,7 @@ def copied(to: Motion, source: Motion) -> None:
 
 @lent
 def masses(mass: Vector, bodies: Bodies, motion: Motion) -> None:
-    """Fill mass (q, 12): the products of each unknown with those of its body, in order.
+    """Fill mass (q, 12), the mass matrix: row a has the entries of all unknowns of the same block.
 
     m_ab = m line_a . line_b + tr(slope_a second slope_b^T).
     """
@@ -91,7 +91,10 @@ def masses(mass: Vector, bodies: Bodies, motion: Motion) -> None:
 
 @lent
 def applied(result: Vector, matrix: Vector, bodies: Bodies, vector: Vector) -> float:
-    """Fill result (q,) with a matrix (q, 12) of blocks times vector (q,); return vector . it."""
+    """Fill result (q,) with matrix (q, 12) times vector (q,); return vector . result.
+
+    The matrix is laid out as that of `masses`.
+    """
     whole = 0.0
     for i in range(len(bodies.mass)):
         first = bodies.start[i]
@@ -106,7 +109,7 @@ def applied(result: Vector, matrix: Vector, bodies: Bodies, vector: Vector) -> f
 
 @lent
 def travelled(bodies: Bodies, i: int, d: Vector) -> Triple:
-    """The displacement of the centre of block i for unknowns d (q,)."""
+    """The displacement of the centre of block i for unknowns d (q,) [m]."""
     line = NOWHERE
     for a in range(bodies.start[i], bodies.start[i + 1]):
         line = add_scaled(line, d[a], at(bodies.line, a))
@@ -115,7 +118,7 @@ def travelled(bodies: Bodies, i: int, d: Vector) -> Triple:
 
 @lent
 def gradient(out: Vector, bodies: Bodies, first: int, last: int, d: Vector) -> None:
-    """Fill out (3, 3): the gradient that unknowns first to last - 1 of a block have in d (q,)."""
+    """Fill out (3, 3): the displacement gradient of the unknowns first to last - 1 of d (q,)."""
     for r in range(3):
         row = NOWHERE
         for a in range(first, last):
@@ -125,7 +128,10 @@ def gradient(out: Vector, bodies: Bodies, first: int, last: int, d: Vector) -> N
 
 @called
 def stretched(whole: Vector, bodies: Bodies, i: int, d: Vector, terms: int) -> None:
-    """Fill whole (3, 3): exp of the displacement gradient of block i, to so many terms."""
+    """Fill whole (3, 3): the exponential of the displacement gradient of block i.
+
+    terms: how many terms of its series are summed.
+    """
     slope = rows(3)
     gradient(slope, bodies, bodies.start[i], bodies.start[i + 1], d)
     exponential(whole, slope, terms)
@@ -133,7 +139,7 @@ def stretched(whole: Vector, bodies: Bodies, i: int, d: Vector, terms: int) -> N
 
 @called
 def followed(motion: Motion, bodies: Bodies, i: int, d: Vector, terms: int) -> None:
-    """Turn the strains of block i as d (q,) turns it: E becomes R E R^T, R = exp of its spin."""
+    """Rotate strains of block i with it: E becomes R E R^T, R = exp of the rotation in d (q,)."""
     spin, turn, tensor = rows(3), rows(3), rows(3)
     begin, end = bodies.strains[i], bodies.start[i + 1]
     gradient(spin, bodies, bodies.start[i], begin, d)
@@ -152,7 +158,7 @@ def followed(motion: Motion, bodies: Bodies, i: int, d: Vector, terms: int) -> N
 def displace(
     motion: Motion, bodies: Bodies, shapes: Shapes, d: Vector, terms: int, follow: int
 ) -> None:
-    """Move the blocks by unknowns d (q,); terms: see `stretched`; follow: see Formulation."""
+    """Move the blocks by unknowns d (q,); terms: see `stretched`; follow: see `Formulation`."""
     whole = rows(3)
     for i in range(len(bodies.mass)):
         stretched(whole, bodies, i, d, terms)

@@ -1,4 +1,4 @@
-"""What DDA remembers of points of contact, and kernels that find them anew for a step."""
+"""Contact points: their state from step to step, and kernels that detect them anew for a step."""
 
 from __future__ import annotations
 
@@ -18,18 +18,18 @@ from vv.engines.kernels.compiled import called, lent
 from vv.engines.kernels.triples import NOWHERE, Triple, add_scaled, at, dot, put
 from vv.scene import Mask, Vector
 
-MOST = 24  # unknowns that a contact can touch: twelve of either block
+MOST = 24  # the most unknowns that a contact depends on: twelve of each block
 
 
 @bundle
 class Touch(NamedTuple):
-    """c points of contact, in the order in which they are found.
+    """The data of c contact points, in the order of detection.
 
-    key: (c,); state: (c,) open, stick or slide; spring: (c, 3) shear stretch [m]; push: (c,)
-    normal force [N]; way: (c, 3) against which friction acts; gap: (c,) [m]; normal: (c, 3);
-    wall: (c,) number of the wall or -1; column: (c, MOST) unknowns; field: (c, MOST, 3) how each
-    moves the second body relative to the first; columns: (c,) how many; first, second: (c,);
-    force: (c, 3) on the second body in the step [N].
+    key: (c,); state: (c,) open, stick or slide; spring: (c, 3) tangential stretch [m]; push: (c,)
+    normal force [N]; way: (c, 3) unit vector opposite to friction on the second body; gap: (c,)
+    [m]; normal: (c, 3); wall: (c,) number of the wall or -1; column: (c, MOST) unknowns; field: (c,
+    MOST, 3) relative displacement of the second body per unknown; columns: (c,) number of unknowns;
+    first, second: (c,) bodies; force: (c, 3) on the second body in the step [N].
     """
 
     key: Index
@@ -50,7 +50,7 @@ class Touch(NamedTuple):
 
 @called
 def touch_room(count: int) -> Touch:
-    """Room for so many points, none of which has been in touch."""
+    """Arrays for so many contact points, all open."""
     return Touch(
         nil_counts(count), nil_counts(count), nil_rows(count),
         nil_numbers(count), nil_rows(count), nil_numbers(count), nil_rows(count),
@@ -62,10 +62,10 @@ def touch_room(count: int) -> Touch:
 
 @lent
 def closed(touch: Touch, went: Vector, kn: float, ks: float, mu: float, hold: float) -> None:
-    """Let the points that overlap at the start stick, pressed by their springs.
+    """Set the points that overlap at the start to stick, with the normal forces of their springs.
 
-    went: unknowns (q,) by which blocks came here from where they were placed; with hold 1 shear
-    springs are stretched by that as far as friction bears it.
+    went: unknowns (q,) of the displacement from the positions in the scene; with hold 1 the
+    tangential springs are stretched by it, as far as friction allows.
     """
     for k in range(len(touch.key)):
         if touch.gap[k] < 0.0:
@@ -83,7 +83,7 @@ def closed(touch: Touch, went: Vector, kn: float, ks: float, mu: float, hold: fl
 def add_columns(
     touch: Touch, k: int, body: int, sign: float, point: Vector, bodies: Bodies, motion: Motion
 ) -> None:
-    """Add the unknowns of a body to what point k depends on."""
+    """Add the unknowns of a body to those on which point k depends."""
     arm = add_scaled(at(point, k), -1.0, at(motion.centre, body))
     for a in range(bodies.start[body], bodies.start[body + 1]):
         m = touch.columns[k]
@@ -95,7 +95,7 @@ def add_columns(
 
 @lent
 def laid_down(a: Triple, n: Triple) -> Triple:
-    """A vector turned into the plane across n, its length kept."""
+    """The vector a rotated into the plane normal to n, at constant length."""
     flat = add_scaled(a, -dot(a, n), n)
     before, after = np.sqrt(dot(a, a)), np.sqrt(dot(flat, flat))
     return add_scaled(NOWHERE, before / after, flat) if after > 0.0 else NOWHERE
@@ -103,7 +103,7 @@ def laid_down(a: Triple, n: Triple) -> Triple:
 
 @lent
 def carried_over(touch: Touch, k: int, old: Touch, m: int) -> None:
-    """Give point k what point m of the step before knew; its spring turns into the new plane."""
+    """Copy the state of old point m to point k; rotate its spring into the new contact plane."""
     n = at(touch.normal, k)
     touch.state[k], touch.push[k] = old.state[m], old.push[m]
     put(touch.spring, k, laid_down(at(old.spring, m), n))
@@ -115,7 +115,7 @@ def found(
     old: Touch, bodies: Bodies, motion: Motion, shapes: Shapes, moves: Mask,
     planes: Planes, shift: Vector, depth: Vector, reach: float,
 ) -> Touch:  # fmt: skip
-    """The points within reach [m], with what `old` knows of those it has."""
+    """The contact points within reach [m], with the states of the same points in `old`."""
     room = 16 + 2 * len(old.key)
     contacts: Contacts = empty_contacts(room)
     count = detect(

@@ -1,4 +1,4 @@
-"""The energy ledger of a DDA step, as kernels: every term by itself, none as a remainder."""
+"""The energy ledger of a DDA step, as kernels; no term is computed as a remainder."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ def held(
     ledger: Vector, touch: Touch, bodies: Bodies, motion: Motion, mass: Vector,
     kn: float, ks: float, elastic: Vector,
 ) -> None:  # fmt: skip
-    """Set what motion, springs and strains hold now [J]."""
+    """Set the kinetic and elastic energies in the ledger to their present values [J]."""
     flow = numbers(len(motion.velocity))
     ledger[KINETIC] = 0.5 * applied(flow, mass, bodies, motion.velocity)
     ledger[STRAIN] = 0.5 * applied(flow, elastic, bodies, motion.strain)
@@ -41,11 +41,12 @@ def close_step(
     ledger: Vector, worst: Vector, pull: Vector, touch: Touch, used: Index, rub: Vector,
     relative: Vector, moved: Vector, over: float, kn: float, ks: float, mu: float, hold: float,
 ) -> None:  # fmt: skip
-    """Add what contacts did in a step; leave springs and gaps (c,) as they are at its end.
+    """Add the energies of contacts in a step to the ledger; update springs and gaps (c,).
 
-    pull: (q,) becomes their generalised forces; relative, moved: (c, 3), (w, 3) motion to where
-    forces are taken, of which the step is `over` times as much. The work of a force F over a step
-    d is F d; that a spring gives less or more by itself is numerical loss.
+    pull: (q,) is set to their generalised forces; relative, moved: (c, 3), (w, 3) the relative
+    displacements of contacts and those of walls at the time at which forces are evaluated; those of
+    the whole step are `over` times as large. A force F does the work F d over a step d; the
+    difference to the energy of its spring is numerical dissipation.
     """
     for a in range(len(pull)):
         pull[a] = 0.0
@@ -106,10 +107,10 @@ def audit(
     worst: Vector, pull: Vector, outer: Vector, u: Vector, begun: Vector, step: float,
     weight: float, bodies: Bodies, motion: Motion, mass: Vector, elastic: Vector,
 ) -> None:  # fmt: skip
-    """Note by how much the momentum of a block changes otherwise than its forces say [N].
+    """Store the largest error of a block's momentum balance in the step [N], and the largest force.
 
-    pull, outer: generalised forces (q,) of contacts and of all else where a step [s] takes them;
-    u (q,): unknowns there; begun (q,), weight: see `inertia`.
+    pull, outer: generalised forces (q,) of contacts and all others when they are evaluated; u (q,):
+    unknowns at that time; begun (q,), weight: see `inertia`; step [s].
     """
     q = len(u)
     change, strain = numbers(q), numbers(q)

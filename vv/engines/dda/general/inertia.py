@@ -1,7 +1,7 @@
-"""What inertia brings into a step, and what a step makes of velocities, as kernels.
+"""The inertia terms of a step, and the velocities after it; kernels.
 
-A rule holds alpha_m, alpha_f, beta and gamma, see `Stepping`. A step is solved for the unknowns
-u = (1 - alpha_f) d that blocks have where its forces are taken; d is what they have at its end.
+A rule holds alpha_m, alpha_f, beta and gamma, see `Stepping`. A step is solved for the unknowns u =
+(1 - alpha_f) d at the time at which forces are evaluated; d are those at its end.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ Rule = tuple[float, float, float, float]
 
 @lent
 def brought(begun: Vector, velocity: Vector, rate: Vector, rule: Rule, step: float) -> float:
-    """Fill begun (q,), from velocities and accelerations `rate` (q,); return the weight.
+    """Fill begun (q,) from velocities and accelerations `rate` (q,); return the weight of inertia.
 
     M ((1 - alpha_m) a1 + alpha_m a0) is then weight M (u/D - begun)/D.
     """
@@ -32,10 +32,11 @@ def brought(begun: Vector, velocity: Vector, rate: Vector, rule: Rule, step: flo
 def handed_on(
     velocity: Vector, rate: Vector, d: Vector, mass: Vector, bodies: Bodies, rule: Rule, step: float
 ) -> float:
-    """Make velocities and accelerations (q,) those after d (q,); return what inertia loses [J].
+    """Set velocities and accelerations (q,) to those after the step d (q,); return the loss [J].
 
-    That is the work of M ((1 - alpha_m) a1 + alpha_m a0) over d less the gain in kinetic energy,
-    written in the change of the accelerations, by which DDA's own rule loses nothing.
+    The loss is the work of M ((1 - alpha_m) a1 + alpha_m a0) over d minus the gain of kinetic
+    energy. It is computed from the changes of accelerations, so that it is exactly zero for DDA's
+    own rule.
     """
     alpha_m, _, beta, gamma = rule
     q, ahead = len(d), gamma / beta

@@ -1,4 +1,4 @@
-"""The open-close iteration of one step, or of a part of one, as a kernel."""
+"""The open-close iteration of a step, or of a part of one, as a kernel."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ from vv.scene import Vector
 
 @called
 def lightness(touch: Touch, state: Index, bodies: Bodies, step: float, weight: float) -> Vector:
-    """Per contact the stiffness [N/m] by which inertia resists slip (c,): weight m/D^2 a point."""
+    """The stiffness [N/m] by which inertia resists slip at contacts (c,): weight m/D^2 each."""
     closed = nil_numbers(len(bodies.mass))
     for k in range(len(touch.key)):
         if state[k] != OPEN:
@@ -43,14 +43,15 @@ def iterate(  # noqa: PLR0912 - a branch per contact state
     moved: Vector, begun: Vector, step: float, weight: float, kn: float, ks: float, mu: float,
     hold: float, tolerance: float, iterations: int, most: int, elastic: Vector,
 ) -> tuple[bool, int, Index, Vector, Vector]:  # fmt: skip
-    """Solve for the unknowns d (q,) of a step [s] and the states of all contacts.
+    """Solve for the unknowns d (q,) of a step [s] and for the states of all contacts.
 
-    outer: (q,) generalised loads; moved: (w, 3) how far walls go [m]; begun (q,), weight: what
-    inertia brings into the step, see `inertia`; most: solutions
-    by Newton's iteration where so many iterations do not end it. Returns
-    whether nothing changed any more, how many solutions were taken, then per contact what the
-    last of them assumed: states (c,) and friction (c, 3) [N]; and what it gave: relative motion
-    (c, 3) [m]. touch: its states, pushes and ways become the ones that the law now calls for.
+    outer: (q,) generalised loads; moved: (w, 3) displacements of walls [m]; begun (q,), weight: the
+    inertia terms, see `inertia`; iterations: of the open-close iteration; most: solutions by
+    Newton's iteration if that does not converge.
+
+    Returns whether the iteration converged, the number of solutions, and per contact what the last
+    one assumed, states (c,) and friction (c, 3) [N], and its relative displacement (c, 3) [m]. The
+    states, normal forces and directions in touch are set to those that the law gives for it.
     """
     q, count = len(d), len(touch.key)
     first, matrix = counts(q), table(q, q)

@@ -63,7 +63,7 @@ from vv.engines.kernels.triples import NOWHERE, add_scaled, at, dot, put
 from vv.scene import Mask, Vector
 
 FIRST: Rule = (IMPLICIT.alpha_m, IMPLICIT.alpha_f, IMPLICIT.beta, IMPLICIT.gamma)
-# which needs no accelerations at the start, and leaves those that its forces make
+# needs no accelerations at the start, and ends with those of its forces
 HALF: Rule = (HALF_LEAP.alpha_m, HALF_LEAP.alpha_f, HALF_LEAP.beta, HALF_LEAP.gamma)
 
 
@@ -72,7 +72,7 @@ def shifted(
     ahead: Vector, moved: Vector, shift: Vector, base: Drive, starts: Starts, time: float,
     share: float,
 ) -> None:  # fmt: skip
-    """Fill ahead (w, 3): how far walls have gone by a time [s], and moved: a share of that step."""
+    """Fill ahead (w, 3): displacements of walls at a time [s]; moved: share of their change."""
     for wall in range(len(shift)):
         put(ahead, wall, travel(one_of(base, starts, wall), time))
         step = add_scaled(at(ahead, wall), -1.0, at(shift, wall))
@@ -81,7 +81,7 @@ def shifted(
 
 @lent
 def forget(touch: Touch, state: Index, push: Vector, way: Vector) -> None:
-    """Undo what an iteration that did not end has made of the contacts."""
+    """Restore the states of contacts after an iteration that did not converge."""
     for k in range(len(touch.key)):
         touch.state[k], touch.push[k] = state[k], push[k]
         put(touch.way, k, at(way, k))
@@ -123,19 +123,20 @@ def move_blocks(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
     mu: float,
     elastic: Vector,
 ) -> int:
-    """Step all blocks by DDA; return rows filled.
+    """Integrate the motion of all blocks by DDA; return the rows filled.
 
-    settling: steps before t = 0 with drives at rest; rule: of all steps but the first, which is
-    DDA's own; tolerance, iterations, newton, felt, terms, turns, follow, dd, multipliers: see
-    Formulation; hold: 1 where it is charged, else 0; begun: the start; motion: becomes the end;
-    base, starts: see `drives`; shaking: a body acceleration; kn, ks [N/m] and mu of every point
-    of contact; reach [m]: see `found`; elastic: (q, 12) stiffness of strains [N m], laid out as
-    `masses` are.
+    settling: steps before t = 0, with shaking and walls at rest; rule: of all steps but the first,
+    which has DDA's own; tolerance, iterations, newton, felt, terms, turns, follow, dd, multipliers:
+    see `Formulation`; hold: 1 where its `charged` is true, else 0; begun: the motion at the start;
+    motion: is set to that at the end; base, starts: see `drives`; shaking: an acceleration of all
+    bodies; kn, ks [N/m] and mu of each contact point; reach [m]: see `found`; elastic: (q, 12)
+    stiffness of strains [N m], laid out as `masses`.
 
-    Every `stride` steps a row is written: path (k, b, 21): displacement, velocity, the tensor of
-    strain, force and impulse since t = 0 of contacts and shaking, of the watched blocks (b,), the
-    force as the row is reached, in the first that of step one; energy (k, 13) and report (k, 9):
-    see `dda_energy`.
+    Every `stride` steps a row is written: path (k, b, 21) of the observed blocks: displacement,
+    velocity, strain tensor, force of contacts and shaking and its impulse since t = 0. The force is
+    that of the step before the row; in the first row it is that of the first step. energy (k, 13)
+    and report (k, 9): see `energy.py`. It is one function since all parts of a step share its
+    variables.
     """
     walls, q = len(planes.point), len(begun.velocity)
     shift, ahead, moved = nil_rows(walls), nil_rows(walls), nil_rows(walls)
@@ -143,11 +144,11 @@ def move_blocks(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
     d, pull, turn = nil_numbers(q), nil_numbers(q), nil_numbers(q)
     u, begun_by, rate = nil_numbers(q), nil_numbers(q), nil_numbers(q)
     now = FIRST if multipliers == 0 else HALF
-    feels = felt if rule[1] == 0.0 else 1.0  # or what is handed on is no acceleration of its end
+    feels = felt if rule[1] == 0.0 else 1.0  # the first step: rate at its end
     store, stores = (kn, ks) if multipliers == 0 else (0.0, 0.0)
     ledger, worst, done = nil_numbers(TERMS), nil_numbers(REPORTS), -settling
     put_in, ever, most, spare = 0.0, 0.0, np.inf, 0.0
-    if multipliers > 0:  # springs that bear loads hold more than rounding does
+    if multipliers > 0:  # no energy in springs: allow for rounding
         spare = fall(bodies, reach)
     copied(motion, begun)
     touch = found(touch_room(0 * walls), bodies, motion, shapes, moves, planes, shift, depth, reach)
@@ -214,7 +215,7 @@ def move_blocks(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
                 ledger[NUMERICAL] += (0.5 - now[1]) * applied(flow, elastic, bodies, d)
                 ledger[NUMERICAL] += handed_on(motion.velocity, rate, d, mass, bodies, now, part)
                 now, feels = rule, felt
-                if multipliers > 0:  # what a blow was is not handed on
+                if multipliers > 0:  # accelerations of impacts do not act in the next step
                     for a in range(q):
                         rate[a] = 0.0
                 displace(motion, bodies, shapes, d, terms, follow)
@@ -223,7 +224,7 @@ def move_blocks(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
                     works = ledger[GRAVITY] + ledger[LOAD] + ledger[BASE] + ledger[SHAKING]
                     ever = larger(ever, works)
                     most = GAIN * (put_in + ever) + spare
-                if lost(ledger, most):  # contact cannot be looked for between blocks that are so
+                if lost(ledger, most):  # contacts of diverged blocks cannot be detected
                     note(path[row], energy[row], report[row], watched, origin,
                          bodies, motion, pressed, given, ledger, worst)  # fmt: skip
                     return row
@@ -231,7 +232,7 @@ def move_blocks(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its
                 for a in range(q):
                     motion.velocity[a] *= dd
                 kept = dd * dd * ledger[KINETIC] + ledger[NORMAL] + ledger[SHEAR]
-                for a in range(q):  # inertia is found anew, as contacts are, and this led there
+                for a in range(q):  # inertia also changes with the new positions
                     kept -= turn[a] * d[a]
                 copy_rows(shift, ahead)
                 touch = found(touch, bodies, motion, shapes, moves, planes, shift, depth, reach)

@@ -1,4 +1,4 @@
-"""Kernels that solve equations within their profile: symmetric positive definite, or any."""
+"""Solvers for matrices stored in a profile: symmetric positive definite, or any; kernels."""
 
 from __future__ import annotations
 
@@ -10,9 +10,9 @@ from vv.scene import Vector
 
 @lent
 def factorise(matrix: Vector, first: Index) -> None:
-    """L D L^T in place of the lower half of matrix (q, q); first: (q,) first column of each row.
+    """Replace the lower half of matrix (q, q) by L D L^T; first: (q,) the first column of each row.
 
-    The diagonal becomes D and what is left of it L (Jennings and McKeown 1992, Sec. 4.6).
+    The diagonal becomes D, the part left of it L (Jennings and McKeown 1992, Sec. 4.6).
     """
     for i in range(len(first)):
         row = matrix[i]
@@ -32,7 +32,7 @@ def factorise(matrix: Vector, first: Index) -> None:
 
 @lent
 def forward(matrix: Vector, first: Index, right: Vector, solution: Vector) -> None:
-    """Solve L times solution (q,) = right (q,), L below the diagonal of matrix, ones on it."""
+    """Solve L solution (q,) = right (q,); L is below the diagonal of matrix, with unit diagonal."""
     for i in range(len(first)):
         total = right[i]
         for k in range(first[i], i):
@@ -42,7 +42,7 @@ def forward(matrix: Vector, first: Index, right: Vector, solution: Vector) -> No
 
 @lent
 def substitute(matrix: Vector, first: Index, right: Vector, solution: Vector) -> None:
-    """Fill solution (q,) for a right-hand side (q,), given the factors in matrix."""
+    """Fill solution (q,) for a right-hand side (q,), with the factors of `factorise` in matrix."""
     n = len(first)
     forward(matrix, first, right, solution)
     for i in range(n):
@@ -54,9 +54,9 @@ def substitute(matrix: Vector, first: Index, right: Vector, solution: Vector) ->
 
 @lent
 def eliminate(matrix: Vector, first: Index) -> None:
-    """L U in place of matrix (q, q), whose entries are symmetric in place; first: see `factorise`.
+    """Replace matrix (q, q), of symmetric profile, by its factors L U; first: see `factorise`.
 
-    L has ones on its diagonal. Rows are not exchanged, which would leave the profile.
+    L has ones on its diagonal. There is no pivoting, which would leave the profile.
     """
     for i in range(len(first)):
         row = matrix[i]
@@ -75,7 +75,7 @@ def eliminate(matrix: Vector, first: Index) -> None:
 
 @lent
 def back(matrix: Vector, first: Index, right: Vector, solution: Vector) -> None:
-    """Fill solution (q,) for a right-hand side (q,), given L U in matrix."""
+    """Fill solution (q,) for a right-hand side (q,), with the factors of `eliminate` in matrix."""
     forward(matrix, first, right, solution)
     for i in range(len(first) - 1, -1, -1):
         solution[i] /= matrix[i, i]

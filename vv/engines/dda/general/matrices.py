@@ -1,4 +1,4 @@
-"""Kernels on matrices (3, 3): products with vectors and with each other, and the exponential."""
+"""Kernels on matrices (3, 3): products, and the exponential."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from vv.scene import Vector
 
 @lent
 def mapped(matrix: Vector, a: Triple) -> Triple:
-    """A matrix (3, 3) times a."""
+    """The product of a matrix (3, 3) and the vector a."""
     return dot(at(matrix, 0), a), dot(at(matrix, 1), a), dot(at(matrix, 2), a)
 
 
@@ -35,7 +35,7 @@ def reshaped(out: Vector, whole: Vector, second: Vector) -> None:
 
 @called
 def exponential(whole: Vector, slope: Vector, terms: int) -> None:
-    """Fill whole (3, 3): exp of slope (3, 3), to so many terms."""
+    """Fill whole (3, 3): the exponential series of slope (3, 3), to `terms` terms."""
     old = rows(3)
     for r in range(3):
         for c in range(3):

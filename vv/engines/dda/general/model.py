@@ -1,4 +1,4 @@
-"""Builds the general model of DDA: any blocks and walls, with all the unknowns they have."""
+"""Builds the general model of DDA: any blocks and walls, with all their unknowns."""
 
 from __future__ import annotations
 
@@ -33,9 +33,9 @@ from vv.scene import Block, Scene, Term, Vector
 
 @dataclass(frozen=True, eq=False)
 class General:
-    """Any number of blocks and walls, with six unknowns a block in a plane, or twelve in space.
+    """The general model: up to six unknowns for a block in a plane, or twelve in space.
 
-    Locked translations and rotations, and strains of rigid blocks, are no unknowns.
+    Locked translations and rotations, and strains of rigid blocks, are not unknowns.
     """
 
     scene: Scene
@@ -43,17 +43,17 @@ class General:
 
     @property
     def unknowns(self) -> int:
-        """Columns that the kernel is given."""
+        """The number of unknowns of all blocks."""
         return sum(len(columns(b, self.scene.axes)[0]) for b in self.scene.blocks)
 
     @property
     def terms(self) -> frozenset[Term]:
-        """What the kernel is given of the scene."""
+        """The terms of the scene, all of which are modelled."""
         return self.scene.terms()
 
     @property
     def words(self) -> str:
-        """The model in words."""
+        """The description of the model."""
         blocks, way = self.scene.blocks, self.formulation
         one = len(blocks) == 1
         shape = ", a prism in a plane" if one else ", prisms in a plane"
@@ -69,21 +69,24 @@ class General:
         return f"{self.unknowns} unknowns of {whose}{strains}{plane}{torque}{behind}"
 
     def outputs(self, rows: int, watched: tuple[int, ...]) -> tuple[Any, ...]:
-        """What the kernel fills first, and the blocks it watches."""
+        """The arrays that the kernel fills, and the blocks that it observes."""
         energy, report = np.empty((rows, 13)), np.empty((rows, 9))
         return np.empty((rows, len(watched), 21)), energy, report, np.array(watched, np.int64)
 
     def arguments(self, step: tuple[Any, ...], law: Springs) -> tuple[Any, ...]:
-        """What the kernel is told; step: stride, dt, settling, tolerance, iterations."""
+        """The arguments of the kernel after the outputs.
+
+        step: stride, dt, settling, tolerance, iterations.
+        """
         begun = self.pressed(law, step[-2:]) if self.formulation.pressed else self.motion()
         return (*step, *self.model_arguments(begun, self.motion(), self.formulation.dd, law))
 
     def pressed(self, law: Springs, rule: tuple[Any, ...]) -> Any:
-        """The start once contacts carry the loads at rest, as if no friction were exceeded.
+        """The start, with contacts that carry the loads at rest as if friction were unlimited.
 
-        Where nothing moves yet, what friction does not hold of a wedge is then let go. Elastic
-        blocks begin unstrained, and are pressed as rigid ones, unless all are relaxed. rule: when
-        an iteration ends.
+        If nothing moves at t = 0, wedges that friction does not hold are then released by `eased`.
+        Elastic blocks start unstrained, and are pressed as if rigid, unless all are relaxed. rule:
+        tolerance and iterations.
         """
         start, bodies = self.motion(), self.bodies()
         if all(block.elastic and block.elastic.relaxed for block in self.scene.blocks):
@@ -97,10 +100,10 @@ class General:
         return rest._replace(velocity=start.velocity, strain=start.strain)
 
     def at_rest(self, law: Springs, rule: tuple[Any, ...]) -> Any:
-        """Where contacts carry the loads, which a few steps almost without inertia find.
+        """The positions in which contacts carry the loads, from a few steps with little inertia.
 
-        Blocks stay as they are if one of them rests on nothing, which the first such step shows:
-        further ones would throw it through the others.
+        Blocks stay in place if one of them is not supported. The first step shows this; further
+        ones would move that block through the others.
         """
         gripping, start, end = Springs(law.kn, law.ks, GRIP), self.motion(), self.motion()
         start.velocity[:] = 0.0
@@ -112,21 +115,22 @@ class General:
 
     @property
     def wedged(self) -> bool:
-        """Whether blocks, none of which can turn, may be pressed by walls of unlike normals.
+        """Whether no block can rotate and walls have different normals: blocks may be wedged.
 
-        On one plane they are pressed alike whether they slip or not, and those that turn would
-        lean by as far as they went.
+        On a single plane the normal forces do not depend on slip; blocks that can rotate would tilt
+        by as far as they slide.
         """
         normals = [wall.normal for wall in self.scene.walls]
         unlike = any(np.linalg.norm(np.cross(normals[0], one)) > UNLIKE for one in normals[1:])
         return unlike and not any(block.free_spin.any() for block in self.scene.blocks)
 
     def eased(self, held: Any, law: Springs, rule: tuple[Any, ...]) -> Any:
-        """Where blocks that friction does not hold are once their springs bear what moves them.
+        """The state in which wedges that friction does not hold slide steadily on their springs.
 
-        From there on they slide as steadily as on rigid contact; let go at t = 0, springs across
-        the slide would throw them, and a wedge would keep the speed. Blocks go some tens of times
-        as far as `held` pressed springs; those that go on have springs stretched along their way.
+        Without it, tangential springs would accelerate them at t = 0, and a wedge would keep that
+        velocity. Blocks slide some tens of times as far as the springs of `held` are compressed.
+        Blocks that go on sliding start with springs that are stretched in the direction of their
+        slip.
         """
         held.velocity[:] = 0.0
         end, over = held, EASING
@@ -145,7 +149,7 @@ class General:
     def settled(
         self, start: Any, law: Springs, over: float, steps: int, rule: tuple[Any, ...]
     ) -> Any:
-        """The end of steps from a start, each at rest; over: springs over inertia in each."""
+        """The end of `steps` steps, each from rest; over: kn over the inertia stiffness."""
         heaviest = max(block.mass for block in self.scene.blocks)
         dt = float(np.sqrt(2 * heaviest * over / law.kn))
         still = General(self.scene, dataclasses.replace(self.formulation, stepping=IMPLICIT))
@@ -155,14 +159,14 @@ class General:
         return end
 
     def sinks(self, law: Springs) -> float:
-        """How far [m] a block that rests on something can sink, by far."""
+        """An upper bound, by orders of magnitude, of how far a supported block sinks [m]."""
         bodies = self.bodies()
         loads = np.linalg.norm(bodies.weight + bodies.load, axis=1).sum()
         soft = ((block.elastic, size(block)) for block in self.scene.blocks)
         return float(FLOAT * loads * (1 / law.kn + sum(1 / (e.young * h) for e, h in soft if e)))
 
     def model_arguments(self, begun: Any, end: Any, dd: float, law: Springs) -> tuple[Any, ...]:
-        """What the kernel is told after the step; it writes the end of the motion to `end`."""
+        """The arguments of the kernel after the step; `end` is where it writes the last motion."""
         from vv.engines.kernels.drive import NO_MOTION, drive, drives
 
         scene, blocks, way = self.scene, self.scene.blocks, self.formulation
@@ -196,7 +200,7 @@ class General:
         )
 
     def bodies(self) -> Any:
-        """The unknowns as the kernel receives them."""
+        """The unknowns as the kernel takes them."""
         from vv.engines.dda.general.bodies import Bodies
 
         scene, blocks = self.scene, self.scene.blocks
@@ -224,7 +228,7 @@ class General:
         return whole
 
     def motion(self) -> Any:
-        """The start as the kernel receives it."""
+        """The motion at the start as the kernel takes it."""
         from vv.engines.dda.general.bodies import Motion
 
         scene, blocks = self.scene, self.scene.blocks
@@ -245,18 +249,18 @@ class General:
         return move_blocks
 
     def watched(self, path: Vector, index: int) -> Vector:
-        """Displacement and velocity (k, 6) of the block observed as the index-th."""
+        """Displacement and velocity (k, 6) of the index-th observed block."""
         return np.asarray(path[:, index, :6])
 
     def strains(self, path: Vector, index: int) -> Vector:
-        """Normal strains (k, 3) of the block observed as the index-th, along the scene's axes."""
+        """Normal strains (k, 3) of the index-th observed block along the scene's axes."""
         tensor = path[:, index, 6:15].reshape(-1, 3, 3)
         return np.asarray(np.einsum("ar,krc,ac->ka", self.scene.axes, tensor, self.scene.axes))
 
     def locked(self, path: Vector, index: int, block: int, times: Vector) -> tuple[Vector, Vector]:
-        """Forces (k, 3) [N] and impulses since t = 0 [N s] of the locks on the index-th observed.
+        """Forces (k, 3) [N] and impulses since t = 0 [N s] of locks of the index-th observed block.
 
-        They are what its other forces leave unbalanced; it is the block of this number.
+        They balance all other forces on the block, which has number `block` in the scene.
         """
         one, axes = self.scene.blocks[block], self.scene.axes[~self.scene.blocks[block].free]
         steady = one.load + one.mass * self.scene.gravity

@@ -1,8 +1,8 @@
-"""Augmented Lagrangian: multipliers take up the forces of a step's springs until gaps are nil.
+"""Augmented Lagrangian: multipliers take over the forces of springs until gaps are zero.
 
-A spring that bears what its multiplier does not is shorter by that much, so that open-close and
-Newton's iteration see a contact whose gap and shear stretch are other ones (Lin, Amadei, Jung and
-Dwyer 1996; with friction Simo and Laursen 1992). Nothing is stored in such a contact.
+A spring carries only the force that its multiplier does not. Its length is reduced by the rest, so
+that open-close and Newton's iteration see a contact with another gap and tangential stretch (Lin,
+Amadei, Jung and Dwyer 1996; with friction Simo and Laursen 1992). Such a contact stores no energy.
 """
 
 from __future__ import annotations
@@ -30,18 +30,21 @@ from vv.engines.kernels.triples import NOWHERE, Triple, add_scaled, at, dot, put
 from vv.scene import Vector
 
 EPS = float(np.finfo(float).eps)
-ROUNDINGS = 1024.0  # of coordinates: a walk of a million steps, of which each rounds
+ROUNDINGS = 1024.0  # of coordinates: the random walk of a million rounded steps
 
 
 @lent
 def length(a: Triple) -> float:
-    """Its length."""
+    """The length of a vector."""
     return float(np.sqrt(dot(a, a)))
 
 
 @lent
 def fall(bodies: Bodies, reach: float) -> float:
-    """What loads give to blocks that go so far [J], where nothing is stored that rounding is to."""
+    """The energy [J] that blocks gain if all move by `reach` [m] under their loads.
+
+    It takes the place of stored energy in the limit beyond which a run has diverged.
+    """
     total = 0.0
     for i in range(len(bodies.mass)):
         total += reach * length(add_scaled(at(bodies.weight, i), 1.0, at(bodies.load, i)))
@@ -53,12 +56,12 @@ def taken_up(
     touch: Touch, used: Index, rub: Vector, relative: Vector, gap: Vector, stiff: float,
     shear: float, mu: float,
 ) -> tuple[float, float, bool]:  # fmt: skip
-    """Make touch.push and touch.spring what multipliers bear from now on: all of each force.
+    """Set touch.push and touch.spring to the whole contact forces, which the multipliers take over.
 
-    gap: (c,) the true ones before the step [m]; stiff, shear: of the springs [N/m], by which
-    touch.spring is a force. Returns the largest force [N], the most by which one is not what it
-    will be: what springs bear, and what breaks the law of a contact; and whether friction turns
-    slowly somewhere, since a pass turns it by the slip times the springs over mu N.
+    gap: (c,) actual gaps before the step [m]; stiff, shear: of the springs [N/m]; touch.spring is a
+    force divided by shear. Returns the largest force [N]; the largest error of a force [N], either
+    carried by a spring or violating the contact law; and whether friction still rotates slowly
+    somewhere. A pass rotates friction by the slip times shear over mu N.
     """
     off, most, turns = 0.0, 0.0, False
     for k in range(len(touch.key)):
@@ -90,7 +93,7 @@ def taken_up(
 
 @lent
 def blurred(motion: Motion) -> float:
-    """Below which a gap [m] is rounding of the coordinates that it is made of."""
+    """The size below which a gap [m] is rounding of the coordinates from which it is computed."""
     far = 0.0
     for k in range(len(motion.vertex)):
         far = larger(far, length(at(motion.vertex, k)))
@@ -99,7 +102,7 @@ def blurred(motion: Motion) -> float:
 
 @lent
 def relieve(touch: Touch, gap: Vector, stiff: float, times: float) -> None:
-    """Shorten springs by what multipliers bear, as springs become so many times as stiff."""
+    """Shorten springs by what multipliers carry, when springs become `times` as stiff."""
     for k in range(len(touch.key)):
         touch.gap[k] = gap[k] - touch.push[k] / stiff
         put(touch.spring, k, add_scaled(NOWHERE, 1.0 / times, at(touch.spring, k)))
@@ -107,7 +110,7 @@ def relieve(touch: Touch, gap: Vector, stiff: float, times: float) -> None:
 
 @lent
 def jammed(touch: Touch) -> None:
-    """Begin anew with contacts that stick: where one jams, none of its slips has an answer."""
+    """Restart with all contacts sticking: for a jammed block no slipping state has a solution."""
     for k in range(len(touch.key)):
         touch.state[k], touch.push[k] = STICK, 0.0
         put(touch.spring, k, NOWHERE)
@@ -119,12 +122,13 @@ def bear(
     moved: Vector, begun: Vector, step: float, weight: float, kn: float, ks: float, mu: float,
     hold: float, tolerance: float, iterations: int, newton: int, elastic: Vector, most: int,
 ) -> tuple[bool, int, Index, Vector, Vector]:  # fmt: skip
-    """As `iterate`, again and again, in at most so many passes, until springs bear nothing.
+    """Repeat `iterate` in at most `most` passes, until springs carry nothing.
 
-    kn, ks: where the springs begin, which become stiffer than the inertia of contacts, and again
-    where a pass leaves more than SLOW, unless that is rounding and friction has turned as slip has.
-    A pass that does not end is begun once more with all contacts stuck. touch: its pushes become
-    the multipliers, and its springs those along the contact, over ks.
+    kn, ks: stiffnesses to start with. They are first raised above the inertia of contacts, and
+    again after passes that leave more than SLOW of the forces, unless the rest is rounding and
+    friction has rotated with the slip. A pass that does not converge is repeated once with all
+    contacts sticking. The normal forces in touch become the multipliers, and its springs the
+    tangential multipliers over ks.
     """
     gap, firm = same_numbers(touch.gap, len(touch.key)), kn
     for light in lightness(touch, touch.state, bodies, step, weight):
@@ -159,9 +163,9 @@ def close_borne(
     ledger: Vector, worst: Vector, pull: Vector, touch: Touch, used: Index, rub: Vector,
     relative: Vector, moved: Vector, ks: float, mu: float,
 ) -> None:  # fmt: skip
-    """As `close_step`, for contacts that store nothing: what they do not rub away is lost.
+    """As `close_step`, for contacts that store no energy: all work but that of friction is lost.
 
-    touch: what `bear` made of it.
+    touch: as `bear` left it.
     """
     for a in range(len(pull)):
         pull[a] = 0.0

@@ -1,9 +1,9 @@
-"""Newton's iteration on the contacts of a step, for steps whose open-close iteration does not end.
+"""Newton's iteration on the contacts of a step whose open-close iteration does not converge.
 
-The friction of a contact, its trial force brought back to mu N, is a function of the motion with
-one kink where it opens and one where it begins to slide. Newton's iteration takes its derivative
-on whichever side it is, changes of N included (Alart and Curnier 1991, on springs): what is
-linear between kinks is met at once, and turning friction at second order.
+The friction of a contact, its trial force limited to mu N, is a function of the displacements with
+a kink where the contact opens and one where it begins to slide. The derivative is taken on the
+current side of the kinks, with changes of N (Alart and Curnier 1991, on springs). Where the
+function is linear, one iteration is exact; where friction rotates, convergence is quadratic.
 """
 
 from __future__ import annotations
@@ -27,7 +27,10 @@ from vv.scene import Vector
 def stiffened(
     n: Triple, way: Triple, state: int, turn: float, kn: float, ks: float, mu: float, a: Triple
 ) -> Triple:
-    """By how much the force of a contact [N] falls for a motion a [m]; turn: ks mu N/|trial|."""
+    """The decrease of a contact's force [N] for a relative displacement a [m].
+
+    turn: ks mu N/|trial| [N/m].
+    """
     opening = dot(n, a)
     flat = add_scaled(a, -opening, n)
     fall = add_scaled(NOWHERE, kn * opening, n)
@@ -42,7 +45,7 @@ def tangent(
     matrix: Vector, first: Index, mass: Vector, bodies: Bodies, touch: Touch, turn: Vector,
     step: float, weight: float, kn: float, ks: float, mu: float, elastic: Vector,
 ) -> None:  # fmt: skip
-    """Fill matrix (q, q) within its profile: inertia, strains and what contacts add to them."""
+    """Fill matrix (q, q) in its profile: inertia, strains, and derivatives of contact forces."""
     scale = weight / (step * step)
     for a in range(len(first)):
         for b in range(first[a], a + 1):
@@ -65,7 +68,7 @@ def tangent(
 
 @lent
 def moved_by(k: int, touch: Touch, d: Vector, shut: Vector) -> Triple:
-    """How far the second body of contact k goes from the first, for unknowns d (q,)."""
+    """The displacement [m] of the second body of contact k relative to the first, for d (q,)."""
     moves = add_scaled(NOWHERE, -1.0, at(shut, k))
     for m in range(touch.columns[k]):
         moves = add_scaled(moves, d[touch.column[k, m]], at(touch.field[k], m))
@@ -77,9 +80,9 @@ def unbalanced(
     d: Vector, touch: Touch, turn: Vector, bodies: Bodies, mass: Vector, constant: Vector,
     shut: Vector, step: float, weight: float, kn: float, ks: float, mu: float, elastic: Vector,
 ) -> float:  # fmt: skip
-    """Set contacts to what the law has for unknowns d (q,); return what is left of the equations.
+    """Set contacts to the states that the law gives for unknowns d (q,); return the residual [J].
 
-    That is a sum of squares, each over the inertia of its unknown [J].
+    It is the sum of squared residuals of the equations, each divided by the inertia of its unknown.
     """
     q, scale = len(d), weight / (step * step)
     left, strained = numbers(q), numbers(q)
@@ -120,10 +123,10 @@ def newton(
     step: float, weight: float, kn: float, ks: float, mu: float, tolerance: float, most: int,
     elastic: Vector,
 ) -> tuple[bool, int, Index, Vector, Vector]:  # fmt: skip
-    """As `iterate`, from unknowns d (q,), in at most so many solutions.
+    """As `iterate`, from unknowns d (q,), by at most `most` solutions.
 
-    constant: (q,) what acts beside contacts and unknowns; shut: (c, 3) how far walls went [m].
-    A step is halved until less is left of the equations than before.
+    constant: (q,) generalised forces that depend on neither contacts nor unknowns; shut: (c, 3)
+    displacements of walls [m]. An increment is halved until the residual decreases.
     """
     q, count = len(d), len(touch.key)
     first, matrix = counts(q), table(q, q)

@@ -1,4 +1,4 @@
-"""Kernels that write down a row of what DDA has come to, and see that it has run away."""
+"""Kernels that write a row of results, and detect divergence."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from vv.scene import Vector
 
 @lent
 def lost(ledger: Vector, most: float) -> bool:
-    """Whether motion, springs and strains hold more than `most` [J], or no finite energy."""
+    """Whether kinetic and elastic energy together exceed `most` [J] or are not finite."""
     total = ledger[KINETIC] + ledger[NORMAL] + ledger[SHEAR] + ledger[STRAIN]
     return not (total <= most and total < np.inf)
 
@@ -25,9 +25,9 @@ def lost(ledger: Vector, most: float) -> bool:
 def press(
     pressed: Vector, given: Vector, touch: Touch, bodies: Bodies, shake: Triple, step: float
 ) -> None:
-    """Fill pressed (n, 3) with forces of contacts and shaking on blocks in a step [N].
+    """Fill pressed (n, 3) with the forces of contacts and shaking on blocks in a step [N].
 
-    given: (n, 3) has their impulses [N s] added.
+    Their impulses [N s] are added to given (n, 3).
     """
     for i in range(len(pressed)):
         put(pressed, i, add_scaled(NOWHERE, bodies.mass[i], shake))

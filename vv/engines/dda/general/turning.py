@@ -1,10 +1,11 @@
-"""A kernel for the loads that inertia puts on blocks as it turns and strains with them.
+"""Kernels for the inertial loads that arise as a block rotates and deforms.
 
-A point r from the centre, with velocity L r, is accelerated by (dL/dt + L L) r. A step of DDA takes
-the first part for inertia. The second loads unknown a, of slope S_a, by -tr(S_a M (L L)^T), M the
-second moment: on a rotation the gyroscopic torque -w x I w, on a strain the centrifugal pull. That
-is tr(S_a L M L^T), nil for a rotation, less the rate of tr(S_a M L^T) by M alone; taken over a
-whole step, it lets what spins without contact keep its moment of momentum.
+A point r from the centre has the velocity L r and the acceleration (dL/dt + L L) r. The first part
+is the inertia of a DDA step. The second loads unknown a, of slope S_a, by -tr(S_a M (L L)^T), with
+the second moment M: for a rotation the gyroscopic torque -w x I w, for a strain the centrifugal
+load. It equals tr(S_a L M L^T), which is zero for a rotation, minus the rate of tr(S_a M L^T)
+through M alone. Evaluated over a whole step, it conserves the angular momentum of blocks that spin
+without contact.
 """
 
 from __future__ import annotations
@@ -27,7 +28,10 @@ from vv.scene import Vector
 
 @lent
 def turns_freely(bodies: Bodies, i: int, rate: Vector) -> bool:
-    """Whether block i turns and has more to it than a lone rotation, which goes on by itself."""
+    """Whether block i rotates, and has more unknowns without translation than one rotation.
+
+    A single rotation has no such load.
+    """
     several, moves = 0, False
     for a in range(bodies.start[i], bodies.start[i + 1]):
         if dot(at(bodies.line, a), at(bodies.line, a)) == 0.0:
@@ -41,10 +45,10 @@ def convected(
     turn: Vector, bodies: Bodies, motion: Motion, mass: Vector, elastic: Vector,
     step: float, terms: int, rounds: int,
 ) -> None:  # fmt: skip
-    """Fill turn (q,) with these loads [N m] over a step [s] that only elasticity disturbs.
+    """Fill turn (q,) with these loads [N m] over a step [s], in which only elasticity acts besides.
 
-    mass, elastic: (q, 12), see `masses`; terms: see `stretched`; rounds: in which the loads and
-    the end of the step, to which they lead, are found; after none there are no loads.
+    mass, elastic: (q, 12), see `masses`; terms: see `stretched`; rounds: of the iteration for the
+    loads and the motion at the end of the step, which depend on each other; 0 for no loads.
     """
     q = len(turn)
     begin, whole, second, flow, end = rows(3), rows(3), rows(3), rows(3), rows(3)

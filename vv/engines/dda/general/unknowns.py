@@ -1,4 +1,4 @@
-"""The unknowns of a DDA block: displacement fields, their stiffness and their rates at t = 0."""
+"""The unknowns of a DDA block: displacement fields, stiffness, and rates at t = 0."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def columns(block: Block, axes: Vector) -> tuple[Vector, Vector, Vector]:
 
 
 def hooke(elastic: Elastic, strains: tuple[tuple[int, int], ...]) -> Vector:
-    """Stiffness [Pa] of strains (i, i) and shear angles (i, j); those left out bear no stress."""
+    """The stiffness [Pa] of strains (i, i) and shear angles (i, j), if others have zero stress."""
     E, nu = elastic.young, elastic.poisson
     compliance = np.zeros((6, 6))
     for a, (i, j) in enumerate(ORDER):
@@ -43,6 +43,6 @@ def hooke(elastic: Elastic, strains: tuple[tuple[int, int], ...]) -> Vector:
 
 
 def rates(block: Block, axes: Vector) -> Vector:
-    """The unknowns' rates at t = 0 (q,): a block is not being strained then."""
+    """The rates of the unknowns at t = 0 (q,); those of strains are zero."""
     moving, turning = (axes @ block.velocity)[block.free], (axes @ block.spin)[block.free_spin]
     return np.concatenate([moving, turning, np.zeros(len(block.strains))])

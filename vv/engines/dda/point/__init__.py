@@ -1,1 +1,1 @@
-"""The reduced model: one block that cannot turn, on one wall or none."""
+"""The reduced model: one block that cannot rotate, on one wall or none."""

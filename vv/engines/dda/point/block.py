@@ -1,4 +1,4 @@
-"""What the reduced model of DDA knows of its block, and what changes as it moves."""
+"""The data of the reduced model of DDA, and its state that changes from step to step."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from vv.engines.kernels.triples import Triple
 
 
 class Steps(NamedTuple):
-    """A row of results is `stride` steps of dt [s]; drives rest in the `settling` steps before."""
+    """A row per `stride` steps of dt [s]; `settling` steps of gravity alone before t = 0."""
 
     stride: int
     dt: float
@@ -17,9 +17,9 @@ class Steps(NamedTuple):
 
 
 class Rule(NamedTuple):
-    """When iterations end, what springs hold, what a step keeps of velocity and feels of shaking.
+    """The choices of the formulation that the kernel needs.
 
-    tolerance, hold, felt: see `move_blocks`.
+    tolerance, iterations, dd, felt: see `Formulation`; hold: 1 where its `charged` is true, else 0.
     """
 
     tolerance: float
@@ -37,19 +37,19 @@ class Friction(NamedTuple):
 
 
 class Drives(NamedTuple):
-    """What moves the base and shakes all bodies; what is not there has no sines."""
+    """The motion of the wall and the shaking; a motion that is absent has no sines."""
 
     base: Drive
     shaking: Drive
 
 
 class Block(NamedTuple):
-    """What is the same in all steps.
+    """The data that are the same in all steps.
 
-    points: how many points of contact share the load, each with a spring kn [N/m]; gravity, load,
-    shaking: their parts along the free directions, which hold the normal and all motion of the
-    base; borne: m gravity + load [N]; gap [m] at t = 0. A kernel is compiled for scenes without
-    drives, since these cost a step 8 % where nothing moves.
+    points: how many contact points share the load, each with a spring kn [N/m]; gravity, load,
+    shaking: components in the free directions, which contain the normal and the motion of the wall;
+    borne: m gravity + load [N]; gap [m] at t = 0. drives is None if nothing is driven, for which a
+    kernel is compiled: drives at rest would cost 8 % of a step.
     """
 
     mass: float
@@ -64,9 +64,9 @@ class Block(NamedTuple):
 
 
 class Motion(NamedTuple):
-    """Displacement x [m], what its sums lost to rounding, velocity v, and the base's shift [m].
+    """Displacement x, its rounding error, the displacement of the wall [m], and velocity v [m/s].
 
-    Without what was lost, 1e5 steps would make 1e-12 of x.
+    Without the rounding error, 1e5 steps would add up to 1e-12 of x.
     """
 
     x: Triple
@@ -76,7 +76,7 @@ class Motion(NamedTuple):
 
 
 class Contact(NamedTuple):
-    """Of each point: its state, force [N], direction of friction and shear stretch [m]."""
+    """The state, the normal force [N], the way that friction opposes, and the stretch [m]."""
 
     state: int
     push: float

@@ -1,7 +1,6 @@
-"""What the reduced model of DDA books of energy, and of its worst step; inlined into its kernel.
+"""The energy ledger of the reduced model, and the largest errors of a step; parts of its kernel.
 
-Energies [J] and worst values are kept in the columns that they have in results, as `move_blocks`
-has them.
+Energies [J] and errors have the columns of the results of `move_blocks`.
 """
 
 from __future__ import annotations
@@ -24,9 +23,9 @@ RESIDUAL, MOST, DEEPEST, CUT, FAILED, SOLVED, EXCESS, ADRIFT, PEAK = range(9)
 def book_normal(
     spent: Vector, block: Block, used: int, before: float, after: float, moved: float
 ) -> float:
-    """Energy of the normal spring in a part of a step; returns its force [N].
+    """Add the energies of the normal spring in a part of a step; return its force [N].
 
-    used: the state of contact; before, after: the gap [m]; moved: the base along the normal [m].
+    used: the state of contact; before, after: the gap [m]; moved: of the wall along the normal [m].
     """
     points, kn = block.points, block.kn
     first, last = max(-before, 0.0), max(-after, 0.0)
@@ -42,7 +41,7 @@ def book_normal(
 def book_stuck(
     spent: Vector, spring: Triple, slip: Triple, moved: Triple, points: int, ks: float
 ) -> Triple:
-    """Energy of a shear spring that sticks; returns its stretch [m]."""
+    """Add the energies of a tangential spring that sticks; return its new stretch [m]."""
     old = 0.5 * points * ks * dot(spring, spring)
     spring = add_scaled(spring, 1.0, slip)
     spent[LOST] += points * ks * dot(spring, slip)
@@ -62,7 +61,7 @@ def book_slid(
     ks: float,
     hold: float,
 ) -> Triple:
-    """Energy of a shear spring that slides under friction `rub` [N]; returns its stretch [m]."""
+    """Add the energies of a contact that slides; return its new stretch [m]; rub: friction [N]."""
     points = block.points
     old = 0.5 * points * ks * dot(spring, spring)
     was, spring = spring, add_scaled(NOWHERE, hold / ks, rub)
@@ -78,7 +77,7 @@ def book_slid(
 
 @inlined
 def book_let_go(spent: Vector, spring: Triple, points: int, ks: float) -> Triple:
-    """Energy of a shear spring that a contact leaves as it opens; returns its stretch, none."""
+    """Add the energy lost by a tangential spring when its contact opens; return zero stretch."""
     spent[LOST] += 0.5 * points * ks * dot(spring, spring)
     return NOWHERE
 
@@ -87,7 +86,10 @@ def book_let_go(spent: Vector, spring: Triple, points: int, ks: float) -> Triple
 def book_forces(
     spent: Vector, block: Block, dd: float, d: Triple, new: Triple, shake: Triple
 ) -> None:
-    """What gravity, loads, shaking and damping do on the way d to the velocity `new`."""
+    """Add the work of gravity, loads and shaking over d [m], and the loss by kinetic damping.
+
+    new: the velocity before damping [m/s].
+    """
     mass = block.mass
     spent[FALLEN] += mass * dot(block.gravity, d)
     spent[WORKED] += dot(block.load, d)
@@ -97,9 +99,9 @@ def book_forces(
 
 @inlined
 def note_momentum(worst: Vector, gain: Triple, outer: Triple, pull: Triple, held: float) -> None:
-    """The momentum gained [N] beside the forces; pull: of contact, of whose points each has held.
+    """Store the largest error of the momentum balance and the largest force [N].
 
-    The largest force is kept, too.
+    gain: rate of momentum; pull: force of contact; held: normal force of each of its points.
     """
     off = add_scaled(add_scaled(gain, -1.0, outer), -1.0, pull)
     worst[ADRIFT] = max(worst[ADRIFT], np.sqrt(dot(off, off)))
@@ -112,7 +114,7 @@ def write(
     path: Vector, energy: Vector, row: int, block: Block, motion: Motion, origin: Triple,
     contact: Contact, friction: Friction | None, spent: Vector,
 ) -> float:  # fmt: skip
-    """Fill a row of path and energy; return what motion and springs hold [J]."""
+    """Fill a row of path and energy; return kinetic and elastic energy together [J]."""
     points, mass = block.points, block.mass
     moved = add_scaled(motion.x, -1.0, origin)
     apart = add_scaled(motion.x, -1.0, motion.shift)

@@ -1,4 +1,4 @@
-"""The open-close iteration of one block that cannot turn, inlined into its kernel."""
+"""The open-close iteration of one block that cannot rotate, inlined into its kernel."""
 
 from __future__ import annotations
 
@@ -15,11 +15,11 @@ from vv.scene import Vector
 
 
 class Posed(NamedTuple):
-    """What a part of a step is solved from.
+    """The equations of a part of a step.
 
-    inertia: m 2/D^2 [N/m] of a part D [s]; outer: gravity, loads and shaking [N]; normal,
-    tangent: forces [N] on the block with its momentum; space: the gap [m] at the begin; moved_n,
-    moved_t: motion of the base.
+    inertia: 2 m/D^2 [N/m] of a part D [s]; outer: gravity, loads and shaking [N]; normal, tangent:
+    the components of the right-hand side [N] with momentum; space: the gap [m] at the beginning;
+    moved_n, moved_t: displacement of the wall [m].
     """
 
     inertia: float
@@ -32,11 +32,11 @@ class Posed(NamedTuple):
 
 
 class Solved(NamedTuple):
-    """What an iteration found.
+    """The result of an iteration.
 
-    contact: what the solution calls for; used: the state that it was solved with, rub: friction
-    [N] then; d_n, d_t: the displacement; after: the gap [m]; slip: along the wall; wrong: of
-    friction [N]; ended: whether the iteration did.
+    contact: the state that the solution calls for; used: the state with which it was solved; rub:
+    friction [N] then; d_n, d_t: the displacement [m]; after: the gap [m]; slip: along the wall [m];
+    wrong: error of friction [N]; ended: whether the iteration converged.
     """
 
     contact: Contact
@@ -52,7 +52,7 @@ class Solved(NamedTuple):
 
 @inlined
 def posed(block: Block, motion: Motion, part: float, wall: Triple, shake: Triple) -> Posed:
-    """A part of a step [s]; wall, shake: place [m] of the base at its end, and shaking [m/s2]."""
+    """The equations of a part of a step [s]; wall: its last displacement [m]; shake: [m/s2]."""
     normal, shift = block.normal, motion.shift
     moved = add_scaled(wall, -1.0, shift)
     space = block.gap + dot(normal, add_scaled(motion.x, -1.0, shift))
@@ -68,10 +68,10 @@ def posed(block: Block, motion: Motion, part: float, wall: Triple, shake: Triple
 def iterated(
     part: Posed, begun: Contact, rule: Rule, block: Block, friction: Friction | None, worst: Vector
 ) -> Solved:
-    """Solve with a state of contact until the solution calls for that state."""
+    """Solve with an assumed state of contact until the solution calls for that state."""
     spring, wrong, ended = begun.spring, 0.0, False
     now, force, along = begun.state, begun.push, begun.way
-    for count in range(1, rule.iterations + 1):  # noqa: B007 - counted, below, whether it ends or not
+    for count in range(1, rule.iterations + 1):  # noqa: B007 - count is used below
         used = now
         d_n, d_t, rub = displaced(part, used, force, along, spring, block, friction)
         after = part.space + d_n - part.moved_n
@@ -103,7 +103,7 @@ def displaced(
     block: Block,
     friction: Friction | None,
 ) -> tuple[float, Triple, Triple]:
-    """The displacement along the normal and the wall, and friction, for an assumed state."""
+    """The displacements along the normal and the wall, and friction [N], for an assumed state."""
     points, c, f_t, rub = block.points, part.inertia, part.tangent, NOWHERE
     closed = points * block.kn if used != OPEN else 0.0
     d_n = (part.normal - closed * (part.space - part.moved_n)) / (c + closed)
@@ -129,7 +129,7 @@ def called_for(
     rule: Rule,
     ease: float,
 ) -> tuple[int, float, Triple]:
-    """The state, force and direction of friction that a solution calls for: see `respond`."""
+    """The state, normal force and friction direction that a solution calls for; see `respond`."""
     state, spring, way, converges = used.state, used.spring, used.way, rule.tolerance < np.inf
     if friction is None:
         return respond(state, after, slip, spring, way, kn, None, None, rule.hold, ease, converges)

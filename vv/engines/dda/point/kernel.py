@@ -1,4 +1,4 @@
-"""The compiled kernel of DDA for one block that cannot turn on one wall: up to three unknowns."""
+"""The compiled kernel of DDA for one block that cannot rotate, on a wall: at most 3 unknowns."""
 
 from __future__ import annotations
 
@@ -47,12 +47,11 @@ def slide_point(
     block: Block,
     friction: Friction | None,
 ) -> int:
-    """Step m d'' = m (gravity + shaking) + load + contact by DDA; return rows filled.
+    """Integrate m d'' = m (gravity + shaking) + load + contact by DDA; return the rows filled.
 
-    pressed: whether contact bears the loads at t = 0.
-
-    d'' = (2/D^2)(d - D v0), v = (2/D) d - v0 (Yagoda-Biran 2016, Eq. 5 corrected). Rows are
-    those of `move_blocks`: path (k, 6), energy (k, 13), report (k, 9).
+    pressed: whether contact carries the loads at t = 0. d'' = (2/D^2)(d - D v0), v = (2/D) d - v0
+    (Yagoda-Biran 2016, Eq. 5 corrected). Rows are those of `move_blocks`: path (k, 6), energy (k,
+    13), report (k, 9).
     """
     motion = Motion(NOWHERE, NOWHERE, velocity, NOWHERE)
     contact = Contact(OPEN, 0.0, NOWHERE, NOWHERE)
@@ -84,9 +83,9 @@ def slide_point(
 
 @inlined
 def at_rest(block: Block, friction: Friction | None, hold: float) -> tuple[Triple, Contact]:
-    """Where the block is, and its contact, once that bears its loads; as placed if none press.
+    """The displacement and contact state in which contact carries the loads; zero if none presses.
 
-    The shear spring is charged by a part `hold` of what friction can bear.
+    hold: the fraction of friction with which the tangential spring is charged.
     """
     normal, points, spring = block.normal, block.points, NOWHERE
     pull = block.borne
@@ -115,7 +114,7 @@ def stepped(
     spent: Vector,
     worst: Vector,
 ) -> tuple[Motion, Contact]:
-    """The motion and contact after a step, which is cut into parts where iterations do not end."""
+    """The motion and contact after a step, which is divided where iterations do not converge."""
     begin, part = 0.0, dt
     while begin < dt:
         wall, shake = driven(block.drives, done, done * dt + begin, part, rule.felt)
@@ -145,9 +144,10 @@ def stepped(
 def driven(
     drives: Drives | None, done: int, time: float, part: float, felt: float
 ) -> tuple[Triple, Triple]:
-    """Where the base is [m] a part of a step [s] on, and how that shakes [m/s2].
+    """The displacement of the wall [m] at the end of a part of a step [s], and the shaking [m/s2].
 
-    time: as it begins [s]; felt: how far into it shaking is felt. At rest in steps before 0.
+    time: at the beginning of the part [s]; felt: the fraction of it at which shaking is evaluated.
+    Both are zero in steps before t = 0.
     """
     wall, shake = NOWHERE, NOWHERE
     if drives is not None and done >= 0:
@@ -165,7 +165,7 @@ def booked(
     spent: Vector,
     worst: Vector,
 ) -> tuple[Contact, Triple, float]:
-    """Book what contact did; returns it with its new stretch, its force, and the normal one [N]."""
+    """Add the energies of contact; return its new state, its force and its normal force [N]."""
     used, now, points, spring = found.used, found.contact, block.points, found.contact.spring
     held = book_normal(spent, block, used, part.space, found.after, part.moved_n)
     pull = add_scaled(NOWHERE, points * held, block.normal)
@@ -188,7 +188,7 @@ def booked(
 
 @inlined
 def moved(motion: Motion, d: Triple, v: Triple, wall: Triple) -> Motion:
-    """The motion after a displacement d [m], with its velocity and the base's place."""
+    """The motion after a displacement d [m], with velocity v and the wall's displacement."""
     owed = add_scaled(d, -1.0, motion.rounded)
     there = add_scaled(motion.x, 1.0, owed)
     rounded = add_scaled(add_scaled(there, -1.0, motion.x), -1.0, owed)

@@ -1,4 +1,4 @@
-"""Builds the reduced model of DDA: one block that cannot turn, on one wall or none."""
+"""Builds the reduced model of DDA: one block that cannot rotate, on one wall or none."""
 
 from __future__ import annotations
 
@@ -15,13 +15,13 @@ from vv.engines.dda.limits import FLOAT
 from vv.engines.dda.springs import Springs
 from vv.scene import Scene, Term, Vector
 
-LEVEL = 1e-9  # of a block's size: vertices this close to the lowest touch a wall together
-SAME = 1e-6  # of a block's size: points of a prism no farther apart in its plane are one
+LEVEL = 1e-9  # relative to a block's size: vertices this close to the lowest touch a wall too
+SAME = 1e-6  # relative to a block's size: points closer than this in a prism's plane are one
 
 
 @dataclass(frozen=True, eq=False)
 class Sliding:
-    """One block that cannot turn, on one wall. points: how many of its vertices touch."""
+    """One block that cannot rotate, on one wall; points: how many of its vertices touch it."""
 
     scene: Scene
     lone: Lone
@@ -30,25 +30,28 @@ class Sliding:
 
     @property
     def unknowns(self) -> int:
-        """Free translations."""
+        """The number of free translations."""
         return int(self.lone.block.free.sum())
 
     @property
     def terms(self) -> frozenset[Term]:
-        """What the kernel is given of the scene."""
+        """The terms of the scene, all of which are modelled."""
         return self.scene.terms()
 
     @property
     def words(self) -> str:
-        """The model in words."""
+        """The description of the model."""
         return f"{self.unknowns} translations of one block with {self.points} points of contact"
 
     def outputs(self, rows: int, watched: tuple[int, ...]) -> tuple[Vector, ...]:
-        """What the kernel fills first."""
+        """The arrays that the kernel fills."""
         return np.empty((rows, 6)), np.empty((rows, 13)), np.empty((rows, 9))
 
     def arguments(self, step: tuple[Any, ...], law: Springs) -> tuple[Any, ...]:
-        """What the kernel is told; step: stride, dt, settling, tolerance, iterations."""
+        """The arguments of the kernel after the outputs.
+
+        step: stride, dt, settling, tolerance, iterations.
+        """
         from vv.engines.dda.point.block import Block, Drives, Friction, Rule, Steps
         from vv.engines.kernels.drive import NO_MOTION, drive
 
@@ -76,7 +79,7 @@ class Sliding:
         )
 
     def _rests(self, law: Springs) -> bool:
-        """Whether the block is no farther off its wall than springs could sink, by far."""
+        """Whether the block is so close to its wall that it is supported, as `FLOAT` defines it."""
         load = self.lone.block.mass * self.scene.gravity + self.lone.block.load
         return self.lone.gap <= FLOAT * float(np.linalg.norm(load)) / law.kn
 
@@ -87,16 +90,16 @@ class Sliding:
         return slide_point
 
     def watched(self, path: Vector, index: int) -> Vector:
-        """Displacement and velocity (k, 6) of the block observed as the index-th."""
+        """Displacement and velocity (k, 6) of the index-th observed block."""
         return path
 
     def strains(self, path: Vector, index: int) -> Vector:
-        """Normal strains (k, 3): a rigid block has none."""
+        """Normal strains (k, 3): zeros, since the block is rigid."""
         return np.zeros((len(path), 3))
 
 
 def sliding(scene: Scene, formulation: Formulation) -> Sliding | None:
-    """The reduced model, or None if the scene needs more."""
+    """The reduced model, or None if it does not serve the scene."""
     found = lone(scene)
     if found is None or found.block.elastic:
         return None
@@ -104,7 +107,7 @@ def sliding(scene: Scene, formulation: Formulation) -> Sliding | None:
 
 
 def _points(lone: Lone, depth: Vector) -> int:
-    """How many points touch first; those behind one another in a plane scene are one."""
+    """The number of points that touch first; points behind one another in a plane scene are one."""
     block, wall = lone.block, lone.wall
     size = float(np.ptp(block.vertices, axis=0).max())
     height = (block.vertices - wall.point) @ wall.normal
