@@ -75,7 +75,7 @@ LEAPFROGS: Mapping[str, dem.Leapfrog] = {"default": dem.CENTRED, "published": de
 
 
 def _solver(scheme: Scheme) -> Solver:
-    """A leapfrog, which is refused a step beyond its largest stable one."""
+    """A leapfrog, with its refusal of steps larger than the largest stable one."""
     leapfrog = LEAPFROGS[scheme.name]
 
     def refuses(ask: Ask) -> str | None:

@@ -33,7 +33,7 @@ SCHEMES = (
 
 
 def _solver(scheme: Scheme, function: str, prepare: exact.Prepare) -> Solver:
-    """The engine with the equations that `prepare` makes of an ask, or refuses to make."""
+    """The engine, with the equations that `prepare` makes of an ask, or its refusal."""
 
     def refuses(ask: Ask) -> str | None:
         return exact.refusal(ask, prepare)
@@ -53,10 +53,10 @@ def _solver(scheme: Scheme, function: str, prepare: exact.Prepare) -> Solver:
 def _run(ask: Ask, prepare: exact.Prepare, repeat: float) -> Run:
     """Run one ask and time each part.
 
-    Cost: setup is building the equations; startup is loading the kernel, or compiling it; solve is
-    following the motion from event to event, with the arrays prepared as for the kernels of the
-    other in-house codes; output is evaluating the observables and the energies. Raises
-    exact.RefusedError.
+    Cost: setup is building the equations; startup is loading or compiling the kernel; solve is
+    computing the motion from event to event into arrays that are allocated before, as for the
+    kernels of the other in-house codes; output is evaluating the observables and the energies.
+    Raises exact.RefusedError.
     """
     began = time.process_time()
     problem = prepare(ask)
@@ -78,7 +78,7 @@ def _run(ask: Ask, prepare: exact.Prepare, repeat: float) -> Run:
 
 
 def found() -> Found:
-    """Part of vv: always there."""
+    """The engine is part of vv, so it is always installed."""
     return Found(True, vv.__version__, str(Path(exact.__file__).parent))
 
 

@@ -17,7 +17,7 @@ from KratosMultiphysics.DEMApplication.DEM_analysis_stage import DEMAnalysisStag
 
 from vv.codes.driver_protocol import Plan, Stopwatch, serve
 
-FILE = "spheres"  # the name of Kratos' input files, in the folder where it runs
+FILE = "spheres"  # the name of Kratos' input files in its working folder
 FACE = 1_000_000  # numbers of the nodes of walls begin there
 AXES = "XYZ"
 SPRINGS, HERTZ = "DEM_D_Linear_Custom_Constants", "DEM_D_Hertz_viscous_Coulomb"
@@ -61,12 +61,12 @@ def simulate(ask: Plan, watched: bool, watch: Stopwatch) -> tuple[object, Plan]:
 
 
 def turning(ask: Plan) -> bool:
-    """Whether a sphere may rotate; if none may, Kratos does not integrate rotation."""
+    """Whether any sphere may rotate; if none may, Kratos does not integrate rotation."""
     return any(any(sphere["free_spin"]) for sphere in ask["spheres"])
 
 
 def start(node: Kratos.Node, sphere: Plan, turns: bool) -> None:
-    """Give a sphere its mass, its motion, its locks, and the forces on it."""
+    """Set a sphere's mass, motion, locks and forces."""
     node.SetSolutionStepValue(Kratos.NODAL_MASS, sphere["mass"])
     motion = [("VELOCITY", sphere["velocity"], sphere["free"])]
     if turns:
@@ -138,9 +138,10 @@ def write_input(ask: Plan) -> None:
 
 
 def materials(ask: Plan) -> Plan:
-    """One material of spheres and one of walls; stiffnesses are properties of their contacts.
+    """One material for spheres and one for walls; stiffnesses are properties of their contacts.
 
-    Without springs spheres and walls are elastic alike, which is what contacts follow from.
+    Where the scene has elastic spheres instead of springs, both get the same elastic constants,
+    from which Kratos derives the contacts.
     """
     elastic = "young" in ask["law"]
     young, poisson = ask["law"].get("young", 1e9), ask["law"].get("poisson", 0.2)
@@ -167,7 +168,7 @@ def materials(ask: Plan) -> Plan:
 
 
 def contact_law(mu: float, elastic: bool) -> Plan:
-    """A contact of friction mu without losses, rolling resistance and wear, but for its springs."""
+    """A contact with friction mu and these springs, without losses, rolling resistance and wear."""
     return {
         "DEM_DISCONTINUUM_CONSTITUTIVE_LAW_NAME": HERTZ if elastic else SPRINGS,
         "DEM_ROLLING_FRICTION_MODEL_NAME": "DEMRollingFrictionModelConstantTorque",
@@ -185,7 +186,7 @@ def contact_law(mu: float, elastic: bool) -> Plan:
 
 
 def mdpa(body: str) -> str:
-    """A file of Kratos' own format."""
+    """A model part in Kratos' own file format."""
     return f"Begin ModelPartData\nEnd ModelPartData\n{body}"
 
 

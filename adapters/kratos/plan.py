@@ -19,8 +19,8 @@ from vv.scene import (
     with_loads_for_locks,
 )
 
-LEAST = 100.0  # radii: half a face's sides, at least
-SPAN = 3.0  # times the scene's size, which they must exceed too
+LEAST = 100.0  # in radii: the least half side of a face
+SPAN = 3.0  # in sizes of the scene: the least half side of a face
 
 
 def refusal(ask: Ask) -> str | None:
@@ -44,7 +44,7 @@ def _locked_spin(scene: Scene) -> str | None:
 
 
 def _no_material(contact: Contact) -> str | None:
-    """Why no material has the moduli of a contact; springs are given as they are."""
+    """Why no material has the contact's elastic moduli; None if one has, or there are springs."""
     law = contact.hertz
     if law is None or (3 * law.shear_modulus < law.modulus and _poisson(law) < 0.5):
         return None
@@ -52,9 +52,9 @@ def _no_material(contact: Contact) -> str | None:
 
 
 def plan(ask: Ask) -> dict[str, Any]:
-    """What the driver reads: numbers, lists and strings, in SI units and the scene's frame.
+    """The input of the driver: numbers, lists and strings, in SI units and the scene's frame.
 
-    Without friction shear springs have no effect, and ks may be anything.
+    Without friction the tangential springs have no effect, and any ks serves.
     """
     scene = with_loads_for_locks(ask.scene)
     contact, spheres = scene.contact, scene.spheres
@@ -92,9 +92,9 @@ def _springs(contact: Contact) -> dict[str, float]:
 
 
 def _moduli(hertz: Hertz) -> dict[str, float]:
-    """Young's modulus [Pa] and Poisson's ratio of spheres and walls whose contacts have these.
+    """Young's modulus [Pa] and Poisson's ratio of spheres and walls that give the contact's moduli.
 
-    Of two bodies alike 1/E is 2 (1 - nu^2)/Young, and 1/G is 4 (2 - nu)(1 + nu)/Young.
+    For two bodies of one material 1/E is 2 (1 - nu^2)/Young, and 1/G is 4 (2 - nu)(1 + nu)/Young.
     """
     poisson = _poisson(hertz)
     return {"young": 2.0 * hertz.modulus * (1.0 - poisson**2), "poisson": poisson}
@@ -107,7 +107,7 @@ def _poisson(hertz: Hertz) -> float:
 
 
 def _half(ask: Ask, scene: Scene) -> float:
-    """Half the sides [m] of faces: far more than where spheres may come in free flight."""
+    """Half the sides [m] of faces: far beyond where spheres can come in free flight."""
     spheres, t = scene.spheres, ask.goal.duration
     speed = float(np.linalg.norm(spheres.velocity, axis=1).max())
     pull = np.linalg.norm(scene.gravity + spheres.load / spheres.mass[:, None], axis=1).max()
@@ -116,7 +116,7 @@ def _half(ask: Ask, scene: Scene) -> float:
 
 
 def _corners(wall: Wall, half: float, scene: Scene) -> Vector:
-    """Corners (4, 3) of a face about the place of a wall that is nearest to the spheres."""
+    """Corners (4, 3) of a face about the point of a wall closest to the spheres."""
     middle = scene.spheres.position.mean(axis=0)
     foot = middle - ((middle - wall.point) @ wall.normal) * wall.normal
     along = np.eye(3)[np.abs(wall.normal).argmin()]

@@ -24,7 +24,7 @@ NO_SPRING = {
     Term.HERTZ,
     Term.HERTZ_VISCOSITY,
 }
-UNRAISED = STANDS_IN | NO_SPRING  # what raised masses were not verified with
+UNRAISED = STANDS_IN | NO_SPRING  # terms with which raised masses are not verified
 TERMS = frozenset(TRANSLATIONS) - {Term.BOND_SHEAR}
 ON_CORNERS = TERMS - {
     Term.SPHERE,
@@ -85,7 +85,7 @@ class Liggghts:
         return find()
 
     def refuses(self, ask: Ask, scheme: str) -> str | None:
-        """What LIGGGHTS cannot represent although it has every term."""
+        """Why LIGGGHTS cannot represent the ask although it has every term; None if it can."""
         return refusal(ask, scheme)
 
     def describe(self, ask: Ask, scheme: str) -> Model:
@@ -109,7 +109,7 @@ class Liggghts:
 
 
 def _described(setup: Setup) -> Model:
-    """Three or six degrees of freedom for each moving sphere, locked or not, and notes."""
+    """Three or six degrees of freedom for each moving sphere, whether locked or not; and notes."""
     integrated = 3 * int(setup.moving.sum()) + 3 * int(setup.turning.sum())
     unknowns = 6 * len(setup.clumps) if setup.clumps else integrated
     return Model(unknowns, setup.terms, "; ".join(notes(setup)))

@@ -1,4 +1,4 @@
-"""Turns the rows that a deck wrote into a Run."""
+"""Makes a Run from the rows that a deck wrote."""
 
 from __future__ import annotations
 
@@ -13,9 +13,9 @@ from vv.scene import Vector, why_load_is_no_lock
 
 
 def rows(history: Path) -> Vector:
-    """The numbers of a file of rows, (k, columns); a row cut short or no number is an error.
+    """The numbers in a file of rows, (k, columns); raises ValueError for an incomplete row.
 
-    Raises ValueError.
+    It also does for a word that is not a number.
     """
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", UserWarning)  # about a file without rows
@@ -23,11 +23,11 @@ def rows(history: Path) -> Vector:
 
 
 def parse(history: Path, setup: Setup, model: Model) -> Run:
-    """The Run in a file of rows: the start, which LIGGGHTS does not write, is known.
+    """The Run from a file of rows; the start, which LIGGGHTS does not write, is added.
 
-    Rows that are missing or of the wrong shape are an error; spheres that are not where they
-    may be, and numbers that are not finite, are divergence; a sphere that leaves the line on
-    which a dead load should hold it is an error.
+    Missing rows, or rows of the wrong shape, are an error. Spheres outside the box or behind walls,
+    and numbers that are not finite, mean divergence. A sphere that leaves the line on which a dead
+    load should hold it is an error.
     """
     try:
         written = rows(history)
@@ -48,7 +48,7 @@ def parse(history: Path, setup: Setup, model: Model) -> Run:
 
 
 def _with_start(written: Vector, setup: Setup) -> Vector:
-    """What is watched at all times, (k, watched, 3), from rows that begin after t = 0."""
+    """The observed values at all times, (k, watched, 3), from rows that begin after t = 0."""
     seen, speeds = setup.watched, setup.springs.scene.spheres.velocity
     first = [np.zeros(3) if isinstance(o, Displacement) else speeds[i] for o, i in seen]
     later = written[:, 2:].reshape(len(written), len(seen), 3)
@@ -56,7 +56,7 @@ def _with_start(written: Vector, setup: Setup) -> Vector:
 
 
 def _lost(written: Vector, setup: Setup, times: Vector) -> str | None:
-    """LIGGGHTS drops what leaves its box without a word, and states zeros for it."""
+    """Whether atoms were lost: LIGGGHTS silently drops what leaves its box, and reports zeros."""
     count = len(setup.springs.scene.spheres)
     gone = np.flatnonzero(written[:, 1] != count)
     if not gone.size:
@@ -74,7 +74,7 @@ def _not_finite(values: Vector, times: Vector) -> str | None:
 
 
 def _drift(values: Vector, setup: Setup) -> str | None:
-    """How far a sphere left the directions it is free in: a lock that became a dead load."""
+    """Why the run is an error if a sphere left its free directions: a lock became a dead load."""
     for k, (observable, i) in enumerate(setup.watched):
         if isinstance(observable, Displacement) and (
             how := why_load_is_no_lock(setup.springs.scene, i, values[:, k])

@@ -15,13 +15,13 @@ from adapters.liggghts.words import AXES, bounds, group, numbers, parts
 from vv.scene import Mask, Term, Vector
 from vv.scene.neighbours import overlapping
 
-BINS = 256  # for each sphere of a crowd
-ASIDE = 2.25  # radii: bins narrower than what two spheres reach are looked through in vain
-STRAIGHT = 1e-12  # of the distance of two: less than that out of line is rounding
+BINS = 256  # per sphere, where there are many
+ASIDE = 2.25  # in radii: bins narrower than two spheres are searched in vain
+STRAIGHT = 1e-12  # relative to the distance of two spheres: less out of line is rounding
 
 
 def bare(setup: Setup) -> Deck:
-    """The sections that every deck has, to which terms add theirs."""
+    """The sections that every deck has; terms add to them."""
     frozen = "spheres without any freedom are not integrated"
     listed = many(setup)
     zeros = {"kt": 0.0, "gamman": 0.0, "gammat": 0.0, "coefficientFriction": 0.0}
@@ -57,9 +57,9 @@ def _neighbours(setup: Setup) -> Iterator[str]:
 
 
 def _bin(setup: Setup) -> float:
-    """The side of a bin [m]: few of them for so large a box, but more where spheres are many.
+    """The side of a bin [m]: few bins in so large a box, but more where there are many spheres.
 
-    All the spheres may lie in a corner of the box, and a bin should still hold few.
+    All spheres may lie in a corner of the box, and a bin should still hold few.
     """
     sides, count = setup.room.outer[1] - setup.room.outer[0], len(setup.spheres)
     if count < CROWD:
@@ -70,7 +70,7 @@ def _bin(setup: Setup) -> float:
 def meets_again(setup: Setup) -> bool:
     """Whether spheres with friction may separate and touch again.
 
-    Spheres that locks hold together do not, and those that represent blocks do not touch each
+    They cannot if locks hold them together, or if they represent blocks, which do not touch each
     other. Where no observable is asked for, as in timing, no answer depends on it.
     """
     if not (setup.ask.observables or setup.ask.energies):
@@ -94,7 +94,7 @@ def _created(setup: Setup) -> Iterator[str]:
 
 
 def _places(setup: Setup) -> Vector:
-    """Where spheres are created (n, 3) [m]: before they slide to where they start."""
+    """The positions (n, 3) [m] where spheres are created, before they slide to those at t = 0."""
     places = np.array(setup.spheres.position)
     for i, way in setup.slides.items():
         places[i] -= way
@@ -102,7 +102,7 @@ def _places(setup: Setup) -> Vector:
 
 
 def _sized(setup: Setup) -> Iterator[str]:
-    """Radii, masses, which override densities, and what moves at t = 0."""
+    """Radii; masses, which override densities; and velocities at t = 0."""
     spheres = setup.spheres
     yield "set             group all density 1"
     sizes, masses = (2 * spheres.radius).tolist(), spheres.mass.tolist()
@@ -115,7 +115,7 @@ def _sized(setup: Setup) -> Iterator[str]:
 
 
 def _kinds(setup: Setup) -> tuple[tuple[str, str, Mask], ...]:
-    """The group, the style of integration and the members (n,) of spheres that move alike."""
+    """For spheres that move alike: the group, the style of integration, and the members (n,)."""
     shifted = setup.moving & ~setup.turning
     return ("shifted", "nve", shifted), ("turned", "nve/sphere", setup.turning)
 

@@ -1,7 +1,7 @@
-"""Runs decks: many in one LIGGGHTS process, a log each, and what every solve cost.
+"""Runs decks: many in one LIGGGHTS process, with a log each and the cost of every solve.
 
-Timed solves write nothing and are solves of their own, from an empty LIGGGHTS to the last step;
-the first of several is not counted. For what is stated of them see `costs`.
+Timed solves write nothing; each is a complete solve from an empty LIGGGHTS to the last step. The
+first of several is not counted. How costs are found from the logs: see `costs`.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from vv.ask import Model, Run, Status
 from vv.codes import external
 
 # One process without a network of ranks: Open MPI's search for one takes 0.3-0.5 s.
-ON_CPU = "on-cpu.sh"  # adds to a file how long the program has been on a core
+ON_CPU = "on-cpu.sh"  # appends to a file how long the program has run on a core
 MPI = {
     "OMPI_MCA_ess_singleton_isolated": "1",
     "OMPI_MCA_btl": "self",
@@ -28,13 +28,13 @@ MPI = {
 }
 LEAST_REPEATS = 4  # with the first, which is not counted
 GONE = ": Bond atoms"  # ... missing on proc 0
-FEW = 20  # solves of which the system is asked: a look costs a millisecond
-MOST_REPEATS = 300  # each costs a set-up of about a millisecond besides its solve
+FEW = 20  # solves for which the system is asked for CPU time, which takes a millisecond
+MOST_REPEATS = 300  # each adds a set-up of about a millisecond to its solve
 
 
 @dataclass(frozen=True)
 class Batch:
-    """Setups with their models, the folder in which they are run, and LIGGGHTS' executable."""
+    """Setups with their models, the working folder, and LIGGGHTS' executable."""
 
     setups: Sequence[Setup]
     models: Sequence[Model]
@@ -72,10 +72,10 @@ def solved(batch: Batch) -> Iterator[Run]:
 
 
 def timed(batch: Batch, repeat: float) -> Iterator[Run]:
-    """Costs of solves that write nothing, and so give no values: one each, then more of the short.
+    """Costs of solves that write nothing, and so have no values; short ones are repeated.
 
-    A solve of more than twice `repeat` [CPU s] has no caches to fill that would show: one is
-    enough. Others are repeated for about `repeat` CPU seconds.
+    A solve of more than twice `repeat` [CPU s] is done once, since filling caches does not show in
+    it. Others are repeated for about `repeat` CPU seconds.
     """
     once = list(_silent(batch, [1] * len(batch.setups)))
     short = [i for i, run in enumerate(once) if 0 < run.cost.solve_cpu <= 2 * repeat]
@@ -87,12 +87,12 @@ def timed(batch: Batch, repeat: float) -> Iterator[Run]:
 
 
 def _times(once: float, repeat: float) -> int:
-    """How many solves of that many CPU seconds are repeated."""
+    """How many times a solve of so many CPU seconds is repeated."""
     return max(LEAST_REPEATS, min(MOST_REPEATS, 1 + math.ceil(repeat / once)))
 
 
 def _silent(batch: Batch, times: Sequence[int]) -> Iterator[Run]:
-    """Each ask solved so many times in a row without any output: no values, but what it cost."""
+    """The costs of asks, each solved a number of times in a row without output and values."""
     scratch = batch.scratch
     name = f"time-{len(list(scratch.glob('batch-*.in')))}"
     first: dict[external.Process, int] = {}
@@ -120,9 +120,9 @@ def _silent(batch: Batch, times: Sequence[int]) -> Iterator[Run]:
 
 
 def _explained(run: Run, program: external.Process) -> Run:
-    """A failure with LIGGGHTS' own word on it, which Open MPI's banner may have pushed away.
+    """A failure with LIGGGHTS' own message, which Open MPI's banner may have displaced.
 
-    What it drops for having left its box (see `answers.parse`) it misses where a bond holds it.
+    LIGGGHTS reports an atom that left its box (see `answers.parse`) as missing if a bond holds it.
     """
     output = program.log.read_text(errors="replace")
     errors = [line.strip() for line in output.splitlines() if line.startswith("ERROR")]
@@ -133,7 +133,7 @@ def _explained(run: Run, program: external.Process) -> Run:
 
 
 def _framed(part: str, text: str) -> str:
-    """A part of a batch: a fresh LIGGGHTS, a log of its own, marks where it begins and is done."""
+    """One part of a batch: a fresh LIGGGHTS, its own log, and marks at its beginning and end."""
     return (
         f'clear\nprint "begun" file {part}.begun screen no\nlog {part}.log\n{text}'
         f'log none\nprint "done" file {part}.done screen no\n'
@@ -141,7 +141,7 @@ def _framed(part: str, text: str) -> str:
 
 
 def _start(parts: Sequence[str], batch: Batch) -> external.Process:
-    """Start LIGGGHTS on the parts; by line, since it loses what it has not written when it dies."""
+    """Start LIGGGHTS on the parts; output is by lines: if it dies, buffered output is lost."""
     scratch = batch.scratch
     deck_file = scratch / f"batch-{len(list(scratch.glob('batch-*.in')))}.in"
     deck_file.write_text("".join(parts))

@@ -10,14 +10,14 @@ import numpy as np
 from vv.scene import Scene, Spheres
 from vv.standins.clump import Clump
 
-WEIGHTLESS = 1e-18  # of a block's mass: what its centre and its corners weigh each
+WEIGHTLESS = 1e-18  # relative to a block's mass: masses of its centre and of each corner
 
 
 def as_atoms(scene: Scene, made: Sequence[Clump]) -> Scene:
     """The scene with its spheres as atoms: all centres, then each block's corners and points.
 
-    All springs of a block together are those of its sphere. What loads a sphere loads the points,
-    which hold the mass.
+    All springs of a block together are as stiff as those of its sphere. The points hold the mass
+    and carry the loads.
     """
     count = len(made[0].corners)
     law = replace(scene.contact, kn=scene.contact.kn / count, ks=scene.contact.ks / count)
@@ -29,7 +29,7 @@ def as_atoms(scene: Scene, made: Sequence[Clump]) -> Scene:
 
 
 def members(made: Sequence[Clump]) -> list[list[int]]:
-    """The indices of the atoms of each block among those that `as_atoms` makes."""
+    """The indices of each block's atoms among those of `as_atoms`."""
     sizes = [len(one.corners) + len(one.points) for one in made]
     ends = len(made) + np.cumsum(sizes)
     return [
@@ -50,5 +50,5 @@ def _atoms(sphere: Spheres, made: Clump) -> Spheres:
     alike = {field.name: getattr(sphere, field.name).repeat(atoms, 0) for field in fields(sphere)}
     places = np.vstack([sphere.position, made.corners, made.points])
     own = {"position": places, "radius": radius, "mass": mass, "load": load}
-    by_default = dict.fromkeys(("inertia", "spin", "free_spin"))  # the body's own, not an atom's
+    by_default = dict.fromkeys(("inertia", "spin", "free_spin"))  # of the body, not of an atom
     return replace(sphere, **{**alike, **own, **by_default})

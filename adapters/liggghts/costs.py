@@ -1,10 +1,10 @@
-"""Reads what solves cost from the logs, file times and accounts that a batch of decks leaves.
+"""Finds what solves cost, from the logs, file times and CPU accounts of a batch of decks.
 
-LIGGGHTS states the elapsed time of its stepping loop and, apart, that of output within it. On one
-thread that never waits, elapsed time is CPU time as long as nothing else wants the core, so the
-least of several solves stands for both; of a long one, which others interrupt on any busy machine,
-the system says how long it was on a core. Set-up is what remains of a solve, known to the tick of
-the file system's clock: some ms over all the solves.
+LIGGGHTS reports the elapsed time of its stepping loop and, separately, that of output within it.
+For one thread that never waits, elapsed time is CPU time as long as no other process needs the
+core; so the minimum of several solves counts as both. A long solve is interrupted on any busy
+machine; for it, the system's CPU account is used. Set-up is the remainder of a solve, known to the
+resolution of the file system's clock: some ms over all solves.
 """
 
 from __future__ import annotations
@@ -35,9 +35,10 @@ class Loops:
 
 
 def loops(log: str) -> Loops:
-    """The times a log states. LIGGGHTS counts elapsed time, from before the first to after the
-    last step of a run; writing rows and thermo lines is part of it and is stated too. The step
-    that charges springs is set-up.
+    """The times in a log.
+
+    LIGGGHTS counts elapsed time from before the first to after the last step of a run; writing rows
+    and thermo lines is part of it and is reported as well. The step that charges springs is set-up.
     """
     runs = LOOP.split(CHARGING.sub("", log))[1:]  # the time, then the text up to the next
     whole = np.array([float(time) for time in runs[::2]])
@@ -46,13 +47,13 @@ def loops(log: str) -> Loops:
 
 
 def startup(part: Path, program: Process) -> float:
-    """From the start of a program to that of its first part [s]; file times are of the wall."""
+    """The time from the start of a program to that of its first part [s], by file times."""
     started = time.time() - (time.monotonic() - program.started)
     return max(0.0, part.with_suffix(".begun").stat().st_mtime - started)
 
 
 def cost(part: Path) -> Cost:
-    """The cost of the solves in a part of a batch that is done."""
+    """The cost of the solves in a finished part of a batch."""
     spent = loops(part.with_suffix(".log").read_text(errors="replace"))
     begun, done = (part.with_suffix(s).stat().st_mtime for s in (".begun", ".done"))
     solve = np.minimum(spent.solve, _on_cpu(part.with_suffix(".cpu"), len(spent.solve)))
@@ -70,7 +71,7 @@ def cost(part: Path) -> Cost:
 
 
 def _on_cpu(account: Path, solves: int) -> Vector:
-    """Seconds that each solve was on a core, (k,); infinite where the system was not asked."""
+    """The CPU seconds of each solve, (k,); infinite where the system was not asked."""
     stated = account.read_text().split("\n") if account.exists() else []
     clock = np.array([float(line.split()[0]) for line in stated if line.strip()])
     if len(clock) != 2 * solves or (np.diff(clock) <= 0).any():

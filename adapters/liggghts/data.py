@@ -1,7 +1,7 @@
-"""Translates many spheres for LIGGGHTS into a data file that the deck itself writes and reads.
+"""Translates many spheres for LIGGGHTS into a data file, which the deck itself writes and reads.
 
-A command for each sphere searches all spheres, so that the time grows with the square of their
-number: 7 s for 40 000 spheres, where this takes 0.3 s.
+A command for each sphere would search all spheres, so that the time grows with the square of their
+number: 7 s for 40 000 spheres, where the file takes 0.3 s.
 """
 
 from __future__ import annotations
@@ -13,20 +13,20 @@ from adapters.liggghts.setup import CLUMP, OVERLAPPED, Setup
 from adapters.liggghts.words import AXES, numbers, printed
 from vv.scene import Vector
 
-MANY = 1000  # spheres; fewer are created one by one, so that a deck of few is easily read
+MANY = 1000  # spheres; fewer are created one by one, so that a small deck is easy to read
 FILE = "spheres.data"
 
 
 def many(setup: Setup) -> bool:
-    """Whether spheres go into a data file: many of them, with the plain atom style."""
+    """Whether spheres are written to a data file: if they are many, of the plain atom style."""
     bonded = setup.scene.bonds is not None or setup.scheme in (CLUMP, OVERLAPPED)
     return len(setup.spheres) >= MANY and not bonded
 
 
 def read_data(setup: Setup, places: Vector) -> Iterator[str]:
-    """Commands that make the box and the spheres at places (n, 3) [m], in body order.
+    """Commands that make the box and the spheres at places (n, 3) [m], in the order of bodies.
 
-    LIGGGHTS takes densities and makes masses of them again, which rounds them.
+    LIGGGHTS takes densities and computes masses from them, which rounds them.
     """
     yield from printed(FILE, _lines(setup, places))
     yield f"read_data       {FILE}"

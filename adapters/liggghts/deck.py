@@ -1,4 +1,4 @@
-"""Writes a setup as a LIGGGHTS deck: text alone, which needs no file besides itself to run."""
+"""Writes a setup as a LIGGGHTS deck: one text, which needs no other file to run."""
 
 from __future__ import annotations
 
@@ -22,8 +22,8 @@ communicate     single vel yes"""
 def deck(setup: Setup, history: str) -> str:
     """A deck that solves an ask and writes the file `history`: a row per output after t = 0.
 
-    A row holds the step, the number of spheres that are where they may be, and three numbers
-    for each of `setup.watched`: the displacement [m] or the velocity [m/s].
+    A row holds the step, the number of spheres that are inside the box and before all walls, and
+    three numbers for each of `setup.watched`: the displacement [m] or the velocity [m/s].
     """
     observed = [
         "",
@@ -35,12 +35,12 @@ def deck(setup: Setup, history: str) -> str:
 
 
 def silent_deck(setup: Setup, around: Sequence[str] = ()) -> str:
-    """The same solve without any output, for timing; around: commands before and after its run."""
+    """The same solve without any output, for timing; around: commands before and after the run."""
     return _text([*_prepared(setup), *around, _run(setup), *around])
 
 
 def notes(setup: Setup) -> list[str]:
-    """How the scene is represented, one fact each."""
+    """How the scene is represented, one statement each."""
     sections, stand_in = translated(setup), setup.springs.notes
     if setup.clumps:
         stand_in = words(setup.clumps, "a rigid body"), *stand_in[1:]

@@ -22,7 +22,7 @@ def find() -> Found:
     return _find(os.environ.get("VV_LIGGGHTS", "liggghts"), os.environ.get("PATH", ""))
 
 
-@functools.cache  # it is asked for every job, and a look takes some milliseconds
+@functools.cache  # asked for every job; a search takes some milliseconds
 def _find(name: str, path: str) -> Found:
     place = shutil.which(name, path=path)
     if place is None:
@@ -33,14 +33,14 @@ def _find(name: str, path: str) -> Found:
 
 
 def _libraries(program: Path) -> tuple[Path, ...]:
-    """The shared libraries of LIGGGHTS that lie where those of a program in bin/ do."""
+    """The shared libraries of LIGGGHTS, where they lie relative to a program in bin/."""
     beside = program.parent.parent
     patterns = ("lib/liblig*.so*", "lib/*/liblig*.so*")
     return tuple(sorted({p.resolve() for pattern in patterns for p in beside.glob(pattern)}))
 
 
 def _version(program: Path, libraries: tuple[Path, ...]) -> str:
-    """The package's version if the program is the package's; else that in a library's name."""
+    """The package's version if the program comes from it, else the version in a library's name."""
     if program == Path("/usr/bin/liggghts") and PACKAGES.is_file():
         text = PACKAGES.read_text(errors="replace")
         found = re.search(r"^Package: liggghts\n(?:.+\n)*?Version: (\S+)", text, re.MULTILINE)

@@ -1,4 +1,4 @@
-"""What a deck has LIGGGHTS write: a row of numbers per output, and how many spheres count."""
+"""The output of a deck: a row of numbers per output time, and the number of spheres not lost."""
 
 from __future__ import annotations
 
@@ -11,14 +11,14 @@ from vv.ask import Displacement
 
 
 def count_commands(setup: Setup) -> Iterator[str]:
-    """Counts the spheres that are where they may be: in reach and with centres before all walls.
+    """Commands that count the spheres inside the box whose centres are before all walls.
 
-    LIGGGHTS drops a sphere that leaves its box, and its walls push to both sides: what left the
-    box or went through a wall would pass unnoticed.
+    LIGGGHTS drops a sphere that leaves its box, and its walls push to both sides, so lost spheres
+    would not be noticed otherwise.
     """
     scene, room = setup.scene, setup.room
     yield f"region          reach block {bounds(room.low, room.high)} units box"
-    count = len(setup.springs.scene.spheres)  # the first atoms; the rest of a body goes along
+    count = len(setup.springs.scene.spheres)  # only the first atom of each body is counted
     yield group("watched", range(count))
     fronts = [f"front{number}" for number in range(len(scene.walls))]
     for name, wall in zip(fronts, scene.walls, strict=True):
@@ -30,7 +30,7 @@ def count_commands(setup: Setup) -> Iterator[str]:
 
 
 def output_commands(setup: Setup, history: str) -> Iterator[str]:
-    """Displacements are differences formed by LIGGGHTS: its 15 digits all count."""
+    """Commands that write rows; LIGGGHTS forms displacements as differences, with all 15 digits."""
     start, ask = setup.spheres.position, setup.ask
     yield "variable        step equal step"
     names = ["step", "count"]

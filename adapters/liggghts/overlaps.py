@@ -1,9 +1,10 @@
 """Replaces bonds by contacts of spheres that overlap from the start, held apart by loads.
 
 This build of LIGGGHTS has no bond with a normal and a shear spring. Two spheres that overlap by a
-small part of their distance, in friction that never yields, have both springs as long as they stay
-in contact; dead loads cancel what they push with at t = 0. As a bond turns, that push turns with
-it and the loads do not, which costs about the pre-overlap in E and 1.4 times that in nu.
+small part of their distance, with friction that never slips, have both springs as long as they stay
+in contact; dead loads cancel the contact forces at t = 0. As a bond rotates, these forces rotate
+with it but the loads do not, which causes errors of about the pre-overlap in E and 1.4 times that
+in nu.
 """
 
 from __future__ import annotations
@@ -14,11 +15,11 @@ import numpy as np
 
 from vv.scene import Bonds, Scene, Term, initial_normal_forces
 
-OVERLAP = 1e-4  # of the length of a bond
+OVERLAP = 1e-4  # relative to the length of a bond
 STICKING = 1e9  # friction coefficient that no force reaches
 ALIKE = 1e-9  # relative difference up to which bonds count as alike
-USED = 0.5  # of the overlap that a stretch may take away
-APART = 1.01  # lengths that spheres without a bond must keep
+USED = 0.5  # the part of the overlap that a stretch may use up
+APART = 1.01  # in bond lengths: the least distance of spheres without a bond
 NO_STRENGTH = {
     Term.BREAKAGE: "contacts stand in for bonds: they part where an overlap is gone, never slide",
 }
@@ -61,7 +62,7 @@ def _crowded(scene: Scene, bonds: Bonds) -> str | None:
 
 
 def _stretched(scene: Scene, bonds: Bonds) -> str | None:
-    """A bound on how far bonds stretch: by all loads at once, suddenly, and by all motion."""
+    """Why bonds may stretch too far, by a bound for all loads applied suddenly and all motion."""
     spheres, kn = scene.spheres, float(bonds.kn[0])
     weight = spheres.mass[:, None] * scene.gravity + spheres.load
     energy = float(spheres.mass @ (spheres.velocity**2).sum(axis=1)) / 2

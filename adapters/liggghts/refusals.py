@@ -47,7 +47,7 @@ def _no_steps(ask: Ask) -> str | None:
 
 
 def _locked_motion(scene: Scene) -> str | None:
-    """A force of zero would keep a locked sphere going."""
+    """Why a locked sphere that moves is refused: a force of zero would keep it moving."""
     spheres = scene.spheres
     along = np.where(spheres.free, 0.0, spheres.velocity @ scene.axes.T)
     about = np.where(spheres.free_spin, 0.0, spheres.spin @ scene.axes.T)

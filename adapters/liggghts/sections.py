@@ -10,12 +10,12 @@ SPRINGS = "pair gran, hooke/stiffness: kn is the contact's stiffness, nothing is
 
 @dataclass(frozen=True)
 class Law:
-    """How spheres press and rub.
+    """The contact law of a deck.
 
-    style: LIGGGHTS' contact model; tangential: of its shear spring; damping: its switches.
-    properties: values of a pair of types, by name: kn and kt are the springs themselves [N/m].
-    material: values of a type, by name.
-    bonds: commands that take the place of all that; note: the law in words.
+    style: LIGGGHTS' contact model; tangential: that of its shear spring; damping: its switches;
+    properties: values for a pair of types, by name, where kn and kt are the springs themselves
+    [N/m]; material: values for a type, by name; bonds: commands that replace all of this; note: the
+    description.
     """
 
     properties: Mapping[str, float]
@@ -28,11 +28,11 @@ class Law:
 
     @property
     def model(self) -> str:
-        """The contact model as commands for pairs and walls take it."""
+        """The contact model, in the syntax of commands for pairs and walls."""
         return f"model {self.style} tangential {self.tangential}"
 
     def commands(self) -> Iterator[str]:
-        """What makes it the law of all pairs of spheres."""
+        """The commands that set the law for all pairs of spheres."""
         yield from self.bonds
         if self.bonds:
             return
@@ -48,13 +48,13 @@ class Law:
 
 @dataclass(frozen=True)
 class Deck:
-    """The sections of a deck, in the order in which LIGGGHTS must be given them.
+    """The sections of a deck, in the order that LIGGGHTS requires.
 
-    style: of atoms. box: what makes the box; neighbours: how they are sought; created: what makes
-    the atoms; sized: their masses, radii and motion. law and walls: contact. charging: what fills
-    shear springs before t = 0. moves: of walls. integrated: what moves atoms; forces: on them;
-    last: what must see, or cancel, all other forces. notes: how terms are put, one fact each;
-    motion_notes: how atoms are moved.
+    style: of atoms; box: creates the box; neighbours: how they are searched; created: creates the
+    atoms; sized: their masses, radii and velocities; law and walls: contact; charging: sets shear
+    springs before t = 0; moves: of walls; integrated: time integration; forces: on atoms; last:
+    what must act after, or cancel, all other forces. notes: how terms are represented, one
+    statement each; motion_notes: how atoms are moved.
     """
 
     box: tuple[str, ...]

@@ -1,4 +1,4 @@
-"""Translates an ask for LIGGGHTS once; refusals, decks and answers are made from this setup."""
+"""Translates an ask for LIGGGHTS once; refusals, decks and answers follow from this setup."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from vv.scene import Mask, Scene, Spheres, Term, Vector, spheres_held_by_loads, 
 from vv.standins.clump import Clump, clumps
 from vv.standins.stand_in import SpringScene, spring_scene, without_rotations
 
-Alike = dict[tuple[float, ...], list[int]]  # what spheres have in common: their indices
+Alike = dict[tuple[float, ...], list[int]]  # groups of spheres: a common property and their indices
 PLAIN, HALF_STEP, CLUMP, OVERLAPPED = "default", "half-step-mass", "clump", "pre-overlapped"
 
 
@@ -23,11 +23,11 @@ PLAIN, HALF_STEP, CLUMP, OVERLAPPED = "default", "half-step-mass", "clump", "pre
 class Setup:
     """The translation of an ask for LIGGGHTS under a scheme.
 
-    springs: its scene with spheres and springs in place of blocks and rigid contact. released:
-    that with dead loads in place of oblique locks. scene: that with the masses, the atoms or the
-    overlaps of the scheme, which is what LIGGGHTS holds. clumps: the blocks as rigid bodies, in
-    the scheme of that name. watched: what is written, each with the index of its sphere: first
-    what was asked, then the displacements of spheres on which a dead load stands for a lock.
+    springs: its scene with spheres and springs in place of blocks and rigid contact. released: that
+    scene with dead loads in place of oblique locks. scene: that scene with the masses, the atoms or
+    the overlaps of the scheme, as LIGGGHTS gets it. clumps: the blocks as rigid bodies, in the
+    scheme of that name. watched: what is written, each with the index of its sphere: first what was
+    asked for, then the displacements of spheres on which a dead load replaces a lock.
     """
 
     ask: Ask
@@ -61,7 +61,7 @@ class Setup:
 
     @functools.cached_property
     def room(self) -> Space:
-        """Where spheres may be; a rigid body needs as much as the sphere in its place."""
+        """The space in which spheres may be; a rigid body needs as much as its sphere."""
         scene = self.released if self.scheme == CLUMP else self.scene
         return space(scene, self.ask.goal.duration)
 
@@ -97,9 +97,9 @@ class Setup:
 
     @functools.cached_property
     def shaken(self) -> Alike:
-        """The masses [kg] that a body acceleration acts on, each with its spheres.
+        """The masses [kg] on which a body acceleration acts, each with the indices of its spheres.
 
-        They are those of the scene, where a scheme integrates raised ones.
+        They are those of the scene, also where the scheme integrates raised masses.
         """
         scene = self.released if self.scheme == HALF_STEP else self.scene
         present = self.moving & (scene.shaking is not None)
@@ -147,7 +147,7 @@ def _watched(ask: Ask, scene: Scene) -> tuple[tuple[Observable, int], ...]:
 
 
 def _alike(rows: Vector | Mask, present: Mask) -> Alike:
-    """The different rows among those present, each with its indices, as they come."""
+    """The distinct rows in order of their first appearance, each with the indices of its equals."""
     groups: Alike = {}
     indices = np.flatnonzero(present)
     for i, row in zip(indices.tolist(), rows[indices].tolist(), strict=True):

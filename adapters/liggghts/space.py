@@ -9,15 +9,15 @@ import numpy as np
 from vv.scene import Scene, Vector, Wall, initial_normal_forces
 from vv.standins.penalty_springs import fastest
 
-CROWD = 400  # spheres, among which looking for each takes longer than all else
+CROWD = 400  # spheres; from here on the neighbour search in a large box would dominate
 
 
 @dataclass(frozen=True, eq=False)
 class Space:
-    """Where things are: low, high (3,) [m] bound what spheres may reach and walls span.
+    """The simulation space: low, high (3,) [m] bound what spheres may reach and walls span.
 
-    triangles: wall number -> (3, 3) corners [m] of the walls that are meshes; outer: low and high
-    of the simulation box, which holds the region and all corners, wherever walls move to.
+    triangles: the (3, 3) corners [m] of walls that are meshes, by wall number; outer: low and high
+    of the simulation box, which contains the region and all corners, wherever walls move to.
     """
 
     low: Vector
@@ -29,9 +29,9 @@ class Space:
 def space(scene: Scene, time: float) -> Space:
     """The space for a run of `time` [s]: ten radii and twice the longest free path on all sides.
 
-    A wall that moves may carry what lies on it for as long at its highest speed. Of many spheres
-    it ends ten radii behind a wall, since in a box far larger than what holds them, each would be
-    looked for among all.
+    A moving wall may carry a body for as long, at its highest speed. With many spheres the space
+    ends ten radii behind a wall, since the neighbour search would be slow in a box far larger than
+    the volume of the spheres.
     """
     spheres = scene.spheres
     forces = initial_normal_forces(scene) / spheres.mass[:, None] + scene.gravity
@@ -55,7 +55,7 @@ def space(scene: Scene, time: float) -> Space:
 def _between_walls(
     walls: tuple[Wall, ...], low: Vector, high: Vector, about: float
 ) -> tuple[Vector, Vector]:
-    """low and high, at most so many metres behind planes across an axis."""
+    """low and high, limited to the distance [m] behind walls that are normal to an axis."""
     low, high = low.copy(), high.copy()
     for wall in walls:
         if not is_mesh(wall):
@@ -68,17 +68,17 @@ def _between_walls(
 
 
 def oblique(wall: Wall) -> bool:
-    """Whether a wall is not perpendicular to an axis of the frame, and needs a mesh."""
+    """Whether a wall is not normal to an axis of the frame, and needs a mesh."""
     return int((np.abs(wall.normal) > 1e-15).sum()) > 1
 
 
 def is_mesh(wall: Wall) -> bool:
-    """Whether a wall becomes a mesh: LIGGGHTS has only planes across axes, which do not move."""
+    """Whether a wall becomes a mesh: LIGGGHTS' planes are normal to axes, and do not move."""
     return oblique(wall) or wall.motion is not None
 
 
 def travel(wall: Wall) -> float:
-    """An upper bound of the distance [m] of a wall from its place at t = 0."""
+    """An upper bound of the distance [m] of a wall from its position at t = 0."""
     return 0.0 if wall.motion is None else 2 * float(np.abs(wall.motion.amplitude).sum())
 
 

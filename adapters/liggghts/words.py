@@ -9,7 +9,7 @@ import numpy as np
 from vv.scene import Vector
 
 AXES = "xyz"
-FEW = 100  # ids that are all named
+FEW = 100  # up to so many ids are listed one by one
 
 
 def numbers(values: Iterable[float]) -> str:
@@ -23,9 +23,9 @@ def bounds(low: Vector, high: Vector) -> str:
 
 
 def group(name: str, indices: Sequence[int]) -> str:
-    """The command that groups spheres of these indices; ids count from 1.
+    """The command that groups the spheres of these indices; ids count from 1.
 
-    Many that follow each other are a range: LIGGGHTS looks through all for each that it is told.
+    Consecutive ids are written as a range: LIGGGHTS searches all atoms for each id in a list.
     """
     first, many = min(indices), len(indices)
     if many > FEW and list(indices) == list(range(first, first + many)):

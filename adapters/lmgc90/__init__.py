@@ -29,7 +29,7 @@ DEFAULT = Scheme(
 DRIVER = Driver(
     PythonEnvironment("lmgc90", ("compas_lmgc90",)), Path(__file__).with_name("driver.py")
 )
-NOTHING = 1e-12  # of the largest drive: less is rounding
+NOTHING = 1e-12  # relative to the largest load: less is rounding
 NOTES = (
     "polyhedra in contact dynamics, contact points found between faces",
     "each wall a box with its velocity prescribed",
@@ -45,9 +45,9 @@ def _plan(ask: Ask) -> dict[str, Any]:
 
 
 def _held(scene: Scene) -> list[bool]:
-    """The axes along which locks matter: where weight, loads or drives push; in piles, all.
+    """The axes along which locks are needed: those of weight, loads or shaking; in piles, all.
 
-    A pile of blocks that is free across its plane creeps out of it.
+    A pile of blocks that is free across its plane slowly moves out of it.
     """
     if any(near(one, other) for one, other in itertools.combinations(scene.blocks, 2)):
         return [True] * 3

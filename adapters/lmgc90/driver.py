@@ -1,8 +1,8 @@
 """Solves an ask with LMGC90: polyhedra in contact dynamics, stepped by its theta method.
 
-An ask is what `vv.standins.boxed` writes. LMGC90 takes no velocities at t = 0: what moves is
-pushed by a force during the first step, and starts ahead by the way v dt/2 that the first step
-of a body at rest leaves out. Forces of a step are the mean of those at its ends. It tells no
+The input is what `vv.standins.boxed` writes. LMGC90 takes no velocities at t = 0: a moving body
+gets them from a force during the first step, and starts displaced by v dt/2, which the first step
+of a body at rest lacks. Forces in a step are the mean of those at its ends. LMGC90 does not report
 velocities either: they follow from x+ - x = dt (v+ + v)/2, step by step.
 """
 
@@ -14,10 +14,10 @@ import numpy as np
 from vv.codes.driver_protocol import Plan, RunError, Stopwatch, serve, swung
 
 THETA = 0.5
-ALERT = 1e-2  # of a block's size: how near bodies must be for a contact to be looked for
+ALERT = 1e-2  # relative to a block's size: contacts are searched within this distance
 GIVEN = np.array([0.0, 0.0, -9.81])  # m/s2: its gravity, for which there is no setter
-DRIFT = 1e-3  # of a block's size: what numbers may move it by along a locked direction
-FARTHEST = 0.25  # of a block's size: how far one that may turn may go; at 0.29 it is 2 % off
+DRIFT = 1e-3  # relative to a block's size: allowed numerical drift along locks
+FARTHEST = 0.25  # of a block's size: farthest path of one that can rotate; at 0.29 its error is 2 %
 AXES = range(3)
 STILL = [0.0] * 6
 
@@ -83,7 +83,7 @@ def triangles(face: list[int]) -> list[int]:
 
 
 def wall_drives(ask: Plan, wall: Plan) -> Plan:
-    """A wall with its velocity in all six degrees of freedom; it starts ahead, from rest."""
+    """A wall with its velocity in all six degrees of freedom; it starts from rest, displaced."""
     velocity = np.array(swung(wall["motion"], 0.0, 1))
     velocities = {
         axis + 1: drive(ask, 0.0, [(a[axis] * w, w, p + math.pi / 2) for a, w, p in wall["motion"]])
@@ -95,7 +95,7 @@ def wall_drives(ask: Plan, wall: Plan) -> Plan:
 
 
 def block_drives(ask: Plan, block: Plan) -> Plan:
-    """A block with zero velocities where it is locked, and the forces on it elsewhere.
+    """A block with zero velocities where it is locked, and forces elsewhere.
 
     Locks that the ask does not list as held are omitted, because with locks LMGC90 takes four times
     as long and solves contacts less accurately; `check` monitors the directions that are left free.
@@ -131,9 +131,10 @@ def drive(
 ) -> list[float]:
     """steady + sum of A sin(w t + phase), and an impulse in the first step, as LMGC90 reads it.
 
-    until: when the sines end [s], if they do: half a step about that time has the half of them.
-    That is six numbers of a steady value and one cosine, or else times and values, between which
-    it interpolates; it looks them up one after the other, so there are few where few will do.
+    until: the end of the sines [s], if any; their values are halved for half a step about that
+    time. A steady value plus one cosine is given as six numbers, anything else as a table of times
+    and values, which LMGC90 interpolates. It searches the table from its beginning, so tables are
+    kept short.
     """
     sines = [sine for sine in sines if sine[0]]
     if not impulse and len(sines) < 2 and (until is None or not sines):
@@ -149,7 +150,7 @@ def drive(
 
 
 def check(ask: Plan, bodies: list[Plan], moved: np.ndarray) -> None:
-    """Refuse a run in which a block left its lock or its initial contact points."""
+    """Reject a run in which a block left its lock or its initial contact points."""
     for body, way in zip(bodies, moved, strict=True):
         away = np.abs(np.where(body.get("free", True), 0.0, way)).max()
         if away > DRIFT * ask["size"] and any(body.get("free", ())):

@@ -10,8 +10,8 @@ from vv.ask import Ask
 from vv.scene import Block, Scene, Vector, Wall, face_normal, polyhedron_inertia
 from vv.standins.boxed import why_no_boxes
 
-TOUCHING = 1e-9  # of a block's size: a gap below that is a contact
-ALIKE = 1e-9  # relative: by how much a mass or an inertia may be off
+TOUCHING = 1e-9  # relative to a block's size: a smaller gap counts as contact
+ALIKE = 1e-9  # relative tolerance of masses and inertias
 
 
 def refusal(ask: Ask) -> str | None:
@@ -27,7 +27,7 @@ def _spins(scene: Scene) -> str | None:
 
 
 def density(scene: Scene) -> float:
-    """The density [kg/m3] of the first block, which all must have."""
+    """The density [kg/m3] of the first block, which must be that of all blocks."""
     block = scene.blocks[0]
     return block.mass / polyhedron_inertia(block.vertices, block.faces, 1.0)[0]
 
@@ -46,7 +46,7 @@ def _densities(scene: Scene) -> str | None:
 
 
 def _faces(scene: Scene) -> str | None:
-    """Why bodies do not meet face to face at the start, which is how LMGC90 looks for contacts."""
+    """Why bodies do not meet face to face at the start; LMGC90 detects only such contacts."""
     for block in scene.blocks:
         for wall in scene.walls:
             if reason := _on_wall(block, wall):
@@ -73,7 +73,7 @@ def _on_wall(block: Block, wall: Wall) -> str | None:
 
 
 def near(one: Block, other: Block) -> bool:
-    """Whether two blocks may touch: whether the boxes around them do."""
+    """Whether two blocks may touch, judged by their bounding boxes."""
     slack = TOUCHING * max(_size(one), _size(other))
     low = np.maximum(one.vertices.min(axis=0), other.vertices.min(axis=0))
     high = np.minimum(one.vertices.max(axis=0), other.vertices.max(axis=0))

@@ -32,12 +32,12 @@ NOTES = (
 
 
 def _refusal(ask: Ask) -> str | None:
-    """What PyBullet cannot represent although it has every term."""
+    """Why PyBullet cannot represent the ask although it has every term; None if it can."""
     return why_no_boxes(ask) or _why_no_base(ask) or why_no_shapes(ask.scene)
 
 
 def _why_no_base(ask: Ask) -> str | None:
-    """Why the walls of an ask are not supported: they must move as one, as a frame for blocks."""
+    """Why the walls of an ask are not supported: all must move alike, as the blocks' frame."""
     scene = ask.scene
     moves = {wall.motion is not None for wall in scene.walls}
     if len(moves) > 1:
@@ -47,7 +47,7 @@ def _why_no_base(ask: Ask) -> str | None:
 
 
 def _plan(ask: Ask) -> dict[str, Any]:
-    """The plan with the shape of each block, and the directions in which free ones are driven."""
+    """The plan with the shape of each block, and the directions in which forces act."""
     plan = boxed(ask)
     blocks = [block | own_axes(block) for block in plan["blocks"]]
     driven = [any(block["free"][axis] for block in blocks) for axis in range(3)]

@@ -1,8 +1,8 @@
-"""Solves an ask with PyBullet: rigid bodies with impulses, stepped by semi-implicit Euler steps.
+"""Solves an ask with PyBullet: rigid bodies with impulses, by semi-implicit Euler steps.
 
-An ask is what `vv.standins.boxed` writes. A wall that moves is at rest here: blocks are seen from
-it, pushed by what its acceleration makes of their inertia. The first step has half of all forces,
-which makes velocities those of half steps, as in a leapfrog.
+The input is what `vv.standins.boxed` writes. A moving wall is at rest here: the frame moves with
+it, and inertial forces act on the blocks. Half of all forces act in the first step, which makes
+velocities those of half steps, as in a leapfrog.
 """
 
 import math
@@ -12,9 +12,9 @@ import pybullet as bullet
 
 from vv.codes.driver_protocol import Plan, RunError, Sines, Stopwatch, serve, swung
 
-SWEEPS = (200, 1000)  # of the solver, at most: where two bodies meet, and where more do
-NEAR = 0.2  # of a block's size: where contacts are kept
-DRIFT = 1e-3  # of a block's size: what numbers may move it by along a locked direction
+SWEEPS = (200, 1000)  # iterations of the solver at most: for two bodies, and for more
+NEAR = 0.2  # relative to a block's size: the distance within which contacts are kept
+DRIFT = 1e-3  # relative to a block's size: allowed numerical drift along locks
 bullet.connect(bullet.DIRECT)
 
 
@@ -66,7 +66,7 @@ class Base:
 
 
 def build(ask: Plan) -> dict[int, Plan]:
-    """All bodies by their number, each with its number in the engine."""
+    """All bodies by their number, each with its number in PyBullet."""
     bullet.resetSimulation()
     bullet.setPhysicsEngineParameter(
         fixedTimeStep=ask["dt"],
@@ -75,12 +75,12 @@ def build(ask: Plan) -> dict[int, Plan]:
         enableConeFriction=1,
         solverResidualThreshold=0,
         contactSlop=0,
-        erp=0,  # what corrects overlaps presses, and so adds friction
+        erp=0,  # the correction of overlaps adds normal forces, and so friction
         contactERP=0,
         contactBreakingThreshold=NEAR * ask["size"],
         deterministicOverlappingPairs=1,
     )
-    friction = math.sqrt(ask["mu"])  # that of a contact is the product of both bodies'
+    friction = math.sqrt(ask["mu"])  # that of a contact is the product of both
     base = Base(ask).velocity(0.0)
     for wall in ask["walls"]:
         shape = bullet.createCollisionShape(bullet.GEOM_BOX, halfExtents=wall["half"])
@@ -102,7 +102,7 @@ def build(ask: Plan) -> dict[int, Plan]:
 
 
 def shape_of(block: Plan) -> int:
-    """A box, or else the convex hull of the vertices, about axes of the block's own."""
+    """A box, or else the convex hull of the vertices, relative to the block's own axes."""
     if block["half"]:
         return int(bullet.createCollisionShape(bullet.GEOM_BOX, halfExtents=block["half"]))
     vertices = (np.array(block["vertices"]) @ np.array(block["axes"]).T).tolist()
@@ -129,7 +129,7 @@ def quaternion(turn: np.ndarray) -> list[float]:
 
 
 def push(ask: Plan, base: Base, moving: list[Plan], t: float, part: float) -> None:
-    """Set what acts on the blocks in the step that starts at t: a part of all forces."""
+    """Apply loads and shaking in the step that starts at t; part: the fraction that acts."""
     field = np.add(ask["gravity"], shaken(ask, t)) - swung(base.sines, t, 2)
     field = np.where(ask["driven"], field, 0.0) * part
     bullet.setGravity(*field.tolist())
@@ -152,7 +152,7 @@ def velocity(body: Plan) -> np.ndarray:
 
 
 def read(ask: Plan, seen: list[tuple[str, Plan]], row: np.ndarray, base: Base, t: float) -> None:
-    """Read displacements, and half of the velocities before t; refuse what left its lock."""
+    """Read displacements and half of the velocities before t; reject blocks that left a lock."""
     for number, (kind, body) in enumerate(seen):
         if kind == "velocity":
             row[number] = base.velocity(t) + 0.5 * velocity(body)

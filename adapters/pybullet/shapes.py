@@ -8,17 +8,17 @@ import numpy as np
 
 from vv.scene import Scene, Vector
 
-ALIKE = 1e-9  # of a length or an inertia: less is rounding
-LOCKED = 1e12  # times the largest moment: inertia about an axis that is locked
+ALIKE = 1e-9  # relative to a length or an inertia: less is rounding
+LOCKED = 1e12  # factor on the largest moment: inertia about a locked axis
 CORNERS = 8
 
 
 def own_axes(block: dict[str, Any]) -> dict[str, Any]:
-    """axes (3, 3): its own as rows; half: its half sides along them, or [] for no box; moments.
+    """axes (3, 3): the block's own axes as rows; half: half sides of a box, [] for others; moments.
 
-    block: one of those that `vv.standins.boxed` writes. The moments of inertia of a block that is
-    locked are nil, by which PyBullet means that nothing turns it; about a single locked axis they
-    are too large for anything to, since its gyroscopic torque divides by each.
+    block: one of those that `vv.standins.boxed` writes. The moments of a block that cannot rotate
+    are zero, by which PyBullet means an infinite inertia. About a single locked axis a moment is
+    large but finite, since the gyroscopic torque is divided by each.
     """
     inertia = np.array(block["inertia"])
     vertices = np.array(block["vertices"])
@@ -33,7 +33,7 @@ def own_axes(block: dict[str, Any]) -> dict[str, Any]:
 
 
 def why_no_shapes(scene: Scene) -> str | None:
-    """Why PyBullet cannot lock blocks in the way that is asked; None if it can."""
+    """Why PyBullet cannot lock blocks as the scene does; None if it can."""
     free = [block for block in scene.blocks if block.free.any()]
     if any((block.free != free[0].free).any() for block in free):
         return "blocks are locked along unlike directions; PyBullet is driven along some for all"
@@ -58,7 +58,7 @@ def _principal(inertia: Vector) -> Vector:
 
 
 def _edges(vertices: Vector) -> Vector | None:
-    """The axes (3, 3) of a box as the rows of a rotation; None if the vertices are not a box's."""
+    """The axes (3, 3) of a box as the rows of a rotation; None if the vertices form no box."""
     if len(vertices) != CORNERS:
         return None
     arms = vertices[1:] - vertices[0]
@@ -82,6 +82,6 @@ def _across(one: Vector, other: Vector) -> bool:
 
 
 def _sorted(axes: Vector) -> list[int]:
-    """The order, a cyclic one, in which the rows are nearest to x, y, z."""
+    """The cyclic order in which the rows are closest to x, y, z."""
     turns = [[0, 1, 2], [1, 2, 0], [2, 0, 1]]
     return max(turns, key=lambda order: float(np.abs(np.diag(axes[order])).sum()))

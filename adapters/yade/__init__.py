@@ -27,7 +27,7 @@ NO_SPRING = {
     Term.HERTZ,
     Term.HERTZ_VISCOSITY,
 }
-UNRAISED = STANDS_IN | NO_SPRING  # what raised masses were not verified with
+UNRAISED = STANDS_IN | NO_SPRING  # terms with which raised masses are not verified
 BONDED = {Term.BOND, Term.BOND_SHEAR, Term.BREAKAGE}
 ONLY_SPHERES = {Term.SPHERE, Term.SPHERE_CONTACT, Term.DRAG, Term.CARRIED} | BONDED
 ONE_BLOCK = TERMS - ONLY_SPHERES - NO_SPRING
@@ -72,7 +72,7 @@ SCHEMES = (
 
 
 class Yade:
-    """The adapter; it holds its program if that waits for more asks."""
+    """The adapter; it keeps its YADE process if that waits for more asks."""
 
     name = "yade"
     schemes = SCHEMES
@@ -85,7 +85,7 @@ class Yade:
         return find()
 
     def refuses(self, ask: Ask, scheme: str) -> str | None:
-        """What YADE cannot represent although it has every term."""
+        """Why YADE cannot represent the ask although it has every term; None if it can."""
         return refusal(ask, scheme)
 
     def describe(self, ask: Ask, scheme: str) -> Model:
@@ -114,7 +114,7 @@ class Yade:
             file.write_text(json.dumps({**plan(setup), "repeat": repeat}))
 
         def launch(indices: Sequence[int]) -> external.Process:
-            # -E: variables meant for our own Python must not reach this one
+            # -E: environment variables for our own Python must not act here
             command = [str(PYTHON), "-E", str(source)]
             asked = [files[i] for i in indices]
             return self.program.ask(command, scratch, {"VV_YADE": here.path}, asked)

@@ -1,4 +1,4 @@
-"""Turns the files that the driver wrote about an ask into a Run."""
+"""Makes a Run from the files that the driver wrote about an ask."""
 
 from __future__ import annotations
 
@@ -17,10 +17,10 @@ COSTS = ("setup", "solve_cpu", "solve_wall", "output", "repeats", "spread")
 
 
 def parse(path: Path, setup: Setup, model: Model, started: float) -> Run | None:
-    """The Run in the answer to the ask in the file `path`; None if there is no answer yet.
+    """The Run from the answer to the ask in the file `path`; None if there is no answer yet.
 
-    model: what was described; its unknowns are replaced by YADE's own count. started: when the
-    program was [s, monotonic]. An answer whose shape is not what was asked is an error.
+    model: the description, in which the number of unknowns is replaced by YADE's own count.
+    started: when the process was started [s, monotonic]. An answer of the wrong shape is an error.
     """
     answer, ask = path.with_name(path.name + ".answer"), setup.ask
     if not answer.exists():
@@ -41,7 +41,7 @@ def parse(path: Path, setup: Setup, model: Model, started: float) -> Run | None:
         times=times,
         values=dict(
             zip(ask.observables, values @ setup.frame, strict=False)
-        ),  # then what was watched
+        ),  # times first, then the observed values
         cost=cost,
         steps=facts["steps"],
         model=replace(model, unknowns=facts["unknowns"]),
@@ -63,6 +63,6 @@ def _drift(values: Vector, setup: Setup) -> str | None:
 
 
 def _cost(facts: dict[str, Any], started: float) -> Cost:
-    """The costs stated; start-up is carried by the first ask of a program, and 0 in the others."""
+    """The reported costs; the first ask of a process carries its start-up, others have 0."""
     startup = max(facts["ready"] - started, 0.0) if facts["ready"] else 0.0
     return Cost(startup=startup, **{name: facts[name] for name in COSTS if name in facts})

@@ -12,9 +12,10 @@ from vv.standins.clump import Clump
 
 
 def clumped(plan: dict[str, Any], made: Sequence[Clump]) -> dict[str, Any]:
-    """The driver's ask with spheres as clumps of touching spheres and points without contact.
+    """The driver's ask with clumps: spheres that touch walls, and points without contact.
 
-    All springs of a block together are those of its sphere. Rotations are free as the block's are.
+    All springs of a block together are as stiff as those of its sphere. Rotations are free as the
+    block's.
     """
     count, clumps = len(made[0].corners), iter(made)
     numbers = [n for n, body in enumerate(plan["bodies"]) if body["kind"] == "sphere"]
@@ -37,11 +38,11 @@ def clumped(plan: dict[str, Any], made: Sequence[Clump]) -> dict[str, Any]:
 
 
 def _clump(sphere: dict[str, Any], made: Clump) -> dict[str, Any]:
-    """The sphere's data with the members: each a position, a radius and a mass.
+    """The sphere's data with the members of the clump: positions, radii and masses.
 
-    What stands on the wall weighs nothing to speak of, so that the points alone make the centroid
-    and the principal axes. A block that begins to tip feels other forces than the sphere, which
-    half a step before t = 0 have moved and turned it less.
+    The spheres that touch walls have negligible mass, so that the points alone give centroid and
+    principal axes. A block that begins to tip has other contact forces than the sphere; velocities
+    and spins half a step before t = 0 take this into account.
     """
     small = sphere["mass"] * 1e-18
     eighth, point = sphere["mass"] / 8, made.radius * 1e-3
@@ -60,9 +61,9 @@ def _clump(sphere: dict[str, Any], made: Clump) -> dict[str, Any]:
 
 
 def _moments(made: Clump) -> list[float]:
-    """The moments of inertia (3,) [kg m2] as YADE takes them: the principal ones, the least first.
+    """The moments of inertia (3,) [kg m2] in YADE's order: the principal ones, the smallest first.
 
-    A body with a locked rotation YADE turns by the moments about the axes of the frame.
+    If a rotation is locked, YADE uses the moments about the axes of the frame.
     """
     if made.free_spin.all() or not made.free_spin.any():
         return sorted(np.linalg.eigvalsh(made.block.inertia).tolist())

@@ -1,4 +1,4 @@
-"""The input of YADE, to which each term of a scene adds its part: numbers, columns, notes."""
+"""The input of YADE, to which each term of a scene adds numbers, columns and notes."""
 
 from __future__ import annotations
 
@@ -17,13 +17,13 @@ Plan = dict[str, Any]
 
 @dataclass(frozen=True, eq=False)
 class Given:
-    """The driver's ask in parts: see `adapters.yade.inside.driver` for what each is.
+    """The parts of the driver's ask: see `adapters.yade.inside.driver` for the meaning of each.
 
-    numbers: what is stated once, by name. mass (n,) [kg], load and carried (n, 3) [N, m/s]: of each
-    sphere. motion: the sines of walls that move, by the number of the wall. force: (n, 3) [N] on
-    the spheres at t = 0. pushed: (n,) which start at rest, and get their velocity as an impulse
-    in the first step; missed: (n, 3) [N] what dashpots do not push them with in it, since they are
-    at rest. notes: how terms are put, one fact each.
+    numbers: single values, by name. mass (n,) [kg], load and carried (n, 3) [N, m/s]: of each
+    sphere. motion: the sines of moving walls, by wall number. force: (n, 3) [N] on the spheres at t
+    = 0. pushed: (n,) which spheres start at rest, and get their velocity by an impulse in the first
+    step; missed: (n, 3) [N] the forces of dashpots that they lack in that step, since they are at
+    rest. notes: how terms are represented, one statement each.
     """
 
     numbers: Plan
@@ -37,7 +37,7 @@ class Given:
     notes: tuple[str, ...]
 
     def with_more(self, *notes: str, force: Vector | float = 0.0, **numbers: Any) -> Given:
-        """With these numbers in place of the former ones, and further forces and notes."""
+        """A copy with these numbers replaced, and with further forces and notes."""
         return replace(
             self,
             numbers={**self.numbers, **numbers},

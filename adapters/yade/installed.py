@@ -25,7 +25,7 @@ def find() -> Found:
     return _find(os.environ.get("VV_YADE", ""))
 
 
-@functools.cache  # it is asked for every job, and a look takes some milliseconds
+@functools.cache  # asked for every job; a search takes some milliseconds
 def _find(chosen: str) -> Found:
     for folder in [Path(chosen)] if chosen else _usual():
         if (folder / "yade/wrapper.so").is_file() and PYTHON.is_file():
@@ -43,7 +43,7 @@ def _usual() -> Iterator[Path]:
 
 
 def _version(folder: Path) -> str:
-    """The version YADE was built as, from its configuration module; empty if it says none."""
+    """The version of YADE in its configuration module; empty if there is none."""
     config = folder / "yade/config.py"
     text = config.read_text(errors="replace") if config.is_file() else ""
     found = re.search(r"^version\s*=\s*['\"]([^'\"]+)", text, re.MULTILINE)

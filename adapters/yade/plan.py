@@ -1,4 +1,4 @@
-"""Writes a setup as what the driver inside YADE reads: plain data in YADE's own terms."""
+"""Writes a setup as input of the driver inside YADE: plain data in YADE's terms."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ def plan(setup: Setup) -> Plan:
 
 
 def notes(setup: Setup) -> list[str]:
-    """How the scene is represented, one fact each."""
+    """How the scene is represented, one statement each."""
     stand_in = setup.springs.notes
     if setup.clumps:
         stand_in = words(setup.clumps, "a clump"), *stand_in[1:]
@@ -42,9 +42,10 @@ def notes(setup: Setup) -> list[str]:
 
 
 def _columns(setup: Setup, given: Given) -> dict[str, Vector]:
-    """What each sphere gets, one row a sphere.
+    """The data of spheres, one row per sphere.
 
-    Leapfrog velocities belong to -dt/2: v = v0 - a0 dt/2. A sphere that is pushed starts at rest.
+    Leapfrog velocities are those at -dt/2: v = v0 - a0 dt/2. A sphere that gets an impulse starts
+    at rest.
     """
     scene, dt, spheres = setup.scene, setup.ask.dt, setup.scene.spheres
     charged = setup.springs.charged
@@ -72,7 +73,7 @@ def _columns(setup: Setup, given: Given) -> dict[str, Vector]:
 
 
 def _bodies(setup: Setup, given: Given) -> list[Plan]:
-    """All bodies in the scene's order, which becomes the order of YADE's ids."""
+    """All bodies in the order of the scene, which becomes that of YADE's ids."""
     size, spheres, bodies, walls = facet_size(setup), _spheres(setup, given), list[Plan](), 0
     for group in setup.scene.bodies:
         if isinstance(group, Wall):

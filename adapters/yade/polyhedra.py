@@ -12,12 +12,12 @@ from vv.scene import Block, Scene, Vector, Wall, rotated
 from vv.standins.penalty_springs import TOUCHING
 from vv.standins.stand_in import why_no_spring_scene
 
-MOST_STEPS = 10_000  # of some 0.1 ms each, thirty times those of a sphere
-THINNEST = 0.1  # thickness over size below which YADE's polyhedra may pass each other unnoticed
+MOST_STEPS = 10_000  # steps at most: each takes about 0.1 ms, thirty times that of a sphere
+THINNEST = 0.1  # thickness over size below which YADE may miss contacts of polyhedra
 
 
 def why_no_polyhedron(ask: Ask) -> str | None:
-    """Why YADE's polyhedra cannot represent what an ask has; None if they can."""
+    """Why YADE's polyhedra cannot represent the scene of an ask; None if they can."""
     scene = ask.scene
     if len(scene.blocks) != 1 or len(scene.walls) != 1 or len(scene.spheres):
         return "one block on one wall is what was verified of YADE's polyhedra"
@@ -59,7 +59,7 @@ def _area(block: Block, wall: Wall) -> float:
 
 
 def turn_of(scene: Scene) -> Vector:
-    """The rotation (3, 3) that lays the one wall across z, its rows the new frame in the old."""
+    """The rotation (3, 3) that makes the wall normal to z; its rows are the new axes."""
     normal = scene.walls[0].normal
     along = scene.axes[np.abs(scene.axes @ normal).argmin()]
     first = along - (along @ normal) * normal
@@ -68,7 +68,7 @@ def turn_of(scene: Scene) -> Vector:
 
 
 def laid(ask: Ask) -> Ask:
-    """The ask in the frame of `turn_of`, where the wall's normal is z to the last bit."""
+    """The ask in the frame of `turn_of`, in which the wall's normal is exactly z."""
     scene = rotated(ask.scene, turn_of(ask.scene))
     up = np.array([0.0, 0.0, 1.0])
     bodies = tuple(replace(g, normal=up) if isinstance(g, Wall) else g for g in scene.bodies)
@@ -76,13 +76,12 @@ def laid(ask: Ask) -> Ask:
 
 
 def polyhedral(plan: dict[str, Any], scene: Scene, charged: Vector | None) -> dict[str, Any]:
-    """The driver's ask with the one sphere as a polyhedron, of a scene that is `laid` already.
+    """The driver's ask with the one sphere as a polyhedron, for a scene that is `laid` already.
 
-    charged: the friction (1, 3) [N] that its shear spring holds at t = 0.
-
-    YADE presses with kn/area times the overlap's volume. It drops the shear of a contact as it
-    makes it, and then lets it take the whole of the first step: in that step the block moves as
-    fast as charges the spring, and its push gives it the right momentum after it.
+    charged: (1, 3) friction [N] in its shear spring at t = 0. YADE's normal force is kn/area times
+    the volume of the overlap. YADE resets the shear force of a contact when it creates it, and then
+    adds the shear of the whole first step. So in that step the block moves at the velocity that
+    charges the spring, and an impulse then gives it the right momentum.
     """
     (block,), (wall,) = scene.blocks, scene.walls
     ks, dt = plan["ks"], plan["dt"]

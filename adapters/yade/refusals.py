@@ -44,7 +44,7 @@ def refusal(ask: Ask, scheme: str) -> str | None:
 
 
 def _locked_spin(scene: Scene) -> str | None:
-    """Why a body that turns about what it is locked in is refused: YADE keeps it going."""
+    """Why a body that spins about a locked axis is refused: YADE keeps it spinning."""
     about = np.where(scene.spheres.free_spin, 0.0, scene.spheres.spin @ scene.axes.T)
     if about.any():
         return "a sphere has a spin in a locked freedom, which YADE would maintain"
@@ -52,7 +52,7 @@ def _locked_spin(scene: Scene) -> str | None:
 
 
 def _turns_about_two(scene: Scene) -> str | None:
-    """A block that turns about one axis has one moment, about two it has products of inertia."""
+    """Why a block that rotates about two axes is refused: it has products of inertia."""
     for block in scene.blocks:
         if int(block.free_spin.sum()) == 2:
             return (

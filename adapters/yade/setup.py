@@ -1,4 +1,4 @@
-"""The YADE setup of an ask: made once, and used by refusals, input and answers."""
+"""The YADE setup of an ask, from which refusals, input and answers follow."""
 
 from __future__ import annotations
 
@@ -15,19 +15,19 @@ from vv.standins.clump import Clump, clumps
 from vv.standins.stand_in import SpringScene, spring_scene, without_rotations
 
 PLAIN, HALF_STEP, CLUMP, POLYHEDRA = "default", "half-step-mass", "clump", "polyhedra"
-LEAST_GAP = 1e-12  # of a radius: less than that overlaps by rounding only
+LEAST_GAP = 1e-12  # relative to a radius: smaller overlaps are rounding
 
 
 @dataclass(frozen=True, eq=False)
 class Setup:
-    """An ask as YADE is given it under a scheme.
+    """The translation of an ask for YADE under a scheme.
 
-    asked: the ask as it came; ask: in the frame in which YADE is given it, whose axes in the
-    scene's are the rows of frame (3, 3). springs: its scene with spheres and springs in place of
-    blocks and rigid contact; scene: that with dead loads in place of oblique locks. extra: what
-    the scheme adds to every mass [kg]. clumps: the blocks as clumps, in the scheme of that name.
-    watched: the observables asked for; then displacements of spheres under a dead load for a lock.
-    touching: which spheres overlap something at the start, (n,), which makes so many contacts.
+    asked: the original ask; ask: the same in the frame of YADE's input, whose axes are the rows of
+    frame (3, 3). springs: its scene with spheres and springs in place of blocks and rigid contact;
+    scene: that with dead loads in place of oblique locks. extra: what the scheme adds to every mass
+    [kg]. clumps: the blocks as clumps, in the scheme of that name. watched: the observables asked
+    for, then displacements of spheres on which a dead load replaces a lock. touching: (n,) which
+    spheres overlap another body at the start; the next field is the number of these contacts.
     """
 
     asked: Ask
@@ -51,7 +51,7 @@ class Setup:
 def set_up(asked: Ask, scheme: str) -> Setup:
     """The YADE setup of an ask, to which `refusals` must not object.
 
-    In the scheme half-step-mass the mass is m + eta dt/2, with which drag from the velocity of the
+    In the scheme half-step-mass the mass is m + eta dt/2. With it, drag from the velocity of the
     last half step, m (v+ - v-)/dt = F - eta v-, becomes drag from the mean velocity; the weight
     stays m g. Raises ValueError for an ask without dt, or one that `with_loads_for_locks` refuses.
     """
@@ -77,9 +77,9 @@ def framed(ask: Ask, scheme: str) -> Ask:
 
 
 def initial_contacts(scene: Scene) -> tuple[Mask, int]:
-    """Which spheres overlap something at the start, (n,), and how many contacts that makes.
+    """Which spheres overlap another body at the start, (n,), and the number of these contacts.
 
-    Contacts between bodies without any freedom do not count; bonds are none.
+    Contacts between bodies without any freedom are not counted, nor are bonds.
     """
     spheres = scene.spheres
     moving = np.asarray(spheres.free.any(axis=1) | spheres.free_spin.any(axis=1))

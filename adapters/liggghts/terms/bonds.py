@@ -14,7 +14,7 @@ from adapters.liggghts.setup import Setup
 from adapters.liggghts.words import numbers, printed
 from vv.scene import Scene, Term, Vector
 
-FILE = "bonded.data"  # made by each deck anew, just before it is read
+FILE = "bonded.data"  # written by each deck just before it is read
 LASTING = {
     Term.BREAKAGE: "harmonic, its only style of bonds, has no strength; no fix here parts bonds",
     Term.BOND_SHEAR: "harmonic, its only style of bonds, acts along them",

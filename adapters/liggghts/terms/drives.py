@@ -1,4 +1,4 @@
-"""Translates prescribed sines for LIGGGHTS: bodies shaken by forces, walls moved as meshes."""
+"""Translates prescribed sinusoidal motion for LIGGGHTS: forces on shaken bodies, moving meshes."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from adapters.liggghts.setup import Setup
 from adapters.liggghts.words import AXES, group
 from vv.scene import Harmonic, Pulse
 
-ON_TIME = 1e-6  # of a step: what a time may be later than a step and still be its own
+ON_TIME = 1e-6  # in steps: by so much a time may be late and still belong to its step
 
 
 def shaken(deck: Deck, setup: Setup) -> Deck:
@@ -28,7 +28,7 @@ def shaken(deck: Deck, setup: Setup) -> Deck:
 
 
 def _acts(setup: Setup) -> str:
-    """A factor that is 0 after the end of a pulse; none for shaking without end."""
+    """A factor that is 0 after the end of a pulse; none for shaking without an end."""
     pulse = setup.scene.shaking
     if not isinstance(pulse, Pulse):
         return ""
@@ -46,7 +46,7 @@ def _force(name: str, shaking: Harmonic, mass: float, dt: float, acts: str) -> I
 
 
 def moving_walls(deck: Deck, setup: Setup) -> Deck:
-    """Walls that move as prescribed, which are meshes, from step 0 on."""
+    """Walls with prescribed motion, as meshes that move from step 0 on."""
     commands: list[str] = []
     for number, wall in enumerate(setup.scene.walls):
         if wall.motion is not None:
@@ -56,11 +56,11 @@ def moving_walls(deck: Deck, setup: Setup) -> Deck:
 
 
 def _move(name: str, motion: Harmonic, dt: float) -> Iterator[str]:
-    """The commands that move a wall's mesh, for steps from 0 on.
+    """The commands that move a wall's mesh, from step 0 on.
 
-    LIGGGHTS moves a mesh by v dt in a step, and takes v from the variables at the step's end.
-    They are given the mean velocity of the step that ends then, (u(t) - u(t - dt))/dt, so that
-    the mesh is where it must be after each step, to rounding.
+    LIGGGHTS moves a mesh by v dt in a step, with v from variables evaluated at the step's end. They
+    give the mean velocity of the step that ends then, (u(t) - u(t - dt))/dt, so that the mesh has
+    the exact position after each step, to rounding.
     """
     # A (sin b - sin a) = 2 A sin((b - a)/2) cos((a + b)/2)
     yield from _variables(f"{name}_v", motion, 1.0, "cos", f"(step-0.5)*{dt!r}", dt)

@@ -50,9 +50,10 @@ def viscous(deck: Deck, setup: Setup) -> Deck:
 
 
 def restitution(damping: float) -> float:
-    """The e from which LIGGGHTS derives 2 sqrt(5/6) b sqrt(m kn), b = -ln e/sqrt(ln^2 e + pi^2).
+    """The restitution e from which LIGGGHTS derives the damping 2 sqrt(5/6) b sqrt(m kn).
 
-    It is that of a contact which may pull. Raises ValueError for a damping no e can make.
+    b = -ln e/sqrt(ln^2 e + pi^2), for a contact that may pull. Raises ValueError for a damping that
+    no e gives.
     """
     share = math.sqrt(1.2) * damping
     if not share < 1.0:

@@ -18,7 +18,7 @@ from vv.scene import Term
 
 
 def in_every_deck(deck: Deck, setup: Setup) -> Deck:
-    """Adds nothing to what `atoms.bare` writes for any scene of spheres."""
+    """Adds nothing, since `atoms.bare` writes the term for any scene of spheres."""
     return deck
 
 

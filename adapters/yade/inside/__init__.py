@@ -1,24 +1,25 @@
-"""The program that runs inside YADE: one script, put together from the files in this folder."""
+"""The program that runs inside YADE: one script, combined from the files in this folder."""
 
 import ast
 import functools
 from pathlib import Path
 
-PARTS = ("session", "bodies", "bonds", "engines", "stepping", "driver")  # as they build on another
+PARTS = ("session", "bodies", "bonds", "engines", "stepping", "driver")  # in order of dependence
 EMPTY = "ASK: dict[str, Any] | None = None\n"
 
 
 def script(ask: str | None = None) -> str:
-    """The text of the program, which needs no other file; ask: what is filled in, as it says.
+    """The text of the program, which needs no other file; ask: filled in, as its place there says.
 
-    What one file imports from another here stands before it in the script instead.
+    Imports between files of this folder are removed; the imported file stands earlier in the
+    script.
     """
     return _whole() if ask is None else _whole().replace(EMPTY, ask)
 
 
 @functools.cache
 def _whole() -> str:
-    """All parts as one text: a report asks for it hundreds of times."""
+    """All parts as one text, cached since a report asks for it hundreds of times."""
     texts = [_alone((Path(__file__).parent / f"{part}.py").read_text()) for part in PARTS]
     return "\n\n".join(texts)
 

@@ -6,7 +6,7 @@ import numpy as np
 
 from adapters.yade.inside.session import O, utils, yd
 
-FACETS = 1  # the number of their material, where it is not that of walls
+FACETS = 1  # the material of spheres, where walls have another
 
 
 def sphere(body: dict[str, Any]) -> int:
@@ -17,7 +17,7 @@ def sphere(body: dict[str, Any]) -> int:
 
 
 def clump(body: dict[str, Any]) -> int:
-    """Append a rigid body of spheres: those that touch walls, and points that touch nothing."""
+    """Append a rigid body of spheres that touch walls and points that touch nothing."""
     parts = [(part, 1) for part in body["touching"]] + [(part, 0) for part in body["points"]]
     members = []
     for part, mask in parts:
@@ -54,25 +54,26 @@ def wall(body: dict[str, Any]) -> int:
 
 
 def facet(body: dict[str, Any]) -> int:
-    """Append a triangle about a point of an oblique wall, far larger than the scene.
+    """Append a triangle in the plane of an oblique wall, far larger than the scene.
 
-    It is put in place after it was made, which keeps the point free of the corners' rounding.
+    It is moved to its place after its creation, so that the rounding of its corners does not move
+    the plane.
     """
     made = utils.facet(body["corners"], material=FACETS if len(O.materials) > FACETS else 0)
     made.state.pos = made.state.refPos = body["point"]
     return int(O.bodies.append(made))
 
 
-TOUCHED = {"clump": "sphere"}  # the shape that collides, where it is another
+TOUCHED = {"clump": "sphere"}  # the collision shape, if it is another
 
 
 SHAPES = {"sphere": sphere, "clump": clump, "polyhedron": polyhedron, "wall": wall, "facet": facet}
 
 
 def charge(wall: int, sphere: int, force: list[float]) -> None:
-    """Make a contact before the first step, with the shear force that acts on the sphere.
+    """Create a contact before the first step, with the tangential force on the sphere.
 
-    Whichever was made first, the contact's second body, which a force pushes, is the sphere.
+    The second body of the contact, on which a force is given, is always the sphere.
     """
     contact = utils.createInteraction(wall, sphere)
     contact.phys.shearForce = force

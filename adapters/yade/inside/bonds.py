@@ -1,4 +1,4 @@
-"""Bonds in YADE: contacts that hold in tension, made before the first step with their springs."""
+"""Bonds in YADE: contacts that carry tension, created before the first step with their springs."""
 
 from typing import Any
 
@@ -6,9 +6,9 @@ from adapters.yade.inside.session import O, utils, yd
 
 
 def bonded_contacts() -> list[Any]:
-    """Finds contacts of spheres, and presses, pulls and shears them by linear springs.
+    """Engines that detect contacts of spheres, with normal and shear forces of linear springs.
 
-    Contacts that are no bonds are made without cohesion, by the springs that `cohesive` gives.
+    Contacts other than bonds are created without cohesion, with the springs of `cohesive`.
     """
     touch = yd.Ig2_Sphere_Sphere_ScGeom6D(avoidGranularRatcheting=False)
     spring = yd.Ip2_CohFrictMat_CohFrictMat_CohFrictPhys()
@@ -20,7 +20,7 @@ def bonded_contacts() -> list[Any]:
 
 
 def tie(ask: dict[str, Any]) -> None:
-    """Bond the spheres, which are there, as are the engines."""
+    """Bond the spheres; bodies and engines must exist already."""
     material = {}
     for body in ask["bodies"]:
         radius = body["radius"]
@@ -37,7 +37,7 @@ def tie(ask: dict[str, Any]) -> None:
 
 
 def cohesive(ask: dict[str, Any], radius: float) -> Any:
-    """The material of spheres of a radius: two in series have the springs of the contact law."""
+    """The material for a radius: two such spheres in series have the springs of the contact law."""
     made = yd.CohFrictMat(momentRotationLaw=False, isCohesive=True)
     made.young, made.poisson = ask["kn"] / radius, ask["ks"] / ask["kn"]
     made.frictionAngle = O.materials[0].frictionAngle

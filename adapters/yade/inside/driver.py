@@ -1,22 +1,24 @@
-"""Solves asks with YADE: build the scene, step it, read it; nothing here knows the project.
+"""Solves asks with YADE: builds the scene, takes the steps, reads the results; independent of vv.
 
 It runs in the system's own python3, for which YADE is built, as one script made of the files in
 this folder. As `python3 script.py` it reads names of files from its standard input, each of which
-lists asks; answers to ask.json go to ask.json.npy and, as the last act, ask.json.answer. Or it runs
-alone, as a script in which ASK is filled in.
+lists asks; the answer to ask.json goes to ask.json.npy and, at the very end, ask.json.answer.
+Alternatively it runs alone, as a script in which ASK is filled in.
 
-An ask says, in SI units: dt; steps, and stride: how many of them lie between two outputs; kn, ks,
-mu and eta_n of every contact; hertz: the elastic material of spheres and walls, or empty; gravity;
-drag, the coefficient of -drag v; observe, pairs of quantity and body; contacts, how many overlap at
-the start; moves, whether something must move; bodies, in the order of YADE's ids; shaking, the
-sines A sin(2 pi f t + fi) of a body acceleration; charged, the friction with which a wall holds a
-sphere at the start; volumes: whether polyhedra overlap by volumes, for which kn is a stiffness per
-area; bonds. A sphere has position, velocity (half a step before t = 0), spin, mass, inertia, the
-mass that is shaken, blocked freedoms, a dead force, push and twist: a force and a torque during the
-first step, carried: the velocity that it keeps where it is blocked, and held: what it has of that
-in the first step. A wall's motion holds sines as YADE's HarmonicMotionEngine takes them. A bond has
-its pair of bodies, kn, ks, the overlap of its spheres at which it does not pull, and its strengths
-in tension and shear [N].
+The fields of an ask, in SI units: dt; steps; stride: how many steps lie between two outputs; kn,
+ks, mu and eta_n of every contact; hertz: the elastic material of spheres and walls, or empty;
+gravity; drag: the coefficient of -drag v; observe: pairs of quantity and body; contacts: how many
+overlap at the start; moves: whether a body must move; bodies, in the order of YADE's ids; shaking:
+the sines A sin(2 pi f t + fi) of a body acceleration; charged: the friction of a wall on a sphere
+at the start; volumes: whether polyhedra overlap by volumes, for which kn is a stiffness per area;
+bonds.
+
+The fields of a sphere: position, velocity (half a step before t = 0), spin, mass, inertia, the mass
+that is shaken, blocked freedoms, a constant force, push and twist: a force and a torque during the
+first step, carried: its steady velocity where it is blocked, and held: the part of that in the
+first step. The motion of a wall is given as sines for YADE's HarmonicMotionEngine. A bond has two
+bodies, kn, ks, the overlap of its spheres at which its force is zero, and strengths in tension and
+shear [N].
 """
 
 import contextlib
@@ -50,7 +52,7 @@ def build(ask: dict[str, Any]) -> None:
         body["id"] = SHAPES[body["kind"]](body)
         if "mass" in body:
             force = np.add(body["force"], body["push"])
-            if force.any() or any(body["twist"]):  # each takes longer the more bodies there are
+            if force.any() or any(body["twist"]):  # a call costs more with more bodies
                 O.forces.setPermF(body["id"], force)
                 O.forces.setPermT(body["id"], body["twist"])
     O.engines = engines(ask, {TOUCHED.get(body["kind"], body["kind"]) for body in ask["bodies"]})
@@ -58,7 +60,7 @@ def build(ask: dict[str, Any]) -> None:
     for held in ask["charged"]:
         body = ask["bodies"][held["body"]]
         for number, force in zip(body.get("feet", [body["id"]]), held["forces"], strict=True):
-            if any(force):  # a foot off the wall has no contact to be charged
+            if any(force):  # a foot that is off the wall has no contact
                 charge(ask["bodies"][held["wall"]]["id"], number, force)
     if ask["bonds"]:
         tie(ask)
@@ -67,7 +69,8 @@ def build(ask: dict[str, Any]) -> None:
 def material(ask: dict[str, Any]) -> Any:
     """The material of all bodies.
 
-    Polyhedra take two like stiffnesses in series, young and poisson; so do viscous contacts.
+    For polyhedra, young and poisson act as two equal stiffnesses in series; the same holds for
+    viscous contacts.
     """
     angle = math.atan(ask["mu"])
     if ask["hertz"]:
@@ -83,18 +86,18 @@ def material(ask: dict[str, Any]) -> Any:
 
 
 def elastic_material(ask: dict[str, Any], young: str) -> Any:
-    """The elastic material of spheres or walls, by the name of its Young's modulus."""
+    """The elastic material of spheres or walls, whose Young's modulus has the given name."""
     made = yd.FrictMat(frictionAngle=math.atan(ask["mu"]))
     made.young, made.poisson = ask["hertz"][young], ask["hertz"]["poisson"]
     return made
 
 
 def solve(ask: dict[str, Any], repeat: float = 0.0) -> tuple[np.ndarray, dict[str, Any]]:
-    """Observables (quantity, time, 3) of one ask, and what it cost and was made of.
+    """The observables (quantity, time, 3) of one ask, with its cost and the size of its model.
 
-    repeat: set-up and bare steps are done again until the steps alone took that many CPU
-    seconds, at least three times, and the least is reported; steps that took twice that while they
-    were watched, whose readings are not counted, are not done again.
+    repeat: set-up and steps without readings are repeated until the steps took so many CPU seconds,
+    at least three times; the minimum is reported. If the steps with readings took twice as long,
+    they are not repeated, and the time of the readings is subtracted.
     """
     setups = [timed(time.process_time, build, ask)]
     values, cpu, whole, reading = watched(ask)
@@ -113,7 +116,7 @@ def solve(ask: dict[str, Any], repeat: float = 0.0) -> tuple[np.ndarray, dict[st
 
 
 def answer(path: str, ready: float) -> None:
-    """Solve the ask in a file and put the answer beside it, whole or not at all."""
+    """Solve the ask in a file, and write the answer beside it, complete or not at all."""
     with open(path) as file:
         ask = json.load(file)
     try:
@@ -134,9 +137,9 @@ def answer(path: str, ready: float) -> None:
 
 
 def main() -> None:
-    """Solve the ask written in, and print it as a table; or else those that are listed."""
+    """Solve the ask that is filled in, and print it as a table; or else those that are listed."""
     if not WITHIN_YADE:
-        with contextlib.suppress(OSError):  # YADE makes this folder in /tmp, and leaves it there
+        with contextlib.suppress(OSError):  # YADE leaves this folder in /tmp
             os.rmdir(os.path.dirname(O.tmpFilename()))
     if ASK is None:
         ready = time.monotonic()

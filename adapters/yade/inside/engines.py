@@ -21,14 +21,14 @@ def engines(ask: dict[str, Any], kinds: set[str]) -> list[Any]:
 
 
 def touching(ask: dict[str, Any], kinds: list[str]) -> list[Any]:
-    """Finds what touches or is bonded, and lets it push and pull."""
+    """Engines that detect contacts and bonds, and compute their forces."""
     if ask["bonds"]:
         return bonded_contacts()
     return overlaps() if ask["volumes"] else contacts(ask, kinds)
 
 
 def contacts(ask: dict[str, Any], kinds: list[str]) -> list[Any]:
-    """Finds contacts of spheres and presses and shears them by linear springs."""
+    """Engines that detect contacts of spheres, with normal and shear forces of linear springs."""
     bounds = {"sphere": yd.Bo1_Sphere_Aabb, "wall": yd.Bo1_Wall_Aabb, "facet": yd.Bo1_Facet_Aabb}
     geometry = {
         "sphere": lambda: yd.Ig2_Sphere_Sphere_ScGeom(avoidGranularRatcheting=False),
@@ -43,7 +43,7 @@ def contacts(ask: dict[str, Any], kinds: list[str]) -> list[Any]:
 
 
 def law_of(ask: dict[str, Any]) -> tuple[Any, Any]:
-    """How contacts get their stiffness, and their force law."""
+    """The functors that give contacts their stiffness and their force law."""
     if ask["hertz"]:
         parts = {name: yd.MatchMaker(algo="val", val=share) for name, share in damped(ask)}
         physics = yd.Ip2_FrictMat_FrictMat_MindlinPhys(**parts)
@@ -52,7 +52,7 @@ def law_of(ask: dict[str, Any]) -> tuple[Any, Any]:
 
 
 def damped(ask: dict[str, Any]) -> list[tuple[str, float]]:
-    """Shares of critical damping of elastic contact, along and across the normal, if any."""
+    """The fractions of critical damping of elastic contact along and across the normal, if any."""
     share = ask["hertz"].get("damping", 0.0)
     return [("betan", share), ("betas", 0.0)] if share else []
 
@@ -66,15 +66,15 @@ def elastic(ask: dict[str, Any]) -> tuple[Any, Any]:
 
 
 def viscous() -> tuple[Any, Any]:
-    """Springs and a dashpot along the normal as the material has them.
+    """A spring and a dashpot along the normal, with the constants of the material.
 
-    The normal force never pulls, and limits friction as a whole.
+    The normal force never pulls, and all of it counts in the limit of friction.
     """
     return yd.Ip2_ViscElMat_ViscElMat_ViscElPhys(), yd.Law2_ScGeom_ViscElPhys_Basic()
 
 
 def overlaps() -> list[Any]:
-    """Finds polyhedra that overlap walls and presses them by the volume of the overlap."""
+    """Engines that detect overlaps of polyhedra and walls; forces follow from the volumes."""
     return [
         yd.InsertionSortCollider([yd.Bo1_Polyhedra_Aabb(), yd.Bo1_Wall_Aabb()], verletDist=0.05),
         yd.InteractionLoop(
@@ -86,7 +86,7 @@ def overlaps() -> list[Any]:
 
 
 def drag(ask: dict[str, Any]) -> list[Any]:
-    """Stokes' drag 6 pi nu R v = drag v: an engine for each radius among the moving spheres."""
+    """Stokes' drag 6 pi nu R v = drag v, with an engine for each radius of the moving spheres."""
     return [
         yd.LinearDragEngine(nu=ask["drag"] / (6 * math.pi * radius), ids=ids)
         for radius, ids in moving(ask, "radius").items()
@@ -95,7 +95,7 @@ def drag(ask: dict[str, Any]) -> list[Any]:
 
 
 def shaking(ask: dict[str, Any]) -> list[Any]:
-    """A force m A sin(2 pi f t + fi) at the time of the positions: an engine for each sine."""
+    """The force m A sin(2 pi f t + fi) at the time of the positions; one engine for each sine."""
     return [
         yd.HarmonicForceEngine(
             A=[mass * part for part in sine["A"]], f=[sine["f"]] * 3, fi=[sine["fi"]] * 3, ids=ids
@@ -115,7 +115,7 @@ def pulse_end(ask: dict[str, Any]) -> list[Any]:
 
 
 def moving(ask: dict[str, Any], name: str) -> dict[float, list[int]]:
-    """The numbers of the spheres that may move or are carried, by a property of theirs."""
+    """The numbers of spheres that may move or have a steady velocity, grouped by a property."""
     alike: dict[float, list[int]] = {}
     for body in ask["bodies"]:
         held = set("xyz") <= set(body.get("blocked", "xyz")) and not any(body.get("carried", ()))

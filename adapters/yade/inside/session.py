@@ -9,7 +9,7 @@ from typing import Any
 os.environ.setdefault("OMP_NUM_THREADS", "1")  # read when YADE is imported
 FOLDER = os.environ.get("VV_YADE") or next(iter(glob.glob("/usr/lib/*/yade-double/py")), "")
 WITHIN_YADE = "yade" in sys.modules  # started by `yade script.py`
-UNASKED = FOLDER and not WITHIN_YADE  # nobody is there to type
+UNASKED = FOLDER and not WITHIN_YADE  # there is no interactive user
 if UNASKED:
     sys.path.insert(0, FOLDER)
     # YADE imports IPython for its prompt and here only looks at its version: a third of the start
@@ -27,7 +27,7 @@ O = yade.O  # noqa: E741  # the name every YADE script uses
 
 
 class RunError(Exception):
-    """A run that must not count: its status and reason."""
+    """A run that must not count, with its status and reason."""
 
     def __init__(self, status: str, reason: str) -> None:
         super().__init__(reason)
@@ -35,7 +35,7 @@ class RunError(Exception):
 
 
 def timed(clock: Any, work: Any, *given: Any) -> float:
-    """Seconds of a clock that a piece of work took, such as CPU seconds."""
+    """The seconds that a function takes by a clock, such as that of CPU time."""
     start = clock()
     work(*given)
     return float(clock() - start)

@@ -8,13 +8,13 @@ import numpy as np
 
 from adapters.yade.inside.session import O, RunError, timed
 
-LATER = {"velocity", "reaction"}  # what only the step after tells
+LATER = {"velocity", "reaction"}  # known only one step later
 
 
 def first_step(ask: dict[str, Any]) -> None:
-    """Take one step, end what acts during it alone, and start what is carried and was held.
+    """Take one step, end the forces of that step alone, and start steady velocities.
 
-    What was at rest in that step, to keep shear in time, takes the way that it should have gone.
+    Bodies that were at rest in it, so that shear is in phase, are then moved by what they missed.
     """
     O.step()
     for body in ask["bodies"]:
@@ -28,7 +28,7 @@ def first_step(ask: dict[str, Any]) -> None:
 
 
 def bare(ask: dict[str, Any]) -> tuple[float, float]:
-    """Take all steps without observables; CPU and wall seconds of the stepping."""
+    """Take all steps without observables; return CPU and wall seconds of the stepping."""
     wall_start, cpu_start = time.perf_counter(), time.process_time()
     first_step(ask)
     step = O.step
@@ -38,10 +38,11 @@ def bare(ask: dict[str, Any]) -> tuple[float, float]:
 
 
 def watched(ask: dict[str, Any]) -> tuple[np.ndarray, float, float, float]:
-    """Take all steps and read the observables; also CPU and wall seconds of steps, and reading.
+    """Take all steps and read the observables; also return CPU and wall seconds of both.
 
-    After n steps YADE holds positions at n dt, velocities half a step and forces a step earlier:
-    a velocity is the mean of this one and the next, and for both one step more is taken.
+    After n steps YADE has positions at n dt, velocities half a step earlier, and forces a step
+    earlier. A velocity is the mean of this one and the next; so one more step is taken for
+    velocities and forces.
     """
     seen = [(kind, ask["bodies"][number]) for kind, number in ask["observe"]]
     for _, body in seen:
@@ -66,11 +67,11 @@ def watched(ask: dict[str, Any]) -> tuple[np.ndarray, float, float, float]:
     return values, cpu - reading, whole - reading, reading
 
 
-Observed = list[tuple[str, dict[str, Any]]]  # quantities, each with the body it is one of
+Observed = list[tuple[str, dict[str, Any]]]  # quantities with their bodies
 
 
 def read_first(ask: dict[str, Any], seen: Observed, row: np.ndarray) -> None:
-    """State the observables at t = 0, with what the first step was special in taken off."""
+    """Read the observables at t = 0, without the special forces of the first step."""
     for k, (kind, body) in enumerate(seen):
         row[k] = body["initial"] if kind == "velocity" else 0.0
         if kind == "reaction":
@@ -79,7 +80,7 @@ def read_first(ask: dict[str, Any], seen: Observed, row: np.ndarray) -> None:
 
 
 def read(seen: Observed, row: np.ndarray) -> None:
-    """Read displacements, and velocities half a step early; refuse what is not finite."""
+    """Read displacements, and velocities half a step early; reject values that are not finite."""
     for k, (kind, body) in enumerate(seen):
         if kind != "reaction":
             state = O.bodies[body["id"]].state
@@ -88,7 +89,7 @@ def read(seen: Observed, row: np.ndarray) -> None:
 
 
 def read_later(ask: dict[str, Any], seen: Observed, row: np.ndarray) -> None:
-    """Make velocities the mean of half a step early and late, and read reactions."""
+    """Complete velocities to the mean of half a step early and late, and read reactions."""
     for k, (kind, body) in enumerate(seen):
         if kind == "velocity":
             vel = O.bodies[body["id"]].state.vel
@@ -98,7 +99,7 @@ def read_later(ask: dict[str, Any], seen: Observed, row: np.ndarray) -> None:
             check_finite(kind, vector)
 
 
-# Plain numbers from here on: arrays this short would cost as much as the steps between them.
+# Plain numbers from here on: arrays so short would take as long as the steps between outputs.
 def way(state: Any, body: dict[str, Any]) -> list[float]:
     """The distance of a body from its initial position."""
     return [now - first for now, first in zip(state.pos, body["origin"], strict=True)]
@@ -111,7 +112,7 @@ def check_finite(kind: str, vector: list[float]) -> None:
 
 
 def reaction(ask: dict[str, Any], body: dict[str, Any]) -> list[float]:
-    """The force [N] that would keep a body's velocity: against all forces of the last step."""
+    """The force [N] that would keep a body's velocity, opposite to all forces of the last step."""
     mass, gravity = body["mass"], ask["gravity"]
     return [-force - mass * g for force, g in zip(O.forces.f(body["id"]), gravity, strict=True)]
 
@@ -130,7 +131,7 @@ def check_contacts(ask: dict[str, Any]) -> None:
 
 
 def check_end(ask: dict[str, Any]) -> None:
-    """Refuse a run that is not finite, where nothing moved, or a sphere went through a wall."""
+    """Reject a run that is not finite, in which nothing moved, or a sphere went through a wall."""
     states = [O.bodies[body["id"]].state for body in ask["bodies"]]
     spheres = [i for i, body in enumerate(ask["bodies"]) if "mass" in body]
     place = np.array([tuple(states[i].pos) for i in spheres])

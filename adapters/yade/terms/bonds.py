@@ -15,24 +15,24 @@ STRONG = 1e300  # N
 
 
 def bonds(given: Given, setup: Setup) -> Given:
-    """Contacts that hold in tension, which make no further contacts at the start."""
+    """Bonds as contacts that carry tension; no other contacts are created at the start."""
     note = "bonds are contacts of CohFrictMat, made before the first step, brittle where they break"
     contacts = given.numbers["contacts"] + len(setup.scene.bonded_pairs)
     return given.with_more(note, bonds=_rows(setup.scene), contacts=contacts)
 
 
 def sheared_bonds(given: Given, setup: Setup) -> Given:
-    """Shear springs of bonds, which like those of contacts meet no velocity in the first step."""
+    """Shear springs of bonds; as for contacts, the velocity in the first step must be zero."""
     likewise = "spheres on a bond that resists shear likewise start by an impulse"
     notes = [likewise] if setup.scene.spheres.velocity.any() else []
     return replace(given.with_more(*notes), pushed=given.pushed | sheared(setup.scene))
 
 
 def _rows(scene: Scene) -> list[dict[str, Any]]:
-    """The bonds of a scene as input of the program in YADE: see its `driver`.
+    """The bonds of a scene as input of the driver.
 
-    If the length of a bond differs from the sum of the radii, its force is zero at another overlap
-    than zero. An infinite strength becomes one that no force can reach.
+    Where the length of a bond differs from the sum of the radii, its force is zero at that overlap.
+    An infinite strength becomes one that no force reaches.
     """
     if scene.bonds is None:
         return []

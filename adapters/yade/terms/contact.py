@@ -14,10 +14,10 @@ from vv.scene.neighbours import overlapping
 
 
 def friction(given: Given, setup: Setup) -> Given:
-    """A shear spring, and no velocity that a contact would meet in YADE's first step.
+    """A shear spring; spheres in contact start at rest, so that its first step has no shear.
 
-    Shear would run one step ahead: what touches starts at rest, and a push gives it in that step
-    the momentum, and the drag, that it would have had.
+    In YADE, shear would otherwise be ahead by one step. An impulse in the first step gives these
+    spheres the momentum that they would have had, drag included.
     """
     notes = ["shear increments without YADE's corrections against ratcheting"]
     if setup.contacts:
@@ -29,28 +29,28 @@ def friction(given: Given, setup: Setup) -> Given:
 
 
 def viscosity(given: Given, setup: Setup) -> Given:
-    """A dashpot along the normal of contacts, which acts in YADE's first step on what touches."""
+    """A dashpot along the normal of contacts; in the first step it acts on spheres in contact."""
     note = "viscous contacts by ViscElMat, which never pull, from the velocity half a step ago"
     force = initial_viscous_forces(setup.scene)
     return given.with_more(note, force=force, eta_n=float(setup.scene.contact.eta_n))
 
 
 def viscous_friction(given: Given, setup: Setup) -> Given:
-    """What a dashpot pushes at t = 0 starts at rest too, though it only touches.
+    """Spheres on which a dashpot acts at t = 0 start at rest too, even if they just touch.
 
-    Else the push would let its shear spring keep the slip of the step before t = 0. The dashpot
-    finds it at rest, and its force is added to the impulse.
+    Otherwise their shear springs would include the slip of the step before t = 0. The dashpot has
+    no force on a sphere at rest; the missing force is added to the impulse.
     """
     missed = initial_viscous_forces(setup.scene)
     return replace(given, pushed=given.pushed | missed.any(axis=1), missed=missed)
 
 
 def initial_viscous_forces(scene: Scene) -> Vector:
-    """The (n, 3) forces [N] of dashpots on the spheres as they start, beside those of springs.
+    """The (n, 3) forces [N] of dashpots on the spheres at t = 0, without those of springs.
 
-    A contact pushes with max(0, kn U + eta_n U'). What touches without overlap is a contact where
-    YADE makes one: of a sphere on a wall, and of two whose distance rounding leaves no gap. Walls
-    that move do so from the end of its first step.
+    The contact force is max(0, kn U + eta_n U'). Spheres that touch without overlap count where
+    YADE creates a contact: a sphere on a wall, and two spheres whose gap is zero after rounding.
+    Walls move only after YADE's first step.
     """
     spheres, force = scene.spheres, np.zeros((len(scene.spheres), 3))
     for wall in scene.walls:
@@ -70,13 +70,13 @@ def initial_viscous_forces(scene: Scene) -> Vector:
 
 
 def _damping(scene: Scene, depth: Vector, closing: Vector) -> Vector:
-    """The force [N] of a contact beside its spring, by overlap [m] and its rate [m/s], (k,)."""
+    """The viscous force [N] of contacts, (k,), from their overlap [m] and its rate [m/s]."""
     elastic = scene.contact.kn * np.maximum(depth, 0.0)
     return np.asarray(np.maximum(scene.contact.eta_n * closing, -elastic))
 
 
 def charged(given: Given, setup: Setup) -> Given:
-    """The friction [N] of each wall on a sphere that its shear spring holds at the start."""
+    """The friction [N] of each wall on a sphere that is in its shear spring at t = 0."""
     charges, springs = setup.springs.charged, setup.springs.scene
     if charges is None or not charges.any():
         return given

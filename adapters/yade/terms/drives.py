@@ -1,4 +1,4 @@
-"""Translates sines for YADE: directly for forces, for walls as its HarmonicMotionEngine."""
+"""Translates sinusoidal motion for YADE: forces directly, walls as its HarmonicMotionEngine."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from adapters.yade.setup import Setup
 from vv.scene import Harmonic, Pulse
 from vv.standins.penalty_springs import acceleration_of
 
-ON_TIME = 1e-6  # of a step: what a time may be later than a step and still be its own
+ON_TIME = 1e-6  # in steps: by so much a time may be late and still belong to its step
 
 
 def shaken(given: Given, setup: Setup) -> Given:
@@ -25,7 +25,7 @@ def shaken(given: Given, setup: Setup) -> Given:
 
 
 def pulsed(given: Given, setup: Setup) -> Given:
-    """A body acceleration that ends: the first step that it no longer acts in."""
+    """A body acceleration that ends: the first step in which it no longer acts."""
     pulse = setup.scene.shaking
     assert isinstance(pulse, Pulse)
     last = math.ceil(pulse.until / setup.ask.dt - ON_TIME)
@@ -33,14 +33,14 @@ def pulsed(given: Given, setup: Setup) -> Given:
 
 
 def moving_walls(given: Given, setup: Setup) -> Given:
-    """Walls that move as prescribed."""
+    """Walls with prescribed motion."""
     note = "walls driven by HarmonicMotionEngine, its velocity that which meets u after each step"
     motions = (driven(wall.motion, setup.ask.dt) for wall in setup.scene.walls)
     return replace(given.with_more(note), motion=dict(enumerate(motions)))
 
 
 def sines(motion: Harmonic | None) -> list[dict[str, Any]]:
-    """The sines of a drive: amplitude (3,), frequency [Hz], phase [rad]."""
+    """The sines of a motion: amplitude (3,), frequency [Hz], phase [rad]."""
     names = ("A", "f", "fi")
     parts = [] if motion is None else motion.sines()
     return [dict(zip(names, (along.tolist(), f, phase), strict=True)) for along, f, phase in parts]
@@ -49,9 +49,9 @@ def sines(motion: Harmonic | None) -> list[dict[str, Any]]:
 def driven(motion: Harmonic | None, dt: float) -> list[dict[str, Any]]:
     """The sines of a wall as YADE's HarmonicMotionEngine takes them, for u = A cos(wt + fi).
 
-    The engine sets a velocity for a whole step from the time at its start. Half a step is added
-    to the phase, and A reduced by sin(w dt/2)/(w dt/2): then the wall is where it must be after
-    every step, to rounding.
+    The engine sets the velocity of a whole step from the time at its start. With half a step added
+    to the phase, and A reduced by sin(w dt/2)/(w dt/2), the wall has the exact position after every
+    step, to rounding.
     """
     return [
         {

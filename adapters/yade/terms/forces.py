@@ -18,7 +18,7 @@ def gravity(given: Given, setup: Setup) -> Given:
 
 
 def dead_loads(given: Given, setup: Setup) -> Given:
-    """Forces that stay."""
+    """Constant forces."""
     load = setup.scene.spheres.load
     return replace(given.with_more(force=load), load=given.load + load)
 
@@ -46,6 +46,6 @@ def oblique_locks(given: Given, setup: Setup) -> Given:
 
 
 def carried(given: Given, setup: Setup) -> Given:
-    """What locked bodies keep of their velocity."""
+    """The velocities that bodies keep along their locks."""
     note = "locked bodies that move do so by YADE's own keeping, from the end of the first step"
     return replace(given.with_more(note), carried=setup.scene.locked_velocity)

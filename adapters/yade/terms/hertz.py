@@ -21,10 +21,10 @@ DAMPED = (
 
 
 def elastic(given: Given, setup: Setup) -> Given:
-    """Young's modulus and Poisson's ratio of spheres, and the former of walls and facets.
+    """Young's modulus and Poisson's ratio of spheres, and Young's modulus of walls and facets.
 
-    YADE takes 1/E and 1/G as sums over both bodies, and the effective radius of a sphere and a
-    wall to be R/2, of a sphere and a facet 2R/3.
+    YADE takes 1/E and 1/G as sums over both bodies; the effective radius of a sphere and a wall is
+    R/2 there, that of a sphere and a facet 2R/3.
     """
     law = setup.scene.contact.hertz
     if law is None:
@@ -40,12 +40,12 @@ def elastic(given: Given, setup: Setup) -> Given:
 
 
 def _beside(times: float) -> float:
-    """By what one of two alike must be stiffer so that their contact is so many times as stiff."""
+    """How much stiffer one of two equal bodies must be, for a contact so many times as stiff."""
     return times / (2.0 - times)
 
 
 def viscous(given: Given, setup: Setup) -> Given:
-    """A share of YADE's critical damping, 2 sqrt(m kn) with the kn of today's overlap."""
+    """A fraction of YADE's critical damping, 2 sqrt(m kn) with kn at the present overlap."""
     law = setup.scene.contact.hertz
     if law is None:
         return given
@@ -54,12 +54,12 @@ def viscous(given: Given, setup: Setup) -> Given:
 
 
 def why_no_material(law: Hertz | None) -> str | None:
-    """Why YADE, which makes moduli of a material, cannot have these; else None."""
+    """Why no material of YADE has these moduli; None if one has."""
     return None if law is None else law.why_no_material()
 
 
 def why_not_viscous(scene: Scene) -> str | None:
-    """Why viscous contacts of elastic spheres are not YADE's; else None."""
+    """Why YADE cannot represent viscous contacts of elastic spheres; else None."""
     if Term.HERTZ_VISCOSITY not in scene.terms():
         return None
     if initial_normal_forces(scene).any():

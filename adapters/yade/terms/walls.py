@@ -9,11 +9,11 @@ from adapters.yade.setup import Setup
 from vv.scene import Wall
 from vv.standins.penalty_springs import fastest
 
-FACET = 1e3  # a wall's triangle over the scene's size and paths; its size costs no accuracy
+FACET = 1e3  # size of a wall's triangle over that of scene and paths; it costs no accuracy
 
 
 def walls(given: Given, setup: Setup) -> Given:
-    """How walls are represented; `plan` makes the bodies."""
+    """The representation of walls; `plan` creates the bodies."""
     oblique = [not across(wall) for wall in setup.scene.walls]
     notes = {
         "walls across an axis are YADE walls": not all(oblique),
@@ -23,12 +23,12 @@ def walls(given: Given, setup: Setup) -> Given:
 
 
 def across(wall: Wall) -> bool:
-    """Whether a wall lies across an axis of the frame."""
+    """Whether a wall is normal to an axis of the frame."""
     return bool(np.abs(wall.normal).max() == 1.0)
 
 
 def wall_body(wall: Wall, size: float) -> Plan:
-    """YADE's infinite wall across an axis of the frame, or a triangle of that size [m]."""
+    """YADE's infinite wall normal to an axis of the frame, or a triangle of that size [m]."""
     common = {"point": wall.point.tolist(), "normal": wall.normal.tolist()}
     if across(wall):
         return {"kind": "wall", **common}
@@ -36,7 +36,7 @@ def wall_body(wall: Wall, size: float) -> Plan:
 
 
 def facet_size(setup: Setup) -> float:
-    """A size [m] far beyond the scene, and any path in it without collisions."""
+    """A size [m] far beyond the scene and any path without collisions."""
     scene, time = setup.springs.scene, setup.ask.goal.duration
     spheres = scene.spheres
     places = np.vstack([spheres.position, *(wall.point for wall in scene.walls)])
