@@ -1,4 +1,4 @@
-"""Judges the support of shaken blocks by momentum: impulse of the base minus that of blocks."""
+"""Judges the support of shaken blocks: the impulse of the base minus the momentum of the blocks."""
 
 from __future__ import annotations
 
@@ -12,23 +12,23 @@ from vv.scene import Scene, Vector
 
 SOLVED = Tolerance(
     1e-10,
-    "whatever contacts do, all momentum comes from outside. What is left of it is rounding: 1e-16 "
-    "of each force and step, or of gaps of 1e-16 m on springs of 1e9 N/m, which is 1e-11 of the "
-    "weight at each of a hundred contacts",
-    slack="most roundings are smaller, and cancel",
+    "contacts only exchange momentum, so that all of it comes from outside. Rounding errors "
+    "remain: 1e-16 of each force and step, or of gaps of 1e-16 m on springs of 1e9 N/m, which is "
+    "1e-11 of the weight at each of a hundred contacts",
+    slack="most rounding errors are smaller, and they cancel",
 )
 
 
 def watched(scene: Scene, bed: int) -> tuple[Observable, ...]:
-    """What the balance of a scene needs: how all that moves does, and what the bed's locks give."""
+    """The observables of the balance: the velocity of each moving block, the impulse of the bed."""
     moving = (body for body in range(len(scene.blocks)) if body != bed)
     return (*map(Velocity, moving), Impulse(bed))
 
 
 def balance(scene: Scene, bed: int, p: Parameters) -> tuple[Quantity, ...]:
-    """The impulse of the bed's locks less the momentum of the blocks: what loads alone explain.
+    """The impulse of the bed's locks minus the momentum of the blocks, which only loads determine.
 
-    The scene stands in a frame that moves as D (1 - cos 2 pi f t) along x, or in none.
+    The frame of the scene moves as D (1 - cos 2 pi f t) along x, or does not move.
     """
     mass = sum(block.mass for block in scene.blocks)
     shaken, rate = scene.shaking is not None, 2 * np.pi * p["f"]
@@ -58,15 +58,16 @@ _METHODS = (Method.SECOND_ORDER, Method.PENALTY, Method.LAGGING)
 
 
 def _late(rate: float) -> Tolerance:
-    """Of a step that takes the shaking of its end.
+    """For a step that uses the shaking at its end.
 
-    rate [1/s]: what a second of the largest shaking is of all that loads give, and a tenth more.
+    rate [1/s]: 1.1 times the largest force of the shaking over the impulse of all loads.
     """
     return Tolerance(
         SOLVED.value,
-        "a step that takes the shaking of its end gives dt/2 M (a(t) - a(0)) too much, at most M D "
-        "w^2 dt, and a tenth more for the next term of Euler and Maclaurin's sum",
-        late=rate, slack="a step that is cut has the shaking of an earlier time",
+        "a step that uses the shaking at its end gives an impulse that is too large by M (a(t) - "
+        "a(0)) dt/2, at most M D w^2 dt; a tenth more is allowed for the next term of the "
+        "Euler-Maclaurin sum",
+        late=rate, slack="a step that is cut short uses the shaking of an earlier time",
     )  # fmt: skip
 
 

@@ -56,7 +56,7 @@ class Leaning:
                      free_spin=Y != 0)  # fmt: skip
 
     def lean(self, run: Run) -> tuple[Vector, Vector]:
-        """The lean (k,) [rad] and its rate [1/s], from where the centre is and how it goes."""
+        """The lean (k,) [rad] and its rate [1/s], from the position and velocity of the centre."""
         x, z = (run.values[CENTRE][:, [0, 2]] + self.initial_centre()).T
         side = np.where(x < 0, -1.0, 1.0)
         rest = np.arctan2(self.b - side * x, z)

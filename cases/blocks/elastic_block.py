@@ -1,4 +1,4 @@
-"""A block that strains uniformly: at rest, swinging as its weight sets in, and spinning."""
+"""A block of uniform strain: at rest, oscillating when its weight sets in, and spinning."""
 
 from __future__ import annotations
 
@@ -35,10 +35,12 @@ Cvector = NDArray[np.complex128]
 STRAIN, MOVED = Strain(0), Displacement(0)
 Z = np.array([0.0, 0.0, 1.0])
 STEPS, STIFF = (0.02, 0.01, 0.005, 0.0025), 1e4  # steps times w, springs over E a b/L
-SEEN, OUTPUTS = 4 * STEPS[0], 118  # between outputs, times w, and how many: a period and a half
-QUICK = 2.0  # of a free block: the part of a mode that is 2.3 times as quick is small
+# time between outputs, times w, and their number: a period and a half
+SEEN, OUTPUTS = 4 * STEPS[0], 118
+QUICK = 2.0  # for a free block: its second mode is 2.3 times as fast, but small
 APART = 12  # outputs: about one radian of the oscillation
-SLOW, SOFT, LONG = (1.0, 0.5), 50.0, 200.0  # steps, springs and duration of what comes to rest
+# steps, springs and duration of the block that comes to rest
+SLOW, SOFT, LONG = (1.0, 0.5), 50.0, 200.0
 
 
 def _scene(variant: str, p: Parameters) -> Scene:
@@ -85,20 +87,22 @@ def _pressed(p: Parameters, w: float) -> tuple[Quantity, ...]:
     size, sunk = abs(strain[2]), -strain[2] * p["L"] / 2
     still = Tolerance(
         1e-5 + 2 * size,
-        "the step's damping has brought it to rest, where strains of a millionth are not nil, and "
-        "the answer is linear in them",
+        "the damping of the step has brought the block to rest. The answer is linear in the "
+        "strains, which are about a millionth: the error is of their size",
     )
-    swings = {Method.DAMPED: "its step hardly damps, so that the block still oscillates"}
+    swings = {Method.DAMPED: "steps of this class hardly damp, so that the block still oscillates"}
     rests = Exact({Method.PENALTY: still, Method.LAGGING: still}, not_judged=swings)
     return (
-        Scalar("axial", "e_z", "", "strain along z at the end: half the weight over E",
+        Scalar("axial", "e_z", "", "strain along z at the end: the stress of half the weight over "
+               "E",
                lambda run: _last(run, 2), strain[2], size, rests),
-        Scalar("lateral", "e_x", "", "strain along x at the end: nu times as much, outwards",
+        Scalar("lateral", "e_x", "", "strain along x at the end: nu times as large, an extension",
                lambda run: _last(run, 0), strain[0], size, rests),
         Scalar("sunk", "d", "m", "downward displacement of the "
-                                 "centroid", _sunk, sunk, sunk, rests),
-        Scalar("sunk-continuum", "d/d_c", "", "the same over rho g L^2/(3 E), that of a column",
-               lambda run: 0.75 * _sunk(run) / sunk, None, 1.0, Shown(SHORT)),
+                                 "centroid", _sinking, sunk, sunk, rests),
+        Scalar("sunk-continuum", "d/d_c", "", "the same over rho g L^2/(3 E), the value of an "
+               "elastic column",
+               lambda run: 0.75 * _sinking(run) / sunk, None, 1.0, Shown(SHORT)),
     )  # fmt: skip
 
 
@@ -106,39 +110,43 @@ def _last(run: Run, axis: int) -> float:
     return float(run.values[STRAIN][-1, axis])
 
 
-def _sunk(run: Run) -> float:
+def _sinking(run: Run) -> float:
     return float(-run.values[MOVED][-1] @ Z)
 
 
 def _ringing(p: Parameters, w: float) -> tuple[Quantity, ...]:
     path = functools.partial(exact.standing, **_law(p), g=p["g"], along=(2,))
     return (
-        _along(2, path, p, _swing(1.0, w)),
+        _strain_along(2, path, p, _swing_bounds(1.0, w)),
         Scalar("frequency", "w_e/w", "", "frequency over sqrt(3 E/rho)/L",
-               lambda run: _frequency(run) / w, 1.0, 1.0, _frequencies(w)),
+               lambda run: _frequency(run) / w, 1.0, 1.0, _frequency_bounds(w)),
         Scalar("frequency-continuum", "w_e/w_c", "", "the same over (pi/2) sqrt(E/rho)/L",
                lambda run: exact.STIFFER * _frequency(run) / w, None, 1.0, Shown(HIGH)),
-        Scalar("damping", "zeta/zeta_dt", "", "damping ratio by the decrement of the swing, over "
-               "that of the step, w dt/4", lambda run: _damping(run) / _stepped(run, w), 1.0, 1.0,
+        Scalar("damping", "zeta/zeta_dt", "", "damping ratio from the decrement of the "
+               "oscillation, over that of the step, w "
+               "dt/4", lambda run: _damping(run) / _step_damping(run, w), 1.0, 1.0,
                DAMPED),
-        Scalar("damping ratio", "zeta", "", "the same itself", _damping, None, 1.0, Shown(GROWS)),
+        Scalar("damping ratio", "zeta", "", "damping ratio from the decrement of the "
+               "oscillation", _damping, None, 1.0, Shown(GROWS)),
     )  # fmt: skip
 
 
 def _coupled(p: Parameters, w: float) -> tuple[Quantity, ...]:
     path = functools.partial(exact.standing, **_law(p), g=p["g"])
-    return tuple(_along(axis, path, p, _swing(1.0, w)) for axis in (2, 0, 1))
+    return tuple(_strain_along(axis, path, p, _swing_bounds(1.0, w)) for axis in (2, 0, 1))
 
 
 def _spun(p: Parameters, w: float) -> tuple[Quantity, ...]:
     def path(t: Vector) -> Vector:
         return exact.seen_from_rest(exact.spinning(t, **_law(p), spin=p["spin"]), p["spin"] * t)
 
-    judge = Exact(_swing(QUICK, w).tolerances, not_judged={Method.LAGGING: NO_PULL})
-    return tuple(_along(axis, path, p, judge) for axis in range(3))
+    judge = Exact(_swing_bounds(QUICK, w).tolerances, not_judged={Method.LAGGING: NO_PULL})
+    return tuple(_strain_along(axis, path, p, judge) for axis in range(3))
 
 
-def _along(axis: int, path: Callable[[Vector], Vector], p: Parameters, judge: Exact) -> Series:
+def _strain_along(
+    axis: int, path: Callable[[Vector], Vector], p: Parameters, judge: Exact
+) -> Series:
     """The strain along an axis; every error is relative to the largest strain of all."""
     name = f"e_{'xyz'[axis]}"
     period = np.linspace(0.0, 2 * math.pi, 200) / exact.first(
@@ -152,18 +160,18 @@ def _along(axis: int, path: Callable[[Vector], Vector], p: Parameters, judge: Ex
 
 
 def _frequency(run: Run) -> float:
-    """That of the swing [1/s] about a mean."""
+    """The frequency of the oscillation about its mean [1/s]."""
     return float(np.abs(np.angle(_roots(run))).max() / run.times[APART])
 
 
 def _damping(run: Run) -> float:
-    """The damping ratio of the swing about a mean: its decrement over its phase."""
+    """The damping ratio of the oscillation about its mean: its decrement over its phase."""
     rate = np.log(_roots(run)[0])
     return float(-rate.real / abs(rate))
 
 
-def _stepped(run: Run, w: float) -> float:
-    """The damping ratio of steps as long as those of a run, at the frequency w [1/s]."""
+def _step_damping(run: Run, w: float) -> float:
+    """The damping ratio that the steps of a run cause at the frequency w [1/s]."""
     return implicit_step.damping_ratio(w * float(run.times[-1]) / run.steps)
 
 
@@ -176,48 +184,54 @@ def _roots(run: Run) -> Cvector:
     return np.asarray(np.roots([1.0, -trace, -det]), complex)
 
 
-def _swing(quick: float, w: float) -> Exact:
-    """quick: how many times more than the first mode of a bar, w [1/s], all modes are damped."""
+def _swing_bounds(quick: float, w: float) -> Exact:
+    """quick: damping of all modes over that of the first mode of a bar, of frequency w [1/s]."""
     step = Tolerance(
         1.3 * quick * STEPS[0],
-        "DDA's step damps a mode by w dt/4: (1 - exp(-w dt w t/4))/2 of the largest strain, 1.2 "
-        "w dt after a period and a half; quicker modes by the square of their frequency",
+        "DDA's step has the damping ratio w dt/4: an error of (1 - exp(-w dt w t/4))/2 of the "
+        "largest strain, 1.2 w dt after a period and a half. The damping of faster modes grows "
+        "with the square of their frequency",
         dt=STEPS[0] / w, order=1, floor=5 / STIFF,
     )  # fmt: skip
     second = Tolerance(
         2.0 * quick * STEPS[0] ** 2,
-        "generalised alpha slows a swing by (w dt)^2/8, which over a period and a half is 1.2 "
-        "(w dt)^2 of a radian; and at least what springs at its edges take",
+        "the generalised-alpha method lowers the frequency by (w dt)^2/8, a phase error of 1.2 "
+        "(w dt)^2 radians over a period and a half; the floor is the compliance of the springs at "
+        "the edges",
         dt=STEPS[0] / w, order=2, floor=5 / STIFF,
     )  # fmt: skip
     return Exact({Method.PENALTY: step, Method.LAGGING: step, Method.DAMPED: second})
 
 
-def _frequencies(w: float) -> Exact:
+def _frequency_bounds(w: float) -> Exact:
     step = Tolerance(
         STEPS[0] ** 2,
-        "(w dt)^2, and at least what springs at two edges take, 9/16 of E a b/(L kn)",
+        "an error of (w dt)^2; the floor is the compliance of the springs at two edges, 9/16 of E "
+        "a b/(L kn)",
         dt=STEPS[0] / w, order=2, floor=1 / STIFF,
     )  # fmt: skip
     return Exact({Method.PENALTY: step, Method.LAGGING: step})
 
 
 SHORT = (
-    "a column under its own weight strains from none at its top to rho g L/E at its foot; its "
-    "centroid sinks by rho g L^2/(3 E), a third more than with one strain, while its top agrees"
+    "the strain of a column under its own weight rises from zero at the top to rho g L/E at the "
+    "foot. Its centroid sinks by rho g L^2/(3 E), a third more than with uniform strain; the "
+    "displacement of its top is the same with both"
 )
 HIGH = (
-    "the continuum's first mode is pi/sqrt(12) as quick, a quarter of a sine; with one strain for "
-    "all a block is stiffer, by 10 % in frequency"
+    "the first mode of the continuum is a quarter of a sine, with pi/sqrt(12) of this frequency; "
+    "uniform strain makes a block stiffer, by 10 % in frequency"
 )
 DAMPED = Exact(
     dict.fromkeys(
         (Method.PENALTY, Method.LAGGING),
-        Tolerance(1e-3, "springs at its edges make the block softer by a part of 1e-4"),
+        Tolerance(1e-3, "the springs at the edges soften the block by a fraction of 1e-4"),
     ),
-    not_judged={Method.DAMPED: "this class has another step, which damped-swing judges"},
+    not_judged={
+        Method.DAMPED: "this class integrates by another scheme, which the case damped-swing judges"
+    },
 )
-GROWS = "it grows with the step and with the frequency: 2.3 % is that of 14.66 Hz at 1e-3 s"
+GROWS = "it grows with the step and the frequency: 2.3 % is its value at 14.66 Hz and 1e-3 s"
 NO_PULL = "formulations of this class may lack the centrifugal force, the only cause of strain here"
 MEASURED = {"pressed": _pressed, "ringing": _ringing, "coupled": _coupled, "spun": _spun}
 HELD = "m s_i^2/12 e_i'' + V sum_j C_ij e_j = F_i"
@@ -228,9 +242,9 @@ CASE = Case(
         "Shi (1992), Discontinuous deformation analysis: a new numerical model for the statics and "
         "dynamics of deformable block structures, Engineering Computations 9(2), 157-168",
         "10.1108/eb023855",
-        "Displacements linear in x are the paper's; scenes and answers are ours. The answers are "
-        "those of a block whose strain is uniform, not of a continuum: its first mode is "
-        "sqrt(12)/pi = 1.103 times as fast, which is shown beside. Base and sides are smooth.",
+        "The paper gives displacements that are linear in x; scenes and answers are ours. The "
+        "answers hold for a block whose strain is uniform, not for a continuum: its first mode is "
+        "sqrt(12)/pi = 1.103 times as fast, which is shown too. Base and sides are smooth.",
     ),
     parameters=(
         Parameter("L", 1.0, "m", "height"),
@@ -252,7 +266,7 @@ CASE = Case(
         ),
         Variant(
             "ringing",
-            "weight applied to a block held in the other directions: one strain",
+            "weight applied to a block that can strain along z only",
             "e_z = -(rho g L/(2 E)) (1 - cos w t), w^2 = 3 E/(rho L^2)",
             {},
             frozenset({"a", "b", "nu", "spin"}),
@@ -266,7 +280,7 @@ CASE = Case(
         ),
         Variant(
             "spun",
-            "a free block as it begins to spin: a bar alone has w^2 = 12 E/(rho L^2)",
+            "a free block that starts to spin; a bar has w^2 = 12 E/(rho L^2)",
             f"{HELD}, F_i = m spin^2 s_i^2/12 along x and y",
             {},
             frozenset({"g"}),

@@ -32,12 +32,12 @@ from vv.scene import Block, Contact, Scene, Vector, Wall, box_geometry, polyhedr
 
 Point = tuple[float, float]  # psi, delta [degrees]
 DENSITY = 2500.0  # kg/m3; does not enter the answer
-BRIEF = 0.02 * math.sqrt(9.81)  # duration over sqrt(R/g): all turn by less than 0.01
+BRIEF = 0.02 * math.sqrt(9.81)  # duration over sqrt(R/g): blocks turn by less than 0.01 rad
 OUTPUTS = 10
-TURNS = 2e-3  # of the way: what the turning of a block changes within the duration
+TURNS = 2e-3  # of the displacement: what the rotation of a block changes within the duration
 STEPS = ((20, 1e10), (40, 1e10), (40, 1e11), (80, 1e11))  # in the duration, and kn [N/m]
-SHORT = (400, 1e10)  # which explicit codes bear
-NEAR, AWAY = 0.5, 2.0  # degrees from a border: points beside it, and at least, all others
+SHORT = (400, 1e10)  # at which explicit codes are stable
+NEAR, AWAY = 0.5, 2.0  # degrees from a border: of points beside it, and at least of all others
 STEEPEST, SLENDEREST, STOUTEST = 75.0, 6.0, 70.0  # degrees: psi and delta of the chart
 SEVERAL, UNDER_GRAVITY = 22, 17  # points for a friction angle, and for a slope
 FINE = 40  # places along a curved border
@@ -57,7 +57,7 @@ def _axes(alpha: float) -> Vector:
 
 
 def _points(variant: str, p: Parameters) -> list[Point]:
-    """Where the chart is asked: on both sides of its borders, and all over."""
+    """The tested points of the chart: on both sides of its borders, and all over it."""
     if variant.startswith("gravity"):
         beside = [angle + s * NEAR for angle in (p["alpha"], p["phi"]) for s in (-1, 1)]
         spread = np.linspace(SLENDEREST, STOUTEST, UNDER_GRAVITY - len(beside))
@@ -67,13 +67,17 @@ def _points(variant: str, p: Parameters) -> list[Point]:
             for point in dict.fromkeys(slope)
             if 0.0 < point[1] < 90.0 and _is_distinct(p, point)
         ]
-    found = [point for point in _beside(p["phi"]) if _on_chart(*point) and _is_distinct(p, point)]
-    more = (point for point in _all_over() if _clear(p["phi"], *point))
+    found = [
+        point
+        for point in _pairs_at_borders(p["phi"])
+        if _on_chart(*point) and _is_distinct(p, point)
+    ]
+    more = (point for point in _spread_points() if _is_clear(p["phi"], *point))
     found = list(dict.fromkeys(found))
     return found + [next(more) for _ in range(SEVERAL - len(found))]
 
 
-def _beside(phi: float) -> Iterator[Point]:
+def _pairs_at_borders(phi: float) -> Iterator[Point]:
     """Pairs of points on the two sides of each border."""
     for part in (0.3, 0.7):
         stout = phi + part * (STOUTEST - phi)
@@ -101,7 +105,7 @@ def _on_chart(psi: float, delta: float) -> bool:
     return 2.0 <= psi <= STEEPEST and SLENDEREST <= delta <= STOUTEST
 
 
-def _all_over() -> Iterator[Point]:
+def _spread_points() -> Iterator[Point]:
     """Points of a sequence that fills the chart evenly (Halton's, bases 2 and 3)."""
     number = 0
     while True:
@@ -120,8 +124,8 @@ def _mirrored(number: int, base: int) -> float:
     return found
 
 
-def _clear(phi: float, psi: float, delta: float) -> bool:
-    """Whether a point is not near a border."""
+def _is_clear(phi: float, psi: float, delta: float) -> bool:
+    """Whether a point lies well away from every border."""
     away = [abs(psi - delta) if psi < phi or delta < phi else AWAY]
     away.append(abs(psi - phi) if delta > phi else AWAY)
     away.append(abs(delta - phi) if psi > phi else AWAY)
@@ -130,7 +134,7 @@ def _clear(phi: float, psi: float, delta: float) -> bool:
 
 
 def _scene(variant: str, p: Parameters, points: list[Point]) -> Scene:
-    """Blocks side by side along the strike of one slope, each with its level load."""
+    """Blocks side by side along the strike of one slope, each with its horizontal load."""
     axes, blocks, place = _axes(p["alpha"]), [], 0.0
     free = (IN_PLANE, ACROSS) if variant.startswith("2d") else (FREE, FREE)
     for number, (psi, delta) in enumerate(points):
@@ -152,15 +156,19 @@ def _scene(variant: str, p: Parameters, points: list[Point]) -> Scene:
 
 def _declare(variant: str, p: Parameters) -> Trial:
     if not 1.0 <= p["phi"] <= 85.0:
-        raise ValueError(f"phi = {p['phi']!r} degrees; the chart is asked from 1 to 85 degrees")
+        raise ValueError(f"phi = {p['phi']!r} degrees; it must be between 1 and 85")
     if not 0.0 < p["alpha"] <= STEEPEST:
-        raise ValueError(f"alpha = {p['alpha']!r} degrees; it must be above 0, at most {STEEPEST}")
+        raise ValueError(
+            f"alpha = {p['alpha']!r} degrees; it must be above 0 and at most {STEEPEST}"
+        )
     points = _points(variant, p)
     duration = BRIEF * math.sqrt(p["R"] / p["g"])
     goal = History(duration, duration / OUTPUTS)
     seen = tuple(Displacement(1 + number) for number in range(len(points)))
     short = variant.endswith("short")
-    rungs = tuple(Knobs(duration / n, kn * _stiff(p)) for n, kn in ((SHORT,) if short else STEPS))
+    rungs = tuple(
+        Knobs(duration / n, kn * _stiffening(p)) for n, kn in ((SHORT,) if short else STEPS)
+    )
     levels = {Level.QUICK: rungs[:2], Level.DEFAULT: rungs[:3], Level.PAPER: rungs}
     study = Ladder(_scene(variant, p, points), goal, seen, levels)
     modes = tuple(_mode(number, point, p) for number, point in enumerate(points))
@@ -170,7 +178,7 @@ def _declare(variant: str, p: Parameters) -> Trial:
 
 
 def _chart(phi: float, points: Mapping[str, Point]) -> RegionMap:
-    """The chart of a friction angle: where modes meet, exactly."""
+    """The chart of a friction angle, with the exact borders between modes."""
     steep, stout = max(STEEPEST, phi), max(STOUTEST, phi)
     slender = np.linspace(0.1, phi, FINE, endpoint=False).tolist()
     joins = [(first_motion.slip_joins(phi, delta), delta) for delta in slender] + [(phi, phi)]
@@ -179,13 +187,13 @@ def _chart(phi: float, points: Mapping[str, Point]) -> RegionMap:
     return RegionMap("psi [degrees]", "delta [degrees]", MODES, tuple(borders), points)
 
 
-def _stiff(p: Parameters) -> float:
-    """By how much springs are stiffened, so that they set in as soon at any size and gravity."""
+def _stiffening(p: Parameters) -> float:
+    """The factor on stiffness by which springs respond equally fast at any size and gravity."""
     return p["R"] ** 2 * p["g"] / 9.81
 
 
 def _moved(p: Parameters, number: int, point: Point, run: Run) -> Vector:
-    """The displacement (2,) of a block's centre at the end, over g' T^2/2: down the slope, out."""
+    """Displacement (2,) of a block's centre at the end over g' T^2/2: down the slope, out of it."""
     moved = run.values[Displacement(1 + number)][-1] @ _axes(p["alpha"]).T
     pull = p["g"] / math.cos(math.radians(point[0] - p["alpha"]))
     return np.asarray(moved[[0, 2]] / (0.5 * pull * run.times[-1] ** 2))
@@ -196,12 +204,12 @@ def _law(p: Parameters, point: Point) -> dict[str, float]:
 
 
 def _nearest(moved: Vector, law: dict[str, float]) -> Mode:
-    """The mode whose displacement a block's is nearest to."""
+    """The mode whose displacement is nearest to that of the block."""
     return min(Mode, key=lambda mode: float(np.linalg.norm(moved - acceleration(mode, **law))))
 
 
 def _error(p: Parameters, number: int, point: Point, run: Run) -> float:
-    """How far a block is off its exact place, over g' T^2/2."""
+    """The distance of a block from its exact place, over g' T^2/2."""
     law = _law(p, point)
     due = acceleration(first_motion.mode(**law), **law)
     return float(np.linalg.norm(_moved(p, number, point, run) - due))
@@ -216,42 +224,45 @@ def _worst(points: list[Point], p: Parameters, short: bool) -> Scalar:
 
 
 def _agreeing(points: list[Point], p: Parameters) -> Count:
-    """How many points are as the chart has them: the figure that the paper gives."""
+    """The number of points that agree with the chart, which is the figure that the paper gives."""
     return Count(
-        "agree", "n", "points at which the block moves as the chart says",
-        lambda run: sum(_seen(p, *each, run) is _charted(p, each[1]) for each in enumerate(points)),
+        "agree", "n", "number of points at which the block moves as the chart says",
+        lambda run: sum(
+            _observed_mode(p, *each, run) is _charted_mode(p, each[1]) for each in enumerate(points)
+        ),
         len(points), Exact(ALL, not_judged=BORDERS),
     )  # fmt: skip
 
 
 def _mode(number: int, point: Point, p: Parameters) -> Count:
-    """What a block does: 0 it stays, 1 slides, 2 topples, 3 slides and topples."""
+    """The mode of a block: 0 stays, 1 slides, 2 topples, 3 slides and topples."""
     psi, delta = point
-    judge = Exact(ALL, not_judged=CLEAR if _clear(p["phi"], psi, delta) else BORDERS)
+    judge = Exact(ALL, not_judged=CLEAR if _is_clear(p["phi"], psi, delta) else BORDERS)
     return Count(
-        f"psi={psi:.4g} delta={delta:.4g}", "mode", "0 stays, 1 slides, 2 topples, 3 slides and "
-                                                    "topples",
-        lambda run: int(_seen(p, number, point, run)), int(_charted(p, point)), judge,
+        f"psi={psi:.4g} delta={delta:.4g}", "mode", "how the block moves: 0 stays, 1 slides, 2 "
+        "topples, 3 slides and topples",
+        lambda run: int(_observed_mode(p, number, point, run)), int(_charted_mode(p, point)), judge,
     )  # fmt: skip
 
 
-def _seen(p: Parameters, number: int, point: Point, run: Run) -> Mode:
+def _observed_mode(p: Parameters, number: int, point: Point, run: Run) -> Mode:
     return _nearest(_moved(p, number, point, run), _law(p, point))
 
 
-def _charted(p: Parameters, point: Point) -> Mode:
+def _charted_mode(p: Parameters, point: Point) -> Mode:
     return first_motion.mode(**_law(p, point))
 
 
 def _places(p: Parameters, short: bool) -> Exact:
-    turns = "the block turns, by up to 0.01, and its weight turns against its base meanwhile"
-    springs = "springs set in within a time that falls with their stiffness"
-    swings = "; short steps do not damp the swing by which they do"
+    turns = "the block turns by up to 0.01 rad, and so does its weight relative to its base"
+    springs = "springs need a time to build up their force, which is shorter the stiffer they are"
+    swings = "; short steps do not damp the oscillation that this leaves"
     bounds = {
         Method.SECOND_ORDER: Tolerance(TURNS, turns),
         Method.FIRST_ORDER: Tolerance(
             6e-2,
-            f"a start half a step off, dt/T, of which the longest step is a twentieth; and {turns}",
+            "the motion starts half a step late, an error of dt/T, a twentieth at the longest "
+            f"step; and {turns}",
             dt=BRIEF * math.sqrt(p["R"] / p["g"]) / STEPS[0][0],
             order=1,
             floor=TURNS,
@@ -259,7 +270,7 @@ def _places(p: Parameters, short: bool) -> Exact:
         Method.PENALTY: Tolerance(
             LARGEST_TOLERANCE if short else 6e-2,
             springs + swings * short,
-            kn=1e10 * _stiff(p),
+            kn=1e10 * _stiffening(p),
             softness=0.5,
         ),
     }
@@ -267,8 +278,8 @@ def _places(p: Parameters, short: bool) -> Exact:
 
 
 LATE = (
-    "friction of the iteration before lets blocks slip that should not: beside borders, and at "
-    "large friction also elsewhere, modes are missed, and errors do not fall with step or stiffness"
+    "friction of the previous iteration lets blocks slip that should not. Modes are wrong beside "
+    "borders, and with large friction elsewhere too; errors do not fall with step or stiffness"
 )
 SAME = Tolerance(1e-9, "the mode is either that of the chart, or wrong")
 ALL = dict.fromkeys((Method.SECOND_ORDER, Method.FIRST_ORDER, Method.PENALTY), SAME)
@@ -290,7 +301,8 @@ CASE = Case(
         "Secs. 3.2 and 4.3: 106 of 110 points agree in the plane, 49 of 51 and 89 of 89 in space. "
         "The points are not given: ours lie half a degree from the borders, on both sides, and "
         "evenly over the chart. The paper judges by rules in words; here the displacement of the "
-        "centre decides. Friction phi_c is that of a block that topples about its lower edge.",
+        "centre decides. At friction phi_c and above, a block topples about its lower edge without "
+        "sliding.",
     ),
     parameters=(
         Parameter("phi", 20.0, "degrees", "friction angle"),
@@ -301,7 +313,7 @@ CASE = Case(
     variants=(
         *(
             Variant(
-                f"{space}-{phi}", f"{SEVERAL} blocks with level loads, phi {phi}", FORMULA,
+                f"{space}-{phi}", f"{SEVERAL} blocks with horizontal loads, phi {phi}", FORMULA,
                 {"phi": float(phi)}, INERT | {"alpha"}, Level.QUICK if phi == 40 else Level.DEFAULT,
             )
             for space, several in (("2d", (10, 20, 30, 40, 60)), ("3d", (6, 20, 40, 50)))
@@ -316,7 +328,8 @@ CASE = Case(
         ),
         *(
             Variant(
-                f"{like}-short", f"as {like}, at a step that explicit codes bear", FORMULA,
+                f"{like}-short", f"as {like}, at a step at which explicit codes are "
+                "stable", FORMULA,
                 given, INERT | still, Level.QUICK if like == "2d-20" else Level.DEFAULT,
             )
             for like, given, still in (
@@ -327,7 +340,7 @@ CASE = Case(
         ),
     ),
     declare=_declare,
-    # where nearly all blocks stay, rounding of their weights is more than motion allows for
+    # where nearly all blocks stay, rounding errors of their weights exceed what the motion allows
     enforced=frozenset(Check) - {Check.CONSERVATION},
     published={
         "Sec. 3.2.2": "2D-DDA agrees at 106 of 110 points",

@@ -32,7 +32,7 @@ from vv.scene import Block, Contact, Harmonic, Scene, Vector, Wall, box_geometry
 
 SIDE, DENSITY = 1.0, 2500.0  # m, kg/m3 times m of height: neither enters the answer
 FREE, FLAT = "two-directions-turning", 0.2  # a plate [m high] that can turn
-FIRST = "gravity-10"  # whose block is listed before its wall
+FIRST = "gravity-10"  # the variant whose block is listed before its wall
 BLOCK = Displacement(1)
 STIFFER = Knobs(2.5e-4, 1e9)
 
@@ -44,7 +44,7 @@ def _axes(alpha: float) -> Vector:
 
 
 def _scene(variant: str, p: Parameters) -> Scene:
-    """A cube that cannot rotate, or a plate that need not, on a plane that dips towards +x."""
+    """A cube that cannot rotate, or a plate that can, on a plane that dips towards +x."""
     axes = _axes(p["alpha"])
     half = np.array([SIDE, SIDE, FLAT if variant == FREE else SIDE]) / 2
     vertices, faces = box_geometry(half[2] * axes[2], half, axes)
@@ -70,24 +70,24 @@ def _declare(variant: str, p: Parameters) -> Trial:
     if variant == FREE and not np.tan(np.radians(p["phi"])) * FLAT < SIDE:
         raise ValueError(f"phi = {p['phi']!r} deg; the plate would tip")
     scene, goal = _scene(variant, p), History(p["duration"], p["duration"] / 400)
-    quantities = (_both if p["Ay"] > 0 else _down)(p, scene, goal)
+    quantities = (_dip_and_strike if p["Ay"] > 0 else _along_dip)(p, scene, goal)
     timed = (RUNGS[0], STIFFER) if variant in ("newmark-30", "two-directions") else ()
-    return Trial(Ladder(scene, goal, _seen(scene), levels(STIFFER), timed), quantities)
+    return Trial(Ladder(scene, goal, _observed(scene), levels(STIFFER), timed), quantities)
 
 
-def _seen(scene: Scene) -> tuple[Displacement]:
-    """What is observed: the block, wherever it is listed."""
+def _observed(scene: Scene) -> tuple[Displacement]:
+    """The observable: the displacement of the block, whichever body that is."""
     return (Displacement(scene.body_numbers(Block)[0]),)
 
 
 def _fall(p: Parameters) -> float:
-    """How far [m] it would fall freely: the scale of errors where friction holds the block."""
+    """The height of a free fall [m], which scales errors where friction holds the block."""
     return 0.5 * p["g"] * p["duration"] ** 2
 
 
-def _down(p: Parameters, scene: Scene, goal: History) -> tuple[Quantity, ...]:
+def _along_dip(p: Parameters, scene: Scene, goal: History) -> tuple[Quantity, ...]:
     """The motion along the dip."""
-    (seen,) = _seen(scene)
+    (seen,) = _observed(scene)
     names = ("alpha", "phi", "A", "f", "g", "v0")
     return (
         Series(
@@ -103,11 +103,11 @@ def _down(p: Parameters, scene: Scene, goal: History) -> tuple[Quantity, ...]:
     )
 
 
-def _both(p: Parameters, scene: Scene, goal: History) -> tuple[Quantity, ...]:
+def _dip_and_strike(p: Parameters, scene: Scene, goal: History) -> tuple[Quantity, ...]:
     """The motion along dip and strike, whose direction rotates."""
     if p["v0"]:
         raise ValueError(
-            f"v0 = {p['v0']!r} m/s; shaken along the strike too, the block starts at rest"
+            f"v0 = {p['v0']!r} m/s; a block shaken along the strike too must start at rest"
         )
     drive = {"ax": p["A"], "fx": p["f"], "ay": p["Ay"], "fy": p["fy"]}
     law = {name: p[name] for name in ("alpha", "phi", "g")}
@@ -128,13 +128,13 @@ def _both(p: Parameters, scene: Scene, goal: History) -> tuple[Quantity, ...]:
 
 
 def _tolerances(p: Parameters) -> dict[Method, Tolerance]:
-    """What codes can do: a parabola exactly, a sine to the order of the step, and springs lag."""
+    """The tolerances: parabolas are exact, sines have the order of the step, and springs lag."""
     if not p["A"] and (p["alpha"] > p["phi"] or not p["v0"]):
         return {**STEADY, Method.FIRST_ORDER: _half_steps(p)}
     sine = Tolerance(
-        _of_sine(p["f"] if p["A"] else 0.0),
+        _sine_error(p["f"] if p["A"] else 0.0),
         "the trapezoidal rule integrates gravity exactly, and the sine with an error of "
-        "(w dt)^2/12, of which twice is allowed; events are located within the step",
+        "(w dt)^2/12; twice that is allowed. Events are located within the step",
         dt=STEP,
         order=2,
         floor=1e-9,
@@ -147,29 +147,30 @@ def _tolerances(p: Parameters) -> dict[Method, Tolerance]:
 
 
 def _half_steps(p: Parameters) -> Tolerance:
-    """For rigid contact whose forces or laws are those of one end of a step."""
+    """For rigid contact with the forces, or the contact law, of one end of a step."""
     speed = np.hypot(p["A"] / p["f"], p["Ay"] / p["fy"]) / (2 * np.pi)
     return Tolerance(
         STEADY[Method.SECOND_ORDER].value,
-        "a start half a step off is dt/T of the way; friction of a step is that at its end, late "
-        "by up to half a step where slip ends or turns, of the speed that shaking gives",
-        late=1.2 * (1 / p["duration"] + float(speed) / _slid(p)),
+        "the motion starts half a step late, an error of dt/T of the displacement. Friction acts "
+        "with its value at the end of a step: where slip stops or reverses it is up to half a step "
+        "late, at the speed that shaking gives",
+        late=1.2 * (1 / p["duration"] + float(speed) / _largest_slip(p)),
         slack="a scheme that starts in the middle of a step follows a parabola to rounding",
     )
 
 
-def _of_sine(f: float) -> float:
-    """(w dt)^2/6 at the step STEP for the frequency [Hz], as a tolerance may be."""
+def _sine_error(f: float) -> float:
+    """(w dt)^2/6 at the step STEP for a frequency [Hz], within the range of a tolerance."""
     return float(np.clip((2 * np.pi * f * STEP) ** 2 / 6, 1e-9, LARGEST_TOLERANCE))
 
 
 def _on_springs(late: Tolerance) -> dict[Method, Tolerance]:
-    """The tolerances of a block on springs; friction that lags makes the error twice as large."""
+    """The tolerances of a block on springs; lagging friction doubles the error."""
     lagging = dataclasses.replace(
         late,
         value=min(2 * late.value, LARGEST_TOLERANCE),
         late=2 * late.late,
-        reason=f"twice that: {late.reason}",
+        reason=f"lagging friction doubles the error of springs: {late.reason}",
     )
     return {
         Method.EXACT: STEADY[Method.EXACT],
@@ -178,50 +179,53 @@ def _on_springs(late: Tolerance) -> dict[Method, Tolerance]:
     }
 
 
-def _slid(p: Parameters) -> float:
-    """About how far [m] the block slides, by what shakes it along the dip."""
+def _largest_slip(p: Parameters) -> float:
+    """The largest displacement [m] of the block under the shaking along the dip alone."""
     way = {name: p[name] for name in ("alpha", "phi", "A", "f", "g", "v0")}
     slid = float(np.abs(incline.newmark(np.linspace(0.0, p["duration"], 101), **way)).max())
     return slid or _fall(p)
 
 
 def _friction(p: Parameters) -> float:
-    """Of the weight alone, over the mass [m/s2]."""
+    """The friction that the weight alone allows, over the mass [m/s2]."""
     normal = p["g"] * np.cos(np.radians(p["alpha"]))
     return float(normal * np.tan(np.radians(p["phi"])))
 
 
 def _stopping(p: Parameters, times: float) -> Tolerance:
-    """For a block that stops and slips again; times: how many stretches of its spring a cycle."""
+    """For a block that stops and slips again; times: stretches of its shear spring per cycle."""
     cycles = max(1.0, max(p["f"], p["fy"] if p["Ay"] else 0.0) * p["duration"])
-    stretch = max(times * _friction(p), 0.0 if p["Ay"] else _sunk(p)) * MASS / SPRING
+    stretch = max(times * _friction(p), 0.0 if p["Ay"] else _sinking(p)) * MASS / SPRING
     speed = np.hypot(p["A"] / p["f"], p["Ay"] / p["fy"]) / (2 * np.pi)
     return Tolerance(
-        float(np.clip(cycles * stretch / _slid(p), 1e-9, LARGEST_TOLERANCE)),
-        f"each cycle costs some stretches mu N/ks of the shear spring, {times:g} at most, or what "
-        "the speed at which it sinks as slip begins and ends makes of a cycle; what shakes is "
-        "taken half a step late, as is what drives at once, and what stops stops with a step",
+        float(np.clip(cycles * stretch / _largest_slip(p), 1e-9, LARGEST_TOLERANCE)),
+        f"each cycle of slip and rest costs up to {times:g} stretches mu N/ks of the shear spring, "
+        "or the slip that sinking adds where slip begins and ends. Shaking acts half a step late, "
+        "and so do gravity and friction if the block slides from the start; slip stops at the end "
+        "of a step",
         kn=SPRING,
         softness=1,
-        late=1.2 * (float(speed) + _begun(p)) / _slid(p),
+        late=1.2 * (float(speed) + _start_error(p)) / _largest_slip(p),
     )
 
 
-def _sunk(p: Parameters) -> float:
-    """What sinking costs a cycle, over m/kn [m/s2].
+def _sinking(p: Parameters) -> float:
+    """The displacement that sinking adds in a cycle, over m/kn [m/s2].
 
-    The block sinks by m A sin(alpha) sin(wt)/kn, and friction makes of the speed of that tan(phi)
-    times as much slip: w m A sin(alpha) tan(phi)/kn at most, as much again by the swing that the
-    start leaves, both where slip begins and where it ends. All of a cycle 2 pi/w keeps that.
+    The block sinks by m A sin(alpha) sin(wt)/kn. As it sinks, friction changes the speed of slip by
+    tan(phi) times the speed of sinking, w m A sin(alpha) tan(phi)/kn at most; the oscillation that
+    the start leaves adds as much again. This happens where slip begins and where it ends, and lasts
+    for a cycle 2 pi/w.
     """
     alpha, phi = np.radians([p["alpha"], p["phi"]])
     return float(4.0 * 2.0 * np.pi * p["A"] * np.sin(alpha) * np.tan(phi))
 
 
-def _begun(p: Parameters) -> float:
-    """What a start half a step late costs over the step [m/s], where the block slides at once.
+def _start_error(p: Parameters) -> float:
+    """The error of a start half a step late, over the step [m/s], of a block that slides at once.
 
-    It is half the change of speed that weight and friction make by the end, or until it stops.
+    It is half the change of speed that weight and friction cause until the end, or until the block
+    stops.
     """
     pull = p["g"] * float(np.sin(np.radians(p["alpha"]))) - _friction(p)
     if pull > 0:
@@ -231,11 +235,11 @@ def _begun(p: Parameters) -> float:
 
 def _turning(p: Parameters) -> Tolerance:
     """For a block that slips downhill and uphill in turn."""
-    delayed = _friction(p) * p["duration"] * np.sqrt(MASS / SPRING) / _slid(p)
+    delayed = _friction(p) * p["duration"] * np.sqrt(MASS / SPRING) / _largest_slip(p)
     return Tolerance(
         float(np.clip(REVERSED * delayed, 1e-9, LARGEST_TOLERANCE)),
-        "springs delay each turn of the slip by a part of 1/w, w^2 = kn/m: over the whole duration "
-        f"T that adds up to {REVERSED:g} of mu N T/(m w)",
+        "springs delay each reversal of slip by a fraction of 1/w, w^2 = kn/m; over the duration T "
+        f"the delays add up to {REVERSED:g} mu N T/(m w)",
         kn=SPRING,
         softness=0.5,
     )
@@ -243,13 +247,15 @@ def _turning(p: Parameters) -> Tolerance:
 
 STEP = 1e-3  # s
 SPRING, MASS = 1e8, DENSITY * SIDE**2  # N/m, kg
-ONE_WAY, CORNERS, REVERSED = 3.0, 7.0, 0.08  # the second for a plate, on a spring at each corner
+ONE_WAY, CORNERS, REVERSED = 3.0, 7.0, 0.08  # CORNERS is for a plate with a spring at each corner
 ROUNDED = (
-    "the forces are constant and springs start charged: a parabola, followed to the rounding of "
-    "up to 100 000 steps; no slip begins or ends"
+    "forces are constant and springs start charged, so that no slip begins or ends: the answer is "
+    "a parabola, and only rounding errors of up to 100 000 steps remain"
 )
 STEADY = {
-    Method.EXACT: Tolerance(1e-13, "rounding errors of a few hundred located events at most"),
+    Method.EXACT: Tolerance(
+        1e-13, "only rounding errors of at most a few hundred located events remain"
+    ),
     **dict.fromkeys(
         (Method.SECOND_ORDER, Method.PENALTY, Method.LAGGING), Tolerance(1e-11, ROUNDED)
     ),
@@ -257,12 +263,12 @@ STEADY = {
 
 
 def _rotating(p: Parameters, swept: bool) -> Tolerance:
-    """Of second order; swept: contacts are solved by sweeps over the four corners of a plate."""
+    """For second order; swept: sweeps over the four corners of a plate solve its contacts."""
     left = "; iterations over four contacts leave a residual in each of 240 000 steps"
     return Tolerance(
-        _of_sine(max(p["f"], p["fy"])),
-        "where the direction of slip rotates, friction acts along its mean direction over a step: "
-        f"(w dt)^2/12, of which twice is allowed{left if swept else ''}",
+        _sine_error(max(p["f"], p["fy"])),
+        "where the direction of slip rotates, friction acts along its mean direction over a step, "
+        f"an error of (w dt)^2/12; twice that is allowed{left if swept else ''}",
         dt=STEP,
         order=2,
         floor=3e-7 if swept else 1e-8,
@@ -298,7 +304,7 @@ def _undriven() -> tuple[Variant, ...]:
 
 
 def _driven() -> tuple[Variant, ...]:
-    """Newmark's sine, and two sines across each other."""
+    """Newmark's sine, and two sines at right angles."""
     sine, one_way = {"alpha": 20.0, "A": 5.0}, frozenset({"fy"})
     return (
         *(
@@ -319,7 +325,7 @@ def _driven() -> tuple[Variant, ...]:
     )  # fmt: skip
 
 
-BEFORE = ", and listed before the slope"
+BEFORE = ", with the block listed before the slope"
 FALL = "d = v0 t + (g/2)(sin alpha - cos alpha tan phi) t^2"
 NEWMARK = (
     "d'' = g (sin alpha - cos alpha tan phi) + A sin(wt) (cos alpha + sin alpha tan phi) while it "
@@ -334,10 +340,10 @@ CASE = Case(
     title="Block on an incline",
     source=Source(
         *YAGODA_BIRAN_2016,
-        "A and f of Fig. 3 are not given: A = 5 m/s2 and 1 Hz are chosen. Eq. 8 lacks "
-        "(A/w)(cos alpha + sin alpha tan phi) t. The horizontal launch of Sec. 4.1.2 would leave "
-        "the plane: the velocity is taken down the dip, with phi = 20 chosen. The motion of Fig. "
-        "15 is not given either: two sines are chosen. g = 9.81 m/s2.",
+        "Fig. 3 does not give A and f: 5 m/s2 and 1 Hz are chosen. Eq. 8 lacks the term "
+        "(A/w)(cos alpha + sin alpha tan phi) t. A block launched horizontally as in Sec. 4.1.2 "
+        "would leave the plane: here it is launched down the dip, with phi = 20 chosen. The motion "
+        "of Fig. 15 is not given either: two sines are chosen. g = 9.81 m/s2.",
     ),
     parameters=(
         Parameter("alpha", 28.0, "deg", "slope"),

@@ -1,4 +1,4 @@
-"""A loaded block that slips without stopping along a shaking slope, under all drives at once."""
+"""A loaded block that slips without stopping along a shaking slope, under many drives at once."""
 
 from __future__ import annotations
 
@@ -28,13 +28,13 @@ from vv.case import (
 )
 from vv.scene import Block, Contact, Scene, Vector, Wall, box_geometry, polyhedron_inertia
 
-HALF = {"level": 0.5, "turning": 0.1}  # m: of the height; a plate does not tip
+HALF = {"level": 0.5, "turning": 0.1}  # half heights [m]; a plate does not tip
 SIDE, DENSITY = 1.0, 2500.0  # m, kg/m3, which do not enter the answer
 UP = np.array([0.0, 0.0, 1.0])
-HEADING = np.radians(25)  # of the slip from x: along no axis of the frame
+HEADING = np.radians(25)  # direction of the slip from x, along no axis of the frame
 SAMPLES = 100
-FINE = 200.0  # points a second, 40 a cycle of the quickest drive, at which slip is made sure of
-APART = 1e-10  # m at t = 0: shows in no figure, and is no matter of rounding
+FINE = 200.0  # checks of the slip per second: 40 in a cycle of the fastest drive
+APART = 1e-10  # gap at t = 0 [m]: too small to be seen, and well above rounding errors
 SEEN: tuple[Observable, ...] = (Displacement(1), Velocity(1))
 
 
@@ -48,7 +48,7 @@ def _axes(p: Parameters) -> Vector:
 
 
 def _sines(p: Parameters) -> tuple[Sine, Sine, Sine, Sine]:
-    """What shakes the block along the slip and the normal, and how the wall moves along these."""
+    """The shaking along the slip and the normal, and the motion of the wall along both."""
     turn = 2 * np.pi
     return (
         Sine(p["a"], turn * 2.0, 0.7),
@@ -59,7 +59,7 @@ def _sines(p: Parameters) -> tuple[Sine, Sine, Sine, Sine]:
 
 
 def _scene(variant: str, p: Parameters) -> Scene:
-    """A block on a slope; a load takes the place of what would hold it up."""
+    """A block on a slope; a load balances the component of its weight down the slope."""
     axes, gravity = _axes(p), -p["g"] * UP
     one, other, slid, lifted = _sines(p)
     half = np.array([SIDE / 2, HALF[variant], SIDE / 2])
@@ -88,7 +88,7 @@ def _motion(p: Parameters, t: Vector) -> tuple[Vector, Vector]:
 
 
 def _drives(p: Parameters) -> laden_block.Drives:
-    """What presses and drives the block."""
+    """The loads, the shaking and the lift that press and drive the block."""
     one, other, _, lifted = _sines(p)
     pressed = -p["press"] - p["g"] * np.cos(np.radians(p["alpha"]))
     return {"constant": (p["push"], pressed), "shaking": (one, other), "lifting": lifted}
@@ -102,7 +102,10 @@ def _check(variant: str, p: Parameters) -> None:
     for what, left, unit in (("pressure", press, "m/s2"), ("slip", past, "m/s")):
         if not left.min() > 0:
             at = f"{left.min():.6g} {unit} at t = {fine[left.argmin()]:.6g} s"
-            raise ValueError(f"{what} = {at}; the block must press and slip on")
+            raise ValueError(
+                f"{what} = {at}; it must stay positive, so that the block presses and "
+                "slips all the time"
+            )
     if variant == "turning" and not p["mu"] * HALF[variant] < SIDE / 2:
         raise ValueError(f"mu = {p['mu']!r}; the plate would tip")
 
@@ -113,8 +116,8 @@ def _declare(variant: str, p: Parameters) -> Trial:
     _check(variant, p)
     way = Motion(SEEN[0], axes, lambda t: _motion(p, t)[0], times, "m")
     speed = Motion(SEEN[1], axes, lambda t: _motion(p, t)[1], times, "m/s")
-    slips, rises = (_in_proportion(one, p, 0) for one in (SLIPS, RISES))
-    speeds = _in_proportion(SPEEDS, p, 1)
+    slips, rises = (_scaled_bounds(one, p, 0) for one in (SLIPS, RISES))
+    speeds = _scaled_bounds(SPEEDS, p, 1)
     parts = (
         way.component(0, "slip", "displacement along the slip", slips),
         way.component(1, "rise", "displacement along the normal of the slope", rises),
@@ -128,14 +131,17 @@ def _declare(variant: str, p: Parameters) -> Trial:
     return Trial(Ladder(_scene(variant, p), goal, SEEN, levels(Knobs(1e-4, 1e9))), parts)
 
 
-def _in_proportion(bounds: Mapping[Method, Tolerance], p: Parameters, what: int) -> Exact:
-    """The bounds for springs, in proportion to what drives the block, over its way or speed.
+def _scaled_bounds(bounds: Mapping[Method, Tolerance], p: Parameters, what: int) -> Exact:
+    """The bounds for springs, in proportion to the drives over the displacement or the speed.
 
-    what: 0 for the way, 1 for the speed. They are those of the case's own parameters.
+    what: 0 for the displacement, 1 for the speed. The given bounds are those at the case's own
+    parameters.
     """
     own = CASE.defaults("level")
     larger = [
-        abs(drive / usual) for drive, usual in zip(_driven(p), _driven(own), strict=True) if usual
+        abs(drive / usual)
+        for drive, usual in zip(_drive_sizes(p), _drive_sizes(own), strict=True)
+        if usual
     ]
     moved = [
         float(np.abs(_motion(one, np.linspace(0, one["duration"], SAMPLES))[what]).max())
@@ -143,36 +149,37 @@ def _in_proportion(bounds: Mapping[Method, Tolerance], p: Parameters, what: int)
     ]
     times = max(1.0, *larger) * moved[1] / moved[0]
     return Exact({
-        method: _times(one, times) if one.kn is not None else one for method, one in bounds.items()
+        method: _scaled(one, times) if one.kn is not None else one for method, one in bounds.items()
     })  # fmt: skip
 
 
-def _driven(p: Parameters) -> tuple[float, ...]:
-    """Shaking [m/s2], the way of the slope [m] and what slows the block [m/s2], with friction."""
+def _drive_sizes(p: Parameters) -> tuple[float, ...]:
+    """Shaking a [m/s2], motion D of the slope [m], deceleration [m/s2], mu a and mu D."""
     pressed = p["press"] + p["g"] * np.cos(np.radians(p["alpha"]))
     slowed = p["mu"] * pressed - p["push"]
     return p["a"], p["D"], slowed, p["mu"] * p["a"], p["mu"] * p["D"]
 
 
-def _times(bound: Tolerance, times: float) -> Tolerance:
-    """A bound that is so many times as large, as a tolerance may be."""
+def _scaled(bound: Tolerance, times: float) -> Tolerance:
+    """A bound that is `times` as large, up to the largest tolerance."""
     value = min(times * bound.value, LARGEST_TOLERANCE)
     floor, late = min(times * bound.floor, value), times * bound.late
-    reason = f"{bound.reason}; in proportion to the largest drive over the motion"
+    reason = f"{bound.reason}; scaled by the largest drive over the motion"
     return dataclasses.replace(bound, value=value, floor=floor, late=late, reason=reason)
 
 
 SUNK = Tolerance(
     2e-4,
-    "the block sinks as the pressure changes, by 1e-4 of its displacement, and twice as far where "
-    "it swings",
+    "the block sinks into its springs as the pressure changes, by 1e-4 of its displacement, and "
+    "twice as far where it oscillates",
     kn=1e8,
     softness=1,
 )
 SLOWED = Tolerance(
     5e-5,
-    "friction follows the pressure, by which the block sinks and swings, 3e-5 of its displacement; "
-    "implicit steps take what drives it at their ends, half a step late",
+    "friction is in proportion to the pressure, which changes as the block sinks and oscillates: "
+    "an error of 3e-5 of the displacement. Implicit steps use the drives at their ends, half a "
+    "step late",
     kn=1e8,
     softness=1,
     late=0.2,
@@ -187,24 +194,24 @@ RATES = Tolerance(
 )
 SWINGING = Tolerance(
     1.5e-3,
-    "the block sinks as the pressure changes; and what moves the slope and the block at t = 0, "
-    "1.3 m/s2 more than their springs are charged for, leaves a swing of 1.3 sqrt(m/(4 kn)), "
-    "1.1e-3 of the speed, which this step damps within some cycles",
+    "the block sinks as the pressure changes. At t = 0 the accelerations of slope and block exceed "
+    "by 1.3 m/s2 what their springs are charged for: this leaves an oscillation of 1.3 "
+    "sqrt(m/(4 kn)), 1.1e-3 of the speed, which this step damps within some cycles",
     kn=1e8,
     softness=0.5,
 )
 LATE = dataclasses.replace(
-    SLOWED, late=0.5, reason=f"{SLOWED.reason}, and friction that is an iteration late adds to it"
+    SLOWED, late=0.5, reason=f"{SLOWED.reason}; friction that lags by an iteration adds to it"
 )
 SOON = dataclasses.replace(
-    RATES, late=0.3, reason=f"{RATES.reason}; friction that is an iteration late adds to it"
+    RATES, late=0.3, reason=f"{RATES.reason}; friction that lags by an iteration adds to it"
 )
 WHOLE = Tolerance(
     1e-11,
-    "forces of a step taken at one of its ends are half a step late, of drives at 5 Hz that cause "
-    "a tenth of the speed, and so is the start",
+    "a step that uses the forces at one of its ends has them half a step late, and drives at 5 Hz "
+    "cause a tenth of the speed; the motion also starts half a step late",
     late=10.0,
-    slack="a scheme that takes forces half a step before its velocities has no such error here",
+    slack="a scheme whose forces are half a step before its velocities has no such error here",
 )
 EXACTLY = Tolerance(1e-13, "no event; only rounding errors of Taylor series remain")
 ROUNDED = Tolerance(
@@ -215,7 +222,7 @@ SLIPS = {
     Method.EXACT: EXACTLY,
     Method.SECOND_ORDER: Tolerance(
         1e-6,
-        "forces are taken at the ends of steps: an error of (w dt)^2/12 in the part of the "
+        "a step uses the forces at its ends: an error of (w dt)^2/12 in the part of the "
         "displacement that the drives cause, which is 1 %",
         dt=1e-3,
         order=2,
@@ -229,8 +236,8 @@ RISES = {
     Method.EXACT: EXACTLY,
     Method.SECOND_ORDER: Tolerance(
         1.5e-8,
-        "contact is rigid: the block follows the slope, but for the first step; the gap of 1e-10 m "
-        "at the start is 7e-11 of its displacement",
+        "contact is rigid: the block follows the slope in all steps but the first. The gap of "
+        "1e-10 m at the start is 7e-11 of its displacement",
         dt=1e-3,
         order=2,
         floor=3e-10,
@@ -243,7 +250,8 @@ SPEEDS = {
     Method.EXACT: EXACTLY,
     Method.SECOND_ORDER: Tolerance(
         4e-6,
-        "a velocity is the mean of two steps: (w dt)^2/6 of that of the lift, 2 % of the whole",
+        "a velocity is the mean of two steps: an error of (w dt)^2/6 in the velocity of the lift, "
+        "which is 2 % of the whole",
         dt=1e-3,
         order=2,
     ),
@@ -260,13 +268,16 @@ BOOKS = {
     Method.FIRST_ORDER: WHOLE,
     Method.PENALTY: Tolerance(
         5e-7,
-        "explicit steps book the work of forces at the ends of steps, (w dt)^2/12 of a part",
+        "explicit steps count the work of forces at the ends of steps: an error of (w dt)^2/12 in "
+        "a part of it",
         dt=1e-3,
         order=2,
         floor=3e-11,
     ),
     Method.LAGGING: Tolerance(
-        3e-11, "the ledger uses the forces of the motion: rounding of 40 000 steps"
+        3e-11,
+        "the ledger uses the same forces as the motion: only rounding errors of 40 000 "
+        "steps remain",
     ),
 }
 SLIP = (
@@ -280,13 +291,13 @@ CASE = Case(
         "Newmark (1965), Effects of earthquakes on dams and embankments, Geotechnique 15(2), "
         "139-160",
         "10.1680/geot.1965.15.2.139",
-        "A block that slips under changing pressure, always in one direction, so that each drive "
+        "The block slips under changing pressure, always in one direction, so that every drive "
         "contributes in closed form: dead load, shaking and a lifting wall, each with a phase.",
     ),
     parameters=(
         Parameter("alpha", 30.0, "deg", "slope"),
         Parameter("mu", 0.3, "", "friction coefficient"),
-        Parameter("v", 3.0, "m/s", "velocity along the slope, level"),
+        Parameter("v", 3.0, "m/s", "initial velocity along the slope, horizontal"),
         Parameter("push", 0.5, "m/s2", "dead load along the slip, over mass"),
         Parameter("press", 2.0, "m/s2", "dead load into the slope, over mass"),
         Parameter("a", 1.5, "m/s2", "amplitude of the shaking along the slip"),
@@ -295,7 +306,7 @@ CASE = Case(
         Parameter("duration", 0.5, "s", "time simulated"),
     ),
     variants=(
-        Variant("level", "a cube that cannot turn, thrown level along the slope", SLIP),
+        Variant("level", "a cube that cannot turn, launched horizontally along the slope", SLIP),
         Variant("turning", "a plate that is free to rotate, but does not", SLIP),
     ),
     declare=_declare,

@@ -76,36 +76,36 @@ def _declare(variant: str, p: Parameters) -> Trial:
     borne = sum(block.mass for block in blocks) * p["g"]
     if variant in BORNE_BY:
         seen = (*moving, Reaction(BED), *_balance.watched(scene, BED))
-    quantities = _still(moving, p, blocks) if still else _slid(moving, p)
+    quantities = _at_rest(moving, p, blocks) if still else _sliding_wall(moving, p)
     if variant in SHAKEN:
         quantities = (_farthest(moving, None, Shown(PATHS)),)
     if variant in BORNE_BY:
-        quantities += () if still else (_sheared(borne),)
+        quantities += () if still else (_base_shear(borne),)
         quantities += _balance.balance(scene, BED, p)
     lags = Tolerance(1e-4 if variant in SHAKEN else 1e-7, LAGS)
     allowed = {Method.SECOND_ORDER: CREEP, Method.LAGGING: lags}
     unexplained = EnergyAllowance(borne * LENGTH, allowed) if borne else None
-    # at the finer ones, friction a hundredth off leaves the bounds of a wall that slides
+    # only at the finer steps does an error of 1 % of friction show in a wall that slides
     rungs = dict.fromkeys(Level, FINE if variant in (*SHAKEN, "slides") else RUNGS)
     goal = History(p["duration"], p["duration"] / 10)
     return Trial(Ladder(scene, goal, seen, rungs), quantities, unexplained)
 
 
-def _still(
+def _at_rest(
     moving: tuple[Displacement, ...], p: Parameters, blocks: list[Block]
 ) -> tuple[Quantity, ...]:
-    """Of masonry at rest: what its bedstone bears, which is its weight, and that nothing moves."""
+    """For masonry at rest: its bedstone bears its weight, and nothing moves."""
     areas = facade.areas(int(p["columns"]), int(p["courses"]), LENGTH, HEIGHT)
     weight = (sum(areas) * 2 * DEEP * DENSITY + blocks[BED].mass) * p["g"]
     bears = Exact({Method.SECOND_ORDER: BORNE}, not_judged=SWINGS)
     return (
         Series(
-            "borne", "R", "N", "force that holds the bedstone up",
+            "borne", "R", "N", "vertical force that holds the bedstone",
             lambda run: run.values[Reaction(BED)][:, 2],
             lambda t: np.full(len(t), weight), bears,
         ),
         Series(
-            "thrust", "T", "N", "force that holds the bedstone against moving sideways",
+            "thrust", "T", "N", "horizontal force that holds the bedstone",
             lambda run: run.values[Reaction(BED)][:, 0],
             lambda t: np.zeros(len(t)), bears, still=weight,
         ),
@@ -114,41 +114,45 @@ def _still(
 
 
 def _sagging(weight: float) -> dict[Method, Tolerance]:
-    """How far masonry at rest moves on springs."""
+    """The displacement of masonry at rest on springs."""
     sags = Tolerance(
-        weight / 1e9 / LENGTH, "less than if one spring were let go by all of the weight",
-        kn=1e9, softness=1.0, slack="slip at the start lets springs go by some of the weight only",
+        weight / 1e9 / LENGTH, "less than the rebound of one spring that is released from the "
+        "whole weight",
+        kn=1e9, softness=1.0, slack="slip at the start releases springs from a part of the weight "
+        "only",
     )  # fmt: skip
     return {Method.PENALTY: sags, Method.LAGGING: sags}
 
 
-def _sliding(p: Parameters) -> Exact:
-    """How a wall that slides is judged, by its courses on springs and by the step."""
+def _sliding_bounds(p: Parameters) -> Exact:
+    """The bounds of a wall that slides, by its courses on springs and by the step."""
     whole = (
-        "the step in which all slip turns about is not cut: the speed is then off by up to "
-        "2 mu g dt, f times a second, and the way by that times the time that is left, over D"
+        "the step in which slip reverses is not cut: the speed gets an error of up to 2 mu g dt, f "
+        "times a second, and the displacement that error times the time that is left, over D"
     )
     turns = max(1.0, p["mu"] * p["g"] * p["f"] * p["duration"] ** 2 / p["D"] / 20.0)
     bound = min(LARGEST_TOLERANCE, 2e-2 * turns)
     second = Tolerance(bound, whole, dt=2e-3, order=1)
-    first = Tolerance(bound, whole, dt=2e-3, order=1, slack="where in a step slip turns is chance")
+    first = Tolerance(
+        bound, whole, dt=2e-3, order=1, slack="where in a step slip reverses is a matter of chance"
+    )
     penalty = Tolerance(
         2.5e-3 * p["courses"],
-        "a wall of n courses on springs sways at w/n, w^2 = kn/m, and is late by parts of n/w; "
-        "and " + whole,
+        "a wall of n courses on springs sways with the frequency w/n, w^2 = kn/m, and lags by "
+        "fractions of n/w; and " + whole,
         kn=1e9, softness=0.5, late=10.0 * turns,
     )  # fmt: skip
     return Exact(
         {Method.SECOND_ORDER: second, Method.FIRST_ORDER: first, Method.PENALTY: penalty},
         not_judged={
-            Method.LAGGING: "where friction lags, courses slip on one another, by a quarter of "
-            "the way"
+            Method.LAGGING: "with lagging friction, courses slip on one another by a quarter of "
+            "the displacement"
         },
     )
 
 
-def _slid(moving: tuple[Displacement, ...], p: Parameters) -> tuple[Quantity, ...]:
-    """Of a wall without an arch: all of it slides on the bedstone as one block does."""
+def _sliding_wall(moving: tuple[Displacement, ...], p: Parameters) -> tuple[Quantity, ...]:
+    """For a wall without an arch: all of it slides on the bedstone as a single block does."""
 
     def reference(t: Vector) -> Vector:
         moved = responding_block.one_direction(t, D=p["D"], f=p["f"], mu=p["mu"], g=p["g"])
@@ -157,7 +161,7 @@ def _slid(moving: tuple[Displacement, ...], p: Parameters) -> tuple[Quantity, ..
     def slid(name: str, what: str, body: Displacement) -> Quantity:
         return Series(
             name, "u", "m", f"displacement along the base of the {what}",
-            ComponentAlong(body, X), reference, _sliding(p), still=2 * p["D"],
+            ComponentAlong(body, X), reference, _sliding_bounds(p), still=2 * p["D"],
         )  # fmt: skip
 
     return (
@@ -178,9 +182,10 @@ def _farthest(
     )  # fmt: skip
 
 
-def _sheared(weight: float) -> Quantity:
+def _base_shear(weight: float) -> Quantity:
     return Scalar(
-        "sheared", "max|T|", "N", "largest force at one of ten times that moves the bedstone along",
+        "sheared", "max|T|", "N", "largest horizontal force on the bedstone at the ten output "
+        "times",
         lambda run: float(np.abs(run.values[Reaction(BED)][:, 0]).max()), None, weight or 1.0,
         Shown(PATHS),
     )  # fmt: skip
@@ -192,32 +197,35 @@ SHAKEN = ("shaken", "borne", "shaken-200")
 BORNE_BY = ("rest", "rest-200", "borne", "shaken-200")
 SWINGS = dict.fromkeys(
     (Method.PENALTY, Method.LAGGING),
-    "springs begin as if friction held all; what slip lets go swings, and the force with it: of "
-    "springs the integral of the force is judged",
+    "springs start as if friction held everything. Slip then releases some of them, and the force "
+    "oscillates; on springs the integral of the force is judged instead",
 )
-BORNE = Tolerance(1e-6, "contacts are solved to 5e-6 m/s at worst, and at rest far closer")
-RESTS = Tolerance(1e-6, "at rest contacts are solved to far less than the 5e-6 m/s asked of a step")
-CREEP = Tolerance(1e-6, "rounding, and what contacts solved to 5e-6 m/s give or take")
+BORNE = Tolerance(1e-6, "contacts are solved to 5e-6 m/s or better, and far better at rest")
+RESTS = Tolerance(
+    1e-6, "at rest, contacts are solved far better than to the 5e-6 m/s required of a step"
+)
+CREEP = Tolerance(1e-6, "rounding errors, and the work of contacts that are solved to 5e-6 m/s")
 LAGS = (
-    "where friction lags, courses slip on one another and open-close iterations do not end: the "
-    "step then takes the contact forces of neither state, 3e-5 of m g L where stones part, 5e-9 "
+    "with lagging friction, courses slip on one another and open-close iterations do not end: the "
+    "step then uses contact forces of neither state, 3e-5 of m g L where stones separate, 5e-9 "
     "where they slide"
 )
 PATHS = (
-    "how far shaken masonry falls apart depends on each impact on the way: converged runs differ "
-    "by a hundredth, on springs by a tenth; the paper's geometry and record are not public"
+    "how far shaken masonry falls apart depends on each impact before: converged runs differ by a "
+    "hundredth, runs on springs by a tenth; the paper's geometry and record are not public"
 )
 LARGE, STRONG = {"columns": 16.0, "courses": 14.0}, {"D": 0.014, "f": 3.0}
 NUMBERS = dict.fromkeys(
-    ("columns", "courses"), "a number of blocks; one in a hundred more is the same"
+    ("columns", "courses"), "a number of blocks does not change when it grows by 1 %"
 )
-STEADY = {**NUMBERS, "mu": "what stands does so with any friction that is enough"}
+STEADY = {**NUMBERS, "mu": "masonry that stands does so with any friction that is large enough"}
 FREE = dict.fromkeys(
-    ("columns", "courses", "mu", "D", "f", "g"), "what has no exact answer is shown, not judged"
+    ("columns", "courses", "mu", "D", "f", "g"),
+    "a variant without an exact answer is shown, not judged",
 )
 BORNE_ANYHOW = {
     **NUMBERS,
-    "mu": "momentum comes from outside whatever friction does between blocks",
+    "mu": "friction between blocks does not change the momentum of all",
 }
 CASE = Case(
     name="masonry",
@@ -225,7 +233,7 @@ CASE = Case(
     source=Source(
         *YAGODA_BIRAN_2016,
         "The paper shakes a house of 197 blocks, whose geometry and record are not public. Here a "
-        "facade in a plane stands for it, of our own design.",
+        "plane facade of our own design takes its place.",
     ),
     parameters=(
         Parameter("columns", 6.0, "", "blocks along the facade"),
@@ -243,7 +251,7 @@ CASE = Case(
         ),
         Variant(
             "slides", "a small facade without an arch slides on its base",
-            "as one block does that responds to its base",
+            "as one block on a base that moves, in the case responding-block",
             {"mu": 0.2, "duration": 0.5}, unseen=NUMBERS,
         ),
         Variant(
@@ -251,7 +259,7 @@ CASE = Case(
             {**STRONG, "duration": 0.5}, frozenset(), Level.DEFAULT, FREE,
         ),
         Variant(
-            "borne", "what the bedstone gives a small facade that is shaken",
+            "borne", "the impulse that the bedstone gives a small facade that is shaken",
             "J = p + the integral of sum of m (g - a)",
             {"D": 0.02, "f": 4.0, "duration": 0.2}, frozenset(), Level.DEFAULT, BORNE_ANYHOW,
         ),
@@ -261,7 +269,7 @@ CASE = Case(
         ),
         Variant(
             "slides-200", "207 blocks without an arch slide on their base",
-            "as one block does that responds to its base",
+            "as one block on a base that moves, in the case responding-block",
             {**LARGE, "mu": 0.2, "duration": 0.5}, frozenset(), Level.PAPER, NUMBERS,
         ),
         Variant(

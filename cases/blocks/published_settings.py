@@ -33,9 +33,9 @@ TABLE_2 = ((2.0, 2.0, 0.1), 2250.0)
 
 
 class Setting(NamedTuple):
-    """A variant of another case as the paper ran it, and what it says of its error.
+    """A variant of another case at the paper's setting, and what the paper says of its error.
 
-    steps [s] and kn [N/m] of the rungs, the paper's first; after [s]; limit [%].
+    steps [s] and kn [N/m] of the rungs, the paper's first; its error is below limit [%] after [s].
     """
 
     case: Case
@@ -98,7 +98,7 @@ def _declare(variant: str, _: Parameters) -> Trial:
 
 
 def _with_block(scene: Scene, own: Setting) -> Scene:
-    """The scene with the paper's block, which stands where the other stood."""
+    """The scene with the paper's block in place of its own."""
     sides, density = own.block
     (wall,), (block,) = scene.walls, scene.blocks
     half = np.array(sides) / 2
@@ -141,13 +141,13 @@ def _exact(one: Series, run: Run) -> Vector:
 
 
 def _size(parts: list[Vector]) -> Vector:
-    """Of one direction the displacement itself; of two its size, the resultant of the figures."""
+    """The displacement in one direction; in two its magnitude, as in the figures."""
     return parts[0] if len(parts) == 1 else np.hypot(*parts)
 
 
 UNBOUNDED = (
-    "the error over the displacement at the same time has no bound where that comes back to 0; "
-    "what is judged is the error over the largest displacement"
+    "relative to the displacement at the same time, the error has no bound where that returns to "
+    "zero; what is judged is the error relative to the largest displacement"
 )
 CASE = Case(
     name="published-settings",

@@ -36,7 +36,7 @@ FREE, FLAT = "3d-turning", 0.2  # a plate [m high] that can turn
 SAMPLES = 500  # outputs of a history: twenty a cycle at 5 Hz over 5 s
 BLOCK = Displacement(1)
 UP = np.array([0.0, 0.0, 1.0])
-REST = np.full(3, -np.pi / 2)  # the phase at which 1 - cos stands still
+REST = np.full(3, -np.pi / 2)  # the phase at which 1 - cos starts at rest
 
 
 def _scene(variant: str, p: Parameters) -> Scene:
@@ -93,7 +93,7 @@ def _declare(variant: str, p: Parameters) -> Trial:
         return Trial(Ladder(_scene(variant, p), goal, (BLOCK,), MAP), (motion.distance(EXPLORED),))
     first = _whole_steps(p)
     judge = Exact(_tolerances(p, path) | first, not_judged={} if first else LOST)
-    along = {2: Exact(_lifted(p))}
+    along = {2: Exact(_vertical_bounds(p))}
     parts = tuple(
         motion.component(
             i, f"d2{axis}", f"displacement of the block along {axis}", along.get(i, judge)
@@ -102,12 +102,12 @@ def _declare(variant: str, p: Parameters) -> Trial:
     )
     whole = (motion.distance(judge),) if directions > 1 else ()
     timed = (RUNGS[0], STIFFER, STIFFEST) if variant in ("1d", "2d", "3d") else ()
-    rungs = _resolved(levels(STIFFER, STIFFEST), p)
+    rungs = _resolved_levels(levels(STIFFER, STIFFEST), p)
     return Trial(Ladder(_scene(variant, p), goal, (BLOCK,), rungs, timed), (*parts, *whole))
 
 
 STIFFER, STIFFEST = Knobs(2.5e-4, 1e9), Knobs(1e-4, 1e10)
-RESOLVED = (Knobs(1e-4, 1e9), STIFFEST)  # where hardly any other step is
+RESOLVED = (Knobs(1e-4, 1e9), STIFFEST)  # for a level that is left with one step at most
 STIFFNESSES = (1e7, 2.4e7, 5.6e7, 1.3e8, 3.2e8, 7.5e8, 1.8e9, 4.2e9, 1e10)
 STEPS = (5e-4, 2e-4, 1e-4, 5e-5, 2e-5, 1e-5)  # at 1e-3 explicit codes diverge on the stiffest
 THIN = knob_grid((5e-4, 2e-4), (1e7, 1.3e8, 7.5e8))  # stable in explicit codes too
@@ -117,19 +117,20 @@ MAP = {
     Level.PAPER: knob_grid(STEPS, STIFFNESSES),
 }
 EXPLORED = Shown(
-    "a map over stiffness and step of springs that stand for rigid contact: soft springs rock and "
-    "creep, stiff ones need small steps; it shows which are best, and none is judged"
+    "a map over the step and the stiffness of springs in place of rigid contact. On soft springs "
+    "blocks rock and creep, stiff springs need small steps; the map shows which settings are best, "
+    "and none is judged"
 )
 
 
-def _resolved(
+def _resolved_levels(
     levels: Mapping[Level, tuple[Knobs, ...]], p: Parameters
 ) -> dict[Level, tuple[Knobs, ...]]:
-    """The levels without steps on which an answer is chance, as turns of the slip come on them.
+    """The levels without steps so long that the answer depends on where reversals of slip fall.
 
-    Each has springs stiff enough to see 1 % of friction through what they delay.
+    Every level has springs so stiff that an error of 1 % of friction exceeds that of their delay.
     """
-    lost = _kept(p) if _directions(p) == 1 else 0.0
+    lost = _reversal_error(p) if _directions(p) == 1 else 0.0
     fine = {
         level: tuple(
             rung for rung in dict.fromkeys((*rungs, STIFFEST)) if lost * (rung.dt or 0.0) <= CHANCE
@@ -139,49 +140,50 @@ def _resolved(
     return {level: rungs if len(rungs) > 1 else RESOLVED for level, rungs in fine.items()}
 
 
-def _kept(p: Parameters) -> float:
-    """What it keeps of what the base gains in a step, over its way [1/s]: see `_whole_steps`."""
+def _reversal_error(p: Parameters) -> float:
+    """The error by reversals on whole steps, over the displacement [1/s]; see `_whole_steps`."""
     omega, friction = 2 * np.pi * p["f"], p["mu"] * p["g"]
     ends = np.pi * p["D"] * omega / (2 * friction) if friction else np.inf
     return float(0.5 * omega**2 * min(ends, p["duration"]))
 
 
 def _tolerances(p: Parameters, path: Path) -> dict[Method, Tolerance]:
-    """What codes can do: turns of the slip located, or late by a part of a step or of 1/w."""
+    """The tolerances: reversals of slip are located, or late by a part of a step or of 1/w."""
     directions = _directions(p)
     if directions == 1:
         way = float(np.abs(path(np.linspace(0.0, p["duration"], 101))).max())
     else:
         way = float(np.sqrt(p["D"] ** 2 + p["Dy"] ** 2 + (2 * p["Dz"]) ** 2))
     rate = p["mu"] * p["g"] * p["duration"] / (way or _fall(p))
-    quick = 1 + p["f"] / 3 if directions == 1 else 1.0  # Hz: what is late adds up the faster
+    # f in Hz: delays add up faster at higher frequencies
+    quick = 1 + p["f"] / 3 if directions == 1 else 1.0
     return {
-        Method.EXACT: Tolerance(1e-13, LOCATED) if directions == 1 else _rounded(p, path),
+        Method.EXACT: Tolerance(1e-13, LOCATED) if directions == 1 else _rounding(p, path),
         Method.SECOND_ORDER: _second(p) if directions == 1 else _rotating(p),
-        Method.PENALTY: _late(rate, 0.07 * quick, 0.8),
-        Method.LAGGING: _late(rate, 0.1 * quick, 2.0, "; friction that lags adds to it"),
+        Method.PENALTY: _late_reversals(rate, 0.07 * quick, 0.8),
+        Method.LAGGING: _late_reversals(rate, 0.1 * quick, 2.0, "; lagging friction adds to it"),
     }
 
 
-def _rounded(p: Parameters, path: Path) -> Tolerance:
-    """Where the slip turns: the base and the slip on it are summed, which may nearly cancel."""
+def _rounding(p: Parameters, path: Path) -> Tolerance:
+    """For slip that rotates: displacements of base and slip are summed, and may nearly cancel."""
     turned = 2 * np.pi * max(p["f"], p["fy"]) * p["duration"]
     ways = np.abs(path(np.linspace(0.0, p["duration"], 101))).max(axis=0)[:2]
     lost = 0.1 * EPS * turned**2 * np.hypot(p["D"], p["Dy"])
     return Tolerance(
         float(np.clip(lost / ways.min(), 1e-13, LARGEST_TOLERANCE)) if ways.min() > 0 else 1e-13,
-        f"{LOCATED}, and of the phases w T of the base: a slip that does not stop sums them up",
+        f"{LOCATED}, and of the phases w T of the base, which add up in a slip that does not stop",
     )
 
 
 def _whole_steps(p: Parameters) -> dict[Method, Tolerance]:
-    """Of first order, by friction at the ends of steps; none where that says nothing at STEP."""
+    """For first order: friction acts at ends of steps; empty if the bound at STEP is too large."""
     omega = 2 * np.pi * np.array([p["f"], p["fy"], p["fz"]][: _directions(p)])
-    late = _kept(p) if len(omega) == 1 else float(omega.max())
+    late = _reversal_error(p) if len(omega) == 1 else float(omega.max())
     bound = Tolerance(
         1e-9,
-        "a slip that turns back does so on a whole step, by which the block keeps up to D w^2 dt "
-        "for pi D w/(2 mu g), the time in which friction ends it; where slip turns its direction, "
+        "slip reverses on whole steps: the block keeps an error of speed of up to D w^2 dt for pi "
+        "D w/(2 mu g), the time in which friction removes it. Where the direction of slip rotates, "
         "friction is late by up to w dt",
         late=late,
         slack="reversals fall on whole steps only if steps divide the period",
@@ -190,22 +192,22 @@ def _whole_steps(p: Parameters) -> dict[Method, Tolerance]:
 
 
 def _fall(p: Parameters) -> float:
-    """How far [m] it would fall freely: the scale of errors where nothing drags the block."""
+    """The height of a free fall [m], which scales errors where nothing drags the block."""
     return 0.5 * p["g"] * p["duration"] ** 2
 
 
 def _second(p: Parameters) -> Tolerance:
-    """Along x, where turns are located within the step; whether the block sticks in between."""
+    """For motion along x with located reversals; the bound depends on whether the block sticks."""
     omega = 2 * np.pi * p["f"]
     if p["mu"] * p["g"] < STICKS * p["D"] * omega**2:
         return Tolerance(
             2e-9,
-            "it slips all the time, at a velocity that is straight between turns, which are "
-            "located within the step; what remains is the tolerance they are located to",
+            "the block slips all the time, and its velocity is linear between reversals, which are "
+            "located within the step: the tolerance of their location remains",
         )
     return Tolerance(
         float(np.clip((omega * STEP) ** 2 / 8, 2e-9, LARGEST_TOLERANCE)),
-        "where it sticks it follows a sine, with an error of (w dt)^2/12",
+        "where the block sticks it follows the sine of the base, with an error of (w dt)^2/12",
         dt=STEP,
         order=2,
         floor=2e-9,
@@ -213,45 +215,46 @@ def _second(p: Parameters) -> Tolerance:
 
 
 def _rotating(p: Parameters) -> Tolerance:
-    """Where the direction of slip rotates."""
+    """For slip whose direction rotates."""
     omega = 2 * np.pi * max(p["f"], p["fy"], p["fz"] if p["Dz"] else 0.0)
     return Tolerance(
         float(np.clip(0.6 * (omega * STEP) ** 2, 1e-7, LARGEST_TOLERANCE)),
-        "friction acts along the mean direction of a step; where the slip is short its direction "
-        "turns by more than w dt of the quickest sine, which enters by its square",
+        "friction acts along the mean direction of slip over a step. Where the slip is slow its "
+        "direction turns by more than w dt of the fastest sine, and the error is the square of "
+        "that angle",
         dt=STEP,
         order=2,
         floor=1e-7,
     )
 
 
-def _late(rate: float, by_springs: float, by_steps: float, more: str = "") -> Tolerance:
-    """rate: mu g T over the way [1/s], of what is late at each turn of the slip."""
+def _late_reversals(rate: float, by_springs: float, by_steps: float, more: str = "") -> Tolerance:
+    """For late reversals of slip; rate: mu g T over the displacement [1/s]."""
     value = rate * by_springs * np.sqrt(MASS / SPRING)
     return Tolerance(
         float(np.clip(value, 1e-9, LARGEST_TOLERANCE)),
-        "springs delay each turn of the slip by a part of 1/w, w^2 = kn/m, and turns come on whole "
-        f"steps: over the whole duration T that adds up to mu g T ({by_springs:g}/w + "
-        f"{by_steps:g} dt){more}",
+        "springs delay each reversal of slip by a fraction of 1/w, w^2 = kn/m, and reversals fall "
+        "on whole steps; over the duration T the delays add up to mu g T "
+        f"({by_springs:g}/w + {by_steps:g} dt){more}",
         kn=SPRING,
         softness=0.5,
         late=by_steps * rate,
     )
 
 
-def _lifted(p: Parameters) -> dict[Method, Tolerance]:
-    """Upwards, where the block follows the base, and sinks into springs as the base lifts it."""
+def _vertical_bounds(p: Parameters) -> dict[Method, Tolerance]:
+    """For the vertical motion: the block follows the base, and sinks into springs that lift it."""
     omega = 2 * np.pi * p["fz"]
     way = np.hypot(2 * p["Dz"], p["D"])
     sinks = Tolerance(
         float(np.clip(2 * MASS * p["Dz"] * omega**2 / SPRING / way, 1e-9, LARGEST_TOLERANCE)),
-        "the block sinks by m z''/kn as the base lifts it, twice as far where it starts to swing",
+        "the block sinks by m z''/kn as the base lifts it, and twice as far where it oscillates",
         kn=SPRING,
         softness=1,
         late=2e-2,
     )
     rests = Tolerance(
-        1e-7, "contact is rigid: the block follows the base, as the velocity at the end of a step"
+        1e-7, "contact is rigid: the block has the velocity of the base at the end of a step"
     )
     return {
         Method.EXACT: Tolerance(1e-12, LOCATED),
@@ -260,7 +263,7 @@ def _lifted(p: Parameters) -> dict[Method, Tolerance]:
             1e-9,
             "the block follows the base half a step late",
             late=float(omega) / 2,
-            slack="not if its velocity is that of a half step, as it is in some schemes",
+            slack="some schemes have velocities at half steps, and no such delay",
         ),
         Method.PENALTY: sinks,
         Method.LAGGING: sinks,
@@ -268,14 +271,14 @@ def _lifted(p: Parameters) -> dict[Method, Tolerance]:
 
 
 LOST = {
-    Method.FIRST_ORDER: "friction that turns on whole steps lets the block keep whatever velocity "
-    "is less than the base gains in a step, D w^2 dt, a large part of what friction gives it in "
-    "half a period: what comes of it depends on how steps and period fit"
+    Method.FIRST_ORDER: "friction that reverses on whole steps leaves an error of speed of up to "
+    "what the base gains in a step, D w^2 dt. That is a large part of what friction gives the "
+    "block in half a period, so that the result depends on how steps fit into the period"
 }
 LOCATED = "rounding errors of a few hundred located events"
 EPS = float(np.finfo(float).eps)
 STEP, SPRING, MASS = 1e-3, 1e8, DENSITY * SIDE**3  # s, N/m, kg
-CHANCE = 0.2  # of the way: what may hang of how steps and period fit in a step that is judged
+CHANCE = 0.2  # of the displacement: what may depend on how steps fit into the period
 STICKS = 0.45  # of the base's acceleration: with less friction than that the block always slips
 ONE = (
     "d_2'' = mu g sign(d_1' - d_2') while it slips; d_2'' = d_1'' while d_2' = d_1' and "
@@ -322,9 +325,9 @@ CASE = Case(
     title="Block on a shaking foundation",
     source=Source(
         *YAGODA_BIRAN_2016,
-        "Secs. 3.4 and 4.5, Eqs. 11-13 and 16-18. The second line of Eq. 17 takes the direction "
-        "of the base's acceleration, where a slip begins; mu = 0.6 is chosen in 2D and 3D. "
-        "g = 9.81 m/s2.",
+        "Secs. 3.4 and 4.5, Eqs. 11-13 and 16-18. The second line of Eq. 17 uses the direction of "
+        "the base's acceleration, with which a slip begins; mu = 0.6 is chosen in 2D and 3D. g = "
+        "9.81 m/s2.",
     ),
     parameters=(
         Parameter("D", 0.2, "m", "amplitude of the base along x"),

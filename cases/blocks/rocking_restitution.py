@@ -1,4 +1,4 @@
-"""A leaning block is let go: the rate that its first impact leaves, exact and measured."""
+"""The restitution of a rocking block at its first impact, exact and measured."""
 
 from __future__ import annotations
 
@@ -31,12 +31,12 @@ from vv.scene import Block, Contact, Scene, Wall, box_geometry, polyhedron_inert
 CENTRE, MOVING = Displacement(1), Velocity(1)
 X, Y, Z = np.eye(3)
 RATIOS = {"aspect-3": {"concrete": 0.97}, "aspect-5": {"concrete": 0.95, "rubber": 0.67}}
-DENSITY, LEAN = 2500.0, 0.5  # kg/m3; of alpha, at the start
+DENSITY, LEAN = 2500.0, 0.5  # kg/m3; initial lean over alpha
 STEP = 1e-3  # s
 
 
 def _block(p: Parameters, lean: float) -> Block:
-    """A prism that leans by so much [rad] about its edge at the origin."""
+    """A prism that leans by `lean` [rad] about its edge at the origin."""
     c, s = math.cos(lean), math.sin(lean)
     axes = np.array([[c, 0.0, -s], [0.0, 1.0, 0.0], [s, 0.0, c]])
     half = np.array([p["b"], p["b"], p["h"]])
@@ -50,10 +50,12 @@ def _block(p: Parameters, lean: float) -> Block:
 def _declare(variant: str, p: Parameters) -> Trial:
     law = {name: p[name] for name in ("b", "h", "g")}
     if not p["mu"] > p["b"] / p["h"]:
-        raise ValueError(f"mu = {p['mu']!r}; a block slips rather than leans up to b/h")
+        raise ValueError(
+            f"mu = {p['mu']!r}; it must exceed b/h, or the block slips instead of leaning"
+        )
     alpha, rate = rocking.slenderness(**law)
     due = rocking.restitution(p["b"], p["h"])
-    first = math.acosh(1.0 / (1.0 - LEAN)) / rate  # of small angles, within a few per cent
+    first = math.acosh(1.0 / (1.0 - LEAN)) / rate  # for small angles, right to a few per cent
     goal = History(STEP * round(1.5 * first / STEP), STEP * 10)
     scene = Scene(
         (Wall(np.zeros(3), Z), _block(p, LEAN * alpha)), Contact(np.inf, mu=p["mu"]),
@@ -62,7 +64,7 @@ def _declare(variant: str, p: Parameters) -> Trial:
     height = _lowered(p, LEAN * alpha)
 
     def kept(run: Run) -> float:
-        """By the energy of a turn about a corner, v^2/2 + 3/4 g z, before and after the impact."""
+        """From the energy of rotation about a corner, v^2/2 + 3/4 g z, before and after impact."""
         speed, rise = (run.values[what] for what in (MOVING, CENTRE))
         energy = (speed**2).sum(axis=1) + 1.5 * p["g"] * (rise[:, 2] - height)
         return math.sqrt(max(float(energy[-1]), 0.0) / float(energy[len(energy) // 3]))
@@ -78,7 +80,7 @@ def _declare(variant: str, p: Parameters) -> Trial:
 
 
 def _lowered(p: Parameters, lean: float) -> float:
-    """By how much the centre rises from the start to where the block stands upright [m]."""
+    """The height of the centre of the upright block over that at the start [m]."""
     far, alpha = math.hypot(p["b"], p["h"]), math.atan2(p["b"], p["h"])
     return p["h"] - far * math.cos(alpha - lean)
 
@@ -87,15 +89,16 @@ def _judge(rate: float) -> Exact:
     """rate: p [1/s]."""
     step = Tolerance(
         10.0 * (rate * STEP) ** 2,
-        "(p dt)^2/12 of the rate a swing, and the impact taken within a step: its height is off by "
-        "the way of half a step at most, (p dt)^2 of the energy",
+        "the step changes the rate by (p dt)^2/12 a swing. The impact is located within a step: "
+        "the error of its height is at most the displacement in half a step, (p dt)^2 of the "
+        "energy",
         dt=STEP, order=2, floor=1e-5,
     )  # fmt: skip
     return Exact({Method.SECOND_ORDER: step}, not_judged=SHOWN)
 
 
 def _measured(variant: str, due: float, kept: Callable[[Run], float]) -> tuple[Quantity, ...]:
-    """The measured restitutions of a block, which is Housner's times a printed ratio."""
+    """The measured restitutions of a block: Housner's times the printed ratio."""
     return tuple(
         Scalar(
             f"on {base}", "e", "", f"the same, as measured on {base}", kept, None, 1.0,
@@ -111,18 +114,18 @@ def _measured(variant: str, due: float, kept: Callable[[Run], float]) -> tuple[Q
 RUNGS = tuple(Knobs(STEP / 2**i, 1e10) for i in range(3))
 LEVELS = {Level.QUICK: RUNGS[:2], Level.DEFAULT: RUNGS, Level.PAPER: RUNGS}
 SPRUNG = (
-    "springs lengthen the impact and give back what they please, by stiffness and step: like "
-    "Housner's at 1e10 N/m and 1e-3 s, bouncing at 1e-4 s"
+    "on springs an impact takes time, and its restitution depends on stiffness and step: it is "
+    "like Housner's at 1e10 N/m and 1e-3 s, but the block bounces at 1e-4 s"
 )
 SHOWN = {
     **dict.fromkeys((Method.PENALTY, Method.LAGGING), SPRUNG),
-    Method.FIRST_ORDER: "it takes an impact at the end of a step",
+    Method.FIRST_ORDER: "this class places an impact at the end of a step",
 }
 LAGS = Tolerance(
     0.1,
-    "as a corner strikes, friction of the iteration before may act along the slip: 0.003 of m g R "
-    "was the most that it gave for eight blocks",
-    slack="as in the case of rocking, where it gave 0.04",
+    "when a corner strikes, friction of the previous iteration may act in the direction of slip "
+    "and add energy: at most 0.003 m g R was found for eight blocks",
+    slack="the same bound as in the case rocking, where it added 0.04 m g R",
 )
 PRINTED, SCATTER = 0.005, 0.01  # of the restitution
 CITED = (
@@ -131,14 +134,14 @@ CITED = (
 )
 CONDITIONS = "free rocking of blocks of aspect ratios 3 and 5 on concrete and rubber, laboratory"
 LOOSE = (
-    "Housner's model has no material: that it loses too little here is a finding on the model, and "
-    "others measured less loss than it has, on uneven faces that strike twice"
+    "Housner's model has no material. That blocks lose more here is a finding on the model; others "
+    "measured less loss than Housner's, on uneven faces that strike twice"
 )
 NOTE = (
-    "The abstract gives ratios of measured to predicted restitution, 0.97, 0.95 and 0.67, with the "
-    "word approximately and without scatter or the formula of the prediction, which is taken to be "
-    "Housner's. Reading is half of the last digit, 0.005, and 0.01 stands for the scatter. Sizes "
-    "are chosen: restitution does not depend on them, or on gravity. Limestone "
+    "The abstract gives ratios of measured to predicted restitution, 0.97, 0.95 and 0.67, as "
+    "approximate, without scatter and without the formula of the prediction, which is taken to be "
+    "Housner's. The uncertainty of reading is half of the last digit, 0.005, and 0.01 stands for "
+    "the scatter. Sizes are chosen: restitution depends neither on them nor on gravity. Limestone "
     "blocks of 12 aspect ratios (Vlachakis and others) would be better data; only their abstract "
     "could be read. Others found less loss than Housner's (Ther and Kollar 2017)."
 )

@@ -1,4 +1,4 @@
-"""A wedge slides down a groove while a sine shakes it, along the groove or level."""
+"""A wedge slides down a groove while a sine shakes it, along the groove or horizontally."""
 
 from __future__ import annotations
 
@@ -60,9 +60,9 @@ def _declare(variant: str, p: Parameters) -> Trial:
     held, falls = pressing(p["xi"]) * _mu(p), math.tan(math.radians(p["dip"]))
     if held >= falls:
         raise ValueError(
-            f"phi = {p['phi']!r} degrees: friction in the groove, {held:.4g}, holds a wedge whose "
-            f"groove falls by {falls:.4g}; how a wedge that rests shares its friction between the "
-            "sides is not determined"
+            f"phi = {p['phi']!r} degrees; friction in the groove, {held:.4g}, holds a wedge at a "
+            f"slope of {falls:.4g}, and how a wedge at rest shares its friction between the sides "
+            "is not determined"
         )
     scene, goal = _scene(variant, p), History(p["duration"], p["duration"] / OUTPUTS)
     law = {name: p[name] for name in ("dip", "xi", "A", "f", "g")}
@@ -87,24 +87,26 @@ SOLUTIONS: dict[str, Callable[..., Vector]] = {
 
 
 def _judge(p: Parameters, mass: float, path: Callable[[Vector], Vector]) -> Exact:
-    """The bounds of each class; springs cost a speed, and so a way that grows with the time."""
+    """The bounds of each class; springs cause an error of speed, so one that grows with time."""
     way = float(np.abs(path(np.linspace(0.0, p["duration"], OUTPUTS))).max())
-    sprung = _let_go(p, mass) * p["duration"] / way
+    sprung = _missing_speed(p, mass) * p["duration"] / way
     return Exact(
         {
             Method.EXACT: Tolerance(1e-12, "rounding errors of a few located events"),
             Method.SECOND_ORDER: Tolerance(
-                1e-5, "the trapezoidal rule on the sine, with events located within the step",
+                1e-5, "the trapezoidal rule integrates the sine with second order; events are "
+                "located within the step",
                 dt=1e-3, order=2, floor=1e-7,
             ),
             Method.FIRST_ORDER: Tolerance(
-                1e-5, "a slip begins and ends on a whole step, at a speed of no more than a dt",
+                1e-5, "slip begins and ends on whole steps, an error of the speed of at most a dt",
                 dt=1e-3, order=1, slack="a slip may end anywhere within a step",
             ),
             Method.PENALTY: Tolerance(
                 min(sprung, LARGEST_TOLERANCE),
-                "as slip begins, shear springs let go what they bore across the groove, and the "
-                "wedge swings on its sides: friction is missing for up to 1/w of that swing",
+                "when slip begins, the shear springs release the force that they bore across the "
+                "groove, and the wedge oscillates on its sides: friction is missing for up to 1/w "
+                "of that oscillation",
                 kn=SPRING, softness=0.5,
             ),
         },
@@ -112,21 +114,22 @@ def _judge(p: Parameters, mass: float, path: Callable[[Vector], Vector]) -> Exac
     )  # fmt: skip
 
 
-def _let_go(p: Parameters, mass: float) -> float:
-    """The speed [m/s] that friction of all that presses the wedge takes in the time of its swing.
+def _missing_speed(p: Parameters, mass: float) -> float:
+    """The speed [m/s] that all of friction takes in the time 1/w of the wedge's oscillation.
 
-    Stuck, shear springs across the sides bear cos^2(xi/2) of it; those along the normals, CORNERS
-    of kn sin^2(xi/2) out of the groove, then take it over, in a swing about their new rest.
+    While the wedge sticks, shear springs across the sides bear cos^2(xi/2) of the pressing force.
+    When it slips, the springs along the normals, CORNERS of kn sin^2(xi/2) out of the groove, take
+    that over, and the wedge oscillates about its new equilibrium.
     """
     dip, half = math.radians(p["dip"]), math.sin(p["xi"] / 2)
     presses = p["g"] * math.cos(dip) + p["A"] * math.sin(dip)
     return _mu(p) * pressing(p["xi"]) * presses / (half * math.sqrt(CORNERS * SPRING / mass))
 
 
-CORNERS, SPRING = 8, 1e9  # of the wedge on both sides; the stiffness [N/m] that its bound is for
+CORNERS, SPRING = 8, 1e9  # corners of the wedge on both sides; stiffness of its bound [N/m]
 SETTLES = (
-    "formulations of this class may let gravity act before the drive sets in, and here gravity "
-    "alone makes the wedge slide; friction that lags also misses the pressing of two sides"
+    "formulations of this class may let gravity act before the shaking starts, and here gravity "
+    "alone makes the wedge slide; lagging friction also misses the pressure of the two sides"
 )
 RUNGS = (Knobs(1e-3, 1e9), Knobs(5e-4, 1e9), Knobs(2.5e-4, 1e9), Knobs(1e-4, 1e10))
 LEVELS = {Level.QUICK: RUNGS[:2], Level.DEFAULT: RUNGS, Level.PAPER: RUNGS}
@@ -135,9 +138,9 @@ CASE = Case(
     title="A wedge in a groove under a sine",
     source=Source(
         *YAGODA_BIRAN_2016,
-        "Sec. 4.4 has the sine along the line of intersection, Fig. 16 has it level: both are "
-        "here. The opening, amplitude and frequency are not given: 1.5 rad, 2 m/s2 and 1 Hz are "
-        "chosen. The wedge is symmetric and cannot turn.",
+        "The sine acts along the line of intersection in Sec. 4.4, and horizontally in Fig. 16: "
+        "both are here. The opening angle, amplitude and frequency are not given: 1.5 rad, 2 m/s2 "
+        "and 1 Hz are chosen. The wedge is symmetric and cannot turn.",
     ),
     parameters=(
         Parameter("dip", 30.0, "degrees", "inclination of the groove"),

@@ -1,4 +1,4 @@
-"""A shear wave runs up a column of elastic layers that shake on their base, and back."""
+"""A shear wave runs up a column of elastic layers on a shaking base, and back."""
 
 from __future__ import annotations
 
@@ -39,14 +39,14 @@ from vv.scene import (
 
 X, Z = np.array([1.0, 0.0, 0.0]), np.array([0.0, 0.0, 1.0])
 IN_PLANE, ACROSS = np.array([True, False, True]), np.array([False, True, False])
-REST = np.full(3, -np.pi / 2)  # the phase at which 1 - cos stands still
+REST = np.full(3, -np.pi / 2)  # the phase at which 1 - cos starts at rest
 OUTPUTS = 100
 
 
 def column(p: Parameters, layers: int, unlike: bool = False) -> Scene:
-    """Layers in the plane, so wide that they shear and do not bend, on a base that shakes along.
+    """A plane column of layers, so wide that they shear and do not bend, on a shaking base.
 
-    They begin as their weight has strained them. Friction never ends: no joint slips.
+    They start with the strain of their weight. Friction is so large that no joint slips.
     """
     blocks, thick = [], p["H"] / layers
     for i, layer in enumerate(soil(p, layers, unlike)):
@@ -85,24 +85,24 @@ def _declare(variant: str, p: Parameters) -> Trial:
     goal = History(p["duration"], p["duration"] / OUTPUTS)
     stiffness = LEVELS[variant][Level.QUICK][0].kn
     assert stiffness is not None
-    given = _softer(p, layers, stiffness)
+    given = _modulus_loss(p, layers, stiffness)
     quantities = tuple(
         quantity
         for name, number in (("middle", (layers + 1) // 2), ("top", layers))
-        for quantity in _at(name, number, layers, goal.times(None), given, p)
+        for quantity in _layer_series(name, number, layers, goal.times(None), given, p)
     )
     seen = tuple(Displacement(number) for number in ((layers + 1) // 2, layers))
     study = Ladder(column(p, layers), goal, seen, LEVELS[variant])
     return Trial(study, quantities)
 
 
-def _at(
+def _layer_series(
     name: str, number: int, layers: int, times: Vector, given: float, p: Parameters
 ) -> tuple[Series, ...]:
-    """The motion of a layer's centre, against the wave and against the answer of the layers.
+    """The motion of a layer's centre, against the wave and against the exact answer of layers.
 
-    given: the part of its shear modulus that the column lacks in springs. Errors are relative to
-    the largest motion.
+    given: the part of its shear modulus that the column lacks. Errors are relative to the largest
+    motion.
     """
     H, c, D, F = p["H"], speed(p), p["D"], p["F"]
     place = {"number": number, "layers": layers}
@@ -120,7 +120,10 @@ def _at(
     largest = float(np.abs(wave).max())
     own = float(np.abs(chain(times) - wave).max()) / largest
     if not own < THICK:
-        raise ValueError(f"F = {F!r} Hz: layers that shear uniformly are {own:.2g} off the wave")
+        raise ValueError(
+            f"F = {F!r} Hz; layers that shear uniformly differ from the wave "
+            f"by {own:.2g}, more than {THICK:g}"
+        )
     late = float(np.abs(stepped - chain(COARSE * np.arange(steps + 1))).max()) / largest
 
     soft = shear_wave.layered_displacement(
@@ -135,39 +138,44 @@ def _at(
         )  # fmt: skip
 
     return (
-        series(name, "", path, _within(own + yields, late, UNIFORM)),
-        series(f"{name} of layers", ", beside its own", chain, _within(yields, late, OWN)),
+        series(name, "", path, _bounds(own + yields, late, UNIFORM)),
+        series(
+            f"{name} of layers",
+            ", against the exact answer of the layers",
+            chain,
+            _bounds(yields, late, OWN),
+        ),
     )
 
 
-def _within(bound: float, late: float, reason: str) -> Exact:
-    """late: what the step COARSE is off the answer of the layers, in proportion to the step."""
+def _bounds(bound: float, late: float, reason: str) -> Exact:
+    """late: the error of the step COARSE against the answer of the layers, of first order in dt."""
     tolerance = Tolerance(min(LARGEST_TOLERANCE, bound), reason, late=late / COARSE)
     return Exact({Method.PENALTY: tolerance}, not_judged={Method.LAGGING: SOFTER})
 
 
-def _softer(p: Parameters, layers: int, kn: float) -> float:
-    """The part of its modulus that a column lacks for springs in its joints and for its weight.
+def _modulus_loss(p: Parameters, layers: int, kn: float) -> float:
+    """The part of its shear modulus that a column lacks, by springs in joints and by its weight.
 
-    A layer of h shears by 1/(G width/h), and the springs of a joint's two ends by 1/(2 ks), ks
-    25 kn. Layers that turn their stress with them have a modulus that half of it changes, and the
-    column's mean stress is rho g H/2.
+    A layer of thickness h shears by h/(G width) under a unit force, and the springs at the two ends
+    of a joint by 1/(2 ks), with ks = 25 kn. In layers whose stress turns with them, half of that
+    stress changes the modulus; the mean stress of the column is rho g H/2.
     """
     joints = p["G"] * p["width"] * layers / p["H"] / (2.0 * 25.0 * kn)
     return joints / (1.0 + joints) + 0.25 * p["rho"] * p["g"] * p["H"] / p["G"]
 
 
 OWN = (
-    "the exact answer of layers that shear uniformly; springs in joints and weight change the "
-    "modulus, which the answer is as sensitive to as that of the layers is, and the step damps by "
-    "what its own answer does"
+    "springs in the joints and the weight change the modulus, and the bound is what that changes "
+    "in the exact answer of layers that shear uniformly. The error of the step is what the step "
+    "changes in that answer"
 )
-UNIFORM = f"layers that shear uniformly are off the wave by what their own answer is; {OWN}"
+UNIFORM = f"layers that shear uniformly differ from the wave, and so does their exact answer; {OWN}"
 SOFTER = (
     "formulations of this class may have the shear springs that are usual in DDA, 0.4 kn, which "
     "make this column softer by a tenth"
 )
-THICK = 0.08  # of the largest motion: what layers may be off the wave
+THICK = 0.08  # of the largest motion: the largest difference between layers and wave
 COARSE = 5e-4  # s
 SOFT, STIFF = 1e12, 1e13  # N/m
 SHORT = (Knobs(COARSE, SOFT), Knobs(COARSE / 2, SOFT))

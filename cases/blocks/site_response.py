@@ -1,4 +1,4 @@
-"""Elastic layers on a base that shakes for long: the motion of their top over that of the base."""
+"""The steady motion of the top of elastic layers, over that of the shaking base."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ from vv.case import (
 
 LAYERS = {"five-layers": 5}
 MANY, UNLIKE = 15, "unlike"
-LASTING = 0.7  # of the duration: what comes later is taken for lasting
+LASTING = 0.7  # of the duration: motion after that counts as steady
 
 
 def _declare(variant: str, p: Parameters) -> Trial:
@@ -52,17 +52,20 @@ def _ratios(p: Parameters, layers: int, unlike: bool) -> tuple[Quantity, ...]:
 
     ratio = functools.partial(_ratio, p, layers)
     return (
-        Scalar("ratio", "R/R_dt", "", "motion of the top layer over the base's, over that of the "
+        Scalar("ratio", "R/R_dt", "", "amplitude of the top layer over that of the base, relative "
+               "to the exact answer of the "
                "step", lambda run: ratio(run) / exact(run), 1.0, 1.0, STEPPED),
-        Scalar("spectral ratio", "R", "", "motion of the top layer over the base's", ratio, None,
-               1.0, Shown("it depends on the step, which damps by w dt/4")),
-        Scalar("over SHAKE's", "R/R_z", "", "the same over that at a constant damping ratio",
+        Scalar("spectral ratio", "R", "", "amplitude of the top layer over that of the "
+               "base", ratio, None,
+               1.0, Shown("it depends on the step, whose damping ratio is w dt/4")),
+        Scalar("over SHAKE's", "R/R_z", "", "the same, relative to SHAKE's answer at a constant "
+               "damping ratio",
                lambda run: ratio(run) / damped, None, 1.0, Shown(CONSTANT)),
     )  # fmt: skip
 
 
 def _ratio(p: Parameters, layers: int, run: Run) -> float:
-    """The size of the lasting sine of the top layer's centre over the base's, fitted."""
+    """The fitted amplitude of the steady sine of the top layer's centre, over that of the base."""
     late = run.times >= LASTING * run.times[-1]
     t = 2.0 * np.pi * p["F"] * run.times[late]
     known = np.stack([np.cos(t), np.sin(t), np.ones_like(t)], axis=1)
@@ -74,8 +77,8 @@ def _ratio(p: Parameters, layers: int, run: Run) -> float:
 STEPPED = Exact(
     {
         Method.PENALTY: Tolerance(
-            1e-2, "the answer of the step; joints on springs soften the column, and its own swing "
-            "is damped by the step until it is below a hundredth",
+            1e-2, "the reference is exact for the step. Springs in the joints soften the column, "
+            "and the step damps its free oscillation until that is below a hundredth",
         ),
     },
     not_judged={
@@ -84,8 +87,8 @@ STEPPED = Exact(
     },
 )  # fmt: skip
 CONSTANT = (
-    "the step damps by w dt/4, more the quicker the motion, and not by a constant ratio: the two "
-    "agree at one frequency"
+    "the damping ratio of the step, w dt/4, grows with the frequency: it agrees with a constant "
+    "ratio at one frequency only"
 )
 RUNGS = (Knobs(1.6e-2, 1e12), Knobs(8e-3, 1e12))
 RATIO = (
@@ -94,16 +97,18 @@ RATIO = (
 )
 INERT = frozenset({"nu", "width", "mu", "g", "D", "shake"})
 SLOW = dict.fromkeys(
-    ("rho", "G"), "below its first swing the column follows the base: the ratio changes too little"
+    ("rho", "G"),
+    "below its first natural frequency the column follows the base, and the ratio hardly changes",
 )
 CASE = Case(
     name="site-response",
     title="What layers make of a shaking base",
     source=Source(
         *YAGODA_BIRAN_2016,
-        "Secs. 3.5 and 5.1.3, Fig. 10: layers and record are not given. Here are equal layers and "
-        "unlike ones, and lasting sines, for which the step itself has an exact answer; SHAKE's, "
-        "with the constant 2.3 % that the paper takes for the step's damping, stands beside it.",
+        "Secs. 3.5 and 5.1.3, Fig. 10: layers and record are not given. Here layers are equal or "
+        "unlike, and the base moves as a lasting sine, for which the step itself has an exact "
+        "answer. SHAKE's answer, with the constant damping of 2.3 % that the paper takes for that "
+        "of the step, is shown beside it.",
     ),
     parameters=(
         Parameter("H", 30.0, "m", "height of the column"),

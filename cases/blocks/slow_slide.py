@@ -30,13 +30,13 @@ from vv.scene import Block, Contact, Scene, Wall, box_geometry, polyhedron_inert
 BLOCK = Displacement(1)
 HALF = np.array([0.5, 0.5, 0.1])  # m; a plate hardly tips as friction pulls at its base
 FEW, MANY = 3.4, 102.0  # steps to the stop at the coarsest setting
-WATCHED = 4  # times as long as it slides: what creeps afterwards is seen
+WATCHED = 4  # times as long as it slides, so that later creep is seen
 STIFF = (1e9, 1e10)  # N/m
 RESTS, SHEAR = 4, 25.0  # corners; ks over kn of springs that stand for rigid contact
 
 
 def _deceleration(p: Parameters) -> float:
-    """By which friction beyond what pulls it down the slope stops it [m/s2]."""
+    """The deceleration: friction less the pull of gravity down the slope [m/s2]."""
     alpha = math.radians(p["alpha"])
     return p["g"] * (p["mu"] * math.cos(alpha) - math.sin(alpha))
 
@@ -61,7 +61,7 @@ def _declare(variant: str, p: Parameters) -> Trial:
     if not slows > 0 or not p["v0"] > 0:
         raise ValueError(
             f"v0 = {p['v0']!r} m/s, mu = {p['mu']!r}, alpha = {p['alpha']!r} deg; the block must "
-            "move, and friction stop it"
+            "move, and friction must stop it"
         )
     if not p["mu"] * HALF[2] < HALF[0] / 2:
         raise ValueError(f"mu = {p['mu']!r}; the plate would tip")
@@ -74,7 +74,7 @@ def _declare(variant: str, p: Parameters) -> Trial:
         name="s",
         symbol="s",
         unit="m",
-        meaning="way along the slope",
+        meaning="displacement along the slope",
         observe=ComponentAlong(BLOCK, scene.axes[0]),
         reference=functools.partial(
             incline.newmark, phi=math.degrees(math.atan(p["mu"])), A=0.0, f=1.0, **law
@@ -88,7 +88,7 @@ def _declare(variant: str, p: Parameters) -> Trial:
 
 
 def _judge(p: Parameters, stop: float, count: float, turns: bool) -> Exact:
-    """stop: when it stops [s]; count: after so many of the longest steps."""
+    """stop: the time until the block stops [s]; count: that time in the longest steps."""
     way, points = 0.5 * p["v0"] * stop, RESTS if turns else 1
     friction = p["mu"] * p["m"] * p["g"] * math.cos(math.radians(p["alpha"]))
     stretch = friction / (points * SHEAR * STIFF[0])
@@ -96,18 +96,20 @@ def _judge(p: Parameters, stop: float, count: float, turns: bool) -> Exact:
     late = 0.25 / (count * stop)
     springs = Tolerance(
         min(2.5 * (stretch + leaning) / way, LARGEST_TOLERANCE),
-        "shear springs are slack at first and swing back at last, by mu N/ks, as the block leans "
-        "by friction at its base and swings back; a step in which it stops ends at rest, where "
-        "a(dt/2)^2/2 at most is left of the way, which is (dt/T)^2/4 of it",
+        "shear springs start slack, stretch by mu N/ks and swing back when the block stops; so "
+        "does the block, which leans under friction at its base. The step in which it stops ends "
+        "at rest: the displacement that is left then is a(dt/2)^2/2 at most, (dt/T)^2/4 of the "
+        "whole",
         kn=STIFF[0], softness=1, late=late,
     )  # fmt: skip
     return Exact({
-        Method.EXACT: Tolerance(1e-12, "one event, known to rounding"),
+        Method.EXACT: Tolerance(1e-12, "one event, located to rounding"),
         Method.SECOND_ORDER: Tolerance(
             1e-9, "the trapezoidal rule follows a parabola, and the stop is found within its step"
         ),
         Method.FIRST_ORDER: Tolerance(
-            1e-9, "friction is that at the end of a step: up to dt/T of the way", late=1 / stop
+            1e-9, "friction acts with its value at the end of a step: an error of up to dt/T of "
+            "the displacement", late=1 / stop
         ),
         Method.PENALTY: springs,
         Method.LAGGING: springs,
@@ -119,9 +121,9 @@ CASE = Case(
     title="A slow slide stops in a few steps",
     source=Source(
         *YAGODA_BIRAN_2016,
-        "Their block on a slope, thrown along it; mass, speed and slope are chosen. The block "
-        "stops after 3.4 and 6.8 steps where it may turn, and after 102 and 204 where it may not, "
-        "so that explicit codes can run it; it is watched for four times as long.",
+        "The paper's block on a slope, launched along it; mass, speed and slope are chosen. The "
+        "block stops after 3.4 and 6.8 steps where it may turn, and after 102 and 204 where it may "
+        "not, so that explicit codes can run it; it is observed for four times as long.",
     ),
     parameters=(
         Parameter("m", 3389.0, "kg", "mass of the block"),
@@ -137,9 +139,11 @@ CASE = Case(
             {"alpha": alpha}, frozenset({"m"}),
         )
         for name, summary, alpha in (
-            ("level", "a plate that may turn, on a level floor, stops in 3.4 steps and 6.8", 0.0),
-            ("slope", "a plate that may turn, down a slope of 5 degrees, in as many", 5.0),
-            ("held", "a plate that cannot turn, on a level floor, in 102 steps and 204", 0.0),
+            ("level", "a plate that can turn stops on a level floor, after 3.4 and 6.8 steps", 0.0),
+            ("slope", "a plate that can turn stops on a slope of 5 degrees, after 3.4 and 6.8 "
+             "steps", 5.0),
+            ("held", "a plate that cannot turn stops on a level floor, after 102 and 204 "
+             "steps", 0.0),
         )
     ),
     declare=_declare,

@@ -26,8 +26,9 @@ from vv.case import (
 from vv.scene import Block, Contact, Scene, Vector, Wall, box_geometry, polyhedron_inertia
 
 AXES = np.array([[2.0, -1.0, 2.0], [2.0, 2.0, -1.0], [-1.0, 2.0, 2.0]]) / 3  # of the block
-SIDES, DENSITY = np.array([1.0, 0.6, 0.35]), 2500.0  # m, of which the answer is; kg/m3, which not
-SPIN = np.array([0.3, 2.5, -0.6])  # of w, in the block's axes: beside that of the middle inertia
+SIDES, DENSITY = np.array([1.0, 0.6, 0.35]), 2500.0  # m; kg/m3, which does not enter the answer
+# times w, about the block's axes: close to that of the middle inertia
+SPIN = np.array([0.3, 2.5, -0.6])
 Z = np.array([0.0, 0.0, 1.0])
 BLOCK, OUTPUTS = Displacement(1), 20
 
@@ -55,14 +56,14 @@ def _declare(variant: str, p: Parameters) -> Trial:
 def _measured(
     p: Parameters, body: tumbling.Body, goal: History, steps: tuple[float | None, ...]
 ) -> tuple[Quantity, ...]:
-    """The way of the centre and when it lands; steps [s]: of all levels, the longest first."""
+    """Displacement of the centre and time of landing; steps [s]: of all levels, longest first."""
 
-    @functools.cache  # only where a run is measured: it takes longer than what is stored to judge
+    @functools.cache  # only where a run is measured: it takes longer than judging what is stored
     def met() -> tumbling.Landing:
         found = tumbling.landing(
             body, p["w"] * SPIN, Z, height=p["height"], V=p["V"], latest=p["duration"]
         )
-        for step in (None, *steps):  # outputs come on whole steps
+        for step in (None, *steps):  # outputs fall on whole steps
             _check_outputs(goal.times(step), found.t)
         _check_flight(p, body, found)
         return found
@@ -72,8 +73,8 @@ def _measured(
 
     second = Tolerance(
         1e-4 * max(1.0, p["w"] * 0.2 / p["V"]),
-        "the pose is off by a part of (w dt)^2, w = 2.6 1/s, times the angle w t; so is the place "
-        "of the corner that lands, over the way V t",
+        "the orientation has an error of a part of (w dt)^2, w = 2.6 1/s, times the angle w t, and "
+        "so has the position of the corner that lands, relative to the displacement V t",
         dt=steps[0], order=2, floor=1e-9,
     )  # fmt: skip
     up = Motion(BLOCK, Z[None], path, goal.times(None), "m").component(
@@ -83,7 +84,7 @@ def _measured(
         ),
     )  # fmt: skip
     lands = Scalar(
-        "lands", "t_1", "s", "when the straight ways before and after the landing cross",
+        "lands", "t_1", "s", "time of landing: where lines through z before and after it cross",
         lambda run: _crossing(run, met().t), lambda: met().t, lambda: met().t, Exact(
             {Method.SECOND_ORDER: second, Method.PENALTY: SPRINGS},
             not_judged={Method.FIRST_ORDER: SPRUNG, Method.LAGGING: UNTURNED},
@@ -121,24 +122,28 @@ def _crossing(run: Run, about: float) -> float:
 
 
 COARSEST, KN = 5e-3, 1e8  # rad, N/m
-BEFORE, AFTER = 0.95, 1.05  # of the time of the landing: outputs that are well away from it
+BEFORE, AFTER = 0.95, 1.05  # times the time of landing: outputs that are well away from it
 SPRUNG = "springs return a part of the energy of the impact that depends on their damping"
-UNTURNED = "of these codes one leaves out the gyroscopic torque, and says so"
-SPRINGS = Tolerance(2e-2, "springs turn the block about for pi sqrt(m/kn), and steps are dt long")
+UNTURNED = "a code of this class leaves out the gyroscopic torque, and says so"
+SPRINGS = Tolerance(
+    2e-2,
+    "contact springs reverse the motion within pi sqrt(m/kn), and a landing falls within a step dt",
+)
 CASE = Case(
     name="tumbling",
     title="A tumbling block lands",
     source=Source(
         "Landau and Lifshitz (1976), Mechanics, 3rd ed., Butterworth-Heinemann",
         "",
-        "Section 37, the asymmetrical top, until the first corner meets the plane; then rigid "
-        "impact without friction and restitution. The spin is beside that about the axis of the "
-        "middle inertia, where gyroscopic torque turns it over. There is no gravity.",
+        "Section 37, the asymmetrical top, until the first corner meets the plane; then a rigid "
+        "impact without friction or restitution. The block spins almost about the axis of its "
+        "middle moment of inertia, so that the gyroscopic torque turns it over. There is no "
+        "gravity.",
     ),
     parameters=(
         Parameter("w", 1.0, "", "spin over (0.3, 2.5, -0.6) 1/s about the axes of the block"),
-        Parameter("height", 0.8, "m", "of the centre above the plane at the start"),
-        Parameter("V", 0.2, "m/s", "speed at which the centre comes nearer"),
+        Parameter("height", 0.8, "m", "height of the centre above the plane at the start"),
+        Parameter("V", 0.2, "m/s", "speed of the centre towards the plane at the start"),
         Parameter("duration", 1.6, "s", "time simulated"),
     ),
     variants=(

@@ -11,8 +11,8 @@ from vv.plan.project import find
     ("case", "variant", "given", "words"),
     [
         ("long-swing", "bonded", {"v_a": 0.0}, "v_a = 0.0 m/s; the sphere must swing"),
-        ("slow-slide", "level", {"v0": 0.0}, "the block must move, and friction stop it"),
-        ("slow-slide", "slope", {"mu": 0.01}, "the block must move, and friction stop it"),
+        ("slow-slide", "level", {"v0": 0.0}, "the block must move, and friction must stop it"),
+        ("slow-slide", "slope", {"mu": 0.01}, "the block must move, and friction must stop it"),
         ("stable-step", "undamped", {"mu": 0.0}, "mu = 0.0; it must be positive"),
         ("stable-step", "viscous", {"ks": 0.0}, "ks = 0.0 N/m; it must be positive"),
         ("standing", "arch", {"part": 0.973}, "part = 0.973; an arch stands above 1 only"),

@@ -63,7 +63,7 @@ def test_all_points_of_the_paper_s_charts_are_there() -> None:
 
 @pytest.mark.parametrize(
     ("name", "value", "message"),
-    [("phi", 0.5, "phi = 0.5 degrees; the chart is asked from 1"),
+    [("phi", 0.5, "phi = 0.5 degrees; it must be between 1"),
      ("alpha", 80.0, "alpha = 80.0 degrees; it must be above 0")],
 )  # fmt: skip
 def test_what_the_chart_does_not_cover_is_refused(name: str, value: float, message: str) -> None:
