@@ -56,7 +56,7 @@ def build(manifest: Manifest, store: Store, folder: Path, beside: Beside = NOTHI
     book = _book(manifest, store, beside)
     folder.mkdir(parents=True, exist_ok=True)
     before = _stamps(folder)
-    *files, front = _files(book, store.digests_of(manifest.name))
+    *files, front = _files(book, store.manifests.digests_of(manifest.name))
     named = itertools.groupby(files, key=lambda file: Path(file.name).stem)
     piles = [list(pile) for _, pile in named]  # of one case: its page and its table share series
     write = functools.partial(_written, folder, before)

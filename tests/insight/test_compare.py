@@ -85,7 +85,7 @@ def test_outcomes_and_what_one_of_them_lacks_are_told_first() -> None:
 def kept(store: Store, name: str, commit: str, records: list[Record], dirty: bool = False) -> None:
     utc = f"2025-01-{name}T00:00:00+00:00"
     circumstances = dataclasses.replace(NOWHERE, utc=utc, commit=commit, dirty=dirty)
-    store.keep_manifest(manifest(*records, provenance=circumstances, name=name))
+    store.manifests.keep(manifest(*records, provenance=circumstances, name=name))
 
 
 def test_a_run_is_found_by_its_name_or_the_beginning_of_its_commit(tmp_path: Path) -> None:

@@ -11,30 +11,31 @@ from vv.case import Norm
 from vv.insight.history import history
 from vv.insight.past_runs import PastRuns
 from vv.records.manifest import Manifest, Provenance
+from vv.store.manifests import Manifests
 from vv.store.store import Store
 
 
 def test_a_past_run_is_read_once_and_says_the_same_later(tmp_path: Path) -> None:
     store = Store(tmp_path / ".vv")
     whole = manifest_of_all(store)
-    store.keep_manifest(whole)
+    store.manifests.keep(whole)
     first = history(store, "bounce", print)
     assert first[0].closeness
     assert first[0].outcomes
-    with mock.patch.object(Store, "reader", side_effect=AssertionError("read again")):
+    with mock.patch.object(Manifests, "reader", side_effect=AssertionError("read again")):
         assert history(store, "bounce", print) == first
-    store.keep_manifest(dataclasses.replace(whole, name=f"{whole.name}.1", records=()))
+    store.manifests.keep(dataclasses.replace(whole, name=f"{whole.name}.1", records=()))
     assert history(store, "bounce", print) == first
 
 
 def test_runs_that_hold_the_same_records_are_read_once(tmp_path: Path) -> None:
     store = Store(tmp_path / ".vv")
     whole = manifest_of_all(store)
-    store.keep_manifest(whole)
+    store.manifests.keep(whole)
     first = history(store, "bounce", print)
     again = dataclasses.replace(whole, name=f"{whole.name}.1")
-    store.keep_manifest(dataclasses.replace(again, provenance=elsewhere(again)))
-    with mock.patch.object(Store, "reader", side_effect=AssertionError("read again")):
+    store.manifests.keep(dataclasses.replace(again, provenance=elsewhere(again)))
+    with mock.patch.object(Manifests, "reader", side_effect=AssertionError("read again")):
         both = history(store, "bounce", print)
     assert [point.closeness for point in both] == [first[0].closeness] * 2
 
@@ -42,16 +43,16 @@ def test_runs_that_hold_the_same_records_are_read_once(tmp_path: Path) -> None:
 def test_what_a_history_came_to_is_kept_until_a_run_holds_something_new(tmp_path: Path) -> None:
     store = Store(tmp_path / ".vv")
     whole = manifest_of_all(store)
-    store.keep_manifest(whole)
+    store.manifests.keep(whole)
     first = history(store, "bounce", print)
     later = dataclasses.replace(whole.provenance, utc="2026-01-02T00:00:00+00:00")
-    store.keep_manifest(dataclasses.replace(whole, name=f"{whole.name}.1", provenance=later))
+    store.manifests.keep(dataclasses.replace(whole, name=f"{whole.name}.1", provenance=later))
     with mock.patch.object(PastRuns, "digest", side_effect=AssertionError("worked out again")):
         again = history(store, "bounce", print)
     assert again == [dataclasses.replace(first[0], utc=later.utc)]
     worse = requantified(whole.records[0], verdict="fail", errors={Norm.MAX: 0.5}, norm=None)
     other = dataclasses.replace(whole, name=f"{whole.name}.2", records=(worse,))
-    store.keep_manifest(other)
+    store.manifests.keep(other)
     assert history(store, "bounce", print) != again
 
 

@@ -57,7 +57,7 @@ def test_kept_numbers_and_rows_of_another_count_are_worked_out_anew(
     """Sealed as they are, such as by an older form: they ended reports in a traceback."""
     store = Store(project.data())
     whole = manifest(record("dem/default", "T1", 1e-3), name="01")
-    store.keep_manifest(whole)
+    store.manifests.keep(whole)
     monkeypatch.setattr(
         Store, "facts", lambda _, kind, key: kept if f"{kind}".startswith("tuple[") else None
     )
@@ -99,6 +99,6 @@ def test_new_results_of_a_case_have_only_the_papers_about_it_read_anew(
     other = Paper("other", "", "", (open_,))
     for number, error in enumerate((1e-3, 1e-3, 2e-3)):
         whole = manifest(record("dem/default", "T1", error), name=f"0{number}")
-        Store(project.data()).keep_manifest(whole)
+        Store(project.data()).manifests.keep(whole)
         rows_of_run([one, other], project, whole)
     assert asked == ["one", "other", "one"]

@@ -22,7 +22,7 @@ from vv.records.job_record import JobCost, ModelSummary, Record
 from vv.records.manifest import Machine, Provenance
 from vv.records.quantity import MeasuredQuantity
 from vv.records.recorded import RecordedQuantity
-from vv.store import manifest, record_list
+from vv.store import manifest_text, record_list
 
 KEPT = Path(__file__).with_name("manifest.json")  # of one case, by the code before the classes
 SCHEMA = json.loads((Path(vv.__file__).parent / "records" / "record.schema.json").read_text())
@@ -45,10 +45,10 @@ WRITTEN_OUT = {"provenance"}  # fields of a document's records that stand once i
 def test_a_manifest_of_before_is_read_and_loses_nothing_when_it_is_written_again() -> None:
     """In it each record is whole; now it is written by what it has other than the one before."""
     text = KEPT.read_text(encoding="utf-8")
-    found = manifest.whole(text, "kept")
-    again = manifest.whole(manifest.render(found), "kept")
+    found = manifest_text.whole(text, "kept")
+    again = manifest_text.whole(manifest_text.render(found), "kept")
     assert codec.render(again, sort_keys=True) == codec.render(found, sort_keys=True)
-    assert len(manifest.render(found)) < len(text)
+    assert len(manifest_text.render(found)) < len(text)
     assert {r.cost.timed for r in found.records} == {True, False}
     assert found.findings
     assert found.baselines

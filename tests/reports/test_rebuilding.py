@@ -81,14 +81,14 @@ def test_stored_records_are_told_apart_case_by_case(manifest: Manifest, store: S
     two = {**manifest.cases, "other": case()}
     more = tuple(dataclasses.replace(one, case="other") for one in others)
     for name, own in (("1", manifest.records), ("2", worse)):
-        store.keep_manifest(
+        store.manifests.keep(
             dataclasses.replace(manifest, name=name, cases=two, records=(*own, *more))
         )
-    before, now = store.digests_of("1"), store.digests_of("2")
+    before, now = store.manifests.digests_of("1"), store.manifests.digests_of("2")
     assert before.keys() == now.keys() == two.keys()
     assert before["bounce"] != now["bounce"]
     assert before["other"] == now["other"]
-    assert store.digests_of("3") == {}
+    assert store.manifests.digests_of("3") == {}
 
 
 def test_a_report_that_several_processes_write_is_that_of_one(

@@ -33,46 +33,46 @@ def jobs(*cases: str) -> list[Record]:
 def test_a_past_run_can_be_read_in_part(tmp_path: Path) -> None:
     store, records = Store(tmp_path), jobs("b", "b", "a")
     kept = manifest(*records, name="01")
-    store.keep_manifest(kept)
-    assert store.manifest("01") == kept
-    assert store.head("01") == (("b", "a"), kept.provenance)
-    assert store.records_of("01", "b") == tuple(records[:2])
-    assert store.records_of("01", "c") == ()
+    store.manifests.keep(kept)
+    assert store.manifests.read("01") == kept
+    assert store.manifests.head("01") == (("b", "a"), kept.provenance)
+    assert store.manifests.records_of("01", "b") == tuple(records[:2])
+    assert store.manifests.records_of("01", "c") == ()
 
 
 def test_a_damaged_manifest_fails_where_it_is_damaged_only(tmp_path: Path) -> None:
     store, path = Store(tmp_path), tmp_path / "manifests" / "01.json"
     records = jobs("b", "a")
-    store.keep_manifest(manifest(*records, name="01"))
+    store.manifests.keep(manifest(*records, name="01"))
     path.write_text(path.read_text().replace('"steps": 1', '"steps": 7'))
-    assert store.records_of("01", "b") == (records[0],)
+    assert store.manifests.records_of("01", "b") == (records[0],)
     with pytest.raises(OSError, match="what it holds is not what was kept: the digest differs"):
-        store.manifest("01")
+        store.manifests.read("01")
     with pytest.raises(OSError, match="the records of a is not what was kept"):
-        store.records_of("01", "a")
+        store.manifests.records_of("01", "a")
     path.write_text('{"provenance": {}, "records": []}')
-    for read in (store.manifest, store.head):
+    for read in (store.manifests.read, store.manifests.head):
         with pytest.raises(OSError, match="its first line has no seal: it is of an older form"):
             read("01")
 
 
 def test_a_case_whose_records_are_lost_is_damaged_and_not_without_any(tmp_path: Path) -> None:
     store, path = Store(tmp_path), tmp_path / "manifests" / "01.json"
-    store.keep_manifest(manifest(*jobs("b", "a"), name="01"))
+    store.manifests.keep(manifest(*jobs("b", "a"), name="01"))
     kept = [line for line in path.read_text().splitlines(True) if not line.startswith('"a": ')]
     path.write_text("".join(kept))
     with pytest.raises(OSError, match="the records of a is not what was kept"):
-        store.records_of("01", "a")
+        store.manifests.records_of("01", "a")
 
 
 def test_what_is_damaged_is_passed_over_with_a_word(tmp_path: Path) -> None:
     store = Store(tmp_path)
     said: list[str] = []
     for name in ("01", "02"):
-        store.keep_manifest(manifest(*jobs("a"), name=name))
+        store.manifests.keep(manifest(*jobs("a"), name=name))
     path = tmp_path / "manifests" / "01.json"
     path.write_text(path.read_text().replace('"solve_cpu": 0.0001', '"solve_cpu": 0.0002'))
-    assert [one.name for one in store.newest(5, said.append)] == ["02"]
+    assert [one.name for one in store.manifests.newest(5, said.append)] == ["02"]
     assert said == [
         "past run 01: no whole manifest: what it holds is not what was kept: the digest differs; "
         "passed over"
@@ -82,7 +82,7 @@ def test_what_is_damaged_is_passed_over_with_a_word(tmp_path: Path) -> None:
     path.with_name("02.json").unlink()
     assert history(store, "a", said.append) == []
     assert "the records of a" in said[1]
-    assert store.latest() is None
+    assert store.manifests.latest() is None
 
 
 def test_the_latest_run_is_no_copy_and_none_of_the_future(
@@ -90,11 +90,11 @@ def test_the_latest_run_is_no_copy_and_none_of_the_future(
 ) -> None:
     store, folder = Store(tmp_path), tmp_path / "manifests"
     true, future = "20260101T000000.000000Z-1", "20990101T000000.000000Z-1"
-    store.keep_manifest(manifest(*jobs("a"), name=true))
-    store.keep_manifest(manifest(*jobs("b"), name=future))
+    store.manifests.keep(manifest(*jobs("a"), name=true))
+    store.manifests.keep(manifest(*jobs("b"), name=future))
     copy = "20260201T000000.000000Z-1"
     (folder / f"{copy}.json").write_bytes((folder / f"{true}.json").read_bytes())
-    latest = store.latest()
+    latest = store.manifests.latest()
     assert latest is not None
     assert latest.name == true
     said = capsys.readouterr().err
@@ -108,12 +108,12 @@ def test_a_record_of_what_is_not_described_is_no_part_of_a_whole_manifest(
 ) -> None:
     """Sealed as it is, it would end every report of this store for ever."""
     store, named = Store(tmp_path), manifest(*jobs("a"), name="01")
-    store.keep_manifest(changed(named, records=[changed(named.records[0], **{field: "other"})]))
+    store.manifests.keep(changed(named, records=[changed(named.records[0], **{field: "other"})]))
     with pytest.raises(OSError, match="other"):
-        store.manifest("01")
-    store.keep_manifest(changed(named, cases={}))
+        store.manifests.read("01")
+    store.manifests.keep(changed(named, cases={}))
     with pytest.raises(OSError, match="a:T1, not described there"):
-        store.manifest("01")
+        store.manifests.read("01")
 
 
 HOSTILE: tuple[object, ...] = (

@@ -69,9 +69,9 @@ def test_it_is_named_passed_over_and_written_again(
 @each
 def test_a_manifest_that_is_none_is_named(tmp_path: Path, spoil: Spoil, said: str) -> None:
     store, told = Store(tmp_path), list[str]()
-    store.keep_manifest(manifest(record("dem/default", "T1", 1e-3), name="01"))
+    store.manifests.keep(manifest(record("dem/default", "T1", 1e-3), name="01"))
     spoil(tmp_path / "manifests" / "02.json")
-    assert [one.name for one in store.newest(5, told.append)] == ["01"]
+    assert [one.name for one in store.manifests.newest(5, told.append)] == ["01"]
     assert [one.startswith("past run 02: ") for one in told] == [True]
     assert said in told[0]
 

@@ -16,7 +16,8 @@ from tests.support.acceptances import ran
 from tests.support.fabricated import changed
 from vv.records import codec
 from vv.store import array_files, provenance, record_list
-from vv.store.store import DAY, STALE, Store
+from vv.store.manifests import DAY
+from vv.store.store import STALE, Store
 
 
 def test_a_record_is_written_by_what_it_has_other_than_the_one_before() -> None:
@@ -88,8 +89,8 @@ def test_a_past_run_whose_name_lies_more_than_a_day_ahead_is_none(
     (tmp_path / "manifests").mkdir()
     for one in ("20250101T000000", name):
         (tmp_path / "manifests" / f"{one}.json").write_text("")
-    assert (name in Store(tmp_path).manifests()) is known
-    assert Store(tmp_path).manifests()[0] == "20250101T000000"
+    assert (name in Store(tmp_path).manifests.names()) is known
+    assert Store(tmp_path).manifests.names()[0] == "20250101T000000"
 
 
 def test_a_file_is_read_again_only_when_it_changes(tmp_path: Path) -> None:

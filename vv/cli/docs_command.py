@@ -160,8 +160,8 @@ def _picture(
         ],
     )
     store = Store(project.data())
-    for name in reversed(store.manifests()):
-        every = efforts(store.manifest(name))
+    for name in reversed(store.manifests.names()):
+        every = efforts(store.manifests.read(name))
         own = [e for e in every if (e.case, e.variant) == (case, variant) and e.label in labels]
         if own:
             picture(own, f"{case}:{variant}", file)

@@ -68,9 +68,9 @@ def _newer(project: Project, case: str) -> Mapping[str, AcceptedResult]:
 
     store = Store(project.data())
     found: dict[str, AcceptedResult] = {}
-    for name in store.manifests()[-PAST:]:
+    for name in store.manifests.names()[-PAST:]:
         try:
-            records = store.records_of(name, case)
+            records = store.manifests.records_of(name, case)
         except OSError as error:
             terminal.note(f"past run {name}: {error.strerror}; skipped")
             continue

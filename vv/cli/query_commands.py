@@ -127,7 +127,7 @@ def explain(
 
     project = find()
     plan = make_plan(project, selection, Options(codes=options.codes(codes)))
-    print_explanation(plan, Store(project.data()).newest(PAST, terminal.note))
+    print_explanation(plan, Store(project.data()).manifests.newest(PAST, terminal.note))
 
 
 def diff(
@@ -153,12 +153,12 @@ def diff(
 
     project = find()
     store = Store(project.data())
-    names = store.manifests()
+    names = store.manifests.names()
     if not names:
         raise UsageError(f"there are no runs to compare; {compare.how_to_make(one)}")
     known = functools.partial(checkout.named, project.root)
     first = compare.manifest_of(store, one, known)
-    second = compare.manifest_of(store, other, known) if other else store.latest()
+    second = compare.manifest_of(store, other, known) if other else store.manifests.latest()
     if second is None:
         raise UsageError("no past run can be read; `vv run` makes one")
     if first.name == second.name:

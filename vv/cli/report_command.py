@@ -66,11 +66,11 @@ def _manifest(store: Store, name: str) -> Manifest:
     """The run of that name, or the latest; raises UsageError where there is none."""
     from vv.base.hints import name_hint
 
-    names = store.manifests()
+    names = store.manifests.names()
     if not names or (name and name not in names):
         unknown = f"no run '{name}'{name_hint(name, names[-5:])}"
         raise UsageError(unknown if name else "there is no run yet")
-    manifest = store.manifest(name) if name else store.latest()
+    manifest = store.manifests.read(name) if name else store.manifests.latest()
     if manifest is None:
         raise UsageError("no past run can be read; `vv run` makes one")
     return manifest

@@ -212,7 +212,7 @@ def _list_jobs(project: Project, store: Store, plan: Plan, fresh: bool) -> None:
 
 
 def _last(store: Store) -> Manifest:
-    last = store.latest()
+    last = store.manifests.latest()
     if last is None:
         raise UsageError("--failed: there is no previous run")
     return last
@@ -246,7 +246,8 @@ def _narrower(
         if changed is not None:
             plan = narrow.affected(project, plan, changed)
         if most is not None:
-            plan = narrow.within_budget(plan, most, store.newest(pace.PAST, terminal.note))
+            past = store.manifests.newest(pace.PAST, terminal.note)
+            plan = narrow.within_budget(plan, most, past)
         return plan
 
     return narrowed

@@ -38,22 +38,22 @@ def manifest_of(store: Store, name: str, known: Callable[[str], str]) -> Manifes
 
     A commit is given by its beginning, or by a name that `known` tells the commit of, or ''.
     """
-    names = store.manifests()
+    names = store.manifests.names()
     if name in names:
-        return store.manifest(name)
+        return store.manifests.read(name)
     commit = known(name) or (name if len(name) >= 4 else "")
     edited = ""
     for run in reversed(names if commit else []):
         try:
-            came_from = store.head(run)[1]
+            came_from = store.manifests.head(run)[1]
             if came_from.commit.startswith(commit) and not came_from.dirty:
-                return store.manifest(run)
+                return store.manifests.read(run)
         except OSError as error:  # damaged from outside
             notice(f"past run {run}: {error.strerror}; skipped")
         else:
             edited = edited or (run if came_from.commit.startswith(commit) else "")
     if edited:
-        return store.manifest(edited)
+        return store.manifests.read(edited)
     last = ", ".join(names[: -LISTED - 1 : -1])
     if known(name):
         raise UsageError(f"nothing was run at {name}; {how_to_make(name)}; last runs: {last}")

@@ -79,7 +79,7 @@ def _last_runs(
 ) -> dict[str, dict[tuple[str, bool], tuple[str, Provenance]]]:
     """Case -> commit -> name and provenance of the newest run that holds it, newest first."""
     found: dict[str, dict[tuple[str, bool], tuple[str, Provenance]]] = {c: {} for c in cases}
-    for name in store.manifests()[::-1]:
+    for name in store.manifests.names()[::-1]:
         short = {case for case, commits in found.items() if len(commits) < COMMITS}
         if not short:
             break
@@ -95,7 +95,7 @@ def _worked_out(
 ) -> dict[str, dict[tuple[str, bool], Past]]:
     """Case -> commit -> its newest run with unmodified records, newest first."""
     found: dict[str, dict[tuple[str, bool], Past]] = {case: {} for case in cases}
-    for name in store.manifests()[::-1]:  # each is read once, and only what is asked of it
+    for name in store.manifests.names()[::-1]:  # each is read once, and only what is asked of it
         short = {case for case, commits in found.items() if len(commits) < COMMITS}
         if not short:
             break

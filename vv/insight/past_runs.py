@@ -55,7 +55,8 @@ class PastRuns:
     def head(self, name: str) -> Head:
         """The cases of a past run and where it comes from; no cases if it is damaged."""
         if name not in self.heads:
-            self.heads[name] = self._of(name, lambda: self.store.head(name)) or ((), NOWHERE)
+            head = self._of(name, lambda: self.store.manifests.head(name))
+            self.heads[name] = head or ((), NOWHERE)
         return self.heads[name]
 
     def digest(self, name: str, case: str) -> Digest:
@@ -81,7 +82,7 @@ class PastRuns:
             key = digest("held", name)
             known = self.store.facts(dict[str, str], key)
             if known is None:
-                known = self.store.digests_of(name)
+                known = self.store.manifests.digests_of(name)
                 if known:
                     self.store.keep_facts(key, known)
             self.held[name] = known
@@ -93,7 +94,7 @@ class PastRuns:
             return [r for r in self.at_hand[name].records if r.case == case]
         if name not in self.opened:  # a run is asked for its cases one after the other
             self.opened.clear()
-            self.opened[name] = self._of(name, lambda: self.store.reader(name))
+            self.opened[name] = self._of(name, lambda: self.store.manifests.reader(name))
         read = self.opened[name]
         return self._of(name, lambda: read(case)) if read else None
 

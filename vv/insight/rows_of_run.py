@@ -26,7 +26,7 @@ def rows_of_run(
     """The rows of each paper, worked out where records, baselines or sources are new."""
     results = functools.cache(functools.partial(_results, project, manifest))
     store = Store(project.data())
-    records = store.digests_of(manifest.name)
+    records = store.manifests.digests_of(manifest.name)
     sources = _sources(project) if records else ""
     found = []
     for paper in papers:

@@ -13,7 +13,7 @@ from vv.records import codec
 from vv.records.codec import Json
 from vv.records.job_record import Record
 from vv.records.quantity import MeasuredQuantity
-from vv.store import manifest
+from vv.store import manifest_text
 from vv.store.store import Store
 
 if TYPE_CHECKING:
@@ -96,7 +96,7 @@ def _of_quantity(quantity: MeasuredQuantity | None) -> Json:
 
 def _latest() -> Iterable[Record]:
     store = Store(find().data())
-    latest = store.latest()
+    latest = store.manifests.latest()
     if latest is None:
         raise UsageError(f"no results in {store.root}; `vv run` makes some")
     return latest.records
@@ -107,7 +107,7 @@ def _records_in(path: Path) -> Iterable[Record]:
     document = codec.parse(text)
     if isinstance(document, dict) and isinstance(document.get("records"), list):
         return [codec.read(Record, _as_kept(one), "record") for one in document["records"]]
-    return manifest.whole(text, path.stem).records
+    return manifest_text.whole(text, path.stem).records
 
 
 def _as_kept(data: Json) -> Json:

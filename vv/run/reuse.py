@@ -87,7 +87,7 @@ def recall(store: Store, identity: str) -> Manifest | None:
     if answer is None:
         return None
     try:
-        manifest = store.manifest(answer.manifest)
+        manifest = store.manifests.read(answer.manifest)
     except OSError:
         return None
     if answer.records == digest(store.state()):
@@ -105,7 +105,7 @@ def of_this_commit(
         return found
     now = datetime.datetime.now(datetime.UTC)
     name, origin = run_name(now), provenance(project.root, command, now)
-    store.keep_renamed(found.name, name, origin)
+    store.manifests.keep_renamed(found.name, name, origin)
     store.keep_answer(_key(store, identity), Answer(name, digest(store.state())))
     return dataclasses.replace(found, name=name, provenance=origin)
 
@@ -130,14 +130,14 @@ def output_of(
         return None
     if answer.printed.of != output_key(store, answer.manifest, report, required):
         return None
-    origin = store.head(answer.manifest)[1]
+    origin = store.manifests.head(answer.manifest)[1]
     same = (origin.commit, origin.dirty) == commit(project.root)
     return (answer.manifest, answer.printed) if same else None
 
 
 def output_key(store: Store, manifest: str, report: Path, required: tuple[str, ...]) -> str:
     """The digest of what printed lines describe: manifest, report, records, codes required."""
-    states = _state(store.manifest_file(manifest)), _state_of_all(report), store.state()
+    states = _state(store.manifests.file(manifest)), _state_of_all(report), store.state()
     return digest(states, required)
 
 

@@ -72,7 +72,7 @@ def carry_out(
     missing = gaps(plan, ordered, costs) if measured else ()
     timer = place.timer() if measured else machine()
     manifest = _manifest(project, plan, limits, timed, missing, timer, command, clock())
-    store.keep_manifest(manifest)
+    store.manifests.keep(manifest)
     return manifest
 
 
@@ -153,5 +153,5 @@ def _executor(project: Project, plan: Plan, limits: Limits, store: Store) -> Exe
     from vv.run.pace import PAST, paces
 
     folders = [root / "cases" / "recorded" for root in project.roots]
-    expected = paces(plan, store.newest(PAST, notice), folders)
+    expected = paces(plan, store.manifests.newest(PAST, notice), folders)
     return Cluster(limits.executor, project, keys.code_digests(project, plan), expected)

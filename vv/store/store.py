@@ -1,4 +1,4 @@
-"""Stores runs and records under digests of all that they depend on, and manifests by name.
+"""Stores runs, records and facts, each under a digest of all that it depends on.
 
 Every file is written beside its place and renamed, so that a killed process leaves whole files
 or none, and two processes at once at worst write the same file twice. Every file is sealed with a
@@ -9,40 +9,37 @@ nothing. Nothing that is read is code.
 from __future__ import annotations
 
 import contextlib
-import errno
 import functools
-import hashlib
 import io
 import os
 import shutil
 import tempfile
 import time
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any, TextIO, TypeVar
+from typing import Any, TypeVar
 
 import numpy as np
 
 from vv.ask import Run, Status
-from vv.base.files import opened, read_whole, write_whole
+from vv.base.files import read_whole, write_whole
 from vv.base.notices import notice
 from vv.records import codec
 from vv.records.fields import SPREAD
 from vv.records.job_record import Record, RunSummary
-from vv.records.manifest import Answer, Manifest, Provenance, TimedRun
+from vv.records.manifest import Answer, TimedRun
 from vv.records.quantity import MeasuredQuantity
 from vv.scene import Vector
-from vv.store import manifest
 from vv.store.array_files import arrays_in
+from vv.store.manifests import Manifests
 from vv.store.run_arrays import arrays_of, run_from
 from vv.store.seal import opened_bytes, opened_text, sealed_bytes, sealed_text
 from vv.store.series_check import check_series
 
 Found = TypeVar("Found")
 Session = dict[str, TimedRun]  # what a timing session measured, by the keys of the runs
-DAY = 86400.0  # s, by which clocks of machines may differ
-STALE = 7 * DAY  # s that the logs of a failure are kept
+STALE = 7 * 86400.0  # s that the logs of a failure are kept
 ABSENT = (FileNotFoundError, NotADirectoryError)
 UNREADABLE = (OSError, ValueError, KeyError, TypeError)
 
@@ -60,6 +57,11 @@ class Store:
     """The folder of stored results. No file in it is changed in place."""
 
     root: Path
+
+    @property
+    def manifests(self) -> Manifests:
+        """The manifests of past invocations."""
+        return Manifests(self.root / "manifests")
 
     def run(self, key: str) -> Run | None:
         """The stored run of that key; None if there is none or it cannot be read."""
@@ -113,37 +115,6 @@ class Store:
         measured = {one.key: one.quantities for one in records}
         return functools.cache(lambda key: self.series(key, measured[key]) or {})
 
-    def keep_manifest(self, what: Manifest) -> None:
-        """Store the manifest of an invocation under its name; names sort by time."""
-        write_whole(self.manifest_file(what.name), manifest.render(what).encode())
-
-    def keep_renamed(self, old: str, name: str, provenance: Provenance) -> None:
-        """Store a past invocation again, as one of that name and provenance; raises OSError."""
-        text = self._of_manifest(
-            old, lambda file: manifest.renamed(file.read(), old, name, provenance)
-        )
-        write_whole(self.manifest_file(name), text.encode())
-
-    def manifests(self) -> list[str]:
-        """The names of past invocations, oldest first.
-
-        One whose name lies in the future, which would stay the latest until then, is none.
-        """
-        names = sorted(path.stem for path in (self.root / "manifests").glob("*.json"))
-        tomorrow = time.strftime("%Y%m%dT%H%M%S", time.gmtime(time.time() + DAY))
-        for name in names:
-            if name > tomorrow:
-                notice(f"past run {name}: its time has not come; passed over")
-        return [name for name in names if name <= tomorrow]
-
-    def manifest(self, name: str) -> Manifest:
-        """A past invocation; raises FileNotFoundError with the name, OSError if it is damaged."""
-        return self._of_manifest(name, lambda file: manifest.whole(file.read(), name))
-
-    def manifest_file(self, name: str) -> Path:
-        """Where a past invocation is stored."""
-        return self.root / "manifests" / f"{name}.json"
-
     def state(self) -> tuple[int, ...]:
         """Sizes and times of change of all stored records: any change of a file changes one."""
         folders = [place for place in self.root.glob("records/*") if place.is_dir()]
@@ -153,52 +124,6 @@ class Store:
             for one in os.scandir(place)
         )
         return tuple(n for _, s in files for n in (s.st_size, s.st_mtime_ns, s.st_ctime_ns))
-
-    def latest(self) -> Manifest | None:
-        """The newest past invocation that can be read, or None; damaged ones are named."""
-        for name in reversed(self.manifests()):
-            if found := self.newest_of([name], notice):
-                return found[0]
-        return None
-
-    def newest(self, most: int, passed_over: Callable[[str], None]) -> list[Manifest]:
-        """The newest past invocations, newest first; `passed_over` is called for damaged ones."""
-        return self.newest_of(self.manifests()[-most:], passed_over)
-
-    def newest_of(self, names: Sequence[str], passed_over: Callable[[str], None]) -> list[Manifest]:
-        """The readable ones of these past invocations, newest first; names: oldest first."""
-        found = []
-        for name in reversed(names):
-            try:
-                found.append(self.manifest(name))
-            except OSError as error:
-                passed_over(f"past run {name}: {error.strerror}; passed over")
-        return found
-
-    def head(self, name: str) -> tuple[tuple[str, ...], Provenance]:
-        """The cases a past invocation holds, and its provenance; raises as `manifest`."""
-        return self._of_manifest(name, lambda file: manifest.head(file, name))
-
-    def records_of(self, name: str, case: str) -> tuple[Record, ...]:
-        """The records of one case in a past invocation; raises as `manifest`."""
-        return self.reader(name)(case)
-
-    def digests_of(self, name: str) -> dict[str, str]:
-        """Case -> digest of its records in a past invocation; empty if it cannot be read.
-
-        For who has read it whole and so knows that it is undamaged.
-        """
-        path = self.manifest_file(name)
-        try:
-            return dict(_digests_in(path, path.stat().st_mtime_ns))
-        except OSError:
-            return {}
-
-    def reader(self, name: str) -> Callable[[str], tuple[Record, ...]]:
-        """Reads the records of a case in a past invocation; raises as `manifest`."""
-        lines = self._of_manifest(name, list)
-        path = self.manifest_file(name)
-        return lambda case: _undamaged(path, lambda: manifest.records(iter(lines), case, name))
 
     def timings(self, session: str) -> Session | None:
         """The timing session of this digest of what was timed and on which machine."""
@@ -242,13 +167,6 @@ class Store:
                 if time.time() - folder.stat().st_mtime > STALE:
                     shutil.rmtree(folder, ignore_errors=True)
 
-    def _of_manifest(self, name: str, read: Callable[[TextIO], Found]) -> Found:
-        path = self.manifest_file(name)
-        if not path.exists() and not path.is_symlink():
-            raise FileNotFoundError(f"no run '{name}' in {path.parent}")
-        with io.TextIOWrapper(opened(path), encoding="utf-8") as file:
-            return _undamaged(path, lambda: read(file))
-
     def _read(self, kind: type[Found], layer: str, key: str) -> Found | None:
         """The content of a file; None if it is missing or damaged."""
         try:
@@ -290,18 +208,3 @@ class Store:
 
     def _path(self, layer: str, key: str, suffix: str) -> Path:
         return self.root / layer / key[:2] / f"{key}.{suffix}"
-
-
-@functools.lru_cache(maxsize=4)
-def _digests_in(path: Path, changed: int) -> dict[str, str]:  # tells files apart
-    with io.TextIOWrapper(opened(path), encoding="utf-8") as file:
-        lines = _undamaged(path, lambda: manifest.lines_of(file))
-    return {case: hashlib.sha256(line.encode()).hexdigest() for case, line in lines.items()}
-
-
-def _undamaged(path: Path, read: Callable[[], Found]) -> Found:
-    """What is read of a manifest; raises OSError where that is damaged."""
-    try:
-        return read()
-    except (ValueError, TypeError) as error:
-        raise OSError(errno.EIO, f"no whole manifest: {error}", str(path)) from error

@@ -4,7 +4,8 @@ from bench.mutation.seeded.bug import Bug
 
 SEAL = "vv/store/seal.py"
 STORE = "vv/store/store.py"
-MANIFEST = "vv/store/manifest.py"
+MANIFEST = "vv/store/manifest_text.py"
+MANIFESTS = "vv/store/manifests.py"
 PROVENANCE = "vv/store/provenance.py"
 CODEC = "vv/records/codec.py"
 KEYS = "vv/plan/keys.py"
@@ -17,8 +18,8 @@ BUGS = (
     Bug("a seal that any name opens", SEAL, "hashlib.blake2b(name.encode(", "hashlib.blake2b(''.encode(", tests=KEPT),
     Bug("a manifest's first line unsealed", MANIFEST, "    if end != f'", "    if False and end != f'", tests=KEPT),
     Bug("a case's records unsealed", MANIFEST, "    _check(seals, case, own, name)\n", "", tests=KEPT),
-    Bug("a manifest of the future is the latest", STORE, "return [name for name in names if name <= tomorrow]", "return names", tests=KEPT),
-    Bug("the latest is the oldest", STORE, "for name in reversed(self.manifests()):", "for name in self.manifests():", tests=KEPT),
+    Bug("a manifest of the future is the latest", MANIFESTS, "return [name for name in names if name <= tomorrow]", "return names", tests=KEPT),
+    Bug("the latest is the oldest", MANIFESTS, "for name in reversed(self.names()):", "for name in self.names():", tests=KEPT),
     Bug("failures kept as runs", STORE, "if run.status is Status.RAN:", "if run.status is not None:", tests="tests/store/test_store.py::test_a_failure_is_never_kept"),
     Bug("half a file where one is killed", FILES, "os.replace(temporary, path)", "path.write_bytes(content[: len(content) // 2]); os.replace(temporary, path)", tests="tests/store tests/base"),
     Bug("a program known by a time that can be set back", PROVENANCE, "state.st_ctime_ns", "state.st_mtime_ns", tests="tests/store tests/plan/test_keys.py"),
