@@ -1,170 +1,185 @@
-"""Numbers that bound what the rigid solver does, with their reasons."""
+"""The numerical limits of the rigid solver, with the reason for each."""
 
 SMALL = 8
-"""Blocks up to which steps are cut at landings and where slip ends: beyond, there always is one."""
+"""Largest number of blocks for which steps are divided at landings and ends of slip.
+
+With more blocks there would be such an event in every step.
+"""
 
 FINE, ROUNDED = 2e-11, 1e-13
-"""Of the weight of a block, times the step, and of the speeds in a step: residuals asked of small
-scenes, the larger counts. Summed over the steps the first is this part of what weights do; less
-than the second is rounding."""
+"""Residual of contact asked of small scenes: the larger of the first times the velocity that the
+weight of a block gains in a step, and the second times the speeds in a step. Summed over the steps,
+the first is this part of the effect of the weights; the second is rounding."""
 
 FINEST, COARSE, CONVERGED = 3e-13, 1.9e-6, 4.6e-6
-"""Of a scene's speed: the largest residual asked of small scenes, where more would flatten the
-order, and of others; and one above which friction creeps and a run is not to be believed."""
+"""Over the speed of a scene: the largest residual asked of small scenes, where a larger one would
+spoil the observed order; that asked of other scenes; and one above which blocks held by friction
+creep and a run is not valid."""
 
 LONG = 1e4
-"""Steps in which a weak field makes the speed that residuals of small scenes are parts of.
+"""Number of steps of free acceleration whose velocity is the scale of residuals in small scenes
+under a weak field.
 
-What it makes of its blocks as they fall by their own size is less by the root of the field; what
-it makes within a run, by the field.
+The velocity of a fall by a block's own size decreases with the root of the field, that gained in a
+run in proportion to the field: only the latter is a valid scale for all fields.
 """
 
 CRAWLS = 2.5e-6
-"""Of the speed of a fall over the smallest block: no larger residual is asked of large scenes.
+"""Upper bound on the residual asked of large scenes, over the speed of a fall by the size of the
+smallest block.
 
-However fast a wall is shaken, what it creeps by is seen beside the blocks of which it is built.
+However fast a wall is shaken, creep must be small in comparison with the size of its blocks.
 """
 
 FEWEST, MOST, SMALL_MOST = 20, 20_000, 1000
-"""Sweeps made at least, and at most; in small scenes there is no least.
+"""Least and largest number of sweeps; small scenes have no least number.
 
-The least lets a wall at rest converge from step to step beyond the residual asked of one step.
-A step is taken as it is after the most; its residual says so. Of 3000 steps of facades shaken apart
-one needed nearly as many.
+With the least number, a wall at rest converges from step to step to less than the residual asked of
+one step. After the largest number a step is accepted as it is, with its residual reported. Of
+3000 steps of facades that are shaken apart, one needed nearly as many.
 """
 
 UNHINTED, ENOUGH = 1e-5, 2000
-"""Of the residual asked: in the first step of large scenes, whose impulses no step before hints at.
+"""Factor on the residual asked in the first step of large scenes, which starts without impulses of
+a step before; and the number of sweeps after which the usual residual is enough there.
 
-What stands goes on from there: left at the residual of any step, it settled for a hundred steps. A
-wall that slides at once would take more than 10 000 sweeps; after enough of them the residual of
-any step will do.
+Later steps of a scene at rest start from the impulses of this one: with the usual residual it took
+a hundred steps to settle. A wall that slides at once would need more than 10 000 sweeps.
 """
 
 CARRIED, STEADIED = 600, 200
-"""Sweeps with momentum, and then with conjugate gradients, before the others have a turn.
+"""Number of sweeps with momentum, and then with conjugate gradients, before the methods alternate.
 
-Of 22 steps of a facade that falls apart, momentum alone left 14 above their residual after 3000
-sweeps, and in turns 2 after 10 000. A sweep of conjugate gradients takes twice as long.
+Of 22 steps of a facade that falls apart, momentum alone left 14 above the residual asked after
+3000 sweeps; alternation left 2 after 10 000. A sweep with conjugate gradients takes twice as long.
 """
 
 STUCK, LEAPT = 2400, 7200
-"""Sweeps of a large scene after which Newton steps are tried; with leaps, after which they end.
+"""Number of sweeps of a large scene after which Newton steps are tried; and the number of sweeps
+with leaps after which the solution is started again without leaps.
 
-Walls of 200 blocks that slide take up to 10 000 sweeps with leaps in some steps. One shaken at
-1.09 g had steps that needed more than 20 000, and 1600 more when they were begun again without.
+In some steps, walls of 200 blocks that slide take up to 10 000 sweeps with leaps. A wall shaken at
+1.09 g had steps that took more than 20 000 with leaps, and only 1600 when started again without.
 
-A facade of 216 blocks that is shaken apart comes here in 2 to 4 of 100 steps. Newton steps cost as
-much as some thousand sweeps, and sweeps alone had left one such step in forty above its residual.
+A facade of 216 blocks that is shaken apart reaches these limits in 2 to 4 of 100 steps. A Newton
+step costs as much as some thousand sweeps; sweeps alone left one such step in forty above the
+residual asked.
 """
 
 FAR = 10.0
-"""Of the residual asked: where more is left after so many sweeps, they begin anew from no impulses.
+"""Ratio of the residual to that asked above which sweeps that are stuck restart from zero impulses.
 
-Where blocks wedge, friction allows several answers, and of some of them sweeps keep away: from the
-impulses of a hair's breadth beside, what was missing grew by 1.8 % in each. The step of a sliding
-wall of 205 blocks that was near such an answer had 7e-5 m/s left after 20 000 sweeps, with Newton
-steps among them; from no impulses it takes 980 sweeps to another one.
+Where blocks are wedged, friction allows several solutions, and sweeps diverge from some of them:
+from impulses very close to one of these, the residual grew by 1.8 % in each sweep. The step of a
+sliding wall of 205 blocks that was near such a solution had a residual of 7e-5 m/s after 20 000
+sweeps and Newton steps; from zero impulses it converges to another solution in 980 sweeps.
 """
 
 STALLED = 60
 """Sweeps of a small scene or a chain after which Newton steps are tried, and again as often."""
 
 CHAIN = 3
-"""Places by which blocks that touch are apart at most where they hang together in a chain.
+"""Largest distance in the ordering between blocks in contact for which blocks form a chain.
 
-Sweeps pass a force on by a block each, so that a chain of n takes n squared of them to bear it; a
-Newton step there costs about as much as ten sweeps, and in a wall of ten courses a hundred.
+Sweeps transmit a force by one block each, so that a chain of n blocks needs n^2 sweeps to carry a
+load. A Newton step costs about as much as ten sweeps in a chain, and as a hundred in a wall of ten
+courses.
 """
 
 POLISHED, SHINED = 1e-3, 0.1
-"""Of the residual asked: how far Newton steps go in a chain, where what is left adds up; and in a
-small scene, where a block just held on a slope creeps by what is left."""
+"""Factors on the residual asked of Newton steps: in a chain, where residuals add up; and in a small
+scene, where a block that is just held on a slope creeps at the residual velocity."""
 
 OUTER, INNER = 20, 12
-"""Newton's rounds: of impulses that follow, and of velocities within each."""
+"""Largest numbers of Newton rounds, after each of which impulses are updated, and of iterations for
+the velocities in each round."""
 
 STIFF, SOFT = 1e3, 10.0
-"""How much stiffer than inertia contacts are in the first round, and where sweeps of a large scene
-are stuck; ten times as much in the next. There many slips change within a round, and of 18 steps
-the soft one met the residual, or found that it gains no more, in two thirds of the Newton steps."""
+"""Stiffness of contacts over inertia in the first Newton round, and in that of a large scene where
+sweeps are stuck; it grows tenfold with each round. In large scenes many slips change in a round:
+over 18 steps, the soft start met the residual, or found that it could not be reduced, with two
+thirds as many Newton steps."""
 
 PUSHES = 30
-"""Sweeps that move blocks out of one another; what is left is moved in the next step."""
+"""Sweeps that remove penetration from positions; what remains is removed in the next step."""
 
 TOUCHING, LOOSELY = 1e-11, 1e-5
-"""Of the smallest block's size: gaps and penetrations that are none, in small scenes and others.
+"""Over the size of the smallest block: gaps and penetrations that count as zero, in small scenes
+and in others.
 
-A face on a face has corners enough for their gaps to contradict one another. Such rounding, or
-what a residual leaves behind in a step, would shift the load from corner to corner for ever.
+A face on a face has so many corners that their gaps can contradict each other. Without this
+tolerance, rounding or the residual of a step would shift the load from corner to corner for ever.
 """
 
 SPLITS = 16
-"""Parts a step is cut into at most; slip that stops more often than that within a step chatters."""
+"""Most parts of a step; slip that stops more often within a step chatters."""
 
 BEGINS, ENDS = 6, 34
-"""Trials by which the begin or the end of a slip is enclosed.
+"""Most trials that enclose the begin or the end of a slip.
 
-A slip begins with no acceleration: missed by 1/64 of a step, its velocity is off by the square
-of that. Where it turns about, friction changes sign at once: 2**-28 of a step shows where a base
-shakes at 20 Hz with a thousand times what friction can do.
+A slip begins with zero acceleration: an error of 1/64 of a step in time causes an error of only
+the square of that in velocity. Where slip reverses, friction changes its sign at once: 2**-28 of a
+step resolves this for a base that shakes at 20 Hz with a thousand times the friction limit.
 """
 
 NEARLY = 1e-5
-"""Of what drives a scene: a slip slower than this acceleration makes it in a step has not begun, or
-has ended where a cut was made."""
+"""Over the velocity gained from all forces in a step: slower slip has not begun, or has ended where
+the step was divided."""
 
 GRIP = 0.5
-"""Of what friction can hold: a contact that holds less does not slip before the step's end."""
+"""Part of the friction limit below which a sticking contact does not slip before the step ends."""
 
 GLIMPSE = 0.02
-"""Part of a step that shows whether slip begins at once: its mean force is the one of now."""
+"""Length of a trial, over the step, that shows whether slip begins at once: its mean force is close
+to the present one."""
 
 CLOSE = 4e-9
-"""Part of a step within which the general model encloses the end of a slip."""
+"""Accuracy, over the step, of the end of a slip in the general model."""
 
 CUTS = 1e-9
-"""Part of a step that is no step: slip that ends as it begins is taken to have ended."""
+"""Shortest part of a step: slip that ends within it has ended at once."""
 
 LOOKS = 40
-"""Trials by which a landing is found where drives bend the way to it; without, two are enough."""
+"""Most iterations that find a landing where shaking curves the path; otherwise two are enough."""
 
 BRIEF = 0.1
-"""Part of a step: an impulse that acted for less is no force to guess the next one from. As a force
-times the step it may be 1e4 times too large, and rounding of that would be lost from momentum."""
+"""Shortest time, over the step, over which impulses are averaged to predict those of the next step.
+The mean force over a much shorter time may be 1e4 times too large, and rounding of the prediction
+would be lost from the momentum."""
 
 STILL = 1e-9
-"""Of what drives a scene: a slip slower than this acceleration makes it in a step has no
-direction."""
+"""Over the velocity gained from all forces in a step: slower slip has no direction."""
 
 BENDS = 6
-"""Rounds by which, in small scenes, the mean direction of friction follows the slip it decides."""
+"""Iterations in which the mean direction of friction follows the slip, in small scenes."""
 
 SLOWLY, CLOSELY, GENTLY = 0.1, 5e-3, 1e6
-"""Of what drives a scene, times the step: a contact that closes, or jams, at less needs no blow. It
-is found where the step ends, too late by so much times the step, which is of second order. Nor does
-one whose gap is less of what the drive makes of the step, or that is slower than so many residuals.
+"""Limits below which a contact that closes or jams needs no impact: the first is on its velocity,
+over the velocity gained from all forces in a step; the second on its gap, over the distance gained
+in the same way; the third on its velocity, over the residual. The closing is then noticed at the
+end of the step, too late by a velocity in proportion to the step, which is of second order.
 """
 
 LANDINGS, LANDED, SHORTLY = 8, 1e-8, 0.1
-"""Trials by which a landing is found, the part of a step that it may be missed by, and the part of
-one after which gaps are looked at anew that seem closed as it begins.
+"""Most iterations that find a landing; its accuracy, over the step; and the part of a step after
+which gaps that seem closed at its start are computed again.
 """
 
 APART = -1e30
-"""Of the slack: from there on gaps count that must not close in a trial."""
+"""Factor on `slack` for trials in which no new contact may act, whatever its gap."""
 
 HITS = 1e-4
-"""Of the way that anything goes in a step: a gap that takes part in a blow."""
+"""Over the largest displacement in a step: gaps up to this take part in an impact."""
 
 BLOW = 1e-9
-"""Part of a step that a blow takes, in which velocities change and positions do not."""
+"""Duration of an impact over the step: velocities change in it and positions do not."""
 
 PARTS = 512
-"""Parts a step of a point mass is cut into at most, where slip ends, and where it turns sharply."""
+"""Most parts of a step of a point mass, divided where slip ends and where it turns sharply."""
 
 HALVINGS, VEERED, AGREE, MOSTLY = 24, 0.01, 7.0, 0.02
-"""Halvings of a step of a point mass in which the square of the sine of the angle that slip turns
-by is more than the second. Its halves must agree to the third, times the square of the step over
-the time in which drives turn about, and to the last, of what friction makes of a step: so the whole
-is of second order, and steps in which slip is not about to stop are left whole."""
+"""Most halvings of a step of a point mass, made where the squared sine of the angle by which slip
+turns exceeds the second number. The velocities after one step and after two halves must agree to a
+part of the velocity that friction gains in a step: the third number times the squared ratio of the
+step to the time in which the forces change, and at most the fourth. So the method is of second
+order, and steps in which slip is not about to stop are not divided."""

@@ -1,6 +1,6 @@
-"""What is large in a scene: the acceleration and the speed that limits of convergence are parts of.
+"""Finds the scales of acceleration and speed of a scene, to which tolerances are relative.
 
-Limits in m/s and m/s2 would make the answer depend on the units, and on how weak gravity is.
+Tolerances in m/s and m/s2 would make the answer depend on the units and on the size of gravity.
 """
 
 from __future__ import annotations
@@ -15,13 +15,13 @@ from vv.scene import Harmonic, Scene
 
 @dataclass(frozen=True)
 class Scales:
-    """weight, pull: what forces, and what forces and drives together, make of a block [m/s2].
+    """Scales of a scene's motion.
 
-    speed: how fast it is at least soon [m/s]; fall: what falling makes over the size of the
-    smallest [m/s]. Without forces the drives count as weight. quick: how often a motion turns
-    about [1/s], by its own measure, so that a motion a thousandth as large, under a thousandth of
-    all accelerations, is followed the same way; given: the speed that it has at the start, and
-    that drives alone make [m/s].
+    weight: the acceleration by gravity and loads [m/s2], or by shaking and moving walls if there
+    are neither; pull: by all together [m/s2]. speed: that a block has or soon gains [m/s]; fall:
+    that of a fall by the size of the smallest block [m/s]. quick: the least ratio of acceleration
+    to velocity [1/s], which does not change if all accelerations and velocities are scaled;
+    given: the initial speed plus that of shaking and moving walls [m/s].
     """
 
     weight: float
@@ -33,7 +33,7 @@ class Scales:
 
 
 def scales(scene: Scene) -> Scales:
-    """Those of a scene: weights and loads, drives, velocities at the start, sizes of blocks."""
+    """The scales of a scene, from its forces, prescribed motions, velocities at t = 0 and sizes."""
     blocks, walls = scene.blocks, [wall.motion for wall in scene.walls]
     forces = [math.hypot(*(scene.gravity + block.load / block.mass)) for block in blocks]
     shaken, moved = _rate(scene.wave, 0), max((_rate(one, 2) for one in walls), default=0.0)
@@ -53,7 +53,7 @@ def scales(scene: Scene) -> Scales:
 
 
 def _rate(motion: Harmonic | None, times: int) -> float:
-    """The most that a motion, differentiated so many times, can be; -1 stands for its integral."""
+    """An upper bound on a motion's time derivative of order `times`; -1 means its integral."""
     if motion is None:
         return 0.0
     turns = motion.frequency > 0.0

@@ -1,4 +1,4 @@
-"""Rigid blocks, exact Coulomb friction without penalty: from an ask to a program to a Run."""
+"""Solves an ask about rigid blocks with exact Coulomb friction: from the ask to its run."""
 
 from __future__ import annotations
 
@@ -35,12 +35,12 @@ LEDGER = (
 )
 SIGNS = np.array([1.0, 1.0, 1.0, -1.0, -1.0, -1.0, 1.0, 1.0])
 EPS = float(np.finfo(float).eps)
-ROUNDINGS = 64  # of the peak energy, allowed for each step
+ROUNDINGS = 64  # allowed per step, in units of eps times the peak energy
 
 
 @dataclass(frozen=True, eq=False)
 class PreparedRigidBlocks:
-    """An ask ready to be solved as often as wanted: a `vv.codes.timing.Prepared`.
+    """An ask that is prepared to be solved as often as wanted: a `vv.codes.timing.Prepared`.
 
     system: the smallest model of its scene.
     """
@@ -50,19 +50,19 @@ class PreparedRigidBlocks:
 
     @property
     def model(self) -> Model:
-        """What was built."""
+        """The model that was built."""
         return Model(self.system.unknowns, self.system.terms, self.system.words)
 
     @functools.cached_property
     def arguments(self) -> tuple[Any, ...]:
-        """What the kernel is called with: outputs, stride, dt, the scene."""
+        """The arguments of the kernel: output arrays, stride, dt, and the scene."""
         goal, dt = self.ask.goal, self.ask.dt
         outputs = self.system.outputs(len(goal.times(dt)), self.watched)
         return (*outputs, goal.stride(dt), dt, *self.system.arguments(dt))
 
     @functools.cached_property
     def watched(self) -> tuple[int, ...]:
-        """The blocks observed; raises ValueError for a body that is none."""
+        """The observed blocks; raises ValueError for a body that is no block."""
         return tuple(block_index(self.ask.scene, what.body) for what in self.ask.observables)
 
     def warm(self) -> None:
@@ -71,26 +71,26 @@ class PreparedRigidBlocks:
         self.system.kernel()(path[:1], energy[:1], report[:1], reaction[:1], *rest)
 
     def solve(self) -> int:
-        """Run the kernel over all steps; returns how many rows of the outputs are good."""
+        """Run the kernel over all steps; returns the number of valid rows of the outputs."""
         return self.system.kernel()(*self.arguments)
 
     @property
     def energies(self) -> Vector:
-        """The ledger's terms (k, 8) [J] in time, whose sum is constant, after a solve."""
+        """The ledger's terms (k, 8) [J] over time, whose sum is constant, after a solve."""
         return np.asarray(self.system.joules(self.arguments[1]) * SIGNS + 0.0)
 
     @property
     def report(self) -> Vector:
-        """Residual [m/s], sweeps, deepest penetration [m], cuts (k, 4) since the row before."""
+        """Rows (k, 4) of residual [m/s], sweeps, deepest penetration [m] and divisions of steps."""
         return np.asarray(self.arguments[2])
 
     @property
     def reactions(self) -> Vector:
-        """Forces (k, w, 3) of the walls on the blocks [N] in time, after a solve."""
+        """Forces (k, w, 3) of the walls on the blocks [N] over time, after a solve."""
         return self.system.newtons(self.arguments[3])
 
     def run(self, rows: int) -> Run:
-        """The Run of a solve that returned `rows`; its cost is left empty."""
+        """The run of a solve that returned `rows` valid rows; its cost is left empty."""
         goal, dt, path = self.ask.goal, self.ask.dt, self.arguments[0]
         whole = rows == len(path)
         values = {}
@@ -113,7 +113,7 @@ class PreparedRigidBlocks:
         )
 
     def _worst(self, rows: int) -> str:
-        report = self.report[: rows + 1]  # with the row in which it diverged
+        report = self.report[: rows + 1]  # including the row in which it diverged
         residual, sweeps, deepest, _ = report.max(axis=0)
         cuts = report[:, 3].sum()
         return (
@@ -129,7 +129,7 @@ class PreparedRigidBlocks:
         residual = float(self.report[:, 0].max())
         audits = {"residual of contact [m/s]": (residual, CONVERGED * scales(self.ask.scene).speed)}
         left = self._left_by_contacts()
-        if left > 0.0 and self.system.closes:  # what each term may be off by, but not their sum
+        if left > 0.0 and self.system.closes:  # residuals exchange energy between terms
             audits["energy beyond rounding [J]"] = (unaccounted, rounding)
         if isinstance(self.system, Point):
             lost = np.diff(terms[:, 1] + terms[:, 2])
@@ -143,10 +143,10 @@ class PreparedRigidBlocks:
         )
 
     def _left_by_contacts(self) -> float:
-        """Energy [J] that contacts which stay give or take, as they are solved to a residual only.
+        """A bound on the energy [J] exchanged by contacts because of their residual velocities.
 
-        At most the forces that press, times the residuals, times the time. Those on one block are
-        all of walls; what blocks press on each other with is not known here, and nothing is said.
+        It is the sum of forces times residuals times the output interval. For one block all forces
+        are those of walls; those between blocks are not recorded, and the bound is then zero.
         """
         if len(self.ask.scene.blocks) > 1:
             return 0.0
@@ -155,13 +155,13 @@ class PreparedRigidBlocks:
 
 
 def prepare(ask: Ask) -> PreparedRigidBlocks:
-    """The program of an ask, with the smallest model its scene allows."""
+    """The prepared ask, with the smallest model that its scene allows."""
     held = any(isinstance(what, Reaction | Impulse) for what in ask.observables)
     return PreparedRigidBlocks(ask, (None if held else point(ask.scene)) or Space(ask.scene))
 
 
 def solve(ask: Ask) -> Run:
-    """Solve an ask once, its cost left empty; refused if `refuses` says why."""
+    """Solve an ask once, without its cost; the run is refused if `refuses` gives a reason."""
     reason = refuses(ask)
     if reason is not None:
         return Run(Status.REFUSED, reason)
@@ -170,16 +170,16 @@ def solve(ask: Ask) -> Run:
 
 
 def refuses(ask: Ask) -> str | None:
-    """Why an ask cannot be run honestly; else None."""
+    """Why an ask cannot be solved; None if it can."""
     dt, goal, scene = ask.knobs.dt, ask.goal, ask.scene
     if dt is None:
         return "Knobs.dt is None; rigid blocks need a step"
     if goal.steps(dt) == 0:
         return f"dt = {dt!r} s leaves no step in History.duration = {goal.duration!r} s"
     if not scene.blocks:
-        return "the scene holds no block"
+        return "the scene has no block"
     if len(scene.spheres):
-        return "the scene holds spheres; rigid blocks touch blocks and walls"
+        return "the scene has spheres; rigid blocks have contacts with blocks and walls only"
     if np.isfinite(scene.contact.kn):
         return f"Contact.kn = {scene.contact.kn!r} N/m; rigid contact has no stiffness"
     checks = (strained, moves_where_locked, unsupported, undetermined, overlaps)

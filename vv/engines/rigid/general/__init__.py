@@ -1,1 +1,1 @@
-"""The general model: blocks that move and turn, in steps cut at events."""
+"""The general model: blocks that translate and rotate, in steps that are divided at events."""

@@ -1,4 +1,4 @@
-"""Kernels for the mean direction of friction over a step of rigid blocks whose slip turns."""
+"""Kernels for the mean direction of friction over a step of blocks whose slip changes direction."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from vv.engines.rigid.solver.cone import Friction
 from vv.scene import Vector
 
 NIL = (0.0, 0.0, 0.0)
-ALIKE = 1e-7  # sine of the angle by which two normals do not differ
+ALIKE = 1e-7  # sine of the angle below which two normals are the same
 
 
 @lent
@@ -22,7 +22,7 @@ def bent(
     setting: Setting, now: float, span: float, joints: Joints, friction: Friction, p: Vector,
     v_old: Vector, w_old: Vector, v: Vector, w: Vector,
 ) -> bool:  # fmt: skip
-    """Set the turn of all slips for their present ends; tell whether there is any."""
+    """Set friction.turn (see `bend`) from the present velocities; return whether any is nonzero."""
     there = False
     for c in range(len(p)):
         n, d = at(joints.normal, c), at(friction.d, c)
@@ -43,9 +43,9 @@ def bent(
 
 @called
 def sagging(setting: Setting, now: float, span: float, joints: Joints, c: int) -> Triple:
-    """How far drives take a block on a wall halfway from the mean of its first and last [m/s].
+    """The velocity at mid-step minus the mean of those at its ends, by prescribed motions [m/s].
 
-    Relative to the wall, as if no contact guided the block.
+    It is that of a block relative to its wall, without contact forces; zero between two blocks.
     """
     sag, wall, block = NIL, joints.first[c] - len(setting.mass), joints.second[c]
     if wall < 0:
@@ -60,9 +60,10 @@ def sagging(setting: Setting, now: float, span: float, joints: Joints, c: int) -
 
 @lent
 def guided(sag: Triple, joints: Joints, c: int, p: Vector, blocks: int) -> Triple:
-    """What is left of a velocity at contact c where walls press on its block: along their groove.
+    """The part of a velocity at contact c that the walls pressed on its block allow.
 
-    On walls with one normal that is its part in their plane, on three it is nothing.
+    On walls with one normal it is the part in their plane, on walls with two normals that along
+    their groove; on walls with three it is zero.
     """
     n, out = at(joints.normal, c), NIL
     sag = add_scaled(sag, -dot(sag, n), n)

@@ -1,4 +1,4 @@
-"""The contact solver of a step: sweeps, and in small scenes and chains Newton steps."""
+"""Solves the contacts of a step by sweeps and, in small scenes and chains, by Newton steps."""
 
 from __future__ import annotations
 
@@ -41,11 +41,11 @@ def converged(
     setting: Setting, joints: Joints, bodies: Bodies, friction: Friction,
     p: Vector, v: Vector, w: Vector, fewest: int, tolerance: float,
 ) -> tuple[int, float]:  # fmt: skip
-    """Improve p (c, 3), whose effect is in v and w, until the residual [m/s] is met.
+    """Iterate impulses p (c, 3) [N s] until the residual is at most `tolerance` [m/s].
 
-    Where many blocks form no chain, sweeps leap along what they drift by. A step that leaps lead
-    astray is begun again without, and the better of both answers is kept. Returns the sweeps made
-    and the residual reached.
+    v, w: (b, 3) velocities that include the effect of p. Many blocks that form no chain are solved
+    by sweeps with leaps. If these do not reach the setting's tolerance, the solution is started
+    again without leaps, and the better one is kept. Returns the number of sweeps and the residual.
     """
     blocks = len(setting.mass)
     if blocks <= SMALL:
@@ -74,8 +74,10 @@ def leaping(
     setting: Setting, joints: Joints, bodies: Bodies, friction: Friction,
     p: Vector, v: Vector, w: Vector, fewest: int, tolerance: float, place: Index,
 ) -> tuple[int, float]:  # fmt: skip
-    """Sweep with leaps; where these are stuck begin anew, once, without impulses, where they are
-    far from the residual asked, and otherwise take Newton steps.
+    """Solve by sweeps with leaps, as `converged`.
+
+    If they are stuck, the solution is started again, once, from zero impulses if the residual is
+    far above that asked; otherwise Newton steps are taken.
     """
     sweeps, left, anew, more = 0 * fewest, np.inf, False, 1
     free_v, free_w = without(p, joints, bodies, v, w)
@@ -101,14 +103,14 @@ def in_turns(
     setting: Setting, joints: Joints, bodies: Bodies, friction: Friction,
     p: Vector, v: Vector, w: Vector, fewest: int, tolerance: float,
 ) -> tuple[int, float]:  # fmt: skip
-    """Sweep until the residual is met; where sweeps stall, take Newton steps if these are cheap.
+    """Solve as `converged`, by sweeps of two kinds in turn, and Newton steps where these are cheap.
 
-    They are in small scenes, and where blocks hang together in a chain. There they go on beyond
-    the residual asked, for the little that they cost more: what is left adds up along a chain.
-    Elsewhere sweeps with momentum and with conjugate gradients take turns: where blocks wedge, one
-    drifts away and the other creeps, and each goes on from where the other is stuck. In the few
-    steps in which both are they begin anew, once, without impulses, where they are far from the
-    residual asked, and otherwise take Newton steps.
+    Newton steps are cheap in small scenes and in chains of blocks. There they continue beyond the
+    residual asked, since residuals add up along a chain. Elsewhere, sweeps with momentum alternate
+    with sweeps of conjugate gradients: where blocks are wedged, the former may diverge and the
+    latter be slow, and each continues from where the other is stuck. If both are stuck, the
+    solution is started again, once, from zero impulses if the residual is far above that asked;
+    otherwise Newton steps are taken.
     """
     blocks, sweeps, left = len(setting.mass), 0 * fewest, np.inf
     small, place, apart = blocks <= SMALL, in_order(blocks), blocks - 1
@@ -146,7 +148,7 @@ def in_turns(
 def without(
     p: Vector, joints: Joints, bodies: Bodies, v: Vector, w: Vector
 ) -> tuple[Vector, Vector]:
-    """The velocities (b, 3) that there would be without the impulses p (c, 3)."""
+    """The velocities and spins (b, 3) without the impulses p (c, 3), whose effect is in v, w."""
     free_v, free_w = same_rows(v, len(v)), same_rows(w, len(w))
     for c in range(len(p)):
         load_on(joints, c, bodies, free_v, free_w, add_scaled(NIL, -1.0, at(p, c)))
@@ -158,10 +160,10 @@ def renewed(
     p: Vector, joints: Joints, bodies: Bodies, friction: Friction, v: Vector, w: Vector,
     free_v: Vector, free_w: Vector,
 ) -> float:  # fmt: skip
-    """Work out anew what impulses p make of free velocities; return the residual [m/s].
+    """Recompute v, w from the velocities without contact and the impulses p; return the residual.
 
-    Each sweep adds its rounding to the velocities. In a narrow groove, whose impulses are 1e6
-    times what they leave, that became more than the residual asked for, and grew with the sweeps.
+    Each sweep adds its rounding to the velocities. In a narrow groove, where impulses over mass
+    are 1e6 times the resulting velocity, the rounding would exceed the residual asked.
     """
     keep(v, free_v)
     keep(w, free_w)
@@ -175,10 +177,10 @@ def polish(
     p: Vector, joints: Joints, bodies: Bodies, friction: Friction, v: Vector, w: Vector,
     tolerance: float, left: float, place: Index, stiffness: float,
 ) -> float:  # fmt: skip
-    """Improve p (c, 3), whose effect is in v and w and whose residual is `left`; return what is.
+    """Improve p (c, 3), whose effect is in v, w, by Newton rounds; return the residual [m/s].
 
-    place: see `arranged`; stiffness: of the first round. A round that makes the residual [m/s] no
-    smaller is undone, and the next less stiff.
+    left: the residual at the start; place: see `arranged`; stiffness: of the first round. A round
+    that does not reduce the residual is undone, and the next one is less stiff.
     """
     before, before_v, before_w = rows(len(p)), rows(len(v)), rows(len(w))
     for _ in range(OUTER):

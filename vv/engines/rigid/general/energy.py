@@ -1,8 +1,9 @@
-"""Kernels for the energies of rigid blocks: what moves, and what each step's impulses did.
+"""Kernels for the energies of rigid blocks: kinetic energy, and the work of impulses in a step.
 
-An impulse acts on mean arms at mean velocities, where a corner that stays as its block turns about
-it is not quite still: the mean of products is not the product of means. What that does has a name
-of its own. It is of second order, of either sign, and neither friction nor a blow.
+An impulse acts on the mean lever arms at the mean velocities of a step. Where a block turns about a
+corner at rest, the velocity of that corner from these means is not quite zero, since the mean of
+products is not the product of means. The work by this difference is a separate term of the ledger:
+it is of second order, of either sign, and neither friction nor impact.
 """
 
 from __future__ import annotations
@@ -27,9 +28,9 @@ def work(
     account: Vector, joints: Joints, c: int, p: Triple, v: Vector, w: Vector, blocks: int,
     apart: Triple,
 ) -> None:  # fmt: skip
-    """Add to account (7,) [J] what an impulse p at contact c did at mean velocities v, w (b, 3).
+    """Add to account (7,) [J] the work of an impulse p at contact c at mean velocities v, w (b, 3).
 
-    apart: the mean of the contact's velocities at both ends less that of its mean arms [m/s].
+    apart: the correction of the contact's velocity by `turned` [m/s].
     """
     n, u = at(joints.normal, c), add_scaled(relative(joints, c, v, w), 1.0, apart)
     account[TURNED] += dot(p, apart)
@@ -42,10 +43,10 @@ def work(
 
 @lent
 def turned(trial: Trial, c: int, gained: Vector) -> Triple:
-    """What is missing [m/s] from mean spins on mean arms to the mean of spins on their arms.
+    """The mean of spin x arm over a step minus the product of their means, at contact c [m/s].
 
-    gained: (b, 3) [1/s], half of what spins change by in the step; half of what arms do is that
-    from the middle to the end.
+    gained: (b, 3) [1/s], half the change of spins in the step; half the change of arms is that from
+    mid-step to the end.
     """
     a, b = trial.joints.first[c], trial.joints.second[c]
     one = add_scaled(at(trial.joints.arm_first, c), -1.0, at(trial.middle.arm_first, c))
@@ -58,10 +59,11 @@ def book(
     account: Vector, setting: Setting, state: State, trial: Trial, now: float, span: float,
     blow: bool,
 ) -> None:  # fmt: skip
-    """Add to account (7,) [J] what contacts, walls, shaking and forces did in a step.
+    """Add to account (7,) [J] the work of contacts, walls, shaking and forces in a step.
 
-    All that contacts take in a blow is lost by impact. The slip of a corner may turn about within
-    it, so that friction gives there what the push has taken: only their sum has a sign.
+    In an impact (`blow`), all energy lost in contacts counts as lost by impact: the slip of a
+    corner may reverse within it, so that friction returns energy that the normal impulse has taken,
+    and only their sum has a definite sign.
     """
     rubbed = account[RUBBED]
     n, b = len(setting.mass), len(trial.v)
@@ -89,7 +91,7 @@ def book(
 
 @called
 def kinetic(setting: Setting, state: State) -> float:
-    """The kinetic energy [J]."""
+    """The kinetic energy of all blocks [J]."""
     total, world = 0.0, squares(1)[0]
     for i in range(len(setting.mass)):
         total += 0.5 * setting.mass[i] * dot(at(state.v, i), at(state.v, i))

@@ -1,4 +1,4 @@
-"""Kernels that find where within a step of rigid blocks a slip begins or ends."""
+"""Kernels that find when, within a step of rigid blocks, slip begins or ends."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ NIL = (0.0, 0.0, 0.0)
 
 @called
 def move(setting: Setting, state: State, trial: Trial, span: float) -> None:
-    """Put the trial's end into the state: positions by the trapezoidal rule."""
+    """Update the state to the end of a trial: positions by the trapezoidal rule."""
     for i in range(len(setting.mass)):
         v, w = at(trial.v, i), at(trial.w, i)
         put(state.centre, i, add_scaled(add_scaled(at(state.centre, i), 0.5 * span, at(state.v, i)),
@@ -47,11 +47,11 @@ def ends_after(
     setting: Setting, state: State, past: Past, now: float, whole: float, dt: float,
     contacts: Contacts, trial: Trial,
 ) -> float:  # fmt: skip
-    """How long [s] of a step, whose trial this is, all slip goes on.
+    """The time [s] from `now` during which all slip continues, in the step of length `whole` [s].
 
-    Nil if some ends at once: then `past` is told that it has. Negative if it does so from a speed:
-    then it jams, by a blow. The end is enclosed from both
-    sides; where to look is told by how the slowest slip slows down.
+    trial: that of the whole step. The time is zero if a slip ends at once, which is then marked in
+    past.still, and -1 if it ends at once from a finite speed: the contact jams, which needs an
+    impact. The end is bracketed; guesses follow from the deceleration of the slowest slip.
     """
     v, w = nil_rows(len(trial.v)), nil_rows(len(trial.v))
     rates(setting, state, now, v, w)
@@ -85,7 +85,7 @@ def ends_after(
 
 @called
 def shared_out(impulse: Vector, span: float) -> Vector:
-    """The mean forces (c, 3) [N] of impulses within a span [s]."""
+    """The mean forces (c, 3) [N] of impulses (c, 3) [N s] over a time `span` [s]."""
     force = rows(len(impulse))
     for c in range(len(impulse)):
         for k in range(3):
@@ -95,16 +95,19 @@ def shared_out(impulse: Vector, span: float) -> Vector:
 
 @called
 def hinted(trial: Trial, span: float) -> Past:
-    """What a step of this span must know to begin with the impulses of a trial.
+    """The past from which a step of length `span` [s] starts with the impulses of a trial.
 
-    A rod that is about to jam takes ever more sweeps to find, from nothing, the impulse that does.
+    The closer a rod is to jamming, the more sweeps are needed to find the impulse from zero.
     """
     return Past(trial.key, shared_out(trial.p, span), unmarked(len(trial.p)), trial.joints)
 
 
 @lent
 def slowest(trial: Trial, v: Vector, w: Vector) -> float:
-    """The least speed [m/s], under velocities v, w (b, 3), along any slip there was at first."""
+    """The least speed [m/s], at velocities v, w (b, 3), of contacts that slip at the trial's start.
+
+    It is measured along the initial direction of slip.
+    """
     least = np.inf
     for c in range(len(trial.p)):
         d = at(trial.friction.d, c)
@@ -115,7 +118,7 @@ def slowest(trial: Trial, v: Vector, w: Vector) -> float:
 
 @lent
 def strained(setting: Setting, trial: Trial) -> bool:
-    """Whether a contact that sticks under a drive may slip before the step's end."""
+    """Whether a sticking contact may begin to slip in a step because of prescribed motions."""
     if len(setting.drives.omega) + len(setting.shaking.omega) == 0:
         return False
     for c in range(len(trial.p)):
@@ -133,10 +136,10 @@ def rests_for(
     setting: Setting, state: State, past: Past, now: float, whole: float, dt: float,
     contacts: Contacts, trial: Trial,
 ) -> float:  # fmt: skip
-    """How long [s] of a step, whose trial this is, no contact that sticks begins to slip.
+    """The time [s] from `now` during which no sticking contact begins to slip, within `whole` [s].
 
-    The whole step if one does at once: where slip would begin in a glimpse of a step, whose mean
-    force is the one of now.
+    trial: that of the whole step. The time is the whole step if slip begins at once. Slip begins
+    where it does so in a very short trial (GLIMPSE), whose mean force is the present one.
     """
     low, high, span = 0.0, whole, whole
     for look in range(2 + BEGINS):
@@ -162,7 +165,7 @@ def rests_for(
 
 @called
 def remembered(trial: Trial, span: float, least: float) -> Past:
-    """What the next step must know of this one; slower slip than `least` [m/s] is none."""
+    """The past of the step after a trial of `span` [s]; slip slower than `least` [m/s] is none."""
     still = unmarked(len(trial.p))
     for c in range(len(still)):
         n = at(trial.joints.normal, c)

@@ -1,4 +1,4 @@
-"""The compiled kernel for rigid blocks that move and turn: steps, cut at blows and ends of slip."""
+"""The compiled kernel for rigid blocks: steps, which are divided at impacts and ends of slip."""
 
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ def separate(
     account: Vector, setting: Setting, state: State, trial: Trial, before: State,
     now: float, span: float,
 ) -> float:  # fmt: skip
-    """Push blocks out of what they penetrate; return the deepest penetration [m]."""
+    """Remove penetration from positions; return the deepest penetration before that [m]."""
     n, b = len(setting.mass), len(trial.v)
     x, turn = nil_rows(b), nil_rows(b)
     start, end = shift_at(setting, now), shift_at(setting, now + span)
@@ -83,7 +83,7 @@ def separate(
 
 @lent
 def impel(given: Vector, setting: Setting, trial: Trial, now: float, span: float) -> None:
-    """Add to given (b, 3) the impulses [N s] of contacts and shaking on bodies in a step."""
+    """Add the impulses (b, 3) [N s] of contacts and shaking on bodies in a step to `given`."""
     shake = mean(setting.shaking, now, span)
     for i in range(len(setting.mass)):
         put(given, i, add_scaled(at(given, i), span * setting.mass[i], shake))
@@ -97,7 +97,7 @@ def impel(given: Vector, setting: Setting, trial: Trial, now: float, span: float
 
 @lent
 def press(force: Vector, setting: Setting, trial: Trial, now: float, span: float) -> None:
-    """Sum the forces (b, 3) [N] of contacts and shaking on bodies, as means of a step."""
+    """Fill force (b, 3) [N] with the mean forces of contacts and shaking on bodies in a step."""
     clear(force)
     impel(force, setting, trial, now, span)
     for i in range(len(force)):
@@ -114,7 +114,10 @@ def record(row: Vector, force: Vector, given: Vector) -> None:
 
 @lent
 def watch(path: Vector, watched: Index, state: State, centre: Vector) -> None:
-    """Fill path (b, 9) with displacement, velocity and spin of the watched; centre: at t = 0."""
+    """Fill path (b, 9) with displacement, velocity and spin of the watched blocks.
+
+    centre: (n, 3) at t = 0 [m].
+    """
     for k in range(len(watched)):
         i = watched[k]
         for c in range(3):
@@ -129,19 +132,21 @@ def move_rigid(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its 
     stride: int, dt: float, setting: Setting,
     centre: Vector, v: Vector, w: Vector,
 ) -> int:  # fmt: skip
-    """Step the blocks; return rows filled.
+    """Advance the blocks in time; return the number of rows filled.
 
-    centre, v, w: (n, 3) at t = 0. v+ = v + M^-1 (h f + J^T p), positions by the trapezoidal rule,
-    contacts as in `vv.engines.rigid.solver.cone` with need = -max(gap - slack, 0)/h; penetration is
-    taken out of positions alone, by the least displacement. In scenes of at most SMALL blocks a
-    step is cut where a contact closes at a speed, where a slip ends and, once, where one begins.
+    centre, v, w: (n, 3) at t = 0. Velocities follow from v+ = v + M^-1 (h f + J^T p), positions by
+    the trapezoidal rule, contacts as in `vv.engines.rigid.solver.cone` with
+    need = -max(gap - slack, 0)/h. Penetration is removed from positions alone, by the least
+    displacement. With at most SMALL blocks, a step is divided where a contact closes at a finite
+    velocity, where a slip ends and, once, where one begins.
 
-    Every `stride` steps a row is written: path (k, b, 9): displacement, velocity and spin of
-    the watched; energy (k, 8) [J]: kinetic, lost by friction, lost by impact, work of walls, of
-    shaking, of gravity and loads, of push-out, of arms that turn; report (k, 4): residual [m/s],
-    sweeps, deepest penetration [m] and cuts, the largest since the row before, cuts in all;
-    reaction (k, b, 6): forces [N] of contacts and shaking on bodies as the row is reached, in the
-    first of step one, and their impulses since t = 0 [N s].
+    Every `stride` steps a row is written. path (k, b, 9): displacement, velocity and spin of the
+    watched blocks. energy (k, 8) [J]: kinetic, lost by friction, lost by impact, work of walls, of
+    shaking, of gravity and loads, by removal of penetration, by rotation of lever arms. report
+    (k, 4): the largest residual [m/s], number of sweeps and penetration [m] of a step since the
+    row before, and the number of divisions since then. reaction (k, b, 6): forces [N] of contacts
+    and shaking on bodies at the row, those of the first step in the first row, and their impulses
+    since t = 0 [N s].
     """
     n = len(setting.mass)
     rotation = nil_squares(n)
@@ -200,7 +205,9 @@ def move_rigid(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its 
                 book(account, setting, state, trial, now, span, blow)
                 move(setting, state, trial, span)
                 deepest = separate(account, setting, state, trial, before, now, span)
-                lasting = dt / CUTS if blow else larger(span, BRIEF * dt)  # of a blow nothing lasts
+                lasting = (
+                    dt / CUTS if blow else larger(span, BRIEF * dt)
+                )  # no impulse of an impact lasts
                 past = remembered(trial, lasting, least)
                 impel(given, setting, trial, now, span)
                 if not blow:
@@ -209,7 +216,7 @@ def move_rigid(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its 
                 report[row, 0] = larger(report[row, 0], trial.residual)
                 report[row, 1] = larger(report[row, 1], float(trial.sweeps))
                 report[row, 2] = larger(report[row, 2], deepest)
-                if not np.isfinite(kinetic(setting, state)):  # nothing can be found to touch
+                if not np.isfinite(kinetic(setting, state)):  # contacts cannot be detected
                     return row
                 begin += span
                 if span == rest:

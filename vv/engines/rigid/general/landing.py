@@ -1,4 +1,4 @@
-"""Kernels that find where within a step of rigid blocks a contact closes at a speed."""
+"""Kernels that find when, within a step of rigid blocks, a contact closes at a finite velocity."""
 
 from __future__ import annotations
 
@@ -20,15 +20,16 @@ def lands_after(
     setting: Setting, state: State, past: Past, now: float, whole: float, dt: float,
     contacts: Contacts, trial: Trial,
 ) -> tuple[float, bool]:  # fmt: skip
-    """How long [s] of a step, whose trial this is, until a contact closes at a speed.
+    """The time [s] from `now` until a contact closes at a finite velocity, at most `whole` [s].
 
-    And whether one does so in this step or soon after, which must not act before: moved at the
-    mean of the velocities before and after a blow, blocks would go on into one another for up to
-    half a step. Nil where one that is closed already does; the whole step where none does in it.
+    trial: that of the whole step. The time is zero if a closed contact is approaching. Also returns
+    whether a contact closes in this step or soon after. It must not act earlier: positions follow
+    the mean of the velocities before and after an impact, so that blocks would go on penetrating
+    for up to half a step.
     """
     span = landing(setting, trial, dt)
     there, span = span < np.inf, smaller(span, whole)
-    if there and span == 0.0:  # as told from the end, off by the square of what turns until then
+    if there and span == 0.0:  # the gap of the trial has an error of second order in the rotation
         brief = SHORTLY * whole
         trial = attempt(setting, state, now, brief, contacts, past, APART * setting.slack)
         soon = brief + closing(trial, brief)
@@ -46,9 +47,10 @@ def lands_after(
 
 @lent
 def landing(setting: Setting, trial: Trial, dt: float) -> float:
-    """The earliest [s] that a contact may close at a speed, if a trial says that one does.
+    """A lower bound on the time [s] until a contact that acts in a trial closes, or infinity.
 
-    Else infinite. What has pressed before is closed and stays so.
+    Only contacts that close at a finite velocity count; those that were pressed in the step before
+    remain closed.
     """
     first, near, fast = np.inf, CLOSELY * setting.pull * dt * dt, felt(setting, dt)
     for c in range(len(trial.p)):
@@ -61,7 +63,7 @@ def landing(setting: Setting, trial: Trial, dt: float) -> float:
 
 @lent
 def struck(setting: Setting, trial: Trial, dt: float) -> bool:
-    """Whether a blow stopped anything."""
+    """Whether an impact changed the normal velocity of any contact by more than half of `felt`."""
     hardest = 0.0
     for c in range(len(trial.p)):
         normal = dot(at(trial.p, c), at(trial.joints.normal, c))
@@ -71,9 +73,9 @@ def struck(setting: Setting, trial: Trial, dt: float) -> bool:
 
 @lent
 def closing(trial: Trial, span: float) -> float:
-    """How long [s] after a trial of a span the first of its gaps closes, each by a parabola.
+    """The time [s] after a trial at which the first open gap closes, extrapolated by a parabola.
 
-    Negative if one has closed within.
+    Negative if a gap has closed within the trial, of length `span` [s].
     """
     first = np.inf
     for c in range(len(trial.p)):

@@ -1,7 +1,7 @@
-"""Kernels for where contacts push over a step: halfway between their arms at its ends.
+"""Kernels that let contact impulses act on the mean lever arms of a step.
 
-What a contact asks for is stated with its arms at the end of the step; impulses that acted there
-too would make whatever turns first order.
+The contact conditions hold with the arms at the end of the step. If impulses acted on these too,
+rotation would be of first order.
 """
 
 from __future__ import annotations
@@ -20,10 +20,10 @@ NIL = (0.0, 0.0, 0.0)
 
 @called
 def halfway(joints: Joints, before: Index, began: Joints) -> tuple[Joints, Vector]:
-    """The joints halfway through a step, and the turn (c, 3) [rad] from there to its end.
+    """The joints at mid-step, and the rotation (c, 3) [rad] of their normals from there to the end.
 
-    joints: at the end; before: (c,) their rows in those at the begin, -1 where there is none,
-    whose arms and normals are taken not to have changed.
+    joints: at the end of the step; before: (c,) their rows in `began`, the joints at its start, or
+    -1 for new contacts, whose arms and normals are taken as constant.
     """
     count = len(before)
     normal, one, two = rows(count), rows(count), rows(count)
@@ -46,7 +46,7 @@ def halfway(joints: Joints, before: Index, began: Joints) -> tuple[Joints, Vecto
 
 @inlined
 def turned_back(turn: Vector, c: int, p: Triple) -> Triple:
-    """An impulse of contact c as it acts halfway, for what it is at the end of a step."""
+    """An impulse p of contact c at the end of a step, rotated back to its direction at mid-step."""
     return add_scaled(p, -1.0, cross(at(turn, c), p))
 
 
@@ -55,10 +55,10 @@ def relever(
     p: Vector, acted: Vector, joints: Joints, middle: Joints, turn: Vector,
     bodies: Bodies, v: Vector, w: Vector,
 ) -> float:  # fmt: skip
-    """Let the impulses p (c, 3), not those of `acted`, act halfway; `acted` becomes p.
+    """Update v, w (b, 3) so that the impulses p (c, 3) act at mid-step, and set `acted` to p.
 
-    v, w: velocities in which p acts at the end. Returns the largest change of v [m/s], or of w
-    times the arm.
+    Before, `acted` acts at mid-step and p - acted at the end of the step. Returns the largest
+    change of a body's velocity at a contact [m/s].
     """
     worst = 0.0
     for c in range(len(p)):
@@ -77,6 +77,6 @@ def relever(
 
 @inlined
 def apart(v0: Triple, v1: Triple, w0: Triple, w1: Triple, arm: Triple) -> float:
-    """How far apart two motions are at an arm [m/s]."""
+    """The difference of two motions of a body, as a velocity at the end of an arm [m/s]."""
     u = add_scaled(add_scaled(v1, -1.0, v0), 1.0, cross(add_scaled(w1, -1.0, w0), arm))
     return float(np.sqrt(dot(u, u)))

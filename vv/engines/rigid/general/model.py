@@ -1,4 +1,4 @@
-"""Builds the general model: blocks that move and turn, touching each other and walls."""
+"""Builds the general model: blocks that translate and rotate, and touch each other and walls."""
 
 from __future__ import annotations
 
@@ -29,23 +29,23 @@ from vv.scene import Mask, Scene, Term, Vector
 
 @dataclass(frozen=True, eq=False)
 class Space:
-    """All blocks of a scene with six freedoms each, some held by projectors."""
+    """All blocks of a scene with six freedoms each, of which projectors remove the locked ones."""
 
     scene: Scene
 
     @property
     def terms(self) -> frozenset[Term]:
-        """Everything the scene has."""
+        """All terms of the scene."""
         return self.scene.terms()
 
     @property
     def unknowns(self) -> int:
-        """Velocities and spins carried, held components among them."""
+        """The number of velocities and spins, including locked components."""
         return 6 * len(self.scene.blocks)
 
     @property
     def closes(self) -> bool:
-        """Whether the energies close to rounding: not where inertia turns in the scene's frame."""
+        """Whether energies balance to rounding: not if inertia turns in the scene's frame."""
         return bool(self._flat or not any(b.free_spin.any() for b in self.scene.blocks))
 
     @property
@@ -54,21 +54,21 @@ class Space:
 
     @property
     def words(self) -> str:
-        """The model in words."""
+        """A description of the model."""
         many = len(self.scene.blocks)
         if many == 1:
             return "1 block that moves and rotates" + (", a prism in a plane" if self._flat else "")
         return f"{many} blocks that move and rotate" + (", prisms in a plane" if self._flat else "")
 
     def outputs(self, rows: int, watched: tuple[int, ...]) -> tuple[Any, ...]:
-        """What the kernel fills: path, energy, report, reaction; and the blocks it watches."""
+        """The arrays that the kernel fills: path, energy, report, reaction, and watched blocks."""
         path = np.empty((rows, len(watched), 9))
         pressed = np.zeros((rows, len(self.scene.blocks) + len(self.scene.walls), 6))
         which = np.array(watched, np.int64)
         return path, np.empty((rows, 8)), np.empty((rows, 4)), pressed, which
 
     def arguments(self, dt: float) -> tuple[Any, ...]:
-        """What the kernel is told about the scene, after the step [s]."""
+        """The arguments of the kernel that describe the scene, for a step dt [s]."""
         from vv.engines.kernels.drive import NO_MOTION, drive, drives
         from vv.engines.rigid.general.setting import Setting
 
@@ -119,7 +119,7 @@ class Space:
         return np.asarray(path[:, index])
 
     def joules(self, energy: Vector) -> Vector:
-        """The energies [J] that the kernel gave."""
+        """The energies (k, 8) [J], from those of the kernel."""
         return energy
 
     def newtons(self, reaction: Vector) -> Vector:
@@ -127,17 +127,18 @@ class Space:
         return np.asarray(-reaction[:, len(self.scene.blocks) :, :3])
 
     def locked(self, reaction: Vector, block: int, times: Vector) -> tuple[Vector, Vector]:
-        """Forces (k, 3) [N] and impulses since t = 0 [N s] of the locks on a block.
+        """Forces (k, 3) [N] and impulses since t = 0 (k, 3) [N s] of the locks on a block.
 
-        They are what its other forces leave unbalanced.
+        They balance its other forces in the locked directions.
         """
         one = self.scene.blocks[block]
         steady = one.load + one.mass * self.scene.gravity
-        bears = _projector(self.scene.axes, one.free) - np.eye(3)
+        locks = _projector(self.scene.axes, one.free) - np.eye(3)
         forces = reaction[:, block, :3] + steady
-        return forces @ bears, (reaction[:, block, 3:] + np.outer(times, steady)) @ bears
+        return forces @ locks, (reaction[:, block, 3:] + np.outer(times, steady)) @ locks
 
 
 def _projector(axes: Vector, free: Mask) -> Vector:
+    """The projector (3, 3) on the free axes."""
     rows = axes[free]
     return np.asarray(rows.T @ rows)

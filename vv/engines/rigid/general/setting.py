@@ -1,4 +1,4 @@
-"""What stays and what moves in a scene of rigid blocks, and where that goes without contact."""
+"""The constant data and the state of rigid blocks for kernels, and their motion without contact."""
 
 from __future__ import annotations
 
@@ -18,19 +18,20 @@ from vv.engines.rigid.solver.assembly import Joints, times
 from vv.scene import Mask, Vector
 
 NIL = (0.0, 0.0, 0.0)
-FORECASTS = 3  # rounds in which free rotation keeps its moment of momentum
+FORECASTS = 3  # iterations in which free rotation conserves its angular momentum
 
 
 @bundle
 class Setting(NamedTuple):
-    """What stays: n blocks, w walls, b = n + w bodies.
+    """The constant data of a scene of n blocks and w walls, b = n + w bodies.
 
-    mass: (n,) [kg]; inertia: (n, 3, 3) in the starting pose [kg m2]; inverse: (b, 3, 3) [1/kg];
-    hold_spin: (n, 3, 3) projectors; force: (n, 3) gravity and loads [N]; depth: (3,);
-    moves: (n,); mu; slack [m]: gaps count from there on; step [s], of which trials may be parts;
-    pull [m/s2]: see `vv.engines.rigid.scales`; tolerance, finest [m/s]: residuals asked at most and
-    at least; sweeps to make, fewest and most; bends: rounds in which friction follows slip that
-    turns; drives of the walls and where each begins (w + 1,); shaking.
+    mass: (n,) [kg]; inertia: (n, 3, 3) at t = 0 [kg m2]; inverse: (b, 3, 3) projected inverse
+    masses [1/kg]; hold_spin: (n, 3, 3) projectors on free spins; force: (n, 3) gravity and loads
+    [N]; depth: (3,) see `depth_axis`; moves: (n,); mu; slack [m]: smaller gaps count as zero;
+    step [s], which trials may take in parts; pull [m/s2]: see `vv.engines.rigid.scales`; tolerance,
+    finest [m/s]: the largest and the smallest residual asked; fewest, most: numbers of sweeps;
+    bends: iterations in which friction follows the direction of slip; drives: motions of the
+    walls, and drive_start (w + 1,), where that of each begins; shaking.
     """
 
     shapes: Shapes
@@ -58,7 +59,7 @@ class Setting(NamedTuple):
 
 @bundle
 class State(NamedTuple):
-    """centre (n, 3) [m], rotation (n, 3, 3), v, w (n, 3) [m/s, 1/s]."""
+    """The state of n blocks: centre (n, 3) [m], rotation (n, 3, 3), v and w (n, 3) [m/s, 1/s]."""
 
     centre: Vector
     rotation: Vector
@@ -68,9 +69,10 @@ class State(NamedTuple):
 
 @bundle
 class Past(NamedTuple):
-    """Contacts of the step before: key, force (k, 3) [N], and at its end joints and what stuck.
+    """The k contacts of the step before.
 
-    What stuck has no direction of slip, though its arms have turned since.
+    key: (k,); force: (k, 3) mean forces [N]; still: (k,) whether a contact stuck at the end of the
+    step, so that it has no direction of slip now; joints: at the end of the step.
     """
 
     key: Index
@@ -81,7 +83,7 @@ class Past(NamedTuple):
 
 @called
 def copied(state: State) -> State:
-    """The state, in arrays of its own."""
+    """A copy of the state."""
     n = len(state.centre)
     rotation = squares(n)
     for i in range(n):
@@ -93,7 +95,7 @@ def copied(state: State) -> State:
 
 @called
 def wall_rates(setting: Setting, time: float, v: Vector) -> None:
-    """Write the velocities of the walls into the last rows of v (b, 3)."""
+    """Write the velocities of the walls at a time [s] into the last rows of v (b, 3)."""
     n = len(setting.mass)
     for k in range(len(setting.planes.point)):
         put(v, n + k, rate(one_of(setting.drives, setting.drive_start, k), time))
@@ -101,7 +103,7 @@ def wall_rates(setting: Setting, time: float, v: Vector) -> None:
 
 @lent
 def rates(setting: Setting, state: State, time: float, v: Vector, w: Vector) -> None:
-    """Write the velocities of all bodies into v, w (b, 3); the spins of walls are left."""
+    """Write the velocities of all bodies and the spins of blocks into v, w (b, 3)."""
     wall_rates(setting, time, v)
     for i in range(len(setting.mass)):
         put(v, i, at(state.v, i))
@@ -110,7 +112,7 @@ def rates(setting: Setting, state: State, time: float, v: Vector, w: Vector) -> 
 
 @called
 def shift_at(setting: Setting, time: float) -> Vector:
-    """The displacements (w, 3) of the walls [m]."""
+    """The displacements (w, 3) of the walls at a time [s], in m."""
     shift = nil_rows(len(setting.planes.point))
     for k in range(len(setting.planes.point)):
         put(shift, k, travel(one_of(setting.drives, setting.drive_start, k), time))
@@ -121,9 +123,9 @@ def shift_at(setting: Setting, time: float) -> Vector:
 def forecast(
     setting: Setting, state: State, span: float, rotation: Vector, w: Vector, inverse: Vector
 ) -> None:
-    """Fill rotation (n, 3, 3), w and inverse inertia (b, 3, 3) after a step without contact.
+    """Fill rotation (n, 3, 3), w (b, 3) and inverse inertia (b, 3, 3) after a step without contact.
 
-    The moment of momentum about free axes is kept.
+    The angular momentum about free axes is conserved.
     """
     world, start = squares(1)[0], squares(1)
     for i in range(len(setting.mass)):
@@ -143,7 +145,7 @@ def forecast(
 
 @lent
 def free_velocities(setting: Setting, state: State, now: float, span: float, v: Vector) -> None:
-    """Fill v (b, 3) after a step without contact."""
+    """Fill v (b, 3) with the velocities after a step without contact."""
     shake = mean(setting.shaking, now, span)
     for i in range(len(setting.mass)):
         f = add_scaled(at(setting.force, i), setting.mass[i], shake)
@@ -154,7 +156,7 @@ def free_velocities(setting: Setting, state: State, now: float, span: float, v: 
 
 @called
 def pace(setting: Setting, state: State, now: float, span: float) -> float:
-    """A speed [m/s] that no point exceeds within a step."""
+    """An estimate of the largest speed of any point within a step [m/s]."""
     fastest = 0.0
     for i in range(len(setting.mass)):
         speed = np.sqrt(dot(at(state.v, i), at(state.v, i)))
@@ -169,9 +171,9 @@ def pace(setting: Setting, state: State, now: float, span: float) -> float:
 
 @lent
 def asked(setting: Setting, pace: float, apart: float) -> float:
-    """The residual [m/s] asked of a step with these speeds [m/s], where contacts close.
+    """The residual [m/s] asked of a step in which speeds are up to `pace` [m/s].
 
-    apart: the speed [m/s] that rounding of their gaps makes in the step.
+    apart: the velocity [m/s] that corresponds to rounding of gaps that close in the step.
     """
     rounding = larger(ROUNDED * pace, apart)
     return smaller(setting.tolerance, larger(setting.finest, rounding))
@@ -179,5 +181,5 @@ def asked(setting: Setting, pace: float, apart: float) -> float:
 
 @lent
 def felt(setting: Setting, dt: float) -> float:
-    """A speed [m/s] whose loss in no time takes a blow."""
+    """The least velocity [m/s] of a contact that closes by an impact."""
     return larger(SLOWLY * setting.pull * dt, GENTLY * setting.tolerance)

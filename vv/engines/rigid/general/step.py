@@ -1,4 +1,4 @@
-"""Kernels for one trial step of rigid blocks: contacts where they will be, solved to a residual."""
+"""Kernels for a trial step of rigid blocks: contacts at its end, solved to a residual."""
 
 from __future__ import annotations
 
@@ -51,10 +51,10 @@ EPS = 2.0**-52
 
 @bundle
 class Gaps(NamedTuple):
-    """Contacts at the begin of a step.
+    """The c contacts at the start of a step.
 
-    gap: (c,) [m], which count from `slack` on; opens: (c,) how fast they open [m/s]; known: (c,)
-    whether they have pressed in the step before.
+    gap: (c,) [m], of which those up to `slack` [m] count as zero; opens: (c,) their rates [m/s];
+    known: (c,) whether the contact was pressed in the step before.
     """
 
     gap: Vector
@@ -65,12 +65,12 @@ class Gaps(NamedTuple):
 
 @bundle
 class Trial(NamedTuple):
-    """What a step of a given length came to.
+    """The result of a step of a given length.
 
-    joints: at its end; middle, turn: see `halfway`; v, w: (b, 3) at its end; p: (c, 3) [N s], of
-    which `acted` did so halfway and the rest, next to nothing, at the end; begun, ended: (c,)
-    whether slip began where there was none, and ended or turned about; friction carries the
-    directions of slip at the begin.
+    joints: at its end; middle, turn: see `halfway`; v, w: (b, 3) at its end; p: (c, 3) impulses
+    [N s], of which `acted` acts at mid-step and the negligible rest at the end; begun: (c,) whether
+    a sticking contact began to slip; ended: (c,) whether slip ended or reversed; friction holds
+    the directions of slip at the start of the step.
     """
 
     joints: Joints
@@ -95,7 +95,7 @@ def detected(
     contacts: Contacts, setting: Setting, vertex: Vector, normal: Vector, shift: Vector,
     margin: float,
 ) -> tuple[Contacts, int]:  # fmt: skip
-    """All contacts, in arrays that have room for them."""
+    """All contacts with gaps up to `margin` [m], in arrays long enough, and their number."""
     found, s = contacts, setting
     count = detect(found, s.shapes, vertex, normal, s.moves, s.planes, shift, s.depth, margin)
     while count > len(found.gap):
@@ -106,7 +106,7 @@ def detected(
 
 @called
 def nothing(contacts: Contacts, setting: Setting) -> Past:
-    """No contacts, as before the first step."""
+    """The past before the first step: no contacts."""
     none = squares(0)
     joints = assemble(contacts, 0 * len(setting.mass), Bodies(none, none, rows(0)))
     return Past(counts(0), rows(0), unmarked(0), joints)
@@ -117,12 +117,13 @@ def attempt(
     setting: Setting, state: State, now: float, span: float, contacts: Contacts, past: Past,
     slack: float,
 ) -> Trial:  # fmt: skip
-    """Step from state at `now` by span [s]; the state is left as it is.
+    """The trial of a step from `state` at `now` over `span` [s]; the state is not changed.
 
-    slack [m]: gaps count from there on. Contacts that have pressed are closed in a part of a step:
-    a whole one sees their gaps, which are of second order, as nil, and to close them in less would
-    kick the block. Where it is more than the setting's, this is a blow, and friction of contacts
-    that land has no direction from before: they all but stand still, and creep any way.
+    slack [m]: gaps of new contacts up to this count as zero. In a part of a step, contacts that
+    were pressed before count as closed: their gaps are of second order, and closing them in less
+    than a step would give the block an impulse. If slack is larger than the setting's, the trial is
+    an impact. New contacts then have no initial direction of friction, since they hardly move
+    before it and may do so in any direction.
     """
     n, b = len(setting.mass), len(setting.inverse)
     rotation, turned = squares(n), nil_squares(b)
@@ -191,7 +192,7 @@ def solved(
     bodies: Bodies, friction: Friction, key: Index, p: Vector, gaps: Gaps,
     v_old: Vector, w_old: Vector, v: Vector, w: Vector, tolerance: float,
 ) -> Trial:  # fmt: skip
-    """Solve the contacts of a step, friction following the slip that it decides."""
+    """Solve the contacts of a trial; the direction of friction follows the resulting slip."""
     count, acted = len(p), nil_rows(len(p))
     for c in range(count):
         load_on(joints, c, bodies, v, w, at(p, c))
@@ -214,7 +215,7 @@ def solved(
         moved = relever(p, acted, joints, middle, turn, bodies, v, w)
         if not turns and moved <= tolerance:
             break
-        few = 0 * sweeps  # a literal 0 would make numba compile the solver twice
+        few = 0 * sweeps  # numba would compile the solver once more for a literal 0
         more, left = converged(setting, joints, bodies, friction, p, v, w, few, tolerance)
         sweeps += more
         if more == 0:

@@ -12,7 +12,7 @@ from vv.scene import Vector
 
 @lent
 def turn_by(angle: Triple, rotation: Vector, out: Vector) -> None:
-    """out = exp(angle x) rotation, (3, 3), for a rotation vector [rad] (Rodrigues)."""
+    """Fill out (3, 3) with exp(angle x) rotation for a rotation vector [rad] (Rodrigues)."""
     square = dot(angle, angle)
     size = np.sqrt(square)
     sine = np.sin(size) / size if size > 1e-8 else 1.0
@@ -34,7 +34,7 @@ def turn_by(angle: Triple, rotation: Vector, out: Vector) -> None:
 
 @called
 def orthonormal(rotation: Vector) -> None:
-    """Take rounding out of a rotation (3, 3): one Newton step of its polar factor."""
+    """Remove rounding from a rotation (3, 3) by one Newton step for its polar factor."""
     r = same_rows(rotation, 3)
     for i in range(3):
         for j in range(3):
@@ -47,7 +47,7 @@ def orthonormal(rotation: Vector) -> None:
 
 @lent
 def turned_inertia(inertia: Vector, rotation: Vector, out: Vector) -> None:
-    """out = rotation inertia rotation^T, all (3, 3)."""
+    """Fill out with rotation inertia rotation^T, all (3, 3)."""
     for i in range(3):
         for j in range(3):
             total = 0.0
@@ -59,10 +59,11 @@ def turned_inertia(inertia: Vector, rotation: Vector, out: Vector) -> None:
 
 @called
 def held_inverse(inertia: Vector, hold: Vector, out: Vector) -> None:
-    """out = the inverse (3, 3) of the inertia on the directions that hold (3, 3) projects on.
+    """Fill out (3, 3) with the inverse of the inertia in the free directions, zero in the others.
 
-    hold inertia hold is completed by its trace times the other directions, inverted, and stripped
-    of these again; projected, so that no rounding is left where a spin is locked.
+    hold: (3, 3) projector on the free directions. The projected inertia plus its trace times the
+    projector on the locked directions is inverted, and the inverse of the latter is subtracted. The
+    result is projected once more, so that no rounding is left where a spin is locked.
     """
     trace = inertia[0, 0] + inertia[1, 1] + inertia[2, 2]
     a = nil_squares(1)[0]

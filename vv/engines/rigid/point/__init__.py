@@ -1,1 +1,1 @@
-"""The reduced model: one block that cannot turn, on one wall, as a point mass."""
+"""The reduced model: one block that cannot rotate, on at most one wall, as a point mass."""

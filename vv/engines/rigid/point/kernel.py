@@ -1,4 +1,4 @@
-"""The compiled kernel for one block that slides on one wall without turning: a point mass."""
+"""The compiled kernel for one block that cannot rotate, on one wall: a point mass."""
 
 from __future__ import annotations
 
@@ -26,20 +26,20 @@ from vv.scene import Vector
 
 @lent
 def ends(ground: Ground, touch: Touch, touched: bool, d: Triple, span: float) -> bool:
-    """Whether a slip along d ended, or turned about, within a trial."""
+    """Whether a slip along d ended or reversed within a trial of `span` [s]."""
     slips = touched and touch.p > 0.0 and dot(d, d) > 0.0
     return slips and dot(touch.u, d) <= slow(span, ground.pull, ground.fine)
 
 
 @lent
 def begun_at(ground: Ground, span: float) -> float:
-    """The speed [m/s] of a slip that has begun."""
+    """The least speed [m/s] of a slip that has begun within a trial of `span` [s]."""
     return max(NEARLY * ground.pull * span, slow(span, ground.pull, ground.fine))
 
 
 @lent
 def begins(ground: Ground, touch: Touch, touched: bool, d: Triple, span: float) -> bool:
-    """Whether slip began within a trial that had none at first."""
+    """Whether slip began within a trial that started without slip."""
     along = across(ground, touch.u)
     return (
         touched
@@ -51,7 +51,7 @@ def begins(ground: Ground, touch: Touch, touched: bool, d: Triple, span: float) 
 
 @lent
 def strained(ground: Ground, touch: Touch, touched: bool, d: Triple) -> bool:
-    """Whether a mass that sticks under a drive may slip before the step's end."""
+    """Whether a sticking mass may begin to slip within the step because of prescribed motions."""
     driven = len(ground.base.omega) + len(ground.shaking.omega) > 0
     sticks = touched and dot(d, d) == 0.0
     return driven and sticks and dot(touch.rub, touch.rub) > (GRIP * ground.mu * touch.p) ** 2
@@ -59,7 +59,7 @@ def strained(ground: Ground, touch: Touch, touched: bool, d: Triple) -> bool:
 
 @called
 def slips_at(ground: Ground, x: Triple, v: Triple, now: float, after: float, dt: float) -> bool:
-    """Whether a mass that sticks from `now` on would slip at once, `after` that [s]."""
+    """Whether a mass that sticks from `now` on begins to slip by a time `after` [s] later."""
     if after > 0.0:
         touch = tried(ground, x, v, now, after, NIL)
         if begins(ground, touch, True, NIL, after):
@@ -75,7 +75,7 @@ def cut(
     ground: Ground, x: Triple, v: Triple, now: float, whole: float, dt: float, d: Triple,
     begun: bool,
 ) -> float:  # fmt: skip
-    """The part [s] of a step before slip begins, or ends; nil if it does so at once."""
+    """The time [s] from `now` until slip begins or ends, within `whole` [s]; zero if at once."""
     low, high = 0.0, whole
     if begun and slips_at(ground, x, v, now, 0.0, dt):
         return 0.0
@@ -91,9 +91,9 @@ def cut(
 
 @lent
 def book(spent: Vector, touch: Touch, u: Triple, base: Triple, normal: Triple) -> None:
-    """Add to spent what contact did: lost by friction and by impact, and the work of the base.
+    """Add to spent, per mass, the energies lost by friction and impact and the work of the base.
 
-    u: the velocity relative to the base at the begin; base: the base's, in the mean.
+    u: velocity relative to the base at the start of the step [m/s]; base: its mean velocity.
     """
     slid = add_scaled(add_scaled(NIL, 0.5, u), 0.5, touch.u)
     spent[0] -= dot(touch.rub, slid)
@@ -106,16 +106,18 @@ def move_point(  # noqa: PLR0912, PLR0915 - one loop, whose parts share all its 
     path: Vector, energy: Vector, report: Vector, reaction: Vector,
     stride: int, dt: float, velocity: Triple, ground: Ground,
 ) -> int:  # fmt: skip
-    """Step a unit mass on a plane from a velocity [m/s] at t = 0; return rows filled.
+    """Advance a unit mass on a plane from a velocity [m/s] at t = 0; return the rows filled.
 
-    v+ = v + h (gravity + load + mean shaking) + p; x+ = x + h (v + v+)/2; u.n + gap/h >= 0 at
-    the end complementary to p.n. A step in which the mass lands, or slip would begin, end or turn
-    about, is cut there, and where it turns sharply (`resolved`); a blow takes no time.
+    v+ = v + h (gravity + load + mean shaking) + p and x+ = x + h (v + v+)/2, where u.n + gap/h >= 0
+    at the end of the step is complementary to p.n >= 0. A step is divided where the mass lands,
+    where slip begins, ends or reverses, and where it turns sharply (`resolved`). An impact takes no
+    time.
 
-    Every `stride` steps a row is written: path (k, 6): displacement, velocity; energy (k, 8),
-    per mass: v^2/2, lost by friction, lost by impact, work of base, of shaking, of gravity, of
-    load, of push-out; report (k, 4): residual, sweeps, deepest penetration [m] and cuts, since
-    the row before; reaction (k, 1, 3): force of the plane, per mass, as the row is reached.
+    Every `stride` steps a row is written. path (k, 6): displacement and velocity. energy (k, 8),
+    per mass: kinetic, lost by friction, lost by impact, work of the base, of shaking, of gravity,
+    of the load, by removal of penetration. report (k, 4): residual, sweeps, deepest penetration
+    [m] and number of divisions since the row before. reaction (k, 1, 3): force of the plane per
+    mass at the row.
     """
     x, v, force, normal = NIL, velocity, NIL, ground.normal
     spent = np.zeros(7)

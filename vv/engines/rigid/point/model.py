@@ -1,4 +1,4 @@
-"""Builds the smallest model: one block that cannot turn, on one wall or none, as a point mass."""
+"""Builds the smallest model: one block that cannot rotate, on at most one wall, as a point mass."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from vv.scene import Scene, Term, Vector
 
 @dataclass(frozen=True, eq=False)
 class Point:
-    """The one block's translation."""
+    """The translation of a single block."""
 
     lone: Lone
     scene: Scene
@@ -24,26 +24,26 @@ class Point:
 
     @property
     def unknowns(self) -> int:
-        """Translations the block is free in."""
+        """The number of free translations."""
         return int(self.lone.block.free.sum())
 
     @property
     def closes(self) -> bool:
-        """Whether the energies close to rounding."""
+        """Whether the energy balance holds to rounding: always."""
         return True
 
     @property
     def words(self) -> str:
-        """The model in words."""
+        """A description of the model."""
         return f"{self.unknowns} translations of a point mass with one contact"
 
     def outputs(self, rows: int, watched: tuple[int, ...]) -> tuple[Vector, ...]:
-        """What the kernel fills: path, energy, report, reaction."""
+        """The arrays that the kernel fills: path, energy, report and reaction."""
         walls = np.zeros((rows, 1, 3))
         return np.empty((rows, 6)), np.empty((rows, 8)), np.empty((rows, 4)), walls
 
     def arguments(self, dt: float) -> tuple[Any, ...]:
-        """What the kernel is told about the scene, after the step [s]."""
+        """The arguments of the kernel that describe the scene, for a step dt [s]."""
         from vv.engines.kernels.drive import NO_MOTION, drive
         from vv.engines.rigid.point.trial import Ground
 
@@ -76,10 +76,10 @@ class Point:
         return path
 
     def joules(self, energy: Vector) -> Vector:
-        """The energies (k, 8) [J]; the kernel gives them per mass, loads apart from gravity."""
+        """The energies (k, 8) [J], from those of the kernel per mass; the load joins gravity."""
         held = energy * self.lone.block.mass
         held[:, 5] += held[:, 6]
-        held[:, 6], held[:, 7] = held[:, 7], 0.0  # a point has no arms
+        held[:, 6], held[:, 7] = held[:, 7], 0.0  # a point mass has no lever arms
         return held
 
     def newtons(self, reaction: Vector) -> Vector:
@@ -88,7 +88,7 @@ class Point:
 
 
 def point(scene: Scene) -> Point | None:
-    """The model of a point mass, or None if the scene needs more."""
+    """The model of a point mass, or None if the scene needs the general model."""
     found = lone(scene)
     return None if found is None else Point(found, scene, scene.terms() - {Term.ROTATION})
 

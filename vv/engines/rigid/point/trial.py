@@ -1,4 +1,4 @@
-"""Kernels for one trial step of a point mass on a plane."""
+"""Kernels for a trial step of a point mass on a plane."""
 
 from __future__ import annotations
 
@@ -20,11 +20,12 @@ NIL = (0.0, 0.0, 0.0)
 
 @bundle
 class Ground(NamedTuple):
-    """What acts on a unit mass: accelerations of gravity and load [m/s2], a plane, drives.
+    """A plane and the fields that act on a unit mass.
 
-    normal, gap [m] of the plane at t = 0; base, shaking: motion of the plane and acceleration;
-    hold: (3, 3) projector on the free directions, which hold the normal and what the base does;
-    pull, quick: see `vv.engines.rigid.scales`; fine: what rounding makes of slip at most [m/s].
+    gravity, load: accelerations [m/s2]; normal, gap [m]: of the plane at t = 0; mu; base: the
+    motion of the plane; shaking: an acceleration; hold: (3, 3) projector on the free directions,
+    which contain the normal and the motion of the base; pull, quick: see
+    `vv.engines.rigid.scales`; fine: an upper bound on the rounding of slip velocities [m/s].
     """
 
     gravity: Triple
@@ -41,7 +42,7 @@ class Ground(NamedTuple):
 
 
 class Touch(NamedTuple):
-    """The end of a trial: relative velocity u, and impulses [m/s] along and across the normal."""
+    """The end of a trial: relative velocity u, normal impulse p, tangential impulse rub [m/s]."""
 
     u: Triple
     p: float
@@ -50,23 +51,23 @@ class Touch(NamedTuple):
 
 @lent
 def room(ground: Ground, x: Triple, time: float) -> float:
-    """The gap [m] under a displacement x."""
+    """The gap [m] at a displacement x and a time [s]."""
     return ground.gap + dot(ground.normal, add_scaled(x, -1.0, travel(ground.base, time)))
 
 
 @lent
 def across(ground: Ground, u: Triple) -> Triple:
-    """The part of a velocity in the plane."""
+    """The part of a velocity parallel to the plane."""
     return add_scaled(u, -dot(u, ground.normal), ground.normal)
 
 
 @called
 def pushed(ground: Ground, u: Triple, need: float, d: Triple, turn: Triple) -> Touch:
-    """What contact makes of the relative velocity u that there would be without.
+    """The end of a step with contact, from the relative velocity u without contact.
 
-    need: what u . normal must reach at least; d: the unit direction of slip at the begin, or
-    zeros; turn: see `bend`. The tangential impulse is in -mu p (d/2 + turn) + disc(mu p/2),
-    against the slip that remains; with d = 0 in disc(mu p).
+    need: least value of u . normal [m/s]; d: unit direction of slip at the start of the step, or
+    zero; turn: see `bend`. The tangential impulse lies in -mu p (d/2 + turn) + disc(mu p/2) and
+    opposes the remaining slip; with d = 0 it lies in disc(mu p).
     """
     p = max(0.0, need - dot(u, ground.normal))
     along = across(ground, u)
@@ -81,7 +82,7 @@ def pushed(ground: Ground, u: Triple, need: float, d: Triple, turn: Triple) -> T
 
 @lent
 def freed(ground: Ground, a: Triple) -> Triple:
-    """The part of a vector along what the mass is free in."""
+    """The part of a vector in the free directions."""
     hold = ground.hold
     return (
         hold[0, 0] * a[0] + hold[0, 1] * a[1] + hold[0, 2] * a[2],
@@ -92,7 +93,7 @@ def freed(ground: Ground, a: Triple) -> Triple:
 
 @lent
 def thrown(ground: Ground, v: Triple, now: float, span: float) -> Triple:
-    """The velocity after a step of span [s] without contact."""
+    """The velocity after a step of `span` [s] without contact."""
     push = add_scaled(
         add_scaled(ground.gravity, 1.0, ground.load), 1.0, mean(ground.shaking, now, span)
     )
@@ -101,10 +102,10 @@ def thrown(ground: Ground, v: Triple, now: float, span: float) -> Triple:
 
 @called
 def lands(ground: Ground, x: Triple, v: Triple, now: float, whole: float) -> float:
-    """How long [s] of a step a mass in flight takes to meet the plane; `whole` if it does not.
+    """The time [s] until a mass in flight meets the plane, or `whole` if it does not.
 
-    The gap is a parabola through its end, whose first root is the next end: at once the right
-    one under constant forces and over a plane at rest.
+    The gap is approximated by a parabola through its value at the end of a trial; its first root is
+    the end of the next trial. Under constant forces and over a plane at rest it is exact at once.
     """
     gap = max(room(ground, x, now), 0.0)
     speed = dot(ground.normal, add_scaled(v, -1.0, rate(ground.base, now)))
@@ -123,7 +124,7 @@ def lands(ground: Ground, x: Triple, v: Triple, now: float, whole: float) -> flo
 
 @lent
 def flown(ground: Ground, v: Triple, now: float, span: float) -> Touch:
-    """The end of a step of span [s] in flight."""
+    """The end of a step of `span` [s] without contact."""
     return Touch(
         add_scaled(thrown(ground, v, now, span), -1.0, rate(ground.base, now + span)), 0.0, NIL
     )
@@ -131,7 +132,7 @@ def flown(ground: Ground, v: Triple, now: float, span: float) -> Touch:
 
 @called
 def tried(ground: Ground, x: Triple, v: Triple, now: float, span: float, d: Triple) -> Touch:
-    """A step of span [s] from x, v at `now`, with friction along d to begin with."""
+    """The end of a step of `span` [s] from x, v at `now`, with slip along d at its start."""
     free = add_scaled(thrown(ground, v, now, span), -1.0, rate(ground.base, now + span))
     need = -max(room(ground, x, now), 0.0) / span
     touch = pushed(ground, free, need, d, NIL)
@@ -151,10 +152,11 @@ def resolved(
     ground: Ground, x: Triple, v: Triple, now: float, whole: float, dt: float, d: Triple,
     touch: Touch,
 ) -> float:  # fmt: skip
-    """The part [s] of a step, whose trial this is, that two of its halves agree with.
+    """The longest part [s] of a step, by halving, for which one step agrees with two half steps.
 
-    Where slip all but stops its direction turns within a part of a step, while friction bends the
-    way to there. Elsewhere steps are far finer than that, and no halves are tried.
+    touch: the trial of the whole step. Where slip almost stops, its direction turns within a
+    fraction of a step and friction changes the path. Elsewhere steps resolve the turn, and no half
+    steps are tried.
     """
     before = across(ground, add_scaled(v, -1.0, rate(ground.base, now)))
     after, span = across(ground, touch.u), whole
@@ -173,7 +175,7 @@ def resolved(
 
 @lent
 def veers(ground: Ground, now: float, span: float, before: Triple, after: Triple) -> bool:
-    """Whether slip turns its direction in a step, not merely about along the same line."""
+    """Whether slip changes its direction in a step, other than by reversal along the same line."""
     out, square = cross(before, after), dot(before, before) * dot(after, after)
     if dot(before, after) > 0.0:
         return dot(out, out) > VEERED * square
@@ -183,7 +185,7 @@ def veers(ground: Ground, now: float, span: float, before: Triple, after: Triple
 
 @called
 def halved(ground: Ground, x: Triple, v: Triple, now: float, span: float, d: Triple) -> Touch:
-    """A step of span [s] as two."""
+    """The end of two half steps in place of one of `span` [s]."""
     half = 0.5 * span
     touch = tried(ground, x, v, now, half, d)
     end = add_scaled(touch.u, 1.0, rate(ground.base, now + half))
@@ -197,7 +199,7 @@ def halved(ground: Ground, x: Triple, v: Triple, now: float, span: float, d: Tri
 
 @lent
 def sagging(ground: Ground, now: float, span: float) -> Triple:
-    """How far the drives take the slip halfway from the mean of its first and last [m/s]."""
+    """The slip at mid-step minus the mean of those at its ends, by prescribed motions [m/s]."""
     sag = add_scaled(NIL, 0.5 * span, mean(ground.shaking, now, 0.5 * span))
     sag = freed(ground, add_scaled(sag, -0.5 * span, mean(ground.shaking, now, span)))
     sag = add_scaled(sag, -1.0, rate(ground.base, now + 0.5 * span))

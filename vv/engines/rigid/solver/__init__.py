@@ -1,1 +1,1 @@
-"""The contact solver: exact Coulomb friction by sweeps, banded systems, Newton steps."""
+"""The contact solver: exact Coulomb friction by sweeps and by Newton steps with banded systems."""

@@ -1,10 +1,10 @@
-"""Kernels that turn detected contacts into relative velocities and impulses: J, J^T and J W J^T.
+"""Kernels for the relative velocities and impulses of detected contacts: J, J^T and J W J^T.
 
-Bodies are numbered as in blocks/contacts.py: n blocks, then the walls. Their velocities are rows
-of v, w (b, 3) [m/s, 1/s] and their inverse masses and inertias of `inverse` and `inverse_spin`
-(b, 3, 3) [1/kg, 1/(kg m2)], projected on what is free and nil for walls: so one row of J serves
-blocks and walls, plane scenes and scenes in space. J is never stored: a contact is its bodies and
-two arms.
+Bodies are numbered as in blocks/contacts.py: n blocks, then the walls. Their velocities are rows of
+v, w (b, 3) [m/s, 1/s]. Their inverse masses and inertias, `inverse` and `inverse_spin`
+(b, 3, 3) [1/kg, 1/(kg m2)], are projected on the free directions and zero for walls, so that one
+form of J serves blocks and walls, in a plane and in space. J is never stored: a contact consists of
+two bodies and two lever arms.
 """
 
 from __future__ import annotations
@@ -21,12 +21,12 @@ from vv.engines.kernels.compiled import called, inlined, lent
 from vv.engines.kernels.triples import Triple, add_scaled, at, cross, dot, put
 from vv.scene import Vector
 
-MOBILE = 1e-12  # ratio of mobilities below which the less mobile direction is a locked one
+MOBILE = 1e-12  # ratio of mobilities below which the less mobile direction is locked
 
 
 @bundle
 class Bodies(NamedTuple):
-    """inverse, inverse_spin: (b, 3, 3), in the scene's frame; centre: (b, 3) [m], nil for walls."""
+    """inverse, inverse_spin: (b, 3, 3) in the scene's frame; centre: (b, 3) [m], zero for walls."""
 
     inverse: Vector
     inverse_spin: Vector
@@ -35,12 +35,12 @@ class Bodies(NamedTuple):
 
 @bundle
 class Joints(NamedTuple):
-    """c contacts as a solver sees them.
+    """The c contacts in the form that the solver uses.
 
-    first, second: bodies; normal: (c, 3); arm_first, arm_second: (c, 3) from the centres [m];
-    pull: (c, 3) the relative velocity that a unit impulse along the normal makes [1/kg]; across:
-    (c,) its part along the normal; along: (c,) the largest such part in the tangent plane; nil
-    where both bodies are locked.
+    first, second: (c,) bodies; normal: (c, 3); arm_first, arm_second: (c, 3) from the centres [m];
+    pull: (c, 3) relative velocity by a unit impulse along the normal [1/kg]; across: (c,) its
+    normal part, the mobility along the normal [1/kg]; along: (c,) the largest mobility in the
+    tangent plane [1/kg]. Mobilities are zero where both bodies are locked.
     """
 
     first: Index
@@ -66,7 +66,7 @@ def times(matrices: Vector, i: int, a: Triple) -> Triple:
 
 @inlined
 def relative(joints: Joints, c: int, v: Vector, w: Vector) -> Triple:
-    """The velocity of the second body relative to the first at contact c: a row of J v."""
+    """The velocity of the second body relative to the first at contact c [m/s]: a row of J v."""
     a, b = joints.first[c], joints.second[c]
     one = add_scaled(at(v, a), 1.0, cross(at(w, a), at(joints.arm_first, c)))
     return add_scaled(
@@ -88,14 +88,14 @@ def apply(joints: Joints, c: int, bodies: Bodies, v: Vector, w: Vector, p: Tripl
 
 @lent
 def load_on(joints: Joints, c: int, bodies: Bodies, v: Vector, w: Vector, p: Triple) -> None:
-    """`apply`, unless there is nothing to apply; compiled once for all who are in no hurry."""
+    """The same as `apply`, for p other than zero; not inlined, for code that runs seldom."""
     if dot(p, p) > 0.0:
         apply(joints, c, bodies, v, w, p)
 
 
 @inlined
 def answer(joints: Joints, c: int, bodies: Bodies, p: Triple) -> Triple:
-    """J W J^T p for one contact: the relative velocity that an impulse there makes there."""
+    """The relative velocity at contact c by an impulse p at it: J W J^T p."""
     a, b = joints.first[c], joints.second[c]
     one, two = at(joints.arm_first, c), at(joints.arm_second, c)
     u = add_scaled(times(bodies.inverse, a, p), 1.0, times(bodies.inverse, b, p))
@@ -116,7 +116,7 @@ def tangents(n: Triple) -> tuple[Triple, Triple]:
 
 @called
 def assemble(contacts: Contacts, count: int, bodies: Bodies) -> Joints:
-    """The first `count` contacts as joints, which outlive them."""
+    """The joints of the first `count` contacts, with arrays of their own."""
     joints = Joints(
         same_counts(contacts.first, count),
         same_counts(contacts.second, count),

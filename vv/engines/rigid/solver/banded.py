@@ -1,4 +1,4 @@
-"""Kernels that solve the equations of blocks which touch a few others each, within a band."""
+"""Kernels that order the equations of blocks with few neighbours in a band, and solve them."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from vv.scene import Vector
 
 @inlined
 def moving(bodies: Bodies, i: int) -> bool:
-    """Whether impulses move a body."""
+    """Whether impulses can move a body."""
     free = bodies.inverse[i, 0, 0] + bodies.inverse[i, 1, 1] + bodies.inverse[i, 2, 2]
     turns = bodies.inverse_spin[i, 0, 0] + bodies.inverse_spin[i, 1, 1]
     return bool(free + turns + bodies.inverse_spin[i, 2, 2] > 0.0)
@@ -21,13 +21,13 @@ def moving(bodies: Bodies, i: int) -> bool:
 
 @inlined
 def tied(joints: Joints, c: int, bodies: Bodies) -> bool:
-    """Whether a contact passes motion from one body to the other: both can move."""
+    """Whether a contact couples two bodies: both can move."""
     return moving(bodies, joints.first[c]) and moving(bodies, joints.second[c])
 
 
 @called
 def neighbours(joints: Joints, bodies: Bodies, blocks: int) -> tuple[Index, Index]:
-    """The blocks that each is tied to: they are other[start[i]:start[i + 1]], some repeated."""
+    """The blocks coupled to each block i: other[start[i]:start[i + 1]], some of them repeated."""
     start = counts(blocks + 1)
     for i in range(blocks + 1):
         start[i] = 0
@@ -49,10 +49,10 @@ def neighbours(joints: Joints, bodies: Bodies, blocks: int) -> tuple[Index, Inde
 
 @called
 def layers(place: Index, start: Index, other: Index, root: int, count: int) -> tuple[int, int]:
-    """Number the blocks not yet numbered that hang together with root, from `count` on.
+    """Number the unnumbered blocks connected to `root` from `count` on, by breadth-first search.
 
-    Nearest first; place: (n,) -1 where a block has no number. Returns how many have one now, and
-    the last that got it.
+    place: (n,) the numbers, -1 for unnumbered blocks. Returns the count after that, and the last
+    block that was numbered.
     """
     queue, done, last = counts(len(place)), 0, root
     queue[0], place[root] = root, count
@@ -70,9 +70,10 @@ def layers(place: Index, start: Index, other: Index, root: int, count: int) -> t
 
 @called
 def arranged(joints: Joints, bodies: Bodies, blocks: int) -> tuple[Index, int]:
-    """Places (n,) for the blocks such that those tied are near, and the farthest apart.
+    """An ordering (n,) in which coupled blocks are close, and the largest distance of two of them.
 
-    In layers from a block that is as far from another as any (Cuthill and McKee 1969).
+    Blocks are numbered by breadth-first search from a block far from others (Cuthill and McKee
+    1969).
     """
     start, other = neighbours(joints, bodies, blocks)
     place, count = counts(blocks), 0 * blocks
@@ -92,9 +93,9 @@ def arranged(joints: Joints, bodies: Bodies, blocks: int) -> tuple[Index, int]:
 
 @called
 def numbered(bodies: Bodies, place: Index) -> tuple[Index, int]:
-    """The equation (6 n,) of each of the six velocities of each block, and how many there are.
+    """The equation (6 n,) of each of the six velocities of each block, and the number of equations.
 
-    They follow the places (n,) of the blocks; -1 where a velocity is locked.
+    Equations follow the ordering `place` (n,) of the blocks; -1 for a locked velocity.
     """
     blocks, count = len(place), 0 * len(place)
     block, row = counts(blocks), counts(6 * blocks)
@@ -111,7 +112,7 @@ def numbered(bodies: Bodies, place: Index) -> tuple[Index, int]:
 
 @called
 def width(joints: Joints, row: Index, blocks: int) -> int:
-    """How far from the diagonal contacts reach in equations of these rows: see `numbered`."""
+    """The half-width of the band of equations `row` (see `numbered`), by the contacts of blocks."""
     far = 5 + 0 * blocks
     for c in range(len(joints.first)):
         a, b = joints.first[c], joints.second[c]
@@ -128,9 +129,9 @@ def width(joints: Joints, row: Index, blocks: int) -> int:
 def subtract(
     matrix: Vector, i: int, k: int, at_i: np.uint64, at_k: np.uint64, many: np.uint64, part: float
 ) -> None:
-    """Take part times so many elements of row k, from at_k on, from those of row i, from at_i on.
+    """Subtract `part` times `many` elements of row k, from at_k on, from those of row i, from at_i.
 
-    The places are unsigned: a loop over such as might be negative is none of vectors, and took six
+    Indices are unsigned: a loop over indices that may be negative is not vectorised and takes six
     times as long.
     """
     for j in range(many):
@@ -139,10 +140,10 @@ def subtract(
 
 @lent
 def eliminate(matrix: Vector, right: Vector, half: int) -> None:
-    """Replace right (m,) by the solution of equations in a band, which are spoilt.
+    """Replace right (m,) by the solution of a banded system; the matrix is overwritten.
 
-    matrix: (m, 3 half + 1), element (i, j) in row i, column j - i + half, nil farther than half
-    from the diagonal. Gauss with pivots, which fill the rest.
+    matrix: (m, 3 half + 1), with element (i, j) in row i and column j - i + half, zero farther than
+    `half` from the diagonal. Gaussian elimination; its pivots fill the other columns.
     """
     m = len(right)
     for k in range(m):

@@ -1,11 +1,11 @@
-"""Contacts in batches of eight that share no moving body, so that one instruction serves all.
+"""Contacts in batches of eight that share no moving body, so that SIMD instructions can solve them.
 
-A sweep in order waits for each contact before it goes to the next. Those of a batch do not see one
-another, and their numbers lie side by side: a compiler makes a loop over them one of wide
-instructions, at a third of the time. Faces touch at several corners: a batch has the contacts of
-eight pairs of bodies, one of each pair in a layer, so that what is known of the bodies is fetched
-once for all of them, which would take longer than to compute a layer. A compiler must know how far
-apart fields are, so that these are records.
+In a sweep one contact after the other, each waits for the one before. The contacts of a batch are
+independent, and their data lie side by side: the compiler vectorises a loop over them, which takes
+a third of the time. Since faces touch at several corners, a batch holds the contacts of eight pairs
+of bodies, with one contact of each pair in a layer. The data of the bodies are then fetched once
+for all layers; fetching takes longer than computing a layer. Batches are records, because the
+compiler must know the offsets of fields.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ def _field(numbers: int) -> tuple[type, tuple[int, int]]:
 
 BATCH = np.dtype(
     [
-        ("filled", np.uint64),  # unsigned, or lanes counted up to it might be negative
+        ("filled", np.uint64),  # unsigned, so that lane numbers cannot be negative
         ("lanes", np.uint64),
         ("begin", np.int64),
         ("end", np.int64),
@@ -43,10 +43,10 @@ BATCH = np.dtype(
         *((name, *_field(6)) for name in ("inverse_second", "spin_second")),
     ]
 )
-"""Up to eight pairs of bodies, so many as are filled, whose contacts are layers[begin:end].
+"""Up to eight pairs of bodies, whose contacts are layers[begin:end].
 
-lanes: LANES, which a compiler must not know, or it would make no vectors of a loop so short;
-inverses of masses and inertias as `upper` has them.
+filled: the number of pairs; lanes: always LANES, as a variable, since the compiler does not
+vectorise a loop known to be so short; inverse masses and inertias in the form of `upper`.
 """
 
 LAYER = np.dtype(
@@ -56,11 +56,11 @@ LAYER = np.dtype(
         *((name, np.float64, LANES) for name in ("need", "across", "along", "radius", "stiff")),
     ]
 )
-"""A contact of each pair of a batch; all nil where a pair has none, which pushes nothing.
+"""One contact of each pair of a batch; all zero, and without effect, for a pair that has none.
 
-As in `Joints` and `Friction`, but for across, along: the inverses of those [kg], nil where they are
-nil; stiff: the square of the larger [1/kg2]; centre, radius: those of `limit`, for a unit impulse;
-last: p a sweep before.
+Fields are those of `Joints` and `Friction`, except: across, along: inverses of the mobilities [kg],
+zero where these are zero; stiff: the square of the larger mobility [1/kg2]; centre, radius: those
+of `limit` for a unit normal impulse; p: impulse; last: p after the sweep before.
 """
 
 PAIRS = np.dtype(
@@ -70,7 +70,7 @@ PAIRS = np.dtype(
         ("largest", np.float64, LANES),
     ]
 )
-"""Velocities of the bodies of a batch, and what impulses changed by: see `changed`."""
+"""Velocities of the bodies of a batch, and the changes of impulses in a sweep: see `changed`."""
 
 batch_room, layer_room, pairs_room = map(rooms.of_nil_records, (BATCH, LAYER, PAIRS))
 
@@ -79,9 +79,9 @@ batch_room, layer_room, pairs_room = map(rooms.of_nil_records, (BATCH, LAYER, PA
 def packed(
     p: Vector, joints: Joints, bodies: Bodies, friction: Friction
 ) -> tuple[Record, Record, Index]:
-    """The batches and layers of contacts with impulses p (c, 3).
+    """The batches and layers of contacts with impulses p (c, 3), and the places (c,) of contacts.
 
-    With the place (c,) of each contact, its layer times LANES and its lane; -1 where none can push.
+    A place is the layer times LANES plus the lane, or -1 for a contact that cannot act.
     """
     run, begin = runs(joints)
     seat, depth = seated(joints, bodies, run, begin)
@@ -109,7 +109,7 @@ def packed(
 
 @lent
 def fill_pair(batch: Record, lane: int, a: int, b: int, bodies: Bodies) -> None:
-    """Write two bodies into a lane."""
+    """Write the data of two bodies into a lane."""
     batch.filled = larger(batch.filled, np.uint64(lane + 1))
     batch.first[lane], batch.second[lane] = a, b
     upper(batch.inverse_first, lane, bodies.inverse, a)
@@ -120,7 +120,7 @@ def fill_pair(batch: Record, lane: int, a: int, b: int, bodies: Bodies) -> None:
 
 @lent
 def fill(layer: Record, lane: int, c: int, joints: Joints, friction: Friction) -> None:
-    """Write all but the impulse of a contact into a lane."""
+    """Write the data of a contact, without its impulse, into a lane."""
     set_lane(layer.normal, lane, at(joints.normal, c))
     set_lane(layer.arm_first, lane, at(joints.arm_first, c))
     set_lane(layer.arm_second, lane, at(joints.arm_second, c))
@@ -135,7 +135,7 @@ def fill(layer: Record, lane: int, c: int, joints: Joints, friction: Friction) -
 
 @inlined
 def upper(field: Vector, lane: int, matrices: Vector, i: int) -> None:
-    """Write the symmetric matrices[i] (3, 3) into a lane: xx, xy, xz, yy, yz, zz."""
+    """Write the symmetric matrices[i] (3, 3) into a lane as xx, xy, xz, yy, yz, zz."""
     k = 0
     for row in range(3):
         for column in range(row, 3):
@@ -145,7 +145,7 @@ def upper(field: Vector, lane: int, matrices: Vector, i: int) -> None:
 
 @lent
 def unpacked(p: Vector, layers: Record, place: Index) -> None:
-    """Fill p (c, 3) with the impulses of layers."""
+    """Fill p (c, 3) with the impulses in layers."""
     for c in range(len(p)):
         if place[c] >= 0:
             layer, lane = layers[place[c] // LANES], place[c] % LANES
@@ -155,11 +155,11 @@ def unpacked(p: Vector, layers: Record, place: Index) -> None:
 
 @inlined
 def lane_of(field: Vector, lane: int) -> Triple:
-    """The three numbers of a lane."""
+    """The three numbers in a lane."""
     return field[0, lane], field[1, lane], field[2, lane]
 
 
 @inlined
 def set_lane(field: Vector, lane: int, a: Triple) -> None:
-    """Write the three numbers of a lane."""
+    """Write three numbers into a lane."""
     field[0, lane], field[1, lane], field[2, lane] = a

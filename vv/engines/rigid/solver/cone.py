@@ -1,11 +1,11 @@
-"""The contact solver of exact Coulomb friction: projected Gauss-Seidel, accelerated.
+"""Solves contacts with exact Coulomb friction by accelerated projected Gauss-Seidel sweeps.
 
-For each contact, with relative velocity u at the end of the step and impulse p:
-u.n - need >= 0 complementary to p.n >= 0, and the tangential impulse in the set
--mu p.n (d/2 + turn) + disc(mu p.n/2), where it takes most from u (d = 0: in disc(mu p.n)).
-Contacts are swept in order; the sweep's change serves as a gradient for nonlinear conjugate
-gradients (Silcowitz, Niebe and Erleben 2010). The tangential step is one number per contact:
-different steps in different directions would turn the friction.
+For each contact, with relative velocity u at the end of the step and impulse p: u.n - need >= 0 is
+complementary to p.n >= 0, and the tangential impulse maximises the dissipation within
+-mu p.n (d/2 + turn) + disc(mu p.n/2), or within disc(mu p.n) if d = 0. Contacts are swept in order;
+the change of a sweep serves as a gradient for nonlinear conjugate gradients (Silcowitz, Niebe and
+Erleben 2010). The tangential step size is one number per contact: different step sizes in different
+directions would change the direction of friction.
 """
 
 from __future__ import annotations
@@ -24,7 +24,7 @@ from vv.scene import Vector
 
 @bundle
 class Friction(NamedTuple):
-    """mu; need: (c,) [m/s]; d, turn: (c, 3), see above."""
+    """mu; need: (c,) least normal velocities [m/s]; d, turn: (c, 3); see the module's docstring."""
 
     mu: float
     need: Vector
@@ -34,7 +34,7 @@ class Friction(NamedTuple):
 
 @inlined
 def limit(cap: float, d: Triple, turn: Triple) -> tuple[Triple, float]:
-    """The centre and the radius [N s] of the tangential impulses under a normal impulse cap/mu."""
+    """Centre and radius [N s] of the disc of tangential impulses at a normal impulse cap/mu."""
     if dot(d, d) == 0.0:
         return (0.0, 0.0, 0.0), cap
     return add_scaled(add_scaled((0.0, 0.0, 0.0), -0.5 * cap, d), -cap, turn), 0.5 * cap
@@ -44,9 +44,9 @@ def limit(cap: float, d: Triple, turn: Triple) -> tuple[Triple, float]:
 def projected(
     along: float, n: Triple, u: Triple, p: Triple, cap: float, d: Triple, turn: Triple
 ) -> Triple:
-    """The tangential impulse of one projected step from p; along: see `Joints`.
+    """The tangential impulse after one projected step from p; along: see `Joints`.
 
-    It takes numbers, no arrays: numba would count references to these at every contact.
+    Arguments are numbers and not arrays, to which numba would count references at every contact.
     """
     flat = add_scaled(p, -dot(p, n), n)
     if along > 0.0:
@@ -59,11 +59,11 @@ def projected(
 
 @inlined
 def yielding(across: float, pull: Triple, mu: float) -> float:
-    """What a velocity [m/s] along the normal is divided by for the impulse against it [1/kg].
+    """The mobility [1/kg] by which a normal velocity is divided to get the normal impulse.
 
-    Friction of a slip grows with that impulse, and at the end of an arm it lifts or presses by up
-    to mu times the part of `pull` across the normal. Where this is more than the impulse does
-    itself, sweeps would swing up unless they take both together.
+    Friction grows with the normal impulse, and through the lever arms changes the normal velocity
+    by up to mu times the tangential part of `pull`. Where this exceeds the effect of the normal
+    impulse itself, sweeps would diverge unless both are added.
     """
     square = across * across
     lifts = mu * mu * (dot(pull, pull) - square)
@@ -74,7 +74,7 @@ def yielding(across: float, pull: Triple, mu: float) -> float:
 def sweep(
     p: Vector, joints: Joints, bodies: Bodies, friction: Friction, v: Vector, w: Vector
 ) -> None:
-    """One pass over all contacts: the normal impulse, then the tangential one under it."""
+    """One pass over all contacts: the normal impulse of each, then its tangential impulse."""
     for c in range(len(p)):
         n, before = at(joints.normal, c), at(p, c)
         if joints.across[c] <= 0.0:
@@ -95,7 +95,7 @@ def sweep(
 
 @lent
 def residual(p: Vector, joints: Joints, friction: Friction, v: Vector, w: Vector) -> float:
-    """The largest step [m/s] that the natural map still makes at any contact."""
+    """The largest change of velocity [m/s] by a projected step at any contact (natural map)."""
     worst = 0.0
     for c in range(len(p)):
         if joints.across[c] <= 0.0:
@@ -116,10 +116,10 @@ def solve_contacts(
     p: Vector, joints: Joints, bodies: Bodies, friction: Friction, v: Vector, w: Vector,
     tolerance: float, fewest: int, most: int,
 ) -> tuple[int, float]:  # fmt: skip
-    """Improve p (c, 3), whose effect is in v and w, until the residual [m/s] is met.
+    """Iterate p (c, 3), whose effect is in v, w, until the residual is at most `tolerance` [m/s].
 
-    At least `fewest` sweeps are made, unless there is nothing left to improve. Returns the sweeps
-    made and the residual reached, which is larger if `most` sweeps were not enough.
+    At least `fewest` sweeps are made, unless the residual is zero. Returns the number of sweeps and
+    the residual, which exceeds the tolerance if `most` sweeps were not enough.
     """
     way, before = nil_rows(len(p)), rows(len(p))
     way_v, before_v, way_w, before_w = (
@@ -152,7 +152,7 @@ def solve_contacts(
 
 @lent
 def changed(p: Vector, before: Vector, joints: Joints) -> tuple[float, float]:
-    """The square [N2 s2] of what impulses changed by, and the largest change as a speed [m/s]."""
+    """The squared norm [N2 s2] of the change of impulses, and its largest effect [m/s]."""
     size, largest = 0.0, 0.0
     for c in range(len(p)):
         change = add_scaled(at(p, c), -1.0, at(before, c))
@@ -165,17 +165,17 @@ def changed(p: Vector, before: Vector, joints: Joints) -> tuple[float, float]:
 
 @lent
 def keep(kept: Vector, rows: Vector) -> None:
-    """Fill kept with rows (k, 3); a slice would make numba compile its error messages."""
+    """Copy rows (k, 3) into kept; for a slice, numba would compile its error messages."""
     for k in range(len(rows)):
         put(kept, k, at(rows, k))
 
 
 @lent
 def follow(way: Vector, before: Vector, now: Vector, share: float, goes_on: bool) -> None:
-    """Go on from `now` along a share of the way (k, 3) so far, and add the last change to that.
+    """Add `share` times the search direction `way` (k, 3) to `now`, and update the direction.
 
-    What impulses do to velocities is linear, so that both can go the same way. If it does not go
-    on, the way begins anew.
+    The new direction is share times the old one plus the last change, or zero if it is restarted
+    (not `goes_on`). Velocities depend linearly on impulses, so that the same holds for both.
     """
     for k in range(len(way)):
         change = add_scaled(at(now, k), -1.0, at(before, k))
@@ -191,10 +191,10 @@ def follow(way: Vector, before: Vector, now: Vector, share: float, goes_on: bool
 def push_out(
     joints: Joints, bodies: Bodies, gap: Vector, x: Vector, turn: Vector, sweeps: int
 ) -> None:
-    """Move bodies apart: fill x, turn (b, 3) [m, rad] so that no gap (c,) [m] stays negative.
+    """Fill x, turn (b, 3) [m, rad] with the displacements after which no gap (c,) [m] is negative.
 
-    The least displacement in the sense of the masses, found by so many sweeps; velocities have
-    no part in it.
+    They are the least ones in the norm of the masses, approximated by `sweeps` sweeps; velocities
+    do not change.
     """
     pushed = nil_numbers(len(gap))
     clear(x)

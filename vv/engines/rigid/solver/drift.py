@@ -1,8 +1,9 @@
-"""Sweeps over the contacts of many blocks, and leaps along what these drift by.
+"""Sweeps over the contacts of many blocks, with leaps along their slow drift.
 
-Where sweeps seem to stand still they drift: impulses of a few blocks change by the same little in
-each, for thousands of sweeps, until a contact opens, slips or sticks. A leap takes many such steps
-at once; what it upsets elsewhere some sweeps put right. One after which more is left is undone.
+Where sweeps seem to stall they drift: impulses of a few blocks change by the same small amount in
+each of thousands of sweeps, until a contact opens, slips or sticks. A leap extrapolates many such
+changes at once; some sweeps then correct its errors elsewhere. A leap that increases the residual
+is undone.
 """
 
 from __future__ import annotations
@@ -17,9 +18,9 @@ from vv.engines.rigid.solver.cone import Friction, keep, limit
 from vv.engines.rigid.solver.momentum import carried
 from vv.scene import Vector
 
-CARRIED, WATCHED, SETTLED = 600, 200, 100  # sweeps at first, by which drift is told, after a leap
-AHEAD, LONGER, SHORTER = 4.0, 2.0, 0.25  # of the drift watched: a leap, after one that went well
-WORSE = 2.0  # times the least left so far: sweeps after a leap that goes well may have more left
+CARRIED, WATCHED, SETTLED = 600, 200, 100  # sweeps at first, to measure drift, after a leap
+AHEAD, LONGER, SHORTER = 4.0, 2.0, 0.25  # first leap over the drift; factors after good, bad ones
+WORSE = 2.0  # largest ratio of the residual after a leap to the least one so far
 
 
 @called
@@ -27,7 +28,7 @@ def drifted(
     p: Vector, joints: Joints, bodies: Bodies, friction: Friction, v: Vector, w: Vector,
     tolerance: float, fewest: int, most: int,
 ) -> tuple[int, float]:  # fmt: skip
-    """Improve p (c, 3), whose effect is in v and w, until the residual [m/s] is met: `carried`."""
+    """Iterate p (c, 3) with leaps; arguments and results are those of `carried`."""
     few = smaller(CARRIED, most)
     sweeps, left = carried(p, joints, bodies, friction, v, w, tolerance, fewest, few)
     before, here, here_v, here_w = rows(len(p)), rows(len(p)), rows(len(v)), rows(len(w))
@@ -63,7 +64,7 @@ def leap(
     p: Vector, before: Vector, joints: Joints, bodies: Bodies, friction: Friction,
     v: Vector, w: Vector, ahead: float,
 ) -> None:  # fmt: skip
-    """Take p (c, 3) on by so many times what it changed by, as far as contacts allow."""
+    """Extrapolate p (c, 3) by `ahead` times its change since `before`, within friction limits."""
     for c in range(len(p)):
         if joints.across[c] <= 0.0:
             continue

@@ -1,4 +1,4 @@
-"""A sweep of the contact solver over batches of contacts: `cone.sweep`, several at once."""
+"""A sweep over batches of contacts: `cone.sweep` for several contacts at once."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from vv.scene import Vector
 
 @inlined
 def fetch(pairs: Record, batch: Record, velocities: Vector) -> None:
-    """Copy the velocities (b, 6) of a batch's bodies to where they lie side by side."""
+    """Copy the velocities (b, 6) of a batch's bodies into the lanes of pairs."""
     for lane in range(batch.filled):
         a, b = batch.first[lane], batch.second[lane]
         for k in range(3):
@@ -25,7 +25,7 @@ def fetch(pairs: Record, batch: Record, velocities: Vector) -> None:
 
 @inlined
 def give_back(pairs: Record, batch: Record, velocities: Vector) -> None:
-    """Copy the velocities of a batch's bodies to their rows; those that do not move have theirs."""
+    """Copy the velocities of a batch's bodies back to their rows (b, 6)."""
     for lane in range(batch.filled):
         a, b = batch.first[lane], batch.second[lane]
         for k in range(3):
@@ -36,7 +36,7 @@ def give_back(pairs: Record, batch: Record, velocities: Vector) -> None:
 
 @inlined
 def closing(pairs: Record, layer: Record, lane: int) -> Triple:
-    """The relative velocity of a contact."""
+    """The relative velocity of the contact in a lane [m/s]."""
     one = cross(lane_of(pairs.w_first, lane), lane_of(layer.arm_first, lane))
     two = cross(lane_of(pairs.w_second, lane), lane_of(layer.arm_second, lane))
     u = add_scaled(lane_of(pairs.v_second, lane), -1.0, lane_of(pairs.v_first, lane))
@@ -45,7 +45,7 @@ def closing(pairs: Record, layer: Record, lane: int) -> Triple:
 
 @inlined
 def normal_step(layer: Record, lane: int, u: Triple, had: float) -> float:
-    """The normal impulse of one projected step from `had`."""
+    """The normal impulse [N s] after one projected step from `had`."""
     n = lane_of(layer.normal, lane)
     wanted = had - (dot(u, n) - layer.need[lane]) * layer.across[lane]
     return wanted if wanted > 0.0 else 0.0
@@ -53,7 +53,7 @@ def normal_step(layer: Record, lane: int, u: Triple, had: float) -> float:
 
 @inlined
 def tangential_step(layer: Record, lane: int, u: Triple, p: Triple, normal: float) -> Triple:
-    """The tangential impulse of one projected step from p, under a normal impulse."""
+    """The tangential impulse after one projected step from p, for a given normal impulse [N s]."""
     n = lane_of(layer.normal, lane)
     flat = add_scaled(p, -dot(p, n), n)
     flat = add_scaled(flat, -layer.along[lane], add_scaled(u, -dot(u, n), n))
@@ -65,7 +65,7 @@ def tangential_step(layer: Record, lane: int, u: Triple, p: Triple, normal: floa
 
 @inlined
 def impelled(velocity: Vector, inverse: Vector, lane: int, sign: float, p: Triple) -> None:
-    """Add what an impulse, or its moment, makes of a velocity."""
+    """Add `sign` times the effect of an impulse, or of its moment, to a velocity or spin."""
     velocity[0, lane] += sign * (
         inverse[0, lane] * p[0] + inverse[1, lane] * p[1] + inverse[2, lane] * p[2]
     )
@@ -79,7 +79,7 @@ def impelled(velocity: Vector, inverse: Vector, lane: int, sign: float, p: Tripl
 
 @lent
 def press(pairs: Record, batch: Record, layer: Record) -> None:
-    """One step of each contact of a layer; adds to the pairs what impulses changed by."""
+    """Update each contact of a layer; add the changes of impulses to pairs.square and .largest."""
     for lane in range(batch.lanes):
         n, p, u = lane_of(layer.normal, lane), lane_of(layer.p, lane), closing(pairs, layer, lane)
         had = dot(p, n)
@@ -103,7 +103,7 @@ def press(pairs: Record, batch: Record, layer: Record) -> None:
 def swept(
     pairs: Record, batches: Record, layers: Record, velocities: Vector
 ) -> tuple[float, float]:
-    """One pass over all batches; returns what `changed` does."""
+    """One pass over all batches; the results are those of `changed`."""
     for lane in range(LANES):
         pairs.square[lane] = pairs.largest[lane] = 0.0
     for k in range(len(batches)):

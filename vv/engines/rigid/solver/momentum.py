@@ -1,9 +1,9 @@
-"""Sweeps over the contacts of many blocks, carried on by momentum that grows while it helps.
+"""Sweeps over the contacts of many blocks, accelerated by momentum.
 
-After each sweep, impulses and velocities go on along what that sweep and the one before differ by
-(Nesterov 1983), times a share that rises to a cap below 1. Friction makes the sweeps' map
-unsymmetric, so that no cap suits all: near 1 most scenes converge several times as fast, and a few
-drift away. So the cap is raised while changes shrink slowly, and lowered where they grow.
+After each sweep, impulses and velocities are extrapolated by a share of their change since the
+sweep before (Nesterov 1983); the share rises to a cap below 1. Friction makes the map of a sweep
+unsymmetric, so that no cap suits all scenes: near 1 most converge several times as fast, and a few
+diverge. So the cap is raised while changes decrease slowly, and lowered when they grow.
 """
 
 from __future__ import annotations
@@ -18,11 +18,11 @@ from vv.engines.rigid.solver.cone import Friction, residual
 from vv.engines.rigid.solver.lanes import swept
 from vv.scene import Vector
 
-CAP, LEAST, MOST = 0.93, 0.5, 0.98  # of the share: at first, and its bounds
-LOOKS = 4  # sweeps after which the residual is looked at again, which costs as much as two
-WINDOW = 8  # sweeps whose changes are summed before the cap is judged
-GREW, SLOWLY = 4.0, 0.85  # of the least sum so far, and of the last: it drifts away, it creeps
-LOWERED, RAISED = 1.6, 0.75  # what the cap's distance to 1 is multiplied by
+CAP, LEAST, MOST = 0.93, 0.5, 0.98  # the cap at first, and its bounds
+LOOKS = 4  # least number of sweeps between residuals, each of which costs as much as two sweeps
+WINDOW = 8  # sweeps whose changes are summed before the cap is adapted
+GREW, SLOWLY = 4.0, 0.85  # growth over the least sum: diverges; decrease since the last: is slow
+LOWERED, RAISED = 1.6, 0.75  # factors on 1 - cap in these two cases
 
 
 @called
@@ -30,10 +30,10 @@ def carried(
     p: Vector, joints: Joints, bodies: Bodies, friction: Friction, v: Vector, w: Vector,
     tolerance: float, fewest: int, most: int,
 ) -> tuple[int, float]:  # fmt: skip
-    """Improve p (c, 3), whose effect is in v and w, until the residual [m/s] is met.
+    """Iterate p (c, 3), whose effect is in v, w, until the residual is at most `tolerance` [m/s].
 
-    At least `fewest` sweeps are made, unless there is nothing left to improve. Returns the sweeps
-    made and the residual reached, which is larger if `most` sweeps were not enough.
+    At least `fewest` sweeps are made, unless the residual is zero. Returns the number of sweeps and
+    the residual, which exceeds the tolerance if `most` sweeps were not enough.
     """
     batches, layers, place = packed(p, joints, bodies, friction)
     pairs = pairs_room(1)
@@ -72,7 +72,7 @@ def carried(
 
 @called
 def together(v: Vector, w: Vector) -> Vector:
-    """Velocities and spins side by side, (b, 6)."""
+    """An array (b, 6) of the velocities and spins."""
     made = table(len(v), 6)
     for i in range(len(v)):
         for k in range(3):
@@ -82,7 +82,7 @@ def together(v: Vector, w: Vector) -> Vector:
 
 @lent
 def taken_apart(velocities: Vector, v: Vector, w: Vector) -> None:
-    """Fill v, w (b, 3) with velocities (b, 6)."""
+    """Fill v, w (b, 3) from an array of both (b, 6)."""
     for i in range(len(v)):
         for k in range(3):
             v[i, k], w[i, k] = velocities[i, k], velocities[i, 3 + k]
@@ -90,7 +90,7 @@ def taken_apart(velocities: Vector, v: Vector, w: Vector) -> None:
 
 @lent
 def carry(now: Vector, last: Vector, share: float) -> None:
-    """Take numbers (k, m) on by a share of what they changed by since the last, and keep these."""
+    """Extrapolate `now` (k, m) by a share of its change since `last`, which becomes the old now."""
     for k in range(now.shape[0]):
         for m in range(now.shape[1]):
             here = now[k, m]

@@ -1,9 +1,10 @@
 """A round of an augmented Lagrangian for contacts with friction, solved by Newton steps.
 
-With impulses q, velocities z solve z = z(q) + W J^T (P(q - D (J z - need)) - q), P the projection
-on what contact and friction allow (see `cone.py`) and D stiff; then P becomes q. Forces
-that many contacts share, heavy blocks on light ones and contacts that hold whatever the friction
-need no more rounds than others do (Alart and Curnier 1991; Simo and Laursen 1992).
+For given impulses q, velocities z solve z = z(q) + W J^T (P(q - D (J z - need)) - q). P is the
+projection on the impulses that contact and friction allow (see `cone.py`) and D is stiff; the
+projected impulses are the new q. The number of rounds does not grow for loads shared by many
+contacts, heavy blocks on light ones, or wedged contacts (Alart and Curnier 1991; Simo and Laursen
+1992).
 """
 
 from __future__ import annotations
@@ -37,7 +38,7 @@ def allowed(
     joints: Joints, c: int, friction: Friction, stiffness: float,
     q: Triple, u: Triple, slope: Vector,
 ) -> Triple:  # fmt: skip
-    """P(q - D (u - need n)); fills slope (3, 3) with -dP/du, the slope of P times D."""
+    """The projected impulse P(q - D (u - need n)) of contact c; fills slope (3, 3) with -dP/du."""
     n, cap = at(joints.normal, c), friction.mu
     stiff = stiffness / joints.across[c]
     along = stiffness / joints.along[c] if joints.along[c] > 0.0 else 0.0
@@ -54,7 +55,7 @@ def allowed(
     slips = size > radius
     share = radius / size if slips else 1.0
     e = add_scaled(NIL, 1.0 / size, left) if slips else NIL
-    drift = NIL  # how the tangential impulse grows with the normal one
+    drift = NIL  # derivative of the tangential impulse with respect to the normal one
     if slips:
         drift = add_scaled(add_scaled(NIL, (1.0 - share) / normal, centre), radius / normal, e)
         drift = add_scaled(drift, share * dot(e, centre) / normal, e)
@@ -67,9 +68,9 @@ def allowed(
 
 @called
 def levers(joints: Joints, blocks: int) -> Vector:
-    """The longest arm (n,) [m] of each block: times it a spin is a velocity, as the others are.
+    """The longest lever arm (n,) [m] of each block, which makes velocities of its spins.
 
-    Pivots are chosen among both, and must not depend on the unit of length.
+    Pivots are chosen among velocities and spins, and must not depend on the unit of length.
     """
     lever = nil_numbers(blocks)
     for c in range(len(joints.first)):
@@ -80,15 +81,15 @@ def levers(joints: Joints, blocks: int) -> Vector:
                 lever[i] = larger(lever[i], np.sqrt(dot(arm, arm)))
     for i in range(blocks):
         if lever[i] == 0.0:
-            lever[i] = 1.0  # nothing touches it, or nothing that turns it
+            lever[i] = 1.0  # it has no contacts, or none with a lever arm
     return lever
 
 
 @lent
 def column(joints: Joints, c: int, side: int, k: int, lever: float) -> Triple:
-    """How the relative velocity at contact c changes with unknown k of six of one of its bodies.
+    """The change of the relative velocity at contact c per unit of unknown k of a body, 0 <= k < 6.
 
-    The last three are spins times a lever [m].
+    side: 0 for the first body, 1 for the second. Unknowns 3 to 5 are spins times a lever [m].
     """
     axis = (1.0 * (k % 3 == 0), 1.0 * (k % 3 == 1), 1.0 * (k % 3 == 2))
     if k >= 3:
@@ -102,7 +103,7 @@ def spread(
     matrix: Vector, joints: Joints, c: int, bodies: Bodies, rows_of: Index, half: int,
     slope: Vector, lever: Vector,
 ) -> None:  # fmt: skip
-    """Add W J^T slope J of contact c to a matrix as `eliminate` takes it; rows_of: `numbered`."""
+    """Add W J^T slope J of contact c to a matrix for `eliminate`; rows_of: from `numbered`."""
     blocks = len(rows_of) // 6
     for side in range(2):
         j = joints.second[c] if side else joints.first[c]
@@ -130,10 +131,10 @@ def balanced(
     p: Vector, q: Vector, joints: Joints, bodies: Bodies, friction: Friction,
     v: Vector, w: Vector, tolerance: float, stiffness: float, place: Index,
 ) -> bool:  # fmt: skip
-    """Fill p (c, 3) with what q (c, 3), whose effect is in v and w (b, 3), becomes.
+    """Fill p (c, 3) with the impulses after a round from q (c, 3), whose effect is in v, w (b, 3).
 
-    Tells whether in the end no velocity changed by more than a tenth of the tolerance [m/s].
-    place: see `arranged`.
+    Returns whether the iteration converged: no velocity changed by more than a tenth of the
+    tolerance [m/s] in the last step. place: see `arranged`.
     """
     blocks = len(place)
     rows_of, m = numbered(bodies, place)

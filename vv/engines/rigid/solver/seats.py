@@ -1,4 +1,4 @@
-"""Which contacts share a lane of a batch: those of a pair of bodies; and which pairs a batch."""
+"""Assigns contacts to batches: those of one pair of bodies to a lane, and pairs to a batch."""
 
 from __future__ import annotations
 
@@ -9,14 +9,14 @@ from vv.engines.rigid.solver.assembly import Bodies, Joints
 from vv.engines.rigid.solver.banded import moving
 
 LANES = 8
-DEPTH = 8  # contacts of a pair in a lane at most; what it has more goes to another lane
+DEPTH = 8  # most contacts of a pair in a lane; further contacts go to another lane
 
 
 @called
 def runs(joints: Joints) -> tuple[Index, Index]:
-    """The run (c,) of each contact, -1 where none can push, and each run's first (r,).
+    """The run (c,) of each contact, -1 if it cannot act, and the first contact (r,) of each run.
 
-    Contacts that follow one another between the same two bodies are a run, at most DEPTH of them.
+    A run is a sequence of at most DEPTH contacts between the same two bodies.
     """
     count = len(joints.first)
     run, begin, many, size = counts(count), counts(count + 1), 0 * count, 0 * count
@@ -36,9 +36,10 @@ def runs(joints: Joints) -> tuple[Index, Index]:
 
 @called
 def seated(joints: Joints, bodies: Bodies, run: Index, begin: Index) -> tuple[Index, Index]:
-    """The seat (r,) of each run, its batch times LANES and its lane; the depth (k,) of each batch.
+    """The seat (r,) of each run, batch times LANES plus lane, and the depth (k,) of each batch.
 
-    The longest go first; each to the first batch with room that none of its moving bodies is in.
+    The longest runs are seated first, each in the first batch with a free lane that contains none
+    of its moving bodies.
     """
     many, b = len(begin), len(bodies.centre)
     size, degree, most = nil_counts(many), nil_counts(b), 0 * many
